@@ -1,0 +1,57 @@
+// Functions of time made of smooth pieces: force pulses, measured histories.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+namespace upbead {
+
+/// A function of time f(t), smooth between its kinks (a jump or a change of slope). At a kink each piece has its own
+/// limit, so that an integrator whose steps meet the kinks only ever sees a smooth load.
+class TimeFunction {
+ public:
+  using Piece = std::function<double(double)>;
+
+  /// The zero function.
+  TimeFunction();
+  /// pieces[i] holds between kinks[i - 1] and kinks[i]; `kinks` ascending, one piece more than kinks.
+  TimeFunction(std::vector<double> kinks, std::vector<Piece> pieces);
+
+  /// f(t) from the right at a kink.
+  double operator()(double t) const;
+  /// f(t) by the piece that holds the time `inside`, also at that piece's two ends.
+  double operator()(double t, double inside) const;
+  const std::vector<double>& kinks() const { return kinks_; }
+
+ private:
+  std::size_t piece_at(double t) const;
+
+  std::vector<double> kinks_;
+  std::vector<Piece> pieces_;
+};
+
+/// Linear between (time[i], value[i]); zero before the first and after the last sample. `time` ascending, at least two.
+/// Kinks are the ends and those samples where the slope changes by more than a twentieth of the largest slope; a finely
+/// sampled smooth record so stays smooth for the integrator.
+TimeFunction piecewise_linear(const std::vector<double>& time, const std::vector<double>& value);
+
+/// The sum a + b, with the kinks of both.
+TimeFunction sum(const TimeFunction& a, const TimeFunction& b);
+
+/// scale * f.
+TimeFunction scaled(const TimeFunction& f, double scale);
+
+/// Integral of f from t0 to t1 by adaptive Gauss-Kronrod on every smooth piece (relative error 1e-9).
+double integral(const TimeFunction& f, double t0, double t1);
+
+/// Where a function is largest (sign = 1) or smallest (sign = -1).
+struct Extremum {
+  double time = 0.;
+  double value = 0.;
+};
+
+/// Largest (sign = 1) or smallest (sign = -1) value of f on [t0, t1], found piece by piece on `samples` points each and
+/// refined by Brent's method.
+Extremum extremum(const TimeFunction& f, double t0, double t1, int sign, int samples = 64);
+
+}  // namespace upbead

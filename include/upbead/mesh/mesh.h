@@ -1,0 +1,44 @@
+// A mesh of quadrilaterals whose surfaces and curves have names.
+#pragma once
+
+#include <deal.II/grid/tria.h>
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "upbead/base/error.h"
+
+namespace upbead {
+
+/// Two space dimensions: plane strain, x landward, y up.
+constexpr int dim = 2;
+
+/// Where a mesh comes from. Each value has the place in the case that asked for it, for messages.
+struct MeshRequest {
+  std::string file;                         ///< .geo (gmsh script) or .msh (2.2 or 4.1)
+  Place place;                              ///< of the key that names the file
+  std::map<std::string, double> parameters; ///< overrides of the .geo's DefineConstant
+  std::map<std::string, Place> parameter_places;
+  int refine = 0;                           ///< uniform refinements
+};
+
+/// Names live here because deal.II keeps only numbers: a cell's material_id indexes `surfaces`, a face's manifold_id
+/// indexes `curves` (flat manifolds; faces on no named curve have numbers::flat_manifold_id). Ids survive refinement.
+struct Mesh {
+  dealii::Triangulation<dim> triangulation;
+  std::vector<std::string> surfaces;
+  std::vector<std::string> curves;
+
+  const std::string& surface_of(const dealii::Triangulation<dim>::cell_iterator& cell) const;
+  /// Name of the curve that a face lies on, or "" where it lies on none.
+  const std::string& curve_of(const dealii::Triangulation<dim>::face_iterator& face) const;
+};
+
+/// Reads or generates the mesh, checks it and says every mistake by the group's name (InputError): triangles, cells of
+/// second order, unnamed surfaces, an edge on two named curves, an outer edge on none, duplicate names, no cells.
+/// Clockwise cells are turned.
+std::unique_ptr<Mesh> read_mesh(const MeshRequest& request);
+
+}  // namespace upbead

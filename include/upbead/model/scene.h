@@ -1,0 +1,78 @@
+// A scene: everything that a run needs to know, in SI units, without files and without a mesh.
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "upbead/model/load.h"
+#include "upbead/model/region.h"
+
+namespace upbead {
+
+enum class DisplacementCondition { fixed, roller, free };
+enum class PressureCondition { sealed, open };
+
+/// One table [boundaries.NAME].
+struct Boundary {
+  DisplacementCondition displacement = DisplacementCondition::free;
+  std::optional<PressureCondition> pressure;  ///< needed where the boundary meets pore water
+};
+
+struct MeshChoice {
+  std::optional<std::string> geometry;       ///< name of a shipped geometry: composite, column
+  std::optional<std::string> file;           ///< or a path
+  std::map<std::string, double> parameters;  ///< overrides of the .geo's own parameters
+  int refine = 0;
+  int degree = 2;                            ///< of u; phi has degree - 1
+};
+
+enum class TimeScheme { automatic, generalised_alpha, sdirk4 };
+
+struct TimeChoice {
+  double end = 1.;             ///< s
+  std::optional<double> step;  ///< s; none: chosen from the loads
+  TimeScheme scheme = TimeScheme::automatic;
+  bool inertia = true;         ///< false: quasi-static (consolidation)
+  std::optional<double> stop_at_energy;  ///< stop once loads are over and the energy fell below this fraction of its largest
+};
+
+struct Probe {
+  std::array<double, 2> at{0., 0.};  ///< m
+};
+
+struct Scene {
+  std::string title;
+  double gravity = 9.81;  ///< m/s2
+  Fluid fluid;
+  MeshChoice mesh;
+  std::map<std::string, Region> regions;
+  std::map<std::string, Boundary> boundaries;
+  std::map<std::string, Load> loads;
+  TimeChoice time;
+  double tolerance = 0.005;  ///< relative, on peak F_T
+  std::map<std::string, Probe> probes;
+  std::optional<double> fields_every;  ///< s; none: no fields
+};
+
+/// The region whose bottom shear is read.
+inline const std::string caisson_name = "caisson";
+
+/// Why a region's pore water is treated as it is.
+struct FlowChoice {
+  Flow flow = Flow::darcy;
+  double X = 0.;       ///< k omega / (g n), ratio of fluid inertia to drag; 0 without a pulse
+  std::string reason;  ///< for people, with the number
+};
+
+/// Decides darcy or inertial for a porous region with flow = automatic: inertial when X > 0.05 at omega = pi / (shortest
+/// duration of the loads) [Zienkiewicz, Chang and Bettess 1980: u-p is 3 % off at X = 0.1]. A stated flow is kept.
+FlowChoice choose_flow(const Region& region, const Scene& scene);
+
+/// The shortest time in which a load rises and falls (s): the least distance of two kinks times two, half a harmonic's
+/// period; infinity where no load has any.
+double shortest_duration(const Scene& scene);
+
+}  // namespace upbead

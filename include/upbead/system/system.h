@@ -1,0 +1,71 @@
+// The seam of the program: a scene compiled into M x'' + C x' + K x = sum_k b_k f_k(t), with readings y of x, x', x''.
+// What stands left of it knows nothing of time marching, what stands right of it nothing of caissons.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "upbead/algebra/sparse.h"
+#include "upbead/base/time_function.h"
+
+namespace upbead {
+
+/// What an unknown is; decides its sign in the energy and where its power goes.
+enum class Field : char {
+  displacement,      ///< u of the skeleton, or a rigid body's coordinate (m, rad)
+  relative_fluid,    ///< W, relative fluid displacement (m)
+  pressure_impulse,  ///< phi, time integral of the pressure (Pa s); its equation is multiplied by -1
+};
+
+/// A load b f(t) on the right-hand side, or, where `prescribed` >= 0, the prescribed velocity x'_prescribed = f(t).
+struct SystemLoad {
+  std::string name;
+  Vector vector;         ///< b, one entry per unknown; zero where the load prescribes
+  TimeFunction history;  ///< f(t), starts from x = x' = 0 at t = 0
+  int prescribed = -1;   ///< index of the unknown whose velocity is f(t), or -1
+};
+
+/// Entries (unknown, weight) of a sparse row.
+using Row = std::vector<std::pair<int, double>>;
+
+/// A scalar reading y = position.x + velocity.x' + acceleration.x'' + sum_k feedthrough_k f_k(t).
+struct Reading {
+  std::string name;  ///< as in /history: "shear_force", "probes/A/pressure"
+  std::string unit;
+  std::string description;
+  Row position;
+  Row velocity;
+  Row acceleration;
+  std::vector<double> feedthrough;  ///< one per load; empty means none
+};
+
+/// n unknowns; the last n_prescribed of them are given by loads. M, C and K hold all n rows, are symmetric, and with
+/// the rows of phi multiplied by -1: M >= 0, sym(C) >= 0, K >= 0.
+struct System {
+  SparseMatrix M, C, K;
+  std::vector<SystemLoad> loads;
+  std::vector<Reading> readings;
+  std::vector<Field> field;        ///< one per unknown
+  std::vector<IndexRange> blocks;  ///< unknowns that couple inside one cell only (W), eliminated before factorising
+  int n_prescribed = 0;
+
+  int size() const { return static_cast<int>(field.size()); }
+  int n_free() const { return size() - n_prescribed; }
+  /// Index of the reading of that name; throws std::out_of_range where there is none.
+  int reading(const std::string& name) const;
+};
+
+/// x, x', x'' at a time.
+struct State {
+  double time = 0.;
+  Vector x, v, a;
+};
+
+/// A state at rest at t = 0.
+State at_rest(const System& system);
+
+/// Value of a reading at a state, `load` holding f_k at its time.
+double evaluate(const Reading& reading, const State& state, const std::vector<double>& load);
+
+}  // namespace upbead

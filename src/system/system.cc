@@ -1,0 +1,27 @@
+#include "upbead/system/system.h"
+
+#include <stdexcept>
+
+namespace upbead {
+
+int System::reading(const std::string& name) const {
+  for (std::size_t i = 0; i < readings.size(); ++i)
+    if (readings[i].name == name) return static_cast<int>(i);
+  throw std::out_of_range("no reading '" + name + "'");
+}
+
+State at_rest(const System& system) {
+  const Vector zero = Vector::Zero(system.size());
+  return {0., zero, zero, zero};
+}
+
+double evaluate(const Reading& reading, const State& state, const std::vector<double>& load) {
+  double y = 0.;
+  for (const auto& [i, weight] : reading.position) y += weight * state.x[i];
+  for (const auto& [i, weight] : reading.velocity) y += weight * state.v[i];
+  for (const auto& [i, weight] : reading.acceleration) y += weight * state.a[i];
+  for (std::size_t k = 0; k < reading.feedthrough.size(); ++k) y += reading.feedthrough[k] * load[k];
+  return y;
+}
+
+}  // namespace upbead
