@@ -1,0 +1,30 @@
+// What is read of the caisson: forces at its bottom by two routes, its motion.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "upbead/fem/caisson.h"
+#include "upbead/fem/scene_loads.h"
+#include "upbead/system/system.h"
+
+namespace upbead {
+
+/// Names of the readings that others look up.
+namespace reading {
+inline const char* const force = "force";                              ///< P, horizontal load on the caisson
+inline const char* const shear_force = "shear_force";                  ///< F_T by route (ii), the ground's reaction
+inline const char* const inertia_force = "inertia_force";              ///< P - F_T = m x_G'' in balance
+inline const char* const shear_by_inertia = "shear_force_by_inertia";  ///< F_T by route (i), P - m x_G''
+inline const char* const base_moment = "base_moment";
+inline const char* const displacement_x = "caisson/displacement_x";
+inline const char* const velocity_x = "caisson/velocity_x";
+inline const char* const rotation = "caisson/rotation";
+}  // namespace reading
+
+/// All readings of the caisson; `momentum` from momentum_rows, `loads` from compile_loads.
+std::vector<Reading> caisson_readings(const Caisson& caisson, const GroundReaction& reaction,
+                                      const std::array<Row, n_motions>& momentum, const SceneLoads& loads,
+                                      bool inertia);
+
+}  // namespace upbead

@@ -1,0 +1,27 @@
+// The compiler of a scene: Scene on a mesh -> System. The only place that knows both.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "upbead/fem/caisson.h"
+#include "upbead/fem/scene_loads.h"
+#include "upbead/fem/space.h"
+#include "upbead/fem/unknowns.h"
+#include "upbead/model/scene.h"
+#include "upbead/system/system.h"
+
+namespace upbead {
+
+struct CompiledScene {
+  System system;
+  std::vector<Body> bodies;
+  std::optional<Caisson> caisson;
+  std::vector<LoadOnCaisson> loads_on_caisson;  ///< one per system load
+};
+
+/// Assembles M, C, K, the loads and all readings. The scene must have passed check_scene on this mesh.
+CompiledScene compile(const Scene& scene, const Space& space, const Unknowns& unknowns,
+                      const std::vector<Body>& bodies);
+
+}  // namespace upbead

@@ -1,0 +1,23 @@
+// Essential conditions: rigid regions, fixed and roller sides, open sides and prescribed pressures.
+#pragma once
+
+#include <deal.II/lac/affine_constraints.h>
+
+#include <string>
+#include <vector>
+
+#include "upbead/fem/rigid_body.h"
+#include "upbead/fem/space.h"
+
+namespace upbead {
+
+/// Loads of kind pressure on open boundaries, which prescribe the pore pressure there.
+std::vector<std::string> pressure_prescribing_loads(const Space& space, const Scene& scene);
+
+/// All constraints on the degrees of freedom of the space. Indices from n_dofs() on stand for the rigid bodies'
+/// coordinates (three each), then for the prescribed pressures (one per entry of `prescribing`).
+dealii::AffineConstraints<double> make_constraints(const Space& space, const Scene& scene,
+                                                   const std::vector<Body>& bodies,
+                                                   const std::vector<std::string>& prescribing);
+
+}  // namespace upbead

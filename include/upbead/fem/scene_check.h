@@ -1,0 +1,17 @@
+// Does the scene fit the mesh? Everything that can be said before solving, by the names of groups.
+#pragma once
+
+#include <vector>
+
+#include "upbead/mesh/mesh.h"
+#include "upbead/model/scene.h"
+
+namespace upbead {
+
+/// All objections, with keys of the case ("regions.rubble", "boundaries", "probes.A.at"): surfaces without a region,
+/// regions without a surface, outer curves without a condition, conditions for no outer curve, a missing or superfluous
+/// pressure condition, supports on a rigid region, rigid regions that touch, loads on curves that are not there or have
+/// no length in their table of intensities, probes outside the mesh.
+std::vector<Objection> check_scene(const Scene& scene, const Mesh& mesh);
+
+}  // namespace upbead

@@ -1,0 +1,37 @@
+// The loads of a scene as right-hand sides of the system, and what they do to the caisson.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "upbead/fem/caisson.h"
+#include "upbead/fem/unknowns.h"
+#include "upbead/system/system.h"
+
+namespace upbead {
+
+/// Resultant of a load on the caisson per unit of its history.
+struct LoadOnCaisson {
+  std::string name;
+  double force_x = 0., force_y = 0.;  ///< N/m per unit
+  double moment = 0.;                 ///< about the bottom's centre, overturning positive (N m/m per unit)
+  std::optional<double> arm() const;  ///< moment / force_x: height above the bottom (m); none without force_x
+};
+
+/// All loads; the three lists run in parallel.
+struct SceneLoads {
+  std::vector<SystemLoad> loads;
+  std::vector<LoadOnCaisson> on_caisson;
+  /// Work of the forces on the ground's cells at nodes that the caisson shares: it belongs to the ground, not to P.
+  std::vector<std::array<double, n_motions>> on_shared_nodes;
+};
+
+/// One load of the system per load of the scene, and one more where it prescribes a pore pressure. `reaction` is needed
+/// where there is a caisson.
+SceneLoads compile_loads(const Scene& scene, const Space& space, const Unknowns& unknowns,
+                         const std::vector<Body>& bodies, const std::optional<Caisson>& caisson,
+                         const GroundReaction* reaction);
+
+}  // namespace upbead

@@ -1,0 +1,51 @@
+// The finite-element space of a scene: which unknowns live on which cells.
+#pragma once
+
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/fe/fe_values_extractors.h>
+#include <deal.II/fe/mapping_q1.h>
+#include <deal.II/hp/fe_collection.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "upbead/mesh/mesh.h"
+#include "upbead/model/scene.h"
+
+namespace upbead {
+
+/// Components of every element of the collection: u (2), W (2), phi (1).
+constexpr int n_components = 2 * dim + 1;
+constexpr int phi_component = 2 * dim;
+inline const dealii::FEValuesExtractors::Vector u_part{0};
+inline const dealii::FEValuesExtractors::Vector W_part{dim};
+inline const dealii::FEValuesExtractors::Scalar phi_part{phi_component};
+
+/// What a cell carries; also its index into the collection of elements.
+enum class CellKind : unsigned { solid = 0, darcy = 1, inertial = 2 };
+
+/// u in Q(k) everywhere, phi in Q(k-1) where there is pore water, W in DGQ(k-1) where the fluid has inertia; absent
+/// unknowns are FE_Nothing. Inf-sup stable (Taylor and Hood); measured orders in docs/theory.md.
+class Space {
+ public:
+  /// `flows`: the resolved flow of each porous region by name. The mesh must outlive the space.
+  Space(const Mesh& mesh, const Scene& scene, const std::map<std::string, FlowChoice>& flows);
+
+  const Mesh& mesh() const { return *mesh_; }
+  const dealii::DoFHandler<dim>& dofs() const { return dofs_; }
+  const dealii::MappingQ1<dim>& mapping() const { return mapping_; }
+  int degree() const { return degree_; }
+  const Region& region(const dealii::DoFHandler<dim>::active_cell_iterator& cell) const;
+  bool has_pressure(const dealii::DoFHandler<dim>::active_cell_iterator& cell) const;
+
+ private:
+  const Mesh* mesh_;
+  int degree_;
+  std::vector<Region> regions_;  ///< by material_id, with the flow resolved
+  dealii::MappingQ1<dim> mapping_;
+  dealii::hp::FECollection<dim> elements_;
+  dealii::DoFHandler<dim> dofs_;
+};
+
+}  // namespace upbead

@@ -1,0 +1,50 @@
+// From degrees of freedom to unknowns: every degree of freedom is a weighted sum of unknowns.
+#pragma once
+
+#include <deal.II/lac/affine_constraints.h>
+
+#include <map>
+#include <vector>
+
+#include "upbead/fem/rigid_body.h"
+#include "upbead/fem/space.h"
+#include "upbead/system/system.h"
+
+namespace upbead {
+
+/// Degree of freedom i of the space is sum_j weight_j x_j over its expansion; fixed ones have none. Order of the
+/// unknowns x: free u and phi, three coordinates per rigid body, W cell by cell, prescribed pressures last.
+class Unknowns {
+ public:
+  Unknowns(const Space& space, const Scene& scene, const std::vector<Body>& bodies);
+
+  int size() const { return static_cast<int>(field_.size()); }
+  const Row& expansion(unsigned dof) const { return expansion_[dof]; }
+  const std::vector<Field>& field() const { return field_; }
+  const std::vector<IndexRange>& blocks() const { return blocks_; }
+  int n_prescribed() const { return static_cast<int>(prescribed_.size()); }
+  /// Index of a rigid body's coordinate.
+  int coordinate(std::size_t body, int motion) const {
+    return first_coordinate_ + n_motions * static_cast<int>(body) + motion;
+  }
+  /// Index of the unknown whose velocity is the pore pressure of a load, or -1 where the load prescribes none.
+  int prescribed(const std::string& load) const;
+  /// Values at all degrees of freedom of the space, from values of the unknowns.
+  Vector expand(const Vector& x) const;
+  /// Adds weight * (value of a degree of freedom) to a row over the unknowns, given as a map.
+  void add_to(std::map<int, double>& row, unsigned dof, double weight) const;
+
+ private:
+  void number(const Space& space, const dealii::AffineConstraints<double>& constraints, std::size_t n_coordinates);
+
+  std::vector<Row> expansion_;
+  std::vector<Field> field_;
+  std::vector<IndexRange> blocks_;
+  std::vector<std::string> prescribed_;  ///< names of the loads that prescribe a pressure
+  int first_coordinate_ = 0;
+};
+
+/// A row from the map that add_to has filled; zero weights are dropped.
+Row to_row(const std::map<int, double>& entries);
+
+}  // namespace upbead

@@ -1,0 +1,34 @@
+// What a coastal engineer reads off a march: peaks of the force and of the shear force, found inside the steps.
+#pragma once
+
+#include <optional>
+
+#include "upbead/dynamics/march.h"
+#include "upbead/fem/compile.h"
+
+namespace upbead {
+
+/// Peaks are signed: landward positive (SI, per metre of breakwater).
+struct ShearResponse {
+  double peak_force = 0., peak_force_time = 0.;                  ///< of P (N/m, s)
+  double impulse = 0.;                                           ///< integral of P over the march (N s/m)
+  double peak_shear = 0., peak_shear_time = 0.;                  ///< largest F_T, landward (N/m, s)
+  double peak_shear_seaward = 0., peak_shear_seaward_time = 0.;  ///< least F_T
+  double peak_shear_paper = 0.;                                  ///< largest P - m x_G'' (the paper's reading)
+  double shear_to_force_ratio = 0.;                              ///< peak_shear / peak_force
+  double shear_to_impulse = 0.;                                  ///< peak_shear / impulse (1/s)
+  double peak_displacement = 0.;                                 ///< largest x_G (m)
+  double peak_rotation = 0.;                                     ///< largest rotation (rad)
+  std::optional<double> arm;                                     ///< of P above the bottom when P is largest (m)
+  double peak_base_moment = 0.;                                  ///< N m/m
+  double reaction_mismatch = 0.;  ///< largest difference of both routes to F_T over largest |F_T|
+};
+
+/// The horizontal load P(t) on the caisson, all loads together.
+TimeFunction force_on_caisson(const CompiledScene& compiled);
+
+/// Needs a scene with a caisson. Between the ends of a step F_T = P - m x_G'' with x_G by the quintic Hermite
+/// polynomial through x_G, x_G' and x_G'' = (P - F_T)/m at both ends; without inertia the ends of the steps alone.
+ShearResponse read_shear_response(const CompiledScene& compiled, const Response& response, bool inertia);
+
+}  // namespace upbead

@@ -1,0 +1,88 @@
+#include "upbead/fem/assembly.h"
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/hp/fe_values.h>
+
+#include "upbead/fem/kernels.h"
+
+namespace upbead {
+
+using namespace dealii;
+
+namespace {
+
+using Triplets = std::vector<Eigen::Triplet<double>>;
+
+/// Adds a cell's matrix, each degree of freedom spread over the unknowns of its expansion.
+void scatter(const FullMatrix<double>& local, const std::vector<types::global_dof_index>& dofs,
+             const Unknowns& unknowns, Triplets& triplets) {
+  for (unsigned i = 0; i < dofs.size(); ++i)
+    for (unsigned j = 0; j < dofs.size(); ++j) {
+      if (local(i, j) == 0.) continue;
+      for (const auto& [row, a] : unknowns.expansion(static_cast<unsigned>(dofs[i])))
+        for (const auto& [column, b] : unknowns.expansion(static_cast<unsigned>(dofs[j])))
+          triplets.emplace_back(row, column, a * b * local(i, j));
+    }
+}
+
+/// M, C and K of the whole system, from cells that deform and bodies that do not.
+class Assembly {
+ public:
+  explicit Assembly(const Unknowns& unknowns) : unknowns_(unknowns) {}
+
+  void add(const CellMatrices& cell, const std::vector<types::global_dof_index>& dofs) {
+    scatter(cell.M, dofs, unknowns_, M_);
+    scatter(cell.C, dofs, unknowns_, C_);
+    scatter(cell.K, dofs, unknowns_, K_);
+  }
+
+  void add(const std::vector<Body>& bodies) {
+    for (std::size_t b = 0; b < bodies.size(); ++b)
+      for (int m = 0; m < n_motions; ++m) {
+        const int i = unknowns_.coordinate(b, m);
+        M_.emplace_back(i, i, m == motion_rotation ? bodies[b].moment_of_inertia : bodies[b].mass);
+      }
+  }
+
+  void write(System& system) const {
+    const auto build = [&](SparseMatrix& matrix, const Triplets& triplets) {
+      matrix.resize(unknowns_.size(), unknowns_.size());
+      matrix.setFromTriplets(triplets.begin(), triplets.end());
+    };
+    build(system.M, M_);
+    build(system.C, C_);
+    build(system.K, K_);
+  }
+
+ private:
+  const Unknowns& unknowns_;
+  Triplets M_, C_, K_;
+};
+
+}  // namespace
+
+void assemble(const Scene& scene, const Space& space, const Unknowns& unknowns, const std::vector<Body>& bodies,
+              GroundReaction* reaction, System& system) {
+  Assembly assembly(unknowns);
+  const hp::QCollection<dim> quadrature(QGauss<dim>(static_cast<unsigned>(space.degree()) + 1));
+  hp::FEValues<dim> hp_values(space.dofs().get_fe_collection(), quadrature,
+                              update_values | update_gradients | update_JxW_values);
+  CellMatrices cell_matrices;
+  std::vector<types::global_dof_index> dofs;
+  for (const auto& cell : space.dofs().active_cell_iterators()) {
+    const Region& region = space.region(cell);
+    if (region.kind == RegionKind::rigid) continue;
+    hp_values.reinit(cell);
+    const Material constants = material(region, scene.fluid, scene.gravity);
+    assemble_cell(hp_values.get_present_fe_values(), constants, static_cast<CellKind>(cell->active_fe_index()),
+                  scene.time.inertia, cell_matrices);
+    dofs.resize(cell->get_fe().n_dofs_per_cell());
+    cell->get_dof_indices(dofs);
+    assembly.add(cell_matrices, dofs);
+    if (reaction && space.mesh().surface_of(cell) != caisson_name) reaction->add(cell_matrices, dofs);
+  }
+  if (scene.time.inertia) assembly.add(bodies);
+  assembly.write(system);
+}
+
+}  // namespace upbead

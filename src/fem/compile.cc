@@ -1,0 +1,37 @@
+#include "upbead/fem/compile.h"
+
+#include "upbead/fem/assembly.h"
+#include "upbead/fem/caisson_readings.h"
+#include "upbead/fem/probes.h"
+
+namespace upbead {
+
+CompiledScene compile(const Scene& scene, const Space& space, const Unknowns& unknowns,
+                      const std::vector<Body>& bodies) {
+  CompiledScene compiled;
+  compiled.bodies = bodies;
+  compiled.caisson = find_caisson(space);
+  System& system = compiled.system;
+  system.field = unknowns.field();
+  system.blocks = unknowns.blocks();
+  system.n_prescribed = unknowns.n_prescribed();
+
+  std::optional<GroundReaction> reaction;
+  if (compiled.caisson) reaction.emplace(space, unknowns, *compiled.caisson);
+  assemble(scene, space, unknowns, bodies, reaction ? &*reaction : nullptr, system);
+
+  SceneLoads loads = compile_loads(scene, space, unknowns, bodies, compiled.caisson, reaction ? &*reaction : nullptr);
+  if (compiled.caisson) {
+    const double density = scene.regions.at(caisson_name).density.value_or(0.);
+    const auto momentum = momentum_rows(space, unknowns, bodies, compiled.caisson->body, density);
+    system.readings = caisson_readings(*compiled.caisson, *reaction, momentum, loads, scene.time.inertia);
+  }
+  for (const auto& probe : scene.probes)
+    for (Reading& reading : probe_readings(space, unknowns, scene, probe.first))
+      system.readings.push_back(std::move(reading));
+  system.loads = std::move(loads.loads);
+  compiled.loads_on_caisson = std::move(loads.on_caisson);
+  return compiled;
+}
+
+}  // namespace upbead

@@ -1,0 +1,181 @@
+#include "upbead/fem/constraints.h"
+
+#include <deal.II/dofs/dof_tools.h>
+
+#include <cmath>
+#include <map>
+
+namespace upbead {
+
+using namespace dealii;
+using Constraints = AffineConstraints<double>;
+using Cell = DoFHandler<dim>::active_cell_iterator;
+
+namespace {
+
+/// Calls visit(cell, face number, boundary) for every outer face with its boundary condition.
+template <typename Visit>
+void for_each_boundary_face(const Space& space, const Scene& scene, const Visit& visit) {
+  for (const auto& cell : space.dofs().active_cell_iterators())
+    for (const unsigned f : cell->face_indices())
+      if (cell->at_boundary(f)) {
+        const std::string& curve = space.mesh().curve_of(cell->face(f));
+        visit(cell, f, curve, scene.boundaries.at(curve));
+      }
+}
+
+std::vector<types::global_dof_index> face_dofs(const Cell& cell, unsigned f) {
+  std::vector<types::global_dof_index> dofs(cell->get_fe().n_dofs_per_face(f));
+  cell->face(f)->get_dof_indices(dofs, cell->active_fe_index());
+  return dofs;
+}
+
+void constrain(Constraints& constraints, types::global_dof_index dof) {
+  if (!constraints.is_constrained(dof)) constraints.add_line(dof);
+}
+
+/// u of every node of a rigid region follows the body's three coordinates.
+void add_rigid(Constraints& constraints, const Space& space, const std::vector<Body>& bodies) {
+  const types::global_dof_index first = space.dofs().n_dofs();
+  std::vector<types::global_dof_index> dofs;
+  for (const auto& cell : space.dofs().active_cell_iterators())
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+      if (space.mesh().surface_of(cell) != bodies[b].region) continue;
+      const auto& fe = cell->get_fe();
+      dofs.resize(fe.n_dofs_per_cell());
+      cell->get_dof_indices(dofs);
+      for (unsigned i = 0; i < dofs.size(); ++i) {
+        if (constraints.is_constrained(dofs[i])) continue;
+        const auto [component, node] = fe.system_to_component_index(i);
+        const Point<dim> at =
+            space.mapping().transform_unit_to_real_cell(cell, fe.base_element(0).unit_support_point(node));
+        constraints.add_line(dofs[i]);
+        for (int m = 0; m < n_motions; ++m)
+          if (const double weight = unit_motion(m, at, bodies[b].centre)[component]; weight != 0.)
+            constraints.add_entry(dofs[i], first + n_motions * b + static_cast<unsigned>(m), weight);
+      }
+    }
+}
+
+/// A node on rollers: its two degrees of freedom and the normals of the rollers that it touches.
+struct RollerNode {
+  types::global_dof_index ux, uy;
+  std::vector<Tensor<1, dim>> normals;
+};
+
+/// Outward normal of a straight face.
+Tensor<1, dim> face_normal(const Cell& cell, unsigned f) {
+  const Tensor<1, dim> along = cell->face(f)->vertex(1) - cell->face(f)->vertex(0);
+  Tensor<1, dim> normal;
+  normal[0] = along[1] / along.norm();
+  normal[1] = -along[0] / along.norm();
+  return normal;
+}
+
+/// The degrees of freedom of u of each node on a face, as pairs.
+std::map<unsigned, std::array<types::global_dof_index, 2>> nodes_on_face(const Cell& cell, unsigned f) {
+  std::map<unsigned, std::array<types::global_dof_index, 2>> nodes;
+  const auto dofs = face_dofs(cell, f);
+  for (unsigned i = 0; i < dofs.size(); ++i) {
+    const auto [component, node] = cell->get_fe().face_system_to_component_index(i, f);
+    if (component < dim) nodes[node][component] = dofs[i];
+  }
+  return nodes;
+}
+
+/// No motion along the normal: one relation between u_x and u_y on a straight side, both fixed at a corner of two.
+void add_rollers(Constraints& constraints, const std::map<types::global_dof_index, RollerNode>& rollers) {
+  for (const auto& [key, node] : rollers) {
+    const Tensor<1, dim> n = node.normals.front();
+    bool corner = false;
+    for (const auto& other : node.normals) corner = corner || std::abs(n[0] * other[1] - n[1] * other[0]) > 1e-6;
+    if (corner) {
+      constrain(constraints, node.ux);
+      constrain(constraints, node.uy);
+      continue;
+    }
+    const bool x_leads = std::abs(n[0]) >= std::abs(n[1]);  // the larger component of the normal is eliminated
+    const auto slave = x_leads ? node.ux : node.uy, master = x_leads ? node.uy : node.ux;
+    const double ratio = x_leads ? -n[1] / n[0] : -n[0] / n[1];
+    if (constraints.is_constrained(slave)) continue;
+    constraints.add_line(slave);
+    if (std::abs(ratio) > 1e-12 && !constraints.is_constrained(master)) constraints.add_entry(slave, master, ratio);
+  }
+}
+
+void add_supports(Constraints& constraints, const Space& space, const Scene& scene) {
+  std::map<types::global_dof_index, RollerNode> rollers;
+  for_each_boundary_face(space, scene, [&](const Cell& cell, unsigned f, const std::string&, const Boundary& boundary) {
+    if (boundary.displacement == DisplacementCondition::free) return;
+    for (const auto& [index, node] : nodes_on_face(cell, f)) {
+      if (boundary.displacement == DisplacementCondition::fixed) {
+        constrain(constraints, node[0]);
+        constrain(constraints, node[1]);
+      } else {
+        RollerNode& roller = rollers[node[0]];
+        roller.ux = node[0];
+        roller.uy = node[1];
+        roller.normals.push_back(face_normal(cell, f));
+      }
+    }
+  });
+  add_rollers(constraints, rollers);
+}
+
+/// phi' = sum over the loads of intensity(y) f(t) on open sides; phi = 0 where no load acts.
+void add_open_sides(Constraints& constraints, const Space& space, const Scene& scene,
+                    const std::vector<std::string>& prescribing, types::global_dof_index first) {
+  std::map<types::global_dof_index, std::map<types::global_dof_index, double>> entries;
+  for_each_boundary_face(space, scene,
+                         [&](const Cell& cell, unsigned f, const std::string& curve, const Boundary& boundary) {
+                           if (boundary.pressure != PressureCondition::open || !space.has_pressure(cell)) return;
+                           const auto dofs = face_dofs(cell, f);
+                           const auto& phi = cell->get_fe().base_element(2);
+                           for (unsigned i = 0; i < dofs.size(); ++i) {
+                             const auto [component, node] = cell->get_fe().face_system_to_component_index(i, f);
+                             if (component != phi_component) continue;
+                             const Point<dim> at = space.mapping().transform_unit_to_real_cell(
+                                 cell, phi.unit_support_point(phi.face_to_cell_index(node, f)));
+                             auto& entry = entries[dofs[i]];
+                             for (std::size_t l = 0; l < prescribing.size(); ++l)
+                               if (const Load& load = scene.loads.at(prescribing[l]); load.boundary == curve)
+                                 entry[first + l] = intensity(load, at[1]);
+                           }
+                         });
+  for (const auto& [dof, entry] : entries) {
+    if (constraints.is_constrained(dof)) continue;
+    constraints.add_line(dof);
+    for (const auto& [unknown, weight] : entry) constraints.add_entry(dof, unknown, weight);
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> pressure_prescribing_loads(const Space& space, const Scene& scene) {
+  std::vector<std::string> names;
+  for (const auto& [name, load] : scene.loads) {
+    if (load.kind != LoadKind::pressure) continue;
+    bool prescribes = false;
+    const std::string& boundary = load.boundary;
+    for_each_boundary_face(
+        space, scene, [&](const Cell& cell, unsigned, const std::string& curve, const Boundary& side) {
+          prescribes =
+              prescribes || (curve == boundary && side.pressure == PressureCondition::open && space.has_pressure(cell));
+        });
+    if (prescribes) names.push_back(name);
+  }
+  return names;
+}
+
+Constraints make_constraints(const Space& space, const Scene& scene, const std::vector<Body>& bodies,
+                             const std::vector<std::string>& prescribing) {
+  Constraints constraints;
+  DoFTools::make_hanging_node_constraints(space.dofs(), constraints);
+  add_rigid(constraints, space, bodies);
+  add_supports(constraints, space, scene);
+  add_open_sides(constraints, space, scene, prescribing, space.dofs().n_dofs() + n_motions * bodies.size());
+  constraints.close();
+  return constraints;
+}
+
+}  // namespace upbead

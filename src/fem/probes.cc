@@ -1,0 +1,132 @@
+#include "upbead/fem/probes.h"
+
+#include <deal.II/fe/fe_values.h>
+
+#include "upbead/fem/kernels.h"
+#include "upbead/fem/locate.h"
+
+namespace upbead {
+
+using namespace dealii;
+
+std::optional<Location> locate(const Space& space, const Point<dim>& point) {
+  std::optional<Location> found;
+  for (const auto& cell : space.dofs().active_cell_iterators()) {
+    if (found && (space.has_pressure(found->cell) || !space.has_pressure(cell))) continue;
+    if (const auto unit = unit_coordinates(cell, point)) found = Location{cell, *unit};
+  }
+  return found;
+}
+
+namespace {
+
+/// Rows of point values at one location.
+class PointRows {
+ public:
+  PointRows(const Space& space, const Unknowns& unknowns, const Location& location)
+      : unknowns_(unknowns),
+        values_(space.mapping(), location.cell->get_fe(), Quadrature<dim>(location.unit),
+                update_values | update_gradients),
+        dofs_(location.cell->get_fe().n_dofs_per_cell()) {
+    values_.reinit(typename Triangulation<dim>::cell_iterator(location.cell));
+    location.cell->get_dof_indices(dofs_);
+  }
+
+  Row value(unsigned component) const {
+    return row([&](unsigned i) { return values_.shape_value_component(i, 0, component); });
+  }
+  /// Strain component, tension positive.
+  Row strain(unsigned a, unsigned b) const {
+    return row([&](unsigned i) { return values_[u_part].symmetric_gradient(i, 0)[a][b]; });
+  }
+  /// Stress component of plane strain: 2 G eps_ab + lambda div u delta_ab; a = b = 2 is the one out of plane.
+  Row stress(const Material& material, unsigned a, unsigned b) const {
+    return row([&](unsigned i) {
+      const double shear = a < dim && b < dim ? 2. * material.G * values_[u_part].symmetric_gradient(i, 0)[a][b] : 0.;
+      return shear + (a == b ? material.lambda * values_[u_part].divergence(i, 0) : 0.);
+    });
+  }
+
+ private:
+  template <typename Value>
+  Row row(const Value& value) const {
+    std::map<int, double> entries;
+    for (unsigned i = 0; i < dofs_.size(); ++i)
+      if (const double v = value(i); v != 0.) unknowns_.add_to(entries, static_cast<unsigned>(dofs_[i]), v);
+    return to_row(entries);
+  }
+
+  const Unknowns& unknowns_;
+  FEValues<dim> values_;
+  std::vector<types::global_dof_index> dofs_;
+};
+
+void add_motion(std::vector<Reading>& list, const std::string& prefix, const PointRows& rows) {
+  const char* axis[] = {"x", "y"};
+  const char* meaning[] = {"landward", "upward"};
+  for (unsigned d = 0; d < dim; ++d) {
+    const Row row = rows.value(d);
+    list.push_back(
+        {prefix + "displacement_" + axis[d], "m", std::string("displacement, ") + meaning[d], row, {}, {}, {}});
+    list.push_back({prefix + "velocity_" + axis[d], "m/s", std::string("velocity, ") + meaning[d], {}, row, {}, {}});
+    list.push_back(
+        {prefix + "acceleration_" + axis[d], "m/s2", std::string("acceleration, ") + meaning[d], {}, {}, row, {}});
+  }
+}
+
+/// Pore pressure p = phi'; where the fluid has inertia, Darcy velocity w = W'.
+void add_pore_water(std::vector<Reading>& list, const std::string& prefix, const PointRows& rows, CellKind kind) {
+  list.push_back({prefix + "pressure", "Pa", "excess pore pressure", {}, rows.value(phi_component), {}, {}});
+  if (kind != CellKind::inertial) return;
+  list.push_back(
+      {prefix + "darcy_velocity_x", "m/s", "relative fluid velocity, landward", {}, rows.value(dim), {}, {}});
+  list.push_back(
+      {prefix + "darcy_velocity_y", "m/s", "relative fluid velocity, upward", {}, rows.value(dim + 1), {}, {}});
+}
+
+void add_strain_and_stress(std::vector<Reading>& list, const std::string& prefix, const PointRows& rows,
+                           const Region& region, const Material& material) {
+  const std::string stress = region.kind == RegionKind::porous ? "effective_stress" : "stress";
+  const std::string text = region.kind == RegionKind::porous ? "effective stress " : "stress ";
+  const struct {
+    const char* name;
+    unsigned a, b;
+  } components[] = {{"xx", 0, 0}, {"yy", 1, 1}, {"xy", 0, 1}, {"zz", 2, 2}};
+  for (const auto& c : components) {
+    if (c.a < dim)
+      list.push_back({prefix + "strain_" + c.name,
+                      "1",
+                      std::string("strain ") + c.name + ", extension positive",
+                      rows.strain(c.a, c.b),
+                      {},
+                      {},
+                      {}});
+    list.push_back({prefix + stress + "_" + c.name,
+                    "Pa",
+                    text + c.name + ", tension positive",
+                    rows.stress(material, c.a, c.b),
+                    {},
+                    {},
+                    {}});
+  }
+}
+
+}  // namespace
+
+std::vector<Reading> probe_readings(const Space& space, const Unknowns& unknowns, const Scene& scene,
+                                    const std::string& name) {
+  const Probe& probe = scene.probes.at(name);
+  const Location location = *locate(space, Point<dim>(probe.at[0], probe.at[1]));
+  const Region& region = space.region(location.cell);
+  const PointRows rows(space, unknowns, location);
+  const std::string prefix = "probes/" + name + "/";
+  std::vector<Reading> list;
+  add_motion(list, prefix, rows);
+  if (space.has_pressure(location.cell))
+    add_pore_water(list, prefix, rows, static_cast<CellKind>(location.cell->active_fe_index()));
+  if (region.kind != RegionKind::rigid)
+    add_strain_and_stress(list, prefix, rows, region, material(region, scene.fluid, scene.gravity));
+  return list;
+}
+
+}  // namespace upbead

@@ -1,0 +1,72 @@
+#include "upbead/fem/rigid_body.h"
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_nothing.h>
+#include <deal.II/fe/fe_values.h>
+
+namespace upbead {
+
+using namespace dealii;
+
+Tensor<1, dim> unit_motion(int motion, const Point<dim>& point, const Point<dim>& centre) {
+  Tensor<1, dim> u;
+  if (motion == motion_rotation) {
+    u[0] = point[1] - centre[1];
+    u[1] = -(point[0] - centre[0]);
+  } else {
+    u[motion] = 1.;
+  }
+  return u;
+}
+
+namespace {
+
+/// Calls visit(point, weight) at the quadrature points of all cells of a region; exact for quadratic functions.
+template <typename Visit>
+void for_each_point(const Space& space, const std::string& name, const Visit& visit) {
+  const FE_Nothing<dim> nothing;
+  FEValues<dim> values(space.mapping(), nothing, QGauss<dim>(3), update_quadrature_points | update_JxW_values);
+  for (const auto& cell : space.mesh().triangulation.active_cell_iterators()) {
+    if (space.mesh().surface_of(cell) != name) continue;
+    values.reinit(cell);
+    for (unsigned q = 0; q < values.n_quadrature_points; ++q) visit(values.quadrature_point(q), values.JxW(q));
+  }
+}
+
+const Region& region_of(const Space& space, const std::string& name) {
+  for (const auto& cell : space.dofs().active_cell_iterators())
+    if (space.mesh().surface_of(cell) == name) return space.region(cell);
+  throw std::logic_error("no cell in region " + name);
+}
+
+}  // namespace
+
+Body make_body(const Space& space, const std::string& name) {
+  const Region& region = region_of(space, name);
+  Body body;
+  body.region = name;
+  Tensor<1, dim> first_moment;
+  for_each_point(space, name, [&](const Point<dim>& point, double weight) {
+    body.area += weight;
+    first_moment += weight * point;
+  });
+  body.centre = Point<dim>(first_moment / body.area);
+  double second_moment = 0.;  // polar, about the centroid (m4)
+  for_each_point(space, name, [&](const Point<dim>& point, double weight) {
+    second_moment += weight * (point - body.centre).norm_square();
+  });
+  body.mass = region.mass ? *region.mass : region.density.value_or(0.) * body.area;
+  body.moment_of_inertia = region.moment_of_inertia.value_or(body.mass / body.area * second_moment);
+  if (region.centre_of_gravity)
+    body.centre = Point<dim>((*region.centre_of_gravity)[0], (*region.centre_of_gravity)[1]);
+  return body;
+}
+
+std::vector<Body> rigid_bodies(const Space& space) {
+  std::vector<Body> bodies;
+  for (const std::string& name : space.mesh().surfaces)
+    if (region_of(space, name).kind == RegionKind::rigid) bodies.push_back(make_body(space, name));
+  return bodies;
+}
+
+}  // namespace upbead

@@ -1,0 +1,101 @@
+#include "upbead/fem/scene_loads.h"
+
+#include <cmath>
+
+#include "upbead/fem/face_loads.h"
+
+namespace upbead {
+
+using namespace dealii;
+
+std::optional<double> LoadOnCaisson::arm() const {
+  if (std::abs(force_x) < 1e-12) return std::nullopt;
+  return moment / force_x;
+}
+
+namespace {
+
+/// A force at a point of a rigid region, on that body's coordinates.
+SystemLoad body_load(const std::string& name, const Load& load, const Unknowns& unknowns,
+                     const std::vector<Body>& bodies) {
+  SystemLoad out{name, Vector::Zero(unknowns.size()), load.history, -1};
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    if (bodies[b].region != load.region) continue;
+    for (int m = 0; m < n_motions; ++m) {
+      const auto motion = unit_motion(m, Point<dim>(load.at[0], load.at[1]), bodies[b].centre);
+      out.vector[unknowns.coordinate(b, m)] = motion[0] * load.direction[0] + motion[1] * load.direction[1];
+    }
+  }
+  return out;
+}
+
+/// Loads of the system and what they do to the caisson and to the ground's nodes under it.
+class LoadCompiler {
+ public:
+  LoadCompiler(const Space& space, const Unknowns& unknowns, const std::vector<Body>& bodies,
+               const std::optional<Caisson>& caisson, const GroundReaction* reaction)
+      : space_(space), unknowns_(unknowns), bodies_(bodies), caisson_(caisson), reaction_(reaction) {}
+
+  void add(const std::string& name, const Load& load) {
+    if (!load.region.empty()) {
+      append(body_load(name, load, unknowns_, bodies_));
+      if (caisson_ && load.region == caisson_name) add_point_resultant(load);
+      return;
+    }
+    append({name, Vector::Zero(unknowns_.size()), load.history, -1});
+    for (const auto& [region, nodal] : curve_forces(space_, load)) add_nodal(region, nodal);
+    if (const int p = unknowns_.prescribed(name); p >= 0)
+      append({name + ".pore_pressure", Vector::Zero(unknowns_.size()), load.history, p});
+  }
+
+  SceneLoads out;
+
+ private:
+  void append(SystemLoad load) {
+    out.on_caisson.push_back({load.name});
+    out.on_shared_nodes.push_back({});
+    out.loads.push_back(std::move(load));
+  }
+
+  void add_point_resultant(const Load& load) {
+    LoadOnCaisson& resultant = out.on_caisson.back();
+    const auto rotation = unit_motion(motion_rotation, Point<dim>(load.at[0], load.at[1]), caisson_->bottom_centre);
+    resultant.force_x = load.direction[0];
+    resultant.force_y = load.direction[1];
+    resultant.moment = rotation[0] * load.direction[0] + rotation[1] * load.direction[1];
+  }
+
+  void add_nodal(const std::string& region, const NodalForces& nodal) {
+    for (const auto& [dof, force] : nodal) {
+      for (const auto& [unknown, weight] : unknowns_.expansion(dof)) out.loads.back().vector[unknown] += weight * force;
+      if (!reaction_) continue;
+      std::array<double, n_motions> work;
+      for (int m = 0; m < n_motions; ++m) work[m] = reaction_->work(m, dof, force);
+      if (region == caisson_name) {
+        out.on_caisson.back().force_x += work[motion_x];
+        out.on_caisson.back().force_y += work[motion_y];
+        out.on_caisson.back().moment += work[motion_rotation];
+      } else {
+        for (int m = 0; m < n_motions; ++m) out.on_shared_nodes.back()[m] += work[m];
+      }
+    }
+  }
+
+  const Space& space_;
+  const Unknowns& unknowns_;
+  const std::vector<Body>& bodies_;
+  const std::optional<Caisson>& caisson_;
+  const GroundReaction* reaction_;
+};
+
+}  // namespace
+
+SceneLoads compile_loads(const Scene& scene, const Space& space, const Unknowns& unknowns,
+                         const std::vector<Body>& bodies, const std::optional<Caisson>& caisson,
+                         const GroundReaction* reaction) {
+  LoadCompiler compiler(space, unknowns, bodies, caisson, reaction);
+  for (const auto& [name, load] : scene.loads) compiler.add(name, load);
+  return std::move(compiler.out);
+}
+
+}  // namespace upbead

@@ -1,0 +1,102 @@
+#include "upbead/fem/unknowns.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "upbead/fem/constraints.h"
+
+namespace upbead {
+
+using namespace dealii;
+
+namespace {
+
+/// The field of every degree of freedom, and for each cell with W its degrees of freedom of W.
+struct Layout {
+  std::vector<Field> field;
+  std::vector<std::vector<types::global_dof_index>> W;
+};
+
+Layout layout_of(const Space& space) {
+  Layout layout;
+  layout.field.assign(space.dofs().n_dofs(), Field::displacement);
+  std::vector<types::global_dof_index> dofs;
+  for (const auto& cell : space.dofs().active_cell_iterators()) {
+    const auto& fe = cell->get_fe();
+    dofs.resize(fe.n_dofs_per_cell());
+    cell->get_dof_indices(dofs);
+    std::vector<types::global_dof_index> W;
+    for (unsigned i = 0; i < dofs.size(); ++i) {
+      const int component = static_cast<int>(fe.system_to_component_index(i).first);
+      if (component == phi_component) {
+        layout.field[dofs[i]] = Field::pressure_impulse;
+      } else if (component >= dim) {
+        layout.field[dofs[i]] = Field::relative_fluid;
+        W.push_back(dofs[i]);
+      }
+    }
+    if (!W.empty()) layout.W.push_back(std::move(W));
+  }
+  return layout;
+}
+
+}  // namespace
+
+Unknowns::Unknowns(const Space& space, const Scene& scene, const std::vector<Body>& bodies)
+    : prescribed_(pressure_prescribing_loads(space, scene)) {
+  number(space, make_constraints(space, scene, bodies, prescribed_), n_motions * bodies.size());
+}
+
+void Unknowns::number(const Space& space, const AffineConstraints<double>& constraints, std::size_t n_coordinates) {
+  const auto n_dofs = space.dofs().n_dofs();
+  const Layout layout = layout_of(space);
+  std::vector<int> index(n_dofs + n_coordinates + prescribed_.size(), -1);
+  const auto append = [&](types::global_dof_index i, Field field) {
+    index[i] = size();
+    field_.push_back(field);
+  };
+  for (types::global_dof_index i = 0; i < n_dofs; ++i)
+    if (!constraints.is_constrained(i) && layout.field[i] != Field::relative_fluid) append(i, layout.field[i]);
+  first_coordinate_ = size();
+  for (std::size_t c = 0; c < n_coordinates; ++c) append(n_dofs + c, Field::displacement);
+  for (const auto& block : layout.W) {
+    const int begin = size();
+    for (const auto i : block) append(i, Field::relative_fluid);
+    blocks_.push_back({begin, size()});
+  }
+  for (std::size_t l = 0; l < prescribed_.size(); ++l) append(n_dofs + n_coordinates + l, Field::pressure_impulse);
+
+  expansion_.resize(n_dofs);
+  for (types::global_dof_index i = 0; i < n_dofs; ++i) {
+    if (!constraints.is_constrained(i)) {
+      expansion_[i] = {{index[i], 1.}};
+      continue;
+    }
+    for (const auto& [j, weight] : *constraints.get_constraint_entries(i)) expansion_[i].emplace_back(index[j], weight);
+  }
+}
+
+int Unknowns::prescribed(const std::string& load) const {
+  const auto found = std::find(prescribed_.begin(), prescribed_.end(), load);
+  return found == prescribed_.end() ? -1 : size() - n_prescribed() + static_cast<int>(found - prescribed_.begin());
+}
+
+Vector Unknowns::expand(const Vector& x) const {
+  Vector full = Vector::Zero(static_cast<Eigen::Index>(expansion_.size()));
+  for (std::size_t i = 0; i < expansion_.size(); ++i)
+    for (const auto& [j, weight] : expansion_[i]) full[static_cast<Eigen::Index>(i)] += weight * x[j];
+  return full;
+}
+
+void Unknowns::add_to(std::map<int, double>& row, unsigned dof, double weight) const {
+  for (const auto& [j, part] : expansion_[dof]) row[j] += weight * part;
+}
+
+Row to_row(const std::map<int, double>& entries) {
+  Row row;
+  for (const auto& entry : entries)
+    if (entry.second != 0.) row.push_back(entry);
+  return row;
+}
+
+}  // namespace upbead

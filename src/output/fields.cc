@@ -1,0 +1,105 @@
+#include "upbead/output/fields.h"
+
+#include <deal.II/numerics/data_out.h>
+#include <deal.II/numerics/data_postprocessor.h>
+
+#include <cstdio>
+#include <fstream>
+
+#include "upbead/base/error.h"
+
+namespace upbead {
+
+using namespace dealii;
+
+namespace {
+
+const std::vector<std::string> stress_names{"effective_stress_xx_(Pa)", "effective_stress_yy_(Pa)",
+                                            "effective_stress_xy_(Pa)", "effective_stress_zz_(Pa)"};
+
+/// Effective stress of plane strain from the gradient of u, tension positive; zero in rigid regions.
+class EffectiveStress : public DataPostprocessor<dim> {
+ public:
+  EffectiveStress(const Space& space, const Scene& scene) : space_(space), scene_(scene) {}
+  std::vector<std::string> get_names() const override { return stress_names; }
+  std::vector<DataComponentInterpretation::DataComponentInterpretation> get_data_component_interpretation()
+      const override {
+    return std::vector<DataComponentInterpretation::DataComponentInterpretation>(
+        stress_names.size(), DataComponentInterpretation::component_is_scalar);
+  }
+  UpdateFlags get_needed_update_flags() const override { return update_gradients; }
+
+  void evaluate_vector_field(const DataPostprocessorInputs::Vector<dim>& inputs,
+                             std::vector<dealii::Vector<double>>& computed) const override {
+    const Region& region = space_.region(inputs.template get_cell<dim>());
+    const bool rigid = region.kind == RegionKind::rigid;
+    const Material m = rigid ? Material{} : material(region, scene_.fluid, scene_.gravity);
+    for (std::size_t q = 0; q < computed.size(); ++q) {
+      const auto& g = inputs.solution_gradients[q];
+      const double volume = g[0][0] + g[1][1];
+      computed[q][0] = 2. * m.G * g[0][0] + m.lambda * volume;
+      computed[q][1] = 2. * m.G * g[1][1] + m.lambda * volume;
+      computed[q][2] = m.G * (g[0][1] + g[1][0]);
+      computed[q][3] = m.lambda * volume;
+    }
+  }
+
+ private:
+  const Space& space_;
+  const Scene& scene_;
+};
+
+dealii::Vector<double> to_dealii(const upbead::Vector& values) {
+  return dealii::Vector<double>(values.data(), values.data() + values.size());
+}
+
+std::vector<std::string> component_names(const std::string& u, const std::string& W, const std::string& phi) {
+  return {u, u, W, W, phi};
+}
+
+}  // namespace
+
+FieldWriter::FieldWriter(const Space& space, const Unknowns& unknowns, const Scene& scene,
+                         std::function<std::string(const std::string&)> path_of)
+    : space_(space), unknowns_(unknowns), scene_(scene), path_of_(std::move(path_of)) {}
+
+void FieldWriter::write(const State& state) {
+  using Interpretation = DataComponentInterpretation::DataComponentInterpretation;
+  const Interpretation part = DataComponentInterpretation::component_is_part_of_vector;
+  const std::vector<Interpretation> interpretation{part, part, part, part,
+                                                   DataComponentInterpretation::component_is_scalar};
+  const dealii::Vector<double> x = to_dealii(unknowns_.expand(state.x)), v = to_dealii(unknowns_.expand(state.v));
+  const EffectiveStress stress(space_, scene_);
+
+  DataOut<dim> out;
+  out.attach_dof_handler(space_.dofs());
+  out.add_data_vector(x,
+                      component_names("displacement_(m)", "relative_fluid_displacement_(m)", "pressure_impulse_(Pa_s)"),
+                      DataOut<dim>::type_dof_data, interpretation);
+  out.add_data_vector(v, component_names("velocity_(m_s)", "darcy_velocity_(m_s)", "pore_pressure_(Pa)"),
+                      DataOut<dim>::type_dof_data, interpretation);
+  out.add_data_vector(x, stress);
+  out.build_patches(static_cast<unsigned>(space_.degree()));
+
+  char name[40];
+  std::snprintf(name, sizeof name, "fields/fields_%04d.vtu", static_cast<int>(written_.size()));
+  std::ofstream file(path_of_(name));
+  out.write_vtu(file);
+  file.flush();
+  if (!file)
+    throw InputError(
+        {{name, 0, 0}, "the fields cannot be written", "is the disk full? choose another folder with --out DIR"});
+  written_.emplace_back(state.time, name);
+}
+
+void FieldWriter::finish() const {
+  std::ofstream file(path_of_("fields.pvd"));
+  DataOutBase::write_pvd_record(file, written_);
+  file.flush();
+  if (!file)
+    throw InputError({{"fields.pvd", 0, 0},
+                      "the fields cannot be written",
+                      "is the disk full? choose another folder with --out DIR"});
+}
+
+}  // namespace upbead

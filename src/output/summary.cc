@@ -1,0 +1,84 @@
+#include "upbead/output/summary.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "upbead/base/error.h"
+#include "upbead/base/version.h"
+
+namespace upbead {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+Json optional(const std::optional<double>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+Json to_object(const Discretisation& d) {
+  return {
+      {"cells", d.cells},         {"unknowns", d.unknowns}, {"degree", d.degree}, {"scheme", d.scheme},
+      {"time_step", d.time_step}, {"steps", d.steps},       {"solves", d.solves}, {"factorisations", d.factorisations}};
+}
+
+Json to_object(const ShearResponse& r, double energy_mismatch) {
+  return {{"peak_force", r.peak_force},
+          {"peak_force_time", r.peak_force_time},
+          {"impulse", r.impulse},
+          {"peak_shear", r.peak_shear},
+          {"peak_shear_time", r.peak_shear_time},
+          {"peak_shear_seaward", r.peak_shear_seaward},
+          {"peak_shear_seaward_time", r.peak_shear_seaward_time},
+          {"shear_to_force_ratio", r.shear_to_force_ratio},
+          {"peak_displacement", r.peak_displacement},
+          {"peak_rotation", r.peak_rotation},
+          {"peak_shear_paper", r.peak_shear_paper},
+          {"shear_to_impulse", r.shear_to_impulse},
+          {"arm", optional(r.arm)},
+          {"peak_base_moment", r.peak_base_moment},
+          {"reaction_mismatch", r.reaction_mismatch},
+          {"energy_mismatch", energy_mismatch},
+          {"error_estimate", nullptr}};
+}
+
+Json to_object(const LoadOnCaisson& load) {
+  return {{"force_x", load.force_x}, {"force_y", load.force_y}, {"moment", load.moment}, {"arm", optional(load.arm())}};
+}
+
+Json to_object(const EnergyAccount& e) {
+  return {{"work", e.work}, {"kinetic", e.kinetic}, {"strain", e.strain}, {"fluid", e.fluid},
+          {"drag", e.drag}, {"damping", e.damping}, {"scheme", e.scheme}, {"mismatch", e.mismatch()}};
+}
+
+Json to_object(const Timing& t) {
+  return {{"mesh", t.mesh},   {"compile", t.compile}, {"factorise", t.factorise},
+          {"march", t.march}, {"output", t.output},   {"total", t.total}};
+}
+
+/// JSON has no word for a number that is not finite: it must not get there.
+void require_finite(const Json& value, const std::string& path) {
+  if (value.is_number_float() && !std::isfinite(value.get<double>()))
+    throw NumericsError("'" + path + "' of the summary is not finite; nothing was written");
+  if (value.is_structured())
+    for (const auto& item : value.items()) require_finite(item.value(), path + "/" + item.key());
+}
+
+}  // namespace
+
+std::string to_json(const Summary& summary) {
+  Json json = {{"title", summary.title}, {"program", program_version()}};
+  json["discretisation"] = to_object(summary.discretisation);
+  json["response"] = summary.response ? to_object(*summary.response, summary.energy.mismatch()) : Json(nullptr);
+  json["loads"] = Json::object();
+  for (const LoadOnCaisson& load : summary.loads) json["loads"][load.name] = to_object(load);
+  json["energy"] = to_object(summary.energy);
+  json["skipped"] = Json::array();
+  for (const Skipped& skipped : summary.skipped)
+    json["skipped"].push_back({{"what", skipped.what}, {"why", skipped.why}});
+  json["timing"] = to_object(summary.timing);
+  require_finite(json, "");
+  return json.dump(2) + "\n";
+}
+
+}  // namespace upbead

@@ -1,0 +1,50 @@
+#!/usr/bin/python3
+"""A layer includes only what stands left of it; any other #include "upbead/..." is an error."""
+
+import pathlib
+import re
+import sys
+
+FEM = ["base", "model", "algebra", "mesh", "system"]
+ALLOWED = {
+    "base": [],
+    "input": ["base"],
+    "model": ["base"],
+    "algebra": ["base"],
+    "mesh": ["base"],
+    "system": ["base", "algebra"],
+    "fem": FEM,
+    "dynamics": ["base", "algebra", "system"],
+    "response": FEM + ["fem", "dynamics"],
+    "output": FEM + ["fem", "dynamics", "response"],
+    "app": FEM + ["input", "fem", "dynamics", "response", "output"],
+}
+INCLUDE = re.compile(r'^\s*#\s*include\s+"upbead/([^/"]+)/')
+
+
+def violations(root):
+    for folder in ("include/upbead", "src"):
+        for path in sorted((root / folder).rglob("*")):
+            if path.suffix not in (".h", ".cc"):
+                continue
+            parts = path.relative_to(root / folder).parts
+            if len(parts) == 1:  # main.cc knows everything
+                continue
+            layer = parts[0]
+            if layer not in ALLOWED:
+                yield f"{path}:1: the folder '{layer}' is no layer; add it to {__file__} where it belongs"
+                continue
+            for number, line in enumerate(path.read_text().splitlines(), 1):
+                match = INCLUDE.match(line)
+                if match and match.group(1) != layer and match.group(1) not in ALLOWED[layer]:
+                    yield f"{path}:{number}: {layer} must not include {match.group(1)}"
+
+
+def main():
+    found = list(violations(pathlib.Path(sys.argv[1])))
+    print("\n".join(found) or "layers: every include points left")
+    return bool(found)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

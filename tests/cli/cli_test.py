@@ -1,0 +1,163 @@
+#!/usr/bin/python3
+"""The program as a person meets it: exit codes, messages, files that appear whole or not at all.
+
+usage: cli_test.py PROGRAM CASES_FOLDER
+"""
+
+import json
+import os
+import pathlib
+import pty
+import resource
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import h5py
+
+PROGRAM, CASES = (pathlib.Path(argument).resolve() for argument in sys.argv[1:3])
+QUICK = ["--set", "mesh.parameters.cells=0.5", "--set", "time.end=0.05"]
+
+
+def upbead(*arguments, cwd=None, **options):
+    return subprocess.run([PROGRAM, *map(str, arguments)], cwd=cwd, capture_output=True, text=True, **options)
+
+
+class Cli(unittest.TestCase):
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp())
+        self.addCleanup(shutil.rmtree, self.folder, ignore_errors=True)
+
+    def run_model(self, *arguments, **options):
+        return upbead("run", CASES / "fig2b-model.toml", *QUICK, *arguments, cwd=self.folder, **options)
+
+    def left_behind(self):
+        return sorted(str(path.relative_to(self.folder)) for path in self.folder.rglob("*"))
+
+    def test_help_teaches_by_example(self):
+        for arguments in (["--help"], ["run", "--help"], ["explain", "--help"]):
+            done = upbead(*arguments)
+            self.assertEqual(done.returncode, 0)
+            self.assertIn("upbead run cases/" if arguments != ["explain", "--help"] else "upbead explain cases/", done.stdout)
+
+    def test_no_command_is_an_error_of_the_user(self):
+        self.assertEqual(upbead().returncode, 1)
+        self.assertEqual(upbead("runn").returncode, 1)
+        self.assertEqual(upbead("run").returncode, 1)
+
+    def test_run_writes_three_files_that_other_programs_read(self):
+        done = self.run_model()
+        self.assertEqual((done.returncode, done.stderr), (0, ""), "no progress where nobody watches")
+        result = self.folder / "results/fig2b-model"
+        self.assertEqual(sorted(os.listdir(result)), ["case.toml", "results.h5", "summary.json"])
+        summary = json.loads((result / "summary.json").read_text())
+        with h5py.File(result / "results.h5") as file:
+            history = file["history"]
+            n = len(history["time"])
+            self.assertEqual(n, summary["discretisation"]["steps"] + 1)
+            for name in ("force", "shear_force", "inertia_force", "caisson/displacement_x", "caisson/displacement_y",
+                         "caisson/rotation", "caisson/velocity_x", "caisson/acceleration_x",
+                         "probes/in_sand/displacement_x", "probes/in_sand/pressure",
+                         "probes/in_sand/effective_stress_yy", "probes/in_sand/strain_xy"):
+                self.assertEqual(len(history[name]), n, name)
+                self.assertTrue(history[name].attrs["unit"] and history[name].attrs["description"], name)
+            self.assertLessEqual(max(history["shear_force"]), summary["response"]["peak_shear"] * (1 + 1e-12))
+
+    def test_effective_case_runs_again_with_the_same_answer(self):
+        self.run_model("--out", "first")
+        again = upbead("run", self.folder / "first/case.toml", "--json", "--out", "second", cwd=self.folder)
+        self.assertEqual(again.returncode, 0, again.stderr)
+        first = json.loads((self.folder / "first/summary.json").read_text())
+        self.assertEqual(json.loads(again.stdout)["response"], first["response"])
+
+    def test_json_is_all_that_is_printed(self):
+        done = self.run_model("--json")
+        self.assertEqual(done.stdout, (self.folder / "results/fig2b-model/summary.json").read_text())
+
+    def test_explain_writes_nothing(self):
+        done = upbead("explain", CASES / "fig2b-model.toml", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for word in ("seabed", "darcy", "mound", "inertial", "arm 0.4 m", "skipped"):
+            self.assertIn(word, done.stdout)
+        self.assertEqual(self.left_behind(), [])
+
+    def test_fields_open_in_paraview(self):
+        done = self.run_model("--set", "output.fields.every=0.025")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        result = self.folder / "results/fig2b-model"
+        record = (result / "fields.pvd").read_text()
+        files = sorted(os.listdir(result / "fields"))
+        self.assertEqual(len(files), 3)
+        for name in files:
+            self.assertIn("fields/" + name, record)
+        head = (result / "fields" / files[-1]).read_text(errors="replace")
+        for name in ("displacement_(m)", "pore_pressure_(Pa)", "effective_stress_yy_(Pa)"):
+            self.assertIn(name, head)
+
+    def test_wrong_input_leaves_an_old_result_as_it_was(self):
+        self.run_model()
+        before = {path: path.stat().st_mtime_ns for path in self.folder.rglob("*")}
+        done = self.run_model("--set", "regions.mound.porosity=2")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("porosity", done.stderr)
+        self.assertEqual(before, {path: path.stat().st_mtime_ns for path in self.folder.rglob("*")})
+
+    def test_mesh_that_does_not_fit_the_case(self):
+        case = (CASES / "fig2b-model.toml").read_text().replace('[regions.seabed]', '[regions.sand]')
+        case = case.replace('top = {', 'lid = {')
+        (self.folder / "case.toml").write_text(case)
+        for name in ("impulse", "slow"):
+            shutil.copy(CASES / f"fig2b-model-{name}.csv", self.folder)
+        done = upbead("run", "case.toml", cwd=self.folder)
+        self.assertEqual(done.returncode, 1)
+        for part in ("case.toml:", "surface 'seabed'", "add a table [regions.seabed]", "no surface 'sand'",
+                     "outer curve 'top'", "no outer curve 'lid'"):
+            self.assertIn(part, done.stderr)
+        self.assertFalse((self.folder / "results").exists())
+
+    def test_full_disk(self):
+        def limit():
+            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+            resource.setrlimit(resource.RLIMIT_FSIZE, (4096, 4096))
+
+        done = self.run_model(preexec_fn=limit)
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertIn("--out DIR", done.stderr)
+        self.assertEqual(self.left_behind(), [])
+
+    def test_no_right_to_write(self):
+        done = self.run_model("--out", "/proc/upbead")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("/proc/upbead", done.stderr)
+        self.assertIn("--out DIR", done.stderr)
+
+    def test_file_in_the_folders_place(self):
+        (self.folder / "taken").write_text("mine")
+        done = self.run_model("--out", "taken")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("taken", done.stderr)
+        self.assertEqual((self.folder / "taken").read_text(), "mine")
+
+    def test_progress_is_one_line_on_a_terminal(self):
+        leader, follower = pty.openpty()
+        process = subprocess.Popen(
+            [PROGRAM, "run", CASES / "fig2b-model.toml", "--set", "time.step=1e-4", "--set", "mesh.parameters.cells=0.5"],
+            cwd=self.folder, stdout=subprocess.DEVNULL, stderr=follower)
+        os.close(follower)
+        text = b""
+        try:
+            while chunk := os.read(leader, 4096):
+                text += chunk
+        except OSError:  # the terminal closes when the program ends
+            pass
+        self.assertEqual(process.wait(), 0)
+        self.assertIn(b"marching", text)
+        self.assertIn(b"%", text)
+        self.assertNotIn(b"\n", text)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1], verbosity=2)

@@ -1,0 +1,111 @@
+#include "scenes.h"
+
+#include <cmath>
+
+namespace upbead::test {
+
+namespace {
+
+std::map<std::string, FlowChoice> choose_flows(const Scene& scene) {
+  std::map<std::string, FlowChoice> flows;
+  for (const auto& [name, region] : scene.regions)
+    if (region.kind == RegionKind::porous) flows[name] = choose_flow(region, scene);
+  return flows;
+}
+
+std::unique_ptr<Mesh> shipped_mesh(const std::string& name, const std::map<std::string, double>& parameters) {
+  MeshRequest request;
+  request.file = std::string(UPBEAD_MESH_DIR) + "/" + name + ".geo";
+  request.parameters = parameters;
+  return read_mesh(request);
+}
+
+Region soil(double G, double nu, double k) {
+  Region region;
+  region.kind = RegionKind::porous;
+  region.shear_modulus = G;
+  region.poissons_ratio = nu;
+  region.porosity = 0.4;
+  region.grain_density = 2650.;
+  region.hydraulic_conductivity = k;
+  region.damping = Rayleigh{0.05, {1., 10.}};
+  return region;
+}
+
+}  // namespace
+
+TimeFunction triangle(double peak, double duration, double rise) {
+  return piecewise_linear({0., rise > 0. ? rise : 0.5 * duration, duration}, {0., peak, 0.});
+}
+
+Region sand() {
+  return soil(32.647e6, 0.33, 1e-4);
+}
+Region rubble() {
+  return soil(54.411e6, 0.30, 0.15);
+}
+
+Scene column(const Region& soil, const TimeFunction& top_pressure) {
+  Scene scene;
+  scene.regions["soil"] = soil;
+  scene.boundaries["base"] = {DisplacementCondition::fixed, PressureCondition::sealed};
+  scene.boundaries["left"] = {DisplacementCondition::roller, PressureCondition::sealed};
+  scene.boundaries["right"] = {DisplacementCondition::roller, PressureCondition::sealed};
+  scene.boundaries["top"] = {DisplacementCondition::free, PressureCondition::open};
+  Load load;
+  load.boundary = "top";
+  load.kind = LoadKind::traction;
+  load.direction = {0., -1.};
+  load.history = top_pressure;
+  scene.loads["top"] = load;
+  return scene;
+}
+
+std::unique_ptr<Mesh> column_mesh(double height, int cells) {
+  return shipped_mesh("column", {{"height", height}, {"width", 1.}, {"cells", cells}});
+}
+
+Scene breakwater(const TimeFunction& force) {
+  Scene scene;
+  scene.regions["seabed"] = sand();
+  scene.regions["mound"] = rubble();
+  Region caisson;
+  caisson.kind = RegionKind::rigid;
+  caisson.density = 2100.;
+  scene.regions["caisson"] = caisson;
+  scene.boundaries["base"] = {DisplacementCondition::fixed, PressureCondition::sealed};
+  for (const char* side : {"left", "right"})
+    scene.boundaries[side] = {DisplacementCondition::roller, PressureCondition::sealed};
+  for (const char* side : {"bed", "mound_surface"})
+    scene.boundaries[side] = {DisplacementCondition::free, PressureCondition::open};
+  for (const char* side : {"front", "back", "top"}) scene.boundaries[side] = {};
+  Load load;
+  load.boundary = "front";
+  load.history = force;
+  scene.loads["impulse"] = load;
+  return scene;
+}
+
+std::unique_ptr<Mesh> breakwater_mesh(double cells) {
+  return shipped_mesh("composite", {{"cells", cells}});
+}
+
+Compiled::Compiled(const Scene& input, const Mesh& mesh)
+    : flows(choose_flows(input)),
+      space(mesh, input, flows),
+      bodies(rigid_bodies(space)),
+      unknowns(space, input, bodies),
+      scene(compile(input, space, unknowns, bodies)) {}
+
+Response run(const Compiled& compiled, double end, double step, SchemeKind kind) {
+  SchemeOptions options;
+  options.kind = kind;
+  const auto scheme = make_scheme(compiled.scene.system, options);
+  return march(compiled.scene.system, *scheme, make_time_grid(kinks(compiled.scene.system), end, step));
+}
+
+Eigen::RowVectorXd history(const Compiled& compiled, const Response& response, const std::string& reading) {
+  return response.ends.reading.row(compiled.scene.system.reading(reading));
+}
+
+}  // namespace upbead::test

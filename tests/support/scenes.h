@@ -1,0 +1,46 @@
+// Scenes for tests, built in code, and the few steps that run them.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "upbead/dynamics/march.h"
+#include "upbead/fem/compile.h"
+#include "upbead/mesh/mesh.h"
+
+namespace upbead::test {
+
+/// A triangle of that peak, duration and rise (half the duration where none is given), starting at t = 0.
+TimeFunction triangle(double peak, double duration, double rise = 0.);
+
+/// Saturated sand and rubble with the numbers of the shipped prototype.
+Region sand();
+Region rubble();
+
+/// A column of one soil, drained and loaded by `top_pressure` (Pa, total stress) at the top.
+Scene column(const Region& soil, const TimeFunction& top_pressure);
+std::unique_ptr<Mesh> column_mesh(double height, int cells);
+
+/// The prototype breakwater of the shipped cases under a force on its front.
+Scene breakwater(const TimeFunction& force);
+/// `cells`: relative density of composite.geo.
+std::unique_ptr<Mesh> breakwater_mesh(double cells);
+
+/// A scene compiled on a mesh, with everything that it stands on.
+struct Compiled {
+  Compiled(const Scene& scene, const Mesh& mesh);
+  std::map<std::string, FlowChoice> flows;
+  Space space;
+  std::vector<Body> bodies;
+  Unknowns unknowns;
+  CompiledScene scene;
+};
+
+/// Marches from rest with steps of at most `step`.
+Response run(const Compiled& compiled, double end, double step, SchemeKind scheme = SchemeKind::sdirk4);
+
+/// The history of one reading at the ends of the steps.
+Eigen::RowVectorXd history(const Compiled& compiled, const Response& response, const std::string& reading);
+
+}  // namespace upbead::test
