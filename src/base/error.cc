@@ -23,6 +23,9 @@ std::string join(const std::vector<Mistake>& mistakes) {
 InputError::InputError(std::vector<Mistake> mistakes)
     : std::runtime_error(join(mistakes)), mistakes_(std::move(mistakes)) {}
 
+InputError::InputError(Place place, std::string what, std::string cure)
+    : InputError(Mistake{std::move(place), std::move(what), std::move(cure)}) {}
+
 void Mistakes::add(Place place, std::string what, std::string cure) {
   list_.push_back({std::move(place), std::move(what), std::move(cure)});
 }

@@ -21,9 +21,13 @@ std::size_t TimeFunction::piece_at(double t) const {
   return static_cast<std::size_t>(std::upper_bound(kinks_.begin(), kinks_.end(), t) - kinks_.begin());
 }
 
-double TimeFunction::operator()(double t) const { return pieces_[piece_at(t)](t); }
+double TimeFunction::operator()(double t) const {
+  return pieces_[piece_at(t)](t);
+}
 
-double TimeFunction::operator()(double t, double inside) const { return pieces_[piece_at(inside)](t); }
+double TimeFunction::operator()(double t, double inside) const {
+  return pieces_[piece_at(inside)](t);
+}
 
 namespace {
 
@@ -68,8 +72,8 @@ TimeFunction sum(const TimeFunction& a, const TimeFunction& b) {
   kinks.erase(std::unique(kinks.begin(), kinks.end()), kinks.end());
   std::vector<TimeFunction::Piece> pieces;
   for (std::size_t i = 0; i <= kinks.size(); ++i) {
-    const double inside = kinks.empty() ? 0.
-                          : i == 0      ? kinks.front() - 1.
+    const double inside = kinks.empty()       ? 0.
+                          : i == 0            ? kinks.front() - 1.
                           : i == kinks.size() ? kinks.back() + 1.
                                               : 0.5 * (kinks[i - 1] + kinks[i]);
     pieces.push_back([a, b, inside](double t) { return a(t, inside) + b(t, inside); });

@@ -87,8 +87,7 @@ void FieldWriter::write(const State& state) {
   out.write_vtu(file);
   file.flush();
   if (!file)
-    throw InputError(
-        {{name, 0, 0}, "the fields cannot be written", "is the disk full? choose another folder with --out DIR"});
+    throw InputError({name}, "the fields cannot be written", "is the disk full? choose another folder with --out DIR");
   written_.emplace_back(state.time, name);
 }
 
@@ -97,9 +96,8 @@ void FieldWriter::finish() const {
   DataOutBase::write_pvd_record(file, written_);
   file.flush();
   if (!file)
-    throw InputError({{"fields.pvd", 0, 0},
-                      "the fields cannot be written",
-                      "is the disk full? choose another folder with --out DIR"});
+    throw InputError({"fields.pvd"}, "the fields cannot be written",
+                     "is the disk full? choose another folder with --out DIR");
 }
 
 }  // namespace upbead

@@ -59,9 +59,8 @@ void write_result_file(const std::string& path, const std::string& place_name, c
     // What a full disk did not take when the file was closed shows only now: HDF5 refuses to open a truncated file.
     const HDF5::File complete(path, HDF5::File::FileAccessMode::open);
   } catch (const dealii::ExceptionBase&) {
-    throw InputError({{place_name, 0, 0},
-                      "the results cannot be written",
-                      "is the disk full? choose another folder with --out DIR"});
+    throw InputError({place_name}, "the results cannot be written",
+                     "is the disk full? choose another folder with --out DIR");
   }
 }
 

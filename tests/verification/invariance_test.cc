@@ -4,8 +4,8 @@
 #include <deal.II/grid/grid_tools.h>
 #include <gtest/gtest.h>
 
+#include "mirror.h"
 #include "scenes.h"
-#include "upbead/mesh/mirror.h"
 
 namespace upbead::test {
 namespace {

@@ -1,4 +1,4 @@
-// Direct solution with one symmetric quasi-definite matrix: equilibrate, eliminate cell-local blocks, L D L^T.
+// Direct solution with one symmetric quasi-definite matrix: eliminate cell-local blocks, equilibrate, L D L^T.
 #pragma once
 
 #include <memory>
@@ -15,18 +15,25 @@ struct Inertia {
 };
 
 /// Factors of a symmetric quasi-definite matrix A (n x n, both triangles stored). L D L^T exists for every ordering
-/// without pivoting (Vanderbei 1995), but only an equilibrated matrix is solved to round-off.
+/// without pivoting (Vanderbei 1995), but only an equilibrated matrix is solved to round-off. Needs a PetscSession.
+/// An object is used by one thread at a time.
 class Factorisation {
  public:
-  /// `blocks`: disjoint ranges of unknowns that couple among themselves and with the rest, but not with other blocks;
-  /// they are condensed by dense Cholesky before the sparse factorisation. Throws NumericsError where A is singular or
-  /// not finite.
+  /// `blocks`: disjoint ranges of unknowns that couple among themselves and with the rest, but not with other blocks,
+  /// A positive definite on each; they are condensed by dense Cholesky before the sparse factorisation. Throws
+  /// NumericsError where A is singular or not finite, std::invalid_argument where blocks overlap or couple.
   explicit Factorisation(const SparseMatrix& A, const std::vector<IndexRange>& blocks = {});
   ~Factorisation();
   Factorisation(Factorisation&&) noexcept;
+  Factorisation& operator=(Factorisation&&) noexcept;
 
+  /// Factorises other values on the same pattern and blocks, without ordering and symbolic phase. Throws NumericsError
+  /// as the constructor does, std::invalid_argument where the pattern differs.
+  void refactor(const SparseMatrix& A);
   /// x = A^-1 b.
   Vector solve(const Vector& b) const;
+  /// x = A^-1 b without allocation; x has the size of b and is not b.
+  void solve(const Eigen::Ref<const Vector>& b, Eigen::Ref<Vector> x) const;
   Inertia inertia() const;
   /// Entries of the factor L that a solve streams through, without the blocks.
   long n_factor_entries() const;

@@ -30,6 +30,8 @@ class InputError : public std::runtime_error {
  public:
   explicit InputError(std::vector<Mistake> mistakes);
   explicit InputError(Mistake mistake) : InputError(std::vector<Mistake>{std::move(mistake)}) {}
+  /// One mistake.
+  InputError(Place place, std::string what, std::string cure);
   const std::vector<Mistake>& mistakes() const { return mistakes_; }
 
  private:

@@ -17,11 +17,11 @@ constexpr int dim = 2;
 
 /// Where a mesh comes from. Each value has the place in the case that asked for it, for messages.
 struct MeshRequest {
-  std::string file;                         ///< .geo (gmsh script) or .msh (2.2 or 4.1)
-  Place place;                              ///< of the key that names the file
-  std::map<std::string, double> parameters; ///< overrides of the .geo's DefineConstant
+  std::string file;                          ///< .geo (gmsh script) or .msh (2.2 or 4.1)
+  Place place;                               ///< of the key that names the file
+  std::map<std::string, double> parameters;  ///< overrides of the .geo's DefineConstant
   std::map<std::string, Place> parameter_places;
-  int refine = 0;                           ///< uniform refinements
+  int refine = 0;  ///< uniform refinements
 };
 
 /// Names live here because deal.II keeps only numbers: a cell's material_id indexes `surfaces`, a face's manifold_id

@@ -4,29 +4,42 @@
 #include <array>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "upbead/base/time_function.h"
+#include "upbead/model/objection.h"
 
 namespace upbead {
 
 enum class PulseShape { triangle, step, half_sine, church_roof, harmonic };
 
-/// An idealised history; zero before `start`. Which members a shape needs: check(pulse).
+/// An idealised history; zero before `start`. With t from `start`, D = duration:
+///   triangle     0 -> peak over `rise` -> 0 at D
+///   step         0 -> peak over `rise`, then peak for good
+///   half_sine    peak sin(pi t / D) until D
+///   church_roof  0 -> peak over `rise` -> plateau * peak at D -> 0 at plateau_duration, all linear: the sum of an
+///                impulsive triangle of (1 - plateau) * peak, over at D, and a slow part that rises to plateau * peak
+///                within `rise`, keeps it until D and falls to zero at plateau_duration
+///   harmonic     peak sin(2 pi frequency t) for good
+/// rise = 0 or D makes a jump. Which members a shape needs: objections(pulse).
 struct Pulse {
   PulseShape shape = PulseShape::triangle;
-  double peak = 0.;                ///< largest value (N/m or Pa; amplitude of a harmonic)
-  std::optional<double> rise;      ///< s; triangle, church_roof (default duration/2); step: a ramp (default 0)
-  std::optional<double> duration;  ///< s; triangle, half_sine, church_roof (its impulsive part)
-  double start = 0.;               ///< s
+  double peak = 0.;                        ///< largest value (N/m or Pa; amplitude of a harmonic)
+  std::optional<double> rise;              ///< s; triangle, church_roof (default duration/2); step: a ramp (default 0)
+  std::optional<double> duration;          ///< s; triangle, half_sine, church_roof (its impulsive part)
+  double start = 0.;                       ///< s
   std::optional<double> plateau;           ///< church_roof: slow part over peak
   std::optional<double> plateau_duration;  ///< church_roof: s, from start until the slow part has gone
   std::optional<double> frequency;         ///< harmonic: Hz
 };
 
-std::vector<std::pair<std::string, std::string>> objections(const Pulse& pulse);  ///< (key, what is wrong)
+/// Everything that is missing, superfluous or contradictory in a pulse.
+std::vector<Objection> objections(const Pulse& pulse);
+
+/// The history of a pulse without objections.
 TimeFunction time_function(const Pulse& pulse);
+/// Load::duration of a pulse: set where the kinks of its history do not tell it.
+std::optional<double> duration(const Pulse& pulse);
 
 enum class LoadKind {
   force,     ///< resultant (N/m) in `direction`
@@ -36,16 +49,24 @@ enum class LoadKind {
 
 /// One table [loads.NAME].
 struct Load {
-  std::string boundary;                        ///< curve that it acts on, or
-  std::string region;                          ///< a rigid region, with
-  std::array<double, 2> at{0., 0.};            ///< the point of attack (m)
+  std::string boundary;              ///< curve that it acts on, or
+  std::string region;                ///< a rigid region, with
+  std::array<double, 2> at{0., 0.};  ///< the point of attack (m)
   LoadKind kind = LoadKind::force;
   std::array<double, 2> direction{1., 0.};
-  std::vector<std::array<double, 2>> shape;    ///< (height y, relative intensity), linear between; empty: uniform
-  TimeFunction history;
+  std::vector<std::array<double, 2>> shape;  ///< (height y, relative intensity), linear between; empty: uniform
+  double factor = 1.;                        ///< multiplies the history; 0 switches the load off
+  TimeFunction history;                      ///< with the factor
+  /// Shortest time in which the history rises and falls (s); none: the kinks tell it, see shortest_duration.
+  std::optional<double> duration;
 };
 
-/// Relative intensity at height y: linear between the pairs of `shape`, constant beyond its ends, 1 where it is empty.
+/// Load::duration of a measured history, (time, value) pairs linear in between, in a run until `end` (s): twice its
+/// peak over its steepest slope, which for a triangle is what the kinks tell; 0 where it jumps at an end by more than a
+/// twentieth of its peak. Sampling does not change it, whereas kinks come from the samples.
+double sampled_duration(const std::vector<double>& time, const std::vector<double>& value, double end);
+
+/// Relative intensity at height y: linear between the pairs of `shape`, zero beyond its ends, 1 where it is empty.
 double intensity(const Load& load, double y);
 
 }  // namespace upbead

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "upbead/model/objection.h"
+
 namespace upbead {
 
 /// Pore water and sea water.
@@ -64,12 +66,8 @@ struct Material {
 /// Constants of a region that has passed check(); of a rigid region only rho, if it is given.
 Material material(const Region& region, const Fluid& fluid, double gravity);
 
-/// A reason why a region is wrong, with the key to look at.
-struct Objection {
-  std::string key;
-  std::string what;
-  std::string cure;
-};
+/// Whether a region of that kind takes the member named `key`.
+bool belongs(const std::string& key, RegionKind kind);
 
 /// Everything that is missing, superfluous or contradictory in a region.
 std::vector<Objection> check(const Region& region);

@@ -36,7 +36,8 @@ struct TimeChoice {
   std::optional<double> step;  ///< s; none: chosen from the loads
   TimeScheme scheme = TimeScheme::automatic;
   bool inertia = true;         ///< false: quasi-static (consolidation)
-  std::optional<double> stop_at_energy;  ///< stop once loads are over and the energy fell below this fraction of its largest
+  /// Stop once the loads are over and the energy has fallen below this fraction of its largest.
+  std::optional<double> stop_at_energy;
 };
 
 struct Probe {
@@ -67,12 +68,13 @@ struct FlowChoice {
   std::string reason;  ///< for people, with the number
 };
 
-/// Decides darcy or inertial for a porous region with flow = automatic: inertial when X > 0.05 at omega = pi / (shortest
-/// duration of the loads) [Zienkiewicz, Chang and Bettess 1980: u-p is 3 % off at X = 0.1]. A stated flow is kept.
+/// Decides darcy or inertial for a porous region with flow = automatic: inertial when X > 0.05 at omega = pi /
+/// (shortest duration of the loads) [Zienkiewicz, Chang and Bettess 1980: u-p is 3 % off at X = 0.1]. A stated flow is
+/// kept.
 FlowChoice choose_flow(const Region& region, const Scene& scene);
 
-/// The shortest time in which a load rises and falls (s): the least distance of two kinks times two, half a harmonic's
-/// period; infinity where no load has any.
+/// The shortest time in which a load rises and falls (s): Load::duration where it is set (a sine: half its period),
+/// else twice the least distance of two kinks; 0 where a load jumps, infinity where no load has any.
 double shortest_duration(const Scene& scene);
 
 }  // namespace upbead

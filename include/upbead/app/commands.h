@@ -1,0 +1,26 @@
+// The commands of the program. Each adds itself to the command line with its help, and runs.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+namespace upbead {
+
+/// Options that every command has.
+struct CommonOptions {
+  std::string file;                    ///< the case
+  bool json = false;                   ///< --json: the summary on stdout, nothing else
+  std::string out;                     ///< --out; empty: results/STEM
+  std::vector<std::string> overrides;  ///< --set KEY=VALUE
+};
+
+/// Adds FILE, --json, --out and --set to a command.
+void add_common_options(CLI::App& command, CommonOptions& options);
+
+/// `upbead explain CASE`: what would be solved, what is skipped and why.
+void add_explain(CLI::App& program);
+/// `upbead run CASE`: march the scene, write results.
+void add_run(CLI::App& program);
+
+}  // namespace upbead

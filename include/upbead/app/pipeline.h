@@ -1,0 +1,44 @@
+// The one-way flow of a scene: Case -> Mesh -> Space -> System -> Response -> summary.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "upbead/app/case.h"
+#include "upbead/dynamics/march.h"
+#include "upbead/fem/compile.h"
+#include "upbead/mesh/mesh.h"
+#include "upbead/output/summary.h"
+
+namespace upbead {
+
+/// A scene on its mesh, compiled, before anything is solved.
+struct CompiledCase {
+  std::map<std::string, FlowChoice> flows;  ///< of each porous region
+  std::unique_ptr<Mesh> mesh;
+  std::unique_ptr<Space> space;
+  std::unique_ptr<Unknowns> unknowns;
+  CompiledScene compiled;
+  Timing timing;
+};
+
+/// Meshes, checks and compiles. Throws InputError with all objections at their places in the case.
+CompiledCase compile_case(const Case& input);
+
+/// What was marched.
+struct Run {
+  Response response;
+  Summary summary;
+  std::string step_reason;  ///< why the steps are as long as they are
+};
+
+/// Marches a compiled case; the observer sees every step. Throws NumericsError.
+Run run_case(const Case& input, const CompiledCase& scene, const MarchOptions& options);
+
+/// What is skipped in a scene and why, with the numbers.
+std::vector<Skipped> skipped(const Case& input, const CompiledCase& scene);
+
+}  // namespace upbead

@@ -1,0 +1,19 @@
+// What people read on the terminal.
+#pragma once
+
+#include <string>
+
+#include "upbead/app/pipeline.h"
+
+namespace upbead {
+
+/// What will be solved: mesh, unknowns, regions with their flow and why, loads with their arms, what is skipped.
+std::string describe(const Case& input, const CompiledCase& scene);
+
+/// What came out: peaks, ratio, checks, times.
+std::string describe(const Run& run);
+
+/// A number with its unit, in the prefix that reads best: "3.01 kN/m".
+std::string with_unit(double value, const std::string& unit);
+
+}  // namespace upbead

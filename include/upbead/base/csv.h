@@ -1,0 +1,27 @@
+// Tables of numbers as text: a header line with names, then rows of numbers, separated by commas.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "upbead/base/error.h"
+
+namespace upbead {
+
+struct CsvTable {
+  std::string path;
+  std::vector<std::string> names;            ///< of the columns
+  std::vector<std::vector<double>> columns;  ///< columns[c][row]
+  std::vector<int> lines;                    ///< of each row in the file
+
+  std::size_t n_rows() const { return lines.size(); }
+  /// Where a row stands.
+  Place place(std::size_t row) const { return {path, lines[row], 1}; }
+};
+
+/// Reads a table of numbers with at least one row. Blank lines are skipped. Throws InputError with file:line:column: a
+/// file that cannot be read (at `place`, the key that names it), an empty one, no header, a cell that is no finite
+/// number, a row with another number of cells than the header.
+CsvTable read_csv(const std::string& path, const Place& place);
+
+}  // namespace upbead

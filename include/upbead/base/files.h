@@ -1,0 +1,44 @@
+// An output folder that appears whole or not at all.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace upbead {
+
+/// Files are written into a hidden folder beside the wanted one, which is made at once, so that missing rights are
+/// known before anything is computed. commit() moves them into place; without it nothing is left behind. A folder that
+/// exists keeps its other files. Every error is an InputError that names the path and the cure.
+class OutputFolder {
+ public:
+  /// `path`: the wanted folder; it and its parents need not exist.
+  explicit OutputFolder(const std::string& path);
+  /// Removes what has not been committed, and parents made for it.
+  ~OutputFolder();
+  OutputFolder(const OutputFolder&) = delete;
+  OutputFolder& operator=(const OutputFolder&) = delete;
+
+  /// The wanted folder as the person wrote it, for messages.
+  const std::string& name() const { return name_; }
+  /// Where to write `file` (may hold subfolders, which are made) until commit().
+  std::string path(const std::string& file) const;
+  /// Writes a whole text file; a full disk is an error here.
+  void write(const std::string& file, const std::string& text) const;
+  /// Moves everything into place, replacing files of the same name only. Nothing has been moved where it throws because
+  /// a file stands in a folder's place or the reverse. Call once, last.
+  void commit();
+
+ private:
+  void make_parents();
+  void remove_parents();
+  void make_partial();
+  void check_rights() const;
+
+  std::string name_;
+  std::filesystem::path target_;                     ///< absolute, links resolved
+  std::filesystem::path partial_;                    ///< hidden sibling of target_; empty once committed
+  std::vector<std::filesystem::path> made_parents_;  ///< outermost first
+};
+
+}  // namespace upbead

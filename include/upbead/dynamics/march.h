@@ -1,0 +1,43 @@
+// Marching a system from rest through a time grid.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "upbead/dynamics/scheme.h"
+#include "upbead/dynamics/time_grid.h"
+
+namespace upbead {
+
+/// A series in time: column i belongs to time[i].
+struct Series {
+  std::vector<double> time;  ///< s
+  Eigen::MatrixXd reading;   ///< readings of the system, one row each
+  Eigen::MatrixXd load;      ///< load values f_k, one row each
+};
+
+/// What a march found.
+struct Response {
+  Series ends;      ///< at t = 0 and at the end of every step
+  Series balanced;  ///< at t = 0 and, for every step, where the scheme satisfies the equation of motion
+  std::vector<EnergyAccount> energy;  ///< at the times of `ends`; empty where the scheme keeps no account
+  State final_state;
+  int n_steps = 0;
+  int n_solves = 0;
+  int n_factorisations = 0;
+  bool stopped_early = false;
+};
+
+struct MarchOptions {
+  /// Called at t = 0 (step 0) and after every step; n_steps is that of the whole grid.
+  std::function<void(const State&, int step, int n_steps)> observer;
+  /// After the last kink of the loads, stop once the stored energy falls below this fraction of its largest; 0: never.
+  double stop_at_energy = 0.;
+};
+
+/// Marches from x = x' = 0 at t = 0, where loads count as 0; a load that jumps at a step's end is recorded with its
+/// value before the jump. Throws NumericsError where a value is not finite, std::invalid_argument where stop_at_energy
+/// is asked of a scheme that keeps no account of energy.
+Response march(const System& system, Scheme& scheme, const TimeGrid& grid, const MarchOptions& options = {});
+
+}  // namespace upbead

@@ -1,0 +1,69 @@
+// A time scheme: advances the state of a System step by step.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "upbead/dynamics/energy.h"
+#include "upbead/system/system.h"
+
+namespace upbead {
+
+/// A state, and the load values f_k that belong to it.
+struct LoadedState {
+  State state;
+  std::vector<double> load;
+};
+
+/// Advances M x'' + C x' + K x = sum_k b_k f_k(t) by single steps. Loads are evaluated as the smooth piece that holds
+/// the middle of the step, so steps should meet the kinks of the loads. Keeps factorised matrices of the latest step
+/// sizes. The System must outlive the scheme. One thread at a time.
+class Scheme {
+ public:
+  virtual ~Scheme() = default;
+
+  /// As in the case file: "sdirk4", "generalised_alpha".
+  virtual std::string name() const = 0;
+  /// Order of convergence of x and x' in the step.
+  virtual int order() const = 0;
+  virtual int solves_per_step() const = 0;
+
+  /// Begins a history: empties the account of energy (what `state` stores counts as work done).
+  virtual void start(const State& state) = 0;
+  /// Advances `state` from state.time to state.time + h (s). Throws NumericsError where the effective matrix is
+  /// singular or the system is not well posed.
+  virtual void advance(State& state, double h) = 0;
+
+  /// Load values at the end of the last step, by that step's smooth piece; zero after start().
+  virtual const std::vector<double>& end_load() const = 0;
+  /// The values of the last step at which M a + C v + K x = sum_k b_k f_k holds to round-off: the end of the step for
+  /// SDIRK; x, v, load at alpha_f and a at alpha_m for generalised-alpha. What rests on the equation of motion (a
+  /// reaction) must be read there.
+  virtual const LoadedState& balanced() const = 0;
+  /// Account of energy since start(); all zero where it is switched off.
+  virtual const EnergyAccount& energy() const = 0;
+  virtual bool accounts_energy() const = 0;
+
+  /// Linear solves and factorisations since the scheme was made.
+  virtual int n_solves() const = 0;
+  virtual int n_factorisations() const = 0;
+  /// Wall time of the factorisations (s).
+  virtual double factorise_seconds() const = 0;
+};
+
+enum class SchemeKind {
+  sdirk4,             ///< L-stable SDIRK of order 4, 5 stages (Hairer & Wanner, Solving ODEs II, table IV.6.5)
+  generalised_alpha,  ///< Chung & Hulbert (1993), second order
+};
+
+struct SchemeOptions {
+  SchemeKind kind = SchemeKind::sdirk4;
+  double rho_inf = 0.9;        ///< generalised-alpha: spectral radius at infinite frequency, in [0, 1]
+  bool account_energy = true;  ///< costs products, no solve: a fifth more time with SDIRK, a half more with alpha
+};
+
+/// The scheme of that kind for a system. Throws std::invalid_argument where rho_inf lies outside [0, 1].
+std::unique_ptr<Scheme> make_scheme(const System& system, const SchemeOptions& options = {});
+
+}  // namespace upbead

@@ -1,0 +1,48 @@
+// A tree of values from a TOML file, each with the place where a person wrote it.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "upbead/base/error.h"
+
+namespace upbead {
+
+struct Node;
+using NodeTable = std::vector<std::pair<std::string, Node>>;
+using NodeArray = std::vector<Node>;
+
+/// TOML's dates and times: no key of ours is one, but a message has to say what was found.
+struct NodeDate {};
+
+struct Node {
+  std::variant<bool, std::int64_t, double, std::string, NodeDate, NodeArray, NodeTable> value;
+  Place place;  ///< of the key; of the value itself within an array
+
+  const NodeTable* table() const { return std::get_if<NodeTable>(&value); }
+  const NodeArray* array() const { return std::get_if<NodeArray>(&value); }
+  const std::string* text() const { return std::get_if<std::string>(&value); }
+  /// The entry of a table, or nullptr where there is none or this is no table.
+  const Node* find(const std::string& key) const;
+};
+
+/// What a person would call it: "a string", "the number 2.5", "a list of 3".
+std::string found(const Node& node);
+
+/// "regions.sand" and "porosity" make "regions.sand.porosity"; a name that TOML wants quoted is quoted.
+std::string dotted(const std::string& path, const std::string& key);
+/// The keys of a dotted path, quotes removed.
+std::vector<std::string> split_dotted(const std::string& path);
+
+/// Shortest TOML text that reads back as the same value.
+std::string to_toml(double value);
+std::string to_toml(int value);
+std::string to_toml(bool value);
+std::string to_toml(const std::string& value);
+
+/// A number as in a message: like to_toml, but 40 and not 40.0.
+std::string number_text(double value);
+
+}  // namespace upbead

@@ -1,0 +1,30 @@
+// The words of the case file for every choice of a scene; also for messages.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "upbead/model/scene.h"
+
+namespace upbead {
+
+template <class Enum>
+using Words = std::vector<std::pair<std::string, Enum>>;
+
+extern const Words<RegionKind> region_kind_words;
+extern const Words<Flow> flow_words;
+extern const Words<DisplacementCondition> displacement_words;
+extern const Words<PressureCondition> pressure_words;
+extern const Words<PulseShape> pulse_shape_words;
+extern const Words<LoadKind> load_kind_words;
+extern const Words<TimeScheme> time_scheme_words;
+
+template <class Enum>
+std::string word_of(Enum value, const Words<Enum>& words) {
+  for (const auto& [word, meaning] : words)
+    if (meaning == value) return word;
+  return "";
+}
+
+}  // namespace upbead

@@ -1,0 +1,97 @@
+#include "upbead/app/case.h"
+
+#include <filesystem>
+
+#include "case_checks.h"
+#include "case_history.h"
+#include "case_schema.h"
+
+namespace fs = std::filesystem;
+
+namespace upbead {
+
+namespace {
+
+/// Makes the histories of all sound loads.
+void make_histories(Case& problem, CaseTables& tables, Reading& reading) {
+  for (auto& [name, table] : tables.load_tables) {
+    const std::string path = dotted("loads", name);
+    if (!reading.sound(path)) continue;
+    if (table.pulse) {
+      table.history = time_function(*table.pulse);
+      table.duration = duration(*table.pulse);
+    } else {
+      try {
+        read_history(problem.resolve(table.history_file), problem.place(path + ".history"), tables.time.end, table);
+      } catch (const InputError& error) {
+        for (const Mistake& mistake : error.mistakes()) reading.add(path, mistake);
+      }
+    }
+    if (table.factor == 0.) {
+      table.history = TimeFunction();
+      table.duration.reset();
+    } else {
+      table.history = scaled(table.history, table.factor);
+    }
+  }
+}
+
+/// The tables as written, with the paths of files as `path_text` tells them.
+template <class PathText>
+CaseTables tables_of(const Case& problem, PathText path_text) {
+  CaseTables tables;
+  static_cast<Scene&>(tables) = problem.scene;
+  if (tables.mesh.file) tables.mesh.file = path_text(*tables.mesh.file);
+  for (const auto& [name, source] : problem.sources) {
+    LoadTable& table = tables.load_tables[name];
+    static_cast<Load&>(table) = problem.scene.loads.at(name);
+    table.pulse = source.pulse;
+    if (!source.history.empty()) table.history_file = path_text(source.history);
+  }
+  return tables;
+}
+
+}  // namespace
+
+std::string Case::resolve(const std::string& path) const {
+  return (fs::path(document.path()).parent_path() / path).lexically_normal().string();
+}
+
+Case read_case(const std::string& path, const std::vector<std::string>& overrides) {
+  Case problem;
+  problem.document = Document(path, overrides);
+  problem.stem = fs::path(path).stem().string();
+  CaseTables tables;
+  Reading reading;
+  case_schema().read(problem.document.root(), "", tables, reading);
+  for (const auto check : {check_mesh, check_regions, check_loads, check_time, check_probes})
+    check(tables, problem.document, reading);
+  make_histories(problem, tables, reading);
+  reading.throw_if_any(path);
+  problem.scene = tables;
+  for (const auto& [name, table] : tables.load_tables) {
+    problem.scene.loads[name] = table;
+    problem.sources[name] = {table.pulse, table.history_file};
+  }
+  return problem;
+}
+
+void require_loads(const Case& problem) {
+  if (problem.scene.loads.empty())
+    throw InputError(problem.place("loads"), "the case has no load, so nothing would move",
+                     "add a table [loads.NAME] with boundary and pulse");
+}
+
+std::string effective_case(const Case& problem, const std::string& output_folder) {
+  const fs::path folder = fs::absolute(output_folder);
+  const auto seen_from_folder = [&](const std::string& path) {
+    return fs::relative(fs::absolute(problem.resolve(path)), folder).string();
+  };
+  return case_schema().echo(tables_of(problem, seen_from_folder));
+}
+
+std::string case_reference() {
+  return reference(case_schema());
+}
+
+}  // namespace upbead

@@ -1,0 +1,15 @@
+// The histories of a case's loads.
+#pragma once
+
+#include <string>
+
+#include "case_schema.h"
+
+namespace upbead {
+
+/// Fills `load` from the CSV file `path` (time s, value; further columns are left alone), in a run until `end` (s).
+/// Throws InputError: the file as such, fewer than two columns or rows, times that do not ascend from 0, all zero.
+/// `place`: the key that names the file.
+void read_history(const std::string& path, const Place& place, double end, Load& load);
+
+}  // namespace upbead

@@ -1,0 +1,28 @@
+// Where the mesh of a case comes from.
+#include <filesystem>
+
+#include "upbead/app/case.h"
+#include "upbead/mesh/mesh.h"
+
+namespace fs = std::filesystem;
+
+namespace upbead {
+
+MeshRequest mesh_request(const Case& problem) {
+  const MeshChoice& mesh = problem.scene.mesh;
+  MeshRequest request;
+  if (mesh.geometry) {
+    request.file = (fs::path(geometry_folder()) / (*mesh.geometry + ".geo")).string();
+    request.place = problem.place("mesh.geometry");
+  } else {
+    request.file = problem.resolve(mesh.file.value());
+    request.place = problem.place("mesh.file");
+  }
+  request.parameters = mesh.parameters;
+  for (const auto& [name, value] : mesh.parameters)
+    request.parameter_places[name] = problem.place(dotted("mesh.parameters", name));
+  request.refine = mesh.refine;
+  return request;
+}
+
+}  // namespace upbead

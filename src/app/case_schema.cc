@@ -1,0 +1,109 @@
+#include "case_schema.h"
+
+#include "upbead/model/words.h"
+
+namespace upbead {
+
+namespace {
+
+TableSchema<Fluid> fluid_schema() {
+  TableSchema<Fluid> table;
+  table.key("density", &Fluid::density).unit("kg/m3").range(above(0.)).doc("density of the water");
+  table.key("bulk_modulus", &Fluid::bulk_modulus)
+      .unit("Pa")
+      .range(above(0.).or_infinite())
+      .doc("bulk modulus of the water; inf is allowed");
+  return table;
+}
+
+TableSchema<MeshChoice> mesh_schema() {
+  TableSchema<MeshChoice> table;
+  table.key("geometry", &MeshChoice::geometry).doc("name of a shipped geometry; or file");
+  table.key("file", &MeshChoice::file).doc("path of a .geo or .msh (2.2 or 4.1) file of gmsh with named groups");
+  table.key("parameters", &MeshChoice::parameters)
+      .doc("values of the .geo's own parameters (DefineConstant) by name; the geometry's own where not given");
+  table.key("refine", &MeshChoice::refine).range(from_to(0., 10.)).doc("number of uniform refinements");
+  table.key("degree", &MeshChoice::degree)
+      .range(from_to(2., 3.))
+      .doc("polynomial degree of the displacement; that of the pressure is one less");
+  return table;
+}
+
+TableSchema<Boundary> boundary_schema() {
+  TableSchema<Boundary> table;
+  table.choice("displacement", &Boundary::displacement, displacement_words)
+      .doc("condition on the displacement; roller: no normal motion");
+  table.choice("pressure", &Boundary::pressure, pressure_words)
+      .doc("condition on the pore water; open: p = 0; needed where the boundary meets pore water");
+  return table;
+}
+
+TableSchema<TimeChoice> time_schema() {
+  TableSchema<TimeChoice> table;
+  table.key("end", &TimeChoice::end).unit("s").range(above(0.)).doc("end of the computed time");
+  table.key("step", &TimeChoice::step)
+      .unit("s")
+      .range(above(0.))
+      .or_word("auto")
+      .doc("time step; auto: chosen from the loads and the tolerance");
+  table.choice("scheme", &TimeChoice::scheme, time_scheme_words).doc("time integration scheme");
+  table.key("inertia", &TimeChoice::inertia).doc("whether inertia counts; false: quasi-static (consolidation)");
+  table.key("stop_at_energy", &TimeChoice::stop_at_energy)
+      .range(between(0., 1.))
+      .fallback("never before end")
+      .doc("share of the largest energy; the run stops once the loads are over and the energy has fallen below it");
+  return table;
+}
+
+TableSchema<Probe> probe_schema() {
+  TableSchema<Probe> table;
+  table.key("at", &Probe::at).unit("m").required().doc("point (x, y) to read");
+  return table;
+}
+
+TableSchema<CaseTables> accuracy_schema() {
+  TableSchema<CaseTables> table;
+  table.key("tolerance", &CaseTables::tolerance)
+      .range(between(0., 1.))
+      .doc("relative error allowed in the peak shear force; sets what is auto");
+  return table;
+}
+
+TableSchema<CaseTables> output_schema() {
+  TableSchema<CaseTables> fields;
+  fields.key("every", &CaseTables::fields_every)
+      .unit("s")
+      .range(above(0.))
+      .required()
+      .doc("time between two written fields");
+  TableSchema<CaseTables> table;
+  table.section("fields", fields).doc("Fields of the whole mesh; none are computed or written without this table.");
+  return table;
+}
+
+}  // namespace
+
+TableSchema<CaseTables> case_schema() {
+  TableSchema<CaseTables> table;
+  table.key("title", &CaseTables::title).doc("title of the case");
+  table.key("gravity", &CaseTables::gravity).unit("m/s2").range(above(0.)).doc("acceleration of gravity");
+  table.table("fluid", &CaseTables::fluid, fluid_schema()).doc("Pore water and sea water.");
+  table.table("mesh", &CaseTables::mesh, mesh_schema()).doc("Exactly one of geometry and file is needed.");
+  table.tables("regions", &CaseTables::regions, region_schema())
+      .doc(
+          "One table per physical surface of the mesh, by its name. The region called caisson is the one whose bottom "
+          "shear is read.");
+  table.tables("boundaries", &CaseTables::boundaries, boundary_schema())
+      .doc("One table per physical curve of the mesh, by its name; every outer curve needs one.");
+  table.tables("loads", &CaseTables::load_tables, load_schema())
+      .doc(
+          "Any number of loads by name, each on exactly one of boundary and region, with exactly one of pulse and "
+          "history.");
+  table.table("time", &CaseTables::time, time_schema());
+  table.section("accuracy", accuracy_schema());
+  table.tables("probes", &CaseTables::probes, probe_schema()).doc("Point readings by name.");
+  table.section("output", output_schema());
+  return table;
+}
+
+}  // namespace upbead

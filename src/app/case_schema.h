@@ -1,0 +1,28 @@
+// The keys of the case file, and the tables that they fill before a scene is made of them.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+
+#include "upbead/input/schema.h"
+#include "upbead/model/scene.h"
+
+namespace upbead {
+
+/// A table [loads.NAME] as written; `history` of Load is made of one of the two.
+struct LoadTable : Load {
+  std::optional<Pulse> pulse;
+  std::string history_file;
+};
+
+/// The whole file as written; `loads` of Scene are made of load_tables.
+struct CaseTables : Scene {
+  std::map<std::string, LoadTable> load_tables;
+};
+
+TableSchema<CaseTables> case_schema();
+TableSchema<Region> region_schema();
+TableSchema<LoadTable> load_schema();
+
+}  // namespace upbead

@@ -1,0 +1,73 @@
+#include "case_schema.h"
+#include "upbead/model/words.h"
+
+namespace upbead {
+
+namespace {
+
+bool has_rise(const Pulse& pulse) {
+  return pulse.shape == PulseShape::triangle || pulse.shape == PulseShape::church_roof ||
+         pulse.shape == PulseShape::step;
+}
+
+TableSchema<Pulse> pulse_schema() {
+  TableSchema<Pulse> table;
+  table.choice("shape", &Pulse::shape, pulse_shape_words).required().doc("shape of the history");
+  table.key("peak", &Pulse::peak).unit("N/m or Pa").required().doc("largest value; of a harmonic its amplitude");
+  table.key("rise", &Pulse::rise)
+      .unit("s")
+      .range(at_least(0.))
+      .fallback("half the duration; of a step 0")
+      .doc("time from start to peak")
+      .when("shape", has_rise, "in a triangle, a church_roof and a step");
+  table.key("duration", &Pulse::duration)
+      .unit("s")
+      .range(above(0.))
+      .doc("duration; of a church_roof that of its impulsive part; of triangle, half_sine and church_roof");
+  table.key("start", &Pulse::start).unit("s").range(at_least(0.)).doc("time of the start; zero before");
+  table.key("plateau", &Pulse::plateau)
+      .range(between(0., 1.))
+      .doc("value of the slow part over the peak; of a church_roof");
+  table.key("plateau_duration", &Pulse::plateau_duration)
+      .unit("s")
+      .range(above(0.))
+      .doc("time from start until the slow part has gone; of a church_roof");
+  table.key("frequency", &Pulse::frequency).unit("Hz").range(above(0.)).doc("frequency; of a harmonic");
+  return table;
+}
+
+}  // namespace
+
+TableSchema<LoadTable> load_schema() {
+  TableSchema<LoadTable> table;
+  table.key("boundary", &LoadTable::boundary).doc("name of the curve that the load acts on; or region");
+  table.key("region", &LoadTable::region).doc("name of the rigid region that the load acts on; or boundary");
+  table.choice("kind", &LoadTable::kind, load_kind_words)
+      .doc(
+          "what the history means; force: resultant (N/m); traction: Pa; pressure: Pa, total normal stress = -value, "
+          "and "
+          "pore pressure = value where the boundary is open");
+  table.key("at", &LoadTable::at)
+      .unit("m")
+      .required()
+      .doc("point of attack (x, y)")
+      .when(
+          "region", [](const LoadTable& load) { return !load.region.empty(); }, "on a region");
+  table.key("direction", &LoadTable::direction)
+      .doc("direction (x, y); multiplies the history and is not normalised")
+      .when(
+          "kind", [](const LoadTable& load) { return load.kind != LoadKind::pressure; }, "for forces and tractions");
+  table.key("shape", &LoadTable::shape)
+      .fallback("uniform")
+      .doc("pairs of height y (m) and relative intensity; linear in between, zero beyond the ends")
+      .when(
+          "region", [](const LoadTable& load) { return load.region.empty() || !load.boundary.empty(); },
+          "on a boundary");
+  table.table("pulse", &LoadTable::pulse, pulse_schema()).doc("An idealised history; or history.");
+  table.key("history", &LoadTable::history_file)
+      .doc("path of a CSV file with a header line, then time (s) and value; linear in between; or pulse");
+  table.key("factor", &LoadTable::factor).doc("multiplies the history; 0 switches the load off");
+  return table;
+}
+
+}  // namespace upbead

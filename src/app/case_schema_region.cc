@@ -1,0 +1,93 @@
+#include "case_schema.h"
+#include "upbead/model/words.h"
+
+namespace upbead {
+
+namespace {
+
+TableSchema<Rayleigh> damping_schema() {
+  TableSchema<Rayleigh> table;
+  table.key("ratio", &Rayleigh::ratio).range(from_to_below(0., 1.)).required().doc("damping ratio at both frequencies");
+  table.key("frequencies", &Rayleigh::frequencies)
+      .unit("Hz")
+      .range(above(0.))
+      .doc("two frequencies, ascending, at which the ratio holds");
+  return table;
+}
+
+/// Marks a key as belonging to some kinds of region only.
+void limit(Entry<Region>& entry) {
+  std::vector<std::string> kinds;
+  for (const auto& [word, kind] : region_kind_words)
+    if (belongs(entry.info.name, kind)) kinds.push_back(word);
+  entry.when(
+      "kind", [key = entry.info.name](const Region& region) { return belongs(key, region.kind); },
+      "in " + join(kinds, " and ") + " regions");
+}
+
+void declare_skeleton(TableSchema<Region>& table) {
+  limit(table.key("shear_modulus", &Region::shear_modulus)
+            .unit("Pa")
+            .range(above(0.))
+            .doc("shear modulus G of the skeleton; or youngs_modulus"));
+  limit(table.key("youngs_modulus", &Region::youngs_modulus)
+            .unit("Pa")
+            .range(above(0.))
+            .doc("Young modulus E of the skeleton; or shear_modulus"));
+  limit(table.key("poissons_ratio", &Region::poissons_ratio)
+            .range(from_to_below(0., 0.5))
+            .doc("Poisson ratio of the drained skeleton; needed"));
+  limit(table.table("damping", &Region::damping, damping_schema())
+            .doc("Rayleigh damping; without this table there is none."));
+}
+
+void declare_mass(TableSchema<Region>& table) {
+  limit(table.key("density", &Region::density)
+            .unit("kg/m3")
+            .range(above(0.))
+            .doc("density; needed in a solid, in a rigid region density or mass"));
+  limit(table.key("mass", &Region::mass).unit("kg/m").range(above(0.)).doc("mass of the region per metre; or density"));
+  limit(table.key("centre_of_gravity", &Region::centre_of_gravity)
+            .unit("m")
+            .fallback("that of the area")
+            .doc("centre of gravity (x, y)"));
+  limit(table.key("moment_of_inertia", &Region::moment_of_inertia)
+            .unit("kg m2/m")
+            .range(above(0.))
+            .fallback("that of the area, evenly filled")
+            .doc("moment of inertia about the centre of gravity"));
+}
+
+void declare_pores(TableSchema<Region>& table) {
+  limit(
+      table.key("porosity", &Region::porosity).range(between(0., 1.)).doc("share of the pores in the volume; needed"));
+  limit(table.key("grain_density", &Region::grain_density)
+            .unit("kg/m3")
+            .range(above(0.))
+            .doc("density of the grains; needed"));
+  limit(table.key("hydraulic_conductivity", &Region::hydraulic_conductivity)
+            .unit("m/s")
+            .range(above(0.))
+            .doc("hydraulic conductivity k; needed unless flow is drained"));
+  limit(table.choice("flow", &Region::flow, flow_words)
+            .doc("how the pore water moves; drained: no pore pressure; auto: darcy or inertial by k omega/(g n)"));
+  limit(table.key("tortuosity", &Region::tortuosity).range(at_least(1.)).doc("tortuosity of the pores"));
+  limit(table.key("biot", &Region::biot).range(from_to(0., 1.)).doc("Biot coefficient alpha; at least the porosity"));
+  limit(table.key("grain_bulk_modulus", &Region::grain_bulk_modulus)
+            .unit("Pa")
+            .range(above(0.).or_infinite())
+            .doc("bulk modulus of the grains"));
+}
+
+}  // namespace
+
+TableSchema<Region> region_schema() {
+  TableSchema<Region> table;
+  table.choice("kind", &Region::kind, region_kind_words).required().doc("what fills the region");
+  declare_skeleton(table);
+  declare_mass(table);
+  declare_pores(table);
+  return table;
+}
+
+}  // namespace upbead

@@ -1,0 +1,66 @@
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "upbead/app/commands.h"
+#include "upbead/app/report.h"
+
+namespace upbead {
+
+namespace {
+
+std::string to_json(const Case& input, const CompiledCase& scene) {
+  nlohmann::ordered_json json = {{"title", input.scene.title}};
+  json["discretisation"] = {{"cells", scene.mesh->triangulation.n_active_cells()},
+                            {"unknowns", scene.compiled.system.n_free()},
+                            {"degree", scene.space->degree()}};
+  json["regions"] = nlohmann::ordered_json::object();
+  for (const auto& [name, choice] : scene.flows)
+    json["regions"][name] = {{"flow", choice.flow == Flow::inertial  ? "inertial"
+                                      : choice.flow == Flow::drained ? "drained"
+                                                                     : "darcy"},
+                             {"why", choice.reason}};
+  json["loads"] = nlohmann::ordered_json::object();
+  for (const LoadOnCaisson& load : scene.compiled.loads_on_caisson) {
+    json["loads"][load.name] = {{"force_x", load.force_x}, {"force_y", load.force_y}, {"moment", load.moment}};
+    json["loads"][load.name]["arm"] = load.arm() ? nlohmann::ordered_json(*load.arm()) : nullptr;
+  }
+  json["skipped"] = nlohmann::ordered_json::array();
+  for (const Skipped& item : skipped(input, scene)) json["skipped"].push_back({{"what", item.what}, {"why", item.why}});
+  return json.dump(2) + "\n";
+}
+
+void explain(const CommonOptions& options) {
+  const Case input = read_case(options.file, options.overrides);
+  const CompiledCase scene = compile_case(input);
+  std::cout << (options.json ? to_json(input, scene) : describe(input, scene));
+}
+
+}  // namespace
+
+void add_explain(CLI::App& program) {
+  auto options = std::make_shared<CommonOptions>();
+  auto keys = std::make_shared<bool>(false);
+  CLI::App* command = program.add_subcommand("explain", "check a case and tell what would be solved, without solving");
+  add_common_options(*command, *options);
+  command->get_option("FILE")->required(false);
+  command->add_flag("--keys", *keys, "print every key of a case file with unit, range, default and meaning");
+  command->footer(
+      "Reads, checks and meshes the case, solves nothing and writes nothing. Prints the mesh, how the pore water of "
+      "each\n"
+      "region is treated and why, each load's arm above the caisson's bottom, and what is skipped.\n\n"
+      "Examples:\n"
+      "  upbead explain cases/fig2b-model.toml\n"
+      "  upbead explain cases/fig2b-model.toml --set regions.mound.hydraulic_conductivity=1e-3\n"
+      "  upbead explain --keys");
+  command->callback([options, keys] {
+    if (*keys) {
+      std::cout << case_reference();
+    } else if (options->file.empty()) {
+      throw CLI::RequiredError("FILE");
+    } else {
+      explain(*options);
+    }
+  });
+}
+
+}  // namespace upbead

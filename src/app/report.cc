@@ -1,0 +1,109 @@
+#include "upbead/app/report.h"
+
+#include <cmath>
+#include <cstdarg>
+#include <cstdio>
+
+namespace upbead {
+
+namespace {
+
+__attribute__((format(printf, 1, 2))) std::string format(const char* pattern, ...) {
+  char buffer[400];
+  va_list arguments;
+  va_start(arguments, pattern);
+  std::vsnprintf(buffer, sizeof buffer, pattern, arguments);
+  va_end(arguments);
+  return buffer;
+}
+
+const char* name_of(RegionKind kind) {
+  return kind == RegionKind::rigid ? "rigid" : kind == RegionKind::solid ? "solid" : "porous";
+}
+
+const char* name_of(Flow flow) {
+  return flow == Flow::inertial ? "inertial flow" : flow == Flow::drained ? "drained" : "darcy flow";
+}
+
+std::string describe_regions(const Case& input, const CompiledCase& scene) {
+  std::string text;
+  for (const auto& [name, region] : input.scene.regions) {
+    std::string line = name_of(region.kind);
+    if (const auto flow = scene.flows.find(name); flow != scene.flows.end())
+      line += std::string(", ") + name_of(flow->second.flow) + ": " + flow->second.reason;
+    for (const Body& body : scene.compiled.bodies)
+      if (body.region == name)
+        line += format(", %.5g kg/m, centre of gravity (%.4g, %.4g) m, inertia %.4g kg m2/m", body.mass, body.centre[0],
+                       body.centre[1], body.moment_of_inertia);
+    text += format("  %-12s ", name.c_str()) + line + "\n";
+  }
+  return text;
+}
+
+std::string describe_loads(const CompiledCase& scene) {
+  std::string text;
+  for (const LoadOnCaisson& load : scene.compiled.loads_on_caisson) {
+    std::string line = format("  %-12s ", load.name.c_str());
+    if (const auto arm = load.arm())
+      line += format("arm %.4g m above the caisson's bottom, F_x = %.4g per unit, F_y = %.4g", *arm, load.force_x,
+                     load.force_y);
+    else
+      line += scene.compiled.caisson ? "no horizontal force on the caisson" : "no caisson to act on";
+    text += line + "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string with_unit(double value, const std::string& unit) {
+  const double size = std::abs(value);
+  if (size >= 1e6) return format("%.4g M%s", value / 1e6, unit.c_str());
+  if (size >= 1e3) return format("%.4g k%s", value / 1e3, unit.c_str());
+  if (size > 0. && size < 0.1) return format("%.4g m%s", value * 1e3, unit.c_str());
+  return format("%.4g %s", value, unit.c_str());
+}
+
+std::string describe(const Case& input, const CompiledCase& scene) {
+  const System& system = scene.compiled.system;
+  std::string text = input.scene.title + "\n";
+  text +=
+      format("mesh        %d cells of degree %d, %d unknowns (%d of them relative fluid displacements)\n",
+             static_cast<int>(scene.mesh->triangulation.n_active_cells()), scene.space->degree(), system.n_free(), [&] {
+               int n = 0;
+               for (const IndexRange& block : system.blocks) n += block.size();
+               return n;
+             }());
+  text += "regions\n" + describe_regions(input, scene);
+  text += "loads\n" + describe_loads(scene);
+  text += "skipped\n";
+  for (const Skipped& item : skipped(input, scene)) text += "  " + item.what + ": " + item.why + "\n";
+  return text;
+}
+
+std::string describe(const Run& run) {
+  const Discretisation& d = run.summary.discretisation;
+  const Timing& t = run.summary.timing;
+  std::string text =
+      format("marched     %d steps of at most %.4g s by %s (%s); %d solves, %d factorisations\n", d.steps, d.time_step,
+             d.scheme.c_str(), run.step_reason.c_str(), d.solves, d.factorisations);
+  if (run.response.stopped_early) text += "            stopped early: little energy was left, as the case allows\n";
+  if (run.summary.response) {
+    const ShearResponse& r = *run.summary.response;
+    text += "response\n";
+    text += format("  peak P      %-14s at %.4g s\n", with_unit(r.peak_force, "N/m").c_str(), r.peak_force_time);
+    text += format("  peak F_T    %-14s at %.4g s (seaward %s at %.4g s)\n", with_unit(r.peak_shear, "N/m").c_str(),
+                   r.peak_shear_time, with_unit(r.peak_shear_seaward, "N/m").c_str(), r.peak_shear_seaward_time);
+    text += format("  F_T / P     %.4f\n", r.shear_to_force_ratio);
+    text += format("  peak x_G    %s\n", with_unit(r.peak_displacement, "m").c_str());
+    if (r.arm) text += format("  arm of P    %.4g m\n", *r.arm);
+    text += format("  checks      both routes to F_T differ by %.1e, energy by %.1e\n", r.reaction_mismatch,
+                   run.summary.energy.mismatch());
+  }
+  text +=
+      format("time        mesh %.2f s, compile %.2f s, factorise %.2f s, march %.2f s, output %.2f s, total %.2f s\n",
+             t.mesh, t.compile, t.factorise, t.march, t.output, t.total);
+  return text;
+}
+
+}  // namespace upbead

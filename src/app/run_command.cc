@@ -1,0 +1,94 @@
+#include <cmath>
+#include <iostream>
+#include <optional>
+
+#include "upbead/app/commands.h"
+#include "upbead/app/report.h"
+#include "upbead/base/files.h"
+#include "upbead/base/progress.h"
+#include "upbead/base/stopwatch.h"
+#include "upbead/output/fields.h"
+#include "upbead/output/result_file.h"
+
+namespace upbead {
+
+namespace {
+
+/// Histories of all readings, by the names of /history.
+std::vector<History> histories(const System& system, const Series& series) {
+  std::vector<History> list{{"time", "s", "time", series.time}};
+  for (std::size_t i = 0; i < system.readings.size(); ++i) {
+    const Reading& reading = system.readings[i];
+    const auto row = series.reading.row(static_cast<Eigen::Index>(i));
+    list.push_back({reading.name, reading.unit, reading.description, std::vector<double>(row.begin(), row.end())});
+  }
+  return list;
+}
+
+bool is_field_time(double time, double every) {
+  return std::abs(time / every - std::round(time / every)) < 1e-6;
+}
+
+/// Follows the march: a line of progress for people, fields where the case asks for them.
+MarchOptions options_of(const Scene& scene, Progress& progress, FieldWriter* fields) {
+  MarchOptions options;
+  options.stop_at_energy = scene.time.stop_at_energy.value_or(0.);
+  options.observer = [&progress, fields, every = scene.fields_every.value_or(0.)](const State& state, int step, int n) {
+    progress.update(n > 0 ? static_cast<double>(step) / n : 1.);
+    if (fields && is_field_time(state.time, every)) fields->write(state);
+  };
+  return options;
+}
+
+void run(const CommonOptions& options, const Stopwatch& since_start) {
+  const Case input = read_case(options.file, options.overrides);
+  require_loads(input);
+  OutputFolder folder(options.out.empty() ? "results/" + input.stem : options.out);
+  const CompiledCase scene = compile_case(input);
+  if (!options.json) std::cout << describe(input, scene) << std::flush;
+
+  std::optional<FieldWriter> fields;
+  if (input.scene.fields_every)
+    fields.emplace(*scene.space, *scene.unknowns, input.scene,
+                   [&](const std::string& file) { return folder.path(file); });
+  Run result;
+  {
+    Progress progress("marching");
+    result = run_case(input, scene, options_of(input.scene, progress, fields ? &*fields : nullptr));
+  }
+  const Stopwatch output_watch;
+  if (fields) fields->finish();
+  write_result_file(folder.path("results.h5"), folder.name(), input.scene.title,
+                    histories(scene.compiled.system, result.response.ends));
+  folder.write("case.toml", effective_case(input, folder.name()));
+  result.summary.timing.output = output_watch.seconds();
+  result.summary.timing.total = since_start.seconds();
+  const std::string json = to_json(result.summary);
+  folder.write("summary.json", json);
+  folder.commit();
+  std::cout << (options.json
+                    ? json
+                    : describe(result) + "written     " + folder.name() + "/{results.h5, summary.json, case.toml}\n");
+}
+
+}  // namespace
+
+void add_run(CLI::App& program) {
+  auto options = std::make_shared<CommonOptions>();
+  CLI::App* command = program.add_subcommand("run", "march a case and write F_T(t), its peak and all histories");
+  add_common_options(*command, *options);
+  command->footer(
+      "Writes into results/NAME (or --out DIR), all or nothing:\n"
+      "  results.h5     histories /history/{time, force, shear_force, inertia_force, caisson/..., probes/...}, SI "
+      "units\n"
+      "  summary.json   peaks, ratio of peak F_T to peak P, checks, what was skipped, times\n"
+      "  case.toml      the case with all defaults spelled out; runs again as it is\n"
+      "  fields.pvd     fields for ParaView, where the case has [output] fields\n\n"
+      "Examples:\n"
+      "  upbead run cases/fig2b-model.toml\n"
+      "  upbead run cases/fig2b-model.toml --set time.scheme=generalised_alpha --out /tmp/ga\n"
+      "  upbead run cases/fig2b-prototype.toml --json | jq .response.shear_to_force_ratio");
+  command->callback([options, since_start = Stopwatch()] { run(*options, since_start); });
+}
+
+}  // namespace upbead

@@ -1,0 +1,151 @@
+#include "upbead/base/files.h"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <fstream>
+#include <system_error>
+
+#include "upbead/base/error.h"
+
+namespace fs = std::filesystem;
+
+namespace upbead {
+
+namespace {
+
+[[noreturn]] void fail(const std::string& what) {
+  throw InputError(Place(), what, "choose another folder with --out DIR");
+}
+
+[[noreturn]] void fail(const std::string& what, const std::error_code& code) {
+  fail(what + ": " + code.message());
+}
+
+std::error_code last_error() {
+  return std::error_code(errno, std::generic_category());
+}
+
+bool is_there(const fs::path& path) {
+  std::error_code ignored;  // what may not be looked at is met again when it is written to
+  return fs::exists(path, ignored);
+}
+
+bool is_folder(const fs::path& path) {
+  std::error_code ignored;
+  return fs::is_directory(path, ignored);
+}
+
+/// Every file below `from`, relative to it.
+std::vector<fs::path> files_below(const fs::path& from) {
+  std::vector<fs::path> files;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(from))
+    if (!entry.is_directory()) files.push_back(entry.path().lexically_relative(from));
+  return files;
+}
+
+/// Refuses what a move would trip over: a folder where a file goes, a file where a folder goes.
+void check_room(const fs::path& target, const fs::path& file) {
+  if (is_folder(target / file)) fail("'" + (target / file).string() + "' is a folder, not a file");
+  for (fs::path folder = file.parent_path(); !folder.empty(); folder = folder.parent_path())
+    if (is_there(target / folder) && !is_folder(target / folder))
+      fail("'" + (target / folder).string() + "' is a file, not a folder");
+}
+
+}  // namespace
+
+OutputFolder::OutputFolder(const std::string& path) : name_(path) {
+  if (path.empty()) fail("the output folder has no name");
+  std::error_code code;
+  target_ = fs::weakly_canonical(fs::absolute(path), code);
+  if (code) fail("cannot use the output folder '" + path + "'", code);
+  if (!target_.has_filename()) target_ = target_.parent_path();
+  if (is_there(target_) && !is_folder(target_)) fail("the output folder '" + path + "' is a file");
+  check_rights();
+  make_parents();
+  make_partial();
+}
+
+OutputFolder::~OutputFolder() {
+  std::error_code ignored;  // a destructor has nobody to tell
+  if (!partial_.empty()) fs::remove_all(partial_, ignored);
+  remove_parents();
+}
+
+void OutputFolder::remove_parents() {
+  std::error_code ignored;  // a parent that somebody else has filled meanwhile stays
+  for (auto parent = made_parents_.rbegin(); parent != made_parents_.rend(); ++parent) fs::remove(*parent, ignored);
+  made_parents_.clear();
+}
+
+void OutputFolder::make_parents() {
+  std::vector<fs::path> missing;
+  for (fs::path parent = target_.parent_path(); !is_there(parent); parent = parent.parent_path())
+    missing.push_back(parent);
+  for (auto parent = missing.rbegin(); parent != missing.rend(); ++parent) {
+    std::error_code code;
+    if (!fs::create_directory(*parent, code) && code) {
+      remove_parents();
+      fail("cannot make the folder '" + parent->string() + "'", code);
+    }
+    made_parents_.push_back(*parent);
+  }
+}
+
+void OutputFolder::check_rights() const {
+  if (is_there(target_) && access(target_.c_str(), W_OK | X_OK) != 0)
+    fail("cannot write into the output folder '" + name_ + "'", last_error());
+}
+
+void OutputFolder::make_partial() {
+  const std::string stem = "." + target_.filename().string() + ".partial-" + std::to_string(getpid());
+  for (int i = 0;; ++i) {
+    const fs::path candidate = target_.parent_path() / (stem + (i == 0 ? "" : "-" + std::to_string(i)));
+    std::error_code code;
+    if (fs::create_directory(candidate, code)) {
+      partial_ = candidate;
+      return;
+    }
+    if (code) {
+      remove_parents();
+      fail("cannot write beside the output folder '" + name_ + "'", code);
+    }
+  }
+}
+
+std::string OutputFolder::path(const std::string& file) const {
+  const fs::path full = partial_ / file;
+  std::error_code code;
+  fs::create_directories(full.parent_path(), code);
+  if (code) fail("cannot make a folder for '" + (fs::path(name_) / file).string() + "'", code);
+  return full.string();
+}
+
+void OutputFolder::write(const std::string& file, const std::string& text) const {
+  errno = 0;
+  std::ofstream stream(path(file), std::ios::binary);
+  stream << text;
+  stream.close();
+  if (!stream) fail("cannot write '" + (fs::path(name_) / file).string() + "'", last_error());
+}
+
+void OutputFolder::commit() {
+  std::error_code code;
+  if (!is_there(target_)) {
+    fs::rename(partial_, target_, code);
+    if (code) fail("cannot make the output folder '" + name_ + "'", code);
+  } else {
+    const std::vector<fs::path> files = files_below(partial_);
+    for (const fs::path& file : files) check_room(target_, file);
+    for (const fs::path& file : files) {
+      fs::create_directories((target_ / file).parent_path(), code);
+      if (!code) fs::rename(partial_ / file, target_ / file, code);
+      if (code) fail("cannot write '" + (fs::path(name_) / file).string() + "'", code);
+    }
+    fs::remove_all(partial_, code);
+  }
+  partial_.clear();
+  made_parents_.clear();
+}
+
+}  // namespace upbead

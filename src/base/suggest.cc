@@ -1,0 +1,57 @@
+#include "upbead/base/suggest.h"
+
+#include <algorithm>
+#include <cctype>
+
+namespace upbead {
+
+namespace {
+
+/// Words that differ in this form only are the same to a person.
+std::string folded(const std::string& word) {
+  std::string text = word;
+  for (char& c : text) c = c == '-' || c == ' ' ? '_' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+std::size_t distance(const std::string& a, const std::string& b) {
+  std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+  for (std::size_t i = 0; i <= a.size(); ++i) d[i][0] = i;
+  for (std::size_t j = 0; j <= b.size(); ++j) d[0][j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i)
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t replaced = d[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
+      d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, replaced});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+        d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
+    }
+  return d[a.size()][b.size()];
+}
+
+}  // namespace
+
+std::string nearest(const std::string& word, const std::vector<std::string>& candidates) {
+  std::string best;
+  std::size_t least = 0;
+  for (const std::string& candidate : candidates) {
+    const std::size_t d = distance(folded(word), folded(candidate));
+    if (d > std::max(word.size(), candidate.size()) / 3 || (!best.empty() && d >= least)) continue;
+    best = candidate;
+    least = d;
+  }
+  return best;
+}
+
+std::string suggestion(const std::string& word, const std::vector<std::string>& candidates, const std::string& kind) {
+  const std::string near = nearest(word, candidates);
+  if (!near.empty()) return "did you mean '" + near + "'?";
+  return candidates.empty() ? "there are no " + kind : "known " + kind + ": " + join(candidates);
+}
+
+std::string join(const std::vector<std::string>& words, const std::string& separator) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : separator) + word;
+  return text;
+}
+
+}  // namespace upbead

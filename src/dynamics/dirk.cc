@@ -1,0 +1,92 @@
+#include "dirk.h"
+
+#include <utility>
+
+namespace upbead::detail {
+
+Eigen::MatrixXd Tableau::stability() const {
+  const Eigen::MatrixXd ba = b().asDiagonal() * a;
+  return ba + ba.transpose() - b() * b().transpose();
+}
+
+Tableau euler_tableau() {
+  return {Eigen::MatrixXd::Ones(1, 1)};
+}
+
+Tableau sdirk4_tableau() {
+  Tableau tableau{Eigen::MatrixXd(5, 5)};
+  tableau.a << 1. / 4., 0., 0., 0., 0.,                      //
+      1. / 2., 1. / 4., 0., 0., 0.,                          //
+      17. / 50., -1. / 25., 1. / 4., 0., 0.,                 //
+      371. / 1360., -137. / 2720., 15. / 544., 1. / 4., 0.,  //
+      25. / 24., -49. / 48., 125. / 16., -85. / 12., 1. / 4.;
+  return tableau;
+}
+
+Dirk::Dirk(const System& system, Tableau tableau)
+    : system_(system),
+      loads_(system),
+      tableau_(std::move(tableau)),
+      b_(tableau_.b()),
+      c_(tableau_.c()),
+      stability_(tableau_.stability()),
+      V_(system.size(), c_.size()),
+      A_(system.size(), c_.size()),
+      a_(Vector::Zero(system.size())) {}
+
+void Dirk::predict(const State& state, double h, int stage) {
+  v_predicted_ = state.v;
+  x_ = state.x;
+  for (int j = 0; j < stage; ++j) {
+    const double weight = h * tableau_.a(stage, j);
+    v_predicted_ += weight * A_.col(j);
+    x_ += weight * V_.col(j);
+  }
+  x_ += h * tableau_.gamma() * v_predicted_;
+}
+
+void Dirk::step(State& state, double h, double inside, EffectiveMatrices& matrices, EnergyMeter* meter) {
+  const double g = h * tableau_.gamma();
+  const EffectiveMatrix& E = matrices.get({1., g, g * g});
+  const int n_prescribed = system_.n_prescribed;
+  for (int i = 0; i < n_stages(); ++i) {
+    loads_.evaluate(state.time + c_[i] * h, inside, load_);
+    loads_.sum(load_, f_);
+    predict(state, h, i);
+    if (n_prescribed > 0) {
+      loads_.prescribe(load_, a_);
+      a_.tail(n_prescribed) = (a_.tail(n_prescribed) - v_predicted_.tail(n_prescribed)) / g;
+    }
+    rhs_ = f_;
+    rhs_.noalias() -= system_.C * v_predicted_;
+    rhs_.noalias() -= system_.K * x_;
+    E.solve(rhs_, a_);
+    v_ = v_predicted_ + g * a_;
+    x_ += g * g * a_;
+    V_.col(i) = v_;
+    A_.col(i) = a_;
+    if (meter != nullptr) meter->add_work(h * b_[i], v_, f_, x_, v_, a_);
+  }
+  state.time += h;
+  state.x = x_;
+  state.v = v_;
+  state.a = a_;
+  if (meter != nullptr) account(h, *meter);
+}
+
+void Dirk::account(double h, EnergyMeter& meter) {
+  const int s = n_stages();
+  block_.resize(system_.size(), s + 1);
+  block_.leftCols(s) = A_;
+  block_.col(s) = v_;
+  const FieldGrams mass = meter.mass(block_);
+  block_.leftCols(s) = V_;
+  block_.col(s) = x_;
+  const FieldGrams stiffness = meter.stiffness(block_), dissipation = meter.dissipation(block_);
+  for (int i = 0; i < s; ++i) meter.add_dissipated(dissipation, i, h * b_[i]);
+  const Eigen::MatrixXd gram = mass.total() + stiffness.total();
+  meter.add_scheme(0.5 * h * h * stability_.cwiseProduct(gram.topLeftCorner(s, s)).sum());
+  meter.set_stored(mass, stiffness, s);
+}
+
+}  // namespace upbead::detail

@@ -1,0 +1,91 @@
+#include "effective_matrix.h"
+
+#include <algorithm>
+#include <string>
+
+#include "upbead/base/error.h"
+#include "upbead/base/stopwatch.h"
+
+namespace upbead::detail {
+
+namespace {
+
+constexpr std::size_t kept_matrices = 3;
+
+SparseMatrix combine(const System& system, const EffectiveCoefficients& e) {
+  return e.m * system.M + e.c * system.C + e.k * system.K;
+}
+
+SparseMatrix free_block(const SparseMatrix& E, int n_free) {
+  const SparseMatrix rows = E.topRows(n_free);
+  return rows.leftCols(n_free);
+}
+
+SparseMatrix free_rows_of_prescribed(const SparseMatrix& E, int n_free) {
+  const SparseMatrix rows = E.topRows(n_free);
+  return rows.rightCols(E.cols() - n_free);
+}
+
+bool operator==(const EffectiveCoefficients& a, const EffectiveCoefficients& b) {
+  return a.m == b.m && a.c == b.c && a.k == b.k;
+}
+
+}  // namespace
+
+EffectiveMatrix::EffectiveMatrix(const System& system, const EffectiveCoefficients& coefficients)
+    : EffectiveMatrix(system, combine(system, coefficients)) {}
+
+EffectiveMatrix::EffectiveMatrix(const System& system, const SparseMatrix& E)
+    : n_free_(system.n_free()),
+      coupling_(free_rows_of_prescribed(E, n_free_)),
+      factors_(free_block(E, n_free_), system.blocks) {
+  check_inertia(system);
+}
+
+void EffectiveMatrix::refactor(const System& system, const EffectiveCoefficients& coefficients) {
+  const SparseMatrix E = combine(system, coefficients);
+  coupling_ = free_rows_of_prescribed(E, n_free_);
+  factors_.refactor(free_block(E, n_free_));
+  check_inertia(system);
+}
+
+void EffectiveMatrix::check_inertia(const System& system) const {
+  const auto n_phi = std::count(system.field.begin(), system.field.begin() + n_free_, Field::pressure_impulse);
+  const int negative = factors_.inertia().negative;
+  if (negative != n_phi)
+    throw NumericsError("the effective matrix has " + std::to_string(negative) +
+                        " negative pivots where the pressure has " + std::to_string(n_phi) +
+                        " unknowns: the system is not well posed or beyond double precision");
+}
+
+void EffectiveMatrix::solve(Vector& rhs, Vector& y) const {
+  if (coupling_.cols() > 0) rhs.head(n_free_) -= coupling_ * y.tail(coupling_.cols());
+  factors_.solve(rhs.head(n_free_), y.head(n_free_));
+}
+
+/// Puts the matrix of these coefficients in front.
+void EffectiveMatrices::factorise(const EffectiveCoefficients& coefficients) {
+  const Stopwatch watch;
+  if (entries_.size() < kept_matrices) {
+    entries_.push_front({coefficients, EffectiveMatrix(system_, coefficients)});
+  } else {
+    entries_.splice(entries_.begin(), entries_, std::prev(entries_.end()));
+    entries_.front().matrix.refactor(system_, coefficients);
+    entries_.front().coefficients = coefficients;
+  }
+  ++n_factorisations_;
+  seconds_ += watch.seconds();
+}
+
+const EffectiveMatrix& EffectiveMatrices::get(const EffectiveCoefficients& coefficients) {
+  const auto same = [&](const Entry& entry) { return entry.coefficients == coefficients; };
+  const auto found = std::find_if(entries_.begin(), entries_.end(), same);
+  if (found == entries_.end()) {
+    factorise(coefficients);
+  } else {
+    entries_.splice(entries_.begin(), entries_, found);
+  }
+  return entries_.front().matrix;
+}
+
+}  // namespace upbead::detail

@@ -1,0 +1,63 @@
+// The matrices that a time scheme factorises.
+#pragma once
+
+#include <list>
+
+#include "upbead/algebra/factorisation.h"
+#include "upbead/system/system.h"
+
+namespace upbead::detail {
+
+/// Coefficients of E = m M + c C + k K.
+struct EffectiveCoefficients {
+  double m = 1.;
+  double c = 0.;
+  double k = 0.;
+};
+
+/// E = m M + c C + k K, its rows and columns of the free unknowns factorised.
+class EffectiveMatrix {
+ public:
+  /// Throws NumericsError where E is singular or has not one negative pivot for each free phi.
+  EffectiveMatrix(const System& system, const EffectiveCoefficients& coefficients);
+
+  /// Solves E y = rhs for the free unknowns of y, with the prescribed ones (its tail) given. `rhs` has all n entries;
+  /// its head is overwritten.
+  void solve(Vector& rhs, Vector& y) const;
+  /// Takes other coefficients for the same system.
+  void refactor(const System& system, const EffectiveCoefficients& coefficients);
+
+ private:
+  EffectiveMatrix(const System& system, const SparseMatrix& E);
+  void check_inertia(const System& system) const;
+
+  int n_free_;
+  SparseMatrix coupling_;  ///< rows of the free, columns of the prescribed unknowns
+  Factorisation factors_;
+};
+
+/// Effective matrices by step size: a few are kept, then the oldest is overwritten.
+class EffectiveMatrices {
+ public:
+  explicit EffectiveMatrices(const System& system) : system_(system) {}
+  /// The matrix of these coefficients, factorised when it is not at hand.
+  const EffectiveMatrix& get(const EffectiveCoefficients& coefficients);
+  int n_factorisations() const { return n_factorisations_; }
+  /// Wall time of them (s).
+  double seconds() const { return seconds_; }
+
+ private:
+  void factorise(const EffectiveCoefficients& coefficients);
+
+  struct Entry {
+    EffectiveCoefficients coefficients;
+    EffectiveMatrix matrix;
+  };
+
+  const System& system_;
+  std::list<Entry> entries_;  ///< latest used first
+  int n_factorisations_ = 0;
+  double seconds_ = 0.;
+};
+
+}  // namespace upbead::detail

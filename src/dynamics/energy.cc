@@ -1,0 +1,12 @@
+#include "upbead/dynamics/energy.h"
+
+#include <cmath>
+
+namespace upbead {
+
+double EnergyAccount::mismatch() const {
+  if (largest_work == 0.) return 0.;
+  return std::abs(work - stored() - drag - damping - scheme) / largest_work;
+}
+
+}  // namespace upbead

@@ -1,0 +1,51 @@
+#include "energy_meter.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace upbead::detail {
+
+EnergyMeter::EnergyMeter(const System& system)
+    : system_(system),
+      dissipative_C_(system.C),
+      coupling_C_(system.C),
+      prescribed_M_(system.M.bottomRows(system.n_prescribed)),
+      prescribed_C_(system.C.bottomRows(system.n_prescribed)),
+      prescribed_K_(system.K.bottomRows(system.n_prescribed)),
+      sign_(system.size()) {
+  const auto is_phi = [&](Eigen::Index i) { return system.field[i] == Field::pressure_impulse; };
+  for (int i = 0; i < system.size(); ++i) sign_[i] = is_phi(i) ? -1. : 1.;
+  dissipative_C_.prune([&](Eigen::Index i, Eigen::Index j, double) { return is_phi(i) == is_phi(j); });
+  coupling_C_.prune([&](Eigen::Index i, Eigen::Index j, double) { return is_phi(i) != is_phi(j); });
+}
+
+void EnergyMeter::start(const State& state) {
+  account_ = {};
+  set_stored(mass(state.v), stiffness(state.x), 0);
+  account_.work = account_.stored();
+  account_.largest_work = std::abs(account_.work);
+}
+
+void EnergyMeter::add_work(double weight, const Vector& path, const Vector& f, const Vector& x, const Vector& v,
+                           const Vector& a) {
+  account_.work += weight * (path.array() * sign_.array() * f.array()).sum();
+  if (const int n = system_.n_prescribed; n > 0) {
+    const Vector reaction = prescribed_M_ * a + prescribed_C_ * v + prescribed_K_ * x - f.tail(n);
+    account_.work += weight * (path.tail(n).array() * sign_.tail(n).array() * reaction.array()).sum();
+  }
+  account_.largest_work = std::max(account_.largest_work, std::abs(account_.work));
+}
+
+void EnergyMeter::add_dissipated(const FieldGrams& dissipation, int column, double time) {
+  account_.damping += time * dissipation.displacement(column, column);
+  account_.drag += time * (dissipation.relative_fluid(column, column) + dissipation.pressure(column, column));
+}
+
+void EnergyMeter::set_stored(const FieldGrams& mass, const FieldGrams& stiffness, int column) {
+  const auto half = [&](const Eigen::MatrixXd& gram) { return 0.5 * gram(column, column); };
+  account_.kinetic = half(mass.displacement) + half(mass.relative_fluid) + half(stiffness.pressure);
+  account_.fluid = half(mass.pressure);
+  account_.strain = half(stiffness.displacement) + half(stiffness.relative_fluid);
+}
+
+}  // namespace upbead::detail

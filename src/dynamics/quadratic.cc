@@ -1,0 +1,46 @@
+#include "quadratic.h"
+
+#include <array>
+#include <stdexcept>
+
+namespace upbead::detail {
+
+namespace {
+
+/// With the number of columns known to the compiler, a row costs little more than one product.
+template <int n_columns>
+FieldGrams grams_of(const SparseMatrix& A, const VectorBlock& Z, const std::vector<Field>& field) {
+  using Column = Eigen::Matrix<double, n_columns, 1>;
+  using Gram = Eigen::Matrix<double, n_columns, n_columns>;
+  std::array<Gram, 3> sum;
+  for (Gram& gram : sum) gram.setZero();
+  const auto row = [&](int i) { return Eigen::Map<const Column>(Z.data() + std::ptrdiff_t{n_columns} * i); };
+  for (int i = 0; i < A.rows(); ++i) {
+    Column product = Column::Zero();
+    for (SparseMatrix::InnerIterator it(A, i); it; ++it) product += it.value() * row(static_cast<int>(it.col()));
+    sum[static_cast<std::size_t>(field[i])] += row(i) * product.transpose();
+  }
+  return {sum[0], sum[1], -sum[2]};
+}
+
+static_assert(static_cast<int>(Field::displacement) == 0 && static_cast<int>(Field::relative_fluid) == 1 &&
+              static_cast<int>(Field::pressure_impulse) == 2);
+
+}  // namespace
+
+FieldGrams grams(const SparseMatrix& A, const VectorBlock& Z, const std::vector<Field>& field) {
+  switch (Z.cols()) {
+    case 1:
+      return grams_of<1>(A, Z, field);
+    case 2:
+      return grams_of<2>(A, Z, field);
+    case 3:
+      return grams_of<3>(A, Z, field);
+    case 6:
+      return grams_of<6>(A, Z, field);
+    default:
+      throw std::logic_error("grams: not a block of 1, 2, 3 or 6 vectors");
+  }
+}
+
+}  // namespace upbead::detail

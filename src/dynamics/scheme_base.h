@@ -1,0 +1,49 @@
+// What all schemes have in common.
+#pragma once
+
+#include <optional>
+
+#include "effective_matrix.h"
+#include "energy_meter.h"
+#include "load_sum.h"
+#include "upbead/dynamics/scheme.h"
+
+namespace upbead::detail {
+
+/// Holds the factorised matrices, the account of energy and what a step leaves behind.
+class SchemeBase : public Scheme {
+ public:
+  void start(const State& state) override {
+    balanced_.state = state;
+    balanced_.load.assign(system_.loads.size(), 0.);
+    end_load_ = balanced_.load;
+    if (meter_) meter_->start(state);
+  }
+  const std::vector<double>& end_load() const override { return end_load_; }
+  const LoadedState& balanced() const override { return balanced_; }
+  const EnergyAccount& energy() const override { return meter_ ? meter_->account() : no_account_; }
+  bool accounts_energy() const override { return meter_.has_value(); }
+  int n_solves() const override { return n_solves_; }
+  int n_factorisations() const override { return matrices_.n_factorisations(); }
+  double factorise_seconds() const override { return matrices_.seconds(); }
+
+ protected:
+  SchemeBase(const System& system, bool account_energy) : system_(system), loads_(system), matrices_(system) {
+    if (account_energy) meter_.emplace(system);
+    SchemeBase::start(at_rest(system));
+  }
+  EnergyMeter* meter() { return meter_ ? &*meter_ : nullptr; }
+
+  const System& system_;
+  LoadSum loads_;
+  EffectiveMatrices matrices_;
+  LoadedState balanced_;
+  std::vector<double> end_load_;
+  int n_solves_ = 0;
+
+ private:
+  std::optional<EnergyMeter> meter_;
+  EnergyAccount no_account_;
+};
+
+}  // namespace upbead::detail

@@ -1,0 +1,54 @@
+#include "toml_text.h"
+
+#include <toml++/toml.h>
+
+#include <algorithm>
+
+namespace upbead {
+
+namespace {
+
+Place place_of(const toml::source_region& source, const std::string& file) {
+  return {file, static_cast<int>(source.begin.line), static_cast<int>(source.begin.column)};
+}
+
+Node convert(const toml::node& node, const Place& place);
+
+Node convert_table(const toml::table& table, const Place& place) {
+  NodeTable entries;
+  for (const auto& [key, value] : table)
+    entries.emplace_back(std::string(key.str()), convert(value, place_of(key.source(), place.file)));
+  // the library sorts by name, a person by place
+  std::stable_sort(entries.begin(), entries.end(), [](const auto& a, const auto& b) {
+    return std::pair(a.second.place.line, a.second.place.column) <
+           std::pair(b.second.place.line, b.second.place.column);
+  });
+  return {std::move(entries), place};
+}
+
+Node convert(const toml::node& node, const Place& place) {
+  if (node.is_table()) return convert_table(*node.as_table(), place);
+  if (const toml::array* array = node.as_array()) {
+    NodeArray items;
+    for (const toml::node& item : *array) items.push_back(convert(item, place_of(item.source(), place.file)));
+    return {std::move(items), place};
+  }
+  if (const auto* value = node.as_boolean()) return {value->get(), place};
+  if (const auto* value = node.as_integer()) return {value->get(), place};
+  if (const auto* value = node.as_floating_point()) return {value->get(), place};
+  if (const auto* value = node.as_string()) return {value->get(), place};
+  return {NodeDate{}, place};
+}
+
+}  // namespace
+
+Node parse_toml(const std::string& text, const std::string& file) {
+  try {
+    return convert_table(toml::parse(std::string_view(text), std::string_view(file)), {file});
+  } catch (const toml::parse_error& error) {
+    throw InputError(place_of(error.source(), file), "not TOML: " + std::string(error.description()),
+                     "see https://toml.io for the syntax");
+  }
+}
+
+}  // namespace upbead

@@ -1,0 +1,178 @@
+#include "upbead/input/values.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <type_traits>
+
+#include "upbead/base/suggest.h"
+
+namespace upbead {
+
+std::string KeyInfo::meaning() const {
+  return doc.substr(0, doc.find(';')) + (unit.empty() ? "" : " (" + unit + ")");
+}
+
+namespace {
+
+bool reads_as_number(const std::string& text) {
+  char* end = nullptr;
+  std::strtod(text.c_str(), &end);
+  return !text.empty() && end == text.c_str() + text.size();
+}
+
+template <class V>
+Verdict wrong_type(const Node& node, const KeyInfo& key, const V* type) {
+  const std::string expected =
+      key.word.empty() ? type_text(key, type) : type_text(key, type) + " or " + to_toml(key.word);
+  std::string cure = "give the " + key.meaning();
+  if (node.text() && reads_as_number(*node.text())) cure = "write the number without quotes";
+  if (std::is_same_v<V, bool>) cure = "write true or false";
+  return {{node.place, key.name + ": expected " + expected + ", found " + found(node), cure}};
+}
+
+std::optional<double> number_of(const Node& node) {
+  if (const auto* value = std::get_if<double>(&node.value)) return *value;
+  if (const auto* value = std::get_if<std::int64_t>(&node.value)) return static_cast<double>(*value);
+  return {};
+}
+
+Verdict check_range(const Node& node, const KeyInfo& key, double value) {
+  if (key.range.contains(value)) return {};
+  return {{node.place, key.name + " = " + number_text(value) + " is outside " + key.range.text(),
+           "give the " + key.meaning()}};
+}
+
+void append(Verdict& all, const Verdict& more) {
+  all.insert(all.end(), more.begin(), more.end());
+}
+
+std::string with_unit(const std::string& what, const KeyInfo& key) {
+  return key.unit.empty() ? what : what + " (" + key.unit + ")";
+}
+
+}  // namespace
+
+Verdict read_value(const Node& node, const KeyInfo& key, double& value) {
+  const std::optional<double> number = number_of(node);
+  if (!number) return wrong_type(node, key, &value);
+  value = *number;
+  return check_range(node, key, value);
+}
+
+Verdict read_value(const Node& node, const KeyInfo& key, int& value) {
+  const auto* number = std::get_if<std::int64_t>(&node.value);
+  if (!number) return wrong_type(node, key, &value);
+  Verdict verdict = check_range(node, key, static_cast<double>(*number));
+  if (verdict.empty()) value = static_cast<int>(*number);
+  return verdict;
+}
+
+Verdict read_value(const Node& node, const KeyInfo& key, bool& value) {
+  const auto* truth = std::get_if<bool>(&node.value);
+  if (!truth) return wrong_type(node, key, &value);
+  value = *truth;
+  return {};
+}
+
+Verdict read_value(const Node& node, const KeyInfo& key, std::string& value) {
+  if (!node.text()) return wrong_type(node, key, &value);
+  value = *node.text();
+  return {};
+}
+
+Verdict read_value(const Node& node, const KeyInfo& key, Pair& value) {
+  const NodeArray* list = node.array();
+  if (!list || list->size() != 2) return wrong_type(node, key, &value);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const std::optional<double> number = number_of((*list)[i]);
+    if (!number) return wrong_type((*list)[i], key, &value);
+    value[i] = *number;
+    Verdict verdict = check_range((*list)[i], key, value[i]);
+    if (!verdict.empty()) return verdict;
+  }
+  return {};
+}
+
+Verdict read_value(const Node& node, const KeyInfo& key, std::vector<Pair>& value) {
+  const NodeArray* list = node.array();
+  if (!list) return wrong_type(node, key, &value);
+  value.clear();
+  Verdict all;
+  for (const Node& item : *list) append(all, read_value(item, key, value.emplace_back()));
+  return all;
+}
+
+Verdict read_value(const Node& node, const KeyInfo& key, std::map<std::string, double>& value) {
+  if (!node.table()) return wrong_type(node, key, &value);
+  Verdict all;
+  for (const auto& [name, entry] : *node.table()) {
+    KeyInfo inner = key;
+    inner.name = name;
+    append(all, read_value(entry, inner, value[name]));
+  }
+  return all;
+}
+
+Verdict read_word(const Node& node, const KeyInfo& key, std::size_t& index) {
+  const std::string list = join(key.words);
+  if (!node.text())
+    return {{node.place, key.name + ": expected one of " + list + ", found " + found(node),
+             "write " + key.name + " = " + to_toml(key.words.front())}};
+  for (index = 0; index < key.words.size(); ++index)
+    if (key.words[index] == *node.text()) return {};
+  const std::string near = nearest(*node.text(), key.words);
+  return {{node.place, key.name + " = " + to_toml(*node.text()) + " is none of " + list,
+           near.empty() ? "choose one of them" : "did you mean '" + near + "'?"}};
+}
+
+std::string type_text(const KeyInfo& key, const double*) {
+  return with_unit("a number", key);
+}
+std::string type_text(const KeyInfo& key, const int*) {
+  return with_unit("a whole number", key);
+}
+std::string type_text(const KeyInfo&, const bool*) {
+  return "true or false";
+}
+std::string type_text(const KeyInfo&, const std::string*) {
+  return "a string";
+}
+std::string type_text(const KeyInfo& key, const Pair*) {
+  return with_unit("a pair of numbers", key);
+}
+std::string type_text(const KeyInfo& key, const std::vector<Pair>*) {
+  return with_unit("a list of pairs", key);
+}
+std::string type_text(const KeyInfo& key, const std::map<std::string, double>*) {
+  return with_unit("a table of numbers", key);
+}
+
+std::string print_value(const KeyInfo&, double value) {
+  return to_toml(value);
+}
+std::string print_value(const KeyInfo&, int value) {
+  return to_toml(value);
+}
+std::string print_value(const KeyInfo&, bool value) {
+  return to_toml(value);
+}
+std::string print_value(const KeyInfo&, const std::string& value) {
+  return value.empty() ? "" : to_toml(value);
+}
+std::string print_value(const KeyInfo&, const Pair& value) {
+  return "[" + to_toml(value[0]) + ", " + to_toml(value[1]) + "]";
+}
+
+std::string print_value(const KeyInfo& key, const std::vector<Pair>& value) {
+  std::vector<std::string> pairs;
+  for (const Pair& pair : value) pairs.push_back(print_value(key, pair));
+  return pairs.empty() ? "" : "[" + join(pairs) + "]";
+}
+
+std::string print_value(const KeyInfo&, const std::map<std::string, double>& value) {
+  std::vector<std::string> entries;
+  for (const auto& [name, number] : value) entries.push_back(dotted("", name) + " = " + to_toml(number));
+  return entries.empty() ? "" : "{ " + join(entries) + " }";
+}
+
+}  // namespace upbead

@@ -1,0 +1,103 @@
+#include "gmsh_open.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include "upbead/base/suggest.h"
+#include "upbead/mesh/geo_parameters.h"
+
+namespace upbead {
+
+namespace {
+
+enum class Kind { script, mesh, unknown };
+
+Kind kind_of(const std::string& file) {
+  const std::string ending = std::filesystem::path(file).extension().string();
+  return ending == ".geo" ? Kind::script : ending == ".msh" ? Kind::mesh : Kind::unknown;
+}
+
+/// gmsh takes any text for a script, and its message about a mesh that is none would be no help.
+bool has_mesh_format(const std::string& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::string beginning(4096, '\0');
+  in.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
+  return beginning.find("$MeshFormat") != std::string::npos;
+}
+
+bool ends_with_newline(const std::string& file) {
+  std::ifstream in(file, std::ios::binary | std::ios::ate);
+  if (in.tellg() <= 0) return true;
+  in.seekg(-1, std::ios::end);
+  return in.get() == '\n';
+}
+
+void check_file(const std::string& file, MeshReport& report) {
+  if (!std::filesystem::exists(file))
+    return report.add("there is no file '" + file + "'", "check the name and the folder");
+  if (std::filesystem::is_directory(file)) return report.add("'" + file + "' is a folder", "name the file in it");
+  if (!std::ifstream(file)) return report.add("'" + file + "' cannot be read", "check its permissions");
+  switch (kind_of(file)) {
+    case Kind::unknown:
+      return report.add("it is neither a .geo nor a .msh", "give a gmsh script (.geo) or a gmsh mesh (.msh)");
+    case Kind::mesh:
+      if (!has_mesh_format(file))
+        report.add("it is not a gmsh mesh: it has no $MeshFormat",
+                   "save it from gmsh: File > Export, format 2.2 or 4.1");
+      return;
+    case Kind::script:
+      if (!ends_with_newline(file))
+        report.add("its last line does not end with a newline, so gmsh may lose it", "end the file with a newline");
+  }
+}
+
+std::string with_default(const GeoParameter& parameter) {
+  return parameter.name + " = " + parameter.default_value;
+}
+
+void check_parameters(const MeshRequest& request, MeshReport& report) {
+  if (request.parameters.empty()) return;
+  if (kind_of(request.file) == Kind::mesh)
+    return report.add_about_parameters(
+        "a .msh is finished and takes no parameters, not '" + request.parameters.begin()->first + "'",
+        "drop them, or name the .geo that made it");
+  std::vector<std::string> names, defaults;
+  for (const GeoParameter& parameter : geo_parameters(request.file)) {
+    names.push_back(parameter.name);
+    defaults.push_back(with_default(parameter));
+  }
+  for (const auto& [name, value] : request.parameters) {
+    if (std::find(names.begin(), names.end(), name) == names.end()) {
+      const std::string near = nearest(name, names);
+      report.add_about_parameters("it has no parameter '" + name + "'",
+                                  (near.empty() ? "" : "did you mean '" + near + "'? ") +
+                                      (names.empty() ? "it has none (no DefineConstant)" : "it has " + join(defaults)));
+    } else if (!std::isfinite(value)) {
+      report.add_about_parameters("parameter '" + name + "' is not a finite number", "give a finite number");
+    }
+  }
+}
+
+}  // namespace
+
+void open_mesh(const MeshRequest& request, GmshSession& session, MeshReport& report) {
+  check_file(request.file, report);
+  if (!report.empty()) return;
+  check_parameters(request, report);
+  if (!report.empty()) return;
+  const bool is_script = kind_of(request.file) == Kind::script;
+  try {
+    session.open(request.file, request.parameters);
+    if (is_script) session.generate();
+  } catch (const GmshError& error) {
+    // One slip makes many messages; the first ones tell.
+    const std::size_t count = std::min<std::size_t>(error.messages.size(), 5);
+    for (std::size_t i = 0; i < count; ++i)
+      report.add_about_parameters("gmsh says: " + error.messages[i],
+                                  is_script ? "mend the script or its parameters" : "save the mesh again from gmsh");
+  }
+}
+
+}  // namespace upbead

@@ -1,0 +1,205 @@
+#include "gmsh_reader.h"
+
+#include <gmsh.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+
+#include "gmsh_open.h"
+#include "gmsh_session.h"
+
+namespace upbead {
+
+namespace {
+
+constexpr int line_type = 1;
+constexpr int quadrilateral_type = 3;
+constexpr unsigned int unused = std::numeric_limits<unsigned int>::max();
+
+/// Elements of one entity and one type.
+struct Elements {
+  int entity;
+  int type;
+  std::vector<std::size_t> nodes;
+};
+
+std::vector<Elements> elements_of(int dimension) {
+  std::vector<Elements> result;
+  gmsh::vectorpair entities;
+  gmsh::model::getEntities(entities, dimension);
+  std::sort(entities.begin(), entities.end());
+  for (const auto& entity : entities) {
+    std::vector<int> types;
+    std::vector<std::vector<std::size_t>> tags, nodes;
+    gmsh::model::mesh::getElements(types, tags, nodes, dimension, entity.second);
+    for (std::size_t i = 0; i < types.size(); ++i) result.push_back({entity.second, types[i], std::move(nodes[i])});
+  }
+  return result;
+}
+
+/// The physical groups of one dimension in the order of their numbers.
+class Groups {
+ public:
+  Groups(int dimension, const std::string& kind, MeshReport& report) : dimension_(dimension) {
+    gmsh::vectorpair groups;
+    gmsh::model::getPhysicalGroups(groups, dimension);
+    std::sort(groups.begin(), groups.end());
+    for (const auto& group : groups) {
+      std::string name;
+      gmsh::model::getPhysicalName(dimension, group.second, name);
+      // gmsh drops a name that another group of the dimension has already.
+      if (name.empty()) {
+        const std::string number = std::to_string(group.second);
+        report.add("physical " + kind + " " + number + " has no name of its own",
+                   "give it one that no other " + kind + " has: Physical " + (dimension == 1 ? "Curve" : "Surface") +
+                       "(\"name\", " + number + ") = {...};");
+      }
+      names.push_back(name);
+      tags_.push_back(group.second);
+    }
+  }
+
+  /// Indices into names.
+  std::vector<int> of_entity(int entity) const {
+    std::vector<int> tags, result;
+    gmsh::model::getPhysicalGroupsForEntity(dimension_, entity, tags);
+    for (const int tag : tags)
+      result.push_back(static_cast<int>(std::lower_bound(tags_.begin(), tags_.end(), std::abs(tag)) - tags_.begin()));
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    return result;
+  }
+
+  std::vector<std::string> names;
+
+ private:
+  int dimension_;
+  std::vector<int> tags_;
+};
+
+/// All nodes of gmsh, by their tags.
+class Nodes {
+ public:
+  explicit Nodes(MeshReport& report) {
+    std::vector<std::size_t> tags;
+    std::vector<double> coordinates, parameters;
+    gmsh::model::mesh::getNodes(tags, coordinates, parameters, -1, -1, false, false);
+    std::vector<std::size_t> order(tags.size());
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return tags[a] < tags[b]; });
+    double extent = 0, height = 0;
+    for (const std::size_t i : order) {
+      const double x = coordinates[3 * i], y = coordinates[3 * i + 1], z = coordinates[3 * i + 2];
+      tags_.push_back(tags[i]);
+      points.emplace_back(x, y);
+      extent = std::max({extent, std::abs(x), std::abs(y)});
+      height = std::max(height, std::abs(z));
+    }
+    if (height > 1e-9 * extent) report.add("it leaves the plane z = 0", "draw the section in x (landward) and y (up)");
+  }
+
+  unsigned int index(std::size_t tag) const {
+    return static_cast<unsigned int>(std::lower_bound(tags_.begin(), tags_.end(), tag) - tags_.begin());
+  }
+
+  std::vector<dealii::Point<2>> points;
+
+ private:
+  std::vector<std::size_t> tags_;
+};
+
+void report_foreign(int type, std::size_t nodes, const std::string& surface, MeshReport& report) {
+  std::string kind;
+  int dimension = 0, order = 0, nodes_each = 1, corners = 0;
+  std::vector<double> unused_coordinates;
+  gmsh::model::mesh::getElementProperties(type, kind, dimension, order, nodes_each, unused_coordinates, corners);
+  const std::size_t count = nodes / nodes_each;
+  if (order > 1)
+    report.add("surface " + surface + " has " + counted(count, "cell", " of second or higher order"),
+               "set Mesh.ElementOrder = 1; the degree of the solution is chosen elsewhere");
+  else
+    report.add("surface " + surface + " has " +
+                   (corners == 3 ? counted(count, "triangle") : counted(count, "cell", " of a strange kind")),
+               "make quadrilaterals only: transfinite blocks with Recombine Surface, or Mesh.SubdivisionAlgorithm = 1");
+}
+
+void read_cells(const Nodes& nodes, RawMesh& mesh, MeshReport& report) {
+  const Groups groups(2, "surface", report);
+  mesh.surfaces = groups.names;
+  std::vector<bool> has_cells(groups.names.size(), false);
+  for (const Elements& elements : elements_of(2)) {
+    const std::vector<int> surfaces = groups.of_entity(elements.entity);
+    const int surface = surfaces.empty() ? -1 : surfaces.front();
+    const std::string name =
+        surface < 0 ? std::to_string(elements.entity) + " (on no physical surface)" : quoted(groups.names[surface]);
+    if (surfaces.size() > 1)
+      report.add("some cells are on two physical surfaces, " + name + " and " + quoted(groups.names[surfaces[1]]),
+                 "keep every surface in one group only");
+    for (const int each : surfaces) has_cells[each] = true;
+    if (elements.type != quadrilateral_type) {
+      report_foreign(elements.type, elements.nodes.size(), name, report);
+      continue;
+    }
+    for (std::size_t i = 0; i + 3 < elements.nodes.size(); i += 4) {
+      RawMesh::Cell cell{{}, surface};
+      for (unsigned int v = 0; v < 4; ++v) cell.vertices[v] = nodes.index(elements.nodes[i + v]);
+      mesh.cells.push_back(cell);
+    }
+  }
+  for (std::size_t s = 0; s < has_cells.size(); ++s)
+    if (!has_cells[s]) report.add("surface " + quoted(groups.names[s]) + " has no cells", "mesh it, or drop its name");
+}
+
+void read_edges(const Nodes& nodes, RawMesh& mesh, MeshReport& report) {
+  const Groups groups(1, "curve", report);
+  mesh.curves = groups.names;
+  for (const Elements& elements : elements_of(1)) {
+    if (elements.type != line_type) continue;
+    for (const int curve : groups.of_entity(elements.entity))
+      for (std::size_t i = 0; i + 1 < elements.nodes.size(); i += 2)
+        mesh.edges.push_back({{nodes.index(elements.nodes[i]), nodes.index(elements.nodes[i + 1])}, curve});
+  }
+}
+
+/// Keeps only the vertices of cells, in their order, and the edges between them.
+void drop_unused(RawMesh& mesh) {
+  std::vector<unsigned int> number(mesh.vertices.size(), unused);
+  for (const RawMesh::Cell& cell : mesh.cells)
+    for (const unsigned int v : cell.vertices) number[v] = 0;
+  std::vector<dealii::Point<2>> vertices;
+  for (std::size_t v = 0; v < number.size(); ++v)
+    if (number[v] != unused) {
+      number[v] = static_cast<unsigned int>(vertices.size());
+      vertices.push_back(mesh.vertices[v]);
+    }
+  mesh.vertices = vertices;
+  for (RawMesh::Cell& cell : mesh.cells)
+    for (unsigned int& v : cell.vertices) v = number[v];
+  std::vector<RawMesh::Edge> edges;
+  for (const RawMesh::Edge& edge : mesh.edges) {
+    const std::array<unsigned int, 2> ends{number[edge.vertices[0]], number[edge.vertices[1]]};
+    if (ends[0] != unused && ends[1] != unused) edges.push_back({ends, edge.curve});
+  }
+  mesh.edges = edges;
+}
+
+}  // namespace
+
+RawMesh read_raw_mesh(const MeshRequest& request, MeshReport& report) {
+  GmshSession session;
+  open_mesh(request, session, report);
+  RawMesh mesh;
+  if (!report.empty()) return mesh;
+  if (!elements_of(3).empty()) report.add("it has cells in three dimensions", "make a plane mesh (gmsh -2)");
+  const Nodes nodes(report);
+  if (!report.empty()) return mesh;
+  mesh.vertices = nodes.points;
+  read_cells(nodes, mesh, report);
+  read_edges(nodes, mesh, report);
+  drop_unused(mesh);
+  return mesh;
+}
+
+}  // namespace upbead

@@ -1,0 +1,13 @@
+// A .geo or .msh, through gmsh, as plain numbers.
+#pragma once
+
+#include "mesh_report.h"
+#include "raw_mesh.h"
+
+namespace upbead {
+
+/// Meshes or reads the file. What is wrong with the file, its parameters, groups and kinds of cells goes into `report`;
+/// what it returns then may lack cells.
+RawMesh read_raw_mesh(const MeshRequest& request, MeshReport& report);
+
+}  // namespace upbead

@@ -1,0 +1,40 @@
+#include "mesh_report.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <regex>
+
+namespace upbead {
+
+MeshReport::MeshReport(const MeshRequest& request)
+    : request_(request), name_(std::filesystem::path(request.file).filename().string()) {}
+
+void MeshReport::add_at(const Place& place, const std::string& what, const std::string& cure) {
+  mistakes_.add(place, "mesh '" + name_ + "': " + what, cure);
+}
+
+void MeshReport::add(const std::string& what, const std::string& cure) {
+  add_at(request_.place, what, cure);
+}
+
+void MeshReport::add_about_parameters(const std::string& what, const std::string& cure) {
+  for (const auto& [name, place] : request_.parameter_places)
+    if (std::regex_search(what, std::regex("\\b" + name + "\\b"))) return add_at(place, what, cure);
+  add(what, cure);
+}
+
+std::string to_string(const dealii::Point<2>& point) {
+  char text[64];
+  std::snprintf(text, sizeof text, "(%.6g, %.6g)", point[0], point[1]);
+  return text;
+}
+
+std::string counted(std::size_t count, const std::string& thing, const std::string& rest) {
+  return std::to_string(count) + " " + thing + (count == 1 ? "" : "s") + rest;
+}
+
+std::string quoted(const std::string& name) {
+  return name.empty() ? "without a name" : "'" + name + "'";
+}
+
+}  // namespace upbead

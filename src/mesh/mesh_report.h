@@ -1,0 +1,47 @@
+// Collects mistakes of one mesh, all said in the same way: at the place that asked for it, with the mesh's name.
+#pragma once
+
+#include <deal.II/base/point.h>
+
+#include <string>
+
+#include "upbead/mesh/mesh.h"
+
+namespace upbead {
+
+class MeshReport {
+ public:
+  explicit MeshReport(const MeshRequest& request);
+  void add(const std::string& what, const std::string& cure);
+  /// At the place of the parameter that `what` names, if it names one that was set.
+  void add_about_parameters(const std::string& what, const std::string& cure);
+  bool empty() const { return mistakes_.empty(); }
+  void throw_if_any() const { mistakes_.throw_if_any(); }
+
+ private:
+  void add_at(const Place& place, const std::string& what, const std::string& cure);
+
+  const MeshRequest& request_;
+  std::string name_;
+  Mistakes mistakes_;
+};
+
+/// How often something was met, and where first.
+struct Found {
+  std::size_t count = 0;
+  dealii::Point<2> where;
+  void add(const dealii::Point<2>& point) {
+    if (count++ == 0) where = point;
+  }
+};
+
+/// "(1.5, -2)"
+std::string to_string(const dealii::Point<2>& point);
+
+/// counted(3, "cell", " of sand") is "3 cells of sand"; 1 has no s.
+std::string counted(std::size_t count, const std::string& thing, const std::string& rest = "");
+
+/// "'name'", or "without a name".
+std::string quoted(const std::string& name);
+
+}  // namespace upbead

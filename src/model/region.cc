@@ -1,0 +1,157 @@
+#include "upbead/model/region.h"
+
+#include <algorithm>
+#include <functional>
+
+#include "upbead/model/words.h"
+
+namespace upbead {
+
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+using Kinds = std::vector<RegionKind>;
+using K = RegionKind;
+
+/// Which kinds take a member, which of them cannot do without, and whether it is set to other than its default.
+struct MemberRule {
+  std::string key;
+  Kinds kinds;
+  bool needed;
+  std::function<bool(const Region&)> given;
+};
+
+template <class Member>
+std::function<bool(const Region&)> set(Member member) {
+  return [member](const Region& region) { return (region.*member).has_value(); };
+}
+
+template <class Member>
+std::function<bool(const Region&)> changed(Member member) {
+  return [member](const Region& region) { return region.*member != Region{}.*member; };
+}
+
+const std::vector<MemberRule>& member_rules() {
+  using R = Region;
+  static const std::vector<MemberRule> rules{
+      {"shear_modulus", {K::solid, K::porous}, false, set(&R::shear_modulus)},
+      {"youngs_modulus", {K::solid, K::porous}, false, set(&R::youngs_modulus)},
+      {"poissons_ratio", {K::solid, K::porous}, true, set(&R::poissons_ratio)},
+      {"density", {K::rigid, K::solid}, false, set(&R::density)},
+      {"mass", {K::rigid}, false, set(&R::mass)},
+      {"centre_of_gravity", {K::rigid}, false, set(&R::centre_of_gravity)},
+      {"moment_of_inertia", {K::rigid}, false, set(&R::moment_of_inertia)},
+      {"porosity", {K::porous}, true, set(&R::porosity)},
+      {"grain_density", {K::porous}, true, set(&R::grain_density)},
+      {"hydraulic_conductivity", {K::porous}, false, set(&R::hydraulic_conductivity)},
+      {"flow", {K::porous}, false, changed(&R::flow)},
+      {"tortuosity", {K::porous}, false, changed(&R::tortuosity)},
+      {"biot", {K::porous}, false, changed(&R::biot)},
+      {"grain_bulk_modulus", {K::porous}, false, changed(&R::grain_bulk_modulus)},
+      {"damping", {K::solid, K::porous}, false, set(&R::damping)},
+  };
+  return rules;
+}
+
+bool holds(const Kinds& kinds, RegionKind kind) {
+  return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
+}
+
+class Checker {
+ public:
+  explicit Checker(const Region& region) : region_(region), kind_(word_of(region.kind, region_kind_words)) {}
+
+  std::vector<Objection> run() {
+    check_members();
+    if (region_.kind == K::rigid) exactly_one("density", region_.density.has_value(), "mass", region_.mass.has_value());
+    if (region_.kind != K::rigid)
+      exactly_one("shear_modulus", region_.shear_modulus.has_value(), "youngs_modulus",
+                  region_.youngs_modulus.has_value());
+    if (region_.kind == K::solid && !region_.density) missing("density");
+    if (region_.kind == K::porous) check_porous();
+    if (region_.damping && region_.damping->frequencies[0] >= region_.damping->frequencies[1])
+      add("damping", "the two frequencies of damping do not ascend", "give the lower one first, such as [1.0, 10.0]");
+    return std::move(list_);
+  }
+
+ private:
+  void add(const std::string& key, const std::string& what, const std::string& cure) {
+    list_.push_back({key, what, cure});
+  }
+
+  void missing(const std::string& key) {
+    add(key, "'" + key + "' is missing, which a " + kind_ + " region needs", "add " + key);
+  }
+
+  void check_members() {
+    for (const MemberRule& rule : member_rules()) {
+      const bool given = rule.given(region_), belongs_here = holds(rule.kinds, region_.kind);
+      if (given && !belongs_here)
+        add(rule.key, "'" + rule.key + "' does not belong to a " + kind_ + " region", "remove it");
+      if (!given && belongs_here && rule.needed) missing(rule.key);
+    }
+  }
+
+  void exactly_one(const std::string& a, bool has_a, const std::string& b, bool has_b) {
+    if (has_a && has_b) add(b, "both '" + a + "' and '" + b + "' are given", "keep one of them");
+    if (!has_a && !has_b)
+      add(a, "neither '" + a + "' nor '" + b + "' is given, one of which a " + kind_ + " region needs",
+          "add " + a + " or " + b);
+  }
+
+  void check_porous() {
+    if (!region_.hydraulic_conductivity && region_.flow != Flow::drained) missing("hydraulic_conductivity");
+    if (region_.porosity && region_.biot < *region_.porosity)
+      add("biot", "biot is less than the porosity", "give a Biot coefficient within [porosity, 1]");
+  }
+
+  const Region& region_;
+  std::string kind_;
+  std::vector<Objection> list_;
+};
+
+}  // namespace
+
+double Rayleigh::mass_factor() const {
+  const double w1 = 2. * pi * frequencies[0], w2 = 2. * pi * frequencies[1];
+  return 2. * ratio * w1 * w2 / (w1 + w2);
+}
+
+double Rayleigh::stiffness_factor() const {
+  return ratio / (pi * (frequencies[0] + frequencies[1]));
+}
+
+bool belongs(const std::string& key, RegionKind kind) {
+  for (const MemberRule& rule : member_rules())
+    if (rule.key == key) return holds(rule.kinds, kind);
+  return key == "kind";
+}
+
+std::vector<Objection> check(const Region& region) {
+  return Checker(region).run();
+}
+
+Material material(const Region& region, const Fluid& fluid, double gravity) {
+  Material m;
+  if (region.kind != K::porous) m.rho = region.density.value_or(0.);
+  if (region.kind == K::rigid) return m;
+  const double nu = *region.poissons_ratio;
+  m.G = region.shear_modulus ? *region.shear_modulus : *region.youngs_modulus / (2. * (1. + nu));
+  m.lambda = 2. * m.G * nu / (1. - 2. * nu);
+  if (region.damping) {
+    m.mass_damping = region.damping->mass_factor();
+    m.stiffness_damping = region.damping->stiffness_factor();
+  }
+  if (region.kind == K::solid) return m;
+  const double n = *region.porosity;
+  m.rho = (1. - n) * *region.grain_density + n * fluid.density;
+  m.rho_f = fluid.density;
+  m.a = region.tortuosity * fluid.density / n;
+  if (region.hydraulic_conductivity) m.b = fluid.density * gravity / *region.hydraulic_conductivity;
+  m.alpha = region.biot;
+  m.storage = n / fluid.bulk_modulus + (m.alpha - n) / region.grain_bulk_modulus;
+  return m;
+}
+
+}  // namespace upbead

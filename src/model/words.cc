@@ -1,0 +1,30 @@
+#include "upbead/model/words.h"
+
+namespace upbead {
+
+const Words<RegionKind> region_kind_words{
+    {"porous", RegionKind::porous}, {"solid", RegionKind::solid}, {"rigid", RegionKind::rigid}};
+
+const Words<Flow> flow_words{
+    {"auto", Flow::automatic}, {"darcy", Flow::darcy}, {"inertial", Flow::inertial}, {"drained", Flow::drained}};
+
+const Words<DisplacementCondition> displacement_words{{"fixed", DisplacementCondition::fixed},
+                                                      {"roller", DisplacementCondition::roller},
+                                                      {"free", DisplacementCondition::free}};
+
+const Words<PressureCondition> pressure_words{{"sealed", PressureCondition::sealed}, {"open", PressureCondition::open}};
+
+const Words<PulseShape> pulse_shape_words{{"triangle", PulseShape::triangle},
+                                          {"step", PulseShape::step},
+                                          {"half_sine", PulseShape::half_sine},
+                                          {"church_roof", PulseShape::church_roof},
+                                          {"harmonic", PulseShape::harmonic}};
+
+const Words<LoadKind> load_kind_words{
+    {"force", LoadKind::force}, {"traction", LoadKind::traction}, {"pressure", LoadKind::pressure}};
+
+const Words<TimeScheme> time_scheme_words{{"auto", TimeScheme::automatic},
+                                          {"generalised_alpha", TimeScheme::generalised_alpha},
+                                          {"sdirk4", TimeScheme::sdirk4}};
+
+}  // namespace upbead

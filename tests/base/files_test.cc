@@ -1,0 +1,113 @@
+// Claim: an output folder appears whole or not at all, and foreign files in it stay.
+#include "upbead/base/files.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "upbead/base/error.h"
+
+namespace fs = std::filesystem;
+
+namespace upbead {
+
+class OutputFolderTest : public testing::Test {
+ protected:
+  OutputFolderTest() : root_(fs::temp_directory_path() / ("upbead-out-" + std::to_string(getpid()))) {
+    fs::create_directories(root_);
+  }
+  ~OutputFolderTest() override { fs::remove_all(root_); }
+
+  static void write(const fs::path& path, const std::string& text) { std::ofstream(path) << text; }
+  static std::string read(const fs::path& path) {
+    std::stringstream text;
+    text << std::ifstream(path).rdbuf();
+    return text.str();
+  }
+  int n_entries() const {
+    return static_cast<int>(std::distance(fs::directory_iterator(root_), fs::directory_iterator()));
+  }
+  static std::string refusal(const std::string& path) {
+    try {
+      OutputFolder folder(path);
+      folder.write("a.txt", "new");
+      folder.commit();
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+  fs::path root_;
+};
+
+TEST_F(OutputFolderTest, AppearsWithCommit) {
+  const fs::path target = root_ / "deep" / "out";
+  {
+    OutputFolder folder(target.string() + "/");
+    folder.write("a.txt", "a");
+    folder.write("fields/b.txt", "b");
+    EXPECT_FALSE(fs::exists(target));
+    folder.commit();
+  }
+  EXPECT_EQ(read(target / "a.txt"), "a");
+  EXPECT_EQ(read(target / "fields" / "b.txt"), "b");
+  EXPECT_EQ(std::distance(fs::directory_iterator(root_ / "deep"), fs::directory_iterator()), 1);
+}
+
+TEST_F(OutputFolderTest, LeavesNothingWithoutCommit) {
+  {
+    const OutputFolder folder((root_ / "deep" / "out").string());
+    folder.write("a.txt", "a");
+    EXPECT_EQ(n_entries(), 1);
+  }
+  EXPECT_EQ(n_entries(), 0);
+}
+
+TEST_F(OutputFolderTest, ReplacesItsOwnFilesOnly) {
+  const fs::path target = root_ / "out";
+  fs::create_directories(target / "fields");
+  write(target / "a.txt", "old");
+  write(target / "notes.txt", "mine");
+  write(target / "fields" / "notes.txt", "mine");
+  {
+    const OutputFolder abandoned(target.string());
+    abandoned.write("a.txt", "half");
+  }
+  EXPECT_EQ(read(target / "a.txt"), "old");
+  OutputFolder folder(target.string());
+  folder.write("a.txt", "new");
+  folder.write("fields/b.txt", "b");
+  folder.commit();
+  EXPECT_EQ(read(target / "a.txt"), "new");
+  EXPECT_EQ(read(target / "fields" / "b.txt"), "b");
+  EXPECT_EQ(read(target / "notes.txt"), "mine");
+  EXPECT_EQ(read(target / "fields" / "notes.txt"), "mine");
+  EXPECT_EQ(n_entries(), 1);
+}
+
+TEST_F(OutputFolderTest, SaysWhatStandsInTheWay) {
+  write(root_ / "file", "");
+  const std::string cure = "; choose another folder with --out DIR", root = root_.string();
+  EXPECT_EQ(refusal(root + "/file"), "the output folder '" + root + "/file' is a file" + cure);
+  EXPECT_EQ(refusal(root + "/file/out"),
+            "cannot write beside the output folder '" + root + "/file/out': Not a directory" + cure);
+  EXPECT_EQ(refusal(root + "/file/deep/out"),
+            "cannot make the folder '" + root + "/file/deep': Not a directory" + cure);
+  EXPECT_EQ(refusal(""), "the output folder has no name" + cure);
+  fs::create_directories(root_ / "out" / "a.txt");
+  EXPECT_EQ(refusal(root + "/out"), "'" + root + "/out/a.txt' is a folder, not a file" + cure);
+  EXPECT_EQ(n_entries(), 2);
+}
+
+TEST_F(OutputFolderTest, KnowsMissingRightsAtOnce) {
+  if (geteuid() == 0) GTEST_SKIP() << "root may write anywhere";
+  fs::create_directory(root_ / "locked");
+  fs::permissions(root_ / "locked", fs::perms::owner_read | fs::perms::owner_exec);
+  EXPECT_THROW(OutputFolder((root_ / "locked" / "out").string()), InputError);
+  EXPECT_THROW(OutputFolder((root_ / "locked").string()), InputError);
+}
+
+}  // namespace upbead

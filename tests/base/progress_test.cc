@@ -1,0 +1,34 @@
+// Claim: the line tells percent and time left, and nothing is written where nobody watches.
+#include "upbead/base/progress.h"
+
+#include <gtest/gtest.h>
+
+namespace upbead {
+
+TEST(ProgressLine, TellsPercentAndTimeLeft) {
+  EXPECT_EQ(progress_line("marching", 0., 0.), "marching: 0 %");
+  EXPECT_EQ(progress_line("marching", 0.425, 0.5), "marching: 42 %");
+  EXPECT_EQ(progress_line("marching", 0.5, 12.), "marching: 50 %, 12 s left");
+  EXPECT_EQ(progress_line("marching", 0.25, 100.), "marching: 25 %, 5 min left");
+  EXPECT_EQ(progress_line("marching", 0.1, 3600.), "marching: 10 %, 9 h left");
+  EXPECT_EQ(progress_line("marching", 1.5, 10.), "marching: 100 %, 0 s left");
+}
+
+TEST(Progress, IsSilentInAFile) {
+  testing::internal::CaptureStderr();
+  {
+    Progress progress("marching");
+    progress.update(0.1);
+    progress.update(1.);
+  }
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
+TEST(Stopwatch, Runs) {
+  const Stopwatch watch;
+  const double first = watch.seconds();
+  EXPECT_GE(first, 0.);
+  EXPECT_GE(watch.seconds(), first);
+}
+
+}  // namespace upbead

@@ -1,0 +1,59 @@
+// Claim: a function of smooth pieces keeps each piece's own limit at a kink, through sums and scales.
+#include "upbead/base/time_function.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace upbead {
+
+const TimeFunction ramp({0., 1.}, {[](double) { return 0.; }, [](double t) { return t; }, [](double) { return 5.; }});
+
+TEST(TimeFunction, HasALimitFromEachSide) {
+  EXPECT_EQ(ramp(1.), 5.);
+  EXPECT_EQ(ramp(1., 0.5), 1.);
+  EXPECT_EQ(ramp(1., 1.5), 5.);
+  EXPECT_EQ(ramp(-1.), 0.);
+  EXPECT_EQ(TimeFunction()(3.), 0.);
+}
+
+TEST(TimeFunction, AddsAndScales) {
+  const TimeFunction f = sum(ramp, scaled(piecewise_linear({0.5, 1., 2.}, {0., 2., 0.}), -2.));
+  EXPECT_EQ(f.kinks(), (std::vector<double>{0., 0.5, 1., 2.}));
+  EXPECT_DOUBLE_EQ(f(0.75), 0.75 - 2.);
+  EXPECT_DOUBLE_EQ(f(1., 0.9), 1. - 4.);
+  EXPECT_DOUBLE_EQ(f(1.), 5. - 4.);
+  EXPECT_DOUBLE_EQ(f(3.), 5.);
+}
+
+TEST(PiecewiseLinear, HasKinksAtMarkedCornersOnly) {
+  EXPECT_EQ(piecewise_linear({0., 1., 2., 3.}, {0., 1., 2., 0.}).kinks(), (std::vector<double>{0., 2., 3.}));
+  std::vector<double> time, value;
+  for (int i = 0; i <= 200; ++i) {
+    time.push_back(0.01 * i);
+    value.push_back(std::sin(M_PI * 0.005 * i));
+  }
+  const TimeFunction smooth = piecewise_linear(time, value);
+  EXPECT_EQ(smooth.kinks(), (std::vector<double>{time.front(), time.back()}));
+  EXPECT_NEAR(integral(smooth, -1., 3.), 4. / M_PI, 1e-4);
+}
+
+TEST(Extremum, IsSigned) {
+  const auto wave = [](double t) { return std::sin(4. * t) + 0.5 * t; };
+  const auto slope = [](double t) { return 4. * std::cos(4. * t) + 0.5; };
+  const TimeFunction f({0., 2.}, {[](double) { return 0.; }, wave, [](double) { return 0.; }});
+  const Extremum top = extremum(f, 0., 3., 1), bottom = extremum(f, 0., 3., -1);
+  EXPECT_NEAR(slope(top.time), 0., 1e-5);
+  EXPECT_NEAR(top.value, wave(top.time), 1e-12);
+  EXPECT_GT(top.value, wave(2.));
+  EXPECT_NEAR(slope(bottom.time), 0., 1e-5);
+  EXPECT_LT(bottom.value, -0.4);
+}
+
+TEST(Extremum, IsFoundAtAJump) {
+  const TimeFunction f({0., 2.}, {[](double) { return 0.; }, [](double t) { return t; }, [](double) { return 0.; }});
+  EXPECT_EQ(extremum(f, 0., 3., 1).value, 2.);
+  EXPECT_EQ(extremum(f, 0., 3., 1).time, 2.);
+}
+
+}  // namespace upbead

@@ -1,0 +1,185 @@
+// Claim: one declaration reads, checks, echoes and documents a table.
+#include "upbead/input/schema.h"
+
+#include <gtest/gtest.h>
+
+namespace upbead {
+
+namespace {
+
+enum class Colour { red, green };
+
+struct Base {
+  double width = 2.;
+};
+
+struct Part {
+  int count = 1;
+};
+
+struct Thing : Base {
+  Colour colour = Colour::green;
+  std::optional<Colour> edge;
+  std::optional<double> step;
+  bool hollow = false;
+  std::string name;
+  std::vector<Pair> points;
+  Part part;
+  std::optional<Part> spare;
+  std::map<std::string, Part> parts;
+};
+
+TableSchema<Part> part_schema() {
+  TableSchema<Part> table;
+  table.key("count", &Part::count).range(from_to(0., 5.)).doc("number of pieces");
+  return table;
+}
+
+TableSchema<Thing> thing_schema() {
+  const std::vector<std::pair<std::string, Colour>> words{{"red", Colour::red}, {"green", Colour::green}};
+  TableSchema<Thing> table;
+  table.choice("colour", &Thing::colour, words).doc("colour");
+  table.choice("edge", &Thing::edge, words).doc("colour of the edge");
+  table.key("width", &Thing::width).unit("m").range(above(0.)).doc("width; of all");
+  table.key("step", &Thing::step).unit("s").or_word("auto").doc("step");
+  table.key("hollow", &Thing::hollow)
+      .doc("whether there is room inside")
+      .when(
+          "colour", [](const Thing& thing) { return thing.colour == Colour::red; }, "of red things");
+  table.key("name", &Thing::name).doc("name").fallback("nameless");
+  table.key("points", &Thing::points).doc("points");
+  table.table("part", &Thing::part, part_schema()).doc("The part.");
+  table.table("spare", &Thing::spare, part_schema());
+  table.tables("parts", &Thing::parts, part_schema());
+  return table;
+}
+
+Node number(std::int64_t value) {
+  return {value, {"f", 2, 3}};
+}
+Node text(const std::string& value) {
+  return {value, {"f", 1, 1}};
+}
+
+std::string refusal(const NodeTable& entries) {
+  Thing thing;
+  Reading reading;
+  thing_schema().read({entries, {"f"}}, "", thing, reading);
+  try {
+    reading.throw_if_any("f");
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST(Schema, ReadsWhatItEchoes) {
+  Thing thing;
+  thing.colour = Colour::red;
+  thing.edge = Colour::red;
+  thing.width = 3.5;
+  thing.step = 0.25;
+  thing.hollow = true;
+  thing.name = "a \"b\"";
+  thing.points = {{1., 2.}, {3., 4.}};
+  thing.spare = Part{3};
+  thing.parts["x y"].count = 4;
+  EXPECT_EQ(thing_schema().echo(thing), R"(colour = "red"
+edge = "red"
+width = 3.5  # m
+step = 0.25  # s
+hollow = true
+name = "a \"b\""
+points = [[1.0, 2.0], [3.0, 4.0]]
+
+[part]
+count = 1
+
+[spare]
+count = 3
+
+[parts."x y"]
+count = 4
+)");
+}
+
+TEST(Schema, EchoesDefaultsAndFallbacks) {
+  EXPECT_EQ(thing_schema().echo(Thing{}),
+            "colour = \"green\"\nwidth = 2.0  # m\nstep = \"auto\"\n# name: nameless\n"
+            "\n[part]\ncount = 1\n");
+}
+
+TEST(Schema, ReadsIntoMembers) {
+  Thing thing;
+  thing.step = 1.;
+  Reading reading;
+  const Node parts{NodeTable{{"a", {NodeTable{{"count", number(2)}}, {}}}}, {}};
+  thing_schema().read({NodeTable{{"colour", text("red")},
+                                 {"width", number(4)},
+                                 {"step", text("auto")},
+                                 {"edge", text("green")},
+                                 {"parts", parts}},
+                       {}},
+                      "", thing, reading);
+  EXPECT_TRUE(reading.sound(""));
+  EXPECT_EQ(thing.colour, Colour::red);
+  EXPECT_EQ(thing.edge, Colour::green);
+  EXPECT_EQ(thing.width, 4.);
+  EXPECT_FALSE(thing.step);
+  EXPECT_EQ(thing.parts.at("a").count, 2);
+}
+
+TEST(Schema, TellsMistakesInTheOrderOfTheFile) {
+  EXPECT_EQ(refusal({{"width", number(-1)}, {"colour", text("rde")}, {"part", text("x")}}),
+            "f:1:1: colour = \"rde\" is none of red, green; did you mean 'red'?\n"
+            "f:1:1: part: expected a table, found a string; write [part] and its keys\n"
+            "f:2:3: width = -1 is outside (0, inf); give the width (m)");
+}
+
+TEST(Schema, JudgesAConditionOnceItsKeyIsSound) {
+  const Node truth{true, {"f", 3, 1}};
+  EXPECT_EQ(refusal({{"hollow", truth}}),
+            "f:3:1: 'hollow' does not belong at the top of the file (only of red things); remove it");
+  EXPECT_EQ(refusal({{"colour", text("blue")}, {"hollow", truth}}),
+            "f:1:1: colour = \"blue\" is none of red, green; choose one of them");
+  EXPECT_EQ(refusal({{"colour", text("red")}, {"hollow", truth}}), "");
+}
+
+TEST(Schema, KnowsWhichTablesAreSound) {
+  Thing thing;
+  Reading reading;
+  const Node parts{NodeTable{{"a", {NodeTable{{"count", number(9)}}, {}}}, {"b", {NodeTable{}, {}}}}, {}};
+  thing_schema().read({NodeTable{{"parts", parts}}, {}}, "", thing, reading);
+  EXPECT_FALSE(reading.sound(""));
+  EXPECT_FALSE(reading.sound("parts"));
+  EXPECT_FALSE(reading.sound("parts.a"));
+  EXPECT_TRUE(reading.sound("parts.b"));
+  EXPECT_TRUE(reading.sound("part"));
+}
+
+TEST(Schema, PrintsItsReference) {
+  const std::string expected = R"(## top of the file
+
+| key | type | range | default | meaning |
+|---|---|---|---|---|
+| `colour` | one of red, green |   | `"green"` | colour |
+| `edge` | one of red, green |   |   | colour of the edge |
+| `width` | a number (m) | (0, inf) | `2.0` | width; of all |
+| `step` | a number (s) or "auto" |   | `"auto"` | step |
+| `hollow` | true or false |   | `false` | whether there is room inside (only of red things) |
+| `name` | a string |   | nameless | name |
+| `points` | a list of pairs |   |   | points |
+
+## `[part]`
+
+The part.
+
+| key | type | range | default | meaning |
+|---|---|---|---|---|
+| `count` | a whole number |)";
+  EXPECT_EQ(reference(thing_schema()).substr(0, expected.size()), expected);
+}
+
+}  // namespace upbead

@@ -1,0 +1,97 @@
+// Files and parameters that make no mesh.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "mesh_test_tools.h"
+
+namespace upbead::test {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::SizeIs;
+using testing::StartsWith;
+
+TEST(BadFile, Missing) {
+  EXPECT_EQ(complaints(request_for("/no/where.msh")),
+            said("there is no file '/no/where.msh'; check the name and the folder", "where.msh"));
+}
+
+TEST(BadFile, Folder) {
+  const TemporaryFolder folder;
+  EXPECT_THAT(complaints(request_for(folder.path(""))), ElementsAre(HasSubstr("is a folder")));
+}
+
+TEST(BadFile, OtherKind) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(complaints(request_for(folder.write("a.txt", "hello\n"))),
+            said("it is neither a .geo nor a .msh; give a gmsh script (.geo) or a gmsh mesh (.msh)", "a.txt"));
+}
+
+TEST(BadFile, NoMesh) {
+  const TemporaryFolder folder;
+  EXPECT_THAT(complaints(request_for(folder.write("a.msh", "hello\n"))),
+              ElementsAre(HasSubstr("it has no $MeshFormat")));
+  EXPECT_THAT(complaints(request_for(folder.write("b.msh", ""))), ElementsAre(HasSubstr("it has no $MeshFormat")));
+}
+
+TEST(BadFile, MeshCutShort) {
+  const TemporaryFolder folder;
+  const std::string text = unit_cell().text();
+  const std::size_t last_element = text.find("5 3 2 1 1");
+  for (std::size_t length = 40; length <= last_element; ++length)
+    EXPECT_THAT(complaints(request_for(folder.write("a.msh", text.substr(0, length)))), SizeIs(testing::Ge(1u)))
+        << text.substr(0, length);
+}
+
+TEST(BadFile, ScriptWithSyntaxErrorLeavesNothingBehind) {
+  const TemporaryFolder folder;
+  const std::string bad = folder.write("a.geo", "Point(1) = {0, 0, 0}\nPoint(2 = 3, 4, 5, 6 7 8 9 [[ {\n\n\nLine(");
+  EXPECT_THAT(complaints(request_for(bad)), ElementsAre(HasSubstr("does not end with a newline")));
+  std::string text = "Point(1) = {0, 0, 0}\n";
+  for (int i = 0; i < 300; ++i) text += "Point(2 = 3, 4, 5, 6 7 8 9 [[ {\n";
+  EXPECT_THAT(complaints(request_for(folder.write("b.geo", text))),
+              ElementsAre(testing::AllOf(HasSubstr("gmsh says: "), HasSubstr("line 2: syntax error (Point)"))));
+  EXPECT_EQ(complaints(geometry("column")), std::vector<std::string>{});
+}
+
+TEST(BadFile, UnknownParameter) {
+  const TemporaryFolder folder;
+  MeshRequest request = request_for(folder.write("a.geo", rectangle_script("")));
+  request.parameters = {{"widht", 3.0}, {"zzz", 1.0}};
+  request.parameter_places["widht"] = {"case.toml", 9, 2};
+  EXPECT_THAT(
+      complaints(request),
+      ElementsAre("case.toml:9:2: mesh 'a.geo': it has no parameter 'widht'; did you mean 'width'? it has width = 2",
+                  "case.toml:7:8: mesh 'a.geo': it has no parameter 'zzz'; it has width = 2"));
+}
+
+TEST(BadFile, ParameterOfMesh) {
+  const TemporaryFolder folder;
+  MeshRequest request = request_for(folder.write("a.msh", unit_cell().text()));
+  request.parameters = {{"width", 3.0}};
+  EXPECT_THAT(complaints(request), ElementsAre(HasSubstr("a .msh is finished and takes no parameters, not 'width'")));
+}
+
+TEST(BadFile, ParameterNotFinite) {
+  MeshRequest request = geometry("column", {{"height", INFINITY}});
+  EXPECT_THAT(complaints(request), ElementsAre(HasSubstr("parameter 'height' is not a finite number")));
+}
+
+TEST(BadFile, ParameterOutOfRangeIsSaidAtItsPlace) {
+  MeshRequest request = geometry("column", {{"height", -1.0}, {"cells_across", 0.0}});
+  request.parameter_places["height"] = {"case.toml", 9, 2};
+  EXPECT_THAT(
+      complaints(request),
+      ElementsAre(StartsWith("case.toml:9:2: mesh 'column.geo': gmsh says: height is -1; it must be greater than 0"),
+                  StartsWith("case.toml:7:8: mesh 'column.geo': gmsh says: cells_across is 0;")));
+}
+
+TEST(BadFile, NegativeRefinement) {
+  MeshRequest request = geometry("column");
+  request.refine = -1;
+  EXPECT_THAT(complaints(request), ElementsAre(HasSubstr("cannot be refined a negative number of times")));
+}
+
+}  // namespace
+}  // namespace upbead::test

@@ -1,0 +1,148 @@
+// The section of a composite breakwater, against its closed forms.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+
+#include "mesh_test_tools.h"
+
+namespace upbead::test {
+namespace {
+
+using Parameters = std::map<std::string, double>;
+
+const Parameters prototype = {{"seabed_depth", 15}, {"seabed_front", 60},      {"seabed_back", 60},
+                              {"mound_height", 6},  {"mound_crest_front", 16}, {"mound_crest_back", 16},
+                              {"mound_slope", 2},   {"caisson_width", 18},     {"caisson_height", 16}};
+
+Parameters with(Parameters changed) {
+  changed.insert(prototype.begin(), prototype.end());
+  return changed;
+}
+
+/// Vertices by x, then y.
+std::vector<dealii::Point<dim>> sorted_vertices(const Mesh& mesh, double scale) {
+  std::vector<dealii::Point<dim>> vertices;
+  for (const auto& vertex : mesh.triangulation.get_vertices())
+    vertices.emplace_back(scale * vertex[0], std::abs(scale) * vertex[1]);
+  std::sort(vertices.begin(), vertices.end(),
+            [](const auto& a, const auto& b) { return std::abs(a[0] - b[0]) > 1e-6 ? a[0] < b[0] : a[1] < b[1]; });
+  return vertices;
+}
+
+void expect_same(const std::vector<dealii::Point<dim>>& a, const std::vector<dealii::Point<dim>>& b, double tolerance) {
+  ASSERT_EQ(a.size(), b.size());
+  double largest = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, a[i].distance(b[i]));
+  EXPECT_LT(largest, tolerance);
+}
+
+class Section : public testing::TestWithParam<Parameters> {};
+
+TEST_P(Section, AreasLengthsAndAngles) {
+  const Parameters p = with(GetParam());
+  const auto mesh = read_mesh(geometry("composite", GetParam()));
+  const double height = p.at("mound_height"), foot = height * p.at("mound_slope"), depth = p.at("seabed_depth");
+  const double crest = p.at("mound_crest_front") + p.at("mound_crest_back");
+  const double ends = p.at("seabed_front") + p.at("seabed_back");
+  const double width = p.at("caisson_width");
+  const auto near = [](double value) { return testing::DoubleNear(value, 1e-9 * value); };
+  const auto area = areas(*mesh), length = lengths(*mesh);
+  EXPECT_THAT(area.at("seabed"), near(depth * (ends + crest + 2 * foot)));
+  EXPECT_THAT(area.at("mound"), near(height * (crest + foot)));
+  EXPECT_THAT(area.at("caisson"), near(width * p.at("caisson_height")));
+  EXPECT_THAT(length.at("base"), near(ends + crest + 2 * foot));
+  EXPECT_THAT(length.at("left"), near(depth));
+  EXPECT_THAT(length.at("right"), near(depth));
+  EXPECT_THAT(length.at("bed"), near(ends));
+  EXPECT_THAT(length.at("mound_surface"), near(crest - width + 2 * std::hypot(foot, height)));
+  EXPECT_THAT(length.at("front"), near(p.at("caisson_height")));
+  EXPECT_THAT(length.at("back"), near(p.at("caisson_height")));
+  EXPECT_THAT(length.at("top"), near(width));
+  EXPECT_THAT(length.at("bottom"), near(width));
+  EXPECT_GT(smallest_sine(*mesh), 0.3);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Shapes, Section,
+    testing::Values(Parameters{}, Parameters{{"mound_slope", 1.33}}, Parameters{{"mound_slope", 3}},
+                    Parameters{{"mound_slope", 0.5}}, Parameters{{"mound_height", 1.5}},
+                    Parameters{{"mound_height", 15}, {"mound_slope", 1.5}},
+                    Parameters{{"mound_crest_front", 9.2}, {"mound_crest_back", 45}}, Parameters{{"seabed_depth", 1.5}},
+                    Parameters{{"seabed_front", 5}, {"seabed_back", 200}}, Parameters{{"caisson_width", 8}},
+                    Parameters{{"caisson_width", 30}}, Parameters{{"cells", 0.3}}, Parameters{{"cells", 2.5}},
+                    Parameters{{"grading", 1}}, Parameters{{"grading", 30}}, Parameters{{"caisson_height", 4}}));
+
+TEST(Composite, SitsAtTheOrigin) {
+  const auto mesh = read_mesh(geometry("composite"));
+  const std::map<std::string, std::pair<int, double>> lines = {
+      {"base", {1, -15}}, {"bed", {1, 0}},  {"bottom", {1, 6}}, {"top", {1, 22}},
+      {"front", {0, -9}}, {"back", {0, 9}}, {"left", {0, -88}}, {"right", {0, 88}}};
+  for (const auto& face : mesh->triangulation.active_face_iterators()) {
+    const auto line = lines.find(mesh->curve_of(face));
+    if (line != lines.end()) {
+      EXPECT_NEAR(face->center()[line->second.first], line->second.second, 1e-9) << line->first;
+    }
+  }
+}
+
+TEST(Composite, Counts) {
+  const auto counts = cell_counts(*read_mesh(geometry("composite")));
+  EXPECT_EQ(counts.at("seabed"), 736u);
+  EXPECT_EQ(counts.at("mound"), 384u);
+  EXPECT_EQ(counts.at("caisson"), 80u);
+}
+
+TEST(Composite, TwiceTheCellsHalvesThem) {
+  const auto once = cell_counts(*read_mesh(geometry("composite")));
+  const auto twice = cell_counts(*read_mesh(geometry("composite", {{"cells", 2}})));
+  for (const auto& [name, count] : once) EXPECT_NEAR(twice.at(name) / (4.0 * count), 1.0, 0.1) << name;
+}
+
+TEST(Composite, ModelIsThePrototypeScaled) {
+  Parameters model = prototype;
+  for (auto& [name, value] : model)
+    if (name != "mound_slope") value /= 20;
+  expect_same(sorted_vertices(*read_mesh(geometry("composite", model)), 20.0),
+              sorted_vertices(*read_mesh(geometry("composite")), 1.0), 1e-6);
+}
+
+TEST(Composite, IsSymmetric) {
+  const auto mesh = read_mesh(geometry("composite"));
+  expect_same(sorted_vertices(*mesh, -1.0), sorted_vertices(*mesh, 1.0), 1e-12);
+}
+
+TEST(Composite, CellsAreSmallestAtTheCaissonsCorners) {
+  const auto mesh = read_mesh(geometry("composite"));
+  double smallest = 1e300;
+  dealii::Point<dim> where;
+  for (const auto& cell : mesh->triangulation.active_cell_iterators())
+    if (mesh->surface_of(cell) == "mound" && cell->measure() < smallest) {
+      smallest = cell->measure();
+      where = cell->center();
+    }
+  EXPECT_LT(std::abs(std::abs(where[0]) - 9.0), 0.5);
+  EXPECT_LT(std::abs(where[1] - 6.0), 0.5);
+  EXPECT_LT(smallest, 0.25);
+}
+
+TEST(Composite, ImpossibleShapesAreAllSaid) {
+  const auto said =
+      complaints(geometry("composite", {{"caisson_width", 40}, {"seabed_depth", -1}, {"grading", 0.5}, {"cells", 0}}));
+  const std::vector<std::string> expected = {
+      "seabed_depth is -1; it must be greater than 0", "cells is 0; it must be greater than 0",
+      "mound_crest_front is 16; it must be greater than half of caisson_width (20)",
+      "mound_crest_back is 16; it must be greater than half of caisson_width (20)",
+      "grading is 0.5; it must be 1 (all cells alike) or greater"};
+  ASSERT_EQ(said.size(), expected.size());
+  for (std::size_t i = 0; i < said.size(); ++i) EXPECT_THAT(said[i], testing::HasSubstr(expected[i]));
+}
+
+TEST(Composite, IsReadInNoTime) {
+  const auto start = std::chrono::steady_clock::now();
+  read_mesh(geometry("composite"));
+  EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), 0.2);
+}
+
+}  // namespace
+}  // namespace upbead::test
