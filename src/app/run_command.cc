@@ -58,8 +58,7 @@ void run(const CommonOptions& options, const Stopwatch& since_start) {
   }
   const Stopwatch output_watch;
   if (fields) fields->finish();
-  write_result_file(folder.path("results.h5"), folder.name(), input.scene.title,
-                    histories(scene.compiled.system, result.response.ends));
+  folder.write("results.h5", result_file(input.scene.title, histories(scene.compiled.system, result.response.ends)));
   folder.write("case.toml", effective_case(input, folder.name()));
   result.summary.timing.output = output_watch.seconds();
   result.summary.timing.total = since_start.seconds();

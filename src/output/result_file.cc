@@ -1,67 +1,85 @@
 #include "upbead/output/result_file.h"
 
-#include <deal.II/base/hdf5.h>
 #include <hdf5.h>
 
 #include <cmath>
-#include <map>
+#include <stdexcept>
 
 #include "upbead/base/error.h"
 #include "upbead/base/version.h"
 
 namespace upbead {
 
-using namespace dealii;
-
 namespace {
 
-void require_finite(const History& history) {
-  for (const double value : history.values)
-    if (!std::isfinite(value))
-      throw NumericsError("the history '" + history.name + "' holds a number that is not finite; nothing was written");
-}
-
-/// The group of a dataset's path, made with its parents on first use.
-HDF5::Group& group_of(std::map<std::string, HDF5::Group>& groups, HDF5::Group& root, const std::string& path) {
-  if (const auto found = groups.find(path); found != groups.end()) return found->second;
-  const auto slash = path.rfind('/');
-  HDF5::Group& parent = slash == std::string::npos ? root : group_of(groups, root, path.substr(0, slash));
-  const std::string name = slash == std::string::npos ? path : path.substr(slash + 1);
-  return groups.emplace(path, parent.create_group(name)).first->second;
-}
-
-void write_histories(HDF5::File& file, const std::string& title, const std::vector<History>& histories) {
-  file.set_attribute("title", title);
-  file.set_attribute("program", std::string(program_version()));
-  std::map<std::string, HDF5::Group> groups;
-  for (const History& history : histories) {
-    const std::string path = "history/" + history.name;
-    const auto slash = path.rfind('/');
-    HDF5::Group& group = group_of(groups, file, path.substr(0, slash));
-    auto dataset = group.create_dataset<double>(path.substr(slash + 1), {history.values.size()});
-    dataset.write(history.values);
-    dataset.set_attribute("unit", history.unit);
-    dataset.set_attribute("description", history.description);
+/// An HDF5 identifier with the function that closes it.
+class Handle {
+ public:
+  Handle(hid_t id, herr_t (*close)(hid_t)) : id_(id), close_(close) {
+    if (id < 0) throw std::runtime_error("HDF5 refuses to make an object in memory");
   }
+  ~Handle() { close_(id_); }
+  Handle(const Handle&) = delete;
+  Handle& operator=(const Handle&) = delete;
+  operator hid_t() const { return id_; }
+
+ private:
+  hid_t id_;
+  herr_t (*close_)(hid_t);
+};
+
+void require(herr_t status) {
+  if (status < 0) throw std::runtime_error("HDF5 refuses to write in memory");
+}
+
+void set_attribute(hid_t object, const char* name, const std::string& value) {
+  const Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+  require(H5Tset_size(type, value.size() + 1));
+  require(H5Tset_cset(type, H5T_CSET_UTF8));
+  const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
+  const Handle attribute(H5Acreate2(object, name, type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+  require(H5Awrite(attribute, type, value.c_str()));
+}
+
+void write_history(hid_t file, const History& history) {
+  const Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
+  require(H5Pset_create_intermediate_group(links, 1));
+  const hsize_t size = history.values.size();
+  const Handle space(H5Screate_simple(1, &size, nullptr), H5Sclose);
+  const std::string path = "/history/" + history.name;
+  const Handle data(H5Dcreate2(file, path.c_str(), H5T_NATIVE_DOUBLE, space, links, H5P_DEFAULT, H5P_DEFAULT),
+                    H5Dclose);
+  require(H5Dwrite(data, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, history.values.data()));
+  set_attribute(data, "unit", history.unit);
+  set_attribute(data, "description", history.description);
+}
+
+/// The bytes of the file as it would stand on a disk.
+std::string image_of(hid_t file) {
+  require(H5Fflush(file, H5F_SCOPE_GLOBAL));
+  const ssize_t size = H5Fget_file_image(file, nullptr, 0);
+  if (size < 0) throw std::runtime_error("HDF5 gives no image of its file");
+  std::string image(static_cast<std::size_t>(size), '\0');
+  H5Fget_file_image(file, image.data(), image.size());
+  return image;
 }
 
 }  // namespace
 
-void write_result_file(const std::string& path, const std::string& place_name, const std::string& title,
-                       const std::vector<History>& histories) {
-  for (const History& history : histories) require_finite(history);
-  H5Eset_auto(H5E_DEFAULT, nullptr, nullptr);  // errors are ours to tell, in words
-  try {
-    {
-      HDF5::File file(path, HDF5::File::FileAccessMode::create);
-      write_histories(file, title, histories);
-    }
-    // What a full disk did not take when the file was closed shows only now: HDF5 refuses to open a truncated file.
-    const HDF5::File complete(path, HDF5::File::FileAccessMode::open);
-  } catch (const dealii::ExceptionBase&) {
-    throw InputError({place_name}, "the results cannot be written",
-                     "is the disk full? choose another folder with --out DIR");
-  }
+std::string result_file(const std::string& title, const std::vector<History>& histories) {
+  for (const History& history : histories)
+    for (const double value : history.values)
+      if (!std::isfinite(value))
+        throw NumericsError("the history '" + history.name +
+                            "' holds a number that is not finite; nothing was written");
+  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  constexpr std::size_t growth = 1 << 20;
+  require(H5Pset_fapl_core(access, growth, 0));
+  const Handle file(H5Fcreate("results.h5", H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose);
+  set_attribute(file, "title", title);
+  set_attribute(file, "program", program_version());
+  for (const History& history : histories) write_history(file, history);
+  return image_of(file);
 }
 
 }  // namespace upbead

@@ -25,7 +25,7 @@ const std::vector<BadCase> rows{
             "regions, boundaries, loads, time, accuracy, probes, output"},
     BadCase{"KeyOfALaterStage", "boundary = \"front\"", "measured_on_wall = true\nboundary = \"front\"",
             "case.toml:47:1: unknown key 'measured_on_wall' in [loads.impact]; known keys: boundary, region, kind, at, "
-            "direction, shape, pulse, history"},
+            "direction, shape, pulse, history, factor"},
     BadCase{"SurfaceOfALaterStage", "[output]", "[sliding]\nfriction = 0.6\n[output]",
             "case.toml:79:2: unknown key 'sliding' at the top of the file; known keys: title, gravity, fluid, mesh, "
             "regions, boundaries, loads, time, accuracy, probes, output"},

@@ -61,8 +61,8 @@ Scene column(const Region& soil, const TimeFunction& top_pressure) {
   return scene;
 }
 
-std::unique_ptr<Mesh> column_mesh(double height, int cells) {
-  return shipped_mesh("column", {{"height", height}, {"width", 1.}, {"cells", cells}});
+std::unique_ptr<Mesh> column_mesh(double height, int cells, double grading) {
+  return shipped_mesh("column", {{"height", height}, {"width", 1.}, {"cells", cells}, {"grading", grading}});
 }
 
 Scene breakwater(const TimeFunction& force) {

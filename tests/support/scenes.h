@@ -20,7 +20,8 @@ Region rubble();
 
 /// A column of one soil, drained and loaded by `top_pressure` (Pa, total stress) at the top.
 Scene column(const Region& soil, const TimeFunction& top_pressure);
-std::unique_ptr<Mesh> column_mesh(double height, int cells);
+/// `grading`: size of the lowest cell over that of the highest, which a drained skin needs.
+std::unique_ptr<Mesh> column_mesh(double height, int cells, double grading = 1.);
 
 /// The prototype breakwater of the shipped cases under a force on its front.
 Scene breakwater(const TimeFunction& force);

@@ -24,42 +24,42 @@ enum class Flow { automatic, darcy, inertial, drained };
 
 /// Rayleigh damping that gives `ratio` at two frequencies: C = mass_factor M + stiffness_factor K.
 struct Rayleigh {
-  double ratio = 0.;                          ///< zeta
+  double ratio = 0.;                           ///< zeta
   std::array<double, 2> frequencies{1., 10.};  ///< Hz
-  double mass_factor() const;                 ///< 2 zeta w1 w2 / (w1 + w2) (1/s)
-  double stiffness_factor() const;            ///< 2 zeta / (w1 + w2) (s)
+  double mass_factor() const;                  ///< 2 zeta w1 w2 / (w1 + w2) (1/s)
+  double stiffness_factor() const;             ///< 2 zeta / (w1 + w2) (s)
 };
 
 /// One physical surface of the mesh. Optional members belong to some kinds only; check() says which are missing.
 struct Region {
   RegionKind kind = RegionKind::porous;
-  std::optional<double> shear_modulus;           ///< G (Pa)
-  std::optional<double> youngs_modulus;          ///< E (Pa), instead of G
-  std::optional<double> poissons_ratio;          ///< nu of the drained skeleton
-  std::optional<double> density;                 ///< rigid, solid (kg/m3)
-  std::optional<double> mass;                    ///< rigid, instead of density (kg/m)
+  std::optional<double> shear_modulus;                     ///< G (Pa)
+  std::optional<double> youngs_modulus;                    ///< E (Pa), instead of G
+  std::optional<double> poissons_ratio;                    ///< nu of the drained skeleton
+  std::optional<double> density;                           ///< rigid, solid (kg/m3)
+  std::optional<double> mass;                              ///< rigid, instead of density (kg/m)
   std::optional<std::array<double, 2>> centre_of_gravity;  ///< rigid (m); default: of the area
-  std::optional<double> moment_of_inertia;       ///< rigid, about the centre of gravity (kg m2/m)
-  std::optional<double> porosity;                ///< n
-  std::optional<double> grain_density;           ///< rho_s (kg/m3)
-  std::optional<double> hydraulic_conductivity;  ///< k (m/s)
+  std::optional<double> moment_of_inertia;                 ///< rigid, about the centre of gravity (kg m2/m)
+  std::optional<double> porosity;                          ///< n
+  std::optional<double> grain_density;                     ///< rho_s (kg/m3)
+  std::optional<double> hydraulic_conductivity;            ///< k (m/s)
   Flow flow = Flow::automatic;
   double tortuosity = 1.;
-  double biot = 1.;                              ///< alpha
+  double biot = 1.;                                                     ///< alpha
   double grain_bulk_modulus = std::numeric_limits<double>::infinity();  ///< K_s (Pa)
   std::optional<Rayleigh> damping;
 };
 
 /// The constants of the equations of motion of one region, ready for the kernels.
 struct Material {
-  double G = 0.;        ///< shear modulus (Pa)
-  double lambda = 0.;   ///< Lame's first constant, 2 G nu / (1 - 2 nu) (Pa)
-  double rho = 0.;      ///< (1 - n) rho_s + n rho_f, or the solid's density (kg/m3)
-  double rho_f = 0.;    ///< fluid density (kg/m3)
-  double a = 0.;        ///< tortuosity rho_f / n (kg/m3)
-  double b = 0.;        ///< rho_f g / k (Pa s/m2)
-  double alpha = 0.;    ///< Biot's coefficient
-  double storage = 0.;  ///< 1/Q = n/K_f + (alpha - n)/K_s (1/Pa)
+  double G = 0.;                                     ///< shear modulus (Pa)
+  double lambda = 0.;                                ///< Lame's first constant, 2 G nu / (1 - 2 nu) (Pa)
+  double rho = 0.;                                   ///< (1 - n) rho_s + n rho_f, or the solid's density (kg/m3)
+  double rho_f = 0.;                                 ///< fluid density (kg/m3)
+  double a = 0.;                                     ///< tortuosity rho_f / n (kg/m3)
+  double b = 0.;                                     ///< rho_f g / k (Pa s/m2)
+  double alpha = 0.;                                 ///< Biot's coefficient
+  double storage = 0.;                               ///< 1/Q = n/K_f + (alpha - n)/K_s (1/Pa)
   double mass_damping = 0., stiffness_damping = 0.;  ///< Rayleigh factors (1/s, s)
 };
 

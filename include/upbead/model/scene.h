@@ -26,7 +26,7 @@ struct MeshChoice {
   std::optional<std::string> file;           ///< or a path
   std::map<std::string, double> parameters;  ///< overrides of the .geo's own parameters
   int refine = 0;
-  int degree = 2;                            ///< of u; phi has degree - 1
+  int degree = 2;  ///< of u; phi has degree - 1
 };
 
 enum class TimeScheme { automatic, generalised_alpha, sdirk4 };
@@ -35,7 +35,7 @@ struct TimeChoice {
   double end = 1.;             ///< s
   std::optional<double> step;  ///< s; none: chosen from the loads
   TimeScheme scheme = TimeScheme::automatic;
-  bool inertia = true;         ///< false: quasi-static (consolidation)
+  bool inertia = true;  ///< false: quasi-static (consolidation)
   /// Stop once the loads are over and the energy has fallen below this fraction of its largest.
   std::optional<double> stop_at_energy;
 };

@@ -1,7 +1,6 @@
 // results.h5: time histories as named datasets with unit and description.
 #pragma once
 
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -15,10 +14,9 @@ struct History {
   std::vector<double> values;
 };
 
-/// Writes an HDF5 file with the datasets /history/NAME, each with the string attributes `unit` and `description`, and
-/// the root attributes `title` and `program`. Throws NumericsError where a value is not finite, InputError (with
-/// `place_name` for the reader) where the disk does not take it.
-void write_result_file(const std::string& path, const std::string& place_name, const std::string& title,
-                       const std::vector<History>& histories);
+/// The bytes of an HDF5 file with the datasets /history/NAME, each with the string attributes `unit` and `description`,
+/// and the root attributes `title` and `program`. Made in memory: HDF5 1.10 does not survive a disk that is full when
+/// it closes a file, whoever writes these bytes can. Throws NumericsError where a value is not finite.
+std::string result_file(const std::string& title, const std::vector<History>& histories);
 
 }  // namespace upbead
