@@ -24,7 +24,7 @@ DefineConstant[
   caisson_width = 18,      // m: width of the caisson
   caisson_height = 16,     // m: height of the caisson above the mound
   cells = 1,               // -: relative density of cells; 2 halves every cell in both directions
-  grading = 8              // -: size of the cells far from the caisson's bottom corners over that at the corners
+  grading = 12             // -: size of the cells far from the caisson's bottom corners over that at the corners
 ];
 
 // ------------------------------------------------------------------------------------------------ parameters

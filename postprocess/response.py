@@ -31,13 +31,23 @@ def window(time, histories, share=0.05):
     return min(end, time[-1]) if last > 0 else time[-1]
 
 
-def mark_peak(axes, time, values, unit):
-    """Marks the landward (positive) peak, or the seaward one where there is no other."""
+def peak_of(result, name, values, factor):
+    """Time and value of the landward (positive) peak, or of the seaward one where there is no other.
+
+    The summary's own peaks come first: they are found inside the steps, not only at their ends.
+    """
+    response = result.summary.get("response") or {}
+    if name in ("force", "shear_force"):
+        key = {"force": "peak_force", "shear_force": "peak_shear"}[name]
+        if response.get(key, 0.0) > 0:
+            return response[key + "_time"], factor * response[key]
     peak = int(np.argmax(values)) if values.max() > 0 else int(np.argmin(values))
-    axes.plot(time[peak], values[peak], "o", color="black", ms=3)
-    axes.annotate(
-        f"{values[peak]:.3g} {unit}", (time[peak], values[peak]), xytext=(6, 0), textcoords="offset points", va="center"
-    )
+    return result.time[peak], values[peak]
+
+
+def mark_peak(axes, time, value, unit):
+    axes.plot(time, value, "o", color="black", ms=3)
+    axes.annotate(f"{value:.3g} {unit}", (time, value), xytext=(6, 3), textcoords="offset points")
 
 
 def stack(count):
@@ -52,13 +62,13 @@ def draw_caisson(result):
     figure, rows = stack(len(PANELS))
     # Forces share their unit and the height of a unit, so that they compare at a glance.
     force_scale = force.scale((inertia, shear))
-    for axes, history, (_, symbol, colour) in zip(rows, histories, PANELS):
+    for axes, history, (name, symbol, colour) in zip(rows, histories, PANELS):
         factor, unit = force_scale if history.unit == force.unit else history.scale()
         values = factor * history.values
         axes.plot(result.time, values, color=colour, lw=1.2)
         axes.axhline(0.0, color="black", lw=0.5)
         axes.set_ylabel(f"{symbol} ({unit})")
-        mark_peak(axes, result.time, values, unit)
+        mark_peak(axes, *peak_of(result, name, values, factor), unit)
     forces = [axes for axes, history in zip(rows, histories) if history.unit == force.unit]
     low, high = min(a.get_ylim()[0] for a in forces), max(a.get_ylim()[1] for a in forces)
     for axes in forces:
@@ -71,7 +81,7 @@ def draw_caisson(result):
 
 def ratio_text(result, force, shear):
     """The ratio of the summary, whose peaks are found inside the steps; else that of the histories."""
-    ratio = result.summary.get("response", {}).get("shear_to_force_ratio")
+    ratio = (result.summary.get("response") or {}).get("shear_to_force_ratio")
     if ratio is None and force.values.max() > 0:
         ratio = shear.values.max() / force.values.max()
     return "no force" if ratio is None else rf"max $F_T$ / max $P$ = {ratio:.3f}"

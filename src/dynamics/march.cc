@@ -110,6 +110,7 @@ Response march(const System& system, Scheme& scheme, const TimeGrid& grid, const
   }
   Response response = recorder.finish(std::move(state), stopped);
   response.n_solves = scheme.n_solves() - solves;
+  response.order = scheme.order();
   response.n_factorisations = scheme.n_factorisations() - factorisations;
   return response;
 }

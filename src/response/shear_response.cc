@@ -16,45 +16,63 @@ Samples samples(const CompiledScene& compiled, const Series& series, const char*
   return series.reading.row(compiled.system.reading(name));
 }
 
-/// F_T and x_G between the ends of each step.
+/// F_T and x_G between the ends of each step. A scheme of order 4 has x_G, x_G' and x_G'' good enough for a quintic; of
+/// order 2 their errors, divided by h^2, would spoil its second derivative, so x_G'' is linear there.
 class InsideSteps {
  public:
-  InsideSteps(const CompiledScene& compiled, const Response& response, const TimeFunction& P)
+  InsideSteps(const CompiledScene& compiled, const Response& response, const TimeFunction& P, int order)
       : time_(response.ends.time),
         x_(samples(compiled, response.ends, reading::displacement_x)),
         v_(samples(compiled, response.ends, reading::velocity_x)),
         F_(samples(compiled, response.ends, reading::shear_force)),
         P_(P),
-        mass_(compiled.caisson->body.mass) {}
+        mass_(compiled.caisson->body.mass),
+        quintic_(order >= 4) {}
 
-  std::size_t n_steps() const { return time_.size() - 1; }
-
-  /// The step's F_T(t) and x_G(t) as a pair of functions would be; here: value(t, true) is F_T, else x_G.
-  TimeFunction step(std::size_t n, bool shear) const {
-    const double begin = time_[n], end = time_[n + 1], middle = 0.5 * (begin + end);
-    const auto jet = [&](std::size_t i) {
-      const auto k = static_cast<Eigen::Index>(i);
-      return Jet{x_[k], v_[k], (P_(time_[i], middle) - F_[k]) / mass_};
-    };
-    const QuinticHermite x(begin, end - begin, jet(n), jet(n + 1));
-    if (!shear) return TimeFunction({}, {[x](double t) { return x(t).value; }});
-    return TimeFunction({}, {[x, middle, P = P_, m = mass_](double t) { return P(t, middle) - m * x(t).second; }});
+  Extremum shear_force(int sign) const {
+    return extreme(sign, [this](std::size_t n, double t) {
+      return P_(t, middle(n)) - mass_ * (quintic_ ? motion(n)(t).second : linear_acceleration(n, t));
+    });
   }
 
-  Extremum extreme(bool shear, int sign) const {
+  Extremum displacement(int sign) const {
+    return extreme(sign, [this](std::size_t n, double t) { return motion(n)(t).value; });
+  }
+
+ private:
+  double middle(std::size_t n) const { return 0.5 * (time_[n] + time_[n + 1]); }
+
+  /// x_G, x_G' and x_G'' = (P - F_T)/m at one end of step n, with the step's own piece of P.
+  Jet jet(std::size_t n, std::size_t end) const {
+    const auto k = static_cast<Eigen::Index>(end);
+    return {x_[k], v_[k], (P_(time_[end], middle(n)) - F_[k]) / mass_};
+  }
+
+  QuinticHermite motion(std::size_t n) const {
+    return QuinticHermite(time_[n], time_[n + 1] - time_[n], jet(n, n), jet(n, n + 1));
+  }
+
+  double linear_acceleration(std::size_t n, double t) const {
+    const double weight = (t - time_[n]) / (time_[n + 1] - time_[n]);
+    return (1. - weight) * jet(n, n).second + weight * jet(n, n + 1).second;
+  }
+
+  template <typename Value>
+  Extremum extreme(int sign, const Value& value) const {
     Extremum best{time_.front(), 0.};
-    for (std::size_t n = 0; n < n_steps(); ++n) {
-      const Extremum candidate = extremum(step(n, shear), time_[n], time_[n + 1], sign, 16);
+    for (std::size_t n = 0; n + 1 < time_.size(); ++n) {
+      const TimeFunction inside({}, {[&](double t) { return value(n, t); }});
+      const Extremum candidate = extremum(inside, time_[n], time_[n + 1], sign, 16);
       if (sign * (candidate.value - best.value) > 0.) best = candidate;
     }
     return best;
   }
 
- private:
   const std::vector<double>& time_;
   Samples x_, v_, F_;
   const TimeFunction& P_;
   double mass_;
+  bool quintic_;
 };
 
 Extremum at_ends(const std::vector<double>& time, const Samples& values, int sign) {
@@ -94,11 +112,11 @@ TimeFunction force_on_caisson(const CompiledScene& compiled) {
 ShearResponse read_shear_response(const CompiledScene& compiled, const Response& response, bool inertia) {
   const std::vector<double>& time = response.ends.time;
   const TimeFunction P = force_on_caisson(compiled);
-  const InsideSteps inside(compiled, response, P);
+  const InsideSteps inside(compiled, response, P, response.order);
   const Samples F_T = samples(compiled, response.ends, reading::shear_force);
   const Extremum force = extremum(P, 0., time.back(), 1);
-  const Extremum landward = inertia ? inside.extreme(true, 1) : at_ends(time, F_T, 1);
-  const Extremum seaward = inertia ? inside.extreme(true, -1) : at_ends(time, F_T, -1);
+  const Extremum landward = inertia ? inside.shear_force(1) : at_ends(time, F_T, 1);
+  const Extremum seaward = inertia ? inside.shear_force(-1) : at_ends(time, F_T, -1);
 
   ShearResponse r;
   r.peak_force = force.value;
@@ -112,7 +130,7 @@ ShearResponse read_shear_response(const CompiledScene& compiled, const Response&
   if (r.peak_force != 0.) r.shear_to_force_ratio = r.peak_shear / r.peak_force;
   if (r.impulse != 0.) r.shear_to_impulse = r.peak_shear / r.impulse;
   r.peak_displacement =
-      inertia ? inside.extreme(false, 1).value : samples(compiled, response.ends, reading::displacement_x).maxCoeff();
+      inertia ? inside.displacement(1).value : samples(compiled, response.ends, reading::displacement_x).maxCoeff();
   r.peak_rotation = samples(compiled, response.ends, reading::rotation).maxCoeff();
   r.arm = arm_at(compiled, r.peak_force_time);
   r.peak_base_moment = samples(compiled, response.ends, reading::base_moment).maxCoeff();

@@ -88,9 +88,9 @@ TEST(Composite, SitsAtTheOrigin) {
 
 TEST(Composite, Counts) {
   const auto counts = cell_counts(*read_mesh(geometry("composite")));
-  EXPECT_EQ(counts.at("seabed"), 736u);
-  EXPECT_EQ(counts.at("mound"), 384u);
-  EXPECT_EQ(counts.at("caisson"), 80u);
+  EXPECT_EQ(counts.at("seabed"), 816u);
+  EXPECT_EQ(counts.at("mound"), 570u);
+  EXPECT_EQ(counts.at("caisson"), 96u);
 }
 
 TEST(Composite, TwiceTheCellsHalvesThem) {

@@ -22,6 +22,7 @@ struct Response {
   Series balanced;  ///< at t = 0 and, for every step, where the scheme satisfies the equation of motion
   std::vector<EnergyAccount> energy;  ///< at the times of `ends`; empty where the scheme keeps no account
   State final_state;
+  int order = 0;  ///< of the scheme
   int n_steps = 0;
   int n_solves = 0;
   int n_factorisations = 0;

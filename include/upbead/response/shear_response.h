@@ -27,8 +27,9 @@ struct ShearResponse {
 /// The horizontal load P(t) on the caisson, all loads together.
 TimeFunction force_on_caisson(const CompiledScene& compiled);
 
-/// Needs a scene with a caisson. Between the ends of a step F_T = P - m x_G'' with x_G by the quintic Hermite
-/// polynomial through x_G, x_G' and x_G'' = (P - F_T)/m at both ends; without inertia the ends of the steps alone.
+/// Needs a scene with a caisson. Between the ends of a step F_T = P - m x_G'', with x_G by the quintic Hermite
+/// polynomial through x_G, x_G' and x_G'' = (P - F_T)/m at both ends (schemes of order 4), or with x_G'' linear between
+/// them (of order 2); without inertia the ends of the steps alone.
 ShearResponse read_shear_response(const CompiledScene& compiled, const Response& response, bool inertia);
 
 }  // namespace upbead
