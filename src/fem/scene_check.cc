@@ -123,8 +123,9 @@ class Checker {
   }
 
   void check_boundary(const std::string& key, const Boundary& boundary, const OuterCurve& curve) {
-    bool soil = false, water = false;
+    bool known = true, soil = false, water = false;
     for (const std::string& surface : curve.surfaces) {
+      known = known && scene_.regions.count(surface) > 0;
       soil = soil || is(surface, RegionKind::porous);
       water = water || (is(surface, RegionKind::porous) && scene_.regions.at(surface).flow != Flow::drained);
       if (is(surface, RegionKind::rigid) && boundary.displacement != DisplacementCondition::free)
@@ -134,7 +135,7 @@ class Checker {
     if (water && !boundary.pressure)
       object(key, "there is pore water behind this boundary but no condition for its pressure",
              "add pressure = \"sealed\" or pressure = \"open\"");
-    if (!soil && boundary.pressure)
+    if (known && !soil && boundary.pressure)
       object(key + ".pressure", "there is no pore water behind this boundary", "remove the key");
   }
 

@@ -97,6 +97,21 @@ class Cli(unittest.TestCase):
         for name in ("displacement_(m)", "pore_pressure_(Pa)", "effective_stress_yy_(Pa)"):
             self.assertIn(name, head)
 
+    def test_shipped_cases_hold_their_identities_and_ratios(self):
+        """Both routes to F_T and the energy to 1e-8 with both schemes; 0.75 is calibrated, the prototype within its band."""
+        for case, low, high in (("fig2b-model", 0.745, 0.755), ("fig2b-prototype", 0.38, 0.48)):
+            for scheme in ("sdirk4", "generalised_alpha"):
+                done = upbead("run", CASES / f"{case}.toml", "--json", "--set", f"time.scheme={scheme}", cwd=self.folder)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                response = json.loads(done.stdout)["response"]
+                self.assertLessEqual(response["reaction_mismatch"], 1e-8)
+                self.assertLessEqual(response["energy_mismatch"], 1e-8)
+                self.assertTrue(low < response["shear_to_force_ratio"] < high, response["shear_to_force_ratio"])
+
+    def test_reference_of_keys_is_current(self):
+        text = (CASES.parent / "docs/case.md").read_text()
+        self.assertTrue(text.endswith(upbead("explain", "--keys").stdout), "run upbead explain --keys into docs/case.md")
+
     def test_wrong_input_leaves_an_old_result_as_it_was(self):
         self.run_model()
         before = {path: path.stat().st_mtime_ns for path in self.folder.rglob("*")}

@@ -58,6 +58,10 @@ void compare(const std::string& name, double duration, Flow flow, const std::str
   const Json entry = reference(name, duration);
   const double height = entry.at("L"), q = entry.at("q");
   Scene scene = column(soil(entry, flow), triangle(q, duration));
+  if (entry.at("where") == "water") {
+    scene.loads["top"].kind = LoadKind::pressure;  // on a pervious surface: total stress and pore pressure
+    scene.loads["top"].direction = {1., 0.};
+  }
   scene.fluid = {entry.at("material_input").at("rho_f"), entry.at("material_input").at("Kf")};
   scene.probes["top"].at = {0.5, height};
   scene.probes["base"].at = {0.5, 0.};
@@ -76,6 +80,10 @@ void compare(const std::string& name, double duration, Flow flow, const std::str
 
 TEST(Column, RubbleWithInertialFlow) {
   compare("rubble_L5_k0.1", 0.1, Flow::inertial, "full", 64, 1.);
+}
+
+TEST(Column, PressureOfWaterOnAPerviousTop) {
+  compare("rubble_L5_k0.1_waterload", 0.1, Flow::inertial, "full", 64, 1.);
 }
 
 TEST(Column, SandWithDarcyFlow) {

@@ -1,0 +1,78 @@
+// Claim: every way in which a scene and a mesh may not fit is said with the key to look at. Source: the checks'
+// contract in scene_check.h.
+
+#include "upbead/fem/scene_check.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "scenes.h"
+
+namespace upbead::test {
+namespace {
+
+struct Misfit {
+  const char* name;
+  std::function<void(Scene&)> edit;
+  const char* key;
+  const char* what;
+};
+
+void PrintTo(const Misfit& misfit, std::ostream* out) {
+  *out << misfit.name;
+}
+
+class SceneCheck : public ::testing::TestWithParam<Misfit> {};
+
+TEST_P(SceneCheck, SaysWhatDoesNotFit) {
+  Scene scene = breakwater(triangle(1., 0.1));
+  GetParam().edit(scene);
+  const auto mesh = breakwater_mesh(0.5);
+  const auto objections = check_scene(scene, *mesh);
+  ASSERT_EQ(objections.size(), 1u);
+  EXPECT_EQ(objections[0].key, GetParam().key);
+  EXPECT_NE(objections[0].what.find(GetParam().what), std::string::npos) << objections[0].what;
+  EXPECT_FALSE(objections[0].cure.empty());
+}
+
+const Misfit misfits[] = {
+    {"SurfaceWithoutRegion", [](Scene& s) { s.regions.erase("seabed"); }, "regions", "surface 'seabed'"},
+    {"RegionWithoutSurface", [](Scene& s) { s.regions["clay"] = sand(); }, "regions.clay", "no surface 'clay'"},
+    {"CurveWithoutCondition", [](Scene& s) { s.boundaries.erase("left"); }, "boundaries", "outer curve 'left'"},
+    {"ConditionWithoutCurve", [](Scene& s) { s.boundaries["lid"] = {}; }, "boundaries.lid", "no outer curve 'lid'"},
+    {"ConditionInside", [](Scene& s) { s.boundaries["bottom"] = {}; }, "boundaries.bottom", "inside the mesh"},
+    {"NoPressureCondition", [](Scene& s) { s.boundaries["bed"].pressure.reset(); }, "boundaries.bed", "pore water"},
+    {"PressureWithoutWater", [](Scene& s) { s.boundaries["front"].pressure = PressureCondition::open; },
+     "boundaries.front.pressure", "no pore water"},
+    {"SupportOnRigidRegion", [](Scene& s) { s.boundaries["top"].displacement = DisplacementCondition::roller; },
+     "boundaries.top.displacement", "rigid region ('caisson')"},
+    {"RigidRegionsTouch",
+     [](Scene& s) {
+       s.regions["mound"] = s.regions["caisson"];
+       s.boundaries["mound_surface"].pressure.reset();
+     },
+     "regions.mound.kind", "touch"},
+    {"LoadWithoutCurve", [](Scene& s) { s.loads["impulse"].boundary = "wall"; }, "loads.impulse.boundary", "'wall'"},
+    {"ShapeBesideTheCurve",
+     [](Scene& s) {
+       s.loads["impulse"].shape = {{-3., 1.}, {2., 1.}};
+     },
+     "loads.impulse.shape", "reaches from y = 6 to 22"},
+    {"ProbeOutside",
+     [](Scene& s) {
+       s.probes["A"].at = {0., 30.};
+     },
+     "probes.A.at", "outside the mesh"},
+};
+
+INSTANTIATE_TEST_SUITE_P(Misfits, SceneCheck, ::testing::ValuesIn(misfits),
+                         [](const auto& test) { return std::string(test.param.name); });
+
+TEST(SceneCheckOfAGoodScene, IsSilent) {
+  const auto mesh = breakwater_mesh(0.5);
+  EXPECT_TRUE(check_scene(breakwater(triangle(1., 0.1)), *mesh).empty());
+}
+
+}  // namespace
+}  // namespace upbead::test
