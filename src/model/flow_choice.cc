@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -9,7 +10,7 @@ namespace upbead {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+constexpr double pi = boost::math::constants::pi<double>();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double largest_X_of_darcy = 0.05;
 

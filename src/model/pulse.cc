@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <boost/math/constants/constants.hpp>
 #include <cmath>
 
 #include "upbead/model/load.h"
@@ -8,7 +9,7 @@ namespace upbead {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+constexpr double pi = boost::math::constants::pi<double>();
 
 using Shapes = std::vector<PulseShape>;
 using S = PulseShape;

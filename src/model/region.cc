@@ -1,6 +1,7 @@
 #include "upbead/model/region.h"
 
 #include <algorithm>
+#include <boost/math/constants/constants.hpp>
 #include <functional>
 
 #include "upbead/model/words.h"
@@ -9,7 +10,7 @@ namespace upbead {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+constexpr double pi = boost::math::constants::pi<double>();
 
 using Kinds = std::vector<RegionKind>;
 using K = RegionKind;

@@ -1,6 +1,7 @@
 #include "upbead/response/step_choice.h"
 
 #include <algorithm>
+#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <cstdio>
 
@@ -12,7 +13,7 @@ namespace upbead {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+constexpr double pi = boost::math::constants::pi<double>();
 
 /// Natural period of the caisson on its ground (s), 0 where no load moves it.
 double natural_period(const CompiledScene& compiled, double s) {

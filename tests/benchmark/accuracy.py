@@ -17,6 +17,7 @@ import time
 
 import h5py
 import matplotlib
+import matplotlib.ticker
 import numpy as np
 
 matplotlib.use("Agg")
@@ -98,6 +99,8 @@ def draw(studies, path):
             ax.loglog([r["wall"] for r in rows], [r["history_error"] for r in rows], "o", label=label)
         ax.set_title(study["name"])
         ax.set_xlabel("wall time of the whole process (s)")
+        ax.xaxis.set_minor_formatter(matplotlib.ticker.NullFormatter())
+        ax.set_xticks([0.5, 1, 2, 5], ["0.5", "1", "2", "5"])
         ax.grid(alpha=0.3)
         ax.legend(fontsize="small")
     axes[0].set_ylabel("largest error of $F_T(t)$ over its peak")
