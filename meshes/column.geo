@@ -27,16 +27,22 @@ name = "width"; value = width;
 Call MustBePositive;
 name = "grading"; value = grading;
 Call MustBePositive;
+Macro MustBeACount
+  If (!(value >= 1 && value <= 100000))
+    Error(StrCat(name, " is %g; it must be from 1 to 100000"), value);
+    mistakes = 1;
+  EndIf
+Return
 name = "cells"; value = cells;
-Call MustBePositive;
+Call MustBeACount;
 name = "cells_across"; value = cells_across;
-Call MustBePositive;
+Call MustBeACount;
 If (mistakes)
   Abort;
 EndIf
 
-rows = Max(1, Round(cells));
-columns = Max(1, Round(cells_across));
+rows = Round(cells);
+columns = Round(cells_across);
 If (rows > 1)
   ratio = grading^(-1 / (rows - 1));
 Else

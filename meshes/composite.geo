@@ -65,6 +65,15 @@ If (!(grading >= 1))
   Error("grading is %g; it must be 1 (all cells alike) or greater", grading);
   mistakes = 1;
 EndIf
+// Beyond these a mesh outgrows the memory, or gmsh aborts.
+If (cells > 20)
+  Error("cells is %g; it must be at most 20", cells);
+  mistakes = 1;
+EndIf
+If (grading > 200)
+  Error("grading is %g; it must be at most 200", grading);
+  mistakes = 1;
+EndIf
 If (mistakes)
   Abort;
 EndIf

@@ -1,17 +1,31 @@
 // upbead: shear force and sliding of caisson breakwaters under impulsive waves.
 
+#include <algorithm>
 #include <csignal>
 #include <exception>
 #include <iostream>
+#include <new>
 
 #include "upbead/algebra/petsc_session.h"
 #include "upbead/app/commands.h"
 #include "upbead/base/error.h"
+#include "upbead/base/interrupt.h"
+#include "upbead/base/suggest.h"
 #include "upbead/base/version.h"
 
 namespace {
 
-constexpr int exit_input = 1, exit_numerics = 2, exit_bug = 3;
+constexpr int exit_input = 1, exit_numerics = 2, exit_bug = 3, exit_signal = 128;
+
+/// CLI11 would say of `upbead rum` only that a command is missing.
+void check_command(const CLI::App& program, const std::string& word) {
+  if (word.empty() || word[0] == '-') return;
+  std::vector<std::string> commands;
+  for (const CLI::App* command : program.get_subcommands({})) commands.push_back(command->get_name());
+  if (std::find(commands.begin(), commands.end(), word) == commands.end())
+    throw upbead::InputError(upbead::Place(), "there is no command '" + word + "'",
+                             upbead::suggestion(word, commands, "commands"));
+}
 
 int run(int argc, char** argv) {
   CLI::App program("upbead: how much of a wave's impulsive force on a caisson reaches its bottom, and does it slide?");
@@ -22,9 +36,10 @@ int run(int argc, char** argv) {
       "  upbead explain cases/fig2b-model.toml     what will be solved, and what is skipped\n"
       "  upbead run cases/fig2b-model.toml         F_T(t) and its peak, into results/fig2b-model\n"
       "  postprocess/response.py results/fig2b-model\n\n"
-      "Exit codes: 0 done, 1 the input is wrong, 2 the numerics failed, 3 a bug.");
+      "Exit codes: 0 done, 1 the input is wrong, 2 the numerics failed, 3 a bug,\n130 and 143 interrupted.");
   upbead::add_explain(program);
   upbead::add_run(program);
+  if (argc > 1) check_command(program, argv[1]);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -45,6 +60,12 @@ int main(int argc, char** argv) {
     return exit_input;
   } catch (const upbead::NumericsError& error) {
     std::cerr << "upbead: the numerics failed: " << error.what() << "\n";
+    return exit_numerics;
+  } catch (const upbead::Interrupted& interrupted) {
+    std::cerr << "upbead: interrupted, nothing was written\n";
+    return exit_signal + interrupted.signal();
+  } catch (const std::bad_alloc&) {
+    std::cerr << "upbead: the case does not fit in memory; use a coarser mesh, larger steps or fewer fields\n";
     return exit_numerics;
   } catch (const std::exception& error) {
     std::cerr << "upbead: this is a bug, please report it: " << error.what() << "\n";

@@ -13,10 +13,10 @@ namespace upbead {
 namespace {
 
 /// Makes the histories of all sound loads.
-void make_histories(Case& problem, CaseTables& tables, Reading& reading) {
+void make_histories(Case& problem, CaseTables& tables, InputReport& report) {
   for (auto& [name, table] : tables.load_tables) {
     const std::string path = dotted("loads", name);
-    if (!reading.sound(path)) continue;
+    if (!report.sound(path)) continue;
     if (table.pulse) {
       table.history = time_function(*table.pulse);
       table.duration = duration(*table.pulse);
@@ -24,7 +24,7 @@ void make_histories(Case& problem, CaseTables& tables, Reading& reading) {
       try {
         read_history(problem.resolve(table.history_file), problem.place(path + ".history"), tables.time.end, table);
       } catch (const InputError& error) {
-        for (const Mistake& mistake : error.mistakes()) reading.add(path, mistake);
+        for (const Mistake& mistake : error.mistakes()) report.add(path, mistake);
       }
     }
     if (table.factor == 0.) {
@@ -62,12 +62,12 @@ Case read_case(const std::string& path, const std::vector<std::string>& override
   problem.document = Document(path, overrides);
   problem.stem = fs::path(path).stem().string();
   CaseTables tables;
-  Reading reading;
-  case_schema().read(problem.document.root(), "", tables, reading);
+  InputReport report;
+  case_schema().read(problem.document.root(), "", tables, report);
   for (const auto check : {check_mesh, check_regions, check_loads, check_time, check_probes})
-    check(tables, problem.document, reading);
-  make_histories(problem, tables, reading);
-  reading.throw_if_any(path);
+    check(tables, problem.document, report);
+  make_histories(problem, tables, report);
+  report.throw_if_any(path);
   problem.scene = tables;
   for (const auto& [name, table] : tables.load_tables) {
     problem.scene.loads[name] = table;

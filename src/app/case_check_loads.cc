@@ -17,13 +17,13 @@ std::vector<std::string> keys_of(const Map& map) {
 class LoadCheck {
  public:
   LoadCheck(const std::string& name, const LoadTable& load, const CaseTables& tables, const Document& document,
-            Reading& reading)
+            InputReport& report)
       : path_(dotted("loads", name)),
         load_(load),
         tables_(tables),
         document_(document),
-        reading_(reading),
-        objections_(path_, document, reading) {}
+        reading_(report),
+        objections_(path_, document, report) {}
 
   void run() const {
     exactly_one("boundary", "region");
@@ -84,15 +84,15 @@ class LoadCheck {
   const LoadTable& load_;
   const CaseTables& tables_;
   const Document& document_;
-  const Reading& reading_;
+  const InputReport& reading_;
   Objections objections_;
 };
 
 }  // namespace
 
-void check_loads(const CaseTables& tables, const Document& document, Reading& reading) {
+void check_loads(const CaseTables& tables, const Document& document, InputReport& report) {
   for (const auto& [name, load] : tables.load_tables)
-    if (reading.sound(dotted("loads", name) + ".kind")) LoadCheck(name, load, tables, document, reading).run();
+    if (report.sound(dotted("loads", name) + ".kind")) LoadCheck(name, load, tables, document, report).run();
 }
 
 }  // namespace upbead

@@ -22,7 +22,7 @@ TableSchema<MeshChoice> mesh_schema() {
   table.key("file", &MeshChoice::file).doc("path of a .geo or .msh (2.2 or 4.1) file of gmsh with named groups");
   table.key("parameters", &MeshChoice::parameters)
       .doc("values of the .geo's own parameters (DefineConstant) by name; the geometry's own where not given");
-  table.key("refine", &MeshChoice::refine).range(from_to(0., 10.)).doc("number of uniform refinements");
+  table.key("refine", &MeshChoice::refine).range(from_to(0., 6.)).doc("number of uniform refinements");
   table.key("degree", &MeshChoice::degree)
       .range(from_to(2., 3.))
       .doc("polynomial degree of the displacement; that of the pressure is one less");

@@ -1,6 +1,7 @@
 #include "upbead/app/pipeline.h"
 
 #include <algorithm>
+#include <sstream>
 
 #include "upbead/base/stopwatch.h"
 #include "upbead/fem/scene_check.h"
@@ -26,6 +27,41 @@ std::vector<double> times_to_meet(const Scene& scene, const System& system) {
   return times;
 }
 
+constexpr double most_steps = 1e6, most_fields = 1e4;
+
+std::string number(double value) {
+  std::ostringstream text;
+  text.precision(3);
+  text << value;
+  return text.str();
+}
+
+std::size_t n_kinks(const Scene& scene) {
+  std::size_t n = 0;
+  for (const auto& [name, load] : scene.loads) n += load.history.kinks().size();
+  return n;
+}
+
+/// Throws where steps of that length are too many; `because` says what set a length that the case does not give.
+void check_steps(const Case& input, double step, const std::optional<StepGrowth>& growth, const std::string& because) {
+  const Scene& scene = input.scene;
+  const double end = scene.time.end, n = estimated_steps(n_kinks(scene), end, step, growth);
+  if (n <= most_steps) return;
+  const std::string what = " s makes about " + number(n) + " steps, more than " + number(most_steps);
+  if (scene.time.step)
+    throw InputError(input.place("time.step"),
+                     "time.step = " + number(step) + " s until time.end = " + number(end) + what,
+                     "raise time.step, or lower time.end");
+  throw InputError(
+      input.place("time.end"),
+      "time.end = " + number(end) + " s in steps of " + number(step) + what + "; the step follows from " + because,
+      "lower time.end, or give time.step");
+}
+
+int order_of(const Scene& scene) {
+  return scene.time.scheme == TimeScheme::generalised_alpha ? 2 : 4;
+}
+
 SchemeOptions scheme_options(const Scene& scene) {
   SchemeOptions options;
   if (scene.time.scheme == TimeScheme::generalised_alpha) options.kind = SchemeKind::generalised_alpha;
@@ -48,7 +84,24 @@ Discretisation discretisation(const CompiledCase& scene, const Scheme& scheme, c
 
 }  // namespace
 
+void check_size(const Case& input) {
+  const Scene& scene = input.scene;
+  const double end = scene.time.end;
+  if (scene.fields_every && end / *scene.fields_every > most_fields)
+    throw InputError(input.place("output.fields.every"),
+                     "every = " + number(*scene.fields_every) + " s until time.end = " + number(end) +
+                         " s makes about " + number(end / *scene.fields_every) + " fields, more than " +
+                         number(most_fields),
+                     "raise every, or lower time.end");
+  if (scene.time.step) return check_steps(input, *scene.time.step, {}, "");
+  const LoadStep loads = step_of_loads(scene, order_of(scene));
+  if (loads.lone_jump) return;
+  const std::string load = loads.load.empty() ? "the loads" : "[loads." + loads.load + "]";
+  check_steps(input, loads.largest_step, loads.growth, load + ", which lasts " + number(loads.duration) + " s");
+}
+
 CompiledCase compile_case(const Case& input) {
+  check_size(input);
   const Scene& scene = input.scene;
   CompiledCase out;
   const Stopwatch mesh_watch;
@@ -80,8 +133,9 @@ Run run_case(const Case& input, const CompiledCase& scene, const MarchOptions& o
     choice = choose_step(input.scene, scene.compiled, scheme->order());
     largest_step = choice.largest_step;
     run.step_reason = choice.reason;
+    check_steps(input, largest_step, choice.growth, choice.reason);
   }
-  const TimeGrid grid = make_time_grid(times_to_meet(input.scene, system), time.end, largest_step);
+  const TimeGrid grid = make_time_grid(times_to_meet(input.scene, system), time.end, largest_step, choice.growth);
 
   const Stopwatch march_watch;
   run.response = march(system, *scheme, grid, options);
@@ -109,6 +163,8 @@ std::vector<Skipped> skipped(const Case& input, const CompiledCase& scene) {
            choice.reason});
   for (const Body& body : scene.compiled.bodies)
     list.push_back({"deformation of " + body.region, "the region is rigid: three coordinates stand for it"});
+  for (const auto& [name, load] : input.scene.loads)
+    if (load.factor == 0.) list.push_back({"load " + name, "its factor is 0"});
   if (!input.scene.fields_every) list.push_back({"fields", "the case asks for none ([output] fields)"});
   if (!scene.compiled.caisson) list.push_back({"shear force", "the mesh has no surface 'caisson'"});
   if (!input.scene.time.inertia) list.push_back({"inertia", "[time] inertia = false: consolidation"});

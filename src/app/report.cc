@@ -1,5 +1,6 @@
 #include "upbead/app/report.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdarg>
 #include <cstdio>
@@ -15,6 +16,10 @@ __attribute__((format(printf, 1, 2))) std::string format(const char* pattern, ..
   std::vsnprintf(buffer, sizeof buffer, pattern, arguments);
   va_end(arguments);
   return buffer;
+}
+
+double without_round_off(double value, double peak) {
+  return std::abs(value) < 1e-9 * std::abs(peak) ? 0. : value;
 }
 
 const char* name_of(RegionKind kind) {
@@ -44,9 +49,10 @@ std::string describe_loads(const CompiledCase& scene) {
   std::string text;
   for (const LoadOnCaisson& load : scene.compiled.loads_on_caisson) {
     std::string line = format("  %-12s ", load.name.c_str());
+    const double largest = std::max(std::abs(load.force_x), std::abs(load.force_y));
     if (const auto arm = load.arm())
-      line += format("arm %.4g m above the caisson's bottom, F_x = %.4g per unit, F_y = %.4g", *arm, load.force_x,
-                     load.force_y);
+      line += format("arm %.4g m above the caisson's bottom, F_x = %.4g per unit, F_y = %.4g", *arm,
+                     without_round_off(load.force_x, largest), without_round_off(load.force_y, largest));
     else
       line += scene.compiled.caisson ? "no horizontal force on the caisson" : "no caisson to act on";
     text += line + "\n";
@@ -56,11 +62,12 @@ std::string describe_loads(const CompiledCase& scene) {
 
 }  // namespace
 
-std::string with_unit(double value, const std::string& unit) {
+std::string with_unit(double value, const std::string& unit, double peak) {
+  value = without_round_off(value, peak);
   const double size = std::abs(value);
   if (size >= 1e6) return format("%.4g M%s", value / 1e6, unit.c_str());
   if (size >= 1e3) return format("%.4g k%s", value / 1e3, unit.c_str());
-  if (size > 0. && size < 0.1) return format("%.4g m%s", value * 1e3, unit.c_str());
+  if (unit == "m" && size > 0. && size < 0.1) return format("%.4g m%s", value * 1e3, unit.c_str());
   return format("%.4g %s", value, unit.c_str());
 }
 
@@ -92,9 +99,11 @@ std::string describe(const Run& run) {
     const ShearResponse& r = *run.summary.response;
     text += "response\n";
     text += format("  peak P      %-14s at %.4g s\n", with_unit(r.peak_force, "N/m").c_str(), r.peak_force_time);
-    text += format("  peak F_T    %-14s at %.4g s (seaward %s at %.4g s)\n", with_unit(r.peak_shear, "N/m").c_str(),
-                   r.peak_shear_time, with_unit(r.peak_shear_seaward, "N/m").c_str(), r.peak_shear_seaward_time);
-    text += format("  F_T / P     %.4f\n", r.shear_to_force_ratio);
+    text += format("  peak F_T    %-14s at %.4g s (seaward %s at %.4g s)\n",
+                   with_unit(r.peak_shear, "N/m", r.peak_force).c_str(), r.peak_shear_time,
+                   with_unit(r.peak_shear_seaward, "N/m", r.peak_force).c_str(), r.peak_shear_seaward_time);
+    text += r.shear_to_force_ratio ? format("  F_T / P     %.4f\n", *r.shear_to_force_ratio)
+                                   : std::string("  F_T / P     none: no horizontal force acts on the caisson\n");
     text += format("  peak x_G    %s\n", with_unit(r.peak_displacement, "m").c_str());
     if (r.arm) text += format("  arm of P    %.4g m\n", *r.arm);
     text += format("  checks      both routes to F_T differ by %.1e, energy by %.1e\n", r.reaction_mismatch,

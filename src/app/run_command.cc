@@ -5,6 +5,7 @@
 #include "upbead/app/commands.h"
 #include "upbead/app/report.h"
 #include "upbead/base/files.h"
+#include "upbead/base/interrupt.h"
 #include "upbead/base/progress.h"
 #include "upbead/base/stopwatch.h"
 #include "upbead/output/fields.h"
@@ -29,13 +30,40 @@ bool is_field_time(double time, double every) {
   return std::abs(time / every - std::round(time / every)) < 1e-6;
 }
 
-/// Follows the march: a line of progress for people, fields where the case asks for them.
-MarchOptions options_of(const Scene& scene, Progress& progress, FieldWriter* fields) {
+/// Fields at the times which the case asks for, and the time that they take.
+class FieldOutput {
+ public:
+  FieldOutput(const Scene& scene, const CompiledCase& compiled, const OutputFolder& folder)
+      : every_(scene.fields_every) {
+    if (every_)
+      writer_.emplace(*compiled.space, *compiled.unknowns, scene,
+                      [&folder](const std::string& file) { return folder.path(file); });
+  }
+  void write(const State& state) {
+    if (!writer_ || !is_field_time(state.time, *every_)) return;
+    const Stopwatch watch;
+    writer_->write(state);
+    seconds_ += watch.seconds();
+  }
+  void finish() const {
+    if (writer_) writer_->finish();
+  }
+  double seconds() const { return seconds_; }  ///< that write() has taken
+
+ private:
+  std::optional<double> every_;
+  std::optional<FieldWriter> writer_;
+  double seconds_ = 0.;
+};
+
+/// Follows the march: a line of progress for people, fields, an end where a person wants one.
+MarchOptions options_of(const Scene& scene, Progress& progress, FieldOutput& fields) {
   MarchOptions options;
   options.stop_at_energy = scene.time.stop_at_energy.value_or(0.);
-  options.observer = [&progress, fields, every = scene.fields_every.value_or(0.)](const State& state, int step, int n) {
+  options.observer = [&progress, &fields](const State& state, int step, int n) {
+    check_interrupt();
     progress.update(n > 0 ? static_cast<double>(step) / n : 1.);
-    if (fields && is_field_time(state.time, every)) fields->write(state);
+    fields.write(state);
   };
   return options;
 }
@@ -43,31 +71,32 @@ MarchOptions options_of(const Scene& scene, Progress& progress, FieldWriter* fie
 void run(const CommonOptions& options, const Stopwatch& since_start) {
   const Case input = read_case(options.file, options.overrides);
   require_loads(input);
+  note_interrupts();
   OutputFolder folder(options.out.empty() ? "results/" + input.stem : options.out);
   const CompiledCase scene = compile_case(input);
   if (!options.json) std::cout << describe(input, scene) << std::flush;
 
-  std::optional<FieldWriter> fields;
-  if (input.scene.fields_every)
-    fields.emplace(*scene.space, *scene.unknowns, input.scene,
-                   [&](const std::string& file) { return folder.path(file); });
+  FieldOutput fields(input.scene, scene, folder);
   Run result;
   {
     Progress progress("marching");
-    result = run_case(input, scene, options_of(input.scene, progress, fields ? &*fields : nullptr));
+    result = run_case(input, scene, options_of(input.scene, progress, fields));
   }
+  if (result.summary.response) require_balance(*result.summary.response, result.summary.energy);
   const Stopwatch output_watch;
-  if (fields) fields->finish();
+  fields.finish();
   folder.write("results.h5", result_file(input.scene.title, histories(scene.compiled.system, result.response.ends)));
   folder.write("case.toml", effective_case(input, folder.name()));
-  result.summary.timing.output = output_watch.seconds();
+  result.summary.timing.march -= fields.seconds();
+  result.summary.timing.output = output_watch.seconds() + fields.seconds();
   result.summary.timing.total = since_start.seconds();
   const std::string json = to_json(result.summary);
   folder.write("summary.json", json);
-  folder.commit();
-  std::cout << (options.json
-                    ? json
-                    : describe(result) + "written     " + folder.name() + "/{results.h5, summary.json, case.toml}\n");
+  check_interrupt();
+  folder.commit(field_files);
+  const std::string written =
+      folder.name() + "/{results.h5, summary.json, case.toml" + (input.scene.fields_every ? ", fields.pvd}" : "}");
+  std::cout << (options.json ? json : describe(result) + "written     " + written + "\n");
 }
 
 }  // namespace

@@ -53,6 +53,7 @@ class Reader {
   explicit Reader(const std::string& path) { table_.path = path; }
 
   void read_header(const std::string& line, int line_number) {
+    refuse_other_dialects(line, line_number);
     const std::vector<Cell> cells = cells_of(line);
     if (std::all_of(cells.begin(), cells.end(), is_number)) {
       mistakes_.add({table_.path, line_number, 1}, "the first line holds numbers, not the names of the columns",
@@ -95,6 +96,19 @@ class Reader {
   }
 
  private:
+  /// Names the two ways in which a table is often written otherwise; its rows would tell of neither.
+  void refuse_other_dialects(const std::string& line, int line_number) {
+    const Place place{table_.path, line_number, 1};
+    if (trimmed(line)[0] == '#')
+      throw InputError(place, "a comment ('#') stands where the names of the columns belong",
+                       "remove the '#' line, and begin with the names of the columns, such as time,force");
+    const bool comma = line.find(',') != std::string::npos;
+    const bool semicolon = line.find(';') != std::string::npos;  // beside commas these are decimal commas
+    if (semicolon || (!comma && trimmed(line).find('\t') != std::string::npos))
+      throw InputError(place, std::string("the columns are separated by ") + (semicolon ? "semicolons" : "tabs"),
+                       "separate them by commas, and write decimals with a point");
+  }
+
   void add(const Cell& cell, int line_number, const std::string& what, const std::string& cure) {
     ++n_mistakes_;
     mistakes_.add({table_.path, line_number, cell.column}, what, full() ? cure + "; further rows were not read" : cure);

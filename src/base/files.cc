@@ -1,7 +1,9 @@
 #include "upbead/base/files.h"
 
+#include <fnmatch.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <fstream>
 #include <system_error>
@@ -129,19 +131,42 @@ void OutputFolder::write(const std::string& file, const std::string& text) const
   if (!stream) fail("cannot write '" + (fs::path(name_) / file).string() + "'", last_error());
 }
 
-void OutputFolder::commit() {
+void OutputFolder::move_files(const std::vector<fs::path>& files) const {
+  std::error_code code;
+  for (const fs::path& file : files) check_room(target_, file);
+  for (const fs::path& file : files) {
+    fs::create_directories((target_ / file).parent_path(), code);
+    if (!code) fs::rename(partial_ / file, target_ / file, code);
+    if (code) fail("cannot write '" + (fs::path(name_) / file).string() + "'", code);
+  }
+}
+
+void OutputFolder::remove_older(const std::string& pattern, const std::vector<fs::path>& files) const {
+  const fs::path parent = fs::path(pattern).parent_path();
+  const std::string last = fs::path(pattern).filename().string();
+  std::vector<fs::path> older;
+  std::error_code code;  // without the folder there is nothing to remove
+  for (fs::directory_iterator entry(target_ / parent, code), end; !code && entry != end; entry.increment(code)) {
+    const fs::path file = parent / entry->path().filename();
+    if (fnmatch(last.c_str(), file.filename().c_str(), 0) == 0 && !is_folder(entry->path()) &&
+        std::find(files.begin(), files.end(), file) == files.end())
+      older.push_back(file);
+  }
+  for (const fs::path& file : older)
+    if (!fs::remove(target_ / file, code) && code)
+      fail("cannot remove the older '" + (fs::path(name_) / file).string() + "'", code);
+  if (!older.empty() && !parent.empty()) fs::remove(target_ / parent, code);  // where nothing else is left in it
+}
+
+void OutputFolder::commit(const std::vector<std::string>& replaced) {
   std::error_code code;
   if (!is_there(target_)) {
     fs::rename(partial_, target_, code);
     if (code) fail("cannot make the output folder '" + name_ + "'", code);
   } else {
     const std::vector<fs::path> files = files_below(partial_);
-    for (const fs::path& file : files) check_room(target_, file);
-    for (const fs::path& file : files) {
-      fs::create_directories((target_ / file).parent_path(), code);
-      if (!code) fs::rename(partial_ / file, target_ / file, code);
-      if (code) fail("cannot write '" + (fs::path(name_) / file).string() + "'", code);
-    }
+    move_files(files);
+    for (const std::string& pattern : replaced) remove_older(pattern, files);
     fs::remove_all(partial_, code);
   }
   partial_.clear();

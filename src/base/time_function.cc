@@ -4,6 +4,8 @@
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
+#include <iterator>
+#include <memory>
 #include <stdexcept>
 #include <utility>
 
@@ -11,126 +13,157 @@ namespace upbead {
 
 TimeFunction::TimeFunction() : pieces_{[](double) { return 0.; }} {}
 
-TimeFunction::TimeFunction(std::vector<double> kinks, std::vector<Piece> pieces)
-    : kinks_(std::move(kinks)), pieces_(std::move(pieces)) {
+TimeFunction::TimeFunction(std::vector<double> kinks, std::vector<Piece> pieces, std::vector<double> samples)
+    : kinks_(std::move(kinks)), pieces_(std::move(pieces)), samples_(std::move(samples)) {
   if (pieces_.size() != kinks_.size() + 1 || !std::is_sorted(kinks_.begin(), kinks_.end()))
     throw std::logic_error("TimeFunction: kinks must ascend, with one piece more than kinks");
 }
 
-std::size_t TimeFunction::piece_at(double t) const {
-  return static_cast<std::size_t>(std::upper_bound(kinks_.begin(), kinks_.end(), t) - kinks_.begin());
+const TimeFunction::Piece& TimeFunction::piece(double inside) const {
+  return pieces_[static_cast<std::size_t>(std::upper_bound(kinks_.begin(), kinks_.end(), inside) - kinks_.begin())];
 }
 
 double TimeFunction::operator()(double t) const {
-  return pieces_[piece_at(t)](t);
+  return piece(t)(t);
 }
 
 double TimeFunction::operator()(double t, double inside) const {
-  return pieces_[piece_at(inside)](t);
+  return piece(inside)(t);
 }
 
 namespace {
 
-/// Indices of the samples between which the record is smooth: the ends, and where the slope changes markedly.
-std::vector<std::size_t> corners(const std::vector<double>& time, const std::vector<double>& value) {
-  const std::size_t n = time.size();
-  const auto slope = [&](std::size_t i) { return (value[i + 1] - value[i]) / (time[i + 1] - time[i]); };
+constexpr std::size_t max_corners = 50;  // a drawn record has a few; a measured one is cornered nearly everywhere
+
+/// Straight lines between samples; shared, because the pieces of sums and multiples all need the whole record.
+struct Record {
+  std::vector<double> time, value;
+
+  double operator()(double at) const {
+    const auto above = std::upper_bound(time.begin() + 1, time.end() - 1, at) - time.begin();
+    const auto i = static_cast<std::size_t>(above);
+    return value[i - 1] + (value[i] - value[i - 1]) * (at - time[i - 1]) / (time[i] - time[i - 1]);
+  }
+  double slope(std::size_t i) const { return (value[i + 1] - value[i]) / (time[i + 1] - time[i]); }
+};
+
+/// Times between which the record is smooth or, with too many corners, its ends.
+std::vector<double> kinks_of(const Record& record) {
+  const std::size_t n = record.time.size();
   double largest = 0.;
-  for (std::size_t i = 0; i + 1 < n; ++i) largest = std::max(largest, std::abs(slope(i)));
-  std::vector<std::size_t> list{0};
+  for (std::size_t i = 0; i + 1 < n; ++i) largest = std::max(largest, std::abs(record.slope(i)));
+  std::vector<double> corners;
   for (std::size_t i = 1; i + 1 < n; ++i)
-    if (std::abs(slope(i) - slope(i - 1)) > 0.05 * largest) list.push_back(i);
-  list.push_back(n - 1);
-  return list;
+    if (std::abs(record.slope(i) - record.slope(i - 1)) > 0.05 * largest) corners.push_back(record.time[i]);
+  if (corners.size() > max_corners) corners.clear();
+  corners.insert(corners.begin(), record.time.front());
+  corners.push_back(record.time.back());
+  return corners;
+}
+
+std::vector<double> united(const std::vector<double>& a, const std::vector<double>& b) {
+  std::vector<double> both;
+  std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(both));
+  both.erase(std::unique(both.begin(), both.end()), both.end());
+  return both;
+}
+
+/// A time inside the i-th of the pieces that `kinks` separate.
+double inside_piece(const std::vector<double>& kinks, std::size_t i) {
+  if (kinks.empty()) return 0.;
+  if (i == 0) return kinks.front() - 1.;
+  return i == kinks.size() ? kinks.back() + 1. : 0.5 * (kinks[i - 1] + kinks[i]);
 }
 
 }  // namespace
 
 TimeFunction piecewise_linear(const std::vector<double>& time, const std::vector<double>& value) {
-  const std::vector<std::size_t> corner = corners(time, value);
-  std::vector<double> kinks;
-  std::vector<TimeFunction::Piece> pieces{[](double) { return 0.; }};
-  for (std::size_t c = 0; c + 1 < corner.size(); ++c) {
-    const auto first = static_cast<std::ptrdiff_t>(corner[c]), last = static_cast<std::ptrdiff_t>(corner[c + 1]) + 1;
-    std::vector<double> t(time.begin() + first, time.begin() + last);
-    std::vector<double> y(value.begin() + first, value.begin() + last);
-    kinks.push_back(t.front());
-    pieces.push_back([t = std::move(t), y = std::move(y)](double at) {
-      const auto above = std::upper_bound(t.begin() + 1, t.end() - 1, at) - t.begin();
-      const auto i = static_cast<std::size_t>(above);
-      return y[i - 1] + (y[i] - y[i - 1]) * (at - t[i - 1]) / (t[i] - t[i - 1]);
-    });
+  const auto record = std::make_shared<const Record>(Record{time, value});
+  std::vector<double> kinks = kinks_of(*record);
+  const TimeFunction::Piece zero = [](double) { return 0.; };
+  std::vector<TimeFunction::Piece> pieces{zero};
+  for (std::size_t i = 0; i + 1 < kinks.size(); ++i) {
+    // Just beyond a kink, round-off must not take the straight line of the neighbouring piece.
+    const double begin = kinks[i], end = kinks[i + 1];
+    pieces.push_back([record, begin, end](double at) { return (*record)(std::clamp(at, begin, end)); });
   }
-  kinks.push_back(time.back());
-  pieces.push_back([](double) { return 0.; });
-  return TimeFunction(std::move(kinks), std::move(pieces));
+  pieces.push_back(zero);
+  return TimeFunction(std::move(kinks), std::move(pieces), time);
 }
 
 TimeFunction sum(const TimeFunction& a, const TimeFunction& b) {
-  std::vector<double> kinks;
-  std::set_union(a.kinks().begin(), a.kinks().end(), b.kinks().begin(), b.kinks().end(), std::back_inserter(kinks));
-  kinks.erase(std::unique(kinks.begin(), kinks.end()), kinks.end());
+  std::vector<double> kinks = united(a.kinks(), b.kinks());
   std::vector<TimeFunction::Piece> pieces;
   for (std::size_t i = 0; i <= kinks.size(); ++i) {
-    const double inside = kinks.empty()       ? 0.
-                          : i == 0            ? kinks.front() - 1.
-                          : i == kinks.size() ? kinks.back() + 1.
-                                              : 0.5 * (kinks[i - 1] + kinks[i]);
-    pieces.push_back([a, b, inside](double t) { return a(t, inside) + b(t, inside); });
+    const double inside = inside_piece(kinks, i);
+    pieces.push_back([p = a.piece(inside), q = b.piece(inside)](double t) { return p(t) + q(t); });
   }
-  return TimeFunction(std::move(kinks), std::move(pieces));
+  return TimeFunction(std::move(kinks), std::move(pieces), united(a.samples(), b.samples()));
 }
 
 TimeFunction scaled(const TimeFunction& f, double scale) {
   std::vector<TimeFunction::Piece> pieces;
-  const std::vector<double>& kinks = f.kinks();
-  for (std::size_t i = 0; i <= kinks.size(); ++i) {
-    const double inside = kinks.empty() ? 0. : i == 0 ? kinks.front() - 1. : kinks[i - 1];
-    pieces.push_back([f, scale, inside](double t) { return scale * f(t, inside); });
-  }
-  return TimeFunction(kinks, std::move(pieces));
+  for (std::size_t i = 0; i <= f.kinks().size(); ++i)
+    pieces.push_back([scale, p = f.piece(inside_piece(f.kinks(), i))](double t) { return scale * p(t); });
+  return TimeFunction(f.kinks(), std::move(pieces), f.samples());
 }
 
 namespace {
-/// The smooth pieces of f within [t0, t1], as pairs of times.
-std::vector<std::pair<double, double>> smooth_pieces(const TimeFunction& f, double t0, double t1) {
+
+/// t0, those of the ascending `times` strictly between, t1.
+std::vector<double> divided(const std::vector<double>& times, double t0, double t1) {
   std::vector<double> ends{t0};
-  for (double kink : f.kinks())
-    if (kink > t0 && kink < t1 && kink > ends.back()) ends.push_back(kink);
+  const auto first = std::upper_bound(times.begin(), times.end(), t0), last = std::lower_bound(first, times.end(), t1);
+  std::unique_copy(first, last, std::back_inserter(ends));
   ends.push_back(t1);
-  std::vector<std::pair<double, double>> list;
-  for (std::size_t i = 0; i + 1 < ends.size(); ++i) list.emplace_back(ends[i], ends[i + 1]);
-  return list;
+  return ends;
 }
+
+/// Equal parts of [begin, end] and the samples between.
+std::vector<double> points_within(const TimeFunction& f, double begin, double end, int parts) {
+  std::vector<double> equal;
+  for (int i = 0; i <= parts; ++i) equal.push_back(begin + i * ((end - begin) / parts));
+  equal.back() = end;
+  return united(equal, divided(f.samples(), begin, end));
+}
+
 }  // namespace
 
 double integral(const TimeFunction& f, double t0, double t1) {
   using Rule = boost::math::quadrature::gauss_kronrod<double, 15>;
   double total = 0.;
-  for (const auto& [begin, end] : smooth_pieces(f, t0, t1)) {
-    const double inside = 0.5 * (begin + end);
-    total += Rule::integrate([&](double t) { return f(t, inside); }, begin, end, 10, 1e-9);
+  const std::vector<double> ends = divided(united(f.kinks(), f.samples()), t0, t1);
+  for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+    const TimeFunction::Piece& piece = f.piece(0.5 * (ends[i] + ends[i + 1]));
+    total += Rule::integrate(piece, ends[i], ends[i + 1], 10, 1e-9);
   }
   return total;
 }
 
-Extremum extremum(const TimeFunction& f, double t0, double t1, int sign, int samples) {
+Extremum extremum(const TimeFunction& f, double t0, double t1, int sign, int parts) {
   Extremum best{t0, f(t0)};
   const auto consider = [&](double t, double value) {
     if (sign * (value - best.value) > 0.) best = {t, value};
   };
-  for (const auto& [begin, end] : smooth_pieces(f, t0, t1)) {
-    const double inside = 0.5 * (begin + end), step = (end - begin) / samples;
-    int top = 0;
-    const auto value = [&](int i) { return f(begin + i * step, inside); };
-    for (int i = 0; i <= samples; ++i) {
-      if (sign * (value(i) - value(top)) > 0.) top = i;
-      consider(begin + i * step, value(i));
+  const std::vector<double> ends = divided(f.kinks(), t0, t1);
+  for (std::size_t e = 0; e + 1 < ends.size(); ++e) {
+    const TimeFunction::Piece& piece = f.piece(0.5 * (ends[e] + ends[e + 1]));
+    const std::vector<double> at = points_within(f, ends[e], ends[e + 1], parts);
+    std::size_t top = 0;
+    double largest = piece(at[0]);
+    consider(at[0], largest);
+    for (std::size_t i = 1; i < at.size(); ++i) {
+      const double value = piece(at[i]);
+      consider(at[i], value);
+      if (sign * (value - largest) > 0.) {
+        top = i;
+        largest = value;
+      }
     }
-    const double low = begin + std::max(0, top - 1) * step, high = begin + std::min(samples, top + 1) * step;
-    const auto [at, lowest] =
-        boost::math::tools::brent_find_minima([&](double t) { return -sign * f(t, inside); }, low, high, 40);
-    consider(at, -sign * lowest);
+    const double low = at[top == 0 ? 0 : top - 1], high = at[std::min(at.size() - 1, top + 1)];
+    const auto [time, lowest] =
+        boost::math::tools::brent_find_minima([&](double t) { return -sign * piece(t); }, low, high, 40);
+    consider(time, -sign * lowest);
   }
   return best;
 }

@@ -39,18 +39,26 @@ void check_finite(const State& state) {
 /// Stops a march once its energy has died away.
 class EarlyStop {
  public:
-  EarlyStop(const System& system, const Scheme& scheme, double end, double fraction) : fraction_(fraction) {
+  EarlyStop(const System& system, const Scheme& scheme, double end, double fraction)
+      : system_(system), fraction_(fraction) {
     if (fraction > 0. && !scheme.accounts_energy())
       throw std::invalid_argument("stop_at_energy needs a scheme that accounts for energy");
     for (double kink : kinks(system))
       if (kink < end) last_kink_ = std::max(last_kink_, kink);
   }
-  bool due(const EnergyAccount& energy, double time) {
+  bool due(const EnergyAccount& energy, double time, double step) {
     largest_ = std::max(largest_, energy.stored());
-    return fraction_ > 0. && time > last_kink_ && energy.stored() < fraction_ * largest_;
+    return fraction_ > 0. && time > last_kink_ && energy.stored() < fraction_ * largest_ && loads_are_over(time, step);
   }
 
  private:
+  bool loads_are_over(double time, double step) const {
+    return std::all_of(system_.loads.begin(), system_.loads.end(), [&](const SystemLoad& load) {
+      return load.history(time) == 0. && keeps_value(load.history, time, step);
+    });
+  }
+
+  const System& system_;
   double fraction_;
   double last_kink_ = 0.;
   double largest_ = 0.;
@@ -105,7 +113,7 @@ Response march(const System& system, Scheme& scheme, const TimeGrid& grid, const
       state.time = segment.start + i * segment.step;  // the sum of many steps would drift off the kinks
       scheme.advance(state, segment.step);
       note();
-      stopped = step <= n_steps && early_stop.due(scheme.energy(), state.time);
+      stopped = step <= n_steps && early_stop.due(scheme.energy(), state.time, segment.step);
     }
   }
   Response response = recorder.finish(std::move(state), stopped);

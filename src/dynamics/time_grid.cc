@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace upbead {
@@ -9,6 +10,7 @@ namespace upbead {
 namespace {
 
 constexpr double tolerance = 1e-9;
+constexpr int steps_before_doubling = 8;
 
 /// 0, the kinks within (0, end) without near doubles, end.
 std::vector<double> corners(std::vector<double> kinks, double end) {
@@ -39,6 +41,44 @@ double common_step(const std::vector<double>& corner, double largest) {
   return 0.;
 }
 
+/// Adds segments to a grid.
+class GridBuilder {
+ public:
+  GridBuilder(TimeGrid& grid, double step, bool common) : grid_(grid), step_(step), common_(common) {}
+
+  /// Equal steps from start to end, of at most `largest`.
+  void add(double start, double end, double largest) {
+    const double n = std::max(1., std::ceil((end - start) / largest * (1. - tolerance)));
+    double step = (end - start) / n;
+    for (const TimeSegment& other : grid_.segments)
+      if (std::abs(other.step - step) <= tolerance * step) step = other.step;
+    grid_.segments.push_back({start, step, static_cast<int>(n)});
+  }
+
+  void add(double start, double end) {
+    if (!common_) return add(start, end, step_);
+    grid_.segments.push_back({start, step_, static_cast<int>(std::round((end - start) / step_))});
+  }
+
+  /// Blocks of equal steps from start to end; how long a step may be depends on the time since growth.after alone.
+  void add_growing(double start, double end, const StepGrowth& growth) {
+    const double first_block = steps_before_doubling * step_;
+    while (true) {
+      const double doublings = std::floor(std::log2((start - growth.after) / first_block + 1.) + tolerance);
+      const double wanted = step_ * std::exp2(doublings), step = std::min(wanted, std::max(step_, growth.largest));
+      const double block = steps_before_doubling * step;
+      if (step < wanted || end - start < 2. * block) return add(start, end, step);
+      grid_.segments.push_back({start, step, steps_before_doubling});
+      start += block;
+    }
+  }
+
+ private:
+  TimeGrid& grid_;
+  double step_;
+  bool common_;
+};
+
 }  // namespace
 
 int TimeGrid::n_steps() const {
@@ -54,25 +94,44 @@ int TimeGrid::n_step_sizes() const {
   return static_cast<int>(std::unique(steps.begin(), steps.end()) - steps.begin());
 }
 
-TimeGrid make_time_grid(std::vector<double> kinks, double end, double largest_step) {
+double estimated_steps(std::size_t n_kinks, double end, double largest_step, const std::optional<StepGrowth>& growth) {
+  const double kinks = static_cast<double>(n_kinks);
+  if (!growth) return end / largest_step + kinks;
+  const double grown = std::max(growth->largest, largest_step);
+  return growth->after / largest_step + (end - growth->after) / grown + kinks +
+         steps_before_doubling * (1. + std::log2(grown / largest_step));
+}
+
+TimeGrid make_time_grid(std::vector<double> kinks, double end, double largest_step,
+                        const std::optional<StepGrowth>& growth) {
   if (!(end > 0. && largest_step > 0.)) throw std::invalid_argument("a time grid needs end > 0 and a step > 0");
+  if (!(estimated_steps(kinks.size(), end, largest_step, growth) < std::numeric_limits<int>::max() / 4))
+    throw std::invalid_argument("a time grid of more steps than an int can count");
   const std::vector<double> corner = corners(std::move(kinks), end);
-  const double common = common_step(corner, largest_step);
+  const auto grows = [&](double start) { return growth && start >= growth->after - tolerance * end; };
+  std::vector<double> even;  // corners of the part that may have a common step
+  for (double time : corner) {
+    even.push_back(time);
+    if (grows(time)) break;
+  }
+  const double common = even.size() > 1 ? common_step(even, largest_step) : 0.;
   TimeGrid grid;
   grid.end = end;
+  GridBuilder builder(grid, common > 0. ? common : largest_step, common > 0.);
   for (std::size_t i = 0; i + 1 < corner.size(); ++i) {
-    const double distance = corner[i + 1] - corner[i];
-    if (common > 0.) {
-      grid.segments.push_back({corner[i], common, static_cast<int>(std::round(distance / common))});
-      continue;
+    if (grows(corner[i])) {
+      builder.add_growing(corner[i], corner[i + 1], *growth);
+    } else {
+      builder.add(corner[i], corner[i + 1]);
     }
-    const double n = std::max(1., std::ceil(distance / largest_step * (1. - tolerance)));
-    double step = distance / n;
-    for (const TimeSegment& other : grid.segments)
-      if (std::abs(other.step - step) <= tolerance * step) step = other.step;
-    grid.segments.push_back({corner[i], step, static_cast<int>(n)});
   }
   return grid;
+}
+
+bool keeps_value(const TimeFunction& f, double t, double h) {
+  for (double steps : {1., 2.3, 7.1})
+    if (f(t + steps * h) != f(t)) return false;
+  return true;
 }
 
 std::vector<double> kinks(const System& system) {

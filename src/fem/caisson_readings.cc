@@ -46,7 +46,7 @@ void add_forces(std::vector<Reading>& list, const GroundReaction& reaction, cons
                   feedthrough(loads, &LoadOnCaisson::force_y, 1.)});
   list.push_back(named(ground_force(reaction, loads, motion_x, 1.), reading::shear_force, "N/m",
                        "F_T, shear force at the caisson's bottom, landward on the ground"));
-  list.push_back(named(ground_force(reaction, loads, motion_y, -1.), "normal_force", "N/m",
+  list.push_back(named(ground_force(reaction, loads, motion_y, -1.), reading::normal_force, "N/m",
                        "change of the normal force at the caisson's bottom, total, compression positive"));
   list.push_back(named(ground_force(reaction, loads, motion_rotation, 1.), reading::base_moment, "N m/m",
                        "moment at the caisson's bottom about its middle, overturning landward positive"));

@@ -83,12 +83,18 @@ std::map<unsigned, std::array<types::global_dof_index, 2>> nodes_on_face(const C
   return nodes;
 }
 
-/// No motion along the normal: one relation between u_x and u_y on a straight side, both fixed at a corner of two.
+/// No motion along the normal: one relation between u_x and u_y on a straight or gently curved side (by the mean
+/// normal), both fixed at a corner of more than about 6 degrees. A node of a rigid body follows the body.
 void add_rollers(Constraints& constraints, const std::map<types::global_dof_index, RollerNode>& rollers) {
+  constexpr double sine_of_corner = 0.1;
   for (const auto& [key, node] : rollers) {
-    const Tensor<1, dim> n = node.normals.front();
+    Tensor<1, dim> n;
     bool corner = false;
-    for (const auto& other : node.normals) corner = corner || std::abs(n[0] * other[1] - n[1] * other[0]) > 1e-6;
+    for (const auto& normal : node.normals) {
+      n += normal;
+      const auto& first = node.normals.front();
+      corner = corner || std::abs(first[0] * normal[1] - first[1] * normal[0]) > sine_of_corner;
+    }
     if (corner) {
       constrain(constraints, node.ux);
       constrain(constraints, node.uy);
@@ -122,30 +128,46 @@ void add_supports(Constraints& constraints, const Space& space, const Scene& sce
   add_rollers(constraints, rollers);
 }
 
-/// phi' = sum over the loads of intensity(y) f(t) on open sides; phi = 0 where no load acts.
+/// Degrees of freedom of phi on a face, with the heights of their nodes.
+std::vector<std::pair<types::global_dof_index, double>> heights_of_phi(const Space& space, const Cell& cell,
+                                                                       unsigned f) {
+  std::vector<std::pair<types::global_dof_index, double>> list;
+  const auto dofs = face_dofs(cell, f);
+  const auto& phi = cell->get_fe().base_element(2);
+  for (unsigned i = 0; i < dofs.size(); ++i) {
+    const auto [component, node] = cell->get_fe().face_system_to_component_index(i, f);
+    if (component != phi_component) continue;
+    const Point<dim> unit = phi.unit_support_point(phi.face_to_cell_index(node, f));
+    list.emplace_back(dofs[i], space.mapping().transform_unit_to_real_cell(cell, unit)[1]);
+  }
+  return list;
+}
+
+/// What the loads of the open curves at a node prescribe there: unknown -> intensity, by curve.
+using PrescribedByCurve = std::map<std::string, std::map<types::global_dof_index, double>>;
+
+/// phi' = sum over the loads of intensity(y) f(t) on open sides; phi = 0 where no load acts. Where loaded curves meet,
+/// the node takes the mean of what each of them prescribes.
 void add_open_sides(Constraints& constraints, const Space& space, const Scene& scene,
                     const std::vector<std::string>& prescribing, types::global_dof_index first) {
-  std::map<types::global_dof_index, std::map<types::global_dof_index, double>> entries;
+  std::map<types::global_dof_index, PrescribedByCurve> nodes;
   for_each_boundary_face(space, scene,
                          [&](const Cell& cell, unsigned f, const std::string& curve, const Boundary& boundary) {
                            if (boundary.pressure != PressureCondition::open || !space.has_pressure(cell)) return;
-                           const auto dofs = face_dofs(cell, f);
-                           const auto& phi = cell->get_fe().base_element(2);
-                           for (unsigned i = 0; i < dofs.size(); ++i) {
-                             const auto [component, node] = cell->get_fe().face_system_to_component_index(i, f);
-                             if (component != phi_component) continue;
-                             const Point<dim> at = space.mapping().transform_unit_to_real_cell(
-                                 cell, phi.unit_support_point(phi.face_to_cell_index(node, f)));
-                             auto& entry = entries[dofs[i]];
+                           for (const auto& [dof, y] : heights_of_phi(space, cell, f)) {
+                             PrescribedByCurve& node = nodes[dof];
                              for (std::size_t l = 0; l < prescribing.size(); ++l)
                                if (const Load& load = scene.loads.at(prescribing[l]); load.boundary == curve)
-                                 entry[first + l] = intensity(load, at[1]);
+                                 node[curve][first + l] = intensity(load, y);
                            }
                          });
-  for (const auto& [dof, entry] : entries) {
+  for (const auto& [dof, node] : nodes) {
     if (constraints.is_constrained(dof)) continue;
     constraints.add_line(dof);
-    for (const auto& [unknown, weight] : entry) constraints.add_entry(dof, unknown, weight);
+    std::map<types::global_dof_index, double> mean;
+    for (const auto& curve : node)
+      for (const auto& [unknown, weight] : curve.second) mean[unknown] += weight / static_cast<double>(node.size());
+    for (const auto& [unknown, weight] : mean) constraints.add_entry(dof, unknown, weight);
   }
 }
 
@@ -154,7 +176,7 @@ void add_open_sides(Constraints& constraints, const Space& space, const Scene& s
 std::vector<std::string> pressure_prescribing_loads(const Space& space, const Scene& scene) {
   std::vector<std::string> names;
   for (const auto& [name, load] : scene.loads) {
-    if (load.kind != LoadKind::pressure) continue;
+    if (load.kind != LoadKind::pressure || load.factor == 0.) continue;
     bool prescribes = false;
     const std::string& boundary = load.boundary;
     for_each_boundary_face(

@@ -1,6 +1,7 @@
 #include "upbead/fem/scene_check.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <set>
@@ -33,7 +34,15 @@ struct Outline {
   Names surfaces;
   std::map<std::string, OuterCurve> outer;
   std::vector<std::pair<std::string, std::string>> contacts;  ///< surfaces that share a face
+  Names beside_caisson;  ///< surfaces that the caisson touches elsewhere than at its bottom
 };
+
+/// A face of a cell is on its lower side where its middle is not above that of its lowest side.
+double lower_side(const Triangulation<dim>::active_cell_iterator& cell) {
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const auto& face : cell->face_iterators()) lowest = std::min(lowest, face->center()[1]);
+  return lowest;
+}
 
 Outline outline_of(const Mesh& mesh) {
   Outline outline;
@@ -45,6 +54,9 @@ Outline outline_of(const Mesh& mesh) {
       if (!cell->at_boundary(f)) {
         const std::string& other = mesh.surface_of(cell->neighbor(f));
         if (surface < other) contacts.emplace(surface, other);
+        if (surface == caisson_name && other != surface &&
+            cell->face(f)->center()[1] > lower_side(cell) + 1e-9 * cell->diameter())
+          outline.beside_caisson.insert(other);
         continue;
       }
       OuterCurve& curve = outline.outer[mesh.curve_of(cell->face(f))];
@@ -72,6 +84,7 @@ class Checker {
 
   std::vector<Objection> run() {
     check_regions();
+    check_caisson();
     check_boundaries();
     check_loads();
     check_probes();
@@ -101,6 +114,27 @@ class Checker {
       if (is(a, RegionKind::rigid) && is(b, RegionKind::rigid))
         object("regions." + b + ".kind", "the rigid regions '" + a + "' and '" + b + "' touch",
                "make them one surface in the mesh, or one of them solid");
+  }
+
+  /// F_T is read at the caisson's bottom: nothing else may hold it or take part of its force.
+  void check_caisson() {
+    const auto caisson = scene_.regions.find(caisson_name);
+    if (caisson == scene_.regions.end()) return;
+    if (caisson->second.kind == RegionKind::porous)
+      object("regions.caisson.kind", "the caisson cannot be porous",
+             "say \"rigid\" or \"solid\", or give the region another name");
+    if (caisson->second.damping)
+      object("regions.caisson.damping", "damping of the caisson would take part of the wave force before F_T is read",
+             "remove it; damp the ground instead");
+    for (const std::string& surface : outline_.beside_caisson)
+      object("regions.caisson", "the caisson touches '" + surface + "' elsewhere than at its bottom, where F_T is read",
+             "leave a gap, or make '" + surface + "' part of the surface caisson");
+    for (const auto& [name, curve] : outline_.outer)
+      if (const auto boundary = scene_.boundaries.find(name);
+          is(caisson_name, RegionKind::solid) && curve.surfaces.count(caisson_name) &&
+          boundary != scene_.boundaries.end() && boundary->second.displacement != DisplacementCondition::free)
+        object("boundaries." + name + ".displacement", "a support of the caisson would take part of the shear force",
+               "say \"free\"");
   }
 
   void check_boundaries() {
@@ -148,13 +182,34 @@ class Checker {
                "its outer curves are: " + list(keys(outline_.outer)));
         continue;
       }
-      const auto& shape = load.shape;
-      if (!shape.empty() && (shape.back()[0] <= curve->second.lowest || shape.front()[0] >= curve->second.highest))
-        object("loads." + name + ".shape",
-               "no height of the shape lies on '" + load.boundary +
-                   "', which reaches from y = " + number(curve->second.lowest) + " to " + number(curve->second.highest),
-               "give heights in the mesh's coordinates");
+      if (!load.shape.empty()) check_shape(name, load, curve->second);
     }
+  }
+
+  void check_shape(const std::string& name, const Load& load, const OuterCurve& curve) {
+    const std::string key = "loads." + name + ".shape";
+    if (curve.highest - curve.lowest <= 1e-9 * std::max(std::abs(curve.highest), 1.)) {
+      object(key, "the shape runs over the height y, but '" + load.boundary + "' lies at y = " + number(curve.lowest),
+             "remove it");
+      return;
+    }
+    if (load.shape.back()[0] <= curve.lowest || load.shape.front()[0] >= curve.highest) {
+      object(key,
+             "no height of the shape lies on '" + load.boundary + "', which reaches from y = " + number(curve.lowest) +
+                 " to " + number(curve.highest),
+             "give heights in the mesh's coordinates");
+      return;
+    }
+    constexpr int n = 1000;
+    double total = 0., size = 0.;
+    for (int i = 0; i < n; ++i) {
+      const double value = intensity(load, curve.lowest + (i + 0.5) / n * (curve.highest - curve.lowest));
+      total += value;
+      size += std::abs(value);
+    }
+    if (load.kind == LoadKind::force && std::abs(total) <= 1e-6 * size)
+      object(key, "the intensities cancel, so that no resultant force can be spread by them",
+             "use kind = \"traction\"");
   }
 
   void check_probes() {

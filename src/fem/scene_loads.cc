@@ -94,7 +94,8 @@ SceneLoads compile_loads(const Scene& scene, const Space& space, const Unknowns&
                          const std::vector<Body>& bodies, const std::optional<Caisson>& caisson,
                          const GroundReaction* reaction) {
   LoadCompiler compiler(space, unknowns, bodies, caisson, reaction);
-  for (const auto& [name, load] : scene.loads) compiler.add(name, load);
+  for (const auto& [name, load] : scene.loads)
+    if (load.factor != 0.) compiler.add(name, load);
   return std::move(compiler.out);
 }
 

@@ -79,6 +79,9 @@ void FieldWriter::write(const State& state) {
   out.add_data_vector(v, component_names("velocity_(m_s)", "darcy_velocity_(m_s)", "pore_pressure_(Pa)"),
                       DataOut<dim>::type_dof_data, interpretation);
   out.add_data_vector(x, stress);
+  DataOutBase::VtkFlags flags;
+  flags.compression_level = DataOutBase::VtkFlags::best_speed;  // the best compression takes most of a run's time
+  out.set_flags(flags);
   out.build_patches(static_cast<unsigned>(space_.degree()));
 
   char name[40];

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
+#include "upbead/base/error.h"
 #include "upbead/dynamics/interpolate.h"
 #include "upbead/fem/caisson_readings.h"
 
@@ -92,11 +94,26 @@ std::optional<double> arm_at(const CompiledScene& compiled, double time) {
   return total.arm();
 }
 
+double largest(const Samples& values) {
+  return values.cwiseAbs().maxCoeff();
+}
+
 double reaction_mismatch(const CompiledScene& compiled, const Series& balanced) {
   const Samples by_ground = samples(compiled, balanced, reading::shear_force);
   const Samples by_inertia = samples(compiled, balanced, reading::shear_by_inertia);
-  const double largest = by_ground.cwiseAbs().maxCoeff();
-  return largest > 0. ? (by_ground - by_inertia).cwiseAbs().maxCoeff() / largest : 0.;
+  const double other_forces = std::max(largest(samples(compiled, balanced, reading::force)),
+                                       largest(samples(compiled, balanced, reading::normal_force)));
+  const double scale = std::max(largest(by_ground), 1e-6 * other_forces);
+  return scale > 0. ? largest(by_ground - by_inertia) / scale : 0.;
+}
+
+/// Ratios of the peaks in the direction of the largest |P|.
+void set_ratios(ShearResponse& r, double duration) {
+  const bool seaward = -r.peak_force_seaward > r.peak_force;
+  const double force = seaward ? r.peak_force_seaward : r.peak_force;
+  const double shear = seaward ? r.peak_shear_seaward : r.peak_shear;
+  if (force != 0.) r.shear_to_force_ratio = shear / force;
+  if (std::abs(r.impulse) > 1e-9 * std::abs(force) * duration) r.shear_to_impulse = shear / r.impulse;
 }
 
 }  // namespace
@@ -114,28 +131,42 @@ ShearResponse read_shear_response(const CompiledScene& compiled, const Response&
   const TimeFunction P = force_on_caisson(compiled);
   const InsideSteps inside(compiled, response, P, response.order);
   const Samples F_T = samples(compiled, response.ends, reading::shear_force);
-  const Extremum force = extremum(P, 0., time.back(), 1);
+  const Extremum force = extremum(P, 0., time.back(), 1), force_seaward = extremum(P, 0., time.back(), -1);
   const Extremum landward = inertia ? inside.shear_force(1) : at_ends(time, F_T, 1);
   const Extremum seaward = inertia ? inside.shear_force(-1) : at_ends(time, F_T, -1);
 
   ShearResponse r;
   r.peak_force = force.value;
   r.peak_force_time = force.time;
+  r.peak_force_seaward = force_seaward.value;
+  r.peak_force_seaward_time = force_seaward.time;
   r.impulse = integral(P, 0., time.back());
   r.peak_shear = landward.value;
   r.peak_shear_time = landward.time;
   r.peak_shear_seaward = seaward.value;
   r.peak_shear_seaward_time = seaward.time;
   r.peak_shear_paper = r.peak_shear;  // no water is modelled around the caisson, so both readings are one
-  if (r.peak_force != 0.) r.shear_to_force_ratio = r.peak_shear / r.peak_force;
-  if (r.impulse != 0.) r.shear_to_impulse = r.peak_shear / r.impulse;
+  set_ratios(r, time.back());
   r.peak_displacement =
       inertia ? inside.displacement(1).value : samples(compiled, response.ends, reading::displacement_x).maxCoeff();
   r.peak_rotation = samples(compiled, response.ends, reading::rotation).maxCoeff();
-  r.arm = arm_at(compiled, r.peak_force_time);
+  const bool seaward_force = -r.peak_force_seaward > r.peak_force;
+  r.arm = arm_at(compiled, seaward_force ? r.peak_force_seaward_time : r.peak_force_time);
   r.peak_base_moment = samples(compiled, response.ends, reading::base_moment).maxCoeff();
   r.reaction_mismatch = reaction_mismatch(compiled, response.balanced);
   return r;
+}
+
+void require_balance(const ShearResponse& shear, const EnergyAccount& energy) {
+  constexpr double tolerable = 1e-6;
+  const auto require = [](double mismatch, const std::string& what) {
+    if (mismatch <= tolerable) return;
+    std::ostringstream text;
+    text << what << " by " << mismatch << "; nothing was written, as such an answer is not to be trusted";
+    throw NumericsError(text.str());
+  };
+  require(shear.reaction_mismatch, "both routes to the shear force differ");
+  require(energy.mismatch(), "the work of the loads and what became of it differ");
 }
 
 }  // namespace upbead

@@ -4,6 +4,7 @@
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 #include "upbead/algebra/factorisation.h"
 #include "upbead/base/stopwatch.h"
@@ -14,50 +15,164 @@ namespace upbead {
 namespace {
 
 constexpr double pi = boost::math::constants::pi<double>();
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Natural period of the caisson on its ground (s), 0 where no load moves it.
-double natural_period(const CompiledScene& compiled, double s) {
-  const System& system = compiled.system;
-  Vector b = Vector::Zero(system.size());
-  double force = 0.;
-  for (std::size_t k = 0; k < system.loads.size(); ++k) {
-    b += system.loads[k].vector;
-    force += compiled.loads_on_caisson[k].force_x;
+struct LoadDuration {
+  double seconds = infinity;
+  std::string load;
+  void consider(double other, const std::string& name) {
+    if (other < seconds) *this = {other, name};
   }
-  const int n = system.n_free();
-  const SparseMatrix S = (s * s * system.M + s * system.C + system.K).eval().topLeftCorner(n, n);
-  const Vector x = Factorisation(S, system.blocks).solve(b.head(n));
-  double x_G = 0.;
-  for (const auto& [i, weight] : system.readings[system.reading(reading::displacement_x)].position)
-    if (i < n) x_G += weight * x[i];
-  const double mass = compiled.caisson->body.mass;
-  const double stiffness = x_G != 0. ? force / x_G - mass * s * s : 0.;
-  return stiffness > 0. ? 2. * pi * std::sqrt(mass / stiffness) : 0.;
+};
+
+/// The shortest duration of a scene where a load jumps: a jump itself has none; infinity where it is alone.
+LoadDuration duration_beside_jumps(const Scene& scene) {
+  LoadDuration shortest;
+  std::vector<std::pair<double, std::string>> kinks;
+  for (const auto& [name, load] : scene.loads) {
+    if (load.factor == 0.) continue;
+    if (load.duration && *load.duration > 0.) shortest.consider(*load.duration, name);
+    for (double kink : load.history.kinks()) kinks.emplace_back(kink, name);
+  }
+  std::sort(kinks.begin(), kinks.end());
+  for (std::size_t i = 0; i + 1 < kinks.size(); ++i) {
+    const double distance = kinks[i + 1].first - kinks[i].first;
+    if (distance > 1e-9 * scene.time.end) shortest.consider(2. * distance, kinks[i + 1].second);
+  }
+  return shortest;
 }
 
-std::string text(const char* format, double a, double b) {
-  char buffer[160];
-  std::snprintf(buffer, sizeof buffer, format, a, b);
+LoadDuration shortest_load(const Scene& scene) {
+  const double seconds = shortest_duration(scene);
+  if (!(seconds > 0.)) return duration_beside_jumps(scene);
+  for (const auto& [name, load] : scene.loads) {
+    Scene alone;
+    alone.loads[name] = load;
+    if (shortest_duration(alone) == seconds) return {seconds, name};
+  }
+  return {};
+}
+
+/// Growth from the last kink on, if all loads keep their values from there.
+std::optional<StepGrowth> growth(const Scene& scene, double step) {
+  const double end = scene.time.end;
+  StepGrowth growth{0., end / 50.};
+  for (const auto& [name, load] : scene.loads)
+    for (double kink : load.history.kinks())
+      if (kink < end) growth.after = std::max(growth.after, kink);
+  for (const auto& [name, load] : scene.loads)
+    if (!keeps_value(load.history, growth.after, std::min(step, (end - growth.after) / 8.))) return {};
+  return growth;
+}
+
+/// Fractions measured for a tolerance of 0.5 %: docs/accuracy.md.
+double fraction(const Scene& scene, int order) {
+  return (order >= 4 ? 1. / 8. : 1. / 64.) * std::pow(scene.tolerance / 0.005, 1. / order);
+}
+
+/// Height above the centre of gravity at which the largest horizontal load pushes the caisson (m); 0 without one.
+double arm_about_centre(const CompiledScene& compiled, double end) {
+  const Caisson& caisson = *compiled.caisson;
+  double largest = 0., arm = 0.;
+  for (std::size_t k = 0; k < compiled.loads_on_caisson.size(); ++k) {
+    const LoadOnCaisson& load = compiled.loads_on_caisson[k];
+    if (!load.arm()) continue;
+    const TimeFunction& f = compiled.system.loads[k].history;
+    const double peak = std::max(extremum(f, 0., end, 1).value, -extremum(f, 0., end, -1).value);
+    if (std::abs(load.force_x) * peak <= largest) continue;
+    largest = std::abs(load.force_x) * peak;
+    arm = *load.arm() - (caisson.body.centre[1] - caisson.bottom_centre[1]);
+  }
+  return arm;
+}
+
+/// Finds the apparent period at a real s.
+class PeriodFinder {
+ public:
+  PeriodFinder(const CompiledScene& compiled, double end)
+      : system_(compiled.system), mass_(compiled.caisson->body.mass), x_G_(row(reading::displacement_x)) {
+    b_ = x_G_ + arm_about_centre(compiled, end) * row(reading::rotation);
+  }
+
+  /// 0 where the caisson does not move with the force. A light caisson on soft ground, or one that the force turns more
+  /// than it pushes, may only show a positive stiffness at a lower s.
+  double period(double s) {
+    for (int halved = 0; halved <= 4; ++halved, s /= 2.) {
+      const double x = displacement(s), stiffness = x > 0. ? 1. / x - mass_ * s * s : 0.;
+      if (stiffness > 0.) return 2. * pi * std::sqrt(mass_ / stiffness);
+    }
+    return 0.;
+  }
+  int n_factorisations() const { return n_factorisations_; }
+
+ private:
+  /// By virtue of work, the row of a displacement is the unit force that goes with it.
+  Vector row(const char* name) const {
+    Vector values = Vector::Zero(system_.n_free());
+    for (const auto& [i, weight] : system_.readings[system_.reading(name)].position)
+      if (i < values.size()) values[i] += weight;
+    return values;
+  }
+
+  double displacement(double s) {
+    const int n = system_.n_free();
+    const SparseMatrix S = (s * s * system_.M + s * system_.C + system_.K).eval().topLeftCorner(n, n);
+    ++n_factorisations_;
+    return x_G_.dot(Factorisation(S, system_.blocks).solve(b_));
+  }
+
+  const System& system_;
+  double mass_;
+  Vector x_G_, b_;
+  int n_factorisations_ = 0;
+};
+
+std::string number(double value) {
+  char buffer[32];
+  std::snprintf(buffer, sizeof buffer, "%.4g s", value);
   return buffer;
+}
+
+std::string reason(const LoadStep& loads, double period) {
+  std::string text = !loads.lone_jump ? "shortest load " + number(loads.duration)
+                     : period > 0.    ? "a lone jump"
+                                      : "a lone jump, a 20th of the end " + number(loads.duration);
+  if (period > 0.) text += ", apparent period " + number(period);
+  if (loads.growth) text += ", growing after " + number(loads.growth->after);
+  return text;
 }
 
 }  // namespace
 
+LoadStep step_of_loads(const Scene& scene, int order) {
+  const double end = scene.time.end;
+  const LoadDuration shortest = shortest_load(scene);
+  LoadStep choice;
+  choice.lone_jump = shortest.seconds == infinity && shortest_duration(scene) == 0.;
+  choice.duration = choice.lone_jump ? end / 20. : std::min(shortest.seconds, end);
+  if (shortest.seconds <= end) choice.load = shortest.load;
+  choice.largest_step = std::min(fraction(scene, order) * choice.duration, end);
+  if (!scene.time.inertia) choice.growth = growth(scene, choice.largest_step);
+  return choice;
+}
+
 StepChoice choose_step(const Scene& scene, const CompiledScene& compiled, int order) {
   const Stopwatch watch;
-  const double end = scene.time.end;
-  const double jump_free = std::min(shortest_duration(scene), end);
-  const double duration = jump_free > 0. ? jump_free : end / 20.;
+  const LoadStep loads = step_of_loads(scene, order);
   StepChoice choice;
+  choice.growth = loads.growth;
+  choice.largest_step = loads.largest_step;
   if (compiled.caisson && scene.time.inertia) {
-    choice.natural_period = natural_period(compiled, pi / duration);
-    choice.factorisations = 1;
+    PeriodFinder finder(compiled, scene.time.end);
+    double period = finder.period(pi / loads.duration);
+    // The 20th of the end is only where to start from: the period must not depend on how long the run is.
+    for (int i = 0; i < 2 && loads.lone_jump && period > 0.; ++i) period = finder.period(pi / period);
+    choice.apparent_period = period;
+    choice.factorisations = finder.n_factorisations();
+    const double of_period = std::min(fraction(scene, order) * period, scene.time.end);
+    if (period > 0.) choice.largest_step = loads.lone_jump ? of_period : std::min(of_period, loads.largest_step);
   }
-  const double period = choice.natural_period > 0. ? choice.natural_period : duration;
-  // Fractions measured for a tolerance of 0.5 %: docs/accuracy.md.
-  const double fraction = (order >= 4 ? 1. / 8. : 1. / 64.) * std::pow(scene.tolerance / 0.005, 1. / order);
-  choice.largest_step = std::min(fraction * std::min(duration, period), end);
-  choice.reason = text("shortest load %.4g s, natural period %.4g s", duration, choice.natural_period);
+  choice.reason = reason(loads, choice.apparent_period);
   choice.seconds = watch.seconds();
   return choice;
 }

@@ -66,6 +66,14 @@ TEST_F(Csv, TellsDamage) {
   EXPECT_EQ(refusal("a,b\n1,1e999\n"), "f:2:3: '1e999' is beyond the range of a number (column b)");
 }
 
+TEST_F(Csv, NamesOtherDialects) {
+  EXPECT_EQ(refusal("\n# measured\ntime,p\n0,1\n"),
+            "f:2:1: a comment ('#') stands where the names of the columns belong");
+  EXPECT_EQ(refusal("time;p\n0;1\n"), "f:1:1: the columns are separated by semicolons");
+  EXPECT_EQ(refusal("0,5;1,2\n"), "f:1:1: the columns are separated by semicolons");
+  EXPECT_EQ(refusal("time\tp\n0\t1\n"), "f:1:1: the columns are separated by tabs");
+}
+
 TEST_F(Csv, TellsSeveralButNotThousands) {
   EXPECT_EQ(refusal("a\nx\n1\ny\n"), "f:2:1: 'x' is not a number (column a)\nf:4:1: 'y' is not a number (column a)");
   std::string text = "a\n";

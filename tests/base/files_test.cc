@@ -88,6 +88,28 @@ TEST_F(OutputFolderTest, ReplacesItsOwnFilesOnly) {
   EXPECT_EQ(n_entries(), 1);
 }
 
+TEST_F(OutputFolderTest, RemovesOlderFilesOfThePatternsOnly) {
+  const fs::path target = root_ / "out";
+  fs::create_directories(target / "fields" / "fields_0009.vtu");
+  for (const char* name : {"fields.pvd", "notes.txt", "fields/fields_0001.vtu", "fields/fields_0002.vtu",
+                           "fields/fields_mine.vtu", "fields_0001.vtu"})
+    write(target / name, "old");
+  const std::vector<std::string> ours{"fields.pvd", "fields/fields_[0-9]*.vtu", "absent/*"};
+  OutputFolder fewer(target.string());
+  fewer.write("fields/fields_0001.vtu", "new");
+  fewer.commit(ours);
+  EXPECT_EQ(read(target / "fields" / "fields_0001.vtu"), "new");
+  EXPECT_FALSE(fs::exists(target / "fields.pvd"));
+  EXPECT_FALSE(fs::exists(target / "fields" / "fields_0002.vtu"));
+  for (const char* name : {"notes.txt", "fields/fields_mine.vtu", "fields/fields_0009.vtu", "fields_0001.vtu"})
+    EXPECT_TRUE(fs::exists(target / name)) << name;
+  OutputFolder none(target.string());
+  none.write("a.txt", "new");
+  none.commit(ours);
+  EXPECT_FALSE(fs::exists(target / "fields" / "fields_0001.vtu"));
+  EXPECT_TRUE(fs::exists(target / "fields" / "fields_mine.vtu"));
+}
+
 TEST_F(OutputFolderTest, SaysWhatStandsInTheWay) {
   write(root_ / "file", "");
   const std::string cure = "; choose another folder with --out DIR", root = root_.string();

@@ -38,6 +38,45 @@ TEST(PiecewiseLinear, HasKinksAtMarkedCornersOnly) {
   EXPECT_NEAR(integral(smooth, -1., 3.), 4. / M_PI, 1e-4);
 }
 
+/// A record of `n` rows, one per millisecond, with a corner at nearly every one; the largest value is 1.5, at row n
+/// / 3.
+TimeFunction noisy_record(int n) {
+  std::vector<double> time, value;
+  unsigned random = 1;
+  for (int i = 0; i < n; ++i) {
+    random = 1664525u * random + 1013904223u;
+    time.push_back(1e-3 * i);
+    value.push_back(i == n / 3 ? 1.5 : random / 4294967296.);
+  }
+  return piecewise_linear(time, value);
+}
+
+TEST(PiecewiseLinear, OfANoisyRecordHasItsEndsAsOnlyKinks) {
+  const TimeFunction few = noisy_record(40), many = noisy_record(400);
+  EXPECT_GT(few.kinks().size(), 30u);
+  EXPECT_EQ(many.kinks(), (std::vector<double>{0., 1e-3 * 399}));
+  const Extremum top = extremum(many, 0., 1., 1);
+  EXPECT_DOUBLE_EQ(top.value, 1.5);
+  EXPECT_DOUBLE_EQ(top.time, 1e-3 * 133);
+  double by_trapezia = 0.;
+  for (int i = 0; i + 1 < 400; ++i) by_trapezia += 1e-3 * many(1e-3 * (i + 0.5));
+  EXPECT_NEAR(integral(many, 0., 1.), by_trapezia, 1e-12);
+}
+
+TEST(TimeFunction, SharesALongRecordAmongSumsAndMultiples) {
+  const int n = 10000;
+  const TimeFunction record = noisy_record(n), triangle = piecewise_linear({0., 1., 3.}, {0., 2., 0.});
+  TimeFunction total = sum(scaled(record, -3.), triangle);
+  for (int i = 0; i < 10; ++i) total = sum(total, scaled(record, 0.25));
+  EXPECT_EQ(total.kinks(), (std::vector<double>{0., 1., 3., 1e-3 * (n - 1)}));
+  for (int i = 0; i + 1 < n; ++i) {
+    const double t = 1e-3 * (i + 0.4);
+    ASSERT_NEAR(total(t), -0.5 * record(t) + triangle(t), 1e-14) << t;
+  }
+  EXPECT_NEAR(integral(total, 0., 20.), -0.5 * integral(record, 0., 20.) + 3., 1e-9);
+  EXPECT_EQ(total(20.), 0.);
+}
+
 TEST(Extremum, IsSigned) {
   const auto wave = [](double t) { return std::sin(4. * t) + 0.5 * t; };
   const auto slope = [](double t) { return 4. * std::cos(4. * t) + 0.5; };

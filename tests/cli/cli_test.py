@@ -48,6 +48,35 @@ class Cli(unittest.TestCase):
         self.assertEqual(upbead("runn").returncode, 1)
         self.assertEqual(upbead("run").returncode, 1)
 
+    def test_unknown_command_is_named_with_the_nearest(self):
+        done = upbead("rum", "case.toml")
+        self.assertEqual((done.returncode, done.stdout), (1, ""))
+        self.assertEqual(done.stderr, "there is no command 'rum'; did you mean 'run'?\n")
+
+    def test_memory_that_does_not_suffice(self):
+        limit = lambda: resource.setrlimit(resource.RLIMIT_AS, (800 * 2**20,) * 2)
+        done = self.run_model("--set", "time.step=6e-8", preexec_fn=limit)
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertIn("does not fit in memory; use a coarser mesh, larger steps or fewer fields", done.stderr)
+        self.assertEqual(self.left_behind(), [])
+
+    def test_interrupted_run_leaves_nothing(self):
+        for number in (signal.SIGINT, signal.SIGTERM):
+            process = subprocess.Popen([PROGRAM, "run", CASES / "fig2b-model.toml", *QUICK, "--set", "time.step=1e-6"],
+                                       cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+            process.stdout.readline()  # the folder is made, the march about to begin
+            process.send_signal(number)
+            errors = process.communicate()[1]
+            self.assertEqual(process.returncode, 128 + number, errors)
+            self.assertIn(b"interrupted", errors)
+            self.assertEqual(self.left_behind(), [])
+
+    def test_gmsh_is_kept_from_impossible_meshes(self):
+        for setting in ("cells=1e4", "grading=1e4"):
+            done = upbead("explain", CASES / "fig2b-model.toml", "--set", f"mesh.parameters.{setting}")
+            self.assertEqual(done.returncode, 1)
+            self.assertIn("must be at most", done.stderr)
+
     def test_run_writes_three_files_that_other_programs_read(self):
         done = self.run_model()
         self.assertEqual((done.returncode, done.stderr), (0, ""), "no progress where nobody watches")
@@ -96,6 +125,11 @@ class Cli(unittest.TestCase):
         head = (result / "fields" / files[-1]).read_text(errors="replace")
         for name in ("displacement_(m)", "pore_pressure_(Pa)", "effective_stress_yy_(Pa)"):
             self.assertIn(name, head)
+        self.assertIn("case.toml, fields.pvd}", done.stdout)
+        (result / "fields/mine.vtu").write_text("mine")
+        self.run_model()
+        self.assertEqual(sorted(os.listdir(result)), ["case.toml", "fields", "results.h5", "summary.json"])
+        self.assertEqual(os.listdir(result / "fields"), ["mine.vtu"], "no older fields beside newer results")
 
     def test_shipped_cases_hold_their_identities_and_ratios(self):
         """Both routes to F_T and the energy to 1e-8 with both schemes; 0.75 is calibrated, the prototype within its band."""

@@ -1,5 +1,5 @@
-// Claims: a march records ends and balanced states, is linear in the loads, stops early only after the last kink,
-// refuses numbers that are not finite, and factorises once per step size.
+// Claims: a march records ends and balanced states, is linear in the loads, stops early only once the loads
+// are over, refuses numbers that are not finite, and factorises once per step size.
 // Tolerance of superposition: 1e-11, some hundred steps of round-off.
 #include "upbead/dynamics/march.h"
 
@@ -88,6 +88,30 @@ TEST(March, StopsEarlyOnlyAfterTheLastKink) {
   EXPECT_EQ(static_cast<int>(response.ends.reading.cols()), response.n_steps + 1);
   const auto blind = make_scheme(system, {SchemeKind::sdirk4, 0.9, false});
   EXPECT_THROW(march(system, *blind, make_time_grid({}, 1., 0.25), options), std::invalid_argument);
+}
+
+TEST(March, NeverStopsEarlyWhileALoadActs) {
+  Sample sample;
+  sample.damping = 20.;
+  System system = sample_system(sample);
+  const auto zero = [](double) { return 0.; };
+  const auto harmonic = [](double t) { return std::sin(6. * t); };
+  MarchOptions options;
+  options.stop_at_energy = 0.9;  // met again and again while each of these acts
+  const std::vector<TimeFunction> histories{
+      TimeFunction({0.}, {zero, harmonic}),
+      TimeFunction({0., 1.}, {zero, [](double t) { return 5. * (1. - t); }, [](double) { return 1e-3; }}),
+      piecewise_linear({0., 1., 1.5, 60.}, {0., 1., 0.01, 0.})};
+  for (std::size_t i = 0; i < histories.size(); ++i) {
+    system.loads = {sample_load(system, histories[i])};
+    const auto scheme = make_scheme(system);
+    const Response response = march(system, *scheme, make_time_grid(kinks(system), 40., 0.1), options);
+    EXPECT_FALSE(response.stopped_early) << i;
+    EXPECT_DOUBLE_EQ(response.ends.time.back(), 40.) << i;
+    double largest = 0.;
+    for (const EnergyAccount& energy : response.energy) largest = std::max(largest, energy.stored());
+    EXPECT_LT(response.energy.back().stored(), 0.9 * largest) << i << ": the energy alone would have stopped it";
+  }
 }
 
 // More step sizes than matrices are kept: their factors are overwritten in place.

@@ -1,4 +1,5 @@
-// Claims: steps meet every kink and the end, are no longer than asked, and are all equal where the kinks allow it.
+// Claims: steps meet every kink and the end, are no longer than asked, and are all equal where the kinks allow it;
+// growing steps double and stay below their limit; counts that no int holds are refused, not undefined.
 // Tolerance 1e-9 relative as the grid promises.
 #include "upbead/dynamics/time_grid.h"
 
@@ -63,6 +64,40 @@ TEST(TimeGrid, NearKinksMergeAndOutsideOnesAreDropped) {
   const TimeGrid grid = make_time_grid({-1., 0., 1e-12, 0.5, 0.5 + 1e-11, 1. - 1e-12, 1., 7.}, 1., 0.1);
   expect_meets(grid, {0.5}, 0.1);
   EXPECT_EQ(grid.segments.size(), 2U);
+}
+
+TEST(TimeGrid, GrowingStepsReachFar) {
+  const StepGrowth growth{0.1, 2e4};
+  const TimeGrid grid = make_time_grid({0.05, 0.1, 3e5}, 1e6, 0.0125, growth);
+  expect_meets(grid, {0.05, 0.1, 3e5}, growth.largest);
+  EXPECT_EQ(grid.segments[0].step, 0.0125);
+  EXPECT_EQ(grid.segments[1].step, 0.0125);
+  for (std::size_t i = 1; i < grid.segments.size(); ++i)
+    EXPECT_LE(grid.segments[i].step, 2. * grid.segments[i - 1].step * (1. + 1e-9)) << i;
+  EXPECT_LE(grid.n_steps(), 300);
+  EXPECT_LE(grid.n_step_sizes(), 26);
+  EXPECT_NEAR(estimated_steps(3, 1e6, 0.0125, growth), grid.n_steps(), 0.3 * grid.n_steps());
+}
+
+TEST(TimeGrid, GrowingStepsFromTheStart) {
+  const TimeGrid grid = make_time_grid({}, 100., 0.01, StepGrowth{0., 2.});
+  expect_meets(grid, {}, 2.);
+  EXPECT_EQ(grid.segments[0].step, 0.01);
+}
+
+TEST(TimeGrid, RefusesWhatNoIntCounts) {
+  EXPECT_THROW(make_time_grid({}, 1., 1e-12), std::invalid_argument);
+  EXPECT_THROW(make_time_grid({0.3}, 1e300, 1e-300), std::invalid_argument);
+  EXPECT_THROW(make_time_grid({}, 1e300, 1e-3, StepGrowth{1e299, 1e298}), std::invalid_argument);
+  EXPECT_NEAR(estimated_steps(0, 1., 1e-12), 1e12, 1.);
+}
+
+TEST(TimeGrid, AskWhetherALoadKeepsItsValue) {
+  const TimeFunction ramp({0., 1.}, {[](double) { return 0.; }, [](double t) { return t; }, [](double) { return 1.; }});
+  EXPECT_TRUE(keeps_value(ramp, 1., 0.1));
+  EXPECT_FALSE(keeps_value(ramp, 0.5, 0.1));
+  const TimeFunction sine({}, {[](double t) { return std::sin(t); }});
+  for (double t : {0., 0.3, 1.5707963267948966}) EXPECT_FALSE(keeps_value(sine, t, 0.4)) << t;
 }
 
 TEST(TimeGrid, RefusesNonsense) {

@@ -53,6 +53,31 @@ const Misfit misfits[] = {
        s.boundaries["mound_surface"].pressure.reset();
      },
      "regions.mound.kind", "touch"},
+    {"PorousCaisson",
+     [](Scene& s) {
+       s.regions["caisson"] = sand();
+       s.regions["caisson"].damping.reset();
+       s.regions["caisson"].flow = Flow::drained;
+     },
+     "regions.caisson.kind", "cannot be porous"},
+    {"DampedCaisson", [](Scene& s) { s.regions["caisson"].damping = Rayleigh(); }, "regions.caisson.damping", "F_T"},
+    {"HeldCaisson",
+     [](Scene& s) {
+       s.regions["caisson"].kind = RegionKind::solid;
+       s.boundaries["back"].displacement = DisplacementCondition::fixed;
+     },
+     "boundaries.back.displacement", "support of the caisson"},
+    {"ShapeThatCancels",
+     [](Scene& s) {
+       s.loads["impulse"].shape = {{6., -1.}, {22., 1.}};
+     },
+     "loads.impulse.shape", "cancel"},
+    {"ShapeOnALevelCurve",
+     [](Scene& s) {
+       s.loads["impulse"].boundary = "top";
+       s.loads["impulse"].shape = {{6., 1.}, {23., 1.}};
+     },
+     "loads.impulse.shape", "runs over the height"},
     {"LoadWithoutCurve", [](Scene& s) { s.loads["impulse"].boundary = "wall"; }, "loads.impulse.boundary", "'wall'"},
     {"ShapeBesideTheCurve",
      [](Scene& s) {

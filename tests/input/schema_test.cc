@@ -63,10 +63,10 @@ Node text(const std::string& value) {
 
 std::string refusal(const NodeTable& entries) {
   Thing thing;
-  Reading reading;
-  thing_schema().read({entries, {"f"}}, "", thing, reading);
+  InputReport report;
+  thing_schema().read({entries, {"f"}}, "", thing, report);
   try {
-    reading.throw_if_any("f");
+    report.throw_if_any("f");
   } catch (const InputError& error) {
     return error.what();
   }
@@ -114,7 +114,7 @@ TEST(Schema, EchoesDefaultsAndFallbacks) {
 TEST(Schema, ReadsIntoMembers) {
   Thing thing;
   thing.step = 1.;
-  Reading reading;
+  InputReport report;
   const Node parts{NodeTable{{"a", {NodeTable{{"count", number(2)}}, {}}}}, {}};
   thing_schema().read({NodeTable{{"colour", text("red")},
                                  {"width", number(4)},
@@ -122,8 +122,8 @@ TEST(Schema, ReadsIntoMembers) {
                                  {"edge", text("green")},
                                  {"parts", parts}},
                        {}},
-                      "", thing, reading);
-  EXPECT_TRUE(reading.sound(""));
+                      "", thing, report);
+  EXPECT_TRUE(report.sound(""));
   EXPECT_EQ(thing.colour, Colour::red);
   EXPECT_EQ(thing.edge, Colour::green);
   EXPECT_EQ(thing.width, 4.);
@@ -149,14 +149,14 @@ TEST(Schema, JudgesAConditionOnceItsKeyIsSound) {
 
 TEST(Schema, KnowsWhichTablesAreSound) {
   Thing thing;
-  Reading reading;
+  InputReport report;
   const Node parts{NodeTable{{"a", {NodeTable{{"count", number(9)}}, {}}}, {"b", {NodeTable{}, {}}}}, {}};
-  thing_schema().read({NodeTable{{"parts", parts}}, {}}, "", thing, reading);
-  EXPECT_FALSE(reading.sound(""));
-  EXPECT_FALSE(reading.sound("parts"));
-  EXPECT_FALSE(reading.sound("parts.a"));
-  EXPECT_TRUE(reading.sound("parts.b"));
-  EXPECT_TRUE(reading.sound("part"));
+  thing_schema().read({NodeTable{{"parts", parts}}, {}}, "", thing, report);
+  EXPECT_FALSE(report.sound(""));
+  EXPECT_FALSE(report.sound("parts"));
+  EXPECT_FALSE(report.sound("parts.a"));
+  EXPECT_TRUE(report.sound("parts.b"));
+  EXPECT_TRUE(report.sound("part"));
 }
 
 TEST(Schema, PrintsItsReference) {

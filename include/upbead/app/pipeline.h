@@ -25,7 +25,11 @@ struct CompiledCase {
   Timing timing;
 };
 
-/// Meshes, checks and compiles. Throws InputError with all objections at their places in the case.
+/// Throws InputError where a case asks for more than 1,000,000 steps or 10,000 fields, at the key that drives it; of
+/// automatic steps as far as the loads alone tell. Needs no mesh.
+void check_size(const Case& input);
+
+/// Meshes, checks (its size too) and compiles. Throws InputError with all objections at their places in the case.
 CompiledCase compile_case(const Case& input);
 
 /// What was marched.

@@ -26,14 +26,17 @@ class OutputFolder {
   /// Writes a whole text file; a full disk is an error here.
   void write(const std::string& file, const std::string& text) const;
   /// Moves everything into place, replacing files of the same name only. Nothing has been moved where it throws because
-  /// a file stands in a folder's place or the reverse. Call once, last.
-  void commit();
+  /// a file stands in a folder's place or the reverse. `replaced`: patterns of file names (* ? [] in the last part, as
+  /// in a shell) of which nothing older may stay beside the new files. Call once, last.
+  void commit(const std::vector<std::string>& replaced = {});
 
  private:
   void make_parents();
   void remove_parents();
   void make_partial();
   void check_rights() const;
+  void move_files(const std::vector<std::filesystem::path>& files) const;
+  void remove_older(const std::string& pattern, const std::vector<std::filesystem::path>& files) const;
 
   std::string name_;
   std::filesystem::path target_;                     ///< absolute, links resolved

@@ -7,7 +7,8 @@
 namespace upbead {
 
 /// A function of time f(t), smooth between its kinks (a jump or a change of slope). At a kink each piece has its own
-/// limit, so that an integrator whose steps meet the kinks only ever sees a smooth load.
+/// limit, so that an integrator whose steps meet the kinks only ever sees a smooth load. A measured record may be rough
+/// between its kinks: its samples are then known to integral() and extremum(), not to the integrator.
 class TimeFunction {
  public:
   using Piece = std::function<double(double)>;
@@ -15,24 +16,29 @@ class TimeFunction {
   /// The zero function.
   TimeFunction();
   /// pieces[i] holds between kinks[i - 1] and kinks[i]; `kinks` ascending, one piece more than kinks.
-  TimeFunction(std::vector<double> kinks, std::vector<Piece> pieces);
+  /// `samples`: ascending times between which the pieces are straight; none where they are smooth anyway.
+  TimeFunction(std::vector<double> kinks, std::vector<Piece> pieces, std::vector<double> samples = {});
 
   /// f(t) from the right at a kink.
   double operator()(double t) const;
   /// f(t) by the piece that holds the time `inside`, also at that piece's two ends.
   double operator()(double t, double inside) const;
   const std::vector<double>& kinks() const { return kinks_; }
+  const std::vector<double>& samples() const { return samples_; }
+  /// The piece that holds the time `inside`.
+  const Piece& piece(double inside) const;
 
  private:
-  std::size_t piece_at(double t) const;
-
   std::vector<double> kinks_;
   std::vector<Piece> pieces_;
+  std::vector<double> samples_;
 };
 
 /// Linear between (time[i], value[i]); zero before the first and after the last sample. `time` ascending, at least two.
 /// Kinks are the ends and those samples where the slope changes by more than a twentieth of the largest slope; a finely
-/// sampled smooth record so stays smooth for the integrator.
+/// sampled smooth record so stays smooth for the integrator. A record with more than 50 such corners is taken as
+/// measured: its ends are its only kinks, and the integrator sees a load that is rough but continuous, because to meet
+/// every corner would cost a step and a factorisation each.
 TimeFunction piecewise_linear(const std::vector<double>& time, const std::vector<double>& value);
 
 /// The sum a + b, with the kinks of both.
@@ -41,7 +47,7 @@ TimeFunction sum(const TimeFunction& a, const TimeFunction& b);
 /// scale * f.
 TimeFunction scaled(const TimeFunction& f, double scale);
 
-/// Integral of f from t0 to t1 by adaptive Gauss-Kronrod on every smooth piece (relative error 1e-9).
+/// Integral of f from t0 to t1 by adaptive Gauss-Kronrod between all kinks and samples (relative error 1e-9).
 double integral(const TimeFunction& f, double t0, double t1);
 
 /// Where a function is largest (sign = 1) or smallest (sign = -1).
@@ -50,8 +56,8 @@ struct Extremum {
   double value = 0.;
 };
 
-/// Largest (sign = 1) or smallest (sign = -1) value of f on [t0, t1], found piece by piece on `samples` points each and
-/// refined by Brent's method.
-Extremum extremum(const TimeFunction& f, double t0, double t1, int sign, int samples = 64);
+/// Largest (sign = 1) or smallest (sign = -1) value of f on [t0, t1], found piece by piece on `parts` equal
+/// parts each and at the samples, and refined by Brent's method.
+Extremum extremum(const TimeFunction& f, double t0, double t1, int sign, int parts = 64);
 
 }  // namespace upbead

@@ -32,7 +32,9 @@ struct Response {
 struct MarchOptions {
   /// Called at t = 0 (step 0) and after every step; n_steps is that of the whole grid.
   std::function<void(const State&, int step, int n_steps)> observer;
-  /// After the last kink of the loads, stop once the stored energy falls below this fraction of its largest; 0: never.
+  /// Stop once the loads are over and the stored energy has fallen below this fraction of its largest; 0: never. Loads
+  /// are over past the last kink before the end where all are zero and keep that (keeps_value); what prescribes a
+  /// motion counts too. A step, a harmonic or a triangle that outlasts the march so never stop early.
   double stop_at_energy = 0.;
 };
 

@@ -1,6 +1,7 @@
 // Steps in time that meet every kink of the loads.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "upbead/system/system.h"
@@ -24,11 +25,28 @@ struct TimeGrid {
   int n_step_sizes() const;
 };
 
+/// Steps that grow once the loads keep their values: from `after` (s) on they double every 8 steps, up to `largest`
+/// (s).
+struct StepGrowth {
+  double after = 0.;
+  double largest = 0.;
+};
+
 /// Steps of at most `largest_step` (s) that meet `end` (s) and every kink in (0, end); kinks closer than 1e-9 end
 /// merge. Where there is a common step in [largest_step / 2, largest_step] that divides every distance between kinks
 /// (to 1e-9 relative), it is used throughout, so that one factorisation does; else each segment has its own, equal ones
-/// made bitwise equal. Throws std::invalid_argument where end or largest_step is not positive.
-TimeGrid make_time_grid(std::vector<double> kinks, double end, double largest_step);
+/// made bitwise equal. Where they grow, they do so after `growth->after`, a kink. Throws std::invalid_argument where
+/// end or largest_step is not positive or the steps are too many for an int.
+TimeGrid make_time_grid(std::vector<double> kinks, double end, double largest_step,
+                        const std::optional<StepGrowth>& growth = {});
+
+/// About how many steps such a grid has (at most twice as many, where a common step is found), without making it.
+double estimated_steps(std::size_t n_kinks, double end, double largest_step,
+                       const std::optional<StepGrowth>& growth = {});
+
+/// Whether f keeps its value from t on, as far as samples up to 7.1 h later tell: exact for what is constant, and no
+/// period of a harmonic that steps of h resolve divides the distances of the samples.
+bool keeps_value(const TimeFunction& f, double t, double h);
 
 /// The kinks of all loads of a system, ascending.
 std::vector<double> kinks(const System& system);

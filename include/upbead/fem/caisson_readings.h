@@ -16,6 +16,7 @@ inline const char* const force = "force";                              ///< P, h
 inline const char* const shear_force = "shear_force";                  ///< F_T by route (ii), the ground's reaction
 inline const char* const inertia_force = "inertia_force";              ///< P - F_T = m x_G'' in balance
 inline const char* const shear_by_inertia = "shear_force_by_inertia";  ///< F_T by route (i), P - m x_G''
+inline const char* const normal_force = "normal_force";
 inline const char* const base_moment = "base_moment";
 inline const char* const displacement_x = "caisson/displacement_x";
 inline const char* const velocity_x = "caisson/velocity_x";

@@ -10,8 +10,9 @@ namespace upbead {
 
 /// All objections, with keys of the case ("regions.rubble", "boundaries", "probes.A.at"): surfaces without a region,
 /// regions without a surface, outer curves without a condition, conditions for no outer curve, a missing or superfluous
-/// pressure condition, supports on a rigid region, rigid regions that touch, loads on curves that are not there or have
-/// no length in their table of intensities, probes outside the mesh.
+/// pressure condition, supports on a rigid region, rigid regions that touch, a caisson that something else than its
+/// bottom holds or that is damped, loads on curves that are not there or have no length in their table of intensities,
+/// probes outside the mesh.
 std::vector<Objection> check_scene(const Scene& scene, const Mesh& mesh);
 
 }  // namespace upbead

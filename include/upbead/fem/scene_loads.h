@@ -28,8 +28,8 @@ struct SceneLoads {
   std::vector<std::array<double, n_motions>> on_shared_nodes;
 };
 
-/// One load of the system per load of the scene, and one more where it prescribes a pore pressure. `reaction` is needed
-/// where there is a caisson.
+/// One load of the system per load of the scene whose factor is not 0, and one more where it prescribes a pore
+/// pressure. `reaction` is needed where there is a caisson.
 SceneLoads compile_loads(const Scene& scene, const Space& space, const Unknowns& unknowns,
                          const std::vector<Body>& bodies, const std::optional<Caisson>& caisson,
                          const GroundReaction* reaction);

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "upbead/input/reading.h"
+#include "upbead/input/input_report.h"
 #include "upbead/input/values.h"
 
 namespace upbead {
@@ -49,7 +49,7 @@ class Entry {
   std::string decisive;
   std::function<bool(const T&)> condition;
   /// Reads `node`, which stands at the dotted path, into the object.
-  std::function<void(const KeyInfo&, const Node& node, const std::string& path, T& object, Reading&)> read;
+  std::function<void(const KeyInfo&, const Node& node, const std::string& path, T& object, InputReport&)> read;
   /// The value as TOML, "" where it is not given or a table with its own header.
   std::function<std::string(const KeyInfo&, const T&)> print;
   /// Tables below, with headers.

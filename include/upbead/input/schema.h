@@ -40,8 +40,8 @@ class TableSchema {
   template <class U, class Base>
   Entry<T>& tables(const std::string& name, std::map<std::string, U> Base::*member, const TableSchema<U>& schema);
 
-  /// Reads the table `node` at the dotted path ("" for the root) into `object`; mistakes go to `reading`.
-  void read(const Node& node, const std::string& path, T& object, Reading& reading) const;
+  /// Reads the table `node` at the dotted path ("" for the root) into `object`; mistakes go to `report`.
+  void read(const Node& node, const std::string& path, T& object, InputReport& report) const;
   /// `object` as TOML with all defaults spelled out, readable by read().
   std::string echo(const T& object, const std::string& path = "") const;
   /// Every table and key, depth first.

@@ -7,8 +7,9 @@ template <class T>
 template <class V, class Base>
 Entry<T>& TableSchema<T>::key(const std::string& name, V Base::*member) {
   Entry<T>& entry = add(name);
-  entry.read = [member](const KeyInfo& info, const Node& node, const std::string& path, T& object, Reading& reading) {
-    for (const Mistake& mistake : read_value(node, info, object.*member)) reading.add(path, mistake);
+  entry.read = [member](const KeyInfo& info, const Node& node, const std::string& path, T& object,
+                        InputReport& report) {
+    for (const Mistake& mistake : read_value(node, info, object.*member)) report.add(path, mistake);
   };
   entry.print = [member](const KeyInfo& info, const T& object) { return print_value(info, object.*member); };
   entry.type = [](const KeyInfo& info) { return type_text(info, static_cast<const V*>(nullptr)); };
@@ -31,10 +32,10 @@ Entry<T>& TableSchema<T>::choice(const std::string& name, V Base::*member,
   Entry<T>& entry = add(name);
   for (const auto& [word, value] : words) entry.info.words.push_back(word);
   entry.read = [member, words](const KeyInfo& info, const Node& node, const std::string& path, T& object,
-                               Reading& reading) {
+                               InputReport& report) {
     std::size_t index = 0;
     const Verdict verdict = read_word(node, info, index);
-    for (const Mistake& mistake : verdict) reading.add(path, mistake);
+    for (const Mistake& mistake : verdict) report.add(path, mistake);
     if (verdict.empty()) object.*member = words[index].second;
   };
   entry.print = [member, words](const KeyInfo&, const T& object) {
@@ -51,9 +52,8 @@ template <class T>
 template <class U, class Make, class Find>
 Entry<T>& TableSchema<T>::add_table(const std::string& name, const TableSchema<U>& schema, Make make, Find find) {
   Entry<T>& entry = add(name);
-  entry.read = [schema, make](const KeyInfo&, const Node& node, const std::string& path, T& object, Reading& reading) {
-    schema.read(node, path, make(object), reading);
-  };
+  entry.read = [schema, make](const KeyInfo&, const Node& node, const std::string& path, T& object,
+                              InputReport& report) { schema.read(node, path, make(object), report); };
   entry.print_tables = [schema, find](const T& object, const std::string& path) {
     const U* part = find(object);
     return part ? schema.echo(*part, path) : std::string();
@@ -92,11 +92,11 @@ Entry<T>& TableSchema<T>::tables(const std::string& name, std::map<std::string, 
                                  const TableSchema<U>& schema) {
   Entry<T>& entry = add(name);
   entry.read = [member, schema](const KeyInfo&, const Node& node, const std::string& path, T& object,
-                                Reading& reading) {
-    if (!check_is_table(node, path, reading)) return;
+                                InputReport& report) {
+    if (!check_is_table(node, path, report)) return;
     for (const auto& [key, item] : *node.table())
-      if (check_is_table(item, dotted(path, key), reading))
-        schema.read(item, dotted(path, key), (object.*member)[key], reading);
+      if (check_is_table(item, dotted(path, key), report))
+        schema.read(item, dotted(path, key), (object.*member)[key], report);
   };
   entry.print_tables = [member, schema](const T& object, const std::string& path) {
     std::string text;
@@ -117,20 +117,20 @@ std::vector<std::string> TableSchema<T>::names() const {
 }
 
 template <class T>
-void TableSchema<T>::read(const Node& node, const std::string& path, T& object, Reading& reading) const {
-  if (!check_is_table(node, path, reading)) return;
-  check_known(node, path, names(), reading);
+void TableSchema<T>::read(const Node& node, const std::string& path, T& object, InputReport& report) const {
+  if (!check_is_table(node, path, report)) return;
+  check_known(node, path, names(), report);
   for (const Entry<T>& entry : entries_) {
     const KeyInfo& info = entry.info;
     const Node* value = node.find(info.name);
-    const bool decided = entry.decisive.empty() || reading.sound(dotted(path, entry.decisive));
+    const bool decided = entry.decisive.empty() || report.sound(dotted(path, entry.decisive));
     const bool belongs = entry.belongs_to(object);
     if (value && decided && !belongs)
-      report_misplaced(info, *value, path, reading);
+      report_misplaced(info, *value, path, report);
     else if (value)
-      entry.read(info, *value, dotted(path, info.name), object, reading);
+      entry.read(info, *value, dotted(path, info.name), object, report);
     else if (info.required && decided && belongs)
-      report_missing(info, entry.type ? entry.type(info) : "", node, path, reading);
+      report_missing(info, entry.type ? entry.type(info) : "", node, path, report);
   }
 }
 

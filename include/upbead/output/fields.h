@@ -11,6 +11,9 @@
 
 namespace upbead {
 
+/// Patterns of the files that a FieldWriter writes, for OutputFolder::commit().
+inline const std::vector<std::string> field_files{"fields.pvd", "fields/fields_[0-9][0-9][0-9][0-9]*.vtu"};
+
 /// Writes displacement, velocity, pore pressure and effective stress (of solid regions: stress), each with its unit in
 /// its name. VTU holds single precision: for pictures, not a record.
 class FieldWriter {

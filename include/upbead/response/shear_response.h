@@ -10,18 +10,20 @@ namespace upbead {
 
 /// Peaks are signed: landward positive (SI, per metre of breakwater).
 struct ShearResponse {
-  double peak_force = 0., peak_force_time = 0.;                  ///< of P (N/m, s)
+  double peak_force = 0., peak_force_time = 0.;                  ///< largest P, landward (N/m, s)
+  double peak_force_seaward = 0., peak_force_seaward_time = 0.;  ///< least P
   double impulse = 0.;                                           ///< integral of P over the march (N s/m)
   double peak_shear = 0., peak_shear_time = 0.;                  ///< largest F_T, landward (N/m, s)
   double peak_shear_seaward = 0., peak_shear_seaward_time = 0.;  ///< least F_T
   double peak_shear_paper = 0.;                                  ///< largest P - m x_G'' (the paper's reading)
-  double shear_to_force_ratio = 0.;                              ///< peak_shear / peak_force
-  double shear_to_impulse = 0.;                                  ///< peak_shear / impulse (1/s)
-  double peak_displacement = 0.;                                 ///< largest x_G (m)
-  double peak_rotation = 0.;                                     ///< largest rotation (rad)
-  std::optional<double> arm;                                     ///< of P above the bottom when P is largest (m)
-  double peak_base_moment = 0.;                                  ///< N m/m
-  double reaction_mismatch = 0.;  ///< largest difference of both routes to F_T over largest |F_T|
+  /// Peak F_T / peak P, both landward, or both seaward where the largest |P| is seaward; none where P is 0 throughout.
+  std::optional<double> shear_to_force_ratio;
+  std::optional<double> shear_to_impulse;  ///< the same peak F_T / impulse (1/s); none where that is round-off
+  double peak_displacement = 0.;           ///< largest x_G (m)
+  double peak_rotation = 0.;               ///< largest rotation (rad)
+  std::optional<double> arm;               ///< of P above the bottom when P is largest (m)
+  double peak_base_moment = 0.;            ///< N m/m
+  double reaction_mismatch = 0.;           ///< largest difference of both routes to F_T, see require_balance
 };
 
 /// The horizontal load P(t) on the caisson, all loads together.
@@ -31,5 +33,10 @@ TimeFunction force_on_caisson(const CompiledScene& compiled);
 /// polynomial through x_G, x_G' and x_G'' = (P - F_T)/m at both ends (schemes of order 4), or with x_G'' linear between
 /// them (of order 2); without inertia the ends of the steps alone.
 ShearResponse read_shear_response(const CompiledScene& compiled, const Response& response, bool inertia);
+
+/// Throws NumericsError where both routes to F_T, or the work and what it became, differ by more than 1e-6: then the
+/// answer is not to be trusted. The mismatch of the routes is relative to the largest |F_T|, or, where F_T vanishes by
+/// symmetry, to a millionth of the largest of |P| and the change of the normal force.
+void require_balance(const ShearResponse& shear, const EnergyAccount& energy);
 
 }  // namespace upbead

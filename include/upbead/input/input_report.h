@@ -10,7 +10,7 @@
 namespace upbead {
 
 /// Later checks across keys look at sound tables only, so that one slip is not reported twice.
-class Reading {
+class InputReport {
  public:
   /// `path`: dotted path of the key (or table) that is wrong; all tables around it become unsound.
   void add(const std::string& path, const Mistake& mistake);

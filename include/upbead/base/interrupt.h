@@ -1,0 +1,25 @@
+// Ctrl-C and kill end a run in an orderly way: by an exception, so that nothing half-made stays on the disk.
+#pragma once
+
+#include <exception>
+
+namespace upbead {
+
+/// The person (SIGINT) or the system (SIGTERM) wants the program to end.
+class Interrupted : public std::exception {
+ public:
+  explicit Interrupted(int signal) : signal_(signal) {}
+  int signal() const { return signal_; }
+  const char* what() const noexcept override { return "interrupted"; }
+
+ private:
+  int signal_;
+};
+
+/// From now on SIGINT and SIGTERM are only noted, each once: a second one ends the program at once.
+void note_interrupts();
+
+/// Throws Interrupted where a signal has been noted. Call between the steps of long work.
+void check_interrupt();
+
+}  // namespace upbead

@@ -1,0 +1,33 @@
+#include "upbead/base/interrupt.h"
+
+#include <csignal>
+#include <initializer_list>
+
+namespace upbead {
+
+namespace {
+
+volatile std::sig_atomic_t noted = 0;
+
+void note(int signal) {
+  noted = signal;
+}
+
+}  // namespace
+
+void note_interrupts() {
+  struct sigaction action = {};
+  action.sa_handler = note;
+  action.sa_flags = static_cast<int>(SA_RESETHAND) | SA_RESTART;
+  for (int signal : {SIGINT, SIGTERM}) {
+    struct sigaction before = {};
+    sigaction(signal, nullptr, &before);
+    if (before.sa_handler != SIG_IGN) sigaction(signal, &action, nullptr);  // nohup and background jobs ignore theirs
+  }
+}
+
+void check_interrupt() {
+  if (noted != 0) throw Interrupted(noted);
+}
+
+}  // namespace upbead
