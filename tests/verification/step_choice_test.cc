@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "scenes.h"
+#include "upbead/algebra/factorisation.h"
 
 namespace upbead::test {
 namespace {
@@ -57,6 +58,28 @@ TEST_F(StepChoiceOfBreakwater, PeriodDoesNotDependOnLoadsOnTheGround) {
   const double through_centre = choose(scene).apparent_period;
   EXPECT_GT(through_centre, 0.5 * alone);
   EXPECT_LT(through_centre, 2. * alone);
+}
+
+// The force rebuilt from the caisson's rows is the load itself: a rigid body feels its resultant and arm alone.
+TEST_F(StepChoiceOfBreakwater, PeriodIsThatOfTheLoadItself) {
+  std::vector<double> periods;
+  for (const std::array<double, 2>& intensity : {std::array<double, 2>{1., 0.}, {0., 1.}}) {
+    Scene scene = breakwater(triangle(1e6, 0.15));
+    scene.loads["impulse"].shape = {{6., intensity[0]}, {22., intensity[1]}};
+    const Compiled compiled(scene, *mesh_);
+    const System& system = compiled.scene.system;
+    const double s = std::acos(-1.) / 0.15, mass = compiled.scene.caisson->body.mass;
+    ASSERT_EQ(system.n_prescribed, 0);
+    const Vector x = Factorisation(s * s * system.M + s * system.C + system.K, system.blocks)
+                         .solve(system.loads[0].vector / compiled.scene.loads_on_caisson[0].force_x);
+    double x_G = 0.;
+    for (const auto& [i, weight] : system.readings[system.reading("caisson/displacement_x")].position)
+      x_G += weight * x[i];
+    const double expected = 2. * std::acos(-1.) * std::sqrt(mass / (1. / x_G - mass * s * s));
+    periods.push_back(choose(scene).apparent_period);
+    EXPECT_NEAR(periods.back() / expected, 1., 1e-9);  // round-off of two solves
+  }
+  EXPECT_GT(periods[1], 1.05 * periods[0]) << "a force high up also turns the caisson";
 }
 
 TEST_F(StepChoiceOfBreakwater, LoneJumpDoesNotDependOnTheEnd) {
