@@ -166,7 +166,7 @@ std::vector<Skipped> skipped(const Case& input, const CompiledCase& scene) {
   for (const auto& [name, load] : input.scene.loads)
     if (load.factor == 0.) {
       list.push_back({"load " + name, "its factor is 0"});
-    } else if (const auto& samples = load.history.samples(); samples.size() > 1) {
+    } else if (const auto& samples = load.history.samples(); is_rough(load.history)) {
       list.push_back({"steps that meet the corners of load " + name,
                       "a rough record of " + std::to_string(samples.size()) +
                           " samples: F_T errs by some of its roughness (8 % for noise of 1 % measured); smooth it, or "

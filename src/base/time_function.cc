@@ -129,6 +129,23 @@ std::vector<double> points_within(const TimeFunction& f, double begin, double en
 
 }  // namespace
 
+bool is_rough(const TimeFunction& f) {
+  const std::vector<double>& time = f.samples();
+  std::vector<double> slopes;
+  for (std::size_t i = 0; i + 1 < time.size(); ++i) {
+    const double middle = 0.5 * (time[i] + time[i + 1]);
+    slopes.push_back((f(time[i + 1], middle) - f(time[i], middle)) / (time[i + 1] - time[i]));
+  }
+  double largest = 0.;
+  for (const double slope : slopes) largest = std::max(largest, std::abs(slope));
+  std::size_t corners = 0;
+  for (std::size_t i = 1; i < slopes.size(); ++i)
+    if (std::abs(slopes[i] - slopes[i - 1]) > 0.05 * largest &&
+        !std::binary_search(f.kinks().begin(), f.kinks().end(), time[i]))
+      ++corners;
+  return corners > max_corners;
+}
+
 double integral(const TimeFunction& f, double t0, double t1) {
   using Rule = boost::math::quadrature::gauss_kronrod<double, 15>;
   double total = 0.;

@@ -95,4 +95,17 @@ TEST(Extremum, IsFoundAtAJump) {
   EXPECT_EQ(extremum(f, 0., 3., 1).time, 2.);
 }
 
+TEST(IsRough, TellsANoisyRecordFromADrawnOrSmoothOne) {
+  std::vector<double> time, smooth, noisy;
+  for (int i = 0; i <= 400; ++i) {
+    time.push_back(i / 400.);
+    smooth.push_back(std::sin(3. * time.back()));
+    noisy.push_back(smooth.back() + (i % 2 == 0 ? 0.01 : -0.01));
+  }
+  EXPECT_FALSE(is_rough(piecewise_linear({0., 0.5, 1.}, {0., 1., 0.})));
+  EXPECT_FALSE(is_rough(piecewise_linear(time, smooth)));
+  EXPECT_TRUE(is_rough(piecewise_linear(time, noisy)));
+  EXPECT_FALSE(is_rough(TimeFunction()));
+}
+
 }  // namespace upbead

@@ -41,6 +41,9 @@ class TimeFunction {
 /// every corner would cost a step and a factorisation each.
 TimeFunction piecewise_linear(const std::vector<double>& time, const std::vector<double>& value);
 
+/// Whether f has more corners between its kinks than piecewise_linear makes kinks of: a measured, noisy record.
+bool is_rough(const TimeFunction& f);
+
 /// The sum a + b, with the kinks of both.
 TimeFunction sum(const TimeFunction& a, const TimeFunction& b);
 
