@@ -43,12 +43,13 @@ bool GeneralisedAlpha::loads_start_anew(double t, double h) {
   return false;
 }
 
-/// x''(t+) where M may be singular: two steps of backward Euler so small that only what jumps moves. The first carries
-/// over what jumps without mass to hold it (a pressure that only obeys a constraint, a prescribed velocity), the second
-/// finds x'' of the consistent state. Time stands still meanwhile, an error of 2e-6 h.
+/// x''(t+) where M may be singular: three steps of backward Euler so small that only what jumps moves. The first
+/// carries over what jumps without mass to hold it (a displacement in a quasi-static scene), the second what jumps in
+/// x' (a pressure that only obeys a constraint, a prescribed velocity), the third finds x'' of the consistent state.
+/// Time stands still meanwhile, an error of 3e-6 h.
 void GeneralisedAlpha::start_anew(State& state, double h) {
   const double t = state.time;
-  for (int i = 0; i < 2; ++i) {
+  for (int i = 0; i < 3; ++i) {
     euler_.step(state, 1e-6 * h, t + 0.5 * h, matrices_, meter());
     state.time = t;
     ++n_solves_;

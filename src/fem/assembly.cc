@@ -4,6 +4,7 @@
 #include <deal.II/hp/fe_values.h>
 
 #include "upbead/fem/kernels.h"
+#include "upbead/fem/open_sides.h"
 
 namespace upbead {
 
@@ -13,27 +14,33 @@ namespace {
 
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
-/// Adds a cell's matrix, each degree of freedom spread over the unknowns of its expansion.
-void scatter(const FullMatrix<double>& local, const std::vector<types::global_dof_index>& dofs,
-             const Unknowns& unknowns, Triplets& triplets) {
-  for (unsigned i = 0; i < dofs.size(); ++i)
-    for (unsigned j = 0; j < dofs.size(); ++j) {
+/// Adds a local matrix, each of its rows and columns spread over the unknowns of its expansion.
+void scatter(const FullMatrix<double>& local, const std::vector<const Row*>& rows, Triplets& triplets) {
+  for (unsigned i = 0; i < rows.size(); ++i)
+    for (unsigned j = 0; j < rows.size(); ++j) {
       if (local(i, j) == 0.) continue;
-      for (const auto& [row, a] : unknowns.expansion(static_cast<unsigned>(dofs[i])))
-        for (const auto& [column, b] : unknowns.expansion(static_cast<unsigned>(dofs[j])))
-          triplets.emplace_back(row, column, a * b * local(i, j));
+      for (const auto& [row, a] : *rows[i])
+        for (const auto& [column, b] : *rows[j]) triplets.emplace_back(row, column, a * b * local(i, j));
     }
 }
 
-/// M, C and K of the whole system, from cells that deform and bodies that do not.
+/// M, C and K of the whole system, from cells that deform, open sides, and bodies that do not deform.
 class Assembly {
  public:
   explicit Assembly(const Unknowns& unknowns) : unknowns_(unknowns) {}
 
   void add(const CellMatrices& cell, const std::vector<types::global_dof_index>& dofs) {
-    scatter(cell.M, dofs, unknowns_, M_);
-    scatter(cell.C, dofs, unknowns_, C_);
-    scatter(cell.K, dofs, unknowns_, K_);
+    std::vector<const Row*> rows;
+    for (const auto dof : dofs) rows.push_back(&unknowns_.expansion(static_cast<unsigned>(dof)));
+    scatter(cell.M, rows, M_);
+    scatter(cell.C, rows, C_);
+    scatter(cell.K, rows, K_);
+  }
+
+  void add(const OpenFace& face) {
+    std::vector<const Row*> rows;
+    for (const Row& row : face.rows) rows.push_back(&row);
+    scatter(face.C, rows, C_);
   }
 
   void add(const std::vector<Body>& bodies) {
@@ -81,6 +88,7 @@ void assemble(const Scene& scene, const Space& space, const Unknowns& unknowns, 
     assembly.add(cell_matrices, dofs);
     if (reaction && space.mesh().surface_of(cell) != caisson_name) reaction->add(cell_matrices, dofs);
   }
+  for_each_open_face(scene, space, unknowns, [&](const OpenFace& face) { assembly.add(face); });
   if (scene.time.inertia) assembly.add(bodies);
   assembly.write(system);
 }

@@ -128,49 +128,6 @@ void add_supports(Constraints& constraints, const Space& space, const Scene& sce
   add_rollers(constraints, rollers);
 }
 
-/// Degrees of freedom of phi on a face, with the heights of their nodes.
-std::vector<std::pair<types::global_dof_index, double>> heights_of_phi(const Space& space, const Cell& cell,
-                                                                       unsigned f) {
-  std::vector<std::pair<types::global_dof_index, double>> list;
-  const auto dofs = face_dofs(cell, f);
-  const auto& phi = cell->get_fe().base_element(2);
-  for (unsigned i = 0; i < dofs.size(); ++i) {
-    const auto [component, node] = cell->get_fe().face_system_to_component_index(i, f);
-    if (component != phi_component) continue;
-    const Point<dim> unit = phi.unit_support_point(phi.face_to_cell_index(node, f));
-    list.emplace_back(dofs[i], space.mapping().transform_unit_to_real_cell(cell, unit)[1]);
-  }
-  return list;
-}
-
-/// What the loads of the open curves at a node prescribe there: unknown -> intensity, by curve.
-using PrescribedByCurve = std::map<std::string, std::map<types::global_dof_index, double>>;
-
-/// phi' = sum over the loads of intensity(y) f(t) on open sides; phi = 0 where no load acts. Where loaded curves meet,
-/// the node takes the mean of what each of them prescribes.
-void add_open_sides(Constraints& constraints, const Space& space, const Scene& scene,
-                    const std::vector<std::string>& prescribing, types::global_dof_index first) {
-  std::map<types::global_dof_index, PrescribedByCurve> nodes;
-  for_each_boundary_face(space, scene,
-                         [&](const Cell& cell, unsigned f, const std::string& curve, const Boundary& boundary) {
-                           if (boundary.pressure != PressureCondition::open || !space.has_pressure(cell)) return;
-                           for (const auto& [dof, y] : heights_of_phi(space, cell, f)) {
-                             PrescribedByCurve& node = nodes[dof];
-                             for (std::size_t l = 0; l < prescribing.size(); ++l)
-                               if (const Load& load = scene.loads.at(prescribing[l]); load.boundary == curve)
-                                 node[curve][first + l] = intensity(load, y);
-                           }
-                         });
-  for (const auto& [dof, node] : nodes) {
-    if (constraints.is_constrained(dof)) continue;
-    constraints.add_line(dof);
-    std::map<types::global_dof_index, double> mean;
-    for (const auto& curve : node)
-      for (const auto& [unknown, weight] : curve.second) mean[unknown] += weight / static_cast<double>(node.size());
-    for (const auto& [unknown, weight] : mean) constraints.add_entry(dof, unknown, weight);
-  }
-}
-
 }  // namespace
 
 std::vector<std::string> pressure_prescribing_loads(const Space& space, const Scene& scene) {
@@ -189,13 +146,11 @@ std::vector<std::string> pressure_prescribing_loads(const Space& space, const Sc
   return names;
 }
 
-Constraints make_constraints(const Space& space, const Scene& scene, const std::vector<Body>& bodies,
-                             const std::vector<std::string>& prescribing) {
+Constraints make_constraints(const Space& space, const Scene& scene, const std::vector<Body>& bodies) {
   Constraints constraints;
   DoFTools::make_hanging_node_constraints(space.dofs(), constraints);
   add_rigid(constraints, space, bodies);
   add_supports(constraints, space, scene);
-  add_open_sides(constraints, space, scene, prescribing, space.dofs().n_dofs() + n_motions * bodies.size());
   constraints.close();
   return constraints;
 }

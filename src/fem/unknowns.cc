@@ -44,7 +44,7 @@ Layout layout_of(const Space& space) {
 
 Unknowns::Unknowns(const Space& space, const Scene& scene, const std::vector<Body>& bodies)
     : prescribed_(pressure_prescribing_loads(space, scene)) {
-  number(space, make_constraints(space, scene, bodies, prescribed_), n_motions * bodies.size());
+  number(space, make_constraints(space, scene, bodies), n_motions * bodies.size());
 }
 
 void Unknowns::number(const Space& space, const AffineConstraints<double>& constraints, std::size_t n_coordinates) {

@@ -16,8 +16,9 @@ ALLOWED = {
     "fem": FEM,
     "dynamics": ["base", "algebra", "system"],
     "response": FEM + ["fem", "dynamics"],
-    "output": FEM + ["fem", "dynamics", "response"],
-    "app": FEM + ["input", "fem", "dynamics", "response", "output"],
+    "sliding": ["base"],
+    "output": FEM + ["fem", "dynamics", "response", "sliding"],
+    "app": FEM + ["input", "fem", "dynamics", "response", "sliding", "output"],
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s+"upbead/([^/"]+)/')
 

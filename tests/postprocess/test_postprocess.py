@@ -130,6 +130,34 @@ class Figures(unittest.TestCase):
         self.assertIn(message, done.stderr)
         self.assertNotIn("Traceback", done.stderr)
 
+    def make_records(self, error=1e-4):
+        curve = {"panel": "p", "x": "time (s)", "y": "p (Pa)", "label": "", "abscissa": [0, 1], "exact": [0, 1]}
+        curve["computed"] = [0, 1.01]
+        checks = [{"what": "p over q", "value": error, "limit": 1e-3, "kind": "at_most"}]
+        checks += [{"what": "order of u", "value": 1.98, "limit": 1.9, "kind": "at_least"}]
+        checks += [{"what": "order of p", "value": 1.5, "limit": None, "kind": "measured"}]
+        record = {"problem": "terzaghi", "test": "a.b", "checks": checks, "curves": [curve]}
+        (self.folder / "a.b.json").write_text(json.dumps(record), encoding="utf-8")
+
+    def test_verification(self):
+        self.make_records()
+        docs = self.folder / "docs"
+        figure = docs / "figures/verification/terzaghi.png"
+        self.expect_figure(self.script("verification.py", self.folder, docs), figure, b"\x89PNG")
+        text = (docs / "verification.md").read_text(encoding="utf-8")
+        self.assertIn("| p over q | 1.0e-04 | 0.001 |", text)
+        self.assertIn("| order of u | 1.98 | at least 1.9 |", text)
+        self.assertIn("| [Terzaghi's consolidation](#terzaghis-consolidation) | 2 | none | 10 % |", text)
+        self.assertEqual(self.script("verification.py", self.folder, docs, "--check").returncode, 0)
+        self.make_records(error=2e-3)
+        self.expect_error(self.script("verification.py", self.folder, docs, "--check"), "not met: p over q")
+        self.make_records(error=None)  # a number that is not finite
+        self.script("verification.py", self.folder, docs)
+        self.assertIn("| not finite | 0.001 **not met** |", (docs / "verification.md").read_text(encoding="utf-8"))
+
+    def test_verification_without_results(self):
+        self.expect_error(self.script("verification.py", self.folder, self.folder), "holds no results")
+
     def test_response_of_caisson(self):
         self.make_result(add_caisson, add_probes)
         self.expect_figure(self.script("response.py", self.folder), self.folder / "figure.png", b"\x89PNG")

@@ -1,4 +1,4 @@
-// Essential conditions: rigid regions, fixed and roller sides, open sides and prescribed pressures.
+// Essential conditions: rigid regions, fixed and roller sides.
 #pragma once
 
 #include <deal.II/lac/affine_constraints.h>
@@ -15,9 +15,8 @@ namespace upbead {
 std::vector<std::string> pressure_prescribing_loads(const Space& space, const Scene& scene);
 
 /// All constraints on the degrees of freedom of the space. Indices from n_dofs() on stand for the rigid bodies'
-/// coordinates (three each), then for the prescribed pressures (one per entry of `prescribing`).
+/// coordinates (three each).
 dealii::AffineConstraints<double> make_constraints(const Space& space, const Scene& scene,
-                                                   const std::vector<Body>& bodies,
-                                                   const std::vector<std::string>& prescribing);
+                                                   const std::vector<Body>& bodies);
 
 }  // namespace upbead

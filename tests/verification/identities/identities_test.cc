@@ -70,7 +70,7 @@ TEST(Balance, IsRequired) {
   EXPECT_THROW(require_balance(shear, EnergyAccount()), NumericsError);
 }
 
-TEST(PorePressure, IsTheMeanWhereTwoLoadedCurvesMeet) {
+TEST(PorePressure, IsThatOfTheLoadsWhereTwoLoadedCurvesMeet) {
   Scene scene = breakwater(triangle(1e5, 0.15));
   Load& wave = scene.loads["impulse"];
   wave.kind = LoadKind::pressure;
@@ -81,7 +81,8 @@ TEST(PorePressure, IsTheMeanWhereTwoLoadedCurvesMeet) {
   const auto mesh = breakwater_mesh(0.5);
   const Compiled compiled(scene, *mesh);
   const Response response = run(compiled, 0.15, 0.0125);
-  EXPECT_NEAR(history(compiled, response, "probes/toe/pressure").maxCoeff(), 1e5, 1e-3);
+  EXPECT_NEAR(history(compiled, response, "probes/toe/pressure").maxCoeff(), 1e5,
+              1e-3 * 1e5);  // imposed weakly: 3e-4 on this mesh
 }
 
 TEST(SlowForce, PassesThroughTheCaisson) {

@@ -1,6 +1,6 @@
-// Claims: limit cases of one model are the other. Water that cannot move makes inertial and darcy flow alike; a very
-// stiff solid caisson is a rigid one; a column turned by 30 degrees settles along its axis like an upright one (rollers
-// on inclined sides). Sources: the equations. Tolerances are stated with their reason beside each.
+// Claims: a column turned by 30 degrees settles along its axis like an upright one (rollers on inclined sides); peaks
+// are found inside steps; both schemes agree after a jump. Sources: the equations. Tolerances are stated with their
+// reason beside each.
 
 #include <deal.II/grid/grid_tools.h>
 #include <gtest/gtest.h>
@@ -17,36 +17,7 @@ double largest_difference(const Eigen::RowVectorXd& a, const Eigen::RowVectorXd&
   return (a - b).cwiseAbs().maxCoeff() / a.cwiseAbs().maxCoeff();
 }
 
-TEST(Limits, WaterThatCannotMoveMakesFlowsAlike) {
-  Scene scene = breakwater(triangle(1e6, 0.15));
-  scene.regions["mound"].hydraulic_conductivity = 1e-6;  // X = 5e-6: relative inertia is nothing beside drag
-  const auto mesh = breakwater_mesh(0.5);
-  scene.regions["mound"].flow = Flow::darcy;
-  const Compiled darcy(scene, *mesh);
-  scene.regions["mound"].flow = Flow::inertial;
-  const Compiled inertial(scene, *mesh);
-  const auto F_T = [](const Compiled& compiled) {
-    return history(compiled, run(compiled, 0.4, 0.0125), "shear_force");
-  };
-  EXPECT_LE(largest_difference(F_T(darcy), F_T(inertial)), 1e-4);  // drained skins of both differ on this mesh
-}
-
-TEST(Limits, StiffSolidCaissonIsRigid) {
-  Scene scene = breakwater(triangle(1e6, 0.15));
-  const auto mesh = breakwater_mesh(0.5);
-  const Compiled rigid(scene, *mesh);
-  Region& caisson = scene.regions["caisson"];
-  caisson.kind = RegionKind::solid;
-  caisson.youngs_modulus = 1e15;
-  caisson.poissons_ratio = 0.2;
-  const Compiled solid(scene, *mesh);
-  const Response a = run(rigid, 0.4, 0.0125), b = run(solid, 0.4, 0.0125);
-  // Deformation is of order G / E = 1e-7 of the motion; cancellation among entries 1e7 apart costs a little more.
-  for (const char* reading : {"shear_force", "caisson/displacement_x", "caisson/rotation", "base_moment"})
-    EXPECT_LE(largest_difference(history(rigid, a, reading), history(solid, b, reading)), 1e-5) << reading;
-}
-
-TEST(Limits, TurnedColumnIsTheSameColumn) {
+TEST(Agreement, TurnedColumnIsTheSameColumn) {
   const double angle = std::acos(-1.) / 6.;
   Scene scene = column(sand(), triangle(1e5, 0.1));
   scene.probes["top"].at = {0.5, 10.};

@@ -1,0 +1,43 @@
+// A rigid block on Coulomb friction: how far a force history slides it.
+#pragma once
+
+#include <vector>
+
+namespace upbead {
+
+/// A force over time, linear between its points; two points at one time make a jump.
+struct ForceHistory {
+  std::vector<double> time;   ///< s, ascending
+  std::vector<double> value;  ///< N/m
+};
+
+/// From a start to the next stop. Landward positive.
+struct Slip {
+  double start = 0., stop = 0.;  ///< s
+  double distance = 0.;          ///< m
+  double peak_velocity = 0.;     ///< of largest magnitude (m/s)
+};
+
+/// What became of a block that rested at x = 0. Landward positive.
+struct Sliding {
+  double residual = 0.;     ///< x in the end: S of the paper, for one wave (m)
+  double largest = 0.;      ///< x of largest magnitude on the way (m)
+  double path = 0.;         ///< sum of all distances, whichever way they lead (m)
+  std::vector<Slip> slips;  ///< one after the other; a turn without rest ends one and begins the next
+};
+
+/// Solves (W/g) x'' = F_S(t) - R(t) sgn(x') from rest [Shimosako and Takahashi 1994, eq. (4) with F_S = F_T + mu U,
+/// R = mu W' and F_D = 0]: the block starts where |F_S| exceeds R and stops where its velocity is zero and |F_S| does
+/// not. Both ways, any number of slips. Velocity is quadratic in time on each linear piece, so that starts and stops
+/// are roots of linear and quadratic equations: nothing is stepped or iterated.
+/// - mass: W/g, in air (kg/m).
+/// - force: F_S, zero before and after its points.
+/// - resistance: R >= 0, which keeps its first value before its points and its last one after them. Uplift that changes
+///   with time may be part of F_S (exact while the block slides landward) or taken off R (exact both ways).
+/// Throws std::invalid_argument where the mass is not positive, a history has not as many values as times, is not
+/// finite or goes back in time, the resistance is negative or has no value, or none is left to stop the block.
+Sliding slide(double mass, const ForceHistory& force, const ForceHistory& resistance);
+/// The same with a constant resistance.
+Sliding slide(double mass, const ForceHistory& force, double resistance);
+
+}  // namespace upbead
