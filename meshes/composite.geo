@@ -11,6 +11,18 @@
 //  |    |  |    |     |     |    |  |    |          left, base, right: the seabed's outer sides
 //  +----+--+----+-----+-----+----+--+----+          bottom: interior, between caisson and mound
 //
+// With a sea, on either side or on both:
+//
+//              sea_surface
+//           +--------+--+--+- -                     the caisson's wall is cut at the water level
+//           |        |  |  | front
+//  sea_left |     sea_front|                        behind the caisson: back, sea_back, sea_right
+//           |        |  +--+- -
+//           |        | /|  |                        bed and mound_surface: interior under a sea
+//  +----+---+--------+--+--+- -
+//  |    |   |        |  |  |                        the seabed's far column is cut below the sea's end
+//  +----+---+--------+--+--+- -
+//
 // Nothing here is an absolute length: a section with all its lengths divided by 20 gets the same mesh, divided by 20.
 
 DefineConstant[
@@ -24,7 +36,11 @@ DefineConstant[
   caisson_width = 18,      // m: width of the caisson
   caisson_height = 16,     // m: height of the caisson above the mound
   cells = 1,               // -: relative density of cells; 2 halves every cell in both directions
-  grading = 12             // -: size of the cells far from the caisson's bottom corners over that at the corners
+  grading = 12,            // -: size of the cells far from the caisson's bottom corners over that at the corners
+  water_depth = 15,        // m: depth of the still water above the seabed; matters where there is a sea
+  sea_front = 0,           // -: length of the sea in front of the caisson, from its wall, over water_depth; 0: none
+  sea_back = 0,            // -: length of the sea behind the caisson, from its wall, over water_depth; 0: none
+  sea_cells = 8            // -: cells over the depth of the water at the caisson's wall at cells = 1
 ];
 
 // ------------------------------------------------------------------------------------------------ parameters
@@ -51,6 +67,9 @@ name = "caisson_height"; value = caisson_height;
 Call MustBePositive;
 name = "cells"; value = cells;
 Call MustBePositive;
+// With pressures of degree 2, 8 to 10 cells give the sea's added mass to 0.1 %.
+name = "sea_cells"; value = sea_cells;
+Call MustBePositive;
 If (!(mound_crest_front > caisson_width / 2))
   Error("mound_crest_front is %g; it must be greater than half of caisson_width (%g): the mound needs a berm",
         mound_crest_front, caisson_width / 2);
@@ -74,6 +93,37 @@ If (grading > 200)
   Error("grading is %g; it must be at most 200", grading);
   mistakes = 1;
 EndIf
+If (sea_cells > 100)
+  Error("sea_cells is %g; it must be at most 100", sea_cells);
+  mistakes = 1;
+EndIf
+
+// A sea meets the caisson's wall, covers the slope and ends above the seabed. What is too long only by round-off, or
+// by the digits that a message shows, ends at the seabed's side.
+has_sea = sea_front > 0 || sea_back > 0;
+is_afloat = water_depth > mound_height && water_depth < mound_height + caisson_height;
+If (has_sea && !is_afloat)
+  Error("water_depth is %g; a sea must be deeper than %g (the mound's crest) and shallower than %g (the caisson's top)",
+        water_depth, mound_height, mound_height + caisson_height);
+  mistakes = 1;
+EndIf
+same = 1e-9;
+Macro MustEndAboveTheSeabed
+  shortest = (to_crest - caisson_width / 2 + mound_slope * mound_height) / water_depth;
+  longest = shortest + length / water_depth;
+  If (!(value >= 0))
+    Error(StrCat(name, " is %g; it must be 0 (no sea) or greater"), value);
+    mistakes = 1;
+  ElseIf (value > 0 && is_afloat && (value <= (1 + same) * shortest || value > (1 + same) * longest))
+    Error(StrCat(name, " is %g; it must be greater than %.10g (the mound's toe) and at most %.10g (the seabed's end)"),
+          value, shortest, longest);
+    mistakes = 1;
+  EndIf
+Return
+name = "sea_front"; value = sea_front; to_crest = mound_crest_front; length = seabed_front;
+Call MustEndAboveTheSeabed;
+name = "sea_back"; value = sea_back; to_crest = mound_crest_back; length = seabed_back;
+Call MustEndAboveTheSeabed;
 If (mistakes)
   Abort;
 EndIf
@@ -141,6 +191,7 @@ inner = 0.4 * foot;
 // Side 0 is seaward, side 1 landward.
 crest[] = {mound_crest_front, mound_crest_back};
 far[] = {seabed_front, seabed_back};
+sea[] = {sea_front, sea_back};
 least = 1;
 For side In {0 : 1}
   distance = 0; length = crest[side] - caisson_width / 2;
@@ -151,25 +202,67 @@ For side In {0 : 1}
   Call Grade;
   inner_count[side] = count;
 
+  // The far column, from the toe on. Where a sea ends above it, it is cut there: `outer` has no sea above.
   distance = crest[side] - caisson_width / 2 + foot; length = far[side];
+  outer[side] = 0;
+  under_sea = sea[side] * water_depth - distance;
+  If (under_sea > 0 && under_sea + distance < (1 - same) * (far[side] + distance))
+    length = under_sea;
+    outer[side] = far[side] - under_sea;
+    far[side] = under_sea;
+  EndIf
   Call Grade;
   far_count[side] = count; far_ratio[side] = ratio;
+
+  distance = distance + length; length = outer[side];
+  Call Grade;
+  outer_count[side] = count; outer_ratio[side] = ratio;
 EndFor
 
+// The sea has as many rows everywhere as at the wall, and so has the wet part of the caisson. The caisson is rigid as a
+// rule, so a few rows do for what is dry.
+sea_rows = Max(2, Round(sea_cells * cells + 1e-6));
+dry_height = caisson_height;
+If (has_sea)
+  dry_height = mound_height + caisson_height - water_depth;
+EndIf
+dry_rows = Max(1, Round(4 * cells * dry_height / caisson_width + 1e-6));
+
 // ---------------------------------------------------------------------------------------------------- points
-// Column lines from left to right: side, toe, inner part of the foot, crest, caisson, middle, and back again. Blocks above the mound stand on the same lines.
+// Column lines from left to right: side, toe, inner part of the foot, crest, caisson, middle, and back again. Blocks
+// above the mound stand on the same lines. Below the end of a sea there is one more line, if that is not the side.
 x[] = {-crest[0] - foot - far[0], -crest[0] - foot, -crest[0] - inner, -crest[0], -caisson_width / 2, 0,
        caisson_width / 2, crest[1], crest[1] + inner, crest[1] + foot, crest[1] + foot + far[1]};
-For i In {0 : 10}
+middle_line = 5;
+last_line = 10;
+If (outer[0] > 0)
+  x[] = {-crest[0] - foot - seabed_front, x[]};
+  middle_line = middle_line + 1;
+  last_line = last_line + 1;
+EndIf
+If (outer[1] > 0)
+  x[] = {x[], crest[1] + foot + seabed_back};
+  last_line = last_line + 1;
+EndIf
+wall_line[] = {middle_line - 1, middle_line + 1};
+crest_line[] = {middle_line - 2, middle_line + 2};
+inner_line[] = {middle_line - 3, middle_line + 3};
+toe_line[] = {middle_line - 4, middle_line + 4};
+For i In {0 : last_line}
   at_base[i] = newp; Point(at_base[i]) = {x[i], -seabed_depth, 0};
   at_bed[i] = newp; Point(at_bed[i]) = {x[i], 0, 0};
 EndFor
-For i In {3 : 7}
+For i In {crest_line[0] : crest_line[1]}
   at_middle[i] = newp; Point(at_middle[i]) = {x[i], middle, 0};
   at_crest[i] = newp; Point(at_crest[i]) = {x[i], mound_height, 0};
 EndFor
-For i In {4 : 6}
+// The dry part of the caisson stands on the water level where there is a sea, or else on the mound.
+For i In {wall_line[0] : wall_line[1]}
   at_top[i] = newp; Point(at_top[i]) = {x[i], mound_height + caisson_height, 0};
+  at_dry[i] = at_crest[i];
+  If (has_sea)
+    at_dry[i] = newp; Point(at_dry[i]) = {x[i], water_depth, 0};
+  EndIf
 EndFor
 
 // ---------------------------------------------------------------------------------------------------- curves
@@ -178,12 +271,20 @@ column_count[] = {far_count[0], upper_count, inner_count[0], berm_count[0], half
                   half_count, berm_count[1], inner_count[1], upper_count, far_count[1]};
 column_ratio[] = {1 / far_ratio[0], 1, 1, 1 / berm_ratio[0], half_ratio,
                   1 / half_ratio, berm_ratio[1], 1, 1, far_ratio[1]};
+If (outer[0] > 0)
+  column_count[] = {outer_count[0], column_count[]};
+  column_ratio[] = {1 / outer_ratio[0], column_ratio[]};
+EndIf
+If (outer[1] > 0)
+  column_count[] = {column_count[], outer_count[1]};
+  column_ratio[] = {column_ratio[], outer_ratio[1]};
+EndIf
 
 // Along: a line of column i between the points `from` (left) and `to` (right). gmsh places nodes to 1e-9 only, so lines
 // of the left half are drawn leftwards and have a minus: the halves then are mirror images to round-off.
 Macro Along
   along = newl;
-  If (i < 5)
+  If (i < middle_line)
     Line(along) = {to, from};
     along = -along;
   Else
@@ -191,7 +292,7 @@ Macro Along
   EndIf
   Transfinite Curve {along} = column_count[i] + 1 Using Progression column_ratio[i];
 Return
-For i In {0 : 9}
+For i In {0 : last_line - 1}
   from = at_base[i]; to = at_base[i + 1];
   Call Along;
   along_base[i] = along;
@@ -199,7 +300,7 @@ For i In {0 : 9}
   Call Along;
   along_bed[i] = along;
 EndFor
-For i In {3 : 6}
+For i In {crest_line[0] : crest_line[1] - 1}
   from = at_middle[i]; to = at_middle[i + 1];
   Call Along;
   along_middle[i] = along;
@@ -207,37 +308,45 @@ For i In {3 : 6}
   Call Along;
   along_crest[i] = along;
 EndFor
-For i In {4 : 5}
+For i In {wall_line[0] : wall_line[1] - 1}
   from = at_top[i]; to = at_top[i + 1];
   Call Along;
   along_top[i] = along;
+  along_dry[i] = along_crest[i];
+  If (has_sea)
+    from = at_dry[i]; to = at_dry[i + 1];
+    Call Along;
+    along_dry[i] = along;
+  EndIf
 EndFor
 
-// Along y, all lines run downwards, away from the caisson; the caisson's run upwards. The caisson is rigid as a rule,
-// so a few rows do.
-caisson_count = Max(1, Round(4 * cells * caisson_height / caisson_width + 1e-6));
-For i In {0 : 10}
+// Along y, all lines run downwards, away from the caisson; the caisson's and the sea's run upwards.
+For i In {0 : last_line}
   through_seabed[i] = newl; Line(through_seabed[i]) = {at_bed[i], at_base[i]};
   Transfinite Curve {through_seabed[i]} = depth_count + 1 Using Progression depth_ratio;
 EndFor
-For i In {3 : 7}
+For i In {crest_line[0] : crest_line[1]}
   through_upper[i] = newl; Line(through_upper[i]) = {at_crest[i], at_middle[i]};
   Transfinite Curve {through_upper[i]} = upper_count + 1 Using Progression mound_ratio;
   through_lower[i] = newl; Line(through_lower[i]) = {at_middle[i], at_bed[i]};
   Transfinite Curve {through_lower[i]} = lower_count + 1 Using Progression mound_ratio;
 EndFor
-For i In {4 : 6}
-  through_caisson[i] = newl; Line(through_caisson[i]) = {at_crest[i], at_top[i]};
-  Transfinite Curve {through_caisson[i]} = caisson_count + 1;
+For i In {wall_line[0] : wall_line[1]}
+  through_dry[i] = newl; Line(through_dry[i]) = {at_dry[i], at_top[i]};
+  Transfinite Curve {through_dry[i]} = dry_rows + 1;
+  If (has_sea)
+    through_wet[i] = newl; Line(through_wet[i]) = {at_crest[i], at_dry[i]};
+    Transfinite Curve {through_wet[i]} = sea_rows + 1;
+  EndIf
 EndFor
 
 // -------------------------------------------------------------------------------------------------- surfaces
-For i In {0 : 9}
+For i In {0 : last_line - 1}
   loop = newll; Curve Loop(loop) = {through_seabed[i], along_base[i], -through_seabed[i + 1], -along_bed[i]};
   seabed[i] = news; Plane Surface(seabed[i]) = {loop};
 EndFor
 mound[] = {};
-For i In {3 : 6}
+For i In {crest_line[0] : crest_line[1] - 1}
   loop = newll; Curve Loop(loop) = {through_lower[i], along_bed[i], -through_lower[i + 1], -along_middle[i]};
   block = news; mound[] += block; Plane Surface(block) = {loop};
   Transfinite Surface {block};
@@ -246,49 +355,81 @@ For i In {3 : 6}
   Transfinite Surface {block};
 EndFor
 caisson[] = {};
-For i In {4 : 5}
-  loop = newll; Curve Loop(loop) = {along_crest[i], through_caisson[i + 1], -along_top[i], -through_caisson[i]};
+For i In {wall_line[0] : wall_line[1] - 1}
+  loop = newll; Curve Loop(loop) = {along_dry[i], through_dry[i + 1], -along_top[i], -through_dry[i]};
   block = news; caisson[] += block; Plane Surface(block) = {loop};
+  If (has_sea)
+    loop = newll; Curve Loop(loop) = {along_crest[i], through_wet[i + 1], -along_dry[i], -through_wet[i]};
+    block = news; caisson[] += block; Plane Surface(block) = {loop};
+  EndIf
 EndFor
 
 // The slopes: triangles toe - foot of the crest - edge of the crest, each of three blocks about a point `centre`. The
 // cut on the slope and the centre follow from the cuts of the other two sides (Ceva), so that the blocks keep in shape.
-toe_line[] = {1, 9}; inner_line[] = {2, 8}; crest_line[] = {3, 7};
 toe_weight = inner / (foot - inner); top_weight = middle / (mound_height - middle);
 weights = toe_weight + 1 + top_weight;
 For side In {0 : 1}
   t = toe_line[side]; m = inner_line[side]; c = crest_line[side];
   sign = 2 * side - 1;
-  cut = newp;
-  Point(cut) = {x[c] + sign * foot * toe_weight / (toe_weight + top_weight),
-                mound_height * top_weight / (toe_weight + top_weight), 0};
+  cut_x[side] = x[c] + sign * foot * toe_weight / (toe_weight + top_weight);
+  cut[side] = newp; Point(cut[side]) = {cut_x[side], mound_height * top_weight / (toe_weight + top_weight), 0};
   centre = newp;
   Point(centre) = {x[c] + sign * foot * toe_weight / weights, mound_height * top_weight / weights, 0};
 
-  slope_lower[side] = newl; Line(slope_lower[side]) = {at_bed[t], cut};
-  slope_upper[side] = newl; Line(slope_upper[side]) = {cut, at_crest[c]};
+  slope_lower[side] = newl; Line(slope_lower[side]) = {at_bed[t], cut[side]};
+  slope_upper[side] = newl; Line(slope_upper[side]) = {cut[side], at_crest[c]};
   to_foot = newl; Line(to_foot) = {centre, at_bed[m]};
   to_crest_line = newl; Line(to_crest_line) = {centre, at_middle[c]};
-  to_slope = newl; Line(to_slope) = {centre, cut};
+  to_slope = newl; Line(to_slope) = {centre, cut[side]};
   Transfinite Curve {slope_lower[side], to_foot} = lower_count + 1;
   Transfinite Curve {slope_upper[side], to_crest_line} = inner_count[side] + 1;
   Transfinite Curve {to_slope} = upper_count + 1;
 
   // Towards the toe the bed's columns are outwards on the landward side and inwards on the seaward one.
   If (side == 0)
-    toe_to_foot = along_bed[1]; foot_to_crest = along_bed[2];
+    toe_to_foot = along_bed[t]; foot_to_crest = along_bed[m];
   Else
-    toe_to_foot = -along_bed[8]; foot_to_crest = -along_bed[7];
+    toe_to_foot = -along_bed[m]; foot_to_crest = -along_bed[c];
   EndIf
   loop = newll; Curve Loop(loop) = {toe_to_foot, -to_foot, to_slope, -slope_lower[side]};
   block = news; mound[] += block; Plane Surface(block) = {loop};
-  Transfinite Surface {block} = {at_bed[t], at_bed[m], centre, cut};
+  Transfinite Surface {block} = {at_bed[t], at_bed[m], centre, cut[side]};
   loop = newll; Curve Loop(loop) = {foot_to_crest, -through_lower[c], -to_crest_line, to_foot};
   block = news; mound[] += block; Plane Surface(block) = {loop};
   Transfinite Surface {block} = {at_bed[m], at_bed[c], at_middle[c], centre};
   loop = newll; Curve Loop(loop) = {to_crest_line, -through_upper[c], -slope_upper[side], -to_slope};
   block = news; mound[] += block; Plane Surface(block) = {loop};
-  Transfinite Surface {block} = {centre, at_middle[c], at_crest[c], cut};
+  Transfinite Surface {block} = {centre, at_middle[c], at_crest[c], cut[side]};
+EndFor
+
+// The seas: four blocks each, from the wall outwards: over the berm, the slope's two parts and the far column.
+// Their upright lines are 0 at the wall, 1 at the crest's edge, 2 at the cut of the slope, 3 at the toe, 4 at the end.
+sea_surface[] = {};
+For side In {0 : 1}
+  If (sea[side] > 0)
+    sign = 2 * side - 1;
+    w = wall_line[side]; c = crest_line[side]; t = toe_line[side]; e = t + sign;
+    // On the seaward side a column has the number of its outer line, on the landward side that of its inner one.
+    berm = Min(w, c); end = Min(t, e);
+    bottom[] = {sign * along_crest[berm], -slope_upper[side], -slope_lower[side], sign * along_bed[end]};
+    bottom_count[] = {berm_count[side], inner_count[side], lower_count, far_count[side]};
+    bottom_ratio[] = {berm_ratio[side], 1, 1, far_ratio[side]};
+    foot_point[] = {at_crest[w], at_crest[c], cut[side], at_bed[t], at_bed[e]};
+    foot_x[] = {x[w], x[c], cut_x[side], x[t], x[e]};
+    level[] = {at_dry[w]};
+    upright[] = {through_wet[w]};
+    For j In {0 : 3}
+      level[j + 1] = newp; Point(level[j + 1]) = {foot_x[j + 1], water_depth, 0};
+      upright[j + 1] = newl; Line(upright[j + 1]) = {foot_point[j + 1], level[j + 1]};
+      Transfinite Curve {upright[j + 1]} = sea_rows + 1;
+      surface = newl; sea_surface[] += surface; Line(surface) = {level[j], level[j + 1]};
+      Transfinite Curve {surface} = bottom_count[j] + 1 Using Progression bottom_ratio[j];
+      loop = newll; Curve Loop(loop) = {bottom[j], upright[j + 1], -surface, -upright[j]};
+      sea_block[4 * side + j] = news; Plane Surface(sea_block[4 * side + j]) = {loop};
+      Transfinite Surface {sea_block[4 * side + j]};
+    EndFor
+    sea_end[side] = upright[4];
+  EndIf
 EndFor
 Transfinite Surface {seabed[], caisson[]};
 Recombine Surface {:};
@@ -298,12 +439,34 @@ Physical Surface("seabed") = seabed[];
 Physical Surface("mound") = mound[];
 Physical Surface("caisson") = caisson[];
 
+If (sea_front > 0)
+  Physical Surface("sea_front") = sea_block[{0 : 3}];
+EndIf
+If (sea_back > 0)
+  Physical Surface("sea_back") = sea_block[{4 : 7}];
+EndIf
+
+front[] = {through_dry[wall_line[0]]};
+back[] = {through_dry[wall_line[1]]};
+If (has_sea)
+  front[] += through_wet[wall_line[0]];
+  back[] += through_wet[wall_line[1]];
+EndIf
 Physical Curve("base") = along_base[];
 Physical Curve("left") = {through_seabed[0]};
-Physical Curve("right") = {through_seabed[10]};
-Physical Curve("bed") = {along_bed[0], along_bed[9]};
-Physical Curve("mound_surface") = {slope_lower[], slope_upper[], along_crest[3], along_crest[6]};
-Physical Curve("front") = {through_caisson[4]};
-Physical Curve("back") = {through_caisson[6]};
-Physical Curve("top") = {along_top[4], along_top[5]};
-Physical Curve("bottom") = {along_crest[4], along_crest[5]};
+Physical Curve("right") = {through_seabed[last_line]};
+Physical Curve("bed") = {along_bed[{0 : toe_line[0] - 1}], along_bed[{toe_line[1] : last_line - 1}]};
+Physical Curve("mound_surface") = {slope_lower[], slope_upper[], along_crest[crest_line[0]], along_crest[wall_line[1]]};
+Physical Curve("front") = front[];
+Physical Curve("back") = back[];
+Physical Curve("top") = {along_top[wall_line[0]], along_top[middle_line]};
+Physical Curve("bottom") = {along_crest[wall_line[0]], along_crest[middle_line]};
+If (has_sea)
+  Physical Curve("sea_surface") = sea_surface[];
+EndIf
+If (sea_front > 0)
+  Physical Curve("sea_left") = {sea_end[0]};
+EndIf
+If (sea_back > 0)
+  Physical Curve("sea_right") = {sea_end[1]};
+EndIf

@@ -32,9 +32,12 @@ TableSchema<MeshChoice> mesh_schema() {
 TableSchema<Boundary> boundary_schema() {
   TableSchema<Boundary> table;
   table.choice("displacement", &Boundary::displacement, displacement_words)
-      .doc("condition on the displacement; roller: no normal motion");
+      .doc("condition on the displacement; roller: no normal motion; absorbing: waves leave");
   table.choice("pressure", &Boundary::pressure, pressure_words)
-      .doc("condition on the pore water; open: p = 0; needed where the boundary meets pore water");
+      .doc(
+          "condition on the water, of pores or free; open: p = 0; absorbing: waves leave; surface_waves: gravity waves "
+          "on a "
+          "level of free water; needed where the boundary meets water");
   return table;
 }
 

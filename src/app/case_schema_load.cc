@@ -66,6 +66,11 @@ TableSchema<LoadTable> load_schema() {
   table.table("pulse", &LoadTable::pulse, pulse_schema()).doc("An idealised history; or history.");
   table.key("history", &LoadTable::history_file)
       .doc("path of a CSV file with a header line, then time (s) and value; linear in between; or pulse");
+  table.key("measured_on_wall", &LoadTable::measured_on_wall)
+      .doc("true: measured on the moving wall, so the modelled water does not push back on this boundary")
+      .when(
+          "region", [](const LoadTable& load) { return load.region.empty() || !load.boundary.empty(); },
+          "on a boundary");
   table.key("factor", &LoadTable::factor).doc("multiplies the history; 0 switches the load off");
   return table;
 }

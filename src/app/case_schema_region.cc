@@ -79,6 +79,13 @@ void declare_pores(TableSchema<Region>& table) {
             .doc("bulk modulus of the grains"));
 }
 
+void declare_choices(TableSchema<Region>& table) {
+  limit(table.choice("deformation", &Region::deformation, deformation_words)
+            .doc("whether the solid deforms; auto: rigid where it is so stiff that the shear force does not feel it"));
+  limit(table.choice("compressibility", &Region::compressibility, compressibility_words)
+            .doc("whether the water stores volume under pressure; auto: by the time that sound takes over its depth"));
+}
+
 }  // namespace
 
 TableSchema<Region> region_schema() {
@@ -87,6 +94,7 @@ TableSchema<Region> region_schema() {
   declare_skeleton(table);
   declare_mass(table);
   declare_pores(table);
+  declare_choices(table);
   return table;
 }
 

@@ -14,11 +14,8 @@ std::string to_json(const Case& input, const CompiledCase& scene) {
                             {"unknowns", scene.compiled.system.n_free()},
                             {"degree", scene.space->degree()}};
   json["regions"] = nlohmann::ordered_json::object();
-  for (const auto& [name, choice] : scene.flows)
-    json["regions"][name] = {{"flow", choice.flow == Flow::inertial  ? "inertial"
-                                      : choice.flow == Flow::drained ? "drained"
-                                                                     : "darcy"},
-                             {"why", choice.reason}};
+  for (const Decision& decision : scene.decisions)
+    json["regions"][decision.region] = {{decision.key, decision.value}, {"why", decision.why}};
   json["loads"] = nlohmann::ordered_json::object();
   for (const LoadOnCaisson& load : scene.compiled.loads_on_caisson) {
     json["loads"][load.name] = {{"force_x", load.force_x}, {"force_y", load.force_y}, {"moment", load.moment}};

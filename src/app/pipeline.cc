@@ -1,9 +1,9 @@
 #include "upbead/app/pipeline.h"
 
 #include <algorithm>
-#include <sstream>
 
 #include "upbead/base/stopwatch.h"
+#include "upbead/base/text.h"
 #include "upbead/fem/scene_check.h"
 #include "upbead/response/step_choice.h"
 
@@ -29,13 +29,6 @@ std::vector<double> times_to_meet(const Scene& scene, const System& system) {
 
 constexpr double most_steps = 1e6, most_fields = 1e4;
 
-std::string number(double value) {
-  std::ostringstream text;
-  text.precision(3);
-  text << value;
-  return text.str();
-}
-
 std::size_t n_kinks(const Scene& scene) {
   std::size_t n = 0;
   for (const auto& [name, load] : scene.loads) n += load.history.kinks().size();
@@ -47,15 +40,15 @@ void check_steps(const Case& input, double step, const std::optional<StepGrowth>
   const Scene& scene = input.scene;
   const double end = scene.time.end, n = estimated_steps(n_kinks(scene), end, step, growth);
   if (n <= most_steps) return;
-  const std::string what = " s makes about " + number(n) + " steps, more than " + number(most_steps);
+  const std::string what = " s makes about " + significant(n) + " steps, more than " + significant(most_steps);
   if (scene.time.step)
     throw InputError(input.place("time.step"),
-                     "time.step = " + number(step) + " s until time.end = " + number(end) + what,
+                     "time.step = " + significant(step) + " s until time.end = " + significant(end) + what,
                      "raise time.step, or lower time.end");
-  throw InputError(
-      input.place("time.end"),
-      "time.end = " + number(end) + " s in steps of " + number(step) + what + "; the step follows from " + because,
-      "lower time.end, or give time.step");
+  throw InputError(input.place("time.end"),
+                   "time.end = " + significant(end) + " s in steps of " + significant(step) + what +
+                       "; the step follows from " + because,
+                   "lower time.end, or give time.step");
 }
 
 int order_of(const Scene& scene) {
@@ -89,15 +82,15 @@ void check_size(const Case& input) {
   const double end = scene.time.end;
   if (scene.fields_every && end / *scene.fields_every > most_fields)
     throw InputError(input.place("output.fields.every"),
-                     "every = " + number(*scene.fields_every) + " s until time.end = " + number(end) +
-                         " s makes about " + number(end / *scene.fields_every) + " fields, more than " +
-                         number(most_fields),
+                     "every = " + significant(*scene.fields_every) + " s until time.end = " + significant(end) +
+                         " s makes about " + significant(end / *scene.fields_every) + " fields, more than " +
+                         significant(most_fields),
                      "raise every, or lower time.end");
   if (scene.time.step) return check_steps(input, *scene.time.step, {}, "");
   const LoadStep loads = step_of_loads(scene, order_of(scene));
   if (loads.lone_jump) return;
   const std::string load = loads.load.empty() ? "the loads" : "[loads." + loads.load + "]";
-  check_steps(input, loads.largest_step, loads.growth, load + ", which lasts " + number(loads.duration) + " s");
+  check_steps(input, loads.largest_step, loads.growth, load + ", which lasts " + significant(loads.duration) + " s");
 }
 
 CompiledCase compile_case(const Case& input) {
@@ -110,12 +103,13 @@ CompiledCase compile_case(const Case& input) {
   out.timing.mesh = mesh_watch.seconds();
 
   const Stopwatch compile_watch;
-  for (const auto& [name, region] : scene.regions)
-    if (region.kind == RegionKind::porous) out.flows[name] = choose_flow(region, scene);
-  out.space = std::make_unique<Space>(*out.mesh, scene, out.flows);
+  ResolvedScene resolved = resolve(scene, *out.mesh);
+  out.scene = std::move(resolved.scene);
+  out.decisions = std::move(resolved.decisions);
+  out.space = std::make_unique<Space>(*out.mesh, out.scene);
   const std::vector<Body> bodies = rigid_bodies(*out.space);
-  out.unknowns = std::make_unique<Unknowns>(*out.space, scene, bodies);
-  out.compiled = compile(scene, *out.space, *out.unknowns, bodies);
+  out.unknowns = std::make_unique<Unknowns>(*out.space, out.scene, bodies);
+  out.compiled = compile(out.scene, *out.space, *out.unknowns, bodies);
   out.timing.compile = compile_watch.seconds();
   return out;
 }
@@ -156,13 +150,8 @@ Run run_case(const Case& input, const CompiledCase& scene, const MarchOptions& o
 
 std::vector<Skipped> skipped(const Case& input, const CompiledCase& scene) {
   std::vector<Skipped> list;
-  for (const auto& [name, choice] : scene.flows)
-    if (choice.flow != Flow::inertial)
-      list.push_back(
-          {(choice.flow == Flow::drained ? "pore pressure in " : "relative inertia of the pore water in ") + name,
-           choice.reason});
-  for (const Body& body : scene.compiled.bodies)
-    list.push_back({"deformation of " + body.region, "the region is rigid: three coordinates stand for it"});
+  for (const Decision& decision : scene.decisions)
+    if (!decision.left_out.empty()) list.push_back({decision.left_out, decision.why});
   for (const auto& [name, load] : input.scene.loads)
     if (load.factor == 0.) {
       list.push_back({"load " + name, "its factor is 0"});
@@ -171,7 +160,7 @@ std::vector<Skipped> skipped(const Case& input, const CompiledCase& scene) {
                       "a rough record of " + std::to_string(samples.size()) +
                           " samples: F_T errs by some of its roughness (8 % for noise of 1 % measured); smooth it, or "
                           "give time.step = its sampling interval, " +
-                          number(samples[1] - samples[0]) + " s"});
+                          significant(samples[1] - samples[0]) + " s"});
     }
   if (!input.scene.fields_every) list.push_back({"fields", "the case asks for none ([output] fields)"});
   if (!scene.compiled.caisson) list.push_back({"shear force", "the mesh has no surface 'caisson'"});

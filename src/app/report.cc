@@ -5,6 +5,8 @@
 #include <cstdarg>
 #include <cstdio>
 
+#include "upbead/model/words.h"
+
 namespace upbead {
 
 namespace {
@@ -22,20 +24,12 @@ double without_round_off(double value, double peak) {
   return std::abs(value) < 1e-9 * std::abs(peak) ? 0. : value;
 }
 
-const char* name_of(RegionKind kind) {
-  return kind == RegionKind::rigid ? "rigid" : kind == RegionKind::solid ? "solid" : "porous";
-}
-
-const char* name_of(Flow flow) {
-  return flow == Flow::inertial ? "inertial flow" : flow == Flow::drained ? "drained" : "darcy flow";
-}
-
 std::string describe_regions(const Case& input, const CompiledCase& scene) {
   std::string text;
-  for (const auto& [name, region] : input.scene.regions) {
-    std::string line = name_of(region.kind);
-    if (const auto flow = scene.flows.find(name); flow != scene.flows.end())
-      line += std::string(", ") + name_of(flow->second.flow) + ": " + flow->second.reason;
+  for (const Decision& decision : scene.decisions) {
+    const std::string& name = decision.region;
+    std::string line = word_of(input.scene.regions.at(name).kind, region_kind_words) + ", " + decision.value +
+                       (decision.key == "flow" ? " flow: " : ": ") + decision.why;
     for (const Body& body : scene.compiled.bodies)
       if (body.region == name)
         line += format(", %.5g kg/m, centre of gravity (%.4g, %.4g) m, inertia %.4g kg m2/m", body.mass, body.centre[0],

@@ -82,8 +82,9 @@ void Dirk::account(double h, EnergyMeter& meter) {
   const FieldGrams mass = meter.mass(block_);
   block_.leftCols(s) = V_;
   block_.col(s) = x_;
-  const FieldGrams stiffness = meter.stiffness(block_), dissipation = meter.dissipation(block_);
-  for (int i = 0; i < s; ++i) meter.add_dissipated(dissipation, i, h * b_[i]);
+  const FieldGrams stiffness = meter.stiffness(block_);
+  const Losses losses = meter.losses(block_);
+  for (int i = 0; i < s; ++i) meter.add_losses(losses, i, h * b_[i]);
   const Eigen::MatrixXd gram = mass.total() + stiffness.total();
   meter.add_scheme(0.5 * h * h * stability_.cwiseProduct(gram.topLeftCorner(s, s)).sum());
   meter.set_stored(mass, stiffness, s);

@@ -8,6 +8,7 @@ namespace upbead::detail {
 EnergyMeter::EnergyMeter(const System& system)
     : system_(system),
       dissipative_C_(system.C),
+      radiating_C_(system.radiation),
       coupling_C_(system.C),
       prescribed_M_(system.M.bottomRows(system.n_prescribed)),
       prescribed_C_(system.C.bottomRows(system.n_prescribed)),
@@ -15,7 +16,9 @@ EnergyMeter::EnergyMeter(const System& system)
       sign_(system.size()) {
   const auto is_phi = [&](Eigen::Index i) { return system.field[i] == Field::pressure_impulse; };
   for (int i = 0; i < system.size(); ++i) sign_[i] = is_phi(i) ? -1. : 1.;
+  if (radiating_C_.nonZeros() > 0) dissipative_C_ -= radiating_C_;
   dissipative_C_.prune([&](Eigen::Index i, Eigen::Index j, double) { return is_phi(i) == is_phi(j); });
+  radiating_C_.prune([&](Eigen::Index i, Eigen::Index j, double) { return is_phi(i) == is_phi(j); });
   coupling_C_.prune([&](Eigen::Index i, Eigen::Index j, double) { return is_phi(i) != is_phi(j); });
 }
 
@@ -36,9 +39,17 @@ void EnergyMeter::add_work(double weight, const Vector& path, const Vector& f, c
   account_.largest_work = std::max(account_.largest_work, std::abs(account_.work));
 }
 
-void EnergyMeter::add_dissipated(const FieldGrams& dissipation, int column, double time) {
-  account_.damping += time * dissipation.displacement(column, column);
-  account_.drag += time * (dissipation.relative_fluid(column, column) + dissipation.pressure(column, column));
+Losses EnergyMeter::losses(const VectorBlock& Z) const {
+  Losses losses{grams(dissipative_C_, Z, system_.field), Eigen::MatrixXd::Zero(Z.cols(), Z.cols())};
+  if (radiating_C_.nonZeros() > 0) losses.radiated = grams(radiating_C_, Z, system_.field).total();
+  return losses;
+}
+
+void EnergyMeter::add_losses(const Losses& losses, int column, double time) {
+  const FieldGrams& inside = losses.inside;
+  account_.damping += time * inside.displacement(column, column);
+  account_.drag += time * (inside.relative_fluid(column, column) + inside.pressure(column, column));
+  account_.radiated += time * losses.radiated(column, column);
 }
 
 void EnergyMeter::set_stored(const FieldGrams& mass, const FieldGrams& stiffness, int column) {

@@ -6,6 +6,13 @@
 
 namespace upbead::detail {
 
+/// What C takes from Z: quadratic forms of the part inside the mesh, by field, and of absorbing sides.
+struct Losses {
+  FieldGrams inside;
+  Eigen::MatrixXd radiated;
+  Eigen::MatrixXd total() const { return inside.total() + radiated; }
+};
+
 /// Multiplying M a + C v + K x = f by v^T J makes M, K and the part of C that keeps the sign symmetric and >= 0; the
 /// couplings of phi with u and W become skew and take no power. The schemes supply their own quadratures.
 class EnergyMeter {
@@ -19,21 +26,21 @@ class EnergyMeter {
   FieldGrams mass(const VectorBlock& Z) const { return grams(system_.M, Z, system_.field); }
   FieldGrams stiffness(const VectorBlock& Z) const { return grams(system_.K, Z, system_.field); }
   /// Of the part of C that takes power, and of the rest, which couples phi with u and W.
-  FieldGrams dissipation(const VectorBlock& Z) const { return grams(dissipative_C_, Z, system_.field); }
+  Losses losses(const VectorBlock& Z) const;
   FieldGrams coupling(const VectorBlock& Z) const { return grams(coupling_C_, Z, system_.field); }
 
   /// weight times the work of the load vector f along `path` (n), and of the reactions (residual of the rows of
   /// prescribed unknowns at x, v, a) along theirs.
   void add_work(double weight, const Vector& path, const Vector& f, const Vector& x, const Vector& v, const Vector& a);
-  /// The (column, column) entry of dissipation grams times `time` was taken.
-  void add_dissipated(const FieldGrams& dissipation, int column, double time);
+  /// The (column, column) entry of the losses times `time` was taken.
+  void add_losses(const Losses& losses, int column, double time);
   void add_scheme(double energy) { account_.scheme += energy; }
   /// What is stored now: v and x are the column `column` of the blocks whose grams these are.
   void set_stored(const FieldGrams& mass, const FieldGrams& stiffness, int column);
 
  private:
   const System& system_;
-  SparseMatrix dissipative_C_, coupling_C_;
+  SparseMatrix dissipative_C_, radiating_C_, coupling_C_;
   SparseMatrix prescribed_M_, prescribed_C_, prescribed_K_;  ///< rows of the prescribed unknowns
   Vector sign_;                                              ///< diagonal of J
   EnergyAccount account_;

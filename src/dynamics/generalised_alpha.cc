@@ -132,9 +132,9 @@ void GeneralisedAlpha::account(const State& before, const State& after, double h
 
   pair_.col(0) = middle.v;
   pair_.col(1) = rhs_ - h * middle.v;
-  const FieldGrams dissipation = energy.dissipation(pair_);
-  energy.add_dissipated(dissipation, 0, h);
-  energy.add_scheme(dissipation.total()(1, 0) + energy.coupling(pair_).total()(1, 0));
+  const Losses losses = energy.losses(pair_);
+  energy.add_losses(losses, 0, h);
+  energy.add_scheme(losses.total()(1, 0) + energy.coupling(pair_).total()(1, 0));
 }
 
 }  // namespace upbead::detail

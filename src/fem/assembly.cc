@@ -5,6 +5,8 @@
 
 #include "upbead/fem/kernels.h"
 #include "upbead/fem/open_sides.h"
+#include "upbead/fem/wave_sides.h"
+#include "upbead/fem/wet_faces.h"
 
 namespace upbead {
 
@@ -24,23 +26,31 @@ void scatter(const FullMatrix<double>& local, const std::vector<const Row*>& row
     }
 }
 
-/// M, C and K of the whole system, from cells that deform, open sides, and bodies that do not deform.
+/// M, C and K of the whole system, from cells that deform, faces, and bodies that do not deform.
 class Assembly {
  public:
   explicit Assembly(const Unknowns& unknowns) : unknowns_(unknowns) {}
 
   void add(const CellMatrices& cell, const std::vector<types::global_dof_index>& dofs) {
-    std::vector<const Row*> rows;
-    for (const auto dof : dofs) rows.push_back(&unknowns_.expansion(static_cast<unsigned>(dof)));
+    const std::vector<const Row*> rows = rows_of(dofs);
     scatter(cell.M, rows, M_);
     scatter(cell.C, rows, C_);
     scatter(cell.K, rows, K_);
   }
 
-  void add(const OpenFace& face) {
-    std::vector<const Row*> rows;
-    for (const Row& row : face.rows) rows.push_back(&row);
-    scatter(face.C, rows, C_);
+  void add(const FaceTerms& face) {
+    std::vector<const Row*> rows = rows_of(face.dofs);
+    std::vector<Row> prescribed;
+    for (const int unknown : face.prescribed) prescribed.push_back({{unknown, 1.}});
+    for (const Row& row : prescribed) rows.push_back(&row);
+    scatter(face.matrices.M, rows, M_);
+    scatter(face.matrices.C, rows, C_);
+  }
+
+  /// Adds a face through which waves leave.
+  void add_absorbing(const FaceTerms& face) {
+    add(face);
+    scatter(face.matrices.C, rows_of(face.dofs), radiation_);
   }
 
   void add(const std::vector<Body>& bodies) {
@@ -59,17 +69,24 @@ class Assembly {
     build(system.M, M_);
     build(system.C, C_);
     build(system.K, K_);
+    build(system.radiation, radiation_);
   }
 
  private:
+  std::vector<const Row*> rows_of(const std::vector<types::global_dof_index>& dofs) const {
+    std::vector<const Row*> rows;
+    for (const auto dof : dofs) rows.push_back(&unknowns_.expansion(static_cast<unsigned>(dof)));
+    return rows;
+  }
+
   const Unknowns& unknowns_;
-  Triplets M_, C_, K_;
+  Triplets M_, C_, K_, radiation_;
 };
 
 }  // namespace
 
 void assemble(const Scene& scene, const Space& space, const Unknowns& unknowns, const std::vector<Body>& bodies,
-              GroundReaction* reaction, System& system) {
+              CaissonForces* forces, System& system) {
   Assembly assembly(unknowns);
   const hp::QCollection<dim> quadrature(QGauss<dim>(static_cast<unsigned>(space.degree()) + 1));
   hp::FEValues<dim> hp_values(space.dofs().get_fe_collection(), quadrature,
@@ -81,14 +98,19 @@ void assemble(const Scene& scene, const Space& space, const Unknowns& unknowns, 
     if (region.kind == RegionKind::rigid) continue;
     hp_values.reinit(cell);
     const Material constants = material(region, scene.fluid, scene.gravity);
-    assemble_cell(hp_values.get_present_fe_values(), constants, static_cast<CellKind>(cell->active_fe_index()),
-                  scene.time.inertia, cell_matrices);
+    assemble_cell(hp_values.get_present_fe_values(), constants, space.kind(cell), scene.time.inertia, cell_matrices);
     dofs.resize(cell->get_fe().n_dofs_per_cell());
     cell->get_dof_indices(dofs);
     assembly.add(cell_matrices, dofs);
-    if (reaction && space.mesh().surface_of(cell) != caisson_name) reaction->add(cell_matrices, dofs);
+    if (forces && space.mesh().surface_of(cell) != caisson_name) forces->ground.add(cell_matrices, dofs);
   }
-  for_each_open_face(scene, space, unknowns, [&](const OpenFace& face) { assembly.add(face); });
+  for_each_open_face(scene, space, unknowns, [&](const FaceTerms& terms) { assembly.add(terms); });
+  for_each_surface_face(scene, space, [&](const FaceTerms& terms) { assembly.add(terms); });
+  for_each_absorbing_face(scene, space, [&](const FaceTerms& terms) { assembly.add_absorbing(terms); });
+  for_each_wet_face_term(scene, space, [&](const WetFace& face, const FaceTerms& terms) {
+    assembly.add(terms);
+    if (forces) forces->of(face, space).add(terms.matrices, terms.dofs);
+  });
   if (scene.time.inertia) assembly.add(bodies);
   assembly.write(system);
 }

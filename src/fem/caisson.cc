@@ -14,6 +14,7 @@ std::optional<Caisson> find_caisson(const Space& space) {
     if (space.mesh().surface_of(cell) != caisson_name) continue;
     for (const unsigned f : cell->face_indices()) {
       if (cell->at_boundary(f) || space.mesh().surface_of(cell->neighbor(f)) == caisson_name) continue;
+      if (space.kind(cell->neighbor(f)) == CellKind::water) continue;
       const auto face = cell->face(f);
       left = std::min({left, face->vertex(0)[0], face->vertex(1)[0]});
       right = std::max({right, face->vertex(0)[0], face->vertex(1)[0]});
@@ -65,7 +66,7 @@ std::array<Row, n_motions> momentum_rows(const Space& space, const Unknowns& unk
   return rows;
 }
 
-GroundReaction::GroundReaction(const Space& space, const Unknowns& unknowns, const Caisson& caisson)
+NodalReaction::NodalReaction(const Space& space, const Unknowns& unknowns, const Caisson& caisson)
     : unknowns_(&unknowns), motions_(space.dofs().n_dofs()) {
   std::vector<types::global_dof_index> dofs;
   for (const auto& cell : space.dofs().active_cell_iterators()) {
@@ -82,7 +83,7 @@ GroundReaction::GroundReaction(const Space& space, const Unknowns& unknowns, con
   }
 }
 
-void GroundReaction::add(const CellMatrices& cell, const std::vector<types::global_dof_index>& dofs) {
+void NodalReaction::add(const CellMatrices& cell, const std::vector<types::global_dof_index>& dofs) {
   for (unsigned i = 0; i < dofs.size(); ++i)
     for (int m = 0; m < n_motions; ++m) {
       const double motion = motions_[dofs[i]][m];
@@ -94,6 +95,11 @@ void GroundReaction::add(const CellMatrices& cell, const std::vector<types::glob
         if (cell.K(i, j) != 0.) unknowns_->add_to(K_[m], dof, motion * cell.K(i, j));
       }
     }
+}
+
+NodalReaction& CaissonForces::of(const WetFace& face, const Space& space) {
+  if (space.mesh().surface_of(face.solid) != caisson_name) return ground;
+  return outward_normal(face.solid, face.face)[0] < 0. ? water_front : water_back;
 }
 
 }  // namespace upbead

@@ -1,5 +1,7 @@
 #include "upbead/fem/caisson_readings.h"
 
+#include <map>
+
 namespace upbead {
 
 namespace {
@@ -17,11 +19,11 @@ std::vector<double> feedthrough(const SceneLoads& loads, double LoadOnCaisson::*
 }
 
 /// Force that the caisson exerts on the ground in one unit motion: the ground's own balance at the caisson's nodes.
-Reading ground_force(const GroundReaction& reaction, const SceneLoads& loads, int motion, double sign) {
+Reading ground_force(const NodalReaction& ground, const SceneLoads& loads, int motion, double sign) {
   Reading r;
-  r.position = scaled(reaction.position(motion), sign);
-  r.velocity = scaled(reaction.velocity(motion), sign);
-  r.acceleration = scaled(reaction.acceleration(motion), sign);
+  r.position = scaled(ground.position(motion), sign);
+  r.velocity = scaled(ground.velocity(motion), sign);
+  r.acceleration = scaled(ground.acceleration(motion), sign);
   for (const auto& work : loads.on_shared_nodes) r.feedthrough.push_back(-sign * work[motion]);
   return r;
 }
@@ -33,10 +35,26 @@ Reading named(Reading r, std::string name, std::string unit, std::string descrip
   return r;
 }
 
-void add_forces(std::vector<Reading>& list, const GroundReaction& reaction, const SceneLoads& loads,
-                const Row& momentum_x, bool inertia) {
-  const auto P = feedthrough(loads, &LoadOnCaisson::force_x, 1.);
-  list.push_back({reading::force, "N/m", "P, horizontal load on the caisson, landward", {}, {}, {}, P});
+/// Force of the modelled water on the caisson, landward; `water` is what its surroundings exert on the water.
+Row water_row(const NodalReaction& water) {
+  return scaled(water.velocity(motion_x), -1.);
+}
+
+Row sum(const Row& a, const Row& b) {
+  std::map<int, double> entries;
+  for (const Row* row : {&a, &b})
+    for (const auto& [i, weight] : *row) entries[i] += weight;
+  return to_row(entries);
+}
+
+void add_loads(std::vector<Reading>& list, const CaissonForces& forces, const SceneLoads& loads) {
+  list.push_back({reading::force,
+                  "N/m",
+                  "P, horizontal load on the caisson, landward",
+                  {},
+                  {},
+                  {},
+                  feedthrough(loads, &LoadOnCaisson::force_x, 1.)});
   list.push_back({"force_vertical",
                   "N/m",
                   "vertical load on the caisson, upward",
@@ -44,22 +62,42 @@ void add_forces(std::vector<Reading>& list, const GroundReaction& reaction, cons
                   {},
                   {},
                   feedthrough(loads, &LoadOnCaisson::force_y, 1.)});
-  list.push_back(named(ground_force(reaction, loads, motion_x, 1.), reading::shear_force, "N/m",
-                       "F_T, shear force at the caisson's bottom, landward on the ground"));
-  list.push_back(named(ground_force(reaction, loads, motion_y, -1.), reading::normal_force, "N/m",
-                       "change of the normal force at the caisson's bottom, total, compression positive"));
-  list.push_back(named(ground_force(reaction, loads, motion_rotation, 1.), reading::base_moment, "N m/m",
-                       "moment at the caisson's bottom about its middle, overturning landward positive"));
+  const Row front = water_row(forces.water_front), back = water_row(forces.water_back);
+  list.push_back({reading::water_force,
+                  "N/m",
+                  "P_water, force of the modelled water on the caisson, landward",
+                  {},
+                  sum(front, back),
+                  {},
+                  {}});
+  list.push_back(
+      {reading::water_force_front, "N/m", "P_water on the faces that look seaward, landward", {}, front, {}, {}});
+}
 
-  Reading inertia_force = ground_force(reaction, loads, motion_x, -1.);
+void add_base_forces(std::vector<Reading>& list, const NodalReaction& ground, const SceneLoads& loads) {
+  list.push_back(named(ground_force(ground, loads, motion_x, 1.), reading::shear_force, "N/m",
+                       "F_T, shear force at the caisson's bottom, landward on the ground"));
+  list.push_back(named(ground_force(ground, loads, motion_y, -1.), reading::normal_force, "N/m",
+                       "change of the normal force at the caisson's bottom, total, compression positive"));
+  list.push_back(named(ground_force(ground, loads, motion_rotation, 1.), reading::base_moment, "N m/m",
+                       "moment at the caisson's bottom about its middle, overturning landward positive"));
+}
+
+/// m x_G'' from the balance of forces, and F_T by route (i).
+void add_inertia(std::vector<Reading>& list, const CaissonForces& forces, const SceneLoads& loads,
+                 const Row& momentum_x, bool inertia) {
+  const auto P = feedthrough(loads, &LoadOnCaisson::force_x, 1.);
+  const Row water = sum(water_row(forces.water_front), water_row(forces.water_back));
+  Reading inertia_force = ground_force(forces.ground, loads, motion_x, -1.);
+  inertia_force.velocity = sum(inertia_force.velocity, water);
   for (std::size_t k = 0; k < P.size(); ++k) inertia_force.feedthrough[k] += P[k];
   list.push_back(named(inertia_force, reading::inertia_force, "N/m",
-                       "m x_G'', inertia force of the caisson, as P - F_T from the balance of forces"));
+                       "m x_G'', inertia force of the caisson, as P + P_water - F_T from the balance of forces"));
   list.push_back({reading::shear_by_inertia,
                   "N/m",
-                  "F_T as P - m x_G'', from the acceleration of the scheme",
+                  "F_T as P + P_water - m x_G'', from the acceleration of the scheme",
                   {},
-                  {},
+                  water,
                   inertia ? scaled(momentum_x, -1.) : Row{},
                   P});
 }
@@ -80,11 +118,13 @@ void add_motion(std::vector<Reading>& list, const Body& body, const std::array<R
 
 }  // namespace
 
-std::vector<Reading> caisson_readings(const Caisson& caisson, const GroundReaction& reaction,
+std::vector<Reading> caisson_readings(const Caisson& caisson, const CaissonForces& forces,
                                       const std::array<Row, n_motions>& momentum, const SceneLoads& loads,
                                       bool inertia) {
   std::vector<Reading> list;
-  add_forces(list, reaction, loads, momentum[motion_x], inertia);
+  add_loads(list, forces, loads);
+  add_base_forces(list, forces.ground, loads);
+  add_inertia(list, forces, loads, momentum[motion_x], inertia);
   add_motion(list, caisson.body, momentum);
   return list;
 }

@@ -16,15 +16,16 @@ CompiledScene compile(const Scene& scene, const Space& space, const Unknowns& un
   system.blocks = unknowns.blocks();
   system.n_prescribed = unknowns.n_prescribed();
 
-  std::optional<GroundReaction> reaction;
-  if (compiled.caisson) reaction.emplace(space, unknowns, *compiled.caisson);
-  assemble(scene, space, unknowns, bodies, reaction ? &*reaction : nullptr, system);
+  std::optional<CaissonForces> forces;
+  if (compiled.caisson) forces.emplace(space, unknowns, *compiled.caisson);
+  assemble(scene, space, unknowns, bodies, forces ? &*forces : nullptr, system);
 
-  SceneLoads loads = compile_loads(scene, space, unknowns, bodies, compiled.caisson, reaction ? &*reaction : nullptr);
+  SceneLoads loads =
+      compile_loads(scene, space, unknowns, bodies, compiled.caisson, forces ? &forces->ground : nullptr);
   if (compiled.caisson) {
     const double density = scene.regions.at(caisson_name).density.value_or(0.);
     const auto momentum = momentum_rows(space, unknowns, bodies, compiled.caisson->body, density);
-    system.readings = caisson_readings(*compiled.caisson, *reaction, momentum, loads, scene.time.inertia);
+    system.readings = caisson_readings(*compiled.caisson, *forces, momentum, loads, scene.time.inertia);
   }
   for (const auto& probe : scene.probes)
     for (Reading& reading : probe_readings(space, unknowns, scene, probe.first))

@@ -1,28 +1,17 @@
 #include "upbead/fem/constraints.h"
 
-#include <deal.II/dofs/dof_tools.h>
-
+#include <algorithm>
 #include <cmath>
 #include <map>
+
+#include "upbead/fem/faces.h"
 
 namespace upbead {
 
 using namespace dealii;
 using Constraints = AffineConstraints<double>;
-using Cell = DoFHandler<dim>::active_cell_iterator;
 
 namespace {
-
-/// Calls visit(cell, face number, boundary) for every outer face with its boundary condition.
-template <typename Visit>
-void for_each_boundary_face(const Space& space, const Scene& scene, const Visit& visit) {
-  for (const auto& cell : space.dofs().active_cell_iterators())
-    for (const unsigned f : cell->face_indices())
-      if (cell->at_boundary(f)) {
-        const std::string& curve = space.mesh().curve_of(cell->face(f));
-        visit(cell, f, curve, scene.boundaries.at(curve));
-      }
-}
 
 std::vector<types::global_dof_index> face_dofs(const Cell& cell, unsigned f) {
   std::vector<types::global_dof_index> dofs(cell->get_fe().n_dofs_per_face(f));
@@ -63,13 +52,12 @@ struct RollerNode {
   std::vector<Tensor<1, dim>> normals;
 };
 
-/// Outward normal of a straight face.
-Tensor<1, dim> face_normal(const Cell& cell, unsigned f) {
-  const Tensor<1, dim> along = cell->face(f)->vertex(1) - cell->face(f)->vertex(0);
-  Tensor<1, dim> normal;
-  normal[0] = along[1] / along.norm();
-  normal[1] = -along[0] / along.norm();
-  return normal;
+/// The node that the i-th degree of freedom on a face belongs to.
+Point<dim> node_on_face(const Space& space, const Cell& cell, unsigned f, unsigned i) {
+  const auto& fe = cell->get_fe();
+  const auto [component, node] = fe.system_to_component_index(fe.face_to_cell_index(i, f));
+  const auto& base = fe.base_element(fe.component_to_base_index(component).first);
+  return space.mapping().transform_unit_to_real_cell(cell, base.unit_support_point(node));
 }
 
 /// The degrees of freedom of u of each node on a face, as pairs.
@@ -111,8 +99,10 @@ void add_rollers(Constraints& constraints, const std::map<types::global_dof_inde
 
 void add_supports(Constraints& constraints, const Space& space, const Scene& scene) {
   std::map<types::global_dof_index, RollerNode> rollers;
-  for_each_boundary_face(space, scene, [&](const Cell& cell, unsigned f, const std::string&, const Boundary& boundary) {
-    if (boundary.displacement == DisplacementCondition::free) return;
+  for_each_outer_face(space, [&](const Cell& cell, unsigned f, const std::string& curve) {
+    const Boundary& boundary = scene.boundaries.at(curve);
+    if (boundary.displacement != DisplacementCondition::fixed && boundary.displacement != DisplacementCondition::roller)
+      return;
     for (const auto& [index, node] : nodes_on_face(cell, f)) {
       if (boundary.displacement == DisplacementCondition::fixed) {
         constrain(constraints, node[0]);
@@ -121,11 +111,54 @@ void add_supports(Constraints& constraints, const Space& space, const Scene& sce
         RollerNode& roller = rollers[node[0]];
         roller.ux = node[0];
         roller.uy = node[1];
-        roller.normals.push_back(face_normal(cell, f));
+        roller.normals.push_back(outward_normal(cell, f));
       }
     }
   });
   add_rollers(constraints, rollers);
+}
+
+/// phi is continuous from free water into pores, but of one degree less there: between the vertices, which both share,
+/// the water's nodes follow the soil's shape functions. (Meshes are refined uniformly, so there are no hanging nodes.)
+void add_wet_pores(Constraints& constraints, const Space& space) {
+  std::vector<types::global_dof_index> of_soil;
+  for_each_wet_face(space, [&](const WetFace& face) {
+    if (!space.has_pores(face.solid)) return;
+    const auto& soil = face.solid->get_fe();
+    of_soil.resize(soil.n_dofs_per_cell());
+    face.solid->get_dof_indices(of_soil);
+    const auto of_water = face_dofs(face.water, face.water_face);
+    for (unsigned i = 0; i < of_water.size(); ++i) {
+      if (constraints.is_constrained(of_water[i])) continue;
+      if (std::find(of_soil.begin(), of_soil.end(), of_water[i]) != of_soil.end()) continue;
+      const Point<dim> node = node_on_face(space, face.water, face.water_face, i);
+      const Point<dim> unit = space.mapping().transform_real_to_unit_cell(face.solid, node);
+      constraints.add_line(of_water[i]);
+      for (unsigned j = 0; j < of_soil.size(); ++j)
+        if (soil.system_to_component_index(j).first == phi_component)
+          if (const double weight = soil.shape_value(j, unit); std::abs(weight) > 1e-12)
+            constraints.add_entry(of_water[i], of_soil[j], weight);
+    }
+  });
+}
+
+/// Open levels of free water: p = 0, or the pressure of loads there, at their nodes. A load's unknown has the index
+/// first_prescribed + its place in `loads`.
+void add_water_levels(Constraints& constraints, const Space& space, const Scene& scene,
+                      const std::vector<std::string>& loads, types::global_dof_index first_prescribed) {
+  for_each_outer_face(space, [&](const Cell& cell, unsigned f, const std::string& curve) {
+    if (space.kind(cell) != CellKind::water) return;
+    if (scene.boundaries.at(curve).pressure != PressureCondition::open) return;
+    const auto dofs = face_dofs(cell, f);
+    for (unsigned i = 0; i < dofs.size(); ++i) {
+      if (constraints.is_constrained(dofs[i])) continue;
+      constraints.add_line(dofs[i]);
+      const double height = node_on_face(space, cell, f, i)[1];
+      for (std::size_t l = 0; l < loads.size(); ++l)
+        if (const Load& load = scene.loads.at(loads[l]); load.boundary == curve)
+          constraints.add_entry(dofs[i], first_prescribed + l, intensity(load, height));
+    }
+  });
 }
 
 }  // namespace
@@ -136,11 +169,10 @@ std::vector<std::string> pressure_prescribing_loads(const Space& space, const Sc
     if (load.kind != LoadKind::pressure || load.factor == 0.) continue;
     bool prescribes = false;
     const std::string& boundary = load.boundary;
-    for_each_boundary_face(
-        space, scene, [&](const Cell& cell, unsigned, const std::string& curve, const Boundary& side) {
-          prescribes =
-              prescribes || (curve == boundary && side.pressure == PressureCondition::open && space.has_pressure(cell));
-        });
+    for_each_outer_face(space, [&](const Cell& cell, unsigned, const std::string& curve) {
+      const bool open = scene.boundaries.at(curve).pressure == PressureCondition::open;
+      prescribes = prescribes || (curve == boundary && open && space.has_pressure(cell));
+    });
     if (prescribes) names.push_back(name);
   }
   return names;
@@ -148,9 +180,11 @@ std::vector<std::string> pressure_prescribing_loads(const Space& space, const Sc
 
 Constraints make_constraints(const Space& space, const Scene& scene, const std::vector<Body>& bodies) {
   Constraints constraints;
-  DoFTools::make_hanging_node_constraints(space.dofs(), constraints);
   add_rigid(constraints, space, bodies);
   add_supports(constraints, space, scene);
+  add_wet_pores(constraints, space);
+  add_water_levels(constraints, space, scene, pressure_prescribing_loads(space, scene),
+                   space.dofs().n_dofs() + n_motions * bodies.size());
   constraints.close();
   return constraints;
 }

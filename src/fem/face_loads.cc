@@ -5,10 +5,11 @@
 
 #include <algorithm>
 
+#include "upbead/fem/faces.h"
+
 namespace upbead {
 
 using namespace dealii;
-using Cell = DoFHandler<dim>::active_cell_iterator;
 
 namespace {
 
@@ -32,13 +33,19 @@ Quadrature<1> split_quadrature(const Load& load, const Point<dim>& from, const P
   return Quadrature<1>(points, weights);
 }
 
-/// Calls visit(cell, values on the face) for every outer face on the load's curve.
+/// Whether a load acts on a face of its curve: an outer one, or one of a solid under free water.
+bool acts_on(const Space& space, const Cell& cell, unsigned f) {
+  if (cell->at_boundary(f)) return true;
+  return space.kind(cell) != CellKind::water && space.kind(cell->neighbor(f)) == CellKind::water;
+}
+
+/// Calls visit(cell, values on the face) for every face on the load's curve that the load acts on.
 template <typename Visit>
 void for_each_face(const Space& space, const Load& load, UpdateFlags flags, const Visit& visit) {
   const unsigned n_points = static_cast<unsigned>(space.degree()) + 2;
   for (const auto& cell : space.dofs().active_cell_iterators())
     for (const unsigned f : cell->face_indices()) {
-      if (!cell->at_boundary(f) || space.mesh().curve_of(cell->face(f)) != load.boundary) continue;
+      if (space.mesh().curve_of(cell->face(f)) != load.boundary || !acts_on(space, cell, f)) continue;
       const auto quadrature = split_quadrature(load, cell->face(f)->vertex(0), cell->face(f)->vertex(1), n_points);
       FEFaceValues<dim> values(space.mapping(), cell->get_fe(), quadrature,
                                flags | update_quadrature_points | update_JxW_values);

@@ -73,6 +73,13 @@ void pp_C(const FEValues<dim>& fe, const Material& material, CellMatrices& cell)
   });
 }
 
+void pp_K(const FEValues<dim>& fe, const Material& material, CellMatrices& cell) {
+  const auto phi = part_dofs(fe, phi_part);
+  integrate(fe, phi, phi, cell.K, false, [&](unsigned i, unsigned j, unsigned q) {
+    return -(fe[phi_part].gradient(i, q) * fe[phi_part].gradient(j, q)) / material.rho_f;
+  });
+}
+
 void W_M(const FEValues<dim>& fe, const Material& material, CellMatrices& cell) {
   const auto u = part_dofs(fe, u_part), W = part_dofs(fe, W_part);
   integrate(fe, u, W, cell.M, true, [&](unsigned i, unsigned j, unsigned q) {
@@ -94,6 +101,11 @@ void W_C(const FEValues<dim>& fe, const Material& material, CellMatrices& cell) 
 
 void assemble_cell(const FEValues<dim>& fe, const Material& material, CellKind kind, bool inertia, CellMatrices& cell) {
   cell.reinit(fe.dofs_per_cell);
+  if (kind == CellKind::water) {
+    if (material.storage > 0.) pp_M(fe, material, cell);
+    pp_K(fe, material, cell);
+    return;
+  }
   if (inertia) uu_M(fe, material, cell);
   uu_K(fe, material, cell);
   uu_C(fe, material, cell);

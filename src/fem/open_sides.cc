@@ -1,11 +1,8 @@
 #include "upbead/fem/open_sides.h"
 
-#include <deal.II/base/quadrature_lib.h>
-
 namespace upbead {
 
 using namespace dealii;
-using Cell = DoFHandler<dim>::active_cell_iterator;
 
 namespace {
 
@@ -57,7 +54,6 @@ double penalty(int degree_of_u, bool inertial) {
 void integrate(const FEFaceValues<dim>& fe, bool inertial, double mobility, double penalty_over_h,
                const std::vector<Prescribed>& prescribed, FullMatrix<double>& C) {
   const unsigned n = fe.dofs_per_cell + static_cast<unsigned>(prescribed.size());
-  C.reinit(n, n);
   for (unsigned q = 0; q < fe.n_quadrature_points; ++q) {
     const Traces t = traces_at(fe, q, inertial, prescribed);
     for (unsigned i = 0; i < n; ++i)
@@ -70,35 +66,32 @@ void integrate(const FEFaceValues<dim>& fe, bool inertial, double mobility, doub
   }
 }
 
+/// Whether pore water drains freely through a face, to the outside or into a drained region.
+bool is_open(const Scene& scene, const Space& space, const Cell& cell, unsigned f) {
+  if (cell->at_boundary(f))
+    return scene.boundaries.at(space.mesh().curve_of(cell->face(f))).pressure == PressureCondition::open;
+  const Region& other = space.region(cell->neighbor(f));
+  return other.kind == RegionKind::porous && other.flow == Flow::drained;
+}
+
 }  // namespace
 
-void for_each_open_face(const Scene& scene, const Space& space, const Unknowns& unknowns,
-                        const std::function<void(const OpenFace&)>& visit) {
-  const QGauss<dim - 1> quadrature(static_cast<unsigned>(space.degree()) + 1);
-  const auto flags =
-      update_values | update_gradients | update_normal_vectors | update_quadrature_points | update_JxW_values;
-  OpenFace face;
-  std::vector<types::global_dof_index> dofs;
+void for_each_open_face(const Scene& scene, const Space& space, const Unknowns& unknowns, const VisitFace& visit) {
+  FaceTerms terms;
   for (const auto& cell : space.dofs().active_cell_iterators()) {
-    if (!space.has_pressure(cell)) continue;
+    if (!space.has_pores(cell)) continue;
     for (const unsigned f : cell->face_indices()) {
-      if (!cell->at_boundary(f)) continue;
-      const std::string& curve = space.mesh().curve_of(cell->face(f));
-      if (scene.boundaries.at(curve).pressure != PressureCondition::open) continue;
-      FEFaceValues<dim> values(space.mapping(), cell->get_fe(), quadrature, flags);
-      values.reinit(cell, f);
-      const auto prescribed = prescribed_on(curve, scene, unknowns);
+      if (!is_open(scene, space, cell, f)) continue;
+      const auto prescribed = prescribed_on(space.mesh().curve_of(cell->face(f)), scene, unknowns);
+      std::vector<int> unknowns_here;
+      for (const Prescribed& load : prescribed) unknowns_here.push_back(load.unknown);
+      terms.reinit({cell}, unknowns_here);
       const double h = cell->measure() / cell->face(f)->measure();
-      const bool inertial = cell->active_fe_index() == static_cast<unsigned>(CellKind::inertial);
+      const bool inertial = space.kind(cell) == CellKind::inertial;
       const Material constants = material(space.region(cell), scene.fluid, scene.gravity);
-      integrate(values, inertial, 1. / constants.b, penalty(space.degree(), inertial) / h, prescribed, face.C);
-
-      dofs.resize(values.dofs_per_cell);
-      cell->get_dof_indices(dofs);
-      face.rows.clear();
-      for (const auto dof : dofs) face.rows.push_back(unknowns.expansion(static_cast<unsigned>(dof)));
-      for (const Prescribed& load : prescribed) face.rows.push_back({{load.unknown, 1.}});
-      visit(face);
+      integrate(FaceValues(space, cell, f), inertial, 1. / constants.b, penalty(space.degree(), inertial) / h,
+                prescribed, terms.matrices.C);
+      visit(terms);
     }
   }
 }

@@ -35,6 +35,10 @@ class PointRows {
   Row value(unsigned component) const {
     return row([&](unsigned i) { return values_.shape_value_component(i, 0, component); });
   }
+  /// `factor` times a component of grad phi.
+  Row phi_gradient(unsigned d, double factor) const {
+    return row([&](unsigned i) { return factor * values_[phi_part].gradient(i, 0)[d]; });
+  }
   /// Strain component, tension positive.
   Row strain(unsigned a, unsigned b) const {
     return row([&](unsigned i) { return values_[u_part].symmetric_gradient(i, 0)[a][b]; });
@@ -84,6 +88,21 @@ void add_pore_water(std::vector<Reading>& list, const std::string& prefix, const
       {prefix + "darcy_velocity_y", "m/s", "relative fluid velocity, upward", {}, rows.value(dim + 1), {}, {}});
 }
 
+/// Pressure of free water, and its velocity -grad phi / rho_f.
+void add_water(std::vector<Reading>& list, const std::string& prefix, const PointRows& rows, double density) {
+  list.push_back({prefix + "pressure", "Pa", "change of the water's pressure", {}, rows.value(phi_component), {}, {}});
+  const char* axis[] = {"x", "y"};
+  const char* meaning[] = {"landward", "upward"};
+  for (unsigned d = 0; d < dim; ++d)
+    list.push_back({prefix + "velocity_" + axis[d],
+                    "m/s",
+                    std::string("velocity of the water, ") + meaning[d],
+                    rows.phi_gradient(d, -1. / density),
+                    {},
+                    {},
+                    {}});
+}
+
 void add_strain_and_stress(std::vector<Reading>& list, const std::string& prefix, const PointRows& rows,
                            const Region& region, const Material& material) {
   const std::string stress = region.kind == RegionKind::porous ? "effective_stress" : "stress";
@@ -121,9 +140,12 @@ std::vector<Reading> probe_readings(const Space& space, const Unknowns& unknowns
   const PointRows rows(space, unknowns, location);
   const std::string prefix = "probes/" + name + "/";
   std::vector<Reading> list;
+  if (region.kind == RegionKind::water) {
+    add_water(list, prefix, rows, scene.fluid.density);
+    return list;
+  }
   add_motion(list, prefix, rows);
-  if (space.has_pressure(location.cell))
-    add_pore_water(list, prefix, rows, static_cast<CellKind>(location.cell->active_fe_index()));
+  if (space.has_pressure(location.cell)) add_pore_water(list, prefix, rows, space.kind(location.cell));
   if (region.kind != RegionKind::rigid)
     add_strain_and_stress(list, prefix, rows, region, material(region, scene.fluid, scene.gravity));
   return list;

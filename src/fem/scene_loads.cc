@@ -33,8 +33,8 @@ SystemLoad body_load(const std::string& name, const Load& load, const Unknowns& 
 class LoadCompiler {
  public:
   LoadCompiler(const Space& space, const Unknowns& unknowns, const std::vector<Body>& bodies,
-               const std::optional<Caisson>& caisson, const GroundReaction* reaction)
-      : space_(space), unknowns_(unknowns), bodies_(bodies), caisson_(caisson), reaction_(reaction) {}
+               const std::optional<Caisson>& caisson, const NodalReaction* ground)
+      : space_(space), unknowns_(unknowns), bodies_(bodies), caisson_(caisson), ground_(ground) {}
 
   void add(const std::string& name, const Load& load) {
     if (!load.region.empty()) {
@@ -68,9 +68,9 @@ class LoadCompiler {
   void add_nodal(const std::string& region, const NodalForces& nodal) {
     for (const auto& [dof, force] : nodal) {
       for (const auto& [unknown, weight] : unknowns_.expansion(dof)) out.loads.back().vector[unknown] += weight * force;
-      if (!reaction_) continue;
+      if (!ground_) continue;
       std::array<double, n_motions> work;
-      for (int m = 0; m < n_motions; ++m) work[m] = reaction_->work(m, dof, force);
+      for (int m = 0; m < n_motions; ++m) work[m] = ground_->work(m, dof, force);
       if (region == caisson_name) {
         out.on_caisson.back().force_x += work[motion_x];
         out.on_caisson.back().force_y += work[motion_y];
@@ -85,15 +85,15 @@ class LoadCompiler {
   const Unknowns& unknowns_;
   const std::vector<Body>& bodies_;
   const std::optional<Caisson>& caisson_;
-  const GroundReaction* reaction_;
+  const NodalReaction* ground_;
 };
 
 }  // namespace
 
 SceneLoads compile_loads(const Scene& scene, const Space& space, const Unknowns& unknowns,
                          const std::vector<Body>& bodies, const std::optional<Caisson>& caisson,
-                         const GroundReaction* reaction) {
-  LoadCompiler compiler(space, unknowns, bodies, caisson, reaction);
+                         const NodalReaction* ground) {
+  LoadCompiler compiler(space, unknowns, bodies, caisson, ground);
   for (const auto& [name, load] : scene.loads)
     if (load.factor != 0.) compiler.add(name, load);
   return std::move(compiler.out);

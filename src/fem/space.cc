@@ -12,6 +12,7 @@ using namespace dealii;
 namespace {
 
 CellKind kind_of(const Region& region) {
+  if (region.kind == RegionKind::water) return CellKind::water;
   if (region.kind != RegionKind::porous || region.flow == Flow::drained) return CellKind::solid;
   return region.flow == Flow::inertial ? CellKind::inertial : CellKind::darcy;
 }
@@ -24,21 +25,18 @@ hp::FECollection<dim> make_elements(unsigned k) {
   elements.push_back(FESystem<dim>(u, dim, none, dim, none, 1));
   elements.push_back(FESystem<dim>(u, dim, none, dim, phi, 1));
   elements.push_back(FESystem<dim>(u, dim, W, dim, phi, 1));
+  elements.push_back(FESystem<dim>(none, dim, none, dim, u, 1));  // phi of degree k: the added mass needs it
   return elements;
 }
 
 }  // namespace
 
-Space::Space(const Mesh& mesh, const Scene& scene, const std::map<std::string, FlowChoice>& flows)
+Space::Space(const Mesh& mesh, const Scene& scene)
     : mesh_(&mesh),
       degree_(scene.mesh.degree),
       elements_(make_elements(static_cast<unsigned>(scene.mesh.degree))),
       dofs_(mesh.triangulation) {
-  for (const std::string& name : mesh.surfaces) {
-    Region region = scene.regions.at(name);
-    if (const auto choice = flows.find(name); choice != flows.end()) region.flow = choice->second.flow;
-    regions_.push_back(region);
-  }
+  for (const std::string& name : mesh.surfaces) regions_.push_back(scene.regions.at(name));
   for (const auto& cell : dofs_.active_cell_iterators())
     cell->set_active_fe_index(static_cast<unsigned>(kind_of(region(cell))));
   dofs_.distribute_dofs(elements_);
@@ -49,7 +47,11 @@ const Region& Space::region(const DoFHandler<dim>::active_cell_iterator& cell) c
 }
 
 bool Space::has_pressure(const DoFHandler<dim>::active_cell_iterator& cell) const {
-  return cell->active_fe_index() != static_cast<unsigned>(CellKind::solid);
+  return kind(cell) != CellKind::solid;
+}
+
+bool Space::has_pores(const DoFHandler<dim>::active_cell_iterator& cell) const {
+  return kind(cell) == CellKind::darcy || kind(cell) == CellKind::inertial;
 }
 
 }  // namespace upbead

@@ -2,9 +2,9 @@
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
-#include "upbead/model/scene.h"
+#include "upbead/base/text.h"
+#include "upbead/model/choices.h"
 
 namespace upbead {
 
@@ -29,13 +29,6 @@ double duration_of_kinks(const TimeFunction& f) {
   return largest_jump > round_off * largest ? 0. : 2. * least;
 }
 
-std::string number(double value) {
-  std::ostringstream text;
-  text.precision(3);
-  text << value;
-  return text.str();
-}
-
 }  // namespace
 
 double shortest_duration(const Scene& scene) {
@@ -53,7 +46,7 @@ FlowChoice choose_flow(const Region& region, const Scene& scene) {
   choice.X = k > 0. ? k * omega / (scene.gravity * n) : 0.;
   const bool fast = choice.X > largest_X_of_darcy;
   choice.flow = fast && scene.time.inertia ? Flow::inertial : Flow::darcy;
-  const std::string X = "X = k omega/(g n) = " + number(choice.X), limit = number(largest_X_of_darcy);
+  const std::string X = "X = k omega/(g n) = " + significant(choice.X), limit = significant(largest_X_of_darcy);
   if (region.flow != Flow::automatic) {
     choice.flow = region.flow;
     choice.reason = "stated in the case";
@@ -64,7 +57,7 @@ FlowChoice choose_flow(const Region& region, const Scene& scene) {
   } else if (duration == 0.) {
     choice.reason = "a load jumps, so " + X + ": the water's own inertia counts";
   } else {
-    choice.reason = X + (fast ? " > " : " <= ") + limit + " for loads of " + number(duration) +
+    choice.reason = X + (fast ? " > " : " <= ") + limit + " for loads of " + significant(duration) +
                     " s: " + (fast ? "the water's own inertia counts" : "drag outweighs the water's own inertia");
   }
   return choice;

@@ -51,6 +51,8 @@ const std::vector<MemberRule>& member_rules() {
       {"biot", {K::porous}, false, changed(&R::biot)},
       {"grain_bulk_modulus", {K::porous}, false, changed(&R::grain_bulk_modulus)},
       {"damping", {K::solid, K::porous}, false, set(&R::damping)},
+      {"deformation", {K::solid}, false, changed(&R::deformation)},
+      {"compressibility", {K::water}, false, changed(&R::compressibility)},
   };
   return rules;
 }
@@ -66,7 +68,7 @@ class Checker {
   std::vector<Objection> run() {
     check_members();
     if (region_.kind == K::rigid) exactly_one("density", region_.density.has_value(), "mass", region_.mass.has_value());
-    if (region_.kind != K::rigid)
+    if (region_.kind == K::solid || region_.kind == K::porous)
       exactly_one("shear_modulus", region_.shear_modulus.has_value(), "youngs_modulus",
                   region_.youngs_modulus.has_value());
     if (region_.kind == K::solid && !region_.density) missing("density");
@@ -137,6 +139,11 @@ Material material(const Region& region, const Fluid& fluid, double gravity) {
   Material m;
   if (region.kind != K::porous) m.rho = region.density.value_or(0.);
   if (region.kind == K::rigid) return m;
+  if (region.kind == K::water) {
+    m.rho = m.rho_f = fluid.density;
+    if (region.compressibility != Compressibility::incompressible) m.storage = 1. / fluid.bulk_modulus;
+    return m;
+  }
   const double nu = *region.poissons_ratio;
   m.G = region.shear_modulus ? *region.shear_modulus : *region.youngs_modulus / (2. * (1. + nu));
   m.lambda = 2. * m.G * nu / (1. - 2. * nu);

@@ -2,17 +2,30 @@
 
 namespace upbead {
 
-const Words<RegionKind> region_kind_words{
-    {"porous", RegionKind::porous}, {"solid", RegionKind::solid}, {"rigid", RegionKind::rigid}};
+const Words<RegionKind> region_kind_words{{"porous", RegionKind::porous},
+                                          {"solid", RegionKind::solid},
+                                          {"rigid", RegionKind::rigid},
+                                          {"water", RegionKind::water}};
 
 const Words<Flow> flow_words{
     {"auto", Flow::automatic}, {"darcy", Flow::darcy}, {"inertial", Flow::inertial}, {"drained", Flow::drained}};
 
+const Words<Deformation> deformation_words{
+    {"auto", Deformation::automatic}, {"elastic", Deformation::elastic}, {"rigid", Deformation::rigid}};
+
+const Words<Compressibility> compressibility_words{{"auto", Compressibility::automatic},
+                                                   {"compressible", Compressibility::compressible},
+                                                   {"incompressible", Compressibility::incompressible}};
+
 const Words<DisplacementCondition> displacement_words{{"fixed", DisplacementCondition::fixed},
                                                       {"roller", DisplacementCondition::roller},
-                                                      {"free", DisplacementCondition::free}};
+                                                      {"free", DisplacementCondition::free},
+                                                      {"absorbing", DisplacementCondition::absorbing}};
 
-const Words<PressureCondition> pressure_words{{"sealed", PressureCondition::sealed}, {"open", PressureCondition::open}};
+const Words<PressureCondition> pressure_words{{"sealed", PressureCondition::sealed},
+                                              {"open", PressureCondition::open},
+                                              {"absorbing", PressureCondition::absorbing},
+                                              {"surface_waves", PressureCondition::surface_waves}};
 
 const Words<PulseShape> pulse_shape_words{{"triangle", PulseShape::triangle},
                                           {"step", PulseShape::step},

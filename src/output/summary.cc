@@ -36,6 +36,7 @@ Json to_object(const ShearResponse& r, double energy_mismatch) {
           {"peak_displacement", r.peak_displacement},
           {"peak_rotation", r.peak_rotation},
           {"peak_shear_paper", r.peak_shear_paper},
+          {"peak_shear_experiment", r.peak_shear_experiment},
           {"shear_to_impulse", optional(r.shear_to_impulse)},
           {"arm", optional(r.arm)},
           {"peak_base_moment", r.peak_base_moment},
@@ -49,8 +50,9 @@ Json to_object(const LoadOnCaisson& load) {
 }
 
 Json to_object(const EnergyAccount& e) {
-  return {{"work", e.work}, {"kinetic", e.kinetic}, {"strain", e.strain}, {"fluid", e.fluid},
-          {"drag", e.drag}, {"damping", e.damping}, {"scheme", e.scheme}, {"mismatch", e.mismatch()}};
+  return {{"work", e.work},         {"kinetic", e.kinetic}, {"strain", e.strain},
+          {"fluid", e.fluid},       {"drag", e.drag},       {"damping", e.damping},
+          {"radiated", e.radiated}, {"scheme", e.scheme},   {"mismatch", e.mismatch()}};
 }
 
 Json to_object(const Timing& t) {

@@ -4,78 +4,13 @@
 #include <cmath>
 #include <sstream>
 
+#include "inside_steps.h"
 #include "upbead/base/error.h"
-#include "upbead/dynamics/interpolate.h"
 #include "upbead/fem/caisson_readings.h"
 
 namespace upbead {
 
 namespace {
-
-using Samples = Eigen::RowVectorXd;
-
-Samples samples(const CompiledScene& compiled, const Series& series, const char* name) {
-  return series.reading.row(compiled.system.reading(name));
-}
-
-/// F_T and x_G between the ends of each step. A scheme of order 4 has x_G, x_G' and x_G'' good enough for a quintic; of
-/// order 2 their errors, divided by h^2, would spoil its second derivative, so x_G'' is linear there.
-class InsideSteps {
- public:
-  InsideSteps(const CompiledScene& compiled, const Response& response, const TimeFunction& P, int order)
-      : time_(response.ends.time),
-        x_(samples(compiled, response.ends, reading::displacement_x)),
-        v_(samples(compiled, response.ends, reading::velocity_x)),
-        F_(samples(compiled, response.ends, reading::shear_force)),
-        P_(P),
-        mass_(compiled.caisson->body.mass),
-        quintic_(order >= 4) {}
-
-  Extremum shear_force(int sign) const {
-    return extreme(sign, [this](std::size_t n, double t) {
-      return P_(t, middle(n)) - mass_ * (quintic_ ? motion(n)(t).second : linear_acceleration(n, t));
-    });
-  }
-
-  Extremum displacement(int sign) const {
-    return extreme(sign, [this](std::size_t n, double t) { return motion(n)(t).value; });
-  }
-
- private:
-  double middle(std::size_t n) const { return 0.5 * (time_[n] + time_[n + 1]); }
-
-  /// x_G, x_G' and x_G'' = (P - F_T)/m at one end of step n, with the step's own piece of P.
-  Jet jet(std::size_t n, std::size_t end) const {
-    const auto k = static_cast<Eigen::Index>(end);
-    return {x_[k], v_[k], (P_(time_[end], middle(n)) - F_[k]) / mass_};
-  }
-
-  QuinticHermite motion(std::size_t n) const {
-    return QuinticHermite(time_[n], time_[n + 1] - time_[n], jet(n, n), jet(n, n + 1));
-  }
-
-  double linear_acceleration(std::size_t n, double t) const {
-    const double weight = (t - time_[n]) / (time_[n + 1] - time_[n]);
-    return (1. - weight) * jet(n, n).second + weight * jet(n, n + 1).second;
-  }
-
-  template <typename Value>
-  Extremum extreme(int sign, const Value& value) const {
-    Extremum best{time_.front(), 0.};
-    for (std::size_t n = 0; n + 1 < time_.size(); ++n) {
-      const TimeFunction inside({}, {[&](double t) { return value(n, t); }});
-      const Extremum candidate = extremum(inside, time_[n], time_[n + 1], sign, 16);
-      if (sign * (candidate.value - best.value) > 0.) best = candidate;
-    }
-    return best;
-  }
-
-  const std::vector<double>& time_;
-  Samples x_, v_, F_;
-  const TimeFunction& P_;
-  double mass_;
-  bool quintic_;
-};
 
 Extremum at_ends(const std::vector<double>& time, const Samples& values, int sign) {
   Eigen::Index at = 0;
@@ -107,11 +42,47 @@ double reaction_mismatch(const CompiledScene& compiled, const Series& balanced) 
   return scale > 0. ? largest(by_ground - by_inertia) / scale : 0.;
 }
 
+/// Whether the largest |P| is seaward.
+bool is_seaward(const ShearResponse& r) {
+  return -r.peak_force_seaward > r.peak_force;
+}
+
+void set_forces(ShearResponse& r, const TimeFunction& P, double end) {
+  const Extremum landward = extremum(P, 0., end, 1), seaward = extremum(P, 0., end, -1);
+  r.peak_force = landward.value;
+  r.peak_force_time = landward.time;
+  r.peak_force_seaward = seaward.value;
+  r.peak_force_seaward_time = seaward.time;
+  r.impulse = integral(P, 0., end);
+}
+
+/// Peaks of F_T, of its other readings, and of the motion.
+void set_peaks(ShearResponse& r, const CompiledScene& compiled, const Response& response, const TimeFunction& P,
+               bool inertia) {
+  const std::vector<double>& time = response.ends.time;
+  const auto of = [&](const char* name) { return samples(compiled, response.ends, name); };
+  const Samples F_T = of(reading::shear_force), water = of(reading::water_force),
+                front = of(reading::water_force_front);
+  const InsideSteps inside(compiled, response, P);
+  const auto peak = [&](int sign, const Samples& part) {
+    return inertia ? inside.shear_force(sign, part) : at_ends(time, F_T - water + part, sign);
+  };
+  const Extremum landward = peak(1, water), seaward = peak(-1, water);
+  r.peak_shear = landward.value;
+  r.peak_shear_time = landward.time;
+  r.peak_shear_seaward = seaward.value;
+  r.peak_shear_seaward_time = seaward.time;
+  r.peak_shear_paper = peak(1, 0. * water).value;
+  r.peak_shear_experiment = peak(1, front).value;
+  r.peak_displacement = inertia ? inside.displacement(1).value : of(reading::displacement_x).maxCoeff();
+  r.peak_rotation = of(reading::rotation).maxCoeff();
+  r.peak_base_moment = of(reading::base_moment).maxCoeff();
+}
+
 /// Ratios of the peaks in the direction of the largest |P|.
 void set_ratios(ShearResponse& r, double duration) {
-  const bool seaward = -r.peak_force_seaward > r.peak_force;
-  const double force = seaward ? r.peak_force_seaward : r.peak_force;
-  const double shear = seaward ? r.peak_shear_seaward : r.peak_shear;
+  const double force = is_seaward(r) ? r.peak_force_seaward : r.peak_force;
+  const double shear = is_seaward(r) ? r.peak_shear_seaward : r.peak_shear;
   if (force != 0.) r.shear_to_force_ratio = shear / force;
   if (std::abs(r.impulse) > 1e-9 * std::abs(force) * duration) r.shear_to_impulse = shear / r.impulse;
 }
@@ -127,32 +98,13 @@ TimeFunction force_on_caisson(const CompiledScene& compiled) {
 }
 
 ShearResponse read_shear_response(const CompiledScene& compiled, const Response& response, bool inertia) {
-  const std::vector<double>& time = response.ends.time;
   const TimeFunction P = force_on_caisson(compiled);
-  const InsideSteps inside(compiled, response, P, response.order);
-  const Samples F_T = samples(compiled, response.ends, reading::shear_force);
-  const Extremum force = extremum(P, 0., time.back(), 1), force_seaward = extremum(P, 0., time.back(), -1);
-  const Extremum landward = inertia ? inside.shear_force(1) : at_ends(time, F_T, 1);
-  const Extremum seaward = inertia ? inside.shear_force(-1) : at_ends(time, F_T, -1);
-
+  const double end = response.ends.time.back();
   ShearResponse r;
-  r.peak_force = force.value;
-  r.peak_force_time = force.time;
-  r.peak_force_seaward = force_seaward.value;
-  r.peak_force_seaward_time = force_seaward.time;
-  r.impulse = integral(P, 0., time.back());
-  r.peak_shear = landward.value;
-  r.peak_shear_time = landward.time;
-  r.peak_shear_seaward = seaward.value;
-  r.peak_shear_seaward_time = seaward.time;
-  r.peak_shear_paper = r.peak_shear;  // no water is modelled around the caisson, so both readings are one
-  set_ratios(r, time.back());
-  r.peak_displacement =
-      inertia ? inside.displacement(1).value : samples(compiled, response.ends, reading::displacement_x).maxCoeff();
-  r.peak_rotation = samples(compiled, response.ends, reading::rotation).maxCoeff();
-  const bool seaward_force = -r.peak_force_seaward > r.peak_force;
-  r.arm = arm_at(compiled, seaward_force ? r.peak_force_seaward_time : r.peak_force_time);
-  r.peak_base_moment = samples(compiled, response.ends, reading::base_moment).maxCoeff();
+  set_forces(r, P, end);
+  set_peaks(r, compiled, response, P, inertia);
+  set_ratios(r, end);
+  r.arm = arm_at(compiled, is_seaward(r) ? r.peak_force_seaward_time : r.peak_force_time);
   r.reaction_mismatch = reaction_mismatch(compiled, response.balanced);
   return r;
 }

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 #include "upbead/algebra/factorisation.h"
 #include "upbead/base/stopwatch.h"
+#include "upbead/base/text.h"
 #include "upbead/fem/caisson_readings.h"
 
 namespace upbead {
@@ -98,8 +98,11 @@ class PeriodFinder {
   /// than it pushes, may only show a positive stiffness at a lower s.
   double period(double s) {
     for (int halved = 0; halved <= 4; ++halved, s /= 2.) {
-      const double x = displacement(s), stiffness = x > 0. ? 1. / x - mass_ * s * s : 0.;
-      if (stiffness > 0.) return 2. * pi * std::sqrt(mass_ / stiffness);
+      const Vector solution = solve(s);
+      const double x = x_G_.dot(solution);
+      if (!(x > 0.)) continue;
+      const double mass = mass_ + added_mass(solution, s, x), stiffness = 1. / x - mass * s * s;
+      if (stiffness > 0.) return 2. * pi * std::sqrt(mass / stiffness);
     }
     return 0.;
   }
@@ -114,11 +117,19 @@ class PeriodFinder {
     return values;
   }
 
-  double displacement(double s) {
+  /// Of the water: its force at x' = s x over -x'' = -s^2 x.
+  double added_mass(const Vector& solution, double s, double x) const {
+    double force = 0.;
+    for (const auto& [i, weight] : system_.readings[system_.reading(reading::water_force)].velocity)
+      if (i < solution.size()) force += weight * s * solution[i];
+    return -force / (s * s * x);
+  }
+
+  Vector solve(double s) {
     const int n = system_.n_free();
     const SparseMatrix S = (s * s * system_.M + s * system_.C + system_.K).eval().topLeftCorner(n, n);
     ++n_factorisations_;
-    return x_G_.dot(Factorisation(S, system_.blocks).solve(b_));
+    return Factorisation(S, system_.blocks).solve(b_);
   }
 
   const System& system_;
@@ -127,18 +138,16 @@ class PeriodFinder {
   int n_factorisations_ = 0;
 };
 
-std::string number(double value) {
-  char buffer[32];
-  std::snprintf(buffer, sizeof buffer, "%.4g s", value);
-  return buffer;
+std::string seconds(double value) {
+  return significant(value, 4) + " s";
 }
 
 std::string reason(const LoadStep& loads, double period) {
-  std::string text = !loads.lone_jump ? "shortest load " + number(loads.duration)
+  std::string text = !loads.lone_jump ? "shortest load " + seconds(loads.duration)
                      : period > 0.    ? "a lone jump"
-                                      : "a lone jump, a 20th of the end " + number(loads.duration);
-  if (period > 0.) text += ", apparent period " + number(period);
-  if (loads.growth) text += ", growing after " + number(loads.growth->after);
+                                      : "a lone jump, a 20th of the end " + seconds(loads.duration);
+  if (period > 0.) text += ", apparent period " + seconds(period);
+  if (loads.growth) text += ", growing after " + seconds(loads.growth->after);
   return text;
 }
 

@@ -23,9 +23,9 @@ const std::vector<BadCase> rows{
     BadCase{"UnknownKeyAtTheTop", "title = \"prototype\"", "name = \"prototype\"",
             "case.toml:1:1: unknown key 'name' at the top of the file; known keys: title, gravity, fluid, mesh, "
             "regions, boundaries, loads, time, accuracy, probes, output"},
-    BadCase{"KeyOfALaterStage", "boundary = \"front\"", "measured_on_wall = true\nboundary = \"front\"",
-            "case.toml:47:1: unknown key 'measured_on_wall' in [loads.impact]; known keys: boundary, region, kind, at, "
-            "direction, shape, pulse, history, factor"},
+    BadCase{"KeyOfALaterStage", "boundary = \"front\"", "gauges = \"g.csv\"\nboundary = \"front\"",
+            "case.toml:47:1: unknown key 'gauges' in [loads.impact]; known keys: boundary, region, kind, at, "
+            "direction, shape, pulse, history, measured_on_wall, factor"},
     BadCase{"SurfaceOfALaterStage", "[output]", "[sliding]\nfriction = 0.6\n[output]",
             "case.toml:79:2: unknown key 'sliding' at the top of the file; known keys: title, gravity, fluid, mesh, "
             "regions, boundaries, loads, time, accuracy, probes, output"},
@@ -63,11 +63,12 @@ const std::vector<BadCase> rows{
     BadCase{"StringForAParameter", "mound_height = 6", "mound_height = \"6\"",
             "case.toml:10:16: mound_height: expected a number, found a string; write the number without quotes"},
     BadCase{"NumberForAWord", "kind = \"porous\"", "kind = 1",
-            "case.toml:15:1: kind: expected one of porous, solid, rigid, found the number 1; write kind = \"porous\""},
+            "case.toml:15:1: kind: expected one of porous, solid, rigid, water, found the number 1; write kind = "
+            "\"porous\""},
     BadCase{"WordNearAnother", "kind = \"porous\"", "kind = \"porus\"",
-            "case.toml:15:1: kind = \"porus\" is none of porous, solid, rigid; did you mean 'porous'?"},
-    BadCase{"WordOfALaterStage", "displacement = \"roller\"", "displacement = \"absorbing\"",
-            "case.toml:40:1: displacement = \"absorbing\" is none of fixed, roller, free; choose one of them"},
+            "case.toml:15:1: kind = \"porus\" is none of porous, solid, rigid, water; did you mean 'porous'?"},
+    BadCase{"WordOutOfAList", "displacement = \"roller\"", "displacement = \"sliding\"",
+            "case.toml:40:1: displacement = \"sliding\" is none of fixed, roller, free, absorbing; choose one of them"},
     BadCase{"WordForAStep", "step = 0.001", "step = \"automatic\"",
             "case.toml:68:1: step: expected a number (s) or \"auto\", found a string; give the time step (s)"},
     BadCase{"OutOfRangeAtItsEnd", "poissons_ratio = 0.3", "poissons_ratio = 0.5",
@@ -122,7 +123,7 @@ const std::vector<BadCase> rows{
     BadCase{"TwoMistakesInTheOrderOfTheFile", "degree = 3\n\n[regions.rubble]\nkind = \"porous\"",
             "degre = 3\n\n[regions.rubble]\nkind = \"sand\"",
             "case.toml:12:1: unknown key 'degre' in [mesh]; did you mean 'degree'?\n"
-            "case.toml:15:1: kind = \"sand\" is none of porous, solid, rigid; choose one of them"},
+            "case.toml:15:1: kind = \"sand\" is none of porous, solid, rigid, water; choose one of them"},
     BadCase{"WrongTypeIsNotMissing", "porosity = 0.4\n", "porosity = \"high\"\n",
             "case.toml:18:1: porosity: expected a number, found a string; give the share of the pores in the volume"},
 };

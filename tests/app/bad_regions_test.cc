@@ -19,7 +19,7 @@ const std::vector<BadCase> rows{
             "case.toml:25:1: [regions.rubble]: the two frequencies of damping do not ascend; give the lower one first, "
             "such as [1.0, 10.0]"},
     BadCase{"MissingKind", "kind = \"porous\"\n", "",
-            "case.toml:14:10: 'kind' is missing in [regions.rubble]; add kind, one of porous, solid, rigid"},
+            "case.toml:14:10: 'kind' is missing in [regions.rubble]; add kind, one of porous, solid, rigid, water"},
     BadCase{"MissingPorosity", "porosity = 0.4\n", "",
             "case.toml:14:10: [regions.rubble]: 'porosity' is missing, which a porous region needs; add porosity"},
     BadCase{"MissingConductivity", "hydraulic_conductivity = 0.1\n", "",

@@ -56,6 +56,7 @@ boundary = "top"
 kind = "force"
 direction = [1.0, 0.0]
 # shape: uniform
+measured_on_wall = false
 factor = 1.0
 
 [loads.step.pulse]

@@ -13,21 +13,48 @@ using Parameters = std::map<std::string, double>;
 
 const Parameters prototype = {{"seabed_depth", 15}, {"seabed_front", 60},      {"seabed_back", 60},
                               {"mound_height", 6},  {"mound_crest_front", 16}, {"mound_crest_back", 16},
-                              {"mound_slope", 2},   {"caisson_width", 18},     {"caisson_height", 16}};
+                              {"mound_slope", 2},   {"caisson_width", 18},     {"caisson_height", 16},
+                              {"water_depth", 15},  {"sea_front", 0},          {"sea_back", 0}};
+
+const Parameters both_seas = {{"sea_front", 3}, {"sea_back", 3}};
+const Parameters to_the_sides = {{"sea_front", 79.0 / 15}, {"sea_back", 79.0 / 15}};
 
 Parameters with(Parameters changed) {
   changed.insert(prototype.begin(), prototype.end());
   return changed;
 }
 
-/// Vertices by x, then y.
-std::vector<dealii::Point<dim>> sorted_vertices(const Mesh& mesh, double scale) {
-  std::vector<dealii::Point<dim>> vertices;
-  for (const auto& vertex : mesh.triangulation.get_vertices())
-    vertices.emplace_back(scale * vertex[0], std::abs(scale) * vertex[1]);
+/// The section at a scale of 1/20.
+Parameters model(Parameters changed) {
+  Parameters scaled = with(changed);
+  for (auto& [name, value] : scaled)
+    if (name != "mound_slope" && name != "sea_front" && name != "sea_back") value /= 20;
+  return scaled;
+}
+
+std::unique_ptr<Mesh> section(const Parameters& parameters) {
+  return read_mesh(geometry("composite", parameters));
+}
+
+/// By x, then y.
+std::vector<dealii::Point<dim>> sorted(std::vector<dealii::Point<dim>> vertices, double scale) {
+  for (auto& vertex : vertices) vertex = {scale * vertex[0], std::abs(scale) * vertex[1]};
   std::sort(vertices.begin(), vertices.end(),
             [](const auto& a, const auto& b) { return std::abs(a[0] - b[0]) > 1e-6 ? a[0] < b[0] : a[1] < b[1]; });
   return vertices;
+}
+
+std::vector<dealii::Point<dim>> sorted_vertices(const Mesh& mesh, double scale) {
+  return sorted(mesh.triangulation.get_vertices(), scale);
+}
+
+/// Vertices of every cell of the seabed and the mound.
+std::vector<dealii::Point<dim>> soil_vertices(const Mesh& mesh) {
+  std::vector<dealii::Point<dim>> vertices;
+  for (const auto& cell : mesh.triangulation.active_cell_iterators())
+    if (mesh.surface_of(cell) == "seabed" || mesh.surface_of(cell) == "mound")
+      for (const unsigned int v : cell->vertex_indices()) vertices.push_back(cell->vertex(v));
+  return sorted(vertices, 1.0);
 }
 
 void expect_same(const std::vector<dealii::Point<dim>>& a, const std::vector<dealii::Point<dim>>& b, double tolerance) {
@@ -61,6 +88,45 @@ TEST_P(Section, AreasLengthsAndAngles) {
   EXPECT_THAT(length.at("top"), near(width));
   EXPECT_THAT(length.at("bottom"), near(width));
   EXPECT_GT(smallest_sine(*mesh), 0.3);
+
+  const double water = p.at("water_depth");
+  double surface = 0;
+  for (const auto& [side, end] : {std::pair<std::string, std::string>{"front", "sea_left"}, {"back", "sea_right"}}) {
+    const double sea = p.at("sea_" + side) * water;
+    ASSERT_EQ(area.count("sea_" + side), sea > 0 ? 1u : 0u);
+    ASSERT_EQ(length.count(end), sea > 0 ? 1u : 0u);
+    if (sea == 0) continue;
+    const double berm = p.at("mound_crest_" + side) - width / 2;
+    EXPECT_THAT(area.at("sea_" + side), near(sea * water - height * (berm + foot / 2)));
+    EXPECT_THAT(length.at(end), near(water));
+    surface += sea;
+  }
+  ASSERT_EQ(length.count("sea_surface"), surface > 0 ? 1u : 0u);
+  if (surface > 0) {
+    EXPECT_THAT(length.at("sea_surface"), near(surface));
+  }
+}
+
+TEST_P(Section, SeaJoinsSoilAndCaisson) {
+  const Parameters p = with(GetParam());
+  const auto mesh = section(GetParam());
+  const auto& cells = mesh->triangulation;
+  // One piece without holes or slits (Euler): no vertex is there twice.
+  EXPECT_EQ(cells.n_used_vertices() + cells.n_active_cells(), cells.n_active_lines() + 1u);
+  const std::map<std::string, std::string> across = {
+      {"bed", "seabed"}, {"mound_surface", "mound"}, {"front", "caisson"}, {"back", "caisson"}};
+  for (const auto& cell : cells.active_cell_iterators())
+    for (const unsigned int f : cell->face_indices()) {
+      const std::string curve = mesh->curve_of(cell->face(f)), surface = mesh->surface_of(cell);
+      const auto at = cell->face(f)->center();
+      const double sea = p.at(at[0] < 0 ? "sea_front" : "sea_back") * p.at("water_depth");
+      const bool wet = sea > 0 && at[1] < p.at("water_depth") && std::abs(at[0]) < p.at("caisson_width") / 2 + sea;
+      const bool interior = curve.empty() || curve == "bottom" || (across.count(curve) == 1 && wet);
+      ASSERT_EQ(cell->at_boundary(f), !interior) << curve << " at " << at;
+      if (interior && surface.rfind("sea_", 0) == 0) {
+        EXPECT_EQ(mesh->surface_of(cell->neighbor(f)), curve.empty() ? surface : across.at(curve)) << at;
+      }
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -72,6 +138,19 @@ INSTANTIATE_TEST_SUITE_P(
                     Parameters{{"seabed_front", 5}, {"seabed_back", 200}}, Parameters{{"caisson_width", 8}},
                     Parameters{{"caisson_width", 30}}, Parameters{{"cells", 0.3}}, Parameters{{"cells", 2.5}},
                     Parameters{{"grading", 1}}, Parameters{{"grading", 30}}, Parameters{{"caisson_height", 4}}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Seas, Section,
+    testing::Values(both_seas, to_the_sides, Parameters{{"sea_front", 2.5}}, Parameters{{"sea_back", 2.5}},
+                    Parameters{{"sea_front", 79.0 / 15}, {"sea_back", 1.3}},
+                    Parameters{{"sea_front", 3}, {"sea_back", 4}, {"mound_slope", 1.33}},
+                    Parameters{{"sea_front", 3}, {"sea_back", 4}, {"mound_slope", 3}},
+                    Parameters{{"sea_front", 3}, {"mound_slope", 0.5}},
+                    Parameters{{"sea_front", 3}, {"sea_back", 3}, {"cells", 0.5}},
+                    Parameters{{"sea_front", 3}, {"sea_back", 3}, {"cells", 2}, {"sea_cells", 10}},
+                    Parameters{{"sea_front", 9}, {"sea_back", 6}, {"water_depth", 7}, {"sea_cells", 1}},
+                    Parameters{{"sea_back", 1}, {"water_depth", 21.5}, {"grading", 1}}, model(both_seas),
+                    model({{"sea_back", 4}}), model(to_the_sides)));
 
 TEST(Composite, SitsAtTheOrigin) {
   const auto mesh = read_mesh(geometry("composite"));
@@ -87,29 +166,36 @@ TEST(Composite, SitsAtTheOrigin) {
 }
 
 TEST(Composite, Counts) {
-  const auto counts = cell_counts(*read_mesh(geometry("composite")));
-  EXPECT_EQ(counts.at("seabed"), 816u);
-  EXPECT_EQ(counts.at("mound"), 570u);
-  EXPECT_EQ(counts.at("caisson"), 96u);
+  const std::map<std::string, unsigned int> dry = {{"seabed", 816}, {"mound", 570}, {"caisson", 96}};
+  const std::map<std::string, unsigned int> wet = {
+      {"seabed", 816}, {"mound", 570}, {"caisson", 240}, {"sea_front", 224}, {"sea_back", 224}};
+  EXPECT_EQ(cell_counts(*section({})), dry);
+  EXPECT_EQ(cell_counts(*section(both_seas)), wet);
 }
 
 TEST(Composite, TwiceTheCellsHalvesThem) {
-  const auto once = cell_counts(*read_mesh(geometry("composite")));
-  const auto twice = cell_counts(*read_mesh(geometry("composite", {{"cells", 2}})));
-  for (const auto& [name, count] : once) EXPECT_NEAR(twice.at(name) / (4.0 * count), 1.0, 0.1) << name;
+  for (Parameters p : {Parameters{}, both_seas}) {
+    const auto once = cell_counts(*section(p));
+    p["cells"] = 2;
+    const auto twice = cell_counts(*section(p));
+    for (const auto& [name, count] : once) EXPECT_NEAR(twice.at(name) / (4.0 * count), 1.0, 0.1) << name;
+  }
 }
 
 TEST(Composite, ModelIsThePrototypeScaled) {
-  Parameters model = prototype;
-  for (auto& [name, value] : model)
-    if (name != "mound_slope") value /= 20;
-  expect_same(sorted_vertices(*read_mesh(geometry("composite", model)), 20.0),
-              sorted_vertices(*read_mesh(geometry("composite")), 1.0), 1e-6);
+  for (const Parameters& p : {Parameters{}, both_seas, to_the_sides})
+    expect_same(sorted_vertices(*section(model(p)), 20.0), sorted_vertices(*section(p), 1.0), 1e-6);
 }
 
 TEST(Composite, IsSymmetric) {
-  const auto mesh = read_mesh(geometry("composite"));
-  expect_same(sorted_vertices(*mesh, -1.0), sorted_vertices(*mesh, 1.0), 1e-12);
+  for (const Parameters& p : {Parameters{}, both_seas, to_the_sides}) {
+    const auto mesh = section(p);
+    expect_same(sorted_vertices(*mesh, -1.0), sorted_vertices(*mesh, 1.0), 1e-12);
+  }
+}
+
+TEST(Composite, SeaToTheSidesLeavesTheSoilAsItIs) {
+  expect_same(soil_vertices(*section(to_the_sides)), soil_vertices(*section({})), 1e-12);
 }
 
 TEST(Composite, CellsAreSmallestAtTheCaissonsCorners) {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "upbead/model/scene.h"
+#include "upbead/model/choices.h"
 
 namespace upbead {
 

@@ -6,13 +6,6 @@ namespace upbead::test {
 
 namespace {
 
-std::map<std::string, FlowChoice> choose_flows(const Scene& scene) {
-  std::map<std::string, FlowChoice> flows;
-  for (const auto& [name, region] : scene.regions)
-    if (region.kind == RegionKind::porous) flows[name] = choose_flow(region, scene);
-  return flows;
-}
-
 std::unique_ptr<Mesh> shipped_mesh(const std::string& name, const std::map<std::string, double>& parameters) {
   MeshRequest request;
   request.file = std::string(UPBEAD_MESH_DIR) + "/" + name + ".geo";
@@ -91,11 +84,11 @@ std::unique_ptr<Mesh> breakwater_mesh(double cells) {
 }
 
 Compiled::Compiled(const Scene& input, const Mesh& mesh)
-    : flows(choose_flows(input)),
-      space(mesh, input, flows),
+    : resolved(resolve(input, mesh).scene),
+      space(mesh, resolved),
       bodies(rigid_bodies(space)),
-      unknowns(space, input, bodies),
-      scene(compile(input, space, unknowns, bodies)) {}
+      unknowns(space, resolved, bodies),
+      scene(compile(resolved, space, unknowns, bodies)) {}
 
 Response run(const Compiled& compiled, double end, double step, SchemeKind kind) {
   SchemeOptions options;

@@ -7,6 +7,7 @@
 
 #include "upbead/dynamics/march.h"
 #include "upbead/fem/compile.h"
+#include "upbead/fem/resolve.h"
 #include "upbead/mesh/mesh.h"
 
 namespace upbead::test {
@@ -31,7 +32,7 @@ std::unique_ptr<Mesh> breakwater_mesh(double cells);
 /// A scene compiled on a mesh, with everything that it stands on.
 struct Compiled {
   Compiled(const Scene& scene, const Mesh& mesh);
-  std::map<std::string, FlowChoice> flows;
+  Scene resolved;
   Space space;
   std::vector<Body> bodies;
   Unknowns unknowns;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -10,6 +9,7 @@
 #include "upbead/app/case.h"
 #include "upbead/dynamics/march.h"
 #include "upbead/fem/compile.h"
+#include "upbead/fem/resolve.h"
 #include "upbead/mesh/mesh.h"
 #include "upbead/output/summary.h"
 
@@ -17,7 +17,8 @@ namespace upbead {
 
 /// A scene on its mesh, compiled, before anything is solved.
 struct CompiledCase {
-  std::map<std::string, FlowChoice> flows;  ///< of each porous region
+  Scene scene;                      ///< as solved: with everything decided that the case leaves open
+  std::vector<Decision> decisions;  ///< about its regions
   std::unique_ptr<Mesh> mesh;
   std::unique_ptr<Space> space;
   std::unique_ptr<Unknowns> unknowns;

@@ -3,15 +3,16 @@
 
 namespace upbead {
 
-/// Energy (J/m) at a time of a march: work = kinetic + strain + fluid + drag + damping + scheme, up to round-off. Each
-/// term comes from its own formula, none is a remainder.
+/// Energy (J/m) at a time of a march: work = kinetic + strain + fluid + drag + damping + radiated + scheme, up to
+/// round-off. Each term comes from its own formula, none is a remainder.
 struct EnergyAccount {
   double work = 0.;          ///< done by the loads so far, and by the reactions on prescribed unknowns
   double kinetic = 0.;       ///< now, of u and W, and of free water (which is x' K x of its phi)
   double strain = 0.;        ///< now, 1/2 x' K x of u
   double fluid = 0.;         ///< now, stored in compressed fluid and raised surfaces: 1/2 x'^T J M x' of phi
-  double drag = 0.;          ///< taken so far by flow through the pores and by absorbing sides of water
-  double damping = 0.;       ///< taken so far by material damping and absorbing sides of u
+  double drag = 0.;          ///< taken so far by flow through the pores
+  double damping = 0.;       ///< taken so far by material damping
+  double radiated = 0.;      ///< gone so far through absorbing sides
   double scheme = 0.;        ///< taken so far by the time scheme; negative where it fed the system
   double largest_work = 0.;  ///< largest |work| so far
 

@@ -1,4 +1,5 @@
-// Assembly of M, C and K from cells that deform and bodies that do not.
+// Assembly of M, C and K from cells that deform, faces where regions or the outside meet, and bodies that do not
+// deform.
 #pragma once
 
 #include <vector>
@@ -10,9 +11,9 @@
 
 namespace upbead {
 
-/// Fills M, C and K of `system`; `reaction`, where given, collects what the ground's cells say about the caisson's
-/// nodes.
+/// Fills M, C, K and the radiation of `system`; `forces`, where given, collects what ground and water say about the
+/// caisson's nodes.
 void assemble(const Scene& scene, const Space& space, const Unknowns& unknowns, const std::vector<Body>& bodies,
-              GroundReaction* reaction, System& system);
+              CaissonForces* forces, System& system);
 
 }  // namespace upbead

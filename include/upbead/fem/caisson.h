@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "upbead/fem/kernels.h"
+#include "upbead/fem/faces.h"
 #include "upbead/fem/rigid_body.h"
 #include "upbead/fem/unknowns.h"
 
@@ -26,13 +26,13 @@ std::optional<Caisson> find_caisson(const Space& space);
 std::array<Row, n_motions> momentum_rows(const Space& space, const Unknowns& unknowns, const std::vector<Body>& bodies,
                                          const Body& caisson, double density);
 
-/// Collects, cell by cell, what the ground's own matrices say about the caisson's nodes: the consistent nodal force
-/// that moves the ground with the caisson, as rows over x, x', x''. Its x part is the shear force F_T by route (ii).
-class GroundReaction {
+/// Collects, cell by cell and face by face, what the matrices of the caisson's surroundings say about its nodes: the
+/// consistent nodal force that moves them with the caisson, as rows over x, x', x''.
+class NodalReaction {
  public:
-  GroundReaction(const Space& space, const Unknowns& unknowns, const Caisson& caisson);
+  NodalReaction(const Space& space, const Unknowns& unknowns, const Caisson& caisson);
 
-  /// Adds a cell that does not belong to the caisson.
+  /// Adds a cell or a face that does not belong to the caisson.
   void add(const CellMatrices& cell, const std::vector<dealii::types::global_dof_index>& dofs);
   /// Work of nodal forces on the caisson's nodes in a unit motion (about the bottom's centre).
   double work(int motion, unsigned dof, double force) const { return motions_[dof][motion] * force; }
@@ -44,6 +44,18 @@ class GroundReaction {
   const Unknowns* unknowns_;
   std::vector<std::array<double, n_motions>> motions_;  ///< of every degree of freedom; zero off the caisson
   std::array<std::map<int, double>, n_motions> M_, C_, K_;
+};
+
+/// The surroundings of the caisson, apart.
+struct CaissonForces {
+  NodalReaction ground;       ///< its x part is the shear force F_T by route (ii)
+  NodalReaction water_front;  ///< water on its faces that look seaward; its x part is -P_water of the front
+  NodalReaction water_back;   ///< water on all its other faces
+
+  CaissonForces(const Space& space, const Unknowns& unknowns, const Caisson& caisson)
+      : ground(space, unknowns, caisson), water_front(ground), water_back(ground) {}
+  /// Which of them a wet face belongs to; one of another solid is the ground's.
+  NodalReaction& of(const WetFace& face, const Space& space);
 };
 
 }  // namespace upbead

@@ -1,4 +1,4 @@
-// Essential conditions: rigid regions, fixed and roller sides.
+// Essential conditions: rigid regions, fixed and roller sides, levels of free water and where it meets pores.
 #pragma once
 
 #include <deal.II/lac/affine_constraints.h>
@@ -15,7 +15,7 @@ namespace upbead {
 std::vector<std::string> pressure_prescribing_loads(const Space& space, const Scene& scene);
 
 /// All constraints on the degrees of freedom of the space. Indices from n_dofs() on stand for the rigid bodies'
-/// coordinates (three each).
+/// coordinates (three each), then for the unknowns of pressure_prescribing_loads.
 dealii::AffineConstraints<double> make_constraints(const Space& space, const Scene& scene,
                                                    const std::vector<Body>& bodies);
 

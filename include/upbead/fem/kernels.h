@@ -4,6 +4,7 @@
 //   momentum   rho u'' + rho_f W'' - div(sigma'(u) - alpha phi' I) = 0
 //   fluid      rho_f u'' + a W'' + b W' + grad phi' = 0                         (inertial flow)
 //   mass       alpha div u' + div W' + phi''/Q = 0,  W' = -(1/b) grad phi'      (the latter: darcy flow)
+//   water      div W' + phi''/K_f = 0,               W' = -grad phi / rho_f     (W the water's own displacement)
 //
 // Biot (1962), Zienkiewicz, Chang and Bettess (1980); the form in phi: docs/theory.md.
 #pragma once
@@ -33,6 +34,8 @@ void up_C(const dealii::FEValues<dim>& fe, const Material& material, CellMatrice
 void pp_M(const dealii::FEValues<dim>& fe, const Material& material, CellMatrices& cell);
 /// pp_C, darcy: -(1/b) grad dphi . grad phi
 void pp_C(const dealii::FEValues<dim>& fe, const Material& material, CellMatrices& cell);
+/// pp_K, water: -(1/rho_f) grad dphi . grad phi
+void pp_K(const dealii::FEValues<dim>& fe, const Material& material, CellMatrices& cell);
 /// uW_M and Wu_M: +rho_f du.W and its transpose; WW_M: +a dW.W
 void W_M(const dealii::FEValues<dim>& fe, const Material& material, CellMatrices& cell);
 /// WW_C: +b dW.W; Wp_C and pW_C: +dW.grad phi and its transpose

@@ -6,24 +6,13 @@
 // is much thinner than a cell, fully where it is thicker.
 #pragma once
 
-#include <deal.II/fe/fe_values.h>
-#include <deal.II/lac/full_matrix.h>
-
-#include <functional>
-#include <vector>
-
-#include "upbead/fem/space.h"
+#include "upbead/fem/faces.h"
 #include "upbead/fem/unknowns.h"
 
 namespace upbead {
 
-/// What one open face adds to C, over the unknowns that its rows stand for.
-struct OpenFace {
-  dealii::FullMatrix<double> C;
-  std::vector<Row> rows;  ///< expansion of each row: a degree of freedom of the cell, or a prescribed pressure
-};
-
-/// Calls visit(face) for every outer face where the boundary is open and the cell has pore water. With the jump
+/// Calls visit(terms) for every outer face where the boundary is open and the cell has pore water, and for every face
+/// between pore water and a drained porous region, where the pressure is none. With the jump
 /// [phi] = phi - sum_k intensity_k phi_k over the prescribed phi_k, the mobility 1/b, a penalty g of each flow's own
 /// and the cell's size h across the face:
 ///
@@ -32,7 +21,6 @@ struct OpenFace {
 /// Inertial flow: the flux through the side is W.n itself (the local discontinuous Galerkin flux of Arnold, Brezzi,
 /// Cockburn and Marini 2002), so C gets
 ///   Wp  -dW.n [phi] and its transpose;   pp  -g/(b h) [dphi][phi]
-void for_each_open_face(const Scene& scene, const Space& space, const Unknowns& unknowns,
-                        const std::function<void(const OpenFace&)>& visit);
+void for_each_open_face(const Scene& scene, const Space& space, const Unknowns& unknowns, const VisitFace& visit);
 
 }  // namespace upbead

@@ -29,9 +29,9 @@ struct SceneLoads {
 };
 
 /// One load of the system per load of the scene whose factor is not 0, and one more where it prescribes a pore
-/// pressure. `reaction` is needed where there is a caisson.
+/// pressure. `ground` is needed where there is a caisson.
 SceneLoads compile_loads(const Scene& scene, const Space& space, const Unknowns& unknowns,
                          const std::vector<Body>& bodies, const std::optional<Caisson>& caisson,
-                         const GroundReaction* reaction);
+                         const NodalReaction* ground);
 
 }  // namespace upbead

@@ -23,26 +23,33 @@ inline const dealii::FEValuesExtractors::Vector W_part{dim};
 inline const dealii::FEValuesExtractors::Scalar phi_part{phi_component};
 
 /// What a cell carries; also its index into the collection of elements.
-enum class CellKind : unsigned { solid = 0, darcy = 1, inertial = 2 };
+enum class CellKind : unsigned { solid = 0, darcy = 1, inertial = 2, water = 3 };
 
-/// u in Q(k) everywhere, phi in Q(k-1) where there is pore water, W in DGQ(k-1) where the fluid has inertia; absent
-/// unknowns are FE_Nothing. Inf-sup stable (Taylor and Hood); measured orders in docs/theory.md.
+/// u in Q(k) where something moves, phi in Q(k-1) where there is pore water and in Q(k) in free water, W in DGQ(k-1)
+/// where the pore water has inertia; absent unknowns are FE_Nothing. Inf-sup stable (Taylor and Hood); measured orders
+/// in docs/theory.md.
 class Space {
  public:
-  /// `flows`: the resolved flow of each porous region by name. The mesh must outlive the space.
-  Space(const Mesh& mesh, const Scene& scene, const std::map<std::string, FlowChoice>& flows);
+  /// Nothing in the scene's regions may be left to be chosen. The mesh must outlive the space.
+  Space(const Mesh& mesh, const Scene& scene);
 
   const Mesh& mesh() const { return *mesh_; }
   const dealii::DoFHandler<dim>& dofs() const { return dofs_; }
   const dealii::MappingQ1<dim>& mapping() const { return mapping_; }
   int degree() const { return degree_; }
   const Region& region(const dealii::DoFHandler<dim>::active_cell_iterator& cell) const;
+  CellKind kind(const dealii::DoFHandler<dim>::active_cell_iterator& cell) const {
+    return static_cast<CellKind>(cell->active_fe_index());
+  }
+  /// Whether there is phi, of pore water or of free water.
   bool has_pressure(const dealii::DoFHandler<dim>::active_cell_iterator& cell) const;
+  /// Whether there is pore water.
+  bool has_pores(const dealii::DoFHandler<dim>::active_cell_iterator& cell) const;
 
  private:
   const Mesh* mesh_;
   int degree_;
-  std::vector<Region> regions_;  ///< by material_id, with the flow resolved
+  std::vector<Region> regions_;  ///< by material_id
   dealii::MappingQ1<dim> mapping_;
   dealii::hp::FECollection<dim> elements_;
   dealii::DoFHandler<dim> dofs_;

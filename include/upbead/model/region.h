@@ -1,4 +1,5 @@
-// What fills a region: a rigid body, a dry solid, a porous soil. Plain SI data with the constants of Biot's equations.
+// What fills a region: a rigid body, a dry solid, a porous soil, free water. Plain SI data with the constants of Biot's
+// equations.
 #pragma once
 
 #include <array>
@@ -17,10 +18,16 @@ struct Fluid {
   double bulk_modulus = 2.2e9;  ///< K_f (Pa), may be infinite
 };
 
-enum class RegionKind { rigid, solid, porous };
+enum class RegionKind { rigid, solid, porous, water };
 
 /// How the pore water moves: see docs/theory.md. `automatic` is resolved by choose_flow.
 enum class Flow { automatic, darcy, inertial, drained };
+
+/// Whether a solid deforms or moves as a rigid body. `automatic` is resolved by choose_deformation.
+enum class Deformation { automatic, elastic, rigid };
+
+/// Whether free water stores volume under pressure. `automatic` is resolved by choose_compressibility.
+enum class Compressibility { automatic, compressible, incompressible };
 
 /// Rayleigh damping that gives `ratio` at two frequencies: C = mass_factor M + stiffness_factor K.
 struct Rayleigh {
@@ -48,6 +55,8 @@ struct Region {
   double biot = 1.;                                                     ///< alpha
   double grain_bulk_modulus = std::numeric_limits<double>::infinity();  ///< K_s (Pa)
   std::optional<Rayleigh> damping;
+  Deformation deformation = Deformation::automatic;              ///< solid
+  Compressibility compressibility = Compressibility::automatic;  ///< water
 };
 
 /// The constants of the equations of motion of one region, ready for the kernels.
@@ -59,11 +68,12 @@ struct Material {
   double a = 0.;                                     ///< tortuosity rho_f / n (kg/m3)
   double b = 0.;                                     ///< rho_f g / k (Pa s/m2)
   double alpha = 0.;                                 ///< Biot's coefficient
-  double storage = 0.;                               ///< 1/Q = n/K_f + (alpha - n)/K_s (1/Pa)
+  double storage = 0.;                               ///< 1/Q = n/K_f + (alpha - n)/K_s; of water 1/K_f (1/Pa)
   double mass_damping = 0., stiffness_damping = 0.;  ///< Rayleigh factors (1/s, s)
 };
 
-/// Constants of a region that has passed check(); of a rigid region only rho, if it is given.
+/// Constants of a region that has passed check(); of a rigid region only rho, if it is given. Water whose
+/// compressibility is not yet decided is compressible.
 Material material(const Region& region, const Fluid& fluid, double gravity);
 
 /// Whether a region of that kind takes the member named `key`.

@@ -12,13 +12,13 @@
 
 namespace upbead {
 
-enum class DisplacementCondition { fixed, roller, free };
-enum class PressureCondition { sealed, open };
+enum class DisplacementCondition { fixed, roller, free, absorbing };
+enum class PressureCondition { sealed, open, absorbing, surface_waves };
 
 /// One table [boundaries.NAME].
 struct Boundary {
   DisplacementCondition displacement = DisplacementCondition::free;
-  std::optional<PressureCondition> pressure;  ///< needed where the boundary meets pore water
+  std::optional<PressureCondition> pressure;  ///< needed where the boundary meets water, of pores or free
 };
 
 struct MeshChoice {
@@ -60,18 +60,6 @@ struct Scene {
 
 /// The region whose bottom shear is read.
 inline const std::string caisson_name = "caisson";
-
-/// Why a region's pore water is treated as it is.
-struct FlowChoice {
-  Flow flow = Flow::darcy;
-  double X = 0.;       ///< k omega / (g n), ratio of fluid inertia to drag; 0 without a pulse
-  std::string reason;  ///< for people, with the number
-};
-
-/// Decides darcy or inertial for a porous region with flow = automatic: inertial when X > 0.05 at omega = pi /
-/// (shortest duration of the loads) [Zienkiewicz, Chang and Bettess 1980: u-p is 3 % off at X = 0.1]. A stated flow is
-/// kept.
-FlowChoice choose_flow(const Region& region, const Scene& scene);
 
 /// The shortest time in which a load rises and falls (s): Load::duration where it is set (a sine: half its period),
 /// else twice the least distance of two kinks; 0 where a load jumps, infinity where no load has any.

@@ -14,6 +14,8 @@ using Words = std::vector<std::pair<std::string, Enum>>;
 
 extern const Words<RegionKind> region_kind_words;
 extern const Words<Flow> flow_words;
+extern const Words<Deformation> deformation_words;
+extern const Words<Compressibility> compressibility_words;
 extern const Words<DisplacementCondition> displacement_words;
 extern const Words<PressureCondition> pressure_words;
 extern const Words<PulseShape> pulse_shape_words;

@@ -16,6 +16,7 @@ struct ShearResponse {
   double peak_shear = 0., peak_shear_time = 0.;                  ///< largest F_T, landward (N/m, s)
   double peak_shear_seaward = 0., peak_shear_seaward_time = 0.;  ///< least F_T
   double peak_shear_paper = 0.;                                  ///< largest P - m x_G'' (the paper's reading)
+  double peak_shear_experiment = 0.;  ///< largest P + P_water,front - m x_G'' (what its experiment evaluates)
   /// Peak F_T / peak P, both landward, or both seaward where the largest |P| is seaward; none where P is 0 throughout.
   std::optional<double> shear_to_force_ratio;
   std::optional<double> shear_to_impulse;  ///< the same peak F_T / impulse (1/s); none where that is round-off
@@ -29,9 +30,9 @@ struct ShearResponse {
 /// The horizontal load P(t) on the caisson, all loads together.
 TimeFunction force_on_caisson(const CompiledScene& compiled);
 
-/// Needs a scene with a caisson. Between the ends of a step F_T = P - m x_G'', with x_G by the quintic Hermite
-/// polynomial through x_G, x_G' and x_G'' = (P - F_T)/m at both ends (schemes of order 4), or with x_G'' linear between
-/// them (of order 2); without inertia the ends of the steps alone.
+/// Needs a scene with a caisson. Between the ends of a step F_T = P + P_water - m x_G'', with x_G by the quintic
+/// Hermite polynomial through x_G, x_G' and x_G'' = (P + P_water - F_T)/m at both ends (schemes of order 4), or with
+/// x_G'' linear between them (of order 2); without inertia the ends of the steps alone.
 ShearResponse read_shear_response(const CompiledScene& compiled, const Response& response, bool inertia);
 
 /// Throws NumericsError where both routes to F_T, or the work and what it became, differ by more than 1e-6: then the

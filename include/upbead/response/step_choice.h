@@ -33,10 +33,10 @@ struct StepChoice {
 };
 
 /// That fraction of the shorter of the loads' duration and the caisson's apparent period; of the period alone where
-/// there is but a lone jump. The apparent period is that of the caisson's mass m on the stiffness k = F / x_G - m s^2
-/// which one solve of (s^2 M + s C + K) x = b gives at the real s = pi / duration: so it depends on s. b is a
-/// horizontal unit force F at the height of the largest horizontal load on the caisson, else through its centre of
-/// gravity G.
+/// there is but a lone jump. The apparent period is that of the caisson's mass m, with the added mass of modelled
+/// water, on the stiffness k = F / x_G - m s^2 which one solve of (s^2 M + s C + K) x = b gives at the real s = pi /
+/// duration: so it depends on s. b is a horizontal unit force F at the height of the largest horizontal load on the
+/// caisson, else through its centre of gravity G.
 StepChoice choose_step(const Scene& scene, const CompiledScene& compiled, int order);
 
 }  // namespace upbead

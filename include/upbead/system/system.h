@@ -44,6 +44,7 @@ struct Reading {
 /// the rows of phi multiplied by -1: M >= 0, sym(C) >= 0, K >= 0.
 struct System {
   SparseMatrix M, C, K;
+  SparseMatrix radiation;  ///< the part of C that lets waves out of the mesh, for the account of energy; may be empty
   std::vector<SystemLoad> loads;
   std::vector<Reading> readings;
   std::vector<Field> field;        ///< one per unknown

@@ -19,6 +19,7 @@ TEST_P(Identities, BothRoutesToShearForceAndTheEnergyBalance) {
   if (caisson_kind == RegionKind::solid) {
     Region& caisson = scene.regions["caisson"];
     caisson.kind = RegionKind::solid;
+    caisson.deformation = Deformation::elastic;
     caisson.youngs_modulus = 30e9;
     caisson.poissons_ratio = 0.2;
   }

@@ -7,6 +7,7 @@
 
 #include "record.h"
 #include "scenes.h"
+#include "upbead/model/choices.h"
 
 namespace upbead::test {
 namespace {
@@ -81,6 +82,7 @@ TEST(SameMaterial, StiffSolidCaissonIsRigid) {
   const Compiled rigid(scene, *mesh);
   Region& caisson = scene.regions["caisson"];
   caisson.kind = RegionKind::solid;
+  caisson.deformation = Deformation::elastic;
   caisson.shear_modulus = 1e6 * *scene.regions["mound"].shear_modulus;
   caisson.poissons_ratio = 0.2;
   const Compiled solid(scene, *mesh);

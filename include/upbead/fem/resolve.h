@@ -1,0 +1,30 @@
+// What a scene leaves open, decided from its numbers on its mesh; and what is left out because of it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "upbead/mesh/mesh.h"
+#include "upbead/model/scene.h"
+
+namespace upbead {
+
+/// One decision about one region.
+struct Decision {
+  std::string region;
+  std::string key;       ///< of the case that says it, or would: "flow"
+  std::string value;     ///< its word: "darcy"
+  std::string why;       ///< for people, with the number that decided
+  std::string left_out;  ///< for people: "relative inertia of the pore water in mound"; "" where nothing is left out
+};
+
+struct ResolvedScene {
+  Scene scene;  ///< nothing is `automatic` in its regions
+  std::vector<Decision> decisions;
+};
+
+/// Decides flow, deformation and compressibility of every region where the case says "auto", by the rules of
+/// model/choices.h. The scene must have passed check_scene on this mesh.
+ResolvedScene resolve(const Scene& scene, const Mesh& mesh);
+
+}  // namespace upbead

@@ -1,0 +1,105 @@
+// Do the conditions on boundaries fit the regions behind them?
+#include <algorithm>
+#include <cmath>
+
+#include "checker.h"
+
+namespace upbead {
+
+namespace {
+
+/// What lies behind an outer curve.
+struct Behind {
+  bool known = true, soil = false, pore_water = false, free_water = false, only_free_water = true;
+  std::string rigid;  ///< a rigid region; "" where there is none
+};
+
+Behind behind(const Checker& checker, const OuterCurve& curve) {
+  Behind found;
+  for (const std::string& surface : curve.surfaces) {
+    const bool water = checker.is(surface, RegionKind::water);
+    found.known = found.known && checker.scene.regions.count(surface) > 0;
+    found.soil = found.soil || checker.is(surface, RegionKind::porous);
+    found.pore_water = found.pore_water || checker.has_pore_water(surface);
+    found.free_water = found.free_water || water;
+    found.only_free_water = found.only_free_water && water;
+    if (checker.is(surface, RegionKind::rigid)) found.rigid = surface;
+  }
+  return found;
+}
+
+void check_displacement(Checker& checker, const std::string& key, const Boundary& side, const Behind& at) {
+  using D = DisplacementCondition;
+  if (side.displacement == D::free) return;
+  if (!at.rigid.empty())
+    checker.object(key + ".displacement", "a rigid region ('" + at.rigid + "') cannot be held at a part of its side",
+                   "say \"free\", or make the region solid");
+  if (at.known && at.only_free_water)
+    checker.object(key + ".displacement", "there is only water behind this boundary, which nothing holds",
+                   "remove the key");
+  if (side.displacement != D::absorbing) return;
+  if (!checker.scene.time.inertia)
+    checker.object(key + ".displacement", "without inertia (time.inertia = false) there are no waves to absorb",
+                   "say \"roller\"");
+  if (at.pore_water && std::isinf(checker.scene.fluid.bulk_modulus))
+    checker.object(
+        key + ".displacement",
+        "in soil full of incompressible water (fluid.bulk_modulus = inf) pressure waves have no finite speed "
+        "that a side could be tuned to",
+        "say \"roller\" with pressure = \"sealed\", or give a bulk modulus");
+}
+
+void check_pressure(Checker& checker, const std::string& key, const Boundary& side, const Behind& at) {
+  using P = PressureCondition;
+  if (!side.pressure) {
+    if (at.pore_water || at.free_water)
+      checker.object(key,
+                     std::string("there is ") + (at.pore_water ? "pore water" : "water") +
+                         " behind this boundary but no condition for its pressure",
+                     "add pressure = \"sealed\" or pressure = \"open\"");
+    return;
+  }
+  if (at.known && !at.soil && !at.free_water)
+    checker.object(key + ".pressure", "there is no pore water behind this boundary", "remove the key");
+  if (*side.pressure == P::surface_waves && !at.only_free_water)
+    checker.object(key + ".pressure", "surface waves need a level of free water", "say \"open\" or \"sealed\"");
+  if (*side.pressure != P::absorbing) return;
+  if (!checker.scene.time.inertia)
+    checker.object(key + ".pressure", "without inertia (time.inertia = false) there are no waves to absorb",
+                   "say \"sealed\"");
+  if (std::isinf(checker.scene.fluid.bulk_modulus))
+    checker.object(key + ".pressure",
+                   "incompressible water (fluid.bulk_modulus = inf) carries no pressure waves to absorb",
+                   "say \"sealed\", and let the water reach three depths away");
+}
+
+}  // namespace
+
+void check_boundaries(Checker& checker) {
+  Names outer;
+  for (const auto& [name, curve] : checker.outline.outer) {
+    outer.insert(name);
+    if (!checker.scene.boundaries.count(name))
+      checker.object("boundaries", "the outer curve '" + name + "' of the mesh has no condition",
+                     "add a table [boundaries." + name + "]");
+  }
+  const bool lacks_a_sea = checker.lacks_a_sea();
+  for (const auto& [name, side] : checker.scene.boundaries) {
+    const std::string key = "boundaries." + name;
+    if (outer.count(name)) {
+      const Behind at = behind(checker, checker.outline.outer.at(name));
+      check_displacement(checker, key, side, at);
+      check_pressure(checker, key, side, at);
+      continue;
+    }
+    const auto& curves = checker.mesh.curves;
+    const bool inside = std::find(curves.begin(), curves.end(), name) != curves.end();
+    if (!checker.under_water(name).empty() || (!inside && lacks_a_sea)) continue;
+    checker.object(key,
+                   inside ? "the curve '" + name + "' lies inside the mesh, where nothing is to be prescribed"
+                          : "the mesh has no outer curve '" + name + "'",
+                   "its outer curves are: " + list(outer));
+  }
+}
+
+}  // namespace upbead

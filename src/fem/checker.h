@@ -1,0 +1,37 @@
+// What the checks of a scene against its mesh share.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "outline.h"
+#include "upbead/model/scene.h"
+
+namespace upbead {
+
+/// A scene, its mesh, and the objections so far.
+struct Checker {
+  const Scene& scene;
+  const Mesh& mesh;
+  Outline outline;
+  std::vector<Objection> objections;
+
+  void object(std::string key, std::string what, std::string cure) {
+    objections.push_back({std::move(key), std::move(what), std::move(cure)});
+  }
+  /// Whether the region of that surface is of that kind; false where the case says nothing of it.
+  bool is(const std::string& surface, RegionKind kind) const;
+  bool has_pore_water(const std::string& surface) const;
+  /// Surfaces of a curve's faces that lie under free water, without the water's; empty where none do.
+  Names under_water(const std::string& curve) const;
+  /// Whether the case has a water region that the mesh has no surface for: a sea that is not there.
+  bool lacks_a_sea() const;
+};
+
+/// "bed, left", or "none".
+std::string list(const Names& names);
+
+void check_boundaries(Checker& checker);
+void check_loads(Checker& checker);
+
+}  // namespace upbead

@@ -1,0 +1,67 @@
+#include "outline.h"
+
+#include <algorithm>
+
+#include "upbead/model/scene.h"
+
+namespace upbead {
+
+using namespace dealii;
+
+void Extent::add(const Point<dim>& point) {
+  left = std::min(left, point[0]);
+  right = std::max(right, point[0]);
+  lowest = std::min(lowest, point[1]);
+  highest = std::max(highest, point[1]);
+}
+
+Names Outline::touching(const std::string& surface) const {
+  Names names;
+  for (const auto& [a, b] : contacts) {
+    if (a == surface) names.insert(b);
+    if (b == surface) names.insert(a);
+  }
+  return names;
+}
+
+namespace {
+
+using MeshCell = Triangulation<dim>::active_cell_iterator;
+
+/// Height of the middle of a cell's lowest side.
+double lower_side(const MeshCell& cell) {
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const auto& face : cell->face_iterators()) lowest = std::min(lowest, face->center()[1]);
+  return lowest;
+}
+
+void add_inner_face(const Mesh& mesh, const MeshCell& cell, unsigned f, Outline& outline) {
+  const std::string &surface = mesh.surface_of(cell), &other = mesh.surface_of(cell->neighbor(f));
+  if (surface == other) return;
+  outline.contacts.insert(std::minmax(surface, other));
+  if (const std::string& curve = mesh.curve_of(cell->face(f)); !curve.empty())
+    outline.inner[curve].insert(std::minmax(surface, other));
+  if (surface == caisson_name && cell->face(f)->center()[1] > lower_side(cell) + 1e-9 * cell->diameter())
+    outline.beside_caisson.insert(other);
+}
+
+}  // namespace
+
+Outline outline_of(const Mesh& mesh) {
+  Outline outline;
+  for (const auto& cell : mesh.triangulation.active_cell_iterators()) {
+    for (const unsigned v : cell->vertex_indices()) outline.surfaces[mesh.surface_of(cell)].add(cell->vertex(v));
+    for (const unsigned f : cell->face_indices()) {
+      if (!cell->at_boundary(f)) {
+        add_inner_face(mesh, cell, f, outline);
+        continue;
+      }
+      OuterCurve& curve = outline.outer[mesh.curve_of(cell->face(f))];
+      curve.surfaces.insert(mesh.surface_of(cell));
+      for (unsigned v = 0; v < 2; ++v) curve.extent.add(cell->face(f)->vertex(v));
+    }
+  }
+  return outline;
+}
+
+}  // namespace upbead

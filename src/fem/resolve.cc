@@ -1,0 +1,100 @@
+#include "upbead/fem/resolve.h"
+
+#include "outline.h"
+#include "upbead/fem/locate.h"
+#include "upbead/model/choices.h"
+#include "upbead/model/words.h"
+
+namespace upbead {
+
+using namespace dealii;
+
+namespace {
+
+bool has_probe_in(const Scene& scene, const Mesh& mesh, const std::string& region) {
+  for (const auto& [name, probe] : scene.probes)
+    for (const auto& cell : mesh.triangulation.active_cell_iterators())
+      if (mesh.surface_of(cell) == region && unit_coordinates(cell, Point<dim>(probe.at[0], probe.at[1]))) return true;
+  return false;
+}
+
+Surroundings surroundings_of(const std::string& name, const Scene& scene, const Mesh& mesh, const Outline& outline) {
+  const Extent& extent = outline.surfaces.at(name);
+  Surroundings at;
+  at.height = extent.highest - extent.lowest;
+  at.width = extent.right - extent.left;
+  at.has_probe = scene.fields_every.has_value() || has_probe_in(scene, mesh, name);
+  for (const std::string& other : outline.touching(name)) at.touches.push_back(other);
+  for (const auto& [curve, outer] : outline.outer) {
+    if (!outer.surfaces.count(name)) continue;
+    const Boundary& side = scene.boundaries.at(curve);
+    at.has_open_side = at.has_open_side || side.pressure == PressureCondition::open ||
+                       side.pressure == PressureCondition::surface_waves;
+    at.is_held = at.is_held || side.displacement != DisplacementCondition::free;
+    for (const auto& [load_name, load] : scene.loads)
+      at.has_load = at.has_load || (load.kind == LoadKind::pressure && load.boundary == curve && load.factor != 0.);
+  }
+  return at;
+}
+
+Decision decide_flow(const std::string& name, Region& region, const Scene& scene) {
+  const FlowChoice choice = choose_flow(region, scene);
+  region.flow = choice.flow;
+  std::string left_out;
+  if (choice.flow == Flow::darcy) left_out = "relative inertia of the pore water in " + name;
+  if (choice.flow == Flow::drained) left_out = "pore pressure in " + name;
+  return {name, "flow", word_of(choice.flow, flow_words), choice.reason, left_out};
+}
+
+Decision decide_deformation(const std::string& name, Region& region, const Surroundings& at, const Scene& scene) {
+  const DeformationChoice choice = choose_deformation(region, at, scene);
+  region.deformation = choice.deformation;
+  const bool rigid = choice.deformation == Deformation::rigid;
+  if (rigid) {
+    region.kind = RegionKind::rigid;
+    region.damping.reset();
+  }
+  return {name, "deformation", word_of(choice.deformation, deformation_words), choice.reason,
+          rigid ? "deformation of " + name : ""};
+}
+
+Decision decide_compressibility(const std::string& name, Region& region, const Surroundings& at, const Scene& scene) {
+  const CompressibilityChoice choice = choose_compressibility(region, at, scene);
+  region.compressibility = choice.compressibility;
+  const bool incompressible = choice.compressibility == Compressibility::incompressible;
+  return {name, "compressibility", word_of(choice.compressibility, compressibility_words), choice.reason,
+          incompressible ? "compression of the water in " + name : ""};
+}
+
+}  // namespace
+
+ResolvedScene resolve(const Scene& scene, const Mesh& mesh) {
+  const Outline outline = outline_of(mesh);
+  ResolvedScene resolved{scene, {}};
+  for (const auto& [name, region] : scene.regions)
+    if (!outline.surfaces.count(name)) {
+      resolved.scene.regions.erase(name);
+      resolved.decisions.push_back({name, "kind", "absent", "the mesh has no such surface", name});
+    }
+  for (auto& [name, region] : resolved.scene.regions) {
+    const Surroundings at = surroundings_of(name, scene, mesh, outline);
+    switch (region.kind) {
+      case RegionKind::porous:
+        resolved.decisions.push_back(decide_flow(name, region, scene));
+        break;
+      case RegionKind::solid:
+        resolved.decisions.push_back(decide_deformation(name, region, at, scene));
+        break;
+      case RegionKind::water:
+        resolved.decisions.push_back(decide_compressibility(name, region, at, scene));
+        break;
+      case RegionKind::rigid:
+        resolved.decisions.push_back({name, "deformation", "rigid",
+                                      "the region is rigid: three coordinates stand for it", "deformation of " + name});
+        break;
+    }
+  }
+  return resolved;
+}
+
+}  // namespace upbead

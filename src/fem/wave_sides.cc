@@ -1,0 +1,102 @@
+#include "upbead/fem/wave_sides.h"
+
+#include <Eigen/Core>
+#include <Eigen/Eigenvalues>
+#include <cmath>
+
+namespace upbead {
+
+using namespace dealii;
+
+namespace {
+
+/// Both waves of a porous soil without drag. Z = M^1/2 (M^-1/2 A M^-1/2)^1/2 M^1/2.
+Impedance drag_free(const Material& m) {
+  const double E = m.lambda + 2. * m.G, Q = 1. / m.storage;
+  Eigen::Matrix2d M, A;
+  M << m.rho, m.rho_f, m.rho_f, m.a;
+  A << E + m.alpha * m.alpha * Q, m.alpha * Q, m.alpha * Q, Q;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> of_M(M);
+  const Eigen::Matrix2d root = of_M.operatorSqrt(), inverse = of_M.operatorInverseSqrt();
+  const Eigen::Matrix2d speed =
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(Eigen::Matrix2d(inverse * A * inverse)).operatorSqrt();
+  const Eigen::Matrix2d Z = root * speed * root;
+  Impedance z;
+  z.normal = Z(0, 0) - Z(0, 1) * Z(0, 1) / Z(1, 1);
+  z.coupling = Z(0, 1) / Z(1, 1);
+  z.mobility = 1. / Z(1, 1);
+  z.tangential = std::sqrt((m.rho - m.rho_f * m.rho_f / m.a) * m.G);
+  return z;
+}
+
+void integrate(const FEFaceValues<dim>& fe, const Impedance& z, FullMatrix<double>& C) {
+  for (unsigned q = 0; q < fe.n_quadrature_points; ++q) {
+    const auto n = fe.normal_vector(q);
+    for (unsigned i = 0; i < fe.dofs_per_cell; ++i)
+      for (unsigned j = 0; j < fe.dofs_per_cell; ++j) {
+        const auto du = fe[u_part].value(i, q), u = fe[u_part].value(j, q);
+        const double dphi = fe[phi_part].value(i, q), phi = fe[phi_part].value(j, q);
+        const double du_n = du * n, u_n = u * n;
+        C(i, j) += (z.normal * du_n * u_n + z.tangential * (du * u - du_n * u_n) +
+                    z.coupling * (du_n * phi + dphi * u_n) - z.mobility * dphi * phi) *
+                   fe.JxW(q);
+      }
+  }
+}
+
+/// What of an impedance a side with these conditions lets out.
+Impedance of_side(const Space& space, const Cell& cell, const Boundary& side, const Material& m) {
+  const CellKind kind = space.kind(cell);
+  const bool moves = side.displacement == DisplacementCondition::absorbing;
+  const bool flows = side.pressure == PressureCondition::absorbing;
+  Impedance z;
+  if (kind == CellKind::water) {
+    if (flows) z.mobility = std::sqrt(m.storage / m.rho_f);
+    return z;
+  }
+  z = impedance(m, kind, flows);
+  if (!moves) z.normal = z.tangential = z.coupling = 0.;
+  return z;
+}
+
+}  // namespace
+
+Impedance impedance(const Material& m, CellKind kind, bool open_to_waves) {
+  if (kind == CellKind::inertial && open_to_waves) return drag_free(m);
+  const bool pores = kind == CellKind::inertial || kind == CellKind::darcy;
+  Impedance z;
+  z.normal = std::sqrt(m.rho * (m.lambda + 2. * m.G + (pores ? m.alpha * m.alpha / m.storage : 0.)));
+  z.tangential = std::sqrt(m.rho * m.G);
+  return z;
+}
+
+void for_each_absorbing_face(const Scene& scene, const Space& space, const VisitFace& visit) {
+  FaceTerms terms;
+  for_each_outer_face(space, [&](const Cell& cell, unsigned f, const std::string& curve) {
+    const Boundary& side = scene.boundaries.at(curve);
+    if (side.displacement != DisplacementCondition::absorbing && side.pressure != PressureCondition::absorbing) return;
+    if (space.region(cell).kind == RegionKind::rigid) return;
+    const Material constants = material(space.region(cell), scene.fluid, scene.gravity);
+    terms.reinit({cell});
+    integrate(FaceValues(space, cell, f), of_side(space, cell, side, constants), terms.matrices.C);
+    visit(terms);
+  });
+}
+
+void for_each_surface_face(const Scene& scene, const Space& space, const VisitFace& visit) {
+  FaceTerms terms;
+  for_each_outer_face(space, [&](const Cell& cell, unsigned f, const std::string& curve) {
+    if (scene.boundaries.at(curve).pressure != PressureCondition::surface_waves) return;
+    if (space.kind(cell) != CellKind::water) return;
+    terms.reinit({cell});
+    const FaceValues fe(space, cell, f);
+    for (unsigned q = 0; q < fe.n_quadrature_points; ++q)
+      for (unsigned i = 0; i < fe.dofs_per_cell; ++i)
+        for (unsigned j = 0; j < fe.dofs_per_cell; ++j)
+          terms.matrices.M(i, j) -=
+              fe[phi_part].value(i, q) * fe[phi_part].value(j, q) * fe.JxW(q) / (scene.fluid.density * scene.gravity);
+    visit(terms);
+  });
+}
+
+}  // namespace upbead

@@ -1,0 +1,84 @@
+#include "inside_steps.h"
+
+#include <algorithm>
+
+#include "upbead/fem/caisson_readings.h"
+
+namespace upbead {
+
+Samples samples(const CompiledScene& compiled, const Series& series, const char* name) {
+  return series.reading.row(compiled.system.reading(name));
+}
+
+namespace {
+
+template <typename Value>
+Extremum extreme(const std::vector<double>& time, int sign, const Value& value) {
+  Extremum best{time.front(), 0.};
+  for (std::size_t n = 0; n + 1 < time.size(); ++n) {
+    const TimeFunction inside({}, {[&](double t) { return value(n, t); }});
+    const Extremum candidate = extremum(inside, time[n], time[n + 1], sign, 16);
+    if (sign * (candidate.value - best.value) > 0.) best = candidate;
+  }
+  return best;
+}
+
+}  // namespace
+
+InsideSteps::InsideSteps(const CompiledScene& compiled, const Response& response, const TimeFunction& P)
+    : time_(response.ends.time),
+      x_(samples(compiled, response.ends, reading::displacement_x)),
+      v_(samples(compiled, response.ends, reading::velocity_x)),
+      P_(P),
+      mass_(compiled.caisson->body.mass),
+      quintic_(response.order >= 4) {
+  const Samples water = samples(compiled, response.ends, reading::water_force);
+  a_ = (water - samples(compiled, response.ends, reading::shear_force)) / mass_;
+  for (std::size_t n = 1; n < time_.size(); ++n)
+    a_[static_cast<Eigen::Index>(n)] += P_(time_[n], middle(n - 1)) / mass_;
+  all_added_mass_ = added_mass(water);
+}
+
+/// Least squares of water = -m_a x_G''.
+double InsideSteps::added_mass(const Samples& water) const {
+  const double square = a_.squaredNorm();
+  return square > 0. ? std::max(0., -water.dot(a_) / square) : 0.;
+}
+
+/// x_G'' at one end of step n, as of that step's own piece of P.
+double InsideSteps::acceleration(std::size_t n, std::size_t end) const {
+  const double a = a_[static_cast<Eigen::Index>(end)];
+  if (end != n) return a;
+  const double before = n == 0 ? 0. : P_(time_[n], middle(n - 1));
+  return a + (P_(time_[n], middle(n)) - before) / (mass_ + all_added_mass_);
+}
+
+QuinticHermite InsideSteps::motion(std::size_t n) const {
+  const auto jet = [&](std::size_t end) {
+    const auto k = static_cast<Eigen::Index>(end);
+    return Jet{x_[k], v_[k], acceleration(n, end)};
+  };
+  return QuinticHermite(time_[n], time_[n + 1] - time_[n], jet(n), jet(n + 1));
+}
+
+double InsideSteps::acceleration_at(std::size_t n, double t) const {
+  if (quintic_) return motion(n)(t).second;
+  const double weight = (t - time_[n]) / (time_[n + 1] - time_[n]);
+  return (1. - weight) * acceleration(n, n) + weight * acceleration(n, n + 1);
+}
+
+Extremum InsideSteps::shear_force(int sign, const Samples& water) const {
+  const double m_a = added_mass(water);
+  const Samples rest = water + m_a * a_;
+  return extreme(time_, sign, [&](std::size_t n, double t) {
+    const auto k = static_cast<Eigen::Index>(n);
+    const double weight = (t - time_[n]) / (time_[n + 1] - time_[n]);
+    return P_(t, middle(n)) + (1. - weight) * rest[k] + weight * rest[k + 1] - (mass_ + m_a) * acceleration_at(n, t);
+  });
+}
+
+Extremum InsideSteps::displacement(int sign) const {
+  return extreme(time_, sign, [this](std::size_t n, double t) { return motion(n)(t).value; });
+}
+
+}  // namespace upbead

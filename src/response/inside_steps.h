@@ -1,0 +1,45 @@
+// Forces and motion of the caisson between the ends of the steps.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "upbead/dynamics/interpolate.h"
+#include "upbead/dynamics/march.h"
+#include "upbead/fem/compile.h"
+
+namespace upbead {
+
+using Samples = Eigen::RowVectorXd;
+
+/// The values of a reading at all times of a series.
+Samples samples(const CompiledScene& compiled, const Series& series, const char* name);
+
+/// F_T and x_G between the ends of each step. A scheme of order 4 has x_G, x_G' and x_G'' good enough for a quintic; of
+/// order 2 their errors, divided by h^2, would spoil its second derivative, so x_G'' is linear there.
+///
+/// Water answers acceleration at once, so its force is taken as -m_a x_G'' + r: the added mass m_a is fitted to the
+/// whole march, r is small and linear within a step, and where P jumps x_G'' jumps by its jump over m + m_a.
+class InsideSteps {
+ public:
+  InsideSteps(const CompiledScene& compiled, const Response& response, const TimeFunction& P);
+
+  /// Extreme of P + `water` - m x_G'', `water` being a force of the water at the ends of the steps.
+  Extremum shear_force(int sign, const Samples& water) const;
+  Extremum displacement(int sign) const;
+
+ private:
+  double middle(std::size_t n) const { return 0.5 * (time_[n] + time_[n + 1]); }
+  double acceleration(std::size_t n, std::size_t end) const;
+  QuinticHermite motion(std::size_t n) const;
+  double acceleration_at(std::size_t n, double t) const;
+  double added_mass(const Samples& water) const;
+
+  const std::vector<double>& time_;
+  Samples x_, v_, a_;  ///< a as of the step that ends there
+  const TimeFunction& P_;
+  double mass_;
+  double all_added_mass_;
+  bool quintic_;
+};
+
+}  // namespace upbead
