@@ -27,8 +27,8 @@
 
 DefineConstant[
   seabed_depth = 15,       // m: thickness of the seabed above its rigid base
-  seabed_front = 60,       // m: length of the seabed in front of the mound's seaward toe
-  seabed_back = 60,        // m: length of the seabed behind the mound's landward toe
+  seabed_front = 120,      // m: length of the seabed in front of the mound's seaward toe
+  seabed_back = 120,       // m: length of the seabed behind the mound's landward toe
   mound_height = 6,        // m: height of the mound above the seabed
   mound_crest_front = 16,  // m: from the caisson's middle to the seaward edge of the mound's crest
   mound_crest_back = 16,   // m: from the caisson's middle to the landward edge of the mound's crest

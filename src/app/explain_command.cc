@@ -15,7 +15,8 @@ std::string to_json(const Case& input, const CompiledCase& scene) {
                             {"degree", scene.space->degree()}};
   json["regions"] = nlohmann::ordered_json::object();
   for (const Decision& decision : scene.decisions)
-    json["regions"][decision.region] = {{decision.key, decision.value}, {"why", decision.why}};
+    if (!decision.region.empty())
+      json["regions"][decision.region] = {{decision.key, decision.value}, {"why", decision.why}};
   json["loads"] = nlohmann::ordered_json::object();
   for (const LoadOnCaisson& load : scene.compiled.loads_on_caisson) {
     json["loads"][load.name] = {{"force_x", load.force_x}, {"force_y", load.force_y}, {"moment", load.moment}};

@@ -106,7 +106,7 @@ CompiledCase compile_case(const Case& input) {
   ResolvedScene resolved = resolve(scene, *out.mesh);
   out.scene = std::move(resolved.scene);
   out.decisions = std::move(resolved.decisions);
-  out.space = std::make_unique<Space>(*out.mesh, out.scene);
+  out.space = std::make_unique<Space>(*out.mesh, out.scene, resolved.absent);
   const std::vector<Body> bodies = rigid_bodies(*out.space);
   out.unknowns = std::make_unique<Unknowns>(*out.space, out.scene, bodies);
   out.compiled = compile(out.scene, *out.space, *out.unknowns, bodies);

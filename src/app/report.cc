@@ -28,6 +28,7 @@ std::string describe_regions(const Case& input, const CompiledCase& scene) {
   std::string text;
   for (const Decision& decision : scene.decisions) {
     const std::string& name = decision.region;
+    if (name.empty()) continue;
     std::string line = word_of(input.scene.regions.at(name).kind, region_kind_words) + ", " + decision.value +
                        (decision.key == "flow" ? " flow: " : ": ") + decision.why;
     for (const Body& body : scene.compiled.bodies)

@@ -95,7 +95,7 @@ void assemble(const Scene& scene, const Space& space, const Unknowns& unknowns, 
   std::vector<types::global_dof_index> dofs;
   for (const auto& cell : space.dofs().active_cell_iterators()) {
     const Region& region = space.region(cell);
-    if (region.kind == RegionKind::rigid) continue;
+    if (region.kind == RegionKind::rigid || space.kind(cell) == CellKind::absent) continue;
     hp_values.reinit(cell);
     const Material constants = material(region, scene.fluid, scene.gravity);
     assemble_cell(hp_values.get_present_fe_values(), constants, space.kind(cell), scene.time.inertia, cell_matrices);

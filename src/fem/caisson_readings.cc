@@ -119,11 +119,25 @@ void add_motion(std::vector<Reading>& list, const Body& body, const std::array<R
 }  // namespace
 
 std::vector<Reading> caisson_readings(const Caisson& caisson, const CaissonForces& forces,
-                                      const std::array<Row, n_motions>& momentum, const SceneLoads& loads,
-                                      bool inertia) {
+                                      const std::array<Row, n_motions>& momentum,
+                                      const std::array<Row, n_motions>& uplift, const SceneLoads& loads, bool inertia) {
   std::vector<Reading> list;
   add_loads(list, forces, loads);
   add_base_forces(list, forces.ground, loads);
+  list.push_back({"uplift",
+                  "N/m",
+                  "U, integral of the excess pore pressure over the bottom, upward",
+                  {},
+                  uplift[motion_y],
+                  {},
+                  {}});
+  list.push_back({"uplift_moment",
+                  "N m/m",
+                  "moment of the uplift about the bottom's middle, overturning landward positive",
+                  {},
+                  uplift[motion_rotation],
+                  {},
+                  {}});
   add_inertia(list, forces, loads, momentum[motion_x], inertia);
   add_motion(list, caisson.body, momentum);
   return list;

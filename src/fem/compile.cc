@@ -3,6 +3,7 @@
 #include "upbead/fem/assembly.h"
 #include "upbead/fem/caisson_readings.h"
 #include "upbead/fem/probes.h"
+#include "upbead/fem/uplift.h"
 
 namespace upbead {
 
@@ -25,7 +26,8 @@ CompiledScene compile(const Scene& scene, const Space& space, const Unknowns& un
   if (compiled.caisson) {
     const double density = scene.regions.at(caisson_name).density.value_or(0.);
     const auto momentum = momentum_rows(space, unknowns, bodies, compiled.caisson->body, density);
-    system.readings = caisson_readings(*compiled.caisson, *forces, momentum, loads, scene.time.inertia);
+    system.readings = caisson_readings(*compiled.caisson, *forces, momentum,
+                                       uplift_rows(space, unknowns, *compiled.caisson), loads, scene.time.inertia);
   }
   for (const auto& probe : scene.probes)
     for (Reading& reading : probe_readings(space, unknowns, scene, probe.first))

@@ -10,7 +10,8 @@ void for_each_outer_face(const Space& space,
                          const std::function<void(const Cell&, unsigned, const std::string&)>& visit) {
   for (const auto& cell : space.dofs().active_cell_iterators())
     for (const unsigned f : cell->face_indices())
-      if (cell->at_boundary(f)) visit(cell, f, space.mesh().curve_of(cell->face(f)));
+      if (cell->at_boundary(f) && space.kind(cell) != CellKind::absent)
+        visit(cell, f, space.mesh().curve_of(cell->face(f)));
 }
 
 Tensor<1, dim> outward_normal(const Cell& cell, unsigned face) {
@@ -23,7 +24,7 @@ Tensor<1, dim> outward_normal(const Cell& cell, unsigned face) {
 
 void for_each_wet_face(const Space& space, const std::function<void(const WetFace&)>& visit) {
   for (const auto& cell : space.dofs().active_cell_iterators()) {
-    if (space.kind(cell) == CellKind::water) continue;
+    if (space.kind(cell) == CellKind::water || space.kind(cell) == CellKind::absent) continue;
     for (const unsigned f : cell->face_indices())
       if (!cell->at_boundary(f) && space.kind(cell->neighbor(f)) == CellKind::water)
         visit({cell, f, cell->neighbor(f), cell->neighbor_of_neighbor(f)});

@@ -12,7 +12,7 @@ using namespace dealii;
 std::optional<Location> locate(const Space& space, const Point<dim>& point) {
   std::optional<Location> found;
   for (const auto& cell : space.dofs().active_cell_iterators()) {
-    if (found && (space.has_pressure(found->cell) || !space.has_pressure(cell))) continue;
+    if (found && (space.has_pores(found->cell) || !space.has_pores(cell))) continue;
     if (const auto unit = unit_coordinates(cell, point)) found = Location{cell, *unit};
   }
   return found;

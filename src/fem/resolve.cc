@@ -1,6 +1,8 @@
 #include "upbead/fem/resolve.h"
 
 #include "outline.h"
+#include "reach.h"
+#include "upbead/base/text.h"
 #include "upbead/fem/locate.h"
 #include "upbead/model/choices.h"
 #include "upbead/model/words.h"
@@ -24,7 +26,10 @@ Surroundings surroundings_of(const std::string& name, const Scene& scene, const 
   at.height = extent.highest - extent.lowest;
   at.width = extent.right - extent.left;
   at.has_probe = scene.fields_every.has_value() || has_probe_in(scene, mesh, name);
-  for (const std::string& other : outline.touching(name)) at.touches.push_back(other);
+  for (const std::string& other : outline.touching(name)) {
+    at.touches.push_back(other);
+    at.touches_water = at.touches_water || scene.regions.at(other).kind == RegionKind::water;
+  }
   for (const auto& [curve, outer] : outline.outer) {
     if (!outer.surfaces.count(name)) continue;
     const Boundary& side = scene.boundaries.at(curve);
@@ -37,8 +42,8 @@ Surroundings surroundings_of(const std::string& name, const Scene& scene, const 
   return at;
 }
 
-Decision decide_flow(const std::string& name, Region& region, const Scene& scene) {
-  const FlowChoice choice = choose_flow(region, scene);
+Decision decide_flow(const std::string& name, Region& region, const Surroundings& at, const Scene& scene) {
+  const FlowChoice choice = choose_flow(region, at, scene);
   region.flow = choice.flow;
   std::string left_out;
   if (choice.flow == Flow::darcy) left_out = "relative inertia of the pore water in " + name;
@@ -66,11 +71,37 @@ Decision decide_compressibility(const std::string& name, Region& region, const S
           incompressible ? "compression of the water in " + name : ""};
 }
 
+/// Water that touches nothing moves nothing.
+void leave_out_idle_water(const Outline& outline, const Mesh& mesh, ResolvedScene& resolved) {
+  for (const auto& [name, region] : resolved.scene.regions) {
+    if (region.kind != RegionKind::water || !outline.touching(name).empty()) continue;
+    if (resolved.scene.fields_every || has_probe_in(resolved.scene, mesh, name)) continue;
+    resolved.decisions.push_back({name, "kind", "absent", "none of its sides is wet: it touches nothing", name});
+    resolved.absent.resize(mesh.triangulation.n_active_cells(), false);
+    for (const auto& cell : mesh.triangulation.active_cell_iterators())
+      if (mesh.surface_of(cell) == name) resolved.absent[cell->active_cell_index()] = true;
+  }
+}
+
+void leave_out_unreached(const Mesh& mesh, ResolvedScene& resolved) {
+  const Reach reach = find_reach(resolved.scene, mesh);
+  if (reach.n_unreached == 0) return;
+  resolved.absent.resize(reach.unreached.size(), false);
+  for (std::size_t i = 0; i < reach.unreached.size(); ++i)
+    resolved.absent[i] = resolved.absent[i] || reach.unreached[i];
+  const std::string cells = std::to_string(reach.n_unreached) + " cells";
+  resolved.decisions.push_back({"", "keep_unreached", "false",
+                                "waves of at most " + significant(reach.speed) +
+                                    " m/s do not come there and back within " + significant(resolved.scene.time.end) +
+                                    " s",
+                                cells});
+}
+
 }  // namespace
 
 ResolvedScene resolve(const Scene& scene, const Mesh& mesh) {
   const Outline outline = outline_of(mesh);
-  ResolvedScene resolved{scene, {}};
+  ResolvedScene resolved{scene, {}, {}};
   for (const auto& [name, region] : scene.regions)
     if (!outline.surfaces.count(name)) {
       resolved.scene.regions.erase(name);
@@ -80,7 +111,7 @@ ResolvedScene resolve(const Scene& scene, const Mesh& mesh) {
     const Surroundings at = surroundings_of(name, scene, mesh, outline);
     switch (region.kind) {
       case RegionKind::porous:
-        resolved.decisions.push_back(decide_flow(name, region, scene));
+        resolved.decisions.push_back(decide_flow(name, region, at, scene));
         break;
       case RegionKind::solid:
         resolved.decisions.push_back(decide_deformation(name, region, at, scene));
@@ -94,6 +125,8 @@ ResolvedScene resolve(const Scene& scene, const Mesh& mesh) {
         break;
     }
   }
+  leave_out_idle_water(outline, mesh, resolved);
+  leave_out_unreached(mesh, resolved);
   return resolved;
 }
 

@@ -26,19 +26,21 @@ hp::FECollection<dim> make_elements(unsigned k) {
   elements.push_back(FESystem<dim>(u, dim, none, dim, phi, 1));
   elements.push_back(FESystem<dim>(u, dim, W, dim, phi, 1));
   elements.push_back(FESystem<dim>(none, dim, none, dim, u, 1));  // phi of degree k: the added mass needs it
+  elements.push_back(FESystem<dim>(none, dim, none, dim, none, 1));
   return elements;
 }
 
 }  // namespace
 
-Space::Space(const Mesh& mesh, const Scene& scene)
+Space::Space(const Mesh& mesh, const Scene& scene, const std::vector<bool>& absent)
     : mesh_(&mesh),
       degree_(scene.mesh.degree),
       elements_(make_elements(static_cast<unsigned>(scene.mesh.degree))),
       dofs_(mesh.triangulation) {
   for (const std::string& name : mesh.surfaces) regions_.push_back(scene.regions.at(name));
   for (const auto& cell : dofs_.active_cell_iterators())
-    cell->set_active_fe_index(static_cast<unsigned>(kind_of(region(cell))));
+    cell->set_active_fe_index(static_cast<unsigned>(
+        !absent.empty() && absent[cell->active_cell_index()] ? CellKind::absent : kind_of(region(cell))));
   dofs_.distribute_dofs(elements_);
 }
 
@@ -47,7 +49,7 @@ const Region& Space::region(const DoFHandler<dim>::active_cell_iterator& cell) c
 }
 
 bool Space::has_pressure(const DoFHandler<dim>::active_cell_iterator& cell) const {
-  return kind(cell) != CellKind::solid;
+  return has_pores(cell) || kind(cell) == CellKind::water;
 }
 
 bool Space::has_pores(const DoFHandler<dim>::active_cell_iterator& cell) const {

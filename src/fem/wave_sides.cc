@@ -70,6 +70,21 @@ Impedance impedance(const Material& m, CellKind kind, bool open_to_waves) {
   return z;
 }
 
+double fastest_wave(const Region& region, const Fluid& fluid, double gravity) {
+  const Material m = material(region, fluid, gravity);
+  if (region.kind == RegionKind::rigid) return 0.;
+  if (region.kind == RegionKind::water) return std::sqrt(1. / (m.storage * m.rho_f));
+  const double E = m.lambda + 2. * m.G;
+  if (region.kind == RegionKind::solid || region.flow == Flow::drained) return std::sqrt(E / m.rho);
+  const double undrained = std::sqrt((E + m.alpha * m.alpha / m.storage) / m.rho);
+  if (region.flow != Flow::inertial || std::isinf(undrained)) return undrained;
+  Eigen::Matrix2d M, A;  // without drag, as in impedance()
+  M << m.rho, m.rho_f, m.rho_f, m.a;
+  A << E + m.alpha * m.alpha / m.storage, m.alpha / m.storage, m.alpha / m.storage, 1. / m.storage;
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix2d> squares(A, M);
+  return std::sqrt(squares.eigenvalues().maxCoeff());
+}
+
 void for_each_absorbing_face(const Scene& scene, const Space& space, const VisitFace& visit) {
   FaceTerms terms;
   for_each_outer_face(space, [&](const Cell& cell, unsigned f, const std::string& curve) {

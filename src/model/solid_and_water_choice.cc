@@ -14,9 +14,9 @@ constexpr double pi = boost::math::constants::pi<double>();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // Measured on the shipped prototype, so that peak F_T moves by less than 0.1 %: docs/skipping.md.
-constexpr double largest_of_incompressible = 0.1;  ///< omega h / c
-constexpr double largest_of_rigid = 1. / 500.;     ///< G of what it touches over its own, times (height/width)^2
-constexpr double largest_crossing = 0.1;           ///< omega height / V_s
+constexpr double largest_of_incompressible = 0.2;  ///< omega h / c
+constexpr double largest_of_rigid = 0.01;          ///< G of what it touches over its own, times (height/width)^2
+constexpr double largest_crossing = 0.3;           ///< omega height / V_s
 
 /// Frequency of the loads (rad/s); infinite where one jumps, 0 where none has a duration.
 double frequency(const Scene& scene) {

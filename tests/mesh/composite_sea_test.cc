@@ -42,12 +42,12 @@ TEST(CompositeSea, CutsTheSeabedWithinItsGrading) {
 }
 
 TEST(CompositeSea, ImpossibleOnesAreAllSaid) {
-  const std::string length = "; it must be greater than 1.266666667 (the mound's toe) and at most 5.266666667 (the ";
+  const std::string length = "; it must be greater than 1.266666667 (the mound's toe) and at most 9.266666667 (the ";
   const std::string depth =
       "; a sea must be deeper than 6 (the mound's crest) and shallower than 22 (the caisson's top)";
   const std::vector<std::pair<Parameters, std::vector<std::string>>> all = {
-      {{{"sea_front", 1.2}, {"sea_back", 5.3}}, {"sea_front is 1.2" + length, "sea_back is 5.3" + length}},
-      {{{"sea_front", 5.26666668}}, {"sea_front is 5.26667" + length}},
+      {{{"sea_front", 1.2}, {"sea_back", 9.3}}, {"sea_front is 1.2" + length, "sea_back is 9.3" + length}},
+      {{{"sea_front", 9.26666668}}, {"sea_front is 9.26667" + length}},
       {{{"sea_front", 19.0 / 15}}, {"sea_front is 1.26667" + length}},
       {{{"sea_front", -1}, {"sea_cells", 0}},
        {"sea_cells is 0; it must be greater than 0", "sea_front is -1; it must be 0 (no sea) or greater"}},
@@ -55,7 +55,7 @@ TEST(CompositeSea, ImpossibleOnesAreAllSaid) {
        {"sea_cells is 101; it must be at most 100", "sea_back is -0.5; it must be 0 (no sea) or greater"}},
       {{{"sea_front", 3}, {"water_depth", 6}}, {"water_depth is 6" + depth}},
       {{{"sea_back", 3}, {"water_depth", 22}}, {"water_depth is 22" + depth}},
-      {{{"sea_back", 5.266666667}}, {}},  // as long as the message says
+      {{{"sea_back", 9.266666667}}, {}},  // as long as the message says
       {{{"water_depth", -3}}, {}}};       // no sea
   for (const auto& [parameters, expected] : all) {
     const auto said = complaints(geometry("composite", parameters));

@@ -11,13 +11,13 @@ namespace {
 
 using Parameters = std::map<std::string, double>;
 
-const Parameters prototype = {{"seabed_depth", 15}, {"seabed_front", 60},      {"seabed_back", 60},
+const Parameters prototype = {{"seabed_depth", 15}, {"seabed_front", 120},     {"seabed_back", 120},
                               {"mound_height", 6},  {"mound_crest_front", 16}, {"mound_crest_back", 16},
                               {"mound_slope", 2},   {"caisson_width", 18},     {"caisson_height", 16},
                               {"water_depth", 15},  {"sea_front", 0},          {"sea_back", 0}};
 
 const Parameters both_seas = {{"sea_front", 3}, {"sea_back", 3}};
-const Parameters to_the_sides = {{"sea_front", 79.0 / 15}, {"sea_back", 79.0 / 15}};
+const Parameters to_the_sides = {{"sea_front", 139.0 / 15}, {"sea_back", 139.0 / 15}};
 
 Parameters with(Parameters changed) {
   changed.insert(prototype.begin(), prototype.end());
@@ -142,7 +142,7 @@ INSTANTIATE_TEST_SUITE_P(
 INSTANTIATE_TEST_SUITE_P(
     Seas, Section,
     testing::Values(both_seas, to_the_sides, Parameters{{"sea_front", 2.5}}, Parameters{{"sea_back", 2.5}},
-                    Parameters{{"sea_front", 79.0 / 15}, {"sea_back", 1.3}},
+                    Parameters{{"sea_front", 139.0 / 15}, {"sea_back", 1.3}},
                     Parameters{{"sea_front", 3}, {"sea_back", 4}, {"mound_slope", 1.33}},
                     Parameters{{"sea_front", 3}, {"sea_back", 4}, {"mound_slope", 3}},
                     Parameters{{"sea_front", 3}, {"mound_slope", 0.5}},
@@ -155,8 +155,8 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(Composite, SitsAtTheOrigin) {
   const auto mesh = read_mesh(geometry("composite"));
   const std::map<std::string, std::pair<int, double>> lines = {
-      {"base", {1, -15}}, {"bed", {1, 0}},  {"bottom", {1, 6}}, {"top", {1, 22}},
-      {"front", {0, -9}}, {"back", {0, 9}}, {"left", {0, -88}}, {"right", {0, 88}}};
+      {"base", {1, -15}}, {"bed", {1, 0}},  {"bottom", {1, 6}},  {"top", {1, 22}},
+      {"front", {0, -9}}, {"back", {0, 9}}, {"left", {0, -148}}, {"right", {0, 148}}};
   for (const auto& face : mesh->triangulation.active_face_iterators()) {
     const auto line = lines.find(mesh->curve_of(face));
     if (line != lines.end()) {
@@ -166,9 +166,9 @@ TEST(Composite, SitsAtTheOrigin) {
 }
 
 TEST(Composite, Counts) {
-  const std::map<std::string, unsigned int> dry = {{"seabed", 816}, {"mound", 570}, {"caisson", 96}};
+  const std::map<std::string, unsigned int> dry = {{"seabed", 1136}, {"mound", 570}, {"caisson", 96}};
   const std::map<std::string, unsigned int> wet = {
-      {"seabed", 816}, {"mound", 570}, {"caisson", 240}, {"sea_front", 224}, {"sea_back", 224}};
+      {"seabed", 1136}, {"mound", 570}, {"caisson", 240}, {"sea_front", 224}, {"sea_back", 224}};
   EXPECT_EQ(cell_counts(*section({})), dry);
   EXPECT_EQ(cell_counts(*section(both_seas)), wet);
 }

@@ -79,13 +79,32 @@ Scene breakwater(const TimeFunction& force) {
   return scene;
 }
 
-std::unique_ptr<Mesh> breakwater_mesh(double cells) {
-  return shipped_mesh("composite", {{"cells", cells}});
+void add_sea(Scene& breakwater) {
+  for (const char* region : {"sea_front", "sea_back"}) breakwater.regions[region].kind = RegionKind::water;
+  breakwater.boundaries["sea_surface"].pressure = PressureCondition::open;
+  for (const char* side : {"sea_left", "sea_right"}) breakwater.boundaries[side].pressure = PressureCondition::sealed;
 }
 
-Compiled::Compiled(const Scene& input, const Mesh& mesh)
-    : resolved(resolve(input, mesh).scene),
-      space(mesh, resolved),
+std::unique_ptr<Mesh> breakwater_mesh(double cells, std::map<std::string, double> parameters) {
+  parameters["cells"] = cells;
+  return shipped_mesh("composite", parameters);
+}
+
+std::map<std::string, double> with_sea() {
+  return {{"sea_front", 3.}, {"sea_back", 3.}};
+}
+
+/// With all cells: tests march to other ends than the scene's, or not at all.
+static Scene whole(Scene scene) {
+  scene.mesh.keep_unreached = true;
+  return scene;
+}
+
+Compiled::Compiled(const Scene& input, const Mesh& mesh) : Compiled(resolve(whole(input), mesh), mesh) {}
+
+Compiled::Compiled(const ResolvedScene& input, const Mesh& mesh)
+    : resolved(input.scene),
+      space(mesh, resolved, input.absent),
       bodies(rigid_bodies(space)),
       unknowns(space, resolved, bodies),
       scene(compile(resolved, space, unknowns, bodies)) {}

@@ -26,12 +26,17 @@ std::unique_ptr<Mesh> column_mesh(double height, int cells, double grading = 1.)
 
 /// The prototype breakwater of the shipped cases under a force on its front.
 Scene breakwater(const TimeFunction& force);
-/// `cells`: relative density of composite.geo.
-std::unique_ptr<Mesh> breakwater_mesh(double cells);
+/// Adds water on both sides with an open level and closed ends.
+void add_sea(Scene& breakwater);
+/// `cells`: relative density of composite.geo, whose other parameters may be changed.
+std::unique_ptr<Mesh> breakwater_mesh(double cells, std::map<std::string, double> parameters = {});
+/// Its parameters with a sea of three depths on both sides.
+std::map<std::string, double> with_sea();
 
 /// A scene compiled on a mesh, with everything that it stands on.
 struct Compiled {
   Compiled(const Scene& scene, const Mesh& mesh);
+  Compiled(const ResolvedScene& scene, const Mesh& mesh);
   Scene resolved;
   Space space;
   std::vector<Body> bodies;

@@ -25,9 +25,9 @@ inline const char* const velocity_x = "caisson/velocity_x";
 inline const char* const rotation = "caisson/rotation";
 }  // namespace reading
 
-/// All readings of the caisson; `momentum` from momentum_rows, `loads` from compile_loads.
+/// All readings of the caisson; `momentum` from momentum_rows, `uplift` from uplift_rows, `loads` from compile_loads.
 std::vector<Reading> caisson_readings(const Caisson& caisson, const CaissonForces& forces,
-                                      const std::array<Row, n_motions>& momentum, const SceneLoads& loads,
-                                      bool inertia);
+                                      const std::array<Row, n_motions>& momentum,
+                                      const std::array<Row, n_motions>& uplift, const SceneLoads& loads, bool inertia);
 
 }  // namespace upbead

@@ -11,7 +11,7 @@ namespace upbead {
 
 /// One decision about one region.
 struct Decision {
-  std::string region;
+  std::string region;    ///< "" of the whole mesh
   std::string key;       ///< of the case that says it, or would: "flow"
   std::string value;     ///< its word: "darcy"
   std::string why;       ///< for people, with the number that decided
@@ -21,10 +21,12 @@ struct Decision {
 struct ResolvedScene {
   Scene scene;  ///< nothing is `automatic` in its regions
   std::vector<Decision> decisions;
+  std::vector<bool> absent;  ///< cells to leave out, by active cell index; empty: none
 };
 
 /// Decides flow, deformation and compressibility of every region where the case says "auto", by the rules of
-/// model/choices.h. The scene must have passed check_scene on this mesh.
+/// model/choices.h; leaves out water that touches nothing, and cells that no wave can come from and be read of before
+/// the end. The scene must have passed check_scene on this mesh.
 ResolvedScene resolve(const Scene& scene, const Mesh& mesh);
 
 }  // namespace upbead

@@ -23,15 +23,16 @@ inline const dealii::FEValuesExtractors::Vector W_part{dim};
 inline const dealii::FEValuesExtractors::Scalar phi_part{phi_component};
 
 /// What a cell carries; also its index into the collection of elements.
-enum class CellKind : unsigned { solid = 0, darcy = 1, inertial = 2, water = 3 };
+enum class CellKind : unsigned { solid = 0, darcy = 1, inertial = 2, water = 3, absent = 4 };
 
 /// u in Q(k) where something moves, phi in Q(k-1) where there is pore water and in Q(k) in free water, W in DGQ(k-1)
 /// where the pore water has inertia; absent unknowns are FE_Nothing. Inf-sup stable (Taylor and Hood); measured orders
 /// in docs/theory.md.
 class Space {
  public:
-  /// Nothing in the scene's regions may be left to be chosen. The mesh must outlive the space.
-  Space(const Mesh& mesh, const Scene& scene);
+  /// Nothing in the scene's regions may be left to be chosen. Cells that are `absent` (by active cell index; none where
+  /// that is empty) carry nothing, and the mesh ends at their sides. The mesh must outlive the space.
+  Space(const Mesh& mesh, const Scene& scene, const std::vector<bool>& absent = {});
 
   const Mesh& mesh() const { return *mesh_; }
   const dealii::DoFHandler<dim>& dofs() const { return dofs_; }

@@ -18,6 +18,10 @@ struct Impedance {
 /// A, gives (sigma_n, -p) = -Z (u_n', W_n').
 Impedance impedance(const Material& material, CellKind kind, bool open_to_waves);
 
+/// Speed of the fastest wave in a region (m/s): the undrained one; infinite in incompressible water and in soil full of
+/// it, 0 in a rigid region.
+double fastest_wave(const Region& region, const Fluid& fluid, double gravity);
+
 /// Calls visit(terms) for every absorbing face:
 ///   soil   uu_C  +normal (du.n)(u.n) + tangential (du.t)(u.t);  up_C  +coupling (du.n) phi and its transpose;
 ///          pp_C  -mobility dphi phi

@@ -17,19 +17,21 @@ struct Surroundings {
   bool is_held = false;              ///< at an outer side, fixed, on rollers or absorbing
   bool has_load = false;             ///< of kind pressure on one of its outer sides
   bool has_probe = false;            ///< or fields are asked for
+  bool touches_water = false;        ///< free water
   std::vector<std::string> touches;  ///< other regions
 };
 
 /// Why a region's pore water is treated as it is.
 struct FlowChoice {
   Flow flow = Flow::darcy;
-  double X = 0.;       ///< k omega / (g n), ratio of fluid inertia to drag; 0 without a pulse
+  double X = 0.;       ///< k omega / (g n), ratio of fluid inertia to drag; 0 without a load
   std::string reason;  ///< for people, with the number
 };
 
-/// Decides darcy or inertial for a porous region with flow = automatic: inertial when X > 0.05 at omega = pi /
-/// (shortest duration of the loads) [Zienkiewicz, Chang and Bettess 1980: u-p is 3 % off at X = 0.1].
-FlowChoice choose_flow(const Region& region, const Scene& scene);
+/// Darcy where X [Zienkiewicz, Chang and Bettess 1980] is small up to the end of the loads' spectrum, omega =
+/// bandwidth(scene), inertial above. Drained where the pressure leaves within 1/omega besides: only where there is a
+/// caisson, whose F_T is what must not move, and where nobody looks at the pressure.
+FlowChoice choose_flow(const Region& region, const Surroundings& at, const Scene& scene);
 
 struct CompressibilityChoice {
   Compressibility compressibility = Compressibility::compressible;

@@ -26,7 +26,8 @@ struct MeshChoice {
   std::optional<std::string> file;           ///< or a path
   std::map<std::string, double> parameters;  ///< overrides of the .geo's own parameters
   int refine = 0;
-  int degree = 2;  ///< of u; phi has degree - 1
+  int degree = 2;               ///< of u; phi has degree - 1
+  bool keep_unreached = false;  ///< solve also where no wave can come from and be read of before the end
 };
 
 enum class TimeScheme { automatic, generalised_alpha, sdirk4 };
@@ -64,5 +65,10 @@ inline const std::string caisson_name = "caisson";
 /// The shortest time in which a load rises and falls (s): Load::duration where it is set (a sine: half its period),
 /// else twice the least distance of two kinks; 0 where a load jumps, infinity where no load has any.
 double shortest_duration(const Scene& scene);
+
+/// The frequency (rad/s) beyond which the spectrum |F(omega)| of no load exceeds a hundredth of the integral of |f|,
+/// its bound at omega = 0: from |F| <= V / omega^2, V the total variation of f'. Of a triangle 40 / duration. Infinite
+/// where a load jumps, 0 where there is none.
+double bandwidth(const Scene& scene);
 
 }  // namespace upbead

@@ -31,8 +31,15 @@ Scene scene_of(const WaveSeabed& seabed, int degree) {
   scene.boundaries["bottom"] = {DisplacementCondition::fixed, PressureCondition::sealed};
   for (const char* side : {"crest", "trough"})
     scene.boundaries[side] = {DisplacementCondition::roller, PressureCondition::sealed};
+  if (seabed.water > 0.) {
+    scene.boundaries.erase("mudline");
+    scene.boundaries["level"].pressure = PressureCondition::open;
+    scene.boundaries["ends"].pressure = PressureCondition::sealed;
+    scene.regions["water"].kind = RegionKind::water;
+    scene.regions["water"].compressibility = Compressibility::compressible;
+  }
   Load wave;
-  wave.boundary = "mudline";
+  wave.boundary = seabed.water > 0. ? "level" : "mudline";
   wave.kind = LoadKind::pressure;
   wave.shape = cosine(seabed.wavelength);
   wave.history = triangle(1., 1.);  // any history: the response is to unit amplitude
@@ -45,15 +52,19 @@ Scene scene_of(const WaveSeabed& seabed, int degree) {
 }
 
 std::unique_ptr<Mesh> mesh_of(const WaveSeabed& seabed, const SeabedMesh& sizes) {
-  const double z = seabed.thickness, y = 0.5 * seabed.wavelength, small = 1e-9 * z;
+  const double z = seabed.thickness, y = 0.5 * seabed.wavelength, small = 1e-12 * z, level = -seabed.water;
   const auto curve = [=](const dealii::Point<dim>& at) -> std::string {
+    if (level < 0. && at[0] < level + small) return "level";
+    if (at[0] < -small) return at[1] < small || at[1] > y - small ? "ends" : "";
     if (at[0] < small) return "mudline";
     if (at[0] > z - small) return "bottom";
     return at[1] < small ? "crest" : at[1] > y - small ? "trough" : "";
   };
   const auto from = [&](double side) { return graded_lines(side, 0.5 * z, sizes.first, sizes.growth, sizes.largest); };
+  auto lines = joined(from(0.), from(z));
+  if (level < 0.) lines = joined(even_lines(level, 0., 2), lines);
   return tensor_mesh(
-      joined(from(0.), from(z)), even_lines(0., y, sizes.along), [](const auto&) { return "soil"; }, curve);
+      lines, even_lines(0., y, sizes.along), [](const auto& at) { return at[0] < 0. ? "water" : "soil"; }, curve);
 }
 
 }  // namespace

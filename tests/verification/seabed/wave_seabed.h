@@ -20,6 +20,7 @@ struct WaveSeabed {
   bool inertia = true;
   double wavelength = 0., omega = 0.;  ///< m, rad/s
   double thickness = 0.;               ///< m, to a fixed and sealed bottom
+  double water = 0.;                   ///< m, of modelled water on the mudline, whose level then has the pressure
   std::vector<double> depths;          ///< where it is read (m)
 };
 

@@ -131,6 +131,20 @@ TEST(WaveSeabed, QuasiStaticByElementsOfDegree2) {
   }
 }
 
+/// A layer of water so thin (kh = 1e-4) that the pressure on its level is that on the mudline: the water's own pressure
+/// acts on skeleton and pores as the load on the mudline does.
+TEST(WaveSeabed, UnderModelledWater) {
+  Record record("seabed");
+  const Json all = reference("ref3_wave_seabed");
+  for (const Json& entry : all.at("cases"))
+    for (const char* model : {"upB", "full"}) {
+      WaveSeabed seabed = wave_seabed(entry, model);
+      seabed.water = 1e-4 * seabed.wavelength / (2. * std::acos(-1.));
+      record.at_most(title(entry) + ", " + model + ", under a layer of water" + what,
+                     error(respond(seabed, mesh_for(seabed, 3)), entry.at("models").at(model)), 5e-3);
+    }
+}
+
 /// Yamamoto et al. (1978): in a saturated half-space with incompressible water p = e^{-kz} and, in size, both the
 /// effective stress and the shear stress are k z e^{-kz}, whatever the permeability.
 TEST(WaveSeabed, YamamotosHalfSpace) {
