@@ -64,6 +64,9 @@ void check_pressure(Checker& checker, const std::string& key, const Boundary& si
   if (*side.pressure == P::surface_waves && !at.only_free_water)
     checker.object(key + ".pressure", "surface waves need a level of free water", "say \"open\" or \"sealed\"");
   if (*side.pressure != P::absorbing) return;
+  if (at.pore_water && side.displacement == DisplacementCondition::free)
+    checker.object(key + ".displacement", "pores that absorb waves need a skeleton that is held or absorbs them too",
+                   "say displacement = \"absorbing\"");
   if (!checker.scene.time.inertia)
     checker.object(key + ".pressure", "without inertia (time.inertia = false) there are no waves to absorb",
                    "say \"sealed\"");

@@ -35,6 +35,7 @@ bulk_modulus = 2.2e9  # Pa
 file = "../sub/my.msh"
 refine = 0
 degree = 2
+keep_unreached = false
 
 [regions.soil]
 kind = "porous"

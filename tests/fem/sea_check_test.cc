@@ -80,6 +80,11 @@ const Misfit misfits[] = {
        s.boundaries["sea_left"].pressure = PressureCondition::absorbing;
      },
      "boundaries.sea_left.pressure", "no pressure waves"},
+    {"AbsorbingPoresOfAFreeSkeleton",
+     [](Scene& s) {
+       s.boundaries["left"] = {DisplacementCondition::free, PressureCondition::absorbing};
+     },
+     "boundaries.left.displacement", "held or absorbs"},
     {"AbsorbingRigidRegion", [](Scene& s) { s.boundaries["top"].displacement = DisplacementCondition::absorbing; },
      "boundaries.top.displacement", "rigid region ('caisson')"},
 };

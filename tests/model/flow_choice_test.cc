@@ -76,16 +76,19 @@ TEST(FlowChoiceTest, RubbleUnderAnImpactIsInertial) {
   const FlowChoice choice = choose_flow(porous(0.1), {}, scene_with(triangle(0.1)));
   EXPECT_EQ(choice.flow, Flow::inertial);
   EXPECT_NEAR(choice.X, 0.1 * 40. / 0.1 / (9.81 * 0.4), 1e-9);
-  EXPECT_EQ(choice.reason, "X = k omega/(g n) = 10.2 > 0.15 at omega = 400 rad/s, the end of the loads' spectrum: the water's own inertia "
-            "counts");
+  EXPECT_EQ(
+      choice.reason,
+      "X = k omega/(g n) = 10.2 > 0.15 at omega = 400 rad/s, the end of the loads' spectrum: the water's own inertia "
+      "counts");
 }
 
 TEST(FlowChoiceTest, SandUnderAnImpactIsDarcy) {
   const FlowChoice choice = choose_flow(porous(1e-4), {}, scene_with(triangle(0.1)));
   EXPECT_EQ(choice.flow, Flow::darcy);
-  EXPECT_EQ(choice.reason,
-            "X = k omega/(g n) = 0.0102 <= 0.15 at omega = 400 rad/s, the end of the loads' spectrum: drag outweighs the "
-            "water's own inertia");
+  EXPECT_EQ(
+      choice.reason,
+      "X = k omega/(g n) = 0.0102 <= 0.15 at omega = 400 rad/s, the end of the loads' spectrum: drag outweighs the "
+      "water's own inertia");
 }
 
 TEST(FlowChoiceTest, AJumpIsInertialUnlessQuasiStatic) {

@@ -47,6 +47,7 @@ Scene in_mm_t_ms(Scene scene) {
   const auto scale = [](std::optional<double>& value, double factor) {
     if (value) *value *= factor;
   };
+  scene.time.end *= 1e3;
   scene.gravity *= 1e-3;
   scene.fluid.density *= 1e-12;
   scene.fluid.bulk_modulus *= 1e-12;
