@@ -29,7 +29,8 @@ std::string describe_regions(const Case& input, const CompiledCase& scene) {
   for (const Decision& decision : scene.decisions) {
     const std::string& name = decision.region;
     if (name.empty()) continue;
-    std::string line = word_of(input.scene.regions.at(name).kind, region_kind_words) + ", " + decision.value +
+    const std::string kind = word_of(input.scene.regions.at(name).kind, region_kind_words);
+    std::string line = kind + (decision.value == kind ? "" : ", " + decision.value) +
                        (decision.key == "flow" ? " flow: " : ": ") + decision.why;
     for (const Body& body : scene.compiled.bodies)
       if (body.region == name)

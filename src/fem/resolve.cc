@@ -120,8 +120,8 @@ ResolvedScene resolve(const Scene& scene, const Mesh& mesh) {
         resolved.decisions.push_back(decide_compressibility(name, region, at, scene));
         break;
       case RegionKind::rigid:
-        resolved.decisions.push_back({name, "deformation", "rigid",
-                                      "the region is rigid: three coordinates stand for it", "deformation of " + name});
+        resolved.decisions.push_back(
+            {name, "deformation", "rigid", "three coordinates stand for it", "deformation of " + name});
         break;
     }
   }
