@@ -2,8 +2,8 @@
 // exact solution says, with inertial flow everywhere (`full`) and with darcy flow (`upB`). One half is computed: the
 // motion is antisymmetric.
 // Source: tests/reference/ref2d_poro_strip.json (exact kernel of layers with three waves each, Galerkin contact), all
-// triangles of 20 ms and longer. The mesh, measured: cells of 5 cm at the caisson's edge, degree 3; 120 m of ground
-// beside the caisson.
+// triangles of 20 ms and longer. The mesh, measured: cells of 2 cm at the caisson's edge, degree 3; 200 m of ground
+// beside the caisson, whose end absorbs.
 // Limits: F_T, sway and rotation over their peaks 0.5 % at all tabulated times; peaks of F_T and base moment 0.2 % and
 // 0.5 %.
 
@@ -23,20 +23,20 @@ namespace {
 
 constexpr double shortest = 0.02;  // s
 
-/// 40,000 unknowns with darcy flow, 75,000 with inertial flow.
+/// About 60,000 unknowns with darcy flow, twice as many with inertial flow.
 StripCells cells() {
   StripCells cells;
-  cells.edge = 0.05;
+  cells.edge = 0.02;
   cells.skin = 0.1;
   cells.growth = 4.;
   cells.along = 3.;
   cells.near = 10.;
-  cells.far = 8.;
-  cells.width = 120.;
+  cells.far = 12.;
+  cells.width = 200.;
   return cells;
 }
 
-constexpr double crossing = 0.003;  // s: a shear wave needs no more to cross a cell from bottom to top
+constexpr double crossing = 0.002;  // s: a shear wave needs no more to cross a cell from bottom to top
 
 /// Names of the soils, in the order of the table.
 std::vector<std::string> soils(const Json& all) {
@@ -63,27 +63,14 @@ std::vector<Layer> layers_of(const Json& entry, Flow flow, Fluid& fluid) {
   return layers;
 }
 
-/// The shortest pulse: F_T is off by up to 1.1 % of its peak, 0.4 % at the peak, and finer cells at the edge (2 cm) or
-/// along the surface (1.5 m) do not mend it on sand alone. Not understood; the other readings are held to their limits.
-bool is_unresolved(const Json& entry) {
-  return entry.at("td") == shortest;
-}
-
 /// Compares one entry of the table with what the model found.
 void compare(Record& record, const std::string& name, const Json& entry, const StripHistory& found) {
   const std::vector<double> t = entry.at("t");
   const double peak = entry.at("peak_FT");
   const auto at_table = [&](const Eigen::RowVectorXd& values) { return sampled(found.time, values, t); };
   const auto shear = at_table(found.shear);
-  const double shear_error = largest_error(shear, entry.at("FT"), peak),
-               peak_error = std::abs(found.peak_shear / peak - 1.);
-  if (is_unresolved(entry)) {
-    record.measured(name + "F_T over its peak (limit 0.005 not met)", shear_error);
-    record.measured(name + "peak of F_T, relative (limit 0.002 not met)", peak_error);
-  } else {
-    record.at_most(name + "F_T over its peak", shear_error, 5e-3);
-    record.at_most(name + "peak of F_T, relative", peak_error, 2e-3);
-  }
+  record.at_most(name + "F_T over its peak", largest_error(shear, entry.at("FT"), peak), 5e-3);
+  record.at_most(name + "peak of F_T, relative", std::abs(found.peak_shear / peak - 1.), 2e-3);
   record.at_most(name + "sway over its peak", largest_error(at_table(found.sway), entry.at("sway")), 5e-3);
   record.at_most(name + "rotation over its peak", largest_error(at_table(found.rotation), entry.at("rotation")), 5e-3);
   record.at_most(name + "peak of the base moment, relative",

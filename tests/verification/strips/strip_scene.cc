@@ -62,7 +62,7 @@ Scene strip_scene(const StripCaisson& caisson, const std::vector<Layer>& layers,
   region.moment_of_inertia = 0.5 * caisson.moment_of_inertia;
   region.centre_of_gravity = {0., caisson.centre};
   scene.boundaries["rock"] = {DisplacementCondition::fixed, PressureCondition::sealed};
-  scene.boundaries["far"] = {DisplacementCondition::fixed, PressureCondition::sealed};
+  scene.boundaries["far"] = {DisplacementCondition::absorbing, PressureCondition::sealed};
   scene.boundaries["bed"] = {DisplacementCondition::free, PressureCondition::open};
   scene.boundaries["middle"] = {DisplacementCondition::free, PressureCondition::open};
   scene.boundaries["caisson_side"] = {};

@@ -31,7 +31,8 @@ struct Layer {
 };
 
 /// Cells of the ground: small at the caisson's edge and at the top of every layer, growing to what the waves need in
-/// the caisson's surroundings, and further towards the far end, from which nothing comes back in time.
+/// the caisson's surroundings, and further towards the far end, which absorbs: pressure waves in saturated soil
+/// are there and back within a quarter of a second, and a fixed end cost 1 % of F_T.
 struct StripCells {
   double edge;     ///< width and height of the cells at the caisson's edge (m)
   double skin;     ///< height of the cells at the top of the lower layers (m)
