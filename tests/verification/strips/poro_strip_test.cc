@@ -23,7 +23,7 @@ namespace {
 
 constexpr double shortest = 0.02;  // s
 
-/// About 60,000 unknowns with darcy flow, twice as many with inertial flow.
+/// What pulses of 20 ms need.
 StripCells cells() {
   StripCells cells;
   cells.edge = 0.02;
