@@ -10,12 +10,19 @@ using namespace dealii;
 
 namespace {
 
-/// Both waves of a porous soil without drag. Z = M^1/2 (M^-1/2 A M^-1/2)^1/2 M^1/2.
-Impedance drag_free(const Material& m) {
-  const double E = m.lambda + 2. * m.G, Q = 1. / m.storage;
+/// M x'' = A d2x/dn2 for x = (u_n, W_n): plane waves in a porous soil without drag.
+struct DragFree {
+  explicit DragFree(const Material& m) {
+    const double E = m.lambda + 2. * m.G, Q = 1. / m.storage;
+    M << m.rho, m.rho_f, m.rho_f, m.a;
+    A << E + m.alpha * m.alpha * Q, m.alpha * Q, m.alpha * Q, Q;
+  }
   Eigen::Matrix2d M, A;
-  M << m.rho, m.rho_f, m.rho_f, m.a;
-  A << E + m.alpha * m.alpha * Q, m.alpha * Q, m.alpha * Q, Q;
+};
+
+/// Z = M^1/2 (M^-1/2 A M^-1/2)^1/2 M^1/2.
+Impedance drag_free_impedance(const Material& m) {
+  const auto [M, A] = DragFree(m);
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> of_M(M);
   const Eigen::Matrix2d root = of_M.operatorSqrt(), inverse = of_M.operatorInverseSqrt();
   const Eigen::Matrix2d speed =
@@ -62,7 +69,7 @@ Impedance of_side(const Space& space, const Cell& cell, const Boundary& side, co
 }  // namespace
 
 Impedance impedance(const Material& m, CellKind kind, bool open_to_waves) {
-  if (kind == CellKind::inertial && open_to_waves) return drag_free(m);
+  if (kind == CellKind::inertial && open_to_waves) return drag_free_impedance(m);
   const bool pores = kind == CellKind::inertial || kind == CellKind::darcy;
   Impedance z;
   z.normal = std::sqrt(m.rho * (m.lambda + 2. * m.G + (pores ? m.alpha * m.alpha / m.storage : 0.)));
@@ -78,9 +85,7 @@ double fastest_wave(const Region& region, const Fluid& fluid, double gravity) {
   if (region.kind == RegionKind::solid || region.flow == Flow::drained) return std::sqrt(E / m.rho);
   const double undrained = std::sqrt((E + m.alpha * m.alpha / m.storage) / m.rho);
   if (region.flow != Flow::inertial || std::isinf(undrained)) return undrained;
-  Eigen::Matrix2d M, A;  // without drag, as in impedance()
-  M << m.rho, m.rho_f, m.rho_f, m.a;
-  A << E + m.alpha * m.alpha / m.storage, m.alpha / m.storage, m.alpha / m.storage, 1. / m.storage;
+  const auto [M, A] = DragFree(m);
   const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix2d> squares(A, M);
   return std::sqrt(squares.eigenvalues().maxCoeff());
 }

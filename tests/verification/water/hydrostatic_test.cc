@@ -18,7 +18,7 @@ namespace {
 
 /// The shipped section with a sea on both sides, sealed everywhere, so that a uniform pressure can stand.
 std::unique_ptr<Mesh> section_with_seas() {
-  return breakwater_mesh(0.5, {{"sea_front", 3.}, {"sea_back", 3.}, {"water_depth", 15.}});
+  return breakwater_mesh(0.5, with_sea());
 }
 
 Scene submerged(Flow mound, int degree) {
@@ -26,10 +26,9 @@ Scene submerged(Flow mound, int degree) {
   scene.mesh.degree = degree;
   scene.regions["mound"].flow = mound;
   scene.regions["seabed"].flow = Flow::darcy;
-  for (const char* sea : {"sea_front", "sea_back"}) scene.regions[sea].kind = RegionKind::water;
-  for (const char* side : {"sea_surface", "sea_left", "sea_right"})
+  add_sea(scene);
+  for (const char* side : {"sea_surface", "bed", "mound_surface"})
     scene.boundaries[side].pressure = PressureCondition::sealed;
-  for (const char* side : {"bed", "mound_surface"}) scene.boundaries[side].pressure = PressureCondition::sealed;
   return scene;
 }
 
