@@ -1,0 +1,42 @@
+// A scene as a sum of modes: what is left of it once it has been solved for all waves.
+#pragma once
+
+#include <Eigen/Core>
+#include <complex>
+#include <string>
+#include <vector>
+
+namespace upbead {
+
+/// What a reading is called, as in Reading.
+struct ReadingLabel {
+  std::string name;
+  std::string unit;
+  std::string description;
+};
+
+/// Response from rest to loads f_k(t), k = 0 ... K-1, in M modes:
+///
+///     z_m' = pole_m z_m + sum_k load_mk f_k(t),  z_m(0) = 0
+///     y_i(t) = Re sum_m reading_im z_m(t) + sum_k ( feedthrough_ik f_k(t) + impulse_ik int_0^t f_k )
+///
+/// All poles have Re <= 0. One of each pair of conjugate poles is kept, its row of `reading` doubled.
+struct ModalModel {
+  Eigen::VectorXcd pole;                    ///< M, in 1/s
+  Eigen::MatrixXcd load;                    ///< M x K
+  Eigen::MatrixXcd reading;                 ///< I x M
+  Eigen::MatrixXd feedthrough;              ///< I x K
+  Eigen::MatrixXd impulse;                  ///< I x K
+  std::vector<std::string> load_name;       ///< K
+  std::vector<ReadingLabel> reading_label;  ///< I
+
+  int n_modes() const { return static_cast<int>(pole.size()); }
+  int n_loads() const { return static_cast<int>(load.cols()); }
+  int n_readings() const { return static_cast<int>(reading.rows()); }
+  /// Index of the reading of that name; throws std::out_of_range where there is none.
+  int index(const std::string& name) const;
+  /// y_i / f_k at the frequency omega (rad/s), omega > 0.
+  std::complex<double> transfer(int i, int k, double omega) const;
+};
+
+}  // namespace upbead

@@ -1,0 +1,43 @@
+// A reduced model in one HDF5 file.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "upbead/base/error.h"
+#include "upbead/dynamics/modal_model.h"
+
+namespace upbead {
+
+/// What a load was in the case that the model was built from.
+struct ModelLoad {
+  std::string name;
+  std::string unit;      ///< of f_k: N/m or Pa
+  double peak = 0.;      ///< largest |f_k| of the case
+  double duration = 0.;  ///< shortest time in which it rises and falls there (s)
+};
+
+/// Everything that `respond` needs, and where it came from.
+struct ReducedModelFile {
+  std::string title;
+  std::string case_text;  ///< the effective case (TOML), all defaults spelled out
+  ModalModel modes;
+  std::vector<ModelLoad> loads;       ///< as in modes.load_name
+  double caisson_mass = 0.;           ///< with fill, W/g (kg/m); 0 where there is no caisson
+  double end = 0.;                    ///< [time] end of the case (s)
+  double highest_frequency = 0.;      ///< up to which the transfer function has been checked (Hz)
+  double tolerance = 0.;              ///< that was asked for, relative
+  double error = 0.;                  ///< measured, of the history of F_T over its peak (nested models)
+  double error_peak = 0.;             ///< measured, of peak F_T
+  std::optional<double> error_march;  ///< of the history, against a march, where one was made
+  int unknowns = 0, solves = 0, factorisations = 0;
+};
+
+/// The bytes of the file. Throws NumericsError where a number is not finite.
+std::string model_file(const ReducedModelFile& model);
+
+/// Reads such a file. Throws InputError where it cannot be read, is not a reduced model, or is not whole.
+ReducedModelFile read_model_file(const std::string& path);
+
+}  // namespace upbead

@@ -1,0 +1,24 @@
+#include "upbead/dynamics/modal_model.h"
+
+#include <stdexcept>
+
+namespace upbead {
+
+int ModalModel::index(const std::string& name) const {
+  for (std::size_t i = 0; i < reading_label.size(); ++i)
+    if (reading_label[i].name == name) return static_cast<int>(i);
+  throw std::out_of_range("the reduced model has no reading '" + name + "'");
+}
+
+std::complex<double> ModalModel::transfer(int i, int k, double omega) const {
+  const std::complex<double> s(0., omega);
+  // Re of a mode's sum becomes half of it and of its conjugate's, which for a real pole is the mode itself.
+  std::complex<double> H = feedthrough(i, k) + impulse(i, k) / s;
+  for (int m = 0; m < n_modes(); ++m) {
+    const std::complex<double> product = reading(i, m) * load(m, k);
+    H += 0.5 * (product / (s - pole[m]) + std::conj(product) / (s - std::conj(pole[m])));
+  }
+  return H;
+}
+
+}  // namespace upbead
