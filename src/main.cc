@@ -39,6 +39,8 @@ int run(int argc, char** argv) {
       "Exit codes: 0 done, 1 the input is wrong, 2 the numerics failed, 3 a bug,\n130 and 143 interrupted.");
   upbead::add_explain(program);
   upbead::add_run(program);
+  upbead::add_reduce(program);
+  upbead::add_respond(program);
   if (argc > 1) check_command(program, argv[1]);
   try {
     program.parse(argc, argv);

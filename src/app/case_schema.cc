@@ -51,7 +51,8 @@ TableSchema<TimeChoice> time_schema() {
       .range(above(0.))
       .or_word("auto")
       .doc("time step; auto: chosen from the loads and the tolerance");
-  table.choice("scheme", &TimeChoice::scheme, time_scheme_words).doc("time integration scheme");
+  table.choice("scheme", &TimeChoice::scheme, time_scheme_words)
+      .doc("how to solve in time: reduced (modes of a Krylov space, errors of nested models tell how many) or a march");
   table.key("inertia", &TimeChoice::inertia).doc("whether inertia counts; false: quasi-static (consolidation)");
   table.key("stop_at_energy", &TimeChoice::stop_at_energy)
       .range(between(0., 1.))

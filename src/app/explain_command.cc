@@ -3,10 +3,15 @@
 
 #include "upbead/app/commands.h"
 #include "upbead/app/report.h"
+#include "upbead/response/scheme_choice.h"
 
 namespace upbead {
 
 namespace {
+
+bool will_be_reduced(const CompiledCase& scene) {
+  return choose_scheme(scene.scene, scene.compiled).scheme == TimeScheme::reduced;
+}
 
 std::string to_json(const Case& input, const CompiledCase& scene) {
   nlohmann::ordered_json json = {{"title", input.scene.title}};
@@ -23,7 +28,8 @@ std::string to_json(const Case& input, const CompiledCase& scene) {
     json["loads"][load.name]["arm"] = load.arm() ? nlohmann::ordered_json(*load.arm()) : nullptr;
   }
   json["skipped"] = nlohmann::ordered_json::array();
-  for (const Skipped& item : skipped(input, scene)) json["skipped"].push_back({{"what", item.what}, {"why", item.why}});
+  for (const Skipped& item : skipped(input, scene, will_be_reduced(scene)))
+    json["skipped"].push_back({{"what", item.what}, {"why", item.why}});
   return json.dump(2) + "\n";
 }
 

@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "upbead/model/words.h"
+#include "upbead/response/scheme_choice.h"
 
 namespace upbead {
 
@@ -56,6 +57,20 @@ std::string describe_loads(const CompiledCase& scene) {
   return text;
 }
 
+std::string describe_march(const Run& run) {
+  const Discretisation& d = run.summary.discretisation;
+  return format("marched     %d steps of at most %.4g s by %s (%s); %d solves, %d factorisations\n", d.steps,
+                d.time_step, d.scheme.c_str(), run.step_reason.c_str(), d.solves, d.factorisations) +
+         "            because " + run.scheme_reason + "\n";
+}
+
+std::string describe(const ReductionSummary& r) {
+  return format(
+      "reduced     to %d modes from %d solves; the history of F_T moves by %.1e of its peak between nested\n"
+      "            models, its peak by %.1e, other readings by %.1e of theirs; checked up to %.3g Hz\n",
+      r.modes, r.vectors, r.error, r.error_peak, r.error_of_others, r.highest_frequency);
+}
+
 }  // namespace
 
 std::string with_unit(double value, const std::string& unit, double peak) {
@@ -79,17 +94,17 @@ std::string describe(const Case& input, const CompiledCase& scene) {
              }());
   text += "regions\n" + describe_regions(input, scene);
   text += "loads\n" + describe_loads(scene);
+  const SchemeChoice choice = choose_scheme(scene.scene, scene.compiled);
+  text += "in time     " + word_of(choice.scheme, time_scheme_words) + ": " + choice.reason + "\n";
   text += "skipped\n";
-  for (const Skipped& item : skipped(input, scene)) text += "  " + item.what + ": " + item.why + "\n";
+  for (const Skipped& item : skipped(input, scene, choice.scheme == TimeScheme::reduced))
+    text += "  " + item.what + ": " + item.why + "\n";
   return text;
 }
 
 std::string describe(const Run& run) {
-  const Discretisation& d = run.summary.discretisation;
   const Timing& t = run.summary.timing;
-  std::string text =
-      format("marched     %d steps of at most %.4g s by %s (%s); %d solves, %d factorisations\n", d.steps, d.time_step,
-             d.scheme.c_str(), run.step_reason.c_str(), d.solves, d.factorisations);
+  std::string text = run.summary.reduction ? describe(*run.summary.reduction) : describe_march(run);
   if (run.response.stopped_early) text += "            stopped early: little energy was left, as the case allows\n";
   if (run.summary.response) {
     const ShearResponse& r = *run.summary.response;
@@ -102,8 +117,8 @@ std::string describe(const Run& run) {
                                    : std::string("  F_T / P     none: no horizontal force acts on the caisson\n");
     text += format("  peak x_G    %s\n", with_unit(r.peak_displacement, "m").c_str());
     if (r.arm) text += format("  arm of P    %.4g m\n", *r.arm);
-    text += format("  checks      both routes to F_T differ by %.1e, energy by %.1e\n", r.reaction_mismatch,
-                   run.summary.energy.mismatch());
+    text += format("  checks      both routes to F_T differ by %.1e", r.reaction_mismatch) +
+            (run.summary.energy ? format(", energy by %.1e\n", run.summary.energy->mismatch()) : "\n");
   }
   text +=
       format("time        mesh %.2f s, compile %.2f s, factorise %.2f s, march %.2f s, output %.2f s, total %.2f s\n",

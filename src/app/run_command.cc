@@ -82,7 +82,8 @@ void run(const CommonOptions& options, const Stopwatch& since_start) {
     Progress progress("marching");
     result = run_case(input, scene, options_of(input.scene, progress, fields));
   }
-  if (result.summary.response) require_balance(*result.summary.response, result.summary.energy);
+  if (result.summary.response)
+    require_balance(*result.summary.response, result.summary.energy.value_or(EnergyAccount()));
   const Stopwatch output_watch;
   fields.finish();
   folder.write("results.h5", result_file(input.scene.title, histories(scene.compiled.system, result.response.ends)));
@@ -103,7 +104,7 @@ void run(const CommonOptions& options, const Stopwatch& since_start) {
 
 void add_run(CLI::App& program) {
   auto options = std::make_shared<CommonOptions>();
-  CLI::App* command = program.add_subcommand("run", "march a case and write F_T(t), its peak and all histories");
+  CLI::App* command = program.add_subcommand("run", "solve a case and write F_T(t), its peak and all histories");
   add_common_options(*command, *options);
   command->footer(
       "Writes into results/NAME (or --out DIR), all or nothing:\n"

@@ -10,8 +10,20 @@ int ModalModel::index(const std::string& name) const {
   throw std::out_of_range("the reduced model has no reading '" + name + "'");
 }
 
-std::complex<double> ModalModel::transfer(int i, int k, double omega) const {
-  const std::complex<double> s(0., omega);
+void ModalModel::join_loads(int kept, int joined) {
+  std::vector<int> rest;
+  for (int k = 0; k < n_loads(); ++k)
+    if (k != joined) rest.push_back(k);
+  load.col(kept) += load.col(joined);
+  load = Eigen::MatrixXcd(load(Eigen::all, rest));
+  for (Eigen::MatrixXd* part : {&feedthrough, &impulse}) {
+    part->col(kept) += part->col(joined);
+    *part = Eigen::MatrixXd((*part)(Eigen::all, rest));
+  }
+  load_name.erase(load_name.begin() + joined);
+}
+
+std::complex<double> ModalModel::transfer(int i, int k, std::complex<double> s) const {
   // Re of a mode's sum becomes half of it and of its conjugate's, which for a real pole is the mode itself.
   std::complex<double> H = feedthrough(i, k) + impulse(i, k) / s;
   for (int m = 0; m < n_modes(); ++m) {

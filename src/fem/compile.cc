@@ -11,6 +11,8 @@ CompiledScene compile(const Scene& scene, const Space& space, const Unknowns& un
                       const std::vector<Body>& bodies) {
   CompiledScene compiled;
   compiled.bodies = bodies;
+  for (std::size_t b = 0; b < bodies.size(); ++b)
+    for (int m = 0; m < n_motions; ++m) compiled.body_coordinates.push_back(unknowns.coordinate(b, m));
   compiled.caisson = find_caisson(space);
   System& system = compiled.system;
   system.field = unknowns.field();

@@ -38,6 +38,7 @@ const Words<LoadKind> load_kind_words{
 
 const Words<TimeScheme> time_scheme_words{{"auto", TimeScheme::automatic},
                                           {"generalised_alpha", TimeScheme::generalised_alpha},
-                                          {"sdirk4", TimeScheme::sdirk4}};
+                                          {"sdirk4", TimeScheme::sdirk4},
+                                          {"reduced", TimeScheme::reduced}};
 
 }  // namespace upbead

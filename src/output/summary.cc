@@ -22,7 +22,7 @@ Json to_object(const Discretisation& d) {
       {"time_step", d.time_step}, {"steps", d.steps},       {"solves", d.solves}, {"factorisations", d.factorisations}};
 }
 
-Json to_object(const ShearResponse& r, double energy_mismatch) {
+Json to_object(const ShearResponse& r, const std::optional<EnergyAccount>& energy) {
   return {{"peak_force", r.peak_force},
           {"peak_force_time", r.peak_force_time},
           {"peak_force_seaward", r.peak_force_seaward},
@@ -41,7 +41,7 @@ Json to_object(const ShearResponse& r, double energy_mismatch) {
           {"arm", optional(r.arm)},
           {"peak_base_moment", r.peak_base_moment},
           {"reaction_mismatch", r.reaction_mismatch},
-          {"energy_mismatch", energy_mismatch},
+          {"energy_mismatch", energy ? Json(energy->mismatch()) : Json(nullptr)},
           {"error_estimate", nullptr}};
 }
 
@@ -53,6 +53,15 @@ Json to_object(const EnergyAccount& e) {
   return {{"work", e.work},         {"kinetic", e.kinetic}, {"strain", e.strain},
           {"fluid", e.fluid},       {"drag", e.drag},       {"damping", e.damping},
           {"radiated", e.radiated}, {"scheme", e.scheme},   {"mismatch", e.mismatch()}};
+}
+
+Json to_object(const ReductionSummary& r) {
+  return {{"vectors", r.vectors},
+          {"modes", r.modes},
+          {"error", r.error},
+          {"error_peak", r.error_peak},
+          {"error_of_others", r.error_of_others},
+          {"highest_frequency", r.highest_frequency}};
 }
 
 Json to_object(const Timing& t) {
@@ -73,10 +82,11 @@ void require_finite(const Json& value, const std::string& path) {
 std::string to_json(const Summary& summary) {
   Json json = {{"title", summary.title}, {"program", program_version()}};
   json["discretisation"] = to_object(summary.discretisation);
-  json["response"] = summary.response ? to_object(*summary.response, summary.energy.mismatch()) : Json(nullptr);
+  json["response"] = summary.response ? to_object(*summary.response, summary.energy) : Json(nullptr);
   json["loads"] = Json::object();
   for (const LoadOnCaisson& load : summary.loads) json["loads"][load.name] = to_object(load);
-  json["energy"] = to_object(summary.energy);
+  json["energy"] = summary.energy ? to_object(*summary.energy) : Json(nullptr);
+  json["reduction"] = summary.reduction ? to_object(*summary.reduction) : Json(nullptr);
   json["skipped"] = Json::array();
   for (const Skipped& skipped : summary.skipped)
     json["skipped"].push_back({{"what", skipped.what}, {"why", skipped.why}});

@@ -22,5 +22,9 @@ void add_common_options(CLI::App& command, CommonOptions& options);
 void add_explain(CLI::App& program);
 /// `upbead run CASE`: march the scene, write results.
 void add_run(CLI::App& program);
+/// `upbead respond MODEL FORCES...`: answer waves with a reduced model.
+void add_reduce(CLI::App& program);
+
+void add_respond(CLI::App& program);
 
 }  // namespace upbead

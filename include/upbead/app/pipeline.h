@@ -33,17 +33,18 @@ void check_size(const Case& input);
 /// Meshes, checks (its size too) and compiles. Throws InputError with all objections at their places in the case.
 CompiledCase compile_case(const Case& input);
 
-/// What was marched.
+/// What was solved.
 struct Run {
   Response response;
   Summary summary;
-  std::string step_reason;  ///< why the steps are as long as they are
+  std::string scheme_reason;  ///< why it was solved as it was
+  std::string step_reason;    ///< why the steps are as long as they are
 };
 
-/// Marches a compiled case; the observer sees every step. Throws NumericsError.
+/// Solves a compiled case in time; where it is marched the observer sees every step. Throws NumericsError.
 Run run_case(const Case& input, const CompiledCase& scene, const MarchOptions& options);
 
-/// What is skipped in a scene and why, with the numbers.
-std::vector<Skipped> skipped(const Case& input, const CompiledCase& scene);
+/// What is skipped in a scene and why, with the numbers; `reduced`: whether a reduced model solves it.
+std::vector<Skipped> skipped(const Case& input, const CompiledCase& scene, bool reduced);
 
 }  // namespace upbead

@@ -35,8 +35,10 @@ struct ModalModel {
   int n_readings() const { return static_cast<int>(reading.rows()); }
   /// Index of the reading of that name; throws std::out_of_range where there is none.
   int index(const std::string& name) const;
-  /// y_i / f_k at the frequency omega (rad/s), omega > 0.
-  std::complex<double> transfer(int i, int k, double omega) const;
+  /// Makes one load of two that always have the same history.
+  void join_loads(int kept, int joined);
+  /// H(s) = Y_i / F_k; s (1/s) is no pole, and not zero where there is an impulse term.
+  std::complex<double> transfer(int i, int k, std::complex<double> s) const;
 };
 
 }  // namespace upbead

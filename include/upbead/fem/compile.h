@@ -16,6 +16,7 @@ namespace upbead {
 struct CompiledScene {
   System system;
   std::vector<Body> bodies;
+  std::vector<int> body_coordinates;  ///< unknowns of the system that are coordinates of rigid bodies
   std::optional<Caisson> caisson;
   std::vector<LoadOnCaisson> loads_on_caisson;  ///< one per system load
 };

@@ -30,7 +30,7 @@ struct MeshChoice {
   bool keep_unreached = false;  ///< solve also where no wave can come from and be read of before the end
 };
 
-enum class TimeScheme { automatic, generalised_alpha, sdirk4 };
+enum class TimeScheme { automatic, generalised_alpha, sdirk4, reduced };
 
 struct TimeChoice {
   double end = 1.;             ///< s

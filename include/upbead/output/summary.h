@@ -21,6 +21,16 @@ struct Discretisation {
   int factorisations = 0;
 };
 
+/// How good a reduced model is: the differences of two nested ones, which the larger one undercuts.
+struct ReductionSummary {
+  int vectors = 0;  ///< of the Krylov space
+  int modes = 0;
+  double error = 0.;              ///< of the history of F_T, over its largest value
+  double error_peak = 0.;         ///< of its peaks
+  double error_of_others = 0.;    ///< the largest of all other readings' histories, each over its largest value
+  double highest_frequency = 0.;  ///< up to which the transfer function of F_T has been checked (Hz)
+};
+
 /// What was left out, and why.
 struct Skipped {
   std::string what;
@@ -37,7 +47,8 @@ struct Summary {
   Discretisation discretisation;
   std::optional<ShearResponse> response;  ///< none without a caisson
   std::vector<LoadOnCaisson> loads;
-  EnergyAccount energy;
+  std::optional<EnergyAccount> energy;        ///< none where no march kept an account
+  std::optional<ReductionSummary> reduction;  ///< none where it was marched
   std::vector<Skipped> skipped;
   Timing timing;
 };

@@ -1,0 +1,79 @@
+// Directions in which a system answers its loads: moments of its response about one real frequency.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "upbead/system/system.h"
+
+namespace upbead {
+
+namespace detail {
+class EffectiveMatrix;
+}
+
+/// Orthonormal directions of one kind of unknowns: of u with W, or of phi.
+struct FieldBasis {
+  std::vector<int> unknown;     ///< indices in the system, ascending
+  Vector unit;                  ///< of each unknown, in which the norm is the plain one; 1 where it is prescribed
+  Eigen::MatrixXd vectors;      ///< by column; those beyond n() are room to grow
+  std::vector<int> coordinate;  ///< by column: index among the coordinates of both kinds
+
+  Eigen::Index n() const { return static_cast<Eigen::Index>(coordinate.size()); }
+  auto columns() const { return vectors.leftCols(n()); }
+  auto columns_from(Eigen::Index first) const { return vectors.middleCols(first, n() - first); }
+};
+
+/// Block second-order Krylov space of a System about a real shift s_0 > 0 [Bai and Su 2005]. With
+/// T(s) = s^2 M + s C + K and tau = (s - s_0)/s_0 the response X(s) = T(s)^-1 b is a power series in tau, whose
+/// coefficients r_j obey
+///
+///     T(s_0) r_j = -s_0 (2 s_0 M + C) r_{j-1} - s_0^2 M r_{j-2}.
+///
+/// An Arnoldi process makes the pairs (r_j, r_{j-1}) orthonormal in terms of their coordinates in orthonormal bases
+/// [Lu, Su and Bai 2016, the two-level process TOAR], of u with W and of phi apart. A load that prescribes an unknown
+/// starts with that unknown's unit motion instead of b. One factorisation, one solve a vector. Prescribed unknowns, and
+/// others that are to be kept exactly, are coordinates of their own. The System must outlive the object.
+class SecondOrderKrylov {
+ public:
+  /// `exact`: unknowns to keep. Throws NumericsError where T(s_0) is singular, std::invalid_argument where the shift is
+  /// not positive or nothing loads the system.
+  SecondOrderKrylov(const System& system, double shift, const std::vector<int>& exact = {});
+  ~SecondOrderKrylov();
+
+  /// Adds a vector; false where the space is exhausted.
+  bool extend();
+
+  const FieldBasis& displacements() const { return u_; }
+  const FieldBasis& phi() const { return phi_; }
+  double shift() const { return shift_; }
+  int n_vectors() const { return n_vectors_; }
+  int n_coordinates() const { return n_coordinates_; }
+  /// Loads that are no sums of others.
+  int n_independent_loads() const { return n_starts_; }
+  int n_solves() const { return n_solves_; }
+  /// Wall time of the factorisation (s).
+  double factorise_seconds() const { return factorise_seconds_; }
+
+ private:
+  void make_bases(const SparseMatrix& T, const std::vector<int>& exact);
+  void start();
+  /// Coordinates of x in both bases, which it enlarges by what of x is new.
+  Vector take(const Vector& x);
+  void take(FieldBasis& basis, const Vector& x, double least, Vector& coordinates);
+  Vector vector_of(const Eigen::Ref<const Vector>& coordinates) const;
+  /// Appends a pair, given by both vectors' coordinates, unless it lies in the span of those that are there.
+  bool append(const Vector& x, const Eigen::Ref<const Vector>& previous);
+  void solve(Vector& rhs, Vector& x);
+
+  const System& system_;
+  double shift_;
+  double factorise_seconds_ = 0.;
+  SparseMatrix first_;  ///< s_0 (2 s_0 M + C)
+  std::unique_ptr<detail::EffectiveMatrix> T_;
+  FieldBasis u_, phi_;
+  Eigen::MatrixXd x_, previous_;  ///< coordinates of the orthonormal pairs, by column
+  int n_vectors_ = 0, n_coordinates_ = 0, n_starts_ = 0, n_expanded_ = 0, n_solves_ = 0;
+};
+
+}  // namespace upbead

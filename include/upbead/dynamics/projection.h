@@ -1,0 +1,44 @@
+// Galerkin projection of a System on a Krylov space, displacements and phi apart.
+#pragma once
+
+#include <vector>
+
+#include "upbead/dynamics/krylov.h"
+#include "upbead/dynamics/reduced_system.h"
+
+namespace upbead {
+
+/// Projects on all coordinates of a space, and on new ones as it grows. Because u with W and phi have bases of their
+/// own, the signs of the System's matrices survive; because a rigid caisson's motions are coordinates, its balance of
+/// forces holds to round-off.
+class Projection {
+ public:
+  /// System and space must outlive the object. Throws std::logic_error where M or K couples phi with u or W.
+  Projection(const System& system, const SecondOrderKrylov& krylov);
+  /// Takes in what has come since.
+  void extend();
+  const ReducedSystem& reduced() const { return reduced_; }
+
+ private:
+  /// The diagonal blocks of the matrices that belong to one basis, in its units.
+  struct Group {
+    const FieldBasis& basis;
+    SparseMatrix M, C, K;
+    Eigen::Index n_projected;  ///< columns of the basis
+  };
+
+  static Group make_group(const System& system, const FieldBasis& basis);
+  void resize();
+  void project(Group& group);
+  void project_coupling();
+  void project_rows(const Group& group);
+
+  const System& system_;
+  const SecondOrderKrylov& krylov_;
+  Group u_, phi_;
+  SparseMatrix C_phiu_;                              ///< rows of phi, columns of u and W
+  SparseMatrix position_, velocity_, acceleration_;  ///< readings x unknowns
+  ReducedSystem reduced_;
+};
+
+}  // namespace upbead

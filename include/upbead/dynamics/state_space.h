@@ -1,0 +1,33 @@
+// A reduced system as a set of first-order equations whose energy is half the square of its state.
+#pragma once
+
+#include "upbead/dynamics/reduced_system.h"
+
+namespace upbead {
+
+/// s' = A s + B f(t), y = C s + D f + int_0^t (E s + F f), with N states and A + A^T <= 0: the energy s.s/2 (J/m) never
+/// grows without load.
+struct StateSpace {
+  Eigen::MatrixXd A, B;
+  Eigen::MatrixXd C, D;
+  Eigen::MatrixXd E, F;  ///< of readings of a position that no strain tells, as where absorbing sides alone hold it
+};
+
+/// Energy coordinates: with K~ = L L^T and M~ = R^T R of the matrices whose rows of phi are multiplied by -1, the
+/// states are e = L^T q and w = R q',
+///
+///     e' = L^T R^-1 w,   w' = R^-T (b f - L e - C~ R^-1 w),
+///
+/// skew but for -R^-T sym(C~) R^-1. What K~ does not see (the displacement W of the fluid, phi in soils) has no state;
+/// in companion form it would be poles at zero that round-off moves. A prescribed velocity q'_p = f enters by
+/// v = R^-1 w - M^-1 M_p f, so that no derivative of f is needed. Where an incompressible fluid leaves M~ singular in
+/// phi, it is given storage 1e-12 and damping 1e-6 of what T(s_0) says about phi: the response changes by 1e-6 of
+/// itself, at frequencies about the shift.
+/// Throws NumericsError where M~ is singular beyond phi, where a load prescribes what a reading's acceleration needs.
+StateSpace state_space(const ReducedSystem& reduced);
+
+/// The same in modes, s = X z with A X = X diag(pole). Throws NumericsError where the modes do not give A B back to
+/// 1e-8: where A cannot be diagonalised.
+ModalModel modal_model(const StateSpace& space, const ReducedSystem& labels);
+
+}  // namespace upbead

@@ -1,0 +1,49 @@
+// responses.h5 and its summary: what `upbead respond` finds of each wave.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "upbead/dynamics/batch_response.h"
+#include "upbead/output/model_file.h"
+
+namespace upbead {
+
+/// One wave. Landward positive, as in a run.
+struct WaveResponse {
+  double peak_force = 0.;           ///< largest P (N/m)
+  double peak_shear = 0.;           ///< largest F_T (N/m)
+  double peak_shear_time = 0.;      ///< s
+  double peak_shear_seaward = 0.;   ///< least F_T (N/m)
+  std::optional<double> ratio;      ///< peak F_T / peak P, both seaward where the largest |P| is; none where P = 0
+  double beyond_band = 0.;          ///< part of F_T from frequencies beyond the model's, over the largest |F_T|
+  std::optional<double> sliding{};  ///< S, where it comes to rest (m); none where nobody asked
+};
+
+/// All waves of one file, at the same times.
+struct WaveResponses {
+  std::string name;                 ///< of the file, without folder and ending
+  std::vector<double> time;         ///< N (s)
+  WaveSamples force;                ///< P, one wave a row (N/m)
+  WaveSamples shear_force;          ///< F_T (N/m)
+  std::vector<WaveResponse> waves;  ///< one a row
+
+  /// "name", or "name[3]" where the file holds several waves.
+  std::string wave_name(std::size_t wave) const;
+};
+
+/// Wall times (s).
+struct RespondTiming {
+  double read = 0., respond = 0., write = 0., total = 0.;
+};
+
+/// The bytes of responses.h5: a group per file as docs/output.md has it. Throws NumericsError where a number is not
+/// finite.
+std::string response_file(const std::string& title, const std::vector<WaveResponses>& files);
+
+/// summary.json of `respond`. `path`: that of the model. Call after response_file(), which checks the numbers.
+std::string to_json(const ReducedModelFile& model, const std::string& path, const std::vector<WaveResponses>& files,
+                    const RespondTiming& timing);
+
+}  // namespace upbead

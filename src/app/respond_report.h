@@ -1,0 +1,18 @@
+// What `upbead respond` tells a person.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "upbead/output/wave_response.h"
+
+namespace upbead {
+
+/// A table of a few waves; of many, their number, ranges and the worst.
+std::string describe(const ReducedModelFile& model, const std::vector<WaveResponses>& files,
+                     const RespondTiming& timing);
+
+/// A warning where waves have more beyond the model's highest frequency than its tolerance; else "".
+std::string band_warning(const ReducedModelFile& model, const std::vector<WaveResponses>& files);
+
+}  // namespace upbead

@@ -1,0 +1,201 @@
+#include "upbead/app/respond_waves.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+
+#include "parallel.h"
+#include "upbead/base/text.h"
+#include "upbead/dynamics/band_check.h"
+#include "upbead/fem/caisson_readings.h"
+#include "upbead/sliding/block.h"
+#include "wave_grid.h"
+
+namespace upbead {
+
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+constexpr double most_numbers = 5e8;  // of one file: 4 GB for P and as much for F_T
+
+/// The longest step (s) that shows a peak: a twentieth of the period of the highest frequency, and a fiftieth of the
+/// case's shortest load. The latter counts where a soft ground filters that load, so that checks end at a low
+/// frequency.
+double longest_step(const ReducedModelFile& model) {
+  double step = 1. / (20. * model.highest_frequency);
+  for (const ModelLoad& load : model.loads)
+    if (load.duration > 0.) step = std::min(step, load.duration / 50.);
+  return step;
+}
+
+/// The model with the reading F_T alone: what else it can tell is not asked.
+ModalModel shear_only(const ModalModel& model) {
+  ModalModel shear = model;
+  const int i = model.index(reading::shear_force);
+  shear.reading = model.reading.row(i);
+  shear.feedthrough = model.feedthrough.row(i);
+  shear.impulse = model.impulse.row(i);
+  shear.reading_label = {model.reading_label[static_cast<std::size_t>(i)]};
+  return shear;
+}
+
+struct Peak {
+  double time = 0., value = 0.;
+};
+
+/// The largest sample. Where `smooth` and its neighbours are equally far, the top of the parabola through the three.
+Peak largest(const std::vector<double>& time, const Eigen::RowVectorXd& y, bool smooth) {
+  Eigen::Index n = 0;
+  const double top = y.maxCoeff(&n);
+  const auto at = static_cast<std::size_t>(n);
+  if (!smooth || n == 0 || n + 1 == y.size()) return {time[at], top};
+  const double before = time[at] - time[at - 1], after = time[at + 1] - time[at];
+  if (std::abs(after - before) > 1e-6 * before) return {time[at], top};
+  const double slope = (y[n + 1] - y[n - 1]) / 2., bend = y[n + 1] - 2. * top + y[n - 1];
+  if (!(bend < 0.)) return {time[at], top};
+  const double aside = -slope / bend;  // in steps, between -1/2 and 1/2
+  return {time[at] + aside * after, top + 0.5 * aside * slope};
+}
+
+/// Checks of the band by number of samples and step: files with the same times share one, as it is dear to make.
+class BandChecks {
+ public:
+  BandChecks(const ModalModel& shear, double highest_frequency) : shear_(shear), omega_(2. * pi * highest_frequency) {}
+
+  std::shared_ptr<const BandCheck> of(const std::vector<double>& time) {
+    const int n = static_cast<int>(time.size());
+    std::shared_ptr<const BandCheck>& check = made_[{n, time[1]}];
+    if (!check) check = std::make_shared<const BandCheck>(shear_, 0, time[1], n, omega_);
+    return check;
+  }
+
+ private:
+  const ModalModel& shear_;
+  double omega_;
+  std::map<std::pair<int, double>, std::shared_ptr<const BandCheck>> made_;
+};
+
+/// Everything that the waves of one file have in common, and their answers.
+class FileWork {
+ public:
+  FileWork(const ReducedModelFile& model, const ModalModel& shear, const WaveFile& file, const RespondOptions& options,
+           BandChecks& checks)
+      : model_(model),
+        shear_(shear),
+        file_(file),
+        options_(options),
+        force_(model.modes.feedthrough.row(model.modes.index(reading::force))),
+        longest_step_(longest_step(model)),
+        grid_(make_wave_grid(file.time, longest_step_, options.end.value_or(std::max(file.time.back(), model.end)))),
+        check_time_(equal_times(grid_, longest_step_, std::max(file.time.back(), grid_.time.back()))),
+        check_(checks.of(check_time_)) {
+    if (grid_.equal) batch_ = std::make_unique<BatchResponse>(shear, 0, *grid_.equal);
+    const double n = static_cast<double>(grid_.time.size()) * file.n_waves();
+    if (n > most_numbers)
+      throw InputError(Place(),
+                       "the answers to the waves of '" + file.name + "' are " + significant(n) +
+                           " numbers, more than " + significant(most_numbers),
+                       "lower --end, or spread the waves over several files");
+    result_.name = file.name;
+    result_.time = grid_.time;
+    result_.force.resize(file.n_waves(), static_cast<Eigen::Index>(grid_.time.size()));
+    result_.shear_force.resizeLike(result_.force);
+    result_.waves.resize(static_cast<std::size_t>(file.n_waves()));
+  }
+
+  WaveResponses take() { return std::move(result_); }
+
+  /// Safe for different waves at the same time.
+  void answer(int wave) {
+    const WaveSamples loads = on_grid(file_, wave, grid_.time);
+    const Eigen::RowVectorXd P = force_ * loads;
+    const bool ends_at_zero = !grid_.last || loads.col(static_cast<Eigen::Index>(*grid_.last)).isZero(0.);
+    const bool begins_at_zero = loads.col(static_cast<Eigen::Index>(grid_.first)).isZero(0.);
+    Eigen::RowVectorXd F(P.size());
+    if (batch_ && ends_at_zero)  // a batch goes from its last sample to zero along a straight line
+      batch_->respond(loads, F);
+    else
+      F = respond(shear_, with_jumps(loads, grid_)).reading.row(0);
+    if (!F.allFinite() || !P.allFinite())
+      throw NumericsError("the response to a wave of '" + file_.name + "' is not finite; nothing was written");
+    result_.force.row(wave) = P;
+    result_.shear_force.row(wave) = F;
+    WaveResponse& out = result_.waves[static_cast<std::size_t>(wave)];
+    set_peaks(P, F, begins_at_zero && ends_at_zero && shear_.feedthrough.isZero(0.), out);
+    set_band(check_time_ == grid_.time ? loads : on_grid(file_, wave, check_time_), F, out);
+    if (options_.resistance) out.sliding = sliding(F);
+  }
+
+ private:
+  /// `smooth`: F_T has no kinks, as it passes on none of the loads' and they do not jump.
+  void set_peaks(const Eigen::RowVectorXd& P, const Eigen::RowVectorXd& F, bool smooth, WaveResponse& out) const {
+    const Peak landward = largest(grid_.time, F, smooth);
+    out.peak_force = P.maxCoeff();
+    out.peak_shear = landward.value;
+    out.peak_shear_time = landward.time;
+    out.peak_shear_seaward = -largest(grid_.time, -F, smooth).value;
+    const double P_seaward = P.minCoeff();
+    const bool seaward = -P_seaward > out.peak_force;
+    const double force = seaward ? P_seaward : out.peak_force;
+    if (force != 0.) out.ratio = (seaward ? out.peak_shear_seaward : out.peak_shear) / force;
+  }
+
+  void set_band(const WaveSamples& loads, const Eigen::RowVectorXd& F, WaveResponse& out) const {
+    const double peak = F.cwiseAbs().maxCoeff();
+    if (peak > 0.) out.beyond_band = check_->beyond(loads) / peak;
+  }
+
+  /// S. The caisson rests until F_T first exceeds its resistance; to leave that time out spares most waves the work.
+  double sliding(const Eigen::RowVectorXd& F) const {
+    const double R = *options_.resistance;
+    const auto start = std::find_if(F.begin(), F.end(), [R](double force) { return std::abs(force) > R; });
+    if (start == F.end()) return 0.;
+    const auto rest = std::max<std::ptrdiff_t>(start - F.begin() - 1, 0);
+    const ForceHistory history{{grid_.time.begin() + rest, grid_.time.end()}, {F.begin() + rest, F.end()}};
+    return slide(model_.caisson_mass, history, R).residual;
+  }
+
+  const ReducedModelFile& model_;
+  const ModalModel& shear_;
+  const WaveFile& file_;
+  const RespondOptions& options_;
+  Eigen::RowVectorXd force_;  ///< P per unit of each load
+  double longest_step_;
+  WaveGrid grid_;
+  std::vector<double> check_time_;  ///< equally spaced, and of the whole wave even where the answer ends before it
+  std::shared_ptr<const BandCheck> check_;
+  std::unique_ptr<BatchResponse> batch_;
+  WaveResponses result_;
+};
+
+void require_caisson(const ModalModel& modes) {
+  const auto has = [&modes](const char* name) {
+    return std::any_of(modes.reading_label.begin(), modes.reading_label.end(),
+                       [name](const ReadingLabel& label) { return label.name == name; });
+  };
+  if (!has(reading::shear_force) || !has(reading::force))
+    throw InputError(Place(), "the model has no readings 'force' and 'shear_force': its mesh has no surface 'caisson'",
+                     "reduce a case with a caisson");
+}
+
+}  // namespace
+
+std::vector<WaveResponses> respond_to_waves(const ReducedModelFile& model, const std::vector<WaveFile>& files,
+                                            const RespondOptions& options) {
+  require_caisson(model.modes);
+  const ModalModel shear = shear_only(model.modes);
+  BandChecks checks(shear, model.highest_frequency);
+  std::vector<std::unique_ptr<FileWork>> work;
+  std::vector<std::pair<FileWork*, int>> pieces;
+  for (const WaveFile& file : files) {
+    work.push_back(std::make_unique<FileWork>(model, shear, file, options, checks));
+    for (int w = 0; w < file.n_waves(); ++w) pieces.emplace_back(work.back().get(), w);
+  }
+  in_parallel(pieces.size(), "responding", [&pieces](std::size_t i) { pieces[i].first->answer(pieces[i].second); });
+  std::vector<WaveResponses> responses;
+  for (const auto& file : work) responses.push_back(file->take());
+  return responses;
+}
+
+}  // namespace upbead

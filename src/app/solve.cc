@@ -1,0 +1,108 @@
+#include "solve.h"
+
+#include <algorithm>
+#include <boost/math/constants/constants.hpp>
+
+#include "size_check.h"
+#include "upbead/base/error.h"
+#include "upbead/base/stopwatch.h"
+#include "upbead/base/text.h"
+#include "upbead/response/reduction.h"
+#include "upbead/response/step_choice.h"
+
+namespace upbead {
+
+namespace {
+
+/// Kinks of the loads and the times at which fields are written.
+std::vector<double> times_to_meet(const Scene& scene, const System& system) {
+  std::vector<double> times = kinks(system);
+  if (scene.fields_every)
+    for (int i = 1; i * *scene.fields_every < scene.time.end; ++i) times.push_back(i * *scene.fields_every);
+  std::sort(times.begin(), times.end());
+  return times;
+}
+
+Discretisation discretisation(const CompiledCase& scene, const std::string& scheme, const Response& response) {
+  Discretisation d;
+  d.cells = static_cast<int>(scene.mesh->triangulation.n_active_cells());
+  d.unknowns = scene.compiled.system.n_free();
+  d.degree = scene.space->degree();
+  d.scheme = scheme;
+  const std::vector<double>& time = response.ends.time;
+  for (std::size_t n = 1; n < time.size(); ++n) d.time_step = std::max(d.time_step, time[n] - time[n - 1]);
+  d.steps = response.n_steps;
+  d.solves = response.n_solves;
+  d.factorisations = response.n_factorisations;
+  return d;
+}
+
+/// What is read of a response, however it was found.
+void summarise(const Case& input, const CompiledCase& scene, const std::string& scheme, Run& run) {
+  run.summary.discretisation = discretisation(scene, scheme, run.response);
+  if (scene.compiled.caisson)
+    run.summary.response = read_shear_response(scene.compiled, run.response, input.scene.time.inertia);
+  if (!run.response.energy.empty()) run.summary.energy = run.response.energy.back();
+}
+
+ReductionSummary summary_of(const Reduction& r) {
+  constexpr double two_pi = boost::math::constants::two_pi<double>();
+  return {r.n_vectors, r.model.n_modes(), r.error.history, r.error.peak, r.error.others, r.omega / two_pi};
+}
+
+}  // namespace
+
+Run run_march(const Case& input, const CompiledCase& scene, const SchemeChoice& choice, const MarchOptions& options) {
+  const System& system = scene.compiled.system;
+  const TimeChoice& time = input.scene.time;
+  Run run;
+  SchemeOptions scheme_options;
+  if (choice.scheme == TimeScheme::generalised_alpha) scheme_options.kind = SchemeKind::generalised_alpha;
+  const std::unique_ptr<Scheme> scheme = make_scheme(system, scheme_options);
+  StepChoice step;
+  step.largest_step = time.step.value_or(0.);
+  step.reason = "given in the case";
+  if (!time.step) {
+    step = choose_step(input.scene, scene.compiled, scheme->order());
+    check_steps(input, step.largest_step, step.growth, step.reason);
+  }
+  const TimeGrid grid = make_time_grid(times_to_meet(input.scene, system), time.end, step.largest_step, step.growth);
+
+  const Stopwatch watch;
+  run.response = march(system, *scheme, grid, options);
+  run.summary.timing = scene.timing;
+  run.summary.timing.factorise = scheme->factorise_seconds() + step.seconds;
+  run.summary.timing.march = watch.seconds() - scheme->factorise_seconds();
+  run.response.n_factorisations += step.factorisations;
+  run.response.n_solves += step.factorisations;
+  run.scheme_reason = choice.reason;
+  run.step_reason = step.reason;
+  summarise(input, scene, scheme->name(), run);
+  return run;
+}
+
+std::optional<Run> run_reduced(const Case& input, const CompiledCase& scene, SchemeChoice& choice) {
+  const bool asked = input.scene.time.scheme == TimeScheme::reduced;
+  const Stopwatch watch;
+  Reduction reduction;
+  try {
+    reduction = reduce_scene(scene.scene, scene.compiled);
+    require_converged(reduction);
+  } catch (const NumericsError& error) {
+    if (asked) throw;
+    choice = {TimeScheme::sdirk4, error.what()};
+    return std::nullopt;
+  }
+  Run run;
+  run.response = respond(reduction, scene.scene, scene.compiled.system);
+  run.summary.timing = scene.timing;
+  run.summary.timing.factorise = reduction.factorise_seconds;
+  run.summary.timing.march = watch.seconds() - reduction.factorise_seconds;
+  run.scheme_reason = choice.reason;
+  run.step_reason = input.scene.time.step ? "given in the case" : "a 32nd of the shortest load, for the record";
+  summarise(input, scene, "reduced", run);
+  run.summary.reduction = summary_of(reduction);
+  return run;
+}
+
+}  // namespace upbead

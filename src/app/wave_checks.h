@@ -1,0 +1,28 @@
+// What the readers of CSV and HDF5 waves share.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "upbead/app/wave_files.h"
+#include "upbead/base/error.h"
+
+namespace upbead::detail {
+
+using Names = std::vector<std::string>;
+
+/// Index of a name; the size of the list where it is not in it.
+std::size_t find(const Names& names, const std::string& name);
+
+/// `what`: "column" or "dataset".
+void add_unknown_load(const Place& place, const std::string& what, const std::string& name, const Names& loads,
+                      Mistakes& mistakes);
+
+/// Two times or more, from 0 on, ascending. `place`: of the time with that index.
+void check_times(const std::vector<double>& time, const std::function<Place(std::size_t)>& place, Mistakes& mistakes);
+
+/// The waves of one HDF5 file, without a name; throws InputError.
+WaveFile read_hdf5_waves(const std::string& path, const Names& loads);
+
+}  // namespace upbead::detail

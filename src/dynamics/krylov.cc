@@ -1,0 +1,185 @@
+#include "upbead/dynamics/krylov.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <stdexcept>
+
+#include "effective_matrix.h"
+#include "upbead/base/stopwatch.h"
+
+namespace upbead {
+
+namespace {
+
+/// What of a vector may remain, beside its length, where it lies in the span of others.
+constexpr double round_off = 1e-11;
+
+bool is_phi(const System& system, int unknown) {
+  return system.field[static_cast<std::size_t>(unknown)] == Field::pressure_impulse;
+}
+
+/// Squares of the norm's weights, in which all kinds of unknowns count alike: the diagonal of |T|, and for each phi the
+/// diagonal of T_pu diag(T_uu)^-1 T_up besides; where the fluid does not give way and flows with inertia, phi has no
+/// diagonal entry of its own.
+Vector norm_weight(const SparseMatrix& T, const System& system) {
+  const Vector diagonal = T.diagonal().cwiseAbs();
+  const double least = 1e-12 * diagonal.maxCoeff();
+  Vector weight = diagonal;
+  for (int i = 0; i < T.rows(); ++i) {
+    if (!is_phi(system, i)) continue;
+    for (SparseMatrix::InnerIterator entry(T, i); entry; ++entry)
+      if (!is_phi(system, static_cast<int>(entry.col())))
+        weight[i] += entry.value() * entry.value() / std::max(diagonal[entry.col()], least);
+  }
+  for (double& w : weight)
+    if (!(w > 0.)) w = 1.;  // an unknown that nothing touches
+  return weight;
+}
+
+/// Takes the span of the orthonormal columns of Q out of y, twice, as once is not enough near the span; returns the
+/// coordinates of what it took.
+Vector orthogonalise(const Eigen::Ref<const Eigen::MatrixXd>& Q, Vector& y) {
+  Vector coordinates = Vector::Zero(Q.cols());
+  for (int pass = 0; pass < 2; ++pass) {
+    const Vector h = Q.transpose() * y;
+    y.noalias() -= Q * h;
+    coordinates += h;
+  }
+  return coordinates;
+}
+
+void add_column(FieldBasis& basis, const Vector& column, int coordinate) {
+  if (basis.n() == basis.vectors.cols()) basis.vectors.conservativeResize(Eigen::NoChange, 2 * basis.n());
+  basis.vectors.col(basis.n()) = column;
+  basis.coordinate.push_back(coordinate);
+}
+
+}  // namespace
+
+SecondOrderKrylov::SecondOrderKrylov(const System& system, double shift, const std::vector<int>& exact)
+    : system_(system), shift_(shift) {
+  if (!(shift > 0.)) throw std::invalid_argument("the shift of a Krylov space must be positive");
+  first_ = 2. * shift * shift * system.M + shift * system.C;
+  make_bases(shift * shift * system.M + shift * system.C + system.K, exact);
+  const Stopwatch watch;
+  T_ = std::make_unique<detail::EffectiveMatrix>(system, detail::EffectiveCoefficients{shift * shift, shift, 1.});
+  factorise_seconds_ = watch.seconds();
+  start();
+}
+
+SecondOrderKrylov::~SecondOrderKrylov() = default;
+
+void SecondOrderKrylov::make_bases(const SparseMatrix& T, const std::vector<int>& exact) {
+  constexpr int room = 32;
+  const Vector weight = norm_weight(T, system_);
+  for (int i = 0; i < system_.size(); ++i) (is_phi(system_, i) ? phi_ : u_).unknown.push_back(i);
+  for (FieldBasis* basis : {&u_, &phi_}) {
+    basis->unit = weight(basis->unknown).cwiseSqrt().cwiseInverse();
+    for (std::size_t i = 0; i < basis->unknown.size(); ++i)
+      if (basis->unknown[i] >= system_.n_free()) basis->unit[static_cast<Eigen::Index>(i)] = 1.;
+    basis->vectors.resize(basis->unit.size(), room);
+  }
+  const auto keep = [&](int unknown) {
+    FieldBasis& basis = is_phi(system_, unknown) ? phi_ : u_;
+    const auto local = std::lower_bound(basis.unknown.begin(), basis.unknown.end(), unknown) - basis.unknown.begin();
+    add_column(basis, Vector::Unit(basis.unit.size(), local), n_coordinates_++);
+  };
+  for (int i = system_.n_free(); i < system_.size(); ++i) keep(i);
+  for (const int i : exact) keep(i);
+}
+
+void SecondOrderKrylov::solve(Vector& rhs, Vector& x) {
+  T_->solve(rhs, x);
+  ++n_solves_;
+}
+
+void SecondOrderKrylov::start() {
+  const int n = system_.size();
+  Eigen::MatrixXd directions(n, 0);
+  std::set<int> prescribed;
+  for (const SystemLoad& load : system_.loads) {
+    Vector rhs = Vector::Zero(n), x = Vector::Zero(n);
+    if (load.prescribed >= 0) {
+      if (!prescribed.insert(load.prescribed).second) continue;
+      x[load.prescribed] = 1.;
+    } else {
+      rhs = load.vector;
+      Vector direction = rhs.normalized();  // of no load: zero
+      orthogonalise(directions, direction);
+      if (direction.norm() < round_off) continue;
+      directions.conservativeResize(Eigen::NoChange, directions.cols() + 1);
+      directions.rightCols(1) = direction.normalized();
+    }
+    solve(rhs, x);
+    append(take(x), Vector());
+  }
+  if (n_vectors_ == 0) throw std::invalid_argument("no load acts on the system: there is nothing to reduce");
+  n_starts_ = n_vectors_;
+}
+
+void SecondOrderKrylov::take(FieldBasis& basis, const Vector& x, double least, Vector& coordinates) {
+  Vector y = Vector(x(basis.unknown)).cwiseQuotient(basis.unit);
+  const Vector h = orthogonalise(basis.columns(), y);
+  for (Eigen::Index j = 0; j < h.size(); ++j) coordinates[basis.coordinate[static_cast<std::size_t>(j)]] = h[j];
+  const double rest = y.norm();
+  if (rest <= least) return;
+  add_column(basis, y / rest, n_coordinates_);
+  coordinates.conservativeResize(++n_coordinates_);
+  coordinates[n_coordinates_ - 1] = rest;
+}
+
+Vector SecondOrderKrylov::take(const Vector& x) {
+  double square = 0.;
+  for (const FieldBasis* basis : {&u_, &phi_})
+    square += Vector(x(basis->unknown)).cwiseQuotient(basis->unit).squaredNorm();
+  Vector coordinates = Vector::Zero(n_coordinates_);
+  for (FieldBasis* basis : {&u_, &phi_}) take(*basis, x, round_off * std::sqrt(square), coordinates);
+  return coordinates;
+}
+
+Vector SecondOrderKrylov::vector_of(const Eigen::Ref<const Vector>& coordinates) const {
+  Vector x(system_.size());
+  for (const FieldBasis* basis : {&u_, &phi_}) {
+    Vector h = Vector::Zero(basis->n());
+    for (Eigen::Index j = 0; j < h.size(); ++j)
+      if (const int c = basis->coordinate[static_cast<std::size_t>(j)]; c < coordinates.size()) h[j] = coordinates[c];
+    x(basis->unknown) = (basis->columns() * h).cwiseProduct(basis->unit);
+  }
+  return x;
+}
+
+bool SecondOrderKrylov::append(const Vector& x, const Eigen::Ref<const Vector>& previous) {
+  const Eigen::Index R = n_coordinates_;
+  Vector pair = Vector::Zero(2 * R);
+  pair.head(x.size()) = x;
+  pair.segment(R, previous.size()) = previous;
+  for (Eigen::MatrixXd* part : {&x_, &previous_}) part->conservativeResizeLike(Eigen::MatrixXd::Zero(R, n_vectors_));
+  Eigen::MatrixXd pairs(2 * R, n_vectors_);
+  pairs << x_, previous_;
+  const double length = pair.norm();
+  orthogonalise(pairs, pair);
+  if (pair.norm() <= round_off * length) return false;
+  pair.normalize();
+  ++n_vectors_;
+  for (Eigen::MatrixXd* part : {&x_, &previous_}) part->conservativeResize(R, n_vectors_);
+  x_.rightCols(1) = pair.head(R);
+  previous_.rightCols(1) = pair.tail(R);
+  return true;
+}
+
+bool SecondOrderKrylov::extend() {
+  Vector x(system_.size());
+  while (n_expanded_ < n_vectors_) {
+    const Vector of_x = x_.col(n_expanded_), of_previous = previous_.col(n_expanded_);
+    ++n_expanded_;
+    Vector rhs = -(first_ * vector_of(of_x));
+    rhs.noalias() -= shift_ * shift_ * (system_.M * vector_of(of_previous));
+    x.setZero();
+    solve(rhs, x);
+    if (append(take(x), of_x)) return true;
+  }
+  return false;
+}
+
+}  // namespace upbead

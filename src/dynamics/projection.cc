@@ -1,0 +1,156 @@
+#include "upbead/dynamics/projection.h"
+
+#include <stdexcept>
+
+namespace upbead {
+
+namespace {
+
+/// Row by row, so that a sparse matrix is read once for all columns.
+using Columns = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// A(rows, columns) for ascending index lists.
+SparseMatrix block(const SparseMatrix& A, const std::vector<int>& rows, const std::vector<int>& columns) {
+  std::vector<int> local(static_cast<std::size_t>(A.cols()), -1);
+  for (std::size_t j = 0; j < columns.size(); ++j) local[static_cast<std::size_t>(columns[j])] = static_cast<int>(j);
+  SparseMatrix B(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(columns.size()));
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    B.startVec(static_cast<Eigen::Index>(i));
+    for (SparseMatrix::InnerIterator entry(A, rows[i]); entry; ++entry)
+      if (const int j = local[static_cast<std::size_t>(entry.col())]; j >= 0 && entry.value() != 0.)
+        B.insertBack(static_cast<Eigen::Index>(i), j) = entry.value();
+  }
+  B.finalize();
+  return B;
+}
+
+SparseMatrix row_matrix(const std::vector<Reading>& readings, Row Reading::*part, int n) {
+  std::vector<Eigen::Triplet<double>> entries;
+  for (std::size_t i = 0; i < readings.size(); ++i)
+    for (const auto& [j, weight] : readings[i].*part) entries.emplace_back(static_cast<int>(i), j, weight);
+  SparseMatrix rows(static_cast<Eigen::Index>(readings.size()), n);
+  rows.setFromTriplets(entries.begin(), entries.end());
+  return rows;
+}
+
+ReducedSystem without_coordinates(const System& system, double shift) {
+  ReducedSystem out;
+  out.shift = shift;
+  out.n_prescribed = system.n_prescribed;
+  const auto I = static_cast<Eigen::Index>(system.readings.size()), K = static_cast<Eigen::Index>(system.loads.size());
+  out.feedthrough.setZero(I, K);
+  for (Eigen::Index i = 0; i < I; ++i) {
+    const Reading& reading = system.readings[static_cast<std::size_t>(i)];
+    for (std::size_t k = 0; k < reading.feedthrough.size(); ++k)
+      out.feedthrough(i, static_cast<Eigen::Index>(k)) = reading.feedthrough[k];
+    out.reading_label.push_back({reading.name, reading.unit, reading.description});
+  }
+  for (const SystemLoad& load : system.loads) {
+    out.load_name.push_back(load.name);
+    out.prescribed.push_back(load.prescribed < 0 ? -1 : load.prescribed - system.n_free());
+  }
+  out.load.resize(0, K);
+  out.position.resize(I, 0);
+  out.velocity.resize(I, 0);
+  out.acceleration.resize(I, 0);
+  return out;
+}
+
+/// Enlarges a matrix with zeros.
+void grow(Eigen::MatrixXd& A, Eigen::Index rows, Eigen::Index columns) {
+  A.conservativeResizeLike(Eigen::MatrixXd::Zero(rows, columns));
+}
+
+}  // namespace
+
+Projection::Projection(const System& system, const SecondOrderKrylov& krylov)
+    : system_(system),
+      krylov_(krylov),
+      u_(make_group(system, krylov.displacements())),
+      phi_(make_group(system, krylov.phi())),
+      position_(row_matrix(system.readings, &Reading::position, system.size())),
+      velocity_(row_matrix(system.readings, &Reading::velocity, system.size())),
+      acceleration_(row_matrix(system.readings, &Reading::acceleration, system.size())),
+      reduced_(without_coordinates(system, krylov.shift())) {
+  const auto coupling = [&](const SparseMatrix& A) -> SparseMatrix {
+    return phi_.basis.unit.asDiagonal() * block(A, phi_.basis.unknown, u_.basis.unknown) * u_.basis.unit.asDiagonal();
+  };
+  C_phiu_ = coupling(system.C);
+  if (coupling(system.M).nonZeros() + coupling(system.K).nonZeros() > 0)
+    throw std::logic_error("M or K couples phi with displacements: they cannot be projected apart");
+  extend();
+}
+
+Projection::Group Projection::make_group(const System& system, const FieldBasis& basis) {
+  const auto scaled = [&](const SparseMatrix& A) -> SparseMatrix {
+    return basis.unit.asDiagonal() * block(A, basis.unknown, basis.unknown) * basis.unit.asDiagonal();
+  };
+  return {basis, scaled(system.M), scaled(system.C), scaled(system.K), 0};
+}
+
+void Projection::extend() {
+  resize();
+  project_coupling();
+  project(u_);
+  project(phi_);
+}
+
+void Projection::resize() {
+  const Eigen::Index R = krylov_.n_coordinates();
+  for (Eigen::MatrixXd* A : {&reduced_.M, &reduced_.C, &reduced_.K}) grow(*A, R, R);
+  grow(reduced_.load, R, reduced_.load.cols());
+  for (Eigen::MatrixXd* rows : {&reduced_.position, &reduced_.velocity, &reduced_.acceleration})
+    grow(*rows, rows->rows(), R);
+  reduced_.is_phi.assign(static_cast<std::size_t>(R), false);
+  for (const int coordinate : krylov_.phi().coordinate) reduced_.is_phi[static_cast<std::size_t>(coordinate)] = true;
+}
+
+void Projection::project(Group& group) {
+  const std::vector<int>& coordinate = group.basis.coordinate;
+  const Columns added = group.basis.columns_from(group.n_projected);
+  const auto fill = [&](const SparseMatrix& A, Eigen::MatrixXd& reduced) {
+    const Eigen::MatrixXd product = A * added, gram = group.basis.columns().transpose() * product;
+    for (Eigen::Index i = 0; i < gram.rows(); ++i)
+      for (Eigen::Index j = 0; j < gram.cols(); ++j) {
+        const int row = coordinate[static_cast<std::size_t>(i)];
+        const int column = coordinate[static_cast<std::size_t>(group.n_projected + j)];
+        reduced(row, column) = reduced(column, row) = gram(i, j);
+      }
+  };
+  fill(group.M, reduced_.M);
+  fill(group.C, reduced_.C);
+  fill(group.K, reduced_.K);
+  project_rows(group);
+  group.n_projected = group.basis.n();
+}
+
+/// C between phi and u, as far as new directions are concerned: new u with all phi, then new phi with old u.
+void Projection::project_coupling() {
+  const auto fill = [&](const Eigen::MatrixXd& gram, Eigen::Index first_phi, Eigen::Index first_u) {
+    for (Eigen::Index i = 0; i < gram.rows(); ++i)
+      for (Eigen::Index j = 0; j < gram.cols(); ++j) {
+        const int row = phi_.basis.coordinate[static_cast<std::size_t>(first_phi + i)];
+        const int column = u_.basis.coordinate[static_cast<std::size_t>(first_u + j)];
+        reduced_.C(row, column) = reduced_.C(column, row) = gram(i, j);
+      }
+  };
+  const Columns new_u = u_.basis.columns_from(u_.n_projected), new_phi = phi_.basis.columns_from(phi_.n_projected);
+  const Eigen::MatrixXd of_new_u = C_phiu_ * new_u, of_new_phi = C_phiu_.transpose() * new_phi;
+  fill(phi_.basis.columns().transpose() * of_new_u, 0, u_.n_projected);
+  fill(of_new_phi.transpose() * u_.basis.vectors.leftCols(u_.n_projected), phi_.n_projected, 0);
+}
+
+void Projection::project_rows(const Group& group) {
+  Vector x = Vector::Zero(system_.size());
+  for (Eigen::Index c = group.n_projected; c < group.basis.n(); ++c) {
+    x(group.basis.unknown) = group.basis.unit.cwiseProduct(group.basis.vectors.col(c));
+    const int r = group.basis.coordinate[static_cast<std::size_t>(c)];
+    reduced_.position.col(r) = position_ * x;
+    reduced_.velocity.col(r) = velocity_ * x;
+    reduced_.acceleration.col(r) = acceleration_ * x;
+    for (std::size_t k = 0; k < system_.loads.size(); ++k)
+      reduced_.load(r, static_cast<Eigen::Index>(k)) = system_.loads[k].vector.dot(x);
+  }
+}
+
+}  // namespace upbead

@@ -1,0 +1,129 @@
+#include "upbead/dynamics/reduce.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "upbead/base/error.h"
+#include "upbead/dynamics/projection.h"
+#include "upbead/dynamics/state_space.h"
+
+namespace upbead {
+
+namespace {
+
+/// Vectors per independent load: at the first look, and from one look to the next.
+constexpr int first_look = 24, vectors_between_looks = 6;
+/// A reading counts as small where it stays below this part of the largest of its unit.
+constexpr double small_reading = 1e-3;
+
+/// The loads all together, then each alone.
+std::vector<SampledLoads> trainings(const SampledLoads& all) {
+  std::vector<SampledLoads> list{all};
+  for (Eigen::Index k = 0; all.begin.rows() > 1 && k < all.begin.rows(); ++k) {
+    SampledLoads alone = all;
+    for (Eigen::MatrixXd* part : {&alone.begin, &alone.end}) {
+      part->setZero();
+      part->row(k) = (part == &alone.begin ? all.begin : all.end).row(k);
+    }
+    list.push_back(std::move(alone));
+  }
+  return list;
+}
+
+std::vector<Eigen::MatrixXd> responses(const ModalModel& model, const std::vector<SampledLoads>& loads) {
+  std::vector<Eigen::MatrixXd> list;
+  for (const SampledLoads& load : loads) list.push_back(respond(model, load).reading);
+  return list;
+}
+
+/// Largest values of each reading, those of symmetric nothings lifted to a part of the largest of their unit.
+Eigen::VectorXd scales(const ModalModel& model, const Eigen::MatrixXd& y) {
+  std::map<std::string, double> of_unit;
+  Eigen::VectorXd scale = y.cwiseAbs().rowwise().maxCoeff();
+  for (Eigen::Index i = 0; i < scale.size(); ++i) {
+    double& largest = of_unit[model.reading_label[static_cast<std::size_t>(i)].unit];
+    largest = std::max(largest, scale[i]);
+  }
+  for (Eigen::Index i = 0; i < scale.size(); ++i)
+    scale[i] = std::max(scale[i], small_reading * of_unit[model.reading_label[static_cast<std::size_t>(i)].unit]);
+  return scale;
+}
+
+/// Takes in how far the responses to one training lie apart.
+void compare(const ModalModel& model, const std::vector<int>& measured, const Eigen::MatrixXd& fine,
+             const Eigen::MatrixXd& coarse, NestedError& error) {
+  const Eigen::VectorXd scale = scales(model, fine), difference = (fine - coarse).cwiseAbs().rowwise().maxCoeff();
+  for (Eigen::Index i = 0; i < scale.size(); ++i) {
+    if (scale[i] == 0.) continue;
+    const bool is_measured = std::find(measured.begin(), measured.end(), i) != measured.end();
+    error.of_reading[i] = std::max(error.of_reading[i], difference[i] / scale[i]);
+    double& largest = is_measured ? error.history : error.others;
+    largest = std::max(largest, error.of_reading[i]);
+    if (!is_measured) continue;
+    const double up = std::abs(fine.row(i).maxCoeff() - coarse.row(i).maxCoeff());
+    const double down = std::abs(fine.row(i).minCoeff() - coarse.row(i).minCoeff());
+    error.peak = std::max({error.peak, up / scale[i], down / scale[i]});
+  }
+}
+
+bool meets(const NestedError& error, const ReduceOptions& options) {
+  return error.history <= options.tolerance && error.others <= options.tolerance_of_others;
+}
+
+}  // namespace
+
+double agreed_frequency(const ModalModel& coarse, const ModalModel& fine, const std::vector<int>& readings,
+                        double tolerance, double decay, double largest) {
+  constexpr int n = 200;
+  constexpr double decades = 4.;
+  double agreed = largest;
+  for (const int i : readings)
+    for (int k = 0; k < fine.n_loads(); ++k) {
+      std::vector<double> omega, difference;
+      double scale = 0.;
+      for (int j = 0; j <= n; ++j) {
+        omega.push_back(largest * std::pow(10., decades * (static_cast<double>(j) / n - 1.)));
+        const std::complex<double> s(decay, omega.back()), H = fine.transfer(i, k, s);
+        difference.push_back(std::abs(H - coarse.transfer(i, k, s)));
+        scale = std::max(scale, std::abs(H));
+      }
+      for (std::size_t j = 0; j < omega.size() && omega[j] < agreed; ++j)
+        if (difference[j] > tolerance * scale) agreed = j == 0 ? 0. : omega[j - 1];
+    }
+  return agreed;
+}
+
+Reduction reduce(const System& system, const ReduceOptions& options) {
+  SecondOrderKrylov krylov(system, options.shift, options.exact);
+  Reduction out;
+  out.n_independent_loads = krylov.n_independent_loads();
+  out.factorise_seconds = krylov.factorise_seconds();
+  const std::vector<SampledLoads> loads = trainings(options.training);
+  const int most = options.max_vectors * out.n_independent_loads;
+  Projection projection(system, krylov);
+  std::vector<Eigen::MatrixXd> before;
+  bool exhausted = false;
+  for (int target = first_look * out.n_independent_loads; !out.converged && !exhausted && krylov.n_vectors() < most;
+       target += vectors_between_looks * out.n_independent_loads) {
+    while (krylov.n_vectors() < std::min(target, most) && !exhausted) exhausted = !krylov.extend();
+    projection.extend();
+    ModalModel model = modal_model(state_space(projection.reduced()), projection.reduced());
+    std::vector<Eigen::MatrixXd> now = responses(model, loads);
+    if (!before.empty()) {
+      out.error = {0., 0., 0., Eigen::VectorXd::Zero(model.n_readings())};
+      for (std::size_t i = 0; i < now.size(); ++i) compare(model, options.measured, now[i], before[i], out.error);
+      out.history.emplace_back(krylov.n_vectors(), out.error);
+      out.omega = agreed_frequency(out.model, model, options.measured, options.tolerance,
+                                   1. / options.training.time.back(), 100. * options.shift);
+    }
+    out.converged = exhausted || (!out.history.empty() && meets(out.error, options));
+    out.model = std::move(model);
+    before = std::move(now);
+  }
+  out.n_vectors = krylov.n_vectors();
+  out.n_solves = krylov.n_solves();
+  return out;
+}
+
+}  // namespace upbead

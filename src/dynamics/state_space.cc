@@ -1,0 +1,156 @@
+#include "upbead/dynamics/state_space.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+
+#include "upbead/base/error.h"
+
+namespace upbead {
+
+namespace {
+
+/// Eigenvalues of K~ and M~ below these, beside T(s_0) = 1, are none.
+constexpr double no_stiffness = 1e-13, no_storage = 1e-12;
+/// Damping of phi where it has no storage.
+constexpr double relaxation = 1e-6;
+/// What of a reading's row may lie beyond the range of K~ and be round-off.
+constexpr double no_drift = 1e-6;
+
+/// The matrices with the rows of phi multiplied by -1, in units of time 1/s_0.
+struct Dissipative {
+  Eigen::MatrixXd M, C, K, b;
+};
+
+Dissipative dissipative(const ReducedSystem& r) {
+  Eigen::VectorXd J(r.size());
+  for (int i = 0; i < r.size(); ++i) J[i] = r.is_phi[static_cast<std::size_t>(i)] ? -1. : 1.;
+  Dissipative d{r.shift * r.shift * (J.asDiagonal() * r.M), r.shift * (J.asDiagonal() * r.C), J.asDiagonal() * r.K,
+                J.asDiagonal() * r.load};
+  return d;
+}
+
+/// Gives phi without storage a little of it, and damping. `p`: number of prescribed coordinates, the first ones.
+void relax(const ReducedSystem& r, Dissipative& d) {
+  std::vector<int> phi;
+  for (int i = r.n_prescribed; i < r.size(); ++i)
+    if (r.is_phi[static_cast<std::size_t>(i)]) phi.push_back(i);
+  if (phi.empty()) return;
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> storage(d.M(phi, phi), Eigen::EigenvaluesOnly);
+  if (storage.eigenvalues().minCoeff() > no_storage) return;
+  for (const int i : phi) {
+    d.M(i, i) += no_storage;
+    d.C(i, i) += relaxation;
+  }
+}
+
+/// L of K~ = L L^T, all coordinates x rank.
+struct Stiffness {
+  Eigen::MatrixXd L;
+  Eigen::MatrixXd L_inverse;  ///< L (L^T L)^-1: row . q = (L_inverse^T row) . e for rows in the range of L
+};
+
+Stiffness split(const Eigen::MatrixXd& K) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(K);
+  const Eigen::VectorXd& values = eigen.eigenvalues();
+  Eigen::Index rank = 0;
+  while (rank < values.size() && values[values.size() - 1 - rank] > no_stiffness) ++rank;
+  const Eigen::MatrixXd U = eigen.eigenvectors().rightCols(rank);
+  const Eigen::VectorXd root = values.tail(rank).cwiseSqrt();
+  return {U * root.asDiagonal(), U * root.cwiseInverse().asDiagonal()};
+}
+
+/// f_k -> velocity of the prescribed coordinates, in units of time 1/s_0.
+Eigen::MatrixXd prescription(const ReducedSystem& r) {
+  Eigen::MatrixXd S = Eigen::MatrixXd::Zero(r.n_prescribed, r.load.cols());
+  for (std::size_t k = 0; k < r.prescribed.size(); ++k)
+    if (r.prescribed[k] >= 0) S(r.prescribed[k], static_cast<Eigen::Index>(k)) = 1. / r.shift;
+  return S;
+}
+
+/// Builds the equations in units of time 1/s_0.
+class Builder {
+ public:
+  explicit Builder(const ReducedSystem& r) : r_(r), p_(r.n_prescribed), n_(r.size() - p_), S_(prescription(r)) {
+    Dissipative d = dissipative(r);
+    relax(r, d);
+    stiffness_ = split(d.K);
+    const Eigen::LLT<Eigen::MatrixXd> llt(d.M.bottomRightCorner(n_, n_));
+    if (llt.info() != Eigen::Success)
+      throw NumericsError("the reduced mass matrix is not positive: the scene has parts without mass");
+    const Eigen::MatrixXd R = llt.matrixU();
+    R_inverse_ = R.triangularView<Eigen::Upper>().solve(Eigen::MatrixXd::Identity(n_, n_));
+    C_ = d.C;
+    load_ = d.b.bottomRows(n_);
+    prescribed_part_ = -llt.solve(d.M.bottomLeftCorner(n_, p_)) * S_;
+  }
+
+  StateSpace equations() const {
+    const auto L = stiffness_.L.bottomRows(n_);
+    const Eigen::Index N_e = L.cols(), N = N_e + n_;
+    const Eigen::MatrixXd C = C_.bottomRightCorner(n_, n_);
+    StateSpace s;
+    s.A.setZero(N, N);
+    s.A.topRightCorner(N_e, n_).noalias() = L.transpose() * R_inverse_;
+    s.A.bottomLeftCorner(n_, N_e) = -s.A.topRightCorner(N_e, n_).transpose();
+    s.A.bottomRightCorner(n_, n_).noalias() = -(R_inverse_.transpose() * C * R_inverse_);
+    s.B.resize(N, load_.cols());
+    s.B.topRows(N_e) = stiffness_.L.topRows(p_).transpose() * S_ + L.transpose() * prescribed_part_;
+    s.B.bottomRows(n_) = R_inverse_.transpose() * (load_ - C_.bottomLeftCorner(n_, p_) * S_ - C * prescribed_part_);
+    return s;
+  }
+
+  /// y = position q + velocity q' + acceleration q'' + feedthrough f, as of the equations `s`.
+  void add_readings(StateSpace& s) const {
+    const Eigen::Index N = s.A.rows(), N_e = N - n_;
+    const auto velocity = r_.shift * r_.velocity;
+    const auto acceleration = r_.shift * r_.shift * r_.acceleration;
+    s.C.setZero(r_.velocity.rows(), N);
+    s.D = r_.feedthrough;
+    s.C.leftCols(N_e).noalias() = r_.position * stiffness_.L_inverse;
+    const Eigen::MatrixXd v = velocity.rightCols(n_), a = acceleration.rightCols(n_) * R_inverse_;
+    s.C.rightCols(n_) += v * R_inverse_;
+    s.D += v * prescribed_part_ + velocity.leftCols(p_) * S_;
+    s.C += a * s.A.bottomRows(n_);
+    s.D += a * s.B.bottomRows(n_);
+    require_no_rates(acceleration.rightCols(n_) * prescribed_part_, acceleration.leftCols(p_) * S_);
+    add_drift(s);
+  }
+
+ private:
+  /// The acceleration of what a load prescribes is f', which nobody gives us.
+  void require_no_rates(const Eigen::MatrixXd& of_free, const Eigen::MatrixXd& of_prescribed) const {
+    if (of_free.cwiseAbs().sum() + of_prescribed.cwiseAbs().sum() > 0.)
+      throw NumericsError("a reading needs the acceleration of what a load prescribes; march this scene");
+  }
+
+  void add_drift(StateSpace& s) const {
+    Eigen::MatrixXd rest = r_.position - (r_.position * stiffness_.L_inverse) * stiffness_.L.transpose();
+    for (Eigen::Index i = 0; i < rest.rows(); ++i)
+      if (rest.row(i).norm() <= no_drift * r_.position.row(i).norm()) rest.row(i).setZero();
+    s.E.setZero(s.C.rows(), s.C.cols());
+    s.E.rightCols(n_) = rest.rightCols(n_) * R_inverse_;
+    s.F = rest.rightCols(n_) * prescribed_part_ + rest.leftCols(p_) * S_;
+  }
+
+  const ReducedSystem& r_;
+  Eigen::Index p_, n_;
+  Eigen::MatrixXd S_;
+  Stiffness stiffness_;
+  Eigen::MatrixXd R_inverse_, C_, load_;
+  Eigen::MatrixXd prescribed_part_;  ///< -M^-1 M_p f: what the free velocities hold of f itself
+};
+
+}  // namespace
+
+StateSpace state_space(const ReducedSystem& reduced) {
+  const Builder builder(reduced);
+  StateSpace s = builder.equations();
+  builder.add_readings(s);
+  s.A *= reduced.shift;
+  s.B *= reduced.shift;
+  s.E *= reduced.shift;
+  s.F *= reduced.shift;
+  return s;
+}
+
+}  // namespace upbead

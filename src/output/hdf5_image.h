@@ -1,0 +1,45 @@
+// HDF5 files that are made in memory: what all our files of numbers share.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "hdf5_handle.h"
+
+namespace upbead::detail {
+
+/// What people read of a dataset.
+struct Label {
+  std::string unit;
+  std::string description;
+};
+
+/// A file in memory. HDF5 1.10 does not survive a disk that is full when it closes a file; whoever writes these bytes
+/// can. Equal contents make equal bytes. Datasets lie at paths such as "/modes/pole"; groups on the way are made.
+class Hdf5Image {
+ public:
+  /// With the root attributes `title` and `program`.
+  explicit Hdf5Image(const std::string& title);
+
+  /// An attribute of the root "/", or of a group or dataset that has been made.
+  void attribute(const std::string& object, const std::string& name, const std::string& text);
+  /// Throws NumericsError where the number is not finite.
+  void attribute(const std::string& object, const std::string& name, double number);
+  void attribute(const std::string& object, const std::string& name, int number);
+
+  void group(const std::string& path);
+  /// Numbers row by row, with the attributes `unit` and `description`. Throws NumericsError where one is not finite.
+  void numbers(const std::string& path, const std::vector<hsize_t>& shape, const double* values, const Label& label);
+  /// A list of texts (UTF-8).
+  void texts(const std::string& path, const std::vector<std::string>& values);
+  /// One text (UTF-8).
+  void text(const std::string& path, const std::string& value);
+
+  /// The file as it would stand on a disk.
+  std::string bytes() const;
+
+ private:
+  Handle access_, file_, links_, creation_;
+};
+
+}  // namespace upbead::detail

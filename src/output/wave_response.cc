@@ -1,0 +1,108 @@
+#include "upbead/output/wave_response.h"
+
+#include <functional>
+#include <nlohmann/json.hpp>
+
+#include "hdf5_image.h"
+#include "upbead/base/version.h"
+
+namespace upbead {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Column {
+  std::string name;
+  detail::Label label;
+  std::function<double(const WaveResponse&)> value;
+};
+
+/// One number a wave.
+const std::vector<Column>& columns() {
+  static const std::vector<Column> list{
+      {"peak_force", {"N/m", "largest P, landward"}, [](const WaveResponse& w) { return w.peak_force; }},
+      {"peak_shear", {"N/m", "largest F_T, landward"}, [](const WaveResponse& w) { return w.peak_shear; }},
+      {"peak_shear_time", {"s", "time of the largest F_T"}, [](const WaveResponse& w) { return w.peak_shear_time; }},
+      {"peak_shear_seaward",
+       {"N/m", "least F_T: the largest seaward one is negative"},
+       [](const WaveResponse& w) { return w.peak_shear_seaward; }},
+      {"ratio",
+       {"1", "peak F_T / peak P, both seaward where the largest |P| is; 0 where P = 0 throughout"},
+       [](const WaveResponse& w) { return w.ratio.value_or(0.); }},
+      {"beyond_band",
+       {"1", "part of F_T from frequencies beyond the model's highest, over the largest |F_T|"},
+       [](const WaveResponse& w) { return w.beyond_band; }}};
+  return list;
+}
+
+const Column sliding_column{"sliding",
+                            {"m", "S, sliding distance when the caisson has come to rest, landward"},
+                            [](const WaveResponse& w) { return w.sliding.value_or(0.); }};
+
+void write_column(detail::Hdf5Image& image, const WaveResponses& file, const Column& column) {
+  std::vector<double> values;
+  for (const WaveResponse& wave : file.waves) values.push_back(column.value(wave));
+  image.numbers("/" + file.name + "/" + column.name, {values.size()}, values.data(), column.label);
+}
+
+void write_histories(detail::Hdf5Image& image, const WaveResponses& file) {
+  const std::string group = "/" + file.name + "/";
+  const std::vector<hsize_t> shape{file.waves.size(), file.time.size()};
+  image.numbers(group + "time", {file.time.size()}, file.time.data(), {"s", "time"});
+  image.numbers(group + "force", shape, file.force.data(), {"N/m", "P, horizontal load on the caisson, landward"});
+  image.numbers(group + "shear_force", shape, file.shear_force.data(),
+                {"N/m", "F_T, shear force at the caisson's bottom, landward on the ground"});
+}
+
+Json optional(const std::optional<double>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+Json to_object(const WaveResponse& wave, const std::string& name) {
+  return {{"name", name},
+          {"peak_force", wave.peak_force},
+          {"peak_shear", wave.peak_shear},
+          {"peak_shear_time", wave.peak_shear_time},
+          {"peak_shear_seaward", wave.peak_shear_seaward},
+          {"ratio", optional(wave.ratio)},
+          {"beyond_band", wave.beyond_band},
+          {"sliding", optional(wave.sliding)}};
+}
+
+}  // namespace
+
+std::string WaveResponses::wave_name(std::size_t wave) const {
+  return waves.size() == 1 ? name : name + "[" + std::to_string(wave) + "]";
+}
+
+std::string response_file(const std::string& title, const std::vector<WaveResponses>& files) {
+  detail::Hdf5Image image(title);
+  for (const WaveResponses& file : files) {
+    write_histories(image, file);
+    for (const Column& column : columns()) write_column(image, file, column);
+    if (file.waves.front().sliding) write_column(image, file, sliding_column);
+  }
+  return image.bytes();
+}
+
+std::string to_json(const ReducedModelFile& model, const std::string& path, const std::vector<WaveResponses>& files,
+                    const RespondTiming& timing) {
+  Json json = {{"program", program_version()}};
+  json["model"] = {{"title", model.title},
+                   {"file", path},
+                   {"error", model.error},
+                   {"tolerance", model.tolerance},
+                   {"highest_frequency", model.highest_frequency}};
+  json["waves"] = Json::array();
+  for (const WaveResponses& file : files)
+    for (std::size_t w = 0; w < file.waves.size(); ++w)
+      json["waves"].push_back(to_object(file.waves[w], file.wave_name(w)));
+  const double n = static_cast<double>(json["waves"].size());
+  json["timing"] = {
+      {"read", timing.read}, {"respond", timing.respond}, {"write", timing.write}, {"total", timing.total}};
+  json["histories_per_second"] = timing.respond > 0. ? Json(n / timing.respond) : Json(nullptr);
+  return json.dump(2) + "\n";
+}
+
+}  // namespace upbead

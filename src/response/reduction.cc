@@ -1,0 +1,95 @@
+#include "upbead/response/reduction.h"
+
+#include <algorithm>
+#include <boost/math/constants/constants.hpp>
+#include <limits>
+#include <numeric>
+
+#include "upbead/base/error.h"
+#include "upbead/base/text.h"
+#include "upbead/fem/caisson_readings.h"
+#include "upbead/response/step_choice.h"
+
+namespace upbead {
+
+namespace {
+
+constexpr double steps_per_duration = 32.;
+constexpr double shift_factor = 1.5;        ///< 1 to 1.5 times 2 pi over the duration do best, see docs/reduced.md
+constexpr double tolerance_of_others = 10.;  ///< over that of F_T: what a march at its own step achieves, about 2 %
+constexpr int order = 4;                     ///< of the interpolation inside steps that exact values deserve
+
+std::vector<TimeFunction> histories(const System& system) {
+  std::vector<TimeFunction> list;
+  for (const SystemLoad& load : system.loads) list.push_back(load.history);
+  return list;
+}
+
+}  // namespace
+
+std::vector<double> response_times(const Scene& scene, const System& system) {
+  const double end = scene.time.end;
+  const double step = scene.time.step.value_or(step_of_loads(scene, order).duration / steps_per_duration);
+  const TimeGrid grid = make_time_grid(kinks(system), end, std::min(step, end));
+  std::vector<double> time{0.};
+  for (const TimeSegment& segment : grid.segments)
+    for (int i = 1; i <= segment.n_steps; ++i) time.push_back(segment.start + i * segment.step);
+  for (const SystemLoad& load : system.loads)
+    for (const double sample : load.history.samples())
+      if (sample > 0. && sample < end) time.push_back(sample);
+  std::sort(time.begin(), time.end());
+  const auto same = [end](double a, double b) { return b - a < 1e-9 * end; };
+  time.erase(std::unique(time.begin(), time.end(), same), time.end());
+  return time;
+}
+
+Reduction reduce_scene(const Scene& scene, const CompiledScene& compiled, bool only_shear) {
+  const System& system = compiled.system;
+  ReduceOptions options;
+  options.shift = shift_factor * boost::math::constants::two_pi<double>() / step_of_loads(scene, order).duration;
+  options.exact = compiled.body_coordinates;
+  options.training = sample(histories(system), response_times(scene, system));
+  options.tolerance = scene.tolerance;
+  options.tolerance_of_others =
+      only_shear ? std::numeric_limits<double>::infinity() : tolerance_of_others * scene.tolerance;
+  if (compiled.caisson) {
+    options.measured = {system.reading(reading::shear_force)};
+  } else {
+    options.measured.resize(system.readings.size());
+    std::iota(options.measured.begin(), options.measured.end(), 0);
+  }
+  return reduce(system, options);
+}
+
+void require_converged(const Reduction& reduction) {
+  if (reduction.converged) return;
+  throw NumericsError("the reduced model has not converged after " + std::to_string(reduction.n_vectors) +
+                      " vectors: F_T still moves by " + significant(reduction.error.history) +
+                      " of its peak, other readings by " + significant(reduction.error.others) +
+                      "; march, or raise accuracy.tolerance");
+}
+
+Response respond(const Reduction& reduction, const Scene& scene, const System& system) {
+  Response response;
+  response.ends = respond(reduction.model, sample(histories(system), response_times(scene, system)));
+  response.balanced = response.ends;
+  response.order = order;
+  response.n_steps = static_cast<int>(response.ends.time.size()) - 1;
+  response.n_solves = reduction.n_solves;
+  response.n_factorisations = 1;
+  return response;
+}
+
+double error_against_march(const Reduction& reduction, const Scene& scene, const CompiledScene& compiled) {
+  const System& system = compiled.system;
+  const std::vector<double> time = response_times(scene, system);
+  TimeGrid grid{{}, time.back()};
+  for (std::size_t n = 1; n < time.size(); ++n) grid.segments.push_back({time[n - 1], time[n] - time[n - 1], 1});
+  const auto scheme = make_scheme(system, {SchemeKind::sdirk4, 0., false});
+  const int shear = system.reading(reading::shear_force);
+  const Eigen::RowVectorXd marched = march(system, *scheme, grid).ends.reading.row(shear);
+  const Eigen::RowVectorXd reduced = respond(reduction, scene, system).ends.reading.row(shear);
+  return (reduced - marched).cwiseAbs().maxCoeff() / marched.cwiseAbs().maxCoeff();
+}
+
+}  // namespace upbead

@@ -1,0 +1,154 @@
+// Claim: a reduced model comes back from its file bit by bit, and a file that is no whole model is refused by what it
+// lacks.
+#include "upbead/output/model_file.h"
+
+#include <gtest/gtest.h>
+#include <hdf5.h>
+
+#include <functional>
+#include <limits>
+
+#include "sample_model.h"
+
+namespace upbead::test {
+
+namespace {
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+/// The messages without the path of the file.
+std::string refusal(const std::string& path) {
+  try {
+    read_model_file(path);
+  } catch (const InputError& error) {
+    std::string messages;
+    for (Mistake mistake : error.mistakes()) {
+      if (mistake.place.file == path) mistake.place.file = "m";
+      messages += (messages.empty() ? "" : "\n") + to_string(mistake);
+    }
+    return messages;
+  }
+  return "";
+}
+
+/// The refusal of the sample model after something has been done to its file.
+std::string refusal_after(const std::function<void(hid_t)>& damage) {
+  const TemporaryFile file(model_file(oscillator()));
+  const hid_t id = H5Fopen(file.path().c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+  damage(id);
+  H5Fclose(id);
+  return refusal(file.path());
+}
+
+void put(hid_t file, const char* dataset, double value) {
+  const hid_t data = H5Dopen2(file, dataset, H5P_DEFAULT);
+  const std::vector<double> values(static_cast<std::size_t>(H5Dget_storage_size(data)) / sizeof(double), value);
+  H5Dwrite(data, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
+  H5Dclose(data);
+}
+
+void put_attribute(hid_t file, const char* path, const char* name, double value) {
+  const hid_t object = H5Oopen(file, path, H5P_DEFAULT), attribute = H5Aopen(object, name, H5P_DEFAULT);
+  H5Awrite(attribute, H5T_NATIVE_DOUBLE, &value);
+  H5Aclose(attribute);
+  H5Oclose(object);
+}
+
+}  // namespace
+
+TEST(ModelFile, ComesBackBitByBit) {
+  const ReducedModelFile made = oscillator();
+  const TemporaryFile file(model_file(made));
+  const ReducedModelFile read = read_model_file(file.path());
+  EXPECT_EQ(read.modes.pole, made.modes.pole);
+  EXPECT_EQ(read.modes.load, made.modes.load);
+  EXPECT_EQ(read.modes.reading, made.modes.reading);
+  EXPECT_EQ(read.modes.feedthrough, made.modes.feedthrough);
+  EXPECT_EQ(read.modes.impulse, made.modes.impulse);
+  EXPECT_EQ(read.modes.load_name, made.modes.load_name);
+  ASSERT_EQ(read.modes.reading_label.size(), 3U);
+  EXPECT_EQ(read.modes.reading_label[2].description, "x_G");
+  ASSERT_EQ(read.loads.size(), 2U);
+  EXPECT_EQ(read.loads[1].unit, "N/m");
+  EXPECT_EQ(read.loads[1].peak, 4e5);
+  EXPECT_EQ(read.case_text, made.case_text);
+  EXPECT_EQ(read.error_march, made.error_march);
+  EXPECT_EQ(read.caisson_mass, made.caisson_mass);
+  EXPECT_EQ(read.unknowns, made.unknowns);
+  EXPECT_EQ(model_file(read), model_file(made));
+}
+
+TEST(ModelFile, NeedsNeitherModesNorAMarch) {
+  ReducedModelFile made = oscillator();
+  made.modes.pole.resize(0);
+  made.modes.load.resize(0, 2);
+  made.modes.reading.resize(3, 0);
+  made.error_march.reset();
+  const TemporaryFile file(model_file(made));
+  EXPECT_EQ(read_model_file(file.path()).modes.n_modes(), 0);
+  EXPECT_EQ(read_model_file(file.path()).error_march, std::nullopt);
+}
+
+TEST(ModelFile, IsNotWrittenWithNumbersThatAreNotFinite) {
+  ReducedModelFile wrong_mode = oscillator(), wrong_error = oscillator();
+  wrong_mode.modes.reading(1, 0) = not_a_number;
+  wrong_error.error = std::numeric_limits<double>::infinity();
+  EXPECT_THROW(model_file(wrong_mode), NumericsError);
+  EXPECT_THROW(model_file(wrong_error), NumericsError);
+}
+
+TEST(ModelFile, RefusesOtherFiles) {
+  EXPECT_EQ(refusal("/no/where.h5"), "cannot read '/no/where.h5'; check the path and the rights");
+  const TemporaryFile text("time,P\n0,0\n");
+  EXPECT_EQ(refusal(text.path()), "m: no HDF5 file; give a model made by 'upbead reduce'");
+  const std::string whole = model_file(oscillator());
+  const TemporaryFile half(whole.substr(0, whole.size() / 2));
+  EXPECT_EQ(refusal(half.path()),
+            "m: an HDF5 file that is not whole, or that another program writes to; wait until it has been written, or "
+            "make it again");
+}
+
+TEST(ModelFile, RefusesOtherKindsAndVersions) {
+  EXPECT_EQ(refusal_after([](hid_t file) { H5Adelete(file, "kind"); }),
+            "m: an HDF5 file, but no reduced model; give a model made by 'upbead reduce'");
+  EXPECT_EQ(refusal_after([](hid_t file) { put_attribute(file, "/", "format_version", 2.); }),
+            "m: a reduced model in format 2; this program reads format 1; make it again with 'upbead reduce' of the "
+            "same version");
+}
+
+TEST(ModelFile, TellsEveryPartThatIsWrong) {
+  const std::string again = "; make it again with 'upbead reduce'";
+  EXPECT_EQ(refusal_after([](hid_t file) {
+              H5Ldelete(file, "/modes/load", H5P_DEFAULT);
+              H5Ldelete(file, "/readings/unit", H5P_DEFAULT);
+              put(file, "/modes/impulse", not_a_number);
+              H5Adelete_by_name(file, "/validity", "tolerance", H5P_DEFAULT);
+              put_attribute(file, "/validity", "highest_frequency", 0.);
+              put_attribute(file, "/case", "end", -1.);
+            }),
+            "m: the attribute 'end' of /case is -1" + again + "\nm: /readings/unit is missing, or holds no texts" +
+                again + "\nm: /modes/load is missing, or cannot be read as numbers" + again +
+                "\nm: /modes/impulse holds a number that is not finite" + again +
+                "\nm: the attribute 'highest_frequency' of /validity is 0" + again +
+                "\nm: the attribute 'tolerance' of /validity is missing" + again);
+}
+
+TEST(ModelFile, TellsShapesThatDoNotAgree) {
+  ReducedModelFile model = oscillator();
+  model.modes.impulse.setZero(3, 1);
+  model.loads.pop_back();
+  const TemporaryFile file(model_file(model));
+  const std::string again = "; make it again with 'upbead reduce'";
+  EXPECT_EQ(refusal(file.path()), "m: /modes/load has the shape 2 x 2 x 2, not 2 x 1 x 2" + again +
+                                      "\nm: /modes/feedthrough has the shape 3 x 2, not 3 x 1" + again);
+}
+
+TEST(ModelFile, RefusesAModeThatGrows) {
+  ReducedModelFile model = oscillator();
+  model.modes.pole[1] = {0.1, 200.};
+  const TemporaryFile file(model_file(model));
+  EXPECT_EQ(refusal(file.path()),
+            "m: mode 1 grows: Re of its pole is 0.1 1/s, and must not be above 0; make it again with 'upbead reduce'");
+}
+
+}  // namespace upbead::test

@@ -1,0 +1,106 @@
+"""The script that reads reduced models gets the program's numbers.
+
+usage: test_reduced_model.py FOLDER_OF_THE_SCRIPTS PROGRAM
+"""
+
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+SCRIPTS, PROGRAM = Path(sys.argv[1]), Path(sys.argv[2])
+sys.path[:0] = [str(SCRIPTS), str(Path(__file__).parents[1] / "support")]
+from hand_made_model import write_oscillator  # noqa: E402
+from reduced_model import ModelError, ReducedModel, phi_functions  # noqa: E402
+
+
+class ReducedModels(unittest.TestCase):
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(temporary.cleanup)
+        self.folder = Path(temporary.name)
+        self.path = self.folder / "model.h5"
+        write_oscillator(self.path, ("impact", "slow"))
+
+    def program_answers(self, wave):
+        done = subprocess.run([PROGRAM, "respond", self.path, wave, "--out", self.folder / "out"], capture_output=True,
+                              text=True, check=False)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        with h5py.File(self.folder / "out/responses.h5") as file:
+            return {name: data[()] for name, data in file[wave.stem].items()}
+
+    def script(self, *arguments):
+        command = [sys.executable, "-B", SCRIPTS / "reduced_model.py", *arguments]
+        return subprocess.run(command, capture_output=True, text=True, check=False)
+
+    def write_wave(self, time):
+        wave = self.folder / "wave.csv"
+        impact, slow = 1.6e6 * np.interp(time, [0, 0.075, 0.15], [0, 1, 0]), 3e5 * np.sin(20 * time) ** 2
+        slow[-1] = 0.0
+        np.savetxt(wave, np.c_[time, impact, slow], "%.17g", ",", header="time,impact,slow", comments="")
+        return wave, {"impact": impact, "slow": slow}
+
+    def assert_same(self, wave, time, loads):
+        known = self.program_answers(wave)
+        loads = {name: np.interp(known["time"], time, values, right=0.0) for name, values in loads.items()}
+        answer = ReducedModel(self.path).respond(known["time"], loads)
+        for name in ("force", "shear_force"):
+            error = np.abs(answer[name] - known[name][0]).max()
+            self.assertLess(error, 1e-10 * np.abs(known[name]).max(), name)
+
+    def test_same_numbers_on_equal_steps(self):
+        time = np.arange(1001) * 5e-4
+        wave, loads = self.write_wave(time)
+        self.assert_same(wave, time, loads)
+
+    def test_same_numbers_on_any_steps(self):
+        time = np.r_[0.0, np.sort(np.random.default_rng(1).uniform(0, 0.5, 60)), 0.5]
+        wave, loads = self.write_wave(time)
+        self.assert_same(wave, time, loads)
+
+    def test_transfer_function_is_that_of_the_oscillator(self):
+        s = 2j * np.pi * np.array([0.1, 2.0, 30.0])
+        spring = (4 * np.pi) ** 2 + 2 * 0.15 * 4 * np.pi * s
+        model = ReducedModel(self.path)
+        model.reading[1, 1] = 0.0  # the mode without meaning
+        np.testing.assert_allclose(model.transfer("shear_force", "slow", [0.1, 2.0, 30.0]), spring / (s**2 + spring))
+
+    def test_phi_functions_agree_where_series_and_formula_meet(self):
+        below, above = phi_functions(np.array([0.5 - 1e-9 + 0j])), phi_functions(np.array([0.5 + 1e-9 + 0j]))
+        np.testing.assert_allclose(below, above, rtol=1e-8)
+        np.testing.assert_allclose(phi_functions(np.zeros(1, dtype=complex)), [[1.0], [1.0], [0.5]])
+
+    def test_questions_that_do_not_fit(self):
+        model = ReducedModel(self.path)
+        with self.assertRaisesRegex(ModelError, "'p' is no load of the model; its loads are: impact, slow"):
+            model.respond([0.0, 1.0], {"p": [0.0, 1.0]})
+        with self.assertRaisesRegex(ModelError, "begin with 0"):
+            model.respond([0.1, 1.0], {"impact": [0.0, 1.0]})
+        with self.assertRaisesRegex(ModelError, "not as many values"):
+            model.respond([0.0, 1.0], {"impact": [0.0]})
+
+    def test_figure(self):
+        wave = self.write_wave(np.arange(301) * 1e-3)[0]
+        done = self.script(self.path, wave)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertTrue((self.folder / "wave.png").read_bytes().startswith(b"\x89PNG"))
+        done = self.script(self.path, wave, "--reading", "caisson/displacement_x", "--out", self.folder / "x.svg")
+        self.assertEqual(done.returncode, 0, done.stderr)
+
+    def test_script_tells_what_is_wrong(self):
+        wave = self.write_wave(np.arange(301) * 1e-3)[0]
+        for arguments, message in (([wave, wave], "cannot be read as a reduced model"),
+                                   ([self.path, self.path], "cannot be read as a table"),
+                                   ([self.path, wave, "--reading", "x"], "the model has no reading 'x', but: force")):
+            done = self.script(*arguments)
+            self.assertEqual(done.returncode, 1)
+            self.assertIn(message, done.stderr)
+            self.assertNotIn("Traceback", done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])

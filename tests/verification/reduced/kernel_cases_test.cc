@@ -1,0 +1,94 @@
+// Claim: on every shipped case, the discrete kernel convolved with the samples of the case's impulse gives the march on
+// the same steps: F_T, the caisson's displacement and the probes' pressures.
+// Source: the march itself. Limit 1e-9 of the peak: round-off of some hundred steps of a large system, twice.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "record.h"
+#include "upbead/app/pipeline.h"
+#include "upbead/dynamics/kernel.h"
+#include "upbead/fem/caisson_readings.h"
+
+namespace upbead::test {
+namespace {
+
+std::vector<std::string> shipped_cases() {
+  std::vector<std::string> paths;
+  for (const auto& entry : std::filesystem::directory_iterator(UPBEAD_CASE_DIR))
+    if (entry.path().extension() == ".toml") paths.push_back(entry.path());
+  std::sort(paths.begin(), paths.end());
+  return paths;
+}
+
+/// F_T, x_G, and the pressures of all probes.
+std::vector<int> compared(const System& system) {
+  const std::string pressure = "/pressure";
+  std::vector<int> readings{system.reading(reading::shear_force), system.reading(reading::displacement_x)};
+  for (std::size_t i = 0; i < system.readings.size(); ++i) {
+    const std::string& name = system.readings[i].name;
+    if (name.rfind("probes/", 0) == 0 && name.find(pressure) == name.size() - pressure.size())
+      readings.push_back(static_cast<int>(i));
+  }
+  return readings;
+}
+
+int load_named(const System& system, const std::string& name) {
+  const auto found =
+      std::find_if(system.loads.begin(), system.loads.end(), [&](const SystemLoad& load) { return load.name == name; });
+  return static_cast<int>(found - system.loads.begin());
+}
+
+/// Writes down the largest differences; those of pressures against the largest pressure of all probes, because a
+/// section that mirrors itself has none on its axis but round-off.
+void write_down(Record& record, const std::string& what, const std::vector<std::string>& names,
+                const Eigen::MatrixXd& convolved, const Eigen::MatrixXd& marched) {
+  const Eigen::VectorXd peak = marched.rowwise().lpNorm<Eigen::Infinity>(),
+                        error = (convolved - marched).rowwise().lpNorm<Eigen::Infinity>();
+  const double largest_pressure = peak.tail(peak.size() - 2).maxCoeff();
+  for (Eigen::Index i = 0; i < peak.size(); ++i) {
+    const double size = i < 2 ? peak[i] : largest_pressure;
+    EXPECT_GT(size, 0.);
+    record.at_most(what + ": " + names[i] + (i < 2 ? ", of its peak" : ", of the peak of all probes"), error[i] / size,
+                   1e-9);
+  }
+}
+
+/// Compares in 16 steps a duration of the triangular impulse, so that its kinks are ends of steps.
+void compare(Record& record, const std::string& path) {
+  const Case input = read_case(path);
+  const CompiledCase scene = compile_case(input);
+  const System& system = scene.compiled.system;
+  const int impulse = load_named(system, "impulse");
+  const TimeFunction& P = system.loads.at(impulse).history;
+  const double step = (P.kinks().back() - P.kinks().front()) / 16.;
+  const int n = static_cast<int>(std::ceil(input.scene.time.end / step));
+
+  const std::vector<int> readings = compared(system);
+  ASSERT_GE(readings.size(), 4U);
+  const Kernel kernel = discrete_kernel(system, {}, impulse, readings, step, n);
+  Eigen::VectorXd samples(n + 1);
+  for (int i = 0; i <= n; ++i) samples[i] = P(i * step);
+  const Eigen::MatrixXd convolved = convolve(kernel, samples);
+  const Response response = march(system, *make_scheme(system), {{{0., step, n}}, n * step});
+  Eigen::MatrixXd marched(convolved.rows(), convolved.cols());
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < readings.size(); ++i) {
+    marched.row(static_cast<Eigen::Index>(i)) = response.ends.reading.row(readings[i]);
+    names.push_back(system.readings[readings[i]].name);
+  }
+  write_down(record, input.stem, names, convolved, marched);
+}
+
+TEST(Reduced, KernelOfEveryShippedCase) {
+  const std::vector<std::string> paths = shipped_cases();
+  ASSERT_GE(paths.size(), 2U);
+  Record record("reduced_kernel");
+  for (const std::string& path : paths) compare(record, path);
+}
+
+}  // namespace
+}  // namespace upbead::test
