@@ -41,11 +41,12 @@ CompiledCase compile_case(const Case& input) {
   return out;
 }
 
-Run run_case(const Case& input, const CompiledCase& scene, const MarchOptions& options) {
+Run run_case(const Case& input, const CompiledCase& scene, const MarchOptions& marching,
+             const std::function<void(double)>& reducing) {
   SchemeChoice choice = choose_scheme(scene.scene, scene.compiled);
   std::optional<Run> run;
-  if (choice.scheme == TimeScheme::reduced) run = run_reduced(input, scene, choice);
-  if (!run) run = run_march(input, scene, choice, options);
+  if (choice.scheme == TimeScheme::reduced) run = run_reduced(input, scene, choice, reducing);
+  if (!run) run = run_march(input, scene, choice, marching);
   run->summary.title = input.scene.title;
   run->summary.loads = scene.compiled.loads_on_caisson;
   run->summary.skipped = skipped(input, scene, run->summary.reduction.has_value());

@@ -8,6 +8,7 @@
 #include "upbead/base/error.h"
 #include "upbead/base/files.h"
 #include "upbead/base/interrupt.h"
+#include "upbead/base/progress.h"
 #include "upbead/base/stopwatch.h"
 #include "upbead/base/text.h"
 #include "upbead/output/model_file.h"
@@ -101,6 +102,14 @@ std::string describe(const ReducedModelFile& m, const Reduction& r, const std::s
   return text + "written     " + path + "\n";
 }
 
+Reduction reduce_with_progress(const CompiledCase& scene, const ReductionAim& aim) {
+  Progress progress("reducing");
+  return reduce_scene(scene.scene, scene.compiled, aim, [&progress](double done) {
+    check_interrupt();
+    progress.update(done);
+  });
+}
+
 void reduce(const ReduceOptionsOfCommand& options, const Stopwatch& since_start) {
   const Case input = read_case(options.file, options.overrides);
   require_loads(input);
@@ -114,7 +123,7 @@ void reduce(const ReduceOptionsOfCommand& options, const Stopwatch& since_start)
     throw InputError(input.place("time.inertia"), "consolidation cannot be reduced: inertia = false",
                      "use 'upbead run'");
   const Stopwatch watch;
-  const Reduction reduction = reduce_scene(scene.scene, scene.compiled, !options.all_readings);
+  const Reduction reduction = reduce_with_progress(scene, {!options.all_readings, true, {}});
   require_converged(reduction);
   Timing timing = scene.timing;
   timing.factorise = reduction.factorise_seconds;

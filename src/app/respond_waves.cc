@@ -11,13 +11,14 @@
 #include "upbead/fem/caisson_readings.h"
 #include "upbead/sliding/block.h"
 #include "wave_grid.h"
+#include "wave_peaks.h"
 
 namespace upbead {
 
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
-constexpr double most_numbers = 5e8;  // of one file: 4 GB for P and as much for F_T
+constexpr double most_numbers = 1e8;  // of P in one file; with F_T and the file itself 5 GB of memory
 
 /// The longest step (s) that shows a peak: a twentieth of the period of the highest frequency, and a fiftieth of the
 /// case's shortest load. The latter counts where a soft ground filters that load, so that checks end at a low
@@ -38,24 +39,6 @@ ModalModel shear_only(const ModalModel& model) {
   shear.impulse = model.impulse.row(i);
   shear.reading_label = {model.reading_label[static_cast<std::size_t>(i)]};
   return shear;
-}
-
-struct Peak {
-  double time = 0., value = 0.;
-};
-
-/// The largest sample. Where `smooth` and its neighbours are equally far, the top of the parabola through the three.
-Peak largest(const std::vector<double>& time, const Eigen::RowVectorXd& y, bool smooth) {
-  Eigen::Index n = 0;
-  const double top = y.maxCoeff(&n);
-  const auto at = static_cast<std::size_t>(n);
-  if (!smooth || n == 0 || n + 1 == y.size()) return {time[at], top};
-  const double before = time[at] - time[at - 1], after = time[at + 1] - time[at];
-  if (std::abs(after - before) > 1e-6 * before) return {time[at], top};
-  const double slope = (y[n + 1] - y[n - 1]) / 2., bend = y[n + 1] - 2. * top + y[n - 1];
-  if (!(bend < 0.)) return {time[at], top};
-  const double aside = -slope / bend;  // in steps, between -1/2 and 1/2
-  return {time[at] + aside * after, top + 0.5 * aside * slope};
 }
 
 /// Checks of the band by number of samples and step: files with the same times share one, as it is dear to make.
@@ -122,25 +105,13 @@ class FileWork {
     result_.force.row(wave) = P;
     result_.shear_force.row(wave) = F;
     WaveResponse& out = result_.waves[static_cast<std::size_t>(wave)];
-    set_peaks(P, F, begins_at_zero && ends_at_zero && shear_.feedthrough.isZero(0.), out);
+    // F_T passes on no kink of the loads, as long as they do not jump.
+    set_peaks(grid_.time, P, F, begins_at_zero && ends_at_zero && shear_.feedthrough.isZero(0.), out);
     set_band(check_time_ == grid_.time ? loads : on_grid(file_, wave, check_time_), F, out);
     if (options_.resistance) out.sliding = sliding(F);
   }
 
  private:
-  /// `smooth`: F_T has no kinks, as it passes on none of the loads' and they do not jump.
-  void set_peaks(const Eigen::RowVectorXd& P, const Eigen::RowVectorXd& F, bool smooth, WaveResponse& out) const {
-    const Peak landward = largest(grid_.time, F, smooth);
-    out.peak_force = P.maxCoeff();
-    out.peak_shear = landward.value;
-    out.peak_shear_time = landward.time;
-    out.peak_shear_seaward = -largest(grid_.time, -F, smooth).value;
-    const double P_seaward = P.minCoeff();
-    const bool seaward = -P_seaward > out.peak_force;
-    const double force = seaward ? P_seaward : out.peak_force;
-    if (force != 0.) out.ratio = (seaward ? out.peak_shear_seaward : out.peak_shear) / force;
-  }
-
   void set_band(const WaveSamples& loads, const Eigen::RowVectorXd& F, WaveResponse& out) const {
     const double peak = F.cwiseAbs().maxCoeff();
     if (peak > 0.) out.beyond_band = check_->beyond(loads) / peak;

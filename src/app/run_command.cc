@@ -79,8 +79,12 @@ void run(const CommonOptions& options, const Stopwatch& since_start) {
   FieldOutput fields(input.scene, scene, folder);
   Run result;
   {
-    Progress progress("marching");
-    result = run_case(input, scene, options_of(input.scene, progress, fields));
+    Progress progress("solving");
+    const auto reducing = [&progress](double done) {
+      check_interrupt();
+      progress.update(done);
+    };
+    result = run_case(input, scene, options_of(input.scene, progress, fields), reducing);
   }
   if (result.summary.response)
     require_balance(*result.summary.response, result.summary.energy.value_or(EnergyAccount()));

@@ -81,16 +81,17 @@ Run run_march(const Case& input, const CompiledCase& scene, const SchemeChoice& 
   return run;
 }
 
-std::optional<Run> run_reduced(const Case& input, const CompiledCase& scene, SchemeChoice& choice) {
+std::optional<Run> run_reduced(const Case& input, const CompiledCase& scene, SchemeChoice& choice,
+                               const std::function<void(double)>& progress) {
   const bool asked = input.scene.time.scheme == TimeScheme::reduced;
   const Stopwatch watch;
   Reduction reduction;
   try {
-    reduction = reduce_scene(scene.scene, scene.compiled);
+    reduction = reduce_scene(scene.scene, scene.compiled, {false, false, choice.most_vectors}, progress);
     require_converged(reduction);
   } catch (const NumericsError& error) {
     if (asked) throw;
-    choice = {TimeScheme::sdirk4, error.what()};
+    choice = {TimeScheme::sdirk4, error.what(), {}};
     return std::nullopt;
   }
   Run run;

@@ -13,6 +13,7 @@ Run run_march(const Case& input, const CompiledCase& scene, const SchemeChoice& 
 
 /// Reduces the scene and answers its own loads. Where that fails and the case has left the scheme to us: none, and
 /// `choice` becomes a march that says why. Throws NumericsError where the case has asked for it.
-std::optional<Run> run_reduced(const Case& input, const CompiledCase& scene, SchemeChoice& choice);
+std::optional<Run> run_reduced(const Case& input, const CompiledCase& scene, SchemeChoice& choice,
+                               const std::function<void(double)>& progress);
 
 }  // namespace upbead

@@ -1,6 +1,6 @@
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
+#include "upbead/algebra/eigenpairs.h"
 #include "upbead/base/error.h"
 #include "upbead/base/text.h"
 #include "upbead/dynamics/state_space.h"
@@ -21,9 +21,8 @@ struct Modes {
 };
 
 Modes diagonalise(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) {
-  const Eigen::EigenSolver<Eigen::MatrixXd> solver(A);
-  if (solver.info() != Eigen::Success) throw NumericsError("the eigenvalues of the reduced model do not converge");
-  Modes modes{solver.eigenvalues(), solver.eigenvectors(), {}};
+  Eigenpairs pairs = eigenpairs(A);
+  Modes modes{std::move(pairs.value), std::move(pairs.vector), {}};
   modes.load = modes.X.partialPivLu().solve(B.cast<Complex>());
   const Eigen::MatrixXd AB = A * B;
   const double difference = ((modes.X * (modes.pole.asDiagonal() * modes.load)) - AB).norm() / AB.norm();

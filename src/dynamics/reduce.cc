@@ -12,15 +12,19 @@ namespace upbead {
 
 namespace {
 
-/// Vectors per independent load: at the first look, and from one look to the next.
+/// Vectors per independent load: at the first look, and at least so many from one look to the next, or a quarter of
+/// what is there: a look takes the eigenvalues of a matrix four times as large as there are vectors.
 constexpr int first_look = 24, vectors_between_looks = 6;
+constexpr double usual_vectors = 46.;  ///< per independent load: a guess for people who wait
+/// |H| may move by so many times the tolerance, as it is the smaller model that is wrong by so much.
+constexpr double transfer_tolerance = 4.;
 /// A reading counts as small where it stays below this part of the largest of its unit.
 constexpr double small_reading = 1e-3;
 
 /// The loads all together, then each alone.
-std::vector<SampledLoads> trainings(const SampledLoads& all) {
+std::vector<SampledLoads> trainings(const SampledLoads& all, bool each_load) {
   std::vector<SampledLoads> list{all};
-  for (Eigen::Index k = 0; all.begin.rows() > 1 && k < all.begin.rows(); ++k) {
+  for (Eigen::Index k = 0; each_load && all.begin.rows() > 1 && k < all.begin.rows(); ++k) {
     SampledLoads alone = all;
     for (Eigen::MatrixXd* part : {&alone.begin, &alone.end}) {
       part->setZero();
@@ -99,14 +103,18 @@ Reduction reduce(const System& system, const ReduceOptions& options) {
   Reduction out;
   out.n_independent_loads = krylov.n_independent_loads();
   out.factorise_seconds = krylov.factorise_seconds();
-  const std::vector<SampledLoads> loads = trainings(options.training);
+  const std::vector<SampledLoads> loads = trainings(options.training, options.each_load);
   const int most = options.max_vectors * out.n_independent_loads;
   Projection projection(system, krylov);
   std::vector<Eigen::MatrixXd> before;
+  const double usual = usual_vectors * out.n_independent_loads;
   bool exhausted = false;
   for (int target = first_look * out.n_independent_loads; !out.converged && !exhausted && krylov.n_vectors() < most;
-       target += vectors_between_looks * out.n_independent_loads) {
-    while (krylov.n_vectors() < std::min(target, most) && !exhausted) exhausted = !krylov.extend();
+       target += std::max(vectors_between_looks * out.n_independent_loads, target / 4)) {
+    while (krylov.n_vectors() < std::min(target, most) && !exhausted) {
+      exhausted = !krylov.extend();
+      if (options.progress) options.progress(std::min(0.95, static_cast<double>(krylov.n_vectors()) / usual));
+    }
     projection.extend();
     ModalModel model = modal_model(state_space(projection.reduced()), projection.reduced());
     std::vector<Eigen::MatrixXd> now = responses(model, loads);
@@ -114,7 +122,7 @@ Reduction reduce(const System& system, const ReduceOptions& options) {
       out.error = {0., 0., 0., Eigen::VectorXd::Zero(model.n_readings())};
       for (std::size_t i = 0; i < now.size(); ++i) compare(model, options.measured, now[i], before[i], out.error);
       out.history.emplace_back(krylov.n_vectors(), out.error);
-      out.omega = agreed_frequency(out.model, model, options.measured, options.tolerance,
+      out.omega = agreed_frequency(out.model, model, options.measured, transfer_tolerance * options.tolerance,
                                    1. / options.training.time.back(), 100. * options.shift);
     }
     out.converged = exhausted || (!out.history.empty() && meets(out.error, options));

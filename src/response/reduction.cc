@@ -15,9 +15,21 @@ namespace upbead {
 namespace {
 
 constexpr double steps_per_duration = 32.;
-constexpr double shift_factor = 1.5;        ///< 1 to 1.5 times 2 pi over the duration do best, see docs/reduced.md
-constexpr double tolerance_of_others = 10.;  ///< over that of F_T: what a march at its own step achieves, about 2 %
-constexpr int order = 4;                     ///< of the interpolation inside steps that exact values deserve
+/// Shift over 2 pi / duration, measured in docs/reduced.md: high modes last where nothing damps them.
+constexpr double shift_damped = 1.25, shift_undamped = 1.75;
+constexpr double hardly_damped = 0.01;
+/// Tolerance of all other readings over that of F_T: what a march at its own step achieves, 2 % damped, 9 % undamped.
+constexpr double others_damped = 10., others_undamped = 20.;
+constexpr int order = 4;  ///< of the interpolation inside steps that exact values deserve
+
+/// Whether every soil or solid that deforms has material damping.
+bool is_damped(const Scene& scene) {
+  return std::all_of(scene.regions.begin(), scene.regions.end(), [](const auto& entry) {
+    const Region& region = entry.second;
+    const bool deforms = region.kind == RegionKind::porous || region.kind == RegionKind::solid;
+    return !deforms || (region.damping && region.damping->ratio > hardly_damped);
+  });
+}
 
 std::vector<TimeFunction> histories(const System& system) {
   std::vector<TimeFunction> list;
@@ -43,15 +55,21 @@ std::vector<double> response_times(const Scene& scene, const System& system) {
   return time;
 }
 
-Reduction reduce_scene(const Scene& scene, const CompiledScene& compiled, bool only_shear) {
+Reduction reduce_scene(const Scene& scene, const CompiledScene& compiled, const ReductionAim& aim,
+                       const std::function<void(double)>& progress) {
   const System& system = compiled.system;
   ReduceOptions options;
-  options.shift = shift_factor * boost::math::constants::two_pi<double>() / step_of_loads(scene, order).duration;
+  const bool damped = is_damped(scene);
+  options.shift = (damped ? shift_damped : shift_undamped) * boost::math::constants::two_pi<double>() /
+                  step_of_loads(scene, order).duration;
   options.exact = compiled.body_coordinates;
   options.training = sample(histories(system), response_times(scene, system));
   options.tolerance = scene.tolerance;
-  options.tolerance_of_others =
-      only_shear ? std::numeric_limits<double>::infinity() : tolerance_of_others * scene.tolerance;
+  options.tolerance_of_others = (damped ? others_damped : others_undamped) * scene.tolerance;
+  if (aim.only_shear) options.tolerance_of_others = std::numeric_limits<double>::infinity();
+  options.each_load = aim.each_load;
+  if (aim.most_vectors) options.max_vectors = *aim.most_vectors;
+  options.progress = progress;
   if (compiled.caisson) {
     options.measured = {system.reading(reading::shear_force)};
   } else {
@@ -61,12 +79,19 @@ Reduction reduce_scene(const Scene& scene, const CompiledScene& compiled, bool o
   return reduce(system, options);
 }
 
+std::string worst_reading(const Reduction& reduction) {
+  Eigen::Index worst = 0;
+  const Eigen::VectorXd& errors = reduction.error.of_reading;
+  if (errors.size() == 0 || errors.maxCoeff(&worst) == 0.) return "";
+  return reduction.model.reading_label[static_cast<std::size_t>(worst)].name;
+}
+
 void require_converged(const Reduction& reduction) {
   if (reduction.converged) return;
   throw NumericsError("the reduced model has not converged after " + std::to_string(reduction.n_vectors) +
                       " vectors: F_T still moves by " + significant(reduction.error.history) +
-                      " of its peak, other readings by " + significant(reduction.error.others) +
-                      "; march, or raise accuracy.tolerance");
+                      " of its peak, other readings by up to " + significant(reduction.error.others) + " (" +
+                      worst_reading(reduction) + ")");
 }
 
 Response respond(const Reduction& reduction, const Scene& scene, const System& system) {

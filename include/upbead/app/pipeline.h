@@ -41,8 +41,10 @@ struct Run {
   std::string step_reason;    ///< why the steps are as long as they are
 };
 
-/// Solves a compiled case in time; where it is marched the observer sees every step. Throws NumericsError.
-Run run_case(const Case& input, const CompiledCase& scene, const MarchOptions& options);
+/// Solves a compiled case in time. Where it is marched the observer sees every step, where it is reduced `reducing` is
+/// called after every solve with 0 to 1. Throws NumericsError.
+Run run_case(const Case& input, const CompiledCase& scene, const MarchOptions& marching,
+             const std::function<void(double)>& reducing = {});
 
 /// What is skipped in a scene and why, with the numbers; `reduced`: whether a reduced model solves it.
 std::vector<Skipped> skipped(const Case& input, const CompiledCase& scene, bool reduced);

@@ -1,6 +1,7 @@
 // Reduces a System to modes, and measures how wrong they are.
 #pragma once
 
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -11,13 +12,15 @@
 namespace upbead {
 
 struct ReduceOptions {
-  double shift = 0.;          ///< s_0 of the Krylov space (1/s); 1 to 2 times 2 pi over the shortest duration
+  double shift = 0.;          ///< s_0 of the Krylov space (1/s); see reduce_scene
   std::vector<int> exact;     ///< unknowns that are kept as they are
+  bool each_load = true;      ///< measure with each load alone, too
   SampledLoads training;      ///< histories that the error is measured with
   std::vector<int> measured;  ///< readings that must meet `tolerance`; the others `tolerance_of_others`
   double tolerance = 1e-3;    ///< of a reading's history, over its largest value
   double tolerance_of_others = 5e-2;
-  int max_vectors = 120;  ///< per independent load
+  int max_vectors = 100;                 ///< per independent load
+  std::function<void(double)> progress;  ///< called after every solve with a guess of what is done, 0 to 1; may be none
 };
 
 /// How far two nested models lie apart.
@@ -33,7 +36,7 @@ struct Reduction {
   ModalModel model;
   NestedError error;  ///< against the last smaller model: about the error of that one, more than this one's
   /// Up to here (rad/s) H(1/T + i omega) of all measured readings, T the end of the training histories, moved by less
-  /// than `tolerance` of its largest value. A history of length T cannot tell resonances narrower than 1/T.
+  /// than 4 times `tolerance` of its largest value. A history of length T cannot tell resonances narrower than 1/T.
   double omega = 0.;
   bool converged = false;  ///< also where the space is exhausted: then it is exact
   int n_vectors = 0, n_solves = 0, n_independent_loads = 0;
@@ -41,9 +44,9 @@ struct Reduction {
   std::vector<std::pair<int, NestedError>> history;  ///< by number of vectors, as the space grew
 };
 
-/// Grows a Krylov space until two nested models agree on the training histories: all loads together, and each alone.
-/// Stops unconverged at max_vectors. Held-out real shifts would tell nothing: there
-/// the models agree long before their histories do. Throws NumericsError as SecondOrderKrylov and modal_model do.
+/// Grows a Krylov space until two nested models agree on the training histories: all loads together, and, where it is
+/// asked for, each alone. Stops unconverged at max_vectors. Held-out real shifts would tell nothing: there the models
+/// agree long before their histories do. Throws NumericsError as SecondOrderKrylov and modal_model do.
 Reduction reduce(const System& system, const ReduceOptions& options);
 
 /// The frequency (rad/s), at most `largest`, up to which H(decay + i omega) of both agree, see Reduction::omega.

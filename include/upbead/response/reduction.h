@@ -1,6 +1,9 @@
 // The reduced model of a compiled scene.
 #pragma once
 
+#include <functional>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "upbead/dynamics/reduce.h"
@@ -12,11 +15,24 @@ namespace upbead {
 /// that the case gives, which meet all kinks, and the samples of measured records.
 std::vector<double> response_times(const Scene& scene, const System& system);
 
-/// Reduces a scene for all its loads. The shift is 1.25 times 2 pi over their shortest duration (1/s). The history of
-/// F_T must meet the scene's tolerance, all other readings, unless `only_shear`, ten times as much. Without a caisson
-/// all readings meet the tolerance. As it is the smaller of two nested models that misses by so much, the larger one,
-/// which is kept, is better. Throws NumericsError.
-Reduction reduce_scene(const Scene& scene, const CompiledScene& compiled, bool only_shear = false);
+/// What a model is to be good for.
+struct ReductionAim {
+  bool only_shear = false;          ///< F_T alone, not all readings
+  bool each_load = false;           ///< any history of each load, not only what they do together in the scene
+  std::optional<int> most_vectors;  ///< per independent load, where the default is not meant
+};
+
+/// Reduces a scene for all its loads. The shift is 1.25 times 2 pi over their shortest duration (1/s), 1.75 times where
+/// a soil has no material damping. The history of F_T must meet the scene's tolerance, all other readings, unless only
+/// F_T is aimed at, 10 times as much, 20 times where a soil
+/// is not damped. Without a caisson all readings meet the tolerance. As it is the smaller of two
+/// nested models that misses by so much, the larger one, which is kept, is better. `progress`: called with 0 to 1 after
+/// every solve. Throws NumericsError.
+Reduction reduce_scene(const Scene& scene, const CompiledScene& compiled, const ReductionAim& aim,
+                       const std::function<void(double)>& progress = {});
+
+/// Name of the reading with the largest error; "" where there is none.
+std::string worst_reading(const Reduction& reduction);
 
 /// Throws NumericsError with the error reached where the models did not come close enough.
 void require_converged(const Reduction& reduction);

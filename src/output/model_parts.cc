@@ -1,0 +1,118 @@
+#include "model_parts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "model_layout.h"
+#include "upbead/base/suggest.h"
+#include "upbead/base/text.h"
+
+namespace upbead::detail {
+
+namespace {
+
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+constexpr const char* made_by = "a model made by 'upbead reduce'";
+constexpr const char* again = "make it again with 'upbead reduce'";
+
+std::string to_string(const ModelParts::Shape& shape) {
+  std::vector<std::string> sizes;
+  if (shape.empty()) return "of a single number";
+  for (const std::size_t size : shape) sizes.push_back(std::to_string(size));
+  return join(sizes, " x ");
+}
+
+bool all_finite(const std::vector<double>& values) {
+  return std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
+}
+
+}  // namespace
+
+ModelParts::ModelParts(const std::string& path) : path_(path), file_(path, made_by) {
+  if (file_.text_attribute("/", "kind").value_or("") != model_layout::kind)
+    throw InputError({path_}, "an HDF5 file, but no reduced model", std::string("give ") + made_by);
+  const double version = file_.number_attribute("/", "format_version").value_or(0.);
+  if (version != model_layout::version)
+    throw InputError({path_},
+                     "a reduced model in format " + significant(version) + "; this program reads format " +
+                         std::to_string(model_layout::version),
+                     std::string(again) + " of the same version");
+}
+
+std::string ModelParts::text(const std::string& object, const std::string& name) {
+  const auto value = file_.text_attribute(object, name);
+  if (!value) wrong("the attribute '" + name + "' of " + object + " is missing");
+  return value.value_or("");
+}
+
+double ModelParts::number(const std::string& object, const std::string& name, bool positive) {
+  const auto value = file_.number_attribute(object, name);
+  if (!value)
+    wrong("the attribute '" + name + "' of " + object + " is missing");
+  else if (!std::isfinite(*value) || *value < 0. || (positive && *value == 0.))
+    wrong("the attribute '" + name + "' of " + object + " is " + significant(*value));
+  return value.value_or(0.);
+}
+
+std::optional<double> ModelParts::optional_number(const std::string& object, const std::string& name) {
+  if (!file_.number_attribute(object, name)) return {};
+  return number(object, name);
+}
+
+int ModelParts::count(const std::string& object, const std::string& name) {
+  constexpr double most = 2e9;  // that an int holds
+  return static_cast<int>(std::clamp(number(object, name), 0., most));
+}
+
+std::vector<std::string> ModelParts::texts(const std::string& path, std::optional<std::size_t> size) {
+  const auto values = file_.texts(path);
+  if (values && (!size || values->size() == *size)) return *values;
+  wrong(values ? path + " has " + std::to_string(values->size()) + " entries, not " + std::to_string(*size)
+               : path + " is missing, or holds no texts");
+  return std::vector<std::string>(size.value_or(0));
+}
+
+std::vector<double> ModelParts::numbers(const std::string& path, const Shape& shape) {
+  auto array = file_.numbers(path);
+  if (!array)
+    wrong(path + " is missing, or cannot be read as numbers");
+  else if (array->shape != shape)
+    wrong(path + " has the shape " + to_string(array->shape) + ", not " + to_string(shape));
+  else if (!all_finite(array->values))
+    wrong(path + " holds a number that is not finite");
+  else
+    return std::move(array->values);
+  return std::vector<double>(std::accumulate(shape.begin(), shape.end(), std::size_t{1}, std::multiplies<>()));
+}
+
+Eigen::MatrixXd ModelParts::matrix(const std::string& path, std::size_t rows, std::size_t columns) {
+  const std::vector<double> values = numbers(path, {rows, columns});
+  return Eigen::Map<const RowMajor>(values.data(), static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(columns));
+}
+
+Eigen::MatrixXcd ModelParts::complex_matrix(const std::string& path, Shape shape) {
+  const auto rows = static_cast<Eigen::Index>(shape[0]);
+  const auto columns = static_cast<Eigen::Index>(shape.size() > 1 ? shape[1] : 1);
+  shape.push_back(2);
+  const std::vector<double> values = numbers(path, shape);
+  Eigen::MatrixXcd matrix(rows, columns);
+  for (Eigen::Index r = 0; r < rows; ++r)
+    for (Eigen::Index c = 0; c < columns; ++c) {
+      const auto pair = static_cast<std::size_t>(2 * (r * columns + c));
+      matrix(r, c) = {values[pair], values[pair + 1]};
+    }
+  return matrix;
+}
+
+std::size_t ModelParts::length(const std::string& path) const {
+  const auto array = file_.numbers(path);
+  return array && !array->shape.empty() ? array->shape[0] : 0;
+}
+
+void ModelParts::wrong(const std::string& what) {
+  mistakes_.add({path_}, what, again);
+}
+
+}  // namespace upbead::detail
