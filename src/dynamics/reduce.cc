@@ -109,9 +109,10 @@ Reduction reduce(const System& system, const ReduceOptions& options) {
   std::vector<Eigen::MatrixXd> before;
   const double usual = usual_vectors * out.n_independent_loads;
   bool exhausted = false;
-  for (int target = first_look * out.n_independent_loads; !out.converged && !exhausted && krylov.n_vectors() < most;
+  for (int target = std::min(first_look * out.n_independent_loads, most);
+       !out.converged && !exhausted && target <= most;
        target += std::max(vectors_between_looks * out.n_independent_loads, target / 4)) {
-    while (krylov.n_vectors() < std::min(target, most) && !exhausted) {
+    while (krylov.n_vectors() < target && !exhausted) {
       exhausted = !krylov.extend();
       if (options.progress) options.progress(std::min(0.95, static_cast<double>(krylov.n_vectors()) / usual));
     }

@@ -10,7 +10,7 @@ namespace upbead {
 namespace {
 
 /// Eigenvalues of K~ and M~ below these, beside T(s_0) = 1, are none.
-constexpr double no_stiffness = 1e-13, no_storage = 1e-12;
+constexpr double no_stiffness = 1e-13, no_storage = 1e-9;
 /// Damping of phi where it has no storage.
 constexpr double relaxation = 1e-6;
 /// What of a reading's row may lie beyond the range of K~ and be round-off.

@@ -12,12 +12,25 @@ Samples samples(const CompiledScene& compiled, const Series& series, const char*
 
 namespace {
 
+/// Looks at `parts` points of every step, and closely at the step where it finds the most; at fewer of many steps,
+/// which then are short.
 template <typename Value>
 Extremum extreme(const std::vector<double>& time, int sign, const Value& value) {
+  constexpr std::size_t parts = 16, points = 16 * 512;
+  const std::size_t n_steps = time.size() - 1, looks = std::clamp<std::size_t>(points / n_steps, 1, parts);
   Extremum best{time.front(), 0.};
-  for (std::size_t n = 0; n + 1 < time.size(); ++n) {
+  std::size_t step = 0;
+  for (std::size_t n = 0; n < n_steps; ++n)
+    for (std::size_t i = 0; i <= looks; ++i) {
+      const double t = time[n] + (time[n + 1] - time[n]) * static_cast<double>(i) / static_cast<double>(looks);
+      if (const double y = value(n, t); sign * (y - best.value) > 0.) {
+        best = {t, y};
+        step = n;
+      }
+    }
+  for (std::size_t n = step > 0 ? step - 1 : 0; n < std::min(step + 2, n_steps); ++n) {
     const TimeFunction inside({}, {[&](double t) { return value(n, t); }});
-    const Extremum candidate = extremum(inside, time[n], time[n + 1], sign, 16);
+    const Extremum candidate = extremum(inside, time[n], time[n + 1], sign, parts);
     if (sign * (candidate.value - best.value) > 0.) best = candidate;
   }
   return best;

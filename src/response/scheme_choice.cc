@@ -13,7 +13,7 @@ namespace {
 constexpr double vectors_per_load = 46., solves_per_step = 5.;
 constexpr std::size_t most_independent = 3;  ///< forces on a rigid caisson: two and a moment
 /// Part of a march's work that may be lost on a reduced model that does not converge.
-constexpr double risk = 0.6;
+constexpr double risk = 1.;
 
 std::string about(double n) {
   return "about " + std::to_string(10 * std::lround(n / 10.));

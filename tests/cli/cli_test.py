@@ -6,44 +6,29 @@ usage: cli_test.py PROGRAM CASES_FOLDER
 
 import json
 import os
-import pathlib
 import pty
 import resource
 import shutil
 import signal
 import subprocess
 import sys
-import tempfile
 import unittest
 
 import h5py
-import numpy as np
 
-sys.path.insert(0, str(pathlib.Path(__file__).parents[1] / "support"))
-from hand_made_model import write_oscillator  # noqa: E402
+from program import CASES, PROGRAM, ProgramTest, upbead
 
-PROGRAM, CASES = (pathlib.Path(argument).resolve() for argument in sys.argv[1:3])
 QUICK = ["--set", "mesh.parameters.cells=0.5", "--set", "time.end=0.05"]
 
 
-def upbead(*arguments, cwd=None, **options):
-    return subprocess.run([PROGRAM, *map(str, arguments)], cwd=cwd, capture_output=True, text=True, **options)
-
-
-class Cli(unittest.TestCase):
-    def setUp(self):
-        self.folder = pathlib.Path(tempfile.mkdtemp())
-        self.addCleanup(shutil.rmtree, self.folder, ignore_errors=True)
-
+class Cli(ProgramTest):
     def run_model(self, *arguments, **options):
         return upbead("run", CASES / "fig2b-model.toml", *QUICK, *arguments, cwd=self.folder, **options)
-
-    def left_behind(self):
-        return sorted(str(path.relative_to(self.folder)) for path in self.folder.rglob("*"))
 
     def test_help_teaches_by_example(self):
         for arguments, example in ((["--help"], "upbead run cases/"), (["run", "--help"], "upbead run cases/"),
                                    (["explain", "--help"], "upbead explain cases/"),
+                                   (["reduce", "--help"], "upbead reduce cases/"),
                                    (["respond", "--help"], "upbead respond results/")):
             done = upbead(*arguments)
             self.assertEqual(done.returncode, 0)
@@ -196,82 +181,6 @@ class Cli(unittest.TestCase):
         self.assertIn("taken", done.stderr)
         self.assertEqual((self.folder / "taken").read_text(), "mine")
 
-    def respond(self, *arguments):
-        return upbead("respond", *arguments, cwd=self.folder)
-
-    def make_model_and_waves(self, **changes):
-        write_oscillator(self.folder / "model.h5", **changes)
-        (self.folder / "roof.csv").write_text("time,P\n0,0\n0.05,1.6e6\n0.1,4e5\n1.5,0\n")
-        time = np.arange(401) * 1e-3
-        with h5py.File(self.folder / "storm.h5", "w") as file:
-            file["time"] = time
-            file["impact"] = np.outer(np.linspace(1e5, 2e6, 30), np.interp(time, [0, 0.075, 0.15], [0, 1, 0]))
-
-    def test_respond_answers_one_wave_and_many(self):
-        self.make_model_and_waves()
-        friction = ["--friction", 0.6, "--buoyant-weight", 1e6]
-        done = self.respond("model.h5", "roof.csv", "storm.h5", *friction)
-        self.assertEqual((done.returncode, done.stderr), (0, ""))
-        for part in ("oscillator, reduced to 2 modes", "waves       31", "peak F_T", "largest in storm[29]",
-                     "of them slide the caisson", "written     results/model-respond/{responses.h5, summary.json}"):
-            self.assertIn(part, done.stdout)
-        result = self.folder / "results/model-respond"
-        self.assertEqual(sorted(os.listdir(result)), ["responses.h5", "summary.json"])
-        summary = json.loads((result / "summary.json").read_text())
-        self.assertEqual([w["name"] for w in summary["waves"][:3]], ["roof", "storm[0]", "storm[1]"])
-        with h5py.File(result / "responses.h5") as file:
-            self.assertEqual(file["storm/shear_force"].shape, (30, len(file["storm/time"])))
-            for name in ("time", "force", "shear_force", "peak_force", "peak_shear", "peak_shear_seaward",
-                         "peak_shear_time", "ratio", "beyond_band", "sliding"):
-                self.assertTrue(file["storm"][name].attrs["unit"] and file["storm"][name].attrs["description"], name)
-            self.assertEqual([w["sliding"] for w in summary["waves"]], [*file["roof/sliding"], *file["storm/sliding"]])
-            np.testing.assert_allclose(file["storm/ratio"], file["storm/ratio"][0], rtol=1e-12)
-            self.assertAlmostEqual(file["storm/time"][-1], 4.0)
-        again = self.respond("model.h5", "roof.csv", "storm.h5", *friction, "--out", "again")
-        self.assertEqual(again.returncode, 0)
-        self.assertEqual((result / "responses.h5").read_bytes(), (self.folder / "again/responses.h5").read_bytes())
-
-    def test_respond_prints_a_table_or_json(self):
-        self.make_model_and_waves()
-        done = self.respond("model.h5", "roof.csv", "roof.csv", "--end", 1)
-        self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertRegex(done.stdout, r"wave +peak P +peak F_T +F_T / P\nroof +1.6 MN/m .*\nroof-2 +1.6 MN/m ")
-        done = self.respond("model.h5", "roof.csv", "--json")
-        summary = json.loads(done.stdout)
-        self.assertEqual(summary["model"], {"title": "oscillator", "file": "model.h5", "error": 0.004,
-                                            "tolerance": 0.01, "highest_frequency": 50.0})
-        self.assertIsNone(summary["waves"][0]["sliding"])
-        self.assertEqual(list(summary["timing"]), ["read", "respond", "write", "total"])
-        self.assertGreater(summary["histories_per_second"], 0)
-
-    def test_respond_warns_of_waves_that_the_model_does_not_cover(self):
-        self.make_model_and_waves(highest=3.0)
-        done = self.respond("model.h5", "roof.csv")
-        self.assertEqual(done.returncode, 0)
-        self.assertRegex(done.stderr, r"^warning: 1 of 1 waves reach beyond .* 3 Hz: worst roof, where .* % of F_T .*"
-                                      r"\(tolerance 1 %\); reduce again .* or march it with 'upbead run'\n$")
-
-    def test_respond_refuses_wrong_input_and_writes_nothing(self):
-        self.make_model_and_waves(loads=("impact", "slow"))
-        before = self.left_behind()
-        for arguments, message in (
-                (["model.h5", "roof.csv"], "column 'P' is no load of the model; the model's loads are: impact, slow"),
-                (["roof.csv", "roof.csv"], "roof.csv: no HDF5 file; give a model made by 'upbead reduce'"),
-                (["storm.h5", "roof.csv"], "storm.h5: an HDF5 file, but no reduced model"),
-                (["model.h5", "none.csv"], "cannot read 'none.csv'"),
-                (["model.h5", "storm.h5", "--friction", 0.6], "give --buoyant-weight too (N/m)"),
-                (["model.h5", "storm.h5", "--buoyant-weight", 1e6], "give --friction too"),
-                (["model.h5", "storm.h5", "--end", 0], "--end 0 is not above 0"),
-                (["model.h5", "storm.h5", "--end", 1e9], "lower --end")):
-            done = self.respond(*arguments)
-            self.assertEqual((done.returncode, done.stdout), (1, ""), arguments)
-            self.assertIn(message, done.stderr)
-            self.assertEqual(self.left_behind(), before)
-        write_oscillator(self.folder / "model.h5", mass=0.0)
-        done = self.respond("model.h5", "storm.h5", "--friction", 0.6, "--buoyant-weight", 1e6)
-        self.assertEqual(done.returncode, 1)
-        self.assertIn("nothing can slide", done.stderr)
-
     def test_progress_is_one_line_on_a_terminal(self):
         leader, follower = pty.openpty()
         process = subprocess.Popen(
@@ -285,7 +194,7 @@ class Cli(unittest.TestCase):
         except OSError:  # the terminal closes when the program ends
             pass
         self.assertEqual(process.wait(), 0)
-        self.assertIn(b"marching", text)
+        self.assertIn(b"solving", text)
         self.assertIn(b"%", text)
         self.assertNotIn(b"\n", text)
 

@@ -1,0 +1,26 @@
+"""What the tests of the program share: how it is called, and a folder of its own for each test.
+
+A script that uses this is called as: SCRIPT PROGRAM CASES_FOLDER
+"""
+
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+PROGRAM, CASES = (pathlib.Path(argument).resolve() for argument in sys.argv[1:3])
+
+
+def upbead(*arguments, cwd=None, **options):
+    return subprocess.run([PROGRAM, *map(str, arguments)], cwd=cwd, capture_output=True, text=True, **options)
+
+
+class ProgramTest(unittest.TestCase):
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp())
+        self.addCleanup(shutil.rmtree, self.folder, ignore_errors=True)
+
+    def left_behind(self):
+        return sorted(str(path.relative_to(self.folder)) for path in self.folder.rglob("*"))

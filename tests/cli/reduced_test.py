@@ -1,0 +1,157 @@
+#!/usr/bin/python3
+"""Reduced models as a person meets them: run, reduce and respond.
+
+usage: reduced_test.py PROGRAM CASES_FOLDER
+"""
+
+import json
+import os
+import pathlib
+import sys
+import unittest
+
+import h5py
+import numpy as np
+
+from program import CASES, ProgramTest, upbead
+
+sys.path.insert(0, str(pathlib.Path(__file__).parents[1] / "support"))
+from hand_made_model import write_oscillator  # noqa: E402
+
+CASE = CASES / "fig2b-prototype.toml"
+COARSE = ["--set", "mesh.parameters.cells=0.5"]
+DRY = ["--set", "mesh.parameters.sea_front=0", "--set", "mesh.parameters.sea_back=0"]
+
+
+class Reduced(ProgramTest):
+    def summary(self, command, *arguments, case=CASE):
+        done = upbead(command, case, *COARSE, *arguments, "--json", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return json.loads(done.stdout)
+
+    def shear(self, folder, time):
+        with h5py.File(self.folder / folder / "results.h5") as file:
+            return np.interp(time, file["history/time"], file["history/shear_force"])
+
+    def test_run_reduces_by_itself_and_agrees_with_marching(self):
+        reduced = self.summary("run", "--out", "reduced")
+        marched = self.summary("run", "--out", "marched", "--set", "time.scheme=sdirk4", "--set", "time.step=2.5e-3")
+        self.assertEqual(reduced["discretisation"]["scheme"], "reduced")
+        self.assertLess(reduced["discretisation"]["solves"], 60)
+        self.assertIsNone(reduced["energy"])
+        self.assertIsNone(marched["reduction"])
+        self.assertLess(reduced["response"]["reaction_mismatch"], 1e-8)
+        peak = marched["response"]["peak_shear"]
+        self.assertAlmostEqual(reduced["response"]["peak_shear"] / peak, 1, delta=1e-3)
+        time = np.linspace(0, 1, 401)
+        self.assertLess(abs(self.shear("reduced", time) - self.shear("marched", time)).max(), 3e-3 * peak)
+
+    def test_run_marches_where_a_reduced_model_does_not_do(self):
+        for reason, key in (("fields are asked for", "output.fields.every=0.5"), ("stop early", "time.stop_at_energy=0.01"),
+                            ("given in the case", "time.scheme=sdirk4")):
+            done = upbead("run", CASE, *COARSE, "--set", key, cwd=self.folder)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertIn("marched", done.stdout)
+            self.assertIn(reason, done.stdout)
+
+    def test_reduce_then_respond_gives_what_run_gives(self):
+        told = self.summary("reduce", "--check", "--out", "model")
+        self.assertEqual(self.left_behind(), ["model", "model/reduced.h5"])
+        self.assertLess(told["reduction"]["error_march"], 3e-3)
+        self.assertLessEqual(told["reduction"]["error"], 5e-3)
+        done = upbead("respond", "model/reduced.h5", CASES / "fig2b-prototype-impulse.csv", "--out", "answer", "--json",
+                      cwd=self.folder)
+        self.assertEqual((done.returncode, done.stderr), (0, ""), "no warning about the wave it was made from")
+        wave = json.loads(done.stdout)["waves"][0]
+        marched = self.summary("run", "--set", "time.scheme=sdirk4", "--set", "time.step=2.5e-3", "--out", "marched")
+        self.assertAlmostEqual(wave["peak_shear"] / marched["response"]["peak_shear"], 1, delta=2e-3)
+
+    def test_reduce_refuses_what_cannot_be_reduced(self):
+        done = upbead("reduce", CASE, *DRY, "--set", "time.inertia=false", cwd=self.folder)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("consolidation cannot be reduced", done.stderr)
+        done = upbead("reduce", CASE, "--set", "mesh.parameters.cells=0.3", "--set", "accuracy.tolerance=1e-13",
+                      cwd=self.folder)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("has not converged after", done.stderr)
+        self.assertEqual(self.left_behind(), [])
+
+    def respond(self, *arguments):
+        return upbead("respond", *arguments, cwd=self.folder)
+
+    def make_model_and_waves(self, **changes):
+        write_oscillator(self.folder / "model.h5", **changes)
+        (self.folder / "roof.csv").write_text("time,P\n0,0\n0.05,1.6e6\n0.1,4e5\n1.5,0\n")
+        time = np.arange(401) * 1e-3
+        with h5py.File(self.folder / "storm.h5", "w") as file:
+            file["time"] = time
+            file["impact"] = np.outer(np.linspace(1e5, 2e6, 30), np.interp(time, [0, 0.075, 0.15], [0, 1, 0]))
+
+    def test_respond_answers_one_wave_and_many(self):
+        self.make_model_and_waves()
+        friction = ["--friction", 0.6, "--buoyant-weight", 1e6]
+        done = self.respond("model.h5", "roof.csv", "storm.h5", *friction)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        for part in ("oscillator, reduced to 2 modes", "waves       31", "peak F_T", "largest in storm[29]",
+                     "of them slide the caisson", "written     results/model-respond/{responses.h5, summary.json}"):
+            self.assertIn(part, done.stdout)
+        result = self.folder / "results/model-respond"
+        self.assertEqual(sorted(os.listdir(result)), ["responses.h5", "summary.json"])
+        summary = json.loads((result / "summary.json").read_text())
+        self.assertEqual([w["name"] for w in summary["waves"][:3]], ["roof", "storm[0]", "storm[1]"])
+        with h5py.File(result / "responses.h5") as file:
+            self.assertEqual(file["storm/shear_force"].shape, (30, len(file["storm/time"])))
+            for name in ("time", "force", "shear_force", "peak_force", "peak_shear", "peak_shear_seaward",
+                         "peak_shear_time", "ratio", "beyond_band", "sliding"):
+                self.assertTrue(file["storm"][name].attrs["unit"] and file["storm"][name].attrs["description"], name)
+            self.assertEqual([w["sliding"] for w in summary["waves"]], [*file["roof/sliding"], *file["storm/sliding"]])
+            np.testing.assert_allclose(file["storm/ratio"], file["storm/ratio"][0], rtol=1e-12)
+            self.assertAlmostEqual(file["storm/time"][-1], 4.0)
+        again = self.respond("model.h5", "roof.csv", "storm.h5", *friction, "--out", "again")
+        self.assertEqual(again.returncode, 0)
+        self.assertEqual((result / "responses.h5").read_bytes(), (self.folder / "again/responses.h5").read_bytes())
+
+    def test_respond_prints_a_table_or_json(self):
+        self.make_model_and_waves()
+        done = self.respond("model.h5", "roof.csv", "roof.csv", "--end", 1)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertRegex(done.stdout, r"wave +peak P +peak F_T +F_T / P\nroof +1.6 MN/m .*\nroof-2 +1.6 MN/m ")
+        done = self.respond("model.h5", "roof.csv", "--json")
+        summary = json.loads(done.stdout)
+        self.assertEqual(summary["model"], {"title": "oscillator", "file": "model.h5", "error": 0.004,
+                                            "tolerance": 0.01, "highest_frequency": 50.0})
+        self.assertIsNone(summary["waves"][0]["sliding"])
+        self.assertEqual(list(summary["timing"]), ["read", "respond", "write", "total"])
+        self.assertGreater(summary["histories_per_second"], 0)
+
+    def test_respond_warns_of_waves_that_the_model_does_not_cover(self):
+        self.make_model_and_waves(highest=3.0)
+        done = self.respond("model.h5", "roof.csv")
+        self.assertEqual(done.returncode, 0)
+        self.assertRegex(done.stderr, r"^warning: 1 of 1 waves reach beyond .* 3 Hz: worst roof, where .* % of F_T .*"
+                                      r"\(tolerance 1 %\); reduce again .* or march it with 'upbead run'\n$")
+
+    def test_respond_refuses_wrong_input_and_writes_nothing(self):
+        self.make_model_and_waves(loads=("impact", "slow"))
+        before = self.left_behind()
+        for arguments, message in (
+                (["model.h5", "roof.csv"], "column 'P' is no load of the model; the model's loads are: impact, slow"),
+                (["roof.csv", "roof.csv"], "roof.csv: no HDF5 file; give a model made by 'upbead reduce'"),
+                (["storm.h5", "roof.csv"], "storm.h5: an HDF5 file, but no reduced model"),
+                (["model.h5", "none.csv"], "cannot read 'none.csv'"),
+                (["model.h5", "storm.h5", "--friction", 0.6], "give --buoyant-weight too (N/m)"),
+                (["model.h5", "storm.h5", "--buoyant-weight", 1e6], "give --friction too"),
+                (["model.h5", "storm.h5", "--end", 0], "--end 0 is not above 0"),
+                (["model.h5", "storm.h5", "--end", 1e9], "lower --end")):
+            done = self.respond(*arguments)
+            self.assertEqual((done.returncode, done.stdout), (1, ""), arguments)
+            self.assertIn(message, done.stderr)
+            self.assertEqual(self.left_behind(), before)
+        write_oscillator(self.folder / "model.h5", mass=0.0)
+        done = self.respond("model.h5", "storm.h5", "--friction", 0.6, "--buoyant-weight", 1e6)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("nothing can slide", done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1], verbosity=2)

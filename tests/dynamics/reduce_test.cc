@@ -1,0 +1,182 @@
+// Claims: the error of two nested models is about that of the smaller one; a model that says it has converged is at
+// least that good; `measured`, the others, each load alone, max_vectors and exhausted spaces count as documented;
+// agreed_frequency says up to where two models agree.
+// Source: a chain of masses and springs, its modes in closed form.
+#include "upbead/dynamics/reduce.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "modal_models.h"
+#include "reduction_tools.h"
+#include "spring_chain.h"
+
+namespace {
+
+using namespace upbead;
+using namespace upbead::test;
+
+const SpringChain chain_of_masses;
+constexpr double duration = 40., end = 150.;
+
+TimeFunction force() {
+  return piecewise_linear({0., 0.5 * duration, duration}, {0., 1., 0.});
+}
+
+ReduceOptions options_for(const System& system, double tolerance) {
+  ReduceOptions options;
+  options.shift = 1.25 * 2. * std::acos(-1.) / duration;
+  std::vector<double> time;
+  for (int i = 0; i <= 300; ++i) time.push_back(i * end / 300.);
+  std::vector<TimeFunction> histories;
+  for (const SystemLoad& load : system.loads) histories.push_back(load.history);
+  options.training = sample(histories, time);
+  options.measured = {0};
+  options.tolerance = tolerance;
+  options.tolerance_of_others = std::numeric_limits<double>::infinity();
+  return options;
+}
+
+/// By reading: largest difference from the exact modes over the largest value.
+Eigen::VectorXd true_error(const ModalModel& model, const ReduceOptions& options) {
+  const Eigen::MatrixXd exact = respond(chain_of_masses.exact(), options.training).reading;
+  const Eigen::MatrixXd found = respond(model, options.training).reading;
+  return (found - exact).cwiseAbs().rowwise().maxCoeff().cwiseQuotient(exact.cwiseAbs().rowwise().maxCoeff());
+}
+
+TEST(Reduce, NestedErrorIsThatOfTheSmallerModel) {
+  const System system = chain_of_masses.system(force());
+  const ReduceOptions options = options_for(system, 1e-6);
+  const Reduction reduction = reduce(system, options);
+  ASSERT_GE(reduction.history.size(), 3u);
+  int smaller = 24;
+  double mean = 0.;
+  for (const auto& [n, nested] : reduction.history) {
+    const double truth = true_error(modes_of(reduced(system, options.shift, smaller)), options)[0];
+    mean += std::log(nested.history / truth) / static_cast<double>(reduction.history.size());
+    EXPECT_GE(nested.history, nested.peak);
+    smaller = n;
+  }
+  RecordProperty("nested_over_true", std::to_string(std::exp(mean)));
+  EXPECT_GT(std::exp(mean), 0.3);
+  EXPECT_LT(std::exp(mean), 3.);
+}
+
+TEST(Reduce, WhatConvergedMeetsTheTolerance) {
+  const System system = chain_of_masses.system(force());
+  for (const double tolerance : {1e-2, 2e-3}) {
+    const ReduceOptions options = options_for(system, tolerance);
+    const Reduction reduction = reduce(system, options);
+    EXPECT_TRUE(reduction.converged);
+    EXPECT_LE(reduction.error.history, tolerance);
+    EXPECT_GT(reduction.error.history, 0.);
+    EXPECT_EQ(reduction.error.history, reduction.error.of_reading[0]);
+    EXPECT_EQ(reduction.error.others, reduction.error.of_reading[1]);
+    EXPECT_LE(true_error(reduction.model, options)[0], tolerance);
+    EXPECT_EQ(reduction.n_vectors, reduction.history.back().first);
+    EXPECT_EQ(reduction.n_solves, reduction.n_vectors);
+    EXPECT_EQ(reduction.n_independent_loads, 1);
+  }
+}
+
+TEST(Reduce, OtherReadingsHaveTheirOwnTolerance) {
+  const System system = chain_of_masses.system(force());
+  ReduceOptions options = options_for(system, 1e-2);
+  const Reduction loose = reduce(system, options);
+  options.tolerance_of_others = 1e-3;
+  const Reduction strict = reduce(system, options);
+  EXPECT_GT(loose.error.others, 1e-3);
+  EXPECT_TRUE(strict.converged);
+  EXPECT_LE(strict.error.others, 1e-3);
+  EXPECT_GT(strict.n_vectors, loose.n_vectors);
+}
+
+TEST(Reduce, MeasuresEachLoadWhereItIsAsked) {
+  // Together the loads are a slow one but for a thousandth; each alone is fast.
+  const TimeFunction slow = piecewise_linear({0., 75., 150.}, {0., 1., 0.});
+  const TimeFunction fast = piecewise_linear({0., 1., 2.}, {0., 1., 0.});
+  System system = chain_of_masses.system(sum(slow, fast));
+  SystemLoad other = system.loads[0];
+  other.vector[250] = 0.001;
+  other.history = scaled(fast, -1.);
+  system.loads.push_back(other);
+  ReduceOptions options = options_for(system, 1e-2);
+  options.max_vectors = 31;
+  options.each_load = false;
+  const Reduction together = reduce(system, options);
+  options.each_load = true;
+  const Reduction each = reduce(system, options);
+  ASSERT_EQ(together.n_independent_loads, 2);
+  ASSERT_FALSE(together.history.empty());
+  ASSERT_FALSE(each.history.empty());
+  EXPECT_GT(each.history[0].second.history, 3. * together.history[0].second.history);
+}
+
+TEST(Reduce, StopsAtTheMostVectors) {
+  const System system = chain_of_masses.system(force());
+  ReduceOptions options = options_for(system, 1e-9);
+  options.max_vectors = 33;
+  double done = 0.;
+  options.progress = [&done](double now) {
+    EXPECT_GE(now, done);
+    EXPECT_LE(now, 1.);
+    done = now;
+  };
+  const Reduction reduction = reduce(system, options);
+  EXPECT_GT(done, 0.);
+  EXPECT_FALSE(reduction.converged);
+  EXPECT_EQ(reduction.n_vectors, 33);
+  EXPECT_EQ(reduction.n_solves, 33);
+  EXPECT_GT(reduction.error.history, 1e-9);
+}
+
+TEST(Reduce, AnExhaustedSpaceIsExact) {
+  const SpringChain small{9, 0.1};
+  const System system = small.system(force());
+  const ReduceOptions options = options_for(system, 1e-12);
+  const Reduction reduction = reduce(system, options);
+  EXPECT_TRUE(reduction.converged);
+  EXPECT_LE(reduction.n_vectors, 18);
+  const Eigen::MatrixXd exact = respond(small.exact(), options.training).reading;
+  EXPECT_LT(error(respond(reduction.model, options.training).reading, exact), 1e-10);
+}
+
+/// Two oscillators side by side, of 1 and `omega` rad/s.
+ModalModel two_oscillators(double omega) {
+  ModalModel model = Oscillator{1., 0.1, 1.}.model(), second = Oscillator{1., 0.1, omega * omega}.model();
+  for (Eigen::MatrixXcd* part : {&model.load, &second.load}) part->conservativeResize(1, 1);
+  model.pole.conservativeResize(2);
+  model.pole[1] = second.pole[0];
+  model.load.setOnes(2, 1);
+  model.reading.conservativeResize(3, 2);
+  model.reading.col(1) = second.reading;
+  model.feedthrough *= 2.;
+  return model;
+}
+
+TEST(AgreedFrequency, EndsWhereTheModelsDiffer) {
+  const ModalModel coarse = two_oscillators(9.), fine = two_oscillators(10.);
+  constexpr double tolerance = 0.01, decay = 0.05, largest = 100.;
+  const auto difference = [&](double omega) {
+    const std::complex<double> s(decay, omega);
+    return std::abs(coarse.transfer(0, 0, s) - fine.transfer(0, 0, s));
+  };
+  const double agreed = agreed_frequency(coarse, fine, {0}, tolerance, decay, largest);
+  double scale = 0.;
+  for (double omega = 0.01; omega < largest; omega *= 1.01)
+    scale = std::max(scale, std::abs(fine.transfer(0, 0, {decay, omega})));
+  EXPECT_GT(agreed, 1.) << "they share the first resonance";
+  EXPECT_LT(agreed, 9.);
+  for (double omega = 0.01; omega <= agreed; omega *= 1.01) EXPECT_LE(difference(omega), 1.01 * tolerance * scale);
+  EXPECT_GT(difference(1.05 * agreed), 0.98 * tolerance * scale) << "points are 4.7 % apart";
+}
+
+TEST(AgreedFrequency, IsTheLargestOrNone) {
+  const ModalModel model = two_oscillators(10.), other = two_oscillators(20.);
+  EXPECT_EQ(agreed_frequency(model, model, {0, 1}, 1e-12, 0.05, 77.), 77.);
+  EXPECT_EQ(agreed_frequency(other, model, {0}, 1e-9, 0.05, 77.), 0.);
+}
+
+}  // namespace

@@ -1,0 +1,95 @@
+// Claim: a scene is reduced where that is less work than marching, and marched for each of the reasons that the
+// function lists.
+#include "upbead/response/scheme_choice.h"
+
+#include <gtest/gtest.h>
+
+#include "scenes.h"
+
+namespace upbead::test {
+namespace {
+
+/// Long enough for a reduced model to pay.
+Scene long_run() {
+  Scene scene = breakwater(triangle(1.6e6, 0.15));
+  scene.time.end = 20.;
+  return scene;
+}
+
+/// The choice reads of the compiled scene only its system and whether there is a caisson.
+const Compiled& compiled() {
+  static const auto mesh = breakwater_mesh(0.5);
+  static const Compiled compiled(long_run(), *mesh);
+  return compiled;
+}
+
+void expect_march(const Scene& scene, const CompiledScene& on, const std::string& reason) {
+  const SchemeChoice choice = choose_scheme(scene, on);
+  EXPECT_EQ(choice.scheme, TimeScheme::sdirk4);
+  EXPECT_NE(choice.reason.find(reason), std::string::npos) << choice.reason;
+  EXPECT_FALSE(choice.most_vectors);
+}
+
+TEST(SchemeChoice, ReducesALongRun) {
+  const SchemeChoice choice = choose_scheme(long_run(), compiled().scene);
+  EXPECT_EQ(choice.scheme, TimeScheme::reduced);
+  EXPECT_NE(choice.reason.find("solves instead of"), std::string::npos) << choice.reason;
+  ASSERT_TRUE(choice.most_vectors);
+  EXPECT_GE(*choice.most_vectors, 46);
+}
+
+TEST(SchemeChoice, MayTryLongerWhereMarchingTakesLonger) {
+  Scene longer = long_run();
+  longer.time.end *= 4.;
+  EXPECT_GT(*choose_scheme(longer, compiled().scene).most_vectors,
+            *choose_scheme(long_run(), compiled().scene).most_vectors);
+}
+
+TEST(SchemeChoice, KeepsWhatIsGiven) {
+  for (const TimeScheme given : {TimeScheme::sdirk4, TimeScheme::generalised_alpha, TimeScheme::reduced}) {
+    Scene scene = long_run();
+    scene.time.scheme = given;
+    const SchemeChoice choice = choose_scheme(scene, compiled().scene);
+    EXPECT_EQ(choice.scheme, given);
+    EXPECT_NE(choice.reason.find("given"), std::string::npos) << choice.reason;
+    EXPECT_FALSE(choice.most_vectors) << "a model that is asked for may take what it needs";
+  }
+}
+
+TEST(SchemeChoice, MarchesConsolidation) {
+  Scene scene = long_run();
+  scene.time.inertia = false;
+  expect_march(scene, compiled().scene, "consolidation");
+}
+
+TEST(SchemeChoice, MarchesWithoutACaisson) {
+  Scene scene = column(sand(), triangle(1e4, 0.15));
+  scene.time.end = 20.;
+  const auto mesh = column_mesh(10., 4);
+  const Compiled soil(scene, *mesh);
+  expect_march(scene, soil.scene, "without a caisson");
+}
+
+TEST(SchemeChoice, MarchesForFields) {
+  Scene scene = long_run();
+  scene.fields_every = 0.1;
+  expect_march(scene, compiled().scene, "fields");
+}
+
+TEST(SchemeChoice, MarchesToStopEarly) {
+  Scene scene = long_run();
+  scene.time.stop_at_energy = 1e-3;
+  expect_march(scene, compiled().scene, "stop early");
+}
+
+TEST(SchemeChoice, MarchesFewSteps) {
+  Scene scene = long_run();
+  scene.time.end = 0.3;
+  expect_march(scene, compiled().scene, "solves; a reduced model would cost");
+  scene = long_run();
+  scene.time.step = 1.;
+  expect_march(scene, compiled().scene, "solves; a reduced model would cost");
+}
+
+}  // namespace
+}  // namespace upbead::test
