@@ -21,7 +21,7 @@ struct StateSpace {
 /// skew but for -R^-T sym(C~) R^-1. What K~ does not see (the displacement W of the fluid, phi in soils) has no state;
 /// in companion form it would be poles at zero that round-off moves. A prescribed velocity q'_p = f enters by
 /// v = R^-1 w - M^-1 M_p f, so that no derivative of f is needed. Where an incompressible fluid leaves M~ singular in
-/// phi, it is given storage 1e-12 and damping 1e-6 of what T(s_0) says about phi: the response changes by 1e-6 of
+/// phi, it is given storage 1e-9 and damping 1e-6 of what T(s_0) says about phi: the response changes by 1e-6 of
 /// itself, at frequencies about the shift.
 /// Throws NumericsError where M~ is singular beyond phi, where a load prescribes what a reading's acceleration needs.
 StateSpace state_space(const ReducedSystem& reduced);
