@@ -19,16 +19,27 @@ void check(const ForceHistory& history, const std::string& name) {
     throw std::invalid_argument(name + ": times must ascend");
 }
 
-/// The history between two times that no point of it separates; `before` and `after` hold beyond its points.
-Line line_between(const ForceHistory& history, double start, double stop, double before, double after) {
-  const auto next = std::upper_bound(history.time.begin(), history.time.end(), start) - history.time.begin();
-  const auto i = static_cast<std::size_t>(next);
-  if (i == 0) return {before, before};
-  if (i == history.time.size()) return {after, after};
-  const double begin = history.time[i - 1], length = history.time[i] - begin;
-  const Line whole{history.value[i - 1], history.value[i]};
-  return {whole.at((start - begin) / length), whole.at((stop - begin) / length)};
-}
+/// Goes through a history from piece to piece; `before` and `after` hold beyond its points.
+class Walk {
+ public:
+  Walk(const ForceHistory& history, double before, double after) : history_(history), before_(before), after_(after) {}
+
+  /// The history between two times that no point of it separates, not before those of the last call.
+  Line between(double start, double stop) {
+    const std::vector<double>& time = history_.time;
+    while (next_ < time.size() && time[next_] <= start) ++next_;
+    if (next_ == 0) return {before_, before_};
+    if (next_ == time.size()) return {after_, after_};
+    const double begin = time[next_ - 1], length = time[next_] - begin;
+    const Line whole{history_.value[next_ - 1], history_.value[next_]};
+    return {whole.at((start - begin) / length), whole.at((stop - begin) / length)};
+  }
+
+ private:
+  const ForceHistory& history_;
+  double before_, after_;
+  std::size_t next_ = 0;  ///< point after `start`
+};
 
 }  // namespace
 
@@ -42,15 +53,15 @@ std::vector<ForcePiece> force_pieces(const ForceHistory& force, const ForceHisto
   check(resistance, "resistance");
   if (resistance.value.empty() || *std::min_element(resistance.value.begin(), resistance.value.end()) < 0.)
     throw std::invalid_argument("resistance: at least one value, none below zero");
-  std::vector<double> times(force.time);
-  times.insert(times.end(), resistance.time.begin(), resistance.time.end());
-  std::sort(times.begin(), times.end());
+  std::vector<double> times(force.time.size() + resistance.time.size());
+  std::merge(force.time.begin(), force.time.end(), resistance.time.begin(), resistance.time.end(), times.begin());
   times.erase(std::unique(times.begin(), times.end()), times.end());
+  Walk F(force, 0., 0.), R(resistance, resistance.value.front(), resistance.value.back());
   std::vector<ForcePiece> pieces;
+  pieces.reserve(times.size());
   for (std::size_t i = 0; i + 1 < times.size(); ++i) {
     const double start = times[i], stop = times[i + 1];
-    pieces.push_back({start, stop - start, line_between(force, start, stop, 0., 0.),
-                      line_between(resistance, start, stop, resistance.value.front(), resistance.value.back())});
+    pieces.push_back({start, stop - start, F.between(start, stop), R.between(start, stop)});
   }
   return pieces;
 }
