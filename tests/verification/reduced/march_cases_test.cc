@@ -10,6 +10,7 @@
 #include <random>
 
 #include "reduced_case.h"
+#include "upbead/base/error.h"
 #include "upbead/fem/caisson_readings.h"
 
 namespace upbead::test {
@@ -103,7 +104,12 @@ TEST(ReducedMarch, PressureInThePores) {
   scene.time.end = 0.5;
   // A section that mirrors itself would have no F_T.
   const auto mesh = breakwater_mesh(density_of_cells, {{"seabed_front", 60.}, {"mound_crest_front", 30.}});
-  compare(record, "pressure on the open bed", scene, *mesh, asked_for);
+  // Pressure seeps into the sand through a skin of a few centimetres, which moments about one frequency learn slowly:
+  // the model does not get to 0.5 %, and says so.
+  const Compiled compiled(scene, *mesh);
+  EXPECT_THROW(require_converged(reduce_scene(compiled.resolved, compiled.scene, {true, false, {}})), NumericsError);
+  scene.tolerance = 0.03;
+  compare(record, "pressure on the open bed", scene, *mesh, {0.03, 0.03});
 }
 
 /// The scene's system with one load alone.
