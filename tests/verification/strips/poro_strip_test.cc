@@ -97,7 +97,7 @@ TEST_P(PoroStrip, PassesTheForceOn) {
       Fluid fluid;
       const auto layers = layers_of(entry, model == "full" ? Flow::inertial : Flow::darcy, fluid);
       strip = std::make_unique<StripModel>(caisson, layers, fluid, cells());
-      strip->march_ramp(entry.at("t").back(), 0.0025);
+      strip->march_ramp(entry.at("t").back(), 0.00125);
     }
     std::ostringstream what;
     what << name << ", " << model << ", " << 1e3 * td << " ms: ";
