@@ -76,7 +76,7 @@ def summary_row(key, problem, records):
     """One line of the overview: how many checks, and how close the closest one comes to its limit."""
     checks = [c for r in records for c in r["checks"] if c["kind"] != "measured"]
     errors = [c for c in checks if c["kind"] == "at_most" and c["value"] is not None]
-    closest = max((c["value"] / c["limit"] for c in errors), default=None)
+    closest = max((c["value"] / c["limit"] for c in errors if c["limit"] > 0), default=None)
     missed = sum(not holds(c) for c in checks)
     return (
         f"| [{problem['title']}](#{anchor(problem['title'])}) | {len(checks)} | {missed or 'none'} |"

@@ -1,8 +1,11 @@
 #include "upbead/algebra/petsc_session.h"
 
 #include <petscsys.h>
+// after petscsys.h, which it needs
+#include <petscblaslapack.h>
 
 #include <cstdlib>
+#include <vector>
 
 #include "upbead/base/error.h"
 
@@ -19,6 +22,16 @@ void start_as_lone_process() {
   setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
 }
 
+/// OpenBLAS tries for ever where it finds no memory for the buffer that it takes at its first matrix product and then
+/// keeps. Here there is memory; later a case may have taken all of it, and must be told so.
+void let_blas_take_its_buffer() {
+  const PetscBLASInt n = 128;
+  const std::vector<double> A(n * n, 1.);
+  std::vector<double> C(n * n);
+  const double one = 1., zero = 0.;
+  BLASgemm_("N", "N", &n, &n, &n, &one, A.data(), &n, A.data(), &n, &zero, C.data(), &n);
+}
+
 }  // namespace
 
 PetscSession::PetscSession() {
@@ -31,6 +44,7 @@ PetscSession::PetscSession() {
   if (error == 0) error = PetscPushErrorHandler(PetscReturnErrorHandler, nullptr);
   if (error != 0) throw NumericsError("PETSc does not start (its error " + std::to_string(error) + ")");
   owner_ = true;
+  let_blas_take_its_buffer();
 }
 
 PetscSession::~PetscSession() {

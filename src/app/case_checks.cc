@@ -59,6 +59,20 @@ void check_regions(const CaseTables& tables, const Document& document, InputRepo
   }
 }
 
+namespace {
+/// What a case asks for that a reduced model does not do.
+std::string beyond_a_reduced_model(const CaseTables& tables) {
+  std::string text;
+  const auto add = [&text](bool asked, const std::string& what) {
+    if (asked) text += (text.empty() ? "" : ", ") + what;
+  };
+  add(tables.fields_every.has_value(), "it gives no fields");
+  add(tables.time.stop_at_energy.has_value(), "it keeps no account of energy to stop by");
+  add(!tables.time.inertia, "it needs inertia");
+  return text;
+}
+}  // namespace
+
 void check_time(const CaseTables& tables, const Document& document, InputReport& report) {
   if (!report.sound("time")) return;
   const TimeChoice& time = tables.time;
@@ -66,6 +80,10 @@ void check_time(const CaseTables& tables, const Document& document, InputReport&
     report.add("time", document.place("time.step"),
                "step = " + number_text(*time.step) + " is longer than end = " + number_text(time.end),
                "give a shorter step (s), or \"auto\"");
+  if (time.scheme != TimeScheme::reduced) return;
+  if (const std::string beyond = beyond_a_reduced_model(tables); !beyond.empty())
+    report.add("time", document.place("time.scheme"),
+               "scheme = \"reduced\" cannot do what the case asks for: " + beyond, "write scheme = \"auto\"");
 }
 
 void check_probes(const CaseTables& tables, const Document& document, InputReport& report) {

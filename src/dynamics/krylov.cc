@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "effective_matrix.h"
+#include "upbead/base/error.h"
 #include "upbead/base/stopwatch.h"
 
 namespace upbead {
@@ -114,7 +115,7 @@ void SecondOrderKrylov::start() {
     solve(rhs, x);
     append(take(x), Vector());
   }
-  if (n_vectors_ == 0) throw std::invalid_argument("no load acts on the system: there is nothing to reduce");
+  if (n_vectors_ == 0) throw NumericsError("no load acts on the system: there is nothing to reduce");
   n_starts_ = n_vectors_;
 }
 

@@ -14,7 +14,7 @@ PROGRAM, CASES = (pathlib.Path(argument).resolve() for argument in sys.argv[1:3]
 
 
 def upbead(*arguments, cwd=None, **options):
-    return subprocess.run([PROGRAM, *map(str, arguments)], cwd=cwd, capture_output=True, text=True, **options)
+    return subprocess.run([PROGRAM, *map(str, arguments)], cwd=cwd, capture_output=True, text=True, timeout=300, **options)
 
 
 class ProgramTest(unittest.TestCase):

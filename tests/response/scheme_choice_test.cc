@@ -70,6 +70,12 @@ TEST(SchemeChoice, MarchesWithoutACaisson) {
   expect_march(scene, soil.scene, "without a caisson");
 }
 
+TEST(SchemeChoice, MarchesWithoutALoad) {
+  CompiledScene unloaded = compiled().scene;
+  unloaded.system.loads.clear();
+  expect_march(long_run(), unloaded, "no load");
+}
+
 TEST(SchemeChoice, MarchesForFields) {
   Scene scene = long_run();
   scene.fields_every = 0.1;

@@ -36,8 +36,8 @@ struct FieldBasis {
 /// others that are to be kept exactly, are coordinates of their own. The System must outlive the object.
 class SecondOrderKrylov {
  public:
-  /// `exact`: unknowns to keep. Throws NumericsError where T(s_0) is singular, std::invalid_argument where the shift is
-  /// not positive or nothing loads the system.
+  /// `exact`: unknowns to keep. Throws NumericsError where T(s_0) is singular or nothing loads the system,
+  /// std::invalid_argument where the shift is not positive.
   SecondOrderKrylov(const System& system, double shift, const std::vector<int>& exact = {});
   ~SecondOrderKrylov();
 

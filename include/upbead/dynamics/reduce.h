@@ -45,8 +45,9 @@ struct Reduction {
 };
 
 /// Grows a Krylov space until two nested models agree on the training histories: all loads together, and, where it is
-/// asked for, each alone. Stops unconverged at max_vectors. Held-out real shifts would tell nothing: there the models
-/// agree long before their histories do. Throws NumericsError as SecondOrderKrylov and modal_model do.
+/// asked for, each alone. Stops unconverged where the next look needs more than max_vectors. Held-out real shifts would
+/// tell nothing: there the models agree long before their histories do. Throws NumericsError as SecondOrderKrylov and
+/// modal_model do.
 Reduction reduce(const System& system, const ReduceOptions& options);
 
 /// The frequency (rad/s), at most `largest`, up to which H(decay + i omega) of both agree, see Reduction::omega.
