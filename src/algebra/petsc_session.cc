@@ -13,12 +13,14 @@ namespace upbead {
 
 namespace {
 
-/// Without these Open MPI looks for a launcher's daemon and for network devices.
+/// Without these Open MPI looks for a launcher's daemon and for network devices, and makes a folder in /tmp that all
+/// lone processes of a user share: one that ends removes it while another starts, which then fails.
 void start_as_lone_process() {
   if (std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr) return;
   setenv("OMPI_MCA_btl", "self", 0);
   setenv("OMPI_MCA_pml", "ob1", 0);
   setenv("OMPI_MCA_ess", "singleton", 0);
+  setenv("OMPI_MCA_orte_create_session_dirs", "false", 0);
   setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
 }
 
