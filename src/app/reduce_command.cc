@@ -1,8 +1,8 @@
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "solve.h"
 #include "upbead/app/commands.h"
 #include "upbead/app/pipeline.h"
 #include "upbead/base/error.h"
@@ -60,7 +60,7 @@ ReducedModelFile model_of(const Case& input, const CompiledCase& scene, Reductio
   file.loads = model_loads(input.scene, file.modes);
   file.caisson_mass = scene.compiled.caisson ? scene.compiled.caisson->body.mass : 0.;
   file.end = input.scene.time.end;
-  file.highest_frequency = reduction.omega / boost::math::constants::two_pi<double>();
+  file.highest_frequency = summary_of(reduction).highest_frequency;
   file.tolerance = input.scene.tolerance;
   file.error = reduction.error.history;
   file.error_peak = reduction.error.peak;

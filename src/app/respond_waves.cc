@@ -1,6 +1,7 @@
 #include "upbead/app/respond_waves.h"
 
 #include <algorithm>
+#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <map>
 #include <memory>
@@ -17,7 +18,7 @@ namespace upbead {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+constexpr double pi = boost::math::constants::pi<double>();
 constexpr double most_numbers = 1e8;  // of P in one file; with F_T and the file itself 5 GB of memory
 
 /// The longest step (s) that shows a peak: a twentieth of the period of the highest frequency, and a fiftieth of the

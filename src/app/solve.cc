@@ -45,12 +45,12 @@ void summarise(const Case& input, const CompiledCase& scene, const std::string& 
   if (!run.response.energy.empty()) run.summary.energy = run.response.energy.back();
 }
 
+}  // namespace
+
 ReductionSummary summary_of(const Reduction& r) {
   constexpr double two_pi = boost::math::constants::two_pi<double>();
   return {r.n_vectors, r.model.n_modes(), r.error.history, r.error.peak, r.error.others, r.omega / two_pi};
 }
-
-}  // namespace
 
 Run run_march(const Case& input, const CompiledCase& scene, const SchemeChoice& choice, const MarchOptions& options) {
   const System& system = scene.compiled.system;

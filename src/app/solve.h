@@ -4,9 +4,13 @@
 #include <optional>
 
 #include "upbead/app/pipeline.h"
+#include "upbead/dynamics/reduce.h"
 #include "upbead/response/scheme_choice.h"
 
 namespace upbead {
+
+/// What people are told of a reduction.
+ReductionSummary summary_of(const Reduction& reduction);
 
 /// Marches; `choice` is a scheme that does, the observer sees every step.
 Run run_march(const Case& input, const CompiledCase& scene, const SchemeChoice& choice, const MarchOptions& options);

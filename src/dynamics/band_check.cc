@@ -1,5 +1,6 @@
 #include "upbead/dynamics/band_check.h"
 
+#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <complex>
 #include <stdexcept>
@@ -11,7 +12,7 @@ namespace upbead {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+constexpr double pi = boost::math::constants::pi<double>();
 using Complex = std::complex<double>;
 
 /// Response at the samples' times to the lines between samples exp(i omega n h), of load k: what the recurrence of

@@ -20,6 +20,8 @@ class EffectiveMatrix {
  public:
   /// Throws NumericsError where E is singular or has not one negative pivot for each free phi.
   EffectiveMatrix(const System& system, const EffectiveCoefficients& coefficients);
+  /// The same of an E that is at hand.
+  EffectiveMatrix(const System& system, const SparseMatrix& E);
 
   /// Solves E y = rhs for the free unknowns of y, with the prescribed ones (its tail) given. `rhs` has all n entries;
   /// its head is overwritten.
@@ -28,7 +30,6 @@ class EffectiveMatrix {
   void refactor(const System& system, const EffectiveCoefficients& coefficients);
 
  private:
-  EffectiveMatrix(const System& system, const SparseMatrix& E);
   void check_inertia(const System& system) const;
 
   int n_free_;

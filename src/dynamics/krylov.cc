@@ -62,9 +62,10 @@ SecondOrderKrylov::SecondOrderKrylov(const System& system, double shift, const s
     : system_(system), shift_(shift) {
   if (!(shift > 0.)) throw std::invalid_argument("the shift of a Krylov space must be positive");
   first_ = 2. * shift * shift * system.M + shift * system.C;
-  make_bases(shift * shift * system.M + shift * system.C + system.K, exact);
+  const SparseMatrix T = shift * shift * system.M + shift * system.C + system.K;
+  make_bases(T, exact);
   const Stopwatch watch;
-  T_ = std::make_unique<detail::EffectiveMatrix>(system, detail::EffectiveCoefficients{shift * shift, shift, 1.});
+  T_ = std::make_unique<detail::EffectiveMatrix>(system, T);
   factorise_seconds_ = watch.seconds();
   start();
 }

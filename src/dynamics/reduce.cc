@@ -107,6 +107,7 @@ Reduction reduce(const System& system, const ReduceOptions& options) {
   const int most = options.max_vectors * out.n_independent_loads;
   Projection projection(system, krylov);
   std::vector<Eigen::MatrixXd> before;
+  ModalModel coarse;  ///< the last smaller one
   const double usual = usual_vectors * out.n_independent_loads;
   bool exhausted = false;
   for (int target = std::min(first_look * out.n_independent_loads, most);
@@ -123,13 +124,15 @@ Reduction reduce(const System& system, const ReduceOptions& options) {
       out.error = {0., 0., 0., Eigen::VectorXd::Zero(model.n_readings())};
       for (std::size_t i = 0; i < now.size(); ++i) compare(model, options.measured, now[i], before[i], out.error);
       out.history.emplace_back(krylov.n_vectors(), out.error);
-      out.omega = agreed_frequency(out.model, model, options.measured, transfer_tolerance * options.tolerance,
-                                   1. / options.training.time.back(), 100. * options.shift);
+      coarse = std::move(out.model);
     }
     out.converged = exhausted || (!out.history.empty() && meets(out.error, options));
     out.model = std::move(model);
     before = std::move(now);
   }
+  if (!out.history.empty())
+    out.omega = agreed_frequency(coarse, out.model, options.measured, transfer_tolerance * options.tolerance,
+                                 1. / options.training.time.back(), 100. * options.shift);
   out.n_vectors = krylov.n_vectors();
   out.n_solves = krylov.n_solves();
   return out;
