@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "force_pieces.h"
+#include "slip_motion.h"
 
 namespace upbead {
 
@@ -13,6 +14,7 @@ namespace {
 
 using detail::ForcePiece;
 using detail::Line;
+using detail::SlipMotion;
 
 /// sF - R: what pushes the block in direction s beyond what friction takes.
 Line net_force(const ForcePiece& piece, int s) {
@@ -26,23 +28,9 @@ double time_to_start(const Line& net, double length) {
   return length * -net.begin / (net.end - net.begin);
 }
 
-/// The least t > 0 with speed + a t + jerk t^2 / 2 = 0, speed >= 0; infinity where there is none. Roots without
-/// cancellation, after Press et al., Numerical Recipes, section 5.6.
-double time_to_stop(double speed, double a, double jerk) {
-  constexpr double never = std::numeric_limits<double>::infinity();
-  if (speed == 0.) return jerk < 0. ? -2. * a / jerk : never;  // it has just started: a >= 0
-  const double discriminant = a * a - 2. * jerk * speed;
-  if (discriminant < 0.) return never;
-  const double q = -(a + std::copysign(std::sqrt(discriminant), a));
-  double first = never;
-  for (const double root : {q / jerk, 2. * speed / q})
-    if (root > 0.) first = std::min(first, root);
-  return first;
-}
-
 class Block {
  public:
-  explicit Block(double mass) : mass_(mass) {}
+  Block(double mass, double drag) : mass_(mass), drag_(drag) {}
 
   /// Goes through a piece.
   void pass(ForcePiece piece) {
@@ -81,13 +69,11 @@ class Block {
   double slip(const ForcePiece& piece) {
     Line net = net_force(piece, direction_);
     if (speed_ == 0.) net.begin = std::max(net.begin, 0.);
-    const double a = net.begin / mass_, jerk = (net.end - net.begin) / (mass_ * piece.length);
-    const double stop = time_to_stop(speed_, a, jerk), passed = std::min(stop, piece.length);
-    const auto speed_at = [&](double t) { return speed_ + t * (a + t * jerk / 2.); };
-    const double turn = a > 0. && jerk < 0. ? std::min(-a / jerk, passed) : passed;
-    note_speed(std::max(speed_, speed_at(turn)));
-    slip_.distance += direction_ * passed * (speed_ + passed * (a / 2. + passed * jerk / 6.));
-    speed_ = passed == stop ? 0. : std::max(speed_at(passed), 0.);
+    const SlipMotion motion(speed_, net.begin / mass_, (net.end - net.begin) / (mass_ * piece.length), drag_ / mass_);
+    const double stop = motion.stop(piece.length), passed = std::min(stop, piece.length);
+    note_speed(motion.speed(motion.fastest(passed)));
+    slip_.distance += direction_ * motion.distance(passed);
+    speed_ = passed == stop ? 0. : motion.speed(passed);
     if (passed == stop) end_slip(piece.start + passed);
     return passed;
   }
@@ -106,7 +92,7 @@ class Block {
     sliding_.slips.push_back(slip_);
   }
 
-  double mass_;
+  double mass_, drag_;
   int direction_ = 0;  ///< 0: at rest
   double speed_ = 0.;  ///< in that direction
   Slip slip_;
@@ -115,9 +101,10 @@ class Block {
 
 }  // namespace
 
-Sliding slide(double mass, const ForceHistory& force, const ForceHistory& resistance) {
+Sliding slide(double mass, const ForceHistory& force, const ForceHistory& resistance, double drag) {
   if (!(mass > 0. && std::isfinite(mass))) throw std::invalid_argument("the mass of a block must be positive");
-  Block block(mass);
+  if (!(drag >= 0. && std::isfinite(drag))) throw std::invalid_argument("the drag on a block must not be negative");
+  Block block(mass, drag);
   double end = 0.;
   for (const ForcePiece& piece : detail::force_pieces(force, resistance)) {
     block.pass(piece);
@@ -131,8 +118,8 @@ Sliding slide(double mass, const ForceHistory& force, const ForceHistory& resist
   return block.result();
 }
 
-Sliding slide(double mass, const ForceHistory& force, double resistance) {
-  return slide(mass, force, ForceHistory{{0.}, {resistance}});
+Sliding slide(double mass, const ForceHistory& force, double resistance, double drag) {
+  return slide(mass, force, ForceHistory{{0.}, {resistance}}, drag);
 }
 
 }  // namespace upbead

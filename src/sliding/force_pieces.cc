@@ -41,6 +41,14 @@ class Walk {
   std::size_t next_ = 0;  ///< point after `start`
 };
 
+/// All times of both, each once.
+std::vector<double> merged_times(const ForceHistory& a, const ForceHistory& b) {
+  std::vector<double> times(a.time.size() + b.time.size());
+  std::merge(a.time.begin(), a.time.end(), b.time.begin(), b.time.end(), times.begin());
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  return times;
+}
+
 }  // namespace
 
 ForcePiece ForcePiece::after(double passed) const {
@@ -48,14 +56,25 @@ ForcePiece ForcePiece::after(double passed) const {
   return {start + passed, length - passed, {force.at(fraction), force.end}, {resistance.at(fraction), resistance.end}};
 }
 
+std::vector<TwoLines> two_lines(const ForceHistory& first, const ForceHistory& second) {
+  check(first, "first history");
+  check(second, "second history");
+  const std::vector<double> times = merged_times(first, second);
+  Walk a(first, 0., 0.), b(second, 0., 0.);
+  std::vector<TwoLines> pieces;
+  for (std::size_t i = 0; i + 1 < times.size(); ++i) {
+    const double start = times[i], stop = times[i + 1];
+    pieces.push_back({start, stop - start, a.between(start, stop), b.between(start, stop)});
+  }
+  return pieces;
+}
+
 std::vector<ForcePiece> force_pieces(const ForceHistory& force, const ForceHistory& resistance) {
   check(force, "force");
   check(resistance, "resistance");
   if (resistance.value.empty() || *std::min_element(resistance.value.begin(), resistance.value.end()) < 0.)
     throw std::invalid_argument("resistance: at least one value, none below zero");
-  std::vector<double> times(force.time.size() + resistance.time.size());
-  std::merge(force.time.begin(), force.time.end(), resistance.time.begin(), resistance.time.end(), times.begin());
-  times.erase(std::unique(times.begin(), times.end()), times.end());
+  const std::vector<double> times = merged_times(force, resistance);
   Walk F(force, 0., 0.), R(resistance, resistance.value.front(), resistance.value.back());
   std::vector<ForcePiece> pieces;
   pieces.reserve(times.size());

@@ -1,4 +1,4 @@
-// The times of force and resistance, merged: pieces on which both are linear.
+// The times of two histories, merged: pieces on which both are linear.
 #pragma once
 
 #include <vector>
@@ -19,6 +19,15 @@ struct ForcePiece {
   /// What is left of it past `passed` seconds.
   ForcePiece after(double passed) const;
 };
+
+/// Two histories over a piece.
+struct TwoLines {
+  double start = 0., length = 0.;  ///< s
+  Line first, second;
+};
+
+/// Pieces from the first to the last of all times, ascending; both are zero before and after their points.
+std::vector<TwoLines> two_lines(const ForceHistory& first, const ForceHistory& second);
 
 /// Pieces from the first to the last of all times, ascending. Throws std::invalid_argument as slide() does.
 std::vector<ForcePiece> force_pieces(const ForceHistory& force, const ForceHistory& resistance);

@@ -29,6 +29,12 @@ double sliding_distance_paper(double mass, double resistance, const TriangularPu
   return r > 1. ? C * std::pow(r - 1., 3) * (r + 1.) / (8. * r * r) : 0.;
 }
 
+PaperParts sliding_distance_paper_parts(double mass, double resistance, const TriangularPulse& pulse) {
+  const auto [C, r] = scale(mass, resistance, pulse);
+  if (r <= 1.) return {};
+  return {C * std::pow(r - 1., 3) / (4. * r * r), C * std::pow(r - 1., 4) / (8. * r * r)};
+}
+
 double sliding_distance_exact(double mass, double resistance, const TriangularPulse& pulse) {
   const auto [C, r] = scale(mass, resistance, pulse);
   if (r <= 1.) return 0.;

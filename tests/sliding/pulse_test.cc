@@ -43,6 +43,16 @@ TEST(Pulse, MassAndDurationScaleTheDistance) {
   EXPECT_NEAR(sliding_distance_exact(mass, resistance, {2. * resistance, 3. * duration}), 9. * S, 1e-14 * S);
 }
 
+TEST(Pulse, Equation7IsTheSumOfItsParts) {
+  for (const double r : {0.9, 1.05, 1.5, 3.}) {
+    const PaperParts parts = sliding_distance_paper_parts(mass, resistance, {r * resistance, duration});
+    EXPECT_NEAR(parts.accelerating + parts.braking, paper(r), 1e-14 * paper(r));
+    // S_1 is V (t_2 - t_1) / 2 with V = duration (F - R)^2 / (2 mass F) and t_2 - t_1 = duration (1 - 1/r)
+    const double V = r > 1. ? duration * std::pow((r - 1.) * resistance, 2) / (2. * mass * r * resistance) : 0.;
+    EXPECT_NEAR(parts.accelerating, 0.5 * V * duration * (1. - 1. / r), 1e-14 * paper(r));
+  }
+}
+
 TEST(Pulse, IsATriangle) {
   const ForceHistory points = history({3., 4.});
   EXPECT_EQ(points.time, (std::vector<double>{0., 2., 4.}));

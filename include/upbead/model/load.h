@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "upbead/base/objection.h"
 #include "upbead/base/time_function.h"
-#include "upbead/model/objection.h"
 
 namespace upbead {
 

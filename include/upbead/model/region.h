@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "upbead/model/objection.h"
+#include "upbead/base/objection.h"
 
 namespace upbead {
 

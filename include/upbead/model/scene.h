@@ -9,6 +9,7 @@
 
 #include "upbead/model/load.h"
 #include "upbead/model/region.h"
+#include "upbead/model/sliding_choice.h"
 
 namespace upbead {
 
@@ -57,6 +58,7 @@ struct Scene {
   double tolerance = 0.005;  ///< relative, on peak F_T
   std::map<std::string, Probe> probes;
   std::optional<double> fields_every;  ///< s; none: no fields
+  std::optional<SlidingChoice> sliding;
 };
 
 /// The region whose bottom shear is read.

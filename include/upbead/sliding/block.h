@@ -26,18 +26,19 @@ struct Sliding {
   std::vector<Slip> slips;  ///< one after the other; a turn without rest ends one and begins the next
 };
 
-/// Solves (W/g) x'' = F_S(t) - R(t) sgn(x') from rest [Shimosako and Takahashi 1994, eq. (4) with F_S = F_T + mu U,
-/// R = mu W' and F_D = 0]: the block starts where |F_S| exceeds R and stops where its velocity is zero and |F_S| does
-/// not. Both ways, any number of slips. Velocity is quadratic in time on each linear piece, so that starts and stops
-/// are roots of linear and quadratic equations: nothing is stepped or iterated.
+/// Solves (W/g) x'' = F_S(t) - F_D - R(t) sgn(x') from rest [Shimosako and Takahashi 1994, eq. (4) with
+/// F_S = F_T + mu U, R = mu W']: the block starts where |F_S| exceeds R and stops where its velocity is zero and |F_S|
+/// does not. Both ways, any number of slips. On each linear piece velocity is known in closed form, so that starts and
+/// stops are roots of known functions (without drag of linear and quadratic ones): nothing is stepped.
 /// - mass: W/g, in air (kg/m).
 /// - force: F_S, zero before and after its points.
 /// - resistance: R >= 0, which keeps its first value before its points and its last one after them. Uplift that changes
 ///   with time may be part of F_S (exact while the block slides landward) or taken off R (exact both ways).
+/// - drag: F_D = drag x' of eq. (2) (N s/m2 per metre); the paper neglects it.
 /// Throws std::invalid_argument where the mass is not positive, a history has not as many values as times, is not
-/// finite or goes back in time, the resistance is negative or has no value, or none is left to stop the block.
-Sliding slide(double mass, const ForceHistory& force, const ForceHistory& resistance);
+/// finite or goes back in time, resistance or drag is negative or has no value, or none is left to stop the block.
+Sliding slide(double mass, const ForceHistory& force, const ForceHistory& resistance, double drag = 0.);
 /// The same with a constant resistance.
-Sliding slide(double mass, const ForceHistory& force, double resistance);
+Sliding slide(double mass, const ForceHistory& force, double resistance, double drag = 0.);
 
 }  // namespace upbead

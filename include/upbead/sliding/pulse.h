@@ -20,6 +20,13 @@ ForceHistory history(const TriangularPulse& pulse);
 /// duration is negative.
 double sliding_distance_paper(double mass, double resistance, const TriangularPulse& pulse);
 
+/// The two parts of eq. (7): S_1 = g tau_0^2 (F_Smax - mu W')^3 / (4 W F_Smax^2) until F_S has fallen to mu W', S_2 by
+/// braking without F_S after it (m).
+struct PaperParts {
+  double accelerating = 0., braking = 0.;
+};
+PaperParts sliding_distance_paper_parts(double mass, double resistance, const TriangularPulse& pulse);
+
 /// S by integrating eqs. (4) and (6) exactly (m). With r = F_Smax / (mu W') and C = mu W' tau_0^2 / mass it is
 /// C (1/4 + sqrt(2)/6) (r - 1)^3 / r^2 where the block stops within the pulse, r <= 1 + 1/sqrt(2), and
 /// C/8 ((r - 1)^2 - 1/(12 r^2)) beyond; 1.94 times eq. (7) at r -> 1, 1.12 times at r = 3. Throws as eq. (7) does.

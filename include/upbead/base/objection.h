@@ -5,7 +5,7 @@
 
 namespace upbead {
 
-/// The key to look at (of the part, or dotted within the scene), what is wrong with it and how to mend it.
+/// The key to look at (of the part, or dotted within the whole), what is wrong with it and how to mend it.
 struct Objection {
   std::string key;
   std::string what;

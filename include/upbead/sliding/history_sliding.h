@@ -1,0 +1,46 @@
+// How far one wave slides the caisson, by everything that is known of it.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "upbead/sliding/block.h"
+#include "upbead/sliding/duration.h"
+#include "upbead/sliding/pulse.h"
+
+namespace upbead {
+
+/// What acts at the bottom in one wave. Landward and upward positive, per metre.
+struct BottomForces {
+  ForceHistory shear_force;    ///< F_T (N/m)
+  ForceHistory uplift;         ///< U, never below 0; without points there is none (N/m)
+  ForceHistory normal_change;  ///< N' - (W' - U) of the caisson's vertical motion and loads (N/m)
+};
+
+/// What resists.
+struct BottomResistance {
+  double mass = 0.;            ///< W/g (kg/m)
+  double friction = 0.;        ///< mu
+  double buoyant_weight = 0.;  ///< W' (N/m)
+  double drag = 0.;            ///< F_D over velocity (N s/m2)
+};
+
+struct HistorySliding {
+  double peak_force = 0.;              ///< F_Smax, largest F_T + mu U (N/m)
+  double peak_force_time = 0.;         ///< s
+  double shear_at_peak = 0.;           ///< F_T then (N/m)
+  double uplift_at_peak = 0.;          ///< U then (N/m)
+  double resistance = 0.;              ///< mu W' (N/m)
+  double ratio = 0.;                   ///< r = F_Smax / (mu W')
+  double least_normal_force = 0.;      ///< least N' = W' - U + change; below 0 the caisson would lift (N/m)
+  Sliding by_history;                  ///< eq. (4) with N' = W' - U
+  Sliding with_normal_force;           ///< eq. (4) with N' of the caisson's vertical motion too
+  std::optional<HistoryDuration> own;  ///< tau_0 at its own r; none where F_S is nowhere landward
+  std::vector<HistoryDuration> table;  ///< tau_0 at r = 1.05 to 2
+};
+
+/// S by integrating eq. (4) of Shimosako and Takahashi (1994). Friction acts on N', not below 0. Throws as slide()
+/// does.
+HistorySliding slide_history(const BottomForces& forces, const BottomResistance& bottom);
+
+}  // namespace upbead

@@ -1,0 +1,108 @@
+// Claim: the combined pulse of Shimosako and Takahashi (1998) keeps the impulse of half a standing wave, is the larger
+// of its two parts, and slides as far as the triangle alone where there is no standing wave.
+
+#include "upbead/sliding/combined.h"
+
+#include <gtest/gtest.h>
+
+#include <boost/math/constants/constants.hpp>
+#include <cmath>
+#include <stdexcept>
+
+namespace upbead {
+namespace {
+
+constexpr double pi = boost::math::constants::pi<double>();
+const CombinedWave wave{12., 1.2e6, {2.5e6, 1.5}, 0.4e6};
+
+double impulse(const ForceHistory& h) {
+  double sum = 0.;
+  for (std::size_t i = 1; i < h.time.size(); ++i)
+    sum += 0.5 * (h.value[i] + h.value[i - 1]) * (h.time[i] - h.time[i - 1]);
+  return sum;
+}
+
+TEST(CombinedSliding, KeepsTheImpulseOfHalfAStandingWave) {
+  for (const double duration : {0.1, 0.8, 1.5, 2.2}) {
+    CombinedWave w = wave;
+    w.impulsive.duration = duration;
+    EXPECT_NEAR(impulse(combined_force(w)), w.standing_force * w.period / pi, 3e-5 * w.standing_force * w.period)
+        << duration;
+    EXPECT_GT(standing_reduction(w), 0.);
+    EXPECT_LE(standing_reduction(w), 1.);
+  }
+}
+
+TEST(CombinedSliding, HasNoStandingPartWhereTheImpulseAloneIsMore) {
+  CombinedWave w = wave;
+  w.impulsive = {5e6, 5.};
+  EXPECT_EQ(standing_reduction(w), 0.);
+  EXPECT_NEAR(impulse(combined_force(w)), 0.5 * 5e6 * 5., 1.);
+}
+
+TEST(CombinedSliding, IsTheLargerOfBothParts) {
+  const double gamma = standing_reduction(wave);
+  const ForceHistory F = combined_force(wave);
+  for (std::size_t i = 0; i < F.time.size(); ++i) {
+    const double t = F.time[i];
+    const double P1 = t < 6. ? gamma * 1.2e6 * std::sin(2. * pi * t / 12.) : 0.;
+    const double P2 = t < 1.5 ? 2.5e6 * (1. - std::abs(t / 0.75 - 1.)) : 0.;
+    EXPECT_NEAR(F.value[i], std::max(P1, P2), 1e-6 * 2.5e6) << t;
+  }
+}
+
+TEST(CombinedSliding, OfATriangleAloneIsTheExactPulse) {
+  CombinedWave w = wave;
+  w.standing_force = 0.;
+  const double mass = 6e5, mu = 0.6, resistance = 2.0e6;
+  const double S = sliding_distance_combined(mass, resistance, mu, w);
+  EXPECT_NEAR(S, sliding_distance_exact(mass, resistance, {2.5e6 + mu * 0.4e6, 1.5}), 1e-9 * S);
+  EXPECT_GT(S, 0.);
+}
+
+/// Small steps of the same equation, with the sine itself.
+double by_small_steps(double mass, double resistance, double mu, const CombinedWave& w, bool sinusoidal, double gain) {
+  const double gamma = standing_reduction(w), step = 2e-5;
+  double x = 0., v = 0.;
+  for (double t = 0.5 * step; t < 20.; t += step) {
+    const double sine = t < 0.5 * w.period ? std::sin(2. * pi * t / w.period) : 0.;
+    const double half = 0.5 * w.impulsive.duration;
+    const double P2 = t < 2. * half ? w.impulsive.peak * (1. - std::abs(t - half) / half) : 0.;
+    const double P = std::max(gamma * w.standing_force * sine, P2);
+    const double U = sinusoidal ? gain * w.uplift * sine : w.uplift * P / w.impulsive.peak;
+    v = std::max(0., v + step * (P + mu * U - resistance) / mass);
+    x += step * v;
+  }
+  return x;
+}
+
+TEST(CombinedSliding, AgreesWithManySmallSteps) {
+  CombinedWave strong = wave;
+  strong.standing_force = 2.2e6;  // slides by its standing part too
+  for (const bool sinusoidal : {false, true}) {
+    CombinedModel model;
+    model.uplift = sinusoidal ? UpliftShape::sinusoidal : UpliftShape::in_phase;
+    model.uplift_gain = 1.3;
+    const double mass = 8e5 + added_mass(1030., 10., model), resistance = 1.9e6;
+    const double expected = by_small_steps(mass, resistance, 0.6, strong, sinusoidal, 1.3);
+    EXPECT_NEAR(sliding_distance_combined(mass, resistance, 0.6, strong, model), expected, 1e-3 * expected);
+    EXPECT_GT(expected, 0.01);
+  }
+}
+
+TEST(CombinedSliding, RestsBelowTheResistance) {
+  EXPECT_EQ(sliding_distance_combined(6e5, 2.5e6 + 0.6 * 0.4e6, 0.6, wave), 0.);
+}
+
+TEST(CombinedSliding, AddsTheWaterOnBothSides) {
+  EXPECT_DOUBLE_EQ(added_mass(1000., 10.), 1.0855e5);
+}
+
+TEST(CombinedSliding, RefusesAPulseLongerThanHalfTheWave) {
+  CombinedWave w = wave;
+  w.impulsive.duration = 6.1;
+  EXPECT_THROW(combined_force(w), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace upbead
