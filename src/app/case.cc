@@ -36,6 +36,21 @@ void make_histories(Case& problem, CaseTables& tables, InputReport& report) {
   }
 }
 
+/// Makes the sliding of a scene, with the history of its uplift.
+void make_sliding(const Case& problem, CaseTables& tables, InputReport& report) {
+  if (!tables.sliding_table || !report.sound("sliding")) return;
+  tables.sliding = *tables.sliding_table;
+  if (!tables.sliding_table->uplift_table) return;
+  tables.sliding->uplift = *tables.sliding_table->uplift_table;
+  const std::string& file = tables.sliding_table->uplift_table->history_file;
+  if (file.empty()) return;
+  try {
+    tables.sliding->uplift->history = read_uplift(problem.resolve(file), problem.place("sliding.uplift.history"));
+  } catch (const InputError& error) {
+    for (const Mistake& mistake : error.mistakes()) report.add("sliding.uplift", mistake);
+  }
+}
+
 /// The tables as written, with the paths of files as `path_text` tells them.
 template <class PathText>
 CaseTables tables_of(const Case& problem, PathText path_text) {
@@ -47,6 +62,14 @@ CaseTables tables_of(const Case& problem, PathText path_text) {
     static_cast<Load&>(table) = problem.scene.loads.at(name);
     table.pulse = source.pulse;
     if (!source.history.empty()) table.history_file = path_text(source.history);
+  }
+  if (const auto& sliding = problem.scene.sliding) {
+    static_cast<SlidingChoice&>(tables.sliding_table.emplace()) = *sliding;
+    if (sliding->uplift) {
+      UpliftTable& uplift = tables.sliding_table->uplift_table.emplace();
+      static_cast<UpliftChoice&>(uplift) = *sliding->uplift;
+      if (!problem.uplift_history.empty()) uplift.history_file = path_text(problem.uplift_history);
+    }
   }
   return tables;
 }
@@ -64,11 +87,14 @@ Case read_case(const std::string& path, const std::vector<std::string>& override
   CaseTables tables;
   InputReport report;
   case_schema().read(problem.document.root(), "", tables, report);
-  for (const auto check : {check_mesh, check_regions, check_loads, check_time, check_probes})
+  for (const auto check : {check_mesh, check_regions, check_loads, check_time, check_probes, check_sliding})
     check(tables, problem.document, report);
   make_histories(problem, tables, report);
+  make_sliding(problem, tables, report);
   report.throw_if_any(path);
   problem.scene = tables;
+  if (tables.sliding_table && tables.sliding_table->uplift_table)
+    problem.uplift_history = tables.sliding_table->uplift_table->history_file;
   for (const auto& [name, table] : tables.load_tables) {
     problem.scene.loads[name] = table;
     problem.sources[name] = {table.pulse, table.history_file};

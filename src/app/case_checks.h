@@ -23,6 +23,7 @@ void check_mesh(const CaseTables& tables, const Document& document, InputReport&
 void check_regions(const CaseTables& tables, const Document& document, InputReport& report);
 void check_loads(const CaseTables& tables, const Document& document, InputReport& report);
 void check_time(const CaseTables& tables, const Document& document, InputReport& report);
+void check_sliding(const CaseTables& tables, const Document& document, InputReport& report);
 void check_probes(const CaseTables& tables, const Document& document, InputReport& report);
 
 }  // namespace upbead

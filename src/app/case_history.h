@@ -12,4 +12,7 @@ namespace upbead {
 /// `place`: the key that names the file.
 void read_history(const std::string& path, const Place& place, double end, Load& load);
 
+/// U(t) of a prescribed uplift from such a file; it may be zero, but not negative. Throws InputError as above.
+TimeFunction read_uplift(const std::string& path, const Place& place);
+
 }  // namespace upbead

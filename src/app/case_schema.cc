@@ -109,6 +109,8 @@ TableSchema<CaseTables> case_schema() {
   table.section("accuracy", accuracy_schema());
   table.tables("probes", &CaseTables::probes, probe_schema()).doc("Point readings by name.");
   table.section("output", output_schema());
+  table.table("sliding", &CaseTables::sliding_table, sliding_schema())
+      .doc("How far the caisson slides, Shimosako and Takahashi (1994); not asked without this table.");
   return table;
 }
 

@@ -16,13 +16,25 @@ struct LoadTable : Load {
   std::string history_file;
 };
 
-/// The whole file as written; `loads` of Scene are made of load_tables.
+/// The table [sliding.uplift] as written.
+struct UpliftTable : UpliftChoice {
+  std::string history_file;
+};
+
+/// The table [sliding] as written; `sliding` of Scene is made of it.
+struct SlidingTable : SlidingChoice {
+  std::optional<UpliftTable> uplift_table;
+};
+
+/// The whole file as written; `loads` and `sliding` of Scene are made of load_tables and sliding_table.
 struct CaseTables : Scene {
+  std::optional<SlidingTable> sliding_table;
   std::map<std::string, LoadTable> load_tables;
 };
 
 TableSchema<CaseTables> case_schema();
 TableSchema<Region> region_schema();
 TableSchema<LoadTable> load_schema();
+TableSchema<SlidingTable> sliding_schema();
 
 }  // namespace upbead

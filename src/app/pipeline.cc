@@ -1,5 +1,6 @@
 #include "upbead/app/pipeline.h"
 
+#include "case_sliding.h"
 #include "size_check.h"
 #include "solve.h"
 #include "upbead/base/stopwatch.h"
@@ -37,6 +38,7 @@ CompiledCase compile_case(const Case& input) {
   const std::vector<Body> bodies = rigid_bodies(*out.space);
   out.unknowns = std::make_unique<Unknowns>(*out.space, out.scene, bodies);
   out.compiled = compile(out.scene, *out.space, *out.unknowns, bodies);
+  check_sliding(input, out.compiled);
   out.timing.compile = compile_watch.seconds();
   return out;
 }
@@ -48,6 +50,7 @@ Run run_case(const Case& input, const CompiledCase& scene, const MarchOptions& m
   if (choice.scheme == TimeScheme::reduced) run = run_reduced(input, scene, choice, reducing);
   if (!run) run = run_march(input, scene, choice, marching);
   run->summary.title = input.scene.title;
+  run->summary.sliding = sliding_of(input.scene, scene.compiled, run->response);
   run->summary.loads = scene.compiled.loads_on_caisson;
   run->summary.skipped = skipped(input, scene, run->summary.reduction.has_value());
   return std::move(*run);

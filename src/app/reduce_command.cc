@@ -11,8 +11,10 @@
 #include "upbead/base/progress.h"
 #include "upbead/base/stopwatch.h"
 #include "upbead/base/text.h"
+#include "upbead/model/words.h"
 #include "upbead/output/model_file.h"
 #include "upbead/response/reduction.h"
+#include "upbead/response/shear_response.h"
 
 namespace upbead {
 
@@ -50,6 +52,18 @@ void join_pore_pressures(ModalModel& model) {
   }
 }
 
+ModelSliding model_sliding(const SlidingChoice& choice, double peak_force) {
+  ModelSliding sliding{choice.friction, choice.buoyant_weight, choice.drag};
+  if (!choice.uplift) return sliding;
+  const UpliftChoice& uplift = *choice.uplift;
+  sliding.uplift = uplift.kind == UpliftKind::computed ? "computed"
+                   : uplift.peak                       ? word_of(uplift.course, uplift_course_words)
+                                                       : "history";
+  if (uplift.peak && peak_force > 0.) sliding.uplift_per_force = *uplift.peak / peak_force;
+  sliding.lag = uplift.lag;
+  return sliding;
+}
+
 ReducedModelFile model_of(const Case& input, const CompiledCase& scene, Reduction reduction,
                           const std::string& folder) {
   ReducedModelFile file;
@@ -60,6 +74,8 @@ ReducedModelFile model_of(const Case& input, const CompiledCase& scene, Reductio
   file.loads = model_loads(input.scene, file.modes);
   file.caisson_mass = scene.compiled.caisson ? scene.compiled.caisson->body.mass : 0.;
   file.end = input.scene.time.end;
+  if (const auto& sliding = input.scene.sliding)
+    file.sliding = model_sliding(*sliding, extremum(force_on_caisson(scene.compiled), 0., file.end, 1).value);
   file.highest_frequency = summary_of(reduction).highest_frequency;
   file.tolerance = input.scene.tolerance;
   file.error = reduction.error.history;

@@ -5,6 +5,7 @@
 #include <cstdarg>
 #include <cstdio>
 
+#include "sliding_report.h"
 #include "upbead/model/words.h"
 #include "upbead/response/scheme_choice.h"
 
@@ -120,6 +121,7 @@ std::string describe(const Run& run) {
     text += format("  checks      both routes to F_T differ by %.1e", r.reaction_mismatch) +
             (run.summary.energy ? format(", energy by %.1e\n", run.summary.energy->mismatch()) : "\n");
   }
+  if (run.summary.sliding) text += describe(*run.summary.sliding);
   text +=
       format("time        mesh %.2f s, compile %.2f s, factorise %.2f s, march %.2f s, output %.2f s, total %.2f s\n",
              t.mesh, t.compile, t.factorise, t.march, t.output, t.total);

@@ -34,10 +34,6 @@ void check(const Arguments& arguments) {
   require_positive(arguments.end, "--end", "2 (s)", mistakes);
   require_positive(arguments.friction, "--friction", "0.6", mistakes);
   require_positive(arguments.buoyant_weight, "--buoyant-weight", "3.4e6 (N/m)", mistakes);
-  if (arguments.friction && !arguments.buoyant_weight)
-    mistakes.add(Place(), "--friction alone tells no resistance mu W'", "give --buoyant-weight too (N/m)");
-  if (arguments.buoyant_weight && !arguments.friction)
-    mistakes.add(Place(), "--buoyant-weight alone tells no resistance mu W'", "give --friction too, such as 0.6");
   mistakes.throw_if_any();
 }
 
@@ -47,22 +43,36 @@ std::string model_name(const std::string& path) {
   return (file.stem() == "reduced" && file.has_parent_path() ? file.parent_path().filename() : file.stem()).string();
 }
 
-RespondOptions options_of(const Arguments& arguments, const ReducedModelFile& model) {
-  RespondOptions options;
-  options.end = arguments.end;
-  if (!arguments.friction) return options;
+/// What is asked for beside what the model knows of its case's [sliding].
+std::optional<ModelSliding> sliding_of(const Arguments& arguments, const ReducedModelFile& model) {
+  const bool asked = arguments.friction || arguments.buoyant_weight;
+  if (!asked && !model.sliding) return std::nullopt;
+  ModelSliding sliding = model.sliding.value_or(ModelSliding());
+  if (sliding.uplift == "history") {
+    if (!asked) return std::nullopt;  // that record is of one wave
+    sliding.uplift = "none";
+  }
+  sliding.friction = arguments.friction.value_or(sliding.friction);
+  sliding.buoyant_weight = arguments.buoyant_weight.value_or(sliding.buoyant_weight);
+  Mistakes mistakes;
+  if (sliding.friction == 0.)
+    mistakes.add(Place(), "--buoyant-weight alone tells no resistance mu W', and the model's case has no [sliding]",
+                 "give --friction too, such as 0.6");
+  if (sliding.buoyant_weight == 0.)
+    mistakes.add(Place(), "--friction alone tells no resistance mu W', and the model's case has no [sliding]",
+                 "give --buoyant-weight too (N/m)");
   if (model.caisson_mass == 0.)
-    throw InputError({arguments.model}, "the model has no mass of a caisson, so nothing can slide",
-                     "leave out --friction and --buoyant-weight, or reduce a case with a caisson");
-  options.resistance = *arguments.friction * *arguments.buoyant_weight;
-  return options;
+    mistakes.add({arguments.model}, "the model has no mass of a caisson, so nothing can slide",
+                 "leave out --friction and --buoyant-weight, or reduce a case with a caisson");
+  mistakes.throw_if_any();
+  return sliding;
 }
 
 void respond(const Arguments& arguments, const Stopwatch& since_start) {
   check(arguments);
   RespondTiming timing;
   const ReducedModelFile model = read_model_file(arguments.model);
-  const RespondOptions options = options_of(arguments, model);
+  const RespondOptions options{arguments.end, sliding_of(arguments, model)};
   const std::vector<WaveFile> waves = read_wave_files(arguments.forces, model.modes.load_name);
   timing.read = since_start.seconds();
   note_interrupts();
@@ -100,9 +110,13 @@ void add_respond(CLI::App& program) {
       ->type_name("DIR");
   command->add_option("--end", arguments->end, "how long to answer (default: as long as the waves or the case)")
       ->type_name("S");
-  command->add_option("--friction", arguments->friction, "friction coefficient of the caisson's bottom, for sliding")
+  command
+      ->add_option("--friction", arguments->friction,
+                   "friction coefficient of the caisson's bottom, for S (default: [sliding] of the model's case)")
       ->type_name("MU");
-  command->add_option("--buoyant-weight", arguments->buoyant_weight, "W' of the caisson in still water, for sliding")
+  command
+      ->add_option("--buoyant-weight", arguments->buoyant_weight,
+                   "W' of the caisson in still water, for S (default: [sliding] of the model's case)")
       ->type_name("N/m");
   command->footer(
       "A wave is straight between its times, and zero before and after them; times need not be equally spaced.\n"

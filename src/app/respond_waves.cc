@@ -7,10 +7,10 @@
 #include <memory>
 
 #include "parallel.h"
+#include "respond_sliding.h"
 #include "upbead/base/text.h"
 #include "upbead/dynamics/band_check.h"
 #include "upbead/fem/caisson_readings.h"
-#include "upbead/sliding/block.h"
 #include "wave_grid.h"
 #include "wave_peaks.h"
 
@@ -31,16 +31,37 @@ double longest_step(const ReducedModelFile& model) {
   return step;
 }
 
-/// The model with the reading F_T alone: what else it can tell is not asked.
-ModalModel shear_only(const ModalModel& model) {
-  ModalModel shear = model;
-  const int i = model.index(reading::shear_force);
-  shear.reading = model.reading.row(i);
-  shear.feedthrough = model.feedthrough.row(i);
-  shear.impulse = model.impulse.row(i);
-  shear.reading_label = {model.reading_label[static_cast<std::size_t>(i)]};
-  return shear;
+/// The model with one reading: what else it can tell is not asked.
+ModalModel one_reading(const ModalModel& model, const char* name) {
+  ModalModel one = model;
+  const int i = model.index(name);
+  one.reading = model.reading.row(i);
+  one.feedthrough = model.feedthrough.row(i);
+  one.impulse = model.impulse.row(i);
+  one.reading_label = {model.reading_label[static_cast<std::size_t>(i)]};
+  return one;
 }
+
+/// One reading at the times of a grid.
+class OneReading {
+ public:
+  OneReading(ModalModel model, const WaveGrid& grid) : model_(std::move(model)) {
+    if (grid.equal) batch_ = std::make_unique<BatchResponse>(model_, 0, *grid.equal);
+  }
+  /// `ends_at_zero`: the waves' last sample is zero; a batch goes from it to zero along a straight line.
+  Eigen::RowVectorXd answer(const WaveSamples& loads, const WaveGrid& grid, bool ends_at_zero) const {
+    Eigen::RowVectorXd y(loads.cols());
+    if (batch_ && ends_at_zero)
+      batch_->respond(loads, y);
+    else
+      y = respond(model_, with_jumps(loads, grid)).reading.row(0);
+    return y;
+  }
+
+ private:
+  ModalModel model_;
+  std::unique_ptr<BatchResponse> batch_;
+};
 
 /// Checks of the band by number of samples and step: files with the same times share one, as it is dear to make.
 class BandChecks {
@@ -73,8 +94,10 @@ class FileWork {
         longest_step_(longest_step(model)),
         grid_(make_wave_grid(file.time, longest_step_, options.end.value_or(std::max(file.time.back(), model.end)))),
         check_time_(equal_times(grid_, longest_step_, std::max(file.time.back(), grid_.time.back()))),
-        check_(checks.of(check_time_)) {
-    if (grid_.equal) batch_ = std::make_unique<BatchResponse>(shear, 0, *grid_.equal);
+        check_(checks.of(check_time_)),
+        shear_answer_(shear, grid_) {
+    if (options.sliding && options.sliding->uplift == "computed")
+      uplift_.emplace(one_reading(model.modes, reading::uplift), grid_);
     const double n = static_cast<double>(grid_.time.size()) * file.n_waves();
     if (n > most_numbers)
       throw InputError(Place(),
@@ -96,11 +119,7 @@ class FileWork {
     const Eigen::RowVectorXd P = force_ * loads;
     const bool ends_at_zero = !grid_.last || loads.col(static_cast<Eigen::Index>(*grid_.last)).isZero(0.);
     const bool begins_at_zero = loads.col(static_cast<Eigen::Index>(grid_.first)).isZero(0.);
-    Eigen::RowVectorXd F(P.size());
-    if (batch_ && ends_at_zero)  // a batch goes from its last sample to zero along a straight line
-      batch_->respond(loads, F);
-    else
-      F = respond(shear_, with_jumps(loads, grid_)).reading.row(0);
+    const Eigen::RowVectorXd F = shear_answer_.answer(loads, grid_, ends_at_zero);
     if (!F.allFinite() || !P.allFinite())
       throw NumericsError("the response to a wave of '" + file_.name + "' is not finite; nothing was written");
     result_.force.row(wave) = P;
@@ -109,7 +128,7 @@ class FileWork {
     // F_T passes on no kink of the loads, as long as they do not jump.
     set_peaks(grid_.time, P, F, begins_at_zero && ends_at_zero && shear_.feedthrough.isZero(0.), out);
     set_band(check_time_ == grid_.time ? loads : on_grid(file_, wave, check_time_), F, out);
-    if (options_.resistance) out.sliding = sliding(F);
+    if (options_.sliding) out.sliding = sliding(loads, P, F, ends_at_zero);
   }
 
  private:
@@ -118,14 +137,14 @@ class FileWork {
     if (peak > 0.) out.beyond_band = check_->beyond(loads) / peak;
   }
 
-  /// S. The caisson rests until F_T first exceeds its resistance; to leave that time out spares most waves the work.
-  double sliding(const Eigen::RowVectorXd& F) const {
-    const double R = *options_.resistance;
-    const auto start = std::find_if(F.begin(), F.end(), [R](double force) { return std::abs(force) > R; });
-    if (start == F.end()) return 0.;
-    const auto rest = std::max<std::ptrdiff_t>(start - F.begin() - 1, 0);
-    const ForceHistory history{{grid_.time.begin() + rest, grid_.time.end()}, {F.begin() + rest, F.end()}};
-    return slide(model_.caisson_mass, history, R).residual;
+  double sliding(const WaveSamples& loads, const Eigen::RowVectorXd& P, const Eigen::RowVectorXd& F, bool batch) const {
+    const ModelSliding& bottom = *options_.sliding;
+    Eigen::RowVectorXd U;
+    if (uplift_)
+      U = uplift_->answer(loads, grid_, batch);
+    else if (bottom.uplift != "none")
+      U = uplift_of_force(bottom, grid_.time, P);
+    return sliding_distance(bottom, model_.caisson_mass, grid_.time, F, U);
   }
 
   const ReducedModelFile& model_;
@@ -137,7 +156,8 @@ class FileWork {
   WaveGrid grid_;
   std::vector<double> check_time_;  ///< equally spaced, and of the whole wave even where the answer ends before it
   std::shared_ptr<const BandCheck> check_;
-  std::unique_ptr<BatchResponse> batch_;
+  OneReading shear_answer_;
+  std::optional<OneReading> uplift_;  ///< where S is asked with the model's pore pressure
   WaveResponses result_;
 };
 
@@ -156,7 +176,7 @@ void require_caisson(const ModalModel& modes) {
 std::vector<WaveResponses> respond_to_waves(const ReducedModelFile& model, const std::vector<WaveFile>& files,
                                             const RespondOptions& options) {
   require_caisson(model.modes);
-  const ModalModel shear = shear_only(model.modes);
+  const ModalModel shear = one_reading(model.modes, reading::shear_force);
   BandChecks checks(shear, model.highest_frequency);
   std::vector<std::unique_ptr<FileWork>> work;
   std::vector<std::pair<FileWork*, int>> pieces;

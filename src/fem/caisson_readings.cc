@@ -124,7 +124,7 @@ std::vector<Reading> caisson_readings(const Caisson& caisson, const CaissonForce
   std::vector<Reading> list;
   add_loads(list, forces, loads);
   add_base_forces(list, forces.ground, loads);
-  list.push_back({"uplift",
+  list.push_back({reading::uplift,
                   "N/m",
                   "U, integral of the excess pore pressure over the bottom, upward",
                   {},

@@ -81,6 +81,16 @@ void write_origin(Hdf5Image& image, const ReducedModelFile& model) {
   image.attribute("/case", "factorisations", model.factorisations);
 }
 
+void write_sliding(Hdf5Image& image, const ModelSliding& sliding) {
+  image.group("/sliding");
+  image.attribute("/sliding", "friction", sliding.friction);
+  image.attribute("/sliding", "buoyant_weight", sliding.buoyant_weight);
+  image.attribute("/sliding", "drag", sliding.drag);
+  image.attribute("/sliding", "uplift", sliding.uplift);
+  image.attribute("/sliding", "uplift_per_force", sliding.uplift_per_force);
+  image.attribute("/sliding", "lag", sliding.lag);
+}
+
 }  // namespace
 
 std::string model_file(const ReducedModelFile& model) {
@@ -92,6 +102,7 @@ std::string model_file(const ReducedModelFile& model) {
   write_readings(image, model.modes.reading_label);
   write_modes(image, model.modes);
   write_validity(image, model);
+  if (model.sliding) write_sliding(image, *model.sliding);
   return image.bytes();
 }
 

@@ -59,6 +59,17 @@ void read_origin(ModelParts& parts, ReducedModelFile& model) {
   model.factorisations = parts.count("/case", "factorisations");
 }
 
+void read_sliding(ModelParts& parts, ReducedModelFile& model) {
+  if (!parts.has("/sliding", "friction")) return;
+  ModelSliding& sliding = model.sliding.emplace();
+  sliding.friction = parts.number("/sliding", "friction", true);
+  sliding.buoyant_weight = parts.number("/sliding", "buoyant_weight", true);
+  sliding.drag = parts.number("/sliding", "drag");
+  sliding.uplift = parts.text("/sliding", "uplift");
+  sliding.uplift_per_force = parts.number("/sliding", "uplift_per_force");
+  sliding.lag = parts.number("/sliding", "lag");
+}
+
 }  // namespace
 
 ReducedModelFile read_model_file(const std::string& path) {
@@ -69,6 +80,7 @@ ReducedModelFile read_model_file(const std::string& path) {
   read_readings(parts, model);
   read_modes(parts, model.modes);
   read_validity(parts, model);
+  read_sliding(parts, model);
   parts.throw_if_any();
   return model;
 }

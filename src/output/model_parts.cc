@@ -61,6 +61,10 @@ std::optional<double> ModelParts::optional_number(const std::string& object, con
   return number(object, name);
 }
 
+bool ModelParts::has(const std::string& object, const std::string& name) const {
+  return file_.number_attribute(object, name).has_value();
+}
+
 int ModelParts::count(const std::string& object, const std::string& name) {
   constexpr double most = 2e9;  // that an int holds
   return static_cast<int>(std::clamp(number(object, name), 0., most));

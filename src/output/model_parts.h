@@ -25,6 +25,7 @@ class ModelParts {
   double number(const std::string& object, const std::string& name, bool positive = false);
   /// The same, which may be absent.
   std::optional<double> optional_number(const std::string& object, const std::string& name);
+  bool has(const std::string& object, const std::string& name) const;
   int count(const std::string& object, const std::string& name);
 
   /// A dataset of texts, of that size where one is given.

@@ -12,4 +12,12 @@ std::string result_file(const std::string& title, const std::vector<History>& hi
   return image.bytes();
 }
 
+std::string dataset_file(const std::string& title, const std::vector<History>& datasets) {
+  detail::Hdf5Image image(title);
+  for (const History& dataset : datasets)
+    image.numbers("/" + dataset.name, {dataset.values.size()}, dataset.values.data(),
+                  {dataset.unit, dataset.description});
+  return image.bytes();
+}
+
 }  // namespace upbead

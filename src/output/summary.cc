@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "sliding_object.h"
 #include "upbead/base/error.h"
 #include "upbead/base/version.h"
 
@@ -87,6 +88,7 @@ std::string to_json(const Summary& summary) {
   for (const LoadOnCaisson& load : summary.loads) json["loads"][load.name] = to_object(load);
   json["energy"] = summary.energy ? to_object(*summary.energy) : Json(nullptr);
   json["reduction"] = summary.reduction ? to_object(*summary.reduction) : Json(nullptr);
+  json["sliding"] = summary.sliding ? to_object(*summary.sliding) : Json(nullptr);
   json["skipped"] = Json::array();
   for (const Skipped& skipped : summary.skipped)
     json["skipped"].push_back({{"what", skipped.what}, {"why", skipped.why}});

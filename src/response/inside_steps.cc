@@ -12,12 +12,16 @@ Samples samples(const CompiledScene& compiled, const Series& series, const char*
 
 namespace {
 
-/// Looks at `parts` points of every step, and closely at the step where it finds the most; at fewer of many steps,
-/// which then are short.
+constexpr std::size_t most_looks = 16;
+
+std::size_t looks_of(std::size_t n_steps) {
+  return std::clamp<std::size_t>(most_looks * 512 / n_steps, 1, most_looks);
+}
+
+/// Looks at some points of every step, and closely at the step where it finds the most.
 template <typename Value>
 Extremum extreme(const std::vector<double>& time, int sign, const Value& value) {
-  constexpr std::size_t parts = 16, points = 16 * 512;
-  const std::size_t n_steps = time.size() - 1, looks = std::clamp<std::size_t>(points / n_steps, 1, parts);
+  const std::size_t n_steps = time.size() - 1, looks = looks_of(n_steps);
   Extremum best{time.front(), 0.};
   std::size_t step = 0;
   for (std::size_t n = 0; n < n_steps; ++n)
@@ -30,7 +34,7 @@ Extremum extreme(const std::vector<double>& time, int sign, const Value& value) 
     }
   for (std::size_t n = step > 0 ? step - 1 : 0; n < std::min(step + 2, n_steps); ++n) {
     const TimeFunction inside({}, {[&](double t) { return value(n, t); }});
-    const Extremum candidate = extremum(inside, time[n], time[n + 1], sign, parts);
+    const Extremum candidate = extremum(inside, time[n], time[n + 1], sign, most_looks);
     if (sign * (candidate.value - best.value) > 0.) best = candidate;
   }
   return best;
@@ -80,14 +84,32 @@ double InsideSteps::acceleration_at(std::size_t n, double t) const {
   return (1. - weight) * acceleration(n, n) + weight * acceleration(n, n + 1);
 }
 
-Extremum InsideSteps::shear_force(int sign, const Samples& water) const {
+InsideSteps::WaterPart InsideSteps::split(const Samples& water) const {
   const double m_a = added_mass(water);
-  const Samples rest = water + m_a * a_;
-  return extreme(time_, sign, [&](std::size_t n, double t) {
-    const auto k = static_cast<Eigen::Index>(n);
-    const double weight = (t - time_[n]) / (time_[n + 1] - time_[n]);
-    return P_(t, middle(n)) + (1. - weight) * rest[k] + weight * rest[k + 1] - (mass_ + m_a) * acceleration_at(n, t);
-  });
+  return {m_a, water + m_a * a_};
+}
+
+double InsideSteps::shear_force_at(std::size_t n, double t, const WaterPart& water) const {
+  const auto k = static_cast<Eigen::Index>(n);
+  const double weight = (t - time_[n]) / (time_[n + 1] - time_[n]);
+  return P_(t, middle(n)) + (1. - weight) * water.rest[k] + weight * water.rest[k + 1] -
+         (mass_ + water.added_mass) * acceleration_at(n, t);
+}
+
+Extremum InsideSteps::shear_force(int sign, const Samples& water) const {
+  const WaterPart part = split(water);
+  return extreme(time_, sign, [&](std::size_t n, double t) { return shear_force_at(n, t, part); });
+}
+
+void InsideSteps::for_each(const Samples& water, const std::function<void(double, double, double)>& see) const {
+  const WaterPart part = split(water);
+  const std::size_t n_steps = time_.size() - 1, looks = looks_of(n_steps);
+  for (std::size_t n = 0; n < n_steps; ++n)
+    for (std::size_t i = 0; i <= looks; ++i) {
+      const double weight = static_cast<double>(i) / static_cast<double>(looks);
+      const double t = (1. - weight) * time_[n] + weight * time_[n + 1];
+      see(t, shear_force_at(n, t, part), P_(t, middle(n)));
+    }
 }
 
 Extremum InsideSteps::displacement(int sign) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 
 #include "upbead/dynamics/interpolate.h"
 #include "upbead/dynamics/march.h"
@@ -26,8 +27,17 @@ class InsideSteps {
   /// Extreme of P + `water` - m x_G'', `water` being a force of the water at the ends of the steps.
   Extremum shear_force(int sign, const Samples& water) const;
   Extremum displacement(int sign) const;
+  /// Calls `see` with times and P + `water` - m x_G'': from the start of each step to its end in up to 16 equal parts.
+  void for_each(const Samples& water, const std::function<void(double t, double shear_force, double P)>& see) const;
 
  private:
+  /// What the water does: -m_a x_G'' + rest, rest linear within a step.
+  struct WaterPart {
+    double added_mass;
+    Samples rest;
+  };
+  WaterPart split(const Samples& water) const;
+  double shear_force_at(std::size_t n, double t, const WaterPart& water) const;
   double middle(std::size_t n) const { return 0.5 * (time_[n] + time_[n + 1]); }
   double acceleration(std::size_t n, std::size_t end) const;
   QuinticHermite motion(std::size_t n) const;

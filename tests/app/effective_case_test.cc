@@ -19,6 +19,21 @@ TEST_F(EffectiveCase, ReadsBackAsTheSame) {
   EXPECT_DOUBLE_EQ(again.scene.loads.at("gauge").history(0.2), 1e6);
 }
 
+TEST_F(EffectiveCase, KeepsTheRecordOfAnUplift) {
+  std::string text = good_case;
+  const std::string prescribed = "peak = 5e5\nshape = \"held\"\nlag = 0.02";
+  write("uplift.csv", "time,U\n0,0\n0.1,3e5\n0.3,0\n");
+  write("case.toml", text.replace(text.find(prescribed), prescribed.size(), "history = \"uplift.csv\""));
+  std::filesystem::create_directories("results/run");
+  write("results/run/case.toml", effective_case(read_case("case.toml"), "results/run"));
+  const Case again = read_case("results/run/case.toml");
+  ASSERT_TRUE(again.scene.sliding && again.scene.sliding->uplift);
+  EXPECT_EQ(again.uplift_history, "../../uplift.csv");
+  EXPECT_DOUBLE_EQ(again.scene.sliding->uplift->history(0.05), 1.5e5);
+  EXPECT_DOUBLE_EQ(again.scene.sliding->friction, 0.55);
+  EXPECT_DOUBLE_EQ(again.scene.sliding->wave->period, 13.6);
+}
+
 TEST_F(EffectiveCase, SpellsOutDefaults) {
   write("case.toml",
         "[mesh]\nfile = \"sub/my.msh\"\n[regions.soil]\nkind = \"porous\"\nshear_modulus = 1e7\npoissons_ratio = 0.3\n"
@@ -93,14 +108,15 @@ TEST_F(EffectiveCase, AsksForTheMesh) {
 
 TEST(CaseReference, TellsEveryKey) {
   const std::string text = case_reference();
-  for (const std::string table :
-       {"[fluid]", "[mesh]", "[regions.NAME]", "[regions.NAME.damping]", "[boundaries.NAME]", "[loads.NAME]",
-        "[loads.NAME.pulse]", "[time]", "[accuracy]", "[probes.NAME]", "[output.fields]"})
+  for (const std::string table : {"[fluid]", "[mesh]", "[regions.NAME]", "[regions.NAME.damping]", "[boundaries.NAME]",
+                                  "[loads.NAME]", "[loads.NAME.pulse]", "[time]", "[accuracy]", "[probes.NAME]",
+                                  "[output.fields]", "[sliding]", "[sliding.uplift]", "[sliding.wave]"})
     EXPECT_NE(text.find("## `" + table + "`"), std::string::npos) << table;
   std::istringstream lines(test::good_case);
   for (std::string line; std::getline(lines, line);) {
     const std::string key = line.substr(0, line.find(" = "));
-    if (line.empty() || line[0] == '[' || key == "fields" || key == "damping" || key == "pulse") continue;
+    if (line.empty() || line[0] == '[' || key == "fields" || key == "damping" || key == "pulse" || key == "wave")
+      continue;
     EXPECT_NE(text.find("| `" + key + "` |"), std::string::npos) << key;
   }
   EXPECT_NE(text.find("| `porosity` | a number | (0, 1) |   | share of the pores in the volume; needed (only in porous "

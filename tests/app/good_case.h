@@ -91,6 +91,19 @@ at = [0.0, -5.0]
 
 [output]
 fields = { every = 0.02 }
+
+[sliding]
+friction = 0.55
+buoyant_weight = 4.3e6
+weight = 7.41e6
+drag = 1e4
+wave = { height = 8, depth = 15.0, period = 13.6, alpha_star = 0.5 }
+
+[sliding.uplift]
+kind = "prescribed"
+peak = 5e5
+shape = "held"
+lag = 0.02
 )";
 
 /// Runs each test in a folder of its own that holds force.csv and the geometries column and composite.

@@ -114,14 +114,72 @@ TEST(RespondWaves, OnlyShortWavesLieBeyondTheBand) {
 
 TEST(RespondWaves, SlidesAsTheBlockDoesUnderTheWholeHistory) {
   RespondOptions options;
-  options.resistance = 7e5;
+  options.sliding = ModelSliding{1., 7e5};
   const WaveResponses found = answer(triangle(0.0005), options);
   const auto F = found.shear_force.row(0);
   const double S = slide(oscillator().caisson_mass, {found.time, {F.begin(), F.end()}}, 7e5).residual;
   EXPECT_GT(S, 0.);
   EXPECT_NEAR(*found.waves[0].sliding, S, 1e-12 * S);
-  options.resistance = 7e6;
+  options.sliding->buoyant_weight = 7e6;
   EXPECT_EQ(*answer(triangle(0.0005), options).waves[0].sliding, 0.);
+}
+
+/// S of a wave by hand: F_T against mu (W' - U), U at the same times.
+double sliding_by_hand(const WaveResponses& found, double friction, double weight, const std::vector<double>& U) {
+  const auto F = found.shear_force.row(0);
+  ForceHistory resistance{found.time, {}};
+  for (const double u : U) resistance.value.push_back(friction * (weight - u));
+  resistance.time.push_back(found.time.back());
+  resistance.value.push_back(friction * weight);
+  return slide(oscillator().caisson_mass, {found.time, {F.begin(), F.end()}}, resistance).residual;
+}
+
+TEST(RespondWaves, UpliftFollowsTheForceOrIsHeld) {
+  RespondOptions options;
+  options.sliding = ModelSliding{0.6, 2e6, 0., "in_phase", 0.5, 0.};
+  const WaveResponses found = answer(triangle(0.0005), options);
+  std::vector<double> U, held;
+  const auto P = found.force.row(0);
+  for (Eigen::Index i = 0; i < P.size(); ++i) {
+    U.push_back(0.5 * std::max(P[i], 0.));
+    held.push_back(std::max(U.back(), i == 0 || P[i] >= P[i - 1] ? 0. : 0.5 * P.maxCoeff()));
+    if (i > 0 && held[static_cast<std::size_t>(i - 1)] >= 0.5 * P.maxCoeff()) held.back() = 0.5 * P.maxCoeff();
+  }
+  const double S = sliding_by_hand(found, 0.6, 2e6, U);
+  EXPECT_GT(S, 0.);
+  EXPECT_NEAR(*found.waves[0].sliding, S, 1e-12 * S);
+  options.sliding->uplift = "held";
+  const double more = *answer(triangle(0.0005), options).waves[0].sliding;
+  EXPECT_NEAR(more, sliding_by_hand(found, 0.6, 2e6, held), 1e-12 * more);
+  EXPECT_GT(more, 1.1 * S);
+  options.sliding->uplift = "none";
+  EXPECT_LT(*answer(triangle(0.0005), options).waves[0].sliding, S);
+}
+
+TEST(RespondWaves, UpliftMayLag) {
+  RespondOptions options;
+  options.sliding = ModelSliding{0.6, 2e6, 0., "in_phase", 0.5, 0.01};
+  const WaveResponses found = answer(triangle(0.0005), options);
+  const auto P = found.force.row(0);
+  std::vector<double> U;
+  for (Eigen::Index i = 0; i < P.size(); ++i) U.push_back(i < 20 ? 0. : 0.5 * std::max(P[i - 20], 0.));
+  const double S = sliding_by_hand(found, 0.6, 2e6, U);
+  EXPECT_NEAR(*found.waves[0].sliding, S, 1e-9 * S);
+}
+
+TEST(RespondWaves, UpliftMayBeTheModels) {
+  // x_G in the place of the pore pressure, in a unit that makes it large enough
+  ReducedModelFile model = oscillator();
+  const int i = model.modes.index("caisson/displacement_x");
+  model.modes.reading_label[static_cast<std::size_t>(i)].name = "uplift";
+  model.modes.reading.row(i) *= 1e8;
+  RespondOptions options;
+  options.sliding = ModelSliding{0.6, 2e6, 0., "computed"};
+  const WaveResponses found = respond_to_waves(model, {triangle(0.0005)}, options)[0];
+  options.sliding->uplift = "none";
+  const double without = *respond_to_waves(model, {triangle(0.0005)}, options)[0].waves[0].sliding;
+  EXPECT_GT(*found.waves[0].sliding, 1.01 * without);
+  EXPECT_GT(without, 0.);
 }
 
 TEST(RespondWaves, ManyWavesAreAnsweredEachByItself) {

@@ -78,6 +78,18 @@ TEST(ModelFile, ComesBackBitByBit) {
   EXPECT_EQ(model_file(read), model_file(made));
 }
 
+TEST(ModelFile, KeepsWhatHoldsTheCaisson) {
+  ReducedModelFile made = oscillator();
+  EXPECT_FALSE(read_model_file(TemporaryFile(model_file(made)).path()).sliding);
+  made.sliding = ModelSliding{0.6, 4.3e6, 1e4, "held", 0.25, 0.02};
+  const TemporaryFile file(model_file(made));
+  const ReducedModelFile read = read_model_file(file.path());
+  ASSERT_TRUE(read.sliding);
+  EXPECT_EQ(read.sliding->buoyant_weight, 4.3e6);
+  EXPECT_EQ(read.sliding->uplift, "held");
+  EXPECT_EQ(model_file(read), model_file(made));
+}
+
 TEST(ModelFile, NeedsNeitherModesNorAMarch) {
   ReducedModelFile made = oscillator();
   made.modes.pole.resize(0);

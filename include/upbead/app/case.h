@@ -24,6 +24,7 @@ struct Case {
   Document document;                          ///< what was written, for places
   std::string stem;                           ///< the file's name without folder and ending
   std::map<std::string, LoadSource> sources;  ///< of each load, by its name
+  std::string uplift_history;                 ///< CSV file of a prescribed uplift, relative to the case; "" without
 
   /// Where a dotted key such as "regions.sand.porosity" was written; of the nearest table around it where it was not.
   Place place(const std::string& key) const { return document.place(key); }

@@ -27,4 +27,10 @@ void add_reduce(CLI::App& program);
 
 void add_respond(CLI::App& program);
 
+/// `upbead waves DESIGN`: pressure, safety and sliding of given waves, by formulas.
+void add_waves(CLI::App& program);
+
+/// `upbead expected DESIGN`: expected sliding distance of sea states, and of lives.
+void add_expected(CLI::App& program);
+
 }  // namespace upbead

@@ -11,8 +11,8 @@
 namespace upbead {
 
 struct RespondOptions {
-  std::optional<double> end;         ///< how long to answer (s); none: to the end of the waves, or of the case if later
-  std::optional<double> resistance;  ///< mu W', for S (N/m)
+  std::optional<double> end;  ///< how long to answer (s); none: to the end of the waves, or of the case if later
+  std::optional<ModelSliding> sliding;  ///< what S is asked with; its uplift is not `history`
 };
 
 /// Answers all waves on all cores; the same numbers whatever the number of cores. Throws InputError where the model has

@@ -20,6 +20,7 @@ inline const char* const inertia_force = "inertia_force";              ///< P + 
 inline const char* const shear_by_inertia = "shear_force_by_inertia";  ///< F_T by route (i), P + P_water - m x_G''
 inline const char* const normal_force = "normal_force";
 inline const char* const base_moment = "base_moment";
+inline const char* const uplift = "uplift";  ///< integral of the excess pore pressure over the bottom
 inline const char* const displacement_x = "caisson/displacement_x";
 inline const char* const velocity_x = "caisson/velocity_x";
 inline const char* const rotation = "caisson/rotation";

@@ -18,19 +18,30 @@ struct ModelLoad {
   double duration = 0.;  ///< shortest time in which it rises and falls there (s)
 };
 
+/// The table [sliding] of the case.
+struct ModelSliding {
+  double friction = 0.;         ///< mu
+  double buoyant_weight = 0.;   ///< W' (N/m)
+  double drag = 0.;             ///< F_D over velocity (N s/m2)
+  std::string uplift = "none";  ///< in_phase, held (of P), computed (pore pressure), history (of the case's wave alone)
+  double uplift_per_force = 0.;  ///< of in_phase and held: U over P
+  double lag = 0.;               ///< by which U comes after P (s)
+};
+
 /// Everything that `respond` needs, and where it came from.
 struct ReducedModelFile {
   std::string title;
   std::string case_text;  ///< the effective case (TOML), all defaults spelled out
   ModalModel modes;
-  std::vector<ModelLoad> loads;       ///< as in modes.load_name
-  double caisson_mass = 0.;           ///< with fill, W/g (kg/m); 0 where there is no caisson
-  double end = 0.;                    ///< [time] end of the case (s)
-  double highest_frequency = 0.;      ///< up to which the transfer function has been checked (Hz)
-  double tolerance = 0.;              ///< that was asked for, relative
-  double error = 0.;                  ///< measured, of the history of F_T over its peak (nested models)
-  double error_peak = 0.;             ///< measured, of peak F_T
-  std::optional<double> error_march;  ///< of the history, against a march, where one was made
+  std::vector<ModelLoad> loads;         ///< as in modes.load_name
+  double caisson_mass = 0.;             ///< with fill, W/g (kg/m); 0 where there is no caisson
+  double end = 0.;                      ///< [time] end of the case (s)
+  double highest_frequency = 0.;        ///< up to which the transfer function has been checked (Hz)
+  double tolerance = 0.;                ///< that was asked for, relative
+  double error = 0.;                    ///< measured, of the history of F_T over its peak (nested models)
+  double error_peak = 0.;               ///< measured, of peak F_T
+  std::optional<double> error_march;    ///< of the history, against a march, where one was made
+  std::optional<ModelSliding> sliding;  ///< none where the case has no such table
   int unknowns = 0, solves = 0, factorisations = 0;
 };
 

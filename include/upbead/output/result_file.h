@@ -19,4 +19,7 @@ struct History {
 /// it closes a file, whoever writes these bytes can. Throws NumericsError where a value is not finite.
 std::string result_file(const std::string& title, const std::vector<History>& histories);
 
+/// The same with datasets wherever their names say: "lives/sliding" is /lives/sliding.
+std::string dataset_file(const std::string& title, const std::vector<History>& datasets);
+
 }  // namespace upbead

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "upbead/dynamics/energy.h"
+#include "upbead/output/sliding_summary.h"
 #include "upbead/response/shear_response.h"
 
 namespace upbead {
@@ -49,6 +50,7 @@ struct Summary {
   std::vector<LoadOnCaisson> loads;
   std::optional<EnergyAccount> energy;        ///< none where no march kept an account
   std::optional<ReductionSummary> reduction;  ///< none where it was marched
+  std::optional<SlidingSummary> sliding;      ///< none without [sliding]
   std::vector<Skipped> skipped;
   Timing timing;
 };

@@ -1,0 +1,40 @@
+#include "case_checks.h"
+
+namespace upbead {
+
+namespace {
+
+void check_uplift(const UpliftTable& uplift, const CaseTables& tables, const Objections& objections) {
+  if (uplift.kind == UpliftKind::prescribed) {
+    const bool by_history = !uplift.history_file.empty();
+    if (uplift.peak && by_history)
+      objections.add({"history", "both 'peak' and 'history' are given", "keep one of them"});
+    if (!uplift.peak && !by_history)
+      objections.add({"peak", "neither 'peak' nor 'history' of a prescribed uplift is given", "add peak or history"});
+    if (by_history && uplift.lag > 0.)
+      objections.add({"lag", "'lag' is that of an uplift that follows P, a history has its own times", "remove lag"});
+  }
+  for (const auto& [name, load] : tables.load_tables)
+    if (load.region == caisson_name && load.direction[1] > 0. && load.factor != 0.)
+      objections.add({"kind", "the load '" + name + "' lifts the caisson, so that an uplift would count twice",
+                      "remove [sliding.uplift] or the upward part of [" + dotted("loads", name) + "]"});
+}
+
+}  // namespace
+
+void check_sliding(const CaseTables& tables, const Document& document, InputReport& report) {
+  if (!tables.sliding_table || !report.sound("sliding")) return;
+  const SlidingTable& sliding = *tables.sliding_table;
+  const Objections objections("sliding", document, report);
+  if (sliding.weight && sliding.buoyant_weight >= *sliding.weight)
+    objections.add({"buoyant_weight",
+                    "buoyant_weight = " + number_text(sliding.buoyant_weight) +
+                        " N/m is not below weight = " + number_text(*sliding.weight) + " N/m",
+                    "give W' in still water, W less the weight of the water that the caisson displaces"});
+  if (report.sound("regions") && tables.regions.count(caisson_name) == 0)
+    objections.add({"friction", "there is no region 'caisson' that could slide",
+                    "name the caisson's surface 'caisson', or remove [sliding]"});
+  if (sliding.uplift_table) check_uplift(*sliding.uplift_table, tables, Objections("sliding.uplift", document, report));
+}
+
+}  // namespace upbead

@@ -1,0 +1,76 @@
+#include "case_schema.h"
+#include "upbead/model/words.h"
+
+namespace upbead {
+
+namespace {
+
+bool is_prescribed(const UpliftTable& uplift) {
+  return uplift.kind == UpliftKind::prescribed;
+}
+
+TableSchema<UpliftTable> uplift_schema() {
+  TableSchema<UpliftTable> table;
+  table.choice("kind", &UpliftTable::kind, uplift_kind_words)
+      .required()
+      .doc("where the uplift comes from; prescribed: peak or history; computed: the pore pressure on the bottom");
+  table.key("peak", &UpliftTable::peak)
+      .unit("N/m")
+      .range(at_least(0.))
+      .doc("largest uplift U; or history")
+      .when("kind", is_prescribed, "where the uplift is prescribed");
+  table.choice("shape", &UpliftTable::course, uplift_course_words)
+      .doc(
+          "course of U in time; in_phase: proportional to P while that is landward; held: so up to the largest P, then "
+          "at its peak")
+      .when("kind", is_prescribed, "where the uplift is prescribed");
+  table.key("lag", &UpliftTable::lag)
+      .unit("s")
+      .range(at_least(0.))
+      .doc("time by which U comes after P")
+      .when("kind", is_prescribed, "where the uplift is prescribed");
+  table.key("history", &UpliftTable::history_file)
+      .doc("path of a CSV file with a header line, then time (s) and U (N/m); or peak")
+      .when("kind", is_prescribed, "where the uplift is prescribed");
+  return table;
+}
+
+TableSchema<SlidingWave> wave_schema() {
+  TableSchema<SlidingWave> table;
+  table.key("height", &SlidingWave::height).unit("m").range(above(0.)).required().doc("wave height H");
+  table.key("depth", &SlidingWave::depth).unit("m").range(above(0.)).required().doc("water depth h at the wall");
+  table.key("period", &SlidingWave::period).unit("s").range(above(0.)).required().doc("wave period T");
+  table.key("alpha_star", &SlidingWave::alpha_star)
+      .range(from_to(0., 2.))
+      .required()
+      .doc("pressure coefficient alpha* = max(alpha_I, alpha_2), as upbead waves tells it");
+  return table;
+}
+
+}  // namespace
+
+TableSchema<SlidingTable> sliding_schema() {
+  TableSchema<SlidingTable> table;
+  table.key("friction", &SlidingTable::friction).range(above(0.)).doc("friction coefficient mu of the bottom");
+  table.key("buoyant_weight", &SlidingTable::buoyant_weight)
+      .unit("N/m")
+      .range(above(0.))
+      .required()
+      .doc("weight W' of the caisson in still water");
+  table.key("weight", &SlidingTable::weight)
+      .unit("N/m")
+      .range(above(0.))
+      .fallback("mass x g of the caisson")
+      .doc("weight W of the caisson in air, with its fill; to check the mass");
+  table.key("drag", &SlidingTable::drag)
+      .unit("N s/m2")
+      .range(at_least(0.))
+      .doc("drag force F_D over the sliding velocity; the paper neglects it");
+  table.table("uplift", &SlidingTable::uplift_table, uplift_schema())
+      .doc("What the wave takes off the weight; nothing without this table.");
+  table.table("wave", &SlidingTable::wave, wave_schema())
+      .doc("The wave, for tau_0 of eqs. (8)-(11) and the paper's S_CAL, eq. (7).");
+  return table;
+}
+
+}  // namespace upbead

@@ -1,0 +1,15 @@
+// How far the caisson of a case slides.
+#pragma once
+
+#include "upbead/app/pipeline.h"
+
+namespace upbead {
+
+/// Throws InputError where [sliding] does not fit the caisson: another weight than its mass has by more than 1 %, W'
+/// not below W, an uplift of pore pressure where the bottom meets none.
+void check_sliding(const Case& input, const CompiledScene& compiled);
+
+/// None without [sliding].
+std::optional<SlidingSummary> sliding_of(const Scene& scene, const CompiledScene& compiled, const Response& response);
+
+}  // namespace upbead

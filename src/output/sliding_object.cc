@@ -1,0 +1,70 @@
+#include "sliding_object.h"
+
+namespace upbead {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json optional(const std::optional<double>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+Json to_object(const HistoryDuration& d) {
+  return {{"ratio", d.ratio},
+          {"sliding", d.sliding},
+          {"by_paper", optional(d.by_paper)},
+          {"by_exact", optional(d.by_exact)},
+          {"by_excess", optional(d.by_excess)},
+          {"by_impulse", optional(d.by_impulse)}};
+}
+
+Json to_array(const std::vector<Slip>& slips) {
+  Json list = Json::array();
+  for (const Slip& slip : slips)
+    list.push_back({{"start", slip.start},
+                    {"stop", slip.stop},
+                    {"distance", slip.distance},
+                    {"peak_velocity", slip.peak_velocity}});
+  return list;
+}
+
+void add_pulse(Json& json, const std::optional<PulseSliding>& pulse) {
+  const auto value = [&pulse](double PulseSliding::*member) { return pulse ? Json((*pulse).*member) : Json(nullptr); };
+  json["tau_0F"] = value(&PulseSliding::standing_duration);
+  json["k"] = value(&PulseSliding::factor);
+  json["tau_0"] = value(&PulseSliding::duration);
+  json["sliding_paper"] = value(&PulseSliding::paper);
+  json["sliding_paper_parts"] =
+      pulse ? Json::array({pulse->paper_parts.accelerating, pulse->paper_parts.braking}) : Json(nullptr);
+  json["sliding_exact"] = value(&PulseSliding::exact);
+}
+
+}  // namespace
+
+Json to_object(const SlidingSummary& s) {
+  const HistorySliding& h = s.history;
+  Json json = {{"friction", s.friction},
+               {"weight", s.weight},
+               {"buoyant_weight", s.buoyant_weight},
+               {"drag", s.drag},
+               {"uplift", s.uplift},
+               {"resistance", h.resistance},
+               {"peak_sliding_force", h.peak_force},
+               {"peak_sliding_force_time", h.peak_force_time},
+               {"shear_at_peak", h.shear_at_peak},
+               {"uplift_at_peak", h.uplift_at_peak},
+               {"ratio", h.ratio},
+               {"least_normal_force", h.least_normal_force},
+               {"sliding_history", h.by_history.residual},
+               {"sliding_history_largest", h.by_history.largest},
+               {"slips", to_array(h.by_history.slips)},
+               {"sliding_normal_force", h.with_normal_force.residual}};
+  add_pulse(json, s.pulse);
+  json["duration"] = h.own ? to_object(*h.own) : Json(nullptr);
+  json["duration_table"] = Json::array();
+  for (const HistoryDuration& d : h.table) json["duration_table"].push_back(to_object(d));
+  return json;
+}
+
+}  // namespace upbead

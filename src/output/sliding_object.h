@@ -1,0 +1,13 @@
+// Sliding as JSON.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "upbead/output/sliding_summary.h"
+
+namespace upbead {
+
+/// The object of docs/output.md; null where a value does not exist.
+nlohmann::ordered_json to_object(const SlidingSummary& sliding);
+
+}  // namespace upbead
