@@ -41,9 +41,14 @@ int run(int argc, char** argv) {
   upbead::add_run(program);
   upbead::add_reduce(program);
   upbead::add_respond(program);
+  upbead::add_waves(program);
+  upbead::add_expected(program);
+  upbead::add_scale(program);
   if (argc > 1) check_command(program, argv[1]);
   try {
     program.parse(argc, argv);
+  } catch (const CLI::RuntimeError& error) {  // a command ends with an exit code of its own
+    return error.get_exit_code();
   } catch (const CLI::ParseError& error) {
     return program.exit(error) == 0 ? 0 : exit_input;
   }

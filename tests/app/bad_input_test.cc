@@ -23,13 +23,13 @@ const std::vector<BadCase> rows{
             "case.toml:73:2: unknown key 'acuracy' at the top of the file; did you mean 'accuracy'?"},
     BadCase{"UnknownKeyAtTheTop", "title = \"prototype\"", "name = \"prototype\"",
             "case.toml:1:1: unknown key 'name' at the top of the file; known keys: title, gravity, fluid, mesh, "
-            "regions, boundaries, loads, time, accuracy, probes, output"},
+            "regions, boundaries, loads, initial, time, accuracy, probes, output, sliding"},
     BadCase{"KeyOfALaterStage", "boundary = \"front\"", "gauges = \"g.csv\"\nboundary = \"front\"",
             "case.toml:47:1: unknown key 'gauges' in [loads.impact]; known keys: boundary, region, kind, at, "
             "direction, shape, pulse, history, measured_on_wall, factor"},
-    BadCase{"SurfaceOfALaterStage", "[output]", "[sliding]\nfriction = 0.6\n[output]",
-            "case.toml:79:2: unknown key 'sliding' at the top of the file; known keys: title, gravity, fluid, mesh, "
-            "regions, boundaries, loads, time, accuracy, probes, output"},
+    BadCase{"TableOfNone", "[output]", "[harbour]\nfriction = 0.6\n[output]",
+            "case.toml:79:2: unknown key 'harbour' at the top of the file; known keys: title, gravity, fluid, mesh, "
+            "regions, boundaries, loads, initial, time, accuracy, probes, output, sliding"},
     BadCase{"StringForANumber", "shear_modulus = 100e6", "shear_modulus = \"stiff\"",
             "case.toml:16:1: shear_modulus: expected a number (Pa), found a string; give the shear modulus G of the "
             "skeleton (Pa)"},

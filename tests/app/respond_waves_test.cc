@@ -136,7 +136,7 @@ double sliding_by_hand(const WaveResponses& found, double friction, double weigh
 
 TEST(RespondWaves, UpliftFollowsTheForceOrIsHeld) {
   RespondOptions options;
-  options.sliding = ModelSliding{0.6, 2e6, 0., "in_phase", 0.5, 0.};
+  options.sliding = ModelSliding{0.6, 1.1e6, 0., "in_phase", 0.5, 0.};
   const WaveResponses found = answer(triangle(0.0005), options);
   std::vector<double> U, held;
   const auto P = found.force.row(0);
@@ -145,12 +145,12 @@ TEST(RespondWaves, UpliftFollowsTheForceOrIsHeld) {
     held.push_back(std::max(U.back(), i == 0 || P[i] >= P[i - 1] ? 0. : 0.5 * P.maxCoeff()));
     if (i > 0 && held[static_cast<std::size_t>(i - 1)] >= 0.5 * P.maxCoeff()) held.back() = 0.5 * P.maxCoeff();
   }
-  const double S = sliding_by_hand(found, 0.6, 2e6, U);
+  const double S = sliding_by_hand(found, 0.6, 1.1e6, U);
   EXPECT_GT(S, 0.);
   EXPECT_NEAR(*found.waves[0].sliding, S, 1e-12 * S);
   options.sliding->uplift = "held";
   const double more = *answer(triangle(0.0005), options).waves[0].sliding;
-  EXPECT_NEAR(more, sliding_by_hand(found, 0.6, 2e6, held), 1e-12 * more);
+  EXPECT_NEAR(more, sliding_by_hand(found, 0.6, 1.1e6, held), 1e-12 * more);
   EXPECT_GT(more, 1.1 * S);
   options.sliding->uplift = "none";
   EXPECT_LT(*answer(triangle(0.0005), options).waves[0].sliding, S);
@@ -158,12 +158,13 @@ TEST(RespondWaves, UpliftFollowsTheForceOrIsHeld) {
 
 TEST(RespondWaves, UpliftMayLag) {
   RespondOptions options;
-  options.sliding = ModelSliding{0.6, 2e6, 0., "in_phase", 0.5, 0.01};
+  options.sliding = ModelSliding{0.6, 1.1e6, 0., "in_phase", 0.5, 0.01};
   const WaveResponses found = answer(triangle(0.0005), options);
   const auto P = found.force.row(0);
   std::vector<double> U;
   for (Eigen::Index i = 0; i < P.size(); ++i) U.push_back(i < 20 ? 0. : 0.5 * std::max(P[i - 20], 0.));
-  const double S = sliding_by_hand(found, 0.6, 2e6, U);
+  const double S = sliding_by_hand(found, 0.6, 1.1e6, U);
+  EXPECT_GT(S, 0.);
   EXPECT_NEAR(*found.waves[0].sliding, S, 1e-9 * S);
 }
 
@@ -172,9 +173,9 @@ TEST(RespondWaves, UpliftMayBeTheModels) {
   ReducedModelFile model = oscillator();
   const int i = model.modes.index("caisson/displacement_x");
   model.modes.reading_label[static_cast<std::size_t>(i)].name = "uplift";
-  model.modes.reading.row(i) *= 1e8;
+  model.modes.reading.row(i) *= 2e7;
   RespondOptions options;
-  options.sliding = ModelSliding{0.6, 2e6, 0., "computed"};
+  options.sliding = ModelSliding{0.6, 1.1e6, 0., "computed"};
   const WaveResponses found = respond_to_waves(model, {triangle(0.0005)}, options)[0];
   options.sliding->uplift = "none";
   const double without = *respond_to_waves(model, {triangle(0.0005)}, options)[0].waves[0].sliding;

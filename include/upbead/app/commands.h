@@ -33,4 +33,7 @@ void add_waves(CLI::App& program);
 /// `upbead expected DESIGN`: expected sliding distance of sea states, and of lives.
 void add_expected(CLI::App& program);
 
+/// `upbead scale CASE`: the similar case at another size.
+void add_scale(CLI::App& program);
+
 }  // namespace upbead

@@ -1,0 +1,125 @@
+#include "waves_report.h"
+
+#include <algorithm>
+#include <map>
+
+#include "upbead/base/text.h"
+
+namespace upbead {
+
+namespace {
+
+using Row = std::vector<std::string>;
+
+/// Columns as wide as they must be, the first to the left, the others to the right.
+std::string aligned(const std::vector<Row>& rows) {
+  std::vector<std::size_t> width(rows.front().size());
+  for (const Row& row : rows)
+    for (std::size_t i = 0; i < row.size(); ++i) width[i] = std::max(width[i], row[i].size());
+  std::string text;
+  for (const Row& row : rows) {
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      const std::string gap(width[i] - row[i].size(), ' ');
+      text += i == 0 ? row[i] + gap : "  " + gap + row[i];
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+std::string short_number(double value) {
+  return significant(value, 4);
+}
+
+Row pressures(const WaveAnswer& a) {
+  const WavePressure& p = a.pressure;
+  Row row{a.name};
+  for (const double value : {a.wave.height, a.wave.significant_height, a.wave.period, a.wavelength, p.alpha_1,
+                             p.alpha_2, p.alpha_3, p.alpha_I, p.alpha_star, p.eta_star})
+    row.push_back(short_number(value));
+  for (const double value : {p.p1, p.p3, p.p4, p.pu}) row.push_back(short_number(value / 1e3));
+  return row;
+}
+
+Row safety(const WaveAnswer& a) {
+  return {a.name,
+          short_number(a.pressure.force / 1e3),
+          short_number(a.pressure.uplift / 1e3),
+          short_number(a.pressure.force_moment / 1e6),
+          short_number(a.pressure.uplift_moment / 1e6),
+          short_number(a.stability.safety_sliding),
+          short_number(a.stability.safety_overturning),
+          short_number(a.stability.toe_pressure / 1e3)};
+}
+
+Row sliding(const WaveAnswer& a) {
+  return {a.name,
+          short_number(a.force / 1e3) + (a.measured ? " (given)" : ""),
+          short_number(a.pulse.peak / 1e3),
+          short_number(a.ratio),
+          short_number(a.tau_0F),
+          short_number(a.k),
+          short_number(a.pulse.duration),
+          short_number(a.sliding.paper),
+          short_number(a.sliding.exact),
+          short_number(a.sliding.combined)};
+}
+
+std::string table(const std::string& title, Row head, const std::vector<WaveAnswer>& answers,
+                  Row (*row)(const WaveAnswer&)) {
+  std::vector<Row> rows{std::move(head)};
+  for (const WaveAnswer& a : answers) rows.push_back(row(a));
+  return "\n" + title + "\n" + aligned(rows);
+}
+
+std::string describe(const Section& s) {
+  return "section     h " + short_number(s.water_depth) + " m, h' " + short_number(s.foundation_depth) + " m, d " +
+         short_number(s.berm_depth) + " m, h_c " + short_number(s.crest) + " m, B " + short_number(s.width) +
+         " m, B_M " + short_number(s.berm_width) + " m, tan(theta) " + short_number(s.bed_slope) + "\n" +
+         "caisson     W " + short_number(s.weight / 1e6) + " MN/m" + ", W' " + short_number(s.buoyant_weight / 1e6) +
+         " MN/m" + ", mu " + short_number(s.friction) +
+         (s.dissipating_blocks ? ", behind wave-dissipating blocks" : "") + "\n";
+}
+
+}  // namespace
+
+std::string describe(const DesignTables& design, const std::vector<WaveAnswer>& answers) {
+  std::string text = design.title.empty() ? "" : design.title + "\n";
+  text += describe(design.section);
+  text += table("Pressure after Goda, with alpha* = max(alpha_2, alpha_I) (m, s, kPa)",
+                {"wave", "H", "H_1/3", "T", "L", "alpha_1", "alpha_2", "alpha_3", "alpha_I", "alpha*", "eta*", "p1",
+                 "p3", "p4", "pu"},
+                answers, pressures);
+  text += table("Safety (kN/m, MN m/m, kPa)",
+                {"wave", "P", "U", "M_P", "M_U", "S.F. sliding", "S.F. overturning", "p_e"}, answers, safety);
+  text += table("Sliding by tau_0 = k(alpha*) tau_0F (kN/m, s, m)",
+                {"wave", "F_T", "F_Smax", "r", "tau_0F", "k", "tau_0", "S eq. (7)", "S exact", "S combined"}, answers,
+                sliding);
+  for (const WaveAnswer& a : answers)
+    if (a.elastic)
+      text += "\n" + a.name + " on the swaying ground: peak F_T " + short_number(a.elastic->peak_shear / 1e3) +
+              " kN/m, peak x " + short_number(a.elastic->peak_displacement) + " m, S " +
+              short_number(a.elastic->slip.residual) + " m";
+  return text + (text.back() == '\n' ? "" : "\n");
+}
+
+std::string warning_lines(const std::vector<WaveAnswer>& answers) {
+  std::vector<std::string> order;
+  std::map<std::string, std::vector<const WaveAnswer*>> waves;
+  std::map<std::string, std::string> text;
+  for (const WaveAnswer& a : answers)
+    for (const Warning& warning : a.warnings) {
+      if (text.emplace(warning.name, warning.text).second) order.push_back(warning.name);
+      waves[warning.name].push_back(&a);
+    }
+  std::string lines;
+  for (const std::string& name : order) {
+    const std::size_t others = waves[name].size() - 1;
+    lines += "warning: wave " + waves[name].front()->name + ": " + text[name] +
+             (others == 0 ? "" : "; so for " + std::to_string(others) + (others == 1 ? " other" : " others")) + " [" +
+             name + "]\n";
+  }
+  return lines;
+}
+
+}  // namespace upbead

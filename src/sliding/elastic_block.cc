@@ -1,0 +1,166 @@
+#include "upbead/sliding/elastic_block.h"
+
+#include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+#include <stdexcept>
+
+#include "force_pieces.h"
+#include "oscillator.h"
+
+namespace upbead {
+
+namespace {
+
+using detail::ForcePiece;
+using detail::Motion;
+using detail::Oscillator;
+
+constexpr int looks_per_period = 60;
+
+/// A stretch of time on which P is force + slope t.
+struct Stretch {
+  double start = 0., length = 0., force = 0., slope = 0.;
+  double at(double t) const { return force + slope * t; }
+  Stretch after(double t) const { return {start + t, length - t, at(t), slope}; }
+};
+
+template <class Function>
+double first_root(const Function& f, double length) {
+  boost::uintmax_t most = 100;
+  return boost::math::tools::toms748_solve(f, 0., length, boost::math::tools::eps_tolerance<double>(50), most).second;
+}
+
+class Walk {
+ public:
+  Walk(double mass, const ElasticBase& base, double resistance)
+      : mass_(mass),
+        R_(resistance),
+        together_(mass + base.mass, base.damping, base.stiffness),
+        base_(base.mass, base.damping, base.stiffness) {
+    const double alone = base_.natural_period();
+    look_ = (alone > 0. ? std::min(alone, together_.natural_period()) : together_.natural_period()) / looks_per_period;
+  }
+
+  void pass(Stretch whole) {
+    const double parts = std::ceil(whole.length / look_), length = whole.length / std::max(parts, 1.);
+    for (double i = 0.; i < parts; ++i) {
+      Stretch part = whole.after(i * length);
+      part.length = length;
+      pass_part(part);
+    }
+  }
+
+  double period() const { return together_.natural_period(); }
+  bool stuck() const { return direction_ == 0; }
+  const ElasticSliding& result() const { return result_; }
+
+ private:
+  /// Goes through a part with as many changes of phase as it holds; a phase that ends as it begins is passed over.
+  void pass_part(Stretch part) {
+    for (int changes = 0; part.length > 0. && changes < 8; ++changes) {
+      const double passed = direction_ == 0 ? stick(part, changes > 0) : slip(part);
+      part = part.after(passed);
+    }
+    note(part.at(0.));
+  }
+
+  double shear_stuck(const Motion& at, double P) const { return P - mass_ * together_.acceleration(at, P); }
+
+  double stick(const Stretch& part, bool just_stopped) {
+    const auto excess = [&](double t) {
+      return std::abs(shear_stuck(together_.after(t, ground_, part.force, part.slope), part.at(t))) - R_;
+    };
+    double passed = part.length;
+    const bool at_once = excess(0.) > 0. && !just_stopped;
+    if (at_once)
+      passed = 0.;
+    else if (excess(part.length) > 0. && excess(0.) <= 0.)
+      passed = first_root(excess, part.length);
+    ground_ = together_.after(passed, ground_, part.force, part.slope);
+    block_v_ = ground_.v;
+    const double F_T = shear_stuck(ground_, part.at(passed));
+    if (at_once || passed < part.length) begin_slip(F_T > 0. ? 1 : -1, part.start + passed);
+    return passed;
+  }
+
+  void begin_slip(int direction, double time) {
+    direction_ = direction;
+    slip_ = {time, time, 0., 0.};
+    ground_ = base_.after(0., ground_, direction * R_, 0.);  // a bare spring is at once at rest
+  }
+
+  /// Velocity of the block over its base.
+  double relative_speed(const Stretch& part, double t) const {
+    const double block = block_v_ + t * (part.force - direction_ * R_ + 0.5 * t * part.slope) / mass_;
+    return block - base_.after(t, ground_, direction_ * R_, 0.).v;
+  }
+
+  double slip(const Stretch& part) {
+    const auto speed = [&](double t) { return direction_ * relative_speed(part, t); };
+    double passed = part.length;
+    if (speed(part.length) < 0.) passed = speed(0.) > 0. ? first_root(speed, part.length) : 0.;
+    const Motion before = ground_;
+    const double a = (part.force - direction_ * R_) / mass_, jerk = part.slope / mass_;
+    ground_ = base_.after(passed, before, direction_ * R_, 0.);
+    slip_.distance += passed * (block_v_ + passed * (a / 2. + passed * jerk / 6.)) - (ground_.x - before.x);
+    block_v_ += passed * (a + passed * jerk / 2.);
+    if (std::abs(block_v_ - ground_.v) > std::abs(slip_.peak_velocity)) slip_.peak_velocity = block_v_ - ground_.v;
+    if (passed < part.length) end_slip(part.start + passed);
+    return passed;
+  }
+
+  void end_slip(double time) {
+    direction_ = 0;
+    ground_.v = block_v_;
+    slip_.stop = time;
+    Sliding& all = result_.slip;
+    all.residual += slip_.distance;
+    all.path += std::abs(slip_.distance);
+    if (std::abs(all.residual) > std::abs(all.largest)) all.largest = all.residual;
+    all.slips.push_back(slip_);
+  }
+
+  void note(double P) {
+    const double F_T = direction_ == 0 ? shear_stuck(ground_, P) : direction_ * R_;
+    const double slipped = result_.slip.residual + (direction_ == 0 ? 0. : slip_.distance);
+    result_.peak_shear = std::max(result_.peak_shear, std::abs(F_T));
+    result_.peak_displacement = std::max(result_.peak_displacement, std::abs(ground_.x + slipped));
+  }
+
+  double mass_, R_;
+  Oscillator together_, base_;
+  double look_;
+  int direction_ = 0;    ///< of the slip; 0: stuck
+  Motion ground_;        ///< y, y'
+  double block_v_ = 0.;  ///< x'
+  Slip slip_;
+  ElasticSliding result_;
+};
+
+void require_sound(double mass, const ElasticBase& base, double resistance) {
+  if (!(mass > 0. && base.stiffness > 0. && resistance > 0. && base.mass >= 0. && base.damping >= 0.))
+    throw std::invalid_argument("a block on a base needs mass, stiffness and resistance > 0, no negative damping");
+  if (base.mass == 0. && base.damping > 0.) throw std::invalid_argument("a base with a dashpot needs a mass");
+}
+
+}  // namespace
+
+ElasticSliding slide_on_base(double mass, const ElasticBase& base, const ForceHistory& force, double resistance) {
+  require_sound(mass, base, resistance);
+  Walk walk(mass, base, resistance);
+  double end = 0.;
+  for (const ForcePiece& piece : detail::force_pieces(force, {{0.}, {resistance}})) {
+    walk.pass({piece.start, piece.length, piece.force.begin, (piece.force.end - piece.force.begin) / piece.length});
+    end = piece.start + piece.length;
+  }
+  // P is over; what still slips or swings may slip on for some periods
+  for (int quiet = 0; quiet < 3; end += walk.period()) {
+    const std::size_t slips = walk.result().slip.slips.size();
+    walk.pass({end, walk.period(), 0., 0.});
+    quiet = walk.stuck() && walk.result().slip.slips.size() == slips ? quiet + 1 : 0;
+  }
+  return walk.result();
+}
+
+}  // namespace upbead

@@ -1,0 +1,125 @@
+#include "upbead/waves/validity.h"
+
+#include <boost/math/constants/constants.hpp>
+#include <cmath>
+
+#include "upbead/base/text.h"
+#include "upbead/waves/dispersion.h"
+#include "upbead/waves/stability.h"
+
+namespace upbead {
+
+namespace {
+
+/// What the judgements below share.
+struct Situation {
+  const Section& section;
+  const Water& water;
+  const DesignWave& wave;
+  const WavePressure& pressure;
+  double L, L0;  // m
+};
+
+std::string metres(double value) {
+  return significant(value, 4) + " m";
+}
+
+/// Where Deltares' coastal-structures-toolbox 1.0.0 says that Goda's formulas do not do: waves that break on a steep
+/// bed, and waves that break on a high mound. It takes H_0'/L_0, here H_1/3 at the wall over L_0.
+bool may_break_impulsively(const Situation& s) {
+  const double angle = s.wave.angle / boost::math::constants::degree<double>();
+  const double berm = s.section.berm_width / s.L, Hs = s.wave.significant_height;
+  if (angle >= 20. || s.section.crest / Hs <= 0.3) return false;
+  const bool on_the_bed = berm < 0.02 && s.section.bed_slope > 1. / 50. && Hs / s.L0 < 0.03;
+  const bool on_the_mound = berm > 0.02 && berm < 0.3 && s.section.berm_depth / s.section.water_depth < 0.6;
+  return on_the_bed || on_the_mound;
+}
+
+void judge_wave(const Situation& s, std::vector<Warning>& list) {
+  const double H = s.wave.height, h = s.section.water_depth;
+  if (may_break_impulsively(s))
+    list.push_back({"impulsive_breaking",
+                    "waves may break on the wall (B_M/L = " + significant(s.section.berm_width / s.L) +
+                        ", d/h = " + significant(s.section.berm_depth / h) +
+                        "): Goda's formula alone does not hold, alpha_I is made for it but the scatter is large"});
+  if (H > 0.8 * h)
+    list.push_back({"height_over_depth",
+                    "H/h = " + significant(H / h) + " is beyond 0.8, where eq. (11) for tau_0F ends; 0.4 T is used"});
+  // Miche (1944): the steepest progressive wave at that depth.
+  const double limit = 0.142 * s.L * std::tanh(boost::math::constants::two_pi<double>() * h / s.L);
+  if (H > limit)
+    list.push_back({"breaking_limit", "H = " + metres(H) + " is above Miche's limit of breaking at the wall, " +
+                                          metres(limit) + ": such a wave breaks before"});
+  if (s.wave.significant_height >= H)
+    list.push_back({"significant_height", "H_1/3 = " + metres(s.wave.significant_height) +
+                                              " is not below H = " + metres(H) + ", which is to be the highest wave"});
+  if (s.wave.period > 30.)
+    list.push_back(
+        {"long_period", "T = " + significant(s.wave.period, 4) + " s is longer than 30 s, where the tests end"});
+}
+
+/// The usual slip is kN for N, or W in place of W'; a caisson's footing or rounded corners make no fifth.
+void judge_weight(const Situation& s, std::vector<Warning>& list) {
+  const Section& c = s.section;
+  const double given = c.weight - c.buoyant_weight;
+  const double displaced = s.water.density * s.water.gravity * c.foundation_depth * c.width;
+  if (std::abs(given - displaced) > 0.2 * displaced)
+    list.push_back({"buoyancy",
+                    "W - W' = " + significant(given, 4) +
+                        " N/m, but a caisson of width B displaces rho g h' B = " + significant(displaced, 4) + " N/m"});
+}
+
+void judge_section(const Situation& s, std::vector<Warning>& list) {
+  const Section& c = s.section;
+  if (c.bed_slope > 0.1 || c.bed_slope < 0.01)
+    list.push_back(
+        {"bed_slope", "tan(theta) = " + significant(c.bed_slope) + " is outside 0.01 to 0.1, where the tests are"});
+  if (c.berm_depth > c.water_depth)
+    list.push_back(
+        {"berm_below_bed", "d = " + metres(c.berm_depth) + " is below the bed at h = " + metres(c.water_depth)});
+  if (c.foundation_depth > c.water_depth)
+    list.push_back({"foundation_below_bed", "h' = " + metres(c.foundation_depth) + " is below the bed at h = " +
+                                                metres(c.water_depth) + ", where alpha_3 was not made for"});
+}
+
+void judge_pressure(const Situation& s, double depth_b, std::vector<Warning>& list) {
+  const WavePressure& p = s.pressure;
+  if (depth_b <= s.section.berm_depth)
+    list.push_back({"alpha_2_clamped", "h_b = " + metres(depth_b) + " is not below the berm, d = " +
+                                           metres(s.section.berm_depth) + ": alpha_2 would be negative, 0 is used"});
+  if (p.alpha_3 <= 0.)
+    list.push_back({"alpha_3_clamped", "h' = " + metres(s.section.foundation_depth) + " at h = " +
+                                           metres(s.section.water_depth) + ": alpha_3 would be negative, 0 is used"});
+  if (p.alpha_I < 0.)
+    list.push_back({"alpha_I_negative", "alpha_I = " + significant(p.alpha_I) +
+                                            " is negative, as on low mounds: no impulsive pressure, alpha_2 rules"});
+  if (p.eta_star <= s.section.crest)
+    list.push_back({"eta_star_below_crest", "eta* = " + metres(p.eta_star) + " does not rise above the crest, h_c = " +
+                                                metres(s.section.crest) + ": p4 = 0"});
+  const double safety = stability(s.section, p).safety_overturning;
+  if (p.uplift < s.section.buoyant_weight && safety < 1.)
+    list.push_back({"overturns", "the safety factor against overturning is " + significant(safety) +
+                                     ": the caisson tilts, and a formula for sliding knows nothing of that"});
+  if (p.uplift >= s.section.buoyant_weight)
+    list.push_back({"lifted", "U is not below W': the caisson floats up, and no safety factor means anything"});
+}
+
+}  // namespace
+
+std::vector<Warning> warnings(const Section& section, const Water& water, const DesignWave& wave,
+                              const WavePressure& pressure) {
+  const Situation s{section,
+                    water,
+                    wave,
+                    pressure,
+                    wavelength(wave.period, section.water_depth, water.gravity),
+                    deep_water_wavelength(wave.period, water.gravity)};
+  std::vector<Warning> list;
+  judge_wave(s, list);
+  judge_section(s, list);
+  judge_weight(s, list);
+  judge_pressure(s, section.water_depth + 5. * wave.significant_height * section.bed_slope, list);
+  return list;
+}
+
+}  // namespace upbead

@@ -1,0 +1,88 @@
+// Claim: the scaled case with Froude-similar soil has the same dimensionless F_T, marched and reduced.
+#include "good_case.h"
+#include "upbead/algebra/petsc_session.h"
+#include "upbead/app/pipeline.h"
+#include "upbead/app/scale.h"
+#include "upbead/fem/caisson_readings.h"
+
+namespace upbead::test {
+
+const std::string small_case = R"([mesh]
+geometry = "composite"
+parameters = { cells = 0.4, grading = 4 }
+[regions.seabed]
+kind = "porous"
+shear_modulus = 30e6
+poissons_ratio = 0.33
+porosity = 0.4
+grain_density = 2650
+hydraulic_conductivity = 1e-4
+damping = { ratio = 0.05 }
+[regions.mound]
+kind = "porous"
+shear_modulus = 50e6
+poissons_ratio = 0.3
+porosity = 0.4
+grain_density = 2650
+hydraulic_conductivity = 0.15
+damping = { ratio = 0.05 }
+[regions.caisson]
+kind = "rigid"
+density = 2100
+[boundaries]
+base = { displacement = "fixed", pressure = "sealed" }
+left = { displacement = "absorbing", pressure = "sealed" }
+right = { displacement = "roller", pressure = "sealed" }
+bed = { pressure = "open" }
+mound_surface = { pressure = "open" }
+front = {}
+back = {}
+top = {}
+[loads.impulse]
+boundary = "front"
+shape = [[6.0, 0.4], [22.0, 1.0]]
+pulse = { shape = "triangle", peak = 1.6e6, duration = 0.15 }
+[time]
+end = 0.5
+step = 0.005
+)";
+
+class ScaledResponse : public InFolder, public testing::WithParamInterface<std::string> {
+ protected:
+  ScaledResponse() { unsetenv("UPBEAD_MESHES"); }
+
+  /// F_T at the ends of all steps.
+  static Eigen::RowVectorXd shear_force(const std::string& path) {
+    const Case problem = read_case(path, {"time.scheme=" + GetParam()});
+    const CompiledCase scene = compile_case(problem);
+    return run_case(problem, scene, {}).response.ends.reading.row(scene.compiled.system.reading(reading::shear_force));
+  }
+
+  const PetscSession petsc_;
+};
+
+TEST_P(ScaledResponse, IsTheSameInForcesOverTheSquareOfTheLength) {
+  write("case.toml", small_case);
+  const double factor = 0.05;
+  const ScaledCase scaled = scale_case(read_case("case.toml"), {factor, SoilScaling::froude, {}}, "out");
+  std::filesystem::create_directories("out");
+  write("out/case.toml", scaled.text);
+  const Eigen::RowVectorXd before = shear_force("case.toml"), after = shear_force("out/case.toml") / (factor * factor);
+  ASSERT_EQ(after.size(), before.size());
+  const double peak = before.cwiseAbs().maxCoeff();
+  EXPECT_GT(peak, 1e5);
+  EXPECT_LT((after - before).cwiseAbs().maxCoeff(), 1e-8 * peak);
+}
+
+TEST_P(ScaledResponse, DiffersWithTheSameSoil) {
+  write("case.toml", small_case);
+  const double factor = 0.05;
+  const ScaledCase scaled = scale_case(read_case("case.toml"), {factor, SoilScaling::same, {}}, "out");
+  std::filesystem::create_directories("out");
+  write("out/case.toml", scaled.text);
+  EXPECT_GT(shear_force("out/case.toml").maxCoeff() / (factor * factor), 1.2 * shear_force("case.toml").maxCoeff());
+}
+
+INSTANTIATE_TEST_SUITE_P(, ScaledResponse, testing::Values("generalised_alpha", "sdirk4", "reduced"));
+
+}  // namespace upbead::test

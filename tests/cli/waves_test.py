@@ -1,0 +1,238 @@
+#!/usr/bin/python3
+"""`upbead waves` as a person meets it.
+
+usage: waves_test.py PROGRAM CASES_FOLDER
+"""
+
+import json
+import math
+import sys
+import unittest
+
+from program import CASES, ProgramTest, upbead
+
+# The declared section of the regression table (tests/waves/regression_test.cc).
+DESIGN = """title = "regression"
+[section]
+water_depth = 15.0
+foundation_depth = 10.5
+berm_depth = 8.5
+crest = 6.0
+width = 12.0
+berm_width = 8.0
+bed_slope = 0.01
+weight = 4273236.0
+buoyant_weight = 3000096.2
+[waves.a_high]
+height = 12.0
+period = 12.0
+[waves.b_low]
+height = 8.0
+period = 12.0
+"""
+
+KEYS = ["height", "significant_height", "period", "angle", "wavelength", "alpha_1", "alpha_2", "alpha_3", "alpha_I",
+        "alpha_star", "lambda_1", "lambda_2", "lambda_3", "eta_star", "overtopped", "p1", "p3", "p4", "pu", "force",
+        "uplift", "force_moment", "uplift_moment", "without_alpha_I", "safety_sliding", "safety_overturning",
+        "toe_pressure", "tau_0F", "k", "tau_0", "shear_force", "shear_force_from", "sliding_force", "ratio",
+        "sliding_paper", "sliding_paper_parts", "sliding_exact", "sliding_combined", "elastic", "warnings"]
+
+# Goda (2000), p. 140; B_M and so alpha_I are additions. W and W' by 2.1 and 2.4 t/m3 below and above still water.
+GODA = """[section]
+water_depth = 10.1
+foundation_depth = 7.1
+berm_depth = 5.6
+crest = 3.4
+width = 15.0
+berm_width = 8.0
+bed_slope = 0.01
+weight = 3394750.5
+buoyant_weight = 2318643.0
+[waves.book]
+deep_water_height = 6.3
+period = 11.4
+angle = 15.0
+"""
+
+
+class Waves(ProgramTest):
+    def write(self, text, name="design.toml"):
+        (self.folder / name).write_text(text)
+
+    def waves(self, *arguments):
+        return upbead("waves", *arguments, cwd=self.folder)
+
+    def summary(self, *arguments):
+        done = self.waves(*arguments, "--json")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return json.loads(done.stdout)
+
+    def test_json_has_every_number_of_the_chain(self):
+        self.write(DESIGN)
+        summary = self.summary("design.toml")
+        self.assertEqual(list(summary), ["title", "program", "gravity", "fluid", "section", "duration", "waves"])
+        self.assertEqual(list(summary["waves"]), ["a_high", "b_low"])
+        wave = summary["waves"]["a_high"]
+        self.assertEqual(list(wave), KEYS)
+        for key, value, digits in (("alpha_2", 0.2961, 4), ("alpha_I", 0.2157, 4), ("alpha_star", 0.2961, 4),
+                                   ("tau_0F", 4.8, 3), ("k", 0.3484, 4), ("tau_0", 1.6725, 4),
+                                   ("wavelength", 135.3522, 4), ("safety_sliding", 0.7048, 4), ("sliding_paper", 0.07562, 5),
+                                   ("sliding_exact", 0.12542, 5)):
+            self.assertAlmostEqual(wave[key], value, delta=0.51 * 10**-digits, msg=key)
+        self.assertAlmostEqual(wave["force"] / 2090.2e3, 1, delta=3e-5)
+        self.assertAlmostEqual(wave["uplift"] / 544.8e3, 1, delta=1e-4)
+        self.assertAlmostEqual(sum(wave["sliding_paper_parts"]), wave["sliding_paper"], places=14)
+        self.assertAlmostEqual(wave["sliding_force"], wave["force"] + 0.6 * wave["uplift"], places=6)
+        self.assertAlmostEqual(wave["ratio"], wave["sliding_force"] / (0.6 * 3000096.2), places=12)
+        self.assertGreater(abs(wave["ratio"] * wave["safety_sliding"] - 1), 0.05, "r is not 1/S.F.")
+        self.assertEqual([w["name"] for w in wave["warnings"]], ["impulsive_breaking", "breaking_limit", "overturns"])
+        self.assertEqual(summary["waves"]["b_low"]["sliding_exact"], 0)
+
+    def test_goda_example_from_deep_water(self):
+        self.write(GODA)
+        wave = self.summary("design.toml")["waves"]["book"]
+        self.assertAlmostEqual(wave["significant_height"], 5.796, delta=5e-4)
+        self.assertAlmostEqual(wave["height"], 8.050, delta=5e-4)
+        self.assertAlmostEqual(wave["without_alpha_I"]["force"] / 937281, 1, delta=2e-4)
+        self.assertAlmostEqual(wave["force"] / 940684, 1, delta=2e-4)
+        self.assertAlmostEqual(wave["pu"] / 65739.31, 1, delta=2e-4)
+        self.assertEqual(wave["uplift"], wave["without_alpha_I"]["uplift"])
+        self.assertAlmostEqual(wave["safety_overturning"], 2.569, delta=2e-3)
+
+    def test_files_come_all_and_run_again(self):
+        self.write(DESIGN)
+        done = self.waves("design.toml", "--set", "waves.a_high.height=11")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(self.left_behind(), ["design.toml", "results", "results/design", "results/design/case.toml",
+                                              "results/design/summary.json"])
+        first = (self.folder / "results/design/summary.json").read_text()
+        again = self.waves("results/design/case.toml", "--out", "again", "--json")
+        self.assertEqual(again.returncode, 0, again.stderr)
+        self.assertEqual(again.stdout, first)
+        self.assertEqual((self.folder / "again/case.toml").read_text(),
+                         (self.folder / "results/design/case.toml").read_text())
+
+    def test_tables_for_people_and_warnings_on_stderr(self):
+        self.write(DESIGN)
+        done = self.waves("design.toml")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for part in ("regression\nsection     h 15 m", "Pressure after Goda", "S.F. sliding", "S eq. (7)",
+                     "written     results/design/{summary.json, case.toml}"):
+            self.assertIn(part, done.stdout)
+        self.assertRegex(done.stdout, r"a_high +12 +6\.667 +12 +135\.4 +0\.8719 ")
+        self.assertRegex(done.stderr, r"^warning: wave a_high: waves may break on the wall .*; so for 1 other "
+                                      r"\[impulsive_breaking\]\nwarning: wave a_high: H = 12 m .* \[breaking_limit\]\n"
+                                      r"warning: wave a_high: the safety factor .* 0\.809: .* \[overturns\]\n$")
+
+    def test_a_measured_force_is_reduced_but_never_that_with_alpha_I(self):
+        self.write(DESIGN)
+        measured = ["--set", "waves.a_high.force=5e6", "--set", "waves.a_high.uplift=3e5"]
+        ratio = ["--set", "waves.a_high.shear_to_force_ratio=0.4"]
+        wave = self.summary("design.toml", *measured, *ratio)["waves"]["a_high"]
+        self.assertAlmostEqual(wave["sliding_force"], 0.4 * 5e6 + 0.6 * 3e5, places=6)
+        self.assertEqual(wave["shear_force_from"], "measured")
+        goda = self.summary("design.toml")["waves"]["a_high"]
+        self.assertEqual(wave["tau_0"], goda["tau_0"])
+        self.assertEqual(wave["safety_sliding"], goda["safety_sliding"])
+        whole = self.summary("design.toml", *measured)["waves"]["a_high"]
+        self.assertEqual(whole["shear_force"], 5e6, "without a ratio all of P reaches the bottom")
+        done = self.waves("design.toml", *ratio, "--out", "refused")
+        self.assertEqual((done.returncode, done.stdout), (1, ""))
+        self.assertIn("alpha_I was fitted to sliding tests", done.stderr)
+        self.assertNotIn("refused", self.left_behind())
+
+    def test_a_caisson_on_a_swaying_ground_swings_and_slips(self):
+        self.write(DESIGN)
+        ground = ["--set", "ground={stiffness=6e8}", "--set", "waves.a_high.pulse_duration=0.05",
+                  "--set", "waves.a_high.uplift=0"]
+        force = lambda value: ["--set", f"waves.a_high.force={value}"]
+        self.assertIsNone(self.summary("design.toml")["waves"]["a_high"]["elastic"])
+        weak = self.summary("design.toml", *ground, *force(1e5))["waves"]["a_high"]["elastic"]
+        mass = 4273200 / 9.81
+        period = 2 * math.pi * math.sqrt(mass / 6e8)
+        # an undamped oscillator after a short symmetric triangle: F_T swings by 2 sin^2(w td/4) / (w td/4) P
+        phase = 2 * math.pi / period * 0.05 / 4
+        self.assertAlmostEqual(weak["peak_shear"], 1e5 * 4 * math.sin(phase) ** 2 / (2 * phase), delta=2e2)
+        self.assertEqual(weak["sliding"], 0)
+        strong = self.summary("design.toml", *ground, *force(8e6))["waves"]["a_high"]
+        self.assertAlmostEqual(strong["elastic"]["peak_shear"], 0.6 * 3000096.2, delta=1)
+        self.assertGreater(strong["elastic"]["sliding"], 1e-3)
+
+    def test_what_is_unsettled_of_the_combined_model_is_an_input(self):
+        self.write(DESIGN)
+        standard = self.summary("design.toml")["waves"]["a_high"]["sliding_combined"]
+        heavier = self.summary("design.toml", "--set", "combined.added_mass_factor=2")["waves"]["a_high"]
+        sinusoidal = self.summary("design.toml", "--set", "combined.uplift=sinusoidal")["waves"]["a_high"]
+        self.assertLess(heavier["sliding_combined"], 0.99 * standard)
+        self.assertNotAlmostEqual(sinusoidal["sliding_combined"] / standard, 1, places=2)
+
+    def test_committees_may_calibrate_k(self):
+        self.write(DESIGN)
+        wave = self.summary("design.toml", "--set", "duration.a=1", "--set", "duration.b=1")["waves"]["a_high"]
+        self.assertAlmostEqual(wave["k"], 1 / (1 + wave["alpha_star"]), places=14)
+
+    def test_wrong_designs_write_nothing(self):
+        self.write(DESIGN)
+        for change, message in (("section.berm_depth=0", "berm_depth = 0 is outside"),
+                                ("waves.a_high.deep_water_height=5", "keep one of them"),
+                                ("section.colour=3", "unknown key 'colour'")):
+            done = self.waves("design.toml", "--set", change)
+            self.assertEqual((done.returncode, done.stdout), (1, ""))
+            self.assertIn(message, done.stderr)
+            self.assertEqual(self.left_behind(), ["design.toml"])
+        self.write(DESIGN.split("[waves.a_high]")[0], "calm.toml")
+        done = self.waves("calm.toml")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("the design has no wave; add a table [waves.NAME]", done.stderr)
+        self.assertEqual(self.waves("none.toml").returncode, 1)
+        self.assertEqual(self.waves().returncode, 1)
+
+    def test_reference_of_keys_is_current(self):
+        text = (CASES.parent / "docs/design.md").read_text()
+        self.assertTrue(text.endswith(self.waves("--keys").stdout), "run upbead waves --keys into docs/design.md")
+
+    def test_keys_and_help_teach(self):
+        done = self.waves("--keys")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for part in ("`[section]`", "`[waves.NAME]`", "| `berm_depth` |", "`[duration]`"):
+            self.assertIn(part, done.stdout)
+        done = self.waves("--help")
+        for part in ("buoyant_weight = 3.0e6", "summary.json", "--set"):
+            self.assertIn(part, done.stdout)
+
+
+class Figure10(ProgramTest):
+    """Fig. 10: at equal safety factor impulsive waves slide the caisson less far than others."""
+
+    def curve(self, name, friction):
+        change = ["--set", f"section.friction={friction}"]
+        done = upbead("waves", CASES / "fig10" / name, *change, "--json", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        waves = json.loads(done.stdout)["waves"].values()
+        points = sorted((wave["safety_sliding"], wave["sliding_paper"]) for wave in waves)
+        self.assertLess(points[0][0], 0.6)
+        self.assertGreater(points[-1][0], 1.0)
+        self.assertEqual(points[-1][1], 0)
+        return [point for point in points if point[0] < 1] + [(1.0, 0.0)]  # S.F. = 1 is where r = 1
+
+    def test_impulsive_waves_slide_less_far(self):
+        for friction in (0.5, 0.6, 0.7):
+            impulsive = self.curve("impulsive.toml", friction)
+            others = self.curve("non_breaking.toml", friction)
+            for step in range(40):
+                safety = 0.6 + 0.01 * step
+                low, high = at(impulsive, safety), at(others, safety)
+                self.assertGreater(low, 0)
+                self.assertLess(low, high, f"mu {friction}, S.F. {safety}")
+
+
+def at(curve, safety):
+    """S at a safety factor: near the threshold S grows as a cube, so its root is straight between the waves."""
+    for (a, S_a), (b, S_b) in zip(curve, curve[1:]):
+        if a <= safety <= b:
+            return (S_a ** (1 / 3) + (S_b ** (1 / 3) - S_a ** (1 / 3)) * (safety - a) / (b - a)) ** 3
+    raise ValueError(f"no waves around S.F. {safety}")
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1], verbosity=2)

@@ -1,0 +1,67 @@
+"""Runs the figures of `upbead waves` on what the program writes.
+
+usage: test_waves.py FOLDER_OF_THE_SCRIPTS PROGRAM CASES_FOLDER
+"""
+
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+SCRIPTS, PROGRAM, CASES = (Path(argument).resolve() for argument in sys.argv[1:4])
+
+
+def figure(script, *arguments):
+    return subprocess.run(["/usr/bin/python3", "-B", SCRIPTS / script, *map(str, arguments)], capture_output=True,
+                          text=True)
+
+
+class WaveFigures(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def waves(self, case, *arguments):
+        out = self.folder / Path(case).stem
+        subprocess.run([PROGRAM, "waves", CASES / case, "--out", out, *arguments], check=True, capture_output=True)
+        return out
+
+    def check_png(self, done, name):
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertEqual((self.folder / name).read_bytes()[:4], b"\x89PNG")
+
+    def check_refused(self, done, message):
+        self.assertEqual((done.returncode, done.stdout), (1, ""))
+        self.assertIn(message, done.stderr)
+        self.assertNotIn("Traceback", done.stderr)
+
+    def test_sliding_against_safety(self):
+        curves = [self.waves("fig10/impulsive.toml"), self.waves("fig10/non_breaking.toml")]
+        for formula in ("paper", "exact", "combined"):
+            done = figure("sliding_safety.py", *curves, "--formula", formula, "-o", self.folder / "s.png")
+            self.check_png(done, "s.png")
+        self.check_refused(figure("sliding_safety.py", *curves, "--range", 1.2, 1.4), "slides the caisson")
+        self.check_refused(figure("sliding_safety.py", *curves, "--range", 1.0, 0.6), "must be the smaller one")
+        self.check_refused(figure("sliding_safety.py", self.folder / "none"), "cannot read")
+
+    def test_pressure_over_height(self):
+        one = self.waves("fig7-9/impulsive.toml")
+        two = self.waves("fig7-9/non_breaking.toml")
+        gauges = self.folder / "gauges.csv"
+        gauges.write_text("height,pressure\n-8,80e3\n2,90e3\n")
+        self.check_png(figure("wave_pressure.py", one, two, "-o", self.folder / "p.png"), "p.png")
+        done = figure("wave_pressure.py", one / "summary.json", "--measured", gauges, "-o", self.folder / "m.png")
+        self.check_png(done, "m.png")
+        self.check_refused(figure("wave_pressure.py", one, two, "--measured", gauges), "give as many")
+        self.check_refused(figure("wave_pressure.py", one, "--wave", "other"), "there is no wave 'other'")
+        gauges.write_text("height,pressure\n-8,eighty\n")
+        self.check_refused(figure("wave_pressure.py", one, "--measured", gauges), "expected a header line")
+        self.check_refused(figure("wave_pressure.py", self.waves("fig10/impulsive.toml")), "choose one with --wave")
+        (self.folder / "other.json").write_text("{}")
+        self.check_refused(figure("wave_pressure.py", self.folder / "other.json"), "holds no waves")
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1], verbosity=2)

@@ -1,0 +1,80 @@
+// Claim: a block that may slip on an elastic base slips as far, and transmits as much, as event-exact references say
+// (tests/reference/ref7_sliding.json, parts B and C); on a stiff base it is the block on rigid ground.
+
+#include "upbead/sliding/elastic_block.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "upbead/sliding/pulse.h"
+
+namespace upbead {
+namespace {
+
+using Json = nlohmann::json;
+
+Json reference() {
+  return Json::parse(std::ifstream(REFERENCE_FILE));
+}
+
+void compare(const ElasticSliding& found, const Json& row, double residual) {
+  const double scale = std::max(std::abs(residual), 1e-12);
+  EXPECT_NEAR(found.slip.residual, residual, 1e-8 * scale);
+  const Json& events = row["events"];
+  ASSERT_EQ(2 * found.slip.slips.size(), events.size());
+  for (std::size_t i = 0; i < found.slip.slips.size(); ++i) {
+    EXPECT_NEAR(found.slip.slips[i].start, events[2 * i][0].get<double>(), 1e-9);
+    EXPECT_NEAR(found.slip.slips[i].stop, events[2 * i + 1][0].get<double>(), 1e-9);
+  }
+  const double peak = row["max_FT"];
+  EXPECT_NEAR(found.peak_shear, peak, 2e-3 * peak) << "looked at 60 times a period";
+}
+
+TEST(ElasticBlock, OnABareSpringIsTheReference) {
+  for (const Json& row : reference()["slider"]) {
+    SCOPED_TRACE(row["td"].dump() + " s, " + row["Pm"].dump() + " N/m");
+    const ElasticSliding found = slide_on_base(row["m"], {0., row["k"], 0.}, history({row["Pm"], row["td"]}), row["R"]);
+    compare(found, row, row["residual_slip"]);
+    EXPECT_NEAR(found.peak_displacement, row["max_x"].get<double>(), 2e-3 * row["max_x"].get<double>());
+  }
+}
+
+TEST(ElasticBlock, OnAMassWithSpringAndDashpotIsTheReference) {
+  for (const Json& row : reference()["stickslip"]) {
+    SCOPED_TRACE(row["td"].dump() + " s, " + row["Pm"].dump() + " N/m");
+    const ElasticSliding found =
+        slide_on_base(row["m"], {row["mb"], row["kb"], row["cb"]}, history({row["Pm"], row["td"]}), row["R"]);
+    compare(found, row, row["residual_relative_slip"]);
+  }
+}
+
+TEST(ElasticBlock, OnAStiffBaseIsTheBlockOnRigidGround) {
+  const double mass = 6e5, R = 1.94e6;
+  const TriangularPulse pulse{4e6, 0.3};
+  const double rigid = sliding_distance_exact(mass, R, pulse);
+  const auto error = [&](double stiffness) {
+    return std::abs(slide_on_base(mass, {0., stiffness, 0.}, history(pulse), R).slip.residual - rigid);
+  };
+  EXPECT_LT(error(1e13), 5e-5 * rigid);
+  EXPECT_LT(error(1e15), 0.2 * error(1e13)) << "it vanishes as the base gets stiffer";
+}
+
+TEST(ElasticBlock, MirrorsWithTheForce) {
+  const ElasticBase base{2e5, 6e8, 4e6};
+  const ElasticSliding a = slide_on_base(6e5, base, history({3.88e6, 0.3}), 1.94e6);
+  const ElasticSliding b = slide_on_base(6e5, base, history({-3.88e6, 0.3}), 1.94e6);
+  EXPECT_EQ(a.slip.residual, -b.slip.residual);
+  EXPECT_GT(a.slip.residual, 0.01);
+}
+
+TEST(ElasticBlock, RefusesADashpotWithoutAMass) {
+  EXPECT_THROW(slide_on_base(6e5, {0., 6e8, 1e6}, history({3e6, 0.1}), 1e6), std::invalid_argument);
+  EXPECT_THROW(slide_on_base(6e5, {0., 0., 0.}, history({3e6, 0.1}), 1e6), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace upbead

@@ -1,0 +1,46 @@
+// Claim: a section that contradicts itself is told so, and it follows the water level.
+
+#include "upbead/waves/section.h"
+
+#include <gtest/gtest.h>
+
+#include "sections.h"
+
+namespace upbead::test {
+namespace {
+
+TEST(Section, SoundOnesHaveNoObjections) {
+  EXPECT_TRUE(objections(goda_section()).empty());
+  EXPECT_TRUE(objections(sliding_section()).empty());
+}
+
+TEST(Section, ContradictionsAreTold) {
+  Section s = goda_section();
+  s.buoyant_weight = s.weight;
+  s.centroid = 15.;
+  const auto list = objections(s);
+  ASSERT_EQ(list.size(), 2u);
+  EXPECT_EQ(list[0].key, "buoyant_weight");
+  EXPECT_EQ(list[1].key, "centroid");
+}
+
+TEST(Section, FollowsTheWaterLevel) {
+  const Section s = goda_section(), high = at_water_level(s, Water(), 1.5);
+  EXPECT_DOUBLE_EQ(high.water_depth, 11.6);
+  EXPECT_DOUBLE_EQ(high.foundation_depth, 8.6);
+  EXPECT_DOUBLE_EQ(high.berm_depth, 7.1);
+  EXPECT_DOUBLE_EQ(high.crest, 1.9);
+  EXPECT_DOUBLE_EQ(high.buoyant_weight, s.buoyant_weight - 1030. * 9.81 * 15. * 1.5);
+  EXPECT_EQ(high.weight, s.weight);
+  const Section back = at_water_level(high, Water(), -1.5);
+  EXPECT_NEAR(back.buoyant_weight, s.buoyant_weight, 1e-9 * s.weight);
+}
+
+TEST(Section, DisplacesNoMoreThanItself) {
+  const Section s = goda_section();
+  EXPECT_DOUBLE_EQ(at_water_level(s, Water(), 10.).buoyant_weight, at_water_level(s, Water(), 3.4).buoyant_weight);
+  EXPECT_DOUBLE_EQ(at_water_level(s, Water(), -9.).buoyant_weight, s.buoyant_weight + 1030. * 9.81 * 15. * 7.1);
+}
+
+}  // namespace
+}  // namespace upbead::test
