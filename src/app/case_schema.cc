@@ -43,6 +43,19 @@ TableSchema<Boundary> boundary_schema() {
   return table;
 }
 
+TableSchema<InitialState> initial_schema() {
+  TableSchema<InitialState> table;
+  table.key("water_level", &InitialState::water_level)
+      .unit("m")
+      .fallback("the top of the regions of water")
+      .doc("height y of still water");
+  table.key("k0", &InitialState::k0)
+      .range(between(0., 5.))
+      .fallback("from the elastic solution")
+      .doc("ratio K_0 of horizontal to vertical effective stress");
+  return table;
+}
+
 TableSchema<TimeChoice> time_schema() {
   TableSchema<TimeChoice> table;
   table.key("end", &TimeChoice::end).unit("s").range(above(0.)).doc("end of the computed time");
@@ -105,6 +118,8 @@ TableSchema<CaseTables> case_schema() {
       .doc(
           "Any number of loads by name, each on exactly one of boundary and region, with exactly one of pulse and "
           "history.");
+  table.table("initial", &CaseTables::initial, initial_schema())
+      .doc("The state before the waves, for soils whose stiffness depends on stress.");
   table.table("time", &CaseTables::time, time_schema());
   table.section("accuracy", accuracy_schema());
   table.tables("probes", &CaseTables::probes, probe_schema()).doc("Point readings by name.");

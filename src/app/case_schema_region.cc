@@ -15,6 +15,26 @@ TableSchema<Rayleigh> damping_schema() {
   return table;
 }
 
+TableSchema<StressLaw> stress_law_schema() {
+  TableSchema<StressLaw> table;
+  table.key("reference", &StressLaw::reference)
+      .unit("Pa")
+      .range(above(0.))
+      .required()
+      .doc("shear modulus G at the stress `pressure`");
+  table.key("pressure", &StressLaw::pressure)
+      .unit("Pa")
+      .range(above(0.))
+      .doc("mean effective stress to which `reference` belongs");
+  table.key("exponent", &StressLaw::exponent).range(from_to(0., 1.)).doc("exponent of the stress");
+  table.key("floor", &StressLaw::floor)
+      .unit("Pa")
+      .range(above(0.))
+      .fallback("a tenth of the region's mean")
+      .doc("least mean effective stress that counts; near free surfaces G would vanish");
+  return table;
+}
+
 /// Marks a key as belonging to some kinds of region only.
 void limit(Entry<Region>& entry) {
   std::vector<std::string> kinds;
@@ -26,10 +46,11 @@ void limit(Entry<Region>& entry) {
 }
 
 void declare_skeleton(TableSchema<Region>& table) {
-  limit(table.key("shear_modulus", &Region::shear_modulus)
+  limit(table.key_or_table("shear_modulus", &Region::shear_modulus, &Region::stress_law, stress_law_schema())
             .unit("Pa")
             .range(above(0.))
-            .doc("shear modulus G of the skeleton; or youngs_modulus"));
+            .doc("shear modulus G of the skeleton; or youngs_modulus; as a table, of a porous region: G = reference "
+                 "(mean effective stress / pressure)^exponent"));
   limit(table.key("youngs_modulus", &Region::youngs_modulus)
             .unit("Pa")
             .range(above(0.))

@@ -21,12 +21,12 @@ void throw_objections(const Case& input, const std::vector<Objection>& objection
 
 }  // namespace
 
-CompiledCase compile_case(const Case& input) {
+CompiledCase compile_case(const Case& input, std::shared_ptr<const Mesh> mesh) {
   check_size(input);
   const Scene& scene = input.scene;
   CompiledCase out;
   const Stopwatch mesh_watch;
-  out.mesh = read_mesh(mesh_request(input));
+  out.mesh = mesh ? std::move(mesh) : read_mesh(mesh_request(input));
   throw_objections(input, check_scene(scene, *out.mesh));
   out.timing.mesh = mesh_watch.seconds();
 
@@ -34,7 +34,7 @@ CompiledCase compile_case(const Case& input) {
   ResolvedScene resolved = resolve(scene, *out.mesh);
   out.scene = std::move(resolved.scene);
   out.decisions = std::move(resolved.decisions);
-  out.space = std::make_unique<Space>(*out.mesh, out.scene, resolved.absent);
+  out.space = std::make_unique<Space>(*out.mesh, out.scene, resolved.absent, resolved.soil);
   const std::vector<Body> bodies = rigid_bodies(*out.space);
   out.unknowns = std::make_unique<Unknowns>(*out.space, out.scene, bodies);
   out.compiled = compile(out.scene, *out.space, *out.unknowns, bodies);

@@ -1,9 +1,12 @@
 #include "upbead/fem/resolve.h"
 
+#include <limits>
+
 #include "outline.h"
 #include "reach.h"
 #include "upbead/base/text.h"
 #include "upbead/fem/locate.h"
+#include "upbead/fem/static_stage.h"
 #include "upbead/model/choices.h"
 #include "upbead/model/words.h"
 
@@ -71,6 +74,31 @@ Decision decide_compressibility(const std::string& name, Region& region, const S
           incompressible ? "compression of the water in " + name : ""};
 }
 
+/// Least and largest of a quantity of one region's cells.
+struct Spread {
+  double least = std::numeric_limits<double>::infinity(), largest = 0.;
+  void add(double value) { least = std::min(least, value), largest = std::max(largest, value); }
+  std::string text(double unit) const { return significant(least / unit) + " to " + significant(largest / unit); }
+};
+
+/// G of every cell by its static stress; of a region, for all that asks for one value, the largest.
+void find_stiffness(const Mesh& mesh, ResolvedScene& resolved) {
+  const StaticStage stage = solve_static(resolved.scene, mesh);
+  resolved.soil.shear_modulus = stage.shear_modulus;
+  for (auto& [name, region] : resolved.scene.regions) {
+    if (!region.stress_law) continue;
+    Spread G, p;
+    for (const auto& cell : mesh.triangulation.active_cell_iterators())
+      if (mesh.surface_of(cell) == name) {
+        G.add(stage.shear_modulus[cell->active_cell_index()]);
+        p.add(stage.stress.mean(cell->active_cell_index(), k0_of(resolved.scene)));
+      }
+    region.shear_modulus = G.largest;
+    resolved.decisions.push_back(
+        {name, "shear_modulus", G.text(1e6) + " MPa", "mean effective stress " + p.text(1e3) + " kPa at rest", ""});
+  }
+}
+
 /// Water that touches nothing moves nothing.
 void leave_out_idle_water(const Outline& outline, const Mesh& mesh, ResolvedScene& resolved) {
   for (const auto& [name, region] : resolved.scene.regions) {
@@ -101,12 +129,13 @@ void leave_out_unreached(const Mesh& mesh, ResolvedScene& resolved) {
 
 ResolvedScene resolve(const Scene& scene, const Mesh& mesh) {
   const Outline outline = outline_of(mesh);
-  ResolvedScene resolved{scene, {}, {}};
+  ResolvedScene resolved{scene, {}, {}, {}};
   for (const auto& [name, region] : scene.regions)
     if (!outline.surfaces.count(name)) {
       resolved.scene.regions.erase(name);
       resolved.decisions.push_back({name, "kind", "absent", "the mesh has no such surface", name});
     }
+  if (needs_static_stage(resolved.scene)) find_stiffness(mesh, resolved);
   for (auto& [name, region] : resolved.scene.regions) {
     const Surroundings at = surroundings_of(name, scene, mesh, outline);
     switch (region.kind) {

@@ -1,8 +1,11 @@
 #include "upbead/fem/scene_check.h"
 
+#include <cmath>
+
 #include "checker.h"
 #include "upbead/base/text.h"
 #include "upbead/fem/locate.h"
+#include "upbead/fem/static_stage.h"
 
 namespace upbead {
 
@@ -35,6 +38,13 @@ void check_regions(Checker& checker) {
     if (checker.is(a, RegionKind::rigid) && checker.is(b, RegionKind::rigid))
       checker.object("regions." + b + ".kind", "the rigid regions '" + a + "' and '" + b + "' touch",
                      "make them one surface in the mesh, or one of them solid");
+}
+
+/// Weights under water need to know where it stands.
+void check_initial(Checker& checker) {
+  if (!needs_static_stage(checker.scene) || std::isfinite(water_level(checker.scene, checker.mesh))) return;
+  checker.object("initial", "stiffness by stress needs the level of still water, which no region of water tells",
+                 "add [initial] with water_level, the height y (m)");
 }
 
 /// F_T is read at the caisson's bottom: nothing else may hold it or take part of its force, but water.
@@ -81,6 +91,7 @@ void check_probes(Checker& checker) {
 std::vector<Objection> check_scene(const Scene& scene, const Mesh& mesh) {
   Checker checker{scene, mesh, outline_of(mesh), {}};
   check_regions(checker);
+  check_initial(checker);
   check_caisson(checker);
   check_boundaries(checker);
   check_loads(checker);

@@ -30,14 +30,32 @@ hp::FECollection<dim> make_elements(unsigned k) {
   return elements;
 }
 
+/// Regions by active cell index, each with what the soil is there.
+std::vector<Region> local_regions(const Mesh& mesh, const Scene& scene, const SoilState& soil) {
+  std::vector<Region> regions;
+  for (const auto& cell : mesh.triangulation.active_cell_iterators()) {
+    Region region = scene.regions.at(mesh.surface_of(cell));
+    const std::size_t i = cell->active_cell_index();
+    if (!soil.shear_modulus.empty() && soil.shear_modulus[i] > 0.) region.shear_modulus = soil.shear_modulus[i];
+    if (!soil.damping_ratio.empty() && region.damping && soil.damping_ratio[i] > 0.)
+      region.damping->ratio = soil.damping_ratio[i];
+    regions.push_back(std::move(region));
+  }
+  return regions;
+}
+
 }  // namespace
 
-Space::Space(const Mesh& mesh, const Scene& scene, const std::vector<bool>& absent)
+Space::Space(const Mesh& mesh, const Scene& scene, const std::vector<bool>& absent, const SoilState& soil)
     : mesh_(&mesh),
       degree_(scene.mesh.degree),
+      by_cell_(!soil.shear_modulus.empty() || !soil.damping_ratio.empty()),
       elements_(make_elements(static_cast<unsigned>(scene.mesh.degree))),
       dofs_(mesh.triangulation) {
-  for (const std::string& name : mesh.surfaces) regions_.push_back(scene.regions.at(name));
+  if (by_cell_)
+    regions_ = local_regions(mesh, scene, soil);
+  else
+    for (const std::string& name : mesh.surfaces) regions_.push_back(scene.regions.at(name));
   for (const auto& cell : dofs_.active_cell_iterators())
     cell->set_active_fe_index(static_cast<unsigned>(
         !absent.empty() && absent[cell->active_cell_index()] ? CellKind::absent : kind_of(region(cell))));
@@ -45,7 +63,7 @@ Space::Space(const Mesh& mesh, const Scene& scene, const std::vector<bool>& abse
 }
 
 const Region& Space::region(const DoFHandler<dim>::active_cell_iterator& cell) const {
-  return regions_[cell->material_id()];
+  return regions_[by_cell_ ? cell->active_cell_index() : cell->material_id()];
 }
 
 bool Space::has_pressure(const DoFHandler<dim>::active_cell_iterator& cell) const {

@@ -37,6 +37,7 @@ const std::vector<MemberRule>& member_rules() {
   using R = Region;
   static const std::vector<MemberRule> rules{
       {"shear_modulus", {K::solid, K::porous}, false, set(&R::shear_modulus)},
+      {"shear_modulus.reference", {K::porous}, false, set(&R::stress_law)},
       {"youngs_modulus", {K::solid, K::porous}, false, set(&R::youngs_modulus)},
       {"poissons_ratio", {K::solid, K::porous}, true, set(&R::poissons_ratio)},
       {"density", {K::rigid, K::solid}, false, set(&R::density)},
@@ -69,7 +70,7 @@ class Checker {
     check_members();
     if (region_.kind == K::rigid) exactly_one("density", region_.density.has_value(), "mass", region_.mass.has_value());
     if (region_.kind == K::solid || region_.kind == K::porous)
-      exactly_one("shear_modulus", region_.shear_modulus.has_value(), "youngs_modulus",
+      exactly_one("shear_modulus", region_.shear_modulus || region_.stress_law, "youngs_modulus",
                   region_.youngs_modulus.has_value());
     if (region_.kind == K::solid && !region_.density) missing("density");
     if (region_.kind == K::porous) check_porous();

@@ -104,7 +104,7 @@ Compiled::Compiled(const Scene& input, const Mesh& mesh) : Compiled(resolve(whol
 
 Compiled::Compiled(const ResolvedScene& input, const Mesh& mesh)
     : resolved(input.scene),
-      space(mesh, resolved, input.absent),
+      space(mesh, resolved, input.absent, input.soil),
       bodies(rigid_bodies(space)),
       unknowns(space, resolved, bodies),
       scene(compile(resolved, space, unknowns, bodies)) {}

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "upbead/fem/soil_state.h"
 #include "upbead/mesh/mesh.h"
 #include "upbead/model/scene.h"
 
@@ -21,6 +22,7 @@ struct Decision {
 struct ResolvedScene {
   Scene scene;  ///< nothing is `automatic` in its regions
   std::vector<Decision> decisions;
+  SoilState soil;            ///< by cell, where stiffness depends on stress; its region then has the largest G
   std::vector<bool> absent;  ///< cells to leave out, by active cell index; empty: none
 };
 

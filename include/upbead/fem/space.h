@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "upbead/fem/soil_state.h"
 #include "upbead/mesh/mesh.h"
 #include "upbead/model/scene.h"
 
@@ -31,8 +32,9 @@ enum class CellKind : unsigned { solid = 0, darcy = 1, inertial = 2, water = 3, 
 class Space {
  public:
   /// Nothing in the scene's regions may be left to be chosen. Cells that are `absent` (by active cell index; none where
-  /// that is empty) carry nothing, and the mesh ends at their sides. The mesh must outlive the space.
-  Space(const Mesh& mesh, const Scene& scene, const std::vector<bool>& absent = {});
+  /// that is empty) carry nothing, and the mesh ends at their sides. What `soil` says of a cell stands in its region.
+  /// The mesh must outlive the space.
+  Space(const Mesh& mesh, const Scene& scene, const std::vector<bool>& absent = {}, const SoilState& soil = {});
 
   const Mesh& mesh() const { return *mesh_; }
   const dealii::DoFHandler<dim>& dofs() const { return dofs_; }
@@ -50,7 +52,8 @@ class Space {
  private:
   const Mesh* mesh_;
   int degree_;
-  std::vector<Region> regions_;  ///< by material_id
+  std::vector<Region> regions_;  ///< by material_id; by active cell index where the soil differs from cell to cell
+  bool by_cell_;
   dealii::MappingQ1<dim> mapping_;
   dealii::hp::FECollection<dim> elements_;
   dealii::DoFHandler<dim> dofs_;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "upbead/input/input_report.h"
+#include "upbead/input/numbers.h"
 #include "upbead/input/values.h"
 
 namespace upbead {
@@ -28,6 +29,8 @@ class Entry {
   explicit Entry(std::string name) { info.name = std::move(name); }
 
   Entry& unit(std::string text) { return set(info.unit, std::move(text)); }
+  /// Unit of the first number of a list of pairs; unit() is then that of the second.
+  Entry& unit_of_first(std::string text) { return set(info.unit_of_first, std::move(text)); }
   Entry& range(Range range) { return set(info.range, range); }
   /// A noun phrase for "give the ..."; text after a ";" is for the reference only.
   Entry& doc(std::string text) { return set(info.doc, std::move(text)); }
@@ -54,6 +57,8 @@ class Entry {
   std::function<std::string(const KeyInfo&, const T&)> print;
   /// Tables below, with headers.
   std::function<std::string(const T&, const std::string& path)> print_tables;
+  /// Shows every number of the key and of the tables below to a visitor, which may change it.
+  std::function<void(const KeyInfo&, const std::string& path, T& object, const NumberVisitor&)> visit_numbers;
   std::function<std::string(const KeyInfo&)> type;
   std::function<void(const std::string& path, const std::string& doc, std::vector<TableDoc>&)> describe_tables;
 

@@ -29,6 +29,10 @@ class TableSchema {
   /// An enum (or an optional one) by word.
   template <class V, class Base, class Enum>
   Entry<T>& choice(const std::string& name, V Base::*member, std::vector<std::pair<std::string, Enum>> words);
+  /// A value that fills one member, or a table that fills another: `name = 1.0` or `name = { ... }`.
+  template <class V, class U, class Base>
+  Entry<T>& key_or_table(const std::string& name, V Base::*member, std::optional<U> Base::*other,
+                         const TableSchema<U>& schema);
   /// A table that fills a member of T.
   template <class U, class Base>
   Entry<T>& table(const std::string& name, U Base::*member, const TableSchema<U>& schema);
@@ -44,6 +48,8 @@ class TableSchema {
   void read(const Node& node, const std::string& path, T& object, InputReport& report) const;
   /// `object` as TOML with all defaults spelled out, readable by read().
   std::string echo(const T& object, const std::string& path = "") const;
+  /// Shows every number that belongs to `object`, with its declaration and dotted path, to a visitor that may change it.
+  void visit_numbers(T& object, const std::string& path, const NumberVisitor& visitor) const;
   /// Every table and key, depth first.
   void describe(const std::string& path, const std::string& doc, std::vector<TableDoc>& docs) const;
 

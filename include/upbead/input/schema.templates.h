@@ -13,6 +13,35 @@ Entry<T>& TableSchema<T>::key(const std::string& name, V Base::*member) {
   };
   entry.print = [member](const KeyInfo& info, const T& object) { return print_value(info, object.*member); };
   entry.type = [](const KeyInfo& info) { return type_text(info, static_cast<const V*>(nullptr)); };
+  entry.visit_numbers = [member](const KeyInfo& info, const std::string& path, T& object,
+                                 const NumberVisitor& visitor) { visit_value(info, path, object.*member, visitor); };
+  return entry;
+}
+
+template <class T>
+template <class V, class U, class Base>
+Entry<T>& TableSchema<T>::key_or_table(const std::string& name, V Base::*member, std::optional<U> Base::*other,
+                                       const TableSchema<U>& schema) {
+  Entry<T>& entry = key(name, member);
+  entry.read = [read_value = entry.read, other, schema](const KeyInfo& info, const Node& node, const std::string& path,
+                                                        T& object, InputReport& report) {
+    if (node.table())
+      schema.read(node, path, (object.*other).emplace(), report);
+    else
+      read_value(info, node, path, object, report);
+  };
+  entry.print_tables = [other, schema](const T& object, const std::string& path) {
+    return object.*other ? schema.echo(*(object.*other), path) : std::string();
+  };
+  entry.visit_numbers = [visit_value = entry.visit_numbers, other, schema](
+                            const KeyInfo& info, const std::string& path, T& object, const NumberVisitor& visitor) {
+    visit_value(info, path, object, visitor);
+    if (object.*other) schema.visit_numbers(*(object.*other), path, visitor);
+  };
+  entry.type = [of_value = entry.type](const KeyInfo& info) { return of_value(info) + " or a table"; };
+  entry.describe_tables = [schema](const std::string& path, const std::string& doc, std::vector<TableDoc>& docs) {
+    schema.describe(path, doc, docs);
+  };
   return entry;
 }
 
@@ -58,6 +87,10 @@ Entry<T>& TableSchema<T>::add_table(const std::string& name, const TableSchema<U
     const U* part = find(object);
     return part ? schema.echo(*part, path) : std::string();
   };
+  entry.visit_numbers = [schema, find](const KeyInfo&, const std::string& path, T& object,
+                                       const NumberVisitor& visitor) {
+    if (U* part = find(object)) schema.visit_numbers(*part, path, visitor);
+  };
   entry.describe_tables = [schema](const std::string& path, const std::string& doc, std::vector<TableDoc>& docs) {
     schema.describe(path, doc, docs);
   };
@@ -69,7 +102,7 @@ template <class U, class Base>
 Entry<T>& TableSchema<T>::table(const std::string& name, U Base::*member, const TableSchema<U>& schema) {
   return add_table(
       name, schema, [member](T& object) -> U& { return object.*member; },
-      [member](const T& object) { return &(object.*member); });
+      [member](auto& object) { return &(object.*member); });
 }
 
 template <class T>
@@ -77,13 +110,13 @@ template <class U, class Base>
 Entry<T>& TableSchema<T>::table(const std::string& name, std::optional<U> Base::*member, const TableSchema<U>& schema) {
   return add_table(
       name, schema, [member](T& object) -> U& { return (object.*member).emplace(); },
-      [member](const T& object) { return given(object.*member); });
+      [member](auto& object) { return object.*member ? &*(object.*member) : nullptr; });
 }
 
 template <class T>
 Entry<T>& TableSchema<T>::section(const std::string& name, const TableSchema<T>& schema) {
   return add_table(
-      name, schema, [](T& object) -> T& { return object; }, [](const T& object) { return &object; });
+      name, schema, [](T& object) -> T& { return object; }, [](auto& object) { return &object; });
 }
 
 template <class T>
@@ -102,6 +135,10 @@ Entry<T>& TableSchema<T>::tables(const std::string& name, std::map<std::string, 
     std::string text;
     for (const auto& [key, item] : object.*member) text += schema.echo(item, dotted(path, key));
     return text;
+  };
+  entry.visit_numbers = [member, schema](const KeyInfo&, const std::string& path, T& object,
+                                         const NumberVisitor& visitor) {
+    for (auto& [key, item] : object.*member) schema.visit_numbers(item, dotted(path, key), visitor);
   };
   entry.describe_tables = [schema](const std::string& path, const std::string& doc, std::vector<TableDoc>& docs) {
     schema.describe(path + ".NAME", doc, docs);
@@ -146,15 +183,21 @@ std::string TableSchema<T>::echo(const T& object, const std::string& path) const
 }
 
 template <class T>
+void TableSchema<T>::visit_numbers(T& object, const std::string& path, const NumberVisitor& visitor) const {
+  for (const Entry<T>& entry : entries_)
+    if (entry.visit_numbers && entry.belongs_to(object))
+      entry.visit_numbers(entry.info, dotted(path, entry.info.name), object, visitor);
+}
+
+template <class T>
 void TableSchema<T>::describe(const std::string& path, const std::string& doc, std::vector<TableDoc>& docs) const {
   const std::size_t index = docs.size();
   docs.push_back({path, doc, {}});
   const T standard{};
   for (const Entry<T>& entry : entries_) {
-    if (entry.describe_tables)
-      entry.describe_tables(dotted(path, entry.info.name), table_doc(entry.info), docs);
-    else
+    if (entry.print)
       docs[index].rows.push_back(key_row(entry.info, entry.type(entry.info), entry.print(entry.info, standard)));
+    if (entry.describe_tables) entry.describe_tables(dotted(path, entry.info.name), table_doc(entry.info), docs);
   }
 }
 

@@ -18,6 +18,7 @@ struct KeyInfo {
   std::string unit;                ///< "" for a number without one
   std::string doc;                 ///< a noun phrase after "the"; what follows a ";" is for the reference only
   std::string fallback;            ///< the default in words, where it is none of the values
+  std::string unit_of_first;       ///< in a list of pairs whose second number has another unit
   std::string word;                ///< stands for "not given", such as "auto"; "" where there is none
   std::string condition;           ///< where the key belongs, in words; "" for everywhere
   std::vector<std::string> words;  ///< allowed words of a choice

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "upbead/base/objection.h"
+#include "upbead/model/soil.h"
 
 namespace upbead {
 
@@ -41,6 +42,7 @@ struct Rayleigh {
 struct Region {
   RegionKind kind = RegionKind::porous;
   std::optional<double> shear_modulus;                     ///< G (Pa)
+  std::optional<StressLaw> stress_law;                     ///< porous: G by stress, instead of G
   std::optional<double> youngs_modulus;                    ///< E (Pa), instead of G
   std::optional<double> poissons_ratio;                    ///< nu of the drained skeleton
   std::optional<double> density;                           ///< rigid, solid (kg/m3)

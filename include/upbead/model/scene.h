@@ -55,7 +55,8 @@ struct Scene {
   std::map<std::string, Boundary> boundaries;
   std::map<std::string, Load> loads;
   TimeChoice time;
-  double tolerance = 0.005;  ///< relative, on peak F_T
+  std::optional<InitialState> initial;  ///< for stiffness that depends on stress
+  double tolerance = 0.005;             ///< relative, on peak F_T
   std::map<std::string, Probe> probes;
   std::optional<double> fields_every;  ///< s; none: no fields
   std::optional<SlidingChoice> sliding;

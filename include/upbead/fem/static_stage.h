@@ -1,0 +1,39 @@
+// The static state before the waves: what the soils weigh under water, with the caisson on them.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "upbead/mesh/mesh.h"
+#include "upbead/model/scene.h"
+
+namespace upbead {
+
+/// Effective stresses at the middle of each active cell, compression positive (Pa); 0 where there is no soil.
+struct EffectiveStress {
+  std::vector<double> horizontal, vertical, out_of_plane;
+  /// (s'_x + s'_y + s'_z) / 3 of a cell; with K_0 (1 + 2 K_0)/3 s'_y.
+  double mean(std::size_t cell, const std::optional<double>& k0) const;
+};
+
+struct StaticStage {
+  EffectiveStress stress;
+  std::vector<double> shear_modulus;  ///< by active cell index; 0 where no law depends on stress (Pa)
+  int iterations = 0;                 ///< solves until no G changed by more than 0.1 %
+};
+
+/// Whether a region's stiffness depends on stress.
+bool needs_static_stage(const Scene& scene);
+
+/// [initial] k0.
+std::optional<double> k0_of(const Scene& scene);
+
+/// Height of still water (m): [initial] water_level, else the top of the regions of water, else -infinity.
+double water_level(const Scene& scene, const Mesh& mesh);
+
+/// Solves div sigma' + gamma' = 0 for drained soils on their own sides, absorbing ones as rollers, with unit weights
+/// gamma' = (1 - n)(rho_s - rho_f) g below still water and (1 - n) rho_s g above it, of bodies (rho - rho_f) g and rho
+/// g; G follows the stress until it settles. Throws NumericsError where it does not, or the ground is not held.
+StaticStage solve_static(const Scene& scene, const Mesh& mesh);
+
+}  // namespace upbead

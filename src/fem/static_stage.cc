@@ -1,0 +1,98 @@
+#include "upbead/fem/static_stage.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "static_system.h"
+#include "upbead/base/error.h"
+
+namespace upbead {
+
+namespace {
+
+constexpr int most_iterations = 50;
+constexpr double settled = 1e-3;
+
+/// The least stress that counts in each region, by its material id.
+std::vector<double> floors(const Scene& scene, const Mesh& mesh, const EffectiveStress& stress) {
+  std::vector<double> sum(mesh.surfaces.size(), 0.), area(mesh.surfaces.size(), 0.);
+  for (const auto& cell : mesh.triangulation.active_cell_iterators()) {
+    const double p = std::max(stress.mean(cell->active_cell_index(), k0_of(scene)), 0.);
+    sum[cell->material_id()] += p * cell->measure();
+    area[cell->material_id()] += cell->measure();
+  }
+  std::vector<double> list;
+  for (std::size_t i = 0; i < mesh.surfaces.size(); ++i) {
+    const std::optional<StressLaw>& law = scene.regions.at(mesh.surfaces[i]).stress_law;
+    list.push_back(law && law->floor ? *law->floor : 0.1 * sum[i] / area[i]);
+  }
+  return list;
+}
+
+std::vector<double> moduli(const Scene& scene, const Mesh& mesh, const EffectiveStress& stress) {
+  const std::vector<double> floor = floors(scene, mesh, stress);
+  std::vector<double> G(mesh.triangulation.n_active_cells(), 0.);
+  for (const auto& cell : mesh.triangulation.active_cell_iterators()) {
+    const std::optional<StressLaw>& law = scene.regions.at(mesh.surface_of(cell)).stress_law;
+    const std::size_t i = cell->active_cell_index();
+    if (law) G[i] = shear_modulus(*law, stress.mean(i, k0_of(scene)), floor[cell->material_id()]);
+    if (law && !(G[i] > 0.))
+      throw NumericsError("the static state has no compression in the region '" + mesh.surface_of(cell) +
+                          "', so that its stiffness vanishes; give a floor in its shear_modulus");
+  }
+  return G;
+}
+
+double largest_change(const std::vector<double>& before, const std::vector<double>& after) {
+  double change = 0.;
+  for (std::size_t i = 0; i < before.size(); ++i)
+    if (after[i] > 0.) change = std::max(change, std::abs(after[i] / before[i] - 1.));
+  return change;
+}
+
+}  // namespace
+
+double EffectiveStress::mean(std::size_t cell, const std::optional<double>& k0) const {
+  if (k0) return (1. + 2. * *k0) / 3. * vertical[cell];
+  return (horizontal[cell] + vertical[cell] + out_of_plane[cell]) / 3.;
+}
+
+std::optional<double> k0_of(const Scene& scene) {
+  return scene.initial ? scene.initial->k0 : std::nullopt;
+}
+
+bool needs_static_stage(const Scene& scene) {
+  return std::any_of(scene.regions.begin(), scene.regions.end(),
+                     [](const auto& entry) { return entry.second.stress_law.has_value(); });
+}
+
+double water_level(const Scene& scene, const Mesh& mesh) {
+  if (scene.initial && scene.initial->water_level) return *scene.initial->water_level;
+  double level = -std::numeric_limits<double>::infinity();
+  for (const auto& cell : mesh.triangulation.active_cell_iterators())
+    if (scene.regions.at(mesh.surface_of(cell)).kind == RegionKind::water)
+      for (const unsigned v : cell->vertex_indices()) level = std::max(level, cell->vertex(v)[1]);
+  return level;
+}
+
+StaticStage solve_static(const Scene& scene, const Mesh& mesh) {
+  StaticStage stage;
+  SoilState soil;
+  for (const auto& cell : mesh.triangulation.active_cell_iterators()) {
+    const std::optional<StressLaw>& law = scene.regions.at(mesh.surface_of(cell)).stress_law;
+    soil.shear_modulus.push_back(law ? law->reference : 0.);
+  }
+  while (true) {
+    stage.stress = detail::static_stress(scene, mesh, soil);
+    ++stage.iterations;
+    stage.shear_modulus = moduli(scene, mesh, stage.stress);
+    if (largest_change(soil.shear_modulus, stage.shear_modulus) < settled) return stage;
+    if (stage.iterations == most_iterations)
+      throw NumericsError("stiffness and static stress do not settle within " + std::to_string(most_iterations) +
+                          " solves");
+    soil.shear_modulus = stage.shear_modulus;
+  }
+}
+
+}  // namespace upbead
