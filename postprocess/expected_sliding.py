@@ -61,10 +61,11 @@ def draw_heights(axes, results):
     axes.set_ylim(bottom=1e-2)
     axes.set_ylabel("waves a metre of height")
     asked = sorted(result.summary["exceedance"].values(), key=lambda found: found["height"])
-    for i, found in enumerate(asked):  # one below the other
+    for found in asked:
+        right = found is asked[-1]  # the others stand left of their lines
         axes.axvline(found["height"], color="0.4", linewidth=0.8)
-        axes.annotate(f" {found['waves']:.3g} waves\n above {found['height']:g} m", (found["height"], 1 - 0.2 * i),
-                      xycoords=("data", "axes fraction"), fontsize=8, va="top", ha="left")
+        axes.annotate(f" {found['waves']:.3g} waves \n above {found['height']:g} m ", (found["height"], 1), fontsize=8,
+                      xycoords=("data", "axes fraction"), va="top", ha="left" if right else "right")
 
 
 def draw_curves(axes, results, laws, of, factor=1.0):

@@ -65,6 +65,17 @@ Json to_object(const ReductionSummary& r) {
           {"highest_frequency", r.highest_frequency}};
 }
 
+Json to_object(const SoilSummary& s) {
+  return {{"iterations", s.iterations},
+          {"converged", s.converged},
+          {"change", s.change},
+          {"peak_linear", s.linear},
+          {"peak", s.settled},
+          {"largest_strain", s.largest_strain},
+          {"least_modulus_ratio", s.least_modulus_ratio},
+          {"largest_damping", s.largest_damping}};
+}
+
 Json to_object(const Timing& t) {
   return {{"mesh", t.mesh},   {"compile", t.compile}, {"factorise", t.factorise},
           {"march", t.march}, {"output", t.output},   {"total", t.total}};
@@ -89,6 +100,7 @@ std::string to_json(const Summary& summary) {
   json["energy"] = summary.energy ? to_object(*summary.energy) : Json(nullptr);
   json["reduction"] = summary.reduction ? to_object(*summary.reduction) : Json(nullptr);
   json["sliding"] = summary.sliding ? to_object(*summary.sliding) : Json(nullptr);
+  json["soil"] = summary.soil ? to_object(*summary.soil) : Json(nullptr);
   json["skipped"] = Json::array();
   for (const Skipped& skipped : summary.skipped)
     json["skipped"].push_back({{"what", skipped.what}, {"why", skipped.why}});

@@ -92,9 +92,30 @@ std::string edited(std::string text, const std::string& good, const std::string&
   return at == std::string::npos ? text : text.replace(at, good.size(), bad);
 }
 
+const std::string good_sea = "[sea]\nstates = \"states.csv\"\nyears = 9\nhighest = 2.0\nheights = { high = 10.5 }\n";
+
 const std::vector<BadExpected> rows{
     {"NoSea", "[sea]\nstates = \"states.csv\"\nyears = 9\nhighest = 2.0\nheights = { high = 10.5 }\n", "",
-     "design.toml: the table [sea] is missing, which 'expected' needs; add [sea] with states = the path of a CSV file"},
+     "design.toml: the table [sea] is missing, which 'expected' needs; add [sea] with states = the path of a CSV file, "
+     "or [storms]"},
+    {"SeaAndStorms", "[life]", "[storms]\nlocation = 2\nscale = 1\nperiod = 12\n[life]",
+     "design.toml:20:2: [storms]: both [sea] and [storms] are given; keep one of them"},
+    {"StormsOfNothing", "[life]", "[storms]\nscale = 0\n[life]",
+     "design.toml:20:2: 'location' is missing in [storms]; add location, a number (m)\ndesign.toml:20:2: [storms]: "
+     "both [sea] and [storms] are given; keep one of them\ndesign.toml:20:2: [storms]: neither 'period' nor "
+     "'steepness' is given; add one of them\ndesign.toml:21:1: scale = 0 is outside [1e-6, 100]; give the scale of "
+     "H_0' (m)"},
+    {"StormsWithTwoPeriods", good_sea, "[storms]\nlocation = 2\nscale = 1\nperiod = 12\nsteepness = 0.03\n",
+     "design.toml:18:1: [storms]: both 'period' and 'steepness' are given; keep one of them"},
+    {"StormsWithoutAPeriod", good_sea, "[storms]\nlocation = 2\nscale = 1\ntide_low = 1\n",
+     "design.toml:14:2: [storms]: neither 'period' nor 'steepness' is given; add one of them\ndesign.toml:17:1: "
+     "[storms]: tide_low = 1 m is above tide_high = 0 m; give tide_low <= tide_high"},
+    {"ShapeOfAGumbel", good_sea,
+     "[storms]\ndistribution = \"gumbel\"\nlocation = 2\nscale = 1\nperiod = 12\nshape = 2\n",
+     "design.toml:19:1: 'shape' does not belong in [storms] (only in weibull); remove it"},
+    {"HighTide", good_sea, "[storms]\nlocation = 2\nscale = 1\nperiod = 12\ntide_high = 5.5\n",
+     "design.toml:35:10: still water may rise by 6.5 m, above the crest; give lower water levels, or cut "
+     "[scatter.water_level] by high"},
     {"NoStates", "states = \"states.csv\"\n", "",
      "design.toml:14:2: 'states' is missing in [sea]; add states, a string"},
     {"NoSuchFile", "\"states.csv\"", "\"record.csv\"",

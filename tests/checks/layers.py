@@ -10,15 +10,17 @@ ALLOWED = {
     "base": [],
     "input": ["base"],
     "model": ["base"],
+    "waves": ["base"],
     "algebra": ["base"],
     "mesh": ["base"],
     "system": ["base", "algebra"],
     "fem": FEM,
     "dynamics": ["base", "algebra", "system"],
     "response": FEM + ["fem", "dynamics"],
-    "sliding": ["base"],
+    "sliding": ["base", "waves"],
+    "expected": ["base", "algebra", "system", "dynamics", "waves", "sliding"],
     "output": FEM + ["fem", "dynamics", "response", "sliding"],
-    "app": FEM + ["input", "fem", "dynamics", "response", "sliding", "output"],
+    "app": FEM + ["input", "waves", "fem", "dynamics", "response", "sliding", "expected", "output"],
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s+"upbead/([^/"]+)/')
 

@@ -149,6 +149,31 @@ class Expected(ProgramTest):
         self.assertEqual(process.wait(), 0)
         self.assertIn(b"simulating lives", text)
 
+    def test_storms_are_drawn_without_a_record(self):
+        text = HD10.read_text()
+        (self.folder / "storms.toml").write_text(
+            text[:text.index("[sea]")] + "[storms]\nlocation = 3\nscale = 1.5\nshape = 1.4\nsteepness = 0.03\n"
+            "tide_high = 1\n[life]\nlives = 300\nyears = 50\n")
+        found = self.expected("storms.toml")
+        self.assertIsNone(found["expected"])
+        self.assertIsNone(found["monte_carlo"]["without_scatter"])
+        self.assertGreater(found["monte_carlo"]["mean"], 0)
+        higher = self.expected("storms.toml", "--set", "storms.location=4")
+        self.assertGreater(higher["monte_carlo"]["mean"], found["monte_carlo"]["mean"])
+
+    def test_results_are_drawn(self):
+        script = CASES.parent / "postprocess/expected_sliding.py"
+        draw = lambda *arguments: subprocess.run([sys.executable, "-B", script, *arguments], cwd=self.folder,
+                                                 capture_output=True, text=True)
+        self.expected(HD10, "--out", "low")
+        self.expected(HD12, "--out", "high")
+        done = draw("low", "high", "--law", "paper", "-o", "figure.png")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertGreater((self.folder / "figure.png").stat().st_size, 10000)
+        done = draw("nothing")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("holds no results of 'upbead expected'", done.stderr)
+
     def test_help_teaches_by_example(self):
         done = upbead("expected", "--help")
         self.assertEqual(done.returncode, 0)

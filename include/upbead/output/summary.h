@@ -32,6 +32,18 @@ struct ReductionSummary {
   double highest_frequency = 0.;  ///< up to which the transfer function of F_T has been checked (Hz)
 };
 
+/// What the strain of the response made of the soil.
+struct SoilSummary {
+  int iterations = 0;               ///< of linear solutions after the first
+  bool converged = false;           ///< whether the last change was below 1 %
+  double change = 1.;               ///< of the peak of |F_T| in the last one, relative
+  double linear = 0.;               ///< peak |F_T| with stiffness and damping at vanishing strain (N/m)
+  double settled = 0.;              ///< peak |F_T| in the last one (N/m); without a caisson both are strains
+  double largest_strain = 0.;       ///< largest effective shear strain of a cell
+  double least_modulus_ratio = 1.;  ///< least G/G_max
+  double largest_damping = 0.;      ///< largest damping ratio
+};
+
 /// What was left out, and why.
 struct Skipped {
   std::string what;
@@ -51,6 +63,7 @@ struct Summary {
   std::optional<EnergyAccount> energy;        ///< none where no march kept an account
   std::optional<ReductionSummary> reduction;  ///< none where it was marched
   std::optional<SlidingSummary> sliding;      ///< none without [sliding]
+  std::optional<SoilSummary> soil;            ///< none where no soil depends on strain
   std::vector<Skipped> skipped;
   Timing timing;
 };

@@ -1,0 +1,83 @@
+// Lives of a breakwater by Monte Carlo: the sea states of a record over and over, and everything uncertain drawn.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "upbead/expected/distribution.h"
+#include "upbead/expected/sliding_law.h"
+#include "upbead/expected/stream.h"
+
+namespace upbead {
+
+/// What is uncertain; what is not given is certain. All but water_level are factors.
+struct Uncertainties {
+  std::optional<Distribution> significant_height;
+  std::optional<Distribution> wave;  ///< of the height of single waves
+  std::optional<Distribution> period;
+  std::optional<Distribution> force, uplift, friction, weight;
+  std::optional<Distribution> water_level;  ///< added (m)
+};
+
+using LawMaker = std::function<std::unique_ptr<SlidingLaw>(const SeaState&)>;
+
+/// Storms that are drawn and do not come from a record. Both take numbers in (0, 1).
+struct StormSource {
+  std::function<double(double u)> number;  ///< of storms in a life
+  std::function<SeaState(double u_height, double u_tide)> storm;
+};
+
+struct LifeSetup {
+  std::vector<SeaState> states;       ///< of the record
+  std::optional<StormSource> source;  ///< or this
+  double record_years = 1.;           ///< that it covers
+  double life_years = 50.;
+  double cut = RayleighHeights::no_cut;  ///< of the heights, over H_1/3
+  Uncertainties uncertain;
+  LawMaker law;  ///< of a sea state as drawn
+  std::uint64_t seed = 1;
+  bool every_wave = false;  ///< draw also the waves that cannot slide: much slower, for tests
+};
+
+struct Life {
+  double sliding = 0.;   ///< sum of all S (m)
+  double waves = 0.;     ///< that came
+  double answered = 0.;  ///< waves whose S was computed, because they might slide
+};
+
+/// A life is the record, repeated, the last time with part of its waves, or storms of a source. A storm is one sea
+/// state of one repetition.
+/// Every number belongs to its life, storm and wave: lives can be simulated in any order, by any number of threads.
+///
+/// Where nothing scatters from wave to wave, only waves that may slide are drawn: their number, binomial, then their
+/// heights given that they exceed the threshold of S. The distribution of S is the same as with every wave drawn.
+class LifeSimulation {
+ public:
+  /// Throws std::invalid_argument where significant height, period or water level scatter from wave to wave, or a storm
+  /// has more than 4e9 waves.
+  explicit LifeSimulation(LifeSetup setup);
+  /// Safe for different lives at the same time.
+  Life life(std::uint32_t index) const;
+  /// In every life; of a source 0, as each life has its own.
+  std::size_t storms() const { return storms_; }
+
+ private:
+  struct Storm;
+  struct Drawn;
+  void add_storm(const Storm& storm, Life& life) const;
+  void add_every_wave(const Storm& storm, const SlidingLaw& law, Life& life) const;
+  void add_sliding_waves(const Storm& storm, const SlidingLaw& law, Life& life) const;
+  SeaState sea_of(std::uint32_t life, std::uint32_t storm) const;
+  Drawn drawn(Per per, const StreamPlace& place, const Drawn& before) const;
+
+  LifeSetup setup_;
+  Stream stream_;
+  std::size_t storms_;
+  bool by_wave_;                                         ///< something scatters from wave to wave
+  std::vector<std::unique_ptr<const SlidingLaw>> laws_;  ///< of the states, where no draw changes them
+};
+
+}  // namespace upbead

@@ -1,0 +1,23 @@
+// Checks across the keys of a design, and of the files that it names, for `expected`.
+#pragma once
+
+#include "design.h"
+#include "upbead/expected/life.h"
+
+namespace upbead {
+
+void check_expected(const DesignTables& tables, const Document& document, InputReport& report);
+
+/// A scatter by its name, and the mean where it gives none.
+struct NamedScatter {
+  const char* name;
+  std::optional<Scatter> ScatterTables::*table;
+  std::optional<Distribution> Uncertainties::*distribution;
+  double mean;
+};
+const std::vector<NamedScatter>& named_scatters();
+
+/// Sound tables as distributions.
+Uncertainties uncertainties(const ScatterTables& tables);
+
+}  // namespace upbead

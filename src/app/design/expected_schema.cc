@@ -1,0 +1,146 @@
+#include "design_tables.h"
+
+namespace upbead {
+
+namespace {
+
+const std::vector<std::pair<std::string, Law>> law_words{
+    {"paper", Law::paper}, {"exact", Law::exact}, {"combined", Law::combined}, {"dynamic", Law::dynamic}};
+const std::vector<std::pair<std::string, ScatterKind>> kind_words{{"normal", ScatterKind::normal},
+                                                                  {"lognormal", ScatterKind::lognormal},
+                                                                  {"uniform", ScatterKind::uniform},
+                                                                  {"triangular", ScatterKind::triangular}};
+const std::vector<std::pair<std::string, Per>> per_words{
+    {"life", Per::life}, {"storm", Per::storm}, {"wave", Per::wave}};
+const std::vector<std::pair<std::string, ImpactForce>> force_words{
+    {"impulse", ImpactForce::impulse}, {"goda_with_alpha_I", ImpactForce::goda_with_alpha_I}};
+const std::vector<std::pair<std::string, ImpactUplift>> uplift_words{
+    {"held", ImpactUplift::held}, {"in_phase", ImpactUplift::in_phase}, {"sinusoidal", ImpactUplift::sinusoidal}};
+
+TableSchema<SeaTable> sea_schema() {
+  TableSchema<SeaTable> table;
+  table.key("states", &SeaTable::states)
+      .required()
+      .doc(
+          "path of a CSV file with the columns significant_height (m), period (s), waves (their number), and, on "
+          "demand, "
+          "water_level (m) and angle (degrees)");
+  table.key("years", &SeaTable::years).unit("years").range(from_to(1e-3, 1e5)).doc("time that the sea states cover");
+  table.key("highest", &SeaTable::highest)
+      .range(from_to(0.01, 10.))
+      .fallback("no cut")
+      .doc("largest height of a wave over H_1/3; higher ones are set aside");
+  table.key("heights", &SeaTable::heights).unit("m").doc("heights by name; the waves above each are counted");
+  return table;
+}
+
+TableSchema<LifeTable> life_schema() {
+  TableSchema<LifeTable> table;
+  table.key("years", &LifeTable::years).unit("years").range(from_to(1e-3, 1e5)).doc("life of the structure");
+  table.key("lives", &LifeTable::lives).range(from_to(2., 1e7)).doc("number of lives to simulate");
+  table.key("seed", &LifeTable::seed)
+      .range(from_to(0., 2147483647.))
+      .doc("seed; the same one gives the same numbers on any number of threads");
+  table.choice("sliding", &LifeTable::sliding, law_words)
+      .fallback("dynamic where [dynamics] gives a model, else exact")
+      .doc("how S follows from a wave");
+  return table;
+}
+
+TableSchema<Scatter> scatter_schema() {
+  const auto by_moments = [](const Scatter& s) {
+    return s.kind == ScatterKind::normal || s.kind == ScatterKind::lognormal;
+  };
+  TableSchema<Scatter> table;
+  table.choice("kind", &Scatter::kind, kind_words).doc("distribution");
+  table.key("mean", &Scatter::mean)
+      .fallback("1; of water_level 0")
+      .doc("mean before the ends are cut")
+      .when("kind", by_moments, "in normal and lognormal");
+  table.key("cov", &Scatter::cov)
+      .range(at_least(0.))
+      .doc("standard deviation over mean; or deviation")
+      .when("kind", by_moments, "in normal and lognormal");
+  table.key("deviation", &Scatter::deviation)
+      .range(at_least(0.))
+      .doc("standard deviation; or cov")
+      .when("kind", by_moments, "in normal and lognormal");
+  table.key("mode", &Scatter::mode)
+      .required()
+      .doc("most likely value")
+      .when(
+          "kind", [](const Scatter& s) { return s.kind == ScatterKind::triangular; }, "in triangular");
+  table.key("low", &Scatter::low).fallback("not cut").doc("least value; normal and lognormal are cut there");
+  table.key("high", &Scatter::high).fallback("not cut").doc("largest value; normal and lognormal are cut there");
+  table.choice("per", &Scatter::per, per_words).doc("how long one draw holds");
+  return table;
+}
+
+TableSchema<ScatterTables> scatters_schema() {
+  const TableSchema<Scatter> one = scatter_schema();
+  TableSchema<ScatterTables> table;
+  table.table("significant_height", &ScatterTables::significant_height, one).doc("Factor of H_1/3.");
+  table.table("wave", &ScatterTables::wave, one).doc("Factor of the height of single waves.");
+  table.table("period", &ScatterTables::period, one).doc("Factor of T.");
+  table.table("force", &ScatterTables::force, one).doc("Factor of P.");
+  table.table("uplift", &ScatterTables::uplift, one).doc("Factor of U.");
+  table.table("friction", &ScatterTables::friction, one).doc("Factor of mu.");
+  table.table("weight", &ScatterTables::weight, one).doc("Factor of W; the buoyancy W - W' stays.");
+  table.table("water_level", &ScatterTables::water_level, one).doc("Rise of the still water (m).");
+  return table;
+}
+
+TableSchema<DynamicsTable> dynamics_schema() {
+  TableSchema<DynamicsTable> table;
+  table.key("model", &DynamicsTable::model).required().doc("path of a reduced model, made by 'upbead reduce'");
+  table.key("load", &DynamicsTable::load)
+      .fallback("the only one, or that with the largest peak")
+      .doc("name of its load that is the wave");
+  table.key("step", &DynamicsTable::step)
+      .unit("s")
+      .range(from_to(1e-5, 1.))
+      .or_word("auto")
+      .doc("step of the answers; auto: from the rise of the waves and the model");
+  return table;
+}
+
+TableSchema<ImpactTable> impact_schema() {
+  TableSchema<ImpactTable> table;
+  table.choice("force", &ImpactTable::force, force_words)
+      .doc("force that the model answers; goda_with_alpha_I is refused, as it already is an effective sliding force");
+  table.key("peak_gain", &ImpactTable::peak_gain)
+      .range(from_to(0., 100.))
+      .doc("e in P_I = P_1 (1 + e alpha*), the peak of the impulsive force; an assumption");
+  table.key("rise_coefficient", &ImpactTable::rise_coefficient)
+      .range(from_to(0.01, 100.))
+      .doc("c in t_r = c sqrt(d/g) rho g H^2 / P_I, its rise; an assumption");
+  table.key("duration_least", &ImpactTable::duration_least)
+      .range(from_to(1.1, 1000.))
+      .doc("a in t_d = t_r (a + b exp(-c t_r/T)), its duration; an assumption");
+  table.key("duration_gain", &ImpactTable::duration_gain)
+      .range(from_to(0., 1000.))
+      .doc("b of the duration; an assumption");
+  table.key("duration_decay", &ImpactTable::duration_decay)
+      .range(from_to(0., 1000.))
+      .doc("c of the duration; an assumption");
+  table.choice("uplift", &ImpactTable::uplift, uplift_words)
+      .doc("uplift over time; held: U_max until T/4, then U_max sin(2 pi t/T)");
+  return table;
+}
+
+}  // namespace
+
+void add_expected_tables(TableSchema<DesignTables>& table) {
+  table.table("sea", &DesignTables::sea, sea_schema()).doc("Sea states, for `expected`; or [storms].");
+  table.table("storms", &DesignTables::storms, storms_schema())
+      .doc("Storms of a life from the statistics of extreme waves in deep water, in place of [sea]; needs [life].");
+  table.table("life", &DesignTables::life, life_schema()).doc("Monte Carlo over lives; not done without this table.");
+  table.table("scatter", &DesignTables::scatter, scatters_schema())
+      .doc("What is uncertain in Monte Carlo, each with a table [scatter.NAME]; nothing is without one.");
+  table.table("dynamics", &DesignTables::dynamics, dynamics_schema())
+      .doc("The caisson's own dynamics: S from F_T(t) of a reduced model.");
+  table.table("impact", &DesignTables::impact, impact_schema())
+      .doc("The force history of a wave that the reduced model answers: assumptions of ours.");
+}
+
+}  // namespace upbead

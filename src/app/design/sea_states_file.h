@@ -1,0 +1,16 @@
+// The record of sea states.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "upbead/base/error.h"
+#include "upbead/expected/sea_state.h"
+
+namespace upbead {
+
+/// Reads a CSV file with the columns significant_height (m), period (s), waves, and, on demand, angle (degrees) and
+/// water_level (m), in any order. Throws InputError with every mistake; a file that cannot be read is one at `place`.
+std::vector<SeaState> read_sea_states(const std::string& path, const Place& place);
+
+}  // namespace upbead

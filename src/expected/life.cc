@@ -1,0 +1,171 @@
+#include "upbead/expected/life.h"
+
+#include <boost/math/distributions/binomial.hpp>
+#include <cmath>
+#include <stdexcept>
+
+namespace upbead {
+
+namespace {
+
+constexpr std::uint32_t no_storm = 0xffffffff, no_wave = 0xffffffff;
+constexpr double most_waves = 4e9;
+
+/// What a random number at a place is for; those of single quantities are their index in quantities().
+enum Purpose : std::uint32_t {
+  for_height = 16,
+  for_number = 17,
+  for_last_wave = 18,
+  for_storms = 19,
+  for_sea = 20,
+  for_tide = 21
+};
+
+using Quantity = std::optional<Distribution> Uncertainties::*;
+
+const std::vector<Quantity>& quantities() {
+  static const std::vector<Quantity> list{&Uncertainties::significant_height,
+                                          &Uncertainties::wave,
+                                          &Uncertainties::period,
+                                          &Uncertainties::force,
+                                          &Uncertainties::uplift,
+                                          &Uncertainties::friction,
+                                          &Uncertainties::weight,
+                                          &Uncertainties::water_level};
+  return list;
+}
+
+bool scatters(const Uncertainties& uncertain, Quantity quantity, Per per) {
+  return (uncertain.*quantity) && (uncertain.*quantity)->per() == per;
+}
+
+/// Whether a sea state is not what the record says.
+bool changes_states(const Uncertainties& u) {
+  return u.significant_height || u.period || u.water_level;
+}
+
+/// The least k with P(K <= k) >= u for K binomial.
+double binomial_quantile(double n, double p, double u) {
+  if (n <= 0. || p <= 0. || u <= std::exp(n * std::log1p(-p))) return 0.;
+  if (p >= 1.) return n;
+  using Up =
+      boost::math::policies::policy<boost::math::policies::discrete_quantile<boost::math::policies::integer_round_up>>;
+  return quantile(boost::math::binomial_distribution<double, Up>(n, p), u);
+}
+
+}  // namespace
+
+/// Everything that has been drawn for a wave so far.
+struct LifeSimulation::Drawn {
+  double significant_height = 1., wave = 1., period = 1., water_level = 0.;
+  WaveFactors factors;
+};
+
+struct LifeSimulation::Storm {
+  std::uint32_t life, index;
+  SeaState sea;  ///< as drawn
+  Drawn drawn;
+  double waves;  ///< a whole number
+};
+
+LifeSimulation::LifeSimulation(LifeSetup setup) : setup_(std::move(setup)), stream_(setup_.seed) {
+  for (const Quantity quantity :
+       {&Uncertainties::significant_height, &Uncertainties::period, &Uncertainties::water_level})
+    if (scatters(setup_.uncertain, quantity, Per::wave))
+      throw std::invalid_argument("significant height, period and water level belong to a storm, not to a wave");
+  for (const SeaState& state : setup_.states)
+    if (!(state.waves < most_waves)) throw std::invalid_argument("a storm of more than 4e9 waves");
+  by_wave_ = false;
+  for (const Quantity quantity : quantities()) by_wave_ = by_wave_ || scatters(setup_.uncertain, quantity, Per::wave);
+  const double repetitions = std::ceil(setup_.life_years / setup_.record_years * (1. - 1e-12));
+  if (!(repetitions * static_cast<double>(setup_.states.size()) < no_storm))
+    throw std::invalid_argument("a life of more than 4e9 storms");
+  storms_ = setup_.states.size() * static_cast<std::size_t>(repetitions);
+  if (!changes_states(setup_.uncertain) && !setup_.source)
+    for (const SeaState& state : setup_.states) laws_.push_back(setup_.law(state));
+}
+
+LifeSimulation::Drawn LifeSimulation::drawn(Per per, const StreamPlace& place, const Drawn& before) const {
+  Drawn all = before;
+  double* const values[] = {&all.significant_height, &all.wave,           &all.period,
+                            &all.factors.force,      &all.factors.uplift, &all.factors.friction,
+                            &all.factors.weight,     &all.water_level};
+  for (std::uint32_t i = 0; i < quantities().size(); ++i)
+    if (scatters(setup_.uncertain, quantities()[i], per))
+      *values[i] = (setup_.uncertain.*quantities()[i])->quantile(stream_.uniform({place[0], place[1], place[2], i}));
+  return all;
+}
+
+/// With its waves as far as the life goes on.
+SeaState LifeSimulation::sea_of(std::uint32_t life, std::uint32_t storm) const {
+  if (setup_.source)
+    return setup_.source->storm(stream_.uniform({life, storm, no_wave, for_sea}),
+                                stream_.uniform({life, storm, no_wave, for_tide}));
+  SeaState sea = setup_.states[storm % setup_.states.size()];
+  const auto before = static_cast<double>(storm / setup_.states.size());
+  sea.waves *= std::min(1., setup_.life_years / setup_.record_years - before);
+  return sea;
+}
+
+Life LifeSimulation::life(std::uint32_t index) const {
+  Life life;
+  const Drawn of_life = drawn(Per::life, {index, no_storm, no_wave, 0}, {});
+  const auto n =
+      setup_.source
+          ? static_cast<std::size_t>(setup_.source->number(stream_.uniform({index, no_storm, no_wave, for_storms})))
+          : storms_;
+  for (std::uint32_t s = 0; s < n; ++s) {
+    Storm storm{index, s, sea_of(index, s), drawn(Per::storm, {index, s, no_wave, 0}, of_life), 0.};
+    storm.sea.significant_height *= storm.drawn.significant_height;
+    storm.sea.period *= storm.drawn.period;
+    storm.sea.water_level += storm.drawn.water_level;
+    storm.waves = std::floor(storm.sea.waves);
+    if (stream_.uniform({index, s, no_wave, for_last_wave}) < storm.sea.waves - storm.waves) storm.waves += 1.;
+    add_storm(storm, life);
+  }
+  return life;
+}
+
+void LifeSimulation::add_storm(const Storm& storm, Life& life) const {
+  life.waves += storm.waves;
+  std::unique_ptr<const SlidingLaw> own;
+  if (laws_.empty()) own = setup_.law(storm.sea);
+  const SlidingLaw& law = own ? *own : *laws_[storm.index % laws_.size()];
+  if (by_wave_ || setup_.every_wave)
+    add_every_wave(storm, law, life);
+  else
+    add_sliding_waves(storm, law, life);
+}
+
+void LifeSimulation::add_every_wave(const Storm& storm, const SlidingLaw& law, Life& life) const {
+  const RayleighHeights heights(storm.sea.significant_height, setup_.cut);
+  const double beyond = 1. - heights.exceedance(0.);
+  const auto n = static_cast<std::uint32_t>(storm.waves);
+  for (std::uint32_t w = 0; w < n; ++w) {
+    const double share = stream_.uniform({storm.life, storm.index, w, for_height});  // of all waves that are higher
+    if (share < beyond) continue;
+    const Drawn all = by_wave_ ? drawn(Per::wave, {storm.life, storm.index, w, 0}, storm.drawn) : storm.drawn;
+    life.sliding += law.distance(all.wave * heights.height(share - beyond), all.factors);
+    life.answered += 1.;
+  }
+}
+
+void LifeSimulation::add_sliding_waves(const Storm& storm, const SlidingLaw& law, Life& life) const {
+  const RayleighHeights heights(storm.sea.significant_height, setup_.cut);
+  const double u = stream_.uniform({storm.life, storm.index, no_wave, for_number});
+  // No wave is above the threshold if u <= (1 - p)^N, p the share of waves above it: if the height that a share
+  // 1 - u^(1/N) exceeds is below it. Most storms end here, without the threshold.
+  const double rare = storm.waves > 0. ? -std::expm1(std::log(u) / storm.waves) : 1.;
+  if (rare >= heights.exceedance(0.)) return;
+  if (!law.may_slide(storm.drawn.wave * heights.height(rare), storm.drawn.factors)) return;
+  const double share = heights.exceedance(law.threshold(storm.drawn.factors) / storm.drawn.wave);
+  const double number = binomial_quantile(storm.waves, share, u);
+  const auto n = static_cast<std::uint32_t>(number);
+  for (std::uint32_t w = 0; w < n; ++w) {
+    const double part = stream_.uniform({storm.life, storm.index, w, for_height});
+    life.sliding += law.distance(storm.drawn.wave * heights.height(part * share), storm.drawn.factors);
+  }
+  life.answered += number;
+}
+
+}  // namespace upbead

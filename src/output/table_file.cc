@@ -1,0 +1,19 @@
+#include "upbead/output/table_file.h"
+
+#include "hdf5_image.h"
+
+namespace upbead {
+
+std::string table_file(const std::string& title, const std::vector<TableColumn>& columns) {
+  detail::Hdf5Image image(title);
+  for (const TableColumn& column : columns) {
+    if (column.texts.empty())
+      image.numbers("/" + column.path, {column.numbers.size()}, column.numbers.data(),
+                    {column.unit, column.description});
+    else
+      image.texts("/" + column.path, column.texts);
+  }
+  return image.bytes();
+}
+
+}  // namespace upbead

@@ -1,0 +1,329 @@
+#!/usr/bin/python3
+"""`upbead study` and `upbead scale` as a person meets them: tables, failures, resuming, processes.
+
+usage: study_test.py PROGRAM CASES_FOLDER
+"""
+
+import csv
+import json
+import os
+import pathlib
+import pty
+import signal
+import subprocess
+import time
+import unittest
+
+import h5py
+import numpy as np
+
+from program import CASES, PROGRAM, ProgramTest, upbead
+
+SMALL = """
+[mesh]
+geometry = "composite"
+parameters = { cells = 0.3, grading = 4 }
+[regions.seabed]
+kind = "porous"
+shear_modulus = 30e6
+poissons_ratio = 0.33
+porosity = 0.4
+grain_density = 2650
+hydraulic_conductivity = 1e-4
+damping = { ratio = 0.05 }
+[regions.mound]
+kind = "porous"
+shear_modulus = 50e6
+poissons_ratio = 0.3
+porosity = 0.4
+grain_density = 2650
+hydraulic_conductivity = 0.15
+damping = { ratio = 0.05 }
+[regions.caisson]
+kind = "rigid"
+density = 2100
+[boundaries]
+base = { displacement = "fixed", pressure = "sealed" }
+left = { displacement = "roller", pressure = "sealed" }
+right = { displacement = "roller", pressure = "sealed" }
+bed = { pressure = "open" }
+mound_surface = { pressure = "open" }
+front = {}
+back = {}
+top = {}
+[loads.impulse]
+boundary = "front"
+pulse = { shape = "triangle", peak = 8e6, duration = 0.15 }
+[time]
+end = 0.3
+[sliding]
+buoyant_weight = 4.3e6
+"""
+
+STUDY = """title = "small"
+case = "small.toml"
+read = ["response.shear_to_force_ratio", "sliding.sliding_history", "response.arm"]
+[vary."regions.seabed.shear_modulus"]
+from = 20e6
+to = 60e6
+n = 3
+[vary."mesh.parameters.mound_height"]
+values = [5, 6]
+[vary."sliding.friction"]
+values = [0.5, 0.6]
+[follow."regions.mound.shear_modulus"]
+key = "regions.seabed.shear_modulus"
+factor = 1.5
+"""
+
+RANDOM = """case = "small.toml"
+sample = "random"
+n = {n}
+[vary."regions.seabed.shear_modulus"]
+distribution = "log_normal"
+mean = 30e6
+cov = 0.3
+"""
+
+
+class Study(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        (self.folder / "small.toml").write_text(SMALL)
+        (self.folder / "study.toml").write_text(STUDY)
+
+    def study(self, *arguments, code=0, **options):
+        done = upbead("study", "study.toml", *arguments, cwd=self.folder, **options)
+        self.assertEqual(done.returncode, code, done.stderr)
+        return done
+
+    def rows(self, out="results/study"):
+        with open(self.folder / out / "study.csv", newline="") as file:
+            return list(csv.DictReader(file))
+
+    def table(self, out):
+        """Everything that a study found: the bytes of study.csv, and all datasets of study.h5."""
+        found = {"csv": (self.folder / out / "study.csv").read_bytes()}
+        with h5py.File(self.folder / out / "study.h5") as file:
+            file.visititems(lambda name, data: found.update({name: data[()].tobytes() if data.dtype.kind == "f"
+                            else [*data.asstr()]}) if isinstance(data, h5py.Dataset) else None)
+        return found
+
+    def test_grid_is_one_table(self):
+        summary = json.loads(self.study("--json").stdout)
+        rows = self.rows()
+        self.assertEqual(len(rows), 12)
+        self.assertEqual([row["run"] for row in rows], [str(i) for i in range(12)])
+        self.assertEqual({row["status"] for row in rows}, {"done"})
+        self.assertEqual(rows[1]["sliding.friction"], "0.6")
+        self.assertEqual(rows[11]["regions.seabed.shear_modulus"], "60000000")
+        self.assertGreater(float(rows[0]["sliding.sliding_history"]), float(rows[1]["sliding.sliding_history"]))
+        self.assertEqual(summary["runs"], 12)
+        self.assertEqual(summary["failed"], [])
+        self.assertTrue(any("solution" in item["what"] for item in summary["skipped"]))
+        with h5py.File(self.folder / "results/study/study.h5") as file:
+            ratio = file["read/response.shear_to_force_ratio/value"][:]
+            np.testing.assert_array_equal(ratio, [float(row["response.shear_to_force_ratio"]) for row in rows])
+            np.testing.assert_array_equal(file["varied/mesh.parameters.mound_height"][:], [5, 5, 6, 6] * 3)
+
+    def test_a_row_is_what_the_run_finds_alone(self):
+        self.study()
+        row = self.rows()[6]
+        done = upbead("run", "small.toml", "--set", "regions.seabed.shear_modulus=40e6", "--set",
+                      "regions.mound.shear_modulus=60e6", "--set", "mesh.parameters.mound_height=6", "--set",
+                      "sliding.friction=0.5", "--json", cwd=self.folder)
+        alone = json.loads(done.stdout)
+        self.assertEqual(float(row["response.shear_to_force_ratio"]), alone["response"]["shear_to_force_ratio"])
+        self.assertEqual(float(row["sliding.sliding_history"]), alone["sliding"]["sliding_history"])
+
+    def test_sharing_and_processes_change_no_bit(self):
+        self.study("--out", "two", "--jobs", "2")
+        self.assertEqual(len(os.listdir(self.folder / "two/journal")), 2)
+        self.study("--out", "one", "--jobs", "1")
+        summary = json.loads(self.study("--out", "alone", "--no-sharing", "--json").stdout)
+        self.assertEqual(summary["skipped"], [])
+        self.assertEqual(self.table("one"), self.table("two"))
+        self.assertEqual(self.table("one"), self.table("alone"))
+
+    def test_paired(self):
+        self.study("--set", 'sample="paired"', "--set", 'vary."mesh.parameters.mound_height".values=[5, 5.5, 6]', "--set",
+                   'vary."sliding.friction".values=[0.5, 0.6, 0.7]')
+        self.assertEqual([row["sliding.friction"] for row in self.rows()], ["0.5", "0.6", "0.7"])
+
+    def test_more_draws_keep_the_first_ones(self):
+        (self.folder / "study.toml").write_text(RANDOM.format(n=4))
+        self.study("--out", "four")
+        self.study("--out", "six", "--set", "n=6")
+        four, six = self.rows("four"), self.rows("six")
+        self.assertEqual(six[:4], four)
+        self.assertEqual(len({row["regions.seabed.shear_modulus"] for row in six}), 6)
+
+    def test_a_failed_run_is_a_row(self):
+        done = self.study("--set", 'vary."regions.seabed.shear_modulus".values=[20e6, -1, 40e6]', "--set",
+                          'vary."mesh.parameters.mound_height".values=[5]', "--set",
+                          'vary."sliding.friction".values=[0.6]', code=1)
+        self.assertIn("values of more than one kind", done.stderr)
+        text = STUDY.replace("from = 20e6\nto = 60e6\nn = 3", "values = [20e6, -1, 40e6]").replace("[5, 6]", "[5, -5]")
+        (self.folder / "study.toml").write_text(text)
+        done = self.study(code=2)
+        self.assertIn("8 failed", done.stdout)
+        rows = self.rows()
+        self.assertEqual([row["status"] for row in rows],
+                         ["done"] * 2 + ["failed"] * 6 + ["done"] * 2 + ["failed"] * 2)
+        self.assertEqual(rows[2]["response.shear_to_force_ratio"], "")
+        self.assertIn("mound_height is -5", rows[2]["message"])
+        self.assertIn("shear_modulus = -1 is outside (0, inf)", rows[4]["message"])
+        summary = json.loads((self.folder / "results/study/summary.json").read_text())
+        self.assertEqual([item["run"] for item in summary["failed"]], [2, 3, 4, 5, 6, 7, 10, 11])
+        self.assertIn("--set 'mesh.parameters.mound_height=-5'", summary["failed"][0]["command"])
+        with h5py.File(self.folder / "results/study/study.h5") as file:
+            self.assertEqual(file["read/response.arm/run"][:].tolist(), [0, 1, 8, 9])
+            self.assertEqual(file["runs/done"][:].sum(), 4)
+
+    def journal_lines(self, out):
+        return sum(max(0, len(path.read_text().splitlines()) - 1) for path in (self.folder / out / "journal").glob("*"))
+
+    def kill_in_the_middle(self, how, group, *arguments):
+        """Starts a study of 40 runs and ends it after some of them."""
+        (self.folder / "study.toml").write_text(RANDOM.format(n=40))
+        process = subprocess.Popen([PROGRAM, "study", "study.toml", "--out", "killed", *arguments], cwd=self.folder,
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, start_new_session=True)
+        while self.journal_lines("killed") < 5:
+            self.assertIsNone(process.poll(), "it ended before it could be killed")
+            time.sleep(0.01)
+        (os.killpg if group else os.kill)(process.pid, how)
+        errors = process.communicate()[1].decode()
+        done = self.journal_lines("killed")
+        self.assertTrue(5 <= done < 40, done)
+        return process.returncode, errors
+
+    def test_killed_and_resumed_it_is_the_same_to_the_last_bit(self):
+        for jobs in ("1", "2"):
+            with self.subTest(jobs=jobs):
+                self.kill_in_the_middle(signal.SIGKILL, True, "--jobs", jobs)
+                self.assertFalse((self.folder / "killed/study.csv").exists())
+                journal = next(path for path in (self.folder / "killed/journal").glob("*") if self.lines(path) > 2)
+                text = journal.read_text()
+                journal.write_text(text[:-20])  # as if killed while it wrote
+                resumed = json.loads(self.study("--out", "killed", "--jobs", jobs, "--json").stdout)
+                self.assertGreaterEqual(resumed["resumed"], 4)
+                self.study("--out", "whole", "--jobs", "1", "--restart")
+                self.assertEqual(self.table("killed"), self.table("whole"))
+                again = json.loads(self.study("--out", "killed", "--json").stdout)
+                self.assertEqual(again["resumed"], 40)
+                for path in (self.folder / "killed").rglob("*"):
+                    path.is_file() and path.unlink()
+
+    @staticmethod
+    def lines(path):
+        return len(path.read_text().splitlines())
+
+    def test_interrupted_it_says_how_to_go_on(self):
+        code, errors = self.kill_in_the_middle(signal.SIGINT, False, "--jobs", "1")
+        self.assertEqual(code, 130)
+        self.assertRegex(errors, r"interrupted; \d+ of 40 runs are done, the same command goes on")
+
+    def test_interrupted_processes_leave_no_half_table(self):
+        code, _ = self.kill_in_the_middle(signal.SIGINT, False, "--jobs", "2")
+        self.assertNotEqual(code, 0)
+        self.assertFalse((self.folder / "killed/study.csv").exists())
+
+    def test_a_changed_study_does_not_resume(self):
+        self.study()
+        (self.folder / "small.toml").write_text(SMALL.replace("2100", "2000"))
+        done = self.study(code=1)
+        self.assertIn("add --restart to forget them", done.stderr)
+        before = self.table("results/study")
+        self.study("--restart")
+        self.assertNotEqual(self.table("results/study"), before)
+
+    def test_cases_side_by_side(self):
+        (self.folder / "stiff.toml").write_text(SMALL.replace("50e6", "90e6"))
+        (self.folder / "study.toml").write_text(STUDY.replace('case = "small.toml"', 'cases = ["small.toml", "stiff.toml"]')
+                                                .replace("n = 3", "n = 2").replace("[5, 6]", "[5]")
+                                                .split("[follow")[0])
+        self.study()
+        rows = self.rows()
+        self.assertEqual([row["case"] for row in rows], ["small.toml"] * 4 + ["stiff.toml"] * 4)
+        self.assertNotEqual(rows[0]["response.shear_to_force_ratio"], rows[4]["response.shear_to_force_ratio"])
+
+    def test_mistakes_leave_nothing(self):
+        done = self.study("--set", 'sample="net"', "--set", "n=3", code=1)
+        self.assertIn("none of grid, paired, random", done.stderr)
+        self.assertEqual(self.left_behind(), ["small.toml", "study.toml"])
+
+    def test_under_a_launcher_mistakes_are_told_once(self):
+        environment = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
+        done = subprocess.run(["mpirun", "--quiet", "-n", "2", "--oversubscribe", PROGRAM, "study", "study.toml",
+                               "--set", 'sample="net"'], cwd=self.folder, capture_output=True, text=True, timeout=60,
+                              env=environment)
+        self.assertEqual(done.returncode, 1)
+        self.assertEqual(done.stderr.count("none of grid, paired, random"), 1, done.stderr)
+
+    def test_without_mpirun_it_runs_all_the_same(self):
+        environment = {**os.environ, "PATH": str(self.folder)}
+        done = self.study("--jobs", "2", env=environment)
+        self.assertIn("there is no mpirun", done.stderr)
+        self.assertEqual(len(self.rows()), 12)
+
+    def test_progress_is_shown_on_a_terminal(self):
+        for jobs in ("1", "2"):
+            leader, follower = pty.openpty()
+            process = subprocess.Popen([PROGRAM, "study", "study.toml", "--jobs", jobs, "--restart"], cwd=self.folder,
+                                       stdout=subprocess.DEVNULL, stderr=follower)
+            os.close(follower)
+            text = b""
+            try:
+                while chunk := os.read(leader, 4096):
+                    text += chunk
+            except OSError:  # the terminal closes when the program ends
+                pass
+            self.assertEqual(process.wait(), 0)
+            self.assertIn(b"of 12 runs", text)
+
+    def test_help_teaches_by_example(self):
+        self.assertIn("upbead study cases/study/", upbead("study", "--help").stdout)
+        self.assertIn("[vary.NAME]", upbead("study", "--keys").stdout)
+        self.assertEqual(upbead("study").returncode, 1)
+
+    def test_shipped_studies_are_sound(self):
+        for path in sorted((CASES / "study").glob("*.toml")):
+            done = upbead("study", path, "--jobs", "1", "--out", "out", "--set", "case=nowhere.toml", cwd=self.folder)
+            self.assertIn("cannot read", done.stderr)
+            self.assertEqual(done.stderr.count("\n"), 1, done.stderr)  # nothing else is wrong
+
+
+class Scale(ProgramTest):
+    def test_model_becomes_the_similar_prototype(self):
+        done = upbead("scale", CASES / "fig2b-model.toml", "--factor", "20", "--set", "mesh.parameters.cells=0.3",
+                      cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        folder = self.folder / "results/fig2b-model-scaled"
+        self.assertEqual(sorted(os.listdir(folder)), ["case.toml", "impulse.csv", "slow.csv"])
+        ratios = []
+        for case, more in ((CASES / "fig2b-model.toml", ["--set", "mesh.parameters.cells=0.3"]), (folder / "case.toml", [])):
+            run = upbead("run", case, *more, "--json", cwd=self.folder)
+            self.assertEqual(run.returncode, 0, run.stderr)
+            ratios.append(json.loads(run.stdout)["response"]["shear_to_force_ratio"])
+        self.assertAlmostEqual(ratios[0], ratios[1], delta=1e-8 * ratios[0])
+
+    def test_same_soil_tells_what_is_kept(self):
+        done = upbead("scale", CASES / "fig2b-model.toml", "--factor", "20", "--soil", "same", "--ratio",
+                      "regions.seabed.shear_modulus=4.47", "--json", cwd=self.folder)
+        found = json.loads(done.stdout)
+        self.assertEqual(found["factors"]["force"], 400)
+        self.assertIn("regions.mound.shear_modulus", found["kept"])
+        self.assertNotIn("regions.seabed.shear_modulus", found["kept"])
+
+    def test_mistakes_leave_nothing(self):
+        for options, words in ((["--factor", "-1"], "not a positive number"), ([], "--factor"),
+                               (["--factor", "2", "--soil", "clay"], "clay"),
+                               (["--factor", "2", "--ratio", "gravty=1"], "did you mean 'gravity'?")):
+            done = upbead("scale", CASES / "fig2b-model.toml", *options, cwd=self.folder)
+            self.assertEqual(done.returncode, 1)
+            self.assertIn(words, done.stderr + done.stdout)
+        self.assertEqual(self.left_behind(), [])
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[str(pathlib.Path(__file__).name)], verbosity=2)

@@ -1,0 +1,86 @@
+// Claim: quadrature gives the expectation that brute force gives, to the digits of an independent computation.
+#include "upbead/expected/expectation.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "caissons.h"
+
+namespace upbead::test {
+
+namespace {
+
+/// Of 600 waves cut at 12 m.
+Expectation of_storm(Law law, double significant_height) {
+  const SeaState sea = storm(significant_height);
+  return expected_distance(*formula_law(law, medium_caisson(), sea),
+                           RayleighHeights(significant_height, 12. / significant_height), sea.waves);
+}
+
+/// A law that jumps, has a gap and a kink; its threshold is a safe guess.
+class OddLaw : public SlidingLaw {
+ public:
+  double distance(double H, const WaveFactors&) const override {
+    return H < 8.123 || (H > 9. && H < 9.5) ? 0. : 0.1 + std::abs(H - 8.7);
+  }
+  double threshold(const WaveFactors&) const override { return 4.; }
+};
+
+double trapezoids(const SlidingLaw& law, const RayleighHeights& heights, double from, double to) {
+  const int n = 2000000;
+  double sum = 0.;
+  for (int i = 0; i < n; ++i) {
+    const double H = from + (to - from) * (i + 0.5) / n;
+    sum += law.distance(H) * heights.density(H) * (to - from) / n;
+  }
+  return sum;
+}
+
+}  // namespace
+
+TEST(Expectation, OfAStormAgreesWithAnIndependentQuadrature) {
+  const struct {
+    double significant_height, paper, exact;
+  } rows[] = {{5.5, 0.0073844, 0.0129053}, {6., 0.0241136, 0.0419895}, {6.5, 0.0596064, 0.1035070}};
+  for (const auto& row : rows) {
+    EXPECT_NEAR(of_storm(Law::paper, row.significant_height).distance, row.paper, 5e-8);
+    EXPECT_NEAR(of_storm(Law::exact, row.significant_height).distance, row.exact, 5e-8);
+  }
+}
+
+TEST(Expectation, AgreesWithBruteForce) {
+  const SeaState sea = storm(6.);
+  for (const Law law : {Law::paper, Law::exact}) {
+    const auto of = formula_law(law, medium_caisson(), sea);
+    const Expectation found = expected_distance(*of, RayleighHeights(6.), 600.);
+    const double brute = 600. * trapezoids(*of, RayleighHeights(6.), found.threshold, 40.);
+    EXPECT_NEAR(found.distance, brute, 1e-8 * brute);
+    EXPECT_LT(found.error, 1e-7 * found.distance);
+  }
+}
+
+TEST(Expectation, FindsWhereSlidingBeginsByItself) {
+  const OddLaw law;
+  const RayleighHeights heights(6.);
+  const Expectation found = expected_distance(law, heights, 1000.);
+  EXPECT_NEAR(found.threshold, 8.123, 1e-6);
+  EXPECT_NEAR(found.distance, 1000. * trapezoids(law, heights, 8., 40.), 1e-5 * found.distance);
+  EXPECT_NEAR(found.sliding_waves, 1000. * heights.exceedance(8.123), 1e-4);
+}
+
+TEST(Expectation, OfWavesThatNeverSlideIsZero) {
+  const auto law = formula_law(Law::exact, medium_caisson(), storm(6.));
+  const Expectation low = expected_distance(*law, RayleighHeights(0.2), 3e7);
+  EXPECT_EQ(low.distance, 0.);
+  EXPECT_EQ(low.sliding_waves, 0.);
+  EXPECT_EQ(expected_distance(*law, RayleighHeights(6., 1.2), 600.).distance, 0.) << "cut below the threshold";
+}
+
+TEST(Expectation, GrowsWithTheNumberOfWaves) {
+  const auto law = formula_law(Law::exact, medium_caisson(), storm(6.));
+  const double one = expected_distance(*law, RayleighHeights(6.), 1.).distance;
+  EXPECT_NEAR(expected_distance(*law, RayleighHeights(6.), 600.).distance, 600. * one, 1e-12);
+}
+
+}  // namespace upbead::test

@@ -1,0 +1,90 @@
+// Claim: the force of a wave is the declared one: its peak, rise, duration and impulse.
+#include "upbead/expected/impact.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace upbead::test {
+
+namespace {
+
+constexpr double step = 1e-4;
+
+ImpactWave wave(double alpha_star, const ImpactAssumptions& assumptions = {}) {
+  return impact_wave(assumptions, {8., 12., 1.2e6, alpha_star, 4e5}, {}, 8.5);
+}
+
+std::vector<double> force(const ImpactWave& w) {
+  std::vector<double> P(static_cast<std::size_t>(number_of_samples(w, step)));
+  sample_force(w, step, static_cast<int>(P.size()), P.data());
+  return P;
+}
+
+std::vector<double> uplift(const ImpactWave& w, ImpactUplift shape) {
+  const std::vector<double> P = force(w);
+  std::vector<double> U(P.size());
+  sample_uplift(w, shape, step, static_cast<int>(P.size()), P.data(), U.data());
+  return U;
+}
+
+double impulse(const std::vector<double>& P) {
+  double sum = 0.;
+  for (const double p : P) sum += p * step;
+  return sum;
+}
+
+const double half_wave = 1.2e6 * 12. / std::acos(-1.);
+
+}  // namespace
+
+TEST(ImpactWave, PeakRiseAndDurationAreTheDeclaredFormulas) {
+  const ImpactWave w = wave(0.5);
+  EXPECT_DOUBLE_EQ(w.peak, 1.2e6 * 2.);
+  const double rise = 0.769 * std::sqrt(8.5 / 9.81) * 1030. * 9.81 * 64. / 2.4e6;
+  EXPECT_NEAR(w.rise, rise, 1e-12);
+  EXPECT_NEAR(w.duration, rise * (2. + 8. * std::exp(-18. * rise / 12.)), 1e-12);
+  const std::vector<double> P = force(w);
+  EXPECT_NEAR(*std::max_element(P.begin(), P.end()), w.peak, 1e-3 * w.peak);
+  EXPECT_EQ(P.front(), 0.);
+  EXPECT_NEAR(P.back(), 0., 1e-3 * w.peak);
+}
+
+TEST(ImpactWave, KeepsTheImpulseOfHalfAStandingWave) {
+  for (const double alpha_star : {0., 0.1, 0.3, 0.6, 1.}) {
+    const ImpactWave w = wave(alpha_star);
+    EXPECT_GT(w.reduction, 0.);
+    EXPECT_LE(w.reduction, 1.);
+    const double found = impulse(force(w));
+    if (w.reduction < 1.) {
+      EXPECT_NEAR(found, half_wave, 1e-4 * half_wave) << alpha_star;
+    }
+    EXPECT_GE(found, half_wave * (1. - 1e-4));
+  }
+}
+
+TEST(ImpactWave, APulseOfMoreImpulseLeavesNoStandingWave) {
+  ImpactAssumptions strong;
+  strong.peak_gain = 20.;
+  strong.rise_coefficient = 20.;
+  const ImpactWave w = wave(1., strong);
+  EXPECT_EQ(w.reduction, 0.);
+  EXPECT_LE(w.duration, 6.) << "ends with the half period";
+  EXPECT_LE(w.rise, 0.5 * w.duration);
+}
+
+TEST(ImpactWave, UpliftIsHeldInPhaseOrSinusoidal) {
+  const ImpactWave w = wave(0.5);
+  const std::vector<double> held = uplift(w, ImpactUplift::held), sine = uplift(w, ImpactUplift::sinusoidal);
+  const std::vector<double> in_phase = uplift(w, ImpactUplift::in_phase), P = force(w);
+  const auto at = [](double t) { return static_cast<std::size_t>(std::lround(t / step)); };
+  EXPECT_EQ(held[at(0.)], 4e5);
+  EXPECT_EQ(held[at(2.9)], 4e5);
+  EXPECT_NEAR(held[at(4.5)], 4e5 * std::sqrt(0.5), 1.);
+  EXPECT_NEAR(sine[at(1.)], 2e5, 1.);
+  for (const double t : {0.1, 1., 4.}) EXPECT_NEAR(in_phase[at(t)], 4e5 * P[at(t)] / w.peak, 1e-6);
+}
+
+}  // namespace upbead::test

@@ -1,0 +1,56 @@
+// Claim: exceedance, density and its inverse belong together, with a cut as without; waves beyond it are set aside.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "upbead/expected/sea_state.h"
+
+namespace upbead::test {
+
+TEST(RayleighHeights, ExceedanceIsThatOfLonguetHiggins) {
+  const RayleighHeights heights(6.);
+  EXPECT_DOUBLE_EQ(heights.exceedance(0.), 1.);
+  EXPECT_DOUBLE_EQ(heights.exceedance(6.), std::exp(-2.));
+  EXPECT_DOUBLE_EQ(heights.exceedance(1.8 * 6.), std::exp(-2. * 1.8 * 1.8));
+}
+
+TEST(RayleighHeights, SignificantHeightIsTheMeanOfTheHighestThird) {
+  const RayleighHeights heights(6.);
+  double mean = 0.;
+  const int n = 100000;
+  for (int i = 0; i < n; ++i) mean += heights.height((i + 0.5) / n / 3.) / n;
+  EXPECT_NEAR(mean, 6., 0.01) << "1.4157 / sqrt(2) = 1.0011 times the significant height";
+}
+
+TEST(RayleighHeights, DensityIsTheSlopeOfTheExceedance) {
+  for (const RayleighHeights& heights : {RayleighHeights(6.), RayleighHeights(6., 2.)})
+    for (const double H : {0.5, 3., 7., 11.5}) {
+      const double slope = (heights.exceedance(H - 1e-4) - heights.exceedance(H + 1e-4)) / 2e-4;
+      EXPECT_NEAR(heights.density(H), slope, 1e-7 * heights.density(3.)) << H;
+    }
+}
+
+TEST(RayleighHeights, HeightIsTheInverseOfTheExceedance) {
+  for (const RayleighHeights& heights : {RayleighHeights(6.), RayleighHeights(6., 2.)})
+    for (const double H : {0.5, 3., 7., 11.5}) EXPECT_NEAR(heights.height(heights.exceedance(H)), H, 1e-10);
+}
+
+TEST(RayleighHeights, WavesBeyondTheCutAreSetAside) {
+  const RayleighHeights whole(6.), cut(6., 2.);
+  const double beyond = std::exp(-8.);
+  EXPECT_EQ(cut.highest(), 12.);
+  EXPECT_EQ(cut.exceedance(12.), 0.);
+  EXPECT_EQ(cut.density(12.1), 0.);
+  EXPECT_DOUBLE_EQ(cut.density(9.), whole.density(9.)) << "not scaled up";
+  EXPECT_NEAR(cut.exceedance(9.), whole.exceedance(9.) - beyond, 1e-16);
+  EXPECT_NEAR(cut.height(0.), 12., 1e-12);
+}
+
+TEST(RayleighHeights, RefuseWhatIsNoSea) {
+  EXPECT_THROW(RayleighHeights(0.), std::invalid_argument);
+  EXPECT_THROW(RayleighHeights(std::nan("")), std::invalid_argument);
+  EXPECT_THROW(RayleighHeights(6., 0.), std::invalid_argument);
+}
+
+}  // namespace upbead::test
