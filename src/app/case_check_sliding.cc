@@ -15,7 +15,7 @@ void check_uplift(const UpliftTable& uplift, const CaseTables& tables, const Obj
       objections.add({"lag", "'lag' is that of an uplift that follows P, a history has its own times", "remove lag"});
   }
   for (const auto& [name, load] : tables.load_tables)
-    if (load.region == caisson_name && load.direction[1] > 0. && load.factor != 0.)
+    if (load.boundary.empty() && load.region == caisson_name && load.direction[1] > 0. && load.factor != 0.)
       objections.add({"kind", "the load '" + name + "' lifts the caisson, so that an uplift would count twice",
                       "remove [sliding.uplift] or the upward part of [" + dotted("loads", name) + "]"});
 }

@@ -58,6 +58,7 @@ TableSchema<LoadTable> load_schema() {
       .when(
           "kind", [](const LoadTable& load) { return load.kind != LoadKind::pressure; }, "for forces and tractions");
   table.key("shape", &LoadTable::shape)
+      .unit_of_first("m")
       .fallback("uniform")
       .doc("pairs of height y (m) and relative intensity; linear in between, zero beyond the ends")
       .when(

@@ -11,7 +11,12 @@ TableSchema<Rayleigh> damping_schema() {
   table.key("frequencies", &Rayleigh::frequencies)
       .unit("Hz")
       .range(above(0.))
-      .doc("two frequencies, ascending, at which the ratio holds");
+      .doc("two frequencies, ascending, at or between which the ratio holds");
+  table.choice("fit", &Rayleigh::fit, rayleigh_fit_words)
+      .doc(
+          "where the ratio holds; ends: at both frequencies, less between them; band: between them, as much above it "
+          "at "
+          "the ends as below it in the middle");
   return table;
 }
 
@@ -35,6 +40,27 @@ TableSchema<StressLaw> stress_law_schema() {
   return table;
 }
 
+TableSchema<StrainLaw> strain_law_schema() {
+  TableSchema<StrainLaw> table;
+  table.key("reference_strain", &StrainLaw::reference_strain)
+      .range(above(0.))
+      .doc("shear strain at which G is half of that at vanishing strain (Hardin and Drnevich)");
+  table.key("smallest_damping", &StrainLaw::smallest_damping)
+      .range(from_to_below(0., 1.))
+      .doc("damping ratio at vanishing strain");
+  table.key("largest_damping", &StrainLaw::largest_damping)
+      .range(from_to_below(0., 1.))
+      .doc("damping ratio at large strain");
+  table.key("effective", &StrainLaw::effective).range(above(0.)).doc("effective over largest shear strain of a cell");
+  table.key("modulus", &StrainLaw::modulus)
+      .fallback("by reference_strain")
+      .doc("pairs of shear strain and G/G_max, straight over the logarithm of the strain");
+  table.key("damping", &StrainLaw::damping)
+      .fallback("by smallest_damping and largest_damping")
+      .doc("pairs of shear strain and damping ratio, likewise");
+  return table;
+}
+
 /// Marks a key as belonging to some kinds of region only.
 void limit(Entry<Region>& entry) {
   std::vector<std::string> kinds;
@@ -51,6 +77,9 @@ void declare_skeleton(TableSchema<Region>& table) {
             .range(above(0.))
             .doc("shear modulus G of the skeleton; or youngs_modulus; as a table, of a porous region: G = reference "
                  "(mean effective stress / pressure)^exponent"));
+  limit(table.table("strain", &Region::strain_law, strain_law_schema())
+            .doc("Equivalent-linear soil: G and damping by the strain of the response, iterated cell by cell; linear "
+                 "without this table."));
   limit(table.key("youngs_modulus", &Region::youngs_modulus)
             .unit("Pa")
             .range(above(0.))

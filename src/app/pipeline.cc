@@ -3,6 +3,7 @@
 #include "case_sliding.h"
 #include "size_check.h"
 #include "solve.h"
+#include "upbead/app/equivalent_linear.h"
 #include "upbead/base/stopwatch.h"
 #include "upbead/base/text.h"
 #include "upbead/fem/scene_check.h"
@@ -34,23 +35,32 @@ CompiledCase compile_case(const Case& input, std::shared_ptr<const Mesh> mesh) {
   ResolvedScene resolved = resolve(scene, *out.mesh);
   out.scene = std::move(resolved.scene);
   out.decisions = std::move(resolved.decisions);
-  out.space = std::make_unique<Space>(*out.mesh, out.scene, resolved.absent, resolved.soil);
-  const std::vector<Body> bodies = rigid_bodies(*out.space);
-  out.unknowns = std::make_unique<Unknowns>(*out.space, out.scene, bodies);
-  out.compiled = compile(out.scene, *out.space, *out.unknowns, bodies);
+  out.absent = std::move(resolved.absent);
+  recompile(out, resolved.soil);
   check_sliding(input, out.compiled);
   out.timing.compile = compile_watch.seconds();
   return out;
 }
 
-Run run_case(const Case& input, const CompiledCase& scene, const MarchOptions& marching,
+void recompile(CompiledCase& scene, const SoilState& soil) {
+  scene.unknowns.reset();  // it stands on the space
+  scene.soil_state = soil;
+  scene.space = std::make_unique<Space>(*scene.mesh, scene.scene, scene.absent, soil);
+  const std::vector<Body> bodies = rigid_bodies(*scene.space);
+  scene.unknowns = std::make_unique<Unknowns>(*scene.space, scene.scene, bodies);
+  scene.compiled = compile(scene.scene, *scene.space, *scene.unknowns, bodies);
+}
+
+Run run_case(const Case& input, CompiledCase& scene, const MarchOptions& marching,
              const std::function<void(double)>& reducing) {
+  settle_soil(input, scene, reducing);
   SchemeChoice choice = choose_scheme(scene.scene, scene.compiled);
   std::optional<Run> run;
   if (choice.scheme == TimeScheme::reduced) run = run_reduced(input, scene, choice, reducing);
   if (!run) run = run_march(input, scene, choice, marching);
   run->summary.title = input.scene.title;
   run->summary.sliding = sliding_of(input.scene, scene.compiled, run->response);
+  run->summary.soil = scene.soil;
   run->summary.loads = scene.compiled.loads_on_caisson;
   run->summary.skipped = skipped(input, scene, run->summary.reduction.has_value());
   return std::move(*run);

@@ -4,6 +4,7 @@
 
 #include "solve.h"
 #include "upbead/app/commands.h"
+#include "upbead/app/equivalent_linear.h"
 #include "upbead/app/pipeline.h"
 #include "upbead/base/error.h"
 #include "upbead/base/files.h"
@@ -131,13 +132,20 @@ void reduce(const ReduceOptionsOfCommand& options, const Stopwatch& since_start)
   require_loads(input);
   note_interrupts();
   OutputFolder folder(options.out.empty() ? "results/" + input.stem : options.out);
-  const CompiledCase scene = compile_case(input);
+  CompiledCase scene = compile_case(input);
   if (!scene.compiled.caisson)
     throw InputError(input.place("mesh"), "the mesh has no surface 'caisson': there is no F_T to reduce the scene to",
                      "use 'upbead run'");
   if (!input.scene.time.inertia)
     throw InputError(input.place("time.inertia"), "consolidation cannot be reduced: inertia = false",
                      "use 'upbead run'");
+  {
+    Progress progress("settling the soil");
+    settle_soil(input, scene, [&progress](double done) {
+      check_interrupt();
+      progress.update(done);
+    });
+  }
   const Stopwatch watch;
   const Reduction reduction = reduce_with_progress(scene, {!options.all_readings, true, {}});
   require_converged(reduction);

@@ -72,6 +72,14 @@ std::string describe(const ReductionSummary& r) {
       r.modes, r.vectors, r.error, r.error_peak, r.error_of_others, r.highest_frequency);
 }
 
+std::string describe(const SoilSummary& s) {
+  return format(
+      "soil        %s after %d iterations (peak %s by %.1g); peak |F_T| %.4g of that at vanishing strain;\n"
+      "            effective shear strain up to %.2g, G/G_max down to %.2f, damping up to %.3g\n",
+      s.converged ? "settled" : "NOT SETTLED", s.iterations, "changed", s.change, s.settled / s.linear,
+      s.largest_strain, s.least_modulus_ratio, s.largest_damping);
+}
+
 }  // namespace
 
 std::string with_unit(double value, const std::string& unit, double peak) {
@@ -121,6 +129,7 @@ std::string describe(const Run& run) {
     text += format("  checks      both routes to F_T differ by %.1e", r.reaction_mismatch) +
             (run.summary.energy ? format(", energy by %.1e\n", run.summary.energy->mismatch()) : "\n");
   }
+  if (run.summary.soil) text += describe(*run.summary.soil);
   if (run.summary.sliding) text += describe(*run.summary.sliding);
   text +=
       format("time        mesh %.2f s, compile %.2f s, factorise %.2f s, march %.2f s, output %.2f s, total %.2f s\n",

@@ -73,7 +73,7 @@ void run(const CommonOptions& options, const Stopwatch& since_start) {
   require_loads(input);
   note_interrupts();
   OutputFolder folder(options.out.empty() ? "results/" + input.stem : options.out);
-  const CompiledCase scene = compile_case(input);
+  CompiledCase scene = compile_case(input);
   if (!options.json) std::cout << describe(input, scene) << std::flush;
 
   FieldOutput fields(input.scene, scene, folder);

@@ -1,5 +1,6 @@
 #include "upbead/fem/resolve.h"
 
+#include <cmath>
 #include <limits>
 
 #include "outline.h"
@@ -127,6 +128,16 @@ void leave_out_unreached(const Mesh& mesh, ResolvedScene& resolved) {
 
 }  // namespace
 
+Decision tell_damping(const std::string& name, const Rayleigh& damping) {
+  const double middle = std::sqrt(damping.frequencies[0] * damping.frequencies[1]);
+  return {name, "damping", significant(100. * damping.ratio) + " %",
+          "by Rayleigh " + significant(100. * damping.ratio_at(damping.frequencies[0])) + " % at " +
+              significant(damping.frequencies[0]) + " and " + significant(damping.frequencies[1]) + " Hz, " +
+              significant(100. * damping.ratio_at(middle)) + " % at " + significant(middle) + " Hz: within " +
+              significant(100. * damping.error(), 2) + " % of it",
+          ""};
+}
+
 ResolvedScene resolve(const Scene& scene, const Mesh& mesh) {
   const Outline outline = outline_of(mesh);
   ResolvedScene resolved{scene, {}, {}, {}};
@@ -154,6 +165,8 @@ ResolvedScene resolve(const Scene& scene, const Mesh& mesh) {
         break;
     }
   }
+  for (const auto& [name, region] : resolved.scene.regions)
+    if (region.damping && !region.strain_law) resolved.decisions.push_back(tell_damping(name, *region.damping));
   leave_out_idle_water(outline, mesh, resolved);
   leave_out_unreached(mesh, resolved);
   return resolved;

@@ -37,7 +37,7 @@ std::vector<Region> local_regions(const Mesh& mesh, const Scene& scene, const So
     Region region = scene.regions.at(mesh.surface_of(cell));
     const std::size_t i = cell->active_cell_index();
     if (!soil.shear_modulus.empty() && soil.shear_modulus[i] > 0.) region.shear_modulus = soil.shear_modulus[i];
-    if (!soil.damping_ratio.empty() && region.damping && soil.damping_ratio[i] > 0.)
+    if (!soil.damping_ratio.empty() && region.damping && soil.damping_ratio[i] >= 0.)
       region.damping->ratio = soil.damping_ratio[i];
     regions.push_back(std::move(region));
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>
+#include <cmath>
 #include <functional>
 
 #include "upbead/model/words.h"
@@ -38,6 +39,7 @@ const std::vector<MemberRule>& member_rules() {
   static const std::vector<MemberRule> rules{
       {"shear_modulus", {K::solid, K::porous}, false, set(&R::shear_modulus)},
       {"shear_modulus.reference", {K::porous}, false, set(&R::stress_law)},
+      {"strain", {K::solid, K::porous}, false, set(&R::strain_law)},
       {"youngs_modulus", {K::solid, K::porous}, false, set(&R::youngs_modulus)},
       {"poissons_ratio", {K::solid, K::porous}, true, set(&R::poissons_ratio)},
       {"density", {K::rigid, K::solid}, false, set(&R::density)},
@@ -74,6 +76,7 @@ class Checker {
                   region_.youngs_modulus.has_value());
     if (region_.kind == K::solid && !region_.density) missing("density");
     if (region_.kind == K::porous) check_porous();
+    if (region_.strain_law) check_strain(*region_.strain_law);
     if (region_.damping && region_.damping->frequencies[0] >= region_.damping->frequencies[1])
       add("damping", "the two frequencies of damping do not ascend", "give the lower one first, such as [1.0, 10.0]");
     return std::move(list_);
@@ -104,6 +107,28 @@ class Checker {
           "add " + a + " or " + b);
   }
 
+  void check_strain(const StrainLaw& law) {
+    if (!region_.damping)
+      add("damping", "'damping' is missing, whose frequencies strain-dependent damping needs",
+          "add damping = { ratio = 0.05, frequencies = [1.0, 10.0] }");
+    if (law.largest_damping < law.smallest_damping)
+      add("strain", "largest_damping is less than smallest_damping", "give the damping at large strain as the larger");
+    for (const auto* table : {&law.modulus, &law.damping})
+      for (std::size_t i = 0; i < table->size(); ++i)
+        if ((*table)[i][0] <= 0. || (*table)[i][1] < 0. || (i > 0 && (*table)[i][0] <= (*table)[i - 1][0])) {
+          add("strain", "a table of strain does not ascend from above 0, or has a negative value",
+              "give pairs (strain, value) in ascending strain");
+          break;
+        }
+    for (const auto& pair : law.modulus)
+      if (pair[1] == 0. || pair[1] > 1.) {
+        add("strain", "G/G_max of a table lies outside (0, 1]", "give ratios of the secant to the largest stiffness");
+        break;
+      }
+    for (const auto& pair : law.damping)
+      if (pair[1] >= 1.) add("strain", "a damping ratio of a table is not below 1", "give ratios, not percent");
+  }
+
   void check_porous() {
     if (!region_.hydraulic_conductivity && region_.flow != Flow::drained) missing("hydraulic_conductivity");
     if (region_.porosity && region_.biot < *region_.porosity)
@@ -117,13 +142,37 @@ class Checker {
 
 }  // namespace
 
+namespace {
+
+/// zeta at the ends over that in the middle, sqrt(f1 f2), where it is least.
+double sag(const Rayleigh& r) {
+  return 0.5 * (r.frequencies[0] + r.frequencies[1]) / std::sqrt(r.frequencies[0] * r.frequencies[1]);
+}
+
+/// zeta at the ends. Equal relative deviations there and in the middle make it ratio (1 + e), e = (s - 1)/(s + 1).
+double ratio_at_ends(const Rayleigh& r) {
+  return r.fit == RayleighFit::ends ? r.ratio : r.ratio * 2. * sag(r) / (sag(r) + 1.);
+}
+
+}  // namespace
+
 double Rayleigh::mass_factor() const {
   const double w1 = 2. * pi * frequencies[0], w2 = 2. * pi * frequencies[1];
-  return 2. * ratio * w1 * w2 / (w1 + w2);
+  return 2. * ratio_at_ends(*this) * w1 * w2 / (w1 + w2);
 }
 
 double Rayleigh::stiffness_factor() const {
-  return ratio / (pi * (frequencies[0] + frequencies[1]));
+  return ratio_at_ends(*this) / (pi * (frequencies[0] + frequencies[1]));
+}
+
+double Rayleigh::ratio_at(double frequency) const {
+  const double w = 2. * pi * frequency;
+  return 0.5 * (mass_factor() / w + stiffness_factor() * w);
+}
+
+double Rayleigh::error() const {
+  const double s = sag(*this);
+  return fit == RayleighFit::ends ? 1. - 1. / s : (s - 1.) / (s + 1.);
 }
 
 bool belongs(const std::string& key, RegionKind kind) {

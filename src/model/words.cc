@@ -41,6 +41,8 @@ const Words<TimeScheme> time_scheme_words{{"auto", TimeScheme::automatic},
                                           {"sdirk4", TimeScheme::sdirk4},
                                           {"reduced", TimeScheme::reduced}};
 
+const Words<RayleighFit> rayleigh_fit_words{{"ends", RayleighFit::ends}, {"band", RayleighFit::band}};
+
 const Words<UpliftKind> uplift_kind_words{{"prescribed", UpliftKind::prescribed}, {"computed", UpliftKind::computed}};
 
 const Words<UpliftCourse> uplift_course_words{{"in_phase", UpliftCourse::in_phase}, {"held", UpliftCourse::held}};

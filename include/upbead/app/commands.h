@@ -36,4 +36,7 @@ void add_expected(CLI::App& program);
 /// `upbead scale CASE`: the similar case at another size.
 void add_scale(CLI::App& program);
 
+/// `upbead study STUDY`: keys of cases varied, run side by side.
+void add_study(CLI::App& program);
+
 }  // namespace upbead

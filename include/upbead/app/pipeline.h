@@ -19,10 +19,13 @@ namespace upbead {
 struct CompiledCase {
   Scene scene;                      ///< as solved: with everything decided that the case leaves open
   std::vector<Decision> decisions;  ///< about its regions
-  std::unique_ptr<Mesh> mesh;
+  std::shared_ptr<const Mesh> mesh;
   std::unique_ptr<Space> space;
   std::unique_ptr<Unknowns> unknowns;
   CompiledScene compiled;
+  std::vector<bool> absent;         ///< cells left out
+  SoilState soil_state;             ///< what differs from cell to cell
+  std::optional<SoilSummary> soil;  ///< where the soil has been settled by the strain of the response
   Timing timing;
 };
 
@@ -31,7 +34,11 @@ struct CompiledCase {
 void check_size(const Case& input);
 
 /// Meshes, checks (its size too) and compiles. Throws InputError with all objections at their places in the case.
-CompiledCase compile_case(const Case& input);
+/// `mesh`: of this very case, where it has been read already.
+CompiledCase compile_case(const Case& input, std::shared_ptr<const Mesh> mesh = nullptr);
+
+/// Compiles the scene anew with other soil on the same cells.
+void recompile(CompiledCase& scene, const SoilState& soil);
 
 /// What was solved.
 struct Run {
@@ -41,9 +48,9 @@ struct Run {
   std::string step_reason;    ///< why the steps are as long as they are
 };
 
-/// Solves a compiled case in time. Where it is marched the observer sees every step, where it is reduced `reducing` is
-/// called after every solve with 0 to 1. Throws NumericsError.
-Run run_case(const Case& input, const CompiledCase& scene, const MarchOptions& marching,
+/// Settles the soil where it follows the strain, and solves a compiled case in time. Where it is marched the observer
+/// sees every step, where it is reduced `reducing` is called after every solve with 0 to 1. Throws NumericsError.
+Run run_case(const Case& input, CompiledCase& scene, const MarchOptions& marching,
              const std::function<void(double)>& reducing = {});
 
 /// What is skipped in a scene and why, with the numbers; `reduced`: whether a reduced model solves it.

@@ -5,10 +5,10 @@
 
 namespace upbead {
 
-/// By active cell index; a list without entries, or 0 in it, leaves the region's own value.
+/// By active cell index; a list without entries, 0 as G or a negative damping leaves the region's own value.
 struct SoilState {
   std::vector<double> shear_modulus;  ///< G (Pa)
-  std::vector<double> damping_ratio;  ///< at the region's two frequencies
+  std::vector<double> damping_ratio;  ///< of regions with damping, at their two frequencies
 };
 
 }  // namespace upbead

@@ -30,12 +30,21 @@ enum class Deformation { automatic, elastic, rigid };
 /// Whether free water stores volume under pressure. `automatic` is resolved by choose_compressibility.
 enum class Compressibility { automatic, compressible, incompressible };
 
-/// Rayleigh damping that gives `ratio` at two frequencies: C = mass_factor M + stiffness_factor K.
+/// Where Rayleigh damping has its ratio.
+enum class RayleighFit {
+  ends,  ///< at both frequencies; less between them
+  band,  ///< on the whole band between them as well as it can: as much above it at the ends as below in the middle
+};
+
+/// Rayleigh damping that gives `ratio` at, or between, two frequencies: C = mass_factor M + stiffness_factor K.
 struct Rayleigh {
   double ratio = 0.;                           ///< zeta
   std::array<double, 2> frequencies{1., 10.};  ///< Hz
-  double mass_factor() const;                  ///< 2 zeta w1 w2 / (w1 + w2) (1/s)
-  double stiffness_factor() const;             ///< 2 zeta / (w1 + w2) (s)
+  RayleighFit fit = RayleighFit::ends;
+  double mass_factor() const;               ///< 2 zeta w1 w2 / (w1 + w2) (1/s), zeta that at the ends
+  double stiffness_factor() const;          ///< 2 zeta / (w1 + w2) (s)
+  double ratio_at(double frequency) const;  ///< zeta at a frequency (Hz)
+  double error() const;                     ///< largest relative deviation from `ratio` between both frequencies
 };
 
 /// One physical surface of the mesh. Optional members belong to some kinds only; check() says which are missing.
@@ -43,6 +52,7 @@ struct Region {
   RegionKind kind = RegionKind::porous;
   std::optional<double> shear_modulus;                     ///< G (Pa)
   std::optional<StressLaw> stress_law;                     ///< porous: G by stress, instead of G
+  std::optional<StrainLaw> strain_law;                     ///< porous, solid: what strain makes of G and damping
   std::optional<double> youngs_modulus;                    ///< E (Pa), instead of G
   std::optional<double> poissons_ratio;                    ///< nu of the drained skeleton
   std::optional<double> density;                           ///< rigid, solid (kg/m3)

@@ -1,7 +1,9 @@
-// How a soil's stiffness depends on its effective stress.
+// How a soil's stiffness and damping depend on its effective stress and on the strain of the waves.
 #pragma once
 
+#include <array>
 #include <optional>
+#include <vector>
 
 namespace upbead {
 
@@ -18,6 +20,20 @@ struct StressLaw {
 
 /// G (Pa) at a mean effective stress (Pa), not below the floor.
 double shear_modulus(const StressLaw& law, double stress, double floor);
+
+/// Secant stiffness and damping by the amplitude gamma of the shear strain. Without tables, of Hardin and Drnevich
+/// (1972): G/G_max = 1/(1 + gamma/gamma_r), damping = smallest + (largest - smallest) (1 - G/G_max).
+struct StrainLaw {
+  double reference_strain = 1e-3;  ///< gamma_r, where G is half of G_max
+  double smallest_damping = 0.02;  ///< ratio at vanishing strain
+  double largest_damping = 0.20;   ///< ratio at large strain
+  double effective = 0.65;         ///< effective over largest shear strain; Schnabel, Lysmer and Seed (1972)
+  std::vector<std::array<double, 2>> modulus;  ///< (gamma, G/G_max), straight over log gamma; instead of the formula
+  std::vector<std::array<double, 2>> damping;  ///< (gamma, ratio), likewise
+};
+
+double modulus_ratio(const StrainLaw& law, double strain);  ///< G/G_max
+double damping_ratio(const StrainLaw& law, double strain);
 
 /// The state before the waves.
 struct InitialState {

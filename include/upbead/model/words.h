@@ -21,6 +21,7 @@ extern const Words<PressureCondition> pressure_words;
 extern const Words<PulseShape> pulse_shape_words;
 extern const Words<LoadKind> load_kind_words;
 extern const Words<TimeScheme> time_scheme_words;
+extern const Words<RayleighFit> rayleigh_fit_words;
 extern const Words<UpliftKind> uplift_kind_words;
 extern const Words<UpliftCourse> uplift_course_words;
 
