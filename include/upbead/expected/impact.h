@@ -15,7 +15,7 @@ enum class ImpactUplift {
 
 /// Assumptions of ours: no published method tells the force history of a wave from its height.
 struct ImpactAssumptions {
-  double peak_gain = 2.;           ///< e in P_I = P_1 (1 + e alpha*)
+  double peak_gain = 0.5;          ///< e in P_I = P_1 (1 + e alpha*)
   double rise_coefficient = .769;  ///< c in t_r = c sqrt(d/g) / F*; 8.94 x 0.086
   double duration_least = 2.;      ///< t_d/t_r of the slowest rise
   double duration_gain = 8.;       ///< how much more of the fastest
