@@ -13,7 +13,6 @@ namespace {
 
 constexpr int most_iterations = 50;
 constexpr double settled = 1e-3;
-
 /// The least stress that counts in each region, by its material id.
 std::vector<double> floors(const Scene& scene, const Mesh& mesh, const EffectiveStress& stress) {
   std::vector<double> sum(mesh.surfaces.size(), 0.), area(mesh.surfaces.size(), 0.);
@@ -51,6 +50,12 @@ double largest_change(const std::vector<double>& before, const std::vector<doubl
   return change;
 }
 
+/// Moves log G towards the new one, by so many times the way.
+void step(std::vector<double>& G, const std::vector<double>& next, double times) {
+  for (std::size_t i = 0; i < G.size(); ++i)
+    if (next[i] > 0.) G[i] *= std::pow(next[i] / G[i], times);
+}
+
 }  // namespace
 
 double EffectiveStress::mean(std::size_t cell, const std::optional<double>& k0) const {
@@ -76,22 +81,29 @@ double water_level(const Scene& scene, const Mesh& mesh) {
   return level;
 }
 
+/// What stiffens draws load, which stiffens it more: changes of log G shrink by a factor from solve to solve, and all
+/// that are still to come are taken in one (Aitken) after every second plain one.
 StaticStage solve_static(const Scene& scene, const Mesh& mesh) {
+  const detail::StaticSystem system(scene, mesh);
   StaticStage stage;
   SoilState soil;
   for (const auto& cell : mesh.triangulation.active_cell_iterators()) {
     const std::optional<StressLaw>& law = scene.regions.at(mesh.surface_of(cell)).stress_law;
     soil.shear_modulus.push_back(law ? law->reference : 0.);
   }
+  double last = 0.;
   while (true) {
-    stage.stress = detail::static_stress(scene, mesh, soil);
+    stage.stress = system.solve(soil);
     ++stage.iterations;
     stage.shear_modulus = moduli(scene, mesh, stage.stress);
-    if (largest_change(soil.shear_modulus, stage.shear_modulus) < settled) return stage;
+    const double change = largest_change(soil.shear_modulus, stage.shear_modulus);
+    if (change < settled) return stage;
     if (stage.iterations == most_iterations)
       throw NumericsError("stiffness and static stress do not settle within " + std::to_string(most_iterations) +
                           " solves");
-    soil.shear_modulus = stage.shear_modulus;
+    const bool stretched = stage.iterations % 3 == 0 && change < 0.9 * last;
+    step(soil.shear_modulus, stage.shear_modulus, stretched ? 1. / (1. - change / last) : 1.);
+    last = change;
   }
 }
 

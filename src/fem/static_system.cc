@@ -45,56 +45,59 @@ double unit_weight(const Region& region, const Scene& scene, double density, boo
   return (density - rho_f) * scene.gravity;
 }
 
-class StaticSystem {
+/// The deforming ground with given stiffness.
+class Ground {
  public:
-  StaticSystem(const Scene& scene, const Mesh& mesh, const SoilState& soil)
-      : scene_(at_rest(scene)),
-        level_(water_level(scene, mesh)),
-        space_(mesh, scene_, water_cells(scene_, mesh), soil),
+  Ground(const Scene& scene, const Mesh& mesh, const SoilState& soil)
+      : scene_(scene),
+        space_(mesh, scene, water_cells(scene, mesh), soil),
         bodies_(rigid_bodies(space_)),
-        unknowns_(space_, scene_, bodies_) {}
+        unknowns_(space_, scene, bodies_) {}
 
-  EffectiveStress solve() const {
+  EffectiveStress solve(const Vector& weights) const {
     System system;
     system.field = unknowns_.field();
     assemble(scene_, space_, unknowns_, bodies_, nullptr, system);
-    const Vector x = Factorisation(system.K).solve(weights());
-    return stress(unknowns_.expand(x));
+    return stress(unknowns_.expand(Factorisation(system.K).solve(weights)));
   }
 
- private:
-  /// Work of the weights in unit motions of the unknowns.
-  Vector weights() const {
-    std::map<int, double> work;
+  /// Work of the weights in unit motions of the unknowns; still water stands at `level`.
+  Vector weights(double level) const {
     // where the water level cuts a cell its weight jumps: many points there
     const hp::QCollection<dim> points(QGauss<dim>(static_cast<unsigned>(space_.degree()) + 1),
                                       QIterated<dim>(QGauss<1>(3), 16));
     hp::FEValues<dim> hp_values(space_.dofs().get_fe_collection(), points,
                                 update_values | update_quadrature_points | update_JxW_values);
+    Vector f = Vector::Zero(unknowns_.size());
     for (const auto& cell : space_.dofs().active_cell_iterators()) {
-      const Region& region = space_.region(cell);
       if (space_.kind(cell) == CellKind::absent) continue;
-      hp_values.reinit(cell, is_cut(cell) ? 1 : 0);
+      hp_values.reinit(cell, is_cut(cell, level) ? 1 : 0);
       const FEValues<dim>& fe = hp_values.get_present_fe_values();
       std::vector<types::global_dof_index> dofs(fe.dofs_per_cell);
       cell->get_dof_indices(dofs);
-      for (const unsigned q : fe.quadrature_point_indices()) {
-        const bool below = fe.quadrature_point(q)[1] < level_;
-        const double w = unit_weight(region, scene_, density(cell), below) * fe.JxW(q);
-        for (const unsigned i : fe.dof_indices())
-          if (const double v = fe[u_part].value(i, q)[1]; v != 0.)
-            unknowns_.add_to(work, static_cast<unsigned>(dofs[i]), -w * v);
+      for (const unsigned i : fe.dof_indices()) {
+        const double work = work_of(fe, i, cell, level);
+        for (const auto& [unknown, weight] : unknowns_.expansion(static_cast<unsigned>(dofs[i])))
+          f[unknown] += weight * work;
       }
     }
-    Vector f = Vector::Zero(unknowns_.size());
-    for (const auto& [i, value] : work) f[i] = value;
     return f;
   }
 
-  bool is_cut(const Cell& cell) const {
+ private:
+  static bool is_cut(const Cell& cell, double level) {
     bool above = false, below = false;
-    for (const unsigned v : cell->vertex_indices()) (cell->vertex(v)[1] > level_ ? above : below) = true;
+    for (const unsigned v : cell->vertex_indices()) (cell->vertex(v)[1] > level ? above : below) = true;
     return above && below;
+  }
+
+  double work_of(const FEValues<dim>& fe, unsigned i, const Cell& cell, double level) const {
+    const Region& region = space_.region(cell);
+    double work = 0.;
+    for (const unsigned q : fe.quadrature_point_indices())
+      if (const double v = fe[u_part].value(i, q)[1]; v != 0.)
+        work -= unit_weight(region, scene_, density(cell), fe.quadrature_point(q)[1] < level) * fe.JxW(q) * v;
+    return work;
   }
 
   double density(const Cell& cell) const {
@@ -125,8 +128,7 @@ class StaticSystem {
     return s;
   }
 
-  Scene scene_;
-  double level_;
+  const Scene& scene_;
   Space space_;
   std::vector<Body> bodies_;
   Unknowns unknowns_;
@@ -134,8 +136,11 @@ class StaticSystem {
 
 }  // namespace
 
-EffectiveStress static_stress(const Scene& scene, const Mesh& mesh, const SoilState& soil) {
-  return StaticSystem(scene, mesh, soil).solve();
+StaticSystem::StaticSystem(const Scene& scene, const Mesh& mesh)
+    : scene_(at_rest(scene)), mesh_(mesh), weights_(Ground(scene_, mesh, {}).weights(water_level(scene, mesh))) {}
+
+EffectiveStress StaticSystem::solve(const SoilState& soil) const {
+  return Ground(scene_, mesh_, soil).solve(weights_);
 }
 
 }  // namespace upbead::detail

@@ -1,12 +1,23 @@
-// One linear solve of the static state.
+// The ground at rest under its weight, for any stiffness.
 #pragma once
 
+#include "upbead/algebra/sparse.h"
 #include "upbead/fem/soil_state.h"
 #include "upbead/fem/static_stage.h"
 
 namespace upbead::detail {
 
-/// Effective stresses of drained soils under their weight, with given stiffness.
-EffectiveStress static_stress(const Scene& scene, const Mesh& mesh, const SoilState& soil);
+class StaticSystem {
+ public:
+  /// The mesh must outlive it.
+  StaticSystem(const Scene& scene, const Mesh& mesh);
+  /// Effective stresses of drained soils with that stiffness.
+  EffectiveStress solve(const SoilState& soil) const;
+
+ private:
+  Scene scene_;  ///< no pressures, no waves, nothing that leaves
+  const Mesh& mesh_;
+  Vector weights_;  ///< by unknown; whatever the stiffness
+};
 
 }  // namespace upbead::detail
