@@ -1,22 +1,20 @@
 #include "sliding_object.h"
 
+#include "upbead/output/json_text.h"
+
 namespace upbead {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json optional(const std::optional<double>& value) {
-  return value ? Json(*value) : Json(nullptr);
-}
-
 Json to_object(const HistoryDuration& d) {
   return {{"ratio", d.ratio},
           {"sliding", d.sliding},
-          {"by_paper", optional(d.by_paper)},
-          {"by_exact", optional(d.by_exact)},
-          {"by_excess", optional(d.by_excess)},
-          {"by_impulse", optional(d.by_impulse)}};
+          {"by_paper", json_or_null(d.by_paper)},
+          {"by_exact", json_or_null(d.by_exact)},
+          {"by_excess", json_or_null(d.by_excess)},
+          {"by_impulse", json_or_null(d.by_impulse)}};
 }
 
 Json to_array(const std::vector<Slip>& slips) {

@@ -1,21 +1,16 @@
 #include "upbead/output/summary.h"
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "sliding_object.h"
-#include "upbead/base/error.h"
 #include "upbead/base/version.h"
+#include "upbead/output/json_text.h"
 
 namespace upbead {
 
 using Json = nlohmann::ordered_json;
 
 namespace {
-
-Json optional(const std::optional<double>& value) {
-  return value ? Json(*value) : Json(nullptr);
-}
 
 Json to_object(const Discretisation& d) {
   return {
@@ -33,13 +28,13 @@ Json to_object(const ShearResponse& r, const std::optional<EnergyAccount>& energ
           {"peak_shear_time", r.peak_shear_time},
           {"peak_shear_seaward", r.peak_shear_seaward},
           {"peak_shear_seaward_time", r.peak_shear_seaward_time},
-          {"shear_to_force_ratio", optional(r.shear_to_force_ratio)},
+          {"shear_to_force_ratio", json_or_null(r.shear_to_force_ratio)},
           {"peak_displacement", r.peak_displacement},
           {"peak_rotation", r.peak_rotation},
           {"peak_shear_paper", r.peak_shear_paper},
           {"peak_shear_experiment", r.peak_shear_experiment},
-          {"shear_to_impulse", optional(r.shear_to_impulse)},
-          {"arm", optional(r.arm)},
+          {"shear_to_impulse", json_or_null(r.shear_to_impulse)},
+          {"arm", json_or_null(r.arm)},
           {"peak_base_moment", r.peak_base_moment},
           {"reaction_mismatch", r.reaction_mismatch},
           {"energy_mismatch", energy ? Json(energy->mismatch()) : Json(nullptr)},
@@ -47,7 +42,8 @@ Json to_object(const ShearResponse& r, const std::optional<EnergyAccount>& energ
 }
 
 Json to_object(const LoadOnCaisson& load) {
-  return {{"force_x", load.force_x}, {"force_y", load.force_y}, {"moment", load.moment}, {"arm", optional(load.arm())}};
+  return {
+      {"force_x", load.force_x}, {"force_y", load.force_y}, {"moment", load.moment}, {"arm", json_or_null(load.arm())}};
 }
 
 Json to_object(const EnergyAccount& e) {
@@ -81,14 +77,6 @@ Json to_object(const Timing& t) {
           {"march", t.march}, {"output", t.output},   {"total", t.total}};
 }
 
-/// JSON has no word for a number that is not finite: it must not get there.
-void require_finite(const Json& value, const std::string& path) {
-  if (value.is_number_float() && !std::isfinite(value.get<double>()))
-    throw NumericsError("'" + path + "' of the summary is not finite; nothing was written");
-  if (value.is_structured())
-    for (const auto& item : value.items()) require_finite(item.value(), path + "/" + item.key());
-}
-
 }  // namespace
 
 std::string to_json(const Summary& summary) {
@@ -105,8 +93,7 @@ std::string to_json(const Summary& summary) {
   for (const Skipped& skipped : summary.skipped)
     json["skipped"].push_back({{"what", skipped.what}, {"why", skipped.why}});
   json["timing"] = to_object(summary.timing);
-  require_finite(json, "");
-  return json.dump(2) + "\n";
+  return json_text(json);
 }
 
 }  // namespace upbead

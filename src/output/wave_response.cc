@@ -5,6 +5,7 @@
 
 #include "hdf5_image.h"
 #include "upbead/base/version.h"
+#include "upbead/output/json_text.h"
 
 namespace upbead {
 
@@ -55,19 +56,15 @@ void write_histories(detail::Hdf5Image& image, const WaveResponses& file) {
                 {"N/m", "F_T, shear force at the caisson's bottom, landward on the ground"});
 }
 
-Json optional(const std::optional<double>& value) {
-  return value ? Json(*value) : Json(nullptr);
-}
-
 Json to_object(const WaveResponse& wave, const std::string& name) {
   return {{"name", name},
           {"peak_force", wave.peak_force},
           {"peak_shear", wave.peak_shear},
           {"peak_shear_time", wave.peak_shear_time},
           {"peak_shear_seaward", wave.peak_shear_seaward},
-          {"ratio", optional(wave.ratio)},
+          {"ratio", json_or_null(wave.ratio)},
           {"beyond_band", wave.beyond_band},
-          {"sliding", optional(wave.sliding)}};
+          {"sliding", json_or_null(wave.sliding)}};
 }
 
 }  // namespace
