@@ -4,7 +4,7 @@
 usage: study.py RESULTS_FOLDER [--read PATH] [--x KEY]... [-o FIGURE.png]
 
 Keys that were varied over a few values give lines, one for each combination of the other keys; random draws give points,
-with their rank correlation, and the distribution of the number. Words are drawn as they are.
+with their rank correlation, and the distribution of the number. Several cases have a colour each.
 """
 
 import argparse
@@ -33,7 +33,9 @@ class Table:
             with h5py.File(folder / "study.h5") as file:
                 self.keys, self.reads = ([name for name in names if name in file.get(group, {})]
                                          for group in ("varied", "read"))
-                self.units = {key: file["varied"][key].attrs.get("unit", b"").decode() for key in self.keys}
+                self.keys = ["case"] * ("case" in names) + self.keys
+                self.units = {key: file["varied"][key].attrs.get("unit", b"").decode()
+                              for key in self.keys if key != "case"}
         except OSError as error:
             raise UserError(f"'{folder}' holds no results of 'upbead study': {error}") from error
         self.n_failed = sum(row["status"] != "done" for row in rows)
@@ -73,10 +75,17 @@ def rank_correlation(x, y):
     return np.corrcoef(*ranks)[0, 1]
 
 
-def draw_points(axes, x, y):
-    good = np.isfinite(y)
-    axes.plot(x[good], y[good], ".", markersize=3, alpha=0.5)
-    axes.set_title(f"rank correlation {round(rank_correlation(x[good], y[good]), 2) + 0.0:.2f}", fontsize=8)
+def draw_points(axes, table, key, y):
+    x = table.numbers(key)
+    cases = table.words("case") if "case" in table.keys else [""] * len(x)
+    for case in dict.fromkeys(cases):
+        good = np.isfinite(y) & np.array([found == case for found in cases])
+        correlation = round(rank_correlation(x[good], y[good]), 2) + 0.0
+        axes.plot(x[good], y[good], ".", markersize=3, alpha=0.5, label=f"{Path(case).stem} {correlation:.2f}")
+        axes.set_title(f"rank correlation {correlation:.2f}", fontsize=8)
+    if len(set(cases)) > 1:
+        axes.set_title("rank correlation", fontsize=8)
+        axes.legend(fontsize=7)
     scale_axis(axes, x)
 
 
@@ -119,6 +128,12 @@ def chosen(known, asked, what):
     return list(asked)
 
 
+def default_axes(table):
+    """Keys that vary; those with words only where there are no numbers, as the lines tell them too."""
+    different = [key for key in table.keys if len(set(table.words(key))) > 1] or table.keys[:1]
+    return [key for key in different if table.numbers(key) is not None] or different
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("folder", metavar="RESULTS_FOLDER", type=Path)
@@ -133,7 +148,7 @@ def main():
     if not np.isfinite(y).any():
         raise UserError(f"no run has the number '{read}'")
     axes_keys = chosen(keys, arguments.x, "key") if arguments.x else \
-        [key for key in keys if len(set(table.words(key))) > 1] or keys[:1]
+        default_axes(table)
     drawn = [key for key in axes_keys if is_drawn(table, key) and table.numbers(key) is not None]
 
     n = len(axes_keys) + bool(drawn)
@@ -143,7 +158,7 @@ def main():
     panels = list(itertools.chain(*panels))
     for axes, key in zip(panels, axes_keys):
         if key in drawn:
-            draw_points(axes, table.numbers(key), y)
+            draw_points(axes, table, key, y)
         else:
             draw_lines(axes, table, key, [other for other in keys if other != key and not is_drawn(table, other)], y)
         axes.set_xlabel(label(table, key))

@@ -43,7 +43,9 @@ int run(int argc, char** argv) {
   upbead::add_respond(program);
   upbead::add_waves(program);
   upbead::add_expected(program);
+  upbead::add_calibrate(program);
   upbead::add_scale(program);
+  upbead::add_study(program);
   if (argc > 1) check_command(program, argv[1]);
   try {
     program.parse(argc, argv);

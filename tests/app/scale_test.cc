@@ -77,7 +77,8 @@ TEST(Froude, KnowsTheUnitOfEveryKeyOfACase) {
   int n = 0;
   for (std::sregex_iterator match(text.begin(), text.end(), row), end; match != end; ++match, ++n) {
     const std::string unit = (*match)[3];
-    if (unit != "N/m or Pa") EXPECT_NO_THROW(froude_exponent(unit)) << (*match)[1];  // decided by the load's kind
+    if (unit == "N/m or Pa") continue;  // decided by the load's kind
+    EXPECT_NO_THROW(froude_exponent(unit)) << (*match)[1];
   }
   EXPECT_GT(n, 35);
 }
@@ -138,8 +139,8 @@ TEST_F(Scale, LeavesTheSameSoilAsItIs) {
             before.regions.at("rubble").damping->frequencies[0] / 2);
   EXPECT_EQ(*after.regions.at("caisson").mass, 16 * *before.regions.at("caisson").mass);
   EXPECT_EQ(scale_case(read_case("case.toml"), options, "out").kept,
-            (std::vector<std::string>{"fluid.bulk_modulus", "regions.block.youngs_modulus",
-                                      "regions.rubble.hydraulic_conductivity", "regions.rubble.grain_bulk_modulus"}));
+            (std::vector<std::string>{"regions.block.youngs_modulus", "regions.rubble.hydraulic_conductivity",
+                                      "regions.rubble.grain_bulk_modulus"}));
 }
 
 TEST_F(Scale, DecidesAPulsesPeakByTheKindOfItsLoad) {

@@ -183,9 +183,9 @@ class Study(ProgramTest):
     def journal_lines(self, out):
         return sum(max(0, len(path.read_text().splitlines()) - 1) for path in (self.folder / out / "journal").glob("*"))
 
-    def kill_in_the_middle(self, how, group, *arguments):
-        """Starts a study of 40 runs and ends it after some of them."""
-        (self.folder / "study.toml").write_text(RANDOM.format(n=40))
+    def kill_in_the_middle(self, n, how, group, *arguments):
+        """Starts a study of n runs and ends it after some of them."""
+        (self.folder / "study.toml").write_text(RANDOM.format(n=n))
         process = subprocess.Popen([PROGRAM, "study", "study.toml", "--out", "killed", *arguments], cwd=self.folder,
                                    stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, start_new_session=True)
         while self.journal_lines("killed") < 5:
@@ -194,13 +194,13 @@ class Study(ProgramTest):
         (os.killpg if group else os.kill)(process.pid, how)
         errors = process.communicate()[1].decode()
         done = self.journal_lines("killed")
-        self.assertTrue(5 <= done < 40, done)
+        self.assertTrue(5 <= done < n, done)
         return process.returncode, errors
 
     def test_killed_and_resumed_it_is_the_same_to_the_last_bit(self):
         for jobs in ("1", "2"):
             with self.subTest(jobs=jobs):
-                self.kill_in_the_middle(signal.SIGKILL, True, "--jobs", jobs)
+                self.kill_in_the_middle(40, signal.SIGKILL, True, "--jobs", jobs)
                 self.assertFalse((self.folder / "killed/study.csv").exists())
                 journal = next(path for path in (self.folder / "killed/journal").glob("*") if self.lines(path) > 2)
                 text = journal.read_text()
@@ -219,13 +219,14 @@ class Study(ProgramTest):
         return len(path.read_text().splitlines())
 
     def test_interrupted_it_says_how_to_go_on(self):
-        code, errors = self.kill_in_the_middle(signal.SIGINT, False, "--jobs", "1")
+        code, errors = self.kill_in_the_middle(40, signal.SIGINT, False, "--jobs", "1")
         self.assertEqual(code, 130)
         self.assertRegex(errors, r"interrupted; \d+ of 40 runs are done, the same command goes on")
 
     def test_interrupted_processes_leave_no_half_table(self):
-        code, _ = self.kill_in_the_middle(signal.SIGINT, False, "--jobs", "2")
+        code, errors = self.kill_in_the_middle(2000, signal.SIGINT, False, "--jobs", "2")  # mpirun takes a second
         self.assertNotEqual(code, 0)
+        self.assertRegex(errors, r"interrupted; \d+ of 2000 runs are done")
         self.assertFalse((self.folder / "killed/study.csv").exists())
 
     def test_a_changed_study_does_not_resume(self):
@@ -281,9 +282,28 @@ class Study(ProgramTest):
             self.assertEqual(process.wait(), 0)
             self.assertIn(b"of 12 runs", text)
 
+    def test_figures_of_a_grid_and_of_draws(self):
+        script = CASES.parent / "postprocess/study.py"
+        self.study()
+        (self.folder / "other.toml").write_text(SMALL.replace("50e6", "90e6"))
+        (self.folder / "study.toml").write_text(RANDOM.format(n=20).replace('case = "small.toml"',
+                                                                            'cases = ["small.toml", "other.toml"]'))
+        self.study("--out", "drawn")
+        for arguments in (["results/study"], ["results/study", "--read", "response.arm", "--x", "sliding.friction"], ["drawn"]):
+            done = subprocess.run(["/usr/bin/python3", script, *arguments, "-o", "figure.png"], cwd=self.folder,
+                                  capture_output=True, text=True)
+            self.assertEqual((done.returncode, done.stdout), (0, "figure.png\n"), done.stderr)
+            self.assertGreater((self.folder / "figure.png").stat().st_size, 10000)
+            (self.folder / "figure.png").unlink()
+        done = subprocess.run(["/usr/bin/python3", script, "results/study", "--x", "gravity"], cwd=self.folder,
+                              capture_output=True, text=True)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("the study has no key 'gravity'", done.stderr)
+
     def test_help_teaches_by_example(self):
         self.assertIn("upbead study cases/study/", upbead("study", "--help").stdout)
-        self.assertIn("[vary.NAME]", upbead("study", "--keys").stdout)
+        text = (CASES.parent / "docs/study.md").read_text()
+        self.assertTrue(text.endswith(upbead("study", "--keys").stdout), "run upbead study --keys into docs/study.md")
         self.assertEqual(upbead("study").returncode, 1)
 
     def test_shipped_studies_are_sound(self):

@@ -33,6 +33,9 @@ void add_waves(CLI::App& program);
 /// `upbead expected DESIGN`: expected sliding distance of sea states, and of lives.
 void add_expected(CLI::App& program);
 
+/// `upbead calibrate DESIGN`: k(alpha*) of tau_0 = k tau_0F from the caisson's own dynamics.
+void add_calibrate(CLI::App& program);
+
 /// `upbead scale CASE`: the similar case at another size.
 void add_scale(CLI::App& program);
 

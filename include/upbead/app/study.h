@@ -36,7 +36,7 @@ struct Study {
 std::vector<std::string> overrides_of(const StudyRun& run);
 
 /// Reads and checks a study with overrides KEY=VALUE. Also reads its cases with the first settings that fit them:
-/// where none do, that is a mistake. Throws InputError with every mistake.
+/// where none of the first 1,000 do, that is a mistake. Throws InputError with every mistake.
 Study read_study(const std::string& path, const std::vector<std::string>& overrides = {});
 
 /// Every key of the study file as Markdown.

@@ -48,7 +48,8 @@ class TableSchema {
   void read(const Node& node, const std::string& path, T& object, InputReport& report) const;
   /// `object` as TOML with all defaults spelled out, readable by read().
   std::string echo(const T& object, const std::string& path = "") const;
-  /// Shows every number that belongs to `object`, with its declaration and dotted path, to a visitor that may change it.
+  /// Shows every number that belongs to `object`, with its declaration and dotted path, to a visitor that may change
+  /// it.
   void visit_numbers(T& object, const std::string& path, const NumberVisitor& visitor) const;
   /// Every table and key, depth first.
   void describe(const std::string& path, const std::string& doc, std::vector<TableDoc>& docs) const;

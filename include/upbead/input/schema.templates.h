@@ -33,8 +33,8 @@ Entry<T>& TableSchema<T>::key_or_table(const std::string& name, V Base::*member,
   entry.print_tables = [other, schema](const T& object, const std::string& path) {
     return object.*other ? schema.echo(*(object.*other), path) : std::string();
   };
-  entry.visit_numbers = [visit_value = entry.visit_numbers, other, schema](
-                            const KeyInfo& info, const std::string& path, T& object, const NumberVisitor& visitor) {
+  entry.visit_numbers = [visit_value = entry.visit_numbers, other, schema](const KeyInfo& info, const std::string& path,
+                                                                           T& object, const NumberVisitor& visitor) {
     visit_value(info, path, object, visitor);
     if (object.*other) schema.visit_numbers(*(object.*other), path, visitor);
   };

@@ -1,0 +1,93 @@
+#include "runner.h"
+
+#include <algorithm>
+#include <new>
+
+#include "../case_sliding.h"
+#include "summary_reader.h"
+#include "upbead/base/error.h"
+#include "upbead/base/interrupt.h"
+#include "upbead/base/stopwatch.h"
+
+namespace upbead {
+
+namespace {
+
+std::string key_of(const MeshRequest& request) {
+  std::string key = request.file + "\n" + std::to_string(request.refine);
+  for (const auto& [name, value] : request.parameters) key += "\n" + name + "=" + to_toml(value);
+  return key;
+}
+
+/// Everything that a solution depends on: all of the case but its sliding.
+std::string solution_key_of(const Case& problem) {
+  Case without = problem;
+  without.scene.sliding.reset();
+  return effective_case(without, ".");
+}
+
+std::string in_one_line(std::string text) {
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return text;
+}
+
+}  // namespace
+
+std::shared_ptr<const Mesh> Runner::mesh_for(const Case& problem, Shared& shared) {
+  const MeshRequest request = mesh_request(problem);
+  const std::string key = key_of(request);
+  if (sharing_ && mesh_ && key == mesh_key_) {
+    shared = Shared::mesh;
+  } else {
+    mesh_ = read_mesh(request);
+    mesh_key_ = key;
+  }
+  return mesh_;
+}
+
+std::string Runner::solve(const Case& problem, const std::function<void()>& meanwhile, Shared& shared) {
+  const std::string key = solution_key_of(problem);
+  if (sharing_ && compiled_ && key == solution_key_) {
+    shared = Shared::solution;
+    check_sliding(problem, compiled_->compiled);
+    solution_.summary.sliding = sliding_of(problem.scene, compiled_->compiled, solution_.response);
+    return to_json(solution_.summary);
+  }
+  compiled_.reset();
+  check_size(problem);
+  auto compiled = std::make_unique<CompiledCase>(compile_case(problem, mesh_for(problem, shared)));
+  MarchOptions marching;
+  marching.stop_at_energy = problem.scene.time.stop_at_energy.value_or(0.);
+  marching.observer = [&meanwhile](const State&, int, int) { meanwhile(); };
+  solution_ = run_case(problem, *compiled, marching, [&meanwhile](double) { meanwhile(); });
+  if (solution_.summary.response)
+    require_balance(*solution_.summary.response, solution_.summary.energy.value_or(EnergyAccount()));
+  compiled_ = std::move(compiled);
+  solution_key_ = key;
+  return to_json(solution_.summary);
+}
+
+RunResult Runner::run(const StudyRun& run, const std::function<void()>& meanwhile) {
+  const Stopwatch watch;
+  RunResult result;
+  try {
+    const Case problem = read_case(study_.cases[static_cast<std::size_t>(run.case_index)], overrides_of(run));
+    require_loads(problem);
+    result.values = numbers_at(solve(problem, meanwhile, result.shared), study_.reads);
+    result.done = true;
+  } catch (const Interrupted&) {
+    throw;
+  } catch (const std::bad_alloc&) {
+    result.message = "it does not fit in memory";
+  } catch (const InputError& error) {
+    result.message = in_one_line(error.what());
+  } catch (const NumericsError& error) {
+    result.message = in_one_line(std::string("the numerics failed: ") + error.what());
+  } catch (const std::exception& error) {
+    result.message = in_one_line(std::string("this is a bug, please report it: ") + error.what());
+  }
+  result.seconds = watch.seconds();
+  return result;
+}
+
+}  // namespace upbead

@@ -1,0 +1,34 @@
+// Runs of a study, one after the other in one process.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "run_result.h"
+#include "upbead/app/pipeline.h"
+#include "upbead/app/study.h"
+
+namespace upbead {
+
+/// Keeps the mesh while runs ask for the same, and the solution while they differ in [sliding] alone. Both are what the
+/// run would have made for itself, so every number is the same to the last bit, whatever ran before.
+class Runner {
+ public:
+  Runner(const Study& study, bool sharing) : study_(study), sharing_(sharing) {}
+  /// A run that fails says so in its result. `meanwhile` is called between its steps. Throws Interrupted.
+  RunResult run(const StudyRun& run, const std::function<void()>& meanwhile);
+
+ private:
+  std::string solve(const Case& problem, const std::function<void()>& meanwhile, Shared& shared);
+  std::shared_ptr<const Mesh> mesh_for(const Case& problem, Shared& shared);
+
+  const Study& study_;
+  bool sharing_;
+  std::string mesh_key_, solution_key_;
+  std::shared_ptr<const Mesh> mesh_;
+  std::unique_ptr<CompiledCase> compiled_;
+  Run solution_;
+};
+
+}  // namespace upbead

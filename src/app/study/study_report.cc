@@ -1,0 +1,108 @@
+#include "study_report.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "upbead/base/text.h"
+#include "upbead/base/version.h"
+
+namespace upbead {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t n_listed = 10;  // failures that a person reads on the terminal
+
+/// How a run is made alone.
+std::string command_of(const Study& study, const StudyRun& run) {
+  std::string text = "upbead run " + study.cases[static_cast<std::size_t>(run.case_index)];
+  for (const std::string& setting : overrides_of(run)) text += " --set '" + setting + "'";
+  return text;
+}
+
+template <class Visitor>
+void for_each_failure(const Study& study, const Results& results, Visitor visit) {
+  for (std::size_t i = 0; i < results.size(); ++i)
+    if (!results[i]->done) visit(i, study.runs[i], results[i]->message);
+}
+
+int count(const Results& results, Shared shared) {
+  return static_cast<int>(std::count_if(results.begin(), results.end(), [shared](const auto& result) {
+    return result->done && result->shared == shared;
+  }));
+}
+
+double longest(const Results& results) {
+  double seconds = 0.;
+  for (const auto& result : results) seconds = std::max(seconds, result->seconds);
+  return seconds;
+}
+
+Json failures(const Study& study, const Results& results) {
+  Json list = Json::array();
+  for_each_failure(study, results, [&](std::size_t i, const StudyRun& run, const std::string& message) {
+    Json settings = Json::object();
+    for (const auto& [key, value] : run.settings) settings[key] = value;
+    list.push_back({{"run", i}, {"message", message}, {"settings", settings}, {"command", command_of(study, run)}});
+  });
+  return list;
+}
+
+Json skipped(const Results& results) {
+  Json list = Json::array();
+  const auto add = [&list](int n, const std::string& what, const std::string& why) {
+    if (n > 0) list.push_back({{"what", what + " of " + std::to_string(n) + " runs"}, {"why", why}});
+  };
+  add(count(results, Shared::mesh), "mesh", "the run before had the same");
+  add(count(results, Shared::solution), "mesh and solution", "the run before differed in [sliding] alone");
+  return list;
+}
+
+}  // namespace
+
+int n_failed(const Results& results) {
+  return static_cast<int>(
+      std::count_if(results.begin(), results.end(), [](const auto& result) { return !result->done; }));
+}
+
+std::string to_json(const Study& study, const Results& results, const StudyAccount& account) {
+  Json json{{"title", study.title}, {"program", program_version()}};
+  json["cases"] = study.cases;
+  json["varied"] = study.keys;
+  json["read"] = study.reads;
+  json["runs"] = results.size();
+  json["failed"] = failures(study, results);
+  json["resumed"] = account.resumed;
+  json["skipped"] = skipped(results);
+  double work = 0.;
+  for (const auto& result : results) work += result->seconds;
+  json["timing"] = {{"processes", account.processes},
+                    {"total", account.seconds},
+                    {"all_runs", work},
+                    {"longest_run", longest(results)}};
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string describe(const Study& study, const Results& results, const StudyAccount& account) {
+  std::string text = study.title.empty() ? "" : study.title + "\n";
+  text += "study       " + std::to_string(results.size()) + " runs";
+  if (account.resumed > 0) text += ", " + std::to_string(account.resumed) + " of them done before";
+  text += ", " + std::to_string(n_failed(results)) + " failed\n";
+  const auto items = skipped(results);
+  for (const Json& item : items)
+    text += "skipped     " + item["what"].get<std::string>() + ": " + item["why"].get<std::string>() + "\n";
+  std::size_t n = 0;
+  for_each_failure(study, results, [&](std::size_t i, const StudyRun& run, const std::string& message) {
+    if (n++ < n_listed)
+      text +=
+          "failed      run " + std::to_string(i) + ": " + message + "\n            " + command_of(study, run) + "\n";
+  });
+  if (n > n_listed) text += "            and " + std::to_string(n - n_listed) + " more, see failed in summary.json\n";
+  return text + "time        " + significant(account.seconds) + " s on " + std::to_string(account.processes) +
+         (account.processes == 1 ? " process" : " processes") + ", longest run " + significant(longest(results)) +
+         " s\n";
+}
+
+}  // namespace upbead

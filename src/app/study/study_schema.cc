@@ -1,0 +1,111 @@
+#include "study_tables.h"
+
+namespace upbead {
+
+namespace {
+
+const std::vector<std::pair<std::string, Sampling>> sampling_words{
+    {"grid", Sampling::grid}, {"paired", Sampling::paired}, {"random", Sampling::random}};
+const std::vector<std::pair<std::string, Spacing>> spacing_words{{"linear", Spacing::linear}, {"log", Spacing::log}};
+const std::vector<std::pair<std::string, DrawnBy>> distribution_words{{"uniform", DrawnBy::uniform},
+                                                                      {"log_uniform", DrawnBy::log_uniform},
+                                                                      {"normal", DrawnBy::normal},
+                                                                      {"log_normal", DrawnBy::log_normal}};
+
+void declare_range(TableSchema<VaryTable>& table) {
+  const auto ranged = [](const VaryTable& vary) { return vary.from.has_value(); };
+  table.key("from", &VaryTable::from).doc("first value of a range; or values");
+  table.key("to", &VaryTable::to).doc("last value of a range").when("from", ranged, "with from");
+  table.key("n", &VaryTable::n)
+      .range(from_to(2., 1e5))
+      .doc("number of values of a range")
+      .when("from", ranged, "with from");
+  table.choice("spacing", &VaryTable::spacing, spacing_words)
+      .doc("how the values of a range are spaced")
+      .when("from", ranged, "with from");
+}
+
+void declare_distribution(TableSchema<VaryTable>& table) {
+  const auto bounded = [](const VaryTable& vary) {
+    return vary.distribution == DrawnBy::uniform || vary.distribution == DrawnBy::log_uniform;
+  };
+  const auto bell = [](const VaryTable& vary) {
+    return vary.distribution == DrawnBy::normal || vary.distribution == DrawnBy::log_normal;
+  };
+  table.choice("distribution", &VaryTable::distribution, distribution_words)
+      .doc("distribution of random values; or values, which are then drawn with equal chances");
+  table.key("low", &VaryTable::low)
+      .required()
+      .doc("least value")
+      .when("distribution", bounded, "of uniform and log_uniform");
+  table.key("high", &VaryTable::high)
+      .required()
+      .doc("largest value")
+      .when("distribution", bounded, "of uniform and log_uniform");
+  table.key("mean", &VaryTable::mean)
+      .required()
+      .doc("mean of the distribution")
+      .when("distribution", bell, "of normal and log_normal");
+  table.key("cov", &VaryTable::cov)
+      .range(at_least(0.))
+      .required()
+      .doc("standard deviation over the mean")
+      .when("distribution", bell, "of normal and log_normal");
+}
+
+TableSchema<VaryTable> vary_schema() {
+  TableSchema<VaryTable> table;
+  table.key("values", &VaryTable::values).doc("list of numbers or words");
+  declare_range(table);
+  declare_distribution(table);
+  return table;
+}
+
+TableSchema<FollowTable> follow_schema() {
+  TableSchema<FollowTable> table;
+  table.key("key", &FollowTable::key).required().doc("varied key that it follows");
+  table.key("factor", &FollowTable::factor).doc("its value over that of the key that it follows");
+  return table;
+}
+
+}  // namespace
+
+const std::vector<std::string>& default_reads() {
+  static const std::vector<std::string> list{"response.shear_to_force_ratio", "response.peak_shear",
+                                             "response.peak_force", "response.peak_displacement"};
+  return list;
+}
+
+TableSchema<StudyTables> study_schema() {
+  const auto drawn = [](const StudyTables& study) { return study.sample == Sampling::random; };
+  TableSchema<StudyTables> table;
+  table.key("title", &StudyTables::title).doc("title of the study");
+  table.key("case", &StudyTables::one_case).doc("path of the case; or cases");
+  table.key("cases", &StudyTables::cases).doc("list of the paths of several cases; each gets the whole sample");
+  table.choice("sample", &StudyTables::sample, sampling_words)
+      .doc(
+          "how varied keys combine; grid: every value with every other; paired: the first ones together, then the "
+          "second ones; random: n draws");
+  table.key("n", &StudyTables::n)
+      .range(from_to(1., 1e5))
+      .required()
+      .doc("number of draws")
+      .when("sample", drawn, "where sample = random");
+  table.key("seed", &StudyTables::seed)
+      .range(at_least(0.))
+      .doc("seed of the draws; a draw depends on it, on the key and on its number only")
+      .when("sample", drawn, "where sample = random");
+  table.key("read", &StudyTables::read)
+      .fallback("peak F_T, peak P, their ratio and the peak displacement")
+      .doc("list of numbers to read of each run, as paths into its summary.json");
+  table.key("set", &StudyTables::set).doc("values that all runs have, by key of the case");
+  table.tables("vary", &StudyTables::vary, vary_schema())
+      .doc(
+          "One table per varied key, its dotted path in quotes: `[vary.\"regions.seabed.shear_modulus\"]`. Exactly "
+          "one of values, from and distribution; distribution only where sample = random, from only elsewhere.");
+  table.tables("follow", &StudyTables::follow, follow_schema())
+      .doc("Keys that go along with a varied one, their dotted paths in quotes.");
+  return table;
+}
+
+}  // namespace upbead
