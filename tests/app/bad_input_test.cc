@@ -102,8 +102,8 @@ const std::vector<BadCase> rows{
     BadCase{"ToleranceZero", "tolerance = 0.01", "tolerance = 0",
             "case.toml:74:1: tolerance = 0 is outside (0, 1); give the relative error allowed in the peak shear force"},
     BadCase{"NegativeFrequency", "frequencies = [1.0, 8]", "frequencies = [-1.0, 8]",
-            "case.toml:25:42: frequencies = -1 is outside (0, inf); give the two frequencies, ascending, at which the "
-            "ratio holds (Hz)"},
+            "case.toml:25:42: frequencies = -1 is outside (0, inf); give the two frequencies, ascending, at or between "
+            "which the ratio holds (Hz)"},
     BadCase{"PulseWithoutShape", "shape = \"church_roof\"\n", "",
             "case.toml:52:15: 'shape' is missing in [loads.impact.pulse]; add shape, one of triangle, step, half_sine, "
             "church_roof, harmonic"},

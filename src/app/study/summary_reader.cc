@@ -21,6 +21,7 @@ Json full_summary() {
   summary.sliding.emplace();
   summary.sliding->history.own.emplace();
   summary.sliding->pulse.emplace();
+  summary.soil.emplace();
   return Json::parse(to_json(summary));
 }
 
