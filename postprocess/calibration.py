@@ -1,10 +1,11 @@
 #!/usr/bin/python3
 """Draws what `upbead calibrate` found: k = tau_0/tau_0F against alpha*, the fits, and how sure their a and b are.
 
-usage: calibration.py RESULTS_FOLDER [--measure MEASURE] [-o FIGURE.png]
+usage: calibration.py RESULTS_FOLDER [--measure MEASURE | --spectrum] [-o FIGURE.png]
 
 A column per model. Above, a panel per r: the waves by their period, the fit with its 95 % band, and the given k (the
-paper's a = 0.3, b = 2). Below: the 95 % ellipses of (a, b) and the given point.
+paper's a = 0.3, b = 2). Below: the 95 % ellipses of (a, b) and the given point. With --spectrum: peak F_T over peak P
+of every wave by the rise of its force.
 """
 
 import argparse
@@ -17,7 +18,7 @@ import numpy as np
 
 from common import UserError, run, save
 
-MEASURES = {"paper": "eq. (7)", "exact": "eqs. (4), (6)", "excess": "time above $\\mu W'$", "impulse": "impulse"}
+MEASURES = {"paper": "eq. (7)", "exact": "eqs. (4), (6)", "excess": "time above $\\mu W'$"}
 
 
 class Results:
@@ -110,32 +111,59 @@ def draw_ellipses(axes, results, model, measure, colours):
     axes.set_xlabel("a")
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("folder", metavar="RESULTS_FOLDER", type=Path)
-    parser.add_argument("--measure", choices=MEASURES, default="exact", help="formula that tau_0 is found with")
-    parser.add_argument("-o", "--output", type=Path, default=Path("calibration.png"))
-    arguments = parser.parse_args()
-    results = Results(arguments.folder)
-
+def draw_fits(results, measure):
     models = list(results.models)
-    n = max(len(results.fits(model, arguments.measure)) for model in models)
+    n = max(len(results.fits(model, measure)) for model in models)
     colours = plt.cm.plasma(np.linspace(0, 0.75, n))
     figure = plt.figure(figsize=(1.3 + 2.9 * len(models), 2 + 1.7 * n), layout="constrained")
     panels = figure.subplots(n + 1, len(models), sharex="row", sharey="row", squeeze=False,
                              height_ratios=[1] * n + [1.5])
     for column, model in zip(panels.T, models):
-        for axes, fit, colour in zip(column, results.fits(model, arguments.measure), colours):
-            points = draw_fit(axes, results, model, fit, arguments.measure, colour)
+        for axes, fit, colour in zip(column, results.fits(model, measure), colours):
+            points = draw_fit(axes, results, model, fit, measure, colour)
         column[0].set_title(f"{model}, scale {results.models[model]['scale']:g}", fontsize=9)
         column[n - 1].set_xlabel("$\\alpha^*$")
-        draw_ellipses(column[n], results, model, arguments.measure, colours)
+        draw_ellipses(column[n], results, model, measure, colours)
     for row in panels[:n]:
         row[0].set_ylabel("$\\tau_0/\\tau_{0F}$")
     panels[n, 0].set_ylabel("b")
     bar = figure.colorbar(points, ax=panels[:n, :], aspect=60, fraction=0.03)
-    bar.set_label(f"T at the size of [section] (s); $\\tau_0$ by {MEASURES[arguments.measure]}")
-    figure.suptitle(results.summary["title"], fontsize=9)
+    bar.set_label(f"T at the size of [section] (s); $\\tau_0$ by {MEASURES[measure]}")
+    return figure
+
+
+def draw_spectrum(results):
+    """A panel per size; lumped models stand beside the others of their size."""
+    sizes = sorted({model["scale"] for model in results.models.values()})
+    figure, panels = plt.subplots(1, len(sizes), figsize=(1.3 + 2.9 * len(sizes), 3), layout="constrained",
+                                  sharey=True, squeeze=False)
+    for axes, size in zip(panels[0], sizes):
+        for name, model in results.models.items():
+            rows = results.model_of_row == name
+            if model["scale"] == size:
+                ratio = results.columns["peak_shear"][rows] / results.columns["peak_force"][rows]
+                axes.plot(results.columns["rise"][rows], ratio, ".", markersize=1.5, label=name, rasterized=True)
+        axes.set_title(f"scale {size:g}", fontsize=9)
+        axes.set_xlabel("rise $t_r$ (s)")
+        axes.set_xlim(left=0)
+        axes.set_ylim(bottom=0)
+        axes.legend(fontsize=7, markerscale=6)
+    panels[0, 0].set_ylabel("peak $F_T$ / peak $P_I$")
+    return figure
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("folder", metavar="RESULTS_FOLDER", type=Path)
+    parser.add_argument("--measure", choices=MEASURES, default="exact", help="formula that tau_0 is found with")
+    parser.add_argument("--spectrum", action="store_true", help="draw F_T/P instead of k")
+    parser.add_argument("-o", "--output", type=Path, default=Path("calibration.png"))
+    arguments = parser.parse_args()
+    results = Results(arguments.folder)
+
+    figure = draw_spectrum(results) if arguments.spectrum else draw_fits(results, arguments.measure)
+    if not arguments.spectrum:
+        figure.suptitle(results.summary["title"], fontsize=9)
     save(figure, arguments.output)
 
 

@@ -29,7 +29,8 @@ class Calibrate(ProgramTest):
         for name in ("model", "prototype"):
             done = upbead("reduce", CASES / f"fig2b-{name}.toml", cwd=cls.shared.name)
             assert done.returncode == 0, done.stderr
-            cls.models += ["--set", f"calibration.models.{name}.model={cls.shared.name}/results/fig2b-{name}/reduced.h5"]
+            reduced = f"{cls.shared.name}/results/fig2b-{name}/reduced.h5"
+            cls.models += ["--set", f"calibration.models.{name}.model={reduced}"]
 
     @classmethod
     def tearDownClass(cls):
@@ -89,6 +90,18 @@ class Calibrate(ProgramTest):
         again = self.calibrate(self.folder / "first/case.toml", "--out", "second")
         self.assertEqual(again["models"], first["models"])
 
+    def test_a_model_may_have_any_name(self):
+        name = 'stiff, "dense" sand'
+        text = FIG2B.read_text().split("[calibration.models")[0]
+        text += f"[calibration.models.'{name}']\nmodel = '{self.shared.name}/results/fig2b-prototype/reduced.h5'\n"
+        (self.folder / "named.toml").write_text(text)
+        self.calibrate("named.toml", *FEW, "--out", "found")
+        with open(self.folder / "found/calibration.csv") as file:
+            self.assertEqual({row["model"] for row in csv.DictReader(file)}, {name})
+        with h5py.File(self.folder / "found/results.h5") as file:
+            self.assertEqual(set(file["model"][:]), {name.encode()})
+        self.calibrate(self.folder / "found/case.toml", "--out", "again")
+
     def test_the_same_numbers_on_any_number_of_threads(self):
         one = self.calibrate(FIG2B, *self.models, *FEW,
                              preexec_fn=lambda: os.sched_setaffinity(0, [min(os.sched_getaffinity(0))]))
@@ -106,7 +119,7 @@ class Calibrate(ProgramTest):
         self.assertEqual(done.returncode, 0)
         fit = self.fit(json.loads(done.stdout), "model", 1.2)
         self.assertEqual((fit["doubt"], fit["a"], fit["points"]), ("too_few", None, 2))
-        self.assertRegex(done.stderr, r"warning: model prototype: \d+ of 20 fits do not tell a and b")
+        self.assertRegex(done.stderr, r"warning: model prototype: \d+ of 16 fits do not tell a and b")
 
     def test_mistakes_leave_nothing(self):
         done = upbead("calibrate", FIG2B, *self.models, "--set", "calibration.ratios=[0.9]", "--set",
@@ -124,13 +137,33 @@ class Calibrate(ProgramTest):
         draw = lambda *arguments: subprocess.run([sys.executable, "-B", script, *arguments], cwd=self.folder,
                                                  capture_output=True, text=True)
         self.calibrate(FIG2B, *self.models, *FEW, "--out", "found")
-        for measure in ("paper", "exact", "excess", "impulse"):
-            done = draw("found", "--measure", measure, "-o", f"{measure}.png")
+        for measure in ("--measure=paper", "--measure=exact", "--measure=excess", "--spectrum"):
+            done = draw("found", measure, "-o", "figure.png")
             self.assertEqual(done.returncode, 0, done.stderr)
-            self.assertGreater((self.folder / f"{measure}.png").stat().st_size, 10000)
+            self.assertGreater((self.folder / "figure.png").stat().st_size, 10000)
         done = draw("nothing")
         self.assertEqual(done.returncode, 1)
         self.assertIn("holds no results of 'upbead calibrate'", done.stderr)
+
+    def test_one_mass_on_a_spring_stands_for_the_ground(self):
+        script = CASES.parent / "postprocess/lumped_model.py"
+        reduced = f"{self.shared.name}/results/fig2b-prototype/reduced.h5"
+        lump = lambda *arguments: subprocess.run([sys.executable, "-B", script, *arguments], cwd=self.folder,
+                                                 capture_output=True, text=True)
+        done = lump(reduced, "--load", "impulse")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertRegex(done.stdout, r"^lumped\.h5: 1\.2 Hz, 2\.\d+ % of critical damping")
+        found = self.calibrate(FIG2B, *self.models, *FEW, "--out", "found", "--set",
+                               f"calibration.models.lumped.model={self.folder / 'lumped.h5'}")
+        self.assertIn("lumped", found["models"])
+        with h5py.File(self.folder / "found/results.h5") as file:
+            ratio = file["peak_shear"][:] / file["peak_force"][:]
+            lumped = file["model"][:] == b"lumped"
+        self.assertLess(ratio[lumped].max(), 2, "no spectrum of one mass exceeds 2 for a pulse")
+        self.assertGreater(np.median(ratio[lumped]), np.median(ratio[~lumped]))
+        done = lump(reduced, "--load", "wave")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("is no reduced model with a caisson and that load", done.stderr)
 
     def test_help_teaches_by_example(self):
         done = upbead("calibrate", "--help")

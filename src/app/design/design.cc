@@ -42,6 +42,8 @@ std::string effective_design(const Design& design, const std::string& output_fol
   };
   if (tables.sea) look_from_folder(tables.sea->states);
   if (tables.dynamics) look_from_folder(tables.dynamics->model);
+  if (tables.calibration)
+    for (auto& [name, model] : tables.calibration->models) look_from_folder(model.model);
   return design_schema().echo(tables);
 }
 

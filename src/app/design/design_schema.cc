@@ -202,6 +202,8 @@ TableSchema<DesignTables> design_schema() {
   table.tables("waves", &DesignTables::waves, wave_schema())
       .doc("Any number of waves by name, each with exactly one of height and deep_water_height.");
   add_expected_tables(table);
+  table.table("calibration", &DesignTables::calibration, calibration_schema())
+      .doc("For `calibrate`: waves and mounds, every value with every other, and reduced models.");
   return table;
 }
 

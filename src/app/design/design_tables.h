@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "../calibrate/calibration_tables.h"
 #include "expected_tables.h"
 #include "upbead/input/schema.h"
 #include "upbead/sliding/combined.h"
@@ -36,6 +37,7 @@ struct DesignTables : ExpectedTables {
   CombinedModel combined;
   std::optional<ElasticBase> ground;
   std::map<std::string, WaveTable> waves;
+  std::optional<CalibrationTable> calibration;
 };
 
 TableSchema<DesignTables> design_schema();

@@ -157,15 +157,24 @@ void check_climate(const DesignTables& tables, const Document& document, InputRe
 
 void check_dynamics(const DesignTables& tables, const Document& document, InputReport& report) {
   if (!report.sound("dynamics")) return;
-  if (tables.dynamics && sound_section(report)) {
-    const Place place = document.place("dynamics.model");
-    const std::string file = resolved(document, tables.dynamics->model);
-    read("dynamics", place, file, report,
-         [&] { read_wave_model(file, *tables.dynamics, tables.section, tables.water, place); });
-  }
+  if (tables.dynamics && sound_section(report))
+    check_model("dynamics", *tables.dynamics, tables.section, tables.water, document, report);
   if (!tables.dynamics && tables.life && report.sound("life") && tables.life->sliding == Law::dynamic)
     report.add("life", document.place("life.sliding"), "sliding = \"dynamic\" needs the caisson's dynamics",
                "add [dynamics] with model = the path of a reduced model, made by 'upbead reduce'");
+  check_impact(tables, document, report);
+}
+
+}  // namespace
+
+void check_model(const std::string& path, const DynamicsTable& table, const Section& section, const Water& water,
+                 const Document& document, InputReport& report) {
+  const Place place = document.place(dotted(path, "model"));
+  const std::string file = resolved(document, table.model);
+  read(path, place, file, report, [&] { read_wave_model(file, table, section, water, place); });
+}
+
+void check_impact(const DesignTables& tables, const Document& document, InputReport& report) {
   if (report.sound("impact") && tables.impact.force == ImpactForce::goda_with_alpha_I)
     report.add(
         "impact", document.place("impact.force"),
@@ -173,8 +182,6 @@ void check_dynamics(const DesignTables& tables, const Document& document, InputR
         "tests, so this P already is the force that slides, and its dynamic reduction would count twice",
         "write force = \"impulse\"");
 }
-
-}  // namespace
 
 const std::vector<NamedScatter>& named_scatters() {
   static const std::vector<NamedScatter> list{

@@ -8,6 +8,13 @@ namespace upbead {
 
 void check_expected(const DesignTables& tables, const Document& document, InputReport& report);
 
+/// Goda's P with alpha_I is refused as a force for a reduced model.
+void check_impact(const DesignTables& tables, const Document& document, InputReport& report);
+
+/// Reads the reduced model of the table at the dotted path; it must be that of the section's caisson.
+void check_model(const std::string& path, const DynamicsTable& table, const Section& section, const Water& water,
+                 const Document& document, InputReport& report);
+
 /// A scatter by its name, and the mean where it gives none.
 struct NamedScatter {
   const char* name;

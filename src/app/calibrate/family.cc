@@ -1,0 +1,87 @@
+#include "family.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "upbead/waves/dispersion.h"
+#include "upbead/waves/goda.h"
+#include "upbead/waves/validity.h"
+
+namespace upbead {
+
+namespace {
+
+constexpr double highest_over_significant = 1.8;  // H_max / H_1/3 outside the surf zone [Goda 2000]
+constexpr double round_off = 1e-9;                // of H/h = 0.8 and d = h' from a grid
+
+/// Why a wave is left out; "" where it is not.
+std::string why_not(const DesignTables& tables, const FamilyWave& wave, const WavePressure& pressure) {
+  const Section section = with_mound(tables.section, wave);
+  if (wave.berm_depth > section.foundation_depth * (1. + round_off)) return "berm_below_caisson";
+  if (wave.berm_depth >= section.water_depth) return "berm_below_bed";
+  const DesignWave design{wave.height * (1. - round_off), wave.height / highest_over_significant, wave.period, 0.};
+  for (const Warning& warning : warnings(section, tables.water, design, pressure))
+    if (warning.name == "height_over_depth" || warning.name == "breaking_limit" || warning.name == "long_period")
+      return warning.name;
+  const double steepness = wave.height / wave.wavelength;
+  const Pair& limits = tables.calibration->steepness;
+  return steepness < limits[0] || steepness > limits[1] ? "steepness" : "";
+}
+
+void add_wave(const DesignTables& tables, FamilyWave wave, Family& family) {
+  ++family.n_grid;
+  const SeaState state = sea_state(wave);
+  const WaveForces forces({with_mound(tables.section, wave), tables.water, {}, {}}, state);
+  const WavePressure pressure = forces.at(wave.height, {});
+  wave.alpha_I = pressure.alpha_I;
+  wave.alpha_star = pressure.alpha_star;
+  const std::string why = why_not(tables, wave, pressure);
+  if (why.empty())
+    family.waves.push_back(wave);
+  else
+    ++family.left[why];
+}
+
+}  // namespace
+
+Family make_family(const DesignTables& tables) {
+  const CalibrationTable& grid = *tables.calibration;
+  const double h = tables.section.water_depth;
+  Family family;
+  for (const double T : grid.period.values) {
+    const double L = wavelength(T, h, tables.water.gravity);
+    for (const double d : grid.relative_berm_depth.values)
+      for (const double B_M : grid.relative_berm_width.values)
+        for (const double H : grid.relative_height.values)
+          add_wave(tables, {H * h, T, L, d * h, B_M * L, 0., 0.}, family);
+  }
+  return family;
+}
+
+Section scaled(const Section& section, double scale) {
+  Section s = section;
+  for (double* length : {&s.water_depth, &s.foundation_depth, &s.berm_depth, &s.crest, &s.width, &s.berm_width})
+    *length *= scale;
+  if (s.centroid) *s.centroid *= scale;
+  s.weight *= scale * scale;
+  s.buoyant_weight *= scale * scale;
+  return s;
+}
+
+FamilyWave scaled(FamilyWave wave, double scale) {
+  for (double* length : {&wave.height, &wave.wavelength, &wave.berm_depth, &wave.berm_width}) *length *= scale;
+  wave.period *= std::sqrt(scale);
+  return wave;
+}
+
+Section with_mound(Section section, const FamilyWave& wave) {
+  section.berm_depth = wave.berm_depth;
+  section.berm_width = wave.berm_width;
+  return section;
+}
+
+SeaState sea_state(const FamilyWave& wave) {
+  return {wave.height / highest_over_significant, wave.period, 1., 0., 0.};
+}
+
+}  // namespace upbead
