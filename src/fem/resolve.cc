@@ -165,8 +165,13 @@ ResolvedScene resolve(const Scene& scene, const Mesh& mesh) {
         break;
     }
   }
-  for (const auto& [name, region] : resolved.scene.regions)
-    if (region.damping && !region.strain_law) resolved.decisions.push_back(tell_damping(name, *region.damping));
+  for (const auto& [name, region] : resolved.scene.regions) {
+    if (region.strain_law)
+      resolved.decisions.push_back({name, "strain", "equivalent-linear",
+                                    "stiffness and damping follow the shear strain, settled when it is run", ""});
+    else if (region.damping)
+      resolved.decisions.push_back(tell_damping(name, *region.damping));
+  }
   leave_out_idle_water(outline, mesh, resolved);
   leave_out_unreached(mesh, resolved);
   return resolved;
