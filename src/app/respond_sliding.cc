@@ -28,8 +28,9 @@ Eigen::RowVectorXd uplift_of_force(const ModelSliding& sliding, const std::vecto
   Eigen::RowVectorXd U(P.size());
   for (Eigen::Index i = 0; i < P.size(); ++i) {
     const double t = time[static_cast<std::size_t>(i)] - sliding.lag;
+    const double then = sliding.lag > 0. ? value_at(time, P, t) : P[i];
     const bool over = sliding.uplift == "held" && t > peak_time;
-    U[i] = sliding.uplift_per_force * (over ? peak : std::max(value_at(time, P, t), 0.));
+    U[i] = sliding.uplift_per_force * (over ? peak : std::max(then, 0.));
   }
   return U;
 }

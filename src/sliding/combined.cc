@@ -82,6 +82,15 @@ double uplift_at(const CombinedWave& wave, const CombinedModel& model, const Par
   return 2. * t < wave.period ? model.uplift_gain * wave.uplift * std::sin(2. * pi * t / wave.period) : 0.;
 }
 
+/// A quantity of the wave at all points.
+template <class Value>
+ForceHistory history_of(const CombinedWave& wave, const Value& value) {
+  const Parts parts(wave, standing_reduction(wave));
+  ForceHistory history{times_of(wave, parts), {}};
+  for (const double t : history.time) history.value.push_back(value(parts, t));
+  return history;
+}
+
 }  // namespace
 
 double standing_reduction(const CombinedWave& wave) {
@@ -94,17 +103,11 @@ double standing_reduction(const CombinedWave& wave) {
 }
 
 ForceHistory combined_force(const CombinedWave& wave) {
-  const Parts parts(wave, standing_reduction(wave));
-  ForceHistory history{times_of(wave, parts), {}};
-  for (const double t : history.time) history.value.push_back(parts.force(t));
-  return history;
+  return history_of(wave, [](const Parts& parts, double t) { return parts.force(t); });
 }
 
 ForceHistory combined_uplift(const CombinedWave& wave, const CombinedModel& model) {
-  const Parts parts(wave, standing_reduction(wave));
-  ForceHistory history{times_of(wave, parts), {}};
-  for (const double t : history.time) history.value.push_back(uplift_at(wave, model, parts, t));
-  return history;
+  return history_of(wave, [&](const Parts& parts, double t) { return uplift_at(wave, model, parts, t); });
 }
 
 double added_mass(double density, double foundation_depth, const CombinedModel& model) {
@@ -117,10 +120,9 @@ double sliding_distance_combined(double mass, double resistance, double friction
   const double peak = std::max(wave.impulsive.peak, wave.standing_force);
   const double uplift = wave.uplift * std::max(model.uplift_gain, peak / wave.impulsive.peak);
   if (peak + friction * uplift <= resistance) return 0.;  // most waves: spared the rest
-  ForceHistory sliding_force = combined_force(wave);
-  const ForceHistory U = combined_uplift(wave, model);
-  for (std::size_t i = 0; i < U.value.size(); ++i) sliding_force.value[i] += friction * U.value[i];
-  return slide(mass, sliding_force, resistance).residual;
+  const ForceHistory F_S = history_of(
+      wave, [&](const Parts& parts, double t) { return parts.force(t) + friction * uplift_at(wave, model, parts, t); });
+  return slide(mass, F_S, resistance).residual;
 }
 
 }  // namespace upbead

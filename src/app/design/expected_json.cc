@@ -2,9 +2,9 @@
 #include <nlohmann/json.hpp>
 
 #include "expected_report.h"
-#include "upbead/base/error.h"
 #include "upbead/base/text.h"
 #include "upbead/base/version.h"
+#include "upbead/output/json_text.h"
 
 namespace upbead {
 
@@ -71,13 +71,6 @@ Json to_object(const MonteCarlo& found, const LifeTable& life) {
   return json;
 }
 
-void require_finite(const Json& value, const std::string& path) {
-  if (value.is_number_float() && !std::isfinite(value.get<double>()))
-    throw NumericsError("'" + path + "' of the summary is not finite; nothing was written");
-  if (value.is_structured())
-    for (const auto& item : value.items()) require_finite(item.value(), path + "/" + item.key());
-}
-
 }  // namespace
 
 std::string to_json(const Design& design, const ExpectedAnswer& answer, const ExpectedTiming& timing) {
@@ -100,8 +93,7 @@ std::string to_json(const Design& design, const ExpectedAnswer& answer, const Ex
         found->seconds > 0. ? Json(found->answered / found->seconds) : Json(nullptr);
   }
   json["timing"]["total"] = timing.total;
-  require_finite(json, "");
-  return json.dump(2) + "\n";
+  return json_text(json);
 }
 
 }  // namespace upbead
