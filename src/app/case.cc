@@ -12,6 +12,11 @@ namespace upbead {
 
 namespace {
 
+/// Where cells are split as the tolerance asks: for tolerances of 1 % and less it needs fewer unknowns than degree 2
+/// (docs/performance.md).
+constexpr int adapted_degree = 3;
+
+
 /// Makes the histories of all sound loads.
 void make_histories(Case& problem, CaseTables& tables, InputReport& report) {
   for (auto& [name, table] : tables.load_tables) {
@@ -93,6 +98,7 @@ Case read_case(const std::string& path, const std::vector<std::string>& override
   make_sliding(problem, tables, report);
   report.throw_if_any(path);
   problem.scene = tables;
+  if (!problem.scene.mesh.refine && !problem.document.find("mesh.degree")) problem.scene.mesh.degree = adapted_degree;
   if (tables.sliding_table && tables.sliding_table->uplift_table)
     problem.uplift_history = tables.sliding_table->uplift_table->history_file;
   for (const auto& [name, table] : tables.load_tables) {

@@ -8,6 +8,13 @@ namespace fs = std::filesystem;
 
 namespace upbead {
 
+namespace {
+
+/// What a mesh starts from that is refined where it must be.
+const std::map<std::string, double> coarse_composite{{"cells", 0.35}, {"grading", 3.}};
+
+}  // namespace
+
 MeshRequest mesh_request(const Case& problem) {
   const MeshChoice& mesh = problem.scene.mesh;
   MeshRequest request;
@@ -21,7 +28,9 @@ MeshRequest mesh_request(const Case& problem) {
   request.parameters = mesh.parameters;
   for (const auto& [name, value] : mesh.parameters)
     request.parameter_places[name] = problem.place(dotted("mesh.parameters", name));
-  request.refine = mesh.refine;
+  request.refine = mesh.refine.value_or(0);
+  if (!mesh.refine && mesh.geometry == "composite")
+    for (const auto& [name, value] : coarse_composite) request.parameters.emplace(name, value);
   return request;
 }
 

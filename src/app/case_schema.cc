@@ -22,10 +22,15 @@ TableSchema<MeshChoice> mesh_schema() {
   table.key("file", &MeshChoice::file).doc("path of a .geo or .msh (2.2 or 4.1) file of gmsh with named groups");
   table.key("parameters", &MeshChoice::parameters)
       .doc("values of the .geo's own parameters (DefineConstant) by name; the geometry's own where not given");
-  table.key("refine", &MeshChoice::refine).range(from_to(0., 6.)).doc("number of uniform refinements");
+  table.key("refine", &MeshChoice::refine)
+      .range(from_to(0., 6.))
+      .or_word("auto")
+      .doc(
+          "number of uniform refinements; auto: cells are split until the error that they make in F_T is below the "
+          "tolerance");
   table.key("degree", &MeshChoice::degree)
       .range(from_to(2., 3.))
-      .doc("polynomial degree of the displacement; that of the pressure is one less");
+      .doc("polynomial degree of the displacement; that of the pressure is one less; 3 where refine is auto");
   table.key("keep_unreached", &MeshChoice::keep_unreached)
       .doc("true: solve also where no wave could come from the loads and be read of before the end");
   return table;

@@ -1,6 +1,9 @@
 #include "upbead/app/pipeline.h"
 
+#include "accuracy/adapt.h"
+#include "accuracy/error_account.h"
 #include "case_sliding.h"
+#include "compile_on.h"
 #include "size_check.h"
 #include "solve.h"
 #include "upbead/app/equivalent_linear.h"
@@ -24,15 +27,21 @@ void throw_objections(const Case& input, const std::vector<Objection>& objection
 
 CompiledCase compile_case(const Case& input, std::shared_ptr<const Mesh> mesh) {
   check_size(input);
-  const Scene& scene = input.scene;
-  CompiledCase out;
-  const Stopwatch mesh_watch;
-  out.mesh = mesh ? std::move(mesh) : read_mesh(mesh_request(input));
-  throw_objections(input, check_scene(scene, *out.mesh));
-  out.timing.mesh = mesh_watch.seconds();
+  if (!input.scene.mesh.refine) return compile_adapted(input);
+  const Stopwatch watch;
+  if (!mesh) mesh = read_mesh(mesh_request(input));
+  const double seconds = watch.seconds();
+  CompiledCase scene = compile_on(input, std::move(mesh));
+  scene.timing.mesh = seconds;
+  return scene;
+}
 
+CompiledCase compile_on(const Case& input, std::shared_ptr<const Mesh> mesh) {
   const Stopwatch compile_watch;
-  ResolvedScene resolved = resolve(scene, *out.mesh);
+  CompiledCase out;
+  out.mesh = std::move(mesh);
+  throw_objections(input, check_scene(input.scene, *out.mesh));
+  ResolvedScene resolved = resolve(input.scene, *out.mesh);
   out.scene = std::move(resolved.scene);
   out.decisions = std::move(resolved.decisions);
   out.absent = std::move(resolved.absent);
@@ -61,6 +70,7 @@ Run run_case(const Case& input, CompiledCase& scene, const MarchOptions& marchin
   run->summary.title = input.scene.title;
   run->summary.sliding = sliding_of(input.scene, scene.compiled, run->response);
   run->summary.soil = scene.soil;
+  if (scene.accuracy && run->summary.response) run->summary.error = estimate_error(input, scene, *run);
   run->summary.loads = scene.compiled.loads_on_caisson;
   run->summary.skipped = skipped(input, scene, run->summary.reduction.has_value());
   return std::move(*run);

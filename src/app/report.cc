@@ -80,6 +80,17 @@ std::string describe(const SoilSummary& s) {
       s.largest_strain, s.least_modulus_ratio, s.largest_damping);
 }
 
+std::string describe(const MeshAccuracy& accuracy) {
+  std::string text = "adapted     unknowns (error of F_T):";
+  for (const auto& [unknowns, error] : accuracy.levels) text += format(" %d (%.2g)", unknowns, error);
+  return text + "\n";
+}
+
+std::string describe(const ErrorEstimate& e) {
+  return format("  error       about %.2g of peak F_T: mesh %.1e, time %.1e, reduced model %.1e, far sides %.1e\n",
+                e.total(), e.mesh, e.time, e.reduced_model, e.far_boundary);
+}
+
 }  // namespace
 
 std::string with_unit(double value, const std::string& unit, double peak) {
@@ -101,6 +112,7 @@ std::string describe(const Case& input, const CompiledCase& scene) {
                for (const IndexRange& block : system.blocks) n += block.size();
                return n;
              }());
+  if (scene.accuracy) text += describe(*scene.accuracy);
   text += "regions\n" + describe_regions(input, scene);
   text += "loads\n" + describe_loads(scene);
   const SchemeChoice choice = choose_scheme(scene.scene, scene.compiled);
@@ -129,6 +141,7 @@ std::string describe(const Run& run) {
     text += format("  checks      both routes to F_T differ by %.1e", r.reaction_mismatch) +
             (run.summary.energy ? format(", energy by %.1e\n", run.summary.energy->mismatch()) : "\n");
   }
+  if (run.summary.error) text += describe(*run.summary.error);
   if (run.summary.soil) text += describe(*run.summary.soil);
   if (run.summary.sliding) text += describe(*run.summary.sliding);
   text +=

@@ -4,6 +4,8 @@
 
 #include <limits>
 
+#include "hanging_nodes.h"
+
 namespace upbead {
 
 using namespace dealii;
@@ -66,6 +68,22 @@ std::array<Row, n_motions> momentum_rows(const Space& space, const Unknowns& unk
   return rows;
 }
 
+namespace {
+
+/// Nodes that hang between some of the caisson and some that do not move go part of the way.
+void move_hanging_nodes(const Space& space, std::vector<std::array<double, n_motions>>& motions) {
+  AffineConstraints<double> hanging;
+  add_hanging_nodes(hanging, space);
+  hanging.close();
+  for (const auto& line : hanging.get_lines())
+    for (int m = 0; m < n_motions; ++m) {
+      motions[line.index][m] = 0.;
+      for (const auto& [dof, weight] : line.entries) motions[line.index][m] += weight * motions[dof][m];
+    }
+}
+
+}  // namespace
+
 NodalReaction::NodalReaction(const Space& space, const Unknowns& unknowns, const Caisson& caisson)
     : unknowns_(&unknowns), motions_(space.dofs().n_dofs()) {
   std::vector<types::global_dof_index> dofs;
@@ -81,6 +99,7 @@ NodalReaction::NodalReaction(const Space& space, const Unknowns& unknowns, const
       for (int m = 0; m < n_motions; ++m) motions_[dofs[i]][m] = unit_motion(m, at, caisson.bottom_centre)[component];
     }
   }
+  move_hanging_nodes(space, motions_);
 }
 
 void NodalReaction::add(const CellMatrices& cell, const std::vector<types::global_dof_index>& dofs) {

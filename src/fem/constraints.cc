@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "hanging_nodes.h"
 #include "upbead/fem/faces.h"
 
 namespace upbead {
@@ -119,7 +120,7 @@ void add_supports(Constraints& constraints, const Space& space, const Scene& sce
 }
 
 /// phi is continuous from free water into pores, but of one degree less there: between the vertices, which both share,
-/// the water's nodes follow the soil's shape functions. (Meshes are refined uniformly, so there are no hanging nodes.)
+/// the water's nodes follow the soil's shape functions. (Both sides are of one level of refinement: see refine_cells.)
 void add_wet_pores(Constraints& constraints, const Space& space) {
   std::vector<types::global_dof_index> of_soil;
   for_each_wet_face(space, [&](const WetFace& face) {
@@ -183,6 +184,7 @@ Constraints make_constraints(const Space& space, const Scene& scene, const std::
   add_rigid(constraints, space, bodies);
   add_supports(constraints, space, scene);
   add_wet_pores(constraints, space);
+  add_hanging_nodes(constraints, space);
   add_water_levels(constraints, space, scene, pressure_prescribing_loads(space, scene),
                    space.dofs().n_dofs() + n_motions * bodies.size());
   constraints.close();

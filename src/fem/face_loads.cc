@@ -36,6 +36,7 @@ Quadrature<1> split_quadrature(const Load& load, const Point<dim>& from, const P
 /// Whether a load acts on a face of its curve: an outer one, or one of a solid under free water.
 bool acts_on(const Space& space, const Cell& cell, unsigned f) {
   if (cell->at_boundary(f)) return true;
+  if (!cell->neighbor(f)->is_active()) return false;  // smaller cells of its own surface
   return space.kind(cell) != CellKind::water && space.kind(cell->neighbor(f)) == CellKind::water;
 }
 

@@ -26,7 +26,7 @@ void for_each_wet_face(const Space& space, const std::function<void(const WetFac
   for (const auto& cell : space.dofs().active_cell_iterators()) {
     if (space.kind(cell) == CellKind::water || space.kind(cell) == CellKind::absent) continue;
     for (const unsigned f : cell->face_indices())
-      if (!cell->at_boundary(f) && space.kind(cell->neighbor(f)) == CellKind::water)
+      if (!cell->at_boundary(f) && cell->neighbor(f)->is_active() && space.kind(cell->neighbor(f)) == CellKind::water)
         visit({cell, f, cell->neighbor(f), cell->neighbor_of_neighbor(f)});
   }
 }

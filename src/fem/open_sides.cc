@@ -70,6 +70,7 @@ void integrate(const FEFaceValues<dim>& fe, bool inertial, double mobility, doub
 bool is_open(const Scene& scene, const Space& space, const Cell& cell, unsigned f) {
   if (cell->at_boundary(f))
     return scene.boundaries.at(space.mesh().curve_of(cell->face(f))).pressure == PressureCondition::open;
+  if (!cell->neighbor(f)->is_active()) return false;  // smaller cells of its own surface
   const Region& other = space.region(cell->neighbor(f));
   return other.kind == RegionKind::porous && other.flow == Flow::drained;
 }

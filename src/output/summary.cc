@@ -18,7 +18,12 @@ Json to_object(const Discretisation& d) {
       {"time_step", d.time_step}, {"steps", d.steps},       {"solves", d.solves}, {"factorisations", d.factorisations}};
 }
 
-Json to_object(const ShearResponse& r, const std::optional<EnergyAccount>& energy) {
+Json to_object(const ErrorEstimate& e) {
+  return {{"mesh", e.mesh}, {"time", e.time}, {"reduced_model", e.reduced_model}, {"far_boundary", e.far_boundary}};
+}
+
+Json to_object(const ShearResponse& r, const std::optional<EnergyAccount>& energy,
+               const std::optional<ErrorEstimate>& error) {
   return {{"peak_force", r.peak_force},
           {"peak_force_time", r.peak_force_time},
           {"peak_force_seaward", r.peak_force_seaward},
@@ -38,7 +43,8 @@ Json to_object(const ShearResponse& r, const std::optional<EnergyAccount>& energ
           {"peak_base_moment", r.peak_base_moment},
           {"reaction_mismatch", r.reaction_mismatch},
           {"energy_mismatch", energy ? Json(energy->mismatch()) : Json(nullptr)},
-          {"error_estimate", nullptr}};
+          {"error_estimate", error ? Json(error->total()) : Json(nullptr)},
+          {"error_sources", error ? to_object(*error) : Json(nullptr)}};
 }
 
 Json to_object(const LoadOnCaisson& load) {
@@ -82,7 +88,7 @@ Json to_object(const Timing& t) {
 std::string to_json(const Summary& summary) {
   Json json = {{"title", summary.title}, {"program", program_version()}};
   json["discretisation"] = to_object(summary.discretisation);
-  json["response"] = summary.response ? to_object(*summary.response, summary.energy) : Json(nullptr);
+  json["response"] = summary.response ? to_object(*summary.response, summary.energy, summary.error) : Json(nullptr);
   json["loads"] = Json::object();
   for (const LoadOnCaisson& load : summary.loads) json["loads"][load.name] = to_object(load);
   json["energy"] = summary.energy ? to_object(*summary.energy) : Json(nullptr);

@@ -55,13 +55,17 @@ std::vector<double> response_times(const Scene& scene, const System& system) {
   return time;
 }
 
+double krylov_shift(const Scene& scene) {
+  return (is_damped(scene) ? shift_damped : shift_undamped) * boost::math::constants::two_pi<double>() /
+         step_of_loads(scene, order).duration;
+}
+
 Reduction reduce_scene(const Scene& scene, const CompiledScene& compiled, const ReductionAim& aim,
                        const std::function<void(double)>& progress) {
   const System& system = compiled.system;
   ReduceOptions options;
   const bool damped = is_damped(scene);
-  options.shift = (damped ? shift_damped : shift_undamped) * boost::math::constants::two_pi<double>() /
-                  step_of_loads(scene, order).duration;
+  options.shift = krylov_shift(scene);
   options.exact = compiled.body_coordinates;
   options.training = sample(histories(system), response_times(scene, system));
   options.tolerance = scene.tolerance;

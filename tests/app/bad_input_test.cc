@@ -39,9 +39,10 @@ const std::vector<BadCase> rows{
             "case.toml:1:1: title: expected a string, found the number 3; give the title of the case"},
     BadCase{"DateForANumber", "end = 2", "end = 2024-01-01",
             "case.toml:67:1: end: expected a number (s), found a date or time; give the end of the computed time (s)"},
-    BadCase{"FractionForAWholeNumber", "refine = 1", "refine = 1.5",
-            "case.toml:11:1: refine: expected a whole number, found the number 1.5; give the number of uniform "
-            "refinements"},
+    BadCase{
+        "FractionForAWholeNumber", "refine = 1", "refine = 1.5",
+        "case.toml:11:1: refine: expected a whole number or \"auto\", found the number 1.5; give the number of uniform "
+        "refinements"},
     BadCase{"NumberForABoolean", "inertia = true", "inertia = 1",
             "case.toml:70:1: inertia: expected true or false, found the number 1; write true or false"},
     BadCase{

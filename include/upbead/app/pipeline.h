@@ -12,8 +12,15 @@
 #include "upbead/fem/resolve.h"
 #include "upbead/mesh/mesh.h"
 #include "upbead/output/summary.h"
+#include "upbead/response/mesh_error.h"
 
 namespace upbead {
+
+/// How a mesh came about that was refined for a tolerance.
+struct MeshAccuracy {
+  std::vector<std::pair<int, double>> levels;  ///< unknowns and the error that they make in F_T; the last is used
+  MeshError error;                             ///< of the last
+};
 
 /// A scene on its mesh, compiled, before anything is solved.
 struct CompiledCase {
@@ -26,6 +33,7 @@ struct CompiledCase {
   std::vector<bool> absent;         ///< cells left out
   SoilState soil_state;             ///< what differs from cell to cell
   std::optional<SoilSummary> soil;  ///< where the soil has been settled by the strain of the response
+  std::optional<MeshAccuracy> accuracy;  ///< where the mesh was made for the tolerance
   Timing timing;
 };
 
@@ -34,7 +42,8 @@ struct CompiledCase {
 void check_size(const Case& input);
 
 /// Meshes, checks (its size too) and compiles. Throws InputError with all objections at their places in the case.
-/// `mesh`: of this very case, where it has been read already.
+/// `mesh`: of this very case, where it has been read already; not
+/// for a mesh that the tolerance makes.
 CompiledCase compile_case(const Case& input, std::shared_ptr<const Mesh> mesh = nullptr);
 
 /// Compiles the scene anew with other soil on the same cells.

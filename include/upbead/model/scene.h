@@ -26,9 +26,9 @@ struct MeshChoice {
   std::optional<std::string> geometry;       ///< name of a shipped geometry: composite, column
   std::optional<std::string> file;           ///< or a path
   std::map<std::string, double> parameters;  ///< overrides of the .geo's own parameters
-  int refine = 0;
-  int degree = 2;               ///< of u; phi has degree - 1
-  bool keep_unreached = false;  ///< solve also where no wave can come from and be read of before the end
+  std::optional<int> refine = 0;             ///< uniform refinements; none: the cells that the tolerance asks for
+  int degree = 2;                            ///< of u; phi has degree - 1
+  bool keep_unreached = false;               ///< solve also where no wave can come from and be read of before the end
 };
 
 enum class TimeScheme { automatic, generalised_alpha, sdirk4, reduced };

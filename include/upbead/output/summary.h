@@ -32,6 +32,15 @@ struct ReductionSummary {
   double highest_frequency = 0.;  ///< up to which the transfer function of F_T has been checked (Hz)
 };
 
+/// How wrong the peak of F_T is, relative, by where it comes from; each is an estimate of the error's size.
+struct ErrorEstimate {
+  double mesh = 0.;           ///< cells too large, as if none offset another
+  double time = 0.;           ///< steps too long; 0 where a reduced model answers in time exactly
+  double reduced_model = 0.;  ///< vectors too few; 0 where it was marched
+  double far_boundary = 0.;   ///< what the far sides send back
+  double total() const { return mesh + time + reduced_model + far_boundary; }
+};
+
 /// What the strain of the response made of the soil.
 struct SoilSummary {
   int iterations = 0;               ///< of linear solutions after the first
@@ -62,6 +71,7 @@ struct Summary {
   std::vector<LoadOnCaisson> loads;
   std::optional<EnergyAccount> energy;        ///< none where no march kept an account
   std::optional<ReductionSummary> reduction;  ///< none where it was marched
+  std::optional<ErrorEstimate> error;         ///< none where the mesh was not made for the tolerance
   std::optional<SlidingSummary> sliding;      ///< none without [sliding]
   std::optional<SoilSummary> soil;            ///< none where no soil depends on strain
   std::vector<Skipped> skipped;

@@ -1,0 +1,15 @@
+// Refinement of single cells.
+#pragma once
+
+#include <vector>
+
+#include "upbead/mesh/mesh.h"
+
+namespace upbead {
+
+/// Splits the cells (by active cell index) for which `chosen` is true into four, and as many more as it takes for
+/// neighbours to differ by at most one level and for surfaces to meet without hanging nodes: there the equations
+/// change, and their terms are integrated over whole sides of both.
+void refine_cells(Mesh& mesh, const std::vector<bool>& chosen);
+
+}  // namespace upbead

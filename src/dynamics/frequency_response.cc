@@ -1,0 +1,35 @@
+#include "upbead/dynamics/frequency_response.h"
+
+#include <Eigen/LU>
+
+namespace upbead {
+
+Eigen::VectorXcd laplace_transform(const SampledLoads& loads, std::complex<double> s) {
+  Eigen::VectorXcd F = Eigen::VectorXcd::Zero(loads.begin.rows());
+  for (Eigen::Index n = 0; n < loads.begin.cols(); ++n) {
+    const double t = loads.time[static_cast<std::size_t>(n)], h = loads.time[static_cast<std::size_t>(n) + 1] - t;
+    const std::complex<double> decay = std::exp(-s * h), start = std::exp(-s * t);
+    const std::complex<double> whole = (1. - decay) / s, moment = (1. - decay * (1. + s * h)) / (s * s);
+    F += start * (whole * loads.begin.col(n) + moment / h * (loads.end.col(n) - loads.begin.col(n)));
+  }
+  return F;
+}
+
+Eigen::VectorXcd frequency_response(const SecondOrderKrylov& krylov, const ReducedSystem& reduced,
+                                    std::complex<double> s, const Eigen::VectorXcd& F) {
+  const Eigen::Index p = reduced.n_prescribed, n = reduced.size() - p;
+  const Eigen::MatrixXcd A = s * s * reduced.M + s * reduced.C + reduced.K;
+  Eigen::VectorXcd q = Eigen::VectorXcd::Zero(p + n);
+  for (std::size_t k = 0; k < reduced.prescribed.size(); ++k)
+    if (reduced.prescribed[k] >= 0) q[reduced.prescribed[k]] += F[static_cast<Eigen::Index>(k)] / s;
+  const Eigen::VectorXcd b = reduced.load * F - A.leftCols(p) * q.head(p);
+  q.tail(n) = A.bottomRightCorner(n, n).partialPivLu().solve(b.tail(n));
+  Eigen::VectorXcd x = Eigen::VectorXcd::Zero(krylov.displacements().unknown.size() + krylov.phi().unknown.size());
+  for (const FieldBasis* basis : {&krylov.displacements(), &krylov.phi()}) {
+    const Eigen::VectorXcd values = basis->columns() * q(basis->coordinate);
+    x(basis->unknown) = basis->unit.cwiseProduct(values);
+  }
+  return x;
+}
+
+}  // namespace upbead

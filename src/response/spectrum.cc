@@ -1,0 +1,67 @@
+#include "upbead/response/spectrum.h"
+
+#include <boost/math/constants/constants.hpp>
+
+#include "upbead/dynamics/frequency_response.h"
+#include "upbead/dynamics/projection.h"
+#include "upbead/fem/caisson_readings.h"
+#include "upbead/response/reduction.h"
+#include "upbead/response/step_choice.h"
+
+namespace upbead {
+
+namespace {
+
+using Complex = std::complex<double>;
+
+constexpr int n_frequencies = 10, vectors_per_load = 20;
+constexpr double pi = boost::math::constants::pi<double>();
+constexpr double decay = 2., spacing = pi;  // both over the duration
+
+SampledLoads sampled_loads(const Scene& scene, const System& system) {
+  std::vector<TimeFunction> list;
+  for (const SystemLoad& load : system.loads) list.push_back(load.history);
+  return sample(list, response_times(scene, system));
+}
+
+}  // namespace
+
+Complex evaluate(const Reading& reading, const Eigen::VectorXcd& X, Complex s, const Eigen::VectorXcd& F) {
+  Complex value = 0.;
+  for (const auto& [i, weight] : reading.position) value += weight * X[i];
+  for (const auto& [i, weight] : reading.velocity) value += weight * s * X[i];
+  for (const auto& [i, weight] : reading.acceleration) value += weight * s * s * X[i];
+  for (std::size_t k = 0; k < reading.feedthrough.size(); ++k)
+    value += reading.feedthrough[k] * F[static_cast<Eigen::Index>(k)];
+  return value;
+}
+
+Spectrum solve_spectrum(const Scene& scene, const CompiledScene& compiled) {
+  const System& system = compiled.system;
+  SecondOrderKrylov krylov(system, krylov_shift(scene), compiled.body_coordinates);
+  while (krylov.n_vectors() < vectors_per_load * krylov.n_independent_loads() && krylov.extend()) {
+  }
+  const Projection projection(system, krylov);
+  const SampledLoads loads = sampled_loads(scene, system);
+  const double duration = step_of_loads(scene, 4).duration;
+  const Reading& F_T = system.readings[system.reading(reading::shear_force)];
+  Spectrum spectrum;
+  spectrum.X.resize(system.size(), n_frequencies);
+  spectrum.F.resize(static_cast<Eigen::Index>(system.loads.size()), n_frequencies);
+  for (int j = 0; j < n_frequencies; ++j) {
+    const Complex s(decay / duration, j * spacing / duration);
+    spectrum.s.push_back(s);
+    spectrum.F.col(j) = laplace_transform(loads, s);
+    spectrum.X.col(j) = frequency_response(krylov, projection.reduced(), s, spectrum.F.col(j));
+    spectrum.shear.push_back(evaluate(F_T, spectrum.X.col(j), s, spectrum.F.col(j)));
+  }
+  return spectrum;
+}
+
+double shear_at(const std::vector<Complex>& s, const std::vector<Complex>& shear, double time) {
+  Complex sum = 0.;
+  for (std::size_t j = 0; j < s.size(); ++j) sum += (j == 0 ? 0.5 : 1.) * shear[j] * std::exp(s[j] * time);
+  return sum.real() * s.at(1).imag() / pi;
+}
+
+}  // namespace upbead

@@ -1,0 +1,67 @@
+// Claims: the estimate of what the cells make of F_T falls as they are split, the largest shares lie at the caisson's
+// bottom corners, of mirror images both; the spectrum tells the response of one scene from another's.
+#include "upbead/response/mesh_error.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "scenes.h"
+#include "upbead/fem/caisson_readings.h"
+#include "upbead/response/spectrum.h"
+
+namespace upbead::test {
+namespace {
+
+MeshError error_of(const Compiled& compiled) {
+  return mesh_error(compiled.resolved, compiled.space, compiled.unknowns, compiled.scene);
+}
+
+TEST(MeshError, FallsWithSmallerCells) {
+  const Scene scene = breakwater(triangle(1e6, 0.15));
+  const double coarse = error_of(Compiled(scene, *breakwater_mesh(0.35))).sum,
+               middle = error_of(Compiled(scene, *breakwater_mesh(0.7))).sum,
+               fine = error_of(Compiled(scene, *breakwater_mesh(1.4))).sum;
+  EXPECT_LT(middle, 0.6 * coarse);
+  EXPECT_LT(fine, 0.6 * middle);
+  EXPECT_LT(coarse, 0.05);
+}
+
+TEST(MeshError, IsLargestAtTheCornersAndSymmetric) {
+  const auto mesh = breakwater_mesh(0.5, {{"grading", 1.}});
+  const MeshError error = error_of(Compiled(breakwater(triangle(1e6, 0.15)), *mesh));
+  const auto largest = std::max_element(error.of_cell.begin(), error.of_cell.end());
+  std::vector<dealii::Point<dim>> where(error.of_cell.size());
+  for (const auto& cell : mesh->triangulation.active_cell_iterators())
+    where[cell->active_cell_index()] = cell->center();
+  const dealii::Point<dim> worst = where[static_cast<std::size_t>(largest - error.of_cell.begin())];
+  EXPECT_LE(std::hypot(std::abs(worst[0]) - 9., worst[1] - 6.), 4.5);  // its cell
+  for (std::size_t i = 0; i < where.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      if (std::hypot(where[i][0] + where[j][0], where[i][1] - where[j][1]) > 1e-6) continue;
+      EXPECT_NEAR(error.of_cell[i], error.of_cell[j], 1e-7 * *largest);
+    }
+}
+
+TEST(Spectrum, GivesTheDifferenceOfTwoResponses) {
+  // A change of one scene moves F_T near its peak by as much as two marches say: measured within a tenth of the change.
+  const auto mesh = breakwater_mesh(0.35);
+  const Scene soft = breakwater(triangle(1e6, 0.15));
+  Scene stiff = soft;
+  stiff.regions["seabed"].shear_modulus = 1.05 * soft.regions.at("seabed").shear_modulus.value();
+  const Compiled a(soft, *mesh), b(stiff, *mesh);
+  const Spectrum of_a = solve_spectrum(a.resolved, a.scene), of_b = solve_spectrum(b.resolved, b.scene);
+  std::vector<std::complex<double>> difference;
+  for (std::size_t j = 0; j < of_a.s.size(); ++j) difference.push_back(of_b.shear[j] - of_a.shear[j]);
+  const double step = 0.15 / 64;
+  const Eigen::RowVectorXd marched =
+      history(b, run(b, 0.15, step), reading::shear_force) - history(a, run(a, 0.15, step), reading::shear_force);
+  const double largest = marched.cwiseAbs().maxCoeff();
+  ASSERT_GT(largest, 0.);
+  for (int i = 16; i <= 60; i += 4)
+    EXPECT_NEAR(shear_at(of_a.s, difference, i * step), marched[i], 0.1 * largest) << i * step;
+}
+
+}  // namespace
+}  // namespace upbead::test
