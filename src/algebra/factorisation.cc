@@ -12,6 +12,9 @@ namespace upbead {
 
 namespace {
 
+/// So many right-hand sides go through the factor together: their fronts and a slab still fit in the nearest caches.
+constexpr Eigen::Index columns_at_once = 8;
+
 /// 1 / sqrt|a_ii|, or where a_ii = 0 the largest entry of the row in its place.
 Vector equilibration(const SparseMatrix& A) {
   Vector scale(A.rows());
@@ -25,11 +28,6 @@ Vector equilibration(const SparseMatrix& A) {
     scale[i] = 1. / std::sqrt(diagonal > 0. ? diagonal : largest);
   }
   return scale;
-}
-
-void scale_rows_and_columns(SparseMatrix& A, const Vector& scale) {
-  for (int i = 0; i < A.rows(); ++i)
-    for (SparseMatrix::InnerIterator it(A, i); it; ++it) it.valueRef() *= scale[i] * scale[it.col()];
 }
 
 void check_finite(const SparseMatrix& A) {
@@ -56,34 +54,27 @@ const SparseMatrix& checked(const SparseMatrix& A) {
 struct Factorisation::Impl {
   Impl(const SparseMatrix& A, const std::vector<IndexRange>& blocks)
       : pattern(fingerprint(checked(A))), condensation(A, blocks), ldlt(condensation.schur()) {
-    const int n_rest = condensation.n_rest();
-    local.resize(A.rows() - n_rest);
-    rest.resize(n_rest);
-    solution.resize(n_rest);
     factorise(A);
   }
 
   void factorise(const SparseMatrix& A) {
     check_finite(A);
     condensation.condense(A);
-    scale = equilibration(condensation.schur());
-    scale_rows_and_columns(condensation.schur(), scale);
-    ldlt.factorise();
+    ldlt.factorise(condensation.schur(), equilibration(condensation.schur()));
   }
 
-  void solve(const Eigen::Ref<const Vector>& b, Eigen::Ref<Vector> x) {
-    condensation.reduce(b, local, rest);
-    rest.array() *= scale.array();
-    ldlt.solve(rest, solution);
-    solution.array() *= scale.array();
-    condensation.expand(local, solution, x);
+  void solve(const Eigen::Ref<const Eigen::MatrixXd>& B, Eigen::Ref<Eigen::MatrixXd> X) {
+    const Eigen::Index n_rest = condensation.n_rest();
+    rest.resize(n_rest, B.cols());
+    for (Eigen::Index c = 0; c < B.cols(); ++c) condensation.reduce(B.col(c), rest.col(c));
+    ldlt.solve(rest, rest);
+    for (Eigen::Index c = 0; c < B.cols(); ++c) condensation.expand(B.col(c), rest.col(c), X.col(c));
   }
 
   std::size_t pattern;
   detail::Condensation condensation;
   detail::Ldlt ldlt;
-  Vector scale;
-  Vector local, rest, solution;  ///< work space of a solve
+  Eigen::MatrixXd rest;  ///< work space of a solve
 };
 
 Factorisation::Factorisation(const SparseMatrix& A, const std::vector<IndexRange>& blocks)
@@ -107,9 +98,18 @@ void Factorisation::solve(const Eigen::Ref<const Vector>& b, Eigen::Ref<Vector> 
   impl_->solve(b, x);
 }
 
+Eigen::MatrixXd Factorisation::solve_columns(const Eigen::MatrixXd& B) const {
+  Eigen::MatrixXd X(B.rows(), B.cols());
+  for (Eigen::Index c = 0; c < B.cols(); c += columns_at_once) {
+    const Eigen::Index n = std::min(columns_at_once, B.cols() - c);
+    impl_->solve(B.middleCols(c, n), X.middleCols(c, n));
+  }
+  return X;
+}
+
 Inertia Factorisation::inertia() const {
   Inertia total = impl_->ldlt.inertia();
-  total.positive += static_cast<int>(impl_->local.size());
+  total.positive += impl_->condensation.n_local();
   return total;
 }
 

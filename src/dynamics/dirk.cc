@@ -26,6 +26,7 @@ Tableau sdirk4_tableau() {
 Dirk::Dirk(const System& system, Tableau tableau)
     : system_(system),
       loads_(system),
+      damping_and_stiffness_(system.C, system.K),
       tableau_(std::move(tableau)),
       b_(tableau_.b()),
       c_(tableau_.c()),
@@ -58,8 +59,7 @@ void Dirk::step(State& state, double h, double inside, EffectiveMatrices& matric
       a_.tail(n_prescribed) = (a_.tail(n_prescribed) - v_predicted_.tail(n_prescribed)) / g;
     }
     rhs_ = f_;
-    rhs_.noalias() -= system_.C * v_predicted_;
-    rhs_.noalias() -= system_.K * x_;
+    damping_and_stiffness_.subtract_products(v_predicted_, x_, rhs_);
     E.solve(rhs_, a_);
     v_ = v_predicted_ + g * a_;
     x_ += g * g * a_;

@@ -4,6 +4,7 @@
 #include "effective_matrix.h"
 #include "energy_meter.h"
 #include "load_sum.h"
+#include "symmetric_pair.h"
 
 namespace upbead::detail {
 
@@ -41,6 +42,7 @@ class Dirk {
 
   const System& system_;
   LoadSum loads_;
+  SymmetricPair damping_and_stiffness_;
   Tableau tableau_;
   Vector b_, c_;
   Eigen::MatrixXd stability_;

@@ -17,6 +17,7 @@ AlphaCoefficients::AlphaCoefficients(double rho_inf)
 GeneralisedAlpha::GeneralisedAlpha(const System& system, double rho_inf, bool account_energy)
     : SchemeBase(system, account_energy),
       p_(rho_inf),
+      damping_and_stiffness_(system.C, system.K),
       euler_(system, euler_tableau()),
       largest_load_(system.loads.size(), 0.),
       pair_(system.size(), 2),
@@ -95,8 +96,7 @@ void GeneralisedAlpha::advance(State& state, double h) {
   State& middle = balanced_.state;
   predict(state, h, middle);
   rhs_ = f_;
-  rhs_.noalias() -= system_.C * v_;
-  rhs_.noalias() -= system_.K * x_;
+  damping_and_stiffness_.subtract_products(v_, x_, rhs_);
   matrices_.get({1., v_gain(h), x_gain(h)}).solve(rhs_, middle.a);
   ++n_solves_;
   middle.time = state.time + (1. - p_.alpha_f) * h;

@@ -3,6 +3,7 @@
 
 #include "dirk.h"
 #include "scheme_base.h"
+#include "symmetric_pair.h"
 
 namespace upbead::detail {
 
@@ -37,6 +38,7 @@ class GeneralisedAlpha : public SchemeBase {
   double x_gain(double h) const { return (1. - p_.alpha_f) * h * h * p_.beta / (1. - p_.alpha_m); }
 
   AlphaCoefficients p_;
+  SymmetricPair damping_and_stiffness_;
   Dirk euler_;
   std::vector<double> begin_load_;
   std::vector<double> largest_load_;  ///< |f_k| so far, to tell a jump from round-off

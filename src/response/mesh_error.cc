@@ -8,6 +8,10 @@ namespace upbead {
 
 namespace {
 
+/// True errors were 0.1 to 2 times the sum of the cells' on twelve scenes (docs/verification.md); this puts the worst
+/// underestimate to 1.7.
+constexpr double underestimate = 1.25;
+
 /// b'X of all loads.
 std::complex<double> work(const System& system, const Eigen::VectorXcd& X, const Eigen::VectorXcd& F) {
   std::complex<double> sum = 0.;
@@ -36,7 +40,7 @@ MeshError mesh_error(const Scene& scene, const Space& space, const Unknowns& unk
   const Eigen::VectorXd of_cell = cell_errors(scene, space, unknowns, spectrum.X, spectrum.s) * weight;
   MeshError error;
   for (const double value : of_cell) {
-    error.of_cell.push_back(total > 0. ? value / total : 0.);
+    error.of_cell.push_back(total > 0. ? underestimate * value / total : 0.);
     error.sum += error.of_cell.back();
   }
   return error;

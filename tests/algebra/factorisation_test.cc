@@ -12,19 +12,11 @@
 #include <limits>
 #include <random>
 
-#include "upbead/algebra/petsc_session.h"
 #include "upbead/base/error.h"
 
 namespace {
 
 using namespace upbead;
-
-class Petsc : public testing::Environment {
-  void SetUp() override { session_ = std::make_unique<PetscSession>(); }
-  void TearDown() override { session_.reset(); }
-  std::unique_ptr<PetscSession> session_;
-};
-[[maybe_unused]] testing::Environment* const petsc = testing::AddGlobalTestEnvironment(new Petsc);
 
 /// [H B'; B -G] on `n_cells` chained cells: unknowns of a cell are 4 "W" (block), 4 "u", 2 "phi"; u and phi also couple
 /// to the next cell. H and G dominate their off-diagonals; scaled by D A D with D from 1e-5 to 1e6.
@@ -89,7 +81,6 @@ TEST(Factorisation, SolvesABadlyScaledMatrixToRoundOff) {
     EXPECT_LT(residual(p.A, Factorisation(p.A, blocks).solve(b), b), 1e-13);
 }
 
-// From 20,000 unknowns on they are ordered by nested dissection.
 TEST(Factorisation, SolvesALargeMatrix) {
   const Problem p = quasi_definite(2100, true);
   const Vector b = p.scale.cwiseProduct(Vector::LinSpaced(p.A.rows(), -1., 2.));

@@ -15,7 +15,7 @@ struct Inertia {
 };
 
 /// Factors of a symmetric quasi-definite matrix A (n x n, both triangles stored). L D L^T exists for every ordering
-/// without pivoting (Vanderbei 1995), but only an equilibrated matrix is solved to round-off. Needs a PetscSession.
+/// without pivoting (Vanderbei 1995), but only an equilibrated matrix is solved to round-off.
 /// An object is used by one thread at a time.
 class Factorisation {
  public:
@@ -34,8 +34,10 @@ class Factorisation {
   Vector solve(const Vector& b) const;
   /// x = A^-1 b without allocation; x has the size of b and is not b.
   void solve(const Eigen::Ref<const Vector>& b, Eigen::Ref<Vector> x) const;
+  /// X = A^-1 B. Several right-hand sides at once read the factor once for up to 8; each gets what it gets alone.
+  Eigen::MatrixXd solve_columns(const Eigen::MatrixXd& B) const;
   Inertia inertia() const;
-  /// Entries of the factor L that a solve streams through, without the blocks.
+  /// Entries of the factor L as stored, with what pads it; a solve streams through them twice. Without the blocks.
   long n_factor_entries() const;
 
  private:

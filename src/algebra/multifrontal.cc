@@ -1,0 +1,110 @@
+#include "multifrontal.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "slabs.h"
+#include "upbead/base/error.h"
+
+namespace upbead::detail {
+
+namespace {
+
+/// One factorisation.
+class Multifrontal {
+ public:
+  Multifrontal(const Supernodes& nodes, const PanelEntries& entries, const double* values)
+      : nodes_(nodes),
+        entries_(entries),
+        values_(values),
+        first_child_(static_cast<std::size_t>(nodes.count()), -1),
+        next_sibling_(first_child_),
+        left_(first_child_.size()),
+        place_(nodes.order.size()) {}
+
+  void run(Factor& factor) {
+    double* out = factor.entries.get();
+    for (int s = 0; s < nodes_.count(); ++s) {
+      gather(s);
+      const Panel panel{columns_.data(), nodes_.height(s), nodes_.width(s)};
+      eliminate(s, panel);
+      write_slabs(panel, sign_.data(), factor.inverse_pivot.data() + nodes_.first[s], out, work_);
+      out += n_slab_entries(panel.height, panel.width);
+      if (const int parent = nodes_.parent[s]; parent >= 0) {
+        next_sibling_[s] = first_child_[parent];
+        first_child_[parent] = s;
+      }
+    }
+  }
+
+ private:
+  void gather(int s) {
+    const int height = nodes_.height(s), n_left = height - nodes_.width(s);
+    for (int i = 0; i < height; ++i) place_[nodes_.rows[nodes_.row_begin[s] + i]] = i;
+    columns_.assign(static_cast<std::size_t>(height) * nodes_.width(s), 0.);
+    for (int k = entries_.begin[s]; k < entries_.begin[s + 1]; ++k)
+      columns_[entries_.entries[k].place] += values_[entries_.entries[k].source];
+    left_[s].assign(static_cast<std::size_t>(n_left) * n_left, 0.);
+    for (int child = first_child_[s]; child >= 0; child = next_sibling_[child]) {
+      add_child(s, child);
+      std::vector<double>().swap(left_[child]);
+    }
+  }
+
+  /// Adds what the child left, its lower triangle (extend-add).
+  void add_child(int s, int child) {
+    const int width = nodes_.width(s), height = nodes_.height(s), n_left = height - width;
+    const int* rows = nodes_.rows.data() + nodes_.row_begin[child] + nodes_.width(child);
+    const int n = nodes_.height(child) - nodes_.width(child);
+    rows_of_child_.resize(static_cast<std::size_t>(n));
+    for (int i = 0; i < n; ++i) rows_of_child_[i] = place_[rows[i]];
+    for (int j = 0; j < n; ++j) {
+      const double* from = left_[child].data() + std::ptrdiff_t{j} * n;
+      const int column = rows_of_child_[j];
+      const bool own = column < width;
+      double* to = own ? columns_.data() + std::ptrdiff_t{column} * height
+                       : left_[s].data() + std::ptrdiff_t{column - width} * n_left;
+      const int shift = own ? 0 : width;
+      for (int i = j; i < n; ++i) to[rows_of_child_[i] - shift] += from[i];
+    }
+  }
+
+  void eliminate(int s, const Panel& panel) {
+    sign_.resize(static_cast<std::size_t>(panel.width));
+    if (const int failed = factorise(panel, sign_.data(), work_); failed < panel.width) {
+      const int unknown = nodes_.order[nodes_.first[s] + failed];
+      if (!std::isfinite(panel.column(failed)[failed]))
+        throw NumericsError("the factor of the matrix has a pivot that is not finite, at unknown " +
+                            std::to_string(unknown));
+      throw NumericsError("the matrix is singular: the pivot of unknown " + std::to_string(unknown) +
+                          " is zero (is a part of the scene not held, or a pressure nowhere given?)");
+    }
+    subtract_outer_product(panel, sign_.data(), left_[s].data(), work_);
+  }
+
+  const Supernodes& nodes_;
+  const PanelEntries& entries_;
+  const double* values_;
+  std::vector<int> first_child_, next_sibling_;
+  std::vector<std::vector<double>> left_;  ///< per supernode: its Schur complement, until its parent has taken it
+  std::vector<int> place_;                 ///< per row: where it is in the present front
+  std::vector<double> columns_, work_;
+  std::vector<int> sign_, rows_of_child_;
+};
+
+}  // namespace
+
+Factor make_factor(const Supernodes& nodes) {
+  Factor factor;
+  for (int s = 0; s < nodes.count(); ++s) factor.n_entries += n_slab_entries(nodes.height(s), nodes.width(s));
+  factor.entries = make_big_array(factor.n_entries);
+  factor.inverse_pivot.resize(static_cast<Eigen::Index>(nodes.order.size()));
+  return factor;
+}
+
+void factorise(const Supernodes& nodes, const PanelEntries& entries, const double* values, Factor& factor) {
+  Multifrontal(nodes, entries, values).run(factor);
+}
+
+}  // namespace upbead::detail
