@@ -1,5 +1,9 @@
 #include "upbead/fem/kernels.h"
 
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+
 namespace upbead {
 
 using namespace dealii;
@@ -16,34 +20,85 @@ std::vector<unsigned> part_dofs(const FEValues<dim>& fe, const Extractor& part) 
   return list;
 }
 
-/// Adds the integral of f(i, j, q) to matrix(i, j) for i in rows and j in columns; with `transpose` to (j, i) as well.
-template <typename Integrand>
-void integrate(const FEValues<dim>& fe, const std::vector<unsigned>& rows, const std::vector<unsigned>& columns,
-               FullMatrix<double>& matrix, bool transpose, const Integrand& f) {
-  for (const unsigned i : rows)
-    for (const unsigned j : columns) {
-      double sum = 0.;
-      for (unsigned q = 0; q < fe.n_quadrature_points; ++q) sum += f(i, j, q) * fe.JxW(q);
-      matrix(i, j) += sum;
-      if (transpose) matrix(j, i) += sum;
+/// What is integrated of each degree of freedom: one row each, `n_values` columns per quadrature point, every value
+/// times the root of the point's weight. The integral of a product of two such is the product of their tables.
+using Table = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// `values(i, q, out)` writes the values of the degree of freedom i at the point q.
+template <typename Values>
+Table tabulate(const FEValues<dim>& fe, const std::vector<unsigned>& dofs, unsigned n_values, const Values& values) {
+  Table table(dofs.size(), n_values * fe.n_quadrature_points);
+  for (unsigned q = 0; q < fe.n_quadrature_points; ++q) {
+    const double root = std::sqrt(fe.JxW(q));
+    for (unsigned row = 0; row < dofs.size(); ++row) {
+      double* out = &table(row, n_values * q);
+      values(dofs[row], q, out);
+      for (unsigned k = 0; k < n_values; ++k) out[k] *= root;
+    }
+  }
+  return table;
+}
+
+/// Tables of the values of u or W, of their divergence, and of the values and gradients of phi.
+Table values_of(const FEValues<dim>& fe, const FEValuesExtractors::Vector& part) {
+  return tabulate(fe, part_dofs(fe, part), dim, [&](unsigned i, unsigned q, double* out) {
+    const Tensor<1, dim> value = fe[part].value(i, q);
+    out[0] = value[0];
+    out[1] = value[1];
+  });
+}
+
+Table values_of_phi(const FEValues<dim>& fe) {
+  return tabulate(fe, part_dofs(fe, phi_part), 1,
+                  [&](unsigned i, unsigned q, double* out) { *out = fe[phi_part].value(i, q); });
+}
+
+Table gradients_of_phi(const FEValues<dim>& fe) {
+  return tabulate(fe, part_dofs(fe, phi_part), dim, [&](unsigned i, unsigned q, double* out) {
+    const Tensor<1, dim> gradient = fe[phi_part].gradient(i, q);
+    out[0] = gradient[0];
+    out[1] = gradient[1];
+  });
+}
+
+/// Adds factor * table table^T, symmetric to the last bit.
+void add_square(const std::vector<unsigned>& dofs, double factor, const Table& table, FullMatrix<double>& matrix) {
+  const Eigen::MatrixXd product = table * table.transpose();
+  for (unsigned i = 0; i < dofs.size(); ++i)
+    for (unsigned j = 0; j < dofs.size(); ++j)
+      matrix(dofs[i], dofs[j]) += factor * product(std::max(i, j), std::min(i, j));
+}
+
+/// Adds factor * left right^T and its transpose.
+void add_pair(const std::vector<unsigned>& rows, const std::vector<unsigned>& columns, double factor, const Table& left,
+              const Table& right, FullMatrix<double>& matrix) {
+  const Eigen::MatrixXd product = factor * (left * right.transpose());
+  for (unsigned i = 0; i < rows.size(); ++i)
+    for (unsigned j = 0; j < columns.size(); ++j) {
+      matrix(rows[i], columns[j]) += product(i, j);
+      matrix(columns[j], rows[i]) += product(i, j);
     }
 }
 
 }  // namespace
 
 void uu_M(const FEValues<dim>& fe, const Material& material, CellMatrices& cell) {
-  const auto u = part_dofs(fe, u_part);
-  integrate(fe, u, u, cell.M, false, [&](unsigned i, unsigned j, unsigned q) {
-    return material.rho * (fe[u_part].value(i, q) * fe[u_part].value(j, q));
-  });
+  add_square(part_dofs(fe, u_part), material.rho, values_of(fe, u_part), cell.M);
 }
 
 void uu_K(const FEValues<dim>& fe, const Material& material, CellMatrices& cell) {
+  // 2 G eps:eps + lambda (div u)^2 as one sum of squares.
+  const double root_2G = std::sqrt(2. * material.G), root_4G = std::sqrt(4. * material.G),
+               root_lambda = std::sqrt(material.lambda);
   const auto u = part_dofs(fe, u_part);
-  integrate(fe, u, u, cell.K, false, [&](unsigned i, unsigned j, unsigned q) {
-    return 2. * material.G * (fe[u_part].symmetric_gradient(i, q) * fe[u_part].symmetric_gradient(j, q)) +
-           material.lambda * fe[u_part].divergence(i, q) * fe[u_part].divergence(j, q);
+  const Table strains = tabulate(fe, u, 4, [&](unsigned i, unsigned q, double* out) {
+    const SymmetricTensor<2, dim> strain = fe[u_part].symmetric_gradient(i, q);
+    out[0] = root_2G * strain[0][0];
+    out[1] = root_2G * strain[1][1];
+    out[2] = root_4G * strain[0][1];
+    out[3] = root_lambda * (strain[0][0] + strain[1][1]);
   });
+  add_square(u, 1., strains, cell.K);
 }
 
 void uu_C(const FEValues<dim>& fe, const Material& material, CellMatrices& cell) {
@@ -54,49 +109,36 @@ void uu_C(const FEValues<dim>& fe, const Material& material, CellMatrices& cell)
 }
 
 void up_C(const FEValues<dim>& fe, const Material& material, CellMatrices& cell) {
-  integrate(fe, part_dofs(fe, u_part), part_dofs(fe, phi_part), cell.C, true, [&](unsigned i, unsigned j, unsigned q) {
-    return -material.alpha * fe[u_part].divergence(i, q) * fe[phi_part].value(j, q);
-  });
+  const auto u = part_dofs(fe, u_part);
+  const Table divergence =
+      tabulate(fe, u, 1, [&](unsigned i, unsigned q, double* out) { *out = fe[u_part].divergence(i, q); });
+  add_pair(u, part_dofs(fe, phi_part), -material.alpha, divergence, values_of_phi(fe), cell.C);
 }
 
 void pp_M(const FEValues<dim>& fe, const Material& material, CellMatrices& cell) {
-  const auto phi = part_dofs(fe, phi_part);
-  integrate(fe, phi, phi, cell.M, false, [&](unsigned i, unsigned j, unsigned q) {
-    return -material.storage * fe[phi_part].value(i, q) * fe[phi_part].value(j, q);
-  });
+  add_square(part_dofs(fe, phi_part), -material.storage, values_of_phi(fe), cell.M);
 }
 
 void pp_C(const FEValues<dim>& fe, const Material& material, CellMatrices& cell) {
-  const auto phi = part_dofs(fe, phi_part);
-  integrate(fe, phi, phi, cell.C, false, [&](unsigned i, unsigned j, unsigned q) {
-    return -(fe[phi_part].gradient(i, q) * fe[phi_part].gradient(j, q)) / material.b;
-  });
+  add_square(part_dofs(fe, phi_part), -1. / material.b, gradients_of_phi(fe), cell.C);
 }
 
 void pp_K(const FEValues<dim>& fe, const Material& material, CellMatrices& cell) {
-  const auto phi = part_dofs(fe, phi_part);
-  integrate(fe, phi, phi, cell.K, false, [&](unsigned i, unsigned j, unsigned q) {
-    return -(fe[phi_part].gradient(i, q) * fe[phi_part].gradient(j, q)) / material.rho_f;
-  });
+  add_square(part_dofs(fe, phi_part), -1. / material.rho_f, gradients_of_phi(fe), cell.K);
 }
 
 void W_M(const FEValues<dim>& fe, const Material& material, CellMatrices& cell) {
-  const auto u = part_dofs(fe, u_part), W = part_dofs(fe, W_part);
-  integrate(fe, u, W, cell.M, true, [&](unsigned i, unsigned j, unsigned q) {
-    return material.rho_f * (fe[u_part].value(i, q) * fe[W_part].value(j, q));
-  });
-  integrate(fe, W, W, cell.M, false, [&](unsigned i, unsigned j, unsigned q) {
-    return material.a * (fe[W_part].value(i, q) * fe[W_part].value(j, q));
-  });
+  const auto W = part_dofs(fe, W_part);
+  const Table values = values_of(fe, W_part);
+  add_pair(part_dofs(fe, u_part), W, material.rho_f, values_of(fe, u_part), values, cell.M);
+  add_square(W, material.a, values, cell.M);
 }
 
 void W_C(const FEValues<dim>& fe, const Material& material, CellMatrices& cell) {
   const auto W = part_dofs(fe, W_part);
-  integrate(fe, W, W, cell.C, false, [&](unsigned i, unsigned j, unsigned q) {
-    return material.b * (fe[W_part].value(i, q) * fe[W_part].value(j, q));
-  });
-  integrate(fe, W, part_dofs(fe, phi_part), cell.C, true,
-            [&](unsigned i, unsigned j, unsigned q) { return fe[W_part].value(i, q) * fe[phi_part].gradient(j, q); });
+  const Table values = values_of(fe, W_part);
+  add_square(W, material.b, values, cell.C);
+  add_pair(W, part_dofs(fe, phi_part), 1., values, gradients_of_phi(fe), cell.C);
 }
 
 void assemble_cell(const FEValues<dim>& fe, const Material& material, CellKind kind, bool inertia, CellMatrices& cell) {

@@ -42,42 +42,62 @@ struct FieldRange {
 };
 constexpr std::array<FieldRange, 3> fields{{{0, dim, 1.}, {dim, 2 * dim, 1.}, {2 * dim, n_components, -1.}}};
 
-/// By field, from a cell's degrees of freedom to themselves: the part of the highest degree, and that of the next one.
-struct Parts {
-  std::array<std::array<Dense, 2>, fields.size()> part;
-  std::array<int, fields.size()> degree{};  ///< 0: absent
+/// One field on cells of one kind.
+struct Part {
+  std::vector<unsigned> dofs;  ///< of the cell; empty where the field is absent
+  int degree = 0;
+  double sign = 1.;  ///< of its part of the energy
+  Dense highest;     ///< from these degrees of freedom to themselves: what the highest degree alone can hold
+  Dense next;        ///< the same of the next lower degree
 };
+using Parts = std::array<Part, fields.size()>;
 
-/// M, C and K of one cell.
-struct CellParts {
-  Dense M, C, K;
-};
+Part part_of(const FiniteElement<dim>& fe, const FieldRange& field) {
+  Part part;
+  const FiniteElement<dim>& base = fe.base_element(fe.component_to_base_index(field.first).first);
+  if (base.n_dofs_per_cell() == 0) return part;
+  std::vector<std::pair<unsigned, unsigned>> places;  // component and node
+  for (unsigned i = 0; i < fe.n_dofs_per_cell(); ++i) {
+    const auto place = fe.system_to_component_index(i);
+    if (place.first < field.first || place.first >= field.last) continue;
+    part.dofs.push_back(i);
+    places.push_back(place);
+  }
+  part.degree = static_cast<int>(base.tensor_degree());
+  part.sign = field.sign;
+  const Dense below = projection(base, part.degree - 1), twice_below = projection(base, part.degree - 2);
+  const Dense one = Dense::Identity(below.rows(), below.cols());
+  part.highest = part.next = Dense::Zero(places.size(), places.size());
+  for (std::size_t i = 0; i < places.size(); ++i)
+    for (std::size_t j = 0; j < places.size(); ++j) {
+      if (places[i].first != places[j].first) continue;
+      part.highest(i, j) = (one - below)(places[i].second, places[j].second);
+      part.next(i, j) = (below - twice_below)(places[i].second, places[j].second);
+    }
+  return part;
+}
 
 Parts parts_of(const FiniteElement<dim>& fe) {
-  const unsigned n = fe.n_dofs_per_cell();
   Parts parts;
-  for (std::size_t field = 0; field < fields.size(); ++field) {
-    for (Dense& part : parts.part[field]) part = Dense::Zero(n, n);
-    const FiniteElement<dim>& base = fe.base_element(fe.component_to_base_index(fields[field].first).first);
-    if (base.n_dofs_per_cell() == 0) continue;
-    const int k = parts.degree[field] = static_cast<int>(base.tensor_degree());
-    const Dense below = projection(base, k - 1), twice_below = projection(base, k - 2);
-    const Dense one = Dense::Identity(below.rows(), below.cols());
-    for (unsigned i = 0; i < n; ++i)
-      for (unsigned j = 0; j < n; ++j) {
-        const auto [row, row_node] = fe.system_to_component_index(i);
-        const auto [column, column_node] = fe.system_to_component_index(j);
-        if (row != column || row < fields[field].first || row >= fields[field].last) continue;
-        parts.part[field][0](i, j) = (one - below)(row_node, column_node);
-        parts.part[field][1](i, j) = (below - twice_below)(row_node, column_node);
-      }
-  }
+  for (std::size_t field = 0; field < fields.size(); ++field) parts[field] = part_of(fe, fields[field]);
   return parts;
 }
 
-/// Energies of the columns of D at the sizes |s|: the real and imaginary parts of solution j are the columns 2 j, 2 j
-/// + 1.
-Eigen::ArrayXd energies(const CellParts& cell, const Dense& D, const Eigen::ArrayXd& size) {
+/// The block of a cell's matrix that belongs to some degrees of freedom.
+Dense block(const FullMatrix<double>& A, const std::vector<unsigned>& dofs) {
+  Dense B(dofs.size(), dofs.size());
+  for (unsigned i = 0; i < dofs.size(); ++i)
+    for (unsigned j = 0; j < dofs.size(); ++j) B(i, j) = A(dofs[i], dofs[j]);
+  return B;
+}
+
+/// M, C and K of one field on one cell.
+struct FieldMatrices {
+  Dense M, C, K;
+};
+
+/// Energies of the columns of D at the sizes |s|; real and imaginary parts of a solution stand side by side.
+Eigen::ArrayXd energies(const FieldMatrices& cell, const Dense& D, const Eigen::ArrayXd& size) {
   const auto form = [&](const Dense& A) -> Eigen::ArrayXd {
     const Eigen::ArrayXd of_column = (D.array() * (A * D).array()).colwise().sum();
     return Eigen::Map<const Eigen::ArrayXXd>(of_column.data(), 2, of_column.size() / 2).colwise().sum();
@@ -86,14 +106,16 @@ Eigen::ArrayXd energies(const CellParts& cell, const Dense& D, const Eigen::Arra
 }
 
 /// Squares of the errors of all solutions on one cell, whose real and imaginary parts are the columns of X.
-Eigen::ArrayXd squares_of_errors(const Parts& parts, const CellParts& cell, const Dense& X,
+Eigen::ArrayXd squares_of_errors(const Parts& parts, const CellMatrices& cell, const Dense& X,
                                  const Eigen::ArrayXd& size) {
   Eigen::ArrayXd sum = Eigen::ArrayXd::Zero(size.size()), decay = Eigen::ArrayXd::Ones(size.size());
-  for (std::size_t field = 0; field < fields.size(); ++field) {
-    if (parts.degree[field] == 0) continue;
-    const Eigen::ArrayXd highest = fields[field].sign * energies(cell, parts.part[field][0] * X, size);
-    if (parts.degree[field] > 1) {
-      const Eigen::ArrayXd next = fields[field].sign * energies(cell, parts.part[field][1] * X, size);
+  for (const Part& part : parts) {
+    if (part.dofs.empty()) continue;
+    const FieldMatrices field{block(cell.M, part.dofs), block(cell.C, part.dofs), block(cell.K, part.dofs)};
+    const Dense x = X(part.dofs, Eigen::all);
+    const Eigen::ArrayXd highest = part.sign * energies(field, part.highest * x, size);
+    if (part.degree > 1) {
+      const Eigen::ArrayXd next = part.sign * energies(field, part.next * x, size);
       decay = (highest >= 0. && next > highest).select(highest / next, 1.);
     }
     sum += highest.max(0.) * decay;
@@ -133,9 +155,8 @@ Eigen::MatrixXd cell_errors(const Scene& scene, const Space& space, const Unknow
     for (std::size_t i = 0; i < dofs.size(); ++i)
       for (const auto& [j, weight] : unknowns.expansion(static_cast<unsigned>(dofs[i])))
         local.row(static_cast<Eigen::Index>(i)) += weight * values.row(j);
-    const CellParts cell_parts{dense(matrices.M), dense(matrices.C), dense(matrices.K)};
     errors.row(cell->active_cell_index()) =
-        squares_of_errors(parts[static_cast<unsigned>(space.kind(cell))], cell_parts, local, size);
+        squares_of_errors(parts[static_cast<unsigned>(space.kind(cell))], matrices, local, size);
   }
   return errors;
 }
