@@ -1,0 +1,46 @@
+"""Time at equal error, and ratios to the best peer."""
+
+from front import sure, time_at
+from table import ERRORS, TARGETS
+
+PEERS = ("FEniCSx", "FreeFEM")
+UPBEAD = ("upbead", "upbead, marched")
+PROGRAMS = {  # name: how its series begin
+    "upbead": ("upbead",),
+    "upbead, marched": ("upbead, sdirk4", "upbead, generalised_alpha"),
+    "FEniCSx": ("FEniCSx",),
+    "FEniCSx, uniform meshes": ("FEniCSx, uniform",),
+    "FreeFEM": ("FreeFEM",),
+    "FreeFEM, uniform meshes": ("FreeFEM, uniform",),
+}
+
+
+def of(rows, prefixes):
+    return [row for row in rows if row["series"].startswith(prefixes)]
+
+
+def fastest(times):
+    known = [time for time in times if time is not None]
+    return min(known) if known else None
+
+
+def beyond_start(rows, floors):
+    """The rows with the time of a process of the same program that does nothing taken off."""
+    return [{**row, "wall": row["wall"] - floors[row["series"].split(",")[0]]} for row in rows]
+
+
+def times_of(rows, error):
+    """{program: [seconds per target]} and the ratios; None where a program does not get there."""
+    rows = sure(rows, error)
+    times = {name: [time_at(of(rows, prefixes), error, target) for target in TARGETS]
+             for name, prefixes in PROGRAMS.items()}
+    best = [fastest(pair) for pair in zip(*(times[peer] for peer in PEERS))]
+    for name in UPBEAD:
+        times[f"ratio best peer / {name}"] = [b / t if b and t else None for b, t in zip(best, times[name])]
+    return times
+
+
+def comparison(rows, floors):
+    """{error: {"whole process": times, "beyond its start": times}}"""
+    return {error: {"whole process": times_of(rows, error),
+                    "beyond its own start": times_of(beyond_start(rows, floors), error)} for error in ERRORS}

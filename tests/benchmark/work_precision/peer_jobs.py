@@ -1,0 +1,98 @@
+"""The jobs of the peers: graded and uniform meshes, steps that fit them, and what their solvers can do."""
+
+import pathlib
+import subprocess
+import sys
+from dataclasses import dataclass
+
+import run
+import scenes
+
+GEOMETRY = scenes.ROOT / "meshes/composite.geo"
+UNIFORM, GRADED, STEEP = 1, 12, 30  # grading: largest cell over that at the caisson's corners
+CELLS = {GRADED: (0.25, 0.35, 0.5, 0.7, 1, 1.4), STEEP: (0.5, 1), UNIFORM: (0.5, 1, 2)}
+SOLVERS = ("amd", "nd", "mumps")
+LARGEST_OF_DEGREE_3 = 0.5  # cells; beyond, degree 2 was as good
+
+
+@dataclass
+class PeerJob:
+    series: str
+    family: str
+    label: str
+    run: object  # repeats -> History
+
+
+def steps_for(cells, grading):
+    """s; each meets the kinks of the pulse. Better meshes are worth smaller steps."""
+    if grading == STEEP:
+        return 5e-3, 2.5e-3, 1.25e-3
+    return (7.5e-3, 5e-3, 2.5e-3) if cells >= 1 else (15e-3, 7.5e-3, 5e-3)
+
+
+def make_meshes(folder, quick):
+    """{(grading, cells): path without suffix}"""
+    found = {}
+    for grading, all_cells in CELLS.items():
+        for cells in all_cells[:: 2 if quick else 1]:
+            path = pathlib.Path(folder) / f"grading{grading}_cells{cells}"
+            subprocess.run([sys.executable, run.PEERS / "meshes.py", GEOMETRY, path, f"cells={cells}",
+                            f"grading={grading}"], check=True)
+            found[grading, cells] = path
+    return found
+
+
+def jobs(folder, quick):
+    """All runs of both peers on meshes that are made here."""
+    found = []
+    for (grading, cells), path in make_meshes(folder, quick).items():
+        series = ", uniform" if grading == UNIFORM else ""
+        for step in steps_for(cells, grading)[:: 2 if quick else 1]:
+            of_step = [fenicsx_job("FEniCSx" + series, "quads, degree 2", path, cells, step, []),
+                       fenicsx_job("FEniCSx" + series, "triangles, degree 2", path, cells, step, ["--triangles"]),
+                       free_fem_job("FreeFEM" + series, path, cells, step, 2)]
+            if grading != UNIFORM and cells <= LARGEST_OF_DEGREE_3:
+                of_step += [fenicsx_job("FEniCSx", "quads, degree 3", path, cells, step, ["--degree", "3"]),
+                            free_fem_job("FreeFEM", path, cells, step, 3)]
+            for job in of_step:
+                job.family += f", grading {grading}"
+                job.label += f", grading {grading}"
+            found += of_step
+        if cells == 1 and grading == GRADED:
+            found += [fenicsx_job("FEniCSx, solvers", f"quads, {solver}", path, cells, 5e-3, ["--solver", solver])
+                      for solver in SOLVERS]
+    return found
+
+
+def free_fem_job(series, path, cells, step, degree):
+    mesh = path.with_name(path.name + ".msh")
+    return PeerJob(series, f"{series}, degree {degree}", f"degree {degree}, cells {cells:g}, {1e3 * step:g} ms",
+                   lambda repeats: run.free_fem(mesh, degree, step, repeats))
+
+
+def fenicsx_job(series, kind, path, cells, step, options):
+    mesh = path.with_name(path.name + ".npz")
+    return PeerJob(series, f"{series}, {kind}", f"{kind}, cells {cells:g}, {1e3 * step:g} ms",
+                   lambda repeats: run.fenicsx(mesh, [*options, "--step", str(step)], repeats))
+
+
+def warm_up(folder):
+    """Lets FEniCSx compile its forms into a cache of their own; seconds of a first and a later run.
+
+    The names of the forms vary a little from run to run, so a few runs are needed until all are there.
+    """
+    run.ENVIRONMENT["XDG_CACHE_HOME"] = str(pathlib.Path(folder) / "cache")
+    path = sorted(pathlib.Path(folder).glob("*.npz"))[0]
+    times = {}
+    for options in ([], ["--triangles"], ["--degree", "3"]):
+        walls = [run.fenicsx(path, [*options, "--step", "0.1"], 1).wall for _ in range(7)]
+        times[" ".join(options) or "quads"] = {"first": walls[0], "later": min(walls)}
+    return times
+
+
+def floors(program):
+    """Seconds of processes that do nothing (the program's version, imports, an empty script): no run is faster."""
+    do_nothing = {"upbead": [program, "--version"],
+                  "FEniCSx": [sys.executable, run.PEERS / "fenicsx.py", "--help"],
+                  "FreeFEM": ["FreeFem++", "-nw", "-v", "0", run.PEERS / "empty.edp"]}
+    return {name: run.timed(command, 5)[0] for name, command in do_nothing.items()}
