@@ -10,7 +10,7 @@ import scenes
 
 GEOMETRY = scenes.ROOT / "meshes/composite.geo"
 UNIFORM, GRADED, STEEP = 1, 12, 30  # grading: largest cell over that at the caisson's corners
-CELLS = {GRADED: (0.25, 0.35, 0.5, 0.7, 1, 1.4), STEEP: (0.5, 1), UNIFORM: (0.5, 1, 2)}
+CELLS = {GRADED: (0.25, 0.35, 0.5, 0.7, 1, 1.4), STEEP: (0.5, 1), UNIFORM: (0.5, 1, 2, 3.5)}
 SOLVERS = ("amd", "nd", "mumps")
 LARGEST_OF_DEGREE_3 = 0.5  # cells; beyond, degree 2 was as good
 

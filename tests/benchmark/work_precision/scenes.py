@@ -51,8 +51,9 @@ def meshes(series, kinds, extra=None):
 
 def by_tolerance(series, extra):
     """The program chooses mesh, scheme and step."""
-    return [Job(series, f"tolerance {tolerance:g}",
-                {**extra, "mesh.refine": "auto", "mesh.degree": 3, "accuracy.tolerance": tolerance}, series) for tolerance in TOLERANCES]
+    made_for = {**extra, "mesh.refine": "auto", "mesh.degree": 3}
+    return [Job(series, f"tolerance {tolerance:g}", {**made_for, "accuracy.tolerance": tolerance}, series)
+            for tolerance in TOLERANCES]
 
 
 def schemes(name, title, extra):
