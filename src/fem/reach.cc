@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "upbead/fem/wave_sides.h"
 
@@ -12,12 +13,42 @@ using namespace dealii;
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-using Points = std::vector<Point<dim>>;
+/// What waves start from or are read at: surfaces, curves and points, each by the box around it. Boxes are no farther
+/// away than what is in them, so that no cell is left out for them; and there are few, however many cells there are.
+class Boxes {
+ public:
+  void add(const std::string& name, const Point<dim>& point) {
+    const auto [place, is_new] = boxes_.try_emplace(name, Box{point, point});
+    if (is_new) return;
+    for (int d = 0; d < dim; ++d) {
+      place->second.least[d] = std::min(place->second.least[d], point[d]);
+      place->second.most[d] = std::max(place->second.most[d], point[d]);
+    }
+  }
+  bool empty() const { return boxes_.empty(); }
+  /// To the nearest one; 0 inside.
+  double distance(const Point<dim>& from) const {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const auto& [name, box] : boxes_) {
+      double square = 0.;
+      for (int d = 0; d < dim; ++d) {
+        const double outside = std::max({box.least[d] - from[d], from[d] - box.most[d], 0.});
+        square += outside * outside;
+      }
+      nearest = std::min(nearest, std::sqrt(square));
+    }
+    return nearest;
+  }
 
-/// Points that waves start from and points where they are read.
+ private:
+  struct Box {
+    Point<dim> least, most;
+  };
+  std::map<std::string, Box> boxes_;
+};
+
 struct Ends {
-  Points sources, readers;
+  Boxes sources, readers;
 };
 
 bool is_loaded(const Scene& scene, const std::string& curve) {
@@ -28,25 +59,20 @@ bool is_loaded(const Scene& scene, const std::string& curve) {
 
 Ends ends_of(const Scene& scene, const Mesh& mesh) {
   Ends ends;
-  for (const auto& [name, probe] : scene.probes) ends.readers.emplace_back(probe.at[0], probe.at[1]);
+  for (const auto& [name, probe] : scene.probes)
+    ends.readers.add("probe " + name, Point<dim>(probe.at[0], probe.at[1]));
   for (const auto& cell : mesh.triangulation.active_cell_iterators()) {
     const std::string& surface = mesh.surface_of(cell);
     const bool rigid = scene.regions.at(surface).kind == RegionKind::rigid;
     for (const unsigned v : cell->vertex_indices()) {
-      if (rigid) ends.sources.push_back(cell->vertex(v));  // it hands motion on at once
-      if (rigid || surface == caisson_name) ends.readers.push_back(cell->vertex(v));
+      if (rigid) ends.sources.add("surface " + surface, cell->vertex(v));  // it hands motion on at once
+      if (rigid || surface == caisson_name) ends.readers.add("surface " + surface, cell->vertex(v));
     }
     for (const auto& face : cell->face_iterators())
-      if (is_loaded(scene, mesh.curve_of(face)))
-        for (unsigned v = 0; v < 2; ++v) ends.sources.push_back(face->vertex(v));
+      if (const std::string& curve = mesh.curve_of(face); is_loaded(scene, curve))
+        for (unsigned v = 0; v < 2; ++v) ends.sources.add("curve " + curve, face->vertex(v));
   }
   return ends;
-}
-
-double distance(const Point<dim>& from, const Points& to) {
-  double least = infinity;
-  for (const Point<dim>& point : to) least = std::min(least, from.distance_square(point));
-  return std::sqrt(least);
 }
 
 }  // namespace
@@ -62,7 +88,7 @@ Reach find_reach(const Scene& scene, const Mesh& mesh) {
   reach.unreached.assign(mesh.triangulation.n_active_cells(), false);
   for (const auto& cell : mesh.triangulation.active_cell_iterators()) {
     const Point<dim> middle = cell->center();
-    const double way = distance(middle, ends.sources) + distance(middle, ends.readers) - cell->diameter();
+    const double way = ends.sources.distance(middle) + ends.readers.distance(middle) - cell->diameter();
     if (way <= reach.speed * scene.time.end) continue;
     reach.unreached[cell->active_cell_index()] = true;
     ++reach.n_unreached;

@@ -15,9 +15,10 @@ struct Reach {
   double speed = 0.;  ///< of the fastest wave (m/s)
 };
 
-/// A cell is unreached where the way from the nearest load or rigid body to it, and on to the nearest reading (a rigid
-/// body, the caisson, a probe), is longer than the fastest wave of the whole scene runs until the end. Nothing is where
-/// there are fields to write, or waves of infinite speed (incompressible water, no inertia). `scene` is resolved.
+/// A cell is unreached where the way from the nearest load or rigid body (by the boxes around them) to it, and on to
+/// the nearest reading (a rigid body, the caisson, a probe), is longer than the fastest wave of the whole scene runs
+/// until the end. Nothing is where there are fields to write, or waves of infinite speed (incompressible water, no
+/// inertia). `scene` is resolved.
 Reach find_reach(const Scene& scene, const Mesh& mesh);
 
 }  // namespace upbead
