@@ -2,20 +2,17 @@
 
 #include <algorithm>
 #include <csignal>
-#include <exception>
-#include <iostream>
-#include <new>
 
 #include "upbead/algebra/petsc_session.h"
 #include "upbead/app/commands.h"
+#include "upbead/app/failure.h"
 #include "upbead/base/error.h"
-#include "upbead/base/interrupt.h"
 #include "upbead/base/suggest.h"
 #include "upbead/base/version.h"
 
 namespace {
 
-constexpr int exit_input = 1, exit_numerics = 2, exit_bug = 3, exit_signal = 128;
+constexpr int exit_input = 1;
 
 /// CLI11 would say of `upbead rum` only that a command is missing.
 void check_command(const CLI::App& program, const std::string& word) {
@@ -64,20 +61,7 @@ int main(int argc, char** argv) {
   try {
     const upbead::PetscSession petsc;
     return run(argc, argv);
-  } catch (const upbead::InputError& error) {
-    std::cerr << error.what() << "\n";
-    return exit_input;
-  } catch (const upbead::NumericsError& error) {
-    std::cerr << "upbead: the numerics failed: " << error.what() << "\n";
-    return exit_numerics;
-  } catch (const upbead::Interrupted& interrupted) {
-    std::cerr << "upbead: interrupted, nothing was written\n";
-    return exit_signal + interrupted.signal();
-  } catch (const std::bad_alloc&) {
-    std::cerr << "upbead: the case does not fit in memory; use a coarser mesh, larger steps or fewer fields\n";
-    return exit_numerics;
-  } catch (const std::exception& error) {
-    std::cerr << "upbead: this is a bug, please report it: " << error.what() << "\n";
-    return exit_bug;
+  } catch (...) {
+    return upbead::tell_failure();
   }
 }

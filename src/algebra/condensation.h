@@ -28,6 +28,8 @@ class Condensation {
   /// x_r = rest, x_b = A_bb^-1 b_b - W x_r.
   void expand(const Eigen::Ref<const Vector>& b, const Eigen::Ref<const Vector>& rest, Eigen::Ref<Vector> x) const;
   int n_rest() const { return static_cast<int>(schur_.rows()); }
+  /// Row of an unknown in S; -1 where it is in a block.
+  int rest_index(int unknown) const { return rest_index_[unknown]; }
   /// Unknowns in blocks.
   int n_local() const { return static_cast<int>(block_of_.size()) - n_rest(); }
 

@@ -15,19 +15,52 @@ namespace {
 /// So many right-hand sides go through the factor together: their fronts and a slab still fit in the nearest caches.
 constexpr Eigen::Index columns_at_once = 8;
 
+/// Of every row the diagonal, and its largest entry by size.
+struct RowSizes {
+  Vector diagonal, largest;
+};
+
+RowSizes row_sizes(const SparseMatrix& A) {
+  RowSizes sizes{Vector::Zero(A.rows()), Vector::Zero(A.rows())};
+  for (int i = 0; i < A.rows(); ++i)
+    for (SparseMatrix::InnerIterator it(A, i); it; ++it) {
+      if (it.col() == i) sizes.diagonal[i] = it.value();
+      sizes.largest[i] = std::max(sizes.largest[i], std::abs(it.value()));
+    }
+  return sizes;
+}
+
+/// All processes must scale a shared unknown alike. The sum of the largest entries will do for their largest.
+void sum_shared(const Sharing& sharing, RowSizes& sizes) {
+  std::vector<double> values;
+  for (const Vector* part : {&sizes.diagonal, &sizes.largest})
+    for (const int i : sharing.unknowns) values.push_back((*part)[i]);
+  sharing.processes->sum(values.data(), static_cast<int>(values.size()));
+  auto next = values.begin();
+  for (Vector* part : {&sizes.diagonal, &sizes.largest})
+    for (const int i : sharing.unknowns) (*part)[i] = *next++;
+}
+
 /// 1 / sqrt|a_ii|, or where a_ii = 0 the largest entry of the row in its place.
-Vector equilibration(const SparseMatrix& A) {
+Vector equilibration(const SparseMatrix& A, const Sharing& sharing) {
+  RowSizes sizes = row_sizes(A);
+  if (!sharing.unknowns.empty()) sum_shared(sharing, sizes);
   Vector scale(A.rows());
   for (int i = 0; i < A.rows(); ++i) {
-    double diagonal = 0., largest = 0.;
-    for (SparseMatrix::InnerIterator it(A, i); it; ++it) {
-      if (it.col() == i) diagonal = std::abs(it.value());
-      largest = std::max(largest, std::abs(it.value()));
-    }
+    const double diagonal = std::abs(sizes.diagonal[i]), largest = sizes.largest[i];
     if (largest == 0.) throw NumericsError("the matrix is singular: row " + std::to_string(i) + " is empty");
     scale[i] = 1. / std::sqrt(diagonal > 0. ? diagonal : largest);
   }
   return scale;
+}
+
+/// The sharing among the unknowns that are left once the blocks are condensed.
+Sharing condensed(const detail::Condensation& condensation, Sharing sharing) {
+  for (int& i : sharing.unknowns) {
+    i = condensation.rest_index(i);
+    if (i < 0) throw std::invalid_argument("a block holds a shared unknown");
+  }
+  return sharing;
 }
 
 void check_finite(const SparseMatrix& A) {
@@ -52,15 +85,18 @@ const SparseMatrix& checked(const SparseMatrix& A) {
 }  // namespace
 
 struct Factorisation::Impl {
-  Impl(const SparseMatrix& A, const std::vector<IndexRange>& blocks)
-      : pattern(fingerprint(checked(A))), condensation(A, blocks), ldlt(condensation.schur()) {
+  Impl(const SparseMatrix& A, const std::vector<IndexRange>& blocks, const Sharing& shared)
+      : pattern(fingerprint(checked(A))),
+        condensation(A, blocks),
+        sharing(condensed(condensation, shared)),
+        ldlt(condensation.schur(), sharing) {
     factorise(A);
   }
 
   void factorise(const SparseMatrix& A) {
     check_finite(A);
     condensation.condense(A);
-    ldlt.factorise(condensation.schur(), equilibration(condensation.schur()));
+    ldlt.factorise(condensation.schur(), equilibration(condensation.schur(), sharing));
   }
 
   void solve(const Eigen::Ref<const Eigen::MatrixXd>& B, Eigen::Ref<Eigen::MatrixXd> X) {
@@ -73,12 +109,13 @@ struct Factorisation::Impl {
 
   std::size_t pattern;
   detail::Condensation condensation;
+  Sharing sharing;  ///< among the unknowns of the Schur complement
   detail::Ldlt ldlt;
   Eigen::MatrixXd rest;  ///< work space of a solve
 };
 
-Factorisation::Factorisation(const SparseMatrix& A, const std::vector<IndexRange>& blocks)
-    : impl_(std::make_unique<Impl>(A, blocks)) {}
+Factorisation::Factorisation(const SparseMatrix& A, const std::vector<IndexRange>& blocks, const Sharing& sharing)
+    : impl_(std::make_unique<Impl>(A, blocks, sharing)) {}
 Factorisation::~Factorisation() = default;
 Factorisation::Factorisation(Factorisation&&) noexcept = default;
 Factorisation& Factorisation::operator=(Factorisation&&) noexcept = default;

@@ -1,11 +1,15 @@
 #include "ldlt.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "triangular_solve.h"
 
 namespace upbead::detail {
 
-Ldlt::Ldlt(const SparseMatrix& A)
-    : nodes_(find_supernodes(A)),
+Ldlt::Ldlt(const SparseMatrix& A, Sharing sharing)
+    : sharing_(std::move(sharing)),
+      nodes_(find_supernodes(A, sharing_.unknowns)),
       entries_(find_panel_entries(A, nodes_)),
       factor_(make_factor(nodes_)),
       work_size_(static_cast<std::size_t>(triangular_solve_work(nodes_))) {}
@@ -15,7 +19,13 @@ void Ldlt::factorise(const SparseMatrix& A, const Vector& scale) {
   for (int i = 0; i < A.rows(); ++i)
     for (int k = A.outerIndexPtr()[i]; k < A.outerIndexPtr()[i + 1]; ++k)
       values[k] = scale[i] * A.valuePtr()[k] * scale[A.innerIndexPtr()[k]];
-  detail::factorise(nodes_, entries_, values.data(), factor_);
+  const auto sum = [this](std::vector<double>& columns) {
+    sharing_.processes->sum(columns.data(), static_cast<int>(columns.size()));
+  };
+  if (is_shared())
+    detail::factorise(nodes_, entries_, values.data(), factor_, sum);
+  else
+    detail::factorise(nodes_, entries_, values.data(), factor_);
   scale_.resize(A.rows());
   for (int k = 0; k < A.rows(); ++k) scale_[k] = scale[nodes_.order[k]];
 }
@@ -29,9 +39,20 @@ void Ldlt::solve(const Eigen::Ref<const Eigen::MatrixXd>& B, Eigen::Ref<Eigen::M
   }
   for (Eigen::Index c = 0; c < n_columns; ++c)
     for (Eigen::Index k = 0; k < n; ++k) x_[c * n + k] = scale_[k] * B(nodes_.order[k], c);
-  triangular_solve(view(nodes_, factor_), x_.get(), static_cast<int>(n_columns), work_.get());
+  const SumRoot sum = [this](double* root, int n_roots) { sum_root(root, n_roots); };
+  triangular_solve(view(nodes_, factor_), x_.get(), static_cast<int>(n_columns), work_.get(),
+                   is_shared() ? sum : SumRoot());
   for (Eigen::Index c = 0; c < n_columns; ++c)
     for (Eigen::Index k = 0; k < n; ++k) X(nodes_.order[k], c) = scale_[k] * x_[c * n + k];
+}
+
+void Ldlt::sum_root(double* root, int n_columns) const {
+  const auto n = static_cast<std::ptrdiff_t>(nodes_.order.size());
+  const auto n_root = static_cast<std::ptrdiff_t>(sharing_.unknowns.size());
+  root_.resize(static_cast<std::size_t>(n_root * n_columns));
+  for (int c = 0; c < n_columns; ++c) std::copy_n(root + c * n, n_root, root_.begin() + c * n_root);
+  sharing_.processes->sum(root_.data(), static_cast<int>(root_.size()));
+  for (int c = 0; c < n_columns; ++c) std::copy_n(root_.begin() + c * n_root, n_root, root + c * n);
 }
 
 Inertia Ldlt::inertia() const {

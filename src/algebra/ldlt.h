@@ -10,8 +10,11 @@ namespace upbead::detail {
 /// ascending), by supernodes.
 class Ldlt {
  public:
-  /// Orders the unknowns and finds the pattern of L. Throws NumericsError where that fails.
-  explicit Ldlt(const SparseMatrix& A);
+  /// Orders the unknowns and finds the pattern of L. With `sharing` A is the sum of what each process has of it, and so
+  /// is B of a solve; X is known to all that hold an unknown. Each eliminates the unknowns that it alone holds, and all
+  /// do the same to the sum of what is left in the shared ones (substructuring: Przemieniecki, AIAA J. 1 (1963) 138).
+  /// Throws NumericsError where CHOLMOD fails.
+  explicit Ldlt(const SparseMatrix& A, Sharing sharing = {});
 
   /// Factorises S A S, S = diag(scale), the diagonal of which should be +-1; A has the pattern of the constructor's.
   /// Throws NumericsError on a pivot that is zero or not finite.
@@ -22,6 +25,10 @@ class Ldlt {
   long n_factor_entries() const { return static_cast<long>(factor_.n_entries); }
 
  private:
+  bool is_shared() const { return !sharing_.unknowns.empty(); }
+  void sum_root(double* root, int n_columns) const;
+
+  Sharing sharing_;
   Supernodes nodes_;
   PanelEntries entries_;
   Factor factor_;
@@ -29,6 +36,7 @@ class Ldlt {
   std::size_t work_size_;
   mutable BigArray x_, work_;  ///< of a solve of `n_columns_`
   mutable Eigen::Index n_columns_ = 0;
+  mutable std::vector<double> root_;  ///< right-hand sides of the shared unknowns, to be summed
 };
 
 }  // namespace upbead::detail

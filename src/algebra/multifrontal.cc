@@ -23,10 +23,11 @@ class Multifrontal {
         left_(first_child_.size()),
         place_(nodes.order.size()) {}
 
-  void run(Factor& factor) {
+  void run(Factor& factor, const std::function<void(std::vector<double>&)>& sum_root) {
     double* out = factor.entries.get();
     for (int s = 0; s < nodes_.count(); ++s) {
       gather(s);
+      if (sum_root && s + 1 == nodes_.count()) sum_root(columns_);
       const Panel panel{columns_.data(), nodes_.height(s), nodes_.width(s)};
       eliminate(s, panel);
       write_slabs(panel, sign_.data(), factor.inverse_pivot.data() + nodes_.first[s], out, work_);
@@ -103,8 +104,9 @@ Factor make_factor(const Supernodes& nodes) {
   return factor;
 }
 
-void factorise(const Supernodes& nodes, const PanelEntries& entries, const double* values, Factor& factor) {
-  Multifrontal(nodes, entries, values).run(factor);
+void factorise(const Supernodes& nodes, const PanelEntries& entries, const double* values, Factor& factor,
+               const std::function<void(std::vector<double>&)>& sum_root) {
+  Multifrontal(nodes, entries, values).run(factor, sum_root);
 }
 
 }  // namespace upbead::detail

@@ -1,6 +1,7 @@
 // The numeric factorisation of a sparse symmetric matrix.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "big_array.h"
@@ -20,7 +21,10 @@ Factor make_factor(const Supernodes& nodes);
 
 /// The multifrontal method (Duff & Reid, ACM Trans. Math. Softw. 9 (1983) 302): each supernode gathers its entries of A
 /// and what its children leave, eliminates its columns by signed Cholesky, and leaves its own Schur complement to its
-/// parent. `values` are those of A, equilibrated. Throws NumericsError on a pivot that is zero or not finite.
-void factorise(const Supernodes& nodes, const PanelEntries& entries, const double* values, Factor& factor);
+/// parent. `values` are those of A, equilibrated. `sum_root`, where given, adds up what all processes have gathered of
+/// the last supernode (its columns, the lower triangle of which counts). Throws NumericsError on a pivot that is zero
+/// or not finite.
+void factorise(const Supernodes& nodes, const PanelEntries& entries, const double* values, Factor& factor,
+               const std::function<void(std::vector<double>& columns)>& sum_root = {});
 
 }  // namespace upbead::detail

@@ -25,6 +25,10 @@ struct Supernodes {
 /// Orders by approximate minimum degree and merges small supernodes, both by CHOLMOD (Chen, Davis, Hager &
 /// Rajamanickam, ACM Trans. Math. Softw. 35 (2008) 22). Reads the pattern of the lower triangle of A. Throws
 /// NumericsError where CHOLMOD fails.
-Supernodes find_supernodes(const SparseMatrix& A);
+///
+/// The unknowns that are `last` (ascending) are eliminated last, in their order, and are the columns of the last
+/// supernode, the root, whole though A may have no entry there: other processes may. The ordering of the others knows
+/// of it (constrained minimum degree, CAMD).
+Supernodes find_supernodes(const SparseMatrix& A, const std::vector<int>& last = {});
 
 }  // namespace upbead::detail

@@ -4,8 +4,11 @@
 
 namespace upbead::detail {
 
-void triangular_solve_baseline(const FactorView& factor, double* x, int n_columns, double* work) {
-  const double* end = forward(factor, x, n_columns, work);
+const double* forward_baseline(const FactorView& factor, double* x, int n_columns, double* work) {
+  return forward(factor, x, n_columns, work);
+}
+
+void backward_baseline(const FactorView& factor, const double* end, double* x, int n_columns, double* work) {
   backward(factor, end, x, n_columns, work);
 }
 

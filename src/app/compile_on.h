@@ -5,7 +5,9 @@
 
 namespace upbead {
 
-/// Checks the scene on the mesh and compiles it. Throws InputError with all objections at their places in the case.
-CompiledCase compile_on(const Case& input, std::shared_ptr<const Mesh> mesh);
+/// Checks the scene on the mesh and compiles it, for `processes` undivided: see compile(). Throws InputError with all
+/// objections at their places in the case.
+CompiledCase compile_on(const Case& input, std::shared_ptr<const Mesh> mesh,
+                        std::shared_ptr<const Processes> processes = nullptr);
 
 }  // namespace upbead

@@ -11,6 +11,7 @@
 #include "upbead/base/text.h"
 #include "upbead/fem/scene_check.h"
 #include "upbead/response/scheme_choice.h"
+#include "upbead/system/part.h"
 
 namespace upbead {
 
@@ -23,23 +24,50 @@ void throw_objections(const Case& input, const std::vector<Objection>& objection
   mistakes.throw_if_any();
 }
 
-}  // namespace
-
-CompiledCase compile_case(const Case& input, std::shared_ptr<const Mesh> mesh) {
-  check_size(input);
-  if (!input.scene.mesh.refine) return compile_adapted(input);
+/// On the mesh that the case states.
+CompiledCase compile_meshed(const Case& input, std::shared_ptr<const Mesh> mesh,
+                            std::shared_ptr<const Processes> processes) {
   const Stopwatch watch;
   if (!mesh) mesh = read_mesh(mesh_request(input));
   const double seconds = watch.seconds();
-  CompiledCase scene = compile_on(input, std::move(mesh));
+  CompiledCase scene = compile_on(input, std::move(mesh), std::move(processes));
   scene.timing.mesh = seconds;
   return scene;
 }
 
-CompiledCase compile_on(const Case& input, std::shared_ptr<const Mesh> mesh) {
+/// On the mesh that all processes have found alike, each for itself.
+CompiledCase compile_adapted_among(const Case& input, std::shared_ptr<const Processes> processes) {
+  CompiledCase scene = compile_adapted(input);
+  if (!processes) return scene;
+  const Stopwatch watch;
+  scene.processes = std::move(processes);
+  recompile(scene, scene.soil_state);
+  scene.timing.compile += watch.seconds();
+  return scene;
+}
+
+}  // namespace
+
+CompiledCase compile_case(const Case& input, std::shared_ptr<const Mesh> mesh,
+                          std::shared_ptr<const Processes> processes) {
+  check_size(input);
+  CompiledCase scene = input.scene.mesh.refine ? compile_meshed(input, std::move(mesh), processes)
+                                               : compile_adapted_among(input, processes);
+  if (!processes) return scene;
+  const Stopwatch watch;
+  std::vector<int>& coordinates = scene.compiled.body_coordinates;
+  const std::vector<int> index = divide(scene.compiled.system, coordinates, std::move(processes));
+  for (int& i : coordinates) i = index[i];
+  scene.timing.compile += watch.seconds();
+  return scene;
+}
+
+CompiledCase compile_on(const Case& input, std::shared_ptr<const Mesh> mesh,
+                        std::shared_ptr<const Processes> processes) {
   const Stopwatch compile_watch;
   CompiledCase out;
   out.mesh = std::move(mesh);
+  out.processes = std::move(processes);
   throw_objections(input, check_scene(input.scene, *out.mesh));
   ResolvedScene resolved = resolve(input.scene, *out.mesh);
   out.scene = std::move(resolved.scene);
@@ -57,7 +85,7 @@ void recompile(CompiledCase& scene, const SoilState& soil) {
   scene.space = std::make_unique<Space>(*scene.mesh, scene.scene, scene.absent, soil);
   const std::vector<Body> bodies = rigid_bodies(*scene.space);
   scene.unknowns = std::make_unique<Unknowns>(*scene.space, scene.scene, bodies);
-  scene.compiled = compile(scene.scene, *scene.space, *scene.unknowns, bodies);
+  scene.compiled = compile(scene.scene, *scene.space, *scene.unknowns, bodies, scene.processes.get());
 }
 
 Run run_case(const Case& input, CompiledCase& scene, const MarchOptions& marching,

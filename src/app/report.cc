@@ -103,15 +103,15 @@ std::string with_unit(double value, const std::string& unit, double peak) {
 }
 
 std::string describe(const Case& input, const CompiledCase& scene) {
-  const System& system = scene.compiled.system;
   std::string text = input.scene.title + "\n";
-  text +=
-      format("mesh        %d cells of degree %d, %d unknowns (%d of them relative fluid displacements)\n",
-             static_cast<int>(scene.mesh->triangulation.n_active_cells()), scene.space->degree(), system.n_free(), [&] {
-               int n = 0;
-               for (const IndexRange& block : system.blocks) n += block.size();
-               return n;
-             }());
+  text += format("mesh        %d cells of degree %d, %d unknowns (%d of them relative fluid displacements)\n",
+                 static_cast<int>(scene.mesh->triangulation.n_active_cells()), scene.space->degree(),
+                 scene.unknowns->n_free(), [&] {
+                   int n = 0;
+                   for (const IndexRange& block : scene.unknowns->blocks()) n += block.size();
+                   return n;
+                 }());
+  if (scene.processes) text += format("            divided among %d processes\n", scene.processes->count());
   if (scene.accuracy) text += describe(*scene.accuracy);
   text += "regions\n" + describe_regions(input, scene);
   text += "loads\n" + describe_loads(scene);

@@ -1,7 +1,9 @@
 #include <cmath>
+#include <functional>
 #include <iostream>
 #include <optional>
 
+#include "several_processes.h"
 #include "upbead/app/commands.h"
 #include "upbead/app/report.h"
 #include "upbead/base/files.h"
@@ -33,11 +35,11 @@ bool is_field_time(double time, double every) {
 /// Fields at the times which the case asks for, and the time that they take.
 class FieldOutput {
  public:
-  FieldOutput(const Scene& scene, const CompiledCase& compiled, const OutputFolder& folder)
+  FieldOutput(const Scene& scene, const CompiledCase& compiled, const OutputFolder* folder)
       : every_(scene.fields_every) {
     if (every_)
       writer_.emplace(*compiled.space, *compiled.unknowns, scene,
-                      [&folder](const std::string& file) { return folder.path(file); });
+                      [folder](const std::string& file) { return folder->path(file); });
   }
   void write(const State& state) {
     if (!writer_ || !is_field_time(state.time, *every_)) return;
@@ -57,50 +59,66 @@ class FieldOutput {
 };
 
 /// Follows the march: a line of progress for people, fields, an end where a person wants one.
-MarchOptions options_of(const Scene& scene, Progress& progress, FieldOutput& fields) {
+MarchOptions options_of(const Scene& scene, const std::function<void(double)>& progress, FieldOutput& fields) {
   MarchOptions options;
   options.stop_at_energy = scene.time.stop_at_energy.value_or(0.);
   options.observer = [&progress, &fields](const State& state, int step, int n) {
-    check_interrupt();
-    progress.update(n > 0 ? static_cast<double>(step) / n : 1.);
+    progress(n > 0 ? static_cast<double>(step) / n : 1.);
     fields.write(state);
   };
   return options;
 }
 
-void run(const CommonOptions& options, const Stopwatch& since_start) {
-  const Case input = read_case(options.file, options.overrides);
-  require_loads(input);
-  note_interrupts();
-  OutputFolder folder(options.out.empty() ? "results/" + input.stem : options.out);
-  CompiledCase scene = compile_case(input);
-  if (!options.json) std::cout << describe(input, scene) << std::flush;
-
-  FieldOutput fields(input.scene, scene, folder);
-  Run result;
-  {
-    Progress progress("solving");
-    const auto reducing = [&progress](double done) {
-      check_interrupt();
-      progress.update(done);
-    };
-    result = run_case(input, scene, options_of(input.scene, progress, fields), reducing);
-  }
+/// `visible`: whether people see how far it is.
+Run solve(const Case& input, CompiledCase& scene, FieldOutput& fields, bool visible) {
+  std::optional<Progress> line;
+  if (visible) line.emplace("solving");
+  const std::function<void(double)> progress = [&line](double done) {
+    check_interrupt();
+    if (line) line->update(done);
+  };
+  Run result = run_case(input, scene, options_of(input.scene, progress, fields), progress);
   if (result.summary.response)
     require_balance(*result.summary.response, result.summary.energy.value_or(EnergyAccount()));
-  const Stopwatch output_watch;
+  return result;
+}
+
+/// Writes all files but the fields themselves; returns the summary as JSON.
+std::string write(const Case& input, const System& system, Run& run, const FieldOutput& fields,
+                  const Stopwatch& since_start, OutputFolder& folder) {
+  const Stopwatch watch;
   fields.finish();
-  folder.write("results.h5", result_file(input.scene.title, histories(scene.compiled.system, result.response.ends)));
+  folder.write("results.h5", result_file(input.scene.title, histories(system, run.response.ends)));
   folder.write("case.toml", effective_case(input, folder.name()));
-  result.summary.timing.march -= fields.seconds();
-  result.summary.timing.output = output_watch.seconds() + fields.seconds();
-  result.summary.timing.total = since_start.seconds();
-  const std::string json = to_json(result.summary);
+  run.summary.timing.march -= fields.seconds();
+  run.summary.timing.output = watch.seconds() + fields.seconds();
+  run.summary.timing.total = since_start.seconds();
+  const std::string json = to_json(run.summary);
   folder.write("summary.json", json);
   check_interrupt();
   folder.commit(field_files);
+  return json;
+}
+
+/// On several processes all do the same but for the system, which they divide; the first speaks and writes.
+void run(const CommonOptions& options, const Stopwatch& since_start,
+         const std::shared_ptr<const Processes>& processes) {
+  const bool is_first = !processes || processes->rank() == 0;
+  const Case input = read_case(options.file, options.overrides);
+  require_loads(input);
+  if (processes) check_processes(input);
+  note_interrupts();
+  std::optional<OutputFolder> folder;
+  if (is_first) folder.emplace(options.out.empty() ? "results/" + input.stem : options.out);
+  CompiledCase scene = compile_case(input, nullptr, processes);
+  if (is_first && !options.json) std::cout << describe(input, scene) << std::flush;
+
+  FieldOutput fields(input.scene, scene, folder ? &*folder : nullptr);
+  Run result = solve(input, scene, fields, is_first);
+  if (!is_first) return;
+  const std::string json = write(input, scene.compiled.system, result, fields, since_start, *folder);
   const std::string written =
-      folder.name() + "/{results.h5, summary.json, case.toml" + (input.scene.fields_every ? ", fields.pvd}" : "}");
+      folder->name() + "/{results.h5, summary.json, case.toml" + (input.scene.fields_every ? ", fields.pvd}" : "}");
   std::cout << (options.json ? json : describe(result) + "written     " + written + "\n");
 }
 
@@ -117,11 +135,17 @@ void add_run(CLI::App& program) {
       "  summary.json   peaks, ratio of peak F_T to peak P, checks, what was skipped, times\n"
       "  case.toml      the case with all defaults spelled out; runs again as it is\n"
       "  fields.pvd     fields for ParaView, where the case has [output] fields\n\n"
+      "On several processes (mpirun -n 2 upbead run CASE) the mesh is divided among them; the answer is the same up "
+      "to\n"
+      "round-off. Fields, reduced models and an early stop are for one process alone.\n\n"
       "Examples:\n"
       "  upbead run cases/fig2b-model.toml\n"
       "  upbead run cases/fig2b-model.toml --set time.scheme=generalised_alpha --out /tmp/ga\n"
       "  upbead run cases/fig2b-prototype.toml --json | jq .response.shear_to_force_ratio");
-  command->callback([options, since_start = Stopwatch()] { run(*options, since_start); });
+  command->callback([options, since_start = Stopwatch()] {
+    const std::shared_ptr<const Processes> processes = started_processes();
+    run_together(processes.get(), [&] { run(*options, since_start, processes); });
+  });
 }
 
 }  // namespace upbead

@@ -26,7 +26,8 @@ std::vector<double> times_to_meet(const Scene& scene, const System& system) {
 Discretisation discretisation(const CompiledCase& scene, const std::string& scheme, const Response& response) {
   Discretisation d;
   d.cells = static_cast<int>(scene.mesh->triangulation.n_active_cells());
-  d.unknowns = scene.compiled.system.n_free();
+  d.unknowns = scene.unknowns->n_free();
+  d.processes = scene.processes ? scene.processes->count() : 1;
   d.degree = scene.space->degree();
   d.scheme = scheme;
   const std::vector<double>& time = response.ends.time;

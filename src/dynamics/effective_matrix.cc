@@ -38,7 +38,7 @@ EffectiveMatrix::EffectiveMatrix(const System& system, const EffectiveCoefficien
 EffectiveMatrix::EffectiveMatrix(const System& system, const SparseMatrix& E)
     : n_free_(system.n_free()),
       coupling_(free_rows_of_prescribed(E, n_free_)),
-      factors_(free_block(E, n_free_), system.blocks) {
+      factors_(free_block(E, n_free_), system.blocks, system.sharing) {
   check_inertia(system);
 }
 

@@ -24,7 +24,7 @@ class EffectiveMatrix {
   EffectiveMatrix(const System& system, const SparseMatrix& E);
 
   /// Solves E y = rhs for the free unknowns of y, with the prescribed ones (its tail) given. `rhs` has all n entries;
-  /// its head is overwritten.
+  /// its head is overwritten. Of a divided system, `rhs` is a sum over processes.
   void solve(Vector& rhs, Vector& y) const;
   /// Takes other coefficients for the same system.
   void refactor(const System& system, const EffectiveCoefficients& coefficients);

@@ -1,6 +1,7 @@
 #include "upbead/dynamics/march.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -36,6 +37,25 @@ void check_finite(const State& state) {
   throw NumericsError("the state at t = " + std::to_string(state.time) + " s is not finite");
 }
 
+/// Readings and energies of the whole, from those of each process.
+void sum_over(const Processes& processes, Response& response) {
+  for (Eigen::MatrixXd* readings : {&response.ends.reading, &response.balanced.reading})
+    processes.sum(readings->data(), static_cast<int>(readings->size()));
+  constexpr std::array terms = {&EnergyAccount::work,     &EnergyAccount::kinetic, &EnergyAccount::strain,
+                                &EnergyAccount::fluid,    &EnergyAccount::drag,    &EnergyAccount::damping,
+                                &EnergyAccount::radiated, &EnergyAccount::scheme};
+  std::vector<double> values;
+  for (const EnergyAccount& account : response.energy)
+    for (const auto term : terms) values.push_back(account.*term);
+  processes.sum(values.data(), static_cast<int>(values.size()));
+  auto next = values.begin();
+  double largest_work = 0.;
+  for (EnergyAccount& account : response.energy) {
+    for (const auto term : terms) account.*term = *next++;
+    account.largest_work = largest_work = std::max(largest_work, std::abs(account.work));
+  }
+}
+
 /// Stops a march once its energy has died away.
 class EarlyStop {
  public:
@@ -43,6 +63,8 @@ class EarlyStop {
       : system_(system), fraction_(fraction) {
     if (fraction > 0. && !scheme.accounts_energy())
       throw std::invalid_argument("stop_at_energy needs a scheme that accounts for energy");
+    if (fraction > 0. && system.is_divided())
+      throw std::invalid_argument("stop_at_energy is not done on several processes");
     for (double kink : kinks(system))
       if (kink < end) last_kink_ = std::max(last_kink_, kink);
   }
@@ -117,6 +139,7 @@ Response march(const System& system, Scheme& scheme, const TimeGrid& grid, const
     }
   }
   Response response = recorder.finish(std::move(state), stopped);
+  if (system.is_divided()) sum_over(*system.sharing.processes, response);
   response.n_solves = scheme.n_solves() - solves;
   response.order = scheme.order();
   response.n_factorisations = scheme.n_factorisations() - factorisations;

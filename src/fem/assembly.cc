@@ -3,6 +3,8 @@
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/hp/fe_values.h>
 
+#include <functional>
+
 #include "upbead/fem/kernels.h"
 #include "upbead/fem/open_sides.h"
 #include "upbead/fem/wave_sides.h"
@@ -83,11 +85,9 @@ class Assembly {
   Triplets M_, C_, K_, radiation_;
 };
 
-}  // namespace
-
-void assemble(const Scene& scene, const Space& space, const Unknowns& unknowns, const std::vector<Body>& bodies,
-              CaissonForces* forces, System& system) {
-  Assembly assembly(unknowns);
+/// Own cells, and for `forces` those that touch the caisson.
+void assemble_cells(const Scene& scene, const Space& space, CaissonForces* forces,
+                    const std::function<bool(unsigned)>& is_own, Assembly& assembly) {
   const hp::QCollection<dim> quadrature(QGauss<dim>(static_cast<unsigned>(space.degree()) + 1));
   hp::FEValues<dim> hp_values(space.dofs().get_fe_collection(), quadrature,
                               update_values | update_gradients | update_JxW_values);
@@ -96,22 +96,39 @@ void assemble(const Scene& scene, const Space& space, const Unknowns& unknowns, 
   for (const auto& cell : space.dofs().active_cell_iterators()) {
     const Region& region = space.region(cell);
     if (region.kind == RegionKind::rigid || space.kind(cell) == CellKind::absent) continue;
+    dofs.resize(cell->get_fe().n_dofs_per_cell());
+    cell->get_dof_indices(dofs);
+    const bool own = is_own(cell->active_cell_index());
+    const bool ground = forces && space.mesh().surface_of(cell) != caisson_name && forces->ground.has_any(dofs);
+    if (!own && !ground) continue;
     hp_values.reinit(cell);
     const Material constants = material(region, scene.fluid, scene.gravity);
     assemble_cell(hp_values.get_present_fe_values(), constants, space.kind(cell), scene.time.inertia, cell_matrices);
-    dofs.resize(cell->get_fe().n_dofs_per_cell());
-    cell->get_dof_indices(dofs);
-    assembly.add(cell_matrices, dofs);
-    if (forces && space.mesh().surface_of(cell) != caisson_name) forces->ground.add(cell_matrices, dofs);
+    if (own) assembly.add(cell_matrices, dofs);
+    if (ground) forces->ground.add(cell_matrices, dofs);
   }
-  for_each_open_face(scene, space, unknowns, [&](const FaceTerms& terms) { assembly.add(terms); });
-  for_each_surface_face(scene, space, [&](const FaceTerms& terms) { assembly.add(terms); });
-  for_each_absorbing_face(scene, space, [&](const FaceTerms& terms) { assembly.add_absorbing(terms); });
+}
+
+}  // namespace
+
+void assemble(const Scene& scene, const Space& space, const Unknowns& unknowns, const std::vector<Body>& bodies,
+              CaissonForces* forces, System& system, const std::vector<bool>& own, bool with_bodies) {
+  Assembly assembly(unknowns);
+  const auto is_own = [&](unsigned cell) { return own.empty() || own[cell]; };
+  assemble_cells(scene, space, forces, is_own, assembly);
+  const auto add = [&](const FaceTerms& terms) {
+    if (is_own(terms.cell)) assembly.add(terms);
+  };
+  for_each_open_face(scene, space, unknowns, add);
+  for_each_surface_face(scene, space, add);
+  for_each_absorbing_face(scene, space, [&](const FaceTerms& terms) {
+    if (is_own(terms.cell)) assembly.add_absorbing(terms);
+  });
   for_each_wet_face_term(scene, space, [&](const WetFace& face, const FaceTerms& terms) {
-    assembly.add(terms);
+    add(terms);
     if (forces) forces->of(face, space).add(terms.matrices, terms.dofs);
   });
-  if (scene.time.inertia) assembly.add(bodies);
+  if (scene.time.inertia && with_bodies) assembly.add(bodies);
   assembly.write(system);
 }
 

@@ -2,6 +2,7 @@
 
 #include <deal.II/base/quadrature_lib.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "hanging_nodes.h"
@@ -100,6 +101,12 @@ NodalReaction::NodalReaction(const Space& space, const Unknowns& unknowns, const
     }
   }
   move_hanging_nodes(space, motions_);
+}
+
+bool NodalReaction::has_any(const std::vector<types::global_dof_index>& dofs) const {
+  return std::any_of(dofs.begin(), dofs.end(), [&](const auto dof) {
+    return std::any_of(motions_[dof].begin(), motions_[dof].end(), [](double motion) { return motion != 0.; });
+  });
 }
 
 void NodalReaction::add(const CellMatrices& cell, const std::vector<types::global_dof_index>& dofs) {

@@ -2,13 +2,14 @@
 
 #include "upbead/fem/assembly.h"
 #include "upbead/fem/caisson_readings.h"
+#include "upbead/fem/partition.h"
 #include "upbead/fem/probes.h"
 #include "upbead/fem/uplift.h"
 
 namespace upbead {
 
-CompiledScene compile(const Scene& scene, const Space& space, const Unknowns& unknowns,
-                      const std::vector<Body>& bodies) {
+CompiledScene compile(const Scene& scene, const Space& space, const Unknowns& unknowns, const std::vector<Body>& bodies,
+                      const Processes* processes) {
   CompiledScene compiled;
   compiled.bodies = bodies;
   for (std::size_t b = 0; b < bodies.size(); ++b)
@@ -21,7 +22,9 @@ CompiledScene compile(const Scene& scene, const Space& space, const Unknowns& un
 
   std::optional<CaissonForces> forces;
   if (compiled.caisson) forces.emplace(space, unknowns, *compiled.caisson);
-  assemble(scene, space, unknowns, bodies, forces ? &*forces : nullptr, system);
+  const bool with_bodies = !processes || processes->rank() == 0;
+  assemble(scene, space, unknowns, bodies, forces ? &*forces : nullptr, system,
+           processes ? own_cells(space, *processes) : std::vector<bool>(), with_bodies);
 
   SceneLoads loads =
       compile_loads(scene, space, unknowns, bodies, compiled.caisson, forces ? &forces->ground : nullptr);

@@ -32,11 +32,12 @@ void for_each_wet_face(const Space& space, const std::function<void(const WetFac
 }
 
 void FaceTerms::reinit(const std::vector<Cell>& cells, const std::vector<int>& prescribed_unknowns) {
+  cell = cells.back()->active_cell_index();
   dofs.clear();
   std::vector<types::global_dof_index> of_cell;
-  for (const Cell& cell : cells) {
-    of_cell.resize(cell->get_fe().n_dofs_per_cell());
-    cell->get_dof_indices(of_cell);
+  for (const Cell& each : cells) {
+    of_cell.resize(each->get_fe().n_dofs_per_cell());
+    each->get_dof_indices(of_cell);
     dofs.insert(dofs.end(), of_cell.begin(), of_cell.end());
   }
   prescribed = prescribed_unknowns;

@@ -15,7 +15,8 @@ namespace {
 Json to_object(const Discretisation& d) {
   return {
       {"cells", d.cells},         {"unknowns", d.unknowns}, {"degree", d.degree}, {"scheme", d.scheme},
-      {"time_step", d.time_step}, {"steps", d.steps},       {"solves", d.solves}, {"factorisations", d.factorisations}};
+      {"time_step", d.time_step}, {"steps", d.steps},       {"solves", d.solves}, {"factorisations", d.factorisations},
+      {"processes", d.processes}};
 }
 
 Json to_object(const ErrorEstimate& e) {

@@ -35,6 +35,7 @@ SchemeChoice choose_scheme(const Scene& scene, const CompiledScene& compiled) {
   if (scene.fields_every) return march("fields are asked for");
   if (scene.time.stop_at_energy) return march("it shall stop early");
   const System& system = compiled.system;
+  if (system.is_divided()) return march("several processes share the work");
   if (system.loads.empty()) return march("no load acts");
   const double step = scene.time.step.value_or(step_of_loads(scene, 4).largest_step);
   const double marched = solves_per_step * estimated_steps(kinks(system).size(), scene.time.end, step);

@@ -65,7 +65,7 @@ std::optional<StepGrowth> growth(const Scene& scene, double step) {
   return growth;
 }
 
-/// Fractions measured for a tolerance of 0.5 %: docs/accuracy.md.
+/// Fractions measured for a tolerance of 0.5 %: docs/performance.md.
 double fraction(const Scene& scene, int order) {
   return (order >= 4 ? 1. / 8. : 1. / 64.) * std::pow(scene.tolerance / 0.005, 1. / order);
 }
@@ -99,7 +99,7 @@ class PeriodFinder {
   double period(double s) {
     for (int halved = 0; halved <= 4; ++halved, s /= 2.) {
       const Vector solution = solve(s);
-      const double x = x_G_.dot(solution);
+      const double x = over_all(x_G_.dot(solution));
       if (!(x > 0.)) continue;
       const double mass = mass_ + added_mass(solution, s, x), stiffness = 1. / x - mass * s * s;
       if (stiffness > 0.) return 2. * pi * std::sqrt(mass / stiffness);
@@ -122,14 +122,20 @@ class PeriodFinder {
     double force = 0.;
     for (const auto& [i, weight] : system_.readings[system_.reading(reading::water_force)].velocity)
       if (i < solution.size()) force += weight * s * solution[i];
-    return -force / (s * s * x);
+    return -over_all(force) / (s * s * x);
+  }
+
+  /// Of a divided system, the sum of what each process has of a reading.
+  double over_all(double value) const {
+    if (system_.is_divided()) system_.sharing.processes->sum(&value, 1);
+    return value;
   }
 
   Vector solve(double s) {
     const int n = system_.n_free();
     const SparseMatrix S = (s * s * system_.M + s * system_.C + system_.K).eval().topLeftCorner(n, n);
     ++n_factorisations_;
-    return Factorisation(S, system_.blocks).solve(b_);
+    return Factorisation(S, system_.blocks, system_.sharing).solve(b_);
   }
 
   const System& system_;

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "upbead/algebra/processes.h"
 #include "upbead/algebra/sparse.h"
 
 namespace upbead {
@@ -22,7 +23,12 @@ class Factorisation {
   /// `blocks`: disjoint ranges of unknowns that couple among themselves and with the rest, but not with other blocks,
   /// A positive definite on each; they are condensed by dense Cholesky before the sparse factorisation. Throws
   /// NumericsError where A is singular or not finite, std::invalid_argument where blocks overlap or couple.
-  explicit Factorisation(const SparseMatrix& A, const std::vector<IndexRange>& blocks = {});
+  ///
+  /// With `sharing` the matrix is the sum of the A of all processes, each over the unknowns that it holds; so are
+  /// right-hand sides. All processes call everything alike, and each gets the solution in its unknowns. No block holds
+  /// a shared unknown.
+  explicit Factorisation(const SparseMatrix& A, const std::vector<IndexRange>& blocks = {},
+                         const Sharing& sharing = {});
   ~Factorisation();
   Factorisation(Factorisation&&) noexcept;
   Factorisation& operator=(Factorisation&&) noexcept;
@@ -36,6 +42,7 @@ class Factorisation {
   void solve(const Eigen::Ref<const Vector>& b, Eigen::Ref<Vector> x) const;
   /// X = A^-1 B. Several right-hand sides at once read the factor once for up to 8; each gets what it gets alone.
   Eigen::MatrixXd solve_columns(const Eigen::MatrixXd& B) const;
+  /// Of the unknowns that this process holds, of the whole matrix.
   Inertia inertia() const;
   /// Entries of the factor L as stored, with what pads it; a solve streams through them twice. Without the blocks.
   long n_factor_entries() const;

@@ -24,15 +24,16 @@ struct MeshAccuracy {
 
 /// A scene on its mesh, compiled, before anything is solved.
 struct CompiledCase {
-  Scene scene;                      ///< as solved: with everything decided that the case leaves open
-  std::vector<Decision> decisions;  ///< about its regions
+  Scene scene;                                 ///< as solved: with everything decided that the case leaves open
+  std::vector<Decision> decisions;             ///< about its regions
+  std::shared_ptr<const Processes> processes;  ///< that the system is divided among; null: whole
   std::shared_ptr<const Mesh> mesh;
   std::unique_ptr<Space> space;
   std::unique_ptr<Unknowns> unknowns;
   CompiledScene compiled;
-  std::vector<bool> absent;         ///< cells left out
-  SoilState soil_state;             ///< what differs from cell to cell
-  std::optional<SoilSummary> soil;  ///< where the soil has been settled by the strain of the response
+  std::vector<bool> absent;              ///< cells left out
+  SoilState soil_state;                  ///< what differs from cell to cell
+  std::optional<SoilSummary> soil;       ///< where the soil has been settled by the strain of the response
   std::optional<MeshAccuracy> accuracy;  ///< where the mesh was made for the tolerance
   Timing timing;
 };
@@ -42,11 +43,12 @@ struct CompiledCase {
 void check_size(const Case& input);
 
 /// Meshes, checks (its size too) and compiles. Throws InputError with all objections at their places in the case.
-/// `mesh`: of this very case, where it has been read already; not
-/// for a mesh that the tolerance makes.
-CompiledCase compile_case(const Case& input, std::shared_ptr<const Mesh> mesh = nullptr);
+/// `mesh`: of this very case, where it has been read already; not for a mesh that the tolerance makes. `processes`, who
+/// all call this: to divide the system among.
+CompiledCase compile_case(const Case& input, std::shared_ptr<const Mesh> mesh = nullptr,
+                          std::shared_ptr<const Processes> processes = nullptr);
 
-/// Compiles the scene anew with other soil on the same cells.
+/// Compiles the scene anew with other soil on the same cells, for its processes undivided: see compile().
 void recompile(CompiledCase& scene, const SoilState& soil);
 
 /// What was solved.

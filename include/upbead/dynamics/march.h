@@ -39,8 +39,9 @@ struct MarchOptions {
 };
 
 /// Marches from x = x' = 0 at t = 0, where loads count as 0; a load that jumps at a step's end is recorded with its
-/// value before the jump. Throws NumericsError where a value is not finite, std::invalid_argument where stop_at_energy
-/// is asked of a scheme that keeps no account of energy.
+/// value before the jump. Of a divided system, readings and energies are those of the whole, on every process; an
+/// observer sees this process's states. Throws NumericsError where a value is not finite, std::invalid_argument where
+/// stop_at_energy is asked of a scheme that keeps no account of energy, or of a divided system.
 Response march(const System& system, Scheme& scheme, const TimeGrid& grid, const MarchOptions& options = {});
 
 }  // namespace upbead

@@ -12,8 +12,9 @@
 namespace upbead {
 
 /// Fills M, C, K and the radiation of `system`; `forces`, where given, collects what ground and water say about the
-/// caisson's nodes.
+/// caisson's nodes. With `own`, by active cell index, what is filled in is of these cells, their faces, and the bodies
+/// where `with_bodies`; `forces` collects all.
 void assemble(const Scene& scene, const Space& space, const Unknowns& unknowns, const std::vector<Body>& bodies,
-              CaissonForces* forces, System& system);
+              CaissonForces* forces, System& system, const std::vector<bool>& own = {}, bool with_bodies = true);
 
 }  // namespace upbead

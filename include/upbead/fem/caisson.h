@@ -34,6 +34,8 @@ class NodalReaction {
 
   /// Adds a cell or a face that does not belong to the caisson.
   void add(const CellMatrices& cell, const std::vector<dealii::types::global_dof_index>& dofs);
+  /// Whether some of these degrees of freedom move with the caisson, so that there is something to add.
+  bool has_any(const std::vector<dealii::types::global_dof_index>& dofs) const;
   /// Work of nodal forces on the caisson's nodes in a unit motion (about the bottom's centre).
   double work(int motion, unsigned dof, double force) const { return motions_[dof][motion] * force; }
   Row position(int motion) const { return to_row(K_[motion]); }

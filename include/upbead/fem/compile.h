@@ -21,8 +21,9 @@ struct CompiledScene {
   std::vector<LoadOnCaisson> loads_on_caisson;  ///< one per system load
 };
 
-/// Assembles M, C, K, the loads and all readings. The scene must have passed check_scene on this mesh.
-CompiledScene compile(const Scene& scene, const Space& space, const Unknowns& unknowns,
-                      const std::vector<Body>& bodies);
+/// Assembles M, C, K, the loads and all readings. The scene must have passed check_scene on this mesh. With `processes`
+/// the matrices are those of this process's cells (partition.h), which the system is yet to be divided by.
+CompiledScene compile(const Scene& scene, const Space& space, const Unknowns& unknowns, const std::vector<Body>& bodies,
+                      const Processes* processes = nullptr);
 
 }  // namespace upbead

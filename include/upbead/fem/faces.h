@@ -32,6 +32,7 @@ void for_each_wet_face(const Space& space, const std::function<void(const WetFac
 
 /// What one face adds to M and C, over the degrees of freedom of its cells and, after them, prescribed unknowns.
 struct FaceTerms {
+  unsigned cell = 0;  ///< active index of the cell that it counts to: of a wet face, the water's
   CellMatrices matrices;
   std::vector<dealii::types::global_dof_index> dofs;
   std::vector<int> prescribed;

@@ -19,6 +19,7 @@ class Unknowns {
   Unknowns(const Space& space, const Scene& scene, const std::vector<Body>& bodies);
 
   int size() const { return static_cast<int>(field_.size()); }
+  int n_free() const { return size() - n_prescribed(); }
   const Row& expansion(unsigned dof) const { return expansion_[dof]; }
   const std::vector<Field>& field() const { return field_; }
   const std::vector<IndexRange>& blocks() const { return blocks_; }

@@ -20,6 +20,7 @@ struct Discretisation {
   int steps = 0;
   int solves = 0;
   int factorisations = 0;
+  int processes = 1;
 };
 
 /// How good a reduced model is: the differences of two nested ones, which the larger one undercuts.

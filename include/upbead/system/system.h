@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "upbead/algebra/processes.h"
 #include "upbead/algebra/sparse.h"
 #include "upbead/base/time_function.h"
 
@@ -50,7 +51,9 @@ struct System {
   std::vector<Field> field;        ///< one per unknown
   std::vector<IndexRange> blocks;  ///< unknowns that couple inside one cell only (W), eliminated before factorising
   int n_prescribed = 0;
+  Sharing sharing;  ///< of the free unknowns with other processes; see part.h for what is then a sum over them
 
+  bool is_divided() const { return sharing.processes != nullptr; }
   int size() const { return static_cast<int>(field.size()); }
   int n_free() const { return size() - n_prescribed; }
   /// Index of the reading of that name; throws std::out_of_range where there is none.

@@ -1,0 +1,18 @@
+// One run on several processes.
+#pragma once
+
+#include <functional>
+
+#include "upbead/algebra/processes.h"
+#include "upbead/app/case.h"
+
+namespace upbead {
+
+/// Throws InputError at the keys of a case that ask for what is not done on several processes.
+void check_processes(const Case& input);
+
+/// Calls work(); where it fails on one of the processes, says so once and ends them all, as the others would wait for
+/// that one for ever. Alone (null), exceptions pass.
+void run_together(const Processes* processes, const std::function<void()>& work);
+
+}  // namespace upbead

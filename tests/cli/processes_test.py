@@ -1,0 +1,110 @@
+#!/usr/bin/python3
+"""One run on several processes.
+
+usage: processes_test.py PROGRAM CASES_FOLDER
+"""
+
+import json
+import subprocess
+import sys
+import unittest
+
+import h5py
+import numpy as np
+
+from program import CASES, PROGRAM, ProgramTest
+
+CASE = CASES / "fig2b-prototype.toml"
+# without symmetry, which makes readings vanish; every kind of flow and side; an elastic caisson softer than concrete,
+# as the round-off of accelerations grows with the stiffness
+SCENE = ["mesh.parameters.cells=0.4", "mesh.parameters.mound_crest_front=11", "time.scheme=sdirk4", "time.end=0.5"]
+SCENES = {
+    "rigid": ["regions.mound.flow=inertial", "regions.seabed.flow=darcy"],
+    "elastic": ["regions.caisson={kind='solid', youngs_modulus=1e9, poissons_ratio=0.2, density=2100, "
+                "deformation='elastic'}",
+                "boundaries.right={displacement='absorbing', pressure='sealed'}"],
+    "prescribed": ["mesh.parameters.sea_front=0", "mesh.parameters.sea_back=0",
+                   "loads.wave={boundary='bed', kind='pressure', pulse={shape='half_sine', peak=20e3, duration=0.3}}",
+                   "time.scheme=generalised_alpha", "time.step=4e-3"],
+}
+
+
+def mpirun(n, *arguments, cwd):
+    # a container may forbid to bind and to copy between processes
+    launch = ["mpirun", "--quiet", "-n", n, "--allow-run-as-root", "--oversubscribe", "--bind-to", "none", "--mca",
+              "btl_vader_single_copy_mechanism", "none"]
+    return subprocess.run([*map(str, launch), PROGRAM, *map(str, arguments)], cwd=cwd, capture_output=True, text=True,
+                          timeout=300)
+
+
+def with_keys(keys):
+    return [word for key in keys for word in ("--set", key)]
+
+
+class Processes(ProgramTest):
+    def run_on(self, n, *keys):
+        done = mpirun(n, "run", CASE, *with_keys([*SCENE, *keys]), "--out", f"on{n}", "--json", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        summary = json.loads(done.stdout)
+        self.assertEqual(summary["discretisation"]["processes"], n)
+        return summary
+
+    def histories(self, n):
+        with h5py.File(self.folder / f"on{n}" / "results.h5") as file:
+            found = {}
+
+            def keep(name, item):
+                if isinstance(item, h5py.Dataset):
+                    found[name] = item[()], (name.rpartition("/")[0], item.attrs["unit"])
+
+            file["history"].visititems(keep)
+            return found
+
+    def expect_same_history(self, n):
+        """Up to 1e-9 of the largest history of one unit in a group, of which the others have their round-off."""
+        alone = self.histories(1)
+        for name, (values, kind) in self.histories(n).items():
+            peak = max(np.abs(others).max() for others, other_kind in alone.values() if other_kind == kind)
+            self.assertLessEqual(np.abs(values - alone[name][0]).max(), 1e-9 * peak, f"{name} on {n}")
+        shear, peak = (np.abs(each).max() for each in (self.histories(n)["shear_force"][0] - alone["shear_force"][0],
+                                                       alone["shear_force"][0]))
+        self.assertLess(shear, 1e-9 * peak)
+
+    def test_gives_the_same_answer(self):
+        for scene, keys in SCENES.items():
+            with self.subTest(scene):
+                alone = self.run_on(1, *keys)
+                for n in (2, 4):
+                    summary = self.run_on(n, *keys)
+                    self.expect_same_history(n)
+                    for key in ("cells", "unknowns", "steps", "solves", "factorisations"):
+                        self.assertEqual(summary["discretisation"][key], alone["discretisation"][key])
+                    peaks = [each["response"]["peak_shear"] for each in (summary, alone)]
+                    self.assertAlmostEqual(peaks[0] / peaks[1], 1, delta=1e-9)
+                    self.assertLess(summary["response"]["reaction_mismatch"], 1e-9)
+                    self.assertLess(summary["response"]["energy_mismatch"], 1e-9)
+                    for part in ("work", "kinetic", "strain", "fluid", "drag", "damping", "radiated"):
+                        self.assertAlmostEqual(summary["energy"][part], alone["energy"][part],
+                                               delta=1e-9 * alone["energy"]["work"])
+
+    def test_marches_by_itself_and_finds_the_same_mesh(self):
+        keys = ["time.scheme=auto", "mesh.refine='auto'", "mesh.parameters.cells=0.3", "accuracy.tolerance=0.03"]
+        alone, both = (self.run_on(n, *keys, *more) for n, more in ((1, ["time.scheme=sdirk4"]), (2, [])))
+        self.assertEqual(both["discretisation"]["scheme"], "sdirk4")
+        self.assertEqual(both["discretisation"]["unknowns"], alone["discretisation"]["unknowns"])
+        self.expect_same_history(2)
+        self.assertAlmostEqual(both["response"]["error_estimate"] / alone["response"]["error_estimate"], 1, delta=1e-6)
+
+    def test_says_once_what_is_not_done(self):
+        for key, what in (("time.scheme=reduced", "no reduced model"), ("output.fields.every=0.1", "no fields"),
+                          ("time.stop_at_energy=0.01", "no run stops early"),
+                          ("regions.mound.porosity=2", "is outside (0, 1)")):
+            done = mpirun(2, "run", CASE, *with_keys([*SCENE, key]), "--out", "none", cwd=self.folder)
+            self.assertEqual(done.returncode, 1, done.stderr)
+            self.assertEqual(done.stdout, "")
+            self.assertEqual(done.stderr.count(what), 1, done.stderr)
+            self.assertEqual(self.left_behind(), [])
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1], verbosity=2)
