@@ -16,7 +16,6 @@ namespace {
 /// (docs/performance.md).
 constexpr int adapted_degree = 3;
 
-
 /// Makes the histories of all sound loads.
 void make_histories(Case& problem, CaseTables& tables, InputReport& report) {
   for (auto& [name, table] : tables.load_tables) {

@@ -22,15 +22,15 @@ struct ReductionAim {
   std::optional<int> most_vectors;  ///< per independent load, where the default is not meant
 };
 
-/// The shift of a scene's Krylov space (1/s): 1.25 times 2 pi over the shortest duration of its loads, 1.75 times where a
-/// soil has no material damping. Measured in docs/reduced.md.
+/// The shift of a scene's Krylov space (1/s): 1.25 times 2 pi over the shortest duration of its loads, 1.75 times where
+/// a soil has no material damping. Measured in docs/reduced.md.
 double krylov_shift(const Scene& scene);
 
-/// Reduces a scene for all its loads, at krylov_shift. The history of F_T must meet the scene's tolerance, all other readings, unless only
-/// F_T is aimed at, 10 times as much, 20 times where a soil is not damped. Without a caisson all readings meet the
-/// tolerance. It is the smaller of two nested models that misses by so much; the larger one, which is kept, is better
-/// where the space converges quickly, and about as good where it does not. `progress`: called with 0 to 1 after every
-/// solve. Throws NumericsError.
+/// Reduces a scene for all its loads, at krylov_shift. The history of F_T must meet the scene's tolerance, all other
+/// readings, unless only F_T is aimed at, 10 times as much, 20 times where a soil is not damped. Without a caisson all
+/// readings meet the tolerance. It is the smaller of two nested models that misses by so much; the larger one, which is
+/// kept, is better where the space converges quickly, and about as good where it does not. `progress`: called with 0 to
+/// 1 after every solve. Throws NumericsError.
 Reduction reduce_scene(const Scene& scene, const CompiledScene& compiled, const ReductionAim& aim,
                        const std::function<void(double)>& progress = {});
 

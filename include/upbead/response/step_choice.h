@@ -19,8 +19,8 @@ struct LoadStep {
 };
 
 /// A fraction of the loads' shortest duration, by the tolerance on peak F_T and the order of the scheme; measured in
-/// docs/performance.md. Where a load jumps, the duration is the shortest of those stated and of twice the least distance
-/// of two kinks (of any load).
+/// docs/performance.md. Where a load jumps, the duration is the shortest of those stated and of twice the least
+/// distance of two kinks (of any load).
 LoadStep step_of_loads(const Scene& scene, int order);
 
 struct StepChoice {
