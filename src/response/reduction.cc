@@ -31,12 +31,6 @@ bool is_damped(const Scene& scene) {
   });
 }
 
-std::vector<TimeFunction> histories(const System& system) {
-  std::vector<TimeFunction> list;
-  for (const SystemLoad& load : system.loads) list.push_back(load.history);
-  return list;
-}
-
 }  // namespace
 
 std::vector<double> response_times(const Scene& scene, const System& system) {
@@ -55,6 +49,12 @@ std::vector<double> response_times(const Scene& scene, const System& system) {
   return time;
 }
 
+SampledLoads sampled_loads(const Scene& scene, const System& system) {
+  std::vector<TimeFunction> histories;
+  for (const SystemLoad& load : system.loads) histories.push_back(load.history);
+  return sample(histories, response_times(scene, system));
+}
+
 double krylov_shift(const Scene& scene) {
   return (is_damped(scene) ? shift_damped : shift_undamped) * boost::math::constants::two_pi<double>() /
          step_of_loads(scene, order).duration;
@@ -67,7 +67,7 @@ Reduction reduce_scene(const Scene& scene, const CompiledScene& compiled, const 
   const bool damped = is_damped(scene);
   options.shift = krylov_shift(scene);
   options.exact = compiled.body_coordinates;
-  options.training = sample(histories(system), response_times(scene, system));
+  options.training = sampled_loads(scene, system);
   options.tolerance = scene.tolerance;
   options.tolerance_of_others = (damped ? others_damped : others_undamped) * scene.tolerance;
   if (aim.only_shear) options.tolerance_of_others = std::numeric_limits<double>::infinity();
@@ -100,7 +100,7 @@ void require_converged(const Reduction& reduction) {
 
 Response respond(const Reduction& reduction, const Scene& scene, const System& system) {
   Response response;
-  response.ends = respond(reduction.model, sample(histories(system), response_times(scene, system)));
+  response.ends = respond(reduction.model, sampled_loads(scene, system));
   response.balanced = response.ends;
   response.order = order;
   response.n_steps = static_cast<int>(response.ends.time.size()) - 1;

@@ -18,12 +18,6 @@ constexpr int n_frequencies = 10, vectors_per_load = 20;
 constexpr double pi = boost::math::constants::pi<double>();
 constexpr double decay = 2., spacing = pi;  // both over the duration
 
-SampledLoads sampled_loads(const Scene& scene, const System& system) {
-  std::vector<TimeFunction> list;
-  for (const SystemLoad& load : system.loads) list.push_back(load.history);
-  return sample(list, response_times(scene, system));
-}
-
 }  // namespace
 
 Complex evaluate(const Reading& reading, const Eigen::VectorXcd& X, Complex s, const Eigen::VectorXcd& F) {

@@ -15,6 +15,9 @@ namespace upbead {
 /// that the case gives, which meet all kinks, and the samples of measured records.
 std::vector<double> response_times(const Scene& scene, const System& system);
 
+/// The scene's own loads at those times.
+SampledLoads sampled_loads(const Scene& scene, const System& system);
+
 /// What a model is to be good for.
 struct ReductionAim {
   bool only_shear = false;          ///< F_T alone, not all readings
