@@ -44,6 +44,7 @@ void make_histories(Case& problem, CaseTables& tables, InputReport& report) {
 void make_sliding(const Case& problem, CaseTables& tables, InputReport& report) {
   if (!tables.sliding_table || !report.sound("sliding")) return;
   tables.sliding = *tables.sliding_table;
+  if (!problem.document.find("sliding.friction")) tables.sliding->friction = contact_friction(tables);
   if (!tables.sliding_table->uplift_table) return;
   tables.sliding->uplift = *tables.sliding_table->uplift_table;
   const std::string& file = tables.sliding_table->uplift_table->history_file;

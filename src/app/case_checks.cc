@@ -69,6 +69,7 @@ std::string beyond_a_reduced_model(const CaseTables& tables) {
   add(tables.fields_every.has_value(), "it gives no fields");
   add(tables.time.stop_at_energy.has_value(), "it keeps no account of energy to stop by");
   add(!tables.time.inertia, "it needs inertia");
+  add(has_frictional_contact(tables), "it does not slip node by node");
   return text;
 }
 }  // namespace
@@ -80,6 +81,10 @@ void check_time(const CaseTables& tables, const Document& document, InputReport&
     report.add("time", document.place("time.step"),
                "step = " + number_text(*time.step) + " is longer than end = " + number_text(time.end),
                "give a shorter step (s), or \"auto\"");
+  if (time.scheme == TimeScheme::generalised_alpha && report.sound("regions") && has_frictional_contact(tables))
+    report.add("time", document.place("time.scheme"),
+               "scheme = \"generalised_alpha\" does not follow friction at the caisson's bottom",
+               "write scheme = \"auto\"");
   if (time.scheme != TimeScheme::reduced) return;
   if (const std::string beyond = beyond_a_reduced_model(tables); !beyond.empty())
     report.add("time", document.place("time.scheme"),

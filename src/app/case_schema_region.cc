@@ -61,6 +61,20 @@ TableSchema<StrainLaw> strain_law_schema() {
   return table;
 }
 
+TableSchema<ContactLaw> contact_schema() {
+  TableSchema<ContactLaw> table;
+  table.choice("kind", &ContactLaw::kind, contact_kind_words)
+      .doc("tied: it neither slips nor lifts; friction: Coulomb friction and no tension, node by node");
+  table.key("coefficient", &ContactLaw::coefficient)
+      .range(above(0.))
+      .fallback("friction of [sliding], or 0.6")
+      .doc("friction coefficient mu")
+      .when(
+          "kind", [](const ContactLaw& law) { return law.kind == ContactKind::friction; },
+          "where the contact is by friction");
+  return table;
+}
+
 /// Marks a key as belonging to some kinds of region only.
 void limit(Entry<Region>& entry) {
   std::vector<std::string> kinds;
@@ -106,6 +120,8 @@ void declare_mass(TableSchema<Region>& table) {
             .range(above(0.))
             .fallback("that of the area, evenly filled")
             .doc("moment of inertia about the centre of gravity"));
+  limit(table.table("interface", &Region::interface, contact_schema())
+            .doc("How the bottom of the region caisson stands on its ground; tied without this table."));
 }
 
 void declare_pores(TableSchema<Region>& table) {

@@ -59,6 +59,13 @@ BottomForces bottom_forces(const Scene& scene, const CompiledScene& compiled, co
   return forces;
 }
 
+std::optional<EqualImpulse> equal_impulse(double mass, const HistorySliding& history) {
+  if (!history.own || !history.own->by_impulse) return std::nullopt;
+  const TriangularPulse pulse{history.peak_force, *history.own->by_impulse};
+  return EqualImpulse{pulse.duration, sliding_distance_paper(mass, history.resistance, pulse),
+                      sliding_distance_exact(mass, history.resistance, pulse)};
+}
+
 PulseSliding pulse_sliding(const SlidingWave& wave, double mass, const HistorySliding& history) {
   PulseSliding s;
   s.standing_duration = standing_duration(wave.height, wave.depth, wave.period);
@@ -100,6 +107,11 @@ void check_sliding(const Case& input, const CompiledScene& compiled) {
   mistakes.throw_if_any();
 }
 
+TimeFunction prescribed_uplift(const Scene& scene, const CompiledScene& compiled, const std::vector<double>& time) {
+  const ForceHistory U = prescribed(*scene.sliding->uplift, force_on_caisson(compiled), time);
+  return piecewise_linear(U.time, U.value);
+}
+
 std::optional<SlidingSummary> sliding_of(const Scene& scene, const CompiledScene& compiled, const Response& response) {
   if (!scene.sliding || !compiled.caisson) return std::nullopt;
   const SlidingChoice& choice = *scene.sliding;
@@ -112,6 +124,7 @@ std::optional<SlidingSummary> sliding_of(const Scene& scene, const CompiledScene
   const double mass = s.weight / scene.gravity;
   const BaseHistory base = read_base_history(compiled, response, scene.time.inertia);
   s.history = slide_history(bottom_forces(scene, compiled, base), {mass, s.friction, s.buoyant_weight, s.drag});
+  s.equal_impulse = equal_impulse(mass, s.history);
   if (choice.wave) s.pulse = pulse_sliding(*choice.wave, mass, s.history);
   return s;
 }

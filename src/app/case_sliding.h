@@ -9,6 +9,9 @@ namespace upbead {
 /// not below W, an uplift of pore pressure where the bottom meets none.
 void check_sliding(const Case& input, const CompiledScene& compiled);
 
+/// U(t) of a prescribed uplift, straight between times of which these are the least (N/m).
+TimeFunction prescribed_uplift(const Scene& scene, const CompiledScene& compiled, const std::vector<double>& time);
+
 /// None without [sliding].
 std::optional<SlidingSummary> sliding_of(const Scene& scene, const CompiledScene& compiled, const Response& response);
 

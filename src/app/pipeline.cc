@@ -1,16 +1,17 @@
 #include "upbead/app/pipeline.h"
 
 #include "accuracy/adapt.h"
-#include "accuracy/error_account.h"
 #include "case_sliding.h"
 #include "compile_on.h"
+#include "contact/contact_report.h"
+#include "contact/contact_run.h"
+#include "contact/coupled_sliding.h"
 #include "size_check.h"
 #include "solve.h"
 #include "upbead/app/equivalent_linear.h"
 #include "upbead/base/stopwatch.h"
 #include "upbead/base/text.h"
 #include "upbead/fem/scene_check.h"
-#include "upbead/response/scheme_choice.h"
 #include "upbead/system/part.h"
 
 namespace upbead {
@@ -38,7 +39,8 @@ CompiledCase compile_meshed(const Case& input, std::shared_ptr<const Mesh> mesh,
 /// On the mesh that all processes have found alike, each for itself.
 CompiledCase compile_adapted_among(const Case& input, std::shared_ptr<const Processes> processes) {
   CompiledCase scene = compile_adapted(input);
-  if (!processes) return scene;
+  scene.with_interface = has_frictional_contact(scene.scene);
+  if (!processes && !scene.with_interface) return scene;
   const Stopwatch watch;
   scene.processes = std::move(processes);
   recompile(scene, scene.soil_state);
@@ -73,6 +75,7 @@ CompiledCase compile_on(const Case& input, std::shared_ptr<const Mesh> mesh,
   out.scene = std::move(resolved.scene);
   out.decisions = std::move(resolved.decisions);
   out.absent = std::move(resolved.absent);
+  out.with_interface = input.scene.mesh.refine && has_frictional_contact(out.scene);
   recompile(out, resolved.soil);
   check_sliding(input, out.compiled);
   out.timing.compile = compile_watch.seconds();
@@ -84,24 +87,26 @@ void recompile(CompiledCase& scene, const SoilState& soil) {
   scene.soil_state = soil;
   scene.space = std::make_unique<Space>(*scene.mesh, scene.scene, scene.absent, soil);
   const std::vector<Body> bodies = rigid_bodies(*scene.space);
-  scene.unknowns = std::make_unique<Unknowns>(*scene.space, scene.scene, bodies);
-  scene.compiled = compile(scene.scene, *scene.space, *scene.unknowns, bodies, scene.processes.get());
+  const std::vector<InterfaceNode> nodes =
+      scene.with_interface ? interface_nodes(*scene.space) : std::vector<InterfaceNode>();
+  scene.unknowns = std::make_unique<Unknowns>(*scene.space, scene.scene, bodies, nodes);
+  scene.compiled = compile(scene.scene, *scene.space, *scene.unknowns, bodies, scene.processes.get(), nodes);
 }
 
 Run run_case(const Case& input, CompiledCase& scene, const MarchOptions& marching,
              const std::function<void(double)>& reducing) {
   settle_soil(input, scene, reducing);
-  SchemeChoice choice = choose_scheme(scene.scene, scene.compiled);
-  std::optional<Run> run;
-  if (choice.scheme == TimeScheme::reduced) run = run_reduced(input, scene, choice, reducing);
-  if (!run) run = run_march(input, scene, choice, marching);
-  run->summary.title = input.scene.title;
-  run->summary.sliding = sliding_of(input.scene, scene.compiled, run->response);
-  run->summary.soil = scene.soil;
-  if (scene.accuracy && run->summary.response) run->summary.error = estimate_error(input, scene, *run);
-  run->summary.loads = scene.compiled.loads_on_caisson;
-  run->summary.skipped = skipped(input, scene, run->summary.reduction.has_value());
-  return std::move(*run);
+  Run run = scene.compiled.system.interface ? run_contact(input, scene, marching, reducing)
+                                            : run_glued(input, scene, marching, reducing);
+  run.summary.title = input.scene.title;
+  run.summary.soil = scene.soil;
+  run.summary.loads = scene.compiled.loads_on_caisson;
+  run.summary.skipped = skipped(input, scene, run.summary.reduction.has_value());
+  if (run.summary.sliding)
+    for (Skipped& item : skipped(*run.summary.sliding)) run.summary.skipped.push_back(std::move(item));
+  if (run.summary.contact && !run.summary.contact->solved)
+    run.summary.skipped.push_back({"contact node by node", why_glued(*run.summary.contact)});
+  return run;
 }
 
 std::vector<Skipped> skipped(const Case& input, const CompiledCase& scene, bool reduced) {

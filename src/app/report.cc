@@ -5,7 +5,9 @@
 #include <cstdarg>
 #include <cstdio>
 
+#include "contact/contact_report.h"
 #include "sliding_report.h"
+#include "upbead/base/text.h"
 #include "upbead/model/words.h"
 #include "upbead/response/scheme_choice.h"
 
@@ -117,6 +119,10 @@ std::string describe(const Case& input, const CompiledCase& scene) {
   text += "loads\n" + describe_loads(scene);
   const SchemeChoice choice = choose_scheme(scene.scene, scene.compiled);
   text += "in time     " + word_of(choice.scheme, time_scheme_words) + ": " + choice.reason + "\n";
+  if (scene.compiled.system.interface)
+    text += "contact     friction " + significant(contact_friction(scene.scene)) + " at " +
+            std::to_string(scene.compiled.system.interface->n_nodes()) +
+            " nodes; followed where the glued caisson would slip or lift at one of them\n";
   text += "skipped\n";
   for (const Skipped& item : skipped(input, scene, choice.scheme == TimeScheme::reduced))
     text += "  " + item.what + ": " + item.why + "\n";
@@ -143,6 +149,7 @@ std::string describe(const Run& run) {
   }
   if (run.summary.error) text += describe(*run.summary.error);
   if (run.summary.soil) text += describe(*run.summary.soil);
+  if (run.summary.contact) text += describe(*run.summary.contact);
   if (run.summary.sliding) text += describe(*run.summary.sliding);
   text +=
       format("time        mesh %.2f s, compile %.2f s, factorise %.2f s, march %.2f s, output %.2f s, total %.2f s\n",

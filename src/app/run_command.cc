@@ -28,6 +28,30 @@ std::vector<History> histories(const System& system, const Series& series) {
   return list;
 }
 
+/// What the nodes of the caisson's bottom did, at the times of /history/time.
+std::vector<History> node_tables(const std::optional<ContactHistory>& contact) {
+  if (!contact) return {};
+  const std::size_t n = contact->position.size();
+  const std::string nodes = " by time and node of the caisson's bottom";
+  return {{"interface/position", "m", "x of the nodes of the caisson's bottom", contact->position},
+          {"interface/length", "m", "length that each node stands for: a force over it is a stress", contact->length},
+          {"interface/slip", "m", "slip, landward," + nodes, contact->slip, n},
+          {"interface/opening", "m", "opening," + nodes, contact->opening, n},
+          {"interface/shear_force", "N/m", "shear force on the ground, landward," + nodes, contact->shear_force, n},
+          {"interface/normal_force", "N/m", "effective normal force," + nodes, contact->normal_force, n}};
+}
+
+/// The caisson that slips as a whole, at times of its own.
+std::vector<History> coupled_tables(const std::optional<CoupledHistoryTable>& coupled) {
+  if (!coupled) return {};
+  return {{"coupled/time", "s", "time", coupled->time},
+          {"coupled/shear_force", "N/m", "F_T of the caisson that slips as a whole", coupled->shear_force},
+          {"coupled/normal_force", "N/m", "N' that its friction acts on", coupled->normal_force},
+          {"coupled/slip", "m", "its slip s over the mound, landward", coupled->slip},
+          {"coupled/slip_velocity", "m/s", "s'", coupled->velocity},
+          {"coupled/displacement_x", "m", "x_G, the slip included, landward", coupled->displacement}};
+}
+
 bool is_field_time(double time, double every) {
   return std::abs(time / every - std::round(time / every)) < 1e-6;
 }
@@ -88,7 +112,9 @@ std::string write(const Case& input, const System& system, Run& run, const Field
                   const Stopwatch& since_start, OutputFolder& folder) {
   const Stopwatch watch;
   fields.finish();
-  folder.write("results.h5", result_file(input.scene.title, histories(system, run.response.ends)));
+  std::vector<History> tables = node_tables(run.contact);
+  for (History& table : coupled_tables(run.coupled)) tables.push_back(std::move(table));
+  folder.write("results.h5", result_file(input.scene.title, histories(system, run.response.ends), tables));
   folder.write("case.toml", effective_case(input, folder.name()));
   run.summary.timing.march -= fields.seconds();
   run.summary.timing.output = watch.seconds() + fields.seconds();

@@ -18,6 +18,7 @@ void check_processes(const Case& input) {
   refuse(scene.time.scheme == TimeScheme::reduced, "time.scheme", "no reduced model is made");
   refuse(scene.time.stop_at_energy.has_value(), "time.stop_at_energy", "no run stops early");
   refuse(scene.fields_every.has_value(), "output.fields", "no fields are written");
+  refuse(has_frictional_contact(scene), "regions.caisson.interface", "no contact is solved");
   for (const auto& [name, region] : scene.regions)
     refuse(region.strain_law.has_value(), "regions." + name + ".strain", "soil does not follow its strain");
   mistakes.throw_if_any();

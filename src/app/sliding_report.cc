@@ -16,6 +16,10 @@ std::string distances(const SlidingSummary& s) {
   std::string text = "  S           " + with_unit(slid.residual, "m") + " by eq. (4) on F_T(t), in " +
                      std::to_string(slid.slips.size()) + (slid.slips.size() == 1 ? " slip" : " slips") +
                      "; with the vertical motion in N' " + with_unit(s.history.with_normal_force.residual, "m") + "\n";
+  if (s.coupled)
+    text += "  S, coupled  " + with_unit(s.coupled->slip.residual, "m") +
+            " slipping as a whole on its ground; F_T up to " + with_unit(s.coupled->peak_shear, "N/m") +
+            ", N' down to " + with_unit(s.coupled->least_normal, "N/m") + "\n";
   if (s.pulse)
     text += "  S_CAL       " + with_unit(s.pulse->paper, "m") +
             " by eq. (7) with tau_0 = " + seconds(s.pulse->duration) + " (k = " + significant(s.pulse->factor) +

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>
 
+#include "accuracy/error_account.h"
+#include "case_sliding.h"
+#include "contact/coupled_sliding.h"
 #include "size_check.h"
 #include "upbead/base/error.h"
 #include "upbead/base/stopwatch.h"
@@ -54,31 +57,36 @@ ReductionSummary summary_of(const Reduction& r) {
 }
 
 Run run_march(const Case& input, const CompiledCase& scene, const SchemeChoice& choice, const MarchOptions& options) {
+  SchemeOptions scheme_options;
+  if (choice.scheme == TimeScheme::generalised_alpha) scheme_options.kind = SchemeKind::generalised_alpha;
+  const std::unique_ptr<Scheme> scheme = make_scheme(scene.compiled.system, scheme_options);
+  return march_by(*scheme, input, scene, choice.reason, options);
+}
+
+Run march_by(Scheme& scheme, const Case& input, const CompiledCase& scene, const std::string& reason,
+             const MarchOptions& options) {
   const System& system = scene.compiled.system;
   const TimeChoice& time = input.scene.time;
   Run run;
-  SchemeOptions scheme_options;
-  if (choice.scheme == TimeScheme::generalised_alpha) scheme_options.kind = SchemeKind::generalised_alpha;
-  const std::unique_ptr<Scheme> scheme = make_scheme(system, scheme_options);
   StepChoice step;
   step.largest_step = time.step.value_or(0.);
   step.reason = "given in the case";
   if (!time.step) {
-    step = choose_step(input.scene, scene.compiled, scheme->order());
+    step = choose_step(input.scene, scene.compiled, scheme.order());
     check_steps(input, step.largest_step, step.growth, step.reason);
   }
   const TimeGrid grid = make_time_grid(times_to_meet(input.scene, system), time.end, step.largest_step, step.growth);
 
   const Stopwatch watch;
-  run.response = march(system, *scheme, grid, options);
+  run.response = march(system, scheme, grid, options);
   run.summary.timing = scene.timing;
-  run.summary.timing.factorise = scheme->factorise_seconds() + step.seconds;
-  run.summary.timing.march = watch.seconds() - scheme->factorise_seconds();
+  run.summary.timing.factorise = scheme.factorise_seconds() + step.seconds;
+  run.summary.timing.march = watch.seconds() - scheme.factorise_seconds();
   run.response.n_factorisations += step.factorisations;
   run.response.n_solves += step.factorisations;
-  run.scheme_reason = choice.reason;
+  run.scheme_reason = reason;
   run.step_reason = step.reason;
-  summarise(input, scene, scheme->name(), run);
+  summarise(input, scene, scheme.name(), run);
   return run;
 }
 
@@ -105,6 +113,18 @@ std::optional<Run> run_reduced(const Case& input, const CompiledCase& scene, Sch
   summarise(input, scene, "reduced", run);
   run.summary.reduction = summary_of(reduction);
   return run;
+}
+
+Run run_glued(const Case& input, const CompiledCase& scene, const MarchOptions& marching,
+              const std::function<void(double)>& reducing) {
+  SchemeChoice choice = choose_scheme(scene.scene, scene.compiled);
+  std::optional<Run> run;
+  if (choice.scheme == TimeScheme::reduced) run = run_reduced(input, scene, choice, reducing);
+  if (!run) run = run_march(input, scene, choice, marching);
+  run->summary.sliding = sliding_of(input.scene, scene.compiled, run->response);
+  add_coupled_sliding(scene, *run, reducing);
+  if (scene.accuracy && run->summary.response) run->summary.error = estimate_error(input, scene, *run);
+  return std::move(*run);
 }
 
 }  // namespace upbead

@@ -12,6 +12,15 @@ namespace upbead {
 /// What people are told of a reduction.
 ReductionSummary summary_of(const Reduction& reduction);
 
+/// Solves by the way that the case asks for or that is least work, and reads F_T and the sliding; an interface must be
+/// glued.
+Run run_glued(const Case& input, const CompiledCase& scene, const MarchOptions& marching,
+              const std::function<void(double)>& reducing);
+
+/// Marches by that scheme, chosen for that reason.
+Run march_by(Scheme& scheme, const Case& input, const CompiledCase& scene, const std::string& reason,
+             const MarchOptions& options);
+
 /// Marches; `choice` is a scheme that does, the observer sees every step.
 Run run_march(const Case& input, const CompiledCase& scene, const SchemeChoice& choice, const MarchOptions& options);
 

@@ -10,6 +10,7 @@ namespace upbead {
 namespace {
 
 using detail::ModeTable;
+using detail::padded;
 using detail::SplitArray;
 
 /// The modes of one reading, and one more of pole 0 where it takes up integrals of loads.
@@ -27,14 +28,6 @@ OneReading one_reading(const ModalModel& model, int i) {
   one.load.topRows(n) = model.load;
   if (n_more > 0) one.load.row(n) = model.impulse.row(i).cast<std::complex<double>>();
   return one;
-}
-
-SplitArray padded(const Eigen::VectorXcd& values) {
-  const Eigen::Index n = (values.size() + ModeTable::lanes - 1) / ModeTable::lanes * ModeTable::lanes;
-  SplitArray split{Eigen::ArrayXd::Zero(n), Eigen::ArrayXd::Zero(n)};
-  split.re.head(values.size()) = values.real();
-  split.im.head(values.size()) = values.imag();
-  return split;
 }
 
 }  // namespace

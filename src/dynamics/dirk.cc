@@ -23,6 +23,14 @@ Tableau sdirk4_tableau() {
   return tableau;
 }
 
+Tableau friction_tableau() {
+  Tableau tableau{Eigen::MatrixXd(3, 3)};
+  tableau.a << 1. / 4., 0., 0.,  //
+      1. / 4., 1. / 4., 0.,      //
+      1. / 2., 1. / 4., 1. / 4.;
+  return tableau;
+}
+
 Dirk::Dirk(const System& system, Tableau tableau)
     : system_(system),
       loads_(system),
@@ -33,20 +41,21 @@ Dirk::Dirk(const System& system, Tableau tableau)
       stability_(tableau_.stability()),
       V_(system.size(), c_.size()),
       A_(system.size(), c_.size()),
-      a_(Vector::Zero(system.size())) {}
+      now_{{}, {}, {}, {}, Vector::Zero(system.size()), {}} {}
 
 void Dirk::predict(const State& state, double h, int stage) {
-  v_predicted_ = state.v;
-  x_ = state.x;
+  now_.v_predicted = state.v;
+  now_.x = state.x;
   for (int j = 0; j < stage; ++j) {
     const double weight = h * tableau_.a(stage, j);
-    v_predicted_ += weight * A_.col(j);
-    x_ += weight * V_.col(j);
+    now_.v_predicted += weight * A_.col(j);
+    now_.x += weight * V_.col(j);
   }
-  x_ += h * tableau_.gamma() * v_predicted_;
+  now_.x_explicit = now_.x.tail(system_.n_prescribed);
+  now_.x += h * tableau_.gamma() * now_.v_predicted;
 }
 
-void Dirk::step(State& state, double h, double inside, EffectiveMatrices& matrices, EnergyMeter* meter) {
+bool Dirk::step(State& state, double h, double inside, EffectiveMatrices& matrices, EnergyMeter* meter, StageLaw* law) {
   const double g = h * tableau_.gamma();
   const EffectiveMatrix& E = matrices.get({1., g, g * g});
   const int n_prescribed = system_.n_prescribed;
@@ -55,33 +64,37 @@ void Dirk::step(State& state, double h, double inside, EffectiveMatrices& matric
     loads_.sum(load_, f_);
     predict(state, h, i);
     if (n_prescribed > 0) {
-      loads_.prescribe(load_, a_);
-      a_.tail(n_prescribed) = (a_.tail(n_prescribed) - v_predicted_.tail(n_prescribed)) / g;
+      loads_.prescribe(load_, now_.a);
+      now_.a.tail(n_prescribed) = (now_.a.tail(n_prescribed) - now_.v_predicted.tail(n_prescribed)) / g;
     }
-    rhs_ = f_;
-    damping_and_stiffness_.subtract_products(v_predicted_, x_, rhs_);
-    E.solve(rhs_, a_);
-    v_ = v_predicted_ + g * a_;
-    x_ += g * g * a_;
-    V_.col(i) = v_;
-    A_.col(i) = a_;
-    if (meter != nullptr) meter->add_work(h * b_[i], v_, f_, x_, v_, a_);
+    now_.rhs = f_;
+    damping_and_stiffness_.subtract_products(now_.v_predicted, now_.x, now_.rhs);
+    if (law == nullptr) {
+      E.solve(now_.rhs, now_.a);
+      now_.move(g);
+    } else if (!law->solve(E, g, now_)) {
+      return false;
+    }
+    V_.col(i) = now_.v;
+    A_.col(i) = now_.a;
+    if (meter != nullptr) meter->add_work(h * b_[i], now_.v, f_, now_.x, now_.v, now_.a);
   }
   state.time += h;
-  state.x = x_;
-  state.v = v_;
-  state.a = a_;
+  state.x = now_.x;
+  state.v = now_.v;
+  state.a = now_.a;
   if (meter != nullptr) account(h, *meter);
+  return true;
 }
 
 void Dirk::account(double h, EnergyMeter& meter) {
   const int s = n_stages();
   block_.resize(system_.size(), s + 1);
   block_.leftCols(s) = A_;
-  block_.col(s) = v_;
+  block_.col(s) = now_.v;
   const FieldGrams mass = meter.mass(block_);
   block_.leftCols(s) = V_;
-  block_.col(s) = x_;
+  block_.col(s) = now_.x;
   const FieldGrams stiffness = meter.stiffness(block_);
   const Losses losses = meter.losses(block_);
   for (int i = 0; i < s; ++i) meter.add_losses(losses, i, h * b_[i]);

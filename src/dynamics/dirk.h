@@ -1,6 +1,7 @@
 // One step of a diagonally implicit Runge-Kutta scheme for a System.
 #pragma once
 
+#include "dirk_stage.h"
 #include "effective_matrix.h"
 #include "energy_meter.h"
 #include "load_sum.h"
@@ -22,6 +23,9 @@ struct Tableau {
 Tableau euler_tableau();
 /// Hairer & Wanner, Solving Ordinary Differential Equations II, table IV.6.5: order 4, 5 stages, L-stable.
 Tableau sdirk4_tableau();
+/// Order 2, 3 stages, L-stable; all weights are positive, so that a friction that takes power in every stage takes
+/// energy over the step. With w = 1/(1 - z/4) the stability function is R(z) = w^3 + w^2 - w.
+Tableau friction_tableau();
 
 /// Stages of x' = v, v' = a with M a_i + C v_i + K x_i = f_i, solved for accelerations: with g = h gamma,
 ///   v_i = vhat + g a_i,  x_i = xhat + g v_i,  (M + g C + g^2 K) a_i = f_i - C vhat - K (xhat + g vhat).
@@ -29,9 +33,10 @@ class Dirk {
  public:
   Dirk(const System& system, Tableau tableau);
 
-  /// Advances `state` by h with the loads of the piece that holds the time `inside`; `meter` may be null. Counts one
-  /// solve per stage.
-  void step(State& state, double h, double inside, EffectiveMatrices& matrices, EnergyMeter* meter);
+  /// Advances `state` by h with the loads of the piece that holds the time `inside`; `meter` may be null. One solve per
+  /// stage, or what `law` needs. False where the law gives up: then `state` is as before, the account is not.
+  bool step(State& state, double h, double inside, EffectiveMatrices& matrices, EnergyMeter* meter,
+            StageLaw* law = nullptr);
   int n_stages() const { return static_cast<int>(c_.size()); }
   /// Load values at the end of the last step.
   const std::vector<double>& load() const { return load_; }
@@ -48,8 +53,8 @@ class Dirk {
   Eigen::MatrixXd stability_;
   std::vector<double> load_;
   Eigen::MatrixXd V_, A_;  ///< stages, one per column
-  Vector x_, v_, a_;       ///< of the present stage
-  Vector v_predicted_, f_, rhs_;
+  DirkStage now_;
+  Vector f_;
   VectorBlock block_;
 };
 

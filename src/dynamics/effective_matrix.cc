@@ -38,6 +38,7 @@ EffectiveMatrix::EffectiveMatrix(const System& system, const EffectiveCoefficien
 EffectiveMatrix::EffectiveMatrix(const System& system, const SparseMatrix& E)
     : n_free_(system.n_free()),
       coupling_(free_rows_of_prescribed(E, n_free_)),
+      prescribed_(E.bottomRows(system.n_prescribed)),
       factors_(free_block(E, n_free_), system.blocks, system.sharing) {
   check_inertia(system);
 }
@@ -45,6 +46,7 @@ EffectiveMatrix::EffectiveMatrix(const System& system, const SparseMatrix& E)
 void EffectiveMatrix::refactor(const System& system, const EffectiveCoefficients& coefficients) {
   const SparseMatrix E = combine(system, coefficients);
   coupling_ = free_rows_of_prescribed(E, n_free_);
+  prescribed_ = E.bottomRows(system.n_prescribed);
   factors_.refactor(free_block(E, n_free_));
   check_inertia(system);
 }
@@ -61,6 +63,17 @@ void EffectiveMatrix::check_inertia(const System& system) const {
 void EffectiveMatrix::solve(Vector& rhs, Vector& y) const {
   if (coupling_.cols() > 0) rhs.head(n_free_) -= coupling_ * y.tail(coupling_.cols());
   factors_.solve(rhs.head(n_free_), y.head(n_free_));
+}
+
+Vector EffectiveMatrix::residual_of_last(int n, const Vector& rhs, const Vector& y) const {
+  return prescribed_.bottomRows(n) * y - rhs.tail(n);
+}
+
+Eigen::MatrixXd EffectiveMatrix::condensed_on_last(int n) const {
+  const Eigen::MatrixXd columns = coupling_.rightCols(n);
+  const Eigen::MatrixXd own = SparseMatrix(prescribed_.bottomRows(n)).rightCols(n);
+  const Eigen::MatrixXd D = own - columns.transpose() * factors_.solve_columns(columns);
+  return 0.5 * (D + D.transpose());
 }
 
 /// Puts the matrix of these coefficients in front.

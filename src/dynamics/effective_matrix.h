@@ -26,6 +26,10 @@ class EffectiveMatrix {
   /// Solves E y = rhs for the free unknowns of y, with the prescribed ones (its tail) given. `rhs` has all n entries;
   /// its head is overwritten. Of a divided system, `rhs` is a sum over processes.
   void solve(Vector& rhs, Vector& y) const;
+  /// Rows of the last n unknowns, prescribed ones, of E y - rhs.
+  Vector residual_of_last(int n, const Vector& rhs, const Vector& y) const;
+  /// What is left of E on the last n unknowns, prescribed ones, once the free ones follow them: n x n, by n solves.
+  Eigen::MatrixXd condensed_on_last(int n) const;
   /// Takes other coefficients for the same system.
   void refactor(const System& system, const EffectiveCoefficients& coefficients);
 
@@ -33,7 +37,8 @@ class EffectiveMatrix {
   void check_inertia(const System& system) const;
 
   int n_free_;
-  SparseMatrix coupling_;  ///< rows of the free, columns of the prescribed unknowns
+  SparseMatrix coupling_;    ///< rows of the free, columns of the prescribed unknowns
+  SparseMatrix prescribed_;  ///< rows of the prescribed unknowns, all columns
   Factorisation factors_;
 };
 

@@ -6,7 +6,7 @@ namespace upbead {
 
 double EnergyAccount::mismatch() const {
   if (largest_work == 0.) return 0.;
-  return std::abs(work - stored() - drag - damping - radiated - scheme) / largest_work;
+  return std::abs(work - stored() - drag - damping - radiated - scheme - friction) / largest_work;
 }
 
 }  // namespace upbead

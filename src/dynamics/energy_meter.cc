@@ -25,6 +25,8 @@ EnergyMeter::EnergyMeter(const System& system)
 void EnergyMeter::start(const State& state) {
   account_ = {};
   set_stored(mass(state.v), stiffness(state.x), 0);
+  if (system_.interface)
+    account_.lifted = system_.interface->normal_force.dot(state.x.tail(system_.interface->n_nodes()));
   account_.work = account_.stored();
   account_.largest_work = std::abs(account_.work);
 }
@@ -34,9 +36,21 @@ void EnergyMeter::add_work(double weight, const Vector& path, const Vector& f, c
   account_.work += weight * (path.array() * sign_.array() * f.array()).sum();
   if (const int n = system_.n_prescribed; n > 0) {
     const Vector reaction = prescribed_M_ * a + prescribed_C_ * v + prescribed_K_ * x - f.tail(n);
-    account_.work += weight * (path.tail(n).array() * sign_.tail(n).array() * reaction.array()).sum();
+    const int given = system_.interface ? n - 2 * system_.interface->n_nodes() : n;
+    account_.work +=
+        weight *
+        (path.tail(n).head(given).array() * sign_.tail(n).head(given).array() * reaction.head(given).array()).sum();
+    if (given < n) add_contact(weight, path, reaction, x);
   }
   account_.largest_work = std::max(account_.largest_work, std::abs(account_.work));
+}
+
+void EnergyMeter::add_contact(double weight, const Vector& path, const Vector& reaction, const Vector& x) {
+  const Vector& at_rest = system_.interface->normal_force;
+  const Eigen::Index n = at_rest.size();
+  account_.friction -= weight * (path.tail(2 * n).head(n).dot(reaction.tail(2 * n).head(n)) +
+                                 path.tail(n).dot(at_rest + reaction.tail(n)));
+  account_.lifted = at_rest.dot(x.tail(n));
 }
 
 Losses EnergyMeter::losses(const VectorBlock& Z) const {

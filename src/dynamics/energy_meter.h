@@ -22,6 +22,8 @@ class EnergyMeter {
   /// Empties the account; what `state` stores counts as work done.
   void start(const State& state);
   const EnergyAccount& account() const { return account_; }
+  /// Goes back to an account of before.
+  void restore(const EnergyAccount& account) { account_ = account; }
 
   FieldGrams mass(const VectorBlock& Z) const { return grams(system_.M, Z, system_.field); }
   FieldGrams stiffness(const VectorBlock& Z) const { return grams(system_.K, Z, system_.field); }
@@ -30,7 +32,8 @@ class EnergyMeter {
   FieldGrams coupling(const VectorBlock& Z) const { return grams(coupling_C_, Z, system_.field); }
 
   /// weight times the work of the load vector f along `path` (n), and of the reactions (residual of the rows of
-  /// prescribed unknowns at x, v, a) along theirs.
+  /// prescribed unknowns at x, v, a) along theirs. At an interface these reactions change an equilibrium: with the
+  /// forces at rest, -(work of what acts there) goes to friction, that of the forces at rest is stored.
   void add_work(double weight, const Vector& path, const Vector& f, const Vector& x, const Vector& v, const Vector& a);
   /// The (column, column) entry of the losses times `time` was taken.
   void add_losses(const Losses& losses, int column, double time);
@@ -39,6 +42,8 @@ class EnergyMeter {
   void set_stored(const FieldGrams& mass, const FieldGrams& stiffness, int column);
 
  private:
+  void add_contact(double weight, const Vector& path, const Vector& reaction, const Vector& x);
+
   const System& system_;
   SparseMatrix dissipative_C_, radiating_C_, coupling_C_;
   SparseMatrix prescribed_M_, prescribed_C_, prescribed_K_;  ///< rows of the prescribed unknowns

@@ -43,7 +43,8 @@ void sum_over(const Processes& processes, Response& response) {
     processes.sum(readings->data(), static_cast<int>(readings->size()));
   constexpr std::array terms = {&EnergyAccount::work,     &EnergyAccount::kinetic, &EnergyAccount::strain,
                                 &EnergyAccount::fluid,    &EnergyAccount::drag,    &EnergyAccount::damping,
-                                &EnergyAccount::radiated, &EnergyAccount::scheme};
+                                &EnergyAccount::radiated, &EnergyAccount::scheme,  &EnergyAccount::lifted,
+                                &EnergyAccount::friction};
   std::vector<double> values;
   for (const EnergyAccount& account : response.energy)
     for (const auto term : terms) values.push_back(account.*term);

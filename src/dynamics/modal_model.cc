@@ -4,9 +4,9 @@
 
 namespace upbead {
 
-int ModalModel::index(const std::string& name) const {
-  for (std::size_t i = 0; i < reading_label.size(); ++i)
-    if (reading_label[i].name == name) return static_cast<int>(i);
+int index_of(const std::vector<ReadingLabel>& labels, const std::string& name) {
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    if (labels[i].name == name) return static_cast<int>(i);
   throw std::out_of_range("the reduced model has no reading '" + name + "'");
 }
 

@@ -1,32 +1,8 @@
 #include "mode_sum.h"
 
-#include <cstring>
-
-// Six multiplications a mode and sample: registers of AVX2 and AVX-512 and their fused operations do 1.4 and 3.4 times
-// as many of them as those that every x86-64 has. GCC compiles the loop for all three and picks one when the program
-// starts. Not with the address sanitizer, whose checks are not up yet when that choice is made.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
-#define UPBEAD_CLONES __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
-#else
-#define UPBEAD_CLONES
-#endif
-
 namespace upbead::detail {
 
 namespace {
-
-constexpr int lanes = ModeTable::lanes;
-
-/// As many doubles as the widest registers hold; the compiler splits them where registers are narrower.
-using Lanes __attribute__((vector_size(lanes * sizeof(double)))) = double;
-
-void load(const double* from, Lanes& to) {
-  std::memcpy(&to, from, sizeof to);
-}
-
-void store(const Lanes& from, double* to) {
-  std::memcpy(to, &from, sizeof from);
-}
 
 struct BlockPointers {
   const double *E_re, *E_im, *reading_re, *reading_im, *f;
@@ -59,22 +35,27 @@ UPBEAD_CLONES void add_block(Eigen::Index n_modes, const BlockPointers& p) {
     for (int lane = 0; lane < lanes; ++lane) p.y[n] += sum[n][lane];
 }
 
-/// Left alone, modes would decay to denormal numbers, which are very slow, and stay there.
-void drop_what_is_gone(Eigen::ArrayXd& w) {
-  constexpr double gone = 1e-250;
-  w = (w.abs() < gone).select(0., w);  // which keeps what is no number
+}  // namespace
+
+SplitArray padded(const Eigen::VectorXcd& values) {
+  const Eigen::Index n = (values.size() + lanes - 1) / lanes * lanes;
+  SplitArray split{Eigen::ArrayXd::Zero(n), Eigen::ArrayXd::Zero(n)};
+  split.re.head(values.size()) = values.real();
+  split.im.head(values.size()) = values.imag();
+  return split;
 }
 
-}  // namespace
+void drop_what_is_gone(SplitArray& z) {
+  constexpr double gone = 1e-250;
+  for (Eigen::ArrayXd* part : {&z.re, &z.im})
+    *part = (part->abs() < gone).select(0., *part);  // which keeps what is no number
+}
 
 void add_mode_sum(const SplitArray& E, const SplitArray& reading, const double* f, Eigen::Index n_samples,
                   SplitArray& w, double* y) {
   constexpr int blocks_between_drops = 8;
   for (Eigen::Index n = 0; n < n_samples; n += samples_at_a_time) {
-    if (n % (blocks_between_drops * samples_at_a_time) == 0) {
-      drop_what_is_gone(w.re);
-      drop_what_is_gone(w.im);
-    }
+    if (n % (blocks_between_drops * samples_at_a_time) == 0) drop_what_is_gone(w);
     add_block(E.re.size(),
               {E.re.data(), E.im.data(), reading.re.data(), reading.im.data(), f + n, w.re.data(), w.im.data(), y + n});
   }

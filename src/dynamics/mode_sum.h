@@ -1,21 +1,15 @@
 // The innermost loop of a batch of waves.
 #pragma once
 
-#include <Eigen/Core>
 #include <vector>
 
-namespace upbead::detail {
+#include "lanes.h"
 
-/// Complex numbers as two arrays, so that a processor can take several at a time.
-struct SplitArray {
-  Eigen::ArrayXd re, im;
-};
+namespace upbead::detail {
 
 /// Modes w(n + 1) = E w(n) + f_n that answer to samples f_n with y_n = Re sum_m reading_m w_m(n). Their number is
 /// padded to a multiple of `lanes` by modes of zeros.
 struct ModeTable {
-  static constexpr int lanes = 8;
-
   SplitArray E;
   SplitArray start;                 ///< w(0) for f_0 = 1
   std::vector<SplitArray> reading;  ///< one for each load

@@ -1,3 +1,5 @@
+#include "modes.h"
+
 #include <Eigen/LU>
 
 #include "upbead/algebra/eigenpairs.h"
@@ -7,6 +9,8 @@
 
 namespace upbead {
 
+namespace detail {
+
 namespace {
 
 using Complex = std::complex<double>;
@@ -14,11 +18,21 @@ using Complex = std::complex<double>;
 /// Largest difference of X diag(pole) X^-1 B and A B that is tolerable, beside A B.
 constexpr double diagonalisable = 1e-8;
 
-struct Modes {
-  Eigen::VectorXcd pole;
-  Eigen::MatrixXcd X;
-  Eigen::MatrixXcd load;  ///< X^-1 B
-};
+}  // namespace
+
+std::vector<int> Modes::kept() const {
+  std::vector<int> modes;
+  for (int m = 0; m < pole.size(); ++m)
+    if (pole[m].imag() >= 0.) modes.push_back(m);
+  return modes;
+}
+
+Eigen::MatrixXcd Modes::reading(const Eigen::MatrixXcd& rows_X, const std::vector<int>& modes) const {
+  Eigen::MatrixXcd reading = rows_X(Eigen::all, modes);
+  for (std::size_t j = 0; j < modes.size(); ++j)
+    if (pole[modes[j]].imag() > 0.) reading.col(static_cast<Eigen::Index>(j)) *= 2.;
+  return reading;
+}
 
 Modes diagonalise(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) {
   Eigenpairs pairs = eigenpairs(A);
@@ -26,16 +40,19 @@ Modes diagonalise(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) {
   modes.load = modes.X.partialPivLu().solve(B.cast<Complex>());
   const Eigen::MatrixXd AB = A * B;
   const double difference = ((modes.X * (modes.pole.asDiagonal() * modes.load)) - AB).norm() / AB.norm();
-  if (!(difference <= diagonalisable))
+  if (!(difference <= diagonalisable) && !AB.isZero(0.))
     throw NumericsError("the reduced model cannot be diagonalised (its modes give it back to " +
                         significant(difference) + "); march this scene");
-  // A + A^T <= 0 leaves no pole with a positive real part (Bendixson); what there is of it is round-off.
-  modes.pole.real() = modes.pole.real().cwiseMin(0.);
   return modes;
 }
 
+}  // namespace detail
+
+namespace {
+
 /// y += int (E s + F f): in modes, int z = (z - load int f) / pole.
-void add_drift(const StateSpace& space, const Modes& modes, Eigen::MatrixXcd& reading, Eigen::MatrixXd& impulse) {
+void add_drift(const StateSpace& space, const detail::Modes& modes, Eigen::MatrixXcd& reading,
+               Eigen::MatrixXd& impulse) {
   impulse = space.F;
   if (space.E.isZero(0.)) return;
   const Eigen::MatrixXcd drift = space.E * modes.X * modes.pole.cwiseInverse().asDiagonal();
@@ -47,19 +64,16 @@ void add_drift(const StateSpace& space, const Modes& modes, Eigen::MatrixXcd& re
 }  // namespace
 
 ModalModel modal_model(const StateSpace& space, const ReducedSystem& labels) {
-  const Modes modes = diagonalise(space.A, space.B);
+  detail::Modes modes = detail::diagonalise(space.A, space.B);
+  // A + A^T <= 0 leaves no pole with a positive real part (Bendixson); what there is of it is round-off.
+  modes.pole.real() = modes.pole.real().cwiseMin(0.);
   Eigen::MatrixXcd reading = space.C * modes.X;
   ModalModel model;
   add_drift(space, modes, reading, model.impulse);
-  std::vector<int> kept;
-  for (int m = 0; m < modes.pole.size(); ++m) {
-    if (modes.pole[m].imag() < 0.) continue;
-    if (modes.pole[m].imag() > 0.) reading.col(m) *= 2.;
-    kept.push_back(m);
-  }
+  const std::vector<int> kept = modes.kept();
   model.pole = modes.pole(kept);
   model.load = modes.load(kept, Eigen::all);
-  model.reading = reading(Eigen::all, kept);
+  model.reading = modes.reading(reading, kept);
   model.feedthrough = space.D;
   model.load_name = labels.load_name;
   model.reading_label = labels.reading_label;

@@ -26,4 +26,12 @@ PhiFunctions phi_functions(const std::complex<double>& x) {
   return {exp, 1. + x * phi2, phi2};
 }
 
+std::complex<double> phi3(const std::complex<double>& x, const std::complex<double>& phi2) {
+  if (std::abs(x) > 1.) return (phi2 - 0.5) / x;
+  constexpr int n_terms = 18;
+  std::complex<double> sum = 1.;
+  for (int k = n_terms + 3; k > 3; --k) sum = 1. + sum * x / static_cast<double>(k);
+  return sum / 6.;
+}
+
 }  // namespace upbead::detail

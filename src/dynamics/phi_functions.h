@@ -14,4 +14,7 @@ struct PhiFunctions {
 /// For Re x <= 0, with errors of a few roundings of 1; phi_1 is never 0.
 PhiFunctions phi_functions(const std::complex<double>& x);
 
+/// phi_3 = (phi_2 - 1/2)/x, for the integral of z.
+std::complex<double> phi3(const std::complex<double>& x, const std::complex<double>& phi2);
+
 }  // namespace upbead::detail

@@ -36,10 +36,12 @@ FieldGrams grams(const SparseMatrix& A, const VectorBlock& Z, const std::vector<
       return grams_of<2>(A, Z, field);
     case 3:
       return grams_of<3>(A, Z, field);
+    case 4:
+      return grams_of<4>(A, Z, field);
     case 6:
       return grams_of<6>(A, Z, field);
     default:
-      throw std::logic_error("grams: not a block of 1, 2, 3 or 6 vectors");
+      throw std::logic_error("grams: not a block of 1, 2, 3, 4 or 6 vectors");
   }
 }
 

@@ -14,7 +14,7 @@ struct FieldGrams {
   Eigen::MatrixXd total() const { return displacement + relative_fluid + pressure; }
 };
 
-/// The grams of Z (n x 1, 2, 3 or 6); throws std::logic_error for another number of columns.
+/// The grams of Z (n x 1, 2, 3, 4 or 6); throws std::logic_error for another number of columns.
 FieldGrams grams(const SparseMatrix& A, const VectorBlock& Z, const std::vector<Field>& field);
 
 }  // namespace upbead::detail

@@ -71,6 +71,10 @@ void compare(const ModalModel& model, const std::vector<int>& measured, const Ei
   }
 }
 
+ModalModel model_of(const ReduceOptions& options, const ReducedSystem& system) {
+  return options.model ? options.model(system) : modal_model(state_space(system), system);
+}
+
 bool meets(const NestedError& error, const ReduceOptions& options) {
   return error.history <= options.tolerance && error.others <= options.tolerance_of_others;
 }
@@ -118,7 +122,7 @@ Reduction reduce(const System& system, const ReduceOptions& options) {
       if (options.progress) options.progress(std::min(0.95, static_cast<double>(krylov.n_vectors()) / usual));
     }
     projection.extend();
-    ModalModel model = modal_model(state_space(projection.reduced()), projection.reduced());
+    ModalModel model = model_of(options, projection.reduced());
     std::vector<Eigen::MatrixXd> now = responses(model, loads);
     if (!before.empty()) {
       out.error = {0., 0., 0., Eigen::VectorXd::Zero(model.n_readings())};
@@ -133,6 +137,7 @@ Reduction reduce(const System& system, const ReduceOptions& options) {
   if (!out.history.empty())
     out.omega = agreed_frequency(coarse, out.model, options.measured, transfer_tolerance * options.tolerance,
                                  1. / options.training.time.back(), 100. * options.shift);
+  out.system = projection.reduced();
   out.n_vectors = krylov.n_vectors();
   out.n_solves = krylov.n_solves();
   return out;

@@ -41,7 +41,7 @@ class Assembly {
   }
 
   void add(const FaceTerms& face) {
-    std::vector<const Row*> rows = rows_of(face.dofs);
+    std::vector<const Row*> rows = rows_of(face.dofs, face.of_caisson);
     std::vector<Row> prescribed;
     for (const int unknown : face.prescribed) prescribed.push_back({{unknown, 1.}});
     for (const Row& row : prescribed) rows.push_back(&row);
@@ -75,9 +75,12 @@ class Assembly {
   }
 
  private:
-  std::vector<const Row*> rows_of(const std::vector<types::global_dof_index>& dofs) const {
+  std::vector<const Row*> rows_of(const std::vector<types::global_dof_index>& dofs, bool of_caisson = false) const {
     std::vector<const Row*> rows;
-    for (const auto dof : dofs) rows.push_back(&unknowns_.expansion(static_cast<unsigned>(dof)));
+    for (const auto dof : dofs) {
+      const auto i = static_cast<unsigned>(dof);
+      rows.push_back(of_caisson ? &unknowns_.caisson_expansion(i) : &unknowns_.expansion(i));
+    }
     return rows;
   }
 
@@ -112,7 +115,8 @@ void assemble_cells(const Scene& scene, const Space& space, CaissonForces* force
 }  // namespace
 
 void assemble(const Scene& scene, const Space& space, const Unknowns& unknowns, const std::vector<Body>& bodies,
-              CaissonForces* forces, System& system, const std::vector<bool>& own, bool with_bodies) {
+              CaissonForces* forces, System& system, const std::vector<bool>& own, bool with_bodies,
+              const std::vector<InterfaceNode>& interface) {
   Assembly assembly(unknowns);
   const auto is_own = [&](unsigned cell) { return own.empty() || own[cell]; };
   assemble_cells(scene, space, forces, is_own, assembly);
@@ -124,6 +128,7 @@ void assemble(const Scene& scene, const Space& space, const Unknowns& unknowns, 
   for_each_absorbing_face(scene, space, [&](const FaceTerms& terms) {
     if (is_own(terms.cell)) assembly.add_absorbing(terms);
   });
+  if (!interface.empty()) for_each_gap_term(space, unknowns, interface, add);
   for_each_wet_face_term(scene, space, [&](const WetFace& face, const FaceTerms& terms) {
     add(terms);
     if (forces) forces->of(face, space).add(terms.matrices, terms.dofs);

@@ -8,8 +8,22 @@
 
 namespace upbead {
 
+namespace {
+
+Interface interface_of(const std::vector<InterfaceNode>& nodes) {
+  Interface interface;
+  for (const InterfaceNode& node : nodes) {
+    interface.position.push_back(node.position);
+    interface.length.push_back(node.length);
+  }
+  interface.normal_force = Vector::Zero(interface.n_nodes());
+  return interface;
+}
+
+}  // namespace
+
 CompiledScene compile(const Scene& scene, const Space& space, const Unknowns& unknowns, const std::vector<Body>& bodies,
-                      const Processes* processes) {
+                      const Processes* processes, const std::vector<InterfaceNode>& interface) {
   CompiledScene compiled;
   compiled.bodies = bodies;
   for (std::size_t b = 0; b < bodies.size(); ++b)
@@ -19,12 +33,13 @@ CompiledScene compile(const Scene& scene, const Space& space, const Unknowns& un
   system.field = unknowns.field();
   system.blocks = unknowns.blocks();
   system.n_prescribed = unknowns.n_prescribed();
+  if (!interface.empty()) system.interface = interface_of(interface);
 
   std::optional<CaissonForces> forces;
   if (compiled.caisson) forces.emplace(space, unknowns, *compiled.caisson);
   const bool with_bodies = !processes || processes->rank() == 0;
   assemble(scene, space, unknowns, bodies, forces ? &*forces : nullptr, system,
-           processes ? own_cells(space, *processes) : std::vector<bool>(), with_bodies);
+           processes ? own_cells(space, *processes) : std::vector<bool>(), with_bodies, interface);
 
   SceneLoads loads =
       compile_loads(scene, space, unknowns, bodies, compiled.caisson, forces ? &forces->ground : nullptr);
@@ -37,6 +52,8 @@ CompiledScene compile(const Scene& scene, const Space& space, const Unknowns& un
   for (const auto& probe : scene.probes)
     for (Reading& reading : probe_readings(space, unknowns, scene, probe.first))
       system.readings.push_back(std::move(reading));
+  if (!interface.empty())
+    for (Reading& reading : interface_readings(unknowns, interface)) system.readings.push_back(std::move(reading));
   system.loads = std::move(loads.loads);
   compiled.loads_on_caisson = std::move(loads.on_caisson);
   return compiled;

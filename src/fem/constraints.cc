@@ -47,6 +47,14 @@ void add_rigid(Constraints& constraints, const Space& space, const std::vector<B
     }
 }
 
+/// The ground's nodes leave the caisson by slip (x) and opening (y); `first`: index of the first slip.
+void add_interface(Constraints& constraints, const std::vector<InterfaceNode>& nodes, types::global_dof_index first) {
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    constraints.add_entry(nodes[i].ux, first + i, -1.);
+    constraints.add_entry(nodes[i].uy, first + nodes.size() + i, -1.);
+  }
+}
+
 /// A node on rollers: its two degrees of freedom and the normals of the rollers that it touches.
 struct RollerNode {
   types::global_dof_index ux, uy;
@@ -179,14 +187,17 @@ std::vector<std::string> pressure_prescribing_loads(const Space& space, const Sc
   return names;
 }
 
-Constraints make_constraints(const Space& space, const Scene& scene, const std::vector<Body>& bodies) {
+Constraints make_constraints(const Space& space, const Scene& scene, const std::vector<Body>& bodies,
+                             const std::vector<InterfaceNode>& interface) {
   Constraints constraints;
+  const std::vector<std::string> pressures = pressure_prescribing_loads(space, scene);
+  const types::global_dof_index first_pressure = space.dofs().n_dofs() + n_motions * bodies.size();
   add_rigid(constraints, space, bodies);
+  add_interface(constraints, interface, first_pressure + pressures.size());
   add_supports(constraints, space, scene);
   add_wet_pores(constraints, space);
   add_hanging_nodes(constraints, space);
-  add_water_levels(constraints, space, scene, pressure_prescribing_loads(space, scene),
-                   space.dofs().n_dofs() + n_motions * bodies.size());
+  add_water_levels(constraints, space, scene, pressures, first_pressure);
   constraints.close();
   return constraints;
 }

@@ -33,6 +33,7 @@ void for_each_wet_face(const Space& space, const std::function<void(const WetFac
 
 void FaceTerms::reinit(const std::vector<Cell>& cells, const std::vector<int>& prescribed_unknowns) {
   cell = cells.back()->active_cell_index();
+  of_caisson = false;
   dofs.clear();
   std::vector<types::global_dof_index> of_cell;
   for (const Cell& each : cells) {

@@ -4,6 +4,7 @@
 
 #include "checker.h"
 #include "upbead/base/text.h"
+#include "upbead/fem/interface_nodes.h"
 #include "upbead/fem/locate.h"
 #include "upbead/fem/static_stage.h"
 
@@ -73,6 +74,23 @@ void check_caisson(Checker& checker) {
                      "a support of the caisson would take part of the shear force", "say \"free\"");
 }
 
+/// Only a rigid caisson on a level bottom may slip, and it slips in time.
+void check_contact(Checker& checker) {
+  for (const auto& [name, region] : checker.scene.regions)
+    if (region.interface && name != caisson_name)
+      checker.object("regions." + name + ".interface", "only the caisson has an interface", "remove it");
+  if (!has_frictional_contact(checker.scene)) return;
+  const std::string key = "regions.caisson.interface";
+  const Region& caisson = checker.scene.regions.at(caisson_name);
+  if (caisson.kind == RegionKind::solid && caisson.deformation != Deformation::rigid)
+    checker.object(key, "a caisson that deforms cannot slip", "give it kind = \"rigid\", or deformation = \"rigid\"");
+  if (!checker.scene.time.inertia)
+    checker.object(key, "friction follows the motion in time, which time.inertia = false leaves out",
+                   "write kind = \"tied\" or inertia = true");
+  if (!bottom_is_level(checker.mesh))
+    checker.object(key, "the caisson's bottom is not level", "write kind = \"tied\", or level it in the mesh");
+}
+
 void check_probes(Checker& checker) {
   for (const auto& [name, probe] : checker.scene.probes) {
     const Point<dim> at(probe.at[0], probe.at[1]);
@@ -93,6 +111,7 @@ std::vector<Objection> check_scene(const Scene& scene, const Mesh& mesh) {
   check_regions(checker);
   check_initial(checker);
   check_caisson(checker);
+  check_contact(checker);
   check_boundaries(checker);
   check_loads(checker);
   check_probes(checker);

@@ -67,7 +67,8 @@ class LoadCompiler {
 
   void add_nodal(const std::string& region, const NodalForces& nodal) {
     for (const auto& [dof, force] : nodal) {
-      for (const auto& [unknown, weight] : unknowns_.expansion(dof)) out.loads.back().vector[unknown] += weight * force;
+      const Row& row = region == caisson_name ? unknowns_.caisson_expansion(dof) : unknowns_.expansion(dof);
+      for (const auto& [unknown, weight] : row) out.loads.back().vector[unknown] += weight * force;
       if (!ground_) continue;
       std::array<double, n_motions> work;
       for (int m = 0; m < n_motions; ++m) work[m] = ground_->work(m, dof, force);

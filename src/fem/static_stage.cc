@@ -81,6 +81,10 @@ double water_level(const Scene& scene, const Mesh& mesh) {
   return level;
 }
 
+Vector static_normal_forces(const Scene& scene, const Mesh& mesh, const SoilState& soil) {
+  return detail::StaticSystem(scene, mesh).normal_forces(soil);
+}
+
 /// What stiffens draws load, which stiffens it more: changes of log G shrink by a factor from solve to solve, and all
 /// that are still to come are taken in one (Aitken) after every second plain one.
 StaticStage solve_static(const Scene& scene, const Mesh& mesh) {

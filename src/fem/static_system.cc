@@ -48,17 +48,32 @@ double unit_weight(const Region& region, const Scene& scene, double density, boo
 /// The deforming ground with given stiffness.
 class Ground {
  public:
-  Ground(const Scene& scene, const Mesh& mesh, const SoilState& soil)
+  /// `with_interface`: the caisson could part from the ground.
+  Ground(const Scene& scene, const Mesh& mesh, const SoilState& soil, bool with_interface = false)
       : scene_(scene),
         space_(mesh, scene, water_cells(scene, mesh), soil),
         bodies_(rigid_bodies(space_)),
-        unknowns_(space_, scene, bodies_) {}
+        interface_(with_interface ? interface_nodes(space_) : std::vector<InterfaceNode>()),
+        unknowns_(space_, scene, bodies_, interface_) {}
 
   EffectiveStress solve(const Vector& weights) const {
     System system;
     system.field = unknowns_.field();
     assemble(scene_, space_, unknowns_, bodies_, nullptr, system);
     return stress(unknowns_.expand(Factorisation(system.K).solve(weights)));
+  }
+
+  /// Residuals of the openings of the interface.
+  Vector normal_forces(const Vector& weights) const {
+    System system;
+    system.field = unknowns_.field();
+    assemble(scene_, space_, unknowns_, bodies_, nullptr, system, {}, true, interface_);
+    const int n = unknowns_.n_free(), nodes = static_cast<int>(interface_.size());
+    const SparseMatrix rows = system.K.topRows(n);
+    const SparseMatrix K = rows.leftCols(n);
+    Vector x = Vector::Zero(unknowns_.size());
+    x.head(n) = Factorisation(K).solve(weights.head(n));
+    return (system.K * x - weights).tail(nodes);
   }
 
   /// Work of the weights in unit motions of the unknowns; still water stands at `level`.
@@ -77,8 +92,10 @@ class Ground {
       cell->get_dof_indices(dofs);
       for (const unsigned i : fe.dof_indices()) {
         const double work = work_of(fe, i, cell, level);
-        for (const auto& [unknown, weight] : unknowns_.expansion(static_cast<unsigned>(dofs[i])))
-          f[unknown] += weight * work;
+        const auto dof = static_cast<unsigned>(dofs[i]);
+        const bool of_caisson = space_.mesh().surface_of(cell) == caisson_name;
+        const Row& row = of_caisson ? unknowns_.caisson_expansion(dof) : unknowns_.expansion(dof);
+        for (const auto& [unknown, weight] : row) f[unknown] += weight * work;
       }
     }
     return f;
@@ -131,6 +148,7 @@ class Ground {
   const Scene& scene_;
   Space space_;
   std::vector<Body> bodies_;
+  std::vector<InterfaceNode> interface_;
   Unknowns unknowns_;
 };
 
@@ -141,6 +159,11 @@ StaticSystem::StaticSystem(const Scene& scene, const Mesh& mesh)
 
 EffectiveStress StaticSystem::solve(const SoilState& soil) const {
   return Ground(scene_, mesh_, soil).solve(weights_);
+}
+
+Vector StaticSystem::normal_forces(const SoilState& soil) const {
+  const Ground ground(scene_, mesh_, soil, true);
+  return ground.normal_forces(ground.weights(water_level(scene_, mesh_)));
 }
 
 }  // namespace upbead::detail

@@ -42,15 +42,32 @@ Layout layout_of(const Space& space) {
 
 }  // namespace
 
-Unknowns::Unknowns(const Space& space, const Scene& scene, const std::vector<Body>& bodies)
-    : prescribed_(pressure_prescribing_loads(space, scene)) {
-  number(space, make_constraints(space, scene, bodies), n_motions * bodies.size());
+Unknowns::Unknowns(const Space& space, const Scene& scene, const std::vector<Body>& bodies,
+                   const std::vector<InterfaceNode>& interface)
+    : prescribed_(pressure_prescribing_loads(space, scene)), n_interface_(static_cast<int>(interface.size())) {
+  number(space, make_constraints(space, scene, bodies, interface), n_motions * bodies.size());
+  separate(interface);
+}
+
+void Unknowns::separate(const std::vector<InterfaceNode>& interface) {
+  const int first = size() - 2 * n_interface_;
+  for (const InterfaceNode& node : interface)
+    for (const auto dof : {node.ux, node.uy}) {
+      Row& row = of_caisson_[static_cast<unsigned>(dof)];
+      for (const auto& [j, weight] : expansion_[dof])
+        if (j < first) row.emplace_back(j, weight);
+    }
+}
+
+const Row& Unknowns::caisson_expansion(unsigned dof) const {
+  const auto found = of_caisson_.find(dof);
+  return found == of_caisson_.end() ? expansion_[dof] : found->second;
 }
 
 void Unknowns::number(const Space& space, const AffineConstraints<double>& constraints, std::size_t n_coordinates) {
   const auto n_dofs = space.dofs().n_dofs();
   const Layout layout = layout_of(space);
-  std::vector<int> index(n_dofs + n_coordinates + prescribed_.size(), -1);
+  std::vector<int> index(n_dofs + n_coordinates + prescribed_.size() + 2 * static_cast<std::size_t>(n_interface_), -1);
   const auto append = [&](types::global_dof_index i, Field field) {
     index[i] = size();
     field_.push_back(field);
@@ -65,6 +82,7 @@ void Unknowns::number(const Space& space, const AffineConstraints<double>& const
     blocks_.push_back({begin, size()});
   }
   for (std::size_t l = 0; l < prescribed_.size(); ++l) append(n_dofs + n_coordinates + l, Field::pressure_impulse);
+  for (auto i = n_dofs + n_coordinates + prescribed_.size(); i < index.size(); ++i) append(i, Field::displacement);
 
   expansion_.resize(n_dofs);
   for (types::global_dof_index i = 0; i < n_dofs; ++i) {

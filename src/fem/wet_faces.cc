@@ -39,6 +39,7 @@ void for_each_wet_face_term(const Scene& scene, const Space& space,
   for_each_wet_face(space, [&](const WetFace& face) {
     if (measured.count(space.mesh().curve_of(face.solid->face(face.face)))) return;
     terms.reinit({face.solid, face.water});
+    terms.of_caisson = space.mesh().surface_of(face.solid) == caisson_name;
     integrate(FaceValues(space, face.solid, face.face), FaceValues(space, face.water, face.water_face),
               terms.matrices.C);
     visit(face, terms);

@@ -4,19 +4,29 @@
 
 namespace upbead {
 
-std::string result_file(const std::string& title, const std::vector<History>& histories) {
+namespace {
+
+void write(detail::Hdf5Image& image, const std::string& folder, const std::vector<History>& datasets) {
+  for (const History& dataset : datasets) {
+    std::vector<hsize_t> shape{dataset.values.size() / dataset.columns};
+    if (dataset.columns > 1) shape.push_back(dataset.columns);
+    image.numbers(folder + dataset.name, shape, dataset.values.data(), {dataset.unit, dataset.description});
+  }
+}
+
+}  // namespace
+
+std::string result_file(const std::string& title, const std::vector<History>& histories,
+                        const std::vector<History>& others) {
   detail::Hdf5Image image(title);
-  for (const History& history : histories)
-    image.numbers("/history/" + history.name, {history.values.size()}, history.values.data(),
-                  {history.unit, history.description});
+  write(image, "/history/", histories);
+  write(image, "/", others);
   return image.bytes();
 }
 
 std::string dataset_file(const std::string& title, const std::vector<History>& datasets) {
   detail::Hdf5Image image(title);
-  for (const History& dataset : datasets)
-    image.numbers("/" + dataset.name, {dataset.values.size()}, dataset.values.data(),
-                  {dataset.unit, dataset.description});
+  write(image, "/", datasets);
   return image.bytes();
 }
 

@@ -38,6 +38,24 @@ void add_pulse(Json& json, const std::optional<PulseSliding>& pulse) {
   json["sliding_exact"] = value(&PulseSliding::exact);
 }
 
+void add_coupled(Json& json, const std::optional<CoupledSummary>& coupled) {
+  json["sliding_coupled"] = coupled ? Json(coupled->slip.residual) : Json(nullptr);
+  json["coupled"] = nullptr;
+  if (!coupled) return;
+  json["coupled"] = {{"largest", coupled->slip.largest},      {"slips", to_array(coupled->slip.slips)},
+                     {"dissipated", coupled->dissipated},     {"peak_shear", coupled->peak_shear},
+                     {"least_normal", coupled->least_normal}, {"lifted_time", coupled->lifted_time},
+                     {"vectors", coupled->vectors},           {"error", coupled->error},
+                     {"glued_error", coupled->glued_error}};
+}
+
+void add_equal_impulse(Json& json, const std::optional<EqualImpulse>& pulse) {
+  json["equal_impulse"] = nullptr;
+  if (pulse)
+    json["equal_impulse"] = {
+        {"tau_0", pulse->duration}, {"sliding_paper", pulse->paper}, {"sliding_exact", pulse->exact}};
+}
+
 }  // namespace
 
 Json to_object(const SlidingSummary& s) {
@@ -58,7 +76,9 @@ Json to_object(const SlidingSummary& s) {
                {"sliding_history_largest", h.by_history.largest},
                {"slips", to_array(h.by_history.slips)},
                {"sliding_normal_force", h.with_normal_force.residual}};
+  add_coupled(json, s.coupled);
   add_pulse(json, s.pulse);
+  add_equal_impulse(json, s.equal_impulse);
   json["duration"] = h.own ? to_object(*h.own) : Json(nullptr);
   json["duration_table"] = Json::array();
   for (const HistoryDuration& d : h.table) json["duration_table"].push_back(to_object(d));

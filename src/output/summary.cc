@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "contact_object.h"
 #include "sliding_object.h"
 #include "upbead/base/version.h"
 #include "upbead/output/json_text.h"
@@ -54,9 +55,9 @@ Json to_object(const LoadOnCaisson& load) {
 }
 
 Json to_object(const EnergyAccount& e) {
-  return {{"work", e.work},         {"kinetic", e.kinetic}, {"strain", e.strain},
-          {"fluid", e.fluid},       {"drag", e.drag},       {"damping", e.damping},
-          {"radiated", e.radiated}, {"scheme", e.scheme},   {"mismatch", e.mismatch()}};
+  return {{"work", e.work},         {"kinetic", e.kinetic}, {"strain", e.strain},      {"fluid", e.fluid},
+          {"lifted", e.lifted},     {"drag", e.drag},       {"damping", e.damping},    {"radiated", e.radiated},
+          {"friction", e.friction}, {"scheme", e.scheme},   {"mismatch", e.mismatch()}};
 }
 
 Json to_object(const ReductionSummary& r) {
@@ -95,6 +96,7 @@ std::string to_json(const Summary& summary) {
   json["energy"] = summary.energy ? to_object(*summary.energy) : Json(nullptr);
   json["reduction"] = summary.reduction ? to_object(*summary.reduction) : Json(nullptr);
   json["sliding"] = summary.sliding ? to_object(*summary.sliding) : Json(nullptr);
+  json["contact"] = summary.contact ? to_object(*summary.contact) : Json(nullptr);
   json["soil"] = summary.soil ? to_object(*summary.soil) : Json(nullptr);
   json["skipped"] = Json::array();
   for (const Skipped& skipped : summary.skipped)

@@ -17,7 +17,7 @@ ALLOWED = {
     "fem": FEM,
     "dynamics": ["base", "algebra", "system"],
     "response": FEM + ["fem", "dynamics"],
-    "sliding": ["base", "waves"],
+    "sliding": ["base", "algebra", "system", "dynamics", "waves"],
     "expected": ["base", "algebra", "system", "dynamics", "waves", "sliding"],
     "output": FEM + ["fem", "dynamics", "response", "sliding"],
     "app": FEM + ["input", "waves", "fem", "dynamics", "response", "sliding", "expected", "output"],

@@ -82,7 +82,7 @@ TEST(BatchResponse, AWaveThatEnds) {
 // 0.9 times the smallest number is the smallest number: without help a quiet mode would stay there, and be slow.
 TEST(BatchResponse, QuietModesEndAtZero) {
   constexpr int n = 64 * detail::samples_at_a_time;
-  const Eigen::ArrayXd factor = Eigen::ArrayXd::Constant(detail::ModeTable::lanes, 0.9), zero = 0. * factor;
+  const Eigen::ArrayXd factor = Eigen::ArrayXd::Constant(detail::lanes, 0.9), zero = 0. * factor;
   const Eigen::RowVectorXd f = Eigen::RowVectorXd::Zero(n);
   Eigen::RowVectorXd y = f;
   detail::SplitArray w{factor, 1e-240 * factor};

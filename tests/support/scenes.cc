@@ -100,14 +100,16 @@ static Scene whole(Scene scene) {
   return scene;
 }
 
-Compiled::Compiled(const Scene& input, const Mesh& mesh) : Compiled(resolve(whole(input), mesh), mesh) {}
+Compiled::Compiled(const Scene& input, const Mesh& mesh, bool interface)
+    : Compiled(resolve(whole(input), mesh), mesh, interface) {}
 
-Compiled::Compiled(const ResolvedScene& input, const Mesh& mesh)
+Compiled::Compiled(const ResolvedScene& input, const Mesh& mesh, bool interface)
     : resolved(input.scene),
       space(mesh, resolved, input.absent, input.soil),
       bodies(rigid_bodies(space)),
-      unknowns(space, resolved, bodies),
-      scene(compile(resolved, space, unknowns, bodies)) {}
+      nodes(interface ? interface_nodes(space) : std::vector<InterfaceNode>()),
+      unknowns(space, resolved, bodies, nodes),
+      scene(compile(resolved, space, unknowns, bodies, nullptr, nodes)) {}
 
 Response run(const Compiled& compiled, double end, double step, SchemeKind kind) {
   SchemeOptions options;

@@ -33,13 +33,14 @@ std::unique_ptr<Mesh> breakwater_mesh(double cells, std::map<std::string, double
 /// Its parameters with a sea of three depths on both sides.
 std::map<std::string, double> with_sea();
 
-/// A scene compiled on a mesh, with everything that it stands on.
+/// A scene compiled on a mesh, with everything that it stands on; with an interface under the caisson where asked for.
 struct Compiled {
-  Compiled(const Scene& scene, const Mesh& mesh);
-  Compiled(const ResolvedScene& scene, const Mesh& mesh);
+  Compiled(const Scene& scene, const Mesh& mesh, bool interface = false);
+  Compiled(const ResolvedScene& scene, const Mesh& mesh, bool interface = false);
   Scene resolved;
   Space space;
   std::vector<Body> bodies;
+  std::vector<InterfaceNode> nodes;
   Unknowns unknowns;
   CompiledScene scene;
 };

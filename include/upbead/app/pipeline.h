@@ -33,6 +33,7 @@ struct CompiledCase {
   CompiledScene compiled;
   std::vector<bool> absent;              ///< cells left out
   SoilState soil_state;                  ///< what differs from cell to cell
+  bool with_interface = false;           ///< the caisson may slip and lift; a mesh for the tolerance is made without
   std::optional<SoilSummary> soil;       ///< where the soil has been settled by the strain of the response
   std::optional<MeshAccuracy> accuracy;  ///< where the mesh was made for the tolerance
   Timing timing;
@@ -55,8 +56,10 @@ void recompile(CompiledCase& scene, const SoilState& soil);
 struct Run {
   Response response;
   Summary summary;
-  std::string scheme_reason;  ///< why it was solved as it was
-  std::string step_reason;    ///< why the steps are as long as they are
+  std::optional<CoupledHistoryTable> coupled;  ///< where the caisson slipped as a whole
+  std::optional<ContactHistory> contact;       ///< where it was marched with a law of contact
+  std::string scheme_reason;                   ///< why it was solved as it was
+  std::string step_reason;                     ///< why the steps are as long as they are
 };
 
 /// Settles the soil where it follows the strain, and solves a compiled case in time. Where it is marched the observer

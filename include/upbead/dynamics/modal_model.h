@@ -15,6 +15,9 @@ struct ReadingLabel {
   std::string description;
 };
 
+/// Index of the reading of that name; throws std::out_of_range where there is none.
+int index_of(const std::vector<ReadingLabel>& labels, const std::string& name);
+
 /// Response from rest to loads f_k(t), k = 0 ... K-1, in M modes:
 ///
 ///     z_m' = pole_m z_m + sum_k load_mk f_k(t),  z_m(0) = 0
@@ -33,8 +36,8 @@ struct ModalModel {
   int n_modes() const { return static_cast<int>(pole.size()); }
   int n_loads() const { return static_cast<int>(load.cols()); }
   int n_readings() const { return static_cast<int>(reading.rows()); }
-  /// Index of the reading of that name; throws std::out_of_range where there is none.
-  int index(const std::string& name) const;
+  /// See index_of().
+  int index(const std::string& name) const { return index_of(reading_label, name); }
   /// Makes one load of two that always have the same history.
   void join_loads(int kept, int joined);
   /// H(s) = Y_i / F_k; s (1/s) is no pole, and not zero where there is an impulse term.

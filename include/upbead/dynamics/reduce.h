@@ -7,6 +7,7 @@
 
 #include "upbead/dynamics/modal_model.h"
 #include "upbead/dynamics/modal_response.h"
+#include "upbead/dynamics/reduced_system.h"
 #include "upbead/system/system.h"
 
 namespace upbead {
@@ -19,7 +20,9 @@ struct ReduceOptions {
   std::vector<int> measured;  ///< readings that must meet `tolerance`; the others `tolerance_of_others`
   double tolerance = 1e-3;    ///< of a reading's history, over its largest value
   double tolerance_of_others = 5e-2;
-  int max_vectors = 100;                 ///< per independent load
+  int max_vectors = 100;  ///< per independent load
+  /// What nested models are compared by, where it is not modal_model(): its loads are those of the training histories.
+  std::function<ModalModel(const ReducedSystem&)> model;
   std::function<void(double)> progress;  ///< called after every solve with a guess of what is done, 0 to 1; may be none
 };
 
@@ -34,7 +37,8 @@ struct NestedError {
 /// A model, and what is known of its error.
 struct Reduction {
   ModalModel model;
-  NestedError error;  ///< against the last smaller model: about the error of that one, more than this one's
+  ReducedSystem system;  ///< that it is made of
+  NestedError error;     ///< against the last smaller model: about the error of that one, more than this one's
   /// Up to here (rad/s) H(1/T + i omega) of all measured readings, T the end of the training histories, moved by less
   /// than 4 times `tolerance` of its largest value. A history of length T cannot tell resonances narrower than 1/T.
   double omega = 0.;

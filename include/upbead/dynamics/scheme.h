@@ -10,6 +10,8 @@
 
 namespace upbead {
 
+struct ContactReport;
+
 /// A state, and the load values f_k that belong to it.
 struct LoadedState {
   State state;
@@ -23,7 +25,7 @@ class Scheme {
  public:
   virtual ~Scheme() = default;
 
-  /// As in the case file: "sdirk4", "generalised_alpha".
+  /// As in the case file: "sdirk4", "generalised_alpha"; "contact".
   virtual std::string name() const = 0;
   /// Order of convergence of x and x' in the step.
   virtual int order() const = 0;
@@ -44,6 +46,8 @@ class Scheme {
   /// Account of energy since start(); all zero where it is switched off.
   virtual const EnergyAccount& energy() const = 0;
   virtual bool accounts_energy() const = 0;
+  /// What a contact law did since start(); null where the scheme has none and keeps interfaces glued.
+  virtual const ContactReport* contact() const { return nullptr; }
 
   /// Linear solves and factorisations since the scheme was made.
   virtual int n_solves() const = 0;

@@ -13,8 +13,9 @@ namespace upbead {
 
 /// Fills M, C, K and the radiation of `system`; `forces`, where given, collects what ground and water say about the
 /// caisson's nodes. With `own`, by active cell index, what is filled in is of these cells, their faces, and the bodies
-/// where `with_bodies`; `forces` collects all.
+/// where `with_bodies`; `forces` collects all. `interface`: the nodes that `unknowns` was made with.
 void assemble(const Scene& scene, const Space& space, const Unknowns& unknowns, const std::vector<Body>& bodies,
-              CaissonForces* forces, System& system, const std::vector<bool>& own = {}, bool with_bodies = true);
+              CaissonForces* forces, System& system, const std::vector<bool>& own = {}, bool with_bodies = true,
+              const std::vector<InterfaceNode>& interface = {});
 
 }  // namespace upbead

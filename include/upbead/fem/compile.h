@@ -22,8 +22,10 @@ struct CompiledScene {
 };
 
 /// Assembles M, C, K, the loads and all readings. The scene must have passed check_scene on this mesh. With `processes`
-/// the matrices are those of this process's cells (partition.h), which the system is yet to be divided by.
+/// the matrices are those of this process's cells (partition.h), which the system is yet to be divided by. With the
+/// nodes of an interface, which `unknowns` must have been made with, the system has that interface, without forces at
+/// rest or friction.
 CompiledScene compile(const Scene& scene, const Space& space, const Unknowns& unknowns, const std::vector<Body>& bodies,
-                      const Processes* processes = nullptr);
+                      const Processes* processes = nullptr, const std::vector<InterfaceNode>& interface = {});
 
 }  // namespace upbead

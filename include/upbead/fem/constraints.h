@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "upbead/fem/interface_nodes.h"
 #include "upbead/fem/rigid_body.h"
 #include "upbead/fem/space.h"
 
@@ -15,8 +16,10 @@ namespace upbead {
 std::vector<std::string> pressure_prescribing_loads(const Space& space, const Scene& scene);
 
 /// All constraints on the degrees of freedom of the space. Indices from n_dofs() on stand for the rigid bodies'
-/// coordinates (three each), then for the unknowns of pressure_prescribing_loads.
+/// coordinates (three each), then for the unknowns of pressure_prescribing_loads, then for the slips and the openings
+/// of an interface: its degrees of freedom are those of the ground, caisson less slip and opening.
 dealii::AffineConstraints<double> make_constraints(const Space& space, const Scene& scene,
-                                                   const std::vector<Body>& bodies);
+                                                   const std::vector<Body>& bodies,
+                                                   const std::vector<InterfaceNode>& interface = {});
 
 }  // namespace upbead

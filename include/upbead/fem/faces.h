@@ -36,6 +36,7 @@ struct FaceTerms {
   CellMatrices matrices;
   std::vector<dealii::types::global_dof_index> dofs;
   std::vector<int> prescribed;
+  bool of_caisson = false;  ///< its displacements are those of the caisson, not of the ground under it
 
   /// Zero matrices over the degrees of freedom of these cells and over these unknowns.
   void reinit(const std::vector<Cell>& cells, const std::vector<int>& prescribed_unknowns = {});

@@ -4,6 +4,8 @@
 #include <optional>
 #include <vector>
 
+#include "upbead/algebra/sparse.h"
+#include "upbead/fem/soil_state.h"
 #include "upbead/mesh/mesh.h"
 #include "upbead/model/scene.h"
 
@@ -30,6 +32,11 @@ std::optional<double> k0_of(const Scene& scene);
 
 /// Height of still water (m): [initial] water_level, else the top of the regions of water, else -infinity.
 double water_level(const Scene& scene, const Mesh& mesh);
+
+/// Normal forces N_i of the static state at the interface_nodes under a rigid caisson (N/m, compression positive), of
+/// soils in that state; glued, as the shear stress that goes with it is taken to have crept away. Their sum is the
+/// weight of the caisson in still water.
+Vector static_normal_forces(const Scene& scene, const Mesh& mesh, const SoilState& soil);
 
 /// Solves div sigma' + gamma' = 0 for drained soils on their own sides, absorbing ones as rollers, with unit weights
 /// gamma' = (1 - n)(rho_s - rho_f) g below still water and (1 - n) rho_s g above it, of bodies (rho - rho_f) g and rho

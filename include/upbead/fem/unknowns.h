@@ -4,8 +4,10 @@
 #include <deal.II/lac/affine_constraints.h>
 
 #include <map>
+#include <utility>
 #include <vector>
 
+#include "upbead/fem/interface_nodes.h"
 #include "upbead/fem/rigid_body.h"
 #include "upbead/fem/space.h"
 #include "upbead/system/system.h"
@@ -13,17 +15,23 @@
 namespace upbead {
 
 /// Degree of freedom i of the space is sum_j weight_j x_j over its expansion; fixed ones have none. Order of the
-/// unknowns x: free u and phi, three coordinates per rigid body, W cell by cell, prescribed pressures last.
+/// unknowns x: free u and phi, three coordinates per rigid body, W cell by cell, prescribed pressures, and, where an
+/// interface is given, slips and openings of its nodes.
 class Unknowns {
  public:
-  Unknowns(const Space& space, const Scene& scene, const std::vector<Body>& bodies);
+  Unknowns(const Space& space, const Scene& scene, const std::vector<Body>& bodies,
+           const std::vector<InterfaceNode>& interface = {});
 
   int size() const { return static_cast<int>(field_.size()); }
   int n_free() const { return size() - n_prescribed(); }
   const Row& expansion(unsigned dof) const { return expansion_[dof]; }
+  /// Of the caisson's own node where it may part from the ground's.
+  const Row& caisson_expansion(unsigned dof) const;
   const std::vector<Field>& field() const { return field_; }
   const std::vector<IndexRange>& blocks() const { return blocks_; }
-  int n_prescribed() const { return static_cast<int>(prescribed_.size()); }
+  int n_prescribed() const { return static_cast<int>(prescribed_.size()) + 2 * n_interface_; }
+  /// Index of the opening of a node of the interface.
+  int opening(int node) const { return size() - n_interface_ + node; }
   /// Index of a rigid body's coordinate.
   int coordinate(std::size_t body, int motion) const {
     return first_coordinate_ + n_motions * static_cast<int>(body) + motion;
@@ -37,11 +45,14 @@ class Unknowns {
 
  private:
   void number(const Space& space, const dealii::AffineConstraints<double>& constraints, std::size_t n_coordinates);
+  void separate(const std::vector<InterfaceNode>& interface);
 
   std::vector<Row> expansion_;
   std::vector<Field> field_;
   std::vector<IndexRange> blocks_;
   std::vector<std::string> prescribed_;  ///< names of the loads that prescribe a pressure
+  std::map<unsigned, Row> of_caisson_;   ///< by degree of freedom of the interface
+  int n_interface_ = 0;                  ///< nodes
   int first_coordinate_ = 0;
 };
 

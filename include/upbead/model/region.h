@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "upbead/base/objection.h"
+#include "upbead/model/contact_law.h"
 #include "upbead/model/soil.h"
 
 namespace upbead {
@@ -67,6 +68,7 @@ struct Region {
   double biot = 1.;                                                     ///< alpha
   double grain_bulk_modulus = std::numeric_limits<double>::infinity();  ///< K_s (Pa)
   std::optional<Rayleigh> damping;
+  std::optional<ContactLaw> interface;                           ///< rigid, solid: of the caisson's bottom
   Deformation deformation = Deformation::automatic;              ///< solid
   Compressibility compressibility = Compressibility::automatic;  ///< water
 };

@@ -65,6 +65,12 @@ struct Scene {
 /// The region whose bottom shear is read.
 inline const std::string caisson_name = "caisson";
 
+/// Whether the caisson may slip and lift on its ground, node by node.
+bool has_frictional_contact(const Scene& scene);
+
+/// The friction coefficient of that contact: its own, that of [sliding], or 0.6.
+double contact_friction(const Scene& scene);
+
 /// The shortest time in which a load rises and falls (s): Load::duration where it is set (a sine: half its period),
 /// else twice the least distance of two kinks; 0 where a load jumps, infinity where no load has any.
 double shortest_duration(const Scene& scene);

@@ -13,6 +13,7 @@ template <class Enum>
 using Words = std::vector<std::pair<std::string, Enum>>;
 
 extern const Words<RegionKind> region_kind_words;
+extern const Words<ContactKind> contact_kind_words;
 extern const Words<Flow> flow_words;
 extern const Words<Deformation> deformation_words;
 extern const Words<Compressibility> compressibility_words;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "upbead/dynamics/energy.h"
+#include "upbead/output/contact_summary.h"
 #include "upbead/output/sliding_summary.h"
 #include "upbead/response/shear_response.h"
 
@@ -74,6 +75,7 @@ struct Summary {
   std::optional<ReductionSummary> reduction;  ///< none where it was marched
   std::optional<ErrorEstimate> error;         ///< none where the mesh was not made for the tolerance
   std::optional<SlidingSummary> sliding;      ///< none without [sliding]
+  std::optional<ContactSummary> contact;      ///< none where the bottom is tied
   std::optional<SoilSummary> soil;            ///< none where no soil depends on strain
   std::vector<Skipped> skipped;
   Timing timing;

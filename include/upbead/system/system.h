@@ -2,6 +2,7 @@
 // What stands left of it knows nothing of time marching, what stands right of it nothing of caissons.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -41,6 +42,20 @@ struct Reading {
   std::vector<double> feedthrough;  ///< one per load; empty means none
 };
 
+/// Where two bodies touch and may slip and part, node by node. Its unknowns are motions of the upper body relative to
+/// the lower one: slip (m, landward) of all nodes, then opening (m, apart) of all nodes. They are the last unknowns of
+/// the system and count as prescribed: kept at zero they glue the bodies; a contact law may move them. With them the
+/// residual M x'' + C x' + K x - f of a row of slip is -T_i, T_i the shear force on the lower body (N/m), and that of a
+/// row of opening the change of the effective normal force N_i (N/m, compression positive).
+struct Interface {
+  std::vector<double> position;  ///< of each node along the contact (m), ascending
+  std::vector<double> length;    ///< that each node stands for (m): a force over it is a stress
+  Vector normal_force;           ///< N_i at rest (N/m)
+  double friction = 0.;          ///< mu
+
+  int n_nodes() const { return static_cast<int>(position.size()); }
+};
+
 /// n unknowns; the last n_prescribed of them are given by loads. M, C and K hold all n rows, are symmetric, and with
 /// the rows of phi multiplied by -1: M >= 0, sym(C) >= 0, K >= 0.
 struct System {
@@ -51,11 +66,15 @@ struct System {
   std::vector<Field> field;        ///< one per unknown
   std::vector<IndexRange> blocks;  ///< unknowns that couple inside one cell only (W), eliminated before factorising
   int n_prescribed = 0;
+  std::optional<Interface> interface;  ///< its unknowns are the last of the prescribed ones
   Sharing sharing;  ///< of the free unknowns with other processes; see part.h for what is then a sum over them
 
   bool is_divided() const { return sharing.processes != nullptr; }
   int size() const { return static_cast<int>(field.size()); }
   int n_free() const { return size() - n_prescribed; }
+  /// Of an interface: the first unknown of slip, and of opening.
+  int first_slip() const { return size() - 2 * interface->n_nodes(); }
+  int first_opening() const { return size() - interface->n_nodes(); }
   /// Index of the reading of that name; throws std::out_of_range where there is none.
   int reading(const std::string& name) const;
 };

@@ -1,0 +1,87 @@
+// A reduced system one of whose coordinates slips under dry friction: one modal model for every phase of the motion.
+#pragma once
+
+#include <array>
+#include <utility>
+#include <vector>
+
+#include "upbead/dynamics/modal_model.h"
+#include "upbead/dynamics/reduced_system.h"
+#include "upbead/system/system.h"
+
+namespace upbead {
+
+/// What add_slip() calls its load and its readings.
+namespace slip_name {
+inline const char* const friction = "interface/friction";       ///< F_T (N/m)
+inline const char* const slip = "interface/slip";               ///< s (m)
+inline const char* const velocity = "interface/slip_velocity";  ///< s' (m/s)
+}  // namespace slip_name
+
+/// Makes a slip of the free unknown `slip`, the residual of whose row is -F_T: adds F_T as the last load, -1 on that
+/// row, and s and s' as the last readings. Both must be there when the system is reduced, with s among the unknowns
+/// that are kept exactly.
+void add_slip(System& system, int slip);
+
+/// Coulomb's law, and what is to be read.
+struct SlipLaw {
+  double friction = 0.;                              ///< mu
+  std::vector<std::pair<int, double>> normal_force;  ///< readings, weighted: change of N' (N/m), compression positive
+  std::vector<int> readings;                         ///< others that are wanted
+};
+
+/// What the bottom does.
+enum class Contact {
+  stuck,     ///< s' = 0; F_T is whatever that takes, |F_T| <= mu N'
+  forward,   ///< s' > 0, F_T = mu N'
+  backward,  ///< s' < 0, F_T = -mu N'
+  lifted     ///< N' < 0: F_T = 0, the bottom may go either way
+};
+
+/// The motion in one phase, from any state of energy coordinates (state_space.h).
+struct SlipPhase {
+  /// Loads: those of the reduced system without F_T, then N_0, the part of N' that is known beforehand: W', less an
+  /// uplift that is prescribed (N/m). Readings: F_T, N', s', then those wanted, a position less its share of s.
+  ModalModel modes;
+  Eigen::MatrixXd to_state;    ///< N x 2M: the state of [Re z; Im z]
+  Eigen::MatrixXd from_state;  ///< 2M x N; of the stuck phase without the last state, which is s' alone
+};
+
+/// Rows of the readings of a SlipPhase.
+enum SlipReading : int { row_shear = 0, row_normal = 1, row_velocity = 2, first_row_wanted = 3 };
+
+struct SlipModel {
+  std::array<SlipPhase, 4> phases;  ///< by Contact
+  Eigen::VectorXd share_of_slip;    ///< of the readings wanted: each is its row plus so many times s
+  double friction = 0.;             ///< mu
+  double growth = 0.;               ///< largest real part of a pole that friction leaves above round-off (1/s)
+
+  const SlipPhase& phase(Contact contact) const { return phases[static_cast<std::size_t>(contact)]; }
+  int n_loads() const { return phases[0].modes.n_loads(); }  ///< N_0 with them
+};
+
+/// With w' = ... - c F_T and s' = c.w in energy coordinates, and s the last coordinate, c has the last entry alone:
+///
+///   stuck     that state is zero, and its equation gives F_T; A without its row and column, A + A^T <= 0 as before;
+///   slipping  F_T = +-mu N', N' = N_0 + n.s + g F_T, so F_T = kappa (N_0 + n.s) with kappa = +-mu / (1 -+ mu g), a
+///   loop
+///             that each direction closes by itself;
+///   lifted    kappa = 0.
+///
+/// All phases have the same states, s.s/2 the stored energy, so that a change of phase keeps them: nothing but a dense
+/// map between modal coordinates. Where K~ does not see a rigid motion of the upper body, that motion has no strain but
+/// a pole at zero, and a velocity; s itself is no state but the integral of s', and no Jordan block arises. A closed
+/// loop is not dissipative in form: real parts up to 1e-9 of |A| are round-off and set to zero, what is more is
+/// friction that feeds a motion through N' (flutter), kept and told. Throws NumericsError where 1 -+ mu g <= 0 (slip
+/// then is not well posed: friction makes more than its own normal force), where s' feels what a load prescribes, where
+/// a reading wanted drifts with more than s, and as state_space() does; std::invalid_argument where there is no
+/// friction, or `reduced` lacks what add_slip() adds.
+SlipModel slip_model(const ReducedSystem& reduced, const SlipLaw& law);
+
+/// What all phases are made of, to compare reduced systems by: the stuck motion under the loads, and the free one under
+/// the loads and F_T, side by side. Loads: those of the reduced system, F_T the last. Readings: F_T of the stuck
+/// motion, F_T + N', s' of the free one, and N' of that with both F_T. So an error of N' counts beside the forces that
+/// it limits, and not beside itself, which where all is symmetric is nothing. Throws as slip_model() does.
+ModalModel stuck_and_free(const ReducedSystem& reduced, const SlipLaw& law);
+
+}  // namespace upbead

@@ -1,0 +1,23 @@
+// What a system with an interface becomes where the bodies may move relative to each other in fewer ways, or in none.
+#pragma once
+
+#include "upbead/system/system.h"
+
+namespace upbead {
+
+/// How the names of all readings of an interface begin. They are the last ones of a system, and are lost with it.
+inline const std::string interface_prefix = "interface/";
+
+/// Names of the readings of an interface's nodes, from 0.
+std::string shear_reading(int node);   ///< T_i (N/m), on the lower body, landward
+std::string normal_reading(int node);  ///< change of the effective N_i (N/m)
+
+/// The bodies glued together: the system without the unknowns of its interface. With `forces` it has readings of the
+/// forces at all nodes besides.
+System glued(const System& system, bool forces = false);
+
+/// The upper body may slip as a whole: all nodes have one slip s (m, landward), which is free, and no opening. s is the
+/// last free unknown. Its residual is -F_T, the shear force on the lower body; there is no load of that name yet.
+System with_rigid_slip(const System& system);
+
+}  // namespace upbead

@@ -1,0 +1,23 @@
+// What a march with contact leaves behind of the caisson's bottom.
+#pragma once
+
+#include "upbead/dynamics/contact.h"
+#include "upbead/output/contact_summary.h"
+
+namespace upbead {
+
+/// Sees every step of a march; system and scheme must outlive it.
+class ContactRecorder {
+ public:
+  ContactRecorder(const System& system, const Scheme& scheme) : system_(system), scheme_(scheme) {}
+  void see(const State& state);
+  ContactHistory history() const;
+  NodeContact summary() const;
+
+ private:
+  const System& system_;
+  const Scheme& scheme_;
+  ContactHistory history_;
+};
+
+}  // namespace upbead

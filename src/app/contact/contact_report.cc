@@ -1,0 +1,42 @@
+#include "contact_report.h"
+
+#include "upbead/app/report.h"
+#include "upbead/base/text.h"
+
+namespace upbead {
+
+namespace {
+
+std::string since(const std::optional<double>& time) {
+  return time ? "from " + significant(*time, 4) + " s" : "never";
+}
+
+std::string percent(double part) {
+  return significant(100. * part, 3) + " %";
+}
+
+}  // namespace
+
+std::string why_glued(const ContactSummary& contact) {
+  const std::string margin =
+      contact.demand.margin > 0. ? ", which may err by " + percent(contact.demand.margin) : std::string();
+  return "no node pulls or slips: |T| reaches " + percent(contact.demand.slip) + " of mu N, and N falls to " +
+         percent(contact.demand.least_normal) + " of that at rest" + margin;
+}
+
+std::string describe(const ContactSummary& contact) {
+  if (!contact.solved) return "";
+  const NodeContact& c = *contact.solved;
+  std::string text = "contact     friction " + significant(contact.friction) + " at " + std::to_string(contact.nodes) +
+                     " nodes, N at rest " + with_unit(contact.weight, "N/m") + "\n";
+  text += "  slip        " + with_unit(c.slip, "m", c.largest_slip) + " in the end, at most " +
+          with_unit(c.largest_slip, "m") + " on the way; nodes slip " + since(c.first_slip) + "\n";
+  text += "  opening     seaward end " + with_unit(c.opening_seaward, "m") + ", landward end " +
+          with_unit(c.opening_landward, "m") + "; nodes open " + since(c.first_open) + "; at least " +
+          percent(c.least_contact) + " of the bottom touch\n";
+  text += "  friction    took " + with_unit(c.dissipated, "J/m") + "; N falls to " +
+          with_unit(c.least_normal_force, "N/m") + "\n";
+  return text;
+}
+
+}  // namespace upbead

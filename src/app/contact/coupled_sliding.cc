@@ -1,0 +1,123 @@
+#include "coupled_sliding.h"
+
+#include <algorithm>
+
+#include "../case_sliding.h"
+#include "upbead/base/error.h"
+#include "upbead/fem/caisson_readings.h"
+#include "upbead/response/reduction.h"
+#include "upbead/response/slip_reduction.h"
+#include "upbead/sliding/coupled_slip.h"
+
+namespace upbead {
+
+namespace {
+
+/// "" where it can be told.
+std::string why_not(const CompiledCase& scene) {
+  const System& system = scene.compiled.system;
+  if (system.is_divided()) return "several processes share the work";
+  if (!scene.scene.time.inertia) return "consolidation has no dynamics";
+  const std::string& region = scene.compiled.caisson->body.region;
+  const std::vector<Body>& bodies = scene.compiled.bodies;
+  if (std::none_of(bodies.begin(), bodies.end(), [&region](const Body& body) { return body.region == region; }))
+    return "the caisson deforms";
+  if (!bottom_is_level(*scene.mesh)) return "the caisson's bottom is not level";
+  return "";
+}
+
+/// The scene with an interface; what its unknowns mean is not asked for any more.
+CompiledScene compile_loose(const CompiledCase& scene) {
+  const std::vector<InterfaceNode> nodes = interface_nodes(*scene.space);
+  const Unknowns unknowns(*scene.space, scene.scene, scene.compiled.bodies, nodes);
+  return compile(scene.scene, *scene.space, unknowns, scene.compiled.bodies, nullptr, nodes);
+}
+
+/// Times of the response, four to each: a slip starts and ends between them.
+std::vector<double> fine_times(const std::vector<double>& time) {
+  constexpr int parts = 4;
+  std::vector<double> fine{time.front()};
+  for (std::size_t i = 1; i < time.size(); ++i)
+    for (int j = 1; j <= parts; ++j)
+      fine.push_back(j == parts ? time[i] : time[i - 1] + (time[i] - time[i - 1]) * j / parts);
+  return fine;
+}
+
+/// The scene's loads, and W' less a prescribed uplift.
+SampledLoads loads_of_slip(const Scene& scene, const CompiledScene& compiled) {
+  std::vector<TimeFunction> histories;
+  for (const SystemLoad& load : compiled.system.loads) histories.push_back(load.history);
+  SampledLoads loads = sample(histories, fine_times(response_times(scene, compiled.system)));
+  const Eigen::Index K = loads.begin.rows();
+  for (Eigen::MatrixXd* part : {&loads.begin, &loads.end}) {
+    part->conservativeResize(K + 1, Eigen::NoChange);
+    part->row(K).setConstant(scene.sliding->buoyant_weight);
+  }
+  if (!scene.sliding->uplift || scene.sliding->uplift->kind != UpliftKind::prescribed) return loads;
+  const TimeFunction U = prescribed_uplift(scene, compiled, loads.time);
+  const SampledLoads uplift = sample({U}, loads.time);
+  loads.begin.row(K) -= uplift.begin.row(0);
+  loads.end.row(K) -= uplift.end.row(0);
+  return loads;
+}
+
+CoupledHistoryTable table(const std::vector<double>& time, const CoupledHistory& history) {
+  const auto list = [](const auto& row) { return std::vector<double>(row.begin(), row.end()); };
+  return {time,
+          list(history.shear),
+          list(history.normal),
+          list(history.velocity),
+          list(history.slip),
+          list(history.wanted.row(0))};
+}
+
+void slide(const CompiledCase& scene, Run& run, const std::function<void(double)>& progress) {
+  const SlidingChoice& choice = *scene.scene.sliding;
+  const CompiledScene loose = compile_loose(scene);
+  const bool computed = choice.uplift && choice.uplift->kind == UpliftKind::computed;
+  const SlipUplift uplift = computed ? SlipUplift::computed : SlipUplift::none;
+  const SlipReduction reduction = reduce_slip(scene.scene, loose, uplift, run.response.ends, progress);
+  if (!reduction.converged)
+    throw NumericsError("its reduced model does not come to the tolerance in " + std::to_string(reduction.n_vectors) +
+                        " vectors");
+  const SlipLaw law = slip_law(reduction.system, choice.friction, uplift, {reading::displacement_x});
+  const SampledLoads loads = loads_of_slip(scene.scene, loose);
+  CoupledHistory history;
+  const CoupledSliding slid =
+      CoupledSlip(slip_model(reduction.system, law), loads.time[1] - loads.time[0]).slide(loads, &history);
+  run.summary.sliding->coupled =
+      CoupledSummary{slid.slip,        slid.dissipated,     slid.peak_shear,         slid.least_normal,
+                     slid.lifted_time, reduction.n_vectors, reduction.error.history, reduction.glued_error};
+  run.coupled = table(loads.time, history);
+}
+
+}  // namespace
+
+void add_coupled_sliding(const CompiledCase& scene, Run& run, const std::function<void(double)>& progress) {
+  if (!run.summary.sliding || !run.summary.response) return;
+  SlidingSummary& sliding = *run.summary.sliding;
+  if (sliding.history.with_normal_force.slips.empty()) {
+    const ShearResponse& response = *run.summary.response;
+    sliding.coupled.emplace();
+    sliding.coupled->peak_shear = std::max(response.peak_shear, -response.peak_shear_seaward);
+    sliding.coupled->least_normal = sliding.history.least_normal_force;
+    return;
+  }
+  sliding.why_not_coupled = why_not(scene);
+  if (!sliding.why_not_coupled.empty()) return;
+  try {
+    slide(scene, run, progress);
+  } catch (const NumericsError& error) {
+    sliding.why_not_coupled = error.what();
+  }
+}
+
+std::vector<Skipped> skipped(const SlidingSummary& sliding) {
+  const std::string what = "slip of the caisson with its ground";
+  if (!sliding.why_not_coupled.empty()) return {{what, sliding.why_not_coupled}};
+  if (sliding.coupled && sliding.coupled->vectors == 0)
+    return {{what, "|F_T| stays below mu N' at all times: the glued caisson does not slip"}};
+  return {};
+}
+
+}  // namespace upbead

@@ -1,0 +1,141 @@
+#include "contact_problem.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "contact_sweeps.h"
+#include "upbead/base/error.h"
+
+namespace upbead::detail {
+
+namespace {
+
+constexpr double force_tolerance = 1e-10;
+constexpr int most_iterations = 100;
+constexpr int most_rounds = 40;
+
+double largest_force(const InterfaceForces& forces) {
+  return std::max(forces.shear.cwiseAbs().maxCoeff(), forces.normal.cwiseAbs().maxCoeff());
+}
+
+/// Sets what the law forbids, and round-off left, to zero.
+void clean(const std::vector<Contact>& status, Vector& motion) {
+  const auto n = static_cast<Eigen::Index>(status.size());
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const Contact contact = status[static_cast<std::size_t>(i)];
+    double &slip = motion[i], &opening = motion[n + i];
+    opening = contact == Contact::open ? std::max(opening, 0.) : 0.;
+    if (contact != Contact::open && slip * direction(contact) <= 0.) slip = 0.;
+  }
+}
+
+}  // namespace
+
+ContactProblem::ContactProblem(Eigen::MatrixXd stiffness, double friction)
+    : D_(std::move(stiffness)), friction_(friction), n_(static_cast<int>(D_.rows()) / 2) {}
+
+bool ContactProblem::holds(const InterfaceForces& forces, double friction, double scale) {
+  const double tolerance = force_tolerance * std::max(scale, largest_force(forces));
+  return (forces.normal.array() >= -tolerance).all() &&
+         (forces.shear.array().abs() <= friction * forces.normal.array() + tolerance).all();
+}
+
+ContactPoint ContactProblem::solve(const ContactPoint& point, double scale, std::vector<Contact>& status) {
+  const double tolerance = force_tolerance * std::max(scale, largest_force(point.forces));
+  ContactPoint found;
+  if (iterate(point, tolerance, status, found)) return found;
+  ++n_fallbacks_;
+  if (compliance_.size() == 0) compliance_ = D_.llt().solve(Eigen::MatrixXd::Identity(2 * n_, 2 * n_));
+  ContactSweeps sweeps(compliance_, friction_, point);
+  for (int round = 0, n_sweeps = 5; round < most_rounds; ++round, n_sweeps += n_sweeps / 4) {
+    for (int i = 0; i < n_sweeps; ++i) sweeps.sweep();
+    status = sweeps.status();
+    if (iterate(point, tolerance, status, found)) return found;
+  }
+  throw NumericsError("no motion of the interface's " + std::to_string(n_) +
+                      " nodes was found that obeys friction and contact with the coefficient " +
+                      std::to_string(friction_));
+}
+
+bool ContactProblem::iterate(const ContactPoint& point, double tolerance, std::vector<Contact>& status,
+                             ContactPoint& found) {
+  std::set<std::vector<Contact>> seen;
+  for (int i = 0; i < most_iterations && seen.insert(status).second; ++i) {
+    release(point, status, found);
+    if (!found.motion.allFinite()) return false;
+    std::vector<Contact> next = judge(found, status, tolerance);
+    if (next == status) {
+      clean(status, found.motion);
+      return true;
+    }
+    status = std::move(next);
+  }
+  return false;
+}
+
+/// The rows of what moves: T - mu sigma N = 0 of a node that slips, T = 0 and N = 0 of an open one.
+void ContactProblem::factorise(const std::vector<Contact>& status) {
+  released_.clear();
+  for (Eigen::Index i = 0; i < n_; ++i)
+    if (status[static_cast<std::size_t>(i)] != Contact::stick) released_.push_back(i);
+  for (Eigen::Index i = 0; i < n_; ++i)
+    if (status[static_cast<std::size_t>(i)] == Contact::open) released_.push_back(n_ + i);
+  Eigen::MatrixXd A = D_(released_, released_);
+  for (std::size_t k = 0; k < released_.size() && released_[k] < n_; ++k)
+    if (const double sigma = direction(status[static_cast<std::size_t>(released_[k])]); sigma != 0.)
+      A.row(static_cast<Eigen::Index>(k)) += friction_ * sigma * D_.row(n_ + released_[k])(released_);
+  if (!released_.empty()) factors_.compute(A);
+  factorised_ = status;
+}
+
+/// The point at which all nodes do what their status says, as far as equations go.
+void ContactProblem::release(const ContactPoint& point, const std::vector<Contact>& status, ContactPoint& found) {
+  if (status != factorised_) factorise(status);
+  Vector change = -point.motion;
+  for (const Eigen::Index k : released_) change[k] = 0.;
+  Vector force = D_ * change;
+  force.head(n_) -= point.forces.shear;
+  force.tail(n_) += point.forces.normal;
+  if (!released_.empty()) {
+    Vector unbalanced = force(released_);
+    for (std::size_t k = 0; k < released_.size() && released_[k] < n_; ++k)
+      unbalanced[static_cast<Eigen::Index>(k)] +=
+          friction_ * direction(status[static_cast<std::size_t>(released_[k])]) * force[n_ + released_[k]];
+    const Vector moved = -factors_.solve(unbalanced);
+    for (std::size_t k = 0; k < released_.size(); ++k) {
+      change[released_[k]] = moved[static_cast<Eigen::Index>(k)];
+      force += change[released_[k]] * D_.col(released_[k]);
+    }
+  }
+  found.motion = point.motion + change;
+  found.forces = {-force.head(n_), force.tail(n_)};
+}
+
+/// The status that the law's projections give each node at this point.
+std::vector<Contact> ContactProblem::judge(const ContactPoint& point, const std::vector<Contact>& status,
+                                           double tolerance) const {
+  std::vector<Contact> next = status;
+  for (Eigen::Index i = 0; i < n_; ++i) {
+    Contact& contact = next[static_cast<std::size_t>(i)];
+    const double N = point.forces.normal[i], T = point.forces.shear[i];
+    const double slip = D_(i, i) * point.motion[i], opening = D_(n_ + i, n_ + i) * point.motion[n_ + i];
+    if (contact == Contact::open) {
+      if (opening >= -tolerance) continue;
+      const double sliding = std::abs(slip) + friction_ * opening;
+      contact = sliding <= 0. ? Contact::stick : slip > 0. ? Contact::slip_landward : Contact::slip_seaward;
+    } else if (N < -tolerance) {
+      contact = Contact::open;
+    } else if (contact == Contact::stick) {
+      if (std::abs(T) > friction_ * N + tolerance) contact = T > 0. ? Contact::slip_landward : Contact::slip_seaward;
+    } else if (slip * direction(contact) < -tolerance) {
+      contact = Contact::stick;
+    }
+  }
+  return next;
+}
+
+}  // namespace upbead::detail

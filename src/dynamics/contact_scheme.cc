@@ -1,0 +1,86 @@
+#include "contact_scheme.h"
+
+#include <stdexcept>
+
+namespace upbead {
+
+namespace detail {
+
+namespace {
+
+const System& checked(const System& system) {
+  if (!system.interface || system.interface->n_nodes() == 0)
+    throw std::invalid_argument("contact needs a system with an interface");
+  if (system.is_divided()) throw std::invalid_argument("contact is not done on several processes");
+  return system;
+}
+
+}  // namespace
+
+FrictionalContact::FrictionalContact(const System& system, bool account_energy)
+    : SchemeBase(checked(system), account_energy),
+      glued_(system, sdirk4_tableau()),
+      moving_(system, friction_tableau()),
+      impact_(system, euler_tableau()),
+      stage_(system) {
+  report_.forces = stage_.now().forces;
+}
+
+void FrictionalContact::start(const State& state) {
+  SchemeBase::start(state);
+  stage_.start(state);
+  fallbacks_before_ = stage_.n_fallbacks();
+  report_ = {stage_.now().forces};
+}
+
+/// The step by n equal steps of a tableau; where they stop, all is as before but for the solves.
+bool FrictionalContact::attempt(Dirk& dirk, int n, StopAt stop, State& state, double h) {
+  const State before = state;
+  const InterfaceState stage_before = stage_.now();
+  const EnergyAccount account_before = energy();
+  stage_.begin_step(stop);
+  for (int i = 0; i < n; ++i)
+    if (!dirk.step(state, h / n, before.time + 0.5 * h, matrices_, meter(), &stage_)) {
+      state = before;
+      stage_.restore(stage_before);
+      if (meter() != nullptr) meter()->restore(account_before);
+      return false;
+    }
+  state.time = before.time + h;
+  end_load_ = dirk.load();
+  return true;
+}
+
+/// Whether no velocity is about to jump: a node that has closed in the last stage still has the rate at which it did.
+bool FrictionalContact::settled(const State& state) const {
+  const int n = system_.interface->n_nodes();
+  return ((state.x.tail(n).array() > 0.) || (state.v.tail(n).array() == 0.)).all();
+}
+
+void FrictionalContact::advance(State& state, double h) {
+  const bool is_settled = settled(state);
+  if (!(is_settled && stage_.all_stick() && attempt(glued_, 1, StopAt::release, state, h)) &&
+      !(is_settled && attempt(moving_, 1, StopAt::impact, state, h)))
+    attempt(impact_, 4, StopAt::never, state, h);
+  n_solves_ = stage_.n_solves();
+  balanced_.state = state;
+  balanced_.load = end_load_;
+  report();
+}
+
+void FrictionalContact::report() {
+  const InterfaceState& now = stage_.now();
+  report_.forces = now.forces;
+  report_.slip_steps += now.slipped;
+  report_.open_steps += now.opened;
+  report_.impacts += now.impacts;
+  report_.fallbacks = stage_.n_fallbacks() - fallbacks_before_;
+}
+
+}  // namespace detail
+
+std::unique_ptr<Scheme> make_contact_scheme(const System& system, bool account_energy) {
+  return std::make_unique<detail::FrictionalContact>(system, account_energy);
+}
+
+}  // namespace upbead

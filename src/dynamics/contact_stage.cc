@@ -1,0 +1,137 @@
+#include "contact_stage.h"
+
+#include <algorithm>
+
+namespace upbead::detail {
+
+namespace {
+
+constexpr std::size_t kept_problems = 3;  // as many as matrices are kept
+
+}  // namespace
+
+ContactStage::ContactStage(const System& system)
+    : system_(system),
+      interface_(*system.interface),
+      n_(interface_.n_nodes()),
+      scale_(interface_.normal_force.cwiseAbs().maxCoeff()),
+      zero_(system.size()),
+      correction_(system.size()) {
+  start(at_rest(system));
+}
+
+void ContactStage::start(const State& state) {
+  now_ = {};
+  now_.status.assign(static_cast<std::size_t>(n_), Contact::stick);
+  now_.forces = {Vector::Zero(n_), interface_.normal_force};
+  for (int i = 0; i < n_; ++i) {
+    const double slip_rate = state.v[system_.first_slip() + i];
+    Contact& contact = now_.status[static_cast<std::size_t>(i)];
+    if (slip_rate != 0.) contact = slip_rate > 0. ? Contact::slip_landward : Contact::slip_seaward;
+    if (state.x[system_.first_opening() + i] > 0.) contact = Contact::open;
+  }
+}
+
+void ContactStage::begin_step(StopAt stop) {
+  stop_ = stop;
+  now_.slipped = now_.opened = false;
+  now_.impacts = 0;
+}
+
+bool ContactStage::all_stick() const {
+  return std::all_of(now_.status.begin(), now_.status.end(), [](Contact contact) { return contact == Contact::stick; });
+}
+
+int ContactStage::n_fallbacks() const {
+  int n = fallbacks_of_dropped_;
+  for (const auto& [g, problem] : problems_) n += problem.n_fallbacks();
+  return n;
+}
+
+ContactProblem& ContactStage::problem(const EffectiveMatrix& E, double g) {
+  const auto found = problems_.find(g);
+  if (found != problems_.end()) return found->second;
+  if (problems_.size() == kept_problems) {
+    fallbacks_of_dropped_ = n_fallbacks();
+    problems_.clear();
+  }
+  n_solves_ += 2 * n_;
+  return problems_.try_emplace(g, E.condensed_on_last(2 * n_), interface_.friction).first->second;
+}
+
+/// Nodes that stuck go on so; the others move as if nothing accelerated them. So the forces of the guess are of the
+/// size of the true ones, which is what tolerances rest on.
+Vector ContactStage::first_guess(double g, const DirkStage& stage) const {
+  Vector motion = Vector::Zero(2 * n_);
+  for (int i = 0; i < n_; ++i) {
+    const Contact contact = now_.status[static_cast<std::size_t>(i)];
+    if (contact != Contact::stick) motion[i] = stage.v_predicted[system_.first_slip() + i] / g;
+    if (contact == Contact::open) motion[n_ + i] = std::max(stage.x[system_.first_opening() + i], 0.) / (g * g);
+  }
+  return motion;
+}
+
+void ContactStage::set_accelerations(const Vector& motion, double g, DirkStage& stage) const {
+  const auto v_predicted = stage.v_predicted.tail(2 * n_);
+  const Vector opening_rate = (g * g * motion.tail(n_) - stage.x_explicit.tail(n_)) / g;
+  stage.a.tail(2 * n_).head(n_) = (g * motion.head(n_) - v_predicted.head(n_)) / g;
+  stage.a.tail(n_) = (opening_rate - v_predicted.tail(n_)) / g;
+}
+
+/// Without the round-off of going through accelerations: what sticks has the rate 0., what is closed the opening 0.
+void ContactStage::set_motions(const Vector& motion, double g, DirkStage& stage) const {
+  stage.v.tail(2 * n_).head(n_) = g * motion.head(n_);
+  stage.x.tail(2 * n_).head(n_) = stage.x_explicit.tail(2 * n_).head(n_) + g * g * motion.head(n_);
+  stage.x.tail(n_) = g * g * motion.tail(n_);
+  stage.v.tail(n_) = (stage.x.tail(n_) - stage.x_explicit.tail(n_)) / g;
+}
+
+InterfaceForces ContactStage::forces(const EffectiveMatrix& E, const DirkStage& stage) const {
+  const Vector residual = E.residual_of_last(2 * n_, stage.rhs, stage.a);
+  return {-residual.head(n_), interface_.normal_force + residual.tail(n_)};
+}
+
+/// Compares with the last stage.
+bool ContactStage::note(const std::vector<Contact>& status) {
+  bool impact = false;
+  for (std::size_t i = 0; i < status.size(); ++i) {
+    const Contact before = now_.status[i], after = status[i];
+    const bool closed = before == Contact::open && after != Contact::open;
+    now_.impacts += closed;
+    impact = impact || closed;
+    now_.opened = now_.opened || after == Contact::open;
+    now_.slipped = now_.slipped || direction(after) != 0.;
+  }
+  now_.status = status;
+  return stop_ != StopAt::impact || !impact;
+}
+
+bool ContactStage::solve(const EffectiveMatrix& E, double g, DirkStage& stage) {
+  ContactPoint point{first_guess(g, stage), {}};
+  set_accelerations(point.motion, g, stage);
+  E.solve(stage.rhs, stage.a);
+  ++n_solves_;
+  point.forces = forces(E, stage);
+  std::vector<Contact> status(static_cast<std::size_t>(n_), Contact::stick);
+  if (!point.motion.isZero(0.) || !ContactProblem::holds(point.forces, interface_.friction, scale_)) {
+    if (stop_ == StopAt::release) return false;
+    status = now_.status;
+    const Vector guess = stage.a.tail(2 * n_);
+    point = problem(E, g).solve(point, scale_, status);
+    set_accelerations(point.motion, g, stage);
+    correction_.tail(system_.n_prescribed).setZero();
+    correction_.tail(2 * n_) = stage.a.tail(2 * n_) - guess;
+    zero_.setZero();
+    E.solve(zero_, correction_);
+    ++n_solves_;
+    stage.a.head(system_.n_free()) += correction_.head(system_.n_free());
+    point.forces = forces(E, stage);
+  }
+  if (!note(status)) return false;
+  now_.forces = point.forces;
+  stage.move(g);
+  set_motions(point.motion, g, stage);
+  return true;
+}
+
+}  // namespace upbead::detail

@@ -1,0 +1,65 @@
+// The nodes of an interface through the stages of a march.
+#pragma once
+
+#include <map>
+
+#include "contact_problem.h"
+#include "dirk_stage.h"
+
+namespace upbead::detail {
+
+/// What a step shall not go on with.
+enum class StopAt {
+  release,  ///< a node slips or opens
+  impact,   ///< a node closes
+  never,
+};
+
+/// What the nodes do at one time, and what they did in the steps that led there.
+struct InterfaceState {
+  std::vector<Contact> status;
+  InterfaceForces forces;
+  bool slipped = false;  ///< a node, in this step
+  bool opened = false;   ///< a node, in this step
+  int impacts = 0;       ///< nodes that closed, in this step
+};
+
+/// Solves stages under the law of contact (ContactProblem). In a stage the free unknowns follow those of the interface
+/// linearly, so that its forces do as well: D is E condensed on the interface, for motions q = (slip rate / g,
+/// opening / g^2).
+class ContactStage : public StageLaw {
+ public:
+  explicit ContactStage(const System& system);
+  void start(const State& state);
+  void begin_step(StopAt stop);
+  bool solve(const EffectiveMatrix& E, double g, DirkStage& stage) override;
+
+  const InterfaceState& now() const { return now_; }
+  /// Goes back to what was before.
+  void restore(const InterfaceState& before) { now_ = before; }
+  /// Whether all nodes stick.
+  bool all_stick() const;
+  int n_solves() const { return n_solves_; }
+  int n_fallbacks() const;
+
+ private:
+  Vector first_guess(double g, const DirkStage& stage) const;
+  ContactProblem& problem(const EffectiveMatrix& E, double g);
+  InterfaceForces forces(const EffectiveMatrix& E, const DirkStage& stage) const;
+  void set_accelerations(const Vector& motion, double g, DirkStage& stage) const;
+  void set_motions(const Vector& motion, double g, DirkStage& stage) const;
+  bool note(const std::vector<Contact>& status);
+
+  const System& system_;
+  const Interface& interface_;
+  int n_;
+  double scale_;  ///< largest normal force at rest
+  InterfaceState now_;
+  StopAt stop_ = StopAt::never;
+  std::map<double, ContactProblem> problems_;  ///< by g
+  int fallbacks_of_dropped_ = 0;
+  int n_solves_ = 0;
+  Vector zero_, correction_;
+};
+
+}  // namespace upbead::detail

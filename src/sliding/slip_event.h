@@ -1,0 +1,34 @@
+// When a phase of a slip ends.
+#pragma once
+
+#include "upbead/dynamics/slip_path.h"
+#include "upbead/dynamics/slip_steps.h"
+
+namespace upbead::detail {
+
+enum class SlipEvent {
+  none,
+  starts,  ///< |F_T| reaches mu N'
+  stops,   ///< s' = 0
+  lifts,   ///< N' = 0, falling
+  lands    ///< N' = 0, rising
+};
+
+struct TimedEvent {
+  SlipEvent event = SlipEvent::none;
+  double time = 0.;  ///< from the start of the stretch (s)
+};
+
+/// 1 forward, -1 backward, else 0.
+inline double direction(Contact contact) {
+  return contact == Contact::forward ? 1. : contact == Contact::backward ? -1. : 0.;
+}
+
+/// Which event shows at a time, by its readings: F_T where it sticks, s' where it slips; and N'.
+SlipEvent event_at(Contact contact, double friction, double watched, double normal);
+
+/// The event that shows at an end of a path, and when it came. `fresh`: the phase has begun with the path, so that s',
+/// or |F_T| - mu N', is zero up to round-off.
+TimedEvent first_event(const SlipPath& path, Contact contact, double friction, bool fresh);
+
+}  // namespace upbead::detail

@@ -1,0 +1,177 @@
+// Claims: the stuck phase is the system without s, with F_T the residual of its row; the phases that slip are the whole
+// system under the friction that their own N' makes; states pass between phases unchanged; curves, places and steps of
+// a phase are one motion; a slip that is not well posed, or feels what is prescribed, is refused; growth is told.
+#include "upbead/dynamics/slip_model.h"
+
+#include <gtest/gtest.h>
+
+#include <boost/math/quadrature/gauss_kronrod.hpp>
+#include <cmath>
+#include <random>
+#include <stdexcept>
+
+#include "reduction_tools.h"
+#include "upbead/base/error.h"
+#include "upbead/dynamics/slip_path.h"
+#include "upbead/dynamics/slip_steps.h"
+
+namespace {
+
+using namespace upbead;
+using namespace upbead::test;
+
+using Complex = std::complex<double>;
+constexpr double shift = 0.8, friction = 0.7;
+constexpr int slip = 2;  ///< the unknown of the sample that slips
+
+/// The porous sample, one of whose displacements slips; N' changes with another, its velocity and acceleration.
+System sample() {
+  System system = loaded_sample(Sample{}, hat());
+  system.readings.push_back({"N", "N/m", "", {{0, 1.5}}, {{1, 0.4}}, {{3, 0.2}}, {}});
+  return system;
+}
+
+ReducedSystem reduced_sample() {
+  System system = sample();
+  add_slip(system, slip);
+  return whole(system, shift);
+}
+
+int reading(const System& system, const std::string& name) {
+  return system.reading(name);
+}
+
+SlipLaw law(double mu = friction) {
+  return {mu, {{reading(sample(), "N"), 1.}}, {0, 1}};
+}
+
+/// Readings of the whole system under its loads and F_T, at a complex frequency: columns by load.
+Eigen::MatrixXcd transfer_of_whole(Complex s) {
+  System system = sample();
+  add_slip(system, slip);
+  return transfer(whole(system, shift), s);
+}
+
+void expect_equal(Complex found, Complex expected) {
+  EXPECT_LT(std::abs(found - expected), 1e-9 * std::max(1., std::abs(expected)));
+}
+
+// F_T(s) of a stuck caisson makes s' zero; that of one that slips is mu N'.
+TEST(SlipModel, PhasesAreTheWholeSystemUnderTheirOwnFriction) {
+  const System system = sample();
+  const int n = reading(system, "N"), K = static_cast<int>(system.loads.size());
+  const SlipModel model = slip_model(reduced_sample(), law());
+  ASSERT_EQ(model.n_loads(), K + 1);
+  for (const Complex s : {Complex(0.1, 1.), Complex(0.3, 5.)}) {
+    const Eigen::MatrixXcd H = transfer_of_whole(s);
+    const Eigen::Index v = H.rows() - 1;
+    for (int k = 0; k <= K; ++k) {
+      const bool by_load = k < K;
+      const Complex N = by_load ? H(n, k) : Complex(1.), speed = by_load ? H(v, k) : Complex(0.);
+      for (const auto& [contact, mu] :
+           {std::pair{Contact::forward, friction}, {Contact::backward, -friction}, {Contact::lifted, 0.}}) {
+        const ModalModel& modes = model.phase(contact).modes;
+        const Complex shear = mu * N / (1. - mu * H(n, K));
+        expect_equal(modes.transfer(row_shear, k, s), shear);
+        expect_equal(modes.transfer(row_normal, k, s), N + H(n, K) * shear);
+        expect_equal(modes.transfer(row_velocity, k, s), speed + H(v, K) * shear);
+        expect_equal(modes.transfer(first_row_wanted, k, s), (by_load ? H(0, k) : Complex(0.)) + H(0, K) * shear);
+      }
+      const ModalModel& stuck = model.phase(Contact::stuck).modes;
+      const Complex shear = -speed / H(v, K);
+      expect_equal(stuck.transfer(row_shear, k, s), shear);
+      expect_equal(stuck.transfer(row_normal, k, s), N + H(n, K) * shear);
+      expect_equal(stuck.transfer(row_velocity, k, s), 0.);
+    }
+  }
+}
+
+TEST(SlipModel, ComparesByTheStuckAndTheFreeMotion) {
+  const System system = sample();
+  const int n = reading(system, "N"), K = static_cast<int>(system.loads.size());
+  const ModalModel both = stuck_and_free(reduced_sample(), law());
+  const Complex s(0.2, 2.);
+  const Eigen::MatrixXcd H = transfer_of_whole(s);
+  const Eigen::Index v = H.rows() - 1;
+  for (int k = 0; k <= K; ++k) {
+    const Complex shear = k < K ? -H(v, k) / H(v, K) : Complex(0.);
+    expect_equal(both.transfer(0, k, s), shear);
+    expect_equal(both.transfer(1, k, s), shear + (k < K ? H(n, k) + H(n, K) * shear : Complex(0.)));
+    expect_equal(both.transfer(2, k, s), H(v, k));
+    expect_equal(both.transfer(3, k, s), shear + H(n, k) + (k < K ? 0. : 1.));
+  }
+}
+
+TEST(SlipModel, StatesPassUnchanged) {
+  const SlipModel model = slip_model(reduced_sample(), law());
+  std::mt19937 random(5);
+  std::normal_distribution<double> number;
+  const Eigen::Index N = model.phases[0].to_state.rows();
+  Eigen::VectorXd state = Eigen::VectorXd::NullaryExpr(N, [&] { return number(random); });
+  for (const Contact contact : {Contact::forward, Contact::backward, Contact::lifted}) {
+    const SlipPhase& phase = model.phase(contact);
+    EXPECT_LT((energy_state(phase, modal_state(phase, state)) - state).norm(), 1e-11 * state.norm());
+  }
+  const SlipPhase& stuck = model.phase(Contact::stuck);
+  state[N - 1] = 0.;
+  EXPECT_LT((energy_state(stuck, modal_state(stuck, state)) - state).norm(), 1e-11 * state.norm());
+}
+
+TEST(SlipModel, CurvesPlacesAndStepsAreOneMotion) {
+  const SlipModel model = slip_model(reduced_sample(), law());
+  std::mt19937 random(6);
+  std::normal_distribution<double> number;
+  const Eigen::Index N = model.phases[0].to_state.rows(), K = model.n_loads();
+  const auto draw = [&](Eigen::Index n) -> Eigen::VectorXd {
+    return Eigen::VectorXd::NullaryExpr(n, [&] { return number(random); });
+  };
+  for (const Contact contact : {Contact::stuck, Contact::forward, Contact::backward, Contact::lifted})
+    for (const double step : {0.01, 0.3, 2.}) {
+      const SlipPhase& phase = model.phase(contact);
+      const ModalState z = modal_state(phase, draw(N));
+      const Eigen::VectorXd begin = draw(K), end = draw(K), slope = (end - begin) / step;
+      const SlipPath path(phase, z, begin, slope, step);
+      const SlipPath::Place place = path.at(step);
+      const SlipPath beyond(phase, place.z, end, slope, step);
+      for (int row = 0; row < first_row_wanted + 2; ++row)
+        EXPECT_NEAR(path.reading(row)(step), beyond.reading(row)(0.), 1e-11) << row;
+      const SlipCurve speed = path.reading(row_velocity);
+      const double distance = boost::math::quadrature::gauss_kronrod<double, 31>::integrate(speed, 0., step, 8, 1e-13);
+      EXPECT_NEAR(place.distance, distance, 1e-11);
+      ModalState next = z;
+      const SlipStep found = SlipSteps(phase, contact, step).advance(z, begin, end, next);
+      EXPECT_LT((next.re - place.z.re).matrix().norm() + (next.im - place.z.im).matrix().norm(), 1e-11);
+      EXPECT_NEAR(found.watched, path.reading(SlipSteps::watched_row(contact))(step), 1e-11);
+      EXPECT_NEAR(found.normal, path.reading(row_normal)(step), 1e-11);
+      if (contact != Contact::stuck) EXPECT_NEAR(found.distance, distance, 1e-11);
+    }
+}
+
+TEST(SlipModel, StuckAndLiftedNeverGrow) {
+  const SlipModel model = slip_model(reduced_sample(), law());
+  for (const Contact contact : {Contact::stuck, Contact::lifted})
+    EXPECT_LE(model.phase(contact).modes.pole.real().maxCoeff(), 0.);
+}
+
+TEST(SlipModel, TellsTheGrowthThatFrictionFeeds) {
+  EXPECT_EQ(slip_model(reduced_sample(), law(0.01)).growth, 0.);
+  EXPECT_GT(slip_model(reduced_sample(), law(2.5)).growth, 0.);
+}
+
+TEST(SlipModel, RefusesWhatIsNotWellPosed) {
+  EXPECT_THROW(slip_model(reduced_sample(), law(0.)), std::invalid_argument);
+  EXPECT_THROW(slip_model(reduced_sample(), law(1e4)), NumericsError);
+  EXPECT_THROW(slip_model(whole(sample(), shift), law()), std::invalid_argument) << "without add_slip()";
+}
+
+TEST(SlipModel, RefusesASlipThatFeelsWhatIsPrescribed) {
+  Sample moved;
+  moved.prescribed_u = true;
+  System system = sample_system(moved);
+  system.readings.pop_back();  // an acceleration, refused as such
+  system.loads = {prescribed_load(system, hat())};
+  add_slip(system, slip);
+  EXPECT_THROW(slip_model(whole(system, shift), {friction, {}, {}}), NumericsError);
+}
+
+}  // namespace

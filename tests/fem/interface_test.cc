@@ -1,0 +1,132 @@
+// Claims: an interface whose unknowns are kept at zero changes nothing; residuals of its rows are the forces at the
+// bottom, of openings the effective ones; slip and opening of all nodes leave the ground where it is; the forces at
+// rest carry the caisson's weight in water. Tolerances: round-off of the largest term.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "scenes.h"
+#include "upbead/fem/caisson_readings.h"
+#include "upbead/fem/static_stage.h"
+#include "upbead/mesh/refine.h"
+#include "upbead/system/interface.h"
+
+namespace upbead::test {
+namespace {
+
+constexpr double round_off = 1e-12;
+
+double difference(const SparseMatrix& a, const SparseMatrix& b) {
+  const SparseMatrix d = a - b;
+  return d.coeffs().size() == 0 ? 0. : d.coeffs().cwiseAbs().maxCoeff() / a.coeffs().cwiseAbs().maxCoeff();
+}
+
+double sum_of(const System& system, const State& state, int first, int n) {
+  double sum = 0.;
+  for (int i = first; i < first + n; ++i)
+    sum += system.M.row(i).dot(state.a) + system.C.row(i).dot(state.v) + system.K.row(i).dot(state.x);
+  return sum;
+}
+
+/// Cells around the seaward corner of the bottom are smaller where `levels` is not 0, so that nodes hang.
+std::unique_ptr<Mesh> mesh_with(int levels) {
+  auto mesh = breakwater_mesh(0.35, with_sea());
+  for (int level = 0; level < levels; ++level) {
+    std::vector<bool> chosen(mesh->triangulation.n_active_cells(), false);
+    for (const auto& cell : mesh->triangulation.active_cell_iterators())
+      chosen[cell->active_cell_index()] = std::hypot(cell->center()[0] + 9., cell->center()[1] - 6.) < 4.;
+    refine_cells(*mesh, chosen);
+  }
+  return mesh;
+}
+
+class Bottom : public testing::TestWithParam<int> {
+ protected:
+  Bottom() : scene_(breakwater(triangle(1e6, 0.15))), mesh_(mesh_with(GetParam())) { add_sea(scene_); }
+
+  Scene scene_;
+  std::unique_ptr<Mesh> mesh_;
+};
+
+TEST_P(Bottom, GluedIsTheSystemWithoutInterface) {
+  const Compiled plain(scene_, *mesh_), loose(scene_, *mesh_, true);
+  ASSERT_TRUE(loose.scene.system.interface);
+  const System system = glued(loose.scene.system);
+  ASSERT_EQ(system.size(), plain.scene.system.size());
+  EXPECT_LE(difference(plain.scene.system.M, system.M), round_off);
+  EXPECT_LE(difference(plain.scene.system.C, system.C), round_off);
+  EXPECT_LE(difference(plain.scene.system.K, system.K), round_off);
+  for (std::size_t k = 0; k < system.loads.size(); ++k)
+    EXPECT_EQ(system.loads[k].vector, plain.scene.system.loads[k].vector);
+  ASSERT_EQ(system.readings.size(), plain.scene.system.readings.size());
+}
+
+TEST_P(Bottom, ResidualsAreTheForcesOfTheReadings) {
+  const Compiled loose(scene_, *mesh_, true);
+  const System& system = loose.scene.system;
+  const int n = system.interface->n_nodes();
+  State state = at_rest(system);
+  for (Vector* part : {&state.x, &state.v, &state.a}) *part = Vector::Random(system.size());
+  const std::vector<double> no_load(system.loads.size(), 0.);
+  const auto read = [&](const char* name) {
+    return evaluate(system.readings[static_cast<std::size_t>(system.reading(name))], state, no_load);
+  };
+  const double shear = sum_of(system, state, system.first_slip(), n);
+  EXPECT_NEAR(-shear, read(reading::shear_force), round_off * 1e12);
+  const double normal = sum_of(system, state, system.first_opening(), n);
+  EXPECT_NEAR(normal, read(reading::normal_force) - read(reading::uplift), round_off * 1e12);
+  EXPECT_GT(std::abs(shear) + std::abs(normal), 1e6);  // of forces up to 1e12
+}
+
+TEST_P(Bottom, RigidSlipMovesTheCaissonAndNothingElse) {
+  const Compiled loose(scene_, *mesh_, true);
+  const System& system = loose.scene.system;
+  const int n = system.interface->n_nodes(), b = loose.scene.body_coordinates.front();
+  for (const auto& [motion, first] : {std::pair(motion_x, system.first_slip()), {motion_y, system.first_opening()}}) {
+    Vector x = Vector::Zero(system.size());
+    x[b + motion] = 1.;
+    x.segment(first, n).setOnes();
+    EXPECT_LE((system.K * x).norm(), round_off * system.K.col(b + motion).norm());
+  }
+  const System sliding = with_rigid_slip(system);
+  ASSERT_EQ(sliding.size(), system.first_slip() + 1);
+  EXPECT_EQ(sliding.n_prescribed, 0);
+  Vector x = Vector::Zero(sliding.size());
+  x[b + motion_x] = x[sliding.n_free() - 1] = 1.;
+  EXPECT_LE((sliding.K * x).norm(), round_off * sliding.K.col(b + motion_x).norm());
+}
+
+TEST_P(Bottom, MatricesStaySymmetric) {
+  const Compiled loose(scene_, *mesh_, true);
+  for (const SparseMatrix* A : {&loose.scene.system.M, &loose.scene.system.C, &loose.scene.system.K})
+    EXPECT_LE(difference(*A, SparseMatrix(A->transpose())), round_off);
+}
+
+TEST_P(Bottom, LengthsOfNodesAreThoseOfTheBottom) {
+  const Compiled loose(scene_, *mesh_, true);
+  double sum = 0.;
+  for (const double length : loose.scene.system.interface->length) {
+    EXPECT_GT(length, 0.);
+    sum += length;
+  }
+  EXPECT_NEAR(sum, 18., 1e-9);
+}
+
+TEST_P(Bottom, ForcesAtRestCarryTheWeightInWater) {
+  const Compiled loose(scene_, *mesh_, true);
+  const Vector N = static_normal_forces(loose.resolved, *mesh_, {});
+  ASSERT_EQ(N.size(), loose.scene.system.interface->n_nodes());
+  EXPECT_GT(N.minCoeff(), 0.);
+  // caisson 18 m wide and 16 m high, 9 m of them below water
+  const double weight = 9.81 * 18. * (2100. * 16. - 1030. * 9.);
+  EXPECT_NEAR(N.sum(), weight, 1e-6 * weight);
+  double moment = 0.;
+  for (int i = 0; i < N.size(); ++i)
+    moment += N[i] * loose.scene.system.interface->position[static_cast<std::size_t>(i)];
+  EXPECT_NEAR(moment, 0., 1e-3 * weight * 18.);  // the meshes of both halves differ where one is refined
+}
+
+INSTANTIATE_TEST_SUITE_P(Levels, Bottom, testing::Values(0, 2));
+
+}  // namespace
+}  // namespace upbead::test
