@@ -6,7 +6,7 @@
 #include <cstdio>
 
 #include "contact/contact_report.h"
-#include "sliding_report.h"
+#include "sliding/sliding_report.h"
 #include "upbead/base/text.h"
 #include "upbead/model/words.h"
 #include "upbead/response/scheme_choice.h"

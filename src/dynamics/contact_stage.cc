@@ -15,7 +15,7 @@ ContactStage::ContactStage(const System& system)
       interface_(*system.interface),
       n_(interface_.n_nodes()),
       scale_(interface_.normal_force.cwiseAbs().maxCoeff()),
-      zero_(system.size()),
+      no_load_(system.size()),
       correction_(system.size()) {
   start(at_rest(system));
 }
@@ -106,28 +106,35 @@ bool ContactStage::note(const std::vector<Contact>& status) {
   return stop_ != StopAt::impact || !impact;
 }
 
+/// The free unknowns follow the interface from the motion that they were solved with to another one.
+void ContactStage::correct(const EffectiveMatrix& E, double g, const Vector& motion, DirkStage& stage) {
+  const Vector before = stage.a.tail(2 * n_);
+  set_accelerations(motion, g, stage);
+  correction_.tail(system_.n_prescribed).setZero();
+  correction_.tail(2 * n_) = stage.a.tail(2 * n_) - before;
+  no_load_.setZero();
+  E.solve(no_load_, correction_);
+  ++n_solves_;
+  stage.a.head(system_.n_free()) += correction_.head(system_.n_free());
+}
+
 bool ContactStage::solve(const EffectiveMatrix& E, double g, DirkStage& stage) {
-  ContactPoint point{first_guess(g, stage), {}};
-  set_accelerations(point.motion, g, stage);
+  const Vector guess = first_guess(g, stage);
+  set_accelerations(guess, g, stage);
   E.solve(stage.rhs, stage.a);
   ++n_solves_;
-  point.forces = forces(E, stage);
+  ContactPoint point{guess, forces(E, stage)};
   std::vector<Contact> status(static_cast<std::size_t>(n_), Contact::stick);
-  if (!point.motion.isZero(0.) || !ContactProblem::holds(point.forces, interface_.friction, scale_)) {
+  if (!guess.isZero(0.) || !ContactProblem::holds(point.forces, interface_.friction, scale_)) {
     if (stop_ == StopAt::release) return false;
     status = now_.status;
-    const Vector guess = stage.a.tail(2 * n_);
     point = problem(E, g).solve(point, scale_, status);
-    set_accelerations(point.motion, g, stage);
-    correction_.tail(system_.n_prescribed).setZero();
-    correction_.tail(2 * n_) = stage.a.tail(2 * n_) - guess;
-    zero_.setZero();
-    E.solve(zero_, correction_);
-    ++n_solves_;
-    stage.a.head(system_.n_free()) += correction_.head(system_.n_free());
-    point.forces = forces(E, stage);
   }
   if (!note(status)) return false;
+  if (point.motion != guess) {
+    correct(E, g, point.motion, stage);
+    point.forces = forces(E, stage);
+  }
   now_.forces = point.forces;
   stage.move(g);
   set_motions(point.motion, g, stage);

@@ -48,6 +48,7 @@ class ContactStage : public StageLaw {
   InterfaceForces forces(const EffectiveMatrix& E, const DirkStage& stage) const;
   void set_accelerations(const Vector& motion, double g, DirkStage& stage) const;
   void set_motions(const Vector& motion, double g, DirkStage& stage) const;
+  void correct(const EffectiveMatrix& E, double g, const Vector& motion, DirkStage& stage);
   bool note(const std::vector<Contact>& status);
 
   const System& system_;
@@ -59,7 +60,7 @@ class ContactStage : public StageLaw {
   std::map<double, ContactProblem> problems_;  ///< by g
   int fallbacks_of_dropped_ = 0;
   int n_solves_ = 0;
-  Vector zero_, correction_;
+  Vector no_load_, correction_;
 };
 
 }  // namespace upbead::detail

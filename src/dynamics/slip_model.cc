@@ -63,9 +63,9 @@ void take_slip_out(StateSpace& s, int slip, int reading, double& share) {
 }
 
 OpenLoop open_loop(const ReducedSystem& reduced, const SlipLaw& law) {
+  StateSpace s = state_space(with_slip_last(reduced));
   const int slip = index_of(reduced.reading_label, slip_name::slip),
             velocity = index_of(reduced.reading_label, slip_name::velocity);
-  StateSpace s = state_space(with_slip_last(reduced));
   const Eigen::Index K = s.B.cols() - 1;
   if (!s.D.row(velocity).isZero(0.))
     throw NumericsError("the slip feels the motion that a load prescribes; march this scene");
@@ -157,7 +157,8 @@ SlipPhase in_modes(const Equations& e, Eigen::Index n_states, double& growth) {
   detail::Modes modes;
   if (n > 0) modes = detail::diagonalise(e.A, Eigen::MatrixXd::Identity(n, n));
   growth = std::max(growth, drop_growth(e.A, modes.pole));
-  const std::vector<int> kept = modes.kept();
+  std::vector<int> kept = modes.kept();
+  std::stable_partition(kept.begin(), kept.end(), [&](int m) { return modes.pole[m].imag() > 0.; });
   const auto M = static_cast<Eigen::Index>(kept.size());
   phase.modes.pole = modes.pole(kept);
   const Eigen::MatrixXcd inverse = modes.load(kept, Eigen::all), X = modes.reading(modes.X, kept);

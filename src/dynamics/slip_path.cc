@@ -3,11 +3,38 @@
 #include <cmath>
 
 #include "lanes.h"
-#include "phi_functions.h"
 
 namespace upbead {
 
 using Complex = std::complex<double>;
+
+namespace {
+
+/// Of z' = p z + a + b t.
+struct ModeStart {
+  Complex z, a, b;
+};
+
+/// visit(k, Re, Im) for the terms z^(k)(0) t^k / k! of z(t), abs(p t) <= 1: z' = p z + a, z'' = p z' + b,
+/// from there on p times the last. Where abs(p t) > 1 there is z = e^(pt) (z_0 + a/p + b/p^2) - (a + b t)/p - b/p^2.
+template <class Visit>
+void for_each_term(const ModeStart& start, const Complex& p, double t, const Visit& visit) {
+  const Complex first = t * (p * start.z + start.a), second = 0.5 * t * (p * first + t * start.b);
+  visit(0, start.z.real(), start.z.imag());
+  visit(1, first.real(), first.imag());
+  double re = second.real(), im = second.imag();
+  const double x_re = p.real() * t, x_im = p.imag() * t;  // products of std::complex look for infinities, term by term
+  const double negligible = 1e-18 * (std::abs(re) + std::abs(im));
+  for (int k = 2; k < SlipCurve::n_terms; ++k) {
+    visit(k, re, im);
+    const double next = (re * x_re - im * x_im) / (k + 1);
+    im = (re * x_im + im * x_re) / (k + 1);
+    re = next;
+    if (std::abs(re) + std::abs(im) <= negligible) return;
+  }
+}
+
+}  // namespace
 
 ModalState modal_state(const SlipPhase& phase, const Eigen::VectorXd& state) {
   const Eigen::Index M = phase.modes.n_modes();
@@ -45,48 +72,53 @@ SlipPath::SlipPath(const SlipPhase& phase, const ModalState& start, const Eigen:
   z_.imag() = start.im.head(z_.size()).matrix();
 }
 
-/// z' = p z + a + b t. Slow modes by z'' = p z' + b, z''' = p z'', ...; of a fast one, z = e^(pt) (z_0 + a/p + b/p^2)
-/// - (a + b t)/p - b/p^2.
 SlipCurve SlipPath::reading(int row) const {
   SlipCurve curve;
   curve.length_ = length_;
   curve.taylor_[0] = phase_.modes.feedthrough.row(row).dot(load_);
   curve.taylor_[1] = phase_.modes.feedthrough.row(row).dot(slope_) * length_;
   for (Eigen::Index m = 0; m < z_.size(); ++m) {
-    const Complex c = phase_.modes.reading(row, m), p = phase_.modes.pole[m], x = p * length_;
+    const Complex c = phase_.modes.reading(row, m), p = phase_.modes.pole[m];
     if (c == 0.) continue;
-    if (std::abs(x) > 1.) {
-      const Complex line = whole_[m] / p, bend = rise_[m] / (p * p);
-      curve.taylor_[0] -= (c * (line + bend)).real();
-      curve.taylor_[1] -= (c * rise_[m] / p).real() * length_;
-      curve.pole_.push_back(p);
-      curve.amplitude_.push_back(c * (z_[m] + line + bend));
+    if (std::abs(p) * length_ <= 1.) {
+      for_each_term({z_[m], whole_[m], rise_[m]}, p, length_, [&](int k, double re, double im) {
+        curve.taylor_[static_cast<std::size_t>(k)] += c.real() * re - c.imag() * im;
+      });
       continue;
     }
-    Complex term = c * z_[m];
-    curve.taylor_[0] += term.real();
-    term = term * x + c * whole_[m] * length_;
-    curve.taylor_[1] += term.real();
-    term = 0.5 * (term * x + c * rise_[m] * length_ * length_);
-    for (int k = 2; k < SlipCurve::n_terms; ++k) {
-      curve.taylor_[static_cast<std::size_t>(k)] += term.real();
-      term *= x / static_cast<double>(k + 1);
-    }
+    const Complex line = whole_[m] / p, bend = rise_[m] / (p * p);
+    curve.taylor_[0] -= (c * (line + bend)).real();
+    curve.taylor_[1] -= (c * rise_[m] / p).real() * length_;
+    curve.pole_.push_back(p);
+    curve.amplitude_.push_back(c * (z_[m] + line + bend));
   }
   return curve;
 }
 
 SlipPath::Place SlipPath::at(double t) const {
   Eigen::VectorXcd z(z_.size());
-  double sum = 0.;
+  double distance = 0.;
   for (Eigen::Index m = 0; m < z_.size(); ++m) {
-    const Complex x = phase_.modes.pole[m] * t;
-    const detail::PhiFunctions phi = detail::phi_functions(x);
-    z[m] = phi.exp * z_[m] + t * (phi.phi1 * whole_[m] + t * phi.phi2 * rise_[m]);
-    const Complex integral = phi.phi1 * z_[m] + t * (phi.phi2 * whole_[m] + t * detail::phi3(x, phi.phi2) * rise_[m]);
-    sum += (phase_.modes.reading(row_velocity, m) * integral).real();
+    const Complex p = phase_.modes.pole[m];
+    Complex integral;
+    if (std::abs(p) * t <= 1.) {
+      double re = 0., im = 0., sum_re = 0., sum_im = 0.;
+      for_each_term({z_[m], whole_[m], rise_[m]}, p, t, [&](int k, double term_re, double term_im) {
+        re += term_re;
+        im += term_im;
+        sum_re += term_re / (k + 1);
+        sum_im += term_im / (k + 1);
+      });
+      z[m] = {re, im};
+      integral = t * Complex(sum_re, sum_im);
+    } else {
+      const Complex line = whole_[m] / p, bend = rise_[m] / (p * p);
+      z[m] = std::exp(p * t) * (z_[m] + line + bend) - line - bend - t * rise_[m] / p;
+      integral = (z[m] - z_[m] - t * (whole_[m] + 0.5 * t * rise_[m])) / p;
+    }
+    distance += (phase_.modes.reading(row_velocity, m) * integral).real();
   }
-  return {detail::padded(z), t * sum};
+  return {detail::padded(z), distance};
 }
 
 }  // namespace upbead

@@ -37,9 +37,10 @@ double sum(const Lanes& values) {
   return total;
 }
 
-UPBEAD_CLONES void add_step(Eigen::Index n_modes, const StepPointers& p, SlipStep& y) {
+/// The first `n_pairs` modes may be complex, the others, up to `n_modes`, are real. Both are whole numbers of lanes.
+UPBEAD_CLONES void add_step(Eigen::Index n_pairs, Eigen::Index n_modes, const StepPointers& p, SlipStep& y) {
   Lanes watched = {}, normal = {}, distance = {};
-  for (Eigen::Index m = 0; m < n_modes; m += lanes) {
+  for (Eigen::Index m = 0; m < n_pairs; m += lanes) {
     Lanes a, b, re, im;
     detail::load(p.re + m, re);
     detail::load(p.im + m, im);
@@ -69,6 +70,25 @@ UPBEAD_CLONES void add_step(Eigen::Index n_modes, const StepPointers& p, SlipSte
     detail::load(p.normal_im + m, b);
     normal += a * next_re - b * next_im;
   }
+  for (Eigen::Index m = n_pairs; m < n_modes; m += lanes) {
+    Lanes a, re;
+    detail::load(p.re + m, re);
+    detail::load(p.distance_re + m, a);
+    distance += a * re;
+    detail::load(p.E_re + m, a);
+    Lanes next = a * re;
+    for (std::size_t k = 0; k < p.n_inputs; ++k) {
+      detail::load(p.inputs[k].begin_re + m, a);
+      next += p.inputs[k].at_begin * a;
+      detail::load(p.inputs[k].end_re + m, a);
+      next += p.inputs[k].at_end * a;
+    }
+    detail::store(next, p.to_re + m);
+    detail::load(p.watched_re + m, a);
+    watched += a * next;
+    detail::load(p.normal_re + m, a);
+    normal += a * next;
+  }
   y.watched += sum(watched);
   y.normal += sum(normal);
   y.distance += sum(distance);
@@ -94,6 +114,8 @@ SlipSteps::SlipSteps(const SlipPhase& phase, Contact contact, double step) {
     distance_rise[m] = modes.reading(row, m) * step * step * detail::phi3(x, phi.phi2);
   }
   E_ = detail::padded(E);
+  const Eigen::Index pairs = (modes.pole.imag().array() > 0.).count();
+  n_pairs_ = (pairs + lanes - 1) / lanes * lanes;
   watched_ = detail::padded(modes.reading.row(row).transpose());
   normal_ = detail::padded(modes.reading.row(row_normal).transpose());
   distance_ = detail::padded(distance);
@@ -122,7 +144,7 @@ SlipStep SlipSteps::advance(const SplitArray& from, const Eigen::VectorXd& begin
     p.inputs[k] = {input.begin.re.data(), input.begin.im.data(), input.end.re.data(),
                    input.end.im.data(),   begin[input.load],     end[input.load]};
   }
-  add_step(E_.re.size(), p, y);
+  add_step(n_pairs_, E_.re.size(), p, y);
   return y;
 }
 

@@ -8,6 +8,7 @@ namespace {
 
 /// Changes of phase that are followed within one stretch.
 constexpr int most_changes = 12;
+constexpr int stretches_between_drops = 64;
 
 }  // namespace
 
@@ -35,6 +36,7 @@ CoupledRun::Reading CoupledRun::reading_now(const Eigen::VectorXd& load) const {
 }
 
 void CoupledRun::pass(const LoadStretch& stretch, bool is_step, bool jumps) {
+  if (++n_stretches_ % stretches_between_drops == 0) drop_what_is_gone(z_);
   if (is_step && !jumps) {
     const SlipStep step = steps().advance(z_, stretch.begin, stretch.end, next_);
     if (event_at(contact_, model_.friction, step.watched, step.normal) == SlipEvent::none) {

@@ -51,6 +51,7 @@ class CoupledRun {
   const std::array<SlipSteps, 4>& steps_;
   Contact contact_ = Contact::stuck;
   ModalState z_, next_;
+  int n_stretches_ = 0;
   Reading last_;
   double time_ = 0.;
   double slip_ = 0.;  ///< s

@@ -23,6 +23,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr int n_samples = 2000, n_frictions = 25;
 constexpr double step = 1e-3;
+constexpr double uplift_share = 0.5;  ///< of P, prescribed for every other wave: some then lift
 
 /// What has become of the waves that slid, or of those that did not.
 struct Count {
@@ -43,7 +44,8 @@ Json measure(int n_waves) {
     modes = slip.model().phases[0].modes.n_modes();
     growth = std::max(growth, slip.model().growth);
     for (int n = 0; n < n_waves / n_frictions; ++n) {
-      const WaveSamples loads = test::samples(waves.next(step), breakwater.weight, step, n_samples);
+      WaveSamples loads = test::samples(waves.next(step), breakwater.weight, step, n_samples);
+      if (n % 2 == 1) loads.row(1) -= uplift_share * loads.row(0).cwiseMax(0.);
       const Stopwatch watch;
       const CoupledSliding found = slip.slide(loads);
       Count& count = found.slip.path > 0. ? slid : rested;

@@ -143,7 +143,9 @@ TEST(SlipModel, CurvesPlacesAndStepsAreOneMotion) {
       EXPECT_LT((next.re - place.z.re).matrix().norm() + (next.im - place.z.im).matrix().norm(), 1e-11);
       EXPECT_NEAR(found.watched, path.reading(SlipSteps::watched_row(contact))(step), 1e-11);
       EXPECT_NEAR(found.normal, path.reading(row_normal)(step), 1e-11);
-      if (contact != Contact::stuck) EXPECT_NEAR(found.distance, distance, 1e-11);
+      if (contact != Contact::stuck) {
+        EXPECT_NEAR(found.distance, distance, 1e-11);
+      }
     }
 }
 

@@ -41,7 +41,8 @@ enum class Contact {
 /// The motion in one phase, from any state of energy coordinates (state_space.h).
 struct SlipPhase {
   /// Loads: those of the reduced system without F_T, then N_0, the part of N' that is known beforehand: W', less an
-  /// uplift that is prescribed (N/m). Readings: F_T, N', s', then those wanted, a position less its share of s.
+  /// uplift that is prescribed (N/m). Readings: F_T, N', s', then those wanted, a position less its share of s. Pairs
+  /// of modes come before real ones.
   ModalModel modes;
   Eigen::MatrixXd to_state;    ///< N x 2M: the state of [Re z; Im z]
   Eigen::MatrixXd from_state;  ///< 2M x N; of the stuck phase without the last state, which is s' alone

@@ -25,11 +25,10 @@ class SlipCurve {
  public:
   /// At t (s) from the start, not beyond the length of the stretch.
   double operator()(double t) const;
+  static constexpr int n_terms = 20;  ///< 1/20! is below round-off
 
  private:
   friend class SlipPath;
-  static constexpr int n_terms = 20;  ///< 1/20! is below round-off
-
   double length_ = 0.;
   std::array<double, n_terms> taylor_{};  ///< of powers of t / length
   std::vector<std::complex<double>> pole_, amplitude_;

@@ -23,7 +23,8 @@ class SlipSteps {
   SlipSteps(const SlipPhase& phase, Contact contact, double step);
   /// Row that is watched.
   static int watched_row(Contact contact) { return contact == Contact::stuck ? row_shear : row_velocity; }
-  /// From a state under loads that go from `begin` to `end` (K); `to` has the size of `from`.
+  /// From a state under loads that go from `begin` to `end` (K); `to` has the size of `from` and
+  /// is real where that is.
   SlipStep advance(const detail::SplitArray& from, const Eigen::VectorXd& begin, const Eigen::VectorXd& end,
                    detail::SplitArray& to) const;
 
@@ -34,6 +35,7 @@ class SlipSteps {
     detail::SplitArray begin, end;
   };
 
+  Eigen::Index n_pairs_ = 0;  ///< modes that may be complex come first
   detail::SplitArray E_, watched_, normal_, distance_;
   std::vector<Input> inputs_;
   Eigen::RowVectorXd watched_load_, normal_load_;

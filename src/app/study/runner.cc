@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <new>
 
-#include "../case_sliding.h"
+#include "../sliding/case_sliding.h"
+#include "../sliding/read_sliding.h"
 #include "summary_reader.h"
 #include "upbead/base/error.h"
 #include "upbead/base/interrupt.h"
@@ -22,7 +23,7 @@ std::string key_of(const MeshRequest& request) {
 /// Everything that a solution depends on: all of the case but its sliding.
 std::string solution_key_of(const Case& problem) {
   Case without = problem;
-  without.scene.sliding.reset();
+  if (!has_frictional_contact(problem.scene)) without.scene.sliding.reset();
   return effective_case(without, ".");
 }
 
@@ -51,7 +52,8 @@ std::string Runner::solve(const Case& problem, const std::function<void()>& mean
   if (sharing_ && compiled_ && key == solution_key_) {
     shared = Shared::solution;
     check_sliding(problem, compiled_->compiled);
-    solution_.summary.sliding = sliding_of(problem.scene, compiled_->compiled, solution_.response);
+    compiled_->scene.sliding = problem.scene.sliding;
+    read_sliding(problem, *compiled_, solution_, [&meanwhile](double) { meanwhile(); });
     return to_json(solution_.summary);
   }
   compiled_.reset();

@@ -21,6 +21,9 @@ Json full_summary() {
   summary.sliding.emplace();
   summary.sliding->history.own.emplace();
   summary.sliding->pulse.emplace();
+  summary.sliding->equal_impulse.emplace();
+  summary.sliding->coupled.emplace();
+  summary.contact.emplace().solved.emplace();
   summary.soil.emplace();
   return Json::parse(to_json(summary));
 }

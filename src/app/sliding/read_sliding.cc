@@ -1,9 +1,10 @@
-#include "coupled_sliding.h"
+#include "read_sliding.h"
 
 #include <algorithm>
 
-#include "../case_sliding.h"
+#include "case_sliding.h"
 #include "upbead/base/error.h"
+#include "upbead/base/stopwatch.h"
 #include "upbead/fem/caisson_readings.h"
 #include "upbead/response/reduction.h"
 #include "upbead/response/slip_reduction.h"
@@ -93,8 +94,10 @@ void slide(const CompiledCase& scene, Run& run, const std::function<void(double)
 
 }  // namespace
 
-void add_coupled_sliding(const CompiledCase& scene, Run& run, const std::function<void(double)>& progress) {
-  if (!run.summary.sliding || !run.summary.response) return;
+void read_sliding(const Case& input, const CompiledCase& scene, Run& run, const std::function<void(double)>& progress) {
+  run.summary.sliding = sliding_of(input.scene, scene.compiled, run.response);
+  run.coupled.reset();
+  if (!run.summary.sliding) return;
   SlidingSummary& sliding = *run.summary.sliding;
   if (sliding.history.with_normal_force.slips.empty()) {
     const ShearResponse& response = *run.summary.response;
@@ -105,8 +108,10 @@ void add_coupled_sliding(const CompiledCase& scene, Run& run, const std::functio
   }
   sliding.why_not_coupled = why_not(scene);
   if (!sliding.why_not_coupled.empty()) return;
+  const Stopwatch watch;
   try {
     slide(scene, run, progress);
+    run.summary.timing.march += watch.seconds();
   } catch (const NumericsError& error) {
     sliding.why_not_coupled = error.what();
   }
