@@ -20,6 +20,7 @@ Json to_object(const GluedDemand& d) {
 Json to_object(const NodeContact& c) {
   return {{"slip", c.slip},
           {"largest_slip", c.largest_slip},
+          {"least_slip", c.least_slip},
           {"opening_seaward", c.opening_seaward},
           {"opening_landward", c.opening_landward},
           {"least_contact", c.least_contact},

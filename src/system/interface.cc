@@ -1,6 +1,7 @@
 #include "upbead/system/interface.h"
 
 #include <map>
+#include <numeric>
 
 namespace upbead {
 
@@ -115,6 +116,20 @@ System with_rigid_slip(const System& system) {
   for (int i = 0; i < nodes; ++i) selection.of_old[static_cast<std::size_t>(system.first_slip() + i)] = free;
   System out = select(system, selection);
   out.n_prescribed = system.n_prescribed - 2 * nodes;
+  return out;
+}
+
+System with_one_node(const System& system) {
+  const int first = system.first_slip(), nodes = system.interface->n_nodes();
+  Selection selection{std::vector<int>(static_cast<std::size_t>(system.size()), dropped), first + 2};
+  for (int i = 0; i < system.size(); ++i)
+    selection.of_old[static_cast<std::size_t>(i)] = i < first ? i : i < first + nodes ? first : first + 1;
+  System out = select(system, selection);
+  out.n_prescribed = system.n_prescribed - 2 * nodes + 2;
+  const Interface& all = *system.interface;
+  const double length = std::accumulate(all.length.begin(), all.length.end(), 0.);
+  const double middle = std::inner_product(all.length.begin(), all.length.end(), all.position.begin(), 0.) / length;
+  out.interface = Interface{{middle}, {length}, Vector::Constant(1, all.normal_force.sum()), all.friction};
   return out;
 }
 

@@ -143,6 +143,24 @@ TEST(Reduce, AnExhaustedSpaceIsExact) {
   EXPECT_LT(error(respond(reduction.model, options.training).reading, exact), 1e-10);
 }
 
+TEST(Reduce, ComparesByTheModelThatIsAskedFor) {
+  const System system = chain_of_masses.system(force());
+  ReduceOptions options = options_for(system, 1e-3);
+  const Reduction usual = reduce(system, options);
+  options.model = [](const ReducedSystem& reduced) {
+    ModalModel model = modes_of(reduced);
+    model.reading.row(0).swap(model.reading.row(1));
+    return model;
+  };
+  const Reduction other = reduce(system, options);
+  EXPECT_EQ(other.error.history, other.error.of_reading[0]);
+  EXPECT_NE(other.history[0].second.history, usual.history[0].second.history) << "another reading is measured";
+  EXPECT_LT(error(respond(modes_of(other.system), options.training).reading.row(0),
+                  respond(other.model, options.training).reading.row(1)),
+            1e-12)
+      << "the system is what the model was made of";
+}
+
 /// Two oscillators side by side, of 1 and `omega` rad/s.
 ModalModel two_oscillators(double omega) {
   ModalModel model = Oscillator{1., 0.1, 1.}.model(), second = Oscillator{1., 0.1, omega * omega}.model();

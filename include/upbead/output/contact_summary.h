@@ -17,12 +17,13 @@ struct GluedDemand {
 
 /// What the bottom did, node by node.
 struct NodeContact {
-  double slip = 0.;                    ///< mean over the bottom in the end, landward: S (m)
-  double largest_slip = 0.;            ///< mean over the bottom, of largest magnitude on the way (m)
-  double opening_seaward = 0.;         ///< largest, of the seaward end (m)
-  double opening_landward = 0.;        ///< largest, of the landward end (m)
-  double least_contact = 1.;           ///< least share of the bottom's width that is in contact
-  double least_normal_force = 0.;      ///< least sum of N_i (N/m)
+  double slip = 0.;                ///< mean over the bottom in the end, landward: S (m)
+  double largest_slip = 0.;        ///< mean over the bottom, of largest magnitude on the way (m)
+  double least_slip = 0.;          ///< in the end, of the node that slipped least: so far the whole bottom has gone (m)
+  double opening_seaward = 0.;     ///< largest, of the seaward end (m)
+  double opening_landward = 0.;    ///< largest, of the landward end (m)
+  double least_contact = 1.;       ///< least share of the bottom's width that is in contact
+  double least_normal_force = 0.;  ///< least sum of N_i (N/m)
   std::optional<double> first_slip;    ///< when a node first slips (s)
   std::optional<double> first_open;    ///< when a node first opens (s)
   double dissipated = 0.;              ///< energy that friction took (J/m)

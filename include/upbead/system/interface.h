@@ -20,4 +20,7 @@ System glued(const System& system, bool forces = false);
 /// last free unknown. Its residual is -F_T, the shear force on the lower body; there is no load of that name yet.
 System with_rigid_slip(const System& system);
 
+/// The upper body may slip and lift as a whole: the same with an interface of one node, which carries all forces.
+System with_one_node(const System& system);
+
 }  // namespace upbead

@@ -59,6 +59,9 @@ NodeContact ContactRecorder::summary() const {
     out.least_contact = std::min(out.least_contact, contact);
     out.least_normal_force = std::min(out.least_normal_force, normal);
   }
+  const auto last = history_.slip.end() - static_cast<std::ptrdiff_t>(n);
+  out.least_slip =
+      *std::min_element(last, history_.slip.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
   return out;
 }
 

@@ -1,14 +1,15 @@
 #include "contact_case.h"
 
 #include "upbead/fem/static_stage.h"
+#include "upbead/system/interface.h"
 
 namespace upbead::test {
 
 namespace {
 
 /// The system with its forces at rest.
-System& at_rest_on(const Mesh& mesh, double mu, Compiled& compiled) {
-  System& system = compiled.scene.system;
+System at_rest_on(const Mesh& mesh, double mu, const Compiled& compiled) {
+  System system = compiled.scene.system;
   system.interface->friction = mu;
   system.interface->normal_force = static_normal_forces(compiled.resolved, mesh, {});
   return system;
@@ -47,9 +48,9 @@ double buoyant_weight() {
   return 9.81 * (caisson_mass() - 1030. * 18. * 9.);
 }
 
-ContactMarch::ContactMarch(const Scene& scene, const Mesh& mesh, double mu, double end, double step)
-    : compiled(scene, mesh, true) {
-  const System& system = at_rest_on(mesh, mu, compiled);
+ContactMarch::ContactMarch(const Scene& scene, const Mesh& mesh, double mu, double end, double step, Bottom bottom)
+    : compiled(scene, mesh, true), system(at_rest_on(mesh, mu, compiled)) {
+  if (bottom == Bottom::whole) system = with_one_node(system);
   const std::unique_ptr<Scheme> scheme = make_contact_scheme(system);
   const int n = system.interface->n_nodes();
   const TimeGrid grid = make_time_grid(kinks(system), end, step);
@@ -66,7 +67,7 @@ ContactMarch::ContactMarch(const Scene& scene, const Mesh& mesh, double mu, doub
 }
 
 Eigen::RowVectorXd ContactMarch::mean_slip() const {
-  const std::vector<double>& length = compiled.scene.system.interface->length;
+  const std::vector<double>& length = system.interface->length;
   const Eigen::Map<const Eigen::RowVectorXd> weight(length.data(), static_cast<Eigen::Index>(length.size()));
   return weight * slip / weight.sum();
 }

@@ -22,10 +22,14 @@ double caisson_mass();
 double buoyant_weight();
 
 /// What a march with contact found.
+enum class Bottom { nodes, whole };
+
 struct ContactMarch {
-  ContactMarch(const Scene& scene, const Mesh& mesh, double mu, double end, double step);
+  /// The bottom slips and lifts node by node, or as a whole.
+  ContactMarch(const Scene& scene, const Mesh& mesh, double mu, double end, double step, Bottom bottom = Bottom::nodes);
 
   Compiled compiled;
+  System system;
   Response response;
   ContactReport report;
   Eigen::MatrixXd slip, opening;  ///< by node and step
