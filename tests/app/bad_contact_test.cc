@@ -14,14 +14,55 @@ const std::string caisson = "moment_of_inertia = 45e6\n", interface = caisson + 
 const std::string uplift = "[sliding.uplift]\nkind = \"prescribed\"\npeak = 5e5\nshape = \"held\"\nlag = 0.02\n";
 
 const std::vector<BadCase> contact_rows{
-    BadCase{"UnknownKind", caisson, interface + "{ kind = \"sticky\" }\n", ""},
-    BadCase{"CoefficientZero", caisson, interface + "{ kind = \"friction\", coefficient = 0 }\n", ""},
-    BadCase{"CoefficientOfATie", caisson, interface + "{ coefficient = 0.6 }\n", ""},
-    BadCase{"InSoil", "biot = 0.9", "biot = 0.9\ninterface = { kind = \"friction\" }", ""},
-    BadCase{"TwoFrictionsAndTwoUplifts", caisson, interface + "{ kind = \"friction\", coefficient = 0.5 }\n", ""},
-    BadCase{"Reduced", "scheme = \"sdirk4\"", "scheme = \"reduced\"", ""},
+    BadCase{"UnknownKind", caisson, interface + "{ kind = \"sticky\" }\n",
+            "case.toml:38:15: kind = \"sticky\" is none of tied, friction; choose one of them"},
+    BadCase{"CoefficientZero", caisson, interface + "{ kind = \"friction\", coefficient = 0 }\n",
+            "case.toml:38:34: coefficient = 0 is outside (0, inf); give the friction coefficient mu"},
+    BadCase{"CoefficientOfATie", caisson, interface + "{ coefficient = 0.6 }\n",
+            "case.toml:38:15: 'coefficient' does not belong in [regions.caisson.interface] (only where the contact is "
+            "by friction); remove it"},
+    BadCase{
+        "InSoil", "biot = 0.9", "biot = 0.9\ninterface = { kind = \"friction\" }",
+        "case.toml:24:1: 'interface' does not belong in [regions.rubble] (only in solid and rigid regions); remove it"},
+    BadCase{
+        "TwoFrictionsAndTwoUplifts", caisson, interface + "{ kind = \"friction\", coefficient = 0.5 }\n",
+        "case.toml:84:1: [sliding]: friction = 0.55 is not the coefficient = 0.5 of [regions.caisson] interface; give "
+        "the same number, or only one of them\ncase.toml:90:10: [sliding]: a prescribed uplift cannot act node by "
+        "node; write uplift = { kind = \"computed\" }, or [regions.caisson] interface = { kind = \"tied\" }"},
 };
 
 INSTANTIATE_TEST_SUITE_P(Contact, BadContact, testing::ValuesIn(contact_rows), name_of);
+
+class BadScheme : public InFolder {};
+
+TEST_F(BadScheme, FollowsNoFriction) {
+  for (const auto& [scheme, told] : {std::pair("generalised_alpha", "does not follow friction at the caisson's bottom"),
+                                     {"reduced", "it does not slip node by node"}}) {
+    std::string text = good_case;
+    text.replace(text.find("scheme = \"sdirk4\""), 17, std::string("scheme = \"") + scheme + "\"");
+    text.replace(text.find(caisson), caisson.size(), interface + "{ kind = \"friction\" }\n");
+    write("case.toml", text);
+    try {
+      read_case("case.toml");
+      FAIL() << scheme;
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find(told), std::string::npos) << error.what();
+    }
+  }
+}
+
+TEST_F(BadScheme, CoefficientIsThatOfTheSliding) {
+  std::string text = good_case;
+  text.replace(text.find("[sliding.uplift]"), std::string::npos, "");
+  text.replace(text.find(caisson), caisson.size(), interface + "{ kind = \"friction\" }\n");
+  write("case.toml", text);
+  EXPECT_DOUBLE_EQ(contact_friction(read_case("case.toml").scene), 0.55);
+  text.replace(text.find("{ kind = \"friction\" }"), 21, "{ kind = \"friction\", coefficient = 0.7 }");
+  text.replace(text.find("friction = 0.55\n"), 16, "");
+  write("case.toml", text);
+  const Case problem = read_case("case.toml");
+  EXPECT_DOUBLE_EQ(contact_friction(problem.scene), 0.7);
+  EXPECT_DOUBLE_EQ(problem.scene.sliding->friction, 0.7);
+}
 
 }  // namespace upbead::test

@@ -22,8 +22,8 @@ Json reference() {
 }
 
 void compare(const ElasticSliding& found, const Json& row, double residual) {
-  const double scale = std::max(std::abs(residual), 1e-12);
-  EXPECT_NEAR(found.slip.residual, residual, 1e-8 * scale);
+  // where nothing slips the references hold their own round-off, up to 4e-18 m
+  EXPECT_NEAR(found.slip.residual, residual, 1e-8 * std::abs(residual) + 1e-17);
   const Json& events = row["events"];
   ASSERT_EQ(2 * found.slip.slips.size(), events.size());
   for (std::size_t i = 0; i < found.slip.slips.size(); ++i) {
@@ -35,7 +35,8 @@ void compare(const ElasticSliding& found, const Json& row, double residual) {
 }
 
 TEST(ElasticBlock, OnABareSpringIsTheReference) {
-  for (const Json& row : reference()["slider"]) {
+  const Json tables = reference();  // a temporary would not outlive the loop's first step
+  for (const Json& row : tables["slider"]) {
     SCOPED_TRACE(row["td"].dump() + " s, " + row["Pm"].dump() + " N/m");
     const ElasticSliding found = slide_on_base(row["m"], {0., row["k"], 0.}, history({row["Pm"], row["td"]}), row["R"]);
     compare(found, row, row["residual_slip"]);
@@ -44,7 +45,8 @@ TEST(ElasticBlock, OnABareSpringIsTheReference) {
 }
 
 TEST(ElasticBlock, OnAMassWithSpringAndDashpotIsTheReference) {
-  for (const Json& row : reference()["stickslip"]) {
+  const Json tables = reference();
+  for (const Json& row : tables["stickslip"]) {
     SCOPED_TRACE(row["td"].dump() + " s, " + row["Pm"].dump() + " N/m");
     const ElasticSliding found =
         slide_on_base(row["m"], {row["mb"], row["kb"], row["cb"]}, history({row["Pm"], row["td"]}), row["R"]);
