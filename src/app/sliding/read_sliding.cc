@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "case_sliding.h"
+#include "loose_scene.h"
 #include "upbead/base/error.h"
 #include "upbead/base/stopwatch.h"
 #include "upbead/fem/caisson_readings.h"
@@ -13,26 +14,6 @@
 namespace upbead {
 
 namespace {
-
-/// "" where it can be told.
-std::string why_not(const CompiledCase& scene) {
-  const System& system = scene.compiled.system;
-  if (system.is_divided()) return "several processes share the work";
-  if (!scene.scene.time.inertia) return "consolidation has no dynamics";
-  const std::string& region = scene.compiled.caisson->body.region;
-  const std::vector<Body>& bodies = scene.compiled.bodies;
-  if (std::none_of(bodies.begin(), bodies.end(), [&region](const Body& body) { return body.region == region; }))
-    return "the caisson deforms";
-  if (!bottom_is_level(*scene.mesh)) return "the caisson's bottom is not level";
-  return "";
-}
-
-/// The scene with an interface; what its unknowns mean is not asked for any more.
-CompiledScene compile_loose(const CompiledCase& scene) {
-  const std::vector<InterfaceNode> nodes = interface_nodes(*scene.space);
-  const Unknowns unknowns(*scene.space, scene.scene, scene.compiled.bodies, nodes);
-  return compile(scene.scene, *scene.space, unknowns, scene.compiled.bodies, nullptr, nodes);
-}
 
 /// Times of the response, four to each: a slip starts and ends between them.
 std::vector<double> fine_times(const std::vector<double>& time) {
@@ -106,7 +87,7 @@ void read_sliding(const Case& input, const CompiledCase& scene, Run& run, const 
     sliding.coupled->least_normal = sliding.history.least_normal_force;
     return;
   }
-  sliding.why_not_coupled = why_not(scene);
+  sliding.why_not_coupled = why_no_slip(scene);
   if (!sliding.why_not_coupled.empty()) return;
   const Stopwatch watch;
   try {

@@ -1,0 +1,25 @@
+#include "loose_scene.h"
+
+#include <algorithm>
+
+namespace upbead {
+
+std::string why_no_slip(const CompiledCase& scene) {
+  const System& system = scene.compiled.system;
+  if (system.is_divided()) return "several processes share the work";
+  if (!scene.scene.time.inertia) return "consolidation has no dynamics";
+  const std::string& region = scene.compiled.caisson->body.region;
+  const std::vector<Body>& bodies = scene.compiled.bodies;
+  if (std::none_of(bodies.begin(), bodies.end(), [&region](const Body& body) { return body.region == region; }))
+    return "the caisson deforms";
+  if (!bottom_is_level(*scene.mesh)) return "the caisson's bottom is not level";
+  return "";
+}
+
+CompiledScene compile_loose(const CompiledCase& scene) {
+  const std::vector<InterfaceNode> nodes = interface_nodes(*scene.space);
+  const Unknowns unknowns(*scene.space, scene.scene, scene.compiled.bodies, nodes);
+  return compile(scene.scene, *scene.space, unknowns, scene.compiled.bodies, nullptr, nodes);
+}
+
+}  // namespace upbead
