@@ -2,6 +2,8 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "joined_loads.h"
+#include "reduced_slip.h"
 #include "solve.h"
 #include "upbead/app/commands.h"
 #include "upbead/app/equivalent_linear.h"
@@ -16,10 +18,14 @@
 #include "upbead/output/model_file.h"
 #include "upbead/response/reduction.h"
 #include "upbead/response/shear_response.h"
+#include "upbead/system/interface.h"
 
 namespace upbead {
 
 namespace {
+
+/// As a run calls it.
+constexpr const char* slip_of_caisson = "slip of the caisson with its ground";
 
 struct ReduceOptionsOfCommand : CommonOptions {
   bool all_readings = false;
@@ -41,16 +47,6 @@ std::vector<ModelLoad> model_loads(const Scene& scene, const ModalModel& model) 
                     std::isfinite(duration) ? duration : scene.time.end});
   }
   return list;
-}
-
-/// A load that prescribes a pore pressure is two loads of the system, with one history.
-void join_pore_pressures(ModalModel& model) {
-  const std::string suffix = ".pore_pressure";
-  for (int k = model.n_loads() - 1; k > 0; --k) {
-    const std::string& name = model.load_name[static_cast<std::size_t>(k)];
-    const std::string& before = model.load_name[static_cast<std::size_t>(k - 1)];
-    if (name == before + suffix) model.join_loads(k - 1, k);
-  }
 }
 
 ModelSliding model_sliding(const SlidingChoice& choice, double peak_force) {
@@ -87,8 +83,29 @@ ReducedModelFile model_of(const Case& input, const CompiledCase& scene, Reductio
   return file;
 }
 
-std::string to_json(const ReducedModelFile& m, const Reduction& r, const std::string& path, const Timing& t) {
-  nlohmann::ordered_json json = {{"title", m.title}, {"model", path}};
+nlohmann::ordered_json to_object(const ReducedSlip& slip) {
+  if (!slip.model) return nullptr;
+  return {{"vectors", slip.model->vectors},
+          {"solves", slip.model->solves},
+          {"error", slip.model->error},
+          {"glued_error", slip.model->glued_error},
+          {"time", slip.seconds}};
+}
+
+/// What `reduce` has made of a case.
+struct Reduced {
+  ReducedModelFile file;
+  Reduction reduction;
+  ReducedSlip slip;
+  std::string path;
+  Timing timing;
+};
+
+std::string to_json(const Reduced& made) {
+  const ReducedModelFile& m = made.file;
+  const Reduction& r = made.reduction;
+  const Timing& t = made.timing;
+  nlohmann::ordered_json json = {{"title", m.title}, {"model", made.path}};
   json["discretisation"] = {{"unknowns", m.unknowns}, {"solves", m.solves}, {"factorisations", m.factorisations}};
   json["reduction"] = {{"vectors", r.n_vectors},
                        {"modes", m.modes.n_modes()},
@@ -98,12 +115,27 @@ std::string to_json(const ReducedModelFile& m, const Reduction& r, const std::st
                        {"error_of_others", r.error.others},
                        {"highest_frequency", m.highest_frequency}};
   json["reduction"]["error_march"] = m.error_march ? nlohmann::ordered_json(*m.error_march) : nullptr;
+  json["slip"] = to_object(made.slip);
+  json["skipped"] = nlohmann::ordered_json::array();
+  if (!made.slip.why_not.empty()) json["skipped"].push_back({{"what", slip_of_caisson}, {"why", made.slip.why_not}});
   json["timing"] = {
       {"mesh", t.mesh}, {"compile", t.compile}, {"factorise", t.factorise}, {"reduce", t.march}, {"total", t.total}};
   return json.dump(2) + "\n";
 }
 
-std::string describe(const ReducedModelFile& m, const Reduction& r, const std::string& path, const Timing& t) {
+std::string describe(const ReducedSlip& slip) {
+  if (!slip.why_not.empty()) return std::string("skipped     ") + slip_of_caisson + ": " + slip.why_not + "\n";
+  if (!slip.model) return "";
+  return "slip        of the caisson with its ground, " + std::to_string(slip.model->vectors) + " vectors, " +
+         std::to_string(slip.model->solves) + " solves, " + significant(slip.seconds, 2) + " s; its forces " +
+         significant(slip.model->error, 2) + " of their peaks (nested models), F_T while it sticks " +
+         significant(slip.model->glued_error, 2) + " (against the model without slip)\n";
+}
+
+std::string describe(const Reduced& made) {
+  const ReducedModelFile& m = made.file;
+  const Reduction& r = made.reduction;
+  const Timing& t = made.timing;
   std::string text = m.title + "\n";
   text += "reduced     " + std::to_string(m.unknowns) + " unknowns to " + std::to_string(m.modes.n_modes()) +
           " modes, by 1 factorisation and " + std::to_string(m.solves) + " solves\n";
@@ -113,25 +145,22 @@ std::string describe(const ReducedModelFile& m, const Reduction& r, const std::s
           significant(m.error_peak, 2) + ", other readings up to " + significant(r.error.others, 2) +
           " of theirs (nested models)\n";
   if (m.error_march) text += "            history of F_T " + significant(*m.error_march, 2) + " against a march\n";
-  text += "checked     up to " + significant(m.highest_frequency) + " Hz\n";
+  text += "checked     up to " + significant(m.highest_frequency) + " Hz\n" + describe(made.slip);
   text += "time        factorise " + significant(t.factorise, 2) + " s, reduce " + significant(t.march, 2) +
           " s, total " + significant(t.total, 2) + " s\n";
-  return text + "written     " + path + "\n";
+  return text + "written     " + made.path + "\n";
 }
 
-Reduction reduce_with_progress(const CompiledCase& scene, const ReductionAim& aim) {
-  Progress progress("reducing");
-  return reduce_scene(scene.scene, scene.compiled, aim, [&progress](double done) {
+/// Tells people how far it is, and whether they have had enough.
+std::function<void(double)> watched(Progress& progress) {
+  return [&progress](double done) {
     check_interrupt();
     progress.update(done);
-  });
+  };
 }
 
-void reduce(const ReduceOptionsOfCommand& options, const Stopwatch& since_start) {
-  const Case input = read_case(options.file, options.overrides);
-  require_loads(input);
-  note_interrupts();
-  OutputFolder folder(options.out.empty() ? "results/" + input.stem : options.out);
+/// The case as it is reduced: its soil settled, the caisson glued to its ground.
+CompiledCase compile_for_waves(const Case& input) {
   CompiledCase scene = compile_case(input);
   if (!scene.compiled.caisson)
     throw InputError(input.place("mesh"), "the mesh has no surface 'caisson': there is no F_T to reduce the scene to",
@@ -141,26 +170,45 @@ void reduce(const ReduceOptionsOfCommand& options, const Stopwatch& since_start)
                      "use 'upbead run'");
   {
     Progress progress("settling the soil");
-    settle_soil(input, scene, [&progress](double done) {
-      check_interrupt();
-      progress.update(done);
-    });
+    settle_soil(input, scene, watched(progress));
   }
-  const Stopwatch watch;
-  const Reduction reduction = reduce_with_progress(scene, {!options.all_readings, true, {}});
+  if (scene.compiled.system.interface) scene.compiled.system = glued(scene.compiled.system);
+  return scene;
+}
+
+Reduction reduce_glued(const CompiledCase& scene, bool all_readings) {
+  Progress progress("reducing");
+  Reduction reduction = reduce_scene(scene.scene, scene.compiled, {!all_readings, true, {}}, watched(progress));
   require_converged(reduction);
-  Timing timing = scene.timing;
-  timing.factorise = reduction.factorise_seconds;
-  timing.march = watch.seconds() - reduction.factorise_seconds;
+  return reduction;
+}
+
+void reduce(const ReduceOptionsOfCommand& options, const Stopwatch& since_start) {
+  const Case input = read_case(options.file, options.overrides);
+  require_loads(input);
+  note_interrupts();
+  OutputFolder folder(options.out.empty() ? "results/" + input.stem : options.out);
+  const CompiledCase scene = compile_for_waves(input);
+  const Stopwatch watch;
+  Reduced made;
+  made.reduction = reduce_glued(scene, options.all_readings);
+  made.timing = scene.timing;
+  made.timing.factorise = made.reduction.factorise_seconds;
+  made.timing.march = watch.seconds() - made.reduction.factorise_seconds;
+  {
+    Progress progress("reducing with slip");
+    made.slip = reduce_with_slip(scene, made.reduction, watched(progress));
+  }
   check_interrupt();
-  ReducedModelFile model = model_of(input, scene, reduction, folder.name());
-  if (options.check) model.error_march = error_against_march(reduction, scene.scene, scene.compiled);
-  folder.write("reduced.h5", model_file(model));
+  made.file = model_of(input, scene, made.reduction, folder.name());
+  made.file.slip = made.slip.model;
+  if (options.check) made.file.error_march = error_against_march(made.reduction, scene.scene, scene.compiled);
+  folder.write("reduced.h5", model_file(made.file));
   check_interrupt();
   folder.commit();
-  timing.total = since_start.seconds();
-  const std::string path = folder.name() + "/reduced.h5";
-  std::cout << (options.json ? to_json(model, reduction, path, timing) : describe(model, reduction, path, timing));
+  made.timing.total = since_start.seconds();
+  made.path = folder.name() + "/reduced.h5";
+  std::cout << (options.json ? to_json(made) : describe(made));
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 #include "respond_report.h"
 
 #include <algorithm>
-#include <cstdio>
+#include <functional>
 
 #include "upbead/app/report.h"
 #include "upbead/base/text.h"
@@ -35,18 +35,33 @@ std::string ratio_text(const WaveResponse& wave) {
 
 std::string table(const std::vector<Named>& waves) {
   const bool sliding = waves.front().wave->sliding.has_value();
+  const bool coupled = waves.front().wave->coupled.has_value();
   std::size_t width = 12;
   for (const Named& row : waves) width = std::max(width, row.name.size() + 2);
   std::string text = padded("wave", width) + "peak P         peak F_T       F_T / P";
-  text += sliding ? "   S\n" : "\n";
+  if (sliding) text += coupled ? "   S              S, coupled" : "   S";
+  text += "\n";
   for (const Named& row : waves) {
     const WaveResponse& w = *row.wave;
     const std::string ratio = ratio_text(w);
     text += padded(row.name, width) + padded(with_unit(w.peak_force, "N/m"), 15) +
             padded(with_unit(w.peak_shear, "N/m", w.peak_force), 15);
-    text += sliding ? padded(ratio, 10) + with_unit(*w.sliding, "m") + "\n" : ratio + "\n";
+    text += sliding ? padded(ratio, 10) : ratio;
+    if (sliding) text += coupled ? padded(with_unit(*w.sliding, "m"), 15) : with_unit(*w.sliding, "m");
+    if (coupled) text += with_unit(w.coupled->sliding, "m");
+    text += "\n";
   }
   return text;
+}
+
+/// How many slide the caisson, and how far.
+std::string sliding_overview(const std::vector<Named>& waves, const std::string& title,
+                             const std::function<double(const WaveResponse&)>& S) {
+  const auto farthest = std::max_element(waves.begin(), waves.end(),
+                                         [&S](const Named& a, const Named& b) { return S(*a.wave) < S(*b.wave); });
+  const auto n = std::count_if(waves.begin(), waves.end(), [&S](const Named& a) { return S(*a.wave) != 0.; });
+  return title + std::to_string(n) + " of them slide the caisson, farthest " + with_unit(S(*farthest->wave), "m") +
+         " in " + farthest->name + "\n";
 }
 
 std::string overview(const std::vector<Named>& waves) {
@@ -59,11 +74,12 @@ std::string overview(const std::vector<Named>& waves) {
           ", largest in " + most->name + " (peak P " + with_unit(most->wave->peak_force, "N/m") + ", F_T / P " +
           ratio_text(*most->wave) + ")\n";
   if (!waves.front().wave->sliding) return text;
-  const auto farthest = std::max_element(
-      waves.begin(), waves.end(), [](const Named& a, const Named& b) { return *a.wave->sliding < *b.wave->sliding; });
-  const auto n = std::count_if(waves.begin(), waves.end(), [](const Named& a) { return *a.wave->sliding != 0.; });
-  text += "sliding     " + std::to_string(n) + " of them slide the caisson, farthest " +
-          with_unit(*farthest->wave->sliding, "m") + " in " + farthest->name + "\n";
+  text += sliding_overview(waves, "sliding     ", [](const WaveResponse& w) { return *w.sliding; });
+  if (!waves.front().wave->coupled) return text;
+  text += sliding_overview(waves, "S, coupled  ", [](const WaveResponse& w) { return w.coupled->sliding; });
+  const auto n =
+      std::count_if(waves.begin(), waves.end(), [](const Named& a) { return a.wave->coupled->lifted_time > 0.; });
+  if (n > 0) text += "            " + std::to_string(n) + " of them would lift it\n";
   return text;
 }
 

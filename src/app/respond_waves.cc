@@ -8,6 +8,7 @@
 
 #include "parallel.h"
 #include "respond_sliding.h"
+#include "respond_slip.h"
 #include "upbead/base/text.h"
 #include "upbead/dynamics/band_check.h"
 #include "upbead/fem/caisson_readings.h"
@@ -81,23 +82,42 @@ class BandChecks {
   std::map<std::pair<int, double>, std::shared_ptr<const BandCheck>> made_;
 };
 
+/// What the waves of all files have in common.
+struct Common {
+  Common(const ReducedModelFile& reduced, const RespondOptions& asked)
+      : model(reduced),
+        options(asked),
+        shear(one_reading(model.modes, reading::shear_force)),
+        checks(shear, model.highest_frequency) {
+    if (options.sliding && model.slip) slips.emplace(model, *options.sliding);
+  }
+  Common(const Common&) = delete;
+  Common& operator=(const Common&) = delete;
+
+  const ReducedModelFile& model;
+  const RespondOptions& options;
+  ModalModel shear;
+  BandChecks checks;
+  std::optional<WaveSlips> slips;
+};
+
 /// Everything that the waves of one file have in common, and their answers.
 class FileWork {
  public:
-  FileWork(const ReducedModelFile& model, const ModalModel& shear, const WaveFile& file, const RespondOptions& options,
-           BandChecks& checks)
-      : model_(model),
-        shear_(shear),
+  FileWork(Common& common, const WaveFile& file)
+      : model_(common.model),
+        shear_(common.shear),
         file_(file),
-        options_(options),
-        force_(model.modes.feedthrough.row(model.modes.index(reading::force))),
-        longest_step_(longest_step(model)),
-        grid_(make_wave_grid(file.time, longest_step_, options.end.value_or(std::max(file.time.back(), model.end)))),
+        options_(common.options),
+        force_(model_.modes.feedthrough.row(model_.modes.index(reading::force))),
+        longest_step_(longest_step(model_)),
+        grid_(make_wave_grid(file.time, longest_step_, options_.end.value_or(std::max(file.time.back(), model_.end)))),
         check_time_(equal_times(grid_, longest_step_, std::max(file.time.back(), grid_.time.back()))),
-        check_(checks.of(check_time_)),
-        shear_answer_(shear, grid_) {
-    if (options.sliding && options.sliding->uplift == "computed")
-      uplift_.emplace(one_reading(model.modes, reading::uplift), grid_);
+        check_(common.checks.of(check_time_)),
+        shear_answer_(shear_, grid_) {
+    if (options_.sliding && options_.sliding->uplift == "computed")
+      uplift_.emplace(one_reading(model_.modes, reading::uplift), grid_);
+    if (common.slips) slip_ = common.slips->of_step(grid_.equal.value_or(longest_step_));
     const double n = static_cast<double>(grid_.time.size()) * file.n_waves();
     if (n > most_numbers)
       throw InputError(Place(),
@@ -128,7 +148,7 @@ class FileWork {
     // F_T passes on no kink of the loads, as long as they do not jump.
     set_peaks(grid_.time, P, F, begins_at_zero && ends_at_zero && shear_.feedthrough.isZero(0.), out);
     set_band(check_time_ == grid_.time ? loads : on_grid(file_, wave, check_time_), F, out);
-    if (options_.sliding) out.sliding = sliding(loads, P, F, ends_at_zero);
+    if (options_.sliding) set_sliding(loads, P, F, ends_at_zero, out);
   }
 
  private:
@@ -137,14 +157,19 @@ class FileWork {
     if (peak > 0.) out.beyond_band = check_->beyond(loads) / peak;
   }
 
-  double sliding(const WaveSamples& loads, const Eigen::RowVectorXd& P, const Eigen::RowVectorXd& F, bool batch) const {
+  void set_sliding(const WaveSamples& loads, const Eigen::RowVectorXd& P, const Eigen::RowVectorXd& F, bool batch,
+                   WaveResponse& out) const {
     const ModelSliding& bottom = *options_.sliding;
-    Eigen::RowVectorXd U;
+    Eigen::RowVectorXd computed, prescribed;
     if (uplift_)
-      U = uplift_->answer(loads, grid_, batch);
+      computed = uplift_->answer(loads, grid_, batch);
     else if (bottom.uplift != "none")
-      U = uplift_of_force(bottom, grid_.time, P);
-    return sliding_distance(bottom, model_.caisson_mass, grid_.time, F, U);
+      prescribed = uplift_of_force(bottom, grid_.time, P);
+    const Eigen::RowVectorXd& U = uplift_ ? computed : prescribed;
+    out.sliding = sliding_distance(bottom, model_.caisson_mass, grid_.time, F, U);
+    if (!slip_) return;
+    out.coupled =
+        slip_of_wave(*slip_, loads, grid_, batch && grid_.equal.has_value(), bottom.buoyant_weight, prescribed);
   }
 
   const ReducedModelFile& model_;
@@ -157,7 +182,8 @@ class FileWork {
   std::vector<double> check_time_;  ///< equally spaced, and of the whole wave even where the answer ends before it
   std::shared_ptr<const BandCheck> check_;
   OneReading shear_answer_;
-  std::optional<OneReading> uplift_;  ///< where S is asked with the model's pore pressure
+  std::optional<OneReading> uplift_;         ///< where S is asked with the model's pore pressure
+  std::shared_ptr<const CoupledSlip> slip_;  ///< where S is asked and the model can tell
   WaveResponses result_;
 };
 
@@ -176,12 +202,11 @@ void require_caisson(const ModalModel& modes) {
 std::vector<WaveResponses> respond_to_waves(const ReducedModelFile& model, const std::vector<WaveFile>& files,
                                             const RespondOptions& options) {
   require_caisson(model.modes);
-  const ModalModel shear = one_reading(model.modes, reading::shear_force);
-  BandChecks checks(shear, model.highest_frequency);
+  Common common(model, options);
   std::vector<std::unique_ptr<FileWork>> work;
   std::vector<std::pair<FileWork*, int>> pieces;
   for (const WaveFile& file : files) {
-    work.push_back(std::make_unique<FileWork>(model, shear, file, options, checks));
+    work.push_back(std::make_unique<FileWork>(common, file));
     for (int w = 0; w < file.n_waves(); ++w) pieces.emplace_back(work.back().get(), w);
   }
   in_parallel(pieces.size(), "responding", [&pieces](std::size_t i) { pieces[i].first->answer(pieces[i].second); });

@@ -106,6 +106,15 @@ Vector Unknowns::expand(const Vector& x) const {
   return full;
 }
 
+Vector Unknowns::expand_caisson(const Vector& x) const {
+  Vector full = expand(x);
+  for (const auto& [dof, row] : of_caisson_) {
+    full[dof] = 0.;
+    for (const auto& [j, weight] : row) full[dof] += weight * x[j];
+  }
+  return full;
+}
+
 void Unknowns::add_to(std::map<int, double>& row, unsigned dof, double weight) const {
   for (const auto& [j, part] : expansion_[dof]) row[j] += weight * part;
 }

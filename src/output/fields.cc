@@ -1,5 +1,6 @@
 #include "upbead/output/fields.h"
 
+#include <deal.II/grid/filtered_iterator.h>
 #include <deal.II/numerics/data_out.h>
 #include <deal.II/numerics/data_postprocessor.h>
 
@@ -57,32 +58,52 @@ std::vector<std::string> component_names(const std::string& u, const std::string
   return {u, u, W, W, phi};
 }
 
-}  // namespace
+enum class Part { whole, ground, caisson };
 
-FieldWriter::FieldWriter(const Space& space, const Unknowns& unknowns, const Scene& scene,
-                         std::function<std::string(const std::string&)> path_of)
-    : space_(space), unknowns_(unknowns), scene_(scene), path_of_(std::move(path_of)) {}
-
-void FieldWriter::write(const State& state) {
+/// Displacements x and velocities v at all degrees of freedom, drawn on a part of the mesh.
+void fill(const Space& space, const Scene& scene, const dealii::Vector<double>& x, const dealii::Vector<double>& v,
+          Part part, DataOut<dim>& out) {
   using Interpretation = DataComponentInterpretation::DataComponentInterpretation;
-  const Interpretation part = DataComponentInterpretation::component_is_part_of_vector;
-  const std::vector<Interpretation> interpretation{part, part, part, part,
+  const Interpretation of_vector = DataComponentInterpretation::component_is_part_of_vector;
+  const std::vector<Interpretation> interpretation{of_vector, of_vector, of_vector, of_vector,
                                                    DataComponentInterpretation::component_is_scalar};
-  const dealii::Vector<double> x = to_dealii(unknowns_.expand(state.x)), v = to_dealii(unknowns_.expand(state.v));
-  const EffectiveStress stress(space_, scene_);
-
-  DataOut<dim> out;
-  out.attach_dof_handler(space_.dofs());
+  const EffectiveStress stress(space, scene);
+  out.attach_dof_handler(space.dofs());
   out.add_data_vector(x,
                       component_names("displacement_(m)", "relative_fluid_displacement_(m)", "pressure_impulse_(Pa_s)"),
                       DataOut<dim>::type_dof_data, interpretation);
   out.add_data_vector(v, component_names("velocity_(m_s)", "darcy_velocity_(m_s)", "pore_pressure_(Pa)"),
                       DataOut<dim>::type_dof_data, interpretation);
   out.add_data_vector(x, stress);
+  using MeshCell = Triangulation<dim>::cell_iterator;
+  const Mesh& mesh = space.mesh();
+  if (part != Part::whole)
+    out.set_cell_selection(FilteredIterator<MeshCell>([&mesh, part](const MeshCell& cell) {
+      return cell->is_active() && (mesh.surfaces[cell->material_id()] == caisson_name) == (part == Part::caisson);
+    }));
+  out.build_patches(static_cast<unsigned>(space.degree()));
+}
+
+}  // namespace
+
+FieldWriter::FieldWriter(const Space& space, const Unknowns& unknowns, const Scene& scene,
+                         std::function<std::string(const std::string&)> path_of)
+    : space_(space), unknowns_(unknowns), scene_(scene), path_of_(std::move(path_of)) {}
+
+/// Where the caisson may part from the ground it is drawn apart: both have displacements of their own at its bottom.
+void FieldWriter::write(const State& state) {
+  const bool apart = unknowns_.has_interface();
+  DataOut<dim> out, caisson;
+  fill(space_, scene_, to_dealii(unknowns_.expand(state.x)), to_dealii(unknowns_.expand(state.v)),
+       apart ? Part::ground : Part::whole, out);
+  if (apart) {
+    fill(space_, scene_, to_dealii(unknowns_.expand_caisson(state.x)), to_dealii(unknowns_.expand_caisson(state.v)),
+         Part::caisson, caisson);
+    out.merge_patches(caisson);
+  }
   DataOutBase::VtkFlags flags;
   flags.compression_level = DataOutBase::VtkFlags::best_speed;  // the best compression takes most of a run's time
   out.set_flags(flags);
-  out.build_patches(static_cast<unsigned>(space_.degree()));
 
   char name[40];
   std::snprintf(name, sizeof name, "fields/fields_%04d.vtu", static_cast<int>(written_.size()));

@@ -2,18 +2,15 @@
 
 #include "hdf5_image.h"
 #include "model_layout.h"
+#include "model_pieces.h"
+#include "model_slip.h"
 
 namespace upbead {
 
 namespace {
 
 using detail::Hdf5Image;
-using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
-void write(Hdf5Image& image, const std::string& path, const Eigen::MatrixXd& values, const detail::Label& label) {
-  const RowMajor rows = values;
-  image.numbers(path, {static_cast<hsize_t>(rows.rows()), static_cast<hsize_t>(rows.cols())}, rows.data(), label);
-}
+using detail::write_matrix;
 
 /// Real and imaginary parts along one more axis, the last. std::complex lies in memory as such a pair.
 void write(Hdf5Image& image, const std::string& path, const Eigen::MatrixXcd& values, std::vector<hsize_t> shape,
@@ -29,21 +26,9 @@ void write_modes(Hdf5Image& image, const ModalModel& modes) {
   write(image, "/modes/load", modes.load, {m, k}, {"", "load_mk, Re and Im"});
   write(image, "/modes/reading", modes.reading, {i, m},
         {"", "reading_im of y_i = Re sum_m reading_im z_m + sum_k (feedthrough_ik f_k + impulse_ik int f_k dt)"});
-  write(image, "/modes/feedthrough", modes.feedthrough, {"unit of the reading / unit of the load", "feedthrough_ik"});
-  write(image, "/modes/impulse", modes.impulse, {"unit of the reading / (unit of the load s)", "impulse_ik"});
-}
-
-void write_readings(Hdf5Image& image, const std::vector<ReadingLabel>& labels) {
-  std::vector<std::string> name, unit, description;
-  for (const ReadingLabel& label : labels) {
-    name.push_back(label.name);
-    unit.push_back(label.unit);
-    description.push_back(label.description);
-  }
-  image.group("/readings");
-  image.texts("/readings/name", name);
-  image.texts("/readings/unit", unit);
-  image.texts("/readings/description", description);
+  write_matrix(image, "/modes/feedthrough", modes.feedthrough,
+               {"unit of the reading / unit of the load", "feedthrough_ik"});
+  write_matrix(image, "/modes/impulse", modes.impulse, {"unit of the reading / (unit of the load s)", "impulse_ik"});
 }
 
 void write_loads(Hdf5Image& image, const std::vector<ModelLoad>& loads) {
@@ -99,10 +84,11 @@ std::string model_file(const ReducedModelFile& model) {
   image.attribute("/", "format_version", detail::model_layout::version);
   write_origin(image, model);
   write_loads(image, model.loads);
-  write_readings(image, model.modes.reading_label);
+  detail::write_labels(image, "/readings", model.modes.reading_label);
   write_modes(image, model.modes);
   write_validity(image, model);
   if (model.sliding) write_sliding(image, *model.sliding);
+  if (model.slip) detail::write_slip(image, *model.slip);
   return image.bytes();
 }
 

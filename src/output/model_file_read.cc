@@ -1,4 +1,6 @@
 #include "model_parts.h"
+#include "model_pieces.h"
+#include "model_slip.h"
 #include "upbead/base/text.h"
 #include "upbead/output/model_file.h"
 
@@ -17,14 +19,6 @@ void read_loads(ModelParts& parts, ReducedModelFile& model) {
                             durations = parts.numbers("/loads/duration", {k});
   for (std::size_t n = 0; n < k; ++n) model.loads.push_back({names[n], units[n], peaks[n], durations[n]});
   model.modes.load_name = names;
-}
-
-void read_readings(ModelParts& parts, ReducedModelFile& model) {
-  const std::vector<std::string> names = parts.texts("/readings/name");
-  const std::size_t size = names.size();
-  const std::vector<std::string> units = parts.texts("/readings/unit", size);
-  const std::vector<std::string> descriptions = parts.texts("/readings/description", size);
-  for (std::size_t i = 0; i < size; ++i) model.modes.reading_label.push_back({names[i], units[i], descriptions[i]});
 }
 
 void read_modes(ModelParts& parts, ModalModel& modes) {
@@ -77,10 +71,11 @@ ReducedModelFile read_model_file(const std::string& path) {
   ReducedModelFile model;
   read_origin(parts, model);
   read_loads(parts, model);
-  read_readings(parts, model);
+  model.modes.reading_label = detail::read_labels(parts, "/readings");
   read_modes(parts, model.modes);
   read_validity(parts, model);
   read_sliding(parts, model);
+  model.slip = detail::read_slip(parts);
   parts.throw_if_any();
   return model;
 }

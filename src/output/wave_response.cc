@@ -41,6 +41,23 @@ const Column sliding_column{"sliding",
                             {"m", "S, sliding distance when the caisson has come to rest, landward"},
                             [](const WaveResponse& w) { return w.sliding.value_or(0.); }};
 
+/// Where the caisson slips with its ground.
+const std::vector<Column>& coupled_columns() {
+  static const std::vector<Column> list{
+      {"sliding_coupled",
+       {"m", "S where the caisson slips as a whole on the ground that it shakes, landward"},
+       [](const WaveResponse& w) { return w.coupled->sliding; }},
+      {"coupled_largest",
+       {"m", "slip of largest magnitude on the way, landward"},
+       [](const WaveResponse& w) { return w.coupled->largest; }},
+      {"coupled_slips", {"1", "number of slips"}, [](const WaveResponse& w) { return w.coupled->slips; }},
+      {"coupled_dissipated", {"J/m", "taken by friction"}, [](const WaveResponse& w) { return w.coupled->dissipated; }},
+      {"coupled_lifted_time", {"s", "for so long N' would have been negative"}, [](const WaveResponse& w) {
+         return w.coupled->lifted_time;
+       }}};
+  return list;
+}
+
 void write_column(detail::Hdf5Image& image, const WaveResponses& file, const Column& column) {
   std::vector<double> values;
   for (const WaveResponse& wave : file.waves) values.push_back(column.value(wave));
@@ -56,6 +73,14 @@ void write_histories(detail::Hdf5Image& image, const WaveResponses& file) {
                 {"N/m", "F_T, shear force at the caisson's bottom, landward on the ground"});
 }
 
+Json to_object(const std::optional<CoupledWave>& coupled) {
+  if (!coupled) return nullptr;
+  return {{"largest", coupled->largest},
+          {"slips", coupled->slips},
+          {"dissipated", coupled->dissipated},
+          {"lifted_time", coupled->lifted_time}};
+}
+
 Json to_object(const WaveResponse& wave, const std::string& name) {
   return {{"name", name},
           {"peak_force", wave.peak_force},
@@ -64,7 +89,9 @@ Json to_object(const WaveResponse& wave, const std::string& name) {
           {"peak_shear_seaward", wave.peak_shear_seaward},
           {"ratio", json_or_null(wave.ratio)},
           {"beyond_band", wave.beyond_band},
-          {"sliding", json_or_null(wave.sliding)}};
+          {"sliding", json_or_null(wave.sliding)},
+          {"sliding_coupled", wave.coupled ? Json(wave.coupled->sliding) : Json(nullptr)},
+          {"coupled", to_object(wave.coupled)}};
 }
 
 }  // namespace
@@ -79,6 +106,8 @@ std::string response_file(const std::string& title, const std::vector<WaveRespon
     write_histories(image, file);
     for (const Column& column : columns()) write_column(image, file, column);
     if (file.waves.front().sliding) write_column(image, file, sliding_column);
+    if (!file.waves.front().coupled) continue;
+    for (const Column& column : coupled_columns()) write_column(image, file, column);
   }
   return image.bytes();
 }

@@ -40,6 +40,9 @@ class Unknowns {
   int prescribed(const std::string& load) const;
   /// Values at all degrees of freedom of the space, from values of the unknowns.
   Vector expand(const Vector& x) const;
+  /// The same, at the nodes of an interface those of the caisson instead of the ground's.
+  Vector expand_caisson(const Vector& x) const;
+  bool has_interface() const { return n_interface_ > 0; }
   /// Adds weight * (value of a degree of freedom) to a row over the unknowns, given as a map.
   void add_to(std::map<int, double>& row, unsigned dof, double weight) const;
 

@@ -7,6 +7,7 @@
 
 #include "upbead/base/error.h"
 #include "upbead/dynamics/modal_model.h"
+#include "upbead/dynamics/reduced_system.h"
 
 namespace upbead {
 
@@ -28,6 +29,14 @@ struct ModelSliding {
   double lag = 0.;               ///< by which U comes after P (s)
 };
 
+/// The scene with a caisson that slips on its ground as a whole.
+struct ModelSlip {
+  ReducedSystem system;     ///< of reduce_slip(): its last load is F_T, its last readings s and s'
+  double error = 0.;        ///< of its forces between nested models, over their largest values
+  double glued_error = 0.;  ///< of F_T while it sticks, against the glued model, over its peak
+  int vectors = 0, solves = 0;
+};
+
 /// Everything that `respond` needs, and where it came from.
 struct ReducedModelFile {
   std::string title;
@@ -42,6 +51,7 @@ struct ReducedModelFile {
   double error_peak = 0.;               ///< measured, of peak F_T
   std::optional<double> error_march;    ///< of the history, against a march, where one was made
   std::optional<ModelSliding> sliding;  ///< none where the case has no such table
+  std::optional<ModelSlip> slip;        ///< none without `sliding`, or where it cannot be told
   int unknowns = 0, solves = 0, factorisations = 0;
 };
 

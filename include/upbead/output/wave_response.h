@@ -10,15 +10,26 @@
 
 namespace upbead {
 
+/// What becomes of a caisson that slips as a whole on the ground that it shakes. Landward positive.
+struct CoupledWave {
+  double sliding = 0.;      ///< S, where it comes to rest (m)
+  double largest = 0.;      ///< of largest magnitude on the way (m)
+  int slips = 0;            ///< one ends where it stops or turns
+  double dissipated = 0.;   ///< by friction (J/m)
+  double lifted_time = 0.;  ///< for so long N' would have been negative (s)
+};
+
 /// One wave. Landward positive, as in a run.
 struct WaveResponse {
-  double peak_force = 0.;           ///< largest P (N/m)
-  double peak_shear = 0.;           ///< largest F_T (N/m)
-  double peak_shear_time = 0.;      ///< s
-  double peak_shear_seaward = 0.;   ///< least F_T (N/m)
-  std::optional<double> ratio;      ///< peak F_T / peak P, both seaward where the largest |P| is; none where P = 0
-  double beyond_band = 0.;          ///< part of F_T from frequencies beyond the model's, over the largest |F_T|
-  std::optional<double> sliding{};  ///< S, where it comes to rest (m); none where nobody asked
+  double peak_force = 0.;          ///< largest P (N/m)
+  double peak_shear = 0.;          ///< largest F_T (N/m)
+  double peak_shear_time = 0.;     ///< s
+  double peak_shear_seaward = 0.;  ///< least F_T (N/m)
+  std::optional<double> ratio;     ///< peak F_T / peak P, both seaward where the largest |P| is; none where P = 0
+  double beyond_band = 0.;         ///< part of F_T from frequencies beyond the model's, over the largest |F_T|
+  /// S by eq. (4) on F_T, where it comes to rest (m); none where nobody asked.
+  std::optional<double> sliding{};
+  std::optional<CoupledWave> coupled{};  ///< none where nobody asked, or the model cannot tell
 };
 
 /// All waves of one file, at the same times.
@@ -26,7 +37,7 @@ struct WaveResponses {
   std::string name;                 ///< of the file, without folder and ending
   std::vector<double> time;         ///< N (s)
   WaveSamples force;                ///< P, one wave a row (N/m)
-  WaveSamples shear_force;          ///< F_T (N/m)
+  WaveSamples shear_force;          ///< F_T of a caisson that sticks (N/m)
   std::vector<WaveResponse> waves;  ///< one a row
 
   /// "name", or "name[3]" where the file holds several waves.

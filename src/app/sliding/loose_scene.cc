@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "upbead/base/error.h"
+
 namespace upbead {
 
 std::string why_no_slip(const CompiledCase& scene) {
@@ -20,6 +22,20 @@ CompiledScene compile_loose(const CompiledCase& scene) {
   const std::vector<InterfaceNode> nodes = interface_nodes(*scene.space);
   const Unknowns unknowns(*scene.space, scene.scene, scene.compiled.bodies, nodes);
   return compile(scene.scene, *scene.space, unknowns, scene.compiled.bodies, nullptr, nodes);
+}
+
+SlipUplift slip_uplift(const SlidingChoice& choice) {
+  const bool computed = choice.uplift && choice.uplift->kind == UpliftKind::computed;
+  return computed ? SlipUplift::computed : SlipUplift::none;
+}
+
+SlipReduction reduce_loose(const Scene& scene, const CompiledScene& loose, const Series& glued,
+                           const std::function<void(double)>& progress) {
+  SlipReduction reduction = reduce_slip(scene, loose, slip_uplift(*scene.sliding), glued, progress);
+  if (!reduction.converged)
+    throw NumericsError("its reduced model does not come to the tolerance in " + std::to_string(reduction.n_vectors) +
+                        " vectors");
+  return reduction;
 }
 
 }  // namespace upbead

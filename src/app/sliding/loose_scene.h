@@ -4,6 +4,7 @@
 #include <string>
 
 #include "upbead/app/pipeline.h"
+#include "upbead/response/slip_reduction.h"
 
 namespace upbead {
 
@@ -12,5 +13,13 @@ std::string why_no_slip(const CompiledCase& scene);
 
 /// The scene with an interface, on one process; what its unknowns mean is not asked for any more.
 CompiledScene compile_loose(const CompiledCase& scene);
+
+/// What N' is without, by [sliding].
+SlipUplift slip_uplift(const SlidingChoice& choice);
+
+/// reduce_slip() for the uplift of the scene's [sliding]. Throws NumericsError where that does not come to the
+/// tolerance besides.
+SlipReduction reduce_loose(const Scene& scene, const CompiledScene& loose, const Series& glued,
+                           const std::function<void(double)>& progress);
 
 }  // namespace upbead

@@ -1,0 +1,72 @@
+#include "respond_slip.h"
+
+#include "joined_loads.h"
+#include "upbead/base/error.h"
+#include "upbead/response/slip_reduction.h"
+
+namespace upbead {
+
+namespace {
+
+SlipModel joined_model(const ReducedModelFile& model, const ModelSliding& sliding) {
+  const SlipUplift uplift = sliding.uplift == "computed" ? SlipUplift::computed : SlipUplift::none;
+  const ReducedSystem& system = model.slip->system;
+  SlipModel slip = slip_model(system, slip_law(system, sliding.friction, uplift));
+  for (SlipPhase& phase : slip.phases) {
+    join_pore_pressures(phase.modes);
+    std::vector<std::string> names = phase.modes.load_name;
+    names.pop_back();  // N_0
+    if (names != model.modes.load_name)
+      throw InputError(Place(), "the part /slip of the model has other loads than the model",
+                       "make it again with 'upbead reduce'");
+  }
+  return slip;
+}
+
+/// Jumps to zero loads at the end, and goes on for a step.
+void append_rest(SampledLoads& loads, double step, double buoyant_weight) {
+  const Eigen::Index n = loads.begin.cols();
+  loads.time.push_back(loads.time.back() + step);
+  for (Eigen::MatrixXd* part : {&loads.begin, &loads.end}) {
+    part->conservativeResize(Eigen::NoChange, n + 1);
+    part->col(n).setZero();
+    (*part)(part->rows() - 1, n) = buoyant_weight;
+  }
+}
+
+}  // namespace
+
+WaveSlips::WaveSlips(const ReducedModelFile& model, const ModelSliding& sliding)
+    : model_(joined_model(model, sliding)) {}
+
+std::shared_ptr<const CoupledSlip> WaveSlips::of_step(double step) {
+  std::shared_ptr<const CoupledSlip>& slip = made_[step];
+  if (!slip) slip = std::make_shared<const CoupledSlip>(model_, step);
+  return slip;
+}
+
+CoupledWave slip_of_wave(const CoupledSlip& slip, const WaveSamples& loads, const WaveGrid& grid, bool batch,
+                         double buoyant_weight, const Eigen::RowVectorXd& prescribed) {
+  const Eigen::Index K = loads.rows(), N = loads.cols();
+  Eigen::RowVectorXd normal = Eigen::RowVectorXd::Constant(N, buoyant_weight);
+  if (prescribed.size() > 0) normal -= prescribed;
+  CoupledSliding slid;
+  if (batch) {
+    WaveSamples all = WaveSamples::Zero(K + 1, N + 1);
+    all.topLeftCorner(K, N) = loads;
+    all.row(K) << normal, buoyant_weight;
+    slid = slip.slide(all);
+  } else {
+    SampledLoads all = with_jumps(loads, grid);
+    all.begin.conservativeResize(K + 1, Eigen::NoChange);
+    all.end.conservativeResize(K + 1, Eigen::NoChange);
+    all.begin.row(K) = normal.head(N - 1);
+    all.end.row(K) = normal.tail(N - 1);
+    append_rest(all, slip.step(), buoyant_weight);
+    slid = slip.slide(all);
+  }
+  return {slid.slip.residual, slid.slip.largest, static_cast<int>(slid.slip.slips.size()), slid.dissipated,
+          slid.lifted_time};
+}
+
+}  // namespace upbead

@@ -1,0 +1,35 @@
+// S of many waves that slide a caisson which slips as a whole on the ground that it shakes.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+
+#include "upbead/output/model_file.h"
+#include "upbead/output/wave_response.h"
+#include "upbead/sliding/coupled_slip.h"
+#include "wave_grid.h"
+
+namespace upbead {
+
+/// One law of friction on a reduced model; waves with the same steps share what is dear to make.
+class WaveSlips {
+ public:
+  /// Throws InputError where the part of the model that slips does not have its loads, NumericsError as slip_model().
+  WaveSlips(const ReducedModelFile& model, const ModelSliding& sliding);
+
+  /// `step`: of the samples, or about so (s).
+  std::shared_ptr<const CoupledSlip> of_step(double step);
+
+ private:
+  SlipModel model_;
+  std::map<double, std::shared_ptr<const CoupledSlip>> made_;
+};
+
+/// Loads on the grid, and N_0 = W' less the part of the uplift that the model does not tell, `prescribed` (N/m; empty:
+/// none), straight between the times. After the grid no load acts and N_0 = W': the slip is followed to its stop.
+/// - batch: the grid has equal steps and no jump but at its beginning; the loads then fall to zero within one step.
+CoupledWave slip_of_wave(const CoupledSlip& slip, const WaveSamples& loads, const WaveGrid& grid, bool batch,
+                         double buoyant_weight, const Eigen::RowVectorXd& prescribed);
+
+}  // namespace upbead

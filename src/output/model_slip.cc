@@ -1,0 +1,114 @@
+#include "model_slip.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "model_pieces.h"
+#include "upbead/base/text.h"
+#include "upbead/dynamics/slip_model.h"
+
+namespace upbead::detail {
+
+namespace {
+
+const std::string group = "/slip";
+
+/// Equations of R coordinates, with K loads.
+void write_equations(Hdf5Image& image, const ReducedSystem& s) {
+  const Label by_term{"", "of M q'' + C q' + K q = sum_k load_k f_k"};
+  write_matrix(image, group + "/M", s.M, by_term);
+  write_matrix(image, group + "/C", s.C, by_term);
+  write_matrix(image, group + "/K", s.K, by_term);
+  write_matrix(image, group + "/load", s.load, by_term);
+  const std::vector<double> is_phi(s.is_phi.begin(), s.is_phi.end());
+  image.numbers(group + "/is_phi", {is_phi.size()}, is_phi.data(),
+                {"1",
+                 "1: a coordinate of the integrated pore pressure, row of the equation multiplied by -1; 0: of "
+                 "displacements"});
+  const std::vector<double> prescribed(s.prescribed.begin(), s.prescribed.end());
+  image.numbers(group + "/prescribed", {prescribed.size()}, prescribed.data(),
+                {"1", "coordinate whose velocity the load prescribes; -1: none"});
+  image.texts(group + "/load_name", s.load_name);
+}
+
+void write_readings(Hdf5Image& image, const ReducedSystem& s) {
+  const std::string what = "of y = position q + velocity q' + acceleration q'' + feedthrough f";
+  write_matrix(image, group + "/position", s.position, {"", what});
+  write_matrix(image, group + "/velocity", s.velocity, {"", what});
+  write_matrix(image, group + "/acceleration", s.acceleration, {"", what});
+  write_matrix(image, group + "/feedthrough", s.feedthrough, {"unit of the reading / unit of the load", what});
+  write_labels(image, group + "/readings", s.reading_label);
+}
+
+/// Integers from `least` to below `end`.
+std::vector<int> indices(ModelParts& parts, const std::string& path, std::size_t size, int least, int end) {
+  std::vector<int> list;
+  for (const double value : parts.numbers(path, {size})) {
+    const bool fits = value >= least && value < end && value == std::floor(value);
+    if (!fits) parts.wrong(path + " holds " + significant(value));
+    list.push_back(fits ? static_cast<int>(value) : least);
+  }
+  return list;
+}
+
+void read_equations(ModelParts& parts, ReducedSystem& s) {
+  const std::size_t size = parts.length(group + "/is_phi");
+  for (const int phi : indices(parts, group + "/is_phi", size, 0, 2)) s.is_phi.push_back(phi == 1);
+  s.load_name = parts.texts(group + "/load_name");
+  s.M = parts.matrix(group + "/M", size, size);
+  s.C = parts.matrix(group + "/C", size, size);
+  s.K = parts.matrix(group + "/K", size, size);
+  s.load = parts.matrix(group + "/load", size, s.load_name.size());
+  s.prescribed = indices(parts, group + "/prescribed", s.load_name.size(), -1, s.size());
+}
+
+void read_readings(ModelParts& parts, ReducedSystem& s) {
+  const auto size = static_cast<std::size_t>(s.size());
+  s.reading_label = read_labels(parts, group + "/readings");
+  const std::size_t n = s.reading_label.size();
+  s.position = parts.matrix(group + "/position", n, size);
+  s.velocity = parts.matrix(group + "/velocity", n, size);
+  s.acceleration = parts.matrix(group + "/acceleration", n, size);
+  s.feedthrough = parts.matrix(group + "/feedthrough", n, s.load_name.size());
+}
+
+/// What slip_model() takes for granted.
+void require_slip(ModelParts& parts, const ReducedSystem& s) {
+  if (s.load_name.empty() || s.load_name.back() != slip_name::friction)
+    parts.wrong(group + "/load_name does not end with '" + slip_name::friction + "'");
+  for (const char* name : {slip_name::slip, slip_name::velocity})
+    if (std::none_of(s.reading_label.begin(), s.reading_label.end(),
+                     [name](const ReadingLabel& label) { return label.name == name; }))
+      parts.wrong(group + "/readings/name does not name '" + name + "'");
+}
+
+}  // namespace
+
+void write_slip(Hdf5Image& image, const ModelSlip& slip) {
+  image.group(group);
+  write_equations(image, slip.system);
+  write_readings(image, slip.system);
+  image.attribute(group, "n_prescribed", slip.system.n_prescribed);
+  image.attribute(group, "shift", slip.system.shift);
+  image.attribute(group, "error", slip.error);
+  image.attribute(group, "glued_error", slip.glued_error);
+  image.attribute(group, "vectors", slip.vectors);
+  image.attribute(group, "solves", slip.solves);
+}
+
+std::optional<ModelSlip> read_slip(ModelParts& parts) {
+  if (!parts.has(group, "error")) return std::nullopt;
+  ModelSlip slip;
+  read_equations(parts, slip.system);
+  read_readings(parts, slip.system);
+  slip.system.n_prescribed = parts.count(group, "n_prescribed");
+  slip.system.shift = parts.number(group, "shift");
+  slip.error = parts.number(group, "error");
+  slip.glued_error = parts.number(group, "glued_error");
+  slip.vectors = parts.count(group, "vectors");
+  slip.solves = parts.count(group, "solves");
+  require_slip(parts, slip.system);
+  return slip;
+}
+
+}  // namespace upbead::detail

@@ -1,0 +1,89 @@
+#!/usr/bin/python3
+"""Slip and uplift as a person asks for them: a run whose caisson slips and lifts, one that need not, the mistakes.
+
+usage: contact_test.py PROGRAM CASES_FOLDER
+"""
+
+import json
+import unittest
+
+import h5py
+import numpy
+
+from program import CASES, ProgramTest, upbead
+
+COARSE = ["--set", "mesh.parameters.cells=0.35", "--set", "sliding.buoyant_weight=10740.0"]
+FRICTION = ["--set", 'regions.caisson.interface.kind="friction"']
+STRONG = ["--set", "loads.impulse.factor=3"]
+
+
+class Contact(ProgramTest):
+    def run_model(self, *arguments, out="out", status=0):
+        done = upbead("run", CASES / "fig2b-model.toml", *COARSE, *arguments, "--out", out, cwd=self.folder)
+        self.assertEqual(done.returncode, status, done.stderr)
+        return done
+
+    def summary(self, out="out"):
+        return json.loads((self.folder / out / "summary.json").read_text())
+
+    def test_a_strong_wave_slides_and_lifts(self):
+        done = self.run_model(*FRICTION, *STRONG)
+        self.assertIn("nodes open from", done.stdout)
+        found = self.summary()
+        solved, energy = found["contact"]["solved"], found["energy"]
+        self.assertEqual(found["discretisation"]["scheme"], "contact")
+        self.assertTrue(found["contact"]["glued"]["reached"])
+        self.assertAlmostEqual(solved["dissipated"], energy["friction"], delta=1e-9 * energy["friction"])
+        self.assertGreater(found["sliding"]["sliding_coupled"], 1e-4)
+        with h5py.File(self.folder / "out/results.h5") as file:
+            time, nodes = file["history/time"].size, file["interface/position"].size
+            self.assertEqual(nodes, found["contact"]["nodes"])
+            tables = {name: file[f"interface/{name}"][:] for name in ("slip", "opening", "shear_force", "normal_force")}
+            for table in tables.values():
+                self.assertEqual(table.shape, (time, nodes))
+            length = file["interface/length"][:]
+            mean = tables["slip"] @ length / length.sum()
+            self.assertTrue(numpy.allclose(mean, file["history/interface/slip"][:], rtol=0, atol=1e-12))
+            self.assertAlmostEqual(mean[-1], solved["slip"], delta=1e-15)
+            F_T = file["history/shear_force"][:]
+            self.assertTrue(numpy.allclose(tables["shear_force"].sum(axis=1), F_T, rtol=0, atol=1e-9 * F_T.max()))
+            self.assertEqual(file["coupled/slip"][-1], found["sliding"]["sliding_coupled"])
+        self.assertGreaterEqual(tables["opening"].min(), 0)
+        self.assertGreaterEqual(tables["normal_force"].min(), -1e-9 * 10740)
+        excess = abs(tables["shear_force"]) - 0.6 * tables["normal_force"]
+        self.assertLessEqual(excess.max(), 1e-9 * 10740)
+
+    def test_a_weak_wave_needs_no_contact(self):
+        weak = ["--set", "loads.impulse.factor=0.2"]
+        self.run_model(*FRICTION, *weak)
+        self.run_model(*weak, out="tied")
+        free, tied = self.summary(), self.summary("tied")
+        self.assertIsNone(free["contact"]["solved"])
+        self.assertIn("contact node by node", [item["what"] for item in free["skipped"]])
+        self.assertIsNone(tied["contact"])
+        ratio = [each["response"]["shear_to_force_ratio"] for each in (free, tied)]
+        self.assertAlmostEqual(ratio[0], ratio[1], delta=2e-3 * ratio[1])
+        self.assertEqual(free["sliding"]["sliding_coupled"], 0)
+
+    def test_fields_show_both_sides_of_the_gap(self):
+        self.run_model(*FRICTION, *STRONG, "--set", "output.fields={ every = 0.1 }")
+        self.assertTrue((self.folder / "out/fields.pvd").exists())
+        tied = self.run_model(*STRONG, "--set", "output.fields={ every = 0.1 }", out="tied")
+        self.assertEqual(tied.returncode, 0)
+        size = [(self.folder / out / "fields/fields_0001.vtu").stat().st_size for out in ("out", "tied")]
+        self.assertLess(abs(size[0] / size[1] - 1), 0.2)
+
+    def test_the_effective_case_gives_the_same_answer(self):
+        self.run_model(*FRICTION, *STRONG)
+        done = upbead("run", "out/case.toml", "--out", "again", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(self.summary("again")["contact"], self.summary()["contact"])
+
+    def test_what_cannot_be_meant_is_told_and_nothing_written(self):
+        done = self.run_model(*FRICTION, "--set", 'sliding.uplift={ kind = "prescribed", peak = 100.0 }', status=1)
+        self.assertIn("a prescribed uplift cannot act node by node", done.stderr)
+        self.assertFalse((self.folder / "out").exists())
+
+
+if __name__ == "__main__":
+    unittest.main(argv=["contact_test.py"])
