@@ -62,7 +62,7 @@ def draw_states(axes, result, times):
     axes.set_ylabel("place (m)")
     axes.set_title("state of the nodes of the bottom, sea below", fontsize=8)
     axes.legend(handles=[Patch(color=colour, label=name) for name, colour in STATES], fontsize=7.5, ncol=3, frameon=True,
-                loc="lower right", framealpha=1)
+                loc="center right", framealpha=1)
 
 
 def draw_contact(axes, result, times):

@@ -32,25 +32,23 @@ def draw_forces(axes, slides, bonded):
     axes.legend(ncol=2, fontsize=7.5)
 
 
-def mark_residual(axes, time, x, colour, place):
-    """What the vibration of the last third of the run goes around."""
-    late = time >= time[-1] - (time[-1] - time[0]) / 3
-    residual = 1e3 * np.mean(x[late])
-    axes.axhline(residual, color=colour, ls=":", lw=0.9)
-    axes.annotate(f"residual, from {time[late][0]:.2g} s on: {residual:.3g} mm", (0.995, residual), ha="right", va=place,
-                  xycoords=("axes fraction", "data"), color=colour, fontsize=7.5)
+def residual(time, x):
+    """What the vibration of the last half of the run goes around: a mean whose weights rise and fall smoothly."""
+    late = x[time >= (time[0] + time[-1]) / 2]
+    return np.average(late, weights=np.hanning(late.size + 2)[1:-1])
 
 
 def draw_displacement(axes, slides, bonded):
     axes.plot(bonded.time, 1e3 * bonded.history("caisson/displacement_x").values, color=BONDED,
               label="$x_G$, bonded (elastic)")
-    axes.plot(slides.array("coupled/time"), 1e3 * slides.array("coupled/displacement_x"), color=COUPLED,
-              label="$x_G$, slips as a whole")
-    axes.plot(slides.time, 1e3 * slides.history("caisson/displacement_x").values, color=NODES,
-              label="$x_G$, node by node")
-    mark_residual(axes, slides.array("coupled/time"), slides.array("coupled/displacement_x"), COUPLED, "bottom")
-    mark_residual(axes, slides.time, slides.history("caisson/displacement_x").values, NODES, "top")
+    for time, x, colour, name in (
+            (slides.array("coupled/time"), slides.array("coupled/displacement_x"), COUPLED, "slips as a whole"),
+            (slides.time, slides.history("caisson/displacement_x").values, NODES, "node by node")):
+        rest = 1e3 * residual(time, x)
+        axes.plot(time, 1e3 * x, color=colour, label=f"$x_G$, {name}; residual {rest:.1f} mm")
+        axes.axhline(rest, color=colour, ls=":", lw=0.9)
     axes.set_ylabel("displacement (mm)")
+    axes.set_ylim(top=1.4 * axes.get_ylim()[1])
     axes.legend(fontsize=7.5, loc="upper center")
 
 
@@ -63,6 +61,7 @@ def draw_slip(axes, slides):
                               ("sliding.equal_impulse.sliding_paper", ":", "$S$ by eq. (7), pulse of equal impulse")):
         axes.axhline(1e3 * slides.number(key), color="black", ls=style, lw=0.9, label=label)
     axes.set_ylabel("slip (mm)")
+    axes.set_ylim(top=1.3 * axes.get_ylim()[1])
     axes.legend(fontsize=7.5, ncol=2)
 
 

@@ -45,7 +45,8 @@ void check_sliding(const CaseTables& tables, const Document& document, InputRepo
                     "buoyant_weight = " + number_text(sliding.buoyant_weight) +
                         " N/m is not below weight = " + number_text(*sliding.weight) + " N/m",
                     "give W' in still water, W less the weight of the water that the caisson displaces"});
-  if (report.sound("regions") && has_frictional_contact(tables)) check_contact(sliding, tables, document.find("sliding.friction") != nullptr, objections);
+  if (report.sound("regions") && has_frictional_contact(tables))
+    check_contact(sliding, tables, document.find("sliding.friction") != nullptr, objections);
   if (report.sound("regions") && tables.regions.count(caisson_name) == 0)
     objections.add({"friction", "there is no region 'caisson' that could slide",
                     "name the caisson's surface 'caisson', or remove [sliding]"});

@@ -6,6 +6,7 @@
 #include "model_pieces.h"
 #include "upbead/base/text.h"
 #include "upbead/dynamics/slip_model.h"
+#include "upbead/fem/caisson_readings.h"
 
 namespace upbead::detail {
 
@@ -76,7 +77,7 @@ void read_readings(ModelParts& parts, ReducedSystem& s) {
 void require_slip(ModelParts& parts, const ReducedSystem& s) {
   if (s.load_name.empty() || s.load_name.back() != slip_name::friction)
     parts.wrong(group + "/load_name does not end with '" + slip_name::friction + "'");
-  for (const char* name : {slip_name::slip, slip_name::velocity})
+  for (const char* name : {reading::normal_force, slip_name::slip, slip_name::velocity})
     if (std::none_of(s.reading_label.begin(), s.reading_label.end(),
                      [name](const ReadingLabel& label) { return label.name == name; }))
       parts.wrong(group + "/readings/name does not name '" + name + "'");

@@ -14,6 +14,8 @@ namespace {
 
 /// F_T is cut off there for training, as friction would.
 constexpr double cut_off = 0.7;
+/// Per independent load: more cost more than what they are worth, as eigenvalues take the cube of their number.
+constexpr int most_vectors = 60;
 
 /// A history at other times, straight between its own.
 Eigen::RowVectorXd at_times(const std::vector<double>& time, const Eigen::RowVectorXd& value,
@@ -74,6 +76,7 @@ SlipReduction reduce_slip(const Scene& scene, const CompiledScene& compiled, Sli
   add_row(options.training, at_times(glued.time, shear, options.training.time).cwiseMin(limit).cwiseMax(-limit));
   options.measured = {0, 1, 2, 3};
   options.tolerance = scene.tolerance;
+  options.max_vectors = most_vectors;
   options.tolerance_of_others = std::numeric_limits<double>::infinity();
   options.progress = progress;
   options.model = [uplift](const ReducedSystem& reduced) {

@@ -90,6 +90,53 @@ TEST(ModelFile, KeepsWhatHoldsTheCaisson) {
   EXPECT_EQ(model_file(read), model_file(made));
 }
 
+TEST(ModelFile, KeepsASlip) {
+  ReducedModelFile made = oscillator();
+  EXPECT_FALSE(read_model_file(TemporaryFile(model_file(made)).path()).slip);
+  made.slip = slipping_oscillator();
+  made.slip->system.is_phi[1] = true;
+  made.slip->system.prescribed[1] = 0;
+  made.slip->system.n_prescribed = 1;
+  const TemporaryFile file(model_file(made));
+  const ReducedModelFile read = read_model_file(file.path());
+  ASSERT_TRUE(read.slip);
+  const ReducedSystem &found = read.slip->system, &system = made.slip->system;
+  EXPECT_EQ(found.M, system.M);
+  EXPECT_EQ(found.C, system.C);
+  EXPECT_EQ(found.K, system.K);
+  EXPECT_EQ(found.load, system.load);
+  EXPECT_EQ(found.position, system.position);
+  EXPECT_EQ(found.velocity, system.velocity);
+  EXPECT_EQ(found.is_phi, system.is_phi);
+  EXPECT_EQ(found.prescribed, system.prescribed);
+  EXPECT_EQ(found.n_prescribed, 1);
+  EXPECT_EQ(found.load_name, system.load_name);
+  EXPECT_EQ(found.reading_label[2].name, "interface/slip_velocity");
+  EXPECT_EQ(read.slip->glued_error, 0.002);
+  EXPECT_EQ(model_file(read), model_file(made));
+}
+
+TEST(ModelFile, TellsWhatIsWrongWithASlip) {
+  const auto refusal_of = [](const std::function<void(ReducedSystem&)>& change) {
+    ReducedModelFile model = oscillator();
+    model.slip = slipping_oscillator();
+    change(model.slip->system);
+    const TemporaryFile file(model_file(model));
+    return refusal(file.path());
+  };
+  const std::string again = "; make it again with 'upbead reduce'";
+  EXPECT_EQ(refusal_of([](ReducedSystem&) {}), "");
+  EXPECT_EQ(refusal_of([](ReducedSystem& s) { s.prescribed[0] = 2; }), "m: /slip/prescribed holds 2" + again);
+  EXPECT_EQ(refusal_of([](ReducedSystem& s) { s.M.conservativeResize(2, 1); }),
+            "m: /slip/M has the shape 2 x 1, not 2 x 2" + again);
+  EXPECT_EQ(refusal_of([](ReducedSystem& s) { s.load_name[2] = "F"; }),
+            "m: /slip/load_name does not end with 'interface/friction'" + again);
+  EXPECT_EQ(refusal_of([](ReducedSystem& s) { s.reading_label[1].name = "s"; }),
+            "m: /slip/readings/name does not name 'interface/slip'" + again);
+  EXPECT_EQ(refusal_of([](ReducedSystem& s) { s.reading_label[0].name = "N"; }),
+            "m: /slip/readings/name does not name 'normal_force'" + again);
+}
+
 TEST(ModelFile, NeedsNeitherModesNorAMarch) {
   ReducedModelFile made = oscillator();
   made.modes.pole.resize(0);

@@ -37,4 +37,37 @@ ReducedModelFile oscillator() {
   return model;
 }
 
+ModelSlip slipping_oscillator() {
+  const double mass = oscillator().caisson_mass, rate = 4. * std::acos(-1.), ratio = 0.15, ground = 50e3;
+  Eigen::Matrix2d of_ground;  // of x and s; the ground moves by x - s
+  of_ground << 1., -1., -1., 1.;
+  ModelSlip slip;
+  ReducedSystem& system = slip.system;
+  system.M = ground * of_ground;
+  system.M(0, 0) += mass;
+  system.C = 2. * ratio * rate * mass * of_ground;
+  system.K = rate * rate * mass * of_ground;
+  system.load.setZero(2, 3);
+  system.load.row(0) << 1., 1., 0.;
+  system.load(1, 2) = -1.;
+  system.prescribed = {-1, -1, -1};
+  system.position.setZero(3, 2);
+  system.position(1, 1) = 1.;
+  system.velocity.setZero(3, 2);
+  system.velocity(2, 1) = 1.;
+  system.acceleration.setZero(3, 2);
+  system.feedthrough.setZero(3, 3);
+  system.is_phi = {false, false};
+  system.shift = 50.;
+  system.load_name = {"impact", "slow", "interface/friction"};
+  system.reading_label = {{"normal_force", "N/m", "no change of N'"},
+                          {"interface/slip", "m", "s"},
+                          {"interface/slip_velocity", "m/s", "s'"}};
+  slip.error = 0.001;
+  slip.glued_error = 0.002;
+  slip.vectors = 2;
+  slip.solves = 3;
+  return slip;
+}
+
 }  // namespace upbead::test

@@ -15,6 +15,9 @@ namespace upbead::test {
 /// `shear_force` and `caisson/displacement_x`, and a mode without meaning.
 ReducedModelFile oscillator();
 
+/// That caisson on a ground of 50 t/m with the same spring and dashpot, over which it slips.
+ModelSlip slipping_oscillator();
+
 /// A file that is gone when the test is.
 class TemporaryFile {
  public:

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "upbead/base/error.h"
+#include "upbead/base/text.h"
 
 namespace upbead {
 
@@ -32,9 +33,10 @@ SlipUplift slip_uplift(const SlidingChoice& choice) {
 SlipReduction reduce_loose(const Scene& scene, const CompiledScene& loose, const Series& glued,
                            const std::function<void(double)>& progress) {
   SlipReduction reduction = reduce_slip(scene, loose, slip_uplift(*scene.sliding), glued, progress);
-  if (!reduction.converged)
-    throw NumericsError("its reduced model does not come to the tolerance in " + std::to_string(reduction.n_vectors) +
-                        " vectors");
+  constexpr double tolerable = 0.02;  // of forces that S is told with: an undamped scene needs many vectors for less
+  if (!reduction.converged && !(reduction.error.history <= tolerable))
+    throw NumericsError("the forces of its reduced model move by " + significant(reduction.error.history) +
+                        " of their peaks between nested models with " + std::to_string(reduction.n_vectors) + " vectors");
   return reduction;
 }
 
