@@ -42,7 +42,8 @@ def draw_stress(axes, result, times):
     axes.set_ylim(-0.15 * unit * mean, 6 * unit * mean)
     axes.axhline(0.0, color="black", lw=0.5)
     axes.set(xlabel="place under the caisson, landward (m)", ylabel=f"effective normal stress ({name})")
-    axes.set_title(f"stress under the bottom; at the edges, beyond the frame, up to {stress.max():.2g} {name}", fontsize=8)
+    axes.set_title(f"stress under the bottom; at the edges, beyond the frame, up to {stress.max():.2g} {name}",
+                   fontsize=8)
     axes.legend(fontsize=7.5)
 
 
@@ -61,8 +62,8 @@ def draw_states(axes, result, times):
     mark(axes, result, times)
     axes.set_ylabel("place (m)")
     axes.set_title("state of the nodes of the bottom, sea below", fontsize=8)
-    axes.legend(handles=[Patch(color=colour, label=name) for name, colour in STATES], fontsize=7.5, ncol=3, frameon=True,
-                loc="center right", framealpha=1)
+    axes.legend(handles=[Patch(color=colour, label=name) for name, colour in STATES], fontsize=7.5, ncol=3,
+                frameon=True, framealpha=1, loc="center right")
 
 
 def draw_contact(axes, result, times):

@@ -55,8 +55,8 @@ def draw_displacement(axes, slides, bonded):
 def draw_slip(axes, slides):
     axes.plot(slides.array("coupled/time"), 1e3 * slides.array("coupled/slip"), color=COUPLED, label="as a whole")
     axes.plot(slides.time, 1e3 * slides.history("interface/slip").values, color=NODES, label="node by node, mean")
-    axes.fill_between(slides.time, 1e3 * slides.slip.min(axis=1), 1e3 * slides.slip.max(axis=1), color=NODES, alpha=0.15,
-                      lw=0, label="node by node, least to largest")
+    axes.fill_between(slides.time, 1e3 * slides.slip.min(axis=1), 1e3 * slides.slip.max(axis=1), color=NODES,
+                      alpha=0.15, lw=0, label="node by node, least to largest")
     for key, style, label in (("sliding.sliding_history", "--", "$S$ by eq. (4) on $F_T(t)$"),
                               ("sliding.equal_impulse.sliding_paper", ":", "$S$ by eq. (7), pulse of equal impulse")):
         axes.axhline(1e3 * slides.number(key), color="black", ls=style, lw=0.9, label=label)
@@ -73,8 +73,8 @@ def mark_starts(rows, slides):
     for time, colour in starts:
         for axes in rows:
             axes.axvline(time, color=colour, ls="--", lw=0.8)
-    rows[0].set_title(f"{slides.title}\nbroken vertical lines: the first node slips (red), slip as a whole begins (blue)",
-                      fontsize=9)
+    lines = "broken vertical lines: the first node slips (red), slip as a whole begins (blue)"
+    rows[0].set_title(f"{slides.title}\n{lines}", fontsize=9)
 
 
 def main():

@@ -1,4 +1,7 @@
-"""Reads what a run whose caisson may slip wrote beside its histories: /interface (node by node) and /coupled (as a whole)."""
+"""Reads what a run whose caisson may slip wrote beside its histories.
+
+That is /interface (by time and node) and /coupled (of the caisson that slips as a whole).
+"""
 
 import h5py
 import numpy as np

@@ -24,9 +24,6 @@ namespace upbead {
 
 namespace {
 
-/// As a run calls it.
-constexpr const char* slip_of_caisson = "slip of the caisson with its ground";
-
 struct ReduceOptionsOfCommand : CommonOptions {
   bool all_readings = false;
   bool check = false;
@@ -97,6 +94,7 @@ struct Reduced {
   ReducedModelFile file;
   Reduction reduction;
   ReducedSlip slip;
+  std::vector<Skipped> skipped;
   std::string path;
   Timing timing;
 };
@@ -117,14 +115,13 @@ std::string to_json(const Reduced& made) {
   json["reduction"]["error_march"] = m.error_march ? nlohmann::ordered_json(*m.error_march) : nullptr;
   json["slip"] = to_object(made.slip);
   json["skipped"] = nlohmann::ordered_json::array();
-  if (!made.slip.why_not.empty()) json["skipped"].push_back({{"what", slip_of_caisson}, {"why", made.slip.why_not}});
+  for (const Skipped& part : made.skipped) json["skipped"].push_back({{"what", part.what}, {"why", part.why}});
   json["timing"] = {
       {"mesh", t.mesh}, {"compile", t.compile}, {"factorise", t.factorise}, {"reduce", t.march}, {"total", t.total}};
   return json.dump(2) + "\n";
 }
 
 std::string describe(const ReducedSlip& slip) {
-  if (!slip.why_not.empty()) return std::string("skipped     ") + slip_of_caisson + ": " + slip.why_not + "\n";
   if (!slip.model) return "";
   return "slip        of the caisson with its ground, " + std::to_string(slip.model->vectors) + " vectors, " +
          std::to_string(slip.model->solves) + " solves, " + significant(slip.seconds, 2) + " s; its forces " +
@@ -146,6 +143,7 @@ std::string describe(const Reduced& made) {
           " of theirs (nested models)\n";
   if (m.error_march) text += "            history of F_T " + significant(*m.error_march, 2) + " against a march\n";
   text += "checked     up to " + significant(m.highest_frequency) + " Hz\n" + describe(made.slip);
+  for (const Skipped& part : made.skipped) text += "skipped     " + part.what + ": " + part.why + "\n";
   text += "time        factorise " + significant(t.factorise, 2) + " s, reduce " + significant(t.march, 2) +
           " s, total " + significant(t.total, 2) + " s\n";
   return text + "written     " + made.path + "\n";
@@ -176,6 +174,15 @@ CompiledCase compile_for_waves(const Case& input) {
   return scene;
 }
 
+/// What the model of a case leaves out, as a run calls it.
+std::vector<Skipped> skipped(const CompiledCase& scene, const ReducedSlip& slip) {
+  std::vector<Skipped> list;
+  if (!slip.why_not.empty()) list.push_back({"slip of the caisson with its ground", slip.why_not});
+  if (scene.with_interface)
+    list.push_back({"contact node by node", "a reduced model has none; 'upbead run' follows it"});
+  return list;
+}
+
 Reduction reduce_glued(const CompiledCase& scene, bool all_readings) {
   Progress progress("reducing");
   Reduction reduction = reduce_scene(scene.scene, scene.compiled, {!all_readings, true, {}}, watched(progress));
@@ -199,6 +206,7 @@ void reduce(const ReduceOptionsOfCommand& options, const Stopwatch& since_start)
     Progress progress("reducing with slip");
     made.slip = reduce_with_slip(scene, made.reduction, watched(progress));
   }
+  made.skipped = skipped(scene, made.slip);
   check_interrupt();
   made.file = model_of(input, scene, made.reduction, folder.name());
   made.file.slip = made.slip.model;

@@ -3,9 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 
 #include "../output/sample_model.h"
 #include "upbead/app/respond_waves.h"
+#include "upbead/response/slip_reduction.h"
+#include "upbead/sliding/coupled_slip.h"
 #include "upbead/sliding/elastic_block.h"
 
 namespace upbead::test {
@@ -90,20 +93,57 @@ TEST(RespondSlip, IsFollowedToItsStopWithoutLoadsAfterTheAnswer) {
   expect_equal(*by_steps.coupled, by_masses(falling), 1e-8);
 }
 
-TEST(RespondSlip, UpliftIsTakenOffTheWeight) {
-  // half of P: with mu a force of (1 + 0.6 / 2) P / 2 has about the same effect on a ground that hardly yields
+/// With N_0 = W' - U, U as a part of P by hand.
+CoupledSliding by_hand(const WaveFile& file, const std::function<double(int)>& uplift) {
+  const ReducedSystem system = slipping_oscillator().system;
+  const int n = 8001;  // 4 s, the end of the case
+  WaveSamples loads = WaveSamples::Zero(3, n);
+  loads.topLeftCorner(2, file.value.cols()) = file.value;
+  for (int i = 0; i < n; ++i) loads(2, i) = weight - uplift(i);
+  return CoupledSlip(slip_model(system, slip_law(system, friction, SlipUplift::none)), 5e-4).slide(loads);
+}
+
+TEST(RespondSlip, PrescribedUpliftIsTakenOffTheWeight) {
   const WaveFile file = wave(fine_triangle(2e6));
-  const double without = slid(file).sliding;
-  const double in_phase = slid(file, {friction, weight, 0., "in_phase", 0.2, 0.}).sliding;
-  const double held = slid(file, {friction, weight, 0., "held", 0.2, 0.}).sliding;
-  const double late = slid(file, {friction, weight, 0., "in_phase", 0.2, 0.2}).sliding;
-  EXPECT_GT(in_phase, 1.2 * without);
-  EXPECT_GT(held, 1.02 * in_phase);
-  EXPECT_NE(late, without);
-  EXPECT_LT(late, in_phase);
-  const CoupledWave lifted = slid(file, {friction, weight, 0., "in_phase", 0.7, 0.});
-  EXPECT_GT(lifted.lifted_time, 0.);
-  EXPECT_EQ(slid(file).lifted_time, 0.);
+  const auto P = [&file](int i) { return i >= 0 && i < file.value.cols() ? file.value(0, i) : 0.; };
+  const auto expect = [&](const ModelSliding& sliding, const std::function<double(int)>& uplift) {
+    const CoupledWave found = slid(file, sliding);
+    const CoupledSliding expected = by_hand(file, uplift);
+    EXPECT_NEAR(found.sliding, expected.slip.residual, 1e-9 * expected.slip.path) << sliding.uplift;
+    EXPECT_NEAR(found.dissipated, expected.dissipated, 1e-9 * expected.dissipated) << sliding.uplift;
+    EXPECT_NEAR(found.lifted_time, expected.lifted_time, 1e-9) << sliding.uplift;
+    return found;
+  };
+  const double none = expect({friction, weight}, [](int) { return 0.; }).sliding;
+  const CoupledWave in_phase = expect({friction, weight, 0., "in_phase", 0.7, 0.}, [&](int i) { return 0.7 * P(i); });
+  EXPECT_GT(std::abs(in_phase.sliding - none), 0.01 * none);
+  EXPECT_GT(in_phase.lifted_time, 0.);
+  expect({friction, weight, 0., "in_phase", 0.4, 0.02}, [&](int i) { return 0.4 * P(i - 40); });
+  expect({friction, weight, 0., "held", 0.3, 0.}, [&](int i) { return 0.3 * P(std::min(i, 150)); });
+}
+
+TEST(RespondSlip, ComputedUpliftIsTheModels) {
+  // x' in the place of the pore pressure, in a unit that makes it large enough
+  ReducedModelFile model = model_with_slip(), twin = model;
+  ReducedSystem& system = model.slip->system;
+  system.velocity(0, 0) = 3e5;
+  system.reading_label[0].name = "uplift";
+  system.reading_label.push_back({"normal_force", "N/m", "no change of N'"});
+  for (Eigen::MatrixXd* part : {&system.position, &system.velocity, &system.acceleration, &system.feedthrough}) {
+    part->conservativeResize(4, Eigen::NoChange);
+    part->row(3).setZero();
+  }
+  twin.slip->system.velocity(0, 0) = -3e5;
+  for (ReducedModelFile* m : {&model, &twin}) m->modes.reading_label[2].name = "uplift";
+  const WaveFile file = wave(fine_triangle(2e6));
+  RespondOptions options;
+  options.sliding = ModelSliding{friction, weight, 0., "computed"};
+  const double computed = respond_to_waves(model, {file}, options)[0].waves[0].coupled->sliding;
+  options.sliding->uplift = "none";
+  const double none = respond_to_waves(model, {file}, options)[0].waves[0].coupled->sliding;
+  const double by_normal_force = respond_to_waves(twin, {file}, options)[0].waves[0].coupled->sliding;
+  EXPECT_NEAR(computed, by_normal_force, 1e-12);
+  EXPECT_GT(std::abs(computed - none), 0.01 * std::abs(none));
 }
 
 TEST(RespondSlip, IsNotToldWithoutTheModelOrTheQuestion) {

@@ -29,7 +29,8 @@ def write_run(folder, slips):
     opening[:, 0] = np.clip(0.01 - 0.1 * abs(TIME - 0.4), 0, None)
     with h5py.File(folder / "results.h5", "w") as file:
         wave = 2e6 * np.sin(3 * TIME)
-        for name in ("time", "force", "shear_force", "uplift", "base_moment", "caisson/displacement_x", "interface/slip"):
+        for name in ("time", "force", "shear_force", "uplift", "base_moment", "caisson/displacement_x",
+                     "interface/slip"):
             file[f"history/{name}"] = TIME if name == "time" else slip.mean(axis=1) if "slip" in name else wave
         if slips:
             for name in ("time", "shear_force", "displacement_x", "slip"):

@@ -75,6 +75,8 @@ Run run_contact(const Case& input, CompiledCase& scene, const MarchOptions& marc
     solved.summary.sliding = run.summary.sliding;
     solved.summary.error = run.summary.error;
     solved.coupled = run.coupled;
+    solved.summary.timing.factorise += run.summary.timing.factorise;
+    solved.summary.timing.march += run.summary.timing.march;
     run = std::move(solved);
   }
   run.summary.contact = std::move(contact);

@@ -1,0 +1,153 @@
+#!/usr/bin/python3
+"""Waves that slide a caisson with its ground: `run`, `reduce` and `respond` of the same case.
+
+usage: coupled_test.py PROGRAM CASES_FOLDER
+"""
+
+import json
+import os
+import pathlib
+import shutil
+import tempfile
+import unittest
+
+import h5py
+import numpy as np
+
+from program import CASES, ProgramTest, upbead
+
+CASE = CASES / "fig2b-prototype.toml"
+COARSE = ["--set", "mesh.parameters.cells=0.5"]
+PEAK, FACTOR = 1.6e6, 5.807  # N/m of the case, times which it slides
+COLUMNS = ("sliding_coupled", "coupled_largest", "coupled_slips", "coupled_dissipated", "coupled_lifted_time")
+
+
+class Coupled(ProgramTest):
+    @classmethod
+    def setUpClass(cls):
+        cls.of_case = pathlib.Path(tempfile.mkdtemp())
+        cls.addClassCleanup(shutil.rmtree, cls.of_case, ignore_errors=True)
+        done = upbead("reduce", CASE, *COARSE, "--json", "--out", "model", cwd=cls.of_case)
+        cls.of_reduce = json.loads(done.stdout)
+
+    def setUp(self):
+        super().setUp()
+        shutil.copytree(self.of_case / "model", self.folder / "model")
+
+    def told(self, *arguments):
+        done = upbead(*arguments, cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return json.loads(done.stdout)
+
+    def reduce(self, *arguments):
+        return self.told("reduce", CASE, *COARSE, *arguments, "--json", "--out", "model")
+
+    def answer(self, *arguments):
+        return self.told("respond", "model/reduced.h5", *arguments, "--json", "--out", "answer")["waves"]
+
+    def write_wave(self, factor=FACTOR):
+        (self.folder / "wave.csv").write_text(f"time,impulse\n0,0\n0.075,{PEAK * factor}\n0.15,0\n")
+        return "wave.csv"
+
+    def write_storm(self):
+        time = np.arange(1001) * 1e-3
+        with h5py.File(self.folder / "storm.h5", "w") as file:
+            file["time"] = time
+            file["impulse"] = np.outer(np.linspace(-7, 7, 41) * PEAK, np.interp(time, [0, 0.075, 0.15], [0, 1, 0]))
+        return "storm.h5"
+
+    def test_respond_slides_as_run_does(self):
+        slide = ["--set", f"loads.impulse.factor={FACTOR}"]
+        pressed = ["--set", "loads.impulse.direction=[1.0,-0.5]"]
+        for name, of_case, of_run in (
+                ("none", [], []),
+                ("computed", pressed + ["--set", "sliding.uplift={kind='computed'}"], []),
+                ("held", ["--set", "sliding.uplift={kind='prescribed',peak=1e5,shape='held',lag=0.01}"],
+                 ["--set", f"sliding.uplift.peak={1e5 * FACTOR}"])):
+            with self.subTest(uplift=name):
+                if of_case:
+                    self.reduce(*of_case)
+                run = self.told("run", CASE, *COARSE, *of_case, *of_run, *slide, "--json", "--out", "run")["sliding"]
+                wave = self.answer(self.write_wave())[0]
+                self.assertGreater(run["sliding_coupled"], 1e-3)
+                self.assertGreater(abs(run["sliding_coupled"] / run["sliding_history"] - 1), 0.05)
+                self.assertAlmostEqual(wave["sliding_coupled"] / run["sliding_coupled"], 1, delta=1e-3)
+                self.assertAlmostEqual(wave["coupled"]["largest"] / run["coupled"]["largest"], 1, delta=1e-3)
+                self.assertAlmostEqual(wave["coupled"]["dissipated"] / run["coupled"]["dissipated"], 1, delta=1e-3)
+                self.assertEqual(wave["coupled"]["slips"], len(run["coupled"]["slips"]))
+
+    def test_reduce_tells_the_slips_cost_and_error(self):
+        slip = self.of_reduce["slip"]
+        self.assertEqual(list(slip), ["vectors", "solves", "error", "glued_error", "time"])
+        self.assertEqual(self.of_reduce["skipped"], [])
+        self.assertLess(slip["error"], 5e-3)
+        self.assertLess(slip["glued_error"], 1e-2)
+        done = upbead("reduce", CASE, *COARSE, "--out", "again", cwd=self.folder)
+        self.assertRegex(done.stdout, rf"\nslip  .* {slip['vectors']} vectors, {slip['solves']} solves")
+
+    def test_many_waves_answer_the_same_on_one_core_as_on_all(self):
+        storm = self.write_storm()
+        waves = self.answer(storm)
+        S = np.array([wave["sliding_coupled"] for wave in waves])
+        self.assertGreater(np.count_nonzero(S), 10)
+        self.assertLess(np.count_nonzero(S), 30)
+        np.testing.assert_allclose(S, -S[::-1], rtol=1e-9, atol=1e-12, err_msg="mirrored waves slide mirrored")
+        self.assertEqual([wave["coupled"] for wave in waves if wave["name"] == "storm[20]"],
+                         [{"largest": 0, "slips": 0, "dissipated": 0, "lifted_time": 0}], "no wave")
+        self.assertTrue(all(wave["coupled"]["dissipated"] >= 0 for wave in waves))
+        with h5py.File(self.folder / "answer/responses.h5") as file:
+            for name in COLUMNS:
+                self.assertTrue(file["storm"][name].attrs["unit"] and file["storm"][name].attrs["description"], name)
+            np.testing.assert_array_equal(file["storm/sliding_coupled"], S)
+        everywhere = (self.folder / "answer/responses.h5").read_bytes()
+        cores = os.sched_getaffinity(0)
+        self.addCleanup(os.sched_setaffinity, 0, cores)
+        os.sched_setaffinity(0, {min(cores)})
+        self.answer(storm)
+        self.assertEqual((self.folder / "answer/responses.h5").read_bytes(), everywhere)
+
+    def test_a_model_without_slip_answers_as_before(self):
+        wave = self.answer(self.write_wave())[0]
+        with h5py.File(self.folder / "model/reduced.h5", "r+") as file:
+            del file["slip"]
+        without = self.answer("wave.csv")[0]
+        self.assertIsNone(without["sliding_coupled"])
+        self.assertIsNone(without["coupled"])
+        self.assertEqual({**without, "sliding_coupled": wave["sliding_coupled"], "coupled": wave["coupled"]}, wave)
+        with h5py.File(self.folder / "answer/responses.h5") as file:
+            self.assertFalse(set(COLUMNS) & set(file["wave"]))
+
+    def test_people_see_both_distances(self):
+        self.write_wave()
+        done = upbead("respond", "model/reduced.h5", "wave.csv", cwd=self.folder)
+        self.assertRegex(done.stdout, r"F_T / P +S +S, coupled\nwave .* mm +[0-9.]+ mm\n")
+        done = upbead("respond", "model/reduced.h5", self.write_storm(), cwd=self.folder)
+        self.assertRegex(done.stdout, r"sliding +\d+ of them slide .*\nS, coupled +\d+ of them slide .*, farthest [0-9.]+ m")
+
+    def test_what_cannot_slip_as_a_whole_is_told(self):
+        elastic = ["--set", "regions.caisson={kind='solid',density=2100,shear_modulus=1e8,poissons_ratio=0.2}"]
+        told = self.reduce(*elastic)
+        self.assertIsNone(told["slip"])
+        self.assertEqual(told["skipped"],
+                         [{"what": "slip of the caisson with its ground", "why": "the caisson deforms"}])
+        done = upbead("reduce", CASE, *COARSE, *elastic, "--out", "again", cwd=self.folder)
+        self.assertIn("\nskipped     slip of the caisson with its ground: the caisson deforms\n", done.stdout)
+
+    def test_a_caisson_with_an_interface_is_reduced_glued(self):
+        wave = self.answer(self.write_wave())[0]
+        told = self.reduce("--set", "regions.caisson.interface={kind='friction',coefficient=0.6}")
+        self.assertEqual([part["what"] for part in told["skipped"]], ["contact node by node"])
+        with_interface = self.answer("wave.csv")[0]
+        for key in ("peak_shear", "sliding", "sliding_coupled"):
+            self.assertAlmostEqual(with_interface[key] / wave[key], 1, delta=1e-9)
+
+    def test_a_broken_slip_is_refused(self):
+        with h5py.File(self.folder / "model/reduced.h5", "r+") as file:
+            del file["slip/K"]
+        done = upbead("respond", "model/reduced.h5", self.write_wave(), cwd=self.folder)
+        self.assertEqual((done.returncode, done.stdout), (1, ""))
+        self.assertIn("/slip/K is missing, or cannot be read as numbers; make it again with 'upbead reduce'", done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=["coupled_test.py"], verbosity=2)
