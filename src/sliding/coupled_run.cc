@@ -83,7 +83,7 @@ void CoupledRun::advance(double length, const Reading& now, double moved) {
     result_.dissipated += 0.5 * (last_.shear + now.shear) * moved +
                           length / 12. * (now.shear - last_.shear) * (now.velocity - last_.velocity);
   }
-  if (contact_ == Contact::lifted) result_.lifted_time += length;
+  if (contact_ == BottomState::lifted) result_.lifted_time += length;
   if (std::abs(now.shear) > std::abs(result_.peak_shear)) result_.peak_shear = now.shear;
   result_.least_normal = std::min(result_.least_normal, now.normal);
   last_ = now;
@@ -94,25 +94,25 @@ void CoupledRun::change(SlipEvent event, const Eigen::VectorXd& load) {
   switch (event) {
     case SlipEvent::starts:
       begin_slip();
-      return enter(last_.shear > 0. ? Contact::forward : Contact::backward, state, load);
+      return enter(last_.shear > 0. ? BottomState::forward : BottomState::backward, state, load);
     case SlipEvent::stops:
       state[state.size() - 1] = 0.;
       return rest(state, load);
     case SlipEvent::lifts:
-      return enter(Contact::lifted, state, load);
+      return enter(BottomState::lifted, state, load);
     default:
       if (last_.velocity == 0.) return rest(state, load);
-      return enter(last_.velocity > 0. ? Contact::forward : Contact::backward, state, load);
+      return enter(last_.velocity > 0. ? BottomState::forward : BottomState::backward, state, load);
   }
 }
 
 void CoupledRun::rest(const Eigen::VectorXd& state, const Eigen::VectorXd& load) {
-  enter(Contact::stuck, state, load);
-  if (event_at(Contact::stuck, model_.friction, last_.shear, last_.normal) == SlipEvent::none) return end_slip();
-  enter(last_.shear > 0. ? Contact::forward : Contact::backward, state, load);
+  enter(BottomState::stuck, state, load);
+  if (event_at(BottomState::stuck, model_.friction, last_.shear, last_.normal) == SlipEvent::none) return end_slip();
+  enter(last_.shear > 0. ? BottomState::forward : BottomState::backward, state, load);
 }
 
-void CoupledRun::enter(Contact contact, const Eigen::VectorXd& state, const Eigen::VectorXd& load) {
+void CoupledRun::enter(BottomState contact, const Eigen::VectorXd& state, const Eigen::VectorXd& load) {
   contact_ = contact;
   z_ = modal_state(phase(), state);
   next_ = z_;

@@ -21,7 +21,7 @@ class CoupledRun {
   /// Through a stretch; `is_step`: it is as long as the steps. `jumps`: the loads do so at its beginning.
   void pass(const LoadStretch& stretch, bool is_step, bool jumps);
 
-  bool stuck() const { return contact_ == Contact::stuck; }
+  bool stuck() const { return contact_ == BottomState::stuck; }
   /// Writes down what is read now, under these loads.
   void record(const Eigen::VectorXd& load, Eigen::Index column, CoupledHistory& history) const;
   /// A slip that is under way counts.
@@ -43,13 +43,13 @@ class CoupledRun {
   void change(SlipEvent event, const Eigen::VectorXd& load);
   /// s' = 0: sticks, or slips the way it is pushed.
   void rest(const Eigen::VectorXd& state, const Eigen::VectorXd& load);
-  void enter(Contact contact, const Eigen::VectorXd& state, const Eigen::VectorXd& load);
+  void enter(BottomState contact, const Eigen::VectorXd& state, const Eigen::VectorXd& load);
   void begin_slip();
   void end_slip();
 
   const SlipModel& model_;
   const std::array<SlipSteps, 4>& steps_;
-  Contact contact_ = Contact::stuck;
+  BottomState contact_ = BottomState::stuck;
   ModalState z_, next_;
   int n_stretches_ = 0;
   Reading last_;

@@ -16,8 +16,8 @@ using detail::CoupledRun;
 constexpr double longest_tail = 10.;
 
 std::array<SlipSteps, 4> steps_of(const SlipModel& model, double step) {
-  const auto of = [&](Contact contact) { return SlipSteps(model.phase(contact), contact, step); };
-  return {of(Contact::stuck), of(Contact::forward), of(Contact::backward), of(Contact::lifted)};
+  const auto of = [&](BottomState contact) { return SlipSteps(model.phase(contact), contact, step); };
+  return {of(BottomState::stuck), of(BottomState::forward), of(BottomState::backward), of(BottomState::lifted)};
 }
 
 /// A history of n times, at rest at the first.

@@ -31,11 +31,11 @@ double return_to_zero(const Function& f, double length) {
 
 }  // namespace
 
-SlipEvent event_at(Contact contact, double friction, double watched, double normal) {
+SlipEvent event_at(BottomState contact, double friction, double watched, double normal) {
   switch (contact) {
-    case Contact::stuck:
+    case BottomState::stuck:
       return std::abs(watched) > friction * normal ? SlipEvent::starts : SlipEvent::none;
-    case Contact::lifted:
+    case BottomState::lifted:
       return normal > 0. ? SlipEvent::lands : SlipEvent::none;
     default:
       if (normal < 0.) return SlipEvent::lifts;
@@ -43,18 +43,18 @@ SlipEvent event_at(Contact contact, double friction, double watched, double norm
   }
 }
 
-TimedEvent first_event(const SlipPath& path, Contact contact, double friction, bool fresh) {
+TimedEvent first_event(const SlipPath& path, BottomState contact, double friction, bool fresh) {
   const double length = path.length();
   const SlipCurve normal = path.reading(row_normal), watched = path.reading(SlipSteps::watched_row(contact));
   const SlipEvent at_end = event_at(contact, friction, watched(length), normal(length));
   if (!fresh)  // loads may have jumped
     if (const SlipEvent at_once = event_at(contact, friction, watched(0.), normal(0.)); at_once != SlipEvent::none)
       return {at_once, 0.};
-  if (contact == Contact::stuck) {
+  if (contact == BottomState::stuck) {
     if (at_end == SlipEvent::none) return {};
     return {at_end, crossing([&](double t) { return friction * normal(t) - std::abs(watched(t)); }, length)};
   }
-  if (contact == Contact::lifted) {
+  if (contact == BottomState::lifted) {
     if (at_end == SlipEvent::none) return {};
     return {at_end, crossing([&](double t) { return -normal(t); }, length)};
   }

@@ -20,15 +20,15 @@ struct TimedEvent {
 };
 
 /// 1 forward, -1 backward, else 0.
-inline double direction(Contact contact) {
-  return contact == Contact::forward ? 1. : contact == Contact::backward ? -1. : 0.;
+inline double direction(BottomState contact) {
+  return contact == BottomState::forward ? 1. : contact == BottomState::backward ? -1. : 0.;
 }
 
 /// Which event shows at a time, by its readings: F_T where it sticks, s' where it slips; and N'.
-SlipEvent event_at(Contact contact, double friction, double watched, double normal);
+SlipEvent event_at(BottomState contact, double friction, double watched, double normal);
 
 /// The event that shows at an end of a path, and when it came. `fresh`: the phase has begun with the path, so that s',
 /// or |F_T| - mu N', is zero up to round-off.
-TimedEvent first_event(const SlipPath& path, Contact contact, double friction, bool fresh);
+TimedEvent first_event(const SlipPath& path, BottomState contact, double friction, bool fresh);
 
 }  // namespace upbead::detail

@@ -31,7 +31,7 @@ struct SlipLaw {
 };
 
 /// What the bottom does.
-enum class Contact {
+enum class BottomState {
   stuck,     ///< s' = 0; F_T is whatever that takes, |F_T| <= mu N'
   forward,   ///< s' > 0, F_T = mu N'
   backward,  ///< s' < 0, F_T = -mu N'
@@ -52,12 +52,12 @@ struct SlipPhase {
 enum SlipReading : int { row_shear = 0, row_normal = 1, row_velocity = 2, first_row_wanted = 3 };
 
 struct SlipModel {
-  std::array<SlipPhase, 4> phases;  ///< by Contact
+  std::array<SlipPhase, 4> phases;  ///< by BottomState
   Eigen::VectorXd share_of_slip;    ///< of the readings wanted: each is its row plus so many times s
   double friction = 0.;             ///< mu
   double growth = 0.;               ///< largest real part of a pole that friction leaves above round-off (1/s)
 
-  const SlipPhase& phase(Contact contact) const { return phases[static_cast<std::size_t>(contact)]; }
+  const SlipPhase& phase(BottomState contact) const { return phases[static_cast<std::size_t>(contact)]; }
   int n_loads() const { return phases[0].modes.n_loads(); }  ///< N_0 with them
 };
 
