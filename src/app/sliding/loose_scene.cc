@@ -36,7 +36,8 @@ SlipReduction reduce_loose(const Scene& scene, const CompiledScene& loose, const
   constexpr double tolerable = 0.02;  // of forces that S is told with: an undamped scene needs many vectors for less
   if (!reduction.converged && !(reduction.error.history <= tolerable))
     throw NumericsError("the forces of its reduced model move by " + significant(reduction.error.history) +
-                        " of their peaks between nested models with " + std::to_string(reduction.n_vectors) + " vectors");
+                        " of their peaks between nested models with " + std::to_string(reduction.n_vectors) +
+                        " vectors");
   return reduction;
 }
 

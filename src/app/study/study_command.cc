@@ -81,6 +81,8 @@ void finish(const Study& study, const StudyOptions& options, const StudyAccount&
 
 [[noreturn]] void end_interrupted(const Interrupted& interrupted, const Study& study, const StudyOptions& options,
                                   const Pool& pool) {
+  // where another process ends before the first has spoken, the launcher ends that one, too
+  if (pool.rank() > 0) std::this_thread::sleep_for(std::chrono::seconds(2));
   const int n = number_of_results(read_journals(options.out, study.fingerprint, study.runs.size()));
   if (pool.rank() == 0)
     std::cerr << "upbead: interrupted; " << n << " of " << study.runs.size()
