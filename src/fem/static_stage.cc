@@ -82,7 +82,7 @@ double water_level(const Scene& scene, const Mesh& mesh) {
 }
 
 Vector static_normal_forces(const Scene& scene, const Mesh& mesh, const SoilState& soil) {
-  return detail::StaticSystem(scene, mesh).normal_forces(soil);
+  return detail::normal_forces(scene, mesh, soil);
 }
 
 /// What stiffens draws load, which stiffens it more: changes of log G shrink by a factor from solve to solve, and all

@@ -161,9 +161,10 @@ EffectiveStress StaticSystem::solve(const SoilState& soil) const {
   return Ground(scene_, mesh_, soil).solve(weights_);
 }
 
-Vector StaticSystem::normal_forces(const SoilState& soil) const {
-  const Ground ground(scene_, mesh_, soil, true);
-  return ground.normal_forces(ground.weights(water_level(scene_, mesh_)));
+Vector normal_forces(const Scene& scene, const Mesh& mesh, const SoilState& soil) {
+  const Scene rest = at_rest(scene);
+  const Ground ground(rest, mesh, soil, true);
+  return ground.normal_forces(ground.weights(water_level(scene, mesh)));
 }
 
 }  // namespace upbead::detail

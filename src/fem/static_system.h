@@ -13,13 +13,14 @@ class StaticSystem {
   StaticSystem(const Scene& scene, const Mesh& mesh);
   /// Effective stresses of drained soils with that stiffness.
   EffectiveStress solve(const SoilState& soil) const;
-  /// See static_normal_forces.
-  Vector normal_forces(const SoilState& soil) const;
 
  private:
   Scene scene_;  ///< no pressures, no waves, nothing that leaves
   const Mesh& mesh_;
   Vector weights_;  ///< by unknown; whatever the stiffness
 };
+
+/// See static_normal_forces.
+Vector normal_forces(const Scene& scene, const Mesh& mesh, const SoilState& soil);
 
 }  // namespace upbead::detail

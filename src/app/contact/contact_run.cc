@@ -34,7 +34,8 @@ void remove_node_forces(int n_nodes, System& system, Response& response) {
   for (Series* series : {&response.ends, &response.balanced}) series->reading.conservativeResize(n, Eigen::NoChange);
 }
 
-Run march_contact(const Case& input, const CompiledCase& scene, const MarchOptions& marching) {
+/// Also fills in what the nodes did.
+Run march_contact(const Case& input, const CompiledCase& scene, const MarchOptions& marching, ContactSummary& contact) {
   const std::unique_ptr<Scheme> scheme = make_contact_scheme(scene.compiled.system);
   ContactRecorder recorder(scene.compiled.system, *scheme);
   MarchOptions options = marching;
@@ -43,7 +44,7 @@ Run march_contact(const Case& input, const CompiledCase& scene, const MarchOptio
     if (marching.observer) marching.observer(state, step, n);
   };
   Run run = march_by(*scheme, input, scene, "glued, the caisson would slip or lift at some node", options);
-  run.summary.contact.emplace().solved = recorder.summary();
+  contact.solved = recorder.summary();
   run.contact = recorder.history();
   return run;
 }
@@ -70,8 +71,7 @@ Run run_contact(const Case& input, CompiledCase& scene, const MarchOptions& marc
   remove_node_forces(n_nodes, scene.compiled.system, run.response);
   if (contact.demand.reached || scene.scene.fields_every) {
     scene.compiled.system = std::move(loose);
-    Run solved = march_contact(input, scene, marching);
-    contact.solved = solved.summary.contact->solved;
+    Run solved = march_contact(input, scene, marching, contact);
     solved.summary.sliding = run.summary.sliding;
     solved.summary.error = run.summary.error;
     solved.coupled = run.coupled;
