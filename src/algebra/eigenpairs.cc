@@ -6,6 +6,7 @@
 
 #include <vector>
 
+#include "blas_turn.h"
 #include "upbead/base/error.h"
 
 namespace upbead {
@@ -20,6 +21,7 @@ Eigenpairs eigenpairs(Eigen::MatrixXd A) {
     LAPACKgeev_("N", "V", &n, A.data(), &n, real.data(), imaginary.data(), nullptr, &n, X.data(), &n, work, &size,
                 &info);
   };
+  const auto turn = detail::blas_turn();
   call(&best_size);  // asks how much room it wants
   size = static_cast<PetscBLASInt>(best_size);
   std::vector<double> work(static_cast<std::size_t>(size));

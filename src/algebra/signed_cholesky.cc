@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "blas_turn.h"
+
 namespace upbead::detail {
 
 namespace {
@@ -55,6 +57,7 @@ void update_right(const Panel& panel, int begin, int end, const int* sign, std::
 }  // namespace
 
 int factorise(const Panel& panel, int* sign, std::vector<double>& work) {
+  const auto turn = blas_turn();
   for (int begin = 0; begin < panel.width; begin += block_width) {
     const int end = std::min(begin + block_width, panel.width);
     if (const int failed = factorise_block(panel, begin, end, sign); failed < end) return failed;
@@ -67,6 +70,7 @@ int factorise(const Panel& panel, int* sign, std::vector<double>& work) {
 void subtract_outer_product(const Panel& factor, const int* sign, double* U, std::vector<double>& work) {
   const PetscBLASInt n = factor.height - factor.width;
   if (n == 0) return;
+  const auto turn = blas_turn();
   // columns by sign, so that each half is one product of half the work
   work.resize(static_cast<std::size_t>(n) * factor.width);
   double* end = work.data();

@@ -1,6 +1,6 @@
 // Claims: the dense signed Cholesky factors give the matrix back, within one block, over many and with rows below; the
 // signs are those of the pivots; what is left is the Schur complement; a zero pivot or one that is not finite is
-// reported with its column.
+// reported with its column; factorisations in several threads at once do not disturb each other.
 // Source: Vanderbei, Symmetric quasi-definite matrices, SIAM J. Optim. 5 (1995) 100. Tolerance: 1e-13 of the largest
 // entry, 450 units of round-off.
 #include "../../src/algebra/signed_cholesky.h"
@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <thread>
 
 #include "quasi_definite.h"
 
@@ -58,6 +59,22 @@ TEST_P(SignedCholesky, GivesTheMatrixBack) {
   rest.bottomRightCorner(n - width, n - width) -= f.left;
   EXPECT_TRUE(MatrixXd(rest.triangularView<Eigen::Lower>()).isZero(1e-13)) << "the Schur complement";
   for (int j = 0; j < width; ++j) EXPECT_EQ(f.J[j], j % 3 == 2 ? -1. : 1.) << j;
+}
+
+TEST(SignedCholesky, ThreadsDoNotDisturbEachOther) {
+  const MatrixXd A(test::random_quasi_definite(200, 200, 3));
+  const Factorised alone = factorised(A, 120);
+  std::vector<int> n_wrong(4, 0);
+  std::vector<std::thread> threads;
+  for (int& wrong : n_wrong)
+    threads.emplace_back([&] {
+      for (int k = 0; k < 100; ++k) {
+        const Factorised here = factorised(A, 120);
+        if (here.L != alone.L || here.left != alone.left) ++wrong;
+      }
+    });
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(n_wrong, std::vector<int>(4, 0)) << "wrong factors of 100 in each thread";
 }
 
 TEST(SignedCholesky, ReportsAZeroPivot) {
