@@ -1,13 +1,16 @@
 #include "upbead/base/files.h"
 
-#include <fnmatch.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <fstream>
 #include <system_error>
 
+#include "exchange.h"
+#include "folder_lock.h"
 #include "upbead/base/error.h"
 
 namespace fs = std::filesystem;
@@ -65,6 +68,7 @@ OutputFolder::OutputFolder(const std::string& path) : name_(path) {
   if (is_there(target_) && !is_folder(target_)) fail("the output folder '" + path + "' is a file");
   check_rights();
   make_parents();
+  remove_abandoned();
   make_partial();
 }
 
@@ -99,13 +103,38 @@ void OutputFolder::check_rights() const {
     fail("cannot write into the output folder '" + name_ + "'", last_error());
 }
 
+/// Beside the wanted folder; inside it where that is a file system of its own.
+fs::path OutputFolder::home() const {
+  struct stat folder, parent;
+  const bool is_mount = stat(target_.c_str(), &folder) == 0 && stat(target_.parent_path().c_str(), &parent) == 0 &&
+                        folder.st_dev != parent.st_dev;
+  return is_mount ? target_ : target_.parent_path();
+}
+
+std::string OutputFolder::stem() const {
+  return "." + target_.filename().string() + ".partial-";
+}
+
+/// A folder that a killed process has left is locked by nobody. One that has only just been made may be about to be.
+void OutputFolder::remove_abandoned() const {
+  std::error_code code;
+  const auto old = fs::file_time_type::clock::now() - std::chrono::minutes(1);
+  std::vector<fs::path> abandoned;
+  for (fs::directory_iterator entry(home(), code), end; !code && entry != end; entry.increment(code))
+    if (entry->path().filename().string().rfind(stem(), 0) == 0 && fs::last_write_time(*entry, code) < old)
+      abandoned.push_back(entry->path());
+  for (const fs::path& folder : abandoned)
+    if (FolderLock(folder, FolderLock::Wait::no).held()) fs::remove_all(folder, code);
+}
+
 void OutputFolder::make_partial() {
-  const std::string stem = "." + target_.filename().string() + ".partial-" + std::to_string(getpid());
+  const std::string stem = this->stem() + std::to_string(getpid());
   for (int i = 0;; ++i) {
-    const fs::path candidate = target_.parent_path() / (stem + (i == 0 ? "" : "-" + std::to_string(i)));
+    const fs::path candidate = home() / (stem + (i == 0 ? "" : "-" + std::to_string(i)));
     std::error_code code;
     if (fs::create_directory(candidate, code)) {
       partial_ = candidate;
+      in_use_ = std::make_unique<FolderLock>(partial_, FolderLock::Wait::no);
       return;
     }
     if (code) {
@@ -133,7 +162,6 @@ void OutputFolder::write(const std::string& file, const std::string& text) const
 
 void OutputFolder::move_files(const std::vector<fs::path>& files) const {
   std::error_code code;
-  for (const fs::path& file : files) check_room(target_, file);
   for (const fs::path& file : files) {
     fs::create_directories((target_ / file).parent_path(), code);
     if (!code) fs::rename(partial_ / file, target_ / file, code);
@@ -143,12 +171,11 @@ void OutputFolder::move_files(const std::vector<fs::path>& files) const {
 
 void OutputFolder::remove_older(const std::string& pattern, const std::vector<fs::path>& files) const {
   const fs::path parent = fs::path(pattern).parent_path();
-  const std::string last = fs::path(pattern).filename().string();
   std::vector<fs::path> older;
   std::error_code code;  // without the folder there is nothing to remove
   for (fs::directory_iterator entry(target_ / parent, code), end; !code && entry != end; entry.increment(code)) {
     const fs::path file = parent / entry->path().filename();
-    if (fnmatch(last.c_str(), file.filename().c_str(), 0) == 0 && !is_folder(entry->path()) &&
+    if (matches(file, pattern) && !is_folder(entry->path()) &&
         std::find(files.begin(), files.end(), file) == files.end())
       older.push_back(file);
   }
@@ -158,17 +185,25 @@ void OutputFolder::remove_older(const std::string& pattern, const std::vector<fs
   if (!older.empty() && !parent.empty()) fs::remove(target_ / parent, code);  // where nothing else is left in it
 }
 
-void OutputFolder::commit(const std::vector<std::string>& replaced) {
+void OutputFolder::put_into_place(const std::vector<std::string>& replaced) const {
+  const FolderLock turn(target_.parent_path(), FolderLock::Wait::yes);  // two runs into one folder: one after the other
   std::error_code code;
   if (!is_there(target_)) {
     fs::rename(partial_, target_, code);
     if (code) fail("cannot make the output folder '" + name_ + "'", code);
-  } else {
-    const std::vector<fs::path> files = files_below(partial_);
+    return;
+  }
+  const std::vector<fs::path> files = files_below(partial_);
+  for (const fs::path& file : files) check_room(target_, file);
+  if (!exchange(partial_, target_, files, replaced)) {
     move_files(files);
     for (const std::string& pattern : replaced) remove_older(pattern, files);
-    fs::remove_all(partial_, code);
   }
+  fs::remove_all(partial_, code);
+}
+
+void OutputFolder::commit(const std::vector<std::string>& replaced) {
+  put_into_place(replaced);
   partial_.clear();
   made_parents_.clear();
 }

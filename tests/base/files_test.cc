@@ -1,11 +1,15 @@
-// Claim: an output folder appears whole or not at all, and foreign files in it stay.
+// Claim: an output folder appears whole or not at all, and foreign files in it stay; an older result is replaced in one
+// step, so that a reader never meets a mixture.
 #include "upbead/base/files.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <fstream>
 #include <sstream>
+#include <thread>
 
 #include "upbead/base/error.h"
 
@@ -108,6 +112,74 @@ TEST_F(OutputFolderTest, RemovesOlderFilesOfThePatternsOnly) {
   none.commit(ours);
   EXPECT_FALSE(fs::exists(target / "fields" / "fields_0001.vtu"));
   EXPECT_TRUE(fs::exists(target / "fields" / "fields_mine.vtu"));
+}
+
+/// What a file holds, as seen from a folder that has been opened; "" where it is not there.
+std::string read_in(int folder, const char* file) {
+  char text[20];
+  const int descriptor = openat(folder, file, O_RDONLY);
+  if (descriptor < 0) return "";
+  const auto n = ::read(descriptor, text, sizeof text);
+  close(descriptor);
+  return std::string(text, n > 0 ? static_cast<std::size_t>(n) : 0);
+}
+
+TEST_F(OutputFolderTest, AReaderNeverMeetsAMixture) {
+  const fs::path target = root_ / "out";
+  std::atomic<bool> over{false};
+  int n_read = 0, n_mixed = 0;
+  std::thread reader([&] {
+    while (!over) {
+      const int folder = open(target.c_str(), O_RDONLY | O_DIRECTORY);
+      if (folder < 0) continue;
+      const std::string a = read_in(folder, "a.txt"), z = read_in(folder, "z.txt");
+      close(folder);
+      if (a.empty() || z.empty()) continue;  // the older result is being removed
+      ++n_read;
+      if (a != z) ++n_mixed;
+    }
+  });
+  for (int i = 0; i < 500; ++i) {
+    OutputFolder folder(target.string());
+    for (const char* name : {"a.txt", "b.txt", "c.txt", "z.txt"}) folder.write(name, std::to_string(i));
+    folder.commit();
+  }
+  over = true;
+  reader.join();
+  EXPECT_GT(n_read, 100);
+  EXPECT_EQ(n_mixed, 0) << "of " << n_read;
+  EXPECT_EQ(n_entries(), 1);
+}
+
+TEST_F(OutputFolderTest, StaysInTheFolderThatSomebodyWorksIn) {
+  const fs::path target = root_ / "out", before = fs::current_path();
+  fs::create_directories(target / "mine");
+  write(target / "a.txt", "old");
+  fs::current_path(target);
+  OutputFolder here(".");
+  here.write("a.txt", "new");
+  here.commit();
+  EXPECT_EQ(read("a.txt"), "new") << "the working folder is the same one";
+  fs::current_path(before);
+  EXPECT_TRUE(fs::is_directory(target / "mine"));
+}
+
+TEST_F(OutputFolderTest, RemovesWhatKilledProcessesLeft) {
+  const fs::path killed = root_ / ".out.partial-1", other = root_ / ".other.partial-1",
+                 fresh = root_ / ".out.partial-2";
+  for (const fs::path& folder : {killed, other, fresh}) {
+    fs::create_directory(folder);
+    write(folder / "a.txt", "half");
+    if (folder != fresh) fs::last_write_time(folder, fs::file_time_type::clock::now() - std::chrono::minutes(2));
+  }
+  const OutputFolder first((root_ / "out").string());
+  EXPECT_FALSE(fs::exists(killed));
+  EXPECT_TRUE(fs::exists(other)) << "of another result";
+  EXPECT_TRUE(fs::exists(fresh)) << "may be about to be used";
+  fs::last_write_time(fs::path(first.path("a")).parent_path(),
+                      fs::file_time_type::clock::now() - std::chrono::hours(1));
+  const OutputFolder second((root_ / "out").string());
+  EXPECT_TRUE(fs::exists(fs::path(first.path("a")).parent_path())) << "a slow process that still lives";
 }
 
 TEST_F(OutputFolderTest, SaysWhatStandsInTheWay) {
