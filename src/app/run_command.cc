@@ -1,8 +1,8 @@
-#include <cmath>
 #include <functional>
 #include <iostream>
 #include <optional>
 
+#include "checkpoints.h"
 #include "several_processes.h"
 #include "upbead/app/commands.h"
 #include "upbead/app/report.h"
@@ -52,36 +52,6 @@ std::vector<History> coupled_tables(const std::optional<CoupledHistoryTable>& co
           {"coupled/displacement_x", "m", "x_G, the slip included, landward", coupled->displacement}};
 }
 
-bool is_field_time(double time, double every) {
-  return std::abs(time / every - std::round(time / every)) < 1e-6;
-}
-
-/// Fields at the times which the case asks for, and the time that they take.
-class FieldOutput {
- public:
-  FieldOutput(const Scene& scene, const CompiledCase& compiled, const OutputFolder* folder)
-      : every_(scene.fields_every) {
-    if (every_)
-      writer_.emplace(*compiled.space, *compiled.unknowns, scene,
-                      [folder](const std::string& file) { return folder->path(file); });
-  }
-  void write(const State& state) {
-    if (!writer_ || !is_field_time(state.time, *every_)) return;
-    const Stopwatch watch;
-    writer_->write(state);
-    seconds_ += watch.seconds();
-  }
-  void finish() const {
-    if (writer_) writer_->finish();
-  }
-  double seconds() const { return seconds_; }  ///< that write() has taken
-
- private:
-  std::optional<double> every_;
-  std::optional<FieldWriter> writer_;
-  double seconds_ = 0.;
-};
-
 /// Follows the march: a line of progress for people, fields, an end where a person wants one.
 MarchOptions options_of(const Scene& scene, const std::function<void(double)>& progress, FieldOutput& fields) {
   MarchOptions options;
@@ -94,14 +64,16 @@ MarchOptions options_of(const Scene& scene, const std::function<void(double)>& p
 }
 
 /// `visible`: whether people see how far it is.
-Run solve(const Case& input, CompiledCase& scene, FieldOutput& fields, bool visible) {
+Run solve(const Case& input, CompiledCase& scene, FieldOutput& fields, Checkpoints* checkpoints, bool visible) {
   std::optional<Progress> line;
   if (visible) line.emplace("solving");
   const std::function<void(double)> progress = [&line](double done) {
     check_interrupt();
     if (line) line->update(done);
   };
-  Run result = run_case(input, scene, options_of(input.scene, progress, fields), progress);
+  MarchOptions options = options_of(input.scene, progress, fields);
+  if (checkpoints) options.checkpoints = checkpoints->begin(fields);
+  Run result = run_case(input, scene, options, progress);
   if (result.summary.response)
     require_balance(*result.summary.response, result.summary.energy.value_or(EnergyAccount()));
   return result;
@@ -127,22 +99,27 @@ std::string write(const Case& input, const System& system, Run& run, const Field
 }
 
 /// On several processes all do the same but for the system, which they divide; the first speaks and writes.
-void run(const CommonOptions& options, const Stopwatch& since_start,
+void run(const CommonOptions& options, const CheckpointWish& wish, const Stopwatch& since_start,
          const std::shared_ptr<const Processes>& processes) {
   const bool is_first = !processes || processes->rank() == 0;
   const Case input = read_case(options.file, options.overrides);
   require_loads(input);
-  if (processes) check_processes(input);
+  if (processes) check_processes(input, wish.every > 0. || wish.resume);
   note_interrupts();
   std::optional<OutputFolder> folder;
-  if (is_first) folder.emplace(options.out.empty() ? "results/" + input.stem : options.out);
+  std::optional<Checkpoints> checkpoints;
+  if (is_first) {
+    folder.emplace(options.out.empty() ? "results/" + input.stem : options.out);
+    checkpoints.emplace(input, folder->name(), wish);
+  }
   CompiledCase scene = compile_case(input, nullptr, processes);
-  if (is_first && !options.json) std::cout << describe(input, scene) << std::flush;
+  if (is_first && !options.json) std::cout << describe(input, scene) << checkpoints->account() << std::flush;
 
   FieldOutput fields(input.scene, scene, folder ? &*folder : nullptr);
-  Run result = solve(input, scene, fields, is_first);
+  Run result = solve(input, scene, fields, checkpoints ? &*checkpoints : nullptr, is_first);
   if (!is_first) return;
   const std::string json = write(input, scene.compiled.system, result, fields, since_start, *folder);
+  checkpoints->remove();
   const std::string written =
       folder->name() + "/{results.h5, summary.json, case.toml" + (input.scene.fields_every ? ", fields.pvd}" : "}");
   std::cout << (options.json ? json : describe(result) + "written     " + written + "\n");
@@ -154,6 +131,13 @@ void add_run(CLI::App& program) {
   auto options = std::make_shared<CommonOptions>();
   CLI::App* command = program.add_subcommand("run", "solve a case and write F_T(t), its peak and all histories");
   add_common_options(*command, *options);
+  auto wish = std::make_shared<CheckpointWish>();
+  command
+      ->add_option("--checkpoint", wish->every,
+                   "keep a checkpoint in DIR.checkpoint every so many seconds of wall time; removed in the end")
+      ->type_name("SECONDS")
+      ->check(CLI::PositiveNumber);
+  command->add_flag("--resume", wish->resume, "go on from the checkpoint, where there is one");
   command->footer(
       "Writes into results/NAME (or --out DIR), all or nothing:\n"
       "  results.h5     histories /history/{time, force, shear_force, inertia_force, caisson/..., probes/...}, SI "
@@ -161,6 +145,11 @@ void add_run(CLI::App& program) {
       "  summary.json   peaks, ratio of peak F_T to peak P, checks, what was skipped, times\n"
       "  case.toml      the case with all defaults spelled out; runs again as it is\n"
       "  fields.pvd     fields for ParaView, where the case has [output] fields\n\n"
+      "A run that may take long can be killed and go on, to the last bit the same (not with contact, soil that "
+      "follows\n"
+      "its strain, or several processes):\n"
+      "  upbead run CASE --checkpoint 600      keeps where it stands every 600 s, and where it is interrupted\n"
+      "  upbead run CASE --checkpoint 600 --resume\n\n"
       "On several processes (mpirun -n 2 upbead run CASE) the mesh is divided among them; the answer is the same up "
       "to\n"
       "round-off. Fields, reduced models and an early stop are for one process alone.\n\n"
@@ -168,9 +157,9 @@ void add_run(CLI::App& program) {
       "  upbead run cases/fig2b-model.toml\n"
       "  upbead run cases/fig2b-model.toml --set time.scheme=generalised_alpha --out /tmp/ga\n"
       "  upbead run cases/fig2b-prototype.toml --json | jq .response.shear_to_force_ratio");
-  command->callback([options, since_start = Stopwatch()] {
+  command->callback([options, wish, since_start = Stopwatch()] {
     const std::shared_ptr<const Processes> processes = started_processes();
-    run_together(processes.get(), [&] { run(*options, since_start, processes); });
+    run_together(processes.get(), [&] { run(*options, *wish, since_start, processes); });
   });
 }
 

@@ -8,13 +8,15 @@
 
 namespace upbead {
 
-void check_processes(const Case& input) {
+void check_processes(const Case& input, bool with_checkpoints) {
   const Scene& scene = input.scene;
   Mistakes mistakes;
   const auto refuse = [&](bool asked, const std::string& key, const std::string& what) {
     if (asked)
       mistakes.add(input.place(key), what + " on several processes", "remove it, or run upbead alone, without mpirun");
   };
+  if (with_checkpoints)
+    mistakes.add({}, "no checkpoints are kept on several processes", "leave out --checkpoint and --resume");
   refuse(scene.time.scheme == TimeScheme::reduced, "time.scheme", "no reduced model is made");
   refuse(scene.time.stop_at_energy.has_value(), "time.stop_at_energy", "no run stops early");
   refuse(scene.fields_every.has_value(), "output.fields", "no fields are written");

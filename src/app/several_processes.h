@@ -8,8 +8,8 @@
 
 namespace upbead {
 
-/// Throws InputError at the keys of a case that ask for what is not done on several processes.
-void check_processes(const Case& input);
+/// Throws InputError at the keys of a case that ask for what is not done on several processes; checkpoints are not.
+void check_processes(const Case& input, bool with_checkpoints);
 
 /// Calls work(); where it fails on one of the processes, says so once and ends them all, as the others would wait for
 /// that one for ever. Alone (null), exceptions pass.

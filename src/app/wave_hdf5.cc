@@ -2,6 +2,7 @@
 #include <cmath>
 #include <map>
 
+#include "upbead/base/magnitude.h"
 #include "upbead/base/suggest.h"
 #include "upbead/output/hdf5_reader.h"
 #include "wave_checks.h"
@@ -10,8 +11,10 @@ namespace upbead::detail {
 
 namespace {
 
-bool all_finite(const std::vector<double>& values) {
-  return std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
+/// What is left of numbers that decay in some program, as in CSV files.
+void clear_small(std::vector<double>& values) {
+  for (double& value : values)
+    if (is_too_small(value)) value = 0.;
 }
 
 std::string shape_text(const NumberArray& array) {
@@ -54,8 +57,9 @@ class WaveDatasets {
     if (!array || array->shape.size() != 1 || array->values.empty())
       throw InputError({path_}, "no dataset /time with one time (s) a sample", "add it");
     time_ = array->values;
-    if (!all_finite(time_))
-      mistakes_.add({path_}, "/time holds a number that is not finite", "give finite times");
+    clear_small(time_);
+    if (const std::string objection = objection_to(time_); !objection.empty())
+      mistakes_.add({path_}, "/time holds a number that " + objection, "give finite times");
     else
       check_times(
           time_, [this](std::size_t n) { return Place{path_ + ": /time[" + std::to_string(n) + "]"}; }, mistakes_);
@@ -69,12 +73,13 @@ class WaveDatasets {
     }
     auto array = file_.numbers("/" + name);
     if (!array) return mistakes_.add({path_}, "/" + name + " cannot be read as numbers", "write it as an array");
+    clear_small(array->values);
     const std::size_t rank = array->shape.size();
     if (rank < 1 || rank > 2 || array->shape.back() != time_.size() || array->values.empty())
       mistakes_.add({path_}, "/" + name + " has the shape " + shape_text(*array),
                     "give it the length of /time, " + std::to_string(time_.size()) + ", or waves x that length");
-    else if (!all_finite(array->values))
-      mistakes_.add({path_}, "/" + name + " holds a number that is not finite", "give finite numbers");
+    else if (const std::string objection = objection_to(array->values); !objection.empty())
+      mistakes_.add({path_}, "/" + name + " holds a number that " + objection, "give finite numbers");
     else if (rank == 2 && !several_.empty() && array->shape[0] != n_waves_)
       mistakes_.add({path_},
                     "/" + name + " has " + std::to_string(array->shape[0]) + " waves, /" + several_ + " has " +

@@ -5,11 +5,16 @@
 #include <cmath>
 #include <fstream>
 
+#include "upbead/base/input_file.h"
+
+#include "upbead/base/magnitude.h"
+
 namespace upbead {
 
 namespace {
 
-constexpr std::size_t n_listed = 10;  // mistakes of one file that help; a thousand do not
+constexpr std::uintmax_t most_bytes = 1'000'000'000;  // some 4e7 samples
+constexpr std::size_t n_listed = 10;                  // mistakes of one file that help; a thousand do not
 
 struct Cell {
   std::string text;
@@ -40,7 +45,10 @@ std::string read_number(const std::string& text, double& number) {
   if (text.empty()) return "an empty cell";
   if (error == std::errc::result_out_of_range) return "'" + text + "' is beyond the range of a number";
   if (error != std::errc() || stop != end) return "'" + text + "' is not a number";
-  return std::isfinite(number) ? "" : "'" + text + "' is not finite";
+  if (!std::isfinite(number)) return "'" + text + "' is not finite";
+  if (is_too_large(number)) return "'" + text + "' is larger than any quantity in SI units";
+  if (is_too_small(number)) number = 0.;  // what is left of a number that decays in some program
+  return "";
 }
 
 bool is_number(const Cell& cell) {
@@ -122,10 +130,9 @@ class Reader {
 }  // namespace
 
 CsvTable read_csv(const std::string& path, const Place& place) {
+  require_readable(path, most_bytes, place);
   std::ifstream file(path);
   std::string line;
-  const bool readable = file.good() && (file.peek(), !file.bad());
-  if (!readable) throw InputError(place, "cannot read '" + path + "'", "check the path and the rights");
   Reader reader(path);
   bool header = true;
   for (int number = 1; !reader.full() && std::getline(file, line); ++number) {

@@ -26,8 +26,12 @@ void note_interrupts() {
   }
 }
 
+bool interrupt_noted() {
+  return noted != 0;
+}
+
 void check_interrupt() {
-  if (noted != 0) throw Interrupted(noted);
+  if (interrupt_noted()) throw Interrupted(noted);
 }
 
 }  // namespace upbead

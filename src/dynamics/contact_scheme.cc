@@ -33,6 +33,14 @@ void FrictionalContact::start(const State& state) {
   report_ = {stage_.now().forces};
 }
 
+SchemeMemory FrictionalContact::memory() const {
+  throw std::invalid_argument("a march with contact keeps no checkpoints");
+}
+
+void FrictionalContact::recall(const SchemeMemory&) {
+  throw std::invalid_argument("a march with contact keeps no checkpoints");
+}
+
 /// The step by n equal steps of a tableau; where they stop, all is as before but for the solves.
 bool FrictionalContact::attempt(Dirk& dirk, int n, StopAt stop, State& state, double h) {
   const State before = state;

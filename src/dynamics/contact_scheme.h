@@ -19,6 +19,8 @@ class FrictionalContact : public SchemeBase {
   void start(const State& state) override;
   void advance(State& state, double h) override;
   const ContactReport* contact() const override { return &report_; }
+  SchemeMemory memory() const override;
+  void recall(const SchemeMemory& memory) override;
 
  private:
   bool attempt(Dirk& dirk, int n, StopAt stop, State& state, double h);

@@ -28,6 +28,17 @@ void GeneralisedAlpha::start(const State& state) {
   std::fill(largest_load_.begin(), largest_load_.end(), 0.);
 }
 
+SchemeMemory GeneralisedAlpha::memory() const {
+  SchemeMemory memory = SchemeBase::memory();
+  memory.largest_load = largest_load_;
+  return memory;
+}
+
+void GeneralisedAlpha::recall(const SchemeMemory& memory) {
+  SchemeBase::recall(memory);
+  largest_load_ = memory.largest_load;
+}
+
 /// Whether a load jumps at t, or a prescribed velocity has a kink there (its acceleration jumps).
 bool GeneralisedAlpha::loads_start_anew(double t, double h) {
   loads_.evaluate(t, t + 0.5 * h, begin_load_);

@@ -26,6 +26,8 @@ class GeneralisedAlpha : public SchemeBase {
   int solves_per_step() const override { return 1; }
   void start(const State& state) override;
   void advance(State& state, double h) override;
+  SchemeMemory memory() const override;
+  void recall(const SchemeMemory& memory) override;
 
  private:
   bool loads_start_anew(double t, double h);

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "upbead/base/error.h"
+#include "upbead/dynamics/checkpoint.h"
 
 namespace upbead {
 
@@ -30,6 +31,14 @@ void trim(Series& series) {
   const auto n = static_cast<Eigen::Index>(series.time.size());
   series.reading.conservativeResize(Eigen::NoChange, n);
   series.load.conservativeResize(Eigen::NoChange, n);
+}
+
+/// The first columns of an empty series.
+void refill(const Series& so_far, Series& series) {
+  const auto n = static_cast<Eigen::Index>(so_far.time.size());
+  series.time = so_far.time;
+  series.reading.leftCols(n) = so_far.reading;
+  series.load.leftCols(n) = so_far.load;
 }
 
 void check_finite(const State& state) {
@@ -69,6 +78,9 @@ class EarlyStop {
     for (double kink : kinks(system))
       if (kink < end) last_kink_ = std::max(last_kink_, kink);
   }
+  void recall(const std::vector<EnergyAccount>& so_far) {
+    for (const EnergyAccount& energy : so_far) largest_ = std::max(largest_, energy.stored());
+  }
   bool due(const EnergyAccount& energy, double time, double step) {
     largest_ = std::max(largest_, energy.stored());
     return fraction_ > 0. && time > last_kink_ && energy.stored() < fraction_ * largest_ && loads_are_over(time, step);
@@ -100,50 +112,110 @@ class Recorder {
     record(system_, scheme_.balanced().state, scheme_.balanced().load, response_.balanced);
     if (scheme_.accounts_energy()) response_.energy.push_back(scheme_.energy());
   }
-  Response finish(State state, bool stopped_early) {
-    trim(response_.ends);
-    trim(response_.balanced);
-    response_.final_state = std::move(state);
-    response_.n_steps = static_cast<int>(response_.ends.time.size()) - 1;
-    response_.stopped_early = stopped_early;
-    return std::move(response_);
+  void recall(const Response& so_far) {
+    refill(so_far.ends, response_.ends);
+    refill(so_far.balanced, response_.balanced);
+    response_.energy = so_far.energy;
   }
+  /// All there is after the latest step.
+  Response so_far(const State& state) const { return complete(response_, state); }
+  Response finish(const State& state) { return complete(std::move(response_), state); }
 
  private:
+  static Response complete(Response response, const State& state) {
+    trim(response.ends);
+    trim(response.balanced);
+    response.final_state = state;
+    response.n_steps = static_cast<int>(response.ends.time.size()) - 1;
+    return response;
+  }
+
   const System& system_;
   const Scheme& scheme_;
   Response response_;
 };
 
+/// A march between its steps.
+class March {
+ public:
+  March(const System& system, Scheme& scheme, const TimeGrid& grid, const MarchOptions& options)
+      : scheme_(scheme),
+        options_(options),
+        n_steps_(grid.n_steps()),
+        solves_(scheme.n_solves()),
+        factorisations_(scheme.n_factorisations()),
+        state_(at_rest(system)),
+        recorder_(system, scheme, n_steps_),
+        early_stop_(system, scheme, grid.end, options.stop_at_energy) {
+    scheme.start(state_);
+    if (options.checkpoints.resume_from)
+      recall(*options.checkpoints.resume_from);
+    else
+      recorder_.add(state_);
+    observe();
+  }
+
+  int n_done() const { return done_; }
+  bool stopped() const { return stopped_; }
+
+  void advance(double time, double h) {
+    state_.time = time;
+    scheme_.advance(state_, h);
+    recorder_.add(state_);
+    ++done_;
+    if (options_.checkpoints.due && options_.checkpoints.due()) options_.checkpoints.keep(checkpoint());
+    observe();
+    stopped_ = done_ < n_steps_ && early_stop_.due(scheme_.energy(), state_.time, h);
+  }
+
+  Response finish() { return with_counts(recorder_.finish(state_)); }
+
+ private:
+  void observe() const {
+    if (options_.observer) options_.observer(state_, done_, n_steps_);
+  }
+  MarchCheckpoint checkpoint() const { return {with_counts(recorder_.so_far(state_)), scheme_.memory()}; }
+  void recall(const MarchCheckpoint& checkpoint) {
+    const Response& so_far = checkpoint.so_far;
+    state_ = so_far.final_state;
+    scheme_.recall(checkpoint.memory);
+    recorder_.recall(so_far);
+    early_stop_.recall(so_far.energy);
+    done_ = so_far.n_steps;
+    solves_ -= so_far.n_solves;
+  }
+  Response with_counts(Response response) const {
+    response.n_solves = scheme_.n_solves() - solves_;
+    response.n_factorisations = scheme_.n_factorisations() - factorisations_;
+    response.order = scheme_.order();
+    response.stopped_early = stopped_;
+    return response;
+  }
+
+  Scheme& scheme_;
+  const MarchOptions& options_;
+  int n_steps_, solves_, factorisations_;
+  State state_;
+  Recorder recorder_;
+  EarlyStop early_stop_;
+  int done_ = 0;
+  bool stopped_ = false;
+};
+
 }  // namespace
 
 Response march(const System& system, Scheme& scheme, const TimeGrid& grid, const MarchOptions& options) {
-  const int n_steps = grid.n_steps(), solves = scheme.n_solves(), factorisations = scheme.n_factorisations();
-  State state = at_rest(system);
-  scheme.start(state);
-  Recorder recorder(system, scheme, n_steps);
-  EarlyStop early_stop(system, scheme, grid.end, options.stop_at_energy);
-  int step = 0;
-  const auto note = [&] {
-    recorder.add(state);
-    if (options.observer) options.observer(state, step, n_steps);
-    ++step;
-  };
-  note();
-  bool stopped = false;
+  if (system.is_divided() && (options.checkpoints.due || options.checkpoints.resume_from))
+    throw std::invalid_argument("checkpoints are not kept on several processes");
+  March march(system, scheme, grid, options);
+  int first = 0;  // step of the segment
   for (const TimeSegment& segment : grid.segments) {
-    for (int i = 0; i < segment.n_steps && !stopped; ++i) {
-      state.time = segment.start + i * segment.step;  // the sum of many steps would drift off the kinks
-      scheme.advance(state, segment.step);
-      note();
-      stopped = step <= n_steps && early_stop.due(scheme.energy(), state.time, segment.step);
-    }
+    for (int i = std::max(0, march.n_done() - first); i < segment.n_steps && !march.stopped(); ++i)
+      march.advance(segment.start + i * segment.step, segment.step);  // a sum of steps would drift off the kinks
+    first += segment.n_steps;
   }
-  Response response = recorder.finish(std::move(state), stopped);
+  Response response = march.finish();
   if (system.is_divided()) sum_over(*system.sharing.processes, response);
-  response.n_solves = scheme.n_solves() - solves;
-  response.order = scheme.order();
-  response.n_factorisations = scheme.n_factorisations() - factorisations;
   return response;
 }
 

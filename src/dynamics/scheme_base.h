@@ -6,6 +6,7 @@
 #include "effective_matrix.h"
 #include "energy_meter.h"
 #include "load_sum.h"
+#include "upbead/dynamics/checkpoint.h"
 #include "upbead/dynamics/scheme.h"
 
 namespace upbead::detail {
@@ -18,6 +19,12 @@ class SchemeBase : public Scheme {
     balanced_.load.assign(system_.loads.size(), 0.);
     end_load_ = balanced_.load;
     if (meter_) meter_->start(state);
+  }
+  SchemeMemory memory() const override { return {balanced_, end_load_, {}, energy()}; }
+  void recall(const SchemeMemory& memory) override {
+    balanced_ = memory.balanced;
+    end_load_ = memory.end_load;
+    if (meter_) meter_->restore(memory.energy);
   }
   const std::vector<double>& end_load() const override { return end_load_; }
   const LoadedState& balanced() const override { return balanced_; }

@@ -5,16 +5,17 @@
 #include <sstream>
 
 #include "toml_text.h"
+#include "upbead/base/input_file.h"
 
 namespace upbead {
 
 namespace {
 
+constexpr std::uintmax_t most_bytes = 10'000'000;  // a case has some kilobytes
+
 std::string read_text(const std::string& path) {
+  require_readable(path, most_bytes, Place());
   std::ifstream file(path, std::ios::binary);
-  // a folder opens like a file and fails at the first character
-  if (!file.good() || (file.peek(), file.bad()))
-    throw InputError(Place(), "cannot read '" + path + "'", "check the path and the rights");
   std::stringstream text;
   text << file.rdbuf();
   return text.str();

@@ -6,6 +6,7 @@
 
 #include <cstdio>
 #include <fstream>
+#include <sstream>
 
 #include "upbead/base/error.h"
 
@@ -103,6 +104,7 @@ void FieldWriter::write(const State& state) {
   }
   DataOutBase::VtkFlags flags;
   flags.compression_level = DataOutBase::VtkFlags::best_speed;  // the best compression takes most of a run's time
+  flags.print_date_and_time = false;                            // equal fields make equal files
   out.set_flags(flags);
 
   char name[40];
@@ -116,8 +118,12 @@ void FieldWriter::write(const State& state) {
 }
 
 void FieldWriter::finish() const {
+  std::ostringstream record;
+  DataOutBase::write_pvd_record(record, written_);
+  const std::string text = record.str();
+  const std::size_t clock = text.find("<!--"), end = text.find("-->");  // equal fields make equal files
   std::ofstream file(path_of_("fields.pvd"));
-  DataOutBase::write_pvd_record(file, written_);
+  file << text.substr(0, clock) << text.substr(end + 4);
   file.flush();
   if (!file)
     throw InputError({"fields.pvd"}, "the fields cannot be written",

@@ -37,6 +37,19 @@ bool is_number(hid_t type) {
   return kind == H5T_FLOAT || kind == H5T_INTEGER;
 }
 
+/// The number of elements of a dataset that the file really holds: none where nothing has been written, or where the
+/// file is too small for them. So a few damaged bytes, or a dataset without data, do not ask for all the memory.
+std::optional<std::size_t> n_stored(hid_t data, hid_t space) {
+  constexpr double most_per_byte = 1100.;  // of deflate, which takes 1 byte for 1,032
+  const hssize_t n = H5Sget_simple_extent_npoints(space);
+  if (n < 0) return {};
+  const auto stored = static_cast<double>(H5Dget_storage_size(data));
+  hsize_t size = 0;
+  if (H5Fget_filesize(Handle(H5Iget_file_id(data), H5Fclose), &size) < 0) return {};
+  if (stored > static_cast<double>(size) || static_cast<double>(n) > most_per_byte * stored) return {};
+  return static_cast<std::size_t>(n);
+}
+
 std::optional<std::vector<std::string>> read_texts(hid_t type, hid_t space, const Read& read) {
   if (H5Tget_class(type) != H5T_STRING) return {};
   const auto n = static_cast<std::size_t>(H5Sget_simple_extent_npoints(space));
@@ -92,11 +105,12 @@ std::optional<NumberArray> Hdf5Reader::numbers(const std::string& path) const {
   const Handle data = Handle::maybe(H5Dopen2(file_, path.c_str(), H5P_DEFAULT), H5Dclose);
   if (data < 0) return {};
   const Handle type(H5Dget_type(data), H5Tclose), space(H5Dget_space(data), H5Sclose);
-  if (!is_number(type)) return {};
+  const std::optional<std::size_t> n = n_stored(data, space);
+  if (!is_number(type) || !n) return {};
   std::vector<hsize_t> shape(static_cast<std::size_t>(H5Sget_simple_extent_ndims(space)));
   H5Sget_simple_extent_dims(space, shape.data(), nullptr);
   NumberArray array{{shape.begin(), shape.end()}, {}};
-  array.values.resize(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)));
+  array.values.resize(*n);
   if (reader_of(data)(H5T_NATIVE_DOUBLE, array.values.data()) < 0) return {};
   return array;
 }
@@ -105,7 +119,9 @@ std::optional<std::vector<std::string>> Hdf5Reader::texts(const std::string& pat
   const Silence silence;
   const Handle data = Handle::maybe(H5Dopen2(file_, path.c_str(), H5P_DEFAULT), H5Dclose);
   if (data < 0) return {};
-  return read_texts(Handle(H5Dget_type(data), H5Tclose), Handle(H5Dget_space(data), H5Sclose), reader_of(data));
+  const Handle type(H5Dget_type(data), H5Tclose), space(H5Dget_space(data), H5Sclose);
+  if (!n_stored(data, space)) return {};
+  return read_texts(type, space, reader_of(data));
 }
 
 std::optional<double> Hdf5Reader::number_attribute(const std::string& object, const std::string& name) const {

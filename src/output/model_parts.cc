@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "model_layout.h"
+#include "upbead/base/magnitude.h"
 #include "upbead/base/suggest.h"
 #include "upbead/base/text.h"
 
@@ -22,10 +23,6 @@ std::string to_string(const ModelParts::Shape& shape) {
   if (shape.empty()) return "of a single number";
   for (const std::size_t size : shape) sizes.push_back(std::to_string(size));
   return join(sizes, " x ");
-}
-
-bool all_finite(const std::vector<double>& values) {
-  return std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
 }
 
 }  // namespace
@@ -51,7 +48,7 @@ double ModelParts::number(const std::string& object, const std::string& name, bo
   const auto value = file_.number_attribute(object, name);
   if (!value)
     wrong("the attribute '" + name + "' of " + object + " is missing");
-  else if (!std::isfinite(*value) || *value < 0. || (positive && *value == 0.))
+  else if (!objection_to({*value}).empty() || *value < 0. || (positive && *value == 0.))
     wrong("the attribute '" + name + "' of " + object + " is " + significant(*value));
   return value.value_or(0.);
 }
@@ -84,10 +81,12 @@ std::vector<double> ModelParts::numbers(const std::string& path, const Shape& sh
     wrong(path + " is missing, or cannot be read as numbers");
   else if (array->shape != shape)
     wrong(path + " has the shape " + to_string(array->shape) + ", not " + to_string(shape));
-  else if (!all_finite(array->values))
-    wrong(path + " holds a number that is not finite");
+  else if (const std::string objection = objection_to(array->values); !objection.empty())
+    wrong(path + " holds a number that " + objection);
   else
     return std::move(array->values);
+  constexpr double many = 1e8;  // zeros in place of a wrong part, only to look at the other parts as well
+  if (std::accumulate(shape.begin(), shape.end(), 1., std::multiplies<>()) > many) mistakes_.throw_if_any();
   return std::vector<double>(std::accumulate(shape.begin(), shape.end(), std::size_t{1}, std::multiplies<>()));
 }
 

@@ -19,6 +19,9 @@ class Interrupted : public std::exception {
 /// From now on SIGINT and SIGTERM are only noted, each once: a second one ends the program at once.
 void note_interrupts();
 
+/// Whether a signal has been noted.
+bool interrupt_noted();
+
 /// Throws Interrupted where a signal has been noted. Call between the steps of long work.
 void check_interrupt();
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "upbead/dynamics/scheme.h"
@@ -29,6 +30,15 @@ struct Response {
   bool stopped_early = false;
 };
 
+struct MarchCheckpoint;  // see checkpoint.h
+
+/// Checkpoints of a march.
+struct Checkpointing {
+  std::function<bool()> due;                           ///< asked after every step; none: never
+  std::function<void(const MarchCheckpoint&)> keep;    ///< takes one, before the observer sees that step
+  std::shared_ptr<const MarchCheckpoint> resume_from;  ///< of the same system, scheme and grid; null: from rest
+};
+
 struct MarchOptions {
   /// Called at t = 0 (step 0) and after every step; n_steps is that of the whole grid.
   std::function<void(const State&, int step, int n_steps)> observer;
@@ -36,12 +46,15 @@ struct MarchOptions {
   /// are over past the last kink before the end where all are zero and keep that (keeps_value); what prescribes a
   /// motion counts too. A step, a harmonic or a triangle that outlasts the march so never stop early.
   double stop_at_energy = 0.;
+  Checkpointing checkpoints;
 };
 
 /// Marches from x = x' = 0 at t = 0, where loads count as 0; a load that jumps at a step's end is recorded with its
 /// value before the jump. Of a divided system, readings and energies are those of the whole, on every process; an
-/// observer sees this process's states. Throws NumericsError where a value is not finite, std::invalid_argument where
-/// stop_at_energy is asked of a scheme that keeps no account of energy, or of a divided system.
+/// observer sees this process's states. A march that is resumed gives what it would have given, to the last bit, but
+/// for the number of factorisations; its observer sees the state that it begins at. Throws NumericsError where a value
+/// is not finite, std::invalid_argument where stop_at_energy is asked of a scheme that keeps no account of energy, or
+/// of a divided system, or checkpoints of a divided system or of contact.
 Response march(const System& system, Scheme& scheme, const TimeGrid& grid, const MarchOptions& options = {});
 
 }  // namespace upbead

@@ -11,6 +11,7 @@
 namespace upbead {
 
 struct ContactReport;
+struct SchemeMemory;  // see checkpoint.h
 
 /// A state, and the load values f_k that belong to it.
 struct LoadedState {
@@ -46,6 +47,10 @@ class Scheme {
   /// Account of energy since start(); all zero where it is switched off.
   virtual const EnergyAccount& energy() const = 0;
   virtual bool accounts_energy() const = 0;
+  /// What the next step needs beside the state, and back: a scheme that recalls goes on as the one that remembered, to
+  /// the last bit. Throws std::invalid_argument where the scheme follows contact.
+  virtual SchemeMemory memory() const = 0;
+  virtual void recall(const SchemeMemory& memory) = 0;
   /// What a contact law did since start(); null where the scheme has none and keeps interfaces glued.
   virtual const ContactReport* contact() const { return nullptr; }
 

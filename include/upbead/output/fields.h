@@ -23,6 +23,10 @@ class FieldWriter {
               std::function<std::string(const std::string&)> path_of);
 
   void write(const State& state);
+  /// Times and names of the files so far.
+  const std::vector<std::pair<double, std::string>>& written() const { return written_; }
+  /// Counts files as written that lie there already.
+  void take_over(const std::vector<std::pair<double, std::string>>& written) { written_ = written; }
   /// Writes fields.pvd; call once, last. Throws InputError where the disk does not take it.
   void finish() const;
 

@@ -4,7 +4,7 @@
 #include <boost/math/distributions/normal.hpp>
 #include <cmath>
 
-#include "fingerprint.h"
+#include "../fingerprint.h"
 #include "upbead/expected/stream.h"
 
 namespace upbead {

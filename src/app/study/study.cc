@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <set>
-#include <sstream>
 
-#include "fingerprint.h"
+#include "../fingerprint.h"
 #include "key_units.h"
 #include "study_checks.h"
 #include "upbead/app/case.h"
@@ -80,23 +78,10 @@ std::optional<Case> first_sound_case(const Study& study, int index, const Docume
   return std::nullopt;
 }
 
-void add_file(Fingerprint& fingerprint, const fs::path& path) {
-  std::error_code ignored;
-  if (!fs::is_regular_file(path, ignored)) return;
-  std::stringstream text;
-  text << std::ifstream(path, std::ios::binary).rdbuf();
-  fingerprint.add(path.filename().string());
-  fingerprint.add(text.str());
-}
-
 /// Everything that a case rests on, also files that a setting names.
 void add_case(Fingerprint& fingerprint, const Case& problem, const std::set<std::string>& words) {
-  add_file(fingerprint, problem.document.path());
-  add_file(fingerprint, mesh_request(problem).file);
-  for (const auto& [name, source] : problem.sources)
-    if (!source.history.empty()) add_file(fingerprint, problem.resolve(source.history));
-  if (!problem.uplift_history.empty()) add_file(fingerprint, problem.resolve(problem.uplift_history));
-  for (const std::string& word : words) add_file(fingerprint, problem.resolve(word));
+  fingerprint.add_files(problem);
+  for (const std::string& word : words) fingerprint.add_file(problem.resolve(word));
 }
 
 std::set<std::string> words_of(const StudyTables& tables) {
@@ -146,7 +131,7 @@ Study read_study(const std::string& path, const std::vector<std::string>& overri
 
   Fingerprint fingerprint;
   fingerprint.add(program_version());
-  add_file(fingerprint, path);
+  fingerprint.add_file(path);
   for (const std::string& text : overrides) fingerprint.add(text);
   for (int c = 0; c < static_cast<int>(study.cases.size()); ++c)
     if (const auto problem = first_sound_case(study, c, document, report)) {

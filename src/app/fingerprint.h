@@ -1,8 +1,11 @@
-// A number that tells whether texts are still the same.
+// A number that tells whether texts and files are still the same.
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <string>
+
+#include "upbead/app/case.h"
 
 namespace upbead {
 
@@ -12,6 +15,10 @@ class Fingerprint {
   void add(const std::string& text) {
     for (const char c : text + '\0') value_ = (value_ ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
   }
+  /// A file's name and contents; nothing where there is no such file.
+  void add_file(const std::filesystem::path& path);
+  /// All files that a case rests on: its own, mesh, histories.
+  void add_files(const Case& problem);
   std::uint64_t value() const { return value_; }
 
  private:

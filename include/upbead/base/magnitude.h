@@ -1,0 +1,30 @@
+// How large and how small a quantity in SI units may be.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace upbead {
+
+/// Far beyond any quantity of a breakwater. Within these bounds products and quotients of a few numbers stay finite, so
+/// that a slip of the keyboard is told where it stands, and not as a number that is not finite, much later.
+constexpr double largest_magnitude = 1e50;
+constexpr double smallest_magnitude = 1e-50;
+
+inline bool is_too_large(double number) {
+  return std::abs(number) > largest_magnitude;
+}
+inline bool is_too_small(double number) {
+  return number != 0. && std::abs(number) < smallest_magnitude;
+}
+
+/// What is wrong with numbers as quantities: "is not finite", "is larger than any quantity in SI units", or "".
+inline std::string objection_to(const std::vector<double>& numbers) {
+  const bool finite = std::all_of(numbers.begin(), numbers.end(), [](double number) { return std::isfinite(number); });
+  if (!finite) return "is not finite";
+  return std::any_of(numbers.begin(), numbers.end(), is_too_large) ? "is larger than any quantity in SI units" : "";
+}
+
+}  // namespace upbead

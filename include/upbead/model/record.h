@@ -1,0 +1,43 @@
+// What is wrong with a measured record, told from its samples alone.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "upbead/base/numbered_warning.h"
+
+namespace upbead {
+
+/// Samples of one transducer, or of a force.
+struct Record {
+  std::string name;           ///< for messages
+  std::vector<double> time;   ///< s, ascending
+  std::vector<double> value;  ///< any unit, of the same length
+};
+
+/// Whether the samples are those of an instrument and not the corners of an idealised history: ten or more at equal
+/// intervals (to 1 %), or fifty or more at any.
+bool is_measured(const Record& record);
+
+/// All that hold of a measured record; none of any other.
+///   record_dead        it never changes by more than 1e-6 of its largest value
+///   record_saturated   its extreme is held, to 1e-6 of its range, by 5 samples or more between a rise and a fall: the
+///                      instrument was at its end. The value is the number of samples
+///   record_drifting    it rests in the end, between 3 and 50 % of its peak away from where it started, or runs by more than 3 %
+///                      of the peak before the first event. The value is that share
+///   record_too_coarse  fewer than 20 samples from the last crossing of a tenth of the peak to the peak
+///   record_spikes      samples that leave both neighbours by a fifth of the range while those agree to a twentieth
+NumberedWarnings record_warnings(const Record& record);
+
+/// A transducer on a wall.
+struct RecordAtHeight {
+  double height = 0.;  ///< m
+  Record record;
+};
+
+/// records_swapped: exchanging two of the records, all sampled at the same times, would make the pressures run much
+/// more smoothly over the height: the sum over time of squared second differences falls below a quarter. Needs four
+/// records; ascending heights. The value is that ratio, and the text names both.
+NumberedWarnings swapped_records(const std::vector<RecordAtHeight>& records);
+
+}  // namespace upbead

@@ -1,0 +1,39 @@
+// Fields of a run at the times that the case asks for.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "upbead/app/pipeline.h"
+#include "upbead/base/files.h"
+#include "upbead/output/fields.h"
+
+namespace upbead {
+
+class FieldOutput {
+ public:
+  /// Nothing is written where the case asks for none, and then `folder` may be null. All must outlive this.
+  FieldOutput(const Scene& scene, const CompiledCase& compiled, const OutputFolder* folder);
+
+  /// Writes where it is time.
+  void write(const State& state);
+  void finish() const;
+  double seconds() const { return seconds_; }  ///< that write() has taken
+
+  /// Times (s) and names, relative to the folder, of the files so far.
+  std::vector<std::pair<double, std::string>> written() const;
+  /// Takes files over from another folder, as if they had been written here.
+  void take_over(const std::string& from, const std::vector<std::pair<double, std::string>>& written);
+  /// Lays the files so far that are not there yet into another folder.
+  void lay_into(const std::string& other) const;
+
+ private:
+  std::optional<double> every_;
+  std::optional<FieldWriter> writer_;
+  const OutputFolder* folder_;
+  double seconds_ = 0.;
+};
+
+}  // namespace upbead

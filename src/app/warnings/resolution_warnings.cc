@@ -1,0 +1,62 @@
+#include <cmath>
+
+#include "scene_warnings.h"
+#include "upbead/base/text.h"
+#include "upbead/response/scheme_choice.h"
+#include "upbead/response/wave_resolution.h"
+
+namespace upbead {
+
+namespace {
+
+/// A limit, and what the history of F_T errs by there, over its peak; measured: docs/warnings.md.
+struct StepRule {
+  double steps;  ///< in the passing time
+  double error, order;
+};
+constexpr StepRule of_order_2{32., 0.02, 2.}, of_order_4{8., 0.015, 2.5};
+
+struct MeshRule {
+  double cells;  ///< to a wave
+  double error, order;
+};
+constexpr MeshRule of_degree_2{4., 0.05, 3.}, of_degree_3{2.5, 0.05, 3.};
+
+std::string percent(double share) {
+  return share > 0.5 ? "half or more" : "about " + significant(100. * share, 1) + " %";
+}
+
+}  // namespace
+
+NumberedWarnings step_warnings(const CompiledCase& scene) {
+  const std::optional<double> time = passing_time(scene);
+  if (!scene.scene.time.step || !time) return {};
+  const TimeScheme scheme = choose_scheme(scene.scene, scene.compiled).scheme;
+  if (scheme == TimeScheme::reduced) return {};
+  const StepRule rule = scheme == TimeScheme::generalised_alpha ? of_order_2 : of_order_4;
+  const double step = *scene.scene.time.step, limit = *time / rule.steps;
+  if (step <= limit) return {};
+  return {{"step_too_coarse", step, limit, "s",
+           "time.step = " + significant(step) + " s for waves that pass in " + significant(*time) +
+               " s: the history of F_T may err by " + percent(rule.error * std::pow(step / limit, rule.order)) +
+               " of its peak; give at most " + significant(limit, 2) + " s, or step = \"auto\""}};
+}
+
+NumberedWarnings mesh_warnings(const CompiledCase& scene) {
+  const std::optional<double> time = passing_time(scene);
+  if (!time || !scene.compiled.caisson || scene.accuracy) return {};
+  const MeshRule rule = scene.space->degree() == 2 ? of_degree_2 : of_degree_3;
+  NumberedWarnings list;
+  const double duration = shortest_duration(scene.scene);
+  for (const WaveResolution& at : wave_resolution(scene.scene, *scene.mesh, *scene.compiled.caisson, duration))
+    if (const double n = at.cells_per_wave(); n < rule.cells)
+      list.push_back({"mesh_too_coarse", n, rule.cells, "1",
+                      "region '" + at.region + "' has cells of " + significant(at.cell, 2) +
+                          " m near the caisson, " + significant(n, 2) + " to a shear wave of " +
+                          significant(at.wavelength, 2) + " m: the history of F_T may err by " +
+                          percent(rule.error * std::pow(rule.cells / n, rule.order)) +
+                          " of its peak; refine the mesh, or write mesh.refine = \"auto\""});
+  return list;
+}
+
+}  // namespace upbead

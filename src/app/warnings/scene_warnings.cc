@@ -1,0 +1,34 @@
+#include "scene_warnings.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "upbead/response/wave_resolution.h"
+
+namespace upbead {
+
+std::optional<double> passing_time(const CompiledCase& scene) {
+  const double duration = shortest_duration(scene.scene);
+  if (!scene.scene.time.inertia || !std::isfinite(duration)) return std::nullopt;
+  double time = duration;
+  if (scene.compiled.caisson)
+    for (const WaveResolution& at : wave_resolution(scene.scene, *scene.mesh, *scene.compiled.caisson, duration))
+      time = std::max(time, at.wavelength / at.speed);
+  return time > 0. ? std::optional(time) : std::nullopt;
+}
+
+NumberedWarnings scene_warnings(const Case& input, const CompiledCase& scene, const std::optional<double>& peak_time) {
+  NumberedWarnings all;
+  for (const NumberedWarnings& part : {step_warnings(scene), mesh_warnings(scene), wall_warnings(scene, peak_time),
+                                 load_warnings(scene), skin_warnings(scene), history_warnings(input)})
+    all.insert(all.end(), part.begin(), part.end());
+  return all;
+}
+
+std::string describe(const NumberedWarnings& warnings) {
+  std::string text;
+  for (const NumberedWarning& warning : warnings) text += "warning: " + warning.name + ": " + warning.text + "\n";
+  return text;
+}
+
+}  // namespace upbead

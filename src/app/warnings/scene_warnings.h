@@ -1,0 +1,44 @@
+// What may be wrong with the numbers of a scene, one question a function; told before anything is solved.
+#pragma once
+
+#include <optional>
+
+#include "upbead/app/pipeline.h"
+#include "upbead/base/numbered_warning.h"
+
+namespace upbead {
+
+/// How long the shortest wave of a scene takes to pass (s): D + B/V_s, D the loads' shortest duration, B the width of
+/// the caisson's bottom and V_s the slowest shear wave of the ground near it; D alone without a caisson. None where no
+/// load has a duration, or nothing has inertia.
+std::optional<double> passing_time(const CompiledCase& scene);
+
+/// step_too_coarse: a march in steps that the case gives, longer than an 8th of passing_time (order 4) or a 32nd of it
+/// (order 2). None where a reduced model answers.
+NumberedWarnings step_warnings(const CompiledCase& scene);
+
+/// mesh_too_coarse: fewer than 4 cells to a wave (response/wave_resolution.h), 2.5 where u is of degree 3.
+NumberedWarnings mesh_warnings(const CompiledCase& scene);
+
+/// walls_too_near: the first echo of a far side is back before the end, and the loads are shorter than it takes, or the
+/// side is nearer than the caisson is wide. `peak_time`: of F_T, where that is known.
+NumberedWarnings wall_warnings(const CompiledCase& scene, const std::optional<double>& peak_time);
+
+/// fast_load: all that pushes the rigid caisson is over before sound has crossed it four times.
+NumberedWarnings load_warnings(const CompiledCase& scene);
+
+/// smallest_step: the pressure that somebody looks at, by a probe or in fields, oscillates from cell to cell beside a
+/// face where soil drains (response/drained_skin.h).
+NumberedWarnings skin_warnings(const CompiledCase& scene);
+
+/// Those of all histories that come from files (model/record.h).
+NumberedWarnings history_warnings(const Case& input);
+
+/// All of these.
+NumberedWarnings scene_warnings(const Case& input, const CompiledCase& scene,
+                                const std::optional<double>& peak_time = {});
+
+/// For the terminal, one line each: "warning: NAME: text".
+std::string describe(const NumberedWarnings& warnings);
+
+}  // namespace upbead
