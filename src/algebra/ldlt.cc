@@ -60,4 +60,11 @@ Inertia Ldlt::inertia() const {
   return {static_cast<int>(factor_.inverse_pivot.size() - negative), static_cast<int>(negative)};
 }
 
+double Ldlt::growth() const {
+  double largest = 0.;
+  for (const double inverse : factor_.inverse_pivot)
+    if (inverse > 0.) largest = std::max(largest, 1. / inverse);
+  return largest;
+}
+
 }  // namespace upbead::detail

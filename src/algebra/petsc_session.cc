@@ -25,8 +25,11 @@ void start_as_lone_process() {
 }
 
 /// OpenBLAS tries for ever where it finds no memory for the buffer that it takes at its first matrix product and then
-/// keeps. Here there is memory; later a case may have taken all of it, and must be told so.
+/// keeps. Here there is memory, or std::bad_alloc; later a case may have taken all of it, and must be told so.
 void let_blas_take_its_buffer() {
+  constexpr std::size_t more_than_the_buffer = 160 << 20;
+  char* volatile room = new char[more_than_the_buffer];  // volatile: else the compiler leaves it out
+  delete[] room;
   const PetscBLASInt n = 128;
   const std::vector<double> A(n * n, 1.);
   std::vector<double> C(n * n);

@@ -68,6 +68,7 @@ std::string beyond_a_reduced_model(const CaseTables& tables) {
   };
   add(tables.fields_every.has_value(), "it gives no fields");
   add(tables.time.stop_at_energy.has_value(), "it keeps no account of energy to stop by");
+  add(has_strength(tables), "it gives no stresses of all cells, which a strength needs");
   add(!tables.time.inertia, "it needs inertia");
   add(has_frictional_contact(tables), "it does not slip node by node");
   return text;

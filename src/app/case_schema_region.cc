@@ -61,6 +61,17 @@ TableSchema<StrainLaw> strain_law_schema() {
   return table;
 }
 
+TableSchema<Strength> strength_schema() {
+  TableSchema<Strength> table;
+  table.key("friction_angle", &Strength::friction_angle)
+      .unit("degrees")
+      .range(between(0., 90.))
+      .required()
+      .doc("effective angle of friction phi'");
+  table.key("cohesion", &Strength::cohesion).unit("Pa").range(at_least(0.)).doc("effective cohesion c'");
+  return table;
+}
+
 TableSchema<ContactLaw> contact_schema() {
   TableSchema<ContactLaw> table;
   table.choice("kind", &ContactLaw::kind, contact_kind_words)
@@ -103,6 +114,9 @@ void declare_skeleton(TableSchema<Region>& table) {
             .doc("Poisson ratio of the drained skeleton; needed"));
   limit(table.table("damping", &Region::damping, damping_schema())
             .doc("Rayleigh damping; without this table there is none."));
+  limit(table.table("strength", &Region::strength, strength_schema())
+            .doc("Mohr-Coulomb strength, which static plus dynamic stresses are held against; it changes no stress. "
+                 "Needs a march; nothing is told without this table."));
 }
 
 void declare_mass(TableSchema<Region>& table) {

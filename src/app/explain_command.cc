@@ -30,12 +30,17 @@ std::string to_json(const Case& input, const CompiledCase& scene) {
   json["skipped"] = nlohmann::ordered_json::array();
   for (const Skipped& item : skipped(input, scene, will_be_reduced(scene)))
     json["skipped"].push_back({{"what", item.what}, {"why", item.why}});
+  json["warnings"] = nlohmann::ordered_json::array();
+  for (const NumberedWarning& w : warnings(input, scene))
+    json["warnings"].push_back(
+        {{"name", w.name}, {"value", w.value}, {"limit", w.limit}, {"unit", w.unit}, {"text", w.text}});
   return json.dump(2) + "\n";
 }
 
 void explain(const CommonOptions& options) {
   const Case input = read_case(options.file, options.overrides);
   const CompiledCase scene = compile_case(input);
+  std::cerr << describe(warnings(input, scene));
   std::cout << (options.json ? to_json(input, scene) : describe(input, scene));
 }
 

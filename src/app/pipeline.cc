@@ -13,6 +13,8 @@
 #include "upbead/base/text.h"
 #include "upbead/fem/scene_check.h"
 #include "upbead/system/part.h"
+#include "warnings/scene_warnings.h"
+#include "warnings/scene_watch.h"
 
 namespace upbead {
 
@@ -96,17 +98,24 @@ void recompile(CompiledCase& scene, const SoilState& soil) {
 Run run_case(const Case& input, CompiledCase& scene, const MarchOptions& marching,
              const std::function<void(double)>& reducing) {
   settle_soil(input, scene, reducing);
-  Run run = scene.compiled.system.interface ? run_contact(input, scene, marching, reducing)
-                                            : run_glued(input, scene, marching, reducing);
+  SceneWatch watch(scene);
+  const MarchOptions watched = watch.watching(marching);
+  Run run = scene.compiled.system.interface ? run_contact(input, scene, watched, reducing)
+                                            : run_glued(input, scene, watched, reducing);
   run.summary.title = input.scene.title;
   run.summary.soil = scene.soil;
   run.summary.loads = scene.compiled.loads_on_caisson;
   run.summary.skipped = skipped(input, scene, run.summary.reduction.has_value());
+  watch.tell(input, scene, run);
   if (run.summary.sliding)
     for (Skipped& item : skipped(*run.summary.sliding)) run.summary.skipped.push_back(std::move(item));
   if (run.summary.contact && !run.summary.contact->solved)
     run.summary.skipped.push_back({"contact node by node", why_glued(*run.summary.contact)});
   return run;
+}
+
+NumberedWarnings warnings(const Case& input, const CompiledCase& scene) {
+  return scene_warnings(input, scene);
 }
 
 std::vector<Skipped> skipped(const Case& input, const CompiledCase& scene, bool reduced) {
@@ -125,6 +134,8 @@ std::vector<Skipped> skipped(const Case& input, const CompiledCase& scene, bool 
     }
   if (!input.scene.fields_every) list.push_back({"fields", "the case asks for none ([output] fields)"});
   if (!scene.compiled.caisson) list.push_back({"shear force", "the mesh has no surface 'caisson'"});
+  if (scene.compiled.caisson && !has_strength(input.scene))
+    list.push_back({"strength of the soil", "no region has a table strength"});
   if (!input.scene.time.inertia) list.push_back({"inertia", "[time] inertia = false: consolidation"});
   return list;
 }

@@ -129,6 +129,12 @@ std::string describe(const Case& input, const CompiledCase& scene) {
   return text;
 }
 
+std::string describe(const NumberedWarnings& warnings) {
+  std::string text;
+  for (const NumberedWarning& warning : warnings) text += "warning: " + warning.name + ": " + warning.text + "\n";
+  return text;
+}
+
 std::string describe(const Run& run) {
   const Timing& t = run.summary.timing;
   std::string text = run.summary.reduction ? describe(*run.summary.reduction) : describe_march(run);

@@ -76,6 +76,8 @@ Run solve(const Case& input, CompiledCase& scene, FieldOutput& fields, Checkpoin
   Run result = run_case(input, scene, options, progress);
   if (result.summary.response)
     require_balance(*result.summary.response, result.summary.energy.value_or(EnergyAccount()));
+  else if (result.summary.energy)
+    require_balance(*result.summary.energy, scene.compiled.system, input.scene.time.end);
   return result;
 }
 
@@ -122,6 +124,7 @@ void run(const CommonOptions& options, const CheckpointWish& wish, const Stopwat
   checkpoints->remove();
   const std::string written =
       folder->name() + "/{results.h5, summary.json, case.toml" + (input.scene.fields_every ? ", fields.pvd}" : "}");
+  std::cerr << describe(result.summary.warnings);
   std::cout << (options.json ? json : describe(result) + "written     " + written + "\n");
 }
 

@@ -100,7 +100,7 @@ std::optional<Run> run_reduced(const Case& input, const CompiledCase& scene, Sch
   const Stopwatch watch;
   Reduction reduction;
   try {
-    reduction = reduce_scene(scene.scene, scene.compiled, {false, false, choice.most_vectors}, progress);
+    reduction = reduce_scene(scene.scene, scene.compiled, {false, false, choice.most_vectors, true}, progress);
     require_converged(reduction);
   } catch (const NumericsError& error) {
     if (asked) throw;
@@ -116,6 +116,7 @@ std::optional<Run> run_reduced(const Case& input, const CompiledCase& scene, Sch
   run.step_reason = input.scene.time.step ? "given in the case" : "a 32nd of the shortest load, for the record";
   summarise(input, scene, "reduced", run);
   run.summary.reduction = summary_of(reduction);
+  run.pressures = std::move(reduction.pressures);
   return run;
 }
 

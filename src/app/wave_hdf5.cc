@@ -4,6 +4,7 @@
 
 #include "upbead/base/magnitude.h"
 #include "upbead/base/suggest.h"
+#include "upbead/base/trial_run.h"
 #include "upbead/output/hdf5_reader.h"
 #include "wave_checks.h"
 
@@ -109,6 +110,8 @@ class WaveDatasets {
 }  // namespace
 
 WaveFile read_hdf5_waves(const std::string& path, const Names& loads) {
+  if (!survives(path, [&] { WaveDatasets(path, loads); }))
+    throw InputError({path}, "HDF5 breaks down on it, so it is damaged", "write the file again");
   return WaveDatasets(path, loads).take();
 }
 

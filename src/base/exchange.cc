@@ -2,9 +2,9 @@
 
 #include <fcntl.h>
 #include <fnmatch.h>
-#include <stdio.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <set>
 #include <system_error>
 

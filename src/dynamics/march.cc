@@ -174,11 +174,15 @@ class March {
   void observe() const {
     if (options_.observer) options_.observer(state_, done_, n_steps_);
   }
-  MarchCheckpoint checkpoint() const { return {with_counts(recorder_.so_far(state_)), scheme_.memory()}; }
+  MarchCheckpoint checkpoint() const {
+    const auto& memory = options_.checkpoints.memory;
+    return {with_counts(recorder_.so_far(state_)), scheme_.memory(), memory ? memory() : std::vector<double>()};
+  }
   void recall(const MarchCheckpoint& checkpoint) {
     const Response& so_far = checkpoint.so_far;
     state_ = so_far.final_state;
     scheme_.recall(checkpoint.memory);
+    if (options_.checkpoints.recall) options_.checkpoints.recall(checkpoint.observed);
     recorder_.recall(so_far);
     early_stop_.recall(so_far.energy);
     done_ = so_far.n_steps;

@@ -75,6 +75,39 @@ ModalModel model_of(const ReduceOptions& options, const ReducedSystem& system) {
   return options.model ? options.model(system) : modal_model(state_space(system), system);
 }
 
+/// The system with the velocities of those coordinates as its last readings.
+ReducedSystem with_velocities(ReducedSystem system, const std::vector<int>& coordinate) {
+  const Eigen::Index I = system.velocity.rows(), n = static_cast<Eigen::Index>(coordinate.size());
+  for (Eigen::MatrixXd* rows : {&system.position, &system.velocity, &system.acceleration, &system.feedthrough})
+    rows->conservativeResizeLike(Eigen::MatrixXd::Zero(I + n, rows->cols()));
+  for (Eigen::Index i = 0; i < n; ++i) system.velocity(I + i, coordinate[static_cast<std::size_t>(i)]) = 1.;
+  system.reading_label.resize(static_cast<std::size_t>(I + n));
+  return system;
+}
+
+/// Takes all but the first readings out of a model; returns those alone.
+ModalModel split_readings(ModalModel& model, std::size_t first) {
+  const auto kept = static_cast<Eigen::Index>(first), n = model.n_readings() - kept;
+  ModalModel rest = model;
+  rest.reading = model.reading.bottomRows(n);
+  rest.feedthrough = model.feedthrough.bottomRows(n);
+  rest.impulse = model.impulse.bottomRows(n);
+  rest.reading_label.erase(rest.reading_label.begin(), rest.reading_label.begin() + kept);
+  model.reading.conservativeResize(kept, Eigen::NoChange);
+  model.feedthrough.conservativeResize(kept, Eigen::NoChange);
+  model.impulse.conservativeResize(kept, Eigen::NoChange);
+  model.reading_label.resize(first);
+  return rest;
+}
+
+/// The model that a look compares by; fills in that of the pressures where they are kept.
+ModalModel look_at(const ReduceOptions& options, const ReducedSystem& system, const FieldBasis& phi, Reduction& out) {
+  if (!options.keep_pressures) return model_of(options, system);
+  ModalModel model = model_of(options, with_velocities(system, phi.coordinate));
+  out.pressures.emplace().model = split_readings(model, system.reading_label.size());
+  return model;
+}
+
 bool meets(const NestedError& error, const ReduceOptions& options) {
   return error.history <= options.tolerance && error.others <= options.tolerance_of_others;
 }
@@ -102,6 +135,10 @@ double agreed_frequency(const ModalModel& coarse, const ModalModel& fine, const 
   return agreed;
 }
 
+Eigen::MatrixXd phi_velocities(const FieldBasis& basis, const Eigen::MatrixXd& coordinates) {
+  return basis.unit.asDiagonal() * (basis.columns() * coordinates);
+}
+
 Reduction reduce(const System& system, const ReduceOptions& options) {
   SecondOrderKrylov krylov(system, options.shift, options.exact);
   Reduction out;
@@ -122,7 +159,7 @@ Reduction reduce(const System& system, const ReduceOptions& options) {
       if (options.progress) options.progress(std::min(0.95, static_cast<double>(krylov.n_vectors()) / usual));
     }
     projection.extend();
-    ModalModel model = model_of(options, projection.reduced());
+    ModalModel model = look_at(options, projection.reduced(), krylov.phi(), out);
     std::vector<Eigen::MatrixXd> now = responses(model, loads);
     if (!before.empty()) {
       out.error = {0., 0., 0., Eigen::VectorXd::Zero(model.n_readings())};
@@ -138,6 +175,7 @@ Reduction reduce(const System& system, const ReduceOptions& options) {
     out.omega = agreed_frequency(coarse, out.model, options.measured, transfer_tolerance * options.tolerance,
                                  1. / options.training.time.back(), 100. * options.shift);
   out.system = projection.reduced();
+  if (out.pressures) out.pressures->basis = krylov.phi();
   out.n_vectors = krylov.n_vectors();
   out.n_solves = krylov.n_solves();
   return out;

@@ -105,7 +105,7 @@ double estimated_steps(std::size_t n_kinks, double end, double largest_step, con
 TimeGrid make_time_grid(std::vector<double> kinks, double end, double largest_step,
                         const std::optional<StepGrowth>& growth) {
   if (!(end > 0. && largest_step > 0.)) throw std::invalid_argument("a time grid needs end > 0 and a step > 0");
-  if (!(estimated_steps(kinks.size(), end, largest_step, growth) < std::numeric_limits<int>::max() / 4))
+  if (!(estimated_steps(kinks.size(), end, largest_step, growth) < std::numeric_limits<int>::max() / 4.))
     throw std::invalid_argument("a time grid of more steps than an int can count");
   const std::vector<double> corner = corners(std::move(kinks), end);
   const auto grows = [&](double start) { return growth && start >= growth->after - tolerance * end; };

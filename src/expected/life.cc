@@ -102,8 +102,8 @@ SeaState LifeSimulation::sea_of(std::uint32_t life, std::uint32_t storm) const {
     return setup_.source->storm(stream_.uniform({life, storm, no_wave, for_sea}),
                                 stream_.uniform({life, storm, no_wave, for_tide}));
   SeaState sea = setup_.states[storm % setup_.states.size()];
-  const auto before = static_cast<double>(storm / setup_.states.size());
-  sea.waves *= std::min(1., setup_.life_years / setup_.record_years - before);
+  const std::size_t records_before = storm / setup_.states.size();
+  sea.waves *= std::min(1., setup_.life_years / setup_.record_years - static_cast<double>(records_before));
   return sea;
 }
 

@@ -44,7 +44,7 @@ LifeStatistics statistics(const std::vector<double>& sliding, const std::vector<
   std::sort(sorted.begin(), sorted.end());
   for (const double p : {0.05, 0.5, 0.95, 0.99}) out.quantiles.push_back({p, quantile_of(sorted, p)});
   for (const double limit : limits) out.exceeded.push_back(exceeded(sorted, limit));
-  out.sliding_lives = static_cast<int>(exceeded(sorted, 0.).probability * n + 0.5);
+  out.sliding_lives = static_cast<int>(std::lround(exceeded(sorted, 0.).probability * n));
   return out;
 }
 

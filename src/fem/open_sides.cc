@@ -1,5 +1,10 @@
 #include "upbead/fem/open_sides.h"
 
+#include <deal.II/base/quadrature_lib.h>
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+
 namespace upbead {
 
 using namespace dealii;
@@ -75,23 +80,80 @@ bool is_open(const Scene& scene, const Space& space, const Cell& cell, unsigned 
   return other.kind == RegionKind::porous && other.flow == Flow::drained;
 }
 
+/// An open face of a cell, and what its penalty is over h.
+struct OpenFace {
+  unsigned number;
+  double penalty_over_h;
+};
+
+/// Gradients of phi, whose first value is kept at zero as a constant has none, times their component along the normals
+/// of a face, or both components: one row for each degree of freedom, the squares of the rows integrate.
+template <class Values>
+Eigen::MatrixXd gradients(const Values& fe, const std::vector<unsigned>& phi, bool normal_only) {
+  const unsigned n = normal_only ? 1 : dim;
+  Eigen::MatrixXd table(phi.size() - 1, n * fe.n_quadrature_points);
+  for (unsigned i = 1; i < phi.size(); ++i)
+    for (unsigned q = 0; q < fe.n_quadrature_points; ++q) {
+      const Tensor<1, dim> gradient = std::sqrt(fe.JxW(q)) * fe[phi_part].gradient(phi[i], q);
+      for (unsigned d = 0; d < n; ++d)
+        table(i - 1, n * q + d) = normal_only ? gradient * fe.get_normal_vectors()[q] : gradient[d];
+    }
+  return table;
+}
+
+/// Raises the penalties of a cell of Darcy flow, all alike, where it is so bent that
+///
+///     sum over its open faces of (h/g) |grad phi.n|^2 <= share |grad phi|^2,  share < 1,
+///
+/// does not hold, without which C would not be definite. The largest ratio of both sides is an eigenvalue of the cell
+/// (Embar, Dolbow and Harari, Int. J. Numer. Methods Eng. 83 (2010) 877); on rectangles it is below the share.
+void make_definite(const Space& space, const Cell& cell, std::vector<OpenFace>& faces) {
+  constexpr double share = 0.75;
+  std::vector<unsigned> phi;
+  const auto& element = cell->get_fe();
+  for (unsigned i = 0; i < element.n_dofs_per_cell(); ++i)
+    if (element.component_mask(phi_part)[element.system_to_component_index(i).first]) phi.push_back(i);
+  FEValues<dim> inside(space.mapping(), element, QGauss<dim>(static_cast<unsigned>(space.degree()) + 1),
+                       update_gradients | update_JxW_values);
+  inside.reinit(typename Triangulation<dim>::cell_iterator(cell));
+  const Eigen::MatrixXd all = gradients(inside, phi, false);
+  Eigen::MatrixXd fluxes = Eigen::MatrixXd::Zero(all.rows(), all.rows());
+  for (const OpenFace& face : faces) {
+    const Eigen::MatrixXd flux = gradients(FaceValues(space, cell, face.number), phi, true);
+    fluxes += flux * flux.transpose() / face.penalty_over_h;
+  }
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> ratio(fluxes, all * all.transpose(),
+                                                                        Eigen::EigenvaluesOnly | Eigen::Ax_lBx);
+  const double factor = std::max(1., ratio.eigenvalues().maxCoeff() / share);
+  for (OpenFace& face : faces) face.penalty_over_h *= factor;
+}
+
+std::vector<OpenFace> open_faces(const Scene& scene, const Space& space, const Cell& cell) {
+  std::vector<OpenFace> faces;
+  const bool inertial = space.kind(cell) == CellKind::inertial;
+  for (const unsigned f : cell->face_indices())
+    if (is_open(scene, space, cell, f)) {
+      const double h = cell->measure() / cell->face(f)->measure();
+      faces.push_back({f, penalty(space.degree(), inertial) / h});
+    }
+  if (!inertial && !faces.empty()) make_definite(space, cell, faces);
+  return faces;
+}
+
 }  // namespace
 
 void for_each_open_face(const Scene& scene, const Space& space, const Unknowns& unknowns, const VisitFace& visit) {
   FaceTerms terms;
   for (const auto& cell : space.dofs().active_cell_iterators()) {
     if (!space.has_pores(cell)) continue;
-    for (const unsigned f : cell->face_indices()) {
-      if (!is_open(scene, space, cell, f)) continue;
+    for (const auto& [f, penalty_over_h] : open_faces(scene, space, cell)) {
       const auto prescribed = prescribed_on(space.mesh().curve_of(cell->face(f)), scene, unknowns);
       std::vector<int> unknowns_here;
       for (const Prescribed& load : prescribed) unknowns_here.push_back(load.unknown);
       terms.reinit({cell}, unknowns_here);
-      const double h = cell->measure() / cell->face(f)->measure();
       const bool inertial = space.kind(cell) == CellKind::inertial;
       const Material constants = material(space.region(cell), scene.fluid, scene.gravity);
-      integrate(FaceValues(space, cell, f), inertial, 1. / constants.b, penalty(space.degree(), inertial) / h,
-                prescribed, terms.matrices.C);
+      integrate(FaceValues(space, cell, f), inertial, 1. / constants.b, penalty_over_h, prescribed, terms.matrices.C);
       visit(terms);
     }
   }

@@ -125,7 +125,8 @@ class Ground {
 
   EffectiveStress stress(const Vector& values) const {
     const std::size_t n = space_.mesh().triangulation.n_active_cells();
-    EffectiveStress s{std::vector<double>(n, 0.), std::vector<double>(n, 0.), std::vector<double>(n, 0.)};
+    const std::vector<double> none(n, 0.);
+    EffectiveStress s{none, none, none, none};
     dealii::Vector<double> u(values.begin(), values.end());
     const hp::QCollection<dim> middle{QMidpoint<dim>()};
     hp::FEValues<dim> hp_values(space_.dofs().get_fe_collection(), middle, update_gradients);
@@ -141,6 +142,7 @@ class Ground {
       s.horizontal[i] = pressure - 2. * m.G * strain[0][0][0];
       s.vertical[i] = pressure - 2. * m.G * strain[0][1][1];
       s.out_of_plane[i] = pressure;
+      s.shear[i] = -2. * m.G * strain[0][0][1];
     }
     return s;
   }

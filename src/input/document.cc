@@ -71,8 +71,8 @@ void apply(Node& root, Node&& change, std::size_t depth) {
 
 }  // namespace
 
-Document::Document(const std::string& path, const std::vector<std::string>& overrides) : path_(path) {
-  root_ = parse_toml(read_text(path), path);
+Document::Document(const std::string& path, const std::vector<std::string>& overrides)
+    : path_(path), root_(parse_toml(read_text(path), path)) {
   Mistakes mistakes;
   for (const std::string& text : overrides) try {
       Node change = read_override(text);

@@ -40,9 +40,31 @@ Node convert(const toml::node& node, const Place& place) {
   return {NodeDate{}, place};
 }
 
+/// toml++ goes down into a dotted key part by part, and beyond some ten thousand parts the stack ends. Between two
+/// marks that no key holds outside quotes there are as many parts as dots.
+void refuse_endless_keys(const std::string& text, const std::string& file) {
+  constexpr int most = 1000;
+  int dots = 0, line = 1;
+  char quote = 0;
+  for (const char c : text) {
+    if (c == '\n') ++line;
+    if (c == '\n' || c == quote)
+      quote = 0;
+    else if (quote != 0)
+      continue;
+    else if (c == '"' || c == '\'')
+      quote = c;
+    if (std::string_view("\n=,[]{}").find(c) != std::string_view::npos) dots = 0;
+    if (c == '.' && ++dots > most)
+      throw InputError({file, line, 1}, "a key of more than " + std::to_string(most) + " parts",
+                       "write keys such as regions.sand.porosity");
+  }
+}
+
 }  // namespace
 
 Node parse_toml(const std::string& text, const std::string& file) {
+  refuse_endless_keys(text, file);
   try {
     return convert_table(toml::parse(std::string_view(text), std::string_view(file)), {file});
   } catch (const toml::parse_error& error) {

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <type_traits>
 
+#include "upbead/base/magnitude.h"
 #include "upbead/base/suggest.h"
 
 namespace upbead {
@@ -37,6 +38,11 @@ std::optional<double> number_of(const Node& node) {
 }
 
 Verdict check_range(const Node& node, const KeyInfo& key, double value) {
+  if (std::isfinite(value) && (is_too_large(value) || is_too_small(value)))
+    return {{node.place,
+             key.name + " = " + number_text(value) + " is " + (is_too_large(value) ? "larger" : "smaller") +
+                 " than any quantity in SI units",
+             "give the " + key.meaning()}};
   if (key.range.contains(value)) return {};
   return {{node.place, key.name + " = " + number_text(value) + " is outside " + key.range.text(),
            "give the " + key.meaning()}};
@@ -63,6 +69,9 @@ Verdict read_value(const Node& node, const KeyInfo& key, int& value) {
   const auto* number = std::get_if<std::int64_t>(&node.value);
   if (!number) return wrong_type(node, key, &value);
   Verdict verdict = check_range(node, key, static_cast<double>(*number));
+  if (verdict.empty() && *number != static_cast<int>(*number))
+    return {{node.place, key.name + " = " + std::to_string(*number) + " is beyond the range of whole numbers here",
+             "give the " + key.meaning()}};
   if (verdict.empty()) value = static_cast<int>(*number);
   return verdict;
 }

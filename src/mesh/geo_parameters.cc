@@ -128,7 +128,8 @@ class Scanner {
 };
 
 void collect(const std::filesystem::path& file, std::set<std::string>& seen, std::vector<GeoParameter>& parameters) {
-  if (!seen.insert(std::filesystem::weakly_canonical(file).string()).second) return;
+  std::error_code error;  // of a name that no file can have
+  if (!seen.insert(std::filesystem::weakly_canonical(file, error).string()).second || error) return;
   std::stringstream text;
   text << std::ifstream(file).rdbuf();
   Scanner scanner(text.str());

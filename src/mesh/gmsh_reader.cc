@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
 #include <limits>
 
 #include "gmsh_open.h"
 #include "gmsh_session.h"
+#include "upbead/base/trial_run.h"
 
 namespace upbead {
 
@@ -185,10 +187,7 @@ void drop_unused(RawMesh& mesh) {
   mesh.edges = edges;
 }
 
-}  // namespace
-
-RawMesh read_raw_mesh(const MeshRequest& request, MeshReport& report) {
-  GmshSession session;
+RawMesh read_in(GmshSession& session, const MeshRequest& request, MeshReport& report) {
   open_mesh(request, session, report);
   RawMesh mesh;
   if (!report.empty()) return mesh;
@@ -200,6 +199,22 @@ RawMesh read_raw_mesh(const MeshRequest& request, MeshReport& report) {
   read_edges(nodes, mesh, report);
   drop_unused(mesh);
   return mesh;
+}
+
+/// Whether gmsh lives through a mesh that somebody else has written; a script is gmsh's own word.
+bool is_bearable(GmshSession& session, const MeshRequest& request) {
+  if (std::filesystem::path(request.file).extension() != ".msh") return true;
+  MeshReport unheard(request);
+  return survives(request.file, [&] { read_in(session, request, unheard); });
+}
+
+}  // namespace
+
+RawMesh read_raw_mesh(const MeshRequest& request, MeshReport& report) {
+  GmshSession session;
+  if (is_bearable(session, request)) return read_in(session, request, report);
+  report.add("gmsh breaks down on it, so it is damaged", "save it again from gmsh: File > Export, format 2.2 or 4.1");
+  return {};
 }
 
 }  // namespace upbead

@@ -22,8 +22,8 @@ std::mutex& gmsh_mutex() {
 /// A gmsh script of ours in the folder for temporary files, for as long as this lives.
 class TemporaryScript {
  public:
-  explicit TemporaryScript(const std::string& text) {
-    path_ = (std::filesystem::temp_directory_path() / "upbead_XXXXXX.geo").string();
+  explicit TemporaryScript(const std::string& text)
+      : path_((std::filesystem::temp_directory_path() / "upbead_XXXXXX.geo").string()) {
     const int file = mkstemps(path_.data(), 4);
     if (file < 0)
       throw GmshError({"cannot write a temporary file in " + std::filesystem::temp_directory_path().string()});
@@ -56,6 +56,8 @@ void run(const std::function<void()>& call) {
     call();
   } catch (const std::string& error) {
     thrown = error.empty() ? "unknown error" : error;
+  } catch (const std::exception& error) {  // std::bad_array_new_length, where a damaged .msh counts below zero
+    thrown = error.what();
   }
   std::vector<std::string> errors = logged_errors();
   gmsh::logger::stop();
@@ -91,6 +93,7 @@ void GmshSession::open(const std::string& file, const std::map<std::string, doub
   // gmsh's own -setnumber and its database of parameters outlive finalize, so the values go in by a script of their
   // own, whose variables open() forgets and merge() keeps. To include the file in that script would be a trap: its
   // `Abort` then closes a file twice.
+  if (parameters.empty()) return run([&] { gmsh::open(file); });
   const TemporaryScript script(assignments(parameters));
   run([&] { gmsh::open(script.path()); });
   run([&] { gmsh::merge(file); });

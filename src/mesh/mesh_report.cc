@@ -1,10 +1,30 @@
 #include "mesh_report.h"
 
+#include <cctype>
 #include <cstdio>
 #include <filesystem>
-#include <regex>
 
 namespace upbead {
+
+namespace {
+
+bool is_letter(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
+}
+
+/// Whether `name` stands in a sentence as a word of its own. A person may have given it any characters.
+bool names(const std::string& sentence, const std::string& name) {
+  if (name.empty()) return false;
+  for (auto at = sentence.find(name); at != std::string::npos; at = sentence.find(name, at + 1)) {
+    const std::size_t end = at + name.size();
+    const bool begins = at == 0 || !is_letter(sentence[at - 1]),
+               ends = end == sentence.size() || !is_letter(sentence[end]);
+    if (begins && ends) return true;
+  }
+  return false;
+}
+
+}  // namespace
 
 MeshReport::MeshReport(const MeshRequest& request)
     : request_(request), name_(std::filesystem::path(request.file).filename().string()) {}
@@ -19,7 +39,7 @@ void MeshReport::add(const std::string& what, const std::string& cure) {
 
 void MeshReport::add_about_parameters(const std::string& what, const std::string& cure) {
   for (const auto& [name, place] : request_.parameter_places)
-    if (std::regex_search(what, std::regex("\\b" + name + "\\b"))) return add_at(place, what, cure);
+    if (names(what, name)) return add_at(place, what, cure);
   add(what, cure);
 }
 

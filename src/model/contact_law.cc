@@ -1,5 +1,7 @@
 #include "upbead/model/contact_law.h"
 
+#include <algorithm>
+
 #include "upbead/model/scene.h"
 
 namespace upbead {
@@ -17,6 +19,11 @@ const ContactLaw* contact_law(const Scene& scene) {
 
 bool has_frictional_contact(const Scene& scene) {
   return contact_law(scene) != nullptr;
+}
+
+bool has_strength(const Scene& scene) {
+  return std::any_of(scene.regions.begin(), scene.regions.end(),
+                     [](const auto& entry) { return entry.second.strength.has_value(); });
 }
 
 double contact_friction(const Scene& scene) {

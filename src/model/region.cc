@@ -54,6 +54,7 @@ const std::vector<MemberRule>& member_rules() {
       {"biot", {K::porous}, false, changed(&R::biot)},
       {"grain_bulk_modulus", {K::porous}, false, changed(&R::grain_bulk_modulus)},
       {"damping", {K::solid, K::porous}, false, set(&R::damping)},
+      {"strength", {K::solid, K::porous}, false, set(&R::strength)},
       {"interface", {K::rigid, K::solid}, false, set(&R::interface)},
       {"deformation", {K::solid}, false, changed(&R::deformation)},
       {"compressibility", {K::water}, false, changed(&R::compressibility)},

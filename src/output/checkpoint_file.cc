@@ -130,6 +130,7 @@ std::string checkpoint_file(const std::string& title, const CheckpointFile& chec
   out.add("/memory/end_load", memory.end_load);
   out.add("/memory/largest_load", memory.largest_load);
   out.add("/memory/energy", packed({memory.energy}));
+  out.add("/observed", checkpoint.march.observed);
   Numbers time;
   std::vector<std::string> names;
   for (const auto& [t, name] : checkpoint.fields) {
@@ -160,6 +161,7 @@ CheckpointFile read_checkpoint(const std::string& path) {
                        in.numbers("/memory/end_load"),
                        in.numbers("/memory/largest_load"),
                        unpacked(energy).front()};
+  file.march.observed = in.numbers("/observed");
   const Numbers time = in.numbers("/fields/time");
   const std::vector<std::string> names = in.texts("/fields/name");
   if (time.size() != names.size()) in.damaged("/fields");

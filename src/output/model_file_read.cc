@@ -2,6 +2,7 @@
 #include "model_pieces.h"
 #include "model_slip.h"
 #include "upbead/base/text.h"
+#include "upbead/base/trial_run.h"
 #include "upbead/output/model_file.h"
 
 namespace upbead {
@@ -64,9 +65,7 @@ void read_sliding(ModelParts& parts, ReducedModelFile& model) {
   sliding.lag = parts.number("/sliding", "lag");
 }
 
-}  // namespace
-
-ReducedModelFile read_model_file(const std::string& path) {
+ReducedModelFile read_in(const std::string& path) {
   ModelParts parts(path);
   ReducedModelFile model;
   read_origin(parts, model);
@@ -78,6 +77,14 @@ ReducedModelFile read_model_file(const std::string& path) {
   model.slip = detail::read_slip(parts);
   parts.throw_if_any();
   return model;
+}
+
+}  // namespace
+
+ReducedModelFile read_model_file(const std::string& path) {
+  if (!survives(path, [&path] { read_in(path); }))
+    throw InputError({path}, "HDF5 breaks down on it, so it is damaged", "make it again with 'upbead reduce'");
+  return read_in(path);
 }
 
 }  // namespace upbead

@@ -80,6 +80,16 @@ Json to_object(const SoilSummary& s) {
           {"largest_damping", s.largest_damping}};
 }
 
+Json to_object(const MobilisedStrength& s) {
+  return {{"region", s.region},   {"initial", s.initial},     {"initial_share", s.initial_share},
+          {"largest", s.largest}, {"at", {s.at[0], s.at[1]}}, {"time", s.time},
+          {"share", s.share},     {"left_out", s.left_out}};
+}
+
+Json to_object(const NumberedWarning& w) {
+  return {{"name", w.name}, {"value", w.value}, {"limit", w.limit}, {"unit", w.unit}, {"text", w.text}};
+}
+
 Json to_object(const Timing& t) {
   return {{"mesh", t.mesh},   {"compile", t.compile}, {"factorise", t.factorise},
           {"march", t.march}, {"output", t.output},   {"total", t.total}};
@@ -98,6 +108,10 @@ std::string to_json(const Summary& summary) {
   json["sliding"] = summary.sliding ? to_object(*summary.sliding) : Json(nullptr);
   json["contact"] = summary.contact ? to_object(*summary.contact) : Json(nullptr);
   json["soil"] = summary.soil ? to_object(*summary.soil) : Json(nullptr);
+  json["strength"] = Json::array();
+  for (const MobilisedStrength& strength : summary.strength) json["strength"].push_back(to_object(strength));
+  json["warnings"] = Json::array();
+  for (const NumberedWarning& warning : summary.warnings) json["warnings"].push_back(to_object(warning));
   json["skipped"] = Json::array();
   for (const Skipped& skipped : summary.skipped)
     json["skipped"].push_back({{"what", skipped.what}, {"why", skipped.why}});

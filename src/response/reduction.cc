@@ -73,6 +73,7 @@ Reduction reduce_scene(const Scene& scene, const CompiledScene& compiled, const 
   if (aim.only_shear) options.tolerance_of_others = std::numeric_limits<double>::infinity();
   options.each_load = aim.each_load;
   if (aim.most_vectors) options.max_vectors = *aim.most_vectors;
+  options.keep_pressures = aim.pressures;
   options.progress = progress;
   if (compiled.caisson) {
     options.measured = {system.reading(reading::shear_force)};

@@ -130,6 +130,8 @@ TEST_F(WaveFiles, TellsWrongDatasets) {
             "w.h5: /slow has 2 waves, /impact has 1; give every load of the file as many waves");
   EXPECT_EQ(refusal_of_hdf5({time, {"impact", {2}, {0., INFINITY}}}),
             "w.h5: /impact holds a number that is not finite; give finite numbers");
+  EXPECT_EQ(refusal_of_hdf5({time, {"impact", {2}, {0., -1e300}}}),
+            "w.h5: /impact holds a number that is larger than any quantity in SI units; give finite numbers");
 }
 
 TEST_F(WaveFiles, TellsTheMistakesOfAllFiles) {

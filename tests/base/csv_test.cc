@@ -66,6 +66,20 @@ TEST_F(Csv, TellsDamage) {
   EXPECT_EQ(refusal("a,b\n1,1e999\n"), "f:2:3: '1e999' is beyond the range of a number (column b)");
 }
 
+TEST_F(Csv, RefusesWhatNoQuantityCanBe) {
+  // found by tests/fuzz: the slope of a history from 0 to 1e308 overflows
+  EXPECT_EQ(refusal("time,force\n0,0\n1,1e308\n"),
+            "f:3:3: '1e308' is larger than any quantity in SI units (column force)");
+  EXPECT_EQ(refusal("time,force\n0,-1.1e50\n"),
+            "f:2:3: '-1.1e50' is larger than any quantity in SI units (column force)");
+  EXPECT_EQ(refusal("time,force\n0,1e50\n"), "");
+}
+
+TEST_F(Csv, ReadsWhatIsLeftOfADecayAsZero) {
+  EXPECT_EQ(read("t,p\n1e-320,-4.9e-324\n").columns, (std::vector<std::vector<double>>{{0.}, {0.}}));
+  EXPECT_EQ(read("t,p\n1e-49,0\n").columns[0][0], 1e-49);
+}
+
 TEST_F(Csv, NamesOtherDialects) {
   EXPECT_EQ(refusal("\n# measured\ntime,p\n0,1\n"),
             "f:2:1: a comment ('#') stands where the names of the columns belong");

@@ -65,20 +65,26 @@ class Faults(ProgramTest):
         result = self.folder / "out"
         self.peak_per_factor = json.loads((result / "summary.json").read_text())["response"]["peak_force"]
         names = set(contents(result))
-        dice, held, ended = random.Random(1), 1., 0
+        dice, held, replaced = random.Random(1), 1., 0
         for i in range(KILLS):
             factor = 2. + i
             process = subprocess.Popen(run(factor), cwd=self.folder, stdout=subprocess.DEVNULL,
                                        stderr=subprocess.DEVNULL)
-            # half of the kills while it writes, near the end
-            time.sleep(duration * (dice.uniform(0., 1.) if i % 2 else dice.uniform(0.8, 1.1)))
+            if i % 2:
+                time.sleep(dice.uniform(0., duration))
+            else:  # while it writes
+                written = self.folder / f".out.partial-{process.pid}/fields/fields_0002.vtu"
+                while not written.exists() and process.poll() is None:
+                    pass
+                time.sleep(dice.uniform(0., 0.05))
             process.send_signal(signal.SIGKILL)
-            ended += process.wait() == 0
+            process.wait()
             self.assertEqual(set(contents(result)), names, f"kill {i}")
             now = self.whole_results(result)
             self.assertIn(now, (held, factor), f"kill {i}")
+            replaced += now == factor
             held = now
-        fact("killed by SIGKILL at random moments", f"{KILLS} times, half of them near the end, {ended} came too late",
+        fact("killed by SIGKILL at random moments", f"{KILLS} times, half of them while it writes; {replaced} after the new one had taken the old one's place",
              "the folder always held the previous complete result or the new complete one")
 
     def test_killed_runs_leave_nothing_for_long(self):

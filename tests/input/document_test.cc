@@ -85,6 +85,20 @@ TEST_F(DocumentTest, RefusesWrongOverrides) {
                 cure);
 }
 
+TEST_F(DocumentTest, RefusesKeysWithoutEnd) {
+  std::string key = "a", quoted = "\"=\"", numbers = "\nb = [";
+  for (int i = 0; i < 100000; ++i) {
+    key += ".a";
+    quoted += ".\"=\"";
+    numbers += "1.0, ";
+  }
+  const std::string told = ": a key of more than 1000 parts; write keys such as regions.sand.porosity";
+  EXPECT_EQ(refusal("\n" + key + " = 1\n").substr(path_.size()), ":2:1" + told);
+  EXPECT_EQ(refusal("[" + key + "]\n").substr(path_.size()), ":1:1" + told);
+  EXPECT_EQ(refusal("b = { " + quoted + " = 1 }\n").substr(path_.size()), ":1:1" + told);
+  EXPECT_EQ(refusal("a = \"'\" # don't" + numbers + "]\n"), "");
+}
+
 TEST_F(DocumentTest, TellsWhereTomlBreaks) {
   EXPECT_EQ(refusal("a = 1\nb = = 2\n").substr(path_.size(), 14), ":2:5: not TOML");
   EXPECT_EQ(refusal("a = 1\na = 2\n").substr(path_.size(), 5), ":2:5:");

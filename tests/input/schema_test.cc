@@ -147,6 +147,30 @@ TEST(Schema, JudgesAConditionOnceItsKeyIsSound) {
   EXPECT_EQ(refusal({{"colour", text("red")}, {"hollow", truth}}), "");
 }
 
+TEST(Schema, RefusesWhatNoQuantityCanBe) {
+  const auto refusal_of_width = [](double value) { return refusal({{"width", {value, {"f", 2, 3}}}}); };
+  EXPECT_EQ(refusal_of_width(1e60), "f:2:3: width = 1e60 is larger than any quantity in SI units; give the width (m)");
+  EXPECT_EQ(refusal_of_width(1e-320),
+            "f:2:3: width = 1e-320 is smaller than any quantity in SI units; give the width (m)");
+  EXPECT_EQ(refusal_of_width(1e50), "");
+  EXPECT_EQ(refusal_of_width(1e-50), "");
+}
+
+TEST(Schema, RefusesWholeNumbersThatDoNotFit) {
+  TableSchema<Part> table;
+  table.key("count", &Part::count).range(at_least(0.)).doc("number of pieces");
+  Part part;
+  InputReport report;
+  table.read({NodeTable{{"count", number(4294967297)}}, {"f"}}, "", part, report);
+  try {
+    report.throw_if_any("f");
+    FAIL() << "read as " << part.count;
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(),
+                 "f:2:3: count = 4294967297 is beyond the range of whole numbers here; give the number of pieces");
+  }
+}
+
 TEST(Schema, KnowsWhichTablesAreSound) {
   Thing thing;
   InputReport report;

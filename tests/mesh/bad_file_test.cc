@@ -44,6 +44,25 @@ TEST(BadFile, MeshCutShort) {
         << text.substr(0, length);
 }
 
+TEST(BadFile, MeshThatGmshDoesNotSurvive) {
+  // found by tests/fuzz: a line that says it is a tetrahedron of second order takes the numbers of those below
+  MshFile mesh = unit_cell();
+  mesh.elements[1] = "2 11 2 2 3 3 4";
+  mesh.elements.erase(mesh.elements.begin() + 2);
+  EXPECT_EQ(complaints(mesh), said("gmsh breaks down on it, so it is damaged; save it again from gmsh: File > Export, "
+                                   "format 2.2 or 4.1"));
+  EXPECT_EQ(complaints(unit_cell()), std::vector<std::string>{});
+}
+
+TEST(BadFile, MeshWithNodesTwiceOnWhichGmshThrows) {
+  const TemporaryFolder folder;  // found by tests/fuzz: gmsh reads on behind the mesh, and makes a list of size -1
+  const std::string nodes = "4\n1 0 0 0\n2 9 0 0\n3 1 1 0\n4 0 0 0\n", end = "4 0 0 0\n$EndNodes\n";
+  const std::string text = "$MeshFormat\n2.2 0 8\n$Nodes\n" + nodes +
+                           "$EndNodes\n$Elements\n5\n1 1 2 1 1 1 2\n2 1 2 0 2 2\n" + end +
+                           "$Elements\n5\n1 1 2 1 1 1 2 3 4\n$EndElements\n";
+  EXPECT_THAT(complaints(request_for(folder.write("a.msh", text))), SizeIs(testing::Ge(1u)));
+}
+
 TEST(BadFile, ScriptWithSyntaxErrorLeavesNothingBehind) {
   const TemporaryFolder folder;
   const std::string bad = folder.write("a.geo", "Point(1) = {0, 0, 0}\nPoint(2 = 3, 4, 5, 6 7 8 9 [[ {\n\n\nLine(");
@@ -71,6 +90,16 @@ TEST(BadFile, ParameterOfMesh) {
   MeshRequest request = request_for(folder.write("a.msh", unit_cell().text()));
   request.parameters = {{"width", 3.0}};
   EXPECT_THAT(complaints(request), ElementsAre(HasSubstr("a .msh is finished and takes no parameters, not 'width'")));
+}
+
+TEST(BadFile, ParameterWithAnyName) {
+  const TemporaryFolder folder;
+  MeshRequest request = request_for(folder.write("a.geo", rectangle_script("")));
+  for (const std::string name : {"(", "width[", "a\\", "", "*"}) {
+    request.parameters = {{name, 3.0}};
+    request.parameter_places = {{name, {"case.toml", 9, 2}}};
+    EXPECT_THAT(complaints(request), ElementsAre(HasSubstr("it has no parameter '" + name + "'"))) << name;
+  }
 }
 
 TEST(BadFile, ParameterNotFinite) {

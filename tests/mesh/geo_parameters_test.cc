@@ -42,6 +42,13 @@ TEST(GeoParameters, OfIncludedScripts) {
   EXPECT_EQ(lines_of(file), (std::vector<std::string>{"height|1|", "width|2|"}));
 }
 
+TEST(GeoParameters, NoneOfAnIncludeThatNoFileCanHave) {
+  const TemporaryFolder folder;
+  const std::string file =
+      folder.write("a.geo", "DefineConstant[ a = 1 ];\nInclude \"" + std::string(5000, 'x') + "\";\n");
+  EXPECT_EQ(lines_of(file), std::vector<std::string>{"a|1|"});
+}
+
 TEST(GeoParameters, NoneWithoutFile) {
   EXPECT_TRUE(geo_parameters("/no/where.geo").empty());
 }

@@ -47,6 +47,17 @@ void put(hid_t file, const char* dataset, double value) {
   H5Dclose(data);
 }
 
+/// Puts a list of `n` numbers in place of a dataset, with values only where asked for.
+void replace(hid_t file, const char* dataset, hsize_t n, bool written) {
+  H5Ldelete(file, dataset, H5P_DEFAULT);
+  const hid_t space = H5Screate_simple(1, &n, nullptr);
+  const hid_t data = H5Dcreate2(file, dataset, H5T_NATIVE_DOUBLE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+  const std::vector<double> values(written ? n : 0);
+  if (written) H5Dwrite(data, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
+  H5Dclose(data);
+  H5Sclose(space);
+}
+
 void put_attribute(hid_t file, const char* path, const char* name, double value) {
   const hid_t object = H5Oopen(file, path, H5P_DEFAULT), attribute = H5Aopen(object, name, H5P_DEFAULT);
   H5Awrite(attribute, H5T_NATIVE_DOUBLE, &value);
@@ -200,6 +211,26 @@ TEST(ModelFile, TellsShapesThatDoNotAgree) {
   const std::string again = "; make it again with 'upbead reduce'";
   EXPECT_EQ(refusal(file.path()), "m: /modes/load has the shape 2 x 2 x 2, not 2 x 1 x 2" + again +
                                       "\nm: /modes/feedthrough has the shape 3 x 2, not 3 x 1" + again);
+}
+
+TEST(ModelFile, TakesNoMemoryForWhatIsNotThere) {
+  const std::string again = "; make it again with 'upbead reduce'";
+  EXPECT_EQ(refusal_after([](hid_t file) { replace(file, "/loads/peak", hsize_t{1} << 40, false); }),
+            "m: /loads/peak is missing, or cannot be read as numbers" + again);
+  // the length of one part decides on the size of others
+  ReducedModelFile model = oscillator();
+  model.slip = slipping_oscillator();
+  const TemporaryFile file(model_file(model));
+  const hid_t id = H5Fopen(file.path().c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+  replace(id, "/slip/is_phi", 200000, true);
+  H5Fclose(id);
+  EXPECT_EQ(refusal(file.path()), "m: /slip/M has the shape 2 x 2, not 200000 x 200000" + again);
+}
+
+TEST(ModelFile, RefusesNumbersThatNoQuantityCanBe) {
+  EXPECT_EQ(refusal_after([](hid_t file) { put(file, "/modes/impulse", 1e200); }),
+            "m: /modes/impulse holds a number that is larger than any quantity in SI units; make it again with "
+            "'upbead reduce'");
 }
 
 TEST(ModelFile, RefusesAModeThatGrows) {

@@ -17,6 +17,8 @@ struct Inertia {
 
 /// Factors of a symmetric quasi-definite matrix A (n x n, both triangles stored). L D L^T exists for every ordering
 /// without pivoting (Vanderbei 1995), but only an equilibrated matrix is solved to round-off.
+/// Where negative pivots close to zero come first (incompressible water that hardly drains), elimination loses digits;
+/// each solution is then refined by residuals of A, which gives them back.
 /// An object is used by one thread at a time.
 class Factorisation {
  public:

@@ -8,6 +8,7 @@
 
 #include "upbead/app/case.h"
 #include "upbead/dynamics/march.h"
+#include "upbead/dynamics/reduce.h"
 #include "upbead/fem/compile.h"
 #include "upbead/fem/resolve.h"
 #include "upbead/mesh/mesh.h"
@@ -58,6 +59,7 @@ struct Run {
   Summary summary;
   std::optional<CoupledHistoryTable> coupled;  ///< where the caisson slipped as a whole
   std::optional<ContactHistory> contact;       ///< where it was marched with a law of contact
+  std::optional<PressureModel> pressures;      ///< where it was reduced
   std::string scheme_reason;                   ///< why it was solved as it was
   std::string step_reason;                     ///< why the steps are as long as they are
 };
@@ -66,6 +68,9 @@ struct Run {
 /// sees every step, where it is reduced `reducing` is called after every solve with 0 to 1. Throws NumericsError.
 Run run_case(const Case& input, CompiledCase& scene, const MarchOptions& marching,
              const std::function<void(double)>& reducing = {});
+
+/// What may be wrong with the numbers of a scene, as far as that can be told without solving: docs/warnings.md.
+NumberedWarnings warnings(const Case& input, const CompiledCase& scene);
 
 /// What is skipped in a scene and why, with the numbers; `reduced`: whether a reduced model solves it.
 std::vector<Skipped> skipped(const Case& input, const CompiledCase& scene, bool reduced);

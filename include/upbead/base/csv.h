@@ -20,9 +20,9 @@ struct CsvTable {
 };
 
 /// Reads a table of numbers with at least one row. Blank lines are skipped. Throws InputError with file:line:column: a
-/// file that cannot be read or is larger than 1 GB (at `place`, the key that names it), an empty one, no header, a cell that is no finite
-/// number of a magnitude up to largest_magnitude, a row with another number of cells than the header. A magnitude below
-/// smallest_magnitude is read as zero.
+/// file that cannot be read or is larger than 1 GB (at `place`, the key that names it), an empty one, no header, a cell
+/// that is no finite number of a magnitude up to largest_magnitude, a row with another number of cells than the header.
+/// A magnitude below smallest_magnitude is read as zero.
 CsvTable read_csv(const std::string& path, const Place& place);
 
 }  // namespace upbead

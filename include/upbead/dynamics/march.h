@@ -34,9 +34,11 @@ struct MarchCheckpoint;  // see checkpoint.h
 
 /// Checkpoints of a march.
 struct Checkpointing {
-  std::function<bool()> due;                           ///< asked after every step; none: never
-  std::function<void(const MarchCheckpoint&)> keep;    ///< takes one, before the observer sees that step
-  std::shared_ptr<const MarchCheckpoint> resume_from;  ///< of the same system, scheme and grid; null: from rest
+  std::function<bool()> due;                               ///< asked after every step; none: never
+  std::function<void(const MarchCheckpoint&)> keep;        ///< takes one, before the observer sees that step
+  std::function<std::vector<double>()> memory;             ///< of the observer; may be none
+  std::function<void(const std::vector<double>&)> recall;  ///< gives it back before the observer sees a state
+  std::shared_ptr<const MarchCheckpoint> resume_from;      ///< of the same system, scheme and grid; null: from rest
 };
 
 struct MarchOptions {

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <utility>
 #include <vector>
 
+#include "upbead/dynamics/krylov.h"
 #include "upbead/dynamics/modal_model.h"
 #include "upbead/dynamics/modal_response.h"
 #include "upbead/dynamics/reduced_system.h"
@@ -20,7 +22,8 @@ struct ReduceOptions {
   std::vector<int> measured;  ///< readings that must meet `tolerance`; the others `tolerance_of_others`
   double tolerance = 1e-3;    ///< of a reading's history, over its largest value
   double tolerance_of_others = 5e-2;
-  int max_vectors = 100;  ///< per independent load
+  int max_vectors = 100;        ///< per independent load
+  bool keep_pressures = false;  ///< see Reduction::pressures; not where `model` is given
   /// What nested models are compared by, where it is not modal_model(): its loads are those of the training histories.
   std::function<ModalModel(const ReducedSystem&)> model;
   std::function<void(double)> progress;  ///< called after every solve with a guess of what is done, 0 to 1; may be none
@@ -34,6 +37,12 @@ struct NestedError {
   Eigen::VectorXd of_reading;  ///< largest difference over time, over the reading's largest value, by reading
 };
 
+/// The pressures of a reduced scene, not at points that were asked for but everywhere.
+struct PressureModel {
+  FieldBasis basis;  ///< of phi
+  ModalModel model;  ///< its readings are the velocities of the basis's coordinates, column by column, before its units
+};
+
 /// A model, and what is known of its error.
 struct Reduction {
   ModalModel model;
@@ -45,6 +54,7 @@ struct Reduction {
   bool converged = false;  ///< also where the space is exhausted: then it is exact
   int n_vectors = 0, n_solves = 0, n_independent_loads = 0;
   double factorise_seconds = 0.;
+  std::optional<PressureModel> pressures;            ///< where they are kept
   std::vector<std::pair<int, NestedError>> history;  ///< by number of vectors, as the space grew
 };
 
@@ -53,6 +63,9 @@ struct Reduction {
 /// tell nothing: there the models agree long before their histories do. Throws NumericsError as SecondOrderKrylov and
 /// modal_model do.
 Reduction reduce(const System& system, const ReduceOptions& options);
+
+/// The velocities of all unknowns of phi at the times of a series that its model gave: basis.unknown by column in time.
+Eigen::MatrixXd phi_velocities(const FieldBasis& basis, const Eigen::MatrixXd& coordinates);
 
 /// The frequency (rad/s), at most `largest`, up to which H(decay + i omega) of both agree, see Reduction::omega.
 double agreed_frequency(const ModalModel& coarse, const ModalModel& fine, const std::vector<int>& readings,

@@ -48,6 +48,12 @@ struct Rayleigh {
   double error() const;                     ///< largest relative deviation from `ratio` between both frequencies
 };
 
+/// Mohr-Coulomb strength of a soil, which the equations do not know: what the computed stresses are held against.
+struct Strength {
+  double friction_angle = 35.;  ///< phi' (degrees)
+  double cohesion = 0.;         ///< c' (Pa)
+};
+
 /// One physical surface of the mesh. Optional members belong to some kinds only; check() says which are missing.
 struct Region {
   RegionKind kind = RegionKind::porous;
@@ -68,6 +74,7 @@ struct Region {
   double biot = 1.;                                                     ///< alpha
   double grain_bulk_modulus = std::numeric_limits<double>::infinity();  ///< K_s (Pa)
   std::optional<Rayleigh> damping;
+  std::optional<Strength> strength;                              ///< porous, solid
   std::optional<ContactLaw> interface;                           ///< rigid, solid: of the caisson's bottom
   Deformation deformation = Deformation::automatic;              ///< solid
   Compressibility compressibility = Compressibility::automatic;  ///< water

@@ -68,6 +68,9 @@ inline const std::string caisson_name = "caisson";
 /// Whether the caisson may slip and lift on its ground, node by node.
 bool has_frictional_contact(const Scene& scene);
 
+/// Whether some region's strength is given.
+bool has_strength(const Scene& scene);
+
 /// The friction coefficient of that contact: its own, that of [sliding], or 0.6.
 double contact_friction(const Scene& scene);
 

@@ -5,9 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "upbead/base/numbered_warning.h"
 #include "upbead/dynamics/energy.h"
 #include "upbead/output/contact_summary.h"
 #include "upbead/output/sliding_summary.h"
+#include "upbead/response/mobilisation.h"
 #include "upbead/response/shear_response.h"
 
 namespace upbead {
@@ -77,6 +79,8 @@ struct Summary {
   std::optional<SlidingSummary> sliding;      ///< none without [sliding]
   std::optional<ContactSummary> contact;      ///< none where the bottom is tied
   std::optional<SoilSummary> soil;            ///< none where no soil depends on strain
+  std::vector<MobilisedStrength> strength;    ///< of the regions whose strength is given
+  NumberedWarnings warnings;                  ///< docs/warnings.md
   std::vector<Skipped> skipped;
   Timing timing;
 };

@@ -14,6 +14,7 @@ namespace upbead {
 struct DrainedFace {
   std::string region, into;        ///< the soil, and where it drains
   dealii::Point<dim> first, last;  ///< its ends (m)
+  dealii::Point<dim> inside;       ///< middle of the soil's cell (m)
   double cell = 0.;                ///< h, of the soil's cell across the face (m)
   double consolidation = 0.;       ///< c_v = (1/b)/(1/(lambda + 2 G) + 1/Q), alpha = 1 (m2/s)
 };

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "upbead/fem/soil_state.h"
 #include "upbead/mesh/mesh.h"
 #include "upbead/model/scene.h"
 
@@ -12,7 +13,7 @@ namespace upbead {
 struct FarEcho {
   std::string side;
   double distance = 0.;    ///< from the side to the nearest of all that is not only ground going on (m)
-  double speed = 0.;       ///< of shear waves in the ground behind it (m/s)
+  double speed = 0.;       ///< of shear waves in the ground behind it, mean over its area (m/s)
   bool absorbing = false;  ///< it lets waves out, but not all
   double time() const { return 2. * distance / speed; }  ///< that shear waves take there and back (s)
 };
@@ -20,6 +21,6 @@ struct FarEcho {
 /// The far side that is felt first, of the upright sides where the ground ends; those of water alone are not felt
 /// (docs/sides.md), and absorbing ones of dry ground are good enough. Distances are from the toe of the mound, or from
 /// what else stands on the ground. None without a caisson. `scene` as solved.
-std::optional<FarEcho> first_echo(const Scene& scene, const Mesh& mesh);
+std::optional<FarEcho> first_echo(const Scene& scene, const Mesh& mesh, const SoilState& soil = {});
 
 }  // namespace upbead

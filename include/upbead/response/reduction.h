@@ -23,6 +23,7 @@ struct ReductionAim {
   bool only_shear = false;          ///< F_T alone, not all readings
   bool each_load = false;           ///< any history of each load, not only what they do together in the scene
   std::optional<int> most_vectors;  ///< per independent load, where the default is not meant
+  bool pressures = false;           ///< to be told everywhere, not at probes alone: Reduction::pressures
 };
 
 /// The shift of a scene's Krylov space (1/s): 1.25 times 2 pi over the shortest duration of its loads, 1.75 times where

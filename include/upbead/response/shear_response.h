@@ -35,9 +35,14 @@ TimeFunction force_on_caisson(const CompiledScene& compiled);
 /// x_G'' linear between them (of order 2); without inertia the ends of the steps alone.
 ShearResponse read_shear_response(const CompiledScene& compiled, const Response& response, bool inertia);
 
-/// Throws NumericsError where both routes to F_T, or the work and what it became, differ by more than 1e-6: then the
-/// answer is not to be trusted. The mismatch of the routes is relative to the largest |F_T|, or, where F_T vanishes by
-/// symmetry, to a millionth of the largest of |P| and the change of the normal force.
+/// Throws NumericsError where the answer is not to be trusted: where both routes to F_T differ by more than 1e-7, where
+/// the work and what it became differ by more than 1e-6, or where more energy is stored than 1.1 times the largest
+/// work. The mismatch of the routes is relative to the largest |F_T|, or, where F_T vanishes by symmetry, to a
+/// millionth of the largest of |P| and the change of the normal force.
 void require_balance(const ShearResponse& shear, const EnergyAccount& energy);
+
+/// The same of the energy of a scene without a caisson, marched until `end` (s). Loads that do no work but round-off,
+/// as a pressure on incompressible water, have nothing to balance: below 1e-10 of what they would do on K alone.
+void require_balance(const EnergyAccount& energy, const System& system, double end);
 
 }  // namespace upbead

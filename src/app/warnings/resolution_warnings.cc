@@ -1,8 +1,10 @@
+#include <algorithm>
 #include <cmath>
 
 #include "scene_warnings.h"
 #include "upbead/base/text.h"
 #include "upbead/response/scheme_choice.h"
+#include "upbead/response/step_choice.h"
 #include "upbead/response/wave_resolution.h"
 
 namespace upbead {
@@ -20,10 +22,10 @@ struct MeshRule {
   double cells;  ///< to a wave
   double error, order;
 };
-constexpr MeshRule of_degree_2{4., 0.05, 3.}, of_degree_3{2.5, 0.05, 3.};
+constexpr MeshRule of_degree_2{4., 0.05, 3.}, of_degree_3{3., 0.05, 3.};
 
 std::string percent(double share) {
-  return share > 0.5 ? "half or more" : "about " + significant(100. * share, 1) + " %";
+  return share > 0.5 ? "half or more" : "about " + std::to_string(std::max(1L, std::lround(100. * share))) + " %";
 }
 
 }  // namespace
@@ -42,18 +44,32 @@ NumberedWarnings step_warnings(const CompiledCase& scene) {
                " of its peak; give at most " + significant(limit, 2) + " s, or step = \"auto\""}};
 }
 
+NumberedWarnings jump_warnings(const CompiledCase& compiled) {
+  const Scene& scene = compiled.scene;
+  if (scene.time.inertia || scene.time.scheme != TimeScheme::generalised_alpha || shortest_duration(scene) > 0.)
+    return {};
+  const double step = scene.time.step.value_or(step_of_loads(scene, 2).largest_step);
+  return {
+      {"jump_with_alpha", step, 0., "s",
+       "a load jumps, which generalised_alpha without inertia answers with pressures that swing from step to step "
+       "and stay wrong for good, tens of percent where the step (" +
+           significant(step) +
+           " s) is not far shorter than the soil drains in; write time.scheme = \"sdirk4\", or give the load a rise"}};
+}
+
 NumberedWarnings mesh_warnings(const CompiledCase& scene) {
   const std::optional<double> time = passing_time(scene);
   if (!time || !scene.compiled.caisson || scene.accuracy) return {};
   const MeshRule rule = scene.space->degree() == 2 ? of_degree_2 : of_degree_3;
   NumberedWarnings list;
   const double duration = shortest_duration(scene.scene);
-  for (const WaveResolution& at : wave_resolution(scene.scene, *scene.mesh, *scene.compiled.caisson, duration))
+  for (const WaveResolution& at :
+       wave_resolution(scene.scene, *scene.mesh, *scene.compiled.caisson, duration, scene.soil_state))
     if (const double n = at.cells_per_wave(); n < rule.cells)
       list.push_back({"mesh_too_coarse", n, rule.cells, "1",
-                      "region '" + at.region + "' has cells of " + significant(at.cell, 2) +
-                          " m near the caisson, " + significant(n, 2) + " to a shear wave of " +
-                          significant(at.wavelength, 2) + " m: the history of F_T may err by " +
+                      "region '" + at.region + "' has cells of " + significant(at.cell, 2) + " m near the caisson, " +
+                          significant(n, 2) + " to a shear wave of " + significant(at.wavelength, 2) +
+                          " m: the history of F_T may err by " +
                           percent(rule.error * std::pow(rule.cells / n, rule.order)) +
                           " of its peak; refine the mesh, or write mesh.refine = \"auto\""});
   return list;

@@ -12,23 +12,19 @@ std::optional<double> passing_time(const CompiledCase& scene) {
   if (!scene.scene.time.inertia || !std::isfinite(duration)) return std::nullopt;
   double time = duration;
   if (scene.compiled.caisson)
-    for (const WaveResolution& at : wave_resolution(scene.scene, *scene.mesh, *scene.compiled.caisson, duration))
+    for (const WaveResolution& at :
+         wave_resolution(scene.scene, *scene.mesh, *scene.compiled.caisson, duration, scene.soil_state))
       time = std::max(time, at.wavelength / at.speed);
   return time > 0. ? std::optional(time) : std::nullopt;
 }
 
 NumberedWarnings scene_warnings(const Case& input, const CompiledCase& scene, const std::optional<double>& peak_time) {
   NumberedWarnings all;
-  for (const NumberedWarnings& part : {step_warnings(scene), mesh_warnings(scene), wall_warnings(scene, peak_time),
-                                 load_warnings(scene), skin_warnings(scene), history_warnings(input)})
+  for (const NumberedWarnings& part :
+       {step_warnings(scene), jump_warnings(scene), mesh_warnings(scene), wall_warnings(scene, peak_time),
+        load_warnings(scene), skin_warnings(scene), history_warnings(input)})
     all.insert(all.end(), part.begin(), part.end());
   return all;
-}
-
-std::string describe(const NumberedWarnings& warnings) {
-  std::string text;
-  for (const NumberedWarning& warning : warnings) text += "warning: " + warning.name + ": " + warning.text + "\n";
-  return text;
 }
 
 }  // namespace upbead

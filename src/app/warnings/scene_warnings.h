@@ -17,11 +17,16 @@ std::optional<double> passing_time(const CompiledCase& scene);
 /// (order 2). None where a reduced model answers.
 NumberedWarnings step_warnings(const CompiledCase& scene);
 
-/// mesh_too_coarse: fewer than 4 cells to a wave (response/wave_resolution.h), 2.5 where u is of degree 3.
+/// jump_with_alpha: consolidation under a load that jumps, marched by generalised-alpha.
+NumberedWarnings jump_warnings(const CompiledCase& scene);
+
+/// mesh_too_coarse: fewer than 4 cells to a wave (response/wave_resolution.h), 3 where u is of degree 3; not
+/// where the mesh was made for the tolerance.
 NumberedWarnings mesh_warnings(const CompiledCase& scene);
 
-/// walls_too_near: the first echo of a far side is back before the end, and the loads are shorter than it takes, or the
-/// side is nearer than the caisson is wide. `peak_time`: of F_T, where that is known.
+/// walls_too_near: the first echo of a far side is back before the end (of sides beyond 5 B before 1/1.2 of it),
+/// and the loads are shorter than it takes, or the side is nearer than the caisson is wide. `peak_time`: of F_T, where
+/// that is known.
 NumberedWarnings wall_warnings(const CompiledCase& scene, const std::optional<double>& peak_time);
 
 /// fast_load: all that pushes the rigid caisson is over before sound has crossed it four times.
@@ -37,8 +42,5 @@ NumberedWarnings history_warnings(const Case& input);
 /// All of these.
 NumberedWarnings scene_warnings(const Case& input, const CompiledCase& scene,
                                 const std::optional<double>& peak_time = {});
-
-/// For the terminal, one line each: "warning: NAME: text".
-std::string describe(const NumberedWarnings& warnings);
 
 }  // namespace upbead

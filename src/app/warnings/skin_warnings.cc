@@ -4,6 +4,7 @@
 #include "scene_warnings.h"
 #include "upbead/base/text.h"
 #include "upbead/response/drained_skin.h"
+#include "upbead/response/step_choice.h"
 
 namespace upbead {
 
@@ -11,8 +12,8 @@ namespace {
 
 /// A pulse builds up the pressure beside the face as a jump within this share of its duration would.
 constexpr double share_of_pulse = 1. / 6.;
-/// Beside the face so many cells are wrong.
-constexpr double reach = 2.;
+/// Beside the face so many cells are wrong: the first one, and a little of the next.
+constexpr double reach = 1.2;
 
 double distance(const dealii::Point<dim>& point, const DrainedFace& face) {
   const auto along = face.last - face.first;
@@ -20,12 +21,25 @@ double distance(const dealii::Point<dim>& point, const DrainedFace& face) {
   return point.distance(face.first + share * along);
 }
 
-/// Name of a probe within reach of the face; "fields" where there are fields; else "".
+/// Whether a point lies on the soil's side.
+bool is_inside(const dealii::Point<dim>& point, const DrainedFace& face) {
+  return (point - face.first) * (face.inside - face.first) >= 0.;
+}
+
+/// Name of a probe in the soil, within reach of the face; "fields" where there are fields; else "".
 std::string onlooker(const Scene& scene, const DrainedFace& face) {
   if (scene.fields_every) return "fields";
   for (const auto& [name, probe] : scene.probes)
-    if (distance({probe.at[0], probe.at[1]}, face) < reach * face.cell) return "probe '" + name + "'";
+    if (is_inside({probe.at[0], probe.at[1]}, face) && distance({probe.at[0], probe.at[1]}, face) < reach * face.cell)
+      return "probe '" + name + "'";
   return "";
+}
+
+/// Within which the loads change (s): a share of their duration, or the step at a jump.
+double build_up(const Scene& scene) {
+  const double duration = shortest_duration(scene);
+  const double jump = duration > 0. ? 0. : step_of_loads(scene, 4).largest_step;
+  return std::max(share_of_pulse * duration, scene.time.step.value_or(jump));
 }
 
 }  // namespace
@@ -34,8 +48,7 @@ NumberedWarnings skin_warnings(const CompiledCase& compiled) {
   const Scene& scene = compiled.scene;
   if (scene.probes.empty() && !scene.fields_every) return {};
   const int degree = compiled.space->degree() - 1;
-  const double duration = shortest_duration(scene);
-  const double step = scene.time.step.value_or(0.), time = std::max(share_of_pulse * duration, step);
+  const double time = build_up(scene);
   if (!(time > 0.) || time > scene.time.end) return {};
   std::map<std::string, NumberedWarning> worst;  // by soil
   for (const DrainedFace& face : drained_faces(scene, *compiled.mesh)) {

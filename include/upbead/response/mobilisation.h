@@ -1,0 +1,59 @@
+// How much of a soil's Mohr-Coulomb strength static plus dynamic stresses take.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "upbead/fem/static_stage.h"
+#include "upbead/fem/unknowns.h"
+
+namespace upbead {
+
+/// Of one region. The mobilisation of a cell, at its middle, is r / (c cos phi + s sin phi), r the radius and s the
+/// middle of Mohr's circle of effective stresses in the plane: 1 where the circle touches the straight line of Coulomb.
+/// It ends at 10, which stands for more and for stresses beyond the tip of the cone.
+struct MobilisedStrength {
+  std::string region;
+  double initial = 0.;        ///< largest at rest
+  double initial_share = 0.;  ///< of the area, where it exceeds 1 at rest
+  double largest = 0.;        ///< largest at any time
+  dealii::Point<dim> at;      ///< where that is (m)
+  double time = 0.;           ///< and when (s)
+  double share = 0.;          ///< of the area, where it exceeded 1 at some time
+  double left_out = 0.;       ///< of the area, where s at rest is below a tenth of the region's mean: free surfaces
+};
+
+/// Follows the stresses of all cells of regions with a strength.
+class Mobilisation {
+ public:
+  /// `rest`: the static state; `k0`: s'_x = K_0 s'_y of it, where that is given. Keeps what it needs of all.
+  Mobilisation(const Space& space, const Unknowns& unknowns, const Scene& scene, const EffectiveStress& rest,
+               const std::optional<double>& k0);
+  void see(const State& state);
+  std::vector<MobilisedStrength> found() const;
+
+  /// All that it remembers of the states it has seen, and back.
+  std::vector<double> memory() const;
+  void recall(const std::vector<double>& memory);
+
+ private:
+  struct Soil {
+    dealii::Point<dim> middle;
+    std::size_t region = 0;
+    double area = 0.;
+    double middle_stress = 0., half_difference = 0., shear = 0.;  ///< at rest: s, (s'_x - s'_y)/2, tau (Pa)
+    double sine = 0., apex = 0.;                                  ///< sin phi, c cos phi (Pa)
+    bool counts = true;
+
+    double mobilisation(double s, double difference, double tau) const;
+  };
+
+  void leave_out_free_surfaces();
+
+  std::vector<std::string> regions_;
+  std::vector<Soil> cells_;
+  SparseMatrix sum_, difference_, shear_;  ///< changes of s, (s'_x - s'_y)/2, tau over the unknowns
+  std::vector<double> largest_, time_;     ///< by cell
+};
+
+}  // namespace upbead

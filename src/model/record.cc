@@ -1,0 +1,225 @@
+#include "upbead/model/record.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "upbead/base/text.h"
+
+namespace upbead {
+
+namespace {
+
+constexpr double exactly = 1e-6;  ///< of the range: samples that are meant to be equal
+constexpr std::size_t least_flat = 5;
+constexpr double least_drift = 0.03, most_drift = 0.5;  ///< of the peak; beyond, a load that lasts
+constexpr int least_in_rise = 20;
+
+struct Extent {
+  double least, most;
+  double range() const { return most - least; }
+  double size() const { return std::max(std::abs(least), std::abs(most)); }
+};
+
+Extent extent_of(const std::vector<double>& value) {
+  const auto [least, most] = std::minmax_element(value.begin(), value.end());
+  return {*least, *most};
+}
+
+double mean(const std::vector<double>& value, std::size_t first, std::size_t last) {
+  double sum = 0.;
+  for (std::size_t i = first; i < last; ++i) sum += value[i];
+  return sum / static_cast<double>(last - first);
+}
+
+/// Which an event that begins early does not move.
+double median(const std::vector<double>& value, std::size_t first, std::size_t last) {
+  std::vector<double> part(value.begin() + static_cast<std::ptrdiff_t>(first),
+                           value.begin() + static_cast<std::ptrdiff_t>(last));
+  const auto middle = part.begin() + static_cast<std::ptrdiff_t>(part.size() / 2);
+  std::nth_element(part.begin(), middle, part.end());
+  return *middle;
+}
+
+/// The warnings of one record that is not dead.
+class Inspection {
+ public:
+  explicit Inspection(const Record& record)
+      : who_("record '" + record.name + "'"),
+        time_(record.time),
+        value_(record.value),
+        n_(value_.size()),
+        extent_(extent_of(value_)),
+        at_ends_(std::max<std::size_t>(5, n_ / 50)),
+        start_(median(value_, 0, at_ends_)) {
+    for (std::size_t i = 0; i < n_; ++i)
+      if (std::abs(value_[i] - start_) > std::abs(value_[top_] - start_)) top_ = i;
+    peak_ = std::abs(value_[top_] - start_);
+  }
+
+  NumberedWarnings run() {
+    check_saturation(1., extent_.most);
+    check_saturation(-1., extent_.least);
+    check_end();
+    check_before_the_event();
+    check_rise();
+    check_spikes();
+    return std::move(list_);
+  }
+
+ private:
+  void add(const std::string& name, double value, double limit, const std::string& text) {
+    list_.push_back({name, value, limit, "1", who_ + " " + text});
+  }
+
+  bool rests(std::size_t first, std::size_t last) const {
+    const auto [least, most] = std::minmax_element(value_.begin() + static_cast<std::ptrdiff_t>(first),
+                                                   value_.begin() + static_cast<std::ptrdiff_t>(last));
+    return *most - *least <= 0.1 * peak_;
+  }
+
+  /// A run of equal samples at an extreme that the record comes to and leaves. `sign`: of the extreme.
+  void check_saturation(double sign, double extreme) {
+    const auto is_there = [&](std::size_t i) { return std::abs(value_[i] - extreme) <= exactly * extent_.range(); };
+    const auto is_away = [&](std::size_t i) { return sign * (extreme - value_[i]) > 0.1 * extent_.range(); };
+    for (std::size_t i = 0; i < n_; ++i) {
+      if (!is_there(i)) continue;
+      std::size_t end = i;
+      while (end < n_ && is_there(end)) ++end;
+      bool came = false, left = false;
+      for (std::size_t j = 0; j < i; ++j) came = came || is_away(j);
+      for (std::size_t j = end; j < n_; ++j) left = left || is_away(j);
+      // a record that rests at zero between its events is no instrument at its end
+      const bool rests = std::abs(extreme - start_) <= 0.1 * extent_.range();
+      if (end - i >= least_flat && came && left && !rests)
+        return add("record_saturated", static_cast<double>(end - i), static_cast<double>(least_flat),
+                   "holds its extreme value " + significant(extreme) + " for " + std::to_string(end - i) +
+                       " samples at t = " + significant(time_[i]) +
+                       " s: the instrument was at its end, the true peak is larger; use a record that is not cut");
+      i = end;
+    }
+  }
+
+  void check_end() {
+    const double drift = std::abs(median(value_, n_ - at_ends_, n_) - start_) / peak_;
+    if (!rests(0, at_ends_) || !rests(n_ - at_ends_, n_)) return;  // it is still on its way
+    if (drift > least_drift && drift < most_drift)
+      add("record_drifting", drift, least_drift,
+          "ends " + significant(100. * drift, 2) +
+              " % of its peak away from where it starts: it drifts, or is cut before it has come back; take the drift "
+              "off, or give a longer record");
+  }
+
+  /// The trend of what comes before the first time that a tenth of the peak is reached.
+  void check_before_the_event() {
+    std::size_t event = 0;
+    while (event < n_ && std::abs(value_[event] - start_) <= 0.1 * peak_) ++event;
+    if (event < 4 * least_flat) return;
+    const std::size_t part = event / 4;  // the event's own foot is no drift
+    const double drift = std::abs(mean(value_, event / 2, event / 2 + part) - mean(value_, 0, part)) / peak_;
+    if (drift > least_drift)
+      add("record_drifting", drift, least_drift,
+          "moves by " + significant(100. * drift, 2) + " % of its peak before anything happens, until t = " +
+              significant(time_[event]) + " s: it drifts; take the trend off");
+  }
+
+  void check_rise() {
+    std::size_t foot = top_;
+    while (foot > 0 && std::abs(value_[foot] - start_) > 0.1 * peak_) --foot;
+    const int n = static_cast<int>(top_ - foot);
+    if (n < least_in_rise && foot > 0)
+      add("record_too_coarse", n, least_in_rise,
+          "has " + std::to_string(n) + " samples in its rise of " + significant(time_[top_] - time_[foot]) +
+              " s to its peak, fewer than " + std::to_string(least_in_rise) +
+              ": the true peak may lie between them; sample every " +
+              significant((time_[top_] - time_[foot]) / least_in_rise, 2) + " s");
+  }
+
+  void check_spikes() {
+    int spikes = 0;
+    double when = 0.;
+    for (std::size_t i = 1; i + 1 < n_; ++i) {
+      const double a = value_[i - 1], b = value_[i], c = value_[i + 1], range = extent_.range();
+      if (std::abs(a - c) > 0.05 * range || std::min(std::abs(b - a), std::abs(b - c)) < 0.2 * range) continue;
+      if (spikes++ == 0) when = time_[i];
+    }
+    if (spikes > 0)
+      add("record_spikes", spikes, 0.,
+          "has " + std::to_string(spikes) + " lone samples far off both neighbours, the first at t = " +
+              significant(when) + " s: faults of the instrument, or it is sampled too coarsely; take them out");
+  }
+
+  std::string who_;
+  const std::vector<double>&time_, &value_;
+  std::size_t n_;
+  Extent extent_;
+  std::size_t at_ends_;  ///< samples that stand for the start, and for the end
+  double start_;
+  std::size_t top_ = 0;  ///< farthest from the start
+  double peak_ = 0.;
+  NumberedWarnings list_;
+};
+
+/// Sum over time and height of squared second differences of the pressures.
+double roughness(const std::vector<RecordAtHeight>& at, const std::vector<std::size_t>& order) {
+  double sum = 0.;
+  for (std::size_t i = 1; i + 1 < at.size(); ++i) {
+    const double below = at[i].height - at[i - 1].height, above = at[i + 1].height - at[i].height;
+    const auto &p = at[order[i - 1]].record.value, &q = at[order[i]].record.value, &r = at[order[i + 1]].record.value;
+    for (std::size_t t = 0; t < q.size(); ++t) {
+      const double bend = q[t] - (above * p[t] + below * r[t]) / (above + below);
+      sum += bend * bend;
+    }
+  }
+  return sum;
+}
+
+}  // namespace
+
+bool is_measured(const Record& record) {
+  const std::vector<double>& t = record.time;
+  if (t.size() < 10) return false;
+  if (t.size() >= 50) return true;
+  const double interval = (t.back() - t.front()) / static_cast<double>(t.size() - 1);
+  for (std::size_t i = 1; i < t.size(); ++i)
+    if (std::abs(t[i] - t[i - 1] - interval) > 0.01 * interval) return false;
+  return true;
+}
+
+NumberedWarnings record_warnings(const Record& record) {
+  if (!is_measured(record)) return {};
+  const Extent extent = extent_of(record.value);
+  if (extent.range() <= exactly * extent.size())
+    return {{"record_dead", extent.range(), exactly * extent.size(), "1",
+             "record '" + record.name + "' has the same value " + significant(extent.most) +
+                 " throughout: the instrument was dead; leave it out, or write it as a pulse if it is meant"}};
+  return Inspection(record).run();
+}
+
+NumberedWarnings swapped_records(const std::vector<RecordAtHeight>& records) {
+  constexpr double limit = 0.25;
+  if (records.size() < 4) return {};
+  std::vector<std::size_t> order(records.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  const double as_given = roughness(records, order);
+  double least = as_given;
+  std::pair<std::size_t, std::size_t> pair{0, 0};
+  for (std::size_t i = 0; i < order.size(); ++i)
+    for (std::size_t j = i + 1; j < order.size(); ++j) {
+      std::swap(order[i], order[j]);
+      if (const double now = roughness(records, order); now < least) {
+        least = now;
+        pair = {i, j};
+      }
+      std::swap(order[i], order[j]);
+    }
+  if (least >= limit * as_given) return {};
+  const auto& [a, b] = pair;
+  return {{"records_swapped", least / as_given, limit, "1",
+           "records '" + records[a].record.name + "' and '" + records[b].record.name +
+               "' look exchanged: with them at each other's height, " + significant(records[b].height) + " and " +
+               significant(records[a].height) + " m, the pressures bend " + significant(as_given / least, 2) +
+               " times less over the height; look at the cables, or at the list of heights"}};
+}
+
+}  // namespace upbead

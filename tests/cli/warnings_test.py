@@ -1,0 +1,271 @@
+#!/usr/bin/python3
+"""Numbers that look right and are not: each warning where a scene is built for it, with the number that it was built
+with, and no warning in the shipped cases.
+
+usage: warnings_test.py PROGRAM CASES_FOLDER [--facts FILE]   FILE: facts for docs/reliability.md
+"""
+
+import json
+import math
+import pathlib
+import re
+import sys
+import unittest
+
+import h5py
+import numpy
+
+from program import CASES, ProgramTest, upbead
+
+SCENE = """
+[mesh]
+geometry = "composite"
+[mesh.parameters]
+seabed_front = 60
+seabed_back = 60
+cells = 0.5
+[regions.seabed]
+kind = "porous"
+shear_modulus = 30e6
+poissons_ratio = 0.33
+porosity = 0.4
+grain_density = 2650.0
+hydraulic_conductivity = 1e-4
+damping = { ratio = 0.05, frequencies = [1, 10] }
+[regions.mound]
+kind = "porous"
+shear_modulus = 50e6
+poissons_ratio = 0.3
+porosity = 0.4
+grain_density = 2650.0
+hydraulic_conductivity = 0.15
+damping = { ratio = 0.05, frequencies = [1, 10] }
+[regions.caisson]
+kind = "rigid"
+density = 2100.0
+[boundaries]
+base = { displacement = "fixed", pressure = "sealed" }
+left = { displacement = "roller", pressure = "sealed" }
+right = { displacement = "roller", pressure = "sealed" }
+bed = { pressure = "open" }
+mound_surface = { pressure = "open" }
+front = {}
+back = {}
+top = {}
+[loads.impulse]
+boundary = "front"
+kind = "force"
+pulse = { shape = "triangle", peak = 1e6, duration = 0.15 }
+[time]
+end = 0.6
+"""
+WIDTH, MOUND_DENSITY = 18.0, 0.6 * 2650 + 0.4 * 1030
+SHEAR_SPEED = math.sqrt(30e6 / MOUND_DENSITY)
+PASSING = 0.15 + WIDTH / SHEAR_SPEED
+LEVEL = ["--set", "initial.water_level=15.0"]
+WEIGHT = ["--set", "sliding={ friction = 0.6, buoyant_weight = 4.3e6 }"]
+facts = {}
+
+
+def settings(**values):
+    return [text for key, value in values.items() for text in ("--set", f"{key.replace('__', '.')}={value}")]
+
+
+class Warnings(ProgramTest):
+    def ask(self, command, *arguments, scene=SCENE):
+        """Warnings of a scene by name, the summary and stderr."""
+        (self.folder / "scene.toml").write_text(scene)
+        out = ["--out", self.folder / "out"] if command == "run" else []
+        done = upbead(command, self.folder / "scene.toml", "--json", *arguments, *out)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        summary = json.loads(done.stdout)
+        for warning in summary["warnings"]:
+            self.assertIn(f"warning: {warning['name']}: {warning['text']}\n", done.stderr)
+        return {warning["name"]: warning for warning in summary["warnings"]}, summary
+
+    def expect(self, found, name, value=None, limit=None, places=6):
+        self.assertEqual(list(found), [name])
+        if value is not None:
+            self.assertAlmostEqual(found[name]["value"] / value, 1, places)
+        if limit is not None:
+            self.assertAlmostEqual(found[name]["limit"] / limit, 1, places)
+        facts[name] = found[name]["text"]
+        return found[name]
+
+    def test_a_sound_scene_has_none(self):
+        for command in ("explain", "run"):
+            self.assertEqual(self.ask(command)[0], {})
+        self.assertEqual(self.ask("run", *LEVEL, *WEIGHT)[0], {})
+
+    def test_step_too_coarse(self):
+        found, _ = self.ask("explain", *settings(time__step=0.05, time__scheme="sdirk4"))
+        self.expect(found, "step_too_coarse", 0.05, PASSING / 8)
+        found, _ = self.ask("explain", *settings(time__step=0.012, time__scheme="generalised_alpha"))
+        self.expect(found, "step_too_coarse", 0.012, PASSING / 32)
+        self.assertEqual(self.ask("explain", *settings(time__step=0.035, time__scheme="sdirk4"))[0], {})
+        self.assertEqual(self.ask("explain", *settings(time__step=0.05, time__scheme="reduced"))[0], {})
+
+    def test_a_step_that_is_told_to_be_too_coarse_is(self):
+        def history(*arguments):
+            self.ask("run", *arguments)
+            with h5py.File(self.folder / "out/results.h5") as file:
+                return file["history/time"][:], file["history/shear_force"][:]
+
+        fine = history(*settings(time__step=0.002, time__scheme="sdirk4"))
+        for step, scheme, order in ((0.075, "sdirk4", 2.5), (0.02, "generalised_alpha", 2)):
+            time, force = history(*settings(time__step=step, time__scheme=scheme))
+            error = abs(force - numpy.interp(time, *fine)).max() / abs(fine[1]).max()
+            told = 0.015 * (8 * step / PASSING) ** order if order == 2.5 else 0.02 * (32 * step / PASSING) ** order
+            self.assertGreater(error, 0.25 * told)
+            self.assertLess(error, 4 * told)
+
+    def test_jump_with_alpha(self):
+        jump = ["--set", 'loads.impulse.pulse={ shape = "step", peak = 1e6 }', *settings(
+            time__inertia="false", time__scheme='"generalised_alpha"', time__step=0.005, probes__A__at="[3.0, -8.0]")]
+        found, _ = self.ask("run", *jump)
+        self.expect(found, "jump_with_alpha", 0.005)
+
+        def last(*arguments):
+            self.ask("run", *jump, *arguments)
+            with h5py.File(self.folder / "out/results.h5") as file:
+                return file["history/probes/A/pressure"][-1]
+
+        self.assertEqual(self.ask("run", *jump, "--set", "time.scheme=sdirk4")[0], {})
+        self.assertGreater(abs(last() / last("--set", "time.scheme=sdirk4") - 1), 0.1, "what is told is so")
+        self.assertEqual(self.ask("explain", *jump, "--set", "loads.impulse.pulse.rise=0.05")[0], {})
+
+    def test_mesh_too_coarse(self):
+        found, _ = self.ask("explain", *settings(mesh__parameters__cells=0.2))
+        warning = self.expect(found, "mesh_too_coarse", limit=4)
+        self.assertLess(warning["value"], 4)
+        self.assertIn("region 'seabed'", warning["text"])
+        self.assertEqual(self.ask("explain", *settings(mesh__parameters__cells=0.35))[0], {})
+
+    def test_walls_too_near(self):
+        echo = 2 * 60 / SHEAR_SPEED
+        found, _ = self.ask("run", *settings(time__end=1.2))
+        self.assertNotIn("peak", self.expect(found, "walls_too_near", echo, 1.2)["text"])
+        slow = settings(time__end=5, loads__impulse__pulse__duration=3)
+        self.assertEqual(self.ask("explain", *slow)[0], {})
+        near = settings(mesh__parameters__seabed_front=6)
+        found, _ = self.ask("run", *slow, *near)
+        self.assertIn("its peak at", self.expect(found, "walls_too_near", 2 * 6 / SHEAR_SPEED, 5)["text"])
+
+    def test_fast_load(self):
+        speed = math.sqrt(30e9 * 0.8 / (1.2 * 0.6) / 2100)
+        fast = settings(loads__impulse__pulse__duration=0.01)
+        found, _ = self.ask("explain", *fast)
+        self.expect(found, "fast_load", 0.01, 4 * WIDTH / speed)
+        elastic = SCENE.replace('kind = "rigid"', 'kind = "solid"\nyoungs_modulus = 30e9\npoissons_ratio = 0.2')
+        self.assertEqual(self.ask("explain", *fast, scene=elastic)[0], {})
+        jump = settings(loads__impulse__pulse__rise=0)
+        self.assertEqual(self.ask("explain", *jump)[0], {})
+
+    def test_smallest_step(self):
+        found, _ = self.ask("explain", *settings(probes__A__at="[0.0, -0.2]"))
+        warning = self.expect(found, "smallest_step", 0.15 / 6)
+        self.assertGreater(warning["limit"], warning["value"])
+        self.assertIn("probe 'A': where 'seabed' drains into 'mound'", warning["text"])
+        self.assertEqual(self.ask("explain", *settings(probes__A__at="[0.0, -12.0]"))[0], {})
+
+    def record(self, **changes):
+        """A smooth pulse of 0.15 s, every ms; `changes` by time."""
+        rows = []
+        for i in range(600):
+            t = i * changes.get("every", 1e-3)
+            value = 5e5 * (1 - math.cos(2 * math.pi * (t - 0.1) / 0.15)) if 0.1 < t < 0.25 else 0.0
+            rows.append(f"{t},{changes.get('change', lambda t, v: v)(t, value)}")
+        (self.folder / "record.csv").write_text("time_s,force\n" + "\n".join(rows) + "\n")
+        return SCENE.replace('pulse = { shape = "triangle", peak = 1e6, duration = 0.15 }', 'history = "record.csv"')
+
+    def test_records(self):
+        self.assertEqual(self.ask("explain", scene=self.record())[0], {})
+        for name, value, change in (
+            ("record_dead", None, lambda t, v: 1e6),
+            ("record_saturated", None, lambda t, v: min(v, 8e5)),
+            ("record_drifting", 0.1, lambda t, v: v + 1e5 * (t > 0.2)),
+            ("record_spikes", 2, lambda t, v: 6e5 if round(t, 6) in (0.4, 0.5) else v),
+        ):
+            found, _ = self.ask("explain", scene=self.record(change=change))
+            self.assertIn("loads.impulse", self.expect(found, name, value, places=1)["text"])
+        found, _ = self.ask("explain", scene=self.record(every=0.01), *settings(time__end=6))
+        found.pop("walls_too_near")
+        self.expect(found, "record_too_coarse", 6)
+
+    def test_cavitation(self):
+        strong = settings(loads__impulse__factor=20)
+        for scheme in ("reduced", "sdirk4"):
+            found, _ = self.ask("run", *LEVEL, *strong, "--set", f"time.scheme={scheme}")
+            warning = found["cavitation"]
+            self.assertEqual(warning["limit"], 2339)
+            region, x, y, kpa, time = re.search(
+                r"'(\w+)' at \((\S+), (\S+)\) m would come to (\S+) kPa absolute at (\S+) s", warning["text"]).groups()
+            facts[f"cavitation, {scheme}"] = warning["text"]
+            _, _ = self.ask("run", *LEVEL, *strong, "--set", f"probes.A.at=[{x}, {float(y) - 0.01}]",
+                            "--set", "time.scheme=sdirk4", "--set", "time.step=0.005")
+            with h5py.File(self.folder / "out/results.h5") as file:
+                excess = file["history/probes/A/pressure"][:].min()
+            still = 101325 + 1030 * 9.81 * (15 - float(y))
+            self.assertAlmostEqual((warning["value"] - still) / excess, 1, delta=0.1)
+            self.assertAlmostEqual(warning["value"] / 1e3, float(kpa), delta=0.01 * abs(float(kpa)))
+        found, summary = self.ask("run", *strong)
+        self.assertNotIn("cavitation", found)
+        self.assertIn("cavitation of the water", [item["what"] for item in summary["skipped"]])
+
+    def test_strength(self):
+        soil = settings(regions__mound__strength__friction_angle=40, regions__seabed__strength__friction_angle=35)
+        found, summary = self.ask("run", *LEVEL, *soil, *settings(loads__impulse__factor=4))
+        self.assertEqual(summary["discretisation"]["scheme"], "sdirk4")
+        self.assertEqual([part["region"] for part in summary["strength"]], ["seabed", "mound"])
+        for part in summary["strength"]:
+            self.assertLess(part["initial"], part["largest"])
+            self.assertLessEqual(part["initial_share"], part["share"])
+            self.assertLess(part["left_out"], 0.25)
+        largest = max(part["largest"] for part in summary["strength"])
+        self.assertGreater(largest, 1)
+        self.assertEqual(found["strength"]["limit"], 1)
+        facts["strength"] = found["strength"]["text"]
+        found, summary = self.ask("run", *LEVEL, *soil, *settings(loads__impulse__factor=1e-3))
+        self.assertEqual(found, {})
+        for part in summary["strength"]:
+            self.assertAlmostEqual(part["largest"], part["initial"], delta=0.02 * part["initial"])
+        found, summary = self.ask("run")
+        self.assertIn("strength of the soil", [item["what"] for item in summary["skipped"]])
+
+    def test_would_lift(self):
+        found, _ = self.ask("run", *WEIGHT, *settings(loads__impulse__factor=8))
+        with h5py.File(self.folder / "out/results.h5") as file:
+            at = {name: file[f"history/{name}"][:]
+                  for name in ("normal_force", "uplift", "base_moment", "uplift_moment")}
+        N, M = 4.3e6 + at["normal_force"] - at["uplift"], at["base_moment"] + at["uplift_moment"]
+        edge = N / WIDTH - 6 * abs(M) / (1.26 * WIDTH**2)
+        self.expect(found, "would_lift", edge.min())
+        self.assertLess(edge.min(), 0)
+        tied = settings(regions__caisson__interface__kind='"friction"')
+        self.assertNotIn("would_lift", self.ask("run", *WEIGHT, *settings(loads__impulse__factor=8), *tied)[0])
+
+    def test_shipped_cases_have_none(self):
+        for case in ("fig2b-model", "fig2b-prototype", "one-soil/model", "one-soil/prototype"):
+            done = upbead("run", CASES / f"{case}.toml", "--out", self.folder / "out")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            names = [w["name"] for w in json.loads((self.folder / "out/summary.json").read_text())["warnings"]]
+            facts[f"shipped: {case}"] = ", ".join(names) or "none"
+            self.assertEqual(names, [], done.stderr)
+
+
+def write_facts(path):
+    rows = [{"what": name, "tried": "a shipped case" if name.startswith("shipped") else "a scene built for it",
+             "came_out": text} for name, text in sorted(facts.items())]
+    pathlib.Path(path).write_text(json.dumps({
+        "title": "Numbers that look right and are not",
+        "text": "A scene was built for each warning; its number was compared with the one that the scene was built "
+                "with, or with the histories of the run. The shipped cases bring none.",
+        "command": "/usr/bin/python3 tests/cli/warnings_test.py build/upbead cases --facts docs/reliability/warnings.json",
+        "figure": None, "rows": rows}, indent=2) + "\n")
+
+
+if __name__ == "__main__":
+    result = unittest.main(argv=["warnings_test.py"], exit=False).result
+    if "--facts" in sys.argv and result.wasSuccessful():
+        write_facts(sys.argv[sys.argv.index("--facts") + 1])
+    sys.exit(not result.wasSuccessful())

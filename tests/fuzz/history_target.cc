@@ -1,0 +1,61 @@
+// A table that is read holds finite numbers; a history made of it is finite, and passes through its samples.
+#include <cmath>
+
+#include "case_history.h"
+#include "target.h"
+#include "upbead/app/wave_files.h"
+#include "upbead/base/csv.h"
+#include "wave_grid.h"
+
+namespace upbead::fuzz {
+
+namespace {
+
+void check_table(const CsvTable& table) {
+  require(table.n_rows() > 0 && table.columns.size() == table.names.size(), "a table has rows and named columns");
+  for (const std::vector<double>& column : table.columns) {
+    require(column.size() == table.n_rows(), "all columns are as long");
+    for (const double number : column) require(std::isfinite(number), "numbers are finite");
+  }
+}
+
+void check_function(const TimeFunction& f) {
+  const std::vector<double>& time = f.samples();
+  for (std::size_t i = 0; i < time.size(); ++i) {
+    require(std::isfinite(f(time[i])), "a history is finite at its samples");
+    if (i > 0) require(std::isfinite(f(0.5 * (time[i - 1] + time[i]))), "a history is finite between its samples");
+  }
+  if (time.size() > 40) return;  // the rest takes a while
+  require(std::isfinite(integral(f, 0., time.back())), "the integral of a history is finite");
+  const Extremum highest = extremum(f, 0., time.back(), 1), lowest = extremum(f, 0., time.back(), -1);
+  require(highest.value >= lowest.value, "the highest value is not below the lowest");
+}
+
+void check_waves(const WaveFile& file) {
+  for (int w = 0; w < file.n_waves(); ++w) require(file.wave(w).allFinite(), "waves are finite");
+  constexpr double many = 1000.;
+  const double end = file.time.back();
+  const WaveGrid grid = make_wave_grid(file.time, end / many, end);
+  for (int w = 0; w < file.n_waves(); ++w) {
+    const SampledLoads loads = with_jumps(on_grid(file, w, grid.time), grid);
+    require(loads.begin.allFinite() && loads.end.allFinite(), "waves are finite on a grid");
+  }
+}
+
+}  // namespace
+
+void try_history(std::string_view bytes) {
+  const std::string path = memory_file("history.csv", bytes);
+  const Place key{"case.toml", 1, 1};
+  if (!read_or_refuse([&] { check_table(read_csv(path, key)); })) return;
+  Load load;
+  if (read_or_refuse([&] { read_history(path, key, 1., load); })) {
+    check_function(load.history);
+    require(load.duration.value_or(0.) >= 0., "a duration is a number, not below zero");
+  }
+  read_or_refuse([&] { check_function(read_uplift(path, key)); });
+  read_or_refuse([&] { check_waves(read_wave_files({path}, {"impact", "slow"}).front()); });
+  read_or_refuse([&] { check_waves(read_wave_files({path}, {"impact"}).front()); });
+}
+
+}  // namespace upbead::fuzz

@@ -1,0 +1,12 @@
+// A script is scanned to its end, whatever stands in it; parameters have names.
+#include "target.h"
+#include "upbead/mesh/geo_parameters.h"
+
+namespace upbead::fuzz {
+
+void try_script(std::string_view bytes) {
+  const std::string path = memory_file("script.geo", bytes);
+  for (const GeoParameter& parameter : geo_parameters(path)) require(!parameter.name.empty(), "a parameter has a name");
+}
+
+}  // namespace upbead::fuzz

@@ -1,0 +1,122 @@
+// Claims: a sound record brings no warning, smooth, rough or with a long rest; each fault brings its own warning, and
+// no other, with the number that it was made with; the corners of an idealised history are no record; two transducers
+// that were exchanged are named.
+#include "upbead/model/record.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace upbead {
+namespace {
+
+constexpr double interval = 1e-3;  // s
+
+Record sampled(const std::function<double(double)>& f, double end = 1., double every = interval) {
+  Record record{"force", {}, {}};
+  for (int i = 0; i * every <= end; ++i) {
+    record.time.push_back(i * every);
+    record.value.push_back(f(i * every));
+  }
+  return record;
+}
+
+/// Rises in 0.1 s from 0.2 s on, and falls in 0.3 s.
+double pulse(double t) {
+  if (t < 0.2 || t > 0.6) return 0.;
+  return t < 0.3 ? 5e5 * (1. - std::cos(M_PI * (t - 0.2) / 0.1)) : 5e5 * (1. + std::cos(M_PI * (t - 0.3) / 0.3));
+}
+
+/// A repeatable noise in [-1, 1].
+double noise(double t) {
+  return std::sin(1e4 * t) * std::sin(3.7e3 * t + 1.);
+}
+
+std::vector<std::string> names(const NumberedWarnings& list) {
+  std::vector<std::string> names;
+  for (const NumberedWarning& warning : list) names.push_back(warning.name);
+  return names;
+}
+
+using Names = std::vector<std::string>;
+
+TEST(Records, SoundOnesBringNoWarning) {
+  EXPECT_EQ(names(record_warnings(sampled(pulse))), Names());
+  EXPECT_EQ(names(record_warnings(sampled([](double t) { return -pulse(t); }))), Names());
+  EXPECT_EQ(names(record_warnings(sampled([](double t) { return pulse(t) + 1e4 * noise(t); }))), Names());
+  EXPECT_EQ(names(record_warnings(sampled([](double t) { return pulse(t) + 0.5 * pulse(t - 0.3); }))), Names());
+  EXPECT_EQ(names(record_warnings(sampled([](double t) { return 1e6 * std::sin(20. * t); }))), Names());
+}
+
+TEST(Records, StepIsNoFault) {
+  EXPECT_EQ(names(record_warnings(sampled([](double t) { return 1e6 * std::min(1., std::max(0., (t - 0.2) / 0.1)); }))),
+            Names());
+}
+
+TEST(Records, CornersAreNoRecord) {
+  EXPECT_FALSE(is_measured({"corners", {0., 0.075, 0.15}, {0., 1e6, 0.}}));
+  EXPECT_EQ(names(record_warnings({"corners", {0., 0.02, 0.15, 1.}, {1e6, 1e6, 1e6, 1e6}})), Names());
+  EXPECT_TRUE(is_measured(sampled(pulse)));
+}
+
+TEST(Records, Dead) {
+  const NumberedWarnings list = record_warnings(sampled([](double) { return 3e4; }));
+  ASSERT_EQ(names(list), Names{"record_dead"});
+  EXPECT_EQ(list[0].value, 0.);
+}
+
+TEST(Records, Saturated) {
+  const Record record = sampled([](double t) { return std::min(pulse(t), 8e5); });
+  const NumberedWarnings list = record_warnings(record);
+  ASSERT_EQ(names(list), Names{"record_saturated"});
+  EXPECT_EQ(list[0].value, std::count(record.value.begin(), record.value.end(), 8e5));
+  EXPECT_EQ(names(record_warnings(sampled([](double t) { return -std::min(pulse(t), 8e5); }))),
+            Names{"record_saturated"});
+}
+
+TEST(Records, Drifting) {
+  const NumberedWarnings list =
+      record_warnings(sampled([](double t) { return pulse(t) + 1e5 * std::max(0., t - 0.2); }));
+  ASSERT_EQ(names(list), Names{"record_drifting"});
+  EXPECT_NEAR(list[0].value, 0.0778, 0.002);  // 77.5 kN at the middle of the last twentieth, over the peak of 1.01 MN
+
+  const NumberedWarnings before =
+      record_warnings(sampled([](double t) { return pulse(t) + 4e5 * std::min(t, 0.2) * (t < 0.4); }));
+  ASSERT_EQ(names(before), Names{"record_drifting"});
+  EXPECT_NEAR(before[0].value, 0.04, 0.005);
+}
+
+TEST(Records, TooCoarse) {
+  const NumberedWarnings list = record_warnings(sampled(pulse, 1., 0.01));
+  ASSERT_EQ(names(list), Names{"record_too_coarse"});
+  EXPECT_EQ(list[0].value, 8.);  // from the last sample below a tenth, at 0.22 s, to the peak at 0.3 s
+}
+
+TEST(Records, Spikes) {
+  Record record = sampled(pulse);
+  record.value[700] = 4e5;
+  record.value[800] = -4e5;
+  const NumberedWarnings list = record_warnings(record);
+  ASSERT_EQ(names(list), Names{"record_spikes"});
+  EXPECT_EQ(list[0].value, 2.);
+}
+
+TEST(Records, SwappedTransducersAreNamed) {
+  std::vector<RecordAtHeight> wall;
+  for (int i = 0; i < 6; ++i) {
+    const double y = 2. * i, share = 1. - 0.008 * (y - 4.) * (y - 4.);
+    wall.push_back({y, sampled([share, y](double t) { return share * pulse(t - 2e-3 * y); })});
+    wall.back().record.name = "p" + std::to_string(i);
+  }
+  EXPECT_EQ(names(swapped_records(wall)), Names());
+  std::swap(wall[1].record, wall[4].record);
+  const NumberedWarnings list = swapped_records(wall);
+  ASSERT_EQ(names(list), Names{"records_swapped"});
+  EXPECT_NE(list[0].text.find("'p4' and 'p1'"), std::string::npos) << list[0].text;
+  EXPECT_LT(list[0].value, list[0].limit);
+}
+
+}  // namespace
+}  // namespace upbead

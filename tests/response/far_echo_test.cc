@@ -1,0 +1,56 @@
+// Claims: the first echo is that of the nearer side, from the mound's toe and by shear waves; absorbing sides are heard
+// in saturated ground only; a column has none, and seas do not hide the ground.
+#include "upbead/response/far_echo.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "scenes.h"
+
+namespace upbead::test {
+namespace {
+
+const double speed = std::sqrt(32.647e6 / (0.6 * 2650. + 0.4 * 1030.));
+
+Scene scene_of(DisplacementCondition sides) {
+  Scene scene = breakwater(triangle(1e6, 0.15));
+  for (const char* side : {"left", "right"}) scene.boundaries[side].displacement = sides;
+  return scene;
+}
+
+TEST(FarEcho, ComesFromTheNearerSide) {
+  const auto mesh = breakwater_mesh(0.35, {{"seabed_front", 60.}, {"seabed_back", 30.}});
+  const auto echo = first_echo(scene_of(DisplacementCondition::roller), *mesh);
+  ASSERT_TRUE(echo);
+  EXPECT_EQ(echo->side, "right");
+  EXPECT_NEAR(echo->distance, 30., 1e-9);
+  EXPECT_NEAR(echo->time(), 60. / speed, 1e-9);
+}
+
+TEST(FarEcho, OfAbsorbingSidesIsHeardInSaturatedGround) {
+  const auto mesh = breakwater_mesh(0.35);
+  Scene scene = scene_of(DisplacementCondition::absorbing);
+  const auto echo = first_echo(scene, *mesh);
+  ASSERT_TRUE(echo);
+  EXPECT_TRUE(echo->absorbing);
+  scene.regions["seabed"].flow = Flow::drained;
+  EXPECT_FALSE(first_echo(scene, *mesh));
+}
+
+TEST(FarEcho, IsOfTheGroundBelowASea) {
+  Scene scene = scene_of(DisplacementCondition::roller);
+  add_sea(scene);
+  const auto mesh = breakwater_mesh(0.35, with_sea());
+  const auto echo = first_echo(scene, *mesh);
+  ASSERT_TRUE(echo);
+  EXPECT_NEAR(echo->distance, 120., 1e-9);
+}
+
+TEST(FarEcho, ColumnHasNone) {
+  const auto mesh = column_mesh(10., 10);
+  EXPECT_FALSE(first_echo(column(sand(), triangle(1e5, 0.1)), *mesh));
+}
+
+}  // namespace
+}  // namespace upbead::test

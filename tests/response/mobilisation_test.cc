@@ -1,0 +1,72 @@
+// Claims: in a drained column under its weight s'_x = nu/(1 - nu) s'_y, so that the same share of the strength is
+// mobilised at all depths, (1 - K)/(1 + K)/sin phi, and no load on top changes that; with K_0 = 1 at rest nothing is,
+// and a load mobilises what Mohr's circle tells at the shallowest cell that counts; a load that pulls ends at 10.
+// Tolerance: round-off of the solution.
+#include "upbead/response/mobilisation.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "scenes.h"
+
+namespace upbead::test {
+namespace {
+
+constexpr double height = 10., nu = 0.33, angle = 35.;
+constexpr int cells = 20;
+const double K = nu / (1. - nu), sine = std::sin(angle * M_PI / 180.);
+
+std::vector<MobilisedStrength> find(double load, const std::optional<double>& k0) {
+  Region soil = sand();
+  soil.flow = Flow::drained;
+  soil.damping.reset();
+  soil.strength = Strength{angle, 0.};
+  Scene scene = column(soil, piecewise_linear({0., 1., 2.}, {0., load, load}));
+  scene.time.inertia = false;
+  scene.initial = InitialState{height, k0};
+  const auto mesh = column_mesh(height, cells);
+  const Compiled compiled(scene, *mesh);
+  const StaticStage rest = solve_static(compiled.resolved, *mesh);
+  Mobilisation mobilisation(compiled.space, compiled.unknowns, compiled.resolved, rest.stress, k0);
+  const auto scheme = make_scheme(compiled.scene.system);
+  MarchOptions options;
+  options.observer = [&mobilisation](const State& state, int, int) { mobilisation.see(state); };
+  march(compiled.scene.system, *scheme, make_time_grid(kinks(compiled.scene.system), 2., 0.5), options);
+
+  Mobilisation resumed(compiled.space, compiled.unknowns, compiled.resolved, rest.stress, k0);
+  resumed.recall(mobilisation.memory());
+  EXPECT_EQ(resumed.found().at(0).largest, mobilisation.found().at(0).largest);
+  return mobilisation.found();
+}
+
+TEST(Mobilisation, OfLateralEarthPressureIsTheSameEverywhere) {
+  const auto found = find(5e4, {});
+  ASSERT_EQ(found.size(), 1U);
+  const double expected = (1. - K) / (1. + K) / sine;
+  EXPECT_NEAR(found[0].initial, expected, 1e-6);
+  EXPECT_NEAR(found[0].largest, expected, 1e-6);
+  EXPECT_EQ(found[0].share, 0.);
+  EXPECT_NEAR(found[0].left_out, 0.05, 1e-9);  // the highest cell, with 0.05 of the mean stress
+}
+
+TEST(Mobilisation, OfALoadIsThatOfMohrsCircle) {
+  constexpr double q = 3e4;
+  const auto found = find(q, 1.);
+  const double depth = 1.5 * height / cells, unit_weight = 0.6 * (2650. - 1030.) * 9.81;
+  const double r = 0.5 * (1. - K) * q, s = unit_weight * depth + 0.5 * (1. + K) * q;
+  EXPECT_NEAR(found[0].initial, 0., 1e-6);
+  EXPECT_NEAR(found[0].largest, r / (s * sine), 1e-6);
+  EXPECT_NEAR(found[0].at[1], height - depth, 1e-9);
+  EXPECT_GE(found[0].time, 1.);
+}
+
+TEST(Mobilisation, OfAPullEndsAtTen) {
+  const auto found = find(-1e6, {});
+  EXPECT_EQ(found[0].largest, 10.);
+  EXPECT_NEAR(found[0].share, 0.95, 1e-9);
+  EXPECT_EQ(found[0].initial_share, 0.);
+}
+
+}  // namespace
+}  // namespace upbead::test

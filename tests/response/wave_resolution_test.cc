@@ -1,0 +1,40 @@
+// Claims: the shortest wave is V_s D + B of each region that deforms, the cell the largest within it, and half the
+// density of cells gives half the cells to a wave.
+#include "upbead/response/wave_resolution.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "scenes.h"
+
+namespace upbead::test {
+namespace {
+
+constexpr double duration = 0.15, width = 18.;  // s, m
+
+std::vector<WaveResolution> resolution(double cells) {
+  const Scene scene = breakwater(triangle(1e6, duration));
+  const auto mesh = breakwater_mesh(cells, {{"caisson_width", width}});
+  const Compiled compiled(scene, *mesh);
+  return wave_resolution(compiled.resolved, *mesh, *compiled.scene.caisson, duration);
+}
+
+TEST(WaveResolution, IsOfEveryRegionThatDeforms) {
+  const std::vector<WaveResolution> list = resolution(1.);
+  ASSERT_EQ(list.size(), 2U);
+  EXPECT_EQ(list[0].region, "mound");
+  EXPECT_EQ(list[1].region, "seabed");
+  const double speed = std::sqrt(32.647e6 / (0.6 * 2650. + 0.4 * 1030.));
+  EXPECT_NEAR(list[1].speed, speed, 1e-9);
+  EXPECT_NEAR(list[1].wavelength, speed * duration + width, 1e-9);
+  EXPECT_GT(list[1].cell, list[0].cell);
+}
+
+TEST(WaveResolution, FollowsTheMesh) {
+  const double ratio = resolution(1.)[1].cells_per_wave() / resolution(0.5)[1].cells_per_wave();
+  EXPECT_NEAR(ratio, 2., 0.2);
+}
+
+}  // namespace
+}  // namespace upbead::test

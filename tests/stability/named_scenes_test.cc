@@ -1,0 +1,42 @@
+// Claim: every scene that once broke a measure of the stability map holds all of them now, or is refused for the reason
+// that its first line states. Bounds: those of the map, see judge.h.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+#include "judge.h"
+
+namespace upbead::test {
+namespace {
+
+std::vector<std::string> scenes() {
+  std::vector<std::string> names;
+  for (const auto& file : std::filesystem::directory_iterator(UPBEAD_SCENES))
+    names.push_back(file.path().stem().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+class NamedScene : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(NamedScene, HoldsOrIsRefused) {
+  const std::string path = std::string(UPBEAD_SCENES) + "/" + GetParam() + ".toml", refused = "# refused: ";
+  std::string first;
+  std::getline(std::ifstream(path), first);
+  const Verdict verdict = judge(path);
+  if (first == "# passes") {
+    EXPECT_EQ(verdict.kind, Verdict::Kind::passed) << verdict.why;
+    return;
+  }
+  ASSERT_EQ(first.rfind(refused, 0), 0U) << "the first line tells what must come out";
+  EXPECT_EQ(verdict.kind, Verdict::Kind::refused) << verdict.why;
+  EXPECT_NE(verdict.why.find(first.substr(refused.size())), std::string::npos) << verdict.why;
+}
+
+INSTANTIATE_TEST_SUITE_P(Stability, NamedScene, ::testing::ValuesIn(scenes()),
+                         [](const auto& scene) { return scene.param; });
+
+}  // namespace
+}  // namespace upbead::test
