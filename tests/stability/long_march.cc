@@ -40,15 +40,16 @@ double along(const System& system, const Vector& x, const Vector& direction) {
 
 /// The static answer: of a wet column that of the dry one, whose K is the same in u.
 Vector static_answer(const System& system) {
-  std::vector<int> u;
-  for (int i = 0; i < system.size(); ++i)
-    if (system.field[static_cast<std::size_t>(i)] == Field::displacement) u.push_back(i);
-  const Eigen::MatrixXd K = Eigen::MatrixXd(system.K)(u, u);
-  const Vector f = system.loads[0].vector(u);
-  Vector answer = Vector::Zero(system.size());
-  const Vector solved = K.llt().solve(f);
-  answer(u) = solved;
-  return answer;
+  Eigen::MatrixXd K = system.K;
+  Vector f = system.loads[0].vector;
+  for (int i = 0; i < system.size(); ++i) {
+    if (system.field[static_cast<std::size_t>(i)] == Field::displacement) continue;
+    K.row(i).setZero();
+    K.col(i).setZero();
+    K(i, i) = 1.;
+    f[i] = 0.;
+  }
+  return K.llt().solve(f);
 }
 
 }  // namespace

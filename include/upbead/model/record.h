@@ -23,7 +23,8 @@ bool is_measured(const Record& record);
 ///   record_dead        it never changes by more than 1e-6 of its largest value
 ///   record_saturated   its extreme is held, to 1e-6 of its range, by 5 samples or more between a rise and a fall: the
 ///                      instrument was at its end. The value is the number of samples
-///   record_drifting    it rests in the end, between 3 and 50 % of its peak away from where it started, or runs by more than 3 %
+///   record_drifting    it rests in the end, between 3 and 50 % of its peak away from where it started, or runs by more
+///   than 3 %
 ///                      of the peak before the first event. The value is that share
 ///   record_too_coarse  fewer than 20 samples from the last crossing of a tenth of the peak to the peak
 ///   record_spikes      samples that leave both neighbours by a fifth of the range while those agree to a twentieth
