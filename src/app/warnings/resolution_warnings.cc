@@ -31,8 +31,9 @@ std::string percent(double share) {
 }  // namespace
 
 NumberedWarnings step_warnings(const CompiledCase& scene) {
+  if (!scene.scene.time.step) return {};
   const std::optional<double> time = passing_time(scene);
-  if (!scene.scene.time.step || !time) return {};
+  if (!time) return {};
   const TimeScheme scheme = choose_scheme(scene.scene, scene.compiled).scheme;
   if (scheme == TimeScheme::reduced) return {};
   const StepRule rule = scheme == TimeScheme::generalised_alpha ? of_order_2 : of_order_4;
@@ -58,11 +59,10 @@ NumberedWarnings jump_warnings(const CompiledCase& compiled) {
 }
 
 NumberedWarnings mesh_warnings(const CompiledCase& scene) {
-  const std::optional<double> time = passing_time(scene);
-  if (!time || !scene.compiled.caisson || scene.accuracy) return {};
+  const double duration = shortest_duration(scene.scene);
+  if (!scene.scene.time.inertia || !std::isfinite(duration) || !scene.compiled.caisson || scene.accuracy) return {};
   const MeshRule rule = scene.space->degree() == 2 ? of_degree_2 : of_degree_3;
   NumberedWarnings list;
-  const double duration = shortest_duration(scene.scene);
   for (const WaveResolution& at :
        wave_resolution(scene.scene, *scene.mesh, *scene.compiled.caisson, duration, scene.soil_state))
     if (const double n = at.cells_per_wave(); n < rule.cells)
