@@ -31,7 +31,9 @@ class GeneralisedAlpha : public SchemeBase {
 
  private:
   bool loads_start_anew(double t, double h);
+  void note_end_load();
   void start_anew(State& state, double h);
+  void step_from_jump(State& state, double h);
   void predict(const State& state, double h, State& middle);
   void finish(State& state, double h) const;
   void account(const State& before, const State& after, double h);
@@ -41,7 +43,8 @@ class GeneralisedAlpha : public SchemeBase {
 
   AlphaCoefficients p_;
   SymmetricPair damping_and_stiffness_;
-  Dirk euler_;
+  Dirk euler_, sdirk4_;
+  bool massless_;  ///< no displacement has a mass; M of phi is compressibility
   std::vector<double> begin_load_;
   std::vector<double> largest_load_;  ///< |f_k| so far, to tell a jump from round-off
   State before_;

@@ -135,11 +135,27 @@ class Recorder {
   Response response_;
 };
 
+/// A file that was edited, as a fingerprint guards the others.
+void require_fit(const MarchCheckpoint& checkpoint, const System& system, int n_steps) {
+  const Response& so_far = checkpoint.so_far;
+  const auto fits = [&](const Series& series) {
+    return series.time.size() == so_far.ends.time.size() &&
+           series.reading.rows() == static_cast<Eigen::Index>(system.readings.size()) &&
+           series.load.rows() == static_cast<Eigen::Index>(system.loads.size());
+  };
+  const bool fit = fits(so_far.ends) && fits(so_far.balanced) && so_far.n_steps >= 0 && so_far.n_steps <= n_steps &&
+                   so_far.final_state.x.size() == system.size() &&
+                   checkpoint.memory.balanced.load.size() == system.loads.size() &&
+                   checkpoint.memory.end_load.size() == system.loads.size();
+  if (!fit) throw NumericsError("the checkpoint does not belong to this scene");
+}
+
 /// A march between its steps.
 class March {
  public:
   March(const System& system, Scheme& scheme, const TimeGrid& grid, const MarchOptions& options)
-      : scheme_(scheme),
+      : system_(system),
+        scheme_(scheme),
         options_(options),
         n_steps_(grid.n_steps()),
         solves_(scheme.n_solves()),
@@ -180,6 +196,7 @@ class March {
   }
   void recall(const MarchCheckpoint& checkpoint) {
     const Response& so_far = checkpoint.so_far;
+    require_fit(checkpoint, system_, n_steps_);
     state_ = so_far.final_state;
     scheme_.recall(checkpoint.memory);
     if (options_.checkpoints.recall) options_.checkpoints.recall(checkpoint.observed);
@@ -196,6 +213,7 @@ class March {
     return response;
   }
 
+  const System& system_;
   Scheme& scheme_;
   const MarchOptions& options_;
   int n_steps_, solves_, factorisations_;

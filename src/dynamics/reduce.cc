@@ -85,27 +85,15 @@ ReducedSystem with_velocities(ReducedSystem system, const std::vector<int>& coor
   return system;
 }
 
-/// Takes all but the first readings out of a model; returns those alone.
-ModalModel split_readings(ModalModel& model, std::size_t first) {
-  const auto kept = static_cast<Eigen::Index>(first), n = model.n_readings() - kept;
-  ModalModel rest = model;
-  rest.reading = model.reading.bottomRows(n);
-  rest.feedthrough = model.feedthrough.bottomRows(n);
-  rest.impulse = model.impulse.bottomRows(n);
-  rest.reading_label.erase(rest.reading_label.begin(), rest.reading_label.begin() + kept);
-  model.reading.conservativeResize(kept, Eigen::NoChange);
-  model.feedthrough.conservativeResize(kept, Eigen::NoChange);
-  model.impulse.conservativeResize(kept, Eigen::NoChange);
-  model.reading_label.resize(first);
-  return rest;
-}
-
-/// The model that a look compares by; fills in that of the pressures where they are kept.
-ModalModel look_at(const ReduceOptions& options, const ReducedSystem& system, const FieldBasis& phi, Reduction& out) {
-  if (!options.keep_pressures) return model_of(options, system);
+/// Of the last look alone.
+PressureModel model_of_pressures(const ReduceOptions& options, const ReducedSystem& system, const FieldBasis& phi) {
   ModalModel model = model_of(options, with_velocities(system, phi.coordinate));
-  out.pressures.emplace().model = split_readings(model, system.reading_label.size());
-  return model;
+  const auto n = static_cast<Eigen::Index>(phi.coordinate.size());
+  model.reading = model.reading.bottomRows(n).eval();
+  model.feedthrough = model.feedthrough.bottomRows(n).eval();
+  model.impulse = model.impulse.bottomRows(n).eval();
+  model.reading_label.assign(phi.coordinate.size(), {});
+  return {phi, std::move(model)};
 }
 
 bool meets(const NestedError& error, const ReduceOptions& options) {
@@ -159,7 +147,7 @@ Reduction reduce(const System& system, const ReduceOptions& options) {
       if (options.progress) options.progress(std::min(0.95, static_cast<double>(krylov.n_vectors()) / usual));
     }
     projection.extend();
-    ModalModel model = look_at(options, projection.reduced(), krylov.phi(), out);
+    ModalModel model = model_of(options, projection.reduced());
     std::vector<Eigen::MatrixXd> now = responses(model, loads);
     if (!before.empty()) {
       out.error = {0., 0., 0., Eigen::VectorXd::Zero(model.n_readings())};
@@ -175,7 +163,7 @@ Reduction reduce(const System& system, const ReduceOptions& options) {
     out.omega = agreed_frequency(coarse, out.model, options.measured, transfer_tolerance * options.tolerance,
                                  1. / options.training.time.back(), 100. * options.shift);
   out.system = projection.reduced();
-  if (out.pressures) out.pressures->basis = krylov.phi();
+  if (options.keep_pressures) out.pressures = model_of_pressures(options, out.system, krylov.phi());
   out.n_vectors = krylov.n_vectors();
   out.n_solves = krylov.n_solves();
   return out;

@@ -82,13 +82,14 @@ class Inspection {
   void check_saturation(double sign, double extreme) {
     const auto is_there = [&](std::size_t i) { return std::abs(value_[i] - extreme) <= exactly * extent_.range(); };
     const auto is_away = [&](std::size_t i) { return sign * (extreme - value_[i]) > 0.1 * extent_.range(); };
+    std::size_t first_away = 0, last_away = n_;  // one past the last
+    while (first_away < n_ && !is_away(first_away)) ++first_away;
+    while (last_away > 0 && !is_away(last_away - 1)) --last_away;
     for (std::size_t i = 0; i < n_; ++i) {
       if (!is_there(i)) continue;
       std::size_t end = i;
       while (end < n_ && is_there(end)) ++end;
-      bool came = false, left = false;
-      for (std::size_t j = 0; j < i; ++j) came = came || is_away(j);
-      for (std::size_t j = end; j < n_; ++j) left = left || is_away(j);
+      const bool came = first_away<i, left = last_away> end;
       // a record that rests at zero between its events is no instrument at its end
       const bool rests = std::abs(extreme - start_) <= 0.1 * extent_.range();
       if (end - i >= least_flat && came && left && !rests)

@@ -96,10 +96,16 @@ class Reader {
                                              static_cast<Eigen::Index>(found.shape[0]));
   }
   State state(const std::string& path) const {
-    return {number(path + "/time"), vector(path + "/x"), vector(path + "/v"), vector(path + "/a")};
+    State found{number(path + "/time"), vector(path + "/x"), vector(path + "/v"), vector(path + "/a")};
+    if (found.v.size() != found.x.size() || found.a.size() != found.x.size()) damaged(path);
+    return found;
   }
+  /// As many columns as there are times.
   Series series(const std::string& path) const {
-    return {numbers(path + "/time"), matrix(path + "/reading"), matrix(path + "/load")};
+    Series found{numbers(path + "/time"), matrix(path + "/reading"), matrix(path + "/load")};
+    const auto n = static_cast<Eigen::Index>(found.time.size());
+    if (found.reading.cols() != n || found.load.cols() != n) damaged(path);
+    return found;
   }
   std::vector<std::string> texts(const std::string& path) const {
     return file_.texts(path).value_or(std::vector<std::string>());
@@ -155,17 +161,22 @@ CheckpointFile read_checkpoint(const std::string& path) {
   so_far.final_state = in.state("/state");
   so_far.n_steps = static_cast<int>(so_far.ends.time.size()) - 1;
   so_far.n_solves = static_cast<int>(in.number("/solves"));
+  if (so_far.ends.time.empty()) in.damaged("/ends/time");
   const Numbers energy = in.numbers("/memory/energy");
   if (energy.size() != energy_terms.size()) in.damaged("/memory/energy");
   file.march.memory = {{in.state("/memory/balanced"), in.numbers("/memory/balanced/load")},
                        in.numbers("/memory/end_load"),
                        in.numbers("/memory/largest_load"),
                        unpacked(energy).front()};
+  if (file.march.memory.balanced.state.x.size() != so_far.final_state.x.size()) in.damaged("/memory/balanced");
   file.march.observed = in.numbers("/observed");
   const Numbers time = in.numbers("/fields/time");
   const std::vector<std::string> names = in.texts("/fields/name");
   if (time.size() != names.size()) in.damaged("/fields");
-  for (std::size_t i = 0; i < time.size(); ++i) file.fields.emplace_back(time[i], names[i]);
+  for (std::size_t i = 0; i < time.size(); ++i) {
+    if (names[i].rfind("fields/", 0) != 0 || names[i].find("..") != std::string::npos) in.damaged("/fields/name");
+    file.fields.emplace_back(time[i], names[i]);
+  }
   return file;
 }
 

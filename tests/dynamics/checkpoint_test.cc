@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "sample_system.h"
+#include "upbead/base/error.h"
 
 namespace {
 
@@ -88,6 +89,21 @@ TEST_P(Checkpoint, ObserverSeesTheStateThatItBeginsAt) {
   run(options);
   ASSERT_EQ(seen.size(), all.size() - 4);
   EXPECT_EQ(seen.front(), 5);
+}
+
+TEST_P(Checkpoint, OfAnotherSystemIsRefused) {
+  std::vector<MarchCheckpoint> all;
+  remembered(all);
+  const auto refused = [&](auto change) {
+    MarchCheckpoint other = all[4];
+    change(other);
+    EXPECT_THROW(resumed(other), NumericsError);
+  };
+  refused([](MarchCheckpoint& other) { other.so_far.final_state.x.conservativeResize(3); });
+  refused([](MarchCheckpoint& other) { other.so_far.ends.reading.conservativeResize(1, Eigen::NoChange); });
+  refused([](MarchCheckpoint& other) { other.so_far.balanced.time.pop_back(); });
+  refused([](MarchCheckpoint& other) { other.so_far.n_steps = 1000000; });
+  refused([](MarchCheckpoint& other) { other.memory.end_load.clear(); });
 }
 
 }  // namespace

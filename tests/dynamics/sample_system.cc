@@ -157,6 +157,34 @@ std::vector<double> errors(const System& system, const SchemeOptions& options, d
   return list;
 }
 
+System consolidation(int n, TimeFunction push) {
+  using Triplets = std::vector<Eigen::Triplet<double>>;
+  Triplets c, k;
+  const auto u = [n](int node) { return node < n ? node : -1; };            // fixed at the bottom
+  const auto phi = [n](int node) { return node > 0 ? n + node - 1 : -1; };  // drained at the top
+  const auto add = [](Triplets& list, int i, int j, double value) {
+    if (i >= 0 && j >= 0) list.emplace_back(i, j, value);
+  };
+  for (int element = 0; element < n; ++element)
+    for (int a = 0; a < 2; ++a)
+      for (int b = 0; b < 2; ++b) {
+        const int i = element + a, j = element + b;
+        const double stiff = n * (a == b ? 1. : -1.), gradient = a == 0 ? -0.5 : 0.5;
+        add(k, u(i), u(j), stiff);
+        add(c, phi(i), phi(j), -stiff);
+        add(c, u(i), phi(j), -gradient);
+        add(c, phi(j), u(i), -gradient);
+      }
+  System system;
+  for (SparseMatrix* matrix : {&system.M, &system.C, &system.K}) matrix->resize(2 * n, 2 * n);
+  system.C.setFromTriplets(c.begin(), c.end());
+  system.K.setFromTriplets(k.begin(), k.end());
+  system.field.assign(n, Field::displacement);
+  system.field.resize(2 * n, Field::pressure_impulse);
+  system.loads.push_back({"push", Vector::Unit(2 * n, 0), std::move(push), -1});
+  return system;
+}
+
 System oscillator(double m, double c, double k, TimeFunction f) {
   System system;
   const auto scalar = [](double value) { return SparseMatrix(Eigen::MatrixXd::Constant(1, 1, value).sparseView()); };

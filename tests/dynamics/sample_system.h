@@ -40,6 +40,10 @@ double order(const std::vector<int>& n, const std::vector<double>& error);
 std::vector<double> errors(const System& system, const SchemeOptions& options, double end, const std::vector<int>& n,
                            const Vector& reference);
 
+/// Consolidation of a column of n elements of linear u and phi, pushed at its draining top: c_v = 1, height 1, no mass;
+/// u of n nodes from the top down, then phi of the n nodes below the top.
+System consolidation(int n, TimeFunction push);
+
 /// An oscillator m x'' + c x' + k x = f(t) with the reading "x".
 System oscillator(double m, double c, double k, TimeFunction f);
 

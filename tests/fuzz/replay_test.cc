@@ -14,10 +14,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::map<std::string, Target> targets{
-    {"case", try_case},     {"design", try_design},           {"history", try_history},
-    {"script", try_script}, {"groups", try_groups},           {"mesh", try_mesh},
-    {"model", try_model},   {"model_bytes", try_model_bytes}, {"wave_file", try_wave_file}};
+const std::map<std::string, Target> targets{{"case", try_case},           {"design", try_design},
+                                            {"history", try_history},     {"script", try_script},
+                                            {"groups", try_groups},       {"mesh", try_mesh},
+                                            {"model", try_model},         {"model_bytes", try_model_bytes},
+                                            {"wave_file", try_wave_file}, {"checkpoint", try_checkpoint}};
 
 std::string bytes_of(const fs::path& path) {
   std::stringstream bytes;

@@ -33,6 +33,7 @@ TARGETS = {
     "groups": (".msh as gmsh accepts: nodes, cells, groups and names at will", 300, 30000),
     "mesh": (".msh byte by byte, through gmsh", 1500, 20000),
     "model": (".h5 reduced model: valid HDF5, objects changed at will", 300, 30000),
+    "checkpoint": (".h5 checkpoint: valid HDF5, objects changed at will", 300, 15000),
     "wave_file": (".h5 waves: valid HDF5, objects changed at will", 300, 15000),
     "model_bytes": (".h5 reduced model byte by byte", 40000, 50000),
 }

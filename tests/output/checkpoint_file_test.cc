@@ -108,6 +108,22 @@ TEST_F(CheckpointFileTest, ListsMayBeEmpty) {
   EXPECT_TRUE(back.march.so_far.energy.empty());
 }
 
+TEST_F(CheckpointFileTest, RefusesPartsThatDoNotFit) {
+  const auto refused = [&](auto change) {
+    CheckpointFile file = sample();
+    change(file);
+    return refusal(checkpoint_file("title", file));
+  };
+  EXPECT_NE(refused([](CheckpointFile& file) { file.march.so_far.final_state.a.resize(2); }).find("/state"),
+            std::string::npos);
+  EXPECT_NE(refused([](CheckpointFile& file) { file.march.so_far.ends.time.pop_back(); }).find("/ends"),
+            std::string::npos);
+  EXPECT_NE(refused([](CheckpointFile& file) { file.march.memory.balanced.state = state(2, 0.); }).find("/memory"),
+            std::string::npos);
+  EXPECT_NE(refused([](CheckpointFile& file) { file.fields[0].second = "../case.toml"; }).find("/fields/name"),
+            std::string::npos);
+}
+
 TEST_F(CheckpointFileTest, RefusesWhatIsNotWhole) {
   const std::string bytes = checkpoint_file("title", sample());
   EXPECT_NE(refusal(bytes.substr(0, bytes.size() / 2)).find(path_), std::string::npos);
