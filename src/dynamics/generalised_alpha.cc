@@ -14,13 +14,24 @@ AlphaCoefficients::AlphaCoefficients(double rho_inf)
   if (!(rho_inf >= 0. && rho_inf <= 1.)) throw std::invalid_argument("generalised-alpha: rho_inf lies in [0, 1]");
 }
 
+namespace {
+
+/// M of displacements is positive, that of phi (compressibility) negative.
+bool is_massless(const SparseMatrix& M) {
+  for (Eigen::Index i = 0; i < M.rows(); ++i)
+    if (M.coeff(i, i) > 0.) return false;
+  return true;
+}
+
+}  // namespace
+
 GeneralisedAlpha::GeneralisedAlpha(const System& system, double rho_inf, bool account_energy)
     : SchemeBase(system, account_energy),
       p_(rho_inf),
       damping_and_stiffness_(system.C, system.K),
       euler_(system, euler_tableau()),
       sdirk4_(system, sdirk4_tableau()),
-      massless_(system.M.diagonal().maxCoeff() <= 0.),
+      massless_(is_massless(system.M)),
       largest_load_(system.loads.size(), 0.),
       pair_(system.size(), 2),
       triple_(system.size(), 3) {}

@@ -207,7 +207,7 @@ def facts(results):
                 "of a sanitizer, a broken promise about what was read (finite, fitting sizes, the effective file is "
                 "read as the same file), 10 s or 2 GB are findings. gmsh and HDF5 themselves break down on damaged files: "
                 "these are read in a copy of the process first. The inputs kept are replayed with every build "
-                "(ctest -R fuzz).",
+                "(ctest -R fuzz), and some thousands of random changes of them tried.",
         "command": "tests/fuzz/run.py",
         "figure": None,
         "rows": [row(name, results[name]) for name in TARGETS] + [found()],
