@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 
 #include "hdf5_image.h"
 #include "upbead/base/error.h"
@@ -86,12 +88,22 @@ class Reader {
     if (values.size() != 1) damaged(path);
     return values.front();
   }
+  /// Of a list that holds n of them, each from 0 to `most`.
+  std::vector<std::uint64_t> whole_numbers(const std::string& path, std::size_t n, double most) const {
+    const Numbers values = numbers(path);
+    const auto is_whole = [most](double value) { return value >= 0. && value <= most && value == std::floor(value); };
+    if (values.size() != n || !std::all_of(values.begin(), values.end(), is_whole)) damaged(path);
+    return {values.begin(), values.end()};
+  }
   Vector vector(const std::string& path) const {
     const Numbers values = numbers(path);
     return Eigen::Map<const Vector>(values.data(), static_cast<Eigen::Index>(values.size()));
   }
   Eigen::MatrixXd matrix(const std::string& path) const {
     const NumberArray found = array(path, 2);
+    // an empty matrix may claim any number of rows or columns
+    for (const std::size_t size : found.shape)
+      if (size > static_cast<std::size_t>(std::numeric_limits<int>::max())) damaged(path);
     return Eigen::Map<const Eigen::MatrixXd>(found.values.data(), static_cast<Eigen::Index>(found.shape[1]),
                                              static_cast<Eigen::Index>(found.shape[0]));
   }
@@ -151,16 +163,15 @@ std::string checkpoint_file(const std::string& title, const CheckpointFile& chec
 CheckpointFile read_checkpoint(const std::string& path) {
   const Reader in(path);
   CheckpointFile file;
-  const Numbers print = in.numbers("/fingerprint");
-  if (print.size() != 2) in.damaged("/fingerprint");
-  file.fingerprint = (static_cast<std::uint64_t>(print[0]) << 32U) | static_cast<std::uint64_t>(print[1]);
+  const std::vector<std::uint64_t> print = in.whole_numbers("/fingerprint", 2, 0xffffffffU);
+  file.fingerprint = (print[0] << 32U) | print[1];
   Response& so_far = file.march.so_far;
   so_far.ends = in.series("/ends");
   so_far.balanced = in.series("/balanced");
   so_far.energy = unpacked(in.numbers("/energy"));
   so_far.final_state = in.state("/state");
   so_far.n_steps = static_cast<int>(so_far.ends.time.size()) - 1;
-  so_far.n_solves = static_cast<int>(in.number("/solves"));
+  so_far.n_solves = static_cast<int>(in.whole_numbers("/solves", 1, std::numeric_limits<int>::max()).front());
   if (so_far.ends.time.empty()) in.damaged("/ends/time");
   const Numbers energy = in.numbers("/memory/energy");
   if (energy.size() != energy_terms.size()) in.damaged("/memory/energy");
