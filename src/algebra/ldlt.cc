@@ -61,10 +61,7 @@ Inertia Ldlt::inertia() const {
 }
 
 double Ldlt::growth() const {
-  double largest = 0.;
-  for (const double inverse : factor_.inverse_pivot)
-    if (inverse > 0.) largest = std::max(largest, 1. / inverse);
-  return largest;
+  return factor_.inverse_pivot.size() == 0 ? 1. : 1. / factor_.inverse_pivot.array().abs().minCoeff();
 }
 
 }  // namespace upbead::detail

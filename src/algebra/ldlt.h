@@ -22,8 +22,8 @@ class Ldlt {
   /// Each column of X = A^-1 times that of B; B and X (n x columns) may be the same.
   void solve(const Eigen::Ref<const Eigen::MatrixXd>& B, Eigen::Ref<Eigen::MatrixXd> X) const;
   Inertia inertia() const;
-  /// The largest positive pivot. As the diagonal was +-1, a value g >> 1 tells that a negative pivot close to zero came
-  /// first and that g units of round-off of the positive part are lost.
+  /// The largest magnitude of a pivot. As the diagonal was +-1, a value g >> 1 tells that a pivot of the other sign
+  /// close to zero came first, and that up to g units of round-off are lost.
   double growth() const;
   long n_factor_entries() const { return static_cast<long>(factor_.n_entries); }
 
