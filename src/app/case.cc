@@ -5,6 +5,8 @@
 #include "case_checks.h"
 #include "case_history.h"
 #include "case_schema.h"
+#include "records/gauge_keys.h"
+#include "records/gauge_loads.h"
 
 namespace fs = std::filesystem;
 
@@ -16,41 +18,53 @@ namespace {
 /// (docs/performance.md).
 constexpr int adapted_degree = 3;
 
+/// Reads what a load runs by: a pulse, a history or transducers.
+void make_history(Case& problem, const std::string& name, LoadTable& table, double end) {
+  const std::string path = dotted("loads", name);
+  if (table.kind == LoadKind::pressures) {
+    problem.gauges[name] = {table, table, read_gauges(table, problem.resolve(table.gauges), path, problem.document)};
+  } else if (table.pulse) {
+    table.history = time_function(*table.pulse);
+    table.duration = duration(*table.pulse);
+  } else {
+    read_history(problem.resolve(table.history_file), problem.place(path + ".history"), end, table);
+  }
+  if (table.factor == 0.) {
+    table.history = TimeFunction();
+    table.duration.reset();
+  } else {
+    table.history = scaled(table.history, table.factor);
+  }
+}
+
 /// Makes the histories of all sound loads.
 void make_histories(Case& problem, CaseTables& tables, InputReport& report) {
   for (auto& [name, table] : tables.load_tables) {
-    const std::string path = dotted("loads", name);
-    if (!report.sound(path)) continue;
-    if (table.pulse) {
-      table.history = time_function(*table.pulse);
-      table.duration = duration(*table.pulse);
-    } else {
-      try {
-        read_history(problem.resolve(table.history_file), problem.place(path + ".history"), tables.time.end, table);
-      } catch (const InputError& error) {
-        for (const Mistake& mistake : error.mistakes()) report.add(path, mistake);
-      }
-    }
-    if (table.factor == 0.) {
-      table.history = TimeFunction();
-      table.duration.reset();
-    } else {
-      table.history = scaled(table.history, table.factor);
+    if (!report.sound(dotted("loads", name))) continue;
+    try {
+      make_history(problem, name, table, tables.time.end);
+    } catch (const InputError& error) {
+      for (const Mistake& mistake : error.mistakes()) report.add(dotted("loads", name), mistake);
     }
   }
 }
 
 /// Makes the sliding of a scene, with the history of its uplift.
-void make_sliding(const Case& problem, CaseTables& tables, InputReport& report) {
+void make_sliding(Case& problem, CaseTables& tables, InputReport& report) {
   if (!tables.sliding_table || !report.sound("sliding")) return;
   tables.sliding = *tables.sliding_table;
   if (!problem.document.find("sliding.friction")) tables.sliding->friction = contact_friction(tables);
   if (!tables.sliding_table->uplift_table) return;
   tables.sliding->uplift = *tables.sliding_table->uplift_table;
-  const std::string& file = tables.sliding_table->uplift_table->history_file;
-  if (file.empty()) return;
+  const UpliftTable& table = *tables.sliding_table->uplift_table;
   try {
-    tables.sliding->uplift->history = read_uplift(problem.resolve(file), problem.place("sliding.uplift.history"));
+    if (!table.history_file.empty())
+      tables.sliding->uplift->history =
+          read_uplift(problem.resolve(table.history_file), problem.place("sliding.uplift.history"));
+    if (table.gauges.empty()) return;
+    problem.uplift_gauges = {
+        {}, table, read_gauges(table, problem.resolve(table.gauges), "sliding.uplift", problem.document)};
+    tables.sliding->uplift->history = uplift_of(*problem.uplift_gauges);
   } catch (const InputError& error) {
     for (const Mistake& mistake : error.mistakes()) report.add("sliding.uplift", mistake);
   }
@@ -68,12 +82,22 @@ CaseTables tables_of(const Case& problem, PathText path_text) {
     table.pulse = source.pulse;
     if (!source.history.empty()) table.history_file = path_text(source.history);
   }
+  for (const auto& [name, by_gauges] : problem.gauges) {
+    LoadTable& table = tables.load_tables[name];
+    static_cast<Load&>(table) = by_gauges.load;
+    static_cast<GaugeSource&>(table) = by_gauges.source;
+    table.gauges = path_text(by_gauges.source.gauges);
+  }
   if (const auto& sliding = problem.scene.sliding) {
     static_cast<SlidingChoice&>(tables.sliding_table.emplace()) = *sliding;
     if (sliding->uplift) {
       UpliftTable& uplift = tables.sliding_table->uplift_table.emplace();
       static_cast<UpliftChoice&>(uplift) = *sliding->uplift;
       if (!problem.uplift_history.empty()) uplift.history_file = path_text(problem.uplift_history);
+      if (problem.uplift_gauges) {
+        static_cast<GaugeSource&>(uplift) = problem.uplift_gauges->source;
+        uplift.gauges = path_text(uplift.gauges);
+      }
     }
   }
   return tables;
@@ -102,6 +126,10 @@ Case read_case(const std::string& path, const std::vector<std::string>& override
   if (tables.sliding_table && tables.sliding_table->uplift_table)
     problem.uplift_history = tables.sliding_table->uplift_table->history_file;
   for (const auto& [name, table] : tables.load_tables) {
+    if (table.kind == LoadKind::pressures) {
+      add_gauge_loads(name, problem.gauges.at(name), tables.time.end, problem.scene);
+      continue;
+    }
     problem.scene.loads[name] = table;
     problem.sources[name] = {table.pulse, table.history_file};
   }

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "case_checks.h"
+#include "records/gauge_keys.h"
 
 namespace upbead {
 
@@ -22,18 +23,22 @@ class LoadCheck {
         load_(load),
         tables_(tables),
         document_(document),
-        reading_(report),
+        report_(report),
         objections_(path_, document, report) {}
 
   void run() const {
     exactly_one("boundary", "region");
-    exactly_one("pulse", "history");
+    if (load_.kind == LoadKind::pressures)
+      check_row();
+    else
+      exactly_one("pulse", "history");
     if (given("boundary")) check_name("boundary", load_.boundary, keys_of(tables_.boundaries), "boundaries");
     if (given("region")) check_region();
-    if (load_.kind != LoadKind::pressure && load_.direction[0] == 0. && load_.direction[1] == 0.)
+    if (load_.kind != LoadKind::pressure && load_.kind != LoadKind::pressures && load_.direction[0] == 0. &&
+        load_.direction[1] == 0.)
       objections_.add({"direction", "direction is zero", "give a direction such as [1.0, 0.0]"});
     if (!load_.shape.empty()) check_shape();
-    if (load_.pulse && reading_.sound(path_ + ".pulse.shape")) check_pulse();
+    if (load_.pulse && report_.sound(path_ + ".pulse.shape")) check_pulse();
   }
 
  private:
@@ -55,11 +60,19 @@ class LoadCheck {
 
   void check_region() const {
     if (!check_name("region", load_.region, keys_of(tables_.regions), "regions")) return;
-    if (reading_.sound(dotted("regions", load_.region)) && tables_.regions.at(load_.region).kind != RegionKind::rigid)
+    if (report_.sound(dotted("regions", load_.region)) && tables_.regions.at(load_.region).kind != RegionKind::rigid)
       objections_.add({"region", "region = " + to_toml(load_.region) + " is not rigid",
                        "load one of its boundaries instead; only a rigid region takes a load at a point"});
     if (load_.kind != LoadKind::force)
       objections_.add({"kind", "a load on a region is a force, no traction or pressure", "write kind = \"force\""});
+  }
+
+  void check_row() const {
+    for (const char* key : {"pulse", "history", "shape"})
+      if (given(key))
+        objections_.add({key, std::string("'") + key + "' does not belong to pressures by transducers",
+                         std::string("remove ") + key + ", or write kind = \"pressure\""});
+    check_gauges(load_, wall_words, path_, document_, report_);
   }
 
   void check_shape() const {
@@ -84,7 +97,7 @@ class LoadCheck {
   const LoadTable& load_;
   const CaseTables& tables_;
   const Document& document_;
-  const InputReport& reading_;
+  InputReport& report_;
   Objections objections_;
 };
 

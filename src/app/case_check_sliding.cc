@@ -1,18 +1,32 @@
 #include "case_checks.h"
+#include "records/gauge_keys.h"
 
 namespace upbead {
 
 namespace {
 
-void check_uplift(const UpliftTable& uplift, const CaseTables& tables, const Objections& objections) {
-  if (uplift.kind == UpliftKind::prescribed) {
-    const bool by_history = !uplift.history_file.empty();
-    if (uplift.peak && by_history)
-      objections.add({"history", "both 'peak' and 'history' are given", "keep one of them"});
-    if (!uplift.peak && !by_history)
-      objections.add({"peak", "neither 'peak' nor 'history' of a prescribed uplift is given", "add peak or history"});
-    if (by_history && uplift.lag > 0.)
-      objections.add({"lag", "'lag' is that of an uplift that follows P, a history has its own times", "remove lag"});
+/// Exactly one of the ways to prescribe it.
+void check_prescribed(const UpliftTable& uplift, const Objections& objections) {
+  std::vector<std::string> ways;
+  if (uplift.peak) ways.emplace_back("peak");
+  if (!uplift.history_file.empty()) ways.emplace_back("history");
+  if (!uplift.gauges.empty()) ways.emplace_back("gauges");
+  if (ways.size() > 1)
+    objections.add({ways[1], "both '" + ways[0] + "' and '" + ways[1] + "' are given", "keep one of them"});
+  if (ways.empty())
+    objections.add(
+        {"peak", "neither 'peak' nor 'history' nor 'gauges' of a prescribed uplift is given", "add one of them"});
+  if (!uplift.peak && !ways.empty() && uplift.lag > 0.)
+    objections.add({"lag", "'lag' is that of an uplift that follows P, a history has its own times", "remove lag"});
+}
+
+void check_uplift(const UpliftTable& uplift, const CaseTables& tables, const Document& document, InputReport& report) {
+  const Objections objections("sliding.uplift", document, report);
+  if (uplift.kind == UpliftKind::prescribed) check_prescribed(uplift, objections);
+  if (!uplift.gauges.empty()) {
+    check_gauges(uplift, bottom_words, "sliding.uplift", document, report);
+    if (!uplift.ends)
+      objections.add({"ends", "it is not said where the bottom ends", "add ends = [seaward, landward] (m)"});
   }
   for (const auto& [name, load] : tables.load_tables)
     if (load.boundary.empty() && load.region == caisson_name && load.direction[1] > 0. && load.factor != 0.)
@@ -50,7 +64,7 @@ void check_sliding(const CaseTables& tables, const Document& document, InputRepo
   if (report.sound("regions") && tables.regions.count(caisson_name) == 0)
     objections.add({"friction", "there is no region 'caisson' that could slide",
                     "name the caisson's surface 'caisson', or remove [sliding]"});
-  if (sliding.uplift_table) check_uplift(*sliding.uplift_table, tables, Objections("sliding.uplift", document, report));
+  if (sliding.uplift_table) check_uplift(*sliding.uplift_table, tables, document, report);
 }
 
 }  // namespace upbead

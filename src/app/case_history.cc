@@ -2,14 +2,19 @@
 
 #include <algorithm>
 
-#include "upbead/base/csv.h"
+#include "records/record_table.h"
 
 namespace upbead {
 
 namespace {
 
-void check_times(const CsvTable& table, Mistakes& mistakes) {
-  const std::vector<double>& time = table.columns[0];
+/// A history in SI units.
+struct Columns {
+  CsvTable table;  ///< for places
+  std::vector<double> time, value;
+};
+
+void check_times(const CsvTable& table, const std::vector<double>& time, Mistakes& mistakes) {
   if (time.front() < 0.)
     mistakes.add(table.place(0), "the history starts at t = " + number_text(time.front()) + " s, before the run",
                  "let it start at 0 or later");
@@ -22,23 +27,25 @@ void check_times(const CsvTable& table, Mistakes& mistakes) {
     }
 }
 
-/// Reads and checks what all histories have in common.
-CsvTable read_columns(const std::string& path, const Place& place) {
-  CsvTable table = read_csv(path, place);
+/// Reads and checks what all histories have in common; `si`: unit of the value.
+Columns read_columns(const std::string& path, const Place& place, const std::string& si) {
+  Columns columns{read_record_table(path, place), {}, {}};
   Mistakes mistakes;
-  if (table.columns.size() < 2)
+  if (columns.table.columns.size() < 2)
     mistakes.add({path, 1, 1}, "a history of one column", "give two columns, time (s) and value");
-  if (table.n_rows() < 2) mistakes.add({path}, "a history of one row", "give two rows or more");
-  check_times(table, mistakes);
+  if (columns.table.n_rows() < 2) mistakes.add({path}, "a history of one row", "give two rows or more");
   mistakes.throw_if_any();
-  return table;
+  columns.time = in_si(columns.table, 0, "s");
+  columns.value = in_si(columns.table, 1, si);
+  check_times(columns.table, columns.time, mistakes);
+  mistakes.throw_if_any();
+  return columns;
 }
 
 }  // namespace
 
 void read_history(const std::string& path, const Place& place, double end, Load& load) {
-  const CsvTable table = read_columns(path, place);
-  const std::vector<double>&time = table.columns[0], &value = table.columns[1];
+  const auto [table, time, value] = read_columns(path, place, load.kind == LoadKind::force ? "N/m" : "Pa");
   if (std::all_of(value.begin(), value.end(), [](double v) { return v == 0.; }))
     throw InputError({path}, "every value of the history is zero", "give a history with a load");
   load.history = piecewise_linear(time, value);
@@ -46,14 +53,13 @@ void read_history(const std::string& path, const Place& place, double end, Load&
 }
 
 TimeFunction read_uplift(const std::string& path, const Place& place) {
-  const CsvTable table = read_columns(path, place);
-  const std::vector<double>& value = table.columns[1];
+  const auto [table, time, value] = read_columns(path, place, "N/m");
   const auto negative = std::find_if(value.begin(), value.end(), [](double v) { return v < 0.; });
   if (negative != value.end())
     throw InputError(table.place(static_cast<std::size_t>(negative - value.begin())),
                      "the uplift is " + number_text(*negative) + " N/m, below zero",
                      "give U upward, what it takes off the weight");
-  return piecewise_linear(table.columns[0], value);
+  return piecewise_linear(time, value);
 }
 
 }  // namespace upbead

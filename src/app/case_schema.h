@@ -5,19 +5,20 @@
 #include <optional>
 #include <string>
 
+#include "upbead/app/gauge_source.h"
 #include "upbead/input/schema.h"
 #include "upbead/model/scene.h"
 
 namespace upbead {
 
-/// A table [loads.NAME] as written; `history` of Load is made of one of the two.
-struct LoadTable : Load {
+/// A table [loads.NAME] as written; `history` of Load is made of the pulse or the file, or loads of the gauges.
+struct LoadTable : Load, GaugeSource {
   std::optional<Pulse> pulse;
   std::string history_file;
 };
 
 /// The table [sliding.uplift] as written.
-struct UpliftTable : UpliftChoice {
+struct UpliftTable : UpliftChoice, GaugeSource {
   std::string history_file;
 };
 

@@ -1,4 +1,5 @@
 #include "case_schema.h"
+#include "records/gauge_keys.h"
 #include "upbead/model/words.h"
 
 namespace upbead {
@@ -8,6 +9,14 @@ namespace {
 bool has_rise(const Pulse& pulse) {
   return pulse.shape == PulseShape::triangle || pulse.shape == PulseShape::church_roof ||
          pulse.shape == PulseShape::step;
+}
+
+bool has_direction(const LoadTable& load) {
+  return load.kind == LoadKind::force || load.kind == LoadKind::traction;
+}
+
+bool is_by_gauges(const LoadTable& load) {
+  return load.kind == LoadKind::pressures;
 }
 
 TableSchema<Pulse> pulse_schema() {
@@ -45,8 +54,7 @@ TableSchema<LoadTable> load_schema() {
   table.choice("kind", &LoadTable::kind, load_kind_words)
       .doc(
           "what the history means; force: resultant (N/m); traction: Pa; pressure: Pa, total normal stress = -value, "
-          "and "
-          "pore pressure = value where the boundary is open");
+          "and pore pressure = value where the boundary is open; pressures: by transducers (gauges), Pa");
   table.key("at", &LoadTable::at)
       .unit("m")
       .required()
@@ -55,8 +63,7 @@ TableSchema<LoadTable> load_schema() {
           "region", [](const LoadTable& load) { return !load.region.empty(); }, "on a region");
   table.key("direction", &LoadTable::direction)
       .doc("direction (x, y); multiplies the history and is not normalised")
-      .when(
-          "kind", [](const LoadTable& load) { return load.kind != LoadKind::pressure; }, "for forces and tractions");
+      .when("kind", has_direction, "for forces and tractions");
   table.key("shape", &LoadTable::shape)
       .unit_of_first("m")
       .fallback("uniform")
@@ -67,6 +74,7 @@ TableSchema<LoadTable> load_schema() {
   table.table("pulse", &LoadTable::pulse, pulse_schema()).doc("An idealised history; or history.");
   table.key("history", &LoadTable::history_file)
       .doc("path of a CSV file with a header line, then time (s) and value; linear in between; or pulse");
+  add_gauge_keys<LoadTable>(table, wall_words, is_by_gauges, "where kind = \"pressures\"");
   table.key("measured_on_wall", &LoadTable::measured_on_wall)
       .doc("true: measured on the moving wall, so the modelled water does not push back on this boundary")
       .when(

@@ -1,4 +1,5 @@
 #include "case_schema.h"
+#include "records/gauge_keys.h"
 #include "upbead/model/words.h"
 
 namespace upbead {
@@ -13,7 +14,9 @@ TableSchema<UpliftTable> uplift_schema() {
   TableSchema<UpliftTable> table;
   table.choice("kind", &UpliftTable::kind, uplift_kind_words)
       .required()
-      .doc("where the uplift comes from; prescribed: peak or history; computed: the pore pressure on the bottom");
+      .doc(
+          "where the uplift comes from; prescribed: peak, history or gauges; computed: the pore pressure on the "
+          "bottom");
   table.key("peak", &UpliftTable::peak)
       .unit("N/m")
       .range(at_least(0.))
@@ -30,8 +33,9 @@ TableSchema<UpliftTable> uplift_schema() {
       .doc("time by which U comes after P")
       .when("kind", is_prescribed, "where the uplift is prescribed");
   table.key("history", &UpliftTable::history_file)
-      .doc("path of a CSV file with a header line, then time (s) and U (N/m); or peak")
+      .doc("path of a CSV file with a header line, then time (s) and U (N/m); or peak, or gauges")
       .when("kind", is_prescribed, "where the uplift is prescribed");
+  add_gauge_keys<UpliftTable>(table, bottom_words, is_prescribed, "where the uplift is prescribed");
   return table;
 }
 

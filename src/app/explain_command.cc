@@ -1,6 +1,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "records/gauge_report.h"
 #include "upbead/app/commands.h"
 #include "upbead/app/report.h"
 #include "upbead/response/scheme_choice.h"
@@ -27,6 +28,7 @@ std::string to_json(const Case& input, const CompiledCase& scene) {
     json["loads"][load.name] = {{"force_x", load.force_x}, {"force_y", load.force_y}, {"moment", load.moment}};
     json["loads"][load.name]["arm"] = load.arm() ? nlohmann::ordered_json(*load.arm()) : nullptr;
   }
+  json["gauges"] = nlohmann::ordered_json::parse(gauges_json(gauge_summaries(input, scene)));
   json["skipped"] = nlohmann::ordered_json::array();
   for (const Skipped& item : skipped(input, scene, will_be_reduced(scene)))
     json["skipped"].push_back({{"what", item.what}, {"why", item.why}});

@@ -21,6 +21,8 @@ void Fingerprint::add_files(const Case& problem) {
   add_file(mesh_request(problem).file);
   for (const auto& [name, source] : problem.sources)
     if (!source.history.empty()) add_file(problem.resolve(source.history));
+  for (const auto& [name, load] : problem.gauges) add_file(problem.resolve(load.source.gauges));
+  if (problem.uplift_gauges) add_file(problem.resolve(problem.uplift_gauges->source.gauges));
   if (!problem.uplift_history.empty()) add_file(problem.resolve(problem.uplift_history));
 }
 

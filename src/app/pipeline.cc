@@ -4,6 +4,7 @@
 #include "compile_on.h"
 #include "contact/contact_report.h"
 #include "contact/contact_run.h"
+#include "records/gauge_report.h"
 #include "size_check.h"
 #include "sliding/case_sliding.h"
 #include "sliding/read_sliding.h"
@@ -105,6 +106,7 @@ Run run_case(const Case& input, CompiledCase& scene, const MarchOptions& marchin
   run.summary.title = input.scene.title;
   run.summary.soil = scene.soil;
   run.summary.loads = scene.compiled.loads_on_caisson;
+  run.summary.gauges = gauge_summaries(input, scene);
   run.summary.skipped = skipped(input, scene, run.summary.reduction.has_value());
   watch.tell(input, scene, run);
   if (run.summary.sliding)

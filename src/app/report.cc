@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "contact/contact_report.h"
+#include "records/gauge_report.h"
 #include "sliding/sliding_report.h"
 #include "upbead/base/text.h"
 #include "upbead/model/words.h"
@@ -117,6 +118,7 @@ std::string describe(const Case& input, const CompiledCase& scene) {
   if (scene.accuracy) text += describe(*scene.accuracy);
   text += "regions\n" + describe_regions(input, scene);
   text += "loads\n" + describe_loads(scene);
+  text += describe(gauge_summaries(input, scene));
   const SchemeChoice choice = choose_scheme(scene.scene, scene.compiled);
   text += "in time     " + word_of(choice.scheme, time_scheme_words) + ": " + choice.reason + "\n";
   if (scene.compiled.system.interface)

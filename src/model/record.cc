@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "upbead/base/text.h"
@@ -161,13 +162,29 @@ class Inspection {
   NumberedWarnings list_;
 };
 
-/// Sum over time and height of squared second differences of the pressures.
-double roughness(const std::vector<RecordAtHeight>& at, const std::vector<std::size_t>& order) {
+/// At most so many samples, those at which the pressures are largest.
+std::vector<std::size_t> telling_samples(const std::vector<RecordAtHeight>& at) {
+  constexpr std::size_t most = 2000;
+  std::vector<double> size(at.front().record.value.size(), 0.);
+  for (const RecordAtHeight& one : at)
+    for (std::size_t t = 0; t < size.size(); ++t) size[t] += std::abs(one.record.value[t]);
+  std::vector<std::size_t> samples(size.size());
+  std::iota(samples.begin(), samples.end(), 0U);
+  if (samples.size() <= most) return samples;
+  const auto larger = [&](std::size_t a, std::size_t b) { return size[a] > size[b]; };
+  std::nth_element(samples.begin(), samples.begin() + most, samples.end(), larger);
+  samples.resize(most);
+  return samples;
+}
+
+/// Sum over samples and heights of squared second differences of the pressures.
+double roughness(const std::vector<RecordAtHeight>& at, const std::vector<std::size_t>& order,
+                 const std::vector<std::size_t>& samples) {
   double sum = 0.;
   for (std::size_t i = 1; i + 1 < at.size(); ++i) {
     const double below = at[i].height - at[i - 1].height, above = at[i + 1].height - at[i].height;
     const auto &p = at[order[i - 1]].record.value, &q = at[order[i]].record.value, &r = at[order[i + 1]].record.value;
-    for (std::size_t t = 0; t < q.size(); ++t) {
+    for (const std::size_t t : samples) {
       const double bend = q[t] - (above * p[t] + below * r[t]) / (above + below);
       sum += bend * bend;
     }
@@ -202,13 +219,14 @@ NumberedWarnings swapped_records(const std::vector<RecordAtHeight>& records) {
   if (records.size() < 4) return {};
   std::vector<std::size_t> order(records.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-  const double as_given = roughness(records, order);
+  const std::vector<std::size_t> samples = telling_samples(records);
+  const double as_given = roughness(records, order, samples);
   double least = as_given;
   std::pair<std::size_t, std::size_t> pair{0, 0};
   for (std::size_t i = 0; i < order.size(); ++i)
     for (std::size_t j = i + 1; j < order.size(); ++j) {
       std::swap(order[i], order[j]);
-      if (const double now = roughness(records, order); now < least) {
+      if (const double now = roughness(records, order, samples); now < least) {
         least = now;
         pair = {i, j};
       }

@@ -54,6 +54,25 @@ Json to_object(const LoadOnCaisson& load) {
       {"force_x", load.force_x}, {"force_y", load.force_y}, {"moment", load.moment}, {"arm", json_or_null(load.arm())}};
 }
 
+Json to_object(const std::vector<GaugeSummary>& gauges) {
+  Json rows = Json::object();
+  for (const GaugeSummary& g : gauges)
+    rows[g.name] = {{"gauges", g.gauges},
+                    {"samples", g.samples},
+                    {"interval", g.interval},
+                    {"peak_gauge", g.peak_gauge},
+                    {"peak_pressure", g.peak_pressure},
+                    {"peak_pressure_time", g.peak_pressure_time},
+                    {"peak_pressure_at", g.peak_at},
+                    {"peak_force", g.peak_force},
+                    {"peak_force_time", g.peak_force_time},
+                    {"arm", json_or_null(g.arm)},
+                    {"force_error", g.force_error},
+                    {"arm_error", g.arm_error},
+                    {"load_cell", json_or_null(g.load_cell)}};
+  return rows;
+}
+
 Json to_object(const EnergyAccount& e) {
   return {{"work", e.work},         {"kinetic", e.kinetic}, {"strain", e.strain},      {"fluid", e.fluid},
           {"lifted", e.lifted},     {"drag", e.drag},       {"damping", e.damping},    {"radiated", e.radiated},
@@ -97,12 +116,17 @@ Json to_object(const Timing& t) {
 
 }  // namespace
 
+std::string gauges_json(const std::vector<GaugeSummary>& gauges) {
+  return json_text(to_object(gauges));
+}
+
 std::string to_json(const Summary& summary) {
   Json json = {{"title", summary.title}, {"program", program_version()}};
   json["discretisation"] = to_object(summary.discretisation);
   json["response"] = summary.response ? to_object(*summary.response, summary.energy, summary.error) : Json(nullptr);
   json["loads"] = Json::object();
   for (const LoadOnCaisson& load : summary.loads) json["loads"][load.name] = to_object(load);
+  json["gauges"] = to_object(summary.gauges);
   json["energy"] = summary.energy ? to_object(*summary.energy) : Json(nullptr);
   json["reduction"] = summary.reduction ? to_object(*summary.reduction) : Json(nullptr);
   json["sliding"] = summary.sliding ? to_object(*summary.sliding) : Json(nullptr);

@@ -24,9 +24,8 @@ const std::vector<BadCase> rows{
     BadCase{"UnknownKeyAtTheTop", "title = \"prototype\"", "name = \"prototype\"",
             "case.toml:1:1: unknown key 'name' at the top of the file; known keys: title, gravity, fluid, mesh, "
             "regions, boundaries, loads, initial, time, accuracy, probes, output, sliding"},
-    BadCase{"KeyOfALaterStage", "boundary = \"front\"", "gauges = \"g.csv\"\nboundary = \"front\"",
-            "case.toml:47:1: unknown key 'gauges' in [loads.impact]; known keys: boundary, region, kind, at, "
-            "direction, shape, pulse, history, measured_on_wall, factor"},
+    BadCase{"KeyOfAnotherKind", "boundary = \"front\"", "gauges = \"g.csv\"\nboundary = \"front\"",
+            "case.toml:47:1: 'gauges' does not belong in [loads.impact] (only where kind = \"pressures\"); remove it"},
     BadCase{"TableOfNone", "[output]", "[harbour]\nfriction = 0.6\n[output]",
             "case.toml:79:2: unknown key 'harbour' at the top of the file; known keys: title, gravity, fluid, mesh, "
             "regions, boundaries, loads, initial, time, accuracy, probes, output, sliding"},

@@ -28,8 +28,8 @@ const std::vector<BadCase> rows{
     BadCase{"UpliftWithoutKind", "kind = \"prescribed\"\n", "",
             "case.toml:89:10: 'kind' is missing in [sliding.uplift]; add kind, one of prescribed, computed"},
     BadCase{"UpliftOfNoPeak", "peak = 5e5\n", "",
-            "case.toml:89:10: [sliding.uplift]: neither 'peak' nor 'history' of a prescribed uplift is given; add peak "
-            "or history"},
+            "case.toml:89:10: [sliding.uplift]: neither 'peak' nor 'history' nor 'gauges' of a prescribed "
+            "uplift is given; add one of them"},
     BadCase{"PeakAndHistory", "lag = 0.02", "history = \"force.csv\"",
             "case.toml:93:1: [sliding.uplift]: both 'peak' and 'history' are given; keep one of them"},
     BadCase{"LagOfAHistory", "peak = 5e5\nshape = \"held\"", "history = \"force.csv\"",

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 #include <unistd.h>
+#include <zlib.h>
 
 #include <filesystem>
 #include <fstream>
@@ -40,7 +41,7 @@ class Csv : public testing::Test {
 
 TEST_F(Csv, ReadsColumns) {
   const CsvTable table = read("time, force,\"p\"\n0,1e6,-2.5\n\n+0.5 ,\t2,3\n");
-  EXPECT_EQ(table.names, (std::vector<std::string>{"time", "force", "\"p\""}));
+  EXPECT_EQ(table.names, (std::vector<std::string>{"time", "force", "p"}));
   EXPECT_EQ(table.columns, (std::vector<std::vector<double>>{{0., 0.5}, {1e6, 2.}, {-2.5, 3.}}));
   EXPECT_EQ(table.lines, (std::vector<int>{2, 4}));
   EXPECT_EQ(table.place(1).line, 4);
@@ -80,12 +81,47 @@ TEST_F(Csv, ReadsWhatIsLeftOfADecayAsZero) {
   EXPECT_EQ(read("t,p\n1e-49,0\n").columns[0][0], 1e-49);
 }
 
-TEST_F(Csv, NamesOtherDialects) {
-  EXPECT_EQ(refusal("\n# measured\ntime,p\n0,1\n"),
-            "f:2:1: a comment ('#') stands where the names of the columns belong");
-  EXPECT_EQ(refusal("time;p\n0;1\n"), "f:1:1: the columns are separated by semicolons");
-  EXPECT_EQ(refusal("0,5;1,2\n"), "f:1:1: the columns are separated by semicolons");
-  EXPECT_EQ(refusal("time\tp\n0\t1\n"), "f:1:1: the columns are separated by tabs");
+TEST_F(Csv, ReadsWhatLaboratoriesWrite) {
+  const std::vector<std::vector<double>> columns{{0., 0.5}, {1.25, -2e3}};
+  const std::vector<std::string> names{"time", "p1"}, units{"s", "kPa"};
+  for (const std::string text :
+       {"time (s),p1 (kPa)\n0,1.25\n0.5,-2e3\n", "time [s];p1 [kPa]\n0;1,25\n0,5;-2e3\n",
+        "time (s)\tp1 (kPa)\n0\t1,25\n.5\t-2e3\n", "\"time (s)\",\"p1 (kPa)\"\r\n0,1.25\r\n0.5,-2e3\r\n",
+        "time;p1\n[s];[kPa]\n0,0;1,25\n0,50;-2,0e3\n", "time;p1\ns;kPa\n0.0;1.25\n0.50;-2.0e3\n",
+        "# run 7\n% of 9\n\ntime (s),p1 (kPa)\n0,1.25\n0.5,-2000",
+        "# run 7\n# time (s),p1 (kPa)\n0,1.25\n0.5,-2000\n"}) {
+    const CsvTable table = read(text);
+    EXPECT_EQ(table.names, names) << text;
+    EXPECT_EQ(table.units, units) << text;
+    EXPECT_EQ(table.columns, columns) << text;
+  }
+  EXPECT_EQ(read("a,b\n1,2\n").units, (std::vector<std::string>{"", ""}));
+  EXPECT_EQ(read("load (slow) (N),b\n1,2\n").names[0], "load (slow)");
+  EXPECT_EQ(read("# 1,2\nt,p\n1,2\n").lines, (std::vector<int>{3}));
+}
+
+TEST_F(Csv, TellsWhereOtherDialectsAreDamaged) {
+  EXPECT_EQ(refusal("0,5;1,2\n"), "f:1:1: the first line holds numbers, not the names of the columns");
+  EXPECT_EQ(refusal("# measured in 2026\n0,5\n"), "f:2:1: the first line holds numbers, not the names of the columns");
+  EXPECT_EQ(refusal("t;p\n0;1.000,5\n"), "f:2:3: '1.000,5' is not a number (column p)");
+  EXPECT_EQ(refusal("t;p\n0;1\n0,1,2;2\n"), "f:3:1: '0,1,2' is not a number (column t)");
+  EXPECT_EQ(refusal("t,p\n1,5\n0,1,2\n"), "f:3:1: cells in this row: 3, in the header: 2");
+  EXPECT_EQ(refusal("t;p\n0;1\ns;kPa\n"),
+            "f:3:1: 's' is not a number (column t)\nf:3:3: 'kPa' is not a number (column p)");
+}
+
+TEST_F(Csv, ReadsPackedTables) {
+  const std::string text = "t,p\n0,1\n0.5,2\n";
+  const gzFile file = gzopen(path_.c_str(), "wb");
+  gzwrite(file, text.data(), static_cast<unsigned>(text.size()));
+  gzclose(file);
+  EXPECT_EQ(read_csv(path_, {}).columns, (std::vector<std::vector<double>>{{0., 0.5}, {1., 2.}}));
+  std::ifstream packed(path_, std::ios::binary);
+  std::string bytes((std::istreambuf_iterator<char>(packed)), {});
+  EXPECT_NE(refusal(bytes.substr(0, bytes.size() - 9)).find("is damaged where it is packed by gzip"),
+            std::string::npos);
+  bytes[bytes.size() - 6] ^= 1;
+  EXPECT_NE(refusal(bytes).find("is damaged where it is packed by gzip"), std::string::npos);
 }
 
 TEST_F(Csv, TellsSeveralButNotThousands) {

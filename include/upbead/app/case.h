@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "upbead/app/gauge_source.h"
 #include "upbead/input/document.h"
 #include "upbead/model/scene.h"
 
@@ -23,8 +24,10 @@ struct Case {
   Scene scene;                                ///< checked as far as it can be without a mesh; paths as written
   Document document;                          ///< what was written, for places
   std::string stem;                           ///< the file's name without folder and ending
-  std::map<std::string, LoadSource> sources;  ///< of each load, by its name
+  std::map<std::string, LoadSource> sources;  ///< of each load of one history, by its name
+  std::map<std::string, GaugeLoad> gauges;    ///< loads by transducers; in the scene NAME.TRANSDUCER
   std::string uplift_history;                 ///< CSV file of a prescribed uplift, relative to the case; "" without
+  std::optional<GaugeLoad> uplift_gauges;     ///< of an uplift by transducers
 
   /// Where a dotted key such as "regions.sand.porosity" was written; of the nearest table around it where it was not.
   Place place(const std::string& key) const { return document.place(key); }

@@ -1,4 +1,4 @@
-// Tables of numbers as text: a header line with names, then rows of numbers, separated by commas.
+// Tables of numbers as text: a header line with names, then rows of numbers.
 #pragma once
 
 #include <string>
@@ -10,7 +10,8 @@ namespace upbead {
 
 struct CsvTable {
   std::string path;
-  std::vector<std::string> names;            ///< of the columns
+  std::vector<std::string> names;            ///< of the columns, without units and quotes
+  std::vector<std::string> units;            ///< of the columns, as written; "" where none is
   std::vector<std::vector<double>> columns;  ///< columns[c][row]
   std::vector<int> lines;                    ///< of each row in the file
 
@@ -19,10 +20,13 @@ struct CsvTable {
   Place place(std::size_t row) const { return {path, lines[row], 1}; }
 };
 
-/// Reads a table of numbers with at least one row. Blank lines are skipped. Throws InputError with file:line:column: a
-/// file that cannot be read or is larger than 1 GB (at `place`, the key that names it), an empty one, no header, a cell
-/// that is no finite number of a magnitude up to largest_magnitude, a row with another number of cells than the header.
-/// A magnitude below smallest_magnitude is read as zero.
+/// Reads a table of numbers with at least one row, as laboratories and spreadsheets write it: separated by commas,
+/// or by semicolons or tabs, where decimal commas are understood too; units behind the names, "p1 (kPa)", "p1 [kPa]",
+/// or in a row of their own below; packed by gzip or not. Lines above the header that begin with # or % are comments;
+/// the last of them is the header where no other is there. Blank lines are skipped. Throws InputError with
+/// file:line:column: a file that cannot be read or is larger than 1 GB (at `place`, the key that names it), an empty
+/// one, no header, a cell that is no finite number of a magnitude up to largest_magnitude, a row with another number of
+/// cells than the header. A magnitude below smallest_magnitude is read as zero.
 CsvTable read_csv(const std::string& path, const Place& place);
 
 }  // namespace upbead

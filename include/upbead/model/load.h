@@ -42,9 +42,10 @@ TimeFunction time_function(const Pulse& pulse);
 std::optional<double> duration(const Pulse& pulse);
 
 enum class LoadKind {
-  force,     ///< resultant (N/m) in `direction`
-  traction,  ///< Pa in `direction`
-  pressure,  ///< Pa: total normal stress = -value, and pore pressure = value where the boundary is open
+  force,      ///< resultant (N/m) in `direction`
+  traction,   ///< Pa in `direction`
+  pressure,   ///< Pa: total normal stress = -value, and pore pressure = value where the boundary is open
+  pressures,  ///< of a case only: by transducers (gauges.h), each of which becomes a pressure in the scene
 };
 
 /// One table [loads.NAME].

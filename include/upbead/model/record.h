@@ -37,8 +37,9 @@ struct RecordAtHeight {
 };
 
 /// records_swapped: exchanging two of the records, all sampled at the same times, would make the pressures run much
-/// more smoothly over the height: the sum over time of squared second differences falls below a quarter. Needs four
-/// records; ascending heights. The value is that ratio, and the text names both.
+/// more smoothly over the height: the sum of squared second differences, over the 2,000 samples with the largest
+/// pressures, falls below a quarter. Needs four records; ascending heights. The value is that ratio, and the text names
+/// both.
 NumberedWarnings swapped_records(const std::vector<RecordAtHeight>& records);
 
 }  // namespace upbead

@@ -57,6 +57,21 @@ struct SoilSummary {
   double largest_damping = 0.;      ///< largest damping ratio
 };
 
+/// What transducers along a wall or a bottom measured.
+struct GaugeSummary {
+  std::string name;  ///< of the load; "sliding.uplift"
+  int gauges = 0, samples = 0;
+  double interval = 0.;                          ///< between samples, mean (s)
+  std::string peak_gauge;                        ///< that saw the largest pressure
+  double peak_pressure = 0., peak_at = 0.;       ///< it, and where (Pa, m)
+  double peak_pressure_time = 0.;                ///< s
+  double peak_force = 0., peak_force_time = 0.;  ///< largest magnitude of their resultant (N/m, s)
+  std::optional<double> arm;  ///< of it, above the bottom; of an uplift landward of the bottom's middle (m)
+  double force_error = 0.,
+         arm_error = 0.;            ///< by interpolation: of the force, relative; of the arm, over the row's length
+  std::optional<double> load_cell;  ///< largest force by the load cell (N/m)
+};
+
 /// What was left out, and why.
 struct Skipped {
   std::string what;
@@ -73,6 +88,7 @@ struct Summary {
   Discretisation discretisation;
   std::optional<ShearResponse> response;  ///< none without a caisson
   std::vector<LoadOnCaisson> loads;
+  std::vector<GaugeSummary> gauges;
   std::optional<EnergyAccount> energy;        ///< none where no march kept an account
   std::optional<ReductionSummary> reduction;  ///< none where it was marched
   std::optional<ErrorEstimate> error;         ///< none where the mesh was not made for the tolerance
@@ -84,6 +100,9 @@ struct Summary {
   std::vector<Skipped> skipped;
   Timing timing;
 };
+
+/// An object by name, as below the key `gauges`.
+std::string gauges_json(const std::vector<GaugeSummary>& gauges);
 
 /// JSON with the keys of docs/output.md; null where a value does not exist. Throws NumericsError where one is not
 /// finite.

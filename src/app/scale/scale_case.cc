@@ -1,6 +1,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "../records/record_table.h"
 #include "factors.h"
 #include "scale_mesh.h"
 #include "upbead/base/csv.h"
@@ -17,36 +18,59 @@ void check_factor(double factor) {
                    "give the new length over the old one, such as 20, or 0.05 for a model");
 }
 
-/// A history with its times and values at the new size.
-std::string scaled_history(const std::string& path, const Place& place, double factor, const std::string& unit) {
-  const CsvTable table = read_csv(path, place);
+/// A table at the new size; `units`: SI, of the quantity of each column.
+std::string scaled_table(const CsvTable& table, const std::vector<std::string>& units, double factor) {
   std::string text;
-  for (std::size_t c = 0; c < table.names.size(); ++c) text += (c == 0 ? "" : ",") + table.names[c];
-  const double time = std::pow(factor, froude_exponent("s")), value = std::pow(factor, froude_exponent(unit));
+  for (std::size_t c = 0; c < table.names.size(); ++c)
+    text += (c == 0 ? "" : ",") + table.names[c] + (table.units[c].empty() ? "" : " (" + table.units[c] + ")");
   for (std::size_t row = 0; row < table.n_rows(); ++row) {
     text += "\n";
     for (std::size_t c = 0; c < table.columns.size(); ++c)
-      text += (c == 0 ? "" : ",") + number_text(table.columns[c][row] * (c == 0 ? time : value));
+      text += (c == 0 ? "" : ",") + number_text(table.columns[c][row] * std::pow(factor, froude_exponent(units[c])));
   }
   return text + "\n";
+}
+
+/// A history with its times and values at the new size.
+std::string scaled_history(const std::string& path, const Place& place, double factor, const std::string& unit) {
+  const CsvTable table = read_csv(path, place);
+  std::vector<std::string> units(table.names.size(), unit);
+  units.front() = "s";
+  return scaled_table(table, units, factor);
+}
+
+/// The record of transducers at the new size.
+std::string scaled_record(const Case& problem, const GaugeSource& source, const std::string& path, double factor) {
+  const CsvTable table = read_record_table(problem.resolve(source.gauges), problem.place(path + ".gauges"));
+  std::vector<std::string> units;
+  for (const std::string& name : table.names) units.emplace_back(name == source.load_cell ? "N/m" : "Pa");
+  if (!source.sampling_rate) units.front() = "s";
+  return scaled_table(table, units, factor);
 }
 
 /// Writes the histories of loads and uplift anew, beside the case, under names of their own.
 void scale_histories(const Case& problem, double factor, CaseTables& tables, std::vector<NamedText>& histories) {
   for (auto& [name, load] : tables.load_tables) {
-    if (load.history_file.empty()) continue;
-    const Place place = problem.place(dotted("loads", name) + ".history");
-    histories.push_back(
-        {name + ".csv", scaled_history(problem.resolve(load.history_file), place, factor, history_unit(load))});
-    load.history_file = histories.back().path;
+    const std::string path = dotted("loads", name);
+    if (!load.history_file.empty())
+      load.history_file = histories
+                              .emplace_back(NamedText{name + ".csv", scaled_history(problem.resolve(load.history_file),
+                                                                                    problem.place(path + ".history"),
+                                                                                    factor, history_unit(load))})
+                              .path;
+    if (!load.gauges.empty())
+      load.gauges = histories.emplace_back(NamedText{name + ".csv", scaled_record(problem, load, path, factor)}).path;
   }
   if (!tables.sliding_table || !tables.sliding_table->uplift_table) return;
-  std::string& file = tables.sliding_table->uplift_table->history_file;
-  if (file.empty()) return;
+  UpliftTable& uplift = *tables.sliding_table->uplift_table;
   const std::string name = tables.load_tables.count("uplift") == 0 ? "uplift.csv" : "sliding-uplift.csv";
-  histories.push_back(
-      {name, scaled_history(problem.resolve(file), problem.place("sliding.uplift.history"), factor, "N/m")});
-  file = name;
+  if (!uplift.gauges.empty())
+    uplift.gauges =
+        histories.emplace_back(NamedText{name, scaled_record(problem, uplift, "sliding.uplift", factor)}).path;
+  if (uplift.history_file.empty()) return;
+  histories.push_back({name, scaled_history(problem.resolve(uplift.history_file),
+                                            problem.place("sliding.uplift.history"), factor, "N/m")});
+  uplift.history_file = name;
 }
 
 std::string heading(const Case& problem, const ScaleOptions& options) {

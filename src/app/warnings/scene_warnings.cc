@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../records/gauge_report.h"
 #include "upbead/response/wave_resolution.h"
 
 namespace upbead {
@@ -22,7 +23,7 @@ NumberedWarnings scene_warnings(const Case& input, const CompiledCase& scene, co
   NumberedWarnings all;
   for (const NumberedWarnings& part :
        {step_warnings(scene), jump_warnings(scene), mesh_warnings(scene), wall_warnings(scene, peak_time),
-        load_warnings(scene), skin_warnings(scene), history_warnings(input)})
+        load_warnings(scene), skin_warnings(scene), history_warnings(input), gauge_warnings(input, scene)})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }

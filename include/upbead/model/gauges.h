@@ -1,0 +1,60 @@
+// Pressures measured by transducers along a wall or a bottom.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "upbead/base/numbered_warning.h"
+#include "upbead/model/load.h"
+
+namespace upbead {
+
+/// How the pressure runs on beyond the first and the last transducer.
+enum class Beyond {
+  constant,  ///< as at the transducer, to the end of the wall
+  none,      ///< there is none
+  to_zero,   ///< linearly to zero at a stated place
+};
+
+/// Pressures at places that ascend (heights y of a wall, x of a bottom), linear between them and in time.
+struct Gauges {
+  std::vector<std::string> name;                                     ///< of each
+  std::vector<double> place;                                         ///< of each (m)
+  std::vector<double> time;                                          ///< s, ascending; t = 0 is the run's
+  std::vector<std::vector<double>> pressure;                         ///< of each over time (Pa)
+  std::array<Beyond, 2> beyond{Beyond::constant, Beyond::constant};  ///< below the first, above the last
+  std::array<double, 2> zero_at{0., 0.};                             ///< m, where that is to_zero
+  std::vector<double> load_cell;                                     ///< force over time (N/m); may be empty
+
+  std::size_t count() const { return place.size(); }
+};
+
+/// The share of transducer i in the pressure at every place, as Load::shape: 1 at its own place, 0 at its neighbours.
+std::vector<std::array<double, 2>> share(const Gauges& gauges, std::size_t i);
+
+/// Force and its moment about place 0 over time.
+struct Resultant {
+  std::vector<double> force;   ///< N/m
+  std::vector<double> moment;  ///< N m/m
+};
+
+/// Integrals of the pressure from place `from` to `to` (m).
+Resultant resultant(const Gauges& gauges, double from, double to);
+
+/// How wrong the force and its arm may be when they are largest because the pressure is known at some places only: a
+/// third of what leaving out every other transducer changes (Richardson's rule for the trapezoids between them), of
+/// the force relative, of the arm over the length of the row. Three transducers or more; 0 for fewer.
+struct InterpolationError {
+  double force = 0., arm = 0.;
+  double time = 0.;  ///< of the largest force (s)
+};
+InterpolationError interpolation_error(const Gauges& gauges);
+
+/// Warnings of each transducer's record (record.h), of exchanged ones, and
+///   gauges_too_sparse   the interpolation error of the force exceeds 5 %
+///   load_cell_differs   the largest force by the load cell and that of `total` differ by more than 10 %
+/// `name`: of the load; `total`: force by the transducers over time (N/m).
+NumberedWarnings gauge_warnings(const std::string& name, const Gauges& gauges, const std::vector<double>& total);
+
+}  // namespace upbead

@@ -1,0 +1,108 @@
+// Claim: pressures between transducers are linear, beyond them as stated; forces and moments are their exact integrals;
+// a peak narrower than the spacing is told, with an error near the true one.
+#include "upbead/model/gauges.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace upbead {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+/// Pressures p(y) f(t), f a triangle of 1 at 0.5 s.
+template <class Pressure>
+Gauges row(const std::vector<double>& places, Pressure p) {
+  Gauges gauges;
+  for (int i = 0; i <= 200; ++i) gauges.time.push_back(0.005 * i);
+  for (const double y : places) {
+    gauges.name.push_back("p" + std::to_string(gauges.name.size() + 1));
+    gauges.place.push_back(y);
+    gauges.pressure.emplace_back();
+    for (const double t : gauges.time) gauges.pressure.back().push_back(p(y) * (1. - std::abs(2. * t - 1.)));
+  }
+  return gauges;
+}
+
+const std::vector<double> seven{0., 2., 4., 6., 8., 10., 12.};
+
+NumberedWarning warning(const NumberedWarnings& list, const std::string& name) {
+  for (const NumberedWarning& found : list)
+    if (found.name == name) return found;
+  return {};
+}
+
+TEST(Gauges, IntegrateALinearPressureExactly) {
+  Gauges gauges = row({1., 2., 5.}, [](double y) { return 10. - y; });
+  gauges.beyond = {Beyond::none, Beyond::none};
+  const Resultant r = resultant(gauges, -100., 100.);
+  EXPECT_NEAR(r.force[100], 10. * 4. - 0.5 * (25. - 1.), 1e-12);
+  EXPECT_NEAR(r.moment[100], 5. * (25. - 1.) - (125. - 1.) / 3., 1e-12);
+  EXPECT_NEAR(r.force[50], 0.5 * r.force[100], 1e-12);
+}
+
+TEST(Gauges, RunOnAsStated) {
+  Gauges gauges = row({1., 2.}, [](double) { return 3.; });
+  gauges.beyond = {Beyond::constant, Beyond::to_zero};
+  gauges.zero_at = {0., 4.};
+  const Resultant r = resultant(gauges, -1., 10.);
+  EXPECT_NEAR(r.force[100], 3. * (2. + 1. + 1.), 1e-10);
+  EXPECT_NEAR(r.moment[100], 3. * (0. + 1.5 + 1. * (2. + 2. / 3.)), 1e-10);
+  EXPECT_NEAR(resultant(gauges, 1., 2.).force[100], 3., 1e-12);
+  gauges.beyond = {Beyond::none, Beyond::none};
+  EXPECT_NEAR(resultant(gauges, -1., 10.).force[100], 3., 1e-12);
+}
+
+TEST(Gauges, SharesAddUpToOne) {
+  Gauges gauges = row(seven, [](double) { return 1.; });
+  for (const double y : {-5., 0., 0.7, 2., 6.3, 12., 40.}) {
+    double sum = 0.;
+    for (std::size_t i = 0; i < gauges.count(); ++i) {
+      Load load;
+      load.shape = share(gauges, i);
+      sum += intensity(load, y);
+    }
+    EXPECT_NEAR(sum, 1., 1e-12) << y;
+  }
+}
+
+// exp(-(y - y0)^2 / (2 s^2)): trapezoids of spacing h err by up to h^2 / 12 times the difference of the slopes at the
+// ends for a smooth peak, and by up to all of it where s << h.
+TEST(Gauges, TellAPeakNarrowerThanTheirSpacing) {
+  const auto peak = [](double y0, double s) {
+    return [=](double y) { return 1e5 * std::exp(-0.5 * (y - y0) * (y - y0) / (s * s)); };
+  };
+  for (const double s : {0.5, 0.7}) {
+    Gauges gauges = row(seven, peak(6.3, s));
+    gauges.beyond = {Beyond::none, Beyond::none};
+    const double exact = 1e5 * s * std::sqrt(2. * pi), force = resultant(gauges, 0., 12.).force[100];
+    const NumberedWarning told = warning(gauge_warnings("wall", gauges, {}), "gauges_too_sparse");
+    ASSERT_EQ(told.name, "gauges_too_sparse") << s;
+    EXPECT_GT(std::abs(force / exact - 1.), 0.03) << s;
+    EXPECT_LT(std::abs(force / exact - 1.), 4. * told.value) << s << " " << force / exact << " " << told.value;
+  }
+  const Gauges wide = row(seven, peak(6.3, 3.));
+  EXPECT_EQ(warning(gauge_warnings("wall", wide, {}), "gauges_too_sparse").name, "");
+  EXPECT_LT(interpolation_error(wide).force, 0.05);
+}
+
+TEST(Gauges, AreComparedWithALoadCell) {
+  Gauges gauges = row(seven, [](double y) { return 2e4 - 1e3 * y; });
+  const std::vector<double> total = resultant(gauges, 0., 12.).force;
+  gauges.load_cell = total;
+  EXPECT_TRUE(gauge_warnings("wall", gauges, total).empty());
+  for (double& force : gauges.load_cell) force *= 0.8;
+  const NumberedWarning told = warning(gauge_warnings("wall", gauges, total), "load_cell_differs");
+  EXPECT_NEAR(told.value, 0.25, 1e-12);
+}
+
+TEST(Gauges, TellExchangedHeightsByName) {
+  Gauges gauges = row(seven, [](double y) { return 2e4 - 1e3 * y + 4e3 * std::sin(0.3 * y); });
+  std::swap(gauges.pressure[1], gauges.pressure[4]);
+  const NumberedWarning told = warning(gauge_warnings("wall", gauges, {}), "records_swapped");
+  EXPECT_NE(told.text.find("'wall.p2' and 'wall.p5'"), std::string::npos) << told.text;
+}
+
+}  // namespace
+}  // namespace upbead
