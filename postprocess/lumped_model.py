@@ -10,74 +10,8 @@ Frequency and damping are those of the mode that carries most of F_T under that 
 import argparse
 from pathlib import Path
 
-import h5py
-import numpy as np
-
 from common import UserError, run
-
-
-def complex_numbers(dataset):
-    return dataset[..., 0] + 1j * dataset[..., 1]
-
-
-def pairs(values):
-    values = np.asarray(values, dtype=complex)
-    return np.stack([values.real, values.imag], axis=-1)
-
-
-def texts(dataset):
-    return [text.decode() if isinstance(text, bytes) else text for text in dataset[:]]
-
-
-class Source:
-    """What is taken from the reduced model."""
-
-    def __init__(self, path, load):
-        try:
-            with h5py.File(path) as file:
-                loads, readings = texts(file["loads/name"]), texts(file["readings/name"])
-                self.title = file.attrs["title"]
-                self.title = self.title.decode() if isinstance(self.title, bytes) else self.title
-                self.case = dict(file["case"].attrs)
-                self.validity = dict(file["validity"].attrs)
-                peaks = file["loads/peak"][:]
-                self.index = loads.index(load) if load else int(np.argmax(peaks))
-                self.load, self.peak = loads[self.index], peaks[self.index]
-                self.duration = file["loads/duration"][self.index]
-                self.force = file["modes/feedthrough"][readings.index("force"), self.index]
-                pole = complex_numbers(file["modes/pole"])
-                answer = (complex_numbers(file["modes/reading"])[readings.index("shear_force")]
-                          * complex_numbers(file["modes/load"])[:, self.index])
-        except (OSError, KeyError, ValueError) as error:
-            raise UserError(f"'{path}' is no reduced model with a caisson and that load: {error}") from error
-        swings = np.abs(pole.imag) > 0
-        share = np.where(swings, np.abs(answer / pole), 0)  # of a lasting force
-        self.pole = pole[share.argmax()]
-
-
-def write(path, source):
-    """One mode z' = pole z + P; F_T = Re(shear z), of m x'' + c x' + k x = P."""
-    mass = source.case["caisson_mass"]
-    rate, half = abs(source.pole), -source.pole.real  # omega_n, zeta omega_n
-    pole = complex(-half, np.sqrt(rate**2 - half**2))
-    x = -1j / (mass * pole.imag)
-    with h5py.File(path, "w") as file:
-        file.attrs.update(title=f"one mass for: {source.title}", program="lumped_model.py",
-                          kind="upbead reduced model", format_version=1)
-        file["case"] = ""
-        file["case"].attrs.update(source.case)
-        file["loads/name"], file["loads/unit"] = [source.load], ["N/m"]
-        file["loads/peak"], file["loads/duration"] = [source.peak], [source.duration]
-        file["readings/name"] = ["force", "shear_force", "caisson/displacement_x"]
-        file["readings/unit"] = ["N/m", "N/m", "m"]
-        file["readings/description"] = ["P", "F_T = c x' + k x", "x"]
-        file["modes/pole"] = pairs([pole])
-        file["modes/load"] = pairs([[source.force]])
-        file["modes/reading"] = pairs([[0], [mass * (rate**2 + 2 * half * pole) * x], [x]])
-        file["modes/feedthrough"] = np.array([[source.force], [0.0], [0.0]])
-        file["modes/impulse"] = np.zeros((3, 1))
-        file.create_group("validity").attrs.update(source.validity)
-    print(f"{path}: {rate / (2 * np.pi):.4g} Hz, {100 * half / rate:.3g} % of critical damping")
+from upbead.lumped_model import Source, write_lumped
 
 
 def main():
@@ -88,9 +22,10 @@ def main():
     arguments = parser.parse_args()
     source = Source(arguments.model, arguments.load)
     try:
-        write(arguments.output, source)
+        frequency, damping = write_lumped(arguments.output, source)
     except OSError as error:
         raise UserError(f"cannot write '{arguments.output}': {error}") from error
+    print(f"{arguments.output}: {frequency:.4g} Hz, {100 * damping:.3g} % of critical damping")
 
 
 if __name__ == "__main__":

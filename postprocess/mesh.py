@@ -10,14 +10,8 @@ import subprocess
 import tempfile
 from pathlib import Path
 
-from matplotlib.collections import LineCollection, PolyCollection
-from matplotlib.lines import Line2D
-from matplotlib.patches import Patch
-
-import msh
-from common import UserError, plt, run, save
-
-SURFACE_COLOURS = ["#f3e3b3", "#b9c6b0", "#c9ccd4", "#bfdcee", "#e6c9b8", "#d9cbe8"]
+from common import UserError, run, save
+from upbead import figures, msh
 
 
 def mesh_of_script(script, settings):
@@ -38,28 +32,6 @@ def mesh_of_script(script, settings):
         return msh.read(made)
 
 
-def draw(mesh, title):
-    figure, axes = plt.subplots(figsize=(10, 4.5))
-    handles = []
-    for number, (name, cells) in enumerate(mesh.surfaces.items()):
-        colour = SURFACE_COLOURS[number % len(SURFACE_COLOURS)]
-        corners = [[mesh.points[node] for node in cell] for cell in cells]
-        axes.add_collection(PolyCollection(corners, facecolor=colour, edgecolor="0.45", linewidth=0.3))
-        handles.append(Patch(facecolor=colour, edgecolor="0.45", label=f"{name}: {len(cells)} cells"))
-    for number, (name, edges) in enumerate(mesh.curves.items()):
-        ends = [[mesh.points[node] for node in edge] for edge in edges]
-        axes.add_collection(LineCollection(ends, color=f"C{number % 10}", linewidth=2.0))
-        handles.append(Line2D([], [], color=f"C{number % 10}", linewidth=2.0, label=name))
-    axes.autoscale_view()
-    axes.set_aspect("equal")
-    axes.grid(False)
-    axes.set_xlabel("x (m)")
-    axes.set_ylabel("y (m)")
-    axes.set_title(title)
-    axes.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, 0.0), borderaxespad=4.5, ncol=6)
-    return figure
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("mesh", type=Path, help="a .msh or a .geo")
@@ -75,10 +47,7 @@ def main():
         raise UserError("--set is for a .geo; a .msh has no parameters")
     else:
         mesh = msh.read(arguments.mesh)
-    figure = draw(mesh, arguments.mesh.name)
-    if arguments.zoom:
-        figure.axes[0].set_xlim(*arguments.zoom[:2])
-        figure.axes[0].set_ylim(*arguments.zoom[2:])
+    figure = figures.mesh(mesh, arguments.mesh.name, arguments.zoom)
     save(figure, arguments.output or arguments.mesh.with_suffix(".png"))
 
 

@@ -8,130 +8,11 @@ with their rank correlation, and the distribution of the number. Several cases h
 """
 
 import argparse
-import csv
-import itertools
 from pathlib import Path
 
-import h5py
-import matplotlib.pyplot as plt
-import numpy as np
-
-from common import UserError, run, save
-
-MOST_LINES = 8
-UNITS = {"peak_shear": "N/m", "peak_force": "N/m", "peak_displacement": "m", "sliding_history": "m", "arm": "m"}  # read
-
-
-class Table:
-    """The runs that were done, by column."""
-
-    def __init__(self, folder):
-        try:
-            with open(folder / "study.csv", newline="") as file:
-                reader = csv.DictReader(file)
-                rows, names = list(reader), list(reader.fieldnames or [])
-            with h5py.File(folder / "study.h5") as file:
-                self.keys, self.reads = ([name for name in names if name in file.get(group, {})]
-                                         for group in ("varied", "read"))
-                self.keys = ["case"] * ("case" in names) + self.keys
-                self.units = {key: file["varied"][key].attrs.get("unit", b"").decode()
-                              for key in self.keys if key != "case"}
-        except OSError as error:
-            raise UserError(f"'{folder}' holds no results of 'upbead study': {error}") from error
-        self.n_failed = sum(row["status"] != "done" for row in rows)
-        self.rows = [row for row in rows if row["status"] == "done"]
-        if not self.rows:
-            raise UserError(f"all {self.n_failed} runs of '{folder}' failed, see the column 'message' of study.csv")
-
-    def numbers(self, name):
-        """The column as numbers, nan where a cell is empty; None where it holds words."""
-        try:
-            return np.array([float(row[name] or "nan") for row in self.rows])
-        except ValueError:
-            return None
-
-    def words(self, name):
-        return [row[name] for row in self.rows]
-
-
-def is_drawn(table, key):
-    """Whether a key was drawn at random: hardly any value comes twice."""
-    return len(table.rows) >= 20 and len(set(table.words(key))) > 0.9 * len(table.rows)
-
-
-def label(table, name):
-    unit = table.units.get(name) or UNITS.get(name.split(".")[-1])
-    return f"{name} ({unit})" if unit else name
-
-
-def scale_axis(axes, values):
-    if np.all(values > 0) and values.max() > 8 * values.min():
-        axes.set_xscale("log")
-
-
-def rank_correlation(x, y):
-    """Spearman's, of values without ties."""
-    ranks = [np.argsort(np.argsort(values)) for values in (x, y)]
-    return np.corrcoef(*ranks)[0, 1]
-
-
-def draw_points(axes, table, key, y):
-    x = table.numbers(key)
-    cases = table.words("case") if "case" in table.keys else [""] * len(x)
-    for case in dict.fromkeys(cases):
-        good = np.isfinite(y) & np.array([found == case for found in cases])
-        correlation = round(rank_correlation(x[good], y[good]), 2) + 0.0
-        axes.plot(x[good], y[good], ".", markersize=3, alpha=0.5, label=f"{Path(case).stem} {correlation:.2f}")
-        axes.set_title(f"rank correlation {correlation:.2f}", fontsize=8)
-    if len(set(cases)) > 1:
-        axes.set_title("rank correlation", fontsize=8)
-        axes.legend(fontsize=7)
-    scale_axis(axes, x)
-
-
-def draw_lines(axes, table, key, others, y):
-    x = table.numbers(key)
-    words = sorted(set(table.words(key))) if x is None else None
-    x = np.array([words.index(word) for word in table.words(key)]) if x is None else x
-    combinations = list(zip(*(table.words(other) for other in others))) or [()] * len(x)
-    different = sorted(set(combinations), key=combinations.index)
-    crowded = len(different) > MOST_LINES
-    for combination in different:
-        chosen = np.array([found == combination for found in combinations])
-        order = np.argsort(x[chosen], kind="stable")
-        name = ", ".join(f"{other.split('.')[-1]} {value}" for other, value in zip(others, combination))
-        axes.plot(x[chosen][order], y[chosen][order], "o-", markersize=3, linewidth=1, alpha=0.4 if crowded else 1,
-                  color="C0" if crowded else None, label=None if crowded else name)
-    if words:
-        axes.set_xticks(range(len(words)), words)
-    else:
-        scale_axis(axes, x)
-    if others and not crowded:
-        axes.legend(fontsize=7)
-
-
-def draw_distribution(axes, y, words):
-    y = y[np.isfinite(y)]
-    low, middle, high = np.percentile(y, [5, 50, 95])
-    axes.hist(y, bins=min(40, max(8, len(y) // 20)), color="0.8", edgecolor="0.5", linewidth=0.5)
-    for value in (low, middle, high):
-        axes.axvline(value, color="C3", linewidth=1)
-    axes.set_title(f"5 %: {low:.3g}, median {middle:.3g}, 95 %: {high:.3g}", fontsize=8)
-    axes.set_xlabel(words)
-    axes.set_ylabel("runs")
-
-
-def chosen(known, asked, what):
-    for name in asked:
-        if name not in known:
-            raise UserError(f"the study has no {what} '{name}'; it has {', '.join(known)}")
-    return list(asked)
-
-
-def default_axes(table):
-    """Keys that vary; those with words only where there are no numbers, as the lines tell them too."""
-    different = [key for key in table.keys if len(set(table.words(key))) > 1] or table.keys[:1]
-    return [key for key in different if table.numbers(key) is not None] or different
+from common import run, save
+from upbead import figures
+from upbead.study_table import StudyTable
 
 
 def main():
@@ -141,36 +22,8 @@ def main():
     parser.add_argument("--x", action="append", help="draw against this key only; may be given several times")
     parser.add_argument("-o", "--output", type=Path, default=Path("study.png"))
     arguments = parser.parse_args()
-    table = Table(arguments.folder)
-    keys, reads = table.keys, table.reads
-    read = chosen(reads, [arguments.read], "number")[0] if arguments.read else reads[0]
-    y = table.numbers(read)
-    if not np.isfinite(y).any():
-        raise UserError(f"no run has the number '{read}'")
-    axes_keys = chosen(keys, arguments.x, "key") if arguments.x else \
-        default_axes(table)
-    drawn = [key for key in axes_keys if is_drawn(table, key) and table.numbers(key) is not None]
-
-    n = len(axes_keys) + bool(drawn)
-    columns = min(n, 3)
-    figure, panels = plt.subplots(-(-n // columns), columns, figsize=(0.6 + 3.6 * columns, 3.0 * -(-n // columns)),
-                                  layout="constrained", squeeze=False)
-    panels = list(itertools.chain(*panels))
-    for axes, key in zip(panels, axes_keys):
-        if key in drawn:
-            draw_points(axes, table, key, y)
-        else:
-            draw_lines(axes, table, key, [other for other in keys if other != key and not is_drawn(table, other)], y)
-        axes.set_xlabel(label(table, key))
-    for axes in panels[:len(axes_keys):columns]:
-        axes.set_ylabel(label(table, read))
-    if drawn:
-        draw_distribution(panels[len(axes_keys)], y, label(table, read))
-    for axes in panels[n:]:
-        axes.remove()
-    failed = f", {table.n_failed} more failed" if table.n_failed else ""
-    figure.suptitle(f"{arguments.folder.resolve().name}: {len(table.rows)} runs{failed}", fontsize=9)
-    save(figure, arguments.output)
+    table = StudyTable(arguments.folder)
+    save(figures.study(table, arguments.read, arguments.x), arguments.output)
 
 
 if __name__ == "__main__":

@@ -15,24 +15,9 @@ from pathlib import Path
 
 import numpy as np
 
-from common import UserError, plt, run, save
-from wave_summary import read
-
-
-def pick(summary, name):
-    """The wave of that name; the only one where no name is given."""
-    waves = summary["waves"]
-    if name is None and len(waves) > 1:
-        raise UserError(f"the summary has {len(waves)} waves; choose one with --wave: {', '.join(waves)}")
-    if name is not None and name not in waves:
-        raise UserError(f"there is no wave '{name}'; the summary has {', '.join(waves)}")
-    return name or next(iter(waves)), waves[name or next(iter(waves))]
-
-
-def profile(section, eta_star, p):
-    """Heights above still water (m) and pressures (kPa) from the caisson's bottom to where the pressure ends."""
-    top = min(eta_star, section["crest"])
-    return np.array([-section["foundation_depth"], 0.0, top]), np.array([p["p3"], p["p1"], p["p4"]]) / 1e3
+from common import UserError, run, save
+from upbead import figures
+from upbead.waves_result import read_waves
 
 
 def measured_points(path):
@@ -45,24 +30,6 @@ def measured_points(path):
     return points
 
 
-def draw_one(axes, summary, name, measured):
-    section = summary["section"]
-    name, wave = pick(summary, name)
-    for p, style, label in ((wave, "-", r"with $\alpha_I$"), (wave["without_alpha_I"], "--", r"$\alpha_2$ alone")):
-        height, pressure = profile(section, wave["eta_star"], p)
-        colour = "tab:red" if style == "-" else "tab:blue"
-        axes.plot(pressure, height, style, color=colour, lw=1.5,
-                  label=f"{label}: P = {p['force'] / 1e6:.3g} MN/m")
-    if measured is not None:
-        points = measured_points(measured)
-        axes.plot(points[:, 1] / 1e3, points[:, 0], "o", color="black", ms=4, label="measured")
-    axes.axhline(0, color="black", lw=0.6)
-    axes.plot([0, 0], [-section["foundation_depth"], section["crest"]], color="black", lw=4, solid_capstyle="butt")
-    axes.set(xlabel="pressure (kPa)", title=f"{summary['title'] or name}\nH = {wave['height']:.3g} m, "
-             f"T = {wave['period']:.3g} s, " + rf"$\alpha^*$ = {wave['alpha_star']:.2g}")
-    axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.14))
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("summaries", type=Path, nargs="+", help="folders of 'upbead waves', or their summary.json")
@@ -71,17 +38,11 @@ def main():
     parser.add_argument("-o", "--output", type=Path, default=Path("wave_pressure.png"),
                         help="figure (.png, .pdf, .svg); default: wave_pressure.png")
     arguments = parser.parse_args()
-    measured = arguments.measured or [None] * len(arguments.summaries)
-    if len(measured) != len(arguments.summaries):
-        raise UserError(f"{len(arguments.summaries)} summaries, but {len(measured)} files of --measured; give as many")
-    summaries = [read(path) for path in arguments.summaries]
-    size = (4.4 * len(summaries), 4.4)
-    figure, rows = plt.subplots(1, len(summaries), sharex=True, sharey=True, squeeze=False, figsize=size)
-    for axes, summary, points in zip(rows[0], summaries, measured):
-        draw_one(axes, summary, arguments.wave, points)
-    rows[0, 0].set_xlim(left=0)
-    rows[0, 0].set_ylabel("height above still water (m)")
-    save(figure, arguments.output)
+    summaries = [read_waves(path) for path in arguments.summaries]
+    if arguments.measured and len(arguments.measured) != len(summaries):
+        raise UserError(f"{len(summaries)} summaries, but {len(arguments.measured)} files of --measured; give as many")
+    measured = [measured_points(path) for path in arguments.measured] if arguments.measured else None
+    save(figures.wave_pressure(summaries, arguments.wave, measured), arguments.output)
 
 
 if __name__ == "__main__":

@@ -2,6 +2,7 @@
 #include <iostream>
 #include <optional>
 
+#include "base_forces/effective_base.h"
 #include "checkpoints.h"
 #include "several_processes.h"
 #include "upbead/app/commands.h"
@@ -17,14 +18,17 @@ namespace upbead {
 
 namespace {
 
-/// Histories of all readings, by the names of /history.
-std::vector<History> histories(const System& system, const Series& series) {
+/// Histories of all readings, by the names of /history, and of what stands on the ground.
+std::vector<History> histories(const CompiledCase& scene, const Series& series) {
+  const System& system = scene.compiled.system;
   std::vector<History> list{{"time", "s", "time", series.time}};
   for (std::size_t i = 0; i < system.readings.size(); ++i) {
     const Reading& reading = system.readings[i];
     const auto row = series.reading.row(static_cast<Eigen::Index>(i));
     list.push_back({reading.name, reading.unit, reading.description, std::vector<double>(row.begin(), row.end())});
   }
+  if (const std::optional<EffectiveBase> base = effective_base(scene, series))
+    for (History& history : base_histories(*base)) list.push_back(std::move(history));
   return list;
 }
 
@@ -82,13 +86,13 @@ Run solve(const Case& input, CompiledCase& scene, FieldOutput& fields, Checkpoin
 }
 
 /// Writes all files but the fields themselves; returns the summary as JSON.
-std::string write(const Case& input, const System& system, Run& run, const FieldOutput& fields,
+std::string write(const Case& input, const CompiledCase& scene, Run& run, const FieldOutput& fields,
                   const Stopwatch& since_start, OutputFolder& folder) {
   const Stopwatch watch;
   fields.finish();
   std::vector<History> tables = node_tables(run.contact);
   for (History& table : coupled_tables(run.coupled)) tables.push_back(std::move(table));
-  folder.write("results.h5", result_file(input.scene.title, histories(system, run.response.ends), tables));
+  folder.write("results.h5", result_file(input.scene.title, histories(scene, run.response.ends), tables));
   folder.write("case.toml", effective_case(input, folder.name()));
   run.summary.timing.march -= fields.seconds();
   run.summary.timing.output = watch.seconds() + fields.seconds();
@@ -120,7 +124,7 @@ void run(const CommonOptions& options, const CheckpointWish& wish, const Stopwat
   FieldOutput fields(input.scene, scene, folder ? &*folder : nullptr);
   Run result = solve(input, scene, fields, checkpoints ? &*checkpoints : nullptr, is_first);
   if (!is_first) return;
-  const std::string json = write(input, scene.compiled.system, result, fields, since_start, *folder);
+  const std::string json = write(input, scene, result, fields, since_start, *folder);
   checkpoints->remove();
   const std::string written =
       folder->name() + "/{results.h5, summary.json, case.toml" + (input.scene.fields_every ? ", fields.pvd}" : "}");

@@ -13,8 +13,8 @@ import numpy as np
 
 SCRIPTS = Path(sys.argv[1]) if len(sys.argv) > 1 else Path(__file__).parents[2] / "postprocess"
 sys.path.insert(0, str(SCRIPTS))
-from common import UserError  # noqa: E402
-from slip_result import SlipResult  # noqa: E402
+from upbead.errors import UserError  # noqa: E402
+from upbead.slip_result import SlipResult  # noqa: E402
 
 TIME, PLACE = np.linspace(0.0, 1.0, 101), np.linspace(-9.0, 9.0, 7)
 MEASURES = ["sliding.equal_impulse.sliding_paper", "sliding.equal_impulse.sliding_exact", "sliding.sliding_history",

@@ -6,14 +6,14 @@ That is /interface (by time and node) and /coupled (of the caisson that slips as
 import h5py
 import numpy as np
 
-from common import UserError
-from histories import Result
+from .errors import UserError
+from .results import Result
 
 SMALL = 1e-9  # of the largest slip or opening: less is round-off
 
 
 class SlipResult(Result):
-    """Arrays by time and node of the bottom; all in SI units."""
+    """A Result with position and length of the bottom's nodes, and slip, opening, shear, normal by time and node."""
 
     def __init__(self, folder):
         super().__init__(folder)
@@ -23,11 +23,11 @@ class SlipResult(Result):
             self.array(f"interface/{name}", shape) for name in ("slip", "opening", "shear_force", "normal_force"))
 
     def array(self, name, shape=None):
-        data = self.file.get(name)
-        if not isinstance(data, h5py.Dataset):
+        """A dataset beside /history as a plain array."""
+        if not isinstance(self.file.get(name), h5py.Dataset):
             raise UserError(f"'{self.path}' has no dataset /{name}: run the case with "
                             "regions.caisson.interface.kind = \"friction\" and a load that slides or lifts the caisson")
-        values = np.asarray(data[()], dtype=float)
+        values = self.dataset(f"/{name}").values
         if shape is not None and values.shape != shape:
             raise UserError(f"'{self.path}': /{name} has the shape {values.shape}, not {shape}")
         return values
@@ -42,6 +42,7 @@ class SlipResult(Result):
         return value
 
     def is_open(self):
+        """Whether a node is open, by time and node."""
         return self.opening > SMALL * max(np.max(np.abs(self.opening)), np.max(np.abs(self.slip)))
 
     def slips(self):

@@ -1,15 +1,17 @@
-"""Reads what `upbead waves` has written."""
+"""The results of `upbead waves`: a summary, with an object for each wave."""
 
 import json
+from pathlib import Path
 
-from common import UserError
+from .errors import UserError
 
 
-def read(path):
+def read_waves(path):
     """The summary of a folder or of a summary.json, with its waves."""
+    path = Path(path)
     file = path / "summary.json" if path.is_dir() else path
     try:
-        summary = json.loads(file.read_text())
+        summary = json.loads(file.read_text(encoding="utf-8"))
     except OSError as error:
         raise UserError(f"cannot read '{file}': {error.strerror}") from error
     except ValueError as error:

@@ -3,7 +3,7 @@
 from collections import defaultdict
 from dataclasses import dataclass, field
 
-from common import UserError
+from .errors import UserError
 
 LINE, QUADRILATERAL = 1, 3
 DIMENSION = {LINE: 1, QUADRILATERAL: 2}

@@ -1,0 +1,1 @@
+"""What the scripts that write pages of docs/ are made of: gallery.py and reference.py."""

@@ -1,0 +1,98 @@
+"""A state for ParaView: the fields of a run, coloured by pore pressure, warped by displacement, at all times.
+
+    pvpython postprocess/paraview_state.py results/NAME PICTURE.png      # a picture of the last time
+    UPBEAD_RESULT=results/NAME paraview --script=postprocess/paraview_state.py
+
+or File > Load State with UPBEAD_RESULT set, or from within the folder of the run. The run needs [output] fields.
+Tried with pvpython of ParaView 5.11 (Debian 12), not in its window.
+"""
+
+import os
+import sys
+from pathlib import Path
+
+from paraview import simple
+
+DISPLACEMENT, PRESSURE = "displacement_(m)", "pore_pressure_(Pa)"
+SHOWN = 0.03  # the largest displacement is drawn as this part of the section's height
+SIZE, BLACK = [1600, 500], [0.0, 0.0, 0.0]
+
+
+def result_folder():
+    given = sys.argv[1] if len(sys.argv) > 1 else os.environ.get("UPBEAD_RESULT", ".")
+    record = Path(given).resolve() / "fields.pvd"
+    if not record.is_file():
+        sys.exit(f"there is no '{record}'; run the case with --set 'output.fields={{ every = 0.02 }}', set UPBEAD_RESULT")
+    return record
+
+
+def largest(reader, times):
+    """The largest displacement and the largest size of the pore pressure over all times."""
+    displacement = pressure = 0.0
+    for time in times:
+        simple.UpdatePipeline(time=time, proxy=reader)
+        displacement = max(displacement, reader.PointData[DISPLACEMENT].GetRange(-1)[1])  # -1: the magnitude
+        pressure = max(pressure, *map(abs, reader.PointData[PRESSURE].GetRange(0)))
+    return displacement, pressure
+
+
+def exaggeration(bounds, displacement):
+    return SHOWN * (bounds[3] - bounds[2]) / displacement if displacement > 0 else 1.0
+
+
+def coloured(source, view, pressure):
+    """Shows pore pressure from -pressure to +pressure, with its scale below the section."""
+    display = simple.Show(source, view)
+    simple.ColorBy(display, ("POINTS", PRESSURE))
+    display.Ambient, display.Diffuse = 1.0, 0.0  # the colours of the scale, without shade
+    colours = simple.GetColorTransferFunction(PRESSURE)
+    colours.ApplyPreset("Cool to Warm", True)
+    colours.RescaleTransferFunction(-pressure, pressure)
+    display.SetScalarBarVisibility(view, True)
+    scale = simple.GetScalarBar(colours, view)
+    scale.Title, scale.ComponentTitle = "pore pressure (Pa)", ""
+    scale.Orientation, scale.WindowLocation, scale.ScalarBarLength = "Horizontal", "Lower Center", 0.4
+    for name in ("Title", "Label"):
+        setattr(scale, f"{name}FontSize", 14)
+        setattr(scale, f"{name}Color", BLACK)
+
+
+def written(text, view):
+    display = simple.Show(simple.Text(Text=text), view)
+    display.Color, display.FontSize = BLACK, 14
+    display.WindowLocation = "Upper Center"
+
+
+def look_at(view, bounds):
+    """The whole section, as wide as the window."""
+    view.UseColorPaletteForBackground, view.Background, view.OrientationAxesVisibility = 0, [1.0, 1.0, 1.0], 0
+    view.InteractionMode, view.CameraParallelProjection = "2D", 1
+    middle = [(bounds[0] + bounds[1]) / 2, (bounds[2] + bounds[3]) / 2]
+    view.CameraFocalPoint, view.CameraPosition, view.CameraViewUp = [*middle, 0.0], [*middle, 1e3], [0.0, 1.0, 0.0]
+    width = max(bounds[1] - bounds[0], (bounds[3] - bounds[2]) * SIZE[0] / SIZE[1])
+    view.CameraParallelScale = 0.53 * width * SIZE[1] / SIZE[0]
+
+
+def main():
+    reader = simple.PVDReader(FileName=str(result_folder()))
+    times = list(reader.TimestepValues)
+    view = simple.GetActiveViewOrCreate("RenderView")
+    view.ViewSize = SIZE
+    displacement, pressure = largest(reader, times)
+    bounds = reader.GetDataInformation().GetBounds()
+    warped = simple.WarpByVector(Input=reader)
+    warped.Vectors = ["POINTS", DISPLACEMENT]
+    warped.ScaleFactor = exaggeration(bounds, displacement)
+    coloured(warped, view, pressure)
+    written(f"displacements times {warped.ScaleFactor:.3g}", view)
+    scene = simple.GetAnimationScene()
+    scene.UpdateAnimationUsingDataTimeSteps()
+    scene.GoToLast()
+    simple.Render(view)  # the first time it places the camera itself
+    look_at(view, bounds)
+    simple.Render(view)
+    if len(sys.argv) > 2:
+        simple.SaveScreenshot(sys.argv[2], view, ImageResolution=SIZE)
+
+
+main()

@@ -1,0 +1,45 @@
+#!/usr/bin/env python3
+"""Makes one self-contained HTML page of a run: for those who ask for the numbers, not for the program.
+
+The page needs no network and no other file; it can be mailed. It prints on A4, and --pdf does that by Chromium.
+"""
+
+import argparse
+from pathlib import Path
+
+from common import run
+from report import page, pdf
+from upbead.errors import UserError
+from upbead.results import Result
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument(
+        "folder", type=Path, help="folder of a finished run, with results.h5, summary.json and case.toml"
+    )
+    parser.add_argument(
+        "-o", "--output", type=Path, metavar="FILE", help="the page (.html); default: report.html in the folder"
+    )
+    parser.add_argument("--pdf", type=Path, metavar="FILE", help="print the page to this file too; needs Chromium")
+    parser.add_argument(
+        "--case",
+        type=Path,
+        metavar="FILE",
+        help="the case as written, for its remarks; default: looked for by its title",
+    )
+    arguments = parser.parse_args()
+    output = arguments.output or arguments.folder / "report.html"
+    text = page.build(Result(arguments.folder), arguments.case)
+    try:
+        output.write_text(text, encoding="utf-8")
+    except OSError as error:
+        raise UserError(f"cannot write '{output}': {error.strerror}") from error
+    print(output)
+    if arguments.pdf:
+        pdf.write(output, arguments.pdf)
+        print(arguments.pdf)
+
+
+if __name__ == "__main__":
+    run(main)

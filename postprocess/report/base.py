@@ -1,0 +1,107 @@
+"""What the caisson's bottom does to its ground: forces over time, pressures over the width at chosen moments."""
+
+import re
+
+import numpy as np
+
+from report import figure
+from report.figure import words
+from report.markup import Markup, tag
+from report.plot import Line, Panel, Plot
+from report.series import largest
+
+FORCES = [  # history, symbol, colour, panel
+    ("normal_force", "ΔN", 0, "force"),
+    ("effective_normal_force", "N′", 1, "force"),
+    ("uplift", "U", 4, "force"),
+    ("base_moment", "M", 2, "moment"),
+    ("effective_base_moment", "M′", 5, "moment"),
+    ("eccentricity", "e", 3, "eccentricity"),
+    ("toe_pressure", "p_toe", 2, "pressure"),
+    ("heel_pressure", "p_heel", 0, "pressure"),
+]
+ROUND_OFF = 1e-9
+SYMBOL_BEFORE = re.compile(r"^[A-Z]\w*'*, ")  # descriptions may begin with the symbol
+PROFILES = [
+    ("normal_stress", "effective normal stress, change"),
+    ("pore_pressure", "pore pressure, excess"),
+    ("shear_stress", "shear stress on the ground, landward"),
+]
+
+
+def section(result):
+    if not result.has_caisson:
+        return Markup("")
+    parts = [tag("h2", "Pressures and forces at the base")]
+    over_width = profiles(result)
+    if over_width:
+        moments = [part for name, time in instants(result) for part in ((name,), f" is largest at {time:.4g} s", ", ")]
+        parts.append(
+            figure.of_plot(
+                over_width,
+                words(
+                    "Under the caisson over its width, the sea on the left, compression positive, at chosen moments: ",
+                    *moments[:-1],
+                    ".",
+                ),
+            )
+        )
+    else:
+        parts.append(tag("p", "This run has no pressures over the base (/base in results.h5).", class_="quiet"))
+    over_time = forces(result)
+    if over_time:
+        parts.append(figure.of_plot(over_time, explained(result)))
+    return tag("section", *parts, id="base-section")
+
+
+def is_zero(result, values):
+    """Whether a force or moment is but round-off beside the shear force."""
+    return largest(values) <= ROUND_OFF * largest(result.history("shear_force"))
+
+
+def forces(result):
+    time, panels = np.asarray(result.time), {}
+    for name, symbol, colour, panel in FORCES:
+        history = result.history(name) if f"/history/{name}" in result.file else None
+        if history is not None and not is_zero(result, history):
+            panels.setdefault(panel, Panel(history.unit, [], height=110)).lines.append(
+                Line(symbol, time, np.asarray(history), colour)
+            )
+    return Plot("base", list(panels.values())) if panels else None
+
+
+def explained(result):
+    parts = ["At the bottom, over time"]
+    for name, symbol, _, _ in FORCES:
+        if f"/history/{name}" in result.file:
+            history = result.history(name)
+            about = SYMBOL_BEFORE.sub("", history.description)
+            parts += ["; ", (symbol,), f": {about}" + (", zero here" if is_zero(result, history) else "")]
+    return words(*parts, ".")
+
+
+def instants(result):
+    """[(what is largest then, time)], in the order of time."""
+    found = []
+    for what, name in (("P", "force"), ("F_T", "shear_force"), ("M", "base_moment")):
+        if f"/history/{name}" in result.file:
+            values = np.abs(np.asarray(result.history(name)))
+            found.append((what, float(result.time[int(np.argmax(values))])))
+    return sorted(found, key=lambda pair: pair[1])
+
+
+def profiles(result):
+    base = result.file.get("base")
+    if base is None or "position" not in base:
+        return None
+    position = np.asarray(base["position"][()], dtype=float)
+    order, panels = np.argsort(position), []
+    for name, title in PROFILES:
+        if name not in base:
+            continue
+        values, lines = base[name], []
+        for colour, (what, time) in enumerate(instants(result)):
+            row = int(np.searchsorted(np.asarray(result.time), time))
+            lines.append(Line(f"{what} largest", position[order], np.asarray(values[row], dtype=float)[order], colour))
+        panels.append(Panel("Pa", lines, height=120, title=title))
+    return Plot("base-pressures", panels, axis=("position", "m")) if panels else None

@@ -1,0 +1,37 @@
+"""What transducers along the wall or the bottom saw, and how well their number and places give the force."""
+
+from report.markup import Markup, fold, table
+from report.units import percent, quantity
+
+HEAD = (
+    "record",
+    "transducers",
+    "samples",
+    "largest pressure",
+    "at",
+    "largest force",
+    "arm",
+    "error by interpolation: force",
+    "arm, of the row's length",
+    "load cell",
+)
+
+
+def records(summary):
+    """A fold with one row for each record; nothing where there are none."""
+    rows = [
+        (
+            name.replace("_", " "),
+            quantity(row.get("gauges")),
+            quantity(row.get("samples")),
+            quantity(row.get("peak_pressure"), "Pa"),
+            f"{row.get('peak_gauge', '')}",
+            quantity(row.get("peak_force"), "N/m"),
+            quantity(row.get("arm"), "m"),
+            percent(row.get("force_error")),
+            percent(row.get("arm_error")),
+            quantity(row.get("load_cell"), "N/m"),
+        )
+        for name, row in (summary.get("gauges") or {}).items()
+    ]
+    return fold("Records of transducers", table(HEAD, rows, "numbers"), open_=True) if rows else Markup("")

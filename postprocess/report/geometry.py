@@ -1,0 +1,110 @@
+"""The outlines of a section: from the parameters of a shipped geometry, else from the mesh that the case names."""
+
+import os
+import re
+from collections import Counter
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from upbead import msh
+from upbead.errors import UserError
+
+# `name = value,  // unit: meaning` within DefineConstant[ ... ]
+PARAMETER = re.compile(r"^\s*(\w+)\s*=\s*([-+.\deE]+)\s*,?\s*//\s*([^:]*):\s*(.*)$", re.MULTILINE)
+
+
+@dataclass
+class Section:
+    """Loops of points (m) by the region's name, and the geometry's parameters where it is a shipped one."""
+
+    regions: dict
+    parameters: dict = field(default_factory=dict)
+
+    def box(self, name=None):
+        """(x0, x1, y0, y1) of a region, or of all."""
+        loops = self.regions[name] if name else [loop for loops in self.regions.values() for loop in loops]
+        x, y = [p[0] for loop in loops for p in loop], [p[1] for loop in loops for p in loop]
+        return min(x), max(x), min(y), max(y)
+
+
+def folder():
+    return Path(os.environ.get("UPBEAD_MESHES") or Path(__file__).parents[2] / "meshes")
+
+
+def declared(geometry):
+    """{parameter: (default, unit, meaning)} of a shipped geometry; empty where its script is not found."""
+    script = folder() / f"{geometry}.geo"
+    if not script.is_file():
+        return {}
+    text = script.read_text(encoding="utf-8", errors="replace")
+    head = text.partition("DefineConstant[")[2].partition("]")[0]
+    return {name: (float(value), unit.strip(), what.strip()) for name, value, unit, what in PARAMETER.findall(head)}
+
+
+def section(case, base):
+    """The Section of a case (a dict), whose paths are relative to the folder `base`.
+
+    Raises UserError with what is missing where no outline can be had.
+    """
+    mesh = case.get("mesh", {})
+    name, given = mesh.get("geometry"), mesh.get("parameters", {})
+    if name:
+        parameters = {key: default for key, (default, _, _) in declared(name).items()} | given
+        drawn = {"composite": composite, "column": column}.get(name)
+        try:
+            return Section(drawn(parameters), parameters) if drawn else of_mesh(folder() / f"{name}.geo")
+        except KeyError as error:
+            raise UserError(
+                f"the parameter {error} of '{name}' is not known: '{folder()}' has no {name}.geo"
+            ) from error
+    if "file" not in mesh:
+        raise UserError("the case names no geometry")
+    return of_mesh(Path(base) / mesh["file"])
+
+
+def of_mesh(path):
+    if path.suffix != ".msh":
+        raise UserError(f"the outline of '{path.name}' is known to gmsh only")
+    made = msh.read(path)
+    return Section({name: outline(cells, made.points) for name, cells in made.surfaces.items()})
+
+
+def outline(cells, points):
+    """The loops around cells: edges that only one of them has, one after the other."""
+    edges = [(cell[i], cell[(i + 1) % len(cell)]) for cell in cells for i in range(len(cell))]
+    count = Counter(frozenset(edge) for edge in edges)
+    after = {a: b for a, b in edges if count[frozenset((a, b))] == 1}
+    loops = []
+    while after:
+        start, node = after.popitem()
+        loop = [start]
+        while node != start and node in after:
+            loop.append(node)
+            node = after.pop(node)
+        loops.append([points[n] for n in loop])
+    return loops
+
+
+def column(p):
+    return {"soil": [[(0, 0), (p["width"], 0), (p["width"], p["height"]), (0, p["height"])]]}
+
+
+def composite(p):
+    """The outlines of meshes/composite.geo, whose origin is the caisson's middle on the seabed's surface."""
+    height, wall = p["mound_height"], p["caisson_width"] / 2
+    foot = p["mound_slope"] * height
+    crest = {-1: p["mound_crest_front"], 1: p["mound_crest_back"]}
+    toe = {side: crest[side] + foot for side in crest}
+    left, right = -toe[-1] - p["seabed_front"], toe[1] + p["seabed_back"]
+    top = height + p["caisson_height"]
+    regions = {
+        "seabed": [[(left, -p["seabed_depth"]), (right, -p["seabed_depth"]), (right, 0), (left, 0)]],
+        "mound": [[(-toe[-1], 0), (toe[1], 0), (crest[1], height), (-crest[-1], height)]],
+        "caisson": [[(-wall, height), (wall, height), (wall, top), (-wall, top)]],
+    }
+    for side, name in ((-1, "sea_front"), (1, "sea_back")):
+        if p[name] > 0:
+            level, far = p["water_depth"], min(wall + p[name] * p["water_depth"], -left if side < 0 else right)
+            loop = [(wall, height), (crest[side], height), (toe[side], 0), (far, 0), (far, level), (wall, level)]
+            regions[name] = [[(side * x, y) for x, y in loop]]
+    return regions

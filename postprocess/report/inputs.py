@@ -1,0 +1,81 @@
+"""Every input of a case: its value, its unit, what it is, where it comes from, and what its author remarked."""
+
+import math
+from dataclasses import dataclass
+
+from report import geometry, reference
+from report.source_case import PATHS
+from report.units import plain, pretty, scale
+
+PHYSICAL = ("mesh", "regions", "fluid", "loads", "initial", "sliding")  # whose numbers "all other numbers" means
+SWITCHES = ("degree", "refine", "direction", "factor")  # numbers there that say nothing of nature
+
+
+@dataclass
+class Row:
+    path: tuple
+    what: str
+    value: object
+    unit: str
+    mark: str
+    remark: str
+
+
+def rows(case, source, units=None):
+    """Every value of the effective case as a Row.
+
+    `source` is None where the author's file is not known. `units` by path come before those of the reference.
+    """
+    known = reference.read()
+    declared = geometry.declared(case.get("mesh", {}).get("geometry", ""))
+    found = []
+    order = list(declared)
+    for path, value in sorted(leaves(case), key=lambda leaf: order.index(leaf[0][-1]) if leaf[0][-1] in order else -1):
+        key = reference.find(known, path)
+        unit, what = (key.unit, key.meaning) if key else ("", "")
+        unit = (units or {}).get(path, unit)
+        if path[:2] == ("mesh", "parameters") and path[-1] in declared:
+            default, unit, what = declared[path[-1]]
+            what = reference.short(what)
+            key = reference.Key(unit, repr(default), what)
+        if " or " in unit:  # of a load: what its kind says
+            unit = "N/m" if case["loads"][path[1]].get("kind", "force") == "force" else "Pa"
+        mark, remark = status(path, value, key, source)
+        found.append(Row(path, what or " ".join(path[2:]).replace("_", " "), value, unit, mark, remark))
+    return [row for row in found if row.path != ("title",)]
+
+
+def leaves(table_, path=()):
+    for key, value in table_.items():
+        if isinstance(value, dict):
+            yield from leaves(value, (*path, key))
+        else:
+            yield (*path, key), value
+
+
+def status(path, value, key, source):
+    """(where a value comes from, remark)."""
+    is_default = key is not None and key.is_default(value)
+    if source is None:
+        return ("default" if is_default else "given"), ""
+    written = source.value(path)
+    if written is None:
+        return ("default", "") if is_default else ("changed", "set for this run")
+    same = written == value or path[-1] in PATHS  # a path is rewritten for the result's folder
+    if not same:
+        return "changed", f"set for this run; the case file has {written_as(written, key.unit if key else '')}"
+    is_number = isinstance(value, (int, float, list)) and not isinstance(value, bool)
+    mark, remark = source.mark(path, is_number, path[0] in PHYSICAL and path[-1] not in SWITCHES)
+    return mark or "given", remark
+
+
+def written_as(value, unit):
+    if isinstance(value, str):
+        return value
+    if isinstance(value, list):
+        return "(" + ", ".join(written_as(part, "") for part in value) + ")" + (f" {pretty(unit)}" if unit else "")
+    if isinstance(value, bool) or not math.isfinite(value):
+        return plain(value)
+    factor, name = (1.0, unit) if unit == "m" else scale(unit, value)  # a section is read in metres throughout
+    digits = 5 if value == float(f"{value:.5g}") else 4
+    return f"{plain(value * factor if factor != 1.0 else value, digits)} {pretty(name)}".strip()

@@ -1,0 +1,50 @@
+"""What was read at points of the section: a plot for each quantity, its components below each other."""
+
+import re
+
+import numpy as np
+
+from report import figure
+from report.plot import Line, Panel, Plot
+from report.series import largest
+
+COMPONENT = re.compile(r"_([xyz]{1,2})$")
+ROUND_OFF = 1e-9  # of the largest component: less is no reading
+
+
+def figures(result, wanted=None):
+    """The plots as HTML; `wanted` names quantities without their components, all by default."""
+    found = {}
+    for name, probes in result.probes().items():
+        found.setdefault(COMPONENT.sub("", name), {})[name] = probes
+    drawn = (of_quantity(result, what, parts) for what, parts in found.items() if wanted is None or what in wanted)
+    return [one for one in drawn if one]
+
+
+def of_quantity(result, what, parts):
+    """`parts`: {name of the component: {probe: History}}; nothing where all of it is zero."""
+    peaks = {name: max(largest(values) for values in probes.values()) for name, probes in parts.items()}
+    panels, zero = [], []
+    for name, probes in parts.items():
+        component = COMPONENT.search(name)
+        if peaks[name] > ROUND_OFF * max(peaks.values()):
+            panels.append(panel(result, probes, component[1] if component else ""))
+        else:
+            zero.append(component[1] if component else "it")
+    words = what.replace("_", " ") if COMPONENT.search(next(iter(parts))) else described(parts)
+    caption = f"{words.capitalize()} at the points read" + (f"; zero here: {', '.join(zero)}." if zero else ".")
+    return figure.of_plot(Plot(f"probe-{what}", panels), caption) if panels else ""
+
+
+def described(parts):
+    """The description that the first reading has in the results."""
+    return next(iter(next(iter(parts.values())).values())).description
+
+
+def panel(result, probes, component):
+    time = np.asarray(result.time)
+    lines = [
+        Line(name.replace("_", " "), time, np.asarray(history), i % 6)
+        for i, (name, history) in enumerate(probes.items())
+    ]
+    return Panel(next(iter(probes.values())).unit, lines, height=120, title=component)

@@ -1,0 +1,60 @@
+"""What is known of a key of a case: its unit, its default and its meaning, from the printed reference docs/case.md."""
+
+import re
+import tomllib
+from dataclasses import dataclass
+from pathlib import Path
+
+SECTION = re.compile(r"^## `\[(.+)\]`")
+UNIT = re.compile(r"\(([^()]+)\)")
+OPTION = re.compile(r"^(?!true: )\w+: ")
+
+
+@dataclass
+class Key:
+    unit: str
+    default: str
+    meaning: str
+
+    def is_default(self, value):
+        """Whether a value is that of the reference; texts without quotes there are words, not values."""
+        try:
+            return tomllib.loads("value = " + self.default.strip("`"))["value"] == value
+        except tomllib.TOMLDecodeError:
+            return False
+
+
+def read(path=None):
+    """{(section, key): Key}, sections as 'regions.NAME.damping'; empty where there is no reference."""
+    path = path or Path(__file__).parents[2] / "docs" / "case.md"
+    if not path.is_file():
+        return {}
+    found, section = {}, ""
+    for line in path.read_text(encoding="utf-8").splitlines():
+        head = SECTION.match(line)
+        section = head[1] if head else section
+        cells = [cell.strip() for cell in line.split("|")[1:-1]]
+        if len(cells) == 5 and cells[0].startswith("`"):
+            unit = UNIT.search(cells[1])
+            found[section, cells[0].strip("`")] = Key(unit[1] if unit else "", cells[3], short(cells[4]))
+    return found
+
+
+def short(meaning):
+    """What a key means, without when it is needed and what else could be given."""
+    if OPTION.match(meaning):
+        return ""  # an explanation of one of the values
+    return re.split(r"; |: | \(only |, so ", meaning.removeprefix("true: ").replace(" with a header line, then", ":"))[
+        0
+    ].strip()
+
+
+def find(known, path):
+    """The Key of a path such as ('regions', 'seabed', 'damping', 'ratio'), or None.
+
+    A table whose keys are free names has one Key for all of them.
+    """
+    *tables, key = path
+    if tables and tables[0] in ("regions", "boundaries", "loads", "probes") and len(tables) > 1:
+        tables = [tables[0], "NAME", *tables[2:]]
+    return known.get((".".join(tables), key)) or (known.get((".".join(tables[:-1]), tables[-1])) if tables else None)

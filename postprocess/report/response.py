@@ -1,0 +1,117 @@
+"""The response over time: the figure of Fig. 2b of Shimosako and Takahashi (1994), and its peaks as a table."""
+
+import numpy as np
+
+from report import figure, gauges, points
+from report.figure import words
+from report.markup import table, tag
+from report.plot import Line, Panel, Plot
+from report.series import largest
+from report.units import percent, quantity
+
+PANELS = [
+    ("force", "P", 0, "forces"),
+    ("inertia_force", "m ẍ_G", 1, "forces"),
+    ("shear_force", "F_T", 2, "forces"),
+    ("caisson/displacement_x", "x_G", 3, ""),
+]
+PEAKS = {"force": "peak_force", "shear_force": "peak_shear"}
+ROWS = [  # key, symbol, unit, key of the time, what it is
+    ("peak_force", "P", "N/m", "peak_force_time", "largest horizontal wave force on the caisson, landward"),
+    (
+        "peak_shear",
+        "F_T",
+        "N/m",
+        "peak_shear_time",
+        "largest shear force at the bottom, landward, found inside the steps",
+    ),
+    ("peak_shear_seaward", "F_T", "N/m", "peak_shear_seaward_time", "largest shear force seaward"),
+    ("shear_to_force_ratio", "F_T / P", "", None, "ratio of the peaks"),
+    ("peak_shear_paper", "F_T", "N/m", None, "largest P − m ẍ of the caisson: the reading of the paper"),
+    (
+        "peak_shear_experiment",
+        "F_T",
+        "N/m",
+        None,
+        "largest P + water in front − m ẍ: what the paper's experiment evaluates",
+    ),
+    ("impulse", "I", "N s/m", None, "integral of P over the run"),
+    ("arm", "", "m", None, "height of the force above the bottom when P is largest"),
+    ("peak_base_moment", "M", "N m/m", None, "largest moment at the bottom, about its middle"),
+    ("peak_displacement", "x_G", "m", None, "largest displacement of the centre of gravity"),
+    ("peak_rotation", "", "rad", None, "largest rotation of the caisson"),
+]
+
+
+def window(time, histories, share=0.05):
+    """Where the response ends: no history exceeds `share` of its own peak any more, and a little more."""
+    last = 0
+    for values in histories:
+        above = np.flatnonzero(np.abs(values) > share * largest(values))
+        last = max(last, above[-1] if above.size else 0)
+    end = time[0] + 1.1 * (time[last] - time[0])
+    return float(time[0]), float(min(end, time[-1])) if last > 0 else float(time[-1])
+
+
+def peak_of(result, name, values):
+    """Time and value of the landward peak, or of the seaward one where there is no other; the summary's come first."""
+    response = result.summary.get("response") or {}
+    if name in PEAKS and (response.get(PEAKS[name]) or 0.0) > 0:
+        return response[PEAKS[name] + "_time"], response[PEAKS[name]]
+    peak = int(np.argmax(values)) if values.max() > 0 else int(np.argmin(values))
+    inside = response.get("peak_displacement") if name == "caisson/displacement_x" else None
+    return float(result.time[peak]), float(values[peak]) if inside is None else inside
+
+
+def array(result, name):
+    return np.asarray(result.history(name))
+
+
+def section(result, measured):
+    """`measured` are records by the history that they are compared with: [(name, time, values)]."""
+    if not result.has_caisson:
+        told = points.figures(result) or [
+            tag("p", "No point was read: add [probes.NAME] to the case to see how the section responds.")
+        ]
+        return tag("section", tag("h2", "Response"), *told, id="response-section")
+    time = np.asarray(result.time)
+    panels, shown = [], []
+    for name, symbol, colour, group in PANELS:
+        values = array(result, name)
+        shown.append(values)
+        lines = [Line(symbol, time, values, colour)]
+        lines += [Line("measured: " + what.replace("_", " "), t, y, 4, "--") for what, t, y in measured.get(name, [])]
+        unit = result.history(name).unit
+        panels.append(Panel(unit, lines, [peak_of(result, name, values)], group))
+    plot = Plot("response", panels, window=window(time, shown))
+    caption = words(
+        "Wave force ",
+        ("P",),
+        ", inertia force ",
+        ("m ẍ_G",),
+        ", shear force at the bottom ",
+        ("F_T",),
+        " and displacement of the centre of gravity ",
+        ("x_G",),
+        " over time, landward positive, as in Fig. 2b of Shimosako and Takahashi (1994). Dots mark the peaks.",
+    )
+    return tag(
+        "section",
+        tag("h2", "Response"),
+        figure.of_plot(plot, caption),
+        peaks(result),
+        gauges.records(result.summary),
+        *points.figures(result, ("pressure",)),
+        id="response-section",
+    )
+
+
+def peaks(result):
+    response = result.summary.get("response") or {}
+    rows = []
+    for key, symbol, unit, when, what in ROWS:
+        if response.get(key) is not None:
+            value = percent(response[key]) if key == "shear_to_force_ratio" else quantity(response[key], unit)
+            at = quantity(response[when], "s") if when else ""
+            rows.append((what, words((symbol,)), value, at))
+    return table(("quantity", "symbol", "value", "at"), rows, "numbers")

@@ -1,0 +1,31 @@
+"""Fewer points of a history, without losing what is seen: the least and the largest of every short span stay."""
+
+import numpy as np
+
+SPANS = 400
+
+
+def largest(values):
+    """The largest magnitude of what is finite; 0 where nothing is."""
+    size = np.abs(np.asarray(values, dtype=float))
+    return float(np.max(size[np.isfinite(size)], initial=0.0))
+
+
+def thinned(x, values, spans=SPANS):
+    """(x, values) at no more than 2 spans + 2 points: both ends, and the least and the largest of each span."""
+    x, values = np.asarray(x, dtype=float), np.asarray(values, dtype=float)
+    kept = np.isfinite(x) & np.isfinite(values)
+    x, values = x[kept], values[kept]
+    if x.size <= 2 * spans + 2:
+        return x, values
+    chosen = {0, x.size - 1}
+    edges = np.linspace(0, x.size, spans + 1).astype(int)
+    for low, high in zip(edges[:-1], edges[1:]):
+        chosen |= {low + int(np.argmin(values[low:high])), low + int(np.argmax(values[low:high]))}
+    chosen = np.array(sorted(chosen))
+    return x[chosen], values[chosen]
+
+
+def rounded(values, digits=5):
+    """Numbers for JSON; 5 digits are more than a screen shows."""
+    return [float(f"{value:.{digits}g}") for value in np.asarray(values, dtype=float)]

@@ -1,0 +1,133 @@
+"""The case as its author wrote it: which keys were given, and what the comments beside them say.
+
+A comment that begins with one of MARKS, behind a key or behind the head of its table, says where the number comes from:
+
+    shear_modulus = 6.57e6  # calibrated: peak F_T / peak P = 0.75
+    [regions.mound]  # assumed
+
+The sentence "All other numbers are assumed" (or another mark) in the comment at the head of the file stands for every
+number without a mark.
+"""
+
+import re
+import tomllib
+from dataclasses import dataclass
+
+MARKS = ("assumed", "calibrated", "measured", "derived")
+PATHS = ("history", "gauges", "file")  # values that a run rewrites for its own folder
+TABLE = re.compile(r"^\s*\[\s*([^\[\]]+?)\s*\]\s*(?:#\s*(.*))?$")
+KEY = re.compile(r"^\s*([\w.\"-]+)\s*=\s*(.*)$")
+MARK = re.compile(r"^(" + "|".join(MARKS) + r")\b[:,;.]?\s*", re.IGNORECASE)
+OTHERS = re.compile(r"\ball other numbers are (" + "|".join(MARKS) + r")\b", re.IGNORECASE)
+
+
+@dataclass
+class SourceCase:
+    path: object
+    values: dict
+    remarks: dict  # {path of a key or table: comment}
+    head: str  # the comment above all keys
+
+    def mark(self, path, is_number, is_physical):
+        """(mark, remark) of a key; mark is '' where nobody said anything.
+
+        Marks of a table hold for its numbers and files, that of the head for numbers that say something of nature.
+        """
+        remark = self.remarks.get(path, "")
+        marks_its_table = is_number or path[-1] in PATHS
+        for length in range(len(path), 0 if marks_its_table else len(path) - 1, -1):
+            comment = self.remarks.get(path[:length], "")
+            marked = MARK.match(comment)
+            if marked:
+                return marked[1].lower(), comment[marked.end() :] if length == len(path) else remark
+        others = OTHERS.search(" ".join(self.head.split()))
+        return others[1].lower() if others and is_number and is_physical else "", remark
+
+    def value(self, path):
+        """What the author wrote at a path, or None."""
+        found = self.values
+        for part in path:
+            found = found.get(part) if isinstance(found, dict) else None
+        return found
+
+
+def comment_of(rest):
+    """The comment behind a value: what follows the first # outside quotes."""
+    quote = ""
+    for place, sign in enumerate(rest):
+        if quote:
+            quote = "" if sign == quote else quote
+        elif sign in "\"'":
+            quote = sign
+        elif sign == "#":
+            return rest[place + 1 :].strip()
+    return ""
+
+
+def parts(name):
+    return tuple(part.strip().strip('"') for part in name.split("."))
+
+
+def read(path):
+    """The SourceCase of a file; raises ValueError or OSError where it is no TOML."""
+    text = path.read_text(encoding="utf-8")
+    remarks, table, head = {}, (), []
+    begun = False
+    for line in text.splitlines():
+        opened, key = TABLE.match(line), KEY.match(line)
+        begun = begun or bool(opened or key)
+        if opened:
+            table = parts(opened[1])
+            remarks[table] = opened[2] or ""
+        elif key:
+            remarks[table + parts(key[1])] = comment_of(key[2])
+        elif not begun and line.startswith("#"):
+            head.append(line.lstrip("# ").rstrip())
+    return SourceCase(path, tomllib.loads(text), remarks, "\n".join(head))
+
+
+def units(path):
+    """{path of a key: its unit}, from the comments that the program writes behind the values of case.toml."""
+    remarks = read(path).remarks if path.is_file() else {}
+    return {key: remark for key, remark in remarks.items() if remark}
+
+
+def find(case, folder):
+    """The file that a run came from, by its title: beside the files that the case names, or else near the results.
+
+    Of several the one whose values agree best with those of the run. None where nothing has the title, or two
+    differ and agree equally well.
+    """
+    named = [load.get(key) for load in case.get("loads", {}).values() for key in ("history", "gauges")]
+    named.append(case.get("mesh", {}).get("file"))
+    beside = {(folder / name).resolve().parent for name in named if name}
+    beside |= {inner for place in beside if place.is_dir() for inner in place.iterdir() if inner.is_dir()}
+    near = {place for parent in folder.resolve().parents[:2] for place in (parent, parent / "cases")}
+    for places in (beside, near):
+        found = sorted(candidates(case, places), key=lambda source: agreement(source.values, case), reverse=True)
+        best = [source for source in found if agreement(source.values, case) == agreement(found[0].values, case)]
+        if found:
+            return best[0] if all(source.values == best[0].values for source in best) else None
+    return None
+
+
+def candidates(case, folders):
+    """The cases in the folders that have the title of a run; the run's own is left out."""
+    for path in sorted(path for folder in folders if folder.is_dir() for path in folder.glob("*.toml")):
+        try:
+            source = read(path)
+        except (OSError, ValueError):
+            continue
+        if case.get("title") and source.values.get("title") == case["title"] and path.name != "case.toml":
+            yield source
+
+
+def agreement(written, run):
+    """How many values are the same, less those that differ; paths are rewritten for a run and count for nothing."""
+    score = 0
+    for key, value in written.items():
+        if isinstance(value, dict):
+            score += agreement(value, run[key]) if isinstance(run.get(key), dict) else -1
+        elif key not in PATHS:
+            score += 1 if run.get(key) == value else -1
+    return score

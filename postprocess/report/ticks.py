@@ -1,0 +1,23 @@
+"""Round numbers along an axis."""
+
+import math
+
+FEWEST = 3
+
+
+def step_for(span, count):
+    """1, 2 or 5 times a power of ten, so that about `count` steps cover the span."""
+    raw = span / max(1, count)
+    power = 10.0 ** math.floor(math.log10(raw))
+    return power * next(factor for factor in (1.0, 2.0, 5.0, 10.0) if factor * power >= raw * (1 - 1e-9))
+
+
+def ticks(low, high, count):
+    """[(value, text)] of the round numbers in [low, high]: about `count`, and not fewer than FEWEST."""
+    if not high > low:
+        return []
+    steps = (step_for(high - low, wanted) for wanted in range(count, 3 * FEWEST + count))
+    step = next(step for step in steps if math.floor(high / step) - math.ceil(low / step) + 1 >= FEWEST)
+    decimals = max(0, -math.floor(math.log10(step) + 1e-9))
+    first, last = math.ceil(low / step - 1e-9), math.floor(high / step + 1e-9)
+    return [(i * step, f"{i * step + 0.0:,.{decimals}f}".replace("-", "−")) for i in range(first, last + 1)]

@@ -1,0 +1,66 @@
+"""Reads what the report needs of fields.pvd and its .vtu files (XML, Float32, base64 of zlib blocks).
+
+Format: VTK User's Guide, "XML file formats"; here as deal.II writes it: patches of (n + 1)^2 points and n^2 cells each.
+"""
+
+import base64
+import struct
+import zlib
+from pathlib import Path
+from xml.etree import ElementTree
+
+import numpy as np
+
+from upbead.errors import UserError
+
+TYPES = {"Float32": "<f4", "Float64": "<f8", "Int32": "<i4", "Int64": "<i8", "UInt8": "u1", "UInt32": "<u4"}
+
+
+def times(pvd):
+    """[(time, path)] of a .pvd; raises UserError where it is none."""
+    try:
+        root = ElementTree.parse(pvd).getroot()
+        return [(float(item.get("timestep")), Path(pvd).parent / item.get("file")) for item in root.iter("DataSet")]
+    except (ElementTree.ParseError, TypeError, ValueError) as error:
+        raise UserError(f"'{pvd}' is no collection of fields: {error}") from error
+
+
+def arrays(path, wanted):
+    """{name: array} of the wanted arrays of a .vtu; 'points' are the coordinates."""
+    try:
+        root = ElementTree.parse(path).getroot()
+        found = {}
+        for item in root.iter("DataArray"):
+            name = item.get("Name") or "points"
+            if name in wanted:
+                values = decoded(item)
+                components = int(item.get("NumberOfComponents") or 1)
+                found[name] = values.reshape(-1, components) if components > 1 else values
+        return found
+    except (OSError, ElementTree.ParseError, KeyError, ValueError, struct.error, zlib.error) as error:
+        raise UserError(f"cannot read the fields in '{path}': {error}") from error
+
+
+def decoded(item):
+    """Numbers of a DataArray: count, sizes of blocks (UInt32), then the blocks, each compressed."""
+    text = "".join(item.text.split())
+    (count,) = struct.unpack("<I", base64.b64decode(text[:8])[:4])
+    size = 4 * (3 + count)
+    coded = (size + 2) // 3 * 4
+    lengths = struct.unpack(f"<{3 + count}I", base64.b64decode(text[:coded])[:size])[3:]
+    raw, place, blocks = base64.b64decode(text[coded:]), 0, []
+    for length in lengths:
+        blocks.append(zlib.decompress(raw[place : place + length]))
+        place += length
+    return np.frombuffer(b"".join(blocks), TYPES[item.get("type")])
+
+
+def corners(points, cells):
+    """Per patch, the indices of its four corners in turn, from the numbers of points and cells."""
+    share = (cells / points) ** 0.5
+    n = round(share / (1.0 - share))
+    size = (n + 1) ** 2
+    if points % size or cells != points // size * n * n:
+        raise UserError("the fields are not made of patches of one size")
+    first = size * np.arange(points // size)[:, None]
+    return first + np.array([0, n, size - 1, size - 1 - n])

@@ -1,0 +1,32 @@
+"""upbead from Python: results as numpy arrays with units, reduced models, runs and studies, and every figure.
+
+    import upbead
+    result = upbead.run("cases/fig2b-model.toml")       # or upbead.open("results/fig2b-model")
+    upbead.figures.response(result)
+
+docs/python.md is a tutorial.
+"""
+
+import importlib
+
+from . import msh
+from .commands import calibrate, expected, reduce, run, study, waves
+from .errors import CaseError, ModelError, NumericsError, UpbeadError, UserError
+from .history import History
+from .opening import open_model
+from .opening import open_result as open
+from .reduced_model import ReducedModel
+from .results import Result
+from .slip_result import SlipResult
+from .study_table import StudyTable
+
+__all__ = ["CaseError", "History", "ModelError", "NumericsError", "ReducedModel", "Result", "SlipResult", "StudyTable",
+           "UpbeadError", "UserError", "calibrate", "expected", "figures", "msh", "open", "open_model", "reduce", "run",
+           "study", "waves"]
+
+
+def __getattr__(name):
+    """figures is loaded when it is first asked for: matplotlib takes longer than all the rest."""
+    if name == "figures":
+        return importlib.import_module(".figures", __name__)
+    raise AttributeError(f"module 'upbead' has no attribute '{name}'")

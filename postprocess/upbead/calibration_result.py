@@ -1,0 +1,44 @@
+"""The results of `upbead calibrate`."""
+
+import json
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+from .errors import UserError
+
+
+class CalibrationResult:
+    """Its summary, and the waves by column: `columns["alpha_star"]`, ..."""
+
+    def __init__(self, folder):
+        folder = Path(folder)
+        try:
+            self.summary = json.loads((folder / "summary.json").read_text(encoding="utf-8"))
+            self.models = self.summary["models"]
+            self.given = self.summary["given"]
+            with h5py.File(folder / "results.h5") as file:
+                self.columns = {name: file[name][:] for name in file}
+        except (OSError, KeyError, json.JSONDecodeError) as error:
+            raise UserError(f"'{folder}' holds no results of 'upbead calibrate': {error}") from error
+        self.model_of_row = np.array([name.decode() for name in self.columns["model"]])
+
+    def __repr__(self):
+        return f"<CalibrationResult '{self.summary['title']}': models {', '.join(self.models)}>"
+
+    def points(self, model, ratio, measure):
+        """alpha*, k and T at the size of [section], of one model at one r; waves without tau_0 are not there."""
+        k = self.columns[f"k_{measure}"]
+        rows = (self.model_of_row == model) & np.isclose(self.columns["ratio"], ratio) & (k > 0)
+        period = self.columns["period"][rows] / np.sqrt(self.models[model]["scale"])
+        return self.columns["alpha_star"][rows], k[rows], period
+
+    def highest(self, measure):
+        """Most k are below it."""
+        k = self.columns[f"k_{measure}"]
+        return 1.05 * max(1, np.quantile(k[k > 0], 0.999)) if k.any() else 1
+
+    def fits(self, model, measure):
+        """The fits of one model, one for each r."""
+        return [fit for fit in self.models[model]["fits"] if fit["measure"] == measure and fit["ratio"] is not None]

@@ -1,0 +1,39 @@
+"""The results of `upbead expected`."""
+
+import json
+from pathlib import Path
+
+import h5py
+
+from .errors import UserError
+
+
+class ExpectedResult:
+    """Over the height of the waves (m): waves a metre, S of one wave and expected sliding a metre, by law."""
+
+    def __init__(self, folder):
+        folder = Path(folder)
+        self.name = folder.name.removesuffix("-expected")
+        try:
+            self.summary = json.loads((folder / "summary.json").read_text(encoding="utf-8"))
+            with h5py.File(folder / "results.h5") as file:
+                heights = file["heights"]
+                self.height, self.waves = heights["height"][:], heights["waves"][:]
+                self.distance = {law: data[:] for law, data in heights["distance"].items()}
+                self.contribution = {law: data[:] for law, data in heights["contribution"].items()}
+                self.shear = self._ratio(heights)
+        except (OSError, KeyError, json.JSONDecodeError) as error:
+            raise UserError(f"'{folder}' holds no results of 'upbead expected': {error}") from error
+
+    def __repr__(self):
+        return f"<ExpectedResult '{self.summary['title']}': laws {', '.join(self.distance)}>"
+
+    @staticmethod
+    def _ratio(heights):
+        """Peak F_T over peak P by height, where there is a reduced model."""
+        return heights["peak_shear"][:] / heights["peak_force"][:] if "peak_shear" in heights else None
+
+    def thresholds(self):
+        """Heights from which a wave slides the caisson, of the laws that have one."""
+        found = self.summary["expected"]["threshold_height"].values()
+        return [height for height in found if height is not None]

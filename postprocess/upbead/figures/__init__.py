@@ -1,0 +1,22 @@
+"""Every figure as a function: data in, a matplotlib figure out; `save(figure, path)` writes it as the scripts do."""
+
+from .base_pressures import base_pressures
+from .calibration import calibration, calibration_spectrum
+from .expected import expected
+from .mesh import mesh
+from .model_prototype import model_prototype, model_prototype_panel
+from .reduced_model import reduced_model
+from .response import probes, response
+from .sliding_safety import sliding_safety
+from .slip_bottom import slip_bottom
+from .slip_histories import slip_histories
+from .slip_safety import slip_safety
+from .stability import stability
+from .study import study
+from .style import save
+from .verification import verification
+from .wave_pressure import wave_pressure
+
+__all__ = ["base_pressures", "calibration", "calibration_spectrum", "expected", "mesh", "model_prototype",
+           "model_prototype_panel", "probes", "reduced_model", "response", "save", "sliding_safety", "slip_bottom", "slip_histories",
+           "slip_safety", "stability", "study", "verification", "wave_pressure"]

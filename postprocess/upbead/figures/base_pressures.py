@@ -1,0 +1,36 @@
+"""Pressures and stresses over the width of the caisson's bottom, at telling times."""
+
+import numpy as np
+
+from .style import styled, subplots
+
+TIMES = [("shear_force", "largest $F_T$", "tab:red"), ("base_moment", "largest moment landward", "tab:blue"),
+         ("uplift", "largest $U$", "tab:green")]
+
+
+@styled
+def base_pressures(result):
+    """A panel for each quantity by time and place of the table `base` of a Result."""
+    table = result.table("base")
+    position = table["position"]
+    shown = {name: history for name, history in table.items() if history.shape == (result.time.size, position.size)}
+    figure, rows = subplots(len(shown), 1, sharex=True, figsize=(6.5, 1.0 + 2.1 * len(shown)), squeeze=False,
+                            layout="constrained")
+    times = telling_times(result)
+    for axes, (name, history) in zip(rows[:, 0], shown.items()):
+        factor, unit = history.scale()
+        for index, what, colour in times:
+            axes.plot(position, factor * history[index], "o-", ms=2.5, lw=1, color=colour,
+                      label=f"{result.time[index]:.3g} s, {what}")
+        axes.axhline(0.0, color="black", lw=0.5)
+        axes.set_ylabel(f"{name.replace('_', ' ')} ({unit})")
+    rows[0, 0].legend(fontsize=7.5)
+    rows[0, 0].set_title(result.title)
+    rows[-1, 0].set_xlabel("place under the caisson, landward (m)")
+    return figure
+
+
+def telling_times(result):
+    """[(index, what happens, colour)] in the order of time."""
+    found = {int(np.argmax(result[name])): (what, colour) for name, what, colour in TIMES if name in result}
+    return [(index, *found[index]) for index in sorted(found)]

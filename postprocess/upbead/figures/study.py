@@ -1,0 +1,135 @@
+"""What `upbead study` found: a number that was read against every key that was varied."""
+
+import itertools
+from pathlib import Path
+
+import numpy as np
+
+from ..errors import UserError
+from ..study_table import READ_UNITS
+from .style import styled, subplots
+
+MOST_LINES = 8
+
+
+@styled
+def study(table, read=None, x=None):
+    """A panel for each varied key of a StudyTable.
+
+    Keys that were varied over a few values give lines, one for each combination of the other keys; random draws give
+    points, with their rank correlation, and the distribution of the number. Several cases have a colour each.
+    read: the number to draw (default: the first that was read); x: the keys to draw it against (default: all).
+    """
+    read = chosen(table.reads, [read], "number")[0] if read else table.reads[0]
+    y = table.numbers(read)
+    if not np.isfinite(y).any():
+        raise UserError(f"no run has the number '{read}'")
+    across = chosen(table.keys, x, "key") if x else default_axes(table)
+    drawn = [key for key in across if is_drawn(table, key) and table.numbers(key) is not None]
+    figure, panels = grid(len(across) + bool(drawn))
+    for axes, key in zip(panels, across):
+        if key in drawn:
+            draw_points(axes, table, key, y)
+        else:
+            others = [other for other in table.keys if other != key and not is_drawn(table, other)]
+            draw_lines(axes, table, key, others, y)
+        axes.set_xlabel(label(table, key))
+    for axes in panels[:len(across):min(len(panels), 3)]:
+        axes.set_ylabel(label(table, read))
+    if drawn:
+        draw_distribution(panels[len(across)], y, label(table, read))
+    failed = f", {len(table.failed)} more failed" if table.failed else ""
+    figure.suptitle(f"{table.name}: {len(table)} runs{failed}", fontsize=9)
+    return figure
+
+
+def grid(n):
+    """A figure of n panels, at most three beside each other."""
+    columns = min(n, 3)
+    rows = -(-n // columns)
+    figure, panels = subplots(rows, columns, figsize=(0.6 + 3.6 * columns, 3.0 * rows), layout="constrained",
+                              squeeze=False)
+    panels = list(itertools.chain(*panels))
+    for axes in panels[n:]:
+        axes.remove()
+    return figure, panels[:n]
+
+
+def is_drawn(table, key):
+    """Whether a key was drawn at random: hardly any value comes twice."""
+    return len(table.rows) >= 20 and len(set(table.words(key))) > 0.9 * len(table.rows)
+
+
+def label(table, name):
+    unit = table.units.get(name) or READ_UNITS.get(name.split(".")[-1])
+    return f"{name} ({unit})" if unit else name
+
+
+def scale_axis(axes, values):
+    if np.all(values > 0) and values.max() > 8 * values.min():
+        axes.set_xscale("log")
+
+
+def rank_correlation(x, y):
+    """Spearman's, of values without ties."""
+    ranks = [np.argsort(np.argsort(values)) for values in (x, y)]
+    return np.corrcoef(*ranks)[0, 1]
+
+
+def draw_points(axes, table, key, y):
+    x = table.numbers(key)
+    cases = table.words("case") if "case" in table.keys else [""] * len(x)
+    for case in dict.fromkeys(cases):
+        good = np.isfinite(y) & np.array([found == case for found in cases])
+        correlation = round(rank_correlation(x[good], y[good]), 2) + 0.0
+        axes.plot(x[good], y[good], ".", markersize=3, alpha=0.5, label=f"{Path(case).stem} {correlation:.2f}")
+        axes.set_title(f"rank correlation {correlation:.2f}", fontsize=8)
+    if len(set(cases)) > 1:
+        axes.set_title("rank correlation", fontsize=8)
+        axes.legend(fontsize=7)
+    scale_axis(axes, x)
+
+
+def draw_lines(axes, table, key, others, y):
+    x = table.numbers(key)
+    words = sorted(set(table.words(key))) if x is None else None
+    x = np.array([words.index(word) for word in table.words(key)]) if x is None else x
+    combinations = list(zip(*(table.words(other) for other in others))) or [()] * len(x)
+    different = sorted(set(combinations), key=combinations.index)
+    crowded = len(different) > MOST_LINES
+    for combination in different:
+        chosen = np.array([found == combination for found in combinations])
+        order = np.argsort(x[chosen], kind="stable")
+        name = ", ".join(f"{other.split('.')[-1]} {value}" for other, value in zip(others, combination))
+        axes.plot(x[chosen][order], y[chosen][order], "o-", markersize=3, linewidth=1, alpha=0.4 if crowded else 1,
+                  color="C0" if crowded else None, label=None if crowded else name)
+    if words:
+        axes.set_xticks(range(len(words)), words)
+    else:
+        scale_axis(axes, x)
+    if others and not crowded:
+        axes.legend(fontsize=7)
+
+
+def draw_distribution(axes, y, words):
+    y = y[np.isfinite(y)]
+    low, middle, high = np.percentile(y, [5, 50, 95])
+    axes.hist(y, bins=min(40, max(8, len(y) // 20)), color="0.8", edgecolor="0.5", linewidth=0.5)
+    for value in (low, middle, high):
+        axes.axvline(value, color="C3", linewidth=1)
+    axes.set_title(f"5 %: {low:.3g}, median {middle:.3g}, 95 %: {high:.3g}", fontsize=8)
+    axes.set_xlabel(words)
+    axes.set_ylabel("runs")
+
+
+def chosen(known, asked, what):
+    for name in asked:
+        if name not in known:
+            raise UserError(f"the study has no {what} '{name}'; it has {', '.join(known)}")
+    return list(asked)
+
+
+def default_axes(table):
+    """Keys that vary; those with words only where there are no numbers, as the lines tell them too."""
+    different = [key for key in table.keys if len(set(table.words(key))) > 1] or table.keys[:1]
+    return [key for key in different if table.numbers(key) is not None] or different

@@ -1,0 +1,79 @@
+"""How the figures look, and how they are made without a window."""
+
+import functools
+import io
+from pathlib import Path
+
+import matplotlib
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+
+from ..errors import UserError
+
+STYLE = {
+    "font.size": 9,
+    "axes.grid": True,
+    "grid.alpha": 0.3,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "legend.frameon": False,
+}
+
+
+class ResultFigure(Figure):
+    """A matplotlib figure that a notebook shows, and that pyplot does not keep."""
+
+    def draw(self, renderer):
+        with matplotlib.rc_context(STYLE):  # ticks are made when they are drawn
+            super().draw(renderer)
+
+    def _repr_png_(self):
+        return render(self)
+
+
+def render(figure, dpi=100):
+    """The figure as the bytes of a PNG, cut to what is drawn."""
+    buffer = io.BytesIO()
+    figure.savefig(buffer, format="png", dpi=dpi, bbox_inches="tight")
+    return buffer.getvalue()
+
+
+def new_figure(figsize, layout=None):
+    figure = ResultFigure(figsize=figsize, layout=layout)
+    FigureCanvasAgg(figure)
+    return figure
+
+
+def subplots(rows=1, columns=1, *, figsize, layout=None, **options):
+    """As pyplot's, of a ResultFigure."""
+    figure = new_figure(figsize, layout)
+    return figure, figure.subplots(rows, columns, **options)
+
+
+def mosaic(places, *, figsize, layout=None):
+    """As pyplot's subplot_mosaic, of a ResultFigure."""
+    figure = new_figure(figsize, layout)
+    return figure, figure.subplot_mosaic(places)
+
+
+def styled(draw):
+    """A function that makes a figure in the style above, whatever the caller's own is."""
+
+    @functools.wraps(draw)
+    def drawn(*arguments, **options):
+        with matplotlib.rc_context(STYLE):
+            return draw(*arguments, **options)
+
+    return drawn
+
+
+def save(figure, path):
+    """Writes the figure in the format of the file's ending (.png, .pdf, .svg)."""
+    path = Path(path)
+    known = figure.canvas.get_supported_filetypes()
+    if path.suffix.lstrip(".").lower() not in known:
+        raise UserError(f"'{path}': unknown format '{path.suffix}'; use .png, .pdf or .svg")
+    try:
+        figure.savefig(path, bbox_inches="tight", dpi=150)
+    except OSError as error:
+        raise UserError(f"cannot write '{path}': {error.strerror}") from error

@@ -1,0 +1,68 @@
+"""An array that knows its unit."""
+
+import numpy as np
+
+# Units that people read, by the unit of the file: (factor, name), the largest that keeps the peak at 1 or more.
+SCALES = {
+    "N/m": [(1e-6, "MN/m"), (1e-3, "kN/m"), (1.0, "N/m")],
+    "Pa": [(1e-6, "MPa"), (1e-3, "kPa"), (1.0, "Pa")],
+    "m": [(1e3, "mm")],
+    "rad": [(1e3, "mrad")],
+}
+
+
+class History(np.ndarray):
+    """A numpy array with `unit` and `description`, in the unit of the file (SI).
+
+    Slices and copies keep the unit; what is computed is a plain array, as its unit is not known.
+
+    >>> force = History([0.0, 2e6, 0.0], "N/m", "wave force")
+    >>> force
+    History([      0., 2000000.,       0.], unit='N/m')
+    >>> force[1:].unit, float(force.max())
+    ('N/m', 2000000.0)
+    >>> type(force / 1e6).__name__
+    'ndarray'
+    """
+
+    def __new__(cls, values, unit="", description=""):
+        history = np.asarray(values, dtype=float).view(cls)
+        history.unit, history.description = unit, description
+        return history
+
+    def __array_finalize__(self, source):
+        self.unit = getattr(source, "unit", "")
+        self.description = getattr(source, "description", "")
+
+    def __array_ufunc__(self, ufunc, method, *inputs, out=None, **options):
+        if out is None:
+            return getattr(ufunc, method)(*map(plain, inputs), **options)
+        getattr(ufunc, method)(*map(plain, inputs), out=tuple(map(plain, out)), **options)
+        return out[0] if len(out) == 1 else out
+
+    def __array_function__(self, function, types, arguments, options):
+        found = super().__array_function__(function, types, arguments, options)
+        return plain(found)
+
+    def __repr__(self):
+        return f"History({np.array2string(self.values, separator=', ', prefix='History(')}, unit={self.unit!r})"
+
+    @property
+    def values(self):
+        """The same numbers as a plain array."""
+        return self.view(np.ndarray)
+
+    def scale(self, others=()):
+        """(factor, unit) in which this and the others are read best.
+
+        >>> History([0.0, 2e3], "N/m").scale()
+        (0.001, 'kN/m')
+        """
+        peak = max(float(np.max(np.abs(np.asarray(h)), initial=0.0)) for h in (self, *others))
+        scales = SCALES.get(self.unit, [(1.0, self.unit)])
+        return next((s for s in scales if peak * s[0] >= 1.0), scales[-1])
+
+
+def plain(value):
+    """A History as an array, anything else as it is."""
+    return value.view(np.ndarray) if isinstance(value, History) else value

@@ -1,0 +1,51 @@
+"""Opens whatever a command of the program has written."""
+
+from pathlib import Path
+
+import h5py
+
+from .calibration_result import CalibrationResult
+from .errors import UserError
+from .expected_result import ExpectedResult
+from .reduced_model import ReducedModel
+from .results import Result, read_summary
+from .slip_result import SlipResult
+from .study_table import StudyTable
+from .waves_result import read_waves
+
+
+def open_result(folder):
+    """What a command wrote into a folder.
+
+    `run`: a Result, or a SlipResult where the bottom slipped or lifted; `study`: a StudyTable; `expected`: an
+    ExpectedResult; `calibrate`: a CalibrationResult; `waves`: its summary, a dict. Raises UserError where there is
+    none of them.
+    """
+    folder = Path(folder)
+    if not folder.is_dir():
+        raise UserError(f"there is no folder '{folder}'")
+    summary = read_summary(folder)
+    if (folder / "study.csv").is_file():
+        return StudyTable(folder)
+    if "waves" in summary and "section" in summary:
+        return read_waves(folder)
+    if "expected" in summary:
+        return ExpectedResult(folder)
+    if "models" in summary and "given" in summary:
+        return CalibrationResult(folder)
+    return SlipResult(folder) if slips(folder / "results.h5") else Result(folder)
+
+
+def slips(path):
+    """Whether a file has tables by node of the bottom."""
+    try:
+        with h5py.File(path) as file:
+            return "interface/slip" in file
+    except OSError:
+        return False  # Result tells what is wrong with it
+
+
+def open_model(path):
+    """The ReducedModel of a file that `upbead reduce` wrote, or of the folder with its reduced.h5."""
+    path = Path(path)
+    return ReducedModel(path / "reduced.h5" if path.is_dir() else path)

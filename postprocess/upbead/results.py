@@ -1,0 +1,163 @@
+"""The results of `upbead run`: results.h5, summary.json and case.toml of a folder."""
+
+import json
+import tomllib
+from collections.abc import Mapping
+from functools import cached_property
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+from .errors import UserError
+from .history import History
+
+
+def text_of(value):
+    return value.decode() if isinstance(value, bytes) else str(value)
+
+
+def read_summary(folder):
+    """The summary of a folder as a dict; empty where there is none."""
+    path = Path(folder) / "summary.json"
+    if not path.is_file():
+        return {}
+    try:
+        return json.loads(path.read_text(encoding="utf-8"))
+    except ValueError as error:
+        raise UserError(f"'{path}' is no JSON: {error}") from error
+
+
+def read_case(folder):
+    """The effective case of a folder, with all defaults, as a dict; empty where there is none."""
+    path = Path(folder) / "case.toml"
+    if not path.is_file():
+        return {}
+    try:
+        return tomllib.loads(path.read_text(encoding="utf-8"))
+    except ValueError as error:
+        raise UserError(f"'{path}' is no TOML: {error}") from error
+
+
+class Result(Mapping):
+    """The histories and tables of one run; a mapping of the histories by their paths below /history.
+
+    `result["shear_force"]`, `result["caisson/displacement_x"]` are `History`: numpy arrays with `unit` and
+    `description`, of the length of `result.time`. `result["/interface/slip"]`, with a slash in front, is any dataset of
+    results.h5; `result.table("interface")` all of a group. SI units throughout.
+    """
+
+    def __init__(self, folder):
+        self.folder = folder = Path(folder)
+        if not folder.is_dir():
+            raise UserError(f"there is no folder '{folder}'")
+        path = folder / "results.h5"
+        if not path.is_file():
+            raise UserError(f"'{folder}' has no results.h5: is it the folder of a finished run?")
+        try:
+            self.file = h5py.File(path, "r")
+        except OSError as error:
+            raise UserError(f"'{path}' is no HDF5 file, or is not complete: {error}") from error
+        self.path = path
+        self.time = self.history("time")
+        if self.time.size < 2:
+            raise UserError(f"'{path}': /history/time has fewer than two times")
+        self.summary = read_summary(folder)
+
+    @cached_property
+    def case(self):
+        """The case with all defaults (case.toml), as a dict."""
+        return read_case(self.folder)
+
+    @property
+    def title(self):
+        return self.summary.get("title") or self.folder.resolve().name
+
+    @property
+    def has_caisson(self):
+        return "/history/shear_force" in self.file
+
+    def __getitem__(self, name):
+        return self.dataset(name) if name.startswith("/") else self.history(name)
+
+    def __contains__(self, name):
+        return isinstance(name, str) and isinstance(self.file.get(name if name.startswith("/") else f"/history/{name}"),
+                                                    h5py.Dataset)
+
+    def __iter__(self):
+        return iter(datasets(self.file["/history"]))
+
+    def __len__(self):
+        return len(datasets(self.file["/history"]))
+
+    __eq__, __hash__ = object.__eq__, object.__hash__  # not by all the numbers
+
+    def __repr__(self):
+        name = type(self).__name__
+        return f"<{name} '{self.title}': {len(self)} histories of {self.time.size} times, to {self.time[-1]:.4g} s>"
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.file.close()
+
+    def history(self, name):
+        """One quantity over time, by its path below /history."""
+        full_name = f"/history/{name}"
+        history = self.dataset(full_name)
+        if history.ndim != 1 or (name != "time" and history.size != self.time.size):
+            raise UserError(f"'{self.path}': {full_name} has the shape {history.shape}, not that of /history/time")
+        return history
+
+    def dataset(self, name):
+        """Any numbers of results.h5, by their full path."""
+        data = self.file.get(name)
+        if not isinstance(data, h5py.Dataset):
+            raise UserError(f"'{self.path}' has no dataset {name}")
+        return History(data[()], text_of(data.attrs.get("unit", "")), text_of(data.attrs.get("description", "")))
+
+    @property
+    def tables(self):
+        """Names of the groups beside /history, for `table`: interface, coupled, base, measured/NAME."""
+        groups = {name: group for name, group in self.file.items() if isinstance(group, h5py.Group)}
+        nested = groups.pop("measured", {})
+        return [name for name in groups if name not in ("history", "fields")] + [f"measured/{name}" for name in nested]
+
+    def table(self, name):
+        """All datasets of a group beside /history, by name: {"position": History, ...}."""
+        group = self.file.get(name)
+        if not isinstance(group, h5py.Group):
+            known = ", ".join(self.tables) or "none"
+            raise UserError(f"'{self.path}' has no table '{name}'; its tables are: {known}")
+        return {key: self.dataset(f"/{name}/{key}") for key in datasets(group)}
+
+    def measured(self):
+        """Measured records: {name: {"time": History, "value": History, "reading": name of the history beside it}}."""
+        found = {}
+        for name in self.file.get("/measured", ()):
+            time, value = (self.dataset(f"/measured/{name}/{key}") for key in ("time", "value"))
+            marks = {**self.file[f"measured/{name}"].attrs, **self.file[f"measured/{name}/value"].attrs}
+            unit, description, reading = (text_of(marks.get(key, "")) for key in ("unit", "description", "reading"))
+            found[name] = {"time": time, "value": History(value, unit, description), "reading": reading}
+        return found
+
+    def probes(self):
+        """{quantity: {probe: History}}, in the order of the file."""
+        group = self.file.get("/history/probes")
+        quantities = {}
+        for probe in group or ():
+            for quantity in group[probe]:
+                quantities.setdefault(quantity, {})[probe] = self.history(f"probes/{probe}/{quantity}")
+        return quantities
+
+
+def datasets(group):
+    """Paths of all numbers of a group, below it; words are left out."""
+    found = []
+    group.visititems(lambda name, item: found.append(name) if is_numbers(item) else None)
+    return found
+
+
+def is_numbers(item):
+    return isinstance(item, h5py.Dataset) and np.issubdtype(item.dtype, np.number)

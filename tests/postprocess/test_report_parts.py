@@ -1,0 +1,184 @@
+"""The parts of the report by themselves. Usage: test_report_parts.py FOLDER_OF_THE_SCRIPTS"""
+
+import json
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+import numpy as np
+
+SCRIPTS = Path(sys.argv[1]) if len(sys.argv) > 1 else Path(__file__).parents[2] / "postprocess"
+sys.path.insert(0, str(SCRIPTS))
+
+from report import geometry, input_tables, inputs, markup, reference, series, source_case, ticks, units  # noqa: E402
+
+SOURCE = """# A made-up case. # of it
+# All other
+# numbers are assumed, as told elsewhere.
+title = "made-up # 1"
+[regions.sand]  # measured: boreholes 1 to 3
+kind = "porous"
+shear_modulus = 30e6  # calibrated: peak F_T
+porosity = 0.4
+damping = { ratio = 0.05 }  # assumed
+[regions.rubble]  # of the quarry
+porosity = 0.45
+[loads.wave]
+direction = [1.0, 0.0]
+history = "wave.csv"  # measured
+factor = 2.0
+"""
+
+
+class Units(unittest.TestCase):
+    def test_prefixes_suit_the_size(self):
+        for value, unit, wanted in (
+            (634570.1, "N/m", "634.6 kN/m"),
+            (1.6e6, "N/m", "1,600 kN/m"),
+            (30.56e6, "N m/m", "30.56 MN m/m"),
+            (0.0151686, "m", "15.17 mm"),
+            (2.5, "m", "2.5 m"),
+            (0.0, "m", "0 m"),
+            (8.9e-4, "rad", "0.89 mrad"),
+            (-460133.2, "N/m", "−460.1 kN/m"),
+            (1.73e-13, "", "1.73 × 10⁻¹³"),
+            (9999.99, "", "10,000"),
+            (22580, "", "22,580"),
+            (9.81, "m/s2", "9.81 m/s²"),
+            (0.99996, "", "1"),
+            (float("inf"), "Pa", "infinite Pa"),
+        ):
+            self.assertIn(f">{wanted}<".replace(" ", "\u00a0"), units.quantity(value, unit).replace(" ", "\u00a0"))
+        self.assertIn('value="634570.1"', units.quantity(634570.1, "N/m"))
+        self.assertEqual(units.quantity(None), "none")
+
+
+class Markup(unittest.TestCase):
+    def test_text_is_escaped_and_markup_is_not(self):
+        made = markup.tag("p", "<&>", markup.tag("b", '"'), class_='a"b', hidden=None)
+        self.assertEqual(made, '<p class="a&quot;b">&lt;&amp;&gt;<b>&quot;</b></p>')
+
+    def test_data_cannot_end_its_element(self):
+        made = markup.data({"a": "</script>x <!-- &"}, "plot")
+        inside = made.removeprefix('<script type="application/json" class="plot">').removesuffix("</script>")
+        self.assertFalse(set("<>&") & set(inside), made)
+        self.assertEqual(json.loads(inside), {"a": "</script>x <!-- &"})
+
+    def test_symbols(self):
+        self.assertEqual(markup.symbol("F_T"), "<i>F</i><sub>T</sub>")
+        self.assertEqual(markup.symbol("as a whole"), "as a whole")
+        self.assertEqual(
+            markup.prose("F_T < c_v of sea_front"), "<i>F</i><sub>T</sub> &lt; <i>c</i><sub>v</sub> of sea_front"
+        )
+
+
+class Lines(unittest.TestCase):
+    def test_thinning_keeps_ends_and_peaks(self):
+        x = np.linspace(0.0, 1.0, 100_000)
+        y = np.sin(40 * x)
+        y[777], y[55_555] = 9.0, -7.0
+        few_x, few_y = series.thinned(x, y)
+        self.assertLessEqual(few_x.size, 2 * series.SPANS + 2)
+        self.assertTrue(np.all(np.diff(few_x) > 0))
+        self.assertEqual((few_x[0], few_x[-1], few_y.max(), few_y.min()), (0.0, 1.0, 9.0, -7.0))
+
+    def test_what_is_not_finite_is_left_out(self):
+        few_x, few_y = series.thinned([0, 1, 2], [1.0, np.nan, 3.0])
+        self.assertEqual((few_x.tolist(), few_y.tolist()), ([0.0, 2.0], [1.0, 3.0]))
+
+    def test_ticks_are_round(self):
+        self.assertEqual([text for _, text in ticks.ticks(-26.0, 40.0, 4)], ["−20", "0", "20", "40"])
+        self.assertEqual([text for _, text in ticks.ticks(0.0, 1.0, 5)], ["0.0", "0.2", "0.4", "0.6", "0.8", "1.0"])
+        self.assertEqual(ticks.ticks(1.0, 1.0, 5), [])
+
+
+class Source(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.path = Path(self.folder.name) / "case_of_mine.toml"
+        self.path.write_text(SOURCE)
+        self.source = source_case.read(self.path)
+
+    def tearDown(self):
+        self.folder.cleanup()
+
+    def test_marks(self):
+        for path, is_number, wanted in (
+            (("regions", "sand", "shear_modulus"), True, ("calibrated", "peak F_T")),
+            (("regions", "sand", "porosity"), True, ("measured", "")),
+            (("regions", "sand", "damping", "ratio"), True, ("assumed", "")),
+            (("regions", "rubble", "porosity"), True, ("assumed", "")),
+            (("loads", "wave", "history"), False, ("measured", "")),
+            (("loads", "wave", "direction"), False, ("", "")),
+            (("regions", "sand", "kind"), False, ("", "")),
+        ):
+            self.assertEqual(self.source.mark(path, is_number, is_number), wanted, path)
+
+    def test_the_file_is_found_by_its_title_and_values(self):
+        run = {"title": "made-up # 1", "loads": {"wave": {"history": "../wave.csv", "factor": 2.0}}}
+        results = Path(self.folder.name) / "results"
+        results.mkdir()
+        self.assertEqual(source_case.find(run, results).path.name, "case_of_mine.toml")
+        (self.path.parent / "other.toml").write_text(SOURCE.replace("factor = 2.0", "factor = 3.0"))
+        self.assertEqual(source_case.find(run, results).path.name, "case_of_mine.toml")
+        run["loads"]["wave"]["factor"] = 4.0  # neither fits better
+        self.assertIsNone(source_case.find(run, results))
+        self.assertIsNone(source_case.find({"title": "another"}, results))
+
+    def test_rows(self):
+        case = {
+            "title": "made-up # 1",
+            "gravity": 9.81,
+            "regions": {"sand": {"shear_modulus": 30e6, "porosity": 0.41, "tortuosity": 1.0, "biot": 0.9}},
+            "loads": {"wave": {"direction": [1.0, 0.0], "history": "../elsewhere/wave.csv", "factor": 2.0}},
+        }
+        found = {row.path[-1]: row for row in inputs.rows(case, self.source)}
+        marks = {key: row.mark for key, row in found.items()}
+        self.assertEqual(
+            marks,
+            {
+                "gravity": "default",
+                "shear_modulus": "calibrated",
+                "porosity": "changed",
+                "tortuosity": "default",
+                "biot": "changed",
+                "direction": "given",
+                "history": "measured",
+                "factor": "given",
+            },
+        )
+        self.assertIn("the case file has 0.4", found["porosity"].remark)
+        self.assertEqual(input_tables.show(found["shear_modulus"]), "30 MPa")
+        self.assertEqual(input_tables.show(found["history"]), "wave.csv")
+        unknown = {row.path[-1]: row.mark for row in inputs.rows(case, None)}
+        self.assertEqual((unknown["tortuosity"], unknown["biot"], unknown["gravity"]), ("default", "given", "default"))
+
+
+class Reference(unittest.TestCase):
+    def test_units_and_meanings_are_those_of_the_printed_reference(self):
+        known = reference.read()
+        key = reference.find(known, ("regions", "seabed", "damping", "ratio"))
+        self.assertEqual((key.unit, key.meaning), ("", "damping ratio at both frequencies"))
+        key = reference.find(known, ("regions", "seabed", "hydraulic_conductivity"))
+        self.assertEqual((key.unit, key.meaning), ("m/s", "hydraulic conductivity k"))
+        self.assertTrue(reference.find(known, ("regions", "x", "flow")).is_default("auto"))
+        self.assertFalse(reference.find(known, ("regions", "x", "flow")).is_default("darcy"))
+
+
+class Geometry(unittest.TestCase):
+    def test_parameters_of_a_geometry_are_read_from_its_script(self):
+        declared = geometry.declared("composite")
+        self.assertEqual(declared["mound_height"], (6.0, "m", "height of the mound above the seabed"))
+        self.assertEqual(geometry.declared("nothing"), {})
+
+    def test_the_outline_of_cells(self):
+        points = {1: (0, 0), 2: (1, 0), 3: (2, 0), 4: (0, 1), 5: (1, 1), 6: (2, 1)}
+        (loop,) = geometry.outline([[1, 2, 5, 4], [2, 3, 6, 5]], points)
+        self.assertEqual(sorted(loop), sorted(points.values()))
+        area = 0.5 * sum(a[0] * b[1] - b[0] * a[1] for a, b in zip(loop, [*loop[1:], loop[0]]))
+        self.assertEqual(area, 2.0)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
