@@ -8,7 +8,7 @@
 #include "upbead/app/failure.h"
 #include "upbead/base/error.h"
 #include "upbead/base/suggest.h"
-#include "upbead/base/version.h"
+#include "upbead/output/versions.h"
 
 namespace {
 
@@ -27,7 +27,7 @@ void check_command(const CLI::App& program, const std::string& word) {
 int run(int argc, char** argv) {
   CLI::App program("upbead: how much of a wave's impulsive force on a caisson reaches its bottom, and does it slide?");
   program.require_subcommand(1);
-  program.set_version_flag("--version", upbead::program_version());
+  program.set_version_flag("--version", upbead::versions_text);
   program.footer(
       "Start with the example:\n"
       "  upbead explain cases/fig2b-model.toml     what will be solved, and what is skipped\n"

@@ -12,6 +12,8 @@ import importlib
 from . import msh
 from .commands import calibrate, expected, reduce, run, study, waves
 from .errors import CaseError, ModelError, NumericsError, UpbeadError, UserError
+from .fit import fit
+from .fit_result import Fit
 from .history import History
 from .opening import open_model
 from .opening import open_result as open
@@ -20,8 +22,8 @@ from .results import Result
 from .slip_result import SlipResult
 from .study_table import StudyTable
 
-__all__ = ["CaseError", "History", "ModelError", "NumericsError", "ReducedModel", "Result", "SlipResult", "StudyTable",
-           "UpbeadError", "UserError", "calibrate", "expected", "figures", "msh", "open", "open_model", "reduce", "run",
+__all__ = ["CaseError", "Fit", "History", "ModelError", "NumericsError", "ReducedModel", "Result", "SlipResult", "StudyTable",
+           "UpbeadError", "UserError", "calibrate", "expected", "figures", "fit", "msh", "open", "open_model", "reduce", "run",
            "study", "waves"]
 
 

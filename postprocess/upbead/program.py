@@ -7,14 +7,21 @@ from pathlib import Path
 
 from .errors import CaseError, NumericsError, UpbeadError, UserError
 
-BESIDE = Path(__file__).resolve().parents[2] / "build/upbead"  # of a source tree
+ROOT = Path(__file__).resolve().parents[2]
+BESIDE = ROOT / "build/upbead"  # of a source tree
+INSTALLED = ROOT / "../../bin/upbead"  # from share/upbead of an installation, see docs/install.md
 
 
 def find(program=None):
-    """The program's path: as given; else $UPBEAD; else build/upbead beside this package; else `upbead` on the PATH."""
+    """The program's path.
+
+    As given; else $UPBEAD; else build/upbead beside this package; else that of the same installation; else `upbead` on
+    the PATH.
+    """
     places = [("argument 'program'", program)] if program else [
         ("environment variable UPBEAD", os.environ.get("UPBEAD")),
         ("beside the package", BESIDE),
+        ("of the same installation", INSTALLED),
         ("PATH", "upbead"),
     ]
     tried = []

@@ -14,11 +14,11 @@ std::string geometry_folder() {
     if (fs::is_directory(folder)) return folder;
     throw InputError(Place(), "UPBEAD_MESHES = '" + std::string(folder) + "' is no folder", "unset or mend it");
   }
-  if (fs::is_directory(UPBEAD_MESH_DIR)) return UPBEAD_MESH_DIR;
   std::error_code code;
   const fs::path program = fs::read_symlink("/proc/self/exe", code);
   const fs::path installed = program.parent_path().parent_path() / "share" / "upbead" / "meshes";
   if (fs::is_directory(installed, code)) return installed.string();
+  if (fs::is_directory(UPBEAD_MESH_DIR)) return UPBEAD_MESH_DIR;
   throw InputError(Place(), "no folder of shipped geometries", "set UPBEAD_MESHES to the folder of the .geo files");
 }
 

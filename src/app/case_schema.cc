@@ -1,4 +1,5 @@
 #include "case_schema.h"
+#include "records/measured.h"
 
 #include "upbead/model/words.h"
 
@@ -102,6 +103,8 @@ TableSchema<CaseTables> output_schema() {
       .doc("time between two written fields");
   TableSchema<CaseTables> table;
   table.section("fields", fields).doc("Fields of the whole mesh; none are computed or written without this table.");
+  table.key("base", &CaseTables::base_stress)
+      .doc("true: stress and pore pressure along the caisson's bottom over time, in /base of results.h5");
   return table;
 }
 
@@ -128,6 +131,8 @@ TableSchema<CaseTables> case_schema() {
   table.table("time", &CaseTables::time, time_schema());
   table.section("accuracy", accuracy_schema());
   table.tables("probes", &CaseTables::probes, probe_schema()).doc("Point readings by name.");
+  table.tables("measured", &CaseTables::measured, measured_schema())
+      .doc("Records by name that the run is held against; drawn beside it, with their differences in the summary.");
   table.section("output", output_schema());
   table.table("sliding", &CaseTables::sliding_table, sliding_schema())
       .doc("How far the caisson slides, Shimosako and Takahashi (1994); not asked without this table.");

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "upbead/app/gauge_source.h"
+#include "upbead/app/measured_source.h"
 #include "upbead/input/schema.h"
 #include "upbead/model/scene.h"
 
@@ -31,6 +32,7 @@ struct SlidingTable : SlidingChoice {
 struct CaseTables : Scene {
   std::optional<SlidingTable> sliding_table;
   std::map<std::string, LoadTable> load_tables;
+  std::map<std::string, MeasuredSource> measured;
 };
 
 TableSchema<CaseTables> case_schema();

@@ -2,8 +2,9 @@
 #include <iostream>
 #include <optional>
 
-#include "base_forces/effective_base.h"
 #include "checkpoints.h"
+#include "records/measured.h"
+#include "result_tables.h"
 #include "several_processes.h"
 #include "upbead/app/commands.h"
 #include "upbead/app/report.h"
@@ -12,49 +13,10 @@
 #include "upbead/base/progress.h"
 #include "upbead/base/stopwatch.h"
 #include "upbead/output/fields.h"
-#include "upbead/output/result_file.h"
 
 namespace upbead {
 
 namespace {
-
-/// Histories of all readings, by the names of /history, and of what stands on the ground.
-std::vector<History> histories(const CompiledCase& scene, const Series& series) {
-  const System& system = scene.compiled.system;
-  std::vector<History> list{{"time", "s", "time", series.time}};
-  for (std::size_t i = 0; i < system.readings.size(); ++i) {
-    const Reading& reading = system.readings[i];
-    const auto row = series.reading.row(static_cast<Eigen::Index>(i));
-    list.push_back({reading.name, reading.unit, reading.description, std::vector<double>(row.begin(), row.end())});
-  }
-  if (const std::optional<EffectiveBase> base = effective_base(scene, series))
-    for (History& history : base_histories(*base)) list.push_back(std::move(history));
-  return list;
-}
-
-/// What the nodes of the caisson's bottom did, at the times of /history/time.
-std::vector<History> node_tables(const std::optional<ContactHistory>& contact) {
-  if (!contact) return {};
-  const std::size_t n = contact->position.size();
-  const std::string nodes = " by time and node of the caisson's bottom";
-  return {{"interface/position", "m", "x of the nodes of the caisson's bottom", contact->position},
-          {"interface/length", "m", "length that each node stands for: a force over it is a stress", contact->length},
-          {"interface/slip", "m", "slip, landward," + nodes, contact->slip, n},
-          {"interface/opening", "m", "opening," + nodes, contact->opening, n},
-          {"interface/shear_force", "N/m", "shear force on the ground, landward," + nodes, contact->shear_force, n},
-          {"interface/normal_force", "N/m", "effective normal force," + nodes, contact->normal_force, n}};
-}
-
-/// The caisson that slips as a whole, at times of its own.
-std::vector<History> coupled_tables(const std::optional<CoupledHistoryTable>& coupled) {
-  if (!coupled) return {};
-  return {{"coupled/time", "s", "time", coupled->time},
-          {"coupled/shear_force", "N/m", "F_T of the caisson that slips as a whole", coupled->shear_force},
-          {"coupled/normal_force", "N/m", "N' that its friction acts on", coupled->normal_force},
-          {"coupled/slip", "m", "its slip s over the mound, landward", coupled->slip},
-          {"coupled/slip_velocity", "m/s", "s'", coupled->velocity},
-          {"coupled/displacement_x", "m", "x_G, the slip included, landward", coupled->displacement}};
-}
 
 /// Follows the march: a line of progress for people, fields, an end where a person wants one.
 MarchOptions options_of(const Scene& scene, const std::function<void(double)>& progress, FieldOutput& fields) {
@@ -86,13 +48,15 @@ Run solve(const Case& input, CompiledCase& scene, FieldOutput& fields, Checkpoin
 }
 
 /// Writes all files but the fields themselves; returns the summary as JSON.
-std::string write(const Case& input, const CompiledCase& scene, Run& run, const FieldOutput& fields,
-                  const Stopwatch& since_start, OutputFolder& folder) {
+std::string write(const Case& input, const CompiledCase& scene, const std::vector<MeasuredRecord>& measured, Run& run,
+                  const FieldOutput& fields, const Stopwatch& since_start, OutputFolder& folder) {
   const Stopwatch watch;
   fields.finish();
-  std::vector<History> tables = node_tables(run.contact);
-  for (History& table : coupled_tables(run.coupled)) tables.push_back(std::move(table));
-  folder.write("results.h5", result_file(input.scene.title, histories(scene, run.response.ends), tables));
+  const std::vector<History> computed = histories(scene, run.response.ends);
+  run.summary.measured = compare_measured(input, measured, computed);
+  std::vector<History> others = tables(scene, run);
+  for (History& table : measured_tables(measured)) others.push_back(std::move(table));
+  folder.write("results.h5", result_file(input.scene.title, computed, others));
   folder.write("case.toml", effective_case(input, folder.name()));
   run.summary.timing.march -= fields.seconds();
   run.summary.timing.output = watch.seconds() + fields.seconds();
@@ -119,17 +83,19 @@ void run(const CommonOptions& options, const CheckpointWish& wish, const Stopwat
     checkpoints.emplace(input, folder->name(), wish);
   }
   CompiledCase scene = compile_case(input, nullptr, processes);
+  const std::vector<MeasuredRecord> measured = read_measured(input, names_of_histories(scene));
   if (is_first && !options.json) std::cout << describe(input, scene) << checkpoints->account() << std::flush;
 
   FieldOutput fields(input.scene, scene, folder ? &*folder : nullptr);
   Run result = solve(input, scene, fields, checkpoints ? &*checkpoints : nullptr, is_first);
   if (!is_first) return;
-  const std::string json = write(input, scene, result, fields, since_start, *folder);
+  const std::string json = write(input, scene, measured, result, fields, since_start, *folder);
   checkpoints->remove();
   const std::string written =
       folder->name() + "/{results.h5, summary.json, case.toml" + (input.scene.fields_every ? ", fields.pvd}" : "}");
   std::cerr << describe(result.summary.warnings);
-  std::cout << (options.json ? json : describe(result) + "written     " + written + "\n");
+  std::cout << (options.json ? json
+                             : describe(result) + describe(result.summary.measured) + "written     " + written + "\n");
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "upbead/fem/compile.h"
 
 #include "upbead/fem/assembly.h"
+#include "upbead/fem/base_readings.h"
 #include "upbead/fem/caisson_readings.h"
 #include "upbead/fem/partition.h"
 #include "upbead/fem/probes.h"
@@ -49,6 +50,9 @@ CompiledScene compile(const Scene& scene, const Space& space, const Unknowns& un
     system.readings = caisson_readings(*compiled.caisson, *forces, momentum,
                                        uplift_rows(space, unknowns, *compiled.caisson), loads, scene.time.inertia);
   }
+  if (compiled.caisson && scene.base_stress)
+    for (Reading& reading : base_readings(space, unknowns, scene, *compiled.caisson))
+      system.readings.push_back(std::move(reading));
   for (const auto& probe : scene.probes)
     for (Reading& reading : probe_readings(space, unknowns, scene, probe.first))
       system.readings.push_back(std::move(reading));

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "upbead/base/error.h"
-#include "upbead/base/version.h"
+#include "upbead/output/versions.h"
 
 namespace upbead::detail {
 
@@ -66,6 +66,7 @@ Hdf5Image::Hdf5Image(const std::string& title)
       creation_(without_clock(), H5Pclose) {
   set_attribute(file_, "title", title);
   set_attribute(file_, "program", std::string(program_version()));
+  set_attribute(file_, "versions", versions_line());
 }
 
 void Hdf5Image::attribute(const std::string& object, const std::string& name, const std::string& text) {

@@ -11,6 +11,7 @@ void write(detail::Hdf5Image& image, const std::string& folder, const std::vecto
     std::vector<hsize_t> shape{dataset.values.size() / dataset.columns};
     if (dataset.columns > 1) shape.push_back(dataset.columns);
     image.numbers(folder + dataset.name, shape, dataset.values.data(), {dataset.unit, dataset.description});
+    if (!dataset.reading.empty()) image.attribute(folder + dataset.name, "reading", dataset.reading);
   }
 }
 

@@ -6,6 +6,7 @@
 #include "sliding_object.h"
 #include "upbead/base/version.h"
 #include "upbead/output/json_text.h"
+#include "upbead/output/versions.h"
 
 namespace upbead {
 
@@ -73,6 +74,17 @@ Json to_object(const std::vector<GaugeSummary>& gauges) {
   return rows;
 }
 
+Json to_object(const MeasuredSummary& m) {
+  const Comparison& c = m.comparison;
+  return {{"reading", m.reading},
+          {"peak_measured", c.peak_measured},
+          {"peak_computed", c.peak_computed},
+          {"peak_ratio", c.peak_ratio},
+          {"rms", c.rms},
+          {"rms_relative", c.rms_relative},
+          {"phase", c.phase}};
+}
+
 Json to_object(const EnergyAccount& e) {
   return {{"work", e.work},         {"kinetic", e.kinetic}, {"strain", e.strain},      {"fluid", e.fluid},
           {"lifted", e.lifted},     {"drag", e.drag},       {"damping", e.damping},    {"radiated", e.radiated},
@@ -127,6 +139,8 @@ std::string to_json(const Summary& summary) {
   json["loads"] = Json::object();
   for (const LoadOnCaisson& load : summary.loads) json["loads"][load.name] = to_object(load);
   json["gauges"] = to_object(summary.gauges);
+  json["measured"] = Json::object();
+  for (const MeasuredSummary& measured : summary.measured) json["measured"][measured.name] = to_object(measured);
   json["energy"] = summary.energy ? to_object(*summary.energy) : Json(nullptr);
   json["reduction"] = summary.reduction ? to_object(*summary.reduction) : Json(nullptr);
   json["sliding"] = summary.sliding ? to_object(*summary.sliding) : Json(nullptr);
@@ -140,6 +154,7 @@ std::string to_json(const Summary& summary) {
   for (const Skipped& skipped : summary.skipped)
     json["skipped"].push_back({{"what", skipped.what}, {"why", skipped.why}});
   json["timing"] = to_object(summary.timing);
+  json["versions"] = versions_object();
   return json_text(json);
 }
 

@@ -6,6 +6,7 @@
 #include "hdf5_image.h"
 #include "upbead/base/version.h"
 #include "upbead/output/json_text.h"
+#include "upbead/output/versions.h"
 
 namespace upbead {
 
@@ -128,6 +129,7 @@ std::string to_json(const ReducedModelFile& model, const std::string& path, cons
   json["timing"] = {
       {"read", timing.read}, {"respond", timing.respond}, {"write", timing.write}, {"total", timing.total}};
   json["histories_per_second"] = timing.respond > 0. ? Json(n / timing.respond) : Json(nullptr);
+  json["versions"] = versions_object();
   return json.dump(2) + "\n";
 }
 

@@ -12,8 +12,8 @@ import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).parent.parent.parent
-LABELS = {"unit": "unit tests of all layers, postprocessing", "cli": "the program as a person meets it",
-          "verification": "exact solutions, identities"}
+LABELS = {"unit": "unit tests of all layers, postprocessing", "verification": "exact solutions, identities",
+          "cli": "the program as a person meets it"}
 
 
 def run(build, label):
@@ -27,9 +27,8 @@ def run(build, label):
     return total, failed, len(re.findall(r"\(Skipped\)", text)), seconds
 
 
-def main():
-    build = sys.argv[1]
-    found = collections.OrderedDict((label, run(build, label)) for label in LABELS)
+def write(found):
+    """The facts of all labels that have run."""
     rows = [{"what": LABELS[label], "tried": f"{total} tests",
              "came_out": f"{failed or 'none'} failed{f', {skipped} skipped' if skipped else ''} ({seconds / 60:.0f} min)"}
             for label, (total, failed, skipped, seconds) in found.items()]
@@ -39,7 +38,14 @@ def main():
              "command": "./bootstrap sanitize", "figure": None, "rows": rows}
     path = ROOT / "docs/reliability/sanitizers.json"
     path.write_text(json.dumps(facts, indent=1) + "\n")
-    print(path)
+    print(path, flush=True)
+
+
+def main():
+    build, found = sys.argv[1], collections.OrderedDict()
+    for label in LABELS:
+        found[label] = run(build, label)
+        write(found)
     return any(failed for _, failed, _, _ in found.values())
 
 

@@ -155,7 +155,8 @@ class Program(InFolder):
         program = self.fake("")
         with mock.patch.dict(os.environ, {"UPBEAD": str(program), "PATH": ""}):
             self.assertEqual(find(), str(program.resolve()))
-        beside = mock.patch("upbead.program.BESIDE", self.folder / "no/upbead")
+        nowhere = self.folder / "no/upbead"
+        beside = mock.patch.multiple("upbead.program", BESIDE=nowhere, INSTALLED=nowhere)
         with beside, mock.patch.dict(os.environ, {"UPBEAD": "/no/where", "PATH": str(self.folder)}):
             with self.assertRaises(upbead.UserError) as found:
                 find()

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "upbead/app/gauge_source.h"
+#include "upbead/app/measured_source.h"
 #include "upbead/input/document.h"
 #include "upbead/model/scene.h"
 
@@ -28,6 +29,7 @@ struct Case {
   std::map<std::string, GaugeLoad> gauges;    ///< loads by transducers; in the scene NAME.TRANSDUCER
   std::string uplift_history;                 ///< CSV file of a prescribed uplift, relative to the case; "" without
   std::optional<GaugeLoad> uplift_gauges;     ///< of an uplift by transducers
+  std::map<std::string, MeasuredSource> measured;  ///< records to hold the run against
 
   /// Where a dotted key such as "regions.sand.porosity" was written; of the nearest table around it where it was not.
   Place place(const std::string& key) const { return document.place(key); }
@@ -52,8 +54,8 @@ std::string effective_case(const Case& problem, const std::string& output_folder
 /// Every key of the case file as Markdown.
 std::string case_reference();
 
-/// The folder of shipped geometries: the environment's UPBEAD_MESHES, else that of the source tree, else that installed
-/// beside the program. Throws InputError where there is none.
+/// The folder of shipped geometries: the environment's UPBEAD_MESHES, else that installed beside the program, else that
+/// of the source tree. Throws InputError where there is none.
 std::string geometry_folder();
 
 /// Names of the shipped geometries, sorted.

@@ -1,9 +1,19 @@
 // Who wrote a result.
 #pragma once
 
+#include <string>
+#include <utility>
+#include <vector>
+
 namespace upbead {
 
 /// "upbead 0.1.0".
 const char* program_version();
+
+/// Names and versions, such as {"PETSc", "3.18.5"}.
+using Versions = std::vector<std::pair<std::string, std::string>>;
+
+/// Of upbead and of the compiler that made it.
+Versions base_versions();
 
 }  // namespace upbead

@@ -59,6 +59,7 @@ struct Scene {
   double tolerance = 0.005;             ///< relative, on peak F_T
   std::map<std::string, Probe> probes;
   std::optional<double> fields_every;  ///< s; none: no fields
+  bool base_stress = false;            ///< whether stress and pore pressure along the caisson's bottom are read
   std::optional<SlidingChoice> sliding;
 };
 

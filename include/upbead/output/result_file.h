@@ -13,6 +13,7 @@ struct History {
   std::string description;
   std::vector<double> values;
   std::size_t columns = 1;  ///< of a table: values row by row; a list has one
+  std::string reading{};    ///< attribute: the history that a measured one belongs to; "" without
 };
 
 /// The bytes of an HDF5 file with the datasets /history/NAME, each with the string attributes `unit` and `description`,

@@ -9,6 +9,7 @@
 #include "upbead/dynamics/energy.h"
 #include "upbead/output/contact_summary.h"
 #include "upbead/output/sliding_summary.h"
+#include "upbead/response/comparison.h"
 #include "upbead/response/mobilisation.h"
 #include "upbead/response/shear_response.h"
 
@@ -72,6 +73,12 @@ struct GaugeSummary {
   std::optional<double> load_cell;  ///< largest force by the load cell (N/m)
 };
 
+/// A measured history against the computed one.
+struct MeasuredSummary {
+  std::string name, reading, unit;
+  Comparison comparison;
+};
+
 /// What was left out, and why.
 struct Skipped {
   std::string what;
@@ -89,6 +96,7 @@ struct Summary {
   std::optional<ShearResponse> response;  ///< none without a caisson
   std::vector<LoadOnCaisson> loads;
   std::vector<GaugeSummary> gauges;
+  std::vector<MeasuredSummary> measured;
   std::optional<EnergyAccount> energy;        ///< none where no march kept an account
   std::optional<ReductionSummary> reduction;  ///< none where it was marched
   std::optional<ErrorEstimate> error;         ///< none where the mesh was not made for the tolerance

@@ -3,6 +3,7 @@
 from .base_pressures import base_pressures
 from .calibration import calibration, calibration_spectrum
 from .expected import expected
+from .fit import fit
 from .mesh import mesh
 from .model_prototype import model_prototype, model_prototype_panel
 from .reduced_model import reduced_model
@@ -17,6 +18,6 @@ from .style import save
 from .verification import verification
 from .wave_pressure import wave_pressure
 
-__all__ = ["base_pressures", "calibration", "calibration_spectrum", "expected", "mesh", "model_prototype",
+__all__ = ["base_pressures", "calibration", "calibration_spectrum", "expected", "fit", "mesh", "model_prototype",
            "model_prototype_panel", "probes", "reduced_model", "response", "save", "sliding_safety", "slip_bottom", "slip_histories",
            "slip_safety", "stability", "study", "verification", "wave_pressure"]

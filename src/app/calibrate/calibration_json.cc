@@ -5,6 +5,7 @@
 #include "calibration_report.h"
 #include "upbead/base/version.h"
 #include "upbead/output/json_text.h"
+#include "upbead/output/versions.h"
 
 namespace upbead {
 
@@ -88,6 +89,7 @@ std::string to_json(const Design& design, const Calibration& found) {
   json["models"] = Json::object();
   for (const CalibratedModel& model : found.models) json["models"][model.name] = to_object(model);
   json["timing"] = {{"calibrate", found.seconds}};
+  json["versions"] = versions_object();
   return json_text(json);
 }
 

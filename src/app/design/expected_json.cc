@@ -5,6 +5,7 @@
 #include "upbead/base/text.h"
 #include "upbead/base/version.h"
 #include "upbead/output/json_text.h"
+#include "upbead/output/versions.h"
 
 namespace upbead {
 
@@ -93,6 +94,7 @@ std::string to_json(const Design& design, const ExpectedAnswer& answer, const Ex
         found->seconds > 0. ? Json(found->answered / found->seconds) : Json(nullptr);
   }
   json["timing"]["total"] = timing.total;
+  json["versions"] = versions_object();
   return json_text(json);
 }
 

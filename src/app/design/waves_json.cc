@@ -2,6 +2,7 @@
 
 #include "upbead/base/version.h"
 #include "upbead/output/json_text.h"
+#include "upbead/output/versions.h"
 #include "waves_report.h"
 
 namespace upbead {
@@ -100,6 +101,7 @@ std::string to_json(const DesignTables& design, const std::vector<WaveAnswer>& a
     for (const Warning& warning : a.warnings)
       wave["warnings"].push_back({{"name", warning.name}, {"text", warning.text}});
   }
+  json["versions"] = versions_object();
   return json_text(json);
 }
 

@@ -6,6 +6,7 @@
 
 #include "upbead/base/text.h"
 #include "upbead/base/version.h"
+#include "upbead/output/versions.h"
 
 namespace upbead {
 
@@ -82,6 +83,7 @@ std::string to_json(const Study& study, const Results& results, const StudyAccou
                     {"total", account.seconds},
                     {"all_runs", work},
                     {"longest_run", longest(results)}};
+  json["versions"] = versions_object();
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

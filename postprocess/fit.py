@@ -1,0 +1,89 @@
+#!/usr/bin/python3
+"""Fits keys of a case to a measured record: least squares over runs of reduced models, with confidence.
+
+usage: fit.py CASE --record lab.csv --column F_T --parameter regions.seabed.shear_modulus
+              --parameter regions.seabed.damping.ratio=0.05 --tie regions.mound.shear_modulus=1.667*regions.seabed.shear_modulus
+
+A parameter begins with the case's value, with KEY=GUESS, or anywhere in KEY=LOW:HIGH; all SI units. Writes fit.json,
+fit.csv (time, record, first guess, fit) and fit.png into a folder. docs/fit.md tells what the numbers hold.
+"""
+
+import argparse
+import csv
+import json
+import tomllib
+from pathlib import Path
+
+from common import UserError, run, save
+from upbead import figures, fit
+
+
+def pairs(texts, what):
+    """{key: text} of KEY=TEXT."""
+    for text in texts:
+        if "=" not in text:
+            raise UserError(f"--{what} {text}: write KEY=...")
+    return dict(text.split("=", 1) for text in texts)
+
+
+def guess(text):
+    """A number, or the (low, high) of LOW:HIGH."""
+    try:
+        ends = tuple(map(float, text.split(":")))
+    except ValueError as error:
+        raise UserError(f"'{text}' is no first guess; write a number or LOW:HIGH") from error
+    return ends[0] if len(ends) == 1 else ends
+
+
+def toml(text):
+    """A value as --set of the program reads it; what is no TOML is a word."""
+    try:
+        return tomllib.loads(f"value = {text}")["value"]
+    except tomllib.TOMLDecodeError:
+        return text
+
+
+def parse():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("case", type=Path)
+    parser.add_argument("--record", required=True, help="CSV (units in the header, .gz) or HDF5, times first; or NAME of [measured.NAME]")
+    parser.add_argument("--column", help="of the record; needed where it has several")
+    parser.add_argument("--unit", help="of the column, in place of its header")
+    parser.add_argument("--reading", help="what was measured, a path below /history (default: shear_force)")
+    parser.add_argument("--parameter", action="append", required=True, metavar="KEY[=GUESS|=LOW:HIGH]", help="key to fit; repeatable")
+    parser.add_argument("--tie", action="append", default=[], metavar="KEY=FACTOR*KEY", help="goes along; repeatable")
+    parser.add_argument("--set", action="append", default=[], metavar="KEY=VALUE", help="further keys of the case; repeatable")
+    parser.add_argument("--start", type=float, default=0.0, metavar="S", help="time of the record that is t = 0 of the run")
+    parser.add_argument("--zero", type=float, default=0.0, metavar="S", help="so much of the record's beginning is at rest")
+    parser.add_argument("--noise", type=float, help="standard deviation of a sample (SI; default: by the residual)")
+    parser.add_argument("--jobs", type=int, default=2, help="runs at once (default: %(default)s)")
+    parser.add_argument("--out", type=Path, metavar="DIR", help="folder (default: results/NAME-fit)")
+    return parser.parse_args()
+
+
+def main():
+    options = parse()
+    parameters = {text.split("=")[0]: guess(text.split("=", 1)[1]) if "=" in text else None for text in options.parameter}
+    found = fit(options.case, options.record, options.reading, parameters, pairs(options.tie, "tie"), column=options.column,
+                unit=options.unit, start=options.start, zero=options.zero, noise=options.noise, jobs=options.jobs,
+                set={key: toml(text) for key, text in pairs(options.set, "set").items()})
+    print(found)
+    print(" ".join(["run it with", *(f"--set {key}={value:.6g}" for key, value in found.settings.items())]))
+    write(found, options.out or Path("results") / f"{options.case.stem}-fit")
+
+
+def write(found, folder):
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        (folder / "fit.json").write_text(json.dumps(found.summary(), indent=2) + "\n", encoding="utf-8")
+        with open(folder / "fit.csv", "w", newline="", encoding="utf-8") as file:
+            writer = csv.writer(file)
+            writer.writerow(["time (s)", *(f"{name} ({found.record.unit})" for name in ("record", "first guess", "fit"))])
+            writer.writerows(zip(*(map(float, column) for column in (found.time, found.record, found.first, found.computed))))
+    except OSError as error:
+        raise UserError(f"cannot write to '{folder}': {error}") from error
+    save(figures.fit(found), folder / "fit.png")
+
+
+if __name__ == "__main__":
+    run(main)

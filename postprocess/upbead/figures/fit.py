@@ -1,0 +1,74 @@
+"""A record and what was fitted to it."""
+
+import numpy as np
+
+from ..least_squares import scipy_part
+from .style import mosaic, styled
+
+WIDEST = np.log(10.0)  # of the ellipse's axes, by the logarithm
+
+
+@styled
+def fit(found):
+    """Record, first guess and fit of a Fit, the residual, and of two parameters the ellipse that holds both with 95 %."""
+    two = len(found.values) == 2
+    figure, axes = mosaic([["record", "ellipse"], ["residual", "ellipse"]] if two else [["record"], ["residual"]],
+                          figsize=(9.5 if two else 6.5, 4.6), layout="constrained")
+    factor, unit = found.record.scale()
+    draw_record(axes["record"], found, factor, unit)
+    draw_residual(axes["residual"], found, factor, unit)
+    axes["residual"].sharex(axes["record"])
+    axes["record"].tick_params(labelbottom=False)
+    if two:
+        draw_ellipse(axes["ellipse"], found)
+    figure.align_ylabels([axes["record"], axes["residual"]])
+    return figure
+
+
+def draw_record(axes, found, factor, unit):
+    axes.plot(found.time, factor * found.record.values, ".", color="0.55", ms=2.5, label="record")
+    axes.plot(found.time, factor * found.first.values, "--", color="tab:blue", lw=1.0, label="first guess")
+    axes.plot(found.time, factor * found.computed.values, color="tab:red", lw=1.4, label="fit")
+    axes.axhline(0.0, color="black", lw=0.5)
+    axes.set_ylabel(f"{found.reading.replace('_', ' ')} ({unit})")
+    axes.set_xlim(found.time[0], found.time[-1])
+    axes.legend(fontsize="small", loc="best", markerscale=2.5)
+    axes.set_title("\n".join(f"{short(key)} = {value:.4g}" for key, value in found.values.items()), fontsize=9, loc="left")
+
+
+def draw_residual(axes, found, factor, unit):
+    axes.axhspan(-2 * factor * found.noise, 2 * factor * found.noise, color="0.9", lw=0, label="2 standard deviations")
+    axes.plot(found.time, factor * found.residual.values, ".", color="0.35", ms=2.5)
+    axes.axhline(0.0, color="black", lw=0.5)
+    axes.set_xlabel("time (s)")
+    axes.set_ylabel(f"record - fit ({unit})")
+    axes.legend(fontsize="small", loc="upper right")
+
+
+def draw_ellipse(axes, found):
+    """Where x of covariance C obeys x^T C^-1 x <= 2 F(2, n - 2) in logarithms (Seber and Wild 2003, ch. 5.2)."""
+    n = found.time.size
+    radius = np.sqrt(2 * scipy_part("stats").f.ppf(0.95, 2, n - 2))
+    size, vectors = np.linalg.eigh(found.covariance)
+    angle = np.linspace(0.0, 2 * np.pi, 401)
+    edge = radius * vectors @ (np.sqrt(np.maximum(size, 0.0))[:, None] * np.array([np.cos(angle), np.sin(angle)]))
+    edge = np.exp(np.clip(edge, -WIDEST, WIDEST))
+    (x_key, x), (y_key, y) = found.values.items()
+    axes.fill(x * edge[0], y * edge[1], color="tab:red", alpha=0.15, lw=0)
+    axes.plot(x * edge[0], y * edge[1], color="tab:red", lw=1.0, label="both with 95 %")
+    bars = {axis: [[value - max(found.confidence[key][0], 0.1 * value)], [min(found.confidence[key][1], 10 * value) - value]]
+            for axis, key, value in (("xerr", x_key, x), ("yerr", y_key, y))}
+    axes.errorbar(x, y, **bars, fmt="o", color="black", ms=4, lw=1.0, capsize=3, label="each with 95 %")
+    axes.set_xlabel(short(x_key))
+    axes.set_ylabel(short(y_key))
+    axes.legend(fontsize="small")
+
+
+def short(key):
+    """The last words of a key: seabed shear modulus.
+
+    >>> short("regions.seabed.damping.ratio"), short("loads.impulse.pulse.duration")
+    ('seabed damping ratio', 'impulse pulse duration')
+    """
+    parts = key.split(".")
+    return " ".join(parts[1:] if len(parts) > 2 else parts).replace("_", " ")

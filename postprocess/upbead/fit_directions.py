@@ -1,0 +1,122 @@
+"""Which combinations of parameters a record fixes.
+
+In logarithms of the parameters a combination a^p b^q is a direction. The singular value decomposition of the Jacobian
+over the noise orders directions by how well the record fixes them: along v_i the standard error is 1/s_i (Seber and
+Wild 2003, ch. 3.4 and 5.1). Where a direction is not fixed, parameters may change along it and the record shows nothing.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from .fit_parameters import RANGE
+
+NEGLIGIBLE = 0.03  # exponents below it are left out of words
+TELLING = 0.3  # the first exponent above it is made 1; both of the largest
+WIDEST = np.log(RANGE)  # where the record shows nothing, parameters may go as far as a guess may
+
+
+@dataclass
+class Combination:
+    """A product of powers of parameters, or of what is not fixed the powers of a factor c by which they change together.
+
+    interval: half the 95 % interval of the logarithm, of the product or of c.
+    """
+
+    exponents: dict
+    interval: float
+    fixed: bool
+
+    def __str__(self):
+        parts = [key if abs(power - 1) < 0.005 else f"{key}^{power:.2f}" for key, power in self.exponents.items()]
+        return " x ".join(parts)
+
+    @property
+    def within(self):
+        """The interval in words."""
+        if self.interval < 0.5:
+            return f"within {100 * np.expm1(self.interval):.2g} %"
+        return f"within a factor of {np.exp(self.interval):.2g}" if self.interval < 0.99 * WIDEST else "any"
+
+
+@dataclass
+class Identifiable:
+    """What a record fixes: `directions`, from best to worst known; the same in simple products, `fixed` and `free`."""
+
+    directions: list
+    fixed: list
+    free: list
+    axes: np.ndarray  # the directions as rows
+
+    def __str__(self):
+        head = "only this is fixed" if self.free else "fixed"
+        lines = [f"{head}: {combination}, {combination.within}" for combination in self.fixed] or ["nothing is fixed"]
+        for free in self.free:
+            changes = [f"{key} x c^{power:.2f}".replace("c^1.00", "c") for key, power in free.exponents.items()]
+            lines.append(f"not fixed: {' with '.join(changes)} fits as well, c {free.within}")
+        return "\n".join(lines)
+
+    def ellipsoid(self):
+        """V diag(interval^2) V^T: the covariance of the logarithms, times the quantile's square."""
+        return self.axes.T @ np.diag([direction.interval**2 for direction in self.directions]) @ self.axes
+
+
+def identifiable(keys, jacobian, noise, quantile, limit, doubt=None):
+    """The Identifiable of a Jacobian d computed / d ln(parameter), a column for each key.
+
+    noise: standard deviation of a sample. quantile: of Student's t, for 95 %. limit: a direction is fixed where its
+    interval is within +-limit (relative). doubt: what each column may be wrong by (rms); along a direction in which the
+    history changes less than that nothing is told.
+    """
+    _, size, directions = np.linalg.svd(jacobian, full_matrices=False)
+    most = WIDEST / np.abs(directions).max(axis=1)
+    with np.errstate(divide="ignore"):
+        interval = np.minimum(quantile * noise / size, most)
+    if doubt is not None:
+        blind = size < np.sqrt(len(jacobian)) * np.linalg.norm(directions * doubt, axis=1)
+        interval = np.where(blind, most, interval)
+    fixed = interval < np.log1p(limit)
+    ordered = [Combination(words(keys, row), half, bool(known)) for row, half, known in zip(directions, interval, fixed)]
+    return Identifiable(ordered, fixed_products(keys, directions, interval, fixed),
+                        free_products(keys, directions[~fixed], interval[~fixed]), directions)
+
+
+def fixed_products(keys, directions, interval, fixed):
+    """Simple products that span the fixed directions, without what is negligible in them."""
+    found = []
+    for row in simple(directions[fixed]):
+        size = np.abs(row) / np.abs(row).max()
+        row = np.where(size > NEGLIGIBLE, row, 0.0) / row[np.argmax(size > TELLING)]
+        found.append(Combination(words(keys, row), np.linalg.norm(directions @ row * interval), True))
+    return found
+
+
+def free_products(keys, rows, interval):
+    """Directions that span those that are not fixed, the largest exponent 1, with the reach of their c."""
+    found = []
+    for row in simple(rows):
+        row = row / row[np.argmax(np.abs(row) > 0.95 * np.abs(row).max())]
+        found.append(Combination(words(keys, row), 1.0 / np.linalg.norm(rows @ row / interval), False))
+    return found
+
+
+def simple(rows):
+    """The same space by rows of which each has a column that no other has."""
+    return np.linalg.solve(rows[:, pivot_columns(rows)], rows) if len(rows) else rows
+
+
+def pivot_columns(rows):
+    """Columns that make the rows independent, those first that are largest in them (Gram-Schmidt with pivoting)."""
+    rest, chosen = np.array(rows), []
+    for _ in range(len(rows)):
+        size = np.linalg.norm(rest, axis=0)
+        size[chosen] = -1.0
+        best = int(np.argmax(size > (1 - 1e-6) * size.max()))  # the first of equals
+        chosen.append(best)
+        unit = rest[:, best] / np.linalg.norm(rest[:, best])
+        rest = rest - np.outer(unit, unit @ rest)
+    return sorted(chosen)
+
+
+def words(keys, row):
+    return {key: float(power) for key, power in zip(keys, row) if abs(power) > NEGLIGIBLE * np.abs(row).max()}

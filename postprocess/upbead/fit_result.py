@@ -1,0 +1,70 @@
+"""What a fit found."""
+
+import json
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from .fit_directions import Identifiable
+from .fit_parameters import RANGE, TIME_FACTOR
+from .history import History
+
+
+@dataclass
+class Fit:
+    """Parameters by key, in SI units. docs/fit.md tells what the intervals hold, and what not.
+
+    values: the best. confidence: (low, high) of 95 %. covariance, correlation: of the logarithms of the values, in the
+    order of `values`. residual: record minus computed, in the unit of `record`, at `time` (s). identifiable: which
+    products of powers the record fixes. noise: standard deviation of a sample. n_runs: of the program. first, computed:
+    the reading by the first guess and by the fit. cautions: what speaks against the numbers.
+    """
+
+    values: dict
+    confidence: dict
+    covariance: np.ndarray
+    correlation: np.ndarray
+    residual: History
+    identifiable: Identifiable
+    noise: float
+    n_runs: int
+    reading: str
+    guess: dict
+    time: np.ndarray = field(repr=False)
+    record: History = field(repr=False)
+    first: History = field(repr=False)
+    computed: History = field(repr=False)
+    ties: dict = field(default_factory=dict)
+    cautions: list = field(default_factory=list)
+
+    @property
+    def settings(self):
+        """{key: value} for `set` of a run with what was found, tied keys too; none of the record's."""
+        tied = {key: factor * self.values[other] for key, (factor, other) in self.ties.items()}
+        return {key: value for key, value in {**self.values, **tied}.items() if key != TIME_FACTOR}
+
+    def summary(self):
+        """All but the histories, as JSON has it."""
+        told = {"reading": self.reading, "values": self.values, "confidence": self.confidence, "guess": self.guess,
+                "settings": self.settings, "noise": self.noise, "unit": self.record.unit,
+                "rms": float(np.sqrt(np.mean(self.residual.values**2))), "samples": self.time.size, "runs": self.n_runs,
+                "covariance_of_logarithms": self.covariance.tolist(), "correlation": self.correlation.tolist()}
+        told["identifiable"] = {name: [vars(combination) for combination in getattr(self.identifiable, name)]
+                                for name in ("directions", "fixed", "free")} | {"text": str(self.identifiable)}
+        return json.loads(json.dumps(told | {"cautions": self.cautions}))
+
+    def __str__(self):
+        width = max(map(len, self.values))
+        lines = [f"{key:{width}}  {value:.4g}  {interval_text(self.confidence[key])}" for key, value in self.values.items()]
+        lines += [str(self.identifiable)] + [f"caution: {text}" for text in self.cautions]
+        return "\n".join(lines)
+
+
+def interval_text(ends):
+    """An interval in words; one as wide as a guess may be wrong tells nothing.
+
+    >>> interval_text((1.0, 2.0)), interval_text((0.1, 10.0))
+    ('(1 to 2)', '(not told by the record)')
+    """
+    low, high = ends
+    return f"({low:.4g} to {high:.4g})" if high < 0.95 * RANGE**2 * low else "(not told by the record)"

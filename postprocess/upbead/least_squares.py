@@ -1,0 +1,103 @@
+"""Least squares by scipy over a model that answers several points at once."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from .errors import UserError
+
+STEP = 0.02  # of ln(parameter), for differences: far above what reduced models leave rough (docs/fit.md)
+LOOK = np.log(1.7)  # how far a first look goes
+MARGIN = 1e-9  # of bounds: scipy wants its beginning within them
+
+
+@dataclass
+class Solution:
+    x: np.ndarray
+    computed: np.ndarray
+    jacobian: np.ndarray  # d computed / d x
+    doubt: np.ndarray  # of each column of it, rms
+    converged: bool
+
+
+def scipy_part(name):
+    """A module of scipy, which nothing else of this package needs."""
+    import importlib
+
+    try:
+        return importlib.import_module(f"scipy.{name}")
+    except ImportError as error:
+        raise UserError("a fit needs scipy; install it (Debian: python3-scipy)") from error
+
+
+def differences(compute, x, low, high):
+    """The Jacobian of compute at x by central differences, and what each column may be wrong by.
+
+    One-sided at a bound, and where a run on the other side failed (its answer is nan).
+
+    The doubt (rms) is half the change of the slope from one side to the other: what is rough in the runs, and more.
+    """
+    ends = []
+    for j in range(len(x)):
+        for end in (max(low[j], x[j] - STEP), min(high[j], x[j] + STEP)):
+            point = np.array(x)
+            point[j] = end
+            ends.append(point)
+    centre, *answers = compute([x, *ends])
+    columns, doubt = [], []
+    for j in range(len(x)):
+        (left, below), (right, above) = ((end[j], answer if np.isfinite(answer).all() else None)
+                                         for end, answer in zip(ends[2 * j : 2 * j + 2], answers[2 * j : 2 * j + 2]))
+        if below is None or above is None or left == x[j] or right == x[j]:
+            left, below = (x[j], centre) if below is None else (left, below)
+            right, above = (x[j], centre) if above is None else (right, above)
+            doubt.append(0.0)
+        else:
+            doubt.append(np.sqrt(np.mean((above - 2 * centre + below) ** 2)) / (right - left))
+        columns.append((above - below) / (right - left) if right > left else np.zeros_like(centre))
+    return np.stack(columns, axis=1), np.array(doubt)
+
+
+def misfit(answers, measured):
+    """Sums of squares; infinite where a run failed."""
+    sums = [np.sum((answer - measured) ** 2) for answer in answers]
+    return np.where(np.isfinite(sums), sums, np.inf)
+
+
+def compass(compute, measured, x, low, high, rounds=6):
+    """A better beginning than x: the best of steps along each coordinate, as long as one is better.
+
+    Least squares over oscillations have other minima, a period away; a look around finds the right one (Kolda, Lewis
+    and Torczon 2003, on direct search).
+    """
+    best = misfit(compute([x]), measured)[0]
+    for _ in range(rounds):
+        points = [np.clip(x + sign * LOOK * unit, low, high) for unit in np.eye(len(x)) for sign in (-1, 1)]
+        sums = misfit(compute(points), measured)
+        if not sums.min() < best:
+            break
+        best, x = sums.min(), points[int(np.argmin(sums))]
+    return x
+
+
+def search(compute, measured, low, high, per_parameter=8):
+    """The best of some points spread evenly over the box: of Sobol's sequence, whose first is the lowest corner."""
+    bits = int(np.ceil(np.log2(per_parameter * len(low))))
+    unit = scipy_part("stats").qmc.Sobol(len(low), scramble=False).random_base2(bits)
+    points = list(low + (high - low) * unit)
+    return points[int(np.argmin(misfit(compute(points), measured)))]
+
+
+def least_squares(compute, measured, begin, low, high, scale):
+    """The x between low and high with the least sum of squares of (compute(x) - measured)/scale.
+
+    compute: list of points -> list of arrays, nan where that cannot be. Trust-region reflective steps (Branch, Coleman and Li 1999) of
+    scipy.optimize, of least norm, so that what the data do not fix stays near the beginning. It ends where a step
+    changes the misfit by less than 1e-4: of 1,000 samples, a step of at most a third of a standard error.
+    """
+    found = scipy_part("optimize").least_squares(  # in x - begin: then the first step may be 1 long
+        lambda z: (compute([begin + z])[0] - measured) / scale, np.zeros(len(begin)),
+        jac=lambda z: differences(compute, begin + z, low, high)[0] / scale,
+        bounds=(low - begin - MARGIN, high - begin + MARGIN), method="trf", ftol=1e-4, xtol=1e-5, gtol=1e-9, max_nfev=40)
+    x = begin + found.x
+    return Solution(x, compute([x])[0], *differences(compute, x, low, high), found.status > 0)

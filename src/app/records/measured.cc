@@ -1,0 +1,119 @@
+#include "measured.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "record_columns.h"
+#include "upbead/base/suggest.h"
+#include "upbead/base/text.h"
+
+namespace upbead {
+
+namespace {
+
+const History* find(const std::vector<History>& histories, const std::string& name) {
+  const auto found =
+      std::find_if(histories.begin(), histories.end(), [&](const History& history) { return history.name == name; });
+  return found == histories.end() ? nullptr : &*found;
+}
+
+MeasuredRecord read(const Case& input, const std::string& name, const MeasuredSource& source, const History& computed) {
+  const std::string path = dotted("measured", name);
+  const Place place = input.place(path + ".file");
+  const CsvTable table = read_record_table(input.resolve(source.file), place);
+  const RecordTimes times = record_times(table, {source.sampling_rate, source.zero, source.record_start});
+  const std::size_t fallback = source.sampling_rate ? 0 : 1;
+  if (source.column.empty() && table.names.size() <= fallback)
+    throw InputError(place, "'" + source.file + "' has no column beside the time", "give a record of two columns");
+  const std::size_t column = source.column.empty() ? fallback : column_of(table, source.column, place);
+  MeasuredRecord record{name, source.reading, computed.unit, times.time,
+                        in_si(table, column, computed.unit, source.unit)};
+  take_off_rest(times, record.value);
+  return record;
+}
+
+}  // namespace
+
+TableSchema<MeasuredSource> measured_schema() {
+  TableSchema<MeasuredSource> table;
+  table.key("file", &MeasuredSource::file).required().doc("path of the record; CSV (docs/records.md) or HDF5");
+  table.key("reading", &MeasuredSource::reading)
+      .required()
+      .doc(
+          "history of the results that it is held against; \"shear_force\", \"caisson/displacement_x\", "
+          "\"probes/A/pressure\"");
+  table.key("column", &MeasuredSource::column).fallback("the one after the time").doc("name of its column");
+  table.key("unit", &MeasuredSource::unit).fallback("that of the header, else SI").doc("unit of the values");
+  table.key("zero", &MeasuredSource::zero)
+      .unit("s")
+      .range(at_least(0.))
+      .doc("how much of the record's beginning is at rest; its mean is taken off; 0: nothing is taken off");
+  table.key("record_start", &MeasuredSource::record_start).unit("s").doc("time of the record that is t = 0 of the run");
+  table.key("sampling_rate", &MeasuredSource::sampling_rate)
+      .unit("Hz")
+      .range(above(0.))
+      .fallback("the first column is the time")
+      .doc("samples a second of a record without a column of times");
+  return table;
+}
+
+std::vector<MeasuredRecord> read_measured(const Case& input, const std::vector<History>& computed) {
+  std::vector<MeasuredRecord> records;
+  Mistakes mistakes;
+  for (const auto& [name, source] : input.measured) {
+    const History* history = find(computed, source.reading);
+    if (history == nullptr || source.reading == "time") {
+      std::vector<std::string> known;
+      for (const History& one : computed)
+        if (one.name != "time") known.push_back(one.name);
+      mistakes.add(input.place(dotted("measured", name) + ".reading"),
+                   "the run has no history '" + source.reading + "'", suggestion(source.reading, known, "histories"));
+      continue;
+    }
+    try {
+      records.push_back(read(input, name, source, *history));
+    } catch (const InputError& error) {
+      mistakes.add(error);
+    }
+  }
+  mistakes.throw_if_any();
+  return records;
+}
+
+std::vector<MeasuredSummary> compare_measured(const Case& input, const std::vector<MeasuredRecord>& records,
+                                              const std::vector<History>& computed) {
+  std::vector<MeasuredSummary> list;
+  for (const MeasuredRecord& record : records) try {
+      list.push_back(
+          {record.name, record.reading, record.unit,
+           compare(record.time, record.value, find(computed, "time")->values, find(computed, record.reading)->values)});
+    } catch (const std::invalid_argument& error) {
+      throw InputError(input.place(dotted("measured", record.name)), error.what(),
+                       "look at record_start, or leave the record out");
+    }
+  return list;
+}
+
+std::vector<History> measured_tables(const std::vector<MeasuredRecord>& records) {
+  std::vector<History> tables;
+  for (const MeasuredRecord& record : records) {
+    const std::string path = "measured/" + record.name + "/";
+    tables.push_back({path + "time", "s", "time of the run", record.time, 1, record.reading});
+    tables.push_back({path + "value", record.unit, "measured, of " + record.reading, record.value, 1, record.reading});
+  }
+  return tables;
+}
+
+std::string describe(const std::vector<MeasuredSummary>& measured) {
+  std::string text;
+  for (const MeasuredSummary& m : measured) {
+    const Comparison& c = m.comparison;
+    text += "measured    " + m.name + ": " + m.reading + " has its peak at " + significant(c.peak_ratio, 4) +
+            " of the measured one, comes " + significant(1e3 * std::abs(c.phase), 3) + " ms " +
+            (c.phase < 0. ? "earlier" : "later") + ", and differs by " + significant(100. * c.rms_relative, 3) +
+            " % of its root mean square\n";
+  }
+  return text;
+}
+
+}  // namespace upbead

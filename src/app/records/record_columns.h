@@ -1,0 +1,33 @@
+// Columns of a record in SI units and the run's time.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "record_table.h"
+
+namespace upbead {
+
+/// How a record's own time becomes the run's.
+struct RecordClock {
+  std::optional<double> sampling_rate;  ///< Hz; none: the first column is the time
+  double zero = 0.;                     ///< s from the record's beginning that it rests
+  double start = 0.;                    ///< its time that is t = 0 of the run (s)
+};
+
+struct RecordTimes {
+  std::vector<double> time;  ///< of the run (s)
+  std::size_t at_rest = 0;   ///< samples of the beginning
+};
+
+/// Throws InputError where times do not ascend, at their row.
+RecordTimes record_times(const CsvTable& table, const RecordClock& clock);
+
+/// The column of that name. Throws InputError at `place` with what there is.
+std::size_t column_of(const CsvTable& table, const std::string& name, const Place& place);
+
+/// Takes the mean of the samples at rest off all.
+void take_off_rest(const RecordTimes& times, std::vector<double>& values);
+
+}  // namespace upbead

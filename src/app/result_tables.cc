@@ -1,0 +1,86 @@
+#include "result_tables.h"
+
+#include "base_forces/effective_base.h"
+#include "upbead/fem/base_readings.h"
+
+namespace upbead {
+
+namespace {
+
+/// Stress and pore pressure along the bottom, by time and place.
+std::vector<History> base_tables(const CompiledCase& scene, const Series& series) {
+  if (!scene.compiled.caisson || !scene.scene.base_stress) return {};
+  const std::vector<double> x = base_positions(*scene.space, *scene.compiled.caisson);
+  std::vector<History> tables{{"base/position", "m", "x of the places along the caisson's bottom", x}};
+  for (const char* name : {"normal_stress", "shear_stress", "pore_pressure"}) {
+    History table{base_prefix + name, "Pa", "", {}, x.size()};
+    const std::size_t n = series.time.size();
+    table.values.assign(n * x.size(), 0.);
+    for (std::size_t i = 0; i < scene.compiled.system.readings.size(); ++i) {
+      const Reading& reading = scene.compiled.system.readings[i];
+      if (reading.name.rfind(base_prefix, 0) != 0 || reading.name.substr(reading.name.rfind('/') + 1) != name) continue;
+      const auto column = static_cast<std::size_t>(std::stoi(reading.name.substr(base_prefix.size())));
+      table.description = reading.description + ", by time and place";
+      for (std::size_t t = 0; t < n; ++t)
+        table.values[t * x.size() + column] =
+            series.reading(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(t));
+    }
+    if (!table.description.empty()) tables.push_back(std::move(table));  // dry ground has no pore pressure
+  }
+  return tables;
+}
+
+/// What the nodes of the caisson's bottom did, at the times of /history/time.
+std::vector<History> node_tables(const std::optional<ContactHistory>& contact) {
+  if (!contact) return {};
+  const std::size_t n = contact->position.size();
+  const std::string nodes = " by time and node of the caisson's bottom";
+  return {{"interface/position", "m", "x of the nodes of the caisson's bottom", contact->position},
+          {"interface/length", "m", "length that each node stands for: a force over it is a stress", contact->length},
+          {"interface/slip", "m", "slip, landward," + nodes, contact->slip, n},
+          {"interface/opening", "m", "opening," + nodes, contact->opening, n},
+          {"interface/shear_force", "N/m", "shear force on the ground, landward," + nodes, contact->shear_force, n},
+          {"interface/normal_force", "N/m", "effective normal force," + nodes, contact->normal_force, n}};
+}
+
+/// The caisson that slips as a whole, at times of its own.
+std::vector<History> coupled_tables(const std::optional<CoupledHistoryTable>& coupled) {
+  if (!coupled) return {};
+  return {{"coupled/time", "s", "time", coupled->time},
+          {"coupled/shear_force", "N/m", "F_T of the caisson that slips as a whole", coupled->shear_force},
+          {"coupled/normal_force", "N/m", "N' that its friction acts on", coupled->normal_force},
+          {"coupled/slip", "m", "its slip s over the mound, landward", coupled->slip},
+          {"coupled/slip_velocity", "m/s", "s'", coupled->velocity},
+          {"coupled/displacement_x", "m", "x_G, the slip included, landward", coupled->displacement}};
+}
+
+}  // namespace
+
+std::vector<History> histories(const CompiledCase& scene, const Series& series) {
+  const System& system = scene.compiled.system;
+  std::vector<History> list{{"time", "s", "time", series.time}};
+  for (std::size_t i = 0; i < system.readings.size(); ++i) {
+    const Reading& reading = system.readings[i];
+    if (reading.name.rfind(base_prefix, 0) == 0) continue;
+    const auto row = series.reading.row(static_cast<Eigen::Index>(i));
+    list.push_back({reading.name, reading.unit, reading.description, std::vector<double>(row.begin(), row.end())});
+  }
+  if (const std::optional<EffectiveBase> base = effective_base(scene, series))
+    for (History& history : base_histories(*base)) list.push_back(std::move(history));
+  return list;
+}
+
+std::vector<History> names_of_histories(const CompiledCase& scene) {
+  const System& system = scene.compiled.system;
+  const auto none = [](std::size_t n) { return Eigen::MatrixXd(static_cast<Eigen::Index>(n), 0); };
+  return histories(scene, {{}, none(system.readings.size()), none(system.loads.size())});
+}
+
+std::vector<History> tables(const CompiledCase& scene, const Run& run) {
+  std::vector<History> all = base_tables(scene, run.response.ends);
+  for (auto part : {node_tables(run.contact), coupled_tables(run.coupled)})
+    for (History& table : part) all.push_back(std::move(table));
+  return all;
+}
+
+}  // namespace upbead

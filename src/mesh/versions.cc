@@ -1,0 +1,13 @@
+#include "upbead/mesh/versions.h"
+
+#include <deal.II/base/config.h>
+#include <gmsh.h>
+
+namespace upbead {
+
+Versions mesh_versions() {
+  // gmsh tells its own version only within a session, which costs as much as reading a mesh
+  return {{"deal.II", DEAL_II_PACKAGE_VERSION}, {"gmsh", "interface " GMSH_API_VERSION}};
+}
+
+}  // namespace upbead

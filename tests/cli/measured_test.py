@@ -1,0 +1,147 @@
+#!/usr/bin/python3
+"""Measured histories beside computed ones, and what stands on the ground under the caisson.
+
+usage: measured_test.py PROGRAM CASES_FOLDER
+"""
+
+import json
+import sys
+import unittest
+
+import h5py
+import numpy
+
+from program import ProgramTest, upbead
+from warnings_test import SCENE, WEIGHT, WIDTH, settings
+
+
+class Measured(ProgramTest):
+    def run_scene(self, *arguments, code=0, text=SCENE, name="out"):
+        (self.folder / "scene.toml").write_text(text)
+        done = upbead("run", self.folder / "scene.toml", "--json", "--out", self.folder / name, *arguments)
+        self.assertEqual(done.returncode, code, done.stderr)
+        return json.loads(done.stdout) if code == 0 else done.stderr
+
+    def history(self, *names, file="out"):
+        with h5py.File(self.folder / file / "results.h5") as results:
+            return [results[name][:] for name in names]
+
+    def test_a_run_against_itself_and_against_a_larger_later_one(self):
+        self.run_scene(*WEIGHT)
+        time, force, x = self.history("history/time", "history/shear_force", "history/caisson/displacement_x")
+        rows = ["t (ms),F_T (kN/m),x_G (mm)"]
+        rows += [f"{1e3 * (t + 2)!r},{f / 1e3!r},{1e3 * d!r}" for t, f, d in zip(time, force, x)]
+        (self.folder / "lab.csv").write_text("\n".join(rows) + "\n")
+        delay, factor = 0.02, 1.25
+        rows = [f"{t + delay!r};{factor * f!r}".replace(".", ",") for t, f in zip(time, force)]
+        (self.folder / "late.csv").write_text("t [s];F [N/m]\n" + "\n".join(rows) + "\n")
+        summary = self.run_scene(text=SCENE + """
+[measured.same]
+file = "lab.csv"
+reading = "shear_force"
+record_start = 2.0
+[measured.sway]
+file = "lab.csv"
+column = "x_G"
+reading = "caisson/displacement_x"
+record_start = 2.0
+[measured.late]
+file = "late.csv"
+reading = "shear_force"
+""")
+        for name in ("same", "sway"):
+            found = summary["measured"][name]
+            self.assertAlmostEqual(found["peak_ratio"], 1, 9)
+            self.assertLess(found["rms_relative"], 1e-9)
+            self.assertAlmostEqual(found["phase"], 0, 9)
+        found = summary["measured"]["late"]
+        self.assertAlmostEqual(found["peak_ratio"], 1 / factor, 9)
+        self.assertAlmostEqual(found["phase"], -delay, 3)
+        self.assertGreater(found["rms_relative"], 0.2)
+        with h5py.File(self.folder / "out/results.h5") as file:
+            value = file["measured/sway/value"]
+            self.assertEqual((value.attrs["unit"], value.attrs["reading"]), (b"m", b"caisson/displacement_x"))
+            self.assertLess(abs(value[:] - x).max(), 1e-12 * abs(x).max())
+            self.assertLess(abs(file["measured/sway/time"][:] - time).max(), 1e-12)
+        again = upbead("run", self.folder / "out/case.toml", "--json", "--out", self.folder / "again")
+        self.assertEqual(json.loads(again.stdout)["measured"], summary["measured"])
+
+    def test_mistakes_are_told_before_anything_is_solved(self):
+        (self.folder / "lab.csv").write_text("t (s),F (m)\n0,1\n1,2\n")
+        told = self.run_scene(code=1, text=SCENE + """
+[measured.a]
+file = "lab.csv"
+reading = "sheer_force"
+[measured.b]
+file = "lab.csv"
+reading = "shear_force"
+[measured.c]
+file = "lab.csv"
+column = "G"
+reading = "force"
+[measured.d]
+file = "none.csv"
+reading = "force"
+""")
+        for text in ("no history 'sheer_force'; did you mean 'shear_force'?", "the unit 'm' of column 'F'",
+                     "has no column 'G'", "cannot read"):
+            self.assertIn(text, told)
+        self.assertFalse((self.folder / "out").exists())
+        (self.folder / "lab.csv").write_text("t (s),F (N/m)\n10,1\n11,2\n")
+        told = self.run_scene(code=1, text=SCENE + '[measured.b]\nfile = "lab.csv"\nreading = "force"\n')
+        self.assertIn("no time in common", told)
+
+    def test_what_stands_on_the_ground(self):
+        self.run_scene(*WEIGHT, *settings(loads__impulse__factor=3))
+        names = ["effective_normal_force", "effective_base_moment", "eccentricity", "toe_pressure", "heel_pressure",
+                 "normal_force", "uplift", "base_moment", "uplift_moment"]
+        N, M, e, toe, heel, dN, U, dM, M_U = self.history(*(f"history/{name}" for name in names))
+        self.assertLess(abs(N - (4.3e6 + dN - U)).max(), 1e-9 * 4.3e6)
+        self.assertLess(abs(M - (dM + M_U)).max(), 1e-6 * abs(dM).max())
+        self.assertLess(abs(e * N - M).max(), 1e-9 * abs(M).max())
+        whole = abs(e) <= WIDTH / 6
+        self.assertTrue(whole.any() and not whole.all())
+        self.assertLess(abs(0.5 * (toe + heel) * WIDTH - N)[whole].max(), 1e-6 * 4.3e6)
+        self.assertTrue((numpy.minimum(toe, heel)[~whole] == 0).all())
+        self.run_scene()
+        with h5py.File(self.folder / "out/results.h5") as file:  # neither [sliding] nor a water level: no weight is known
+            self.assertNotIn("eccentricity", file["history"])
+
+    def test_stress_along_the_bottom_adds_up_to_its_forces(self):
+        """Stresses of elements at the middles of faces: singular at the corners, their sums approach the forces slowly."""
+        errors, of_moment = [], []
+        for refine in (0, 1):
+            march = settings(time__scheme="sdirk4", time__step=0.01, output__base="true", mesh__refine=refine)
+            self.run_scene(*march)
+            x, shear, normal, pore, F_T, N, M = self.history(
+                "base/position", "base/shear_stress", "base/normal_stress", "base/pore_pressure", "history/shear_force",
+                "history/normal_force", "history/base_moment")
+            self.assertEqual(shear.shape, (len(F_T), len(x)))
+            self.assertTrue((numpy.diff(x) > 0).all())
+            ends = numpy.empty(len(x) + 1)  # of the faces, from their middles and one end
+            ends[0] = -WIDTH / 2
+            for i, middle in enumerate(x):
+                ends[i + 1] = 2 * middle - ends[i]
+            self.assertAlmostEqual(ends[-1], WIDTH / 2, 9)
+            length = numpy.diff(ends)
+            errors.append(abs(shear @ length - F_T).max() / abs(F_T).max())
+            moment = (normal + pore) @ (length * x)
+            of_moment.append(abs(moment - M).max() / abs(M).max())
+            self.assertLess(abs((normal + pore) @ length - N).max(), 0.02 * abs(M).max() / WIDTH)
+        print("sums of shear stress against F_T, of moments against M:", errors, of_moment)
+        for error, largest in ((errors, 0.3), (of_moment, 0.25)):
+            self.assertLess(error[0], largest)
+            self.assertLess(error[1], 0.75 * error[0])
+
+    def test_reduced_and_marched_stress_agree(self):
+        self.run_scene("--set", "output.base=true", name="reduced")
+        time, stress = self.history("history/time", "base/normal_stress", file="reduced")
+        self.run_scene(*settings(time__scheme="sdirk4", time__step=0.003, output__base="true"), name="marched")
+        fine, marched = self.history("history/time", "base/normal_stress", file="marched")
+        place = stress.shape[1] // 2
+        self.assertLess(abs(numpy.interp(time, fine, marched[:, place]) - stress[:, place]).max(),
+                        0.02 * abs(marched[:, place]).max())
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
