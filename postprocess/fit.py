@@ -46,11 +46,13 @@ def toml(text):
 def parse():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("case", type=Path)
-    parser.add_argument("--record", required=True, help="CSV (units in the header, .gz) or HDF5, times first; or NAME of [measured.NAME]")
+    parser.add_argument("--record", required=True,
+                        help="CSV (units in the header, .gz) or HDF5, times first; or NAME of [measured.NAME]")
     parser.add_argument("--column", help="of the record; needed where it has several")
     parser.add_argument("--unit", help="of the column, in place of its header")
     parser.add_argument("--reading", help="what was measured, a path below /history (default: shear_force)")
-    parser.add_argument("--parameter", action="append", required=True, metavar="KEY[=GUESS|=LOW:HIGH]", help="key to fit; repeatable")
+    parser.add_argument("--parameter", action="append", required=True, metavar="KEY[=GUESS|=LOW:HIGH]",
+                        help="key to fit; repeatable")
     parser.add_argument("--tie", action="append", default=[], metavar="KEY=FACTOR*KEY", help="goes along; repeatable")
     parser.add_argument("--set", action="append", default=[], metavar="KEY=VALUE", help="further keys of the case; repeatable")
     parser.add_argument("--start", type=float, default=0.0, metavar="S", help="time of the record that is t = 0 of the run")

@@ -10,10 +10,10 @@ import numpy as np
 
 from .errors import UserError
 from .fit_directions import identifiable
-from .fit_parameters import as_asked, parameters_of, parse_ties, value_of
+from .fit_parameters import TIME_FACTOR, as_asked, parameters_of, parse_ties, value_of
 from .fit_record import Record, as_record, cut
 from .fit_result import Fit
-from .fit_runs import TIME_FACTOR, Runs
+from .fit_runs import Runs
 from .history import History
 from .least_squares import compass, least_squares, scipy_part, search
 
@@ -60,7 +60,8 @@ def fit(case, record, reading=None, parameters=None, ties=None, *, column=None, 
         statistics["cautions"].append(f"{len(runs.failures)} runs failed and were left out; the first: {runs.failures[0]}")
     return Fit(values=parameters.point(solution.x), guess=parameters.guess, n_runs=runs.n_runs + 1, reading=runs.reading,
                time=window.time, record=measured, first=History(first, measured.unit, "first guess"),
-               computed=History(solution.computed, measured.unit, "fit"), ties=runs.ties, **statistics)
+               computed=History(solution.computed, measured.unit, "fit"), ties=runs.ties,
+               residual=History(measured.values - solution.computed, measured.unit, "record minus fit"), **statistics)
 
 
 def first_run(runs, asked, name=None):
@@ -117,8 +118,7 @@ def judge(parameters, solution, measured, noise, limit):
         confidence = {key: (float(value * np.exp(-h)), float(value * np.exp(h)))
                       for (key, value), h in zip(values.items(), half)}
     return {"noise": noise, "covariance": covariance, "correlation": covariance / np.outer(deviation, deviation),
-            "confidence": confidence, "identifiable": known, "residual": History(residual, "", "record minus fit"),
-            "cautions": cautions(parameters, solution, residual, noise, quantile)}
+            "confidence": confidence, "identifiable": known, "cautions": cautions(parameters, solution, residual, noise, quantile)}
 
 
 def cautions(parameters, solution, residual, noise, quantile):

@@ -90,6 +90,9 @@ inertia = true
 
 [accuracy]
 tolerance = 0.005
+
+[output]
+base = false
 )");
 }
 

@@ -117,7 +117,8 @@ class Planted(InFolder):
 
     def test_a_record_of_the_case_by_a_range(self):
         time, value = self.plant(3)
-        np.savetxt(self.folder / "lab.csv", np.transpose([time + 2.0, value / 1e3]), delimiter=",", header="t (s),F_T (kN/m)", comments="")
+        np.savetxt(self.folder / "lab.csv", np.transpose([time + 2.0, value / 1e3]), delimiter=",", comments="",
+                   header="t (s),F_T (kN/m)")
         lab = '[measured.lab]\nfile = "lab.csv"\ncolumn = "F_T"\nreading = "shear_force"\nrecord_start = 2.0\n'
         found = upbead.fit(self.write_case(SCENE + lab), "lab", parameters={SEABED: (G / 8, 5 * G)}, ties=TIE)
         self.assert_within(found.values[SEABED], G, 0.02)
@@ -244,6 +245,16 @@ class Confidence(unittest.TestCase):
         with self.assertRaisesRegex(upbead.CaseError, "refused"):
             solve(model.compute, model.exact, model.parameters, [upbead.CaseError("refused")])
 
+    def test_a_first_look_goes_where_it_is_better(self):
+        def compute(points):
+            return [np.array([x[0] - 1.2, 0.1 * x[1]]) if x[1] < 1 else np.full(2, np.nan) for x in points]
+
+        low, high = -np.ones(2), np.array([1.1, 3.0])
+        found = least_squares.compass(compute, np.zeros(2), np.zeros(2), low, high)
+        np.testing.assert_allclose(found, [1.1, 0.0])  # two steps, cut at the end of the range
+        again = least_squares.compass(compute, np.zeros(2), found, low, high)
+        np.testing.assert_array_equal(again, found)
+
     def test_slow_noise_and_ends_of_ranges_are_told(self):
         model = Oscillator()
         white = np.random.default_rng(1).standard_normal(52)
@@ -352,7 +363,8 @@ class Mistakes(InFolder):
         self.assertIn(f"the run with {DAMPING} = 2 failed: --set", str(runs.failures[0]))
 
     def test_command(self):
-        for more, words in ((["--parameter", "a=b"], "no first guess"), (["--parameter", "a", "--tie", "b"], "--tie b: write KEY=")):
+        for more, words in ((["--parameter", "a=b"], "no first guess"),
+                            (["--parameter", "a", "--tie", "b"], "--tie b: write KEY=")):
             done = subprocess.run([sys.executable, SCRIPTS / "fit.py", "case.toml", "--record", "lab.csv", *more],
                                   cwd=self.folder, capture_output=True, text=True)
             self.assertEqual(done.returncode, 1)

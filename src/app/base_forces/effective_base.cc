@@ -53,7 +53,7 @@ std::optional<Rest> at_rest(const CompiledCase& scene) {
 std::vector<double> relief(const CompiledCase& scene, const std::vector<double>& time) {
   std::vector<double> uplift(time.size(), 0.);
   const auto& sliding = scene.scene.sliding;
-  if (!sliding || !sliding->uplift || sliding->uplift->kind != UpliftKind::prescribed) return uplift;
+  if (time.empty() || !sliding || !sliding->uplift || sliding->uplift->kind != UpliftKind::prescribed) return uplift;
   const TimeFunction prescribed = prescribed_uplift(scene.scene, scene.compiled, time);
   for (std::size_t i = 0; i < time.size(); ++i) uplift[i] = prescribed(time[i]);
   return uplift;
