@@ -28,8 +28,7 @@ void start_as_lone_process() {
 /// keeps. Here there is memory, or std::bad_alloc; later a case may have taken all of it, and must be told so.
 void let_blas_take_its_buffer() {
   constexpr std::size_t more_than_the_buffer = 160 << 20;
-  char* volatile room = new char[more_than_the_buffer];  // volatile: else the compiler leaves it out
-  delete[] room;
+  ::operator delete(::operator new(more_than_the_buffer));  // a new-expression the compiler might leave out
   const PetscBLASInt n = 128;
   const std::vector<double> A(n * n, 1.);
   std::vector<double> C(n * n);
