@@ -14,7 +14,7 @@ bool will_be_reduced(const CompiledCase& scene) {
   return choose_scheme(scene.scene, scene.compiled).scheme == TimeScheme::reduced;
 }
 
-std::string to_json(const Case& input, const CompiledCase& scene) {
+std::string to_json(const Case& input, const CompiledCase& scene, const NumberedWarnings& told) {
   nlohmann::ordered_json json = {{"title", input.scene.title}};
   json["discretisation"] = {{"cells", scene.mesh->triangulation.n_active_cells()},
                             {"unknowns", scene.compiled.system.n_free()},
@@ -33,7 +33,7 @@ std::string to_json(const Case& input, const CompiledCase& scene) {
   for (const Skipped& item : skipped(input, scene, will_be_reduced(scene)))
     json["skipped"].push_back({{"what", item.what}, {"why", item.why}});
   json["warnings"] = nlohmann::ordered_json::array();
-  for (const NumberedWarning& w : warnings(input, scene))
+  for (const NumberedWarning& w : told)
     json["warnings"].push_back(
         {{"name", w.name}, {"value", w.value}, {"limit", w.limit}, {"unit", w.unit}, {"text", w.text}});
   return json.dump(2) + "\n";
@@ -42,8 +42,9 @@ std::string to_json(const Case& input, const CompiledCase& scene) {
 void explain(const CommonOptions& options) {
   const Case input = read_case(options.file, options.overrides);
   const CompiledCase scene = compile_case(input);
-  std::cerr << describe(warnings(input, scene));
-  std::cout << (options.json ? to_json(input, scene) : describe(input, scene));
+  const NumberedWarnings told = warnings(input, scene);
+  std::cerr << describe(told);
+  std::cout << (options.json ? to_json(input, scene, told) : describe(input, scene));
 }
 
 }  // namespace

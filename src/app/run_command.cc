@@ -83,7 +83,8 @@ void run(const CommonOptions& options, const CheckpointWish& wish, const Stopwat
     checkpoints.emplace(input, folder->name(), wish);
   }
   CompiledCase scene = compile_case(input, nullptr, processes);
-  const std::vector<MeasuredRecord> measured = read_measured(input, names_of_histories(scene));
+  std::vector<MeasuredRecord> measured;
+  if (!input.measured.empty()) measured = read_measured(input, names_of_histories(scene));
   if (is_first && !options.json) std::cout << describe(input, scene) << checkpoints->account() << std::flush;
 
   FieldOutput fields(input.scene, scene, folder ? &*folder : nullptr);

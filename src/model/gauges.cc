@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "upbead/base/largest.h"
 #include "upbead/base/text.h"
 #include "upbead/model/record.h"
 
@@ -51,11 +52,6 @@ Gauges every_other(const Gauges& gauges) {
   return fewer;
 }
 
-std::size_t largest(const std::vector<double>& values) {
-  const auto smaller = [](double a, double b) { return std::abs(a) < std::abs(b); };
-  return static_cast<std::size_t>(std::max_element(values.begin(), values.end(), smaller) - values.begin());
-}
-
 void append(NumberedWarnings& list, const NumberedWarnings& more) {
   list.insert(list.end(), more.begin(), more.end());
 }
@@ -92,7 +88,7 @@ InterpolationError interpolation_error(const Gauges& gauges) {
   if (gauges.count() < 3) return {};
   const double from = gauges.place.front(), to = gauges.place.back();
   const Resultant all = resultant(gauges, from, to), some = resultant(every_other(gauges), from, to);
-  const std::size_t t = largest(all.force);
+  const std::size_t t = index_of_largest(all.force);
   if (all.force[t] == 0.) return {};
   InterpolationError error;
   error.time = gauges.time[t];
@@ -118,7 +114,7 @@ NumberedWarnings gauge_warnings(const std::string& name, const Gauges& gauges, c
                         " % of the row's length: the pressure is narrower than they see; compare with a load cell "
                         "(load_cell), or set transducers closer"});
   if (!gauges.load_cell.empty()) {
-    const double cell = gauges.load_cell[largest(gauges.load_cell)], sum = total[largest(total)];
+    const double cell = gauges.load_cell[index_of_largest(gauges.load_cell)], sum = total[index_of_largest(total)];
     if (const double error = std::abs(sum / cell - 1.); !(error <= tolerable_cell))
       list.push_back({"load_cell_differs", error, tolerable_cell, "1",
                       "the largest force by the transducers of '" + name + "' is " + significant(sum) +

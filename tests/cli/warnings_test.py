@@ -17,49 +17,10 @@ import numpy
 
 from program import CASES, ProgramTest, upbead
 
-SCENE = """
-[mesh]
-geometry = "composite"
-[mesh.parameters]
-seabed_front = 60
-seabed_back = 60
-cells = 0.5
-[regions.seabed]
-kind = "porous"
-shear_modulus = 30e6
-poissons_ratio = 0.33
-porosity = 0.4
-grain_density = 2650.0
-hydraulic_conductivity = 1e-4
-damping = { ratio = 0.05, frequencies = [1, 10] }
-[regions.mound]
-kind = "porous"
-shear_modulus = 50e6
-poissons_ratio = 0.3
-porosity = 0.4
-grain_density = 2650.0
-hydraulic_conductivity = 0.15
-damping = { ratio = 0.05, frequencies = [1, 10] }
-[regions.caisson]
-kind = "rigid"
-density = 2100.0
-[boundaries]
-base = { displacement = "fixed", pressure = "sealed" }
-left = { displacement = "roller", pressure = "sealed" }
-right = { displacement = "roller", pressure = "sealed" }
-bed = { pressure = "open" }
-mound_surface = { pressure = "open" }
-front = {}
-back = {}
-top = {}
-[loads.impulse]
-boundary = "front"
-kind = "force"
-pulse = { shape = "triangle", peak = 1e6, duration = 0.15 }
-[time]
-end = 0.6
-"""
-WIDTH, MOUND_DENSITY = 18.0, 0.6 * 2650 + 0.4 * 1030
+sys.path.insert(0, str(pathlib.Path(__file__).parents[1] / "support"))
+from section_scene import SCENE, WIDTH  # noqa: E402
+
+MOUND_DENSITY = 0.6 * 2650 + 0.4 * 1030
 SHEAR_SPEED = math.sqrt(30e6 / MOUND_DENSITY)
 PASSING = 0.15 + WIDTH / SHEAR_SPEED
 LEVEL = ["--set", "initial.water_level=15.0"]

@@ -18,55 +18,16 @@ import numpy as np
 
 SCRIPTS, PROGRAM = (Path(argument).resolve() for argument in sys.argv[1:3])
 sys.path.insert(0, str(SCRIPTS))
+sys.path.insert(0, str(Path(__file__).parents[1] / "support"))
 os.environ["UPBEAD"] = str(PROGRAM)
 import upbead  # noqa: E402
+import section_scene  # noqa: E402
 from upbead import fit_directions, fit_record, least_squares  # noqa: E402
 from upbead.fit import judge, solve  # noqa: E402
 from upbead.fit_parameters import Parameters, parse_ties  # noqa: E402
 from upbead.fit_runs import Runs  # noqa: E402
 
-SCENE = """
-[mesh]
-geometry = "composite"
-[mesh.parameters]
-seabed_front = 60
-seabed_back = 60
-cells = 0.2
-[regions.seabed]
-kind = "porous"
-shear_modulus = 30e6
-poissons_ratio = 0.33
-porosity = 0.4
-grain_density = 2650.0
-hydraulic_conductivity = 1e-4
-damping = { ratio = 0.05, frequencies = [1, 10] }
-[regions.mound]
-kind = "porous"
-shear_modulus = 50e6
-poissons_ratio = 0.3
-porosity = 0.4
-grain_density = 2650.0
-hydraulic_conductivity = 0.15
-damping = { ratio = 0.05, frequencies = [1, 10] }
-[regions.caisson]
-kind = "rigid"
-density = 2100.0
-[boundaries]
-base = { displacement = "fixed", pressure = "sealed" }
-left = { displacement = "roller", pressure = "sealed" }
-right = { displacement = "roller", pressure = "sealed" }
-bed = { pressure = "open" }
-mound_surface = { pressure = "open" }
-front = {}
-back = {}
-top = {}
-[loads.impulse]
-boundary = "front"
-kind = "force"
-pulse = { shape = "triangle", peak = 1e6, duration = 0.15 }
-[time]
-end = 0.6
-"""
+SCENE = section_scene.SCENE.replace("cells = 0.5", "cells = 0.2")
 SEABED, MOUND, DAMPING = "regions.seabed.shear_modulus", "regions.mound.shear_modulus", "regions.seabed.damping.ratio"
 PEAK, DURATION, FACTOR = "loads.impulse.pulse.peak", "loads.impulse.pulse.duration", "record.time_factor"
 G = 30e6

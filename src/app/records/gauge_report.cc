@@ -1,19 +1,14 @@
 #include "gauge_report.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "upbead/app/report.h"
+#include "upbead/base/largest.h"
 #include "upbead/base/text.h"
 
 namespace upbead {
 
 namespace {
-
-std::size_t largest(const std::vector<double>& values) {
-  const auto smaller = [](double a, double b) { return std::abs(a) < std::abs(b); };
-  return static_cast<std::size_t>(std::max_element(values.begin(), values.end(), smaller) - values.begin());
-}
 
 /// On the caisson, about its bottom's middle.
 Resultant on_caisson(const std::string& name, const GaugeLoad& by, const CompiledCase& scene) {
@@ -46,21 +41,21 @@ GaugeSummary summary_of(const std::string& name, const GaugeLoad& by, const Resu
   s.samples = static_cast<int>(gauges.time.size());
   s.interval = (gauges.time.back() - gauges.time.front()) / static_cast<double>(gauges.time.size() - 1);
   for (std::size_t i = 0; i < gauges.count(); ++i) {
-    const std::size_t t = largest(gauges.pressure[i]);
+    const std::size_t t = index_of_largest(gauges.pressure[i]);
     if (std::abs(gauges.pressure[i][t]) <= std::abs(s.peak_pressure)) continue;
     s.peak_gauge = gauges.name[i];
     s.peak_pressure = gauges.pressure[i][t];
     s.peak_at = gauges.place[i];
     s.peak_pressure_time = gauges.time[t];
   }
-  const std::size_t t = largest(sum.force);
+  const std::size_t t = index_of_largest(sum.force);
   s.peak_force = sum.force[t];
   s.peak_force_time = gauges.time[t];
   if (s.peak_force != 0.) s.arm = sum.moment[t] / sum.force[t];
   const InterpolationError error = interpolation_error(gauges);
   s.force_error = error.force;
   s.arm_error = error.arm;
-  if (!gauges.load_cell.empty()) s.load_cell = gauges.load_cell[largest(gauges.load_cell)];
+  if (!gauges.load_cell.empty()) s.load_cell = gauges.load_cell[index_of_largest(gauges.load_cell)];
   return s;
 }
 
