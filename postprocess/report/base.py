@@ -19,7 +19,9 @@ FORCES = [  # history, symbol, colour, panel
     ("eccentricity", "e", 3, "eccentricity"),
     ("toe_pressure", "p_toe", 2, "pressure"),
     ("heel_pressure", "p_heel", 0, "pressure"),
+    ("interface/opened_width", "b_open", 1, "opened width"),
 ]
+INNER = 0.9  # share of the width over which stresses are drawn
 ROUND_OFF = 1e-9
 SYMBOL_BEFORE = re.compile(r"^[A-Z]\w*'*, ")  # descriptions may begin with the symbol
 PROFILES = [
@@ -42,7 +44,8 @@ def section(result):
                 words(
                     "Under the caisson over its width, the sea on the left, compression positive, at chosen moments: ",
                     *moments[:-1],
-                    ".",
+                    f". Stresses are drawn over the inner {INNER:.0%} of the width: under the edges of a rigid caisson they ",
+                    "are singular, and what is computed there depends on the cells.",
                 ),
             )
         )
@@ -96,12 +99,14 @@ def profiles(result):
         return None
     position = np.asarray(base["position"][()], dtype=float)
     order, panels = np.argsort(position), []
+    inner = abs(position - position.mean()) <= INNER * (position.max() - position.min()) / 2
     for name, title in PROFILES:
         if name not in base:
             continue
         values, lines = base[name], []
+        drawn = order[inner[order]] if name.endswith("stress") else order
         for colour, (what, time) in enumerate(instants(result)):
             row = int(np.searchsorted(np.asarray(result.time), time))
-            lines.append(Line(f"{what} largest", position[order], np.asarray(values[row], dtype=float)[order], colour))
+            lines.append(Line(f"{what} largest", position[drawn], np.asarray(values[row], dtype=float)[drawn], colour))
         panels.append(Panel("Pa", lines, height=120, title=title))
     return Plot("base-pressures", panels, axis=("position", "m")) if panels else None

@@ -1,5 +1,5 @@
 #include "case_schema.h"
-#include "records/measured.h"
+#include "records/measured_schema.h"
 
 #include "upbead/model/words.h"
 

@@ -1,5 +1,8 @@
 #include "result_tables.h"
 
+#include <map>
+#include <optional>
+
 #include "base_forces/effective_base.h"
 #include "upbead/fem/base_readings.h"
 
@@ -7,27 +10,55 @@ namespace upbead {
 
 namespace {
 
-/// Stress and pore pressure along the bottom, by time and place.
+/// A reading of one place of the bottom: "base/PLACE/WHAT".
+struct PlaceAndWhat {
+  std::size_t place = 0;
+  std::string what;
+};
+
+std::optional<PlaceAndWhat> at_bottom(const Reading& reading) {
+  if (reading.name.rfind(base_prefix, 0) != 0) return std::nullopt;
+  return PlaceAndWhat{std::stoul(reading.name.substr(base_prefix.size())),
+                      reading.name.substr(reading.name.rfind('/') + 1)};
+}
+
+/// What was read along the bottom, by time and place.
 std::vector<History> base_tables(const CompiledCase& scene, const Series& series) {
   if (!scene.compiled.caisson || !scene.scene.base_stress) return {};
-  const std::vector<double> x = base_positions(*scene.space, *scene.compiled.caisson);
-  std::vector<History> tables{{"base/position", "m", "x of the places along the caisson's bottom", x}};
-  for (const char* name : {"normal_stress", "shear_stress", "pore_pressure"}) {
-    History table{base_prefix + name, "Pa", "", {}, x.size()};
-    const std::size_t n = series.time.size();
-    table.values.assign(n * x.size(), 0.);
-    for (std::size_t i = 0; i < scene.compiled.system.readings.size(); ++i) {
-      const Reading& reading = scene.compiled.system.readings[i];
-      if (reading.name.rfind(base_prefix, 0) != 0 || reading.name.substr(reading.name.rfind('/') + 1) != name) continue;
-      const auto column = static_cast<std::size_t>(std::stoi(reading.name.substr(base_prefix.size())));
-      table.description = reading.description + ", by time and place";
-      for (std::size_t t = 0; t < n; ++t)
-        table.values[t * x.size() + column] =
-            series.reading(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(t));
-    }
-    if (!table.description.empty()) tables.push_back(std::move(table));  // dry ground has no pore pressure
+  std::vector<double> x, length;
+  for (const InterfaceNode& node : interface_nodes(*scene.space)) {
+    x.push_back(node.position);
+    length.push_back(node.length);
   }
-  return tables;
+  std::vector<History> list{
+      {"base/position", "m", "x of the nodes of the caisson's bottom", x},
+      {"base/length", "m", "length that each node stands for: a stress times it is a force", length}};
+  std::map<std::string, History> tables;
+  const std::size_t n = series.time.size();
+  for (std::size_t i = 0; i < scene.compiled.system.readings.size(); ++i) {
+    const Reading& reading = scene.compiled.system.readings[i];
+    const std::optional<PlaceAndWhat> at = at_bottom(reading);
+    if (!at) continue;
+    History& table = tables[at->what];
+    if (table.name.empty())
+      table = {base_prefix + at->what, reading.unit, reading.description + ", by time and node", {}, x.size()};
+    table.values.resize(n * x.size(), 0.);
+    for (std::size_t t = 0; t < n; ++t)
+      table.values[t * x.size() + at->place] =
+          series.reading(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(t));
+  }
+  for (auto& table : tables) list.push_back(std::move(table.second));
+  return list;
+}
+
+/// Length of the bottom that has parted from the ground, by time.
+std::vector<double> opened_width(const ContactHistory& contact) {
+  const std::size_t n = contact.length.size();
+  std::vector<double> width(contact.time.size(), 0.);
+  for (std::size_t t = 0; t < width.size(); ++t)
+    for (std::size_t i = 0; i < n; ++i)
+      if (contact.opening[t * n + i] > 0.) width[t] += contact.length[i];
+  return width;
 }
 
 /// What the nodes of the caisson's bottom did, at the times of /history/time.
@@ -35,7 +66,9 @@ std::vector<History> node_tables(const std::optional<ContactHistory>& contact) {
   if (!contact) return {};
   const std::size_t n = contact->position.size();
   const std::string nodes = " by time and node of the caisson's bottom";
-  return {{"interface/position", "m", "x of the nodes of the caisson's bottom", contact->position},
+  return {{"history/interface/opened_width", "m", "length of the bottom that has parted from the ground",
+           opened_width(*contact)},
+          {"interface/position", "m", "x of the nodes of the caisson's bottom", contact->position},
           {"interface/length", "m", "length that each node stands for: a force over it is a stress", contact->length},
           {"interface/slip", "m", "slip, landward," + nodes, contact->slip, n},
           {"interface/opening", "m", "opening," + nodes, contact->opening, n},
@@ -61,7 +94,7 @@ std::vector<History> histories(const CompiledCase& scene, const Series& series) 
   std::vector<History> list{{"time", "s", "time", series.time}};
   for (std::size_t i = 0; i < system.readings.size(); ++i) {
     const Reading& reading = system.readings[i];
-    if (reading.name.rfind(base_prefix, 0) == 0) continue;
+    if (at_bottom(reading)) continue;
     const auto row = series.reading.row(static_cast<Eigen::Index>(i));
     list.push_back({reading.name, reading.unit, reading.description, std::vector<double>(row.begin(), row.end())});
   }

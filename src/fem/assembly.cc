@@ -108,7 +108,7 @@ void assemble_cells(const Scene& scene, const Space& space, CaissonForces* force
     const Material constants = material(region, scene.fluid, scene.gravity);
     assemble_cell(hp_values.get_present_fe_values(), constants, space.kind(cell), scene.time.inertia, cell_matrices);
     if (own) assembly.add(cell_matrices, dofs);
-    if (ground) forces->ground.add(cell_matrices, dofs);
+    if (ground) forces->add_ground(cell_matrices, dofs);
   }
 }
 
@@ -131,7 +131,7 @@ void assemble(const Scene& scene, const Space& space, const Unknowns& unknowns, 
   if (!interface.empty()) for_each_gap_term(space, unknowns, interface, add);
   for_each_wet_face_term(scene, space, [&](const WetFace& face, const FaceTerms& terms) {
     add(terms);
-    if (forces) forces->of(face, space).add(terms.matrices, terms.dofs);
+    if (forces) forces->add(face, space, terms);
   });
   if (scene.time.inertia && with_bodies) assembly.add(bodies);
   assembly.write(system);

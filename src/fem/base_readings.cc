@@ -1,10 +1,6 @@
 #include "upbead/fem/base_readings.h"
 
-#include <algorithm>
-#include <utility>
-
-#include "point_rows.h"
-#include "upbead/fem/faces.h"
+#include "bottom_faces.h"
 
 namespace upbead {
 
@@ -12,65 +8,100 @@ using namespace dealii;
 
 namespace {
 
-struct BottomFace {
-  Cell ground;
-  unsigned face = 0;
-  Point<dim> middle;
+/// Integrals of the pore pressure times the shape function of a node: of its amount, and of its push upward.
+struct PorePush {
+  std::map<int, double> amount, upward;
 };
 
-/// From the sea landward.
-std::vector<BottomFace> bottom_faces(const Space& space, const Caisson& caisson) {
-  std::vector<BottomFace> faces;
-  for (const auto& cell : space.dofs().active_cell_iterators()) {
-    const RegionKind kind = space.region(cell).kind;
-    if (kind != RegionKind::porous && kind != RegionKind::solid) continue;
-    if (space.mesh().surface_of(cell) == caisson.body.region) continue;
-    for (const unsigned f : cell->face_indices())
-      if (!cell->at_boundary(f) && space.mesh().surface_of(cell->neighbor(f)) == caisson.body.region)
-        faces.push_back({cell, f, cell->face(f)->center()});
-  }
-  std::sort(faces.begin(), faces.end(),
-            [](const BottomFace& a, const BottomFace& b) { return a.middle[0] < b.middle[0]; });
-  return faces;
+/// By the degree of freedom u_y of the node.
+std::map<types::global_dof_index, PorePush> pore_pushes(const Space& space, const Unknowns& unknowns) {
+  std::map<types::global_dof_index, PorePush> of_node;
+  std::vector<types::global_dof_index> dofs;
+  for_each_bottom_face(space, [&](const Cell& ground, unsigned f) {
+    if (!space.has_pores(ground)) return;
+    const FaceValues fe(space, ground, f);
+    dofs.resize(fe.dofs_per_cell);
+    ground->get_dof_indices(dofs);
+    for_each_displacement(space, ground, f, [&](unsigned node, unsigned component, const Point<dim>&) {
+      if (component != 1) return;
+      PorePush& push = of_node[dofs[node]];
+      for (unsigned j = 0; j < dofs.size(); ++j) {
+        double amount = 0., upward = 0.;  // the ground's outward normal points into the caisson
+        for (unsigned q = 0; q < fe.n_quadrature_points; ++q) {
+          const double part = fe[u_part].value(node, q)[1] * fe[phi_part].value(j, q) * fe.JxW(q);
+          amount += part;
+          upward += part * fe.normal_vector(q)[1];
+        }
+        if (amount == 0. && upward == 0.) continue;
+        unknowns.add_to(push.amount, static_cast<unsigned>(dofs[j]), amount);
+        unknowns.add_to(push.upward, static_cast<unsigned>(dofs[j]), upward);
+      }
+    });
+  });
+  return of_node;
 }
 
-Row sum(const std::vector<std::pair<double, Row>>& parts) {
-  std::map<int, double> entries;
-  for (const auto& [factor, row] : parts)
-    for (const auto& [unknown, weight] : row) entries[unknown] += factor * weight;
+Row scaled(Row row, double factor) {
+  for (auto& entry : row) entry.second *= factor;
+  return row;
+}
+
+Row sum(Row row, const std::map<int, double>& more, double factor) {
+  std::map<int, double> entries(row.begin(), row.end());
+  for (const auto& [unknown, weight] : more) entries[unknown] += factor * weight;
   return to_row(entries);
 }
 
-void add_face(const BottomFace& at, const Space& space, const Unknowns& unknowns, const Scene& scene,
-              const std::string& prefix, std::vector<Reading>& list) {
-  const Region& region = space.region(at.ground);
-  const Material ground = material(region, scene.fluid, scene.gravity);
-  const PointRows rows(space, unknowns, {at.ground, space.mapping().transform_real_to_unit_cell(at.ground, at.middle)});
-  const Tensor<1, dim> n = outward_normal(at.ground, at.face);  // into the caisson
-  const Row xx = rows.stress(ground, 0, 0), yy = rows.stress(ground, 1, 1), xy = rows.stress(ground, 0, 1);
-  // n.s n and t.s n with t = (n_y, -n_x), landward
-  const Row normal = sum({{-n[0] * n[0], xx}, {-n[1] * n[1], yy}, {-2. * n[0] * n[1], xy}});
-  const Row shear = sum({{n[1] * n[0], xx}, {-n[0] * n[1], yy}, {n[1] * n[1] - n[0] * n[0], xy}});
-  list.push_back({prefix + "normal_stress", "Pa", "change of the effective normal stress", normal, {}, {}, {}});
-  list.push_back({prefix + "shear_stress", "Pa", "shear stress on the ground, landward", shear, {}, {}, {}});
-  if (space.has_pressure(at.ground))
-    list.push_back({prefix + "pore_pressure", "Pa", "excess pore pressure", {}, rows.value(phi_component), {}, {}});
+/// A sum of the nodal forces on the ground, times a factor.
+Reading stress(const std::string& name, const char* description, const NodalReaction& bottom, const SceneLoads& loads,
+               int sum, double factor) {
+  Reading reading{name,
+                  "Pa",
+                  description,
+                  scaled(bottom.position(sum), factor),
+                  scaled(bottom.velocity(sum), factor),
+                  scaled(bottom.acceleration(sum), factor),
+                  {}};
+  for (const NodalForces& forces : loads.on_ground) reading.feedthrough.push_back(-factor * bottom.sum(sum, forces));
+  return reading;
 }
 
 }  // namespace
 
-std::vector<double> base_positions(const Space& space, const Caisson& caisson) {
-  std::vector<double> x;
-  for (const BottomFace& face : bottom_faces(space, caisson)) x.push_back(face.middle[0]);
-  return x;
-}
-
-std::vector<Reading> base_readings(const Space& space, const Unknowns& unknowns, const Scene& scene,
-                                   const Caisson& caisson) {
+std::vector<Reading> base_readings(const Space& space, const Unknowns& unknowns,
+                                   const std::vector<InterfaceNode>& nodes, const NodalReaction& bottom,
+                                   const SceneLoads& loads) {
+  const auto pushes = pore_pushes(space, unknowns);
   std::vector<Reading> list;
-  int number = 0;
-  for (const BottomFace& face : bottom_faces(space, caisson))
-    add_face(face, space, unknowns, scene, base_prefix + std::to_string(number++) + "/", list);
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const InterfaceNode& node = nodes[i];
+    const std::string prefix = base_prefix + std::to_string(i) + "/";
+    const int x = dim * static_cast<int>(i), y = x + 1;
+    list.push_back(
+        stress(prefix + "shear_stress", "shear stress on the ground, landward", bottom, loads, x, 1. / node.length));
+    list.push_back(stress(prefix + "normal_stress", "change of the effective normal stress, compression positive",
+                          bottom, loads, y, -1. / node.length));
+    if (const auto found = pushes.find(node.uy); found != pushes.end()) {
+      Row& velocity = list.back().velocity;
+      velocity = sum(velocity, found->second.upward, -1. / node.length);
+      list.push_back({prefix + "pore_pressure",
+                      "Pa",
+                      "excess pore pressure",
+                      {},
+                      scaled(to_row(found->second.amount), 1. / node.length),
+                      {},
+                      {}});
+    }
+    const char* directions[] = {"landward", "upward"};
+    for (unsigned d = 0; d < dim; ++d)
+      list.push_back({prefix + (d == 0 ? "displacement_x" : "displacement_y"),
+                      "m",
+                      std::string("displacement of the ground, ") + directions[d],
+                      unknowns.expansion(static_cast<unsigned>(d == 0 ? node.ux : node.uy)),
+                      {},
+                      {},
+                      {}});
+  }
   return list;
 }
 

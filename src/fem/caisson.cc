@@ -71,22 +71,25 @@ std::array<Row, n_motions> momentum_rows(const Space& space, const Unknowns& unk
 
 namespace {
 
-/// Nodes that hang between some of the caisson and some that do not move go part of the way.
-void move_hanging_nodes(const Space& space, std::vector<std::array<double, n_motions>>& motions) {
+/// Nodes that hang between some that count and some that do not count as much as they follow these.
+void add_hanging(const Space& space, NodalSums& sums) {
   AffineConstraints<double> hanging;
   add_hanging_nodes(hanging, space);
   hanging.close();
-  for (const auto& line : hanging.get_lines())
-    for (int m = 0; m < n_motions; ++m) {
-      motions[line.index][m] = 0.;
-      for (const auto& [dof, weight] : line.entries) motions[line.index][m] += weight * motions[dof][m];
-    }
+  for (const auto& line : hanging.get_lines()) {
+    std::map<int, double> parts;
+    for (const auto& [dof, weight] : line.entries)
+      for (const auto& [sum, part] : sums.of_dof[dof]) parts[sum] += weight * part;
+    sums.of_dof[line.index].assign(parts.begin(), parts.end());
+  }
 }
 
 }  // namespace
 
-NodalReaction::NodalReaction(const Space& space, const Unknowns& unknowns, const Caisson& caisson)
-    : unknowns_(&unknowns), motions_(space.dofs().n_dofs()) {
+NodalSums sums_of_motions(const Space& space, const Caisson& caisson) {
+  NodalSums sums;
+  sums.n = n_motions;
+  sums.of_dof.resize(space.dofs().n_dofs());
   std::vector<types::global_dof_index> dofs;
   for (const auto& cell : space.dofs().active_cell_iterators()) {
     if (space.mesh().surface_of(cell) != caisson.body.region) continue;
@@ -97,35 +100,71 @@ NodalReaction::NodalReaction(const Space& space, const Unknowns& unknowns, const
       const auto [component, node] = fe.system_to_component_index(i);
       const Point<dim> at =
           space.mapping().transform_unit_to_real_cell(cell, fe.base_element(0).unit_support_point(node));
-      for (int m = 0; m < n_motions; ++m) motions_[dofs[i]][m] = unit_motion(m, at, caisson.bottom_centre)[component];
+      auto& parts = sums.of_dof[dofs[i]];
+      parts.clear();
+      for (int m = 0; m < n_motions; ++m)
+        if (const double part = unit_motion(m, at, caisson.bottom_centre)[component]; part != 0.)
+          parts.emplace_back(m, part);
     }
   }
-  move_hanging_nodes(space, motions_);
+  add_hanging(space, sums);
+  return sums;
+}
+
+NodalSums sums_of_nodes(const Space& space, const std::vector<InterfaceNode>& nodes) {
+  NodalSums sums;
+  sums.of_dof.resize(space.dofs().n_dofs());
+  for (const InterfaceNode& node : nodes)
+    for (const auto dof : {node.ux, node.uy}) sums.of_dof[dof] = {{sums.n++, 1.}};
+  add_hanging(space, sums);
+  return sums;
+}
+
+NodalReaction::NodalReaction(const Unknowns& unknowns, NodalSums sums) : unknowns_(&unknowns), sums_(std::move(sums)) {
+  for (auto* rows : {&M_, &C_, &K_}) rows->resize(static_cast<std::size_t>(sums_.n));
 }
 
 bool NodalReaction::has_any(const std::vector<types::global_dof_index>& dofs) const {
-  return std::any_of(dofs.begin(), dofs.end(), [&](const auto dof) {
-    return std::any_of(motions_[dof].begin(), motions_[dof].end(), [](double motion) { return motion != 0.; });
-  });
+  return std::any_of(dofs.begin(), dofs.end(), [&](const auto dof) { return !sums_.of_dof[dof].empty(); });
+}
+
+double NodalReaction::sum(int sum, const NodalForces& forces) const {
+  double total = 0.;
+  for (const auto& [dof, force] : forces)
+    for (const auto& [k, weight] : sums_.of_dof[dof])
+      if (k == sum) total += weight * force;
+  return total;
 }
 
 void NodalReaction::add(const CellMatrices& cell, const std::vector<types::global_dof_index>& dofs) {
   for (unsigned i = 0; i < dofs.size(); ++i)
-    for (int m = 0; m < n_motions; ++m) {
-      const double motion = motions_[dofs[i]][m];
-      if (motion == 0.) continue;
+    for (const auto& [sum, part] : sums_.of_dof[dofs[i]]) {
+      const auto k = static_cast<std::size_t>(sum);
       for (unsigned j = 0; j < dofs.size(); ++j) {
         const auto dof = static_cast<unsigned>(dofs[j]);
-        if (cell.M(i, j) != 0.) unknowns_->add_to(M_[m], dof, motion * cell.M(i, j));
-        if (cell.C(i, j) != 0.) unknowns_->add_to(C_[m], dof, motion * cell.C(i, j));
-        if (cell.K(i, j) != 0.) unknowns_->add_to(K_[m], dof, motion * cell.K(i, j));
+        if (cell.M(i, j) != 0.) unknowns_->add_to(M_[k], dof, part * cell.M(i, j));
+        if (cell.C(i, j) != 0.) unknowns_->add_to(C_[k], dof, part * cell.C(i, j));
+        if (cell.K(i, j) != 0.) unknowns_->add_to(K_[k], dof, part * cell.K(i, j));
       }
     }
 }
 
-NodalReaction& CaissonForces::of(const WetFace& face, const Space& space) {
-  if (space.mesh().surface_of(face.solid) != caisson_name) return ground;
-  return outward_normal(face.solid, face.face)[0] < 0. ? water_front : water_back;
+CaissonForces::CaissonForces(const Space& space, const Unknowns& unknowns, const Caisson& caisson,
+                             const std::vector<InterfaceNode>& bottom_nodes)
+    : ground(unknowns, sums_of_motions(space, caisson)), water_front(ground), water_back(ground) {
+  if (!bottom_nodes.empty()) bottom.emplace(unknowns, sums_of_nodes(space, bottom_nodes));
+}
+
+void CaissonForces::add_ground(const CellMatrices& cell, const std::vector<types::global_dof_index>& dofs) {
+  ground.add(cell, dofs);
+  if (bottom) bottom->add(cell, dofs);
+}
+
+void CaissonForces::add(const WetFace& face, const Space& space, const FaceTerms& terms) {
+  if (space.mesh().surface_of(face.solid) != caisson_name)
+    add_ground(terms.matrices, terms.dofs);
+  else
+    (outward_normal(face.solid, face.face)[0] < 0. ? water_front : water_back).add(terms.matrices, terms.dofs);
 }
 
 }  // namespace upbead

@@ -24,7 +24,7 @@ Reading ground_force(const NodalReaction& ground, const SceneLoads& loads, int m
   r.position = scaled(ground.position(motion), sign);
   r.velocity = scaled(ground.velocity(motion), sign);
   r.acceleration = scaled(ground.acceleration(motion), sign);
-  for (const auto& work : loads.on_shared_nodes) r.feedthrough.push_back(-sign * work[motion]);
+  for (const NodalForces& forces : loads.on_ground) r.feedthrough.push_back(-sign * ground.sum(motion, forces));
   return r;
 }
 

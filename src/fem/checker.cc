@@ -2,6 +2,12 @@
 
 namespace upbead {
 
+void Checker::object(std::string key, std::string what, std::string cure) {
+  for (const Objection& known : objections)
+    if (known.key == key && known.what == what) return;
+  objections.push_back({std::move(key), std::move(what), std::move(cure)});
+}
+
 bool Checker::is(const std::string& surface, RegionKind kind) const {
   const auto region = scene.regions.find(surface);
   return region != scene.regions.end() && region->second.kind == kind;

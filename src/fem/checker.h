@@ -16,9 +16,8 @@ struct Checker {
   Outline outline;
   std::vector<Objection> objections;
 
-  void object(std::string key, std::string what, std::string cure) {
-    objections.push_back({std::move(key), std::move(what), std::move(cure)});
-  }
+  /// Once: the loads of several transducers may have the same mistake.
+  void object(std::string key, std::string what, std::string cure);
   /// Whether the region of that surface is of that kind; false where the case says nothing of it.
   bool is(const std::string& surface, RegionKind kind) const;
   bool has_pore_water(const std::string& surface) const;

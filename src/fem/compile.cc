@@ -37,7 +37,9 @@ CompiledScene compile(const Scene& scene, const Space& space, const Unknowns& un
   if (!interface.empty()) system.interface = interface_of(interface);
 
   std::optional<CaissonForces> forces;
-  if (compiled.caisson) forces.emplace(space, unknowns, *compiled.caisson);
+  const std::vector<InterfaceNode> bottom =
+      compiled.caisson && scene.base_stress ? interface_nodes(space) : std::vector<InterfaceNode>();
+  if (compiled.caisson) forces.emplace(space, unknowns, *compiled.caisson, bottom);
   const bool with_bodies = !processes || processes->rank() == 0;
   assemble(scene, space, unknowns, bodies, forces ? &*forces : nullptr, system,
            processes ? own_cells(space, *processes) : std::vector<bool>(), with_bodies, interface);
@@ -50,8 +52,8 @@ CompiledScene compile(const Scene& scene, const Space& space, const Unknowns& un
     system.readings = caisson_readings(*compiled.caisson, *forces, momentum,
                                        uplift_rows(space, unknowns, *compiled.caisson), loads, scene.time.inertia);
   }
-  if (compiled.caisson && scene.base_stress)
-    for (Reading& reading : base_readings(space, unknowns, scene, *compiled.caisson))
+  if (!bottom.empty())
+    for (Reading& reading : base_readings(space, unknowns, bottom, *forces->bottom, loads))
       system.readings.push_back(std::move(reading));
   for (const auto& probe : scene.probes)
     for (Reading& reading : probe_readings(space, unknowns, scene, probe.first))

@@ -1,43 +1,17 @@
 #include "upbead/fem/interface_nodes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
 
-#include "upbead/fem/faces.h"
+#include "bottom_faces.h"
 #include "upbead/fem/unknowns.h"
 
 namespace upbead {
 
 using namespace dealii;
-
-namespace {
-
-/// Calls visit(cell of the ground, face) where it touches the caisson.
-void for_each_bottom_face(const Space& space, const std::function<void(const Cell&, unsigned)>& visit) {
-  for (const auto& cell : space.dofs().active_cell_iterators()) {
-    if (space.mesh().surface_of(cell) == caisson_name) continue;
-    if (space.kind(cell) == CellKind::water || space.kind(cell) == CellKind::absent) continue;
-    for (const unsigned f : cell->face_indices())
-      if (!cell->at_boundary(f) && space.mesh().surface_of(cell->neighbor(f)) == caisson_name) visit(cell, f);
-  }
-}
-
-/// Calls visit(index in the cell, component, node's point) for the displacements of a face.
-void for_each_displacement(const Space& space, const Cell& cell, unsigned f,
-                           const std::function<void(unsigned index, unsigned component, const Point<dim>& at)>& visit) {
-  const auto& fe = cell->get_fe();
-  for (unsigned i = 0; i < fe.n_dofs_per_face(f); ++i) {
-    const unsigned index = fe.face_to_cell_index(i, f);
-    const auto [component, node] = fe.system_to_component_index(index);
-    if (component >= dim) continue;
-    const Point<dim> unit = fe.base_element(fe.component_to_base_index(component).first).unit_support_point(node);
-    visit(index, component, space.mapping().transform_unit_to_real_cell(cell, unit));
-  }
-}
-
-}  // namespace
 
 std::vector<InterfaceNode> interface_nodes(const Space& space) {
   std::map<types::global_dof_index, InterfaceNode> by_uy;
@@ -45,10 +19,10 @@ std::vector<InterfaceNode> interface_nodes(const Space& space) {
   for_each_bottom_face(space, [&](const Cell& cell, unsigned f) {
     dofs.resize(cell->get_fe().n_dofs_per_cell());
     cell->get_dof_indices(dofs);
-    std::map<double, InterfaceNode> by_position;
+    std::map<std::array<double, dim>, InterfaceNode> by_position;
     const FaceValues fe(space, cell, f);
     for_each_displacement(space, cell, f, [&](unsigned index, unsigned component, const Point<dim>& at) {
-      InterfaceNode& node = by_position[at[0]];
+      InterfaceNode& node = by_position[{at[0], at[1]}];
       node.position = at[0];
       (component == 0 ? node.ux : node.uy) = dofs[index];
       for (unsigned q = 0; component == 0 && q < fe.n_quadrature_points; ++q)

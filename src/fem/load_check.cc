@@ -19,20 +19,28 @@ Extent extent_of(const Checker& checker, const std::string& curve) {
   return extent;
 }
 
-void check_shape(Checker& checker, const std::string& name, const Load& load) {
-  const std::string key = "loads." + name + ".shape";
+/// The table of a case that the load of that name comes from.
+std::string table_of(const std::string& name, const Load& load) {
+  const std::size_t suffix = load.transducer.empty() ? 0 : load.transducer.size() + 1;
+  return "loads." + name.substr(0, name.size() - suffix);
+}
+
+void check_shape(Checker& checker, const std::string& table, const Load& load) {
+  const std::string key = table + (load.transducer.empty() ? ".shape" : ".heights");
   const Extent extent = extent_of(checker, load.boundary);
   if (extent.highest - extent.lowest <= 1e-9 * std::max(std::abs(extent.highest), 1.)) {
     checker.object(
         key,
         "the shape runs over the height y, but '" + load.boundary + "' lies at y = " + significant(extent.lowest, 6),
-        "remove it");
+        load.transducer.empty() ? "remove it" : "name the curve of the wall");
     return;
   }
   if (load.shape.back()[0] <= extent.lowest || load.shape.front()[0] >= extent.highest) {
     checker.object(key,
-                   "no height of the shape lies on '" + load.boundary + "', which reaches from y = " +
-                       significant(extent.lowest, 6) + " to " + significant(extent.highest, 6),
+                   (load.transducer.empty() ? "no height of the shape lies on '"
+                                            : "transducer '" + load.transducer + "' presses on no height of '") +
+                       load.boundary + "', which reaches from y = " + significant(extent.lowest, 6) + " to " +
+                       significant(extent.highest, 6),
                    "give heights in the mesh's coordinates");
     return;
   }
@@ -49,10 +57,10 @@ void check_shape(Checker& checker, const std::string& name, const Load& load) {
 }
 
 /// Free water takes a pressure at an open level, and hands it on to what lies under it by itself.
-void check_water(Checker& checker, const std::string& name, const Load& load, const Names& behind) {
+void check_water(Checker& checker, const std::string& table, const Load& load, const Names& behind) {
   for (const std::string& surface : checker.under_water(load.boundary))
     if (load.kind == LoadKind::pressure && checker.is(surface, RegionKind::porous))
-      checker.object("loads." + name + ".kind",
+      checker.object(table + ".kind",
                      "'" + load.boundary + "' lies under modelled water, whose own pressure acts on '" + surface +
                          "': this load would count it twice",
                      "load the water's open level or the caisson's wall instead, or leave the water out");
@@ -62,7 +70,7 @@ void check_water(Checker& checker, const std::string& name, const Load& load, co
   const auto side = checker.scene.boundaries.find(load.boundary);
   const bool open = side != checker.scene.boundaries.end() && side->second.pressure == PressureCondition::open;
   if (load.kind != LoadKind::pressure || !open)
-    checker.object("loads." + name + ".boundary", "behind '" + load.boundary + "' there is only water",
+    checker.object(table + ".boundary", "behind '" + load.boundary + "' there is only water",
                    "write kind = \"pressure\" here and pressure = \"open\" in [boundaries." + load.boundary + "]");
 }
 
@@ -71,17 +79,18 @@ void check_water(Checker& checker, const std::string& name, const Load& load, co
 void check_loads(Checker& checker) {
   for (const auto& [name, load] : checker.scene.loads) {
     if (load.boundary.empty()) continue;
+    const std::string table = table_of(name, load);
     const auto curve = checker.outline.outer.find(load.boundary);
     const bool outer = curve != checker.outline.outer.end();
     if (!outer && checker.under_water(load.boundary).empty()) {
       Names names;
       for (const auto& entry : checker.outline.outer) names.insert(entry.first);
-      checker.object("loads." + name + ".boundary", "the mesh has no outer curve '" + load.boundary + "'",
+      checker.object(table + ".boundary", "the mesh has no outer curve '" + load.boundary + "'",
                      "its outer curves are: " + list(names));
       continue;
     }
-    check_water(checker, name, load, outer ? curve->second.surfaces : Names{});
-    if (!load.shape.empty()) check_shape(checker, name, load);
+    check_water(checker, table, load, outer ? curve->second.surfaces : Names{});
+    if (!load.shape.empty()) check_shape(checker, table, load);
   }
 }
 

@@ -53,7 +53,7 @@ class LoadCompiler {
  private:
   void append(SystemLoad load) {
     out.on_caisson.push_back({load.name});
-    out.on_shared_nodes.push_back({});
+    out.on_ground.push_back({});
     out.loads.push_back(std::move(load));
   }
 
@@ -69,17 +69,15 @@ class LoadCompiler {
     for (const auto& [dof, force] : nodal) {
       const Row& row = region == caisson_name ? unknowns_.caisson_expansion(dof) : unknowns_.expansion(dof);
       for (const auto& [unknown, weight] : row) out.loads.back().vector[unknown] += weight * force;
-      if (!ground_) continue;
-      std::array<double, n_motions> work;
-      for (int m = 0; m < n_motions; ++m) work[m] = ground_->work(m, dof, force);
-      if (region == caisson_name) {
-        out.on_caisson.back().force_x += work[motion_x];
-        out.on_caisson.back().force_y += work[motion_y];
-        out.on_caisson.back().moment += work[motion_rotation];
-      } else {
-        for (int m = 0; m < n_motions; ++m) out.on_shared_nodes.back()[m] += work[m];
-      }
     }
+    if (!ground_) return;
+    if (region != caisson_name) {
+      for (const auto& [dof, force] : nodal) out.on_ground.back()[dof] += force;
+      return;
+    }
+    out.on_caisson.back().force_x += ground_->sum(motion_x, nodal);
+    out.on_caisson.back().force_y += ground_->sum(motion_y, nodal);
+    out.on_caisson.back().moment += ground_->sum(motion_rotation, nodal);
   }
 
   const Space& space_;

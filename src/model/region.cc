@@ -133,7 +133,7 @@ class Checker {
 
   void check_porous() {
     if (!region_.hydraulic_conductivity && region_.flow != Flow::drained) missing("hydraulic_conductivity");
-    if (region_.porosity && region_.biot < *region_.porosity)
+    if (region_.porosity && *region_.porosity <= 1. && region_.biot < *region_.porosity)
       add("biot", "biot is less than the porosity", "give a Biot coefficient within [porosity, 1]");
   }
 

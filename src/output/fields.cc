@@ -4,6 +4,7 @@
 #include <deal.II/numerics/data_out.h>
 #include <deal.II/numerics/data_postprocessor.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <fstream>
 #include <sstream>
@@ -16,18 +17,22 @@ using namespace dealii;
 
 namespace {
 
-const std::vector<std::string> stress_names{"effective_stress_xx_(Pa)", "effective_stress_yy_(Pa)",
-                                            "effective_stress_xy_(Pa)", "effective_stress_zz_(Pa)"};
-
-/// Effective stress of plane strain from the gradient of u, tension positive; zero in rigid regions.
-class EffectiveStress : public DataPostprocessor<dim> {
+/// Strain and effective stress of plane strain from the gradient of u, tension positive; zero in rigid regions.
+class StrainAndStress : public DataPostprocessor<dim> {
  public:
-  EffectiveStress(const Space& space, const Scene& scene) : space_(space), scene_(scene) {}
-  std::vector<std::string> get_names() const override { return stress_names; }
+  StrainAndStress(const Space& space, const Scene& scene) : space_(space), scene_(scene) {}
+  std::vector<std::string> get_names() const override {
+    return {"strain_xx_(1)",
+            "strain_yy_(1)",
+            "strain_xy_(1)",
+            "effective_stress_xx_(Pa)",
+            "effective_stress_yy_(Pa)",
+            "effective_stress_xy_(Pa)",
+            "effective_stress_zz_(Pa)"};
+  }
   std::vector<DataComponentInterpretation::DataComponentInterpretation> get_data_component_interpretation()
       const override {
-    return std::vector<DataComponentInterpretation::DataComponentInterpretation>(
-        stress_names.size(), DataComponentInterpretation::component_is_scalar);
+    return {get_names().size(), DataComponentInterpretation::component_is_scalar};
   }
   UpdateFlags get_needed_update_flags() const override { return update_gradients; }
 
@@ -38,17 +43,38 @@ class EffectiveStress : public DataPostprocessor<dim> {
     const Material m = rigid ? Material{} : material(region, scene_.fluid, scene_.gravity);
     for (std::size_t q = 0; q < computed.size(); ++q) {
       const auto& g = inputs.solution_gradients[q];
-      const double volume = g[0][0] + g[1][1];
-      computed[q][0] = 2. * m.G * g[0][0] + m.lambda * volume;
-      computed[q][1] = 2. * m.G * g[1][1] + m.lambda * volume;
-      computed[q][2] = m.G * (g[0][1] + g[1][0]);
-      computed[q][3] = m.lambda * volume;
+      const double xx = g[0][0], yy = g[1][1], xy = 0.5 * (g[0][1] + g[1][0]), volume = xx + yy;
+      const double values[] = {xx,
+                               yy,
+                               xy,
+                               2. * m.G * xx + m.lambda * volume,
+                               2. * m.G * yy + m.lambda * volume,
+                               2. * m.G * xy,
+                               m.lambda * volume};
+      std::copy(std::begin(values), std::end(values), computed[q].begin());
     }
   }
 
  private:
   const Space& space_;
   const Scene& scene_;
+};
+
+/// The part of u of second derivatives; those of W and phi say nothing to a reader.
+class Acceleration : public DataPostprocessor<dim> {
+ public:
+  std::vector<std::string> get_names() const override { return std::vector<std::string>(dim, "acceleration_(m_s2)"); }
+  std::vector<DataComponentInterpretation::DataComponentInterpretation> get_data_component_interpretation()
+      const override {
+    return {dim, DataComponentInterpretation::component_is_part_of_vector};
+  }
+  UpdateFlags get_needed_update_flags() const override { return update_values; }
+
+  void evaluate_vector_field(const DataPostprocessorInputs::Vector<dim>& inputs,
+                             std::vector<dealii::Vector<double>>& computed) const override {
+    for (std::size_t q = 0; q < computed.size(); ++q)
+      for (unsigned d = 0; d < dim; ++d) computed[q][d] = inputs.solution_values[q][d];
+  }
 };
 
 dealii::Vector<double> to_dealii(const upbead::Vector& values) {
@@ -61,21 +87,27 @@ std::vector<std::string> component_names(const std::string& u, const std::string
 
 enum class Part { whole, ground, caisson };
 
-/// Displacements x and velocities v at all degrees of freedom, drawn on a part of the mesh.
-void fill(const Space& space, const Scene& scene, const dealii::Vector<double>& x, const dealii::Vector<double>& v,
-          Part part, DataOut<dim>& out) {
+/// A state at all degrees of freedom.
+struct Expanded {
+  dealii::Vector<double> x, v, a;
+};
+
+/// A state drawn on a part of the mesh; without inertia there is no acceleration.
+void fill(const Space& space, const Scene& scene, const Expanded& state, Part part, DataOut<dim>& out) {
   using Interpretation = DataComponentInterpretation::DataComponentInterpretation;
   const Interpretation of_vector = DataComponentInterpretation::component_is_part_of_vector;
   const std::vector<Interpretation> interpretation{of_vector, of_vector, of_vector, of_vector,
                                                    DataComponentInterpretation::component_is_scalar};
-  const EffectiveStress stress(space, scene);
+  const StrainAndStress strain_and_stress(space, scene);
+  const Acceleration acceleration;
   out.attach_dof_handler(space.dofs());
-  out.add_data_vector(x,
+  out.add_data_vector(state.x,
                       component_names("displacement_(m)", "relative_fluid_displacement_(m)", "pressure_impulse_(Pa_s)"),
                       DataOut<dim>::type_dof_data, interpretation);
-  out.add_data_vector(v, component_names("velocity_(m_s)", "darcy_velocity_(m_s)", "pore_pressure_(Pa)"),
+  out.add_data_vector(state.v, component_names("velocity_(m_s)", "darcy_velocity_(m_s)", "pore_pressure_(Pa)"),
                       DataOut<dim>::type_dof_data, interpretation);
-  out.add_data_vector(x, stress);
+  if (scene.time.inertia) out.add_data_vector(state.a, acceleration);
+  out.add_data_vector(state.x, strain_and_stress);
   using MeshCell = Triangulation<dim>::cell_iterator;
   const Mesh& mesh = space.mesh();
   if (part != Part::whole)
@@ -95,11 +127,14 @@ FieldWriter::FieldWriter(const Space& space, const Unknowns& unknowns, const Sce
 void FieldWriter::write(const State& state) {
   const bool apart = unknowns_.has_interface();
   DataOut<dim> out, caisson;
-  fill(space_, scene_, to_dealii(unknowns_.expand(state.x)), to_dealii(unknowns_.expand(state.v)),
-       apart ? Part::ground : Part::whole, out);
+  const auto expanded = [&](const auto& expand) {
+    return Expanded{to_dealii(expand(state.x)), to_dealii(expand(state.v)), to_dealii(expand(state.a))};
+  };
+  const auto of_ground = [&](const upbead::Vector& values) { return unknowns_.expand(values); };
+  const auto of_caisson = [&](const upbead::Vector& values) { return unknowns_.expand_caisson(values); };
+  fill(space_, scene_, expanded(of_ground), apart ? Part::ground : Part::whole, out);
   if (apart) {
-    fill(space_, scene_, to_dealii(unknowns_.expand_caisson(state.x)), to_dealii(unknowns_.expand_caisson(state.v)),
-         Part::caisson, caisson);
+    fill(space_, scene_, expanded(of_caisson), Part::caisson, caisson);
     out.merge_patches(caisson);
   }
   DataOutBase::VtkFlags flags;

@@ -6,6 +6,7 @@ usage: cli_test.py PROGRAM CASES_FOLDER
 
 import json
 import os
+import pathlib
 import pty
 import resource
 import shutil
@@ -15,8 +16,12 @@ import sys
 import unittest
 
 import h5py
+import numpy
 
 from program import CASES, PROGRAM, ProgramTest, upbead
+
+sys.path.insert(0, str(pathlib.Path(__file__).parents[2] / "postprocess"))
+from report import vtu  # noqa: E402
 
 QUICK = ["--set", "mesh.parameters.cells=0.5", "--set", "time.end=0.05"]
 
@@ -122,6 +127,35 @@ class Cli(ProgramTest):
         self.run_model()
         self.assertEqual(sorted(os.listdir(result)), ["case.toml", "fields", "results.h5", "summary.json"])
         self.assertEqual(os.listdir(result / "fields"), ["mine.vtu"], "no older fields beside newer results")
+
+    def test_fields_hold_what_a_probe_reads(self):
+        """In the middle of a cell of the mound, at every written time; to the single precision of the files."""
+        result, fields = self.folder / "results/fig2b-model", ["--set", "output.fields.every=0.025"]
+        self.run_model(*fields)
+        points = vtu.arrays(result / "fields/fields_0000.vtu", {"points"})["points"][:, :2].astype(float)
+        middles = points.reshape(-1, 9, 2)[:, 4]  # of patches of 3 by 3 points
+        at = middles[numpy.hypot(*(middles - [0.35, 0.2]).T).argmin()].tolist()
+        done = self.run_model(*fields, "--set", f"probes.A.at={at}")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        unit = {"displacement": "m", "velocity": "m_s", "acceleration": "m_s2", "pore_pressure": "Pa", "strain_xx": "1",
+                "strain_xy": "1", "effective_stress_yy": "Pa", "effective_stress_zz": "Pa"}
+        names = {f"{name}_({unit})": name for name, unit in unit.items()}
+        with h5py.File(result / "results.h5") as file:
+            time, probe = file["history/time"][:], {name: values[:] for name, values in file["history/probes/A"].items()}
+        probe["pore_pressure"] = probe["pressure"]
+        scale = {}
+        for instant, path in vtu.times(result / "fields.pvd"):
+            found = vtu.arrays(path, {"points", *names})
+            step = abs(time - instant).argmin()
+            self.assertLess(abs(time[step] - instant), 1e-9)
+            place = numpy.hypot(*(found["points"][:, :2] - at).T).argmin()
+            for full, name in names.items():
+                value = found[full][place]
+                expected = probe[f"{name}_x"][step] if value.ndim else probe[name][step]
+                history = probe.get(f"{name}_x", probe.get(name))
+                self.assertLess(abs(numpy.ravel(value)[0] - expected), 1e-5 * abs(history).max(), (full, instant))
+                scale[full] = max(scale.get(full, 0), abs(expected))
+        self.assertTrue(all(scale.values()), scale)
 
     def test_shipped_cases_hold_their_identities_and_ratios(self):
         """Both routes to F_T and the energy to 1e-8 with both schemes; 0.75 is calibrated, the prototype within its band."""

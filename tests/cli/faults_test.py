@@ -234,6 +234,21 @@ class Faults(ProgramTest):
         self.assertEqual(damaged.returncode, 1)
         self.assertIn("state.h5", damaged.stderr)
 
+    def test_no_room_for_a_checkpoint(self):
+        """Its file is a device that is always full: the run says so, goes on and is as good as another."""
+        self.assertEqual(self.run_model(*MARCHED, "--out", "whole").returncode, 0)
+        folder = self.folder / "parts.checkpoint"
+        folder.mkdir()
+        (folder / "state.h5.partial").symlink_to("/dev/full")
+        done = self.run_model(*MARCHED, "--out", "parts", "--checkpoint", "0.01")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("no checkpoint was kept, the run goes on: cannot write", done.stderr)
+        self.assertIn("No space left on device", done.stderr)
+        whole, parts = contents(self.folder / "whole"), contents(self.folder / "parts")
+        self.assertEqual(whole["results.h5"], parts["results.h5"])
+        self.assertFalse(folder.exists())
+        fact("no room for checkpoints", "1", "warned, the run goes on to the same results")
+
     def test_checkpoints_are_refused_where_they_are_not_kept(self):
         done = self.run_model(*QUICK, "--resume", "--set", "regions.caisson.interface.kind=friction")
         self.assertEqual(done.returncode, 1)

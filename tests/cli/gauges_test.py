@@ -174,6 +174,33 @@ class Gauges(ProgramTest):
         self.assertEqual(summary["sliding"]["uplift"], "prescribed")
         self.assertLess(summary["sliding"]["least_normal_force"], 4.3e6 - 0.9 * found["peak_force"])
 
+    def test_the_similar_prototype_has_similar_records(self):
+        """Twice as large by Froude's law: forces four times; so do the record of the response and the run agree again."""
+        self.write_csv(linear, unit="kPa", factor=1e3)
+        march = settings(time__scheme="sdirk4", time__step=0.005, mesh__degree=2)
+        self.ask("run", scene(), *march)
+        with h5py.File(self.folder / "out/results.h5") as file:
+            t, F_T = file["history/time"][:], file["history/shear_force"][:]
+        (self.folder / "lab.csv").write_text("t (s),x,F (kN/m)\n" + "".join(f"{a!r},0,{1e-3 * b!r}\n" for a, b in zip(t, F_T)))
+        text = scene() + '[measured.lab]\nfile = "lab.csv"\ncolumn = "F"\nreading = "shear_force"\n'
+        small = self.ask("run", text, *march)
+        done = upbead("scale", self.folder / "scene.toml", "--factor", "2", *march, "--out", self.folder / "twice")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        done = upbead("run", self.folder / "twice/case.toml", "--json", "--out", self.folder / "large")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        large = json.loads(done.stdout)
+        for key, factor in (("peak_pressure", 2), ("peak_force", 4), ("arm", 2), ("peak_pressure_time", 2**0.5)):
+            self.assertAlmostEqual(large["gauges"]["wall"][key] / small["gauges"]["wall"][key], factor, 6)
+        self.assertAlmostEqual(large["response"]["peak_shear"] / small["response"]["peak_shear"], 4, 6)
+        for found in (small, large):
+            self.assertAlmostEqual(found["measured"]["lab"]["peak_ratio"], 1, 6)
+            self.assertLess(found["measured"]["lab"]["rms_relative"], 1e-6)
+        (self.folder / "lab.csv").write_text("t,F\n0,0\n1,1\n")
+        (self.folder / "scene.toml").write_text(text)
+        done = upbead("scale", self.folder / "scene.toml", "--factor", "2", "--out", self.folder / "no")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("it is not said what unit column 'F' has", done.stderr)
+
     def test_mistakes_stand_where_they_were_made(self):
         self.write_csv(linear)
 
@@ -187,6 +214,10 @@ class Gauges(ProgramTest):
         self.assertIn("the unit 'kN/m' of column 'p1'", refusal(gauge_unit='"kN/m"'))
         self.assertIn("'pulse' does not belong", refusal(pulse='{ shape = "step", peak = 1.0 }'))
         self.assertIn("the record is over before", refusal(record_start="100.0"))
+        told = refusal(heights="{ " + ", ".join(f"{n} = {y + 20}" for n, y in HEIGHTS.items()) + " }")
+        self.assertIn("transducer 'p2' presses on no height of 'front', which reaches from y = 6 to 22", told)
+        self.assertNotIn("'p1' presses", told)  # of constant pressure to the base
+        self.assertEqual(refusal(boundary='"bed"').count("'bed' lies at y = 0; name the curve of the wall"), 1)  # not 7
         self.assertIn("'heights' does not belong in [loads.wall]", refusal(kind='"pressure"'))
         self.write_csv(linear, unit="V")
         self.assertIn("the unit 'V' of column 'p1' is none of what it should hold, Pa; write one of Pa, hPa, kPa", refusal())

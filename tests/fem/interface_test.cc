@@ -78,6 +78,49 @@ TEST_P(Bottom, ResidualsAreTheForcesOfTheReadings) {
   EXPECT_GT(std::abs(shear) + std::abs(normal), 1e6);  // of forces up to 1e12
 }
 
+/// The same forces node by node, as stresses: of the rows of interface unknowns, and of the readings without these.
+TEST_P(Bottom, StressesOfNodesAreTheirForces) {
+  scene_.base_stress = true;
+  const Compiled loose(scene_, *mesh_, true);
+  const System& system = loose.scene.system;
+  State state = at_rest(system);
+  for (Vector* part : {&state.x, &state.v, &state.a}) *part = Vector::Random(system.size());
+  const std::vector<double> no_load(system.loads.size(), 0.);
+  for (int i = 0; i < system.interface->n_nodes(); ++i) {
+    const double length = system.interface->length[static_cast<std::size_t>(i)];
+    const auto read = [&](const std::string& name) {
+      const int found = system.reading("base/" + std::to_string(i) + "/" + name);
+      return evaluate(system.readings[static_cast<std::size_t>(found)], state, no_load);
+    };
+    const double shear = sum_of(system, state, system.first_slip() + i, 1);
+    EXPECT_NEAR(-shear, read("shear_stress") * length, round_off * 1e12) << i;
+    const double normal = sum_of(system, state, system.first_opening() + i, 1);
+    EXPECT_NEAR(normal, read("normal_stress") * length, round_off * 1e12) << i;
+  }
+}
+
+/// Loads on the ground beside the caisson push on nodes that it shares: they reach a stress as they reach F_T.
+TEST_P(Bottom, StressesSumToTheForcesOfAllLoads) {
+  scene_.base_stress = true;
+  const Compiled plain(scene_, *mesh_);
+  const System& system = plain.scene.system;
+  State state = at_rest(system);
+  for (Vector* part : {&state.x, &state.v, &state.a}) *part = Vector::Random(system.size());
+  const std::vector<double> load(system.loads.size(), 1e9);
+  std::map<std::string, double> sum;
+  for (const Reading& reading : system.readings) {
+    if (reading.name.rfind("base/", 0) != 0) continue;
+    const auto node = interface_nodes(plain.space)[std::stoul(reading.name.substr(5))];
+    sum[reading.name.substr(reading.name.rfind('/') + 1)] += node.length * evaluate(reading, state, load);
+  }
+  const auto read = [&](const char* name) {
+    return evaluate(system.readings[static_cast<std::size_t>(system.reading(name))], state, load);
+  };
+  EXPECT_NEAR(sum.at("shear_stress"), read(reading::shear_force), round_off * 1e12);
+  EXPECT_NEAR(sum.at("normal_stress"), read(reading::normal_force) - read(reading::uplift), round_off * 1e12);
+  EXPECT_NEAR(sum.at("pore_pressure"), read(reading::uplift), round_off * 1e6);
+}
+
 TEST_P(Bottom, RigidSlipMovesTheCaissonAndNothingElse) {
   const Compiled loose(scene_, *mesh_, true);
   const System& system = loose.scene.system;

@@ -6,21 +6,19 @@
 #include <optional>
 #include <string>
 
+#include "upbead/app/record_clock.h"
 #include "upbead/model/gauges.h"
 
 namespace upbead {
 
 /// The keys of a load of kind "pressures", or of a prescribed uplift.
-struct GaugeSource {
+struct GaugeSource : RecordClock {
   std::string gauges;                   ///< file; "" where there are none
   std::map<std::string, double> place;  ///< of each transducer, by the name of its column (m)
   std::optional<std::array<double, 2>> ends;
   Beyond to_first = Beyond::constant, to_last = Beyond::constant;
   std::string gauge_unit;  ///< "": as the headers say
-  double zero = 0.;        ///< s of the record whose mean is taken off
-  double record_start = 0.;
-  std::optional<double> sampling_rate;
-  std::string load_cell;  ///< name of a column; "" where there is none
+  std::string load_cell;   ///< name of a column; "" where there is none
 };
 
 /// A load by transducers, which become a load each in the scene.

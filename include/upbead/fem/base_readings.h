@@ -1,24 +1,25 @@
-// Stress and pore pressure along the caisson's bottom.
+// Stress, pore pressure and displacement along the caisson's bottom.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "upbead/fem/caisson.h"
+#include "upbead/fem/scene_loads.h"
 
 namespace upbead {
 
 /// What the names of these readings begin with.
 inline const std::string base_prefix = "base/";
 
-/// Positions x of the middles of the faces of the ground's cells under the caisson, ascending (m).
-std::vector<double> base_positions(const Space& space, const Caisson& caisson);
-
-/// At each of them, in the ground just below: "base/I/normal_stress" (change of the effective stress on the bottom,
-/// compression positive), "base/I/shear_stress" (on the ground, landward) and, where there is pore water,
-/// "base/I/pore_pressure" (Pa), I from 0. Stresses of the elements, without the viscous part of the damping: their
-/// integral approaches F_T with the cells, it is not F_T.
-std::vector<Reading> base_readings(const Space& space, const Unknowns& unknowns, const Scene& scene,
-                                   const Caisson& caisson);
+/// At every node i of the bottom: "base/i/normal_stress" (change of the effective stress on the ground, compression
+/// positive), "base/i/shear_stress" (on the ground, landward), where there is pore water "base/i/pore_pressure" (Pa),
+/// and "base/i/displacement_x", "base/i/displacement_y" of the ground (m). The stresses are the consistent nodal forces
+/// over the lengths of the nodes: times these they sum to F_T, to the normal force less the uplift, and to the uplift,
+/// exactly (Hughes, Engel, Mazzei and Larson, J. Comput. Phys. 163 (2000) 467: such fluxes are conserved, those of
+/// single elements are not). `bottom` collects the forces of `nodes`, `loads` are those of the scene.
+std::vector<Reading> base_readings(const Space& space, const Unknowns& unknowns,
+                                   const std::vector<InterfaceNode>& nodes, const NodalReaction& bottom,
+                                   const SceneLoads& loads);
 
 }  // namespace upbead

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "upbead/fem/face_loads.h"
 #include "upbead/fem/faces.h"
 #include "upbead/fem/rigid_body.h"
 #include "upbead/fem/unknowns.h"
@@ -26,38 +27,52 @@ std::optional<Caisson> find_caisson(const Space& space);
 std::array<Row, n_motions> momentum_rows(const Space& space, const Unknowns& unknowns, const std::vector<Body>& bodies,
                                          const Body& caisson, double density);
 
-/// Collects, cell by cell and face by face, what the matrices of the caisson's surroundings say about its nodes: the
-/// consistent nodal force that moves them with the caisson, as rows over x, x', x''.
+/// Sums of nodal forces: by degree of freedom, the sums it counts in and how much.
+struct NodalSums {
+  int n = 0;
+  std::vector<std::vector<std::pair<int, double>>> of_dof;
+};
+
+/// The work in each unit motion of the caisson (about its bottom's centre).
+NodalSums sums_of_motions(const Space& space, const Caisson& caisson);
+/// The forces landward (2 i) and upward (2 i + 1) at every node i of its bottom.
+NodalSums sums_of_nodes(const Space& space, const std::vector<InterfaceNode>& nodes);
+
+/// Collects, cell by cell and face by face, what the matrices of the caisson's surroundings say about its nodes: sums
+/// of the consistent nodal forces that move them with the caisson, as rows over x, x', x''.
 class NodalReaction {
  public:
-  NodalReaction(const Space& space, const Unknowns& unknowns, const Caisson& caisson);
+  NodalReaction(const Unknowns& unknowns, NodalSums sums);
 
   /// Adds a cell or a face that does not belong to the caisson.
   void add(const CellMatrices& cell, const std::vector<dealii::types::global_dof_index>& dofs);
   /// Whether some of these degrees of freedom move with the caisson, so that there is something to add.
   bool has_any(const std::vector<dealii::types::global_dof_index>& dofs) const;
-  /// Work of nodal forces on the caisson's nodes in a unit motion (about the bottom's centre).
-  double work(int motion, unsigned dof, double force) const { return motions_[dof][motion] * force; }
-  Row position(int motion) const { return to_row(K_[motion]); }
-  Row velocity(int motion) const { return to_row(C_[motion]); }
-  Row acceleration(int motion) const { return to_row(M_[motion]); }
+  /// What nodal forces on the caisson's nodes amount to in one of the sums.
+  double sum(int sum, const NodalForces& forces) const;
+  Row position(int sum) const { return to_row(K_[static_cast<std::size_t>(sum)]); }
+  Row velocity(int sum) const { return to_row(C_[static_cast<std::size_t>(sum)]); }
+  Row acceleration(int sum) const { return to_row(M_[static_cast<std::size_t>(sum)]); }
 
  private:
   const Unknowns* unknowns_;
-  std::vector<std::array<double, n_motions>> motions_;  ///< of every degree of freedom; zero off the caisson
-  std::array<std::map<int, double>, n_motions> M_, C_, K_;
+  NodalSums sums_;
+  std::vector<std::map<int, double>> M_, C_, K_;
 };
 
 /// The surroundings of the caisson, apart.
 struct CaissonForces {
-  NodalReaction ground;       ///< its x part is the shear force F_T by route (ii)
-  NodalReaction water_front;  ///< water on its faces that look seaward; its x part is -P_water of the front
-  NodalReaction water_back;   ///< water on all its other faces
+  NodalReaction ground;                 ///< its x part is the shear force F_T by route (ii)
+  NodalReaction water_front;            ///< water on its faces that look seaward; its x part is -P_water of the front
+  NodalReaction water_back;             ///< water on all its other faces
+  std::optional<NodalReaction> bottom;  ///< of the ground too, node by node, where asked for
 
-  CaissonForces(const Space& space, const Unknowns& unknowns, const Caisson& caisson)
-      : ground(space, unknowns, caisson), water_front(ground), water_back(ground) {}
-  /// Which of them a wet face belongs to; one of another solid is the ground's.
-  NodalReaction& of(const WetFace& face, const Space& space);
+  /// `bottom_nodes`: of the bottom, where forces are asked for node by node.
+  CaissonForces(const Space& space, const Unknowns& unknowns, const Caisson& caisson,
+                const std::vector<InterfaceNode>& bottom_nodes = {});
+  void add_ground(const CellMatrices& cell, const std::vector<dealii::types::global_dof_index>& dofs);
+  /// Adds the face of a wet solid: water on the caisson, or, of another solid, a part of the ground.
+  void add(const WetFace& face, const Space& space, const FaceTerms& terms);
 };
 
 }  // namespace upbead

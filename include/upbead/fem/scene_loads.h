@@ -1,7 +1,6 @@
 // The loads of a scene as right-hand sides of the system, and what they do to the caisson.
 #pragma once
 
-#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,8 +23,8 @@ struct LoadOnCaisson {
 struct SceneLoads {
   std::vector<SystemLoad> loads;
   std::vector<LoadOnCaisson> on_caisson;
-  /// Work of the forces on the ground's cells at nodes that the caisson shares: it belongs to the ground, not to P.
-  std::vector<std::array<double, n_motions>> on_shared_nodes;
+  /// Forces on the ground's cells; at nodes that the caisson shares they belong to the ground, not to P.
+  std::vector<NodalForces> on_ground;
 };
 
 /// One load of the system per load of the scene whose factor is not 0, and one more where it prescribes a pore

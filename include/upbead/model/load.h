@@ -56,6 +56,7 @@ struct Load {
   LoadKind kind = LoadKind::force;
   std::array<double, 2> direction{1., 0.};
   std::vector<std::array<double, 2>> shape;  ///< (height y, relative intensity), linear between; empty: uniform
+  std::string transducer;                    ///< whose pressure it is: named "LOAD.transducer"; else empty
   bool measured_on_wall = false;             ///< the history holds the pressure of the sea on this moving wall already
   double factor = 1.;                        ///< multiplies the history; 0 switches the load off
   TimeFunction history;                      ///< with the factor

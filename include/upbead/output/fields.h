@@ -14,8 +14,8 @@ namespace upbead {
 /// Patterns of the files that a FieldWriter writes, for OutputFolder::commit().
 inline const std::vector<std::string> field_files{"fields.pvd", "fields/fields_[0-9][0-9][0-9][0-9]*.vtu"};
 
-/// Writes displacement, velocity, pore pressure and effective stress (of solid regions: stress), each with its unit in
-/// its name. VTU holds single precision: for pictures, not a record.
+/// Writes displacement, velocity, acceleration, pore pressure, strain and effective stress (of solid regions: stress),
+/// each with its unit in its name. VTU holds single precision: for pictures, not a record.
 class FieldWriter {
  public:
   /// `path_of`: where to write a file of a name, such as OutputFolder::path. All arguments must outlive the writer.

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "record_clock_keys.h"
 #include "upbead/app/gauge_source.h"
 #include "upbead/input/document.h"
 #include "upbead/input/schema.h"
@@ -38,18 +39,7 @@ void add_gauge_keys(TableSchema<T>& table, const GaugeWords& words, const std::f
   in(table.key("gauge_unit", &T::gauge_unit))
       .fallback("that of the header, else Pa")
       .doc("unit of the pressures; such as \"kPa\"");
-  in(table.key("zero", &T::zero))
-      .unit("s")
-      .range(at_least(0.))
-      .doc(
-          "how much of the record's beginning is at rest; its mean is taken off each transducer; 0: nothing is taken "
-          "off");
-  in(table.key("record_start", &T::record_start)).unit("s").doc("time of the record that is t = 0 of the run");
-  in(table.key("sampling_rate", &T::sampling_rate))
-      .unit("Hz")
-      .range(above(0.))
-      .fallback("the first column is the time")
-      .doc("samples a second of a record without a column of times");
+  add_clock_keys(table, in);
   in(table.key("load_cell", &T::load_cell))
       .fallback("none")
       .doc("name of the column with the force by a load cell (N/m); compared with the transducers, not applied");

@@ -29,12 +29,13 @@ void add_gauge_loads(const std::string& name, const GaugeLoad& by_gauges, double
     Load load = by_gauges.load;
     load.kind = LoadKind::pressure;
     load.shape = share(gauges, i);
+    load.transducer = gauges.name[i];
     if (load.factor != 0.) {
       const std::vector<double> pressure(gauges.pressure[i].begin(), gauges.pressure[i].begin() + n);
       load.history = scaled(piecewise_linear(time, pressure), load.factor);
       load.duration = sampled_duration(time, pressure, end);
     }
-    scene.loads[name + "." + gauges.name[i]] = load;
+    scene.loads[name + "." + load.transducer] = load;
   }
 }
 

@@ -21,11 +21,8 @@ MeasuredRecord read(const Case& input, const std::string& name, const MeasuredSo
   const std::string path = dotted("measured", name);
   const Place place = input.place(path + ".file");
   const CsvTable table = read_record_table(input.resolve(source.file), place);
-  const RecordTimes times = record_times(table, {source.sampling_rate, source.zero, source.record_start});
-  const std::size_t fallback = source.sampling_rate ? 0 : 1;
-  if (source.column.empty() && table.names.size() <= fallback)
-    throw InputError(place, "'" + source.file + "' has no column beside the time", "give a record of two columns");
-  const std::size_t column = source.column.empty() ? fallback : column_of(table, source.column, place);
+  const RecordTimes times = record_times(table, source);
+  const std::size_t column = measured_column(source, table, place);
   MeasuredRecord record{name, source.reading, computed.unit, times.time,
                         in_si(table, column, computed.unit, source.unit)};
   take_off_rest(times, record.value);
@@ -34,27 +31,12 @@ MeasuredRecord read(const Case& input, const std::string& name, const MeasuredSo
 
 }  // namespace
 
-TableSchema<MeasuredSource> measured_schema() {
-  TableSchema<MeasuredSource> table;
-  table.key("file", &MeasuredSource::file).required().doc("path of the record; CSV (docs/records.md) or HDF5");
-  table.key("reading", &MeasuredSource::reading)
-      .required()
-      .doc(
-          "history of the results that it is held against; \"shear_force\", \"caisson/displacement_x\", "
-          "\"probes/A/pressure\"");
-  table.key("column", &MeasuredSource::column).fallback("the one after the time").doc("name of its column");
-  table.key("unit", &MeasuredSource::unit).fallback("that of the header, else SI").doc("unit of the values");
-  table.key("zero", &MeasuredSource::zero)
-      .unit("s")
-      .range(at_least(0.))
-      .doc("how much of the record's beginning is at rest; its mean is taken off; 0: nothing is taken off");
-  table.key("record_start", &MeasuredSource::record_start).unit("s").doc("time of the record that is t = 0 of the run");
-  table.key("sampling_rate", &MeasuredSource::sampling_rate)
-      .unit("Hz")
-      .range(above(0.))
-      .fallback("the first column is the time")
-      .doc("samples a second of a record without a column of times");
-  return table;
+std::size_t measured_column(const MeasuredSource& source, const CsvTable& table, const Place& place) {
+  if (!source.column.empty()) return column_of(table, source.column, place);
+  const std::size_t first = source.sampling_rate ? 0 : 1;
+  if (table.names.size() <= first)
+    throw InputError(place, "'" + source.file + "' has no column beside the time", "give a record of two columns");
+  return first;
 }
 
 std::vector<MeasuredRecord> read_measured(const Case& input, const std::vector<History>& computed) {

@@ -4,14 +4,15 @@
 #include <string>
 #include <vector>
 
+#include "record_table.h"
 #include "upbead/app/case.h"
-#include "upbead/input/schema.h"
 #include "upbead/output/result_file.h"
 #include "upbead/output/summary.h"
 
 namespace upbead {
 
-TableSchema<MeasuredSource> measured_schema();
+/// The column that is meant. Throws InputError at `place` where there is none.
+std::size_t measured_column(const MeasuredSource& source, const CsvTable& table, const Place& place);
 
 /// A record in SI units and the run's time.
 struct MeasuredRecord {

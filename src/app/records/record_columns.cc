@@ -23,7 +23,7 @@ RecordTimes record_times(const CsvTable& table, const RecordClock& clock) {
                        "let the times ascend strictly, or give sampling_rate where there is no column of times");
   times.at_rest = static_cast<std::size_t>(
       std::count_if(time.begin(), time.end(), [&](double t) { return t - time.front() < clock.zero; }));
-  for (double& t : time) t -= clock.start;
+  for (double& t : time) t -= clock.record_start;
   return times;
 }
 

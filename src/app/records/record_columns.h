@@ -1,20 +1,13 @@
 // Columns of a record in SI units and the run's time.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "record_table.h"
+#include "upbead/app/record_clock.h"
 
 namespace upbead {
-
-/// How a record's own time becomes the run's.
-struct RecordClock {
-  std::optional<double> sampling_rate;  ///< Hz; none: the first column is the time
-  double zero = 0.;                     ///< s from the record's beginning that it rests
-  double start = 0.;                    ///< its time that is t = 0 of the run (s)
-};
 
 struct RecordTimes {
   std::vector<double> time;  ///< of the run (s)

@@ -1,10 +1,12 @@
 #include <cmath>
 #include <filesystem>
 
+#include "../records/measured.h"
 #include "../records/record_table.h"
 #include "factors.h"
 #include "scale_mesh.h"
 #include "upbead/base/csv.h"
+#include "upbead/base/units.h"
 
 namespace fs = std::filesystem;
 
@@ -48,7 +50,29 @@ std::string scaled_record(const Case& problem, const GaugeSource& source, const 
   return scaled_table(table, units, factor);
 }
 
-/// Writes the histories of loads and uplift anew, beside the case, under names of their own.
+/// A measured history at the new size, alone with its time; of what quantity it is, its unit tells.
+std::string scaled_measured(const Case& problem, const std::string& name, const MeasuredSource& source, double factor) {
+  const Place place = problem.place(dotted("measured", name) + ".file");
+  const CsvTable table = read_record_table(problem.resolve(source.file), place);
+  const std::size_t column = measured_column(source, table, place);
+  const std::optional<Unit> unit = unit_of(source.unit.empty() ? table.units[column] : source.unit);
+  if (!unit)
+    throw InputError(place, "it is not said what unit column '" + table.names[column] + "' has: it cannot be scaled",
+                     "write the unit into its header, or add unit = \"...\"");
+  CsvTable one{table.path, {}, {}, {}, table.lines};
+  std::vector<std::string> units;
+  const auto keep = [&](std::size_t c, const std::string& si) {
+    one.names.push_back(table.names[c]);
+    one.units.push_back(table.units[c]);
+    one.columns.push_back(table.columns[c]);
+    units.push_back(si);
+  };
+  if (!source.sampling_rate) keep(0, "s");
+  keep(column, unit->si);
+  return scaled_table(one, units, factor);
+}
+
+/// Writes the histories of loads, uplift and what was measured anew, beside the case, under names of their own.
 void scale_histories(const Case& problem, double factor, CaseTables& tables, std::vector<NamedText>& histories) {
   for (auto& [name, load] : tables.load_tables) {
     const std::string path = dotted("loads", name);
@@ -61,6 +85,10 @@ void scale_histories(const Case& problem, double factor, CaseTables& tables, std
     if (!load.gauges.empty())
       load.gauges = histories.emplace_back(NamedText{name + ".csv", scaled_record(problem, load, path, factor)}).path;
   }
+  for (auto& [name, source] : tables.measured)
+    source.file =
+        histories.emplace_back(NamedText{"measured-" + name + ".csv", scaled_measured(problem, name, source, factor)})
+            .path;
   if (!tables.sliding_table || !tables.sliding_table->uplift_table) return;
   UpliftTable& uplift = *tables.sliding_table->uplift_table;
   const std::string name = tables.load_tables.count("uplift") == 0 ? "uplift.csv" : "sliding-uplift.csv";

@@ -62,7 +62,10 @@ std::string objection_to_reading(const std::string& path) {
   const std::vector<std::string> keys = split_dotted(path);
   if (keys.front() == "timing") return "wall times differ from run to run; summary.json of the study has them";
   if (keys.front() == "measured") return keys.size() == 3 ? "" : "of records it takes measured.NAME.rms or the like";
-  if (keys.front() == "gauges") return keys.size() == 3 ? "" : "of gauges it takes gauges.NAME.peak_force or the like";
+  if (keys.front() == "gauges")
+    return keys.size() == 3
+               ? ""
+               : "of gauges it takes gauges.NAME.peak_force or the like, such as gauges.\"sliding.uplift\".arm";
   if (keys.front() == "loads") return keys.size() == 3 ? "" : "of a load it takes loads.NAME.arm or the like";
   const std::vector<std::string>& known = readable_paths();
   if (std::find(known.begin(), known.end(), path) != known.end()) return "";

@@ -41,8 +41,9 @@ NumberedWarnings step_warnings(const CompiledCase& scene) {
   if (step <= limit) return {};
   return {{"step_too_coarse", step, limit, "s",
            "time.step = " + significant(step) + " s for waves that pass in " + significant(*time) +
-               " s: the history of F_T may err by " + percent(rule.error * std::pow(step / limit, rule.order)) +
-               " of its peak; give at most " + significant(limit, 2) + " s, or step = \"auto\""}};
+               " s: the history of " + (scene.compiled.caisson ? "F_T" : "a reading") + " may err by " +
+               percent(rule.error * std::pow(step / limit, rule.order)) + " of its peak; give at most " +
+               significant(limit, 2) + " s, or step = \"auto\""}};
 }
 
 NumberedWarnings jump_warnings(const CompiledCase& compiled) {
