@@ -6,14 +6,16 @@ from .style import styled, subplots
 
 TIMES = [("shear_force", "largest $F_T$", "tab:red"), ("base_moment", "largest moment landward", "tab:blue"),
          ("uplift", "largest $U$", "tab:green")]
+INNER = 0.9  # share of the width that scales of stresses are made for: they are singular under the edges
 
 
 @styled
 def base_pressures(result):
-    """A panel for each quantity by time and place of the table `base` of a Result."""
+    """A panel for each quantity by time and place of the table `base` of a Result, stresses and pressure first."""
     table = result.table("base")
     position = table["position"]
-    shown = {name: history for name, history in table.items() if history.shape == (result.time.size, position.size)}
+    shown = {name: history for name, history in sorted(table.items(), key=lambda item: "displacement" in item[0])
+             if history.shape == (result.time.size, position.size)}
     figure, rows = subplots(len(shown), 1, sharex=True, figsize=(6.5, 1.0 + 2.1 * len(shown)), squeeze=False,
                             layout="constrained")
     times = telling_times(result)
@@ -22,12 +24,22 @@ def base_pressures(result):
         for index, what, colour in times:
             axes.plot(position, factor * history[index], "o-", ms=2.5, lw=1, color=colour,
                       label=f"{result.time[index]:.3g} s, {what}")
+        if name.endswith("stress"):
+            scale_to_inner(axes, position, factor * np.array([history[index] for index, _, _ in times]))
         axes.axhline(0.0, color="black", lw=0.5)
         axes.set_ylabel(f"{name.replace('_', ' ')} ({unit})")
     rows[0, 0].legend(fontsize=7.5)
     rows[0, 0].set_title(result.title)
     rows[-1, 0].set_xlabel("place under the caisson, landward (m)")
     return figure
+
+
+def scale_to_inner(axes, position, values):
+    middle, half = np.mean([position.min(), position.max()]), INNER * np.ptp(position) / 2
+    inner = values[:, abs(position - middle) <= half]
+    low, high = min(inner.min(), 0.0), max(inner.max(), 0.0)
+    if high > low:
+        axes.set_ylim(low - 0.05 * (high - low), high + 0.05 * (high - low))
 
 
 def telling_times(result):
