@@ -5,31 +5,21 @@ Takes a gmsh mesh (.msh, text, 2.2 or 4.1), or a gmsh script (.geo) where the pr
 """
 
 import argparse
-import shutil
-import subprocess
-import tempfile
 from pathlib import Path
 
 from common import UserError, run, save
-from upbead import figures, msh
+from upbead import figures, geo, msh
 
 
-def mesh_of_script(script, settings):
-    """Runs gmsh on a .geo with ["name=value", ...] and reads what it makes."""
-    if shutil.which("gmsh") is None:
-        raise UserError("a .geo needs the program gmsh; install it, or give a .msh")
-    with tempfile.TemporaryDirectory() as folder:
-        made = Path(folder) / "made.msh"
-        command = ["gmsh", "-2", str(script), "-o", str(made), "-v", "2"]
-        for setting in settings:
-            name, equals, value = setting.partition("=")
-            if not equals:
-                raise UserError(f"--set {setting}: say NAME=VALUE")
-            command += ["-setnumber", name.strip(), value.strip()]
-        done = subprocess.run(command, capture_output=True, text=True, check=False)
-        if done.returncode != 0 or not made.is_file():
-            raise UserError(f"gmsh cannot mesh '{script}':\n{done.stdout}{done.stderr}")
-        return msh.read(made)
+def settings(texts):
+    """{name: value} of ["NAME=VALUE", ...]."""
+    found = {}
+    for text in texts:
+        name, equals, value = text.partition("=")
+        if not equals:
+            raise UserError(f"--set {text}: say NAME=VALUE")
+        found[name.strip()] = value.strip()
+    return found
 
 
 def main():
@@ -42,7 +32,7 @@ def main():
     if not arguments.mesh.is_file():
         raise UserError(f"there is no file '{arguments.mesh}'")
     if arguments.mesh.suffix == ".geo":
-        mesh = mesh_of_script(arguments.mesh, arguments.set)
+        mesh = geo.mesh_of_script(arguments.mesh, settings(arguments.set))
     elif arguments.set:
         raise UserError("--set is for a .geo; a .msh has no parameters")
     else:

@@ -2,11 +2,11 @@
 
 import os
 import re
-from collections import Counter
+from collections import Counter, defaultdict
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from upbead import msh
+from upbead import geo, msh
 from upbead.errors import UserError
 
 # `name = value,  // unit: meaning` within DefineConstant[ ... ]
@@ -52,36 +52,38 @@ def section(case, base):
         parameters = {key: default for key, (default, _, _) in declared(name).items()} | given
         drawn = {"composite": composite, "column": column}.get(name)
         try:
-            return Section(drawn(parameters), parameters) if drawn else of_mesh(folder() / f"{name}.geo")
+            return Section(drawn(parameters), parameters) if drawn else of_mesh(folder() / f"{name}.geo", parameters)
         except KeyError as error:
             raise UserError(
                 f"the parameter {error} of '{name}' is not known: '{folder()}' has no {name}.geo"
             ) from error
     if "file" not in mesh:
         raise UserError("the case names no geometry")
-    return of_mesh(Path(base) / mesh["file"])
+    return of_mesh(Path(base) / mesh["file"], given)
 
 
-def of_mesh(path):
-    if path.suffix != ".msh":
-        raise UserError(f"the outline of '{path.name}' is known to gmsh only")
-    made = msh.read(path)
+def of_mesh(path, parameters):
+    made = geo.mesh_of_script(path, parameters) if path.suffix == ".geo" else msh.read(path)
     return Section({name: outline(cells, made.points) for name, cells in made.surfaces.items()})
 
 
 def outline(cells, points):
-    """The loops around cells: edges that only one of them has, one after the other."""
-    edges = [(cell[i], cell[(i + 1) % len(cell)]) for cell in cells for i in range(len(cell))]
-    count = Counter(frozenset(edge) for edge in edges)
-    after = {a: b for a, b in edges if count[frozenset((a, b))] == 1}
+    """The loops around cells, whichever way round each is numbered: edges that only one of them has, in turn."""
+    edges = Counter(frozenset((cell[i], cell[(i + 1) % len(cell)])) for cell in cells for i in range(len(cell)))
+    beside = defaultdict(set)
+    for a, b in (edge for edge, count in edges.items() if count == 1):
+        beside[a].add(b)
+        beside[b].add(a)
     loops = []
-    while after:
-        start, node = after.popitem()
-        loop = [start]
-        while node != start and node in after:
+    for start in list(beside):
+        loop, node = [], start
+        while beside[node]:
             loop.append(node)
-            node = after.pop(node)
-        loops.append([points[n] for n in loop])
+            after = beside[node].pop()
+            beside[after].remove(node)
+            node = after
+        if loop:
+            loops.append([points[n] for n in loop])
     return loops
 
 

@@ -1,10 +1,12 @@
 """The parts of the report by themselves. Usage: test_report_parts.py FOLDER_OF_THE_SCRIPTS"""
 
 import json
+import os
 import sys
 import tempfile
 import unittest
 from pathlib import Path
+from unittest import mock
 
 import numpy as np
 
@@ -12,7 +14,27 @@ SCRIPTS = Path(sys.argv[1]) if len(sys.argv) > 1 else Path(__file__).parents[2] 
 sys.path.insert(0, str(SCRIPTS))
 
 from report import geometry, input_tables, inputs, markup, reference, series, source_case, ticks, units  # noqa: E402
+from upbead.errors import UserError  # noqa: E402
 
+ONE_CELL = """$MeshFormat
+2.2 0 8
+$EndMeshFormat
+$PhysicalNames
+1
+2 1 "sand"
+$EndPhysicalNames
+$Nodes
+4
+1 0 0 0
+2 2 0 0
+3 2 1 0
+4 0 1 0
+$EndNodes
+$Elements
+1
+1 3 2 1 1 1 2 3 4
+$EndElements
+"""
 SOURCE = """# A made-up case. # of it
 # All other
 # numbers are assumed, as told elsewhere.
@@ -174,10 +196,26 @@ class Geometry(unittest.TestCase):
 
     def test_the_outline_of_cells(self):
         points = {1: (0, 0), 2: (1, 0), 3: (2, 0), 4: (0, 1), 5: (1, 1), 6: (2, 1)}
-        (loop,) = geometry.outline([[1, 2, 5, 4], [2, 3, 6, 5]], points)
-        self.assertEqual(sorted(loop), sorted(points.values()))
-        area = 0.5 * sum(a[0] * b[1] - b[0] * a[1] for a, b in zip(loop, [*loop[1:], loop[0]]))
-        self.assertEqual(area, 2.0)
+        for second in ([2, 3, 6, 5], [5, 6, 3, 2]):  # surfaces of a mesh may be numbered one way or the other
+            (loop,) = geometry.outline([[1, 2, 5, 4], second], points)
+            self.assertEqual(sorted(loop), sorted(points.values()))
+            area = 0.5 * sum(a[0] * b[1] - b[0] * a[1] for a, b in zip(loop, [*loop[1:], loop[0]]))
+            self.assertEqual(abs(area), 2.0)
+
+    def test_a_script_of_ones_own_is_drawn_where_gmsh_is_installed(self):
+        """Instead of gmsh: a program that writes down how it was called, and copies a mesh."""
+        with tempfile.TemporaryDirectory() as folder, mock.patch.dict(os.environ, {"PATH": folder}):
+            (Path(folder) / "own.geo").write_text("")
+            case = {"mesh": {"file": "own.geo", "parameters": {"width": 2.5}}}
+            with self.assertRaisesRegex(UserError, "needs the program gmsh"):
+                geometry.section(case, folder)
+            (Path(folder) / "cells.msh").write_text(ONE_CELL)
+            program = Path(folder) / "gmsh"
+            program.write_text(f'#!/bin/sh\necho "$@" > {folder}/called\n/bin/cp {folder}/cells.msh "$4"\n')
+            program.chmod(0o755)
+            section = geometry.section(case, folder)
+            self.assertEqual(section.box("sand"), (0.0, 2.0, 0.0, 1.0))
+            self.assertIn("-setnumber width 2.5", (Path(folder) / "called").read_text())
 
 
 if __name__ == "__main__":
