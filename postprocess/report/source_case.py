@@ -99,6 +99,7 @@ def find(case, folder):
     differ and agree equally well.
     """
     named = [load.get(key) for load in case.get("loads", {}).values() for key in ("history", "gauges")]
+    named += [record.get("file") for record in case.get("measured", {}).values()]
     named.append(case.get("mesh", {}).get("file"))
     beside = {(folder / name).resolve().parent for name in named if name}
     beside |= {inner for place in beside if place.is_dir() for inner in place.iterdir() if inner.is_dir()}
