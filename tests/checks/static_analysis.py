@@ -6,7 +6,7 @@
     tests/checks/static_analysis.py BUILD --layers base waves   clang-tidy over some layers
 
 BUILD is a complete build by CMake (with compile_commands.json). clang-tidy looks again only at files that have changed
-since they were clean (--fresh: at all). What came out goes to docs/reliability/static_analysis.json."""
+since they were clean, on whatever machine (clang_tidy_clean.json; --fresh: at all). What came out goes to docs/reliability/static_analysis.json."""
 
 import argparse
 import hashlib
@@ -21,6 +21,7 @@ import time
 
 CHECKS = pathlib.Path(__file__).resolve().parent
 ROOT = CHECKS.parents[1]
+CLEAN = CHECKS / "clang_tidy_clean.json"  # which contents of which files were clean, for days to come
 LAYERS = ["base", "input", "model", "waves", "algebra", "system", "dynamics", "sliding", "expected", "mesh", "fem",
           "response", "output", "app", "."]
 # gcc's own options, and gcc's precompiled headers, which clang cannot read
@@ -74,17 +75,21 @@ def commands_for_clang(build, folder):
     return sorted(path for path in files if ROOT / "src" in path.parents)
 
 
+def key_of(path):
+    return hashlib.sha1(((ROOT / ".clang-tidy").read_text() + path.read_text()).encode()).hexdigest()
+
+
 def tidy(build, layers, fresh):
-    config = (ROOT / ".clang-tidy").read_text()
-    record = build / "clang_tidy.json"
-    clean = json.loads(record.read_text()) if record.exists() and not fresh else {}
+    clean = json.loads(CLEAN.read_text()) if CLEAN.exists() and not fresh else {}
     findings, looked_at = [], 0
     with tempfile.TemporaryDirectory() as folder:
         files = commands_for_clang(build, pathlib.Path(folder))
         for path in sorted(files, key=lambda file: LAYERS.index(layer_of(file))):
-            key = hashlib.sha1((config + path.read_text()).encode()).hexdigest()
-            if clean.get(str(path)) == key or (layers and layer_of(path) not in layers):
+            key = key_of(path)
+            name = str(path.relative_to(ROOT))
+            if clean.get(name) == key or (layers and layer_of(path) not in layers):
                 continue
+            clean.pop(name, None)
             looked_at += 1
             done = subprocess.run(["clang-tidy", "-quiet", "-p", folder, path], capture_output=True, text=True)
             told = re.findall(r"^(/.*?):(\d+):\d+: ((?:warning|error): .*)", done.stdout, re.MULTILINE)
@@ -92,11 +97,11 @@ def tidy(build, layers, fresh):
             if done.returncode != 0 and not told:
                 ours = [f"{path}: {done.stderr}"]
             if not ours:  # the analyser doubts what Eigen's own headers do with sizes that it cannot know
-                clean[str(path)] = key
-                record.write_text(json.dumps(clean))
+                clean[name] = key
+                CLEAN.write_text(json.dumps(clean, indent=0, sort_keys=True) + "\n")
             findings += ours
             print("\n".join(ours), end="\n" if ours else "", flush=True)
-    current = [path for path in files if str(path) in clean]
+    current = [path for path in files if clean.get(str(path.relative_to(ROOT))) == key_of(path)]
     print(f"clang-tidy: {looked_at} files looked at, {len(findings)} findings; clean: {len(current)} of {len(files)}")
     checks = subprocess.run(["clang-tidy", "--list-checks", f"--config-file={ROOT / '.clang-tidy'}"],
                             capture_output=True, text=True).stdout.count("\n    ")

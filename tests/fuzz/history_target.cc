@@ -1,7 +1,9 @@
-// A table that is read holds finite numbers; a history made of it is finite, and passes through its samples.
+// A table that is read holds finite numbers; a history made of it is finite, and passes through its samples; so are
+// the force and the warnings of transducers.
 #include <cmath>
 
 #include "case_history.h"
+#include "records/gauge_keys.h"
 #include "target.h"
 #include "upbead/app/wave_files.h"
 #include "upbead/base/csv.h"
@@ -42,12 +44,32 @@ void check_waves(const WaveFile& file) {
   }
 }
 
+/// A table as the record of transducers, one in every column but the first.
+void check_gauges(const CsvTable& table, const std::string& path) {
+  GaugeSource source;
+  for (std::size_t c = 1; c < table.names.size(); ++c) source.place[table.names[c]] = static_cast<double>(c);
+  source.ends = {0., static_cast<double>(table.names.size())};
+  source.to_last = Beyond::to_zero;
+  source.zero = 0.1;
+  Gauges gauges;
+  if (!read_or_refuse([&] { gauges = read_gauges(source, path, "loads.wall", Document()); })) return;
+  const Resultant sum = resultant(gauges, 0., static_cast<double>(table.names.size()));
+  for (std::size_t t = 0; t < gauges.time.size(); ++t)
+    require(std::isfinite(sum.force[t]) && std::isfinite(sum.moment[t]), "the force by transducers is finite");
+  const InterpolationError error = interpolation_error(gauges);
+  require(std::isfinite(error.force) && std::isfinite(error.arm), "its error is finite");
+  for (const NumberedWarning& warning : gauge_warnings("loads.wall", gauges, sum.force))
+    require(std::isfinite(warning.value) && std::isfinite(warning.limit), "warnings have numbers");
+}
+
 }  // namespace
 
 void try_history(std::string_view bytes) {
   const std::string path = memory_file("history.csv", bytes);
   const Place key{"case.toml", 1, 1};
-  if (!read_or_refuse([&] { check_table(read_csv(path, key)); })) return;
+  CsvTable table;
+  if (!read_or_refuse([&] { check_table(table = read_csv(path, key)); })) return;
+  if (table.names.size() > 1) check_gauges(table, path);
   Load load;
   if (read_or_refuse([&] { read_history(path, key, 1., load); })) {
     check_function(load.history);

@@ -21,6 +21,7 @@ import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 FUZZ = ROOT / "tests" / "fuzz"
+FACTS = ROOT / "docs" / "reliability" / "fuzzing.json"
 EXECUTIONS, SECONDS = 10**6, 900
 MOST_KEPT = 60  # inputs of a target
 
@@ -39,7 +40,8 @@ TARGETS = {
 }
 WORDS = {
     "history": ["time", "force", "impact", "slow", ",", ";", "\\x0a", "\\x0d\\x0a", "1e308", "-1e308", "4.9e-324", "nan",
-                "inf", "0,0\\x0a", "\\xef\\xbb\\xbf", "#", "+", "0.1", "1e6"],
+                "inf", "0,0\\x0a", "\\xef\\xbb\\xbf", "#", "+", "0.1", "1e6", "%", "\\x09", "\\x22", " (kPa)", "[ms]", "kN/m2",
+                "0,5;1,5\\x0a", "\\x1f\\x8b\\x08"],
     "script": ["DefineConstant[", "]", "{", "}", "Name", "Include", "//", "/*", "*/", "\\x22", ";", "=", "Str(", "\\x0a"],
     "mesh": ["$MeshFormat\\x0a", "2.2 0 8", "4.1 0 8", "$EndMeshFormat\\x0a", "$PhysicalNames\\x0a", "$Nodes\\x0a",
              "$Elements\\x0a", "$EndElements\\x0a", "$EndNodes\\x0a", "$Entities\\x0a", "$EndEntities\\x0a",
@@ -199,7 +201,9 @@ def found():
             "came_out": ", ".join(names)}
 
 
-def facts(results):
+def facts(results, known):
+    """The page's facts: rows of what has run anew, the known ones of what has not."""
+    rows = {row["what"]: row for row in known} | {TARGETS[name][0]: row(name, result) for name, result in results.items()}
     return {
         "title": "Bad input, by machine",
         "text": "libFuzzer feeds mutated files to the readers of the program, built by clang with address and "
@@ -210,7 +214,7 @@ def facts(results):
                 "(ctest -R fuzz), and some thousands of random changes of them tried.",
         "command": "tests/fuzz/run.py",
         "figure": None,
-        "rows": [row(name, results[name]) for name in TARGETS] + [found()],
+        "rows": [rows[what] for what, *_ in TARGETS.values() if what in rows] + [found()],
     }
 
 
@@ -225,8 +229,7 @@ def main():
     if not options.as_built:
         build(options.build)
     names = options.targets or list(TARGETS)
-    records = options.build / "results"
-    records.mkdir(exist_ok=True)
+    results = {}
     failed = False
     for name in names:
         executions = None if options.seconds else EXECUTIONS
@@ -235,12 +238,9 @@ def main():
         if options.keep:
             keep(name, options.build)
         print(name, result, flush=True)
-        (records / f"{name}.json").write_text(json.dumps(result))
-    results = {path.stem: json.loads(path.read_text()) for path in records.glob("*.json")}
-    if all(name in results for name in TARGETS):
-        path = ROOT / "docs" / "reliability" / "fuzzing.json"
-        path.parent.mkdir(exist_ok=True)
-        path.write_text(json.dumps(facts(results), indent=1, ensure_ascii=False) + "\n")
+        results[name] = result
+        known = json.loads(FACTS.read_text())["rows"] if FACTS.exists() else []
+        FACTS.write_text(json.dumps(facts(results, known), indent=1, ensure_ascii=False) + "\n")
     return failed
 
 
