@@ -9,6 +9,7 @@ BUILD is a complete build by CMake (with compile_commands.json). clang-tidy look
 since they were clean, on whatever machine (clang_tidy_clean.json; --fresh: at all). What came out goes to docs/reliability/static_analysis.json."""
 
 import argparse
+from concurrent import futures
 import hashlib
 import json
 import os
@@ -79,30 +80,34 @@ def key_of(path):
     return hashlib.sha1(((ROOT / ".clang-tidy").read_text() + path.read_text()).encode()).hexdigest()
 
 
-def tidy(build, layers, fresh):
+def findings_of(path, folder):
+    """What clang-tidy says about our own files in this translation unit."""
+    done = subprocess.run(["clang-tidy", "-quiet", "-p", folder, path], capture_output=True, text=True)
+    told = re.findall(r"^(/.*?):(\d+):\d+: ((?:warning|error): .*)", done.stdout, re.MULTILINE)
+    if done.returncode != 0 and not told:
+        return [f"{path}: {done.stderr}"]
+    # the analyser doubts what Eigen's own headers do with sizes that it cannot know
+    return [f"{where}:{line}: {what}" for where, line, what in told if ROOT in pathlib.Path(where).parents]
+
+
+def tidy(build, layers, fresh, jobs):
     clean = json.loads(CLEAN.read_text()) if CLEAN.exists() and not fresh else {}
-    findings, looked_at = [], 0
-    with tempfile.TemporaryDirectory() as folder:
+    findings = []
+    with tempfile.TemporaryDirectory() as folder, futures.ThreadPoolExecutor(jobs) as pool:
         files = commands_for_clang(build, pathlib.Path(folder))
-        for path in sorted(files, key=lambda file: LAYERS.index(layer_of(file))):
-            key = key_of(path)
-            name = str(path.relative_to(ROOT))
-            if clean.get(name) == key or (layers and layer_of(path) not in layers):
-                continue
-            clean.pop(name, None)
-            looked_at += 1
-            done = subprocess.run(["clang-tidy", "-quiet", "-p", folder, path], capture_output=True, text=True)
-            told = re.findall(r"^(/.*?):(\d+):\d+: ((?:warning|error): .*)", done.stdout, re.MULTILINE)
-            ours = [f"{where}:{line}: {what}" for where, line, what in told if ROOT in pathlib.Path(where).parents]
-            if done.returncode != 0 and not told:
-                ours = [f"{path}: {done.stderr}"]
-            if not ours:  # the analyser doubts what Eigen's own headers do with sizes that it cannot know
-                clean[name] = key
+        keys = {path: key_of(path) for path in files}
+        due = [path for path in sorted(files, key=lambda file: LAYERS.index(layer_of(file)))
+               if clean.get(str(path.relative_to(ROOT))) != keys[path] and (not layers or layer_of(path) in layers)]
+        for path, ours in zip(due, pool.map(lambda path: findings_of(path, folder), due)):
+            if ours:
+                print("\n".join(ours), flush=True)
+                clean.pop(str(path.relative_to(ROOT)), None)
+                findings += ours
+            else:
+                clean[str(path.relative_to(ROOT))] = keys[path]
                 CLEAN.write_text(json.dumps(clean, indent=0, sort_keys=True) + "\n")
-            findings += ours
-            print("\n".join(ours), end="\n" if ours else "", flush=True)
     current = [path for path in files if clean.get(str(path.relative_to(ROOT))) == key_of(path)]
-    print(f"clang-tidy: {looked_at} files looked at, {len(findings)} findings; clean: {len(current)} of {len(files)}")
+    print(f"clang-tidy: {len(due)} files looked at, {len(findings)} findings; clean: {len(current)} of {len(files)}")
     checks = subprocess.run(["clang-tidy", "--list-checks", f"--config-file={ROOT / '.clang-tidy'}"],
                             capture_output=True, text=True).stdout.count("\n    ")
     return {"what": "clang-tidy (.clang-tidy)", "tried": f"{len(current)} of {len(files)} source files, {checks} checks",
@@ -146,6 +151,7 @@ def main():
     parser.add_argument("build", type=pathlib.Path)
     parser.add_argument("--only", choices=["tidy", "cppcheck", "valgrind"])
     parser.add_argument("--layers", nargs="+", choices=LAYERS, help="for clang-tidy")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="for clang-tidy")
     parser.add_argument("--fresh", action="store_true", help="look at unchanged files too")
     options = parser.parse_args()
     wanted = [options.only] if options.only else ["cppcheck", "valgrind", "tidy"]
@@ -157,7 +163,7 @@ def main():
         if name == "valgrind":
             row, broke = valgrind(options.build)
         else:
-            row = tidy(options.build, options.layers, options.fresh) if name == "tidy" else cppcheck()
+            row = tidy(options.build, options.layers, options.fresh, options.jobs) if name == "tidy" else cppcheck()
             broke = not row["came_out"].startswith("0 ")
         rows[row["what"]] = row
         failed = failed or broke

@@ -2,7 +2,7 @@
 """Whatever case `upbead explain` accepts, `upbead run` finishes, or refuses with a reason and writes nothing.
 
 Random cases with random mistakes, from a fixed seed, through the real program: exit codes are 0, 1 or 2, a refusal has a
-message and leaves no file, an answer has finite numbers only, and nothing takes longer than a minute.
+message and leaves no file, an answer has finite numbers only, and nothing takes longer than --longest.
 """
 
 import argparse
@@ -23,7 +23,6 @@ import numpy
 
 from mistakes import with_mistakes
 
-LONGEST = 60  # s
 MOST_SOLVES = 20_000  # what would take longer than that is legal, and not run
 
 
@@ -33,6 +32,7 @@ def arguments():
     parser.add_argument("stability_map", type=pathlib.Path, help="the program that draws the cases")
     parser.add_argument("--count", type=int, default=60)
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--longest", type=float, default=60, help="seconds that one command may take")
     parser.add_argument("--seconds", type=float, default=float("inf"), help="begin no case after that time")
     parser.add_argument("--keep", type=pathlib.Path, help="folder for the cases that fail")
     parser.add_argument("--facts", type=pathlib.Path, help="write docs/reliability/property.json")
@@ -56,9 +56,9 @@ class Trial:
     def call(self, command, *more):
         try:
             return subprocess.run([self.options.upbead, command, self.case, *more], capture_output=True, text=True,
-                                  errors="replace", timeout=LONGEST, cwd=self.folder)
+                                  errors="replace", timeout=self.options.longest, cwd=self.folder)
         except subprocess.TimeoutExpired:
-            self.wrong.append(f"{command} takes longer than {LONGEST} s")
+            self.wrong.append(f"{command} takes longer than {self.options.longest} s")
             return None
 
     def check_end(self, command, done):
