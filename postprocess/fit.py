@@ -48,7 +48,7 @@ def parse():
     parser.add_argument("case", type=Path)
     parser.add_argument("--record", required=True,
                         help="CSV (units in the header, .gz) or HDF5, times first; or NAME of [measured.NAME]")
-    parser.add_argument("--column", help="of the record; needed where it has several")
+    parser.add_argument("--column", help="of the record (default: the one after the time)")
     parser.add_argument("--unit", help="of the column, in place of its header")
     parser.add_argument("--reading", help="what was measured, a path below /history (default: shear_force)")
     parser.add_argument("--parameter", action="append", required=True, metavar="KEY[=GUESS|=LOW:HIGH]",

@@ -8,10 +8,10 @@ from pathlib import Path
 
 import numpy as np
 
+from . import fit_record
 from .errors import UserError
 from .fit_directions import identifiable
 from .fit_parameters import TIME_FACTOR, as_asked, parameters_of, parse_ties, value_of
-from .fit_record import Record, as_record, cut
 from .fit_result import Fit
 from .fit_runs import Runs
 from .history import History
@@ -25,9 +25,9 @@ def fit(case, record, reading=None, parameters=None, ties=None, *, column=None, 
         noise=None, limit=LIMIT, set=None, jobs=2, program=None):
     """Fits keys of a case to a record, by nonlinear least squares on their logarithms. Returns a Fit.
 
-    case: path of a case file. record: path of a file (with `column`), (times, values) in SI units, or the name of one of
-    the case's own, [measured.NAME]. reading: what was measured, a path below /history (default: what the case says of
-    its record, else shear_force). parameters: {key: first guess, (low, high) or None}; None: the
+    case: path of a case file. record: path of a file (`column`: default the one after the time), (times, values) in SI
+    units, or the name of one of the case's own, [measured.NAME]. reading: what was measured, a path below /history
+    (default: what the case says of its record, else shear_force). parameters: {key: first guess, (low, high) or None}; None: the
     case's own value; where all have ranges these are searched first. Values are positive numbers.
     "record.time_factor" is a key too: the record's times are multiplied with it. ties: {key: "1.667*other key"}, goes
     along. unit: of the column, in place of its header. start: time of the record that is t = 0 of the run (s). zero: so
@@ -40,14 +40,18 @@ def fit(case, record, reading=None, parameters=None, ties=None, *, column=None, 
     if noise is not None and not noise > 0:
         raise UserError(f"noise = {noise} is no standard deviation; give a positive number, or leave it out")
     runs = Runs(case, reading, parse_ties(ties, list(asked)), set, jobs, program)
-    named = isinstance(record, str) and not Path(record).is_file()
-    whole = None if named else as_record(record, column, unit)
-    shown = first_run(runs, asked, record if named else None)
+    if isinstance(record, (str, Path)):
+        name, keys = fit_record.named(record, reading or "shear_force", column, unit, start, zero)
+        shown = first_run(runs, asked, name, keys)
+        start, zero = (0.0, 0.0) if keys else (start, zero)  # that of files the program has seen to
+    else:
+        given = fit_record.of_arrays(record)
+        shown = first_run(runs, asked) | {"record": given}
     parameters = parameters_of(asked, shown["case"])
-    window = cut(whole or shown["record"], start, zero, shown["end"])
+    window = fit_record.cut(shown["record"], start, zero, shown["end"])
     if window.time.size < len(asked) + 2:
         raise UserError(f"{window.source}: {window.time.size} samples within the run do not tell {len(asked)} parameters")
-    measured = History(window.in_si(shown["unit"]), shown["unit"], "measured")
+    measured = History(window.value, shown["unit"], "measured")
     runs.look_at(window.time)
 
     def compute(points):
@@ -64,10 +68,10 @@ def fit(case, record, reading=None, parameters=None, ties=None, *, column=None, 
                residual=History(measured.values - solution.computed, measured.unit, "record minus fit"), **statistics)
 
 
-def first_run(runs, asked, name=None):
-    """What the case says: its numbers, the unit and the end of the reading, its own record of this name."""
+def first_run(runs, asked, name=None, keys=None):
+    """What the case says with further keys: its numbers, the unit and the end of the reading, its record of this name."""
     given = {key: value for key, value in asked.items() if key != TIME_FACTOR and value is not None and not np.ndim(value)}
-    shown = runs.read(given, lambda result: look(runs, result, name))
+    shown = runs.read(given, lambda result: look(runs, result, name), keys)
     if value_of(shown["case"], "mesh.refine") == "auto":
         raise UserError('mesh.refine = "auto" makes another mesh for every run; set a number, as {"mesh.refine": 0}')
     return shown
@@ -76,12 +80,8 @@ def first_run(runs, asked, name=None):
 def look(runs, result, name):
     shown = {"case": result.case, "end": float(result.time[-1])}
     if name is not None:
-        known = result.measured()
-        if name not in known:
-            raise UserError(f"'{name}' is no file, and no record of the case; these are: {', '.join(known) or 'none'}")
-        runs.reading = runs.reading or known[name]["reading"]
-        value = known[name]["value"]
-        shown["record"] = as_record(Record(known[name]["time"].values, value.values, value.unit, f"measured.{name}"))
+        shown["record"], of = fit_record.of_run(result, name)
+        runs.reading = runs.reading or of
     runs.reading = runs.reading or "shear_force"
     return shown | {"unit": result[runs.reading].unit}
 

@@ -40,9 +40,9 @@ class Runs:
                 keys["time.step"] *= scale
         return keys
 
-    def read(self, point, answer):
-        """answer(Result) of a run with the values of point."""
-        keys = self.settings(point)
+    def read(self, point, answer, more=None):
+        """answer(Result) of a run with the values of point, and with more keys."""
+        keys = self.settings(point) | (more or {})
         try:
             with tempfile.TemporaryDirectory(prefix="upbead-fit-") as folder:
                 with run(self.case, set=keys, out=Path(folder) / "run", program=self.program) as result:

@@ -4,7 +4,6 @@ usage: test_fit.py FOLDER_OF_THE_SCRIPTS PROGRAM
 """
 
 import csv
-import gzip
 import json
 import os
 import subprocess
@@ -13,7 +12,6 @@ import tempfile
 import unittest
 from pathlib import Path
 
-import h5py
 import numpy as np
 
 SCRIPTS, PROGRAM = (Path(argument).resolve() for argument in sys.argv[1:3])
@@ -23,7 +21,7 @@ os.environ["UPBEAD"] = str(PROGRAM)
 import upbead  # noqa: E402
 import section_scene  # noqa: E402
 from upbead import fit_directions, fit_record, least_squares  # noqa: E402
-from upbead.fit import judge, solve  # noqa: E402
+from upbead.fit import first_run, judge, solve  # noqa: E402
 from upbead.fit_parameters import Parameters, parse_ties  # noqa: E402
 from upbead.fit_runs import Runs  # noqa: E402
 
@@ -261,23 +259,24 @@ class Directions(unittest.TestCase):
 
 
 class Records(InFolder):
-    def read(self, name, text, **options):
-        path = self.folder / name
-        path.write_bytes(gzip.compress(text.encode()) if name.endswith(".gz") else text.encode())
-        return fit_record.read_record(path, **options)
+    """Files are read by the program, and tested there; here that all that is said of them gets there."""
 
-    def test_what_laboratories_write(self):
-        for name, text in (("a.csv", "time (ms),F_T (kN/m)\n0,1.5\n2,-2\n"),
-                           ("b.csv", "# run 7\nt [ms];F_T [kN/m]\n0;1,5\n2;-2,0\n"),
-                           ("c.csv.gz", "t\tF_T\nms\tkN/m\n0\t1,5\n2\t-2\n")):
-            record = self.read(name, text)
-            np.testing.assert_allclose(record.time, [0.0, 0.002])
-            np.testing.assert_allclose(record.in_si("N/m"), [1500.0, -2000.0])
-        self.assertEqual(self.read("a.csv", "t,F (kN/m)\n0,1\n1,2\n", unit="MN/m").in_si("N/m")[1], 2e6)
-        with h5py.File(self.folder / "d.h5", "w") as file:
-            file["time"], file["p"], file["q"] = [0.0, 1.0], [1.0, 2.0], [0.0, 0.0]
-            file["p"].attrs["unit"] = "kPa"
-        self.assertEqual(fit_record.read_record(self.folder / "d.h5", "p").in_si("Pa")[1], 2000.0)
+    def read(self, **options):
+        runs = Runs(self.folder / "case.toml", None, {}, {"mesh.parameters.cells": 1.0}, 2, None)
+        name, keys = fit_record.named(self.folder / "lab.csv", "shear_force", *options.values())
+        return first_run(runs, {}, name, keys)["record"]
+
+    def test_files_are_read_by_the_program(self):
+        (self.folder / "lab.csv").write_text("t [ms];P [kN/m];F_T [N/m]\n0;1;1\n200;1;3\n400;2;-2,5\n")
+        self.write_case()
+        record = self.read(column="F_T", unit="tf/m", start=0.1, zero=0.25)
+        np.testing.assert_allclose(record.time, [-0.1, 0.1, 0.3])
+        np.testing.assert_allclose(record.value, np.array([-1.0, 1.0, -4.5]) * 9806.65)
+        for options, words in (({"column": "F_S", "unit": None}, "'F_S'"), ({"column": None, "unit": "kPa"}, "kPa")):
+            with self.assertRaisesRegex(upbead.UserError, words):
+                self.read(**options, start=None, zero=None)
+        with self.assertRaisesRegex(upbead.UserError, "record_start"):
+            self.read(column="F_T", unit=None, start=7.0, zero=None)
 
     def test_cut(self):
         record = fit_record.Record(np.arange(6.0), np.array([1.0, 3.0, 5.0, 6.0, 7.0, 8.0]))
@@ -286,18 +285,12 @@ class Records(InFolder):
         np.testing.assert_array_equal(kept.value, [3.0, 4.0, 5.0])
 
     def test_mistakes(self):
-        for text, options, words in (("t,a,b\n0,1,1\n1,1,1\n", {}, "several columns"),
-                                     ("t,a,b\n0,1,1\n1,1,1\n", {"column": "c"}, "no column 'c'; it has a, b"),
-                                     ("t,a\n0,1\n1,x\n", {}, "cannot be read"), ("t,a\n0,1\n1\n", {}, "not all rows"),
-                                     ("t (furlong),a\n0,1\n1,1\n", {}, "'furlong'")):
-            with self.assertRaisesRegex(upbead.UserError, words.replace("(", r"\(")):
-                self.read("m.csv", text, **options)
-        with self.assertRaisesRegex(upbead.UserError, "no unit of what is compared"):
-            self.read("m.csv", "t,a (kPa)\n0,1\n1,1\n").in_si("N/m")
         with self.assertRaisesRegex(upbead.UserError, "nothing is left"):
             fit_record.cut(fit_record.Record(np.arange(3.0), np.arange(3.0)), start=5.0)
-        with self.assertRaisesRegex(upbead.UserError, "ascend"):
-            fit_record.as_record(([0.0, 0.0], [1.0, 1.0]), None, None)
+        for record, words in ((([0.0, 0.0], [1.0, 1.0]), "ascend"), (([0.0, 1.0], [1.0, np.nan]), "no finite number"),
+                              (([0.0, 1.0], [1.0]), "as many values")):
+            with self.assertRaisesRegex(upbead.UserError, words):
+                fit_record.of_arrays(record)
 
 
 class Mistakes(InFolder):
