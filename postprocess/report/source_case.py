@@ -113,13 +113,14 @@ def find(case, folder):
 
 
 def candidates(case, folders):
-    """The cases in the folders that have the title of a run; the run's own is left out."""
+    """The cases in the folders that have the title of a run; those beside results, which a run wrote, are left out."""
     for path in sorted(path for folder in folders if folder.is_dir() for path in folder.glob("*.toml")):
         try:
             source = read(path)
         except (OSError, ValueError):
             continue
-        if case.get("title") and source.values.get("title") == case["title"] and path.name != "case.toml":
+        of_a_run = path.name == "case.toml" and (path.parent / "summary.json").exists()
+        if case.get("title") and source.values.get("title") == case["title"] and not of_a_run:
             yield source
 
 

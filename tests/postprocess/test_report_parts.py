@@ -148,6 +148,15 @@ class Source(unittest.TestCase):
         self.assertIsNone(source_case.find(run, results))
         self.assertIsNone(source_case.find({"title": "another"}, results))
 
+    def test_a_case_called_case_is_found_and_those_of_runs_are_not(self):
+        run = {"title": "made-up # 1", "loads": {"wave": {"history": "../wave.csv", "factor": 2.0}}}
+        results = Path(self.folder.name) / "results"
+        results.mkdir()
+        (results / "case.toml").write_text(SOURCE)
+        (results / "summary.json").write_text("{}")
+        mine = self.path.rename(self.path.parent / "case.toml")
+        self.assertEqual(source_case.find(run, results).path.resolve(), mine.resolve())
+
     def test_rows(self):
         case = {
             "title": "made-up # 1",
