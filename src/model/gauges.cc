@@ -56,6 +56,19 @@ void append(NumberedWarnings& list, const NumberedWarnings& more) {
   list.insert(list.end(), more.begin(), more.end());
 }
 
+/// Transducers of one record are sampled alike: one warning, of the steepest rise, stands for all.
+void join_too_coarse(NumberedWarnings& list) {
+  const auto rest = std::stable_partition(
+      list.begin(), list.end(), [](const NumberedWarning& warning) { return warning.name != "record_too_coarse"; });
+  const auto others = list.end() - rest - 1;
+  if (others < 1) return;
+  NumberedWarning steepest = *std::min_element(
+      rest, list.end(), [](const NumberedWarning& a, const NumberedWarning& b) { return a.value < b.value; });
+  steepest.text += "; " + std::to_string(others) + " more of its row are sampled too coarsely";
+  list.erase(rest, list.end());
+  list.push_back(steepest);
+}
+
 }  // namespace
 
 std::vector<std::array<double, 2>> share(const Gauges& gauges, std::size_t i) {
@@ -105,6 +118,7 @@ NumberedWarnings gauge_warnings(const std::string& name, const Gauges& gauges, c
   for (std::size_t i = 0; i < gauges.count(); ++i)
     records.push_back({gauges.place[i], {name + "." + gauges.name[i], gauges.time, gauges.pressure[i]}});
   for (const RecordAtHeight& at : records) append(list, record_warnings(at.record));
+  join_too_coarse(list);
   append(list, swapped_records(records));
   if (const InterpolationError error = interpolation_error(gauges); error.force > tolerable)
     list.push_back({"gauges_too_sparse", error.force, tolerable, "1",

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "good_case.h"
+#include "section_case.h"
 #include "upbead/algebra/petsc_session.h"
 #include "upbead/app/pipeline.h"
 #include "upbead/base/error.h"
@@ -13,49 +14,9 @@
 namespace upbead::test {
 namespace {
 
-const std::string breakwater_toml = R"(
-[mesh]
-geometry = "composite"
-[mesh.parameters]
-cells = 0.35
-[regions.seabed]
-kind = "porous"
-shear_modulus = 30e6
-poissons_ratio = 0.33
-porosity = 0.4
-grain_density = 2650.0
-hydraulic_conductivity = 1e-4
-[regions.mound]
-kind = "porous"
-shear_modulus = 50e6
-poissons_ratio = 0.3
-porosity = 0.4
-grain_density = 2650.0
-hydraulic_conductivity = 0.15
-damping = { ratio = 0.05, frequencies = [1.0, 10.0] }
-[regions.caisson]
-kind = "rigid"
-density = 2100.0
-[boundaries]
-base = { displacement = "fixed", pressure = "sealed" }
-left = { displacement = "roller", pressure = "sealed" }
-right = { displacement = "roller", pressure = "sealed" }
-bed = { pressure = "open" }
-mound_surface = { pressure = "open" }
-front = {}
-back = {}
-top = {}
-[loads.impulse]
-boundary = "front"
-kind = "force"
-pulse = { shape = "triangle", peak = 1e6, duration = 0.15 }
-[initial]
-water_level = 15.0
-[time]
-end = 0.6
-[sliding]
-buoyant_weight = 4.296e6
-)";
+const std::string breakwater_toml = section_case({{"cells = 0.5, seabed_front = 60, seabed_back = 60", "cells = 0.35"},
+                                                  {"damping = { ratio = 0.05, frequencies = [1, 10] }\n", ""}}) +
+                                    "[initial]\nwater_level = 15.0\n[sliding]\nbuoyant_weight = 4.296e6\n";
 
 const std::string friction = "regions.caisson.interface.kind=\"friction\"";
 

@@ -1,5 +1,6 @@
 // Claim: the scaled case with Froude-similar soil has the same dimensionless F_T, marched and reduced.
 #include "good_case.h"
+#include "section_case.h"
 #include "upbead/algebra/petsc_session.h"
 #include "upbead/app/pipeline.h"
 #include "upbead/app/scale.h"
@@ -7,45 +8,12 @@
 
 namespace upbead::test {
 
-const std::string small_case = R"([mesh]
-geometry = "composite"
-parameters = { cells = 0.4, grading = 4 }
-[regions.seabed]
-kind = "porous"
-shear_modulus = 30e6
-poissons_ratio = 0.33
-porosity = 0.4
-grain_density = 2650
-hydraulic_conductivity = 1e-4
-damping = { ratio = 0.05 }
-[regions.mound]
-kind = "porous"
-shear_modulus = 50e6
-poissons_ratio = 0.3
-porosity = 0.4
-grain_density = 2650
-hydraulic_conductivity = 0.15
-damping = { ratio = 0.05 }
-[regions.caisson]
-kind = "rigid"
-density = 2100
-[boundaries]
-base = { displacement = "fixed", pressure = "sealed" }
-left = { displacement = "absorbing", pressure = "sealed" }
-right = { displacement = "roller", pressure = "sealed" }
-bed = { pressure = "open" }
-mound_surface = { pressure = "open" }
-front = {}
-back = {}
-top = {}
-[loads.impulse]
-boundary = "front"
-shape = [[6.0, 0.4], [22.0, 1.0]]
-pulse = { shape = "triangle", peak = 1.6e6, duration = 0.15 }
-[time]
-end = 0.5
-step = 0.005
-)";
+const std::string small_case =
+    section_case({{"cells = 0.5, seabed_front = 60, seabed_back = 60", "cells = 0.4, grading = 4"},
+                  {"left = { displacement = \"roller\"", "left = { displacement = \"absorbing\""},
+                  {"kind = \"force\"", "shape = [[6.0, 0.4], [22.0, 1.0]]"},
+                  {"peak = 1e6", "peak = 1.6e6"},
+                  {"end = 0.6", "end = 0.5\nstep = 0.005"}});
 
 class ScaledResponse : public InFolder, public testing::WithParamInterface<std::string> {
  protected:

@@ -11,6 +11,7 @@ import pathlib
 import pty
 import signal
 import subprocess
+import sys
 import time
 import unittest
 
@@ -19,46 +20,11 @@ import numpy as np
 
 from program import CASES, PROGRAM, ProgramTest, upbead
 
-SMALL = """
-[mesh]
-geometry = "composite"
-parameters = { cells = 0.3, grading = 4 }
-[regions.seabed]
-kind = "porous"
-shear_modulus = 30e6
-poissons_ratio = 0.33
-porosity = 0.4
-grain_density = 2650
-hydraulic_conductivity = 1e-4
-damping = { ratio = 0.05 }
-[regions.mound]
-kind = "porous"
-shear_modulus = 50e6
-poissons_ratio = 0.3
-porosity = 0.4
-grain_density = 2650
-hydraulic_conductivity = 0.15
-damping = { ratio = 0.05 }
-[regions.caisson]
-kind = "rigid"
-density = 2100
-[boundaries]
-base = { displacement = "fixed", pressure = "sealed" }
-left = { displacement = "roller", pressure = "sealed" }
-right = { displacement = "roller", pressure = "sealed" }
-bed = { pressure = "open" }
-mound_surface = { pressure = "open" }
-front = {}
-back = {}
-top = {}
-[loads.impulse]
-boundary = "front"
-pulse = { shape = "triangle", peak = 8e6, duration = 0.15 }
-[time]
-end = 0.3
-[sliding]
-buoyant_weight = 4.3e6
-"""
+sys.path.insert(0, str(pathlib.Path(__file__).parents[1] / "support"))
+from section_scene import scene  # noqa: E402
+
+SMALL = scene(("cells = 0.5, seabed_front = 60, seabed_back = 60", "cells = 0.3, grading = 4"), ("peak = 1e6", "peak = 8e6"),
+              ("end = 0.6", "end = 0.3")) + "[sliding]\nbuoyant_weight = 4.3e6\n"
 
 STUDY = """title = "small"
 case = "small.toml"

@@ -87,6 +87,21 @@ TEST(Gauges, TellAPeakNarrowerThanTheirSpacing) {
   EXPECT_LT(interpolation_error(wide).force, 0.05);
 }
 
+TEST(Gauges, SampledTooCoarselyAreToldOnce) {
+  Gauges gauges = row({0., 2., 4.}, [](double) { return 0.; });
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t t = 0; t <= 200; ++t)  // rises of 12, 8 and 30 samples
+      gauges.pressure[i][t] = std::max(0., 1. - std::abs(static_cast<double>(t) - 100.) / std::vector{12., 8., 30.}[i]);
+  int told = 0;
+  const NumberedWarnings list = gauge_warnings("wall", gauges, resultant(gauges, 0., 4.).force);
+  for (const NumberedWarning& found : list) told += found.name == "record_too_coarse";
+  const NumberedWarning found = warning(list, "record_too_coarse");
+  EXPECT_EQ(told, 1);
+  EXPECT_NEAR(found.value, 8., 1.);
+  EXPECT_NE(found.text.find("'wall.p2'"), std::string::npos) << found.text;
+  EXPECT_NE(found.text.find("; 1 more of its row"), std::string::npos) << found.text;
+}
+
 TEST(Gauges, AreComparedWithALoadCell) {
   Gauges gauges = row(seven, [](double y) { return 2e4 - 1e3 * y; });
   const std::vector<double> total = resultant(gauges, 0., 12.).force;

@@ -1,45 +1,16 @@
-"""A composite section with coarse cells, wide enough that no side is felt before 0.6 s: sand, rubble, a caisson."""
+"""The case section.toml as a text, and changes of it."""
 
-SCENE = """
-[mesh]
-geometry = "composite"
-[mesh.parameters]
-seabed_front = 60
-seabed_back = 60
-cells = 0.5
-[regions.seabed]
-kind = "porous"
-shear_modulus = 30e6
-poissons_ratio = 0.33
-porosity = 0.4
-grain_density = 2650.0
-hydraulic_conductivity = 1e-4
-damping = { ratio = 0.05, frequencies = [1, 10] }
-[regions.mound]
-kind = "porous"
-shear_modulus = 50e6
-poissons_ratio = 0.3
-porosity = 0.4
-grain_density = 2650.0
-hydraulic_conductivity = 0.15
-damping = { ratio = 0.05, frequencies = [1, 10] }
-[regions.caisson]
-kind = "rigid"
-density = 2100.0
-[boundaries]
-base = { displacement = "fixed", pressure = "sealed" }
-left = { displacement = "roller", pressure = "sealed" }
-right = { displacement = "roller", pressure = "sealed" }
-bed = { pressure = "open" }
-mound_surface = { pressure = "open" }
-front = {}
-back = {}
-top = {}
-[loads.impulse]
-boundary = "front"
-kind = "force"
-pulse = { shape = "triangle", peak = 1e6, duration = 0.15 }
-[time]
-end = 0.6
-"""
+import pathlib
+
+SCENE = (pathlib.Path(__file__).parent / "section.toml").read_text()
 WIDTH = 18.0  # of the caisson (m)
+
+
+def scene(*changes):
+    """The case with changes, each (old, new); an old text that is not there is an error."""
+    text = SCENE
+    for old, new in changes:
+        if old not in text:
+            raise ValueError(f"section.toml has no '{old}'")
+        text = text.replace(old, new)
+    return text
