@@ -45,7 +45,7 @@ std::string blas() {
   void* const dgemm = dlsym(RTLD_DEFAULT, "dgemm_");
   if (dgemm == nullptr || dladdr(dgemm, &found) == 0) return "unknown";
   const std::unique_ptr<char, void (*)(void*)> path(realpath(found.dli_fname, nullptr), std::free);
-  const std::string file = path ? path.get() : found.dli_fname;
+  std::string file = path ? path.get() : found.dli_fname;
   void* const config = dlsym(RTLD_DEFAULT, "openblas_get_config");
   if (config == nullptr || file.find("openblas") == std::string::npos) return file;
   std::string text = reinterpret_cast<const char* (*)()>(config)();
