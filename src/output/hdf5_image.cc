@@ -22,7 +22,7 @@ void require_finite(const std::string& path, const double* values, std::size_t n
 hid_t in_memory() {
   const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
   constexpr std::size_t growth = 1 << 20;
-  require(H5Pset_fapl_core(access, growth, 0));
+  require(H5Pset_fapl_core(access, growth, false));
   return access;
 }
 
