@@ -79,7 +79,7 @@ Run run_contact(const Case& input, CompiledCase& scene, const MarchOptions& marc
     solved.summary.timing.march += run.summary.timing.march;
     run = std::move(solved);
   }
-  run.summary.contact = std::move(contact);
+  run.summary.contact = contact;
   return run;
 }
 
