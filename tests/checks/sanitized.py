@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 """Runs the test suite of a build with sanitizers and writes what came out to docs/reliability/sanitizers.json.
 
-usage: sanitized.py BUILD_FOLDER [LABEL ...]   LABEL: unit, verification, cli (default: all); rows of others stay
+usage: sanitized.py BUILD_FOLDER [LABEL ...]    LABEL: unit, verification, cli (default: all); rows of others stay
+       sanitized.py BUILD_FOLDER LABEL --again  those tests only that failed in the last run, which was of this label
 """
 
 import json
@@ -16,10 +17,9 @@ LABELS = {"unit": "unit tests of all layers, postprocessing", "verification": "e
           "cli": "the program as a person meets it"}
 
 
-def run(build, label):
-    """(tests, failed, skipped, seconds) of one label; the tests' own output goes to the terminal."""
-    command = ["ctest", "--test-dir", build, "--parallel", "2", "--label-regex", f"^{label}$", "--output-on-failure",
-               "--timeout", "3000"]
+def run(build, *which):
+    """(tests, failed, skipped, seconds) of some tests; their own output goes to the terminal."""
+    command = ["ctest", "--test-dir", build, "--parallel", "2", *which, "--output-on-failure", "--timeout", "3000"]
     text = subprocess.run(command, stdout=subprocess.PIPE, text=True).stdout
     print(text)
     failed, total = map(int, re.search(r"(\d+) tests failed out of (\d+)", text).groups())
@@ -27,14 +27,14 @@ def run(build, label):
     return total, failed, len(re.findall(r"\(Skipped\)", text)), seconds
 
 
-def write(label, found):
+def known_rows():
+    return {row["what"]: row for row in json.loads(FACTS.read_text())["rows"]} if FACTS.exists() else {}
+
+
+def write(label, tried, came_out):
     """The facts of one label, beside those of the others that have run before."""
-    total, failed, skipped, seconds = found
-    known = json.loads(FACTS.read_text())["rows"] if FACTS.exists() else []
-    rows = {row["what"]: row for row in known}
-    rows[LABELS[label]] = {
-        "what": LABELS[label], "tried": f"{total} tests",
-        "came_out": f"{failed or 'none'} failed{f', {skipped} skipped' if skipped else ''} ({seconds / 60:.0f} min)"}
+    rows = known_rows()
+    rows[LABELS[label]] = {"what": LABELS[label], "tried": tried, "came_out": came_out}
     facts = {"title": "Sanitizers", "text": "The test suite built with gcc's address and undefined-behaviour sanitizers, every "
              "report an error, and with the assertions of Eigen and of the standard library. Leaks are not looked for here, as "
              "MPI and HDF5 keep memory until the process ends; valgrind does that.",
@@ -44,14 +44,26 @@ def write(label, found):
     print(FACTS, flush=True)
 
 
+def run_label(build, label):
+    total, failed, skipped, seconds = run(build, "--label-regex", f"^{label}$")
+    write(label, f"{total} tests",
+          f"{failed or 'none'} failed{f', {skipped} skipped' if skipped else ''} ({seconds / 60:.0f} min)")
+    return failed
+
+
+def run_again(build, label):
+    """Tells apart what passed at once and what passed the second time, as after a test was mended."""
+    total, failed, _, _ = run(build, "--rerun-failed")
+    before = known_rows()[LABELS[label]]
+    write(label, before["tried"], f"{failed or 'none'} failed, {total - failed} of them when run again")
+    return failed
+
+
 def main():
-    build, labels = sys.argv[1], sys.argv[2:] or list(LABELS)
-    any_failed = False
-    for label in labels:
-        found = run(build, label)
-        write(label, found)
-        any_failed = any_failed or found[1] > 0
-    return any_failed
+    labels = sys.argv[2:] or list(LABELS)
+    if "--again" in labels:
+        return run_again(sys.argv[1], labels[0]) > 0
+    return sum(run_label(sys.argv[1], label) for label in labels) > 0
 
 
 if __name__ == "__main__":

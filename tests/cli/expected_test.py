@@ -16,7 +16,7 @@ import unittest
 import h5py
 import numpy as np
 
-from program import CASES, PROGRAM, ProgramTest, upbead
+from program import CASES, PROGRAM, ProgramTest, upbead, wait_until_it_catches
 
 sys.path.insert(0, str(pathlib.Path(__file__).parents[1] / "support"))
 from hand_made_model import write_oscillator  # noqa: E402
@@ -128,6 +128,7 @@ class Expected(ProgramTest):
         long = ["--set", "life.lives=10000000", "--set", "scatter.period.cov=0.1"]
         process = subprocess.Popen([PROGRAM, "expected", HD10, *long],
                                    cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        wait_until_it_catches(signal.SIGINT, process)
         with self.assertRaises(subprocess.TimeoutExpired):
             process.wait(1)
         process.send_signal(signal.SIGINT)

@@ -193,7 +193,7 @@ class Faults(ProgramTest):
                     [PROGRAM, "run", CASES / "fig2b-model.toml", *long, "--out", "parts", "--checkpoint", "0.05", "--resume"],
                     cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
                 try:
-                    output, errors = process.communicate(timeout=dice.uniform(0.5, 1.) * (1. + 0.1 * kills))
+                    output, errors = process.communicate(timeout=dice.uniform(0.5, 1.) * 1.1**kills)  # longer than it takes to begin, some time
                     break
                 except subprocess.TimeoutExpired:
                     process.kill()

@@ -8,6 +8,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
 PROGRAM, CASES = (pathlib.Path(argument).resolve() for argument in sys.argv[1:3])
@@ -15,6 +16,16 @@ PROGRAM, CASES = (pathlib.Path(argument).resolve() for argument in sys.argv[1:3]
 
 def upbead(*arguments, cwd=None, **options):
     return subprocess.run([PROGRAM, *map(str, arguments)], cwd=cwd, capture_output=True, text=True, timeout=300, **options)
+
+
+def wait_until_it_catches(signal, process):
+    """Until the program has its own way of ending at a signal; before, the signal just ends it."""
+    status = pathlib.Path(f"/proc/{process.pid}/status")
+    while process.poll() is None:
+        caught = next(line for line in status.read_text().splitlines() if line.startswith("SigCgt:"))
+        if int(caught.split()[1], 16) & (1 << (signal - 1)):
+            return
+        time.sleep(0.01)
 
 
 class ProgramTest(unittest.TestCase):
