@@ -61,7 +61,7 @@ std::string write(const Case& input, const CompiledCase& scene, const std::vecto
   run.summary.timing.march -= fields.seconds();
   run.summary.timing.output = watch.seconds() + fields.seconds();
   run.summary.timing.total = since_start.seconds();
-  const std::string json = to_json(run.summary);
+  std::string json = to_json(run.summary);
   folder.write("summary.json", json);
   check_interrupt();
   folder.commit(field_files);

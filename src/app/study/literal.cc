@@ -50,7 +50,7 @@ Verdict read_value(const Node& node, const KeyInfo& key, Literal& value) {
     value = {to_toml(*node.text())};
   } else if (node.array()) {
     std::vector<Literal> items;
-    const Verdict verdict = read_value(node, key, items);
+    Verdict verdict = read_value(node, key, items);
     if (!verdict.empty()) return verdict;
     value = {print_value(key, items)};
   } else {
