@@ -126,7 +126,9 @@ void start(const StudyOptions& options) {
   const Study study = read_study(options.file, options.overrides);
   const Results before =
       options.restart ? Results(study.runs.size()) : read_journals(options.out, study.fingerprint, study.runs.size());
-  OutputFolder(options.out);  // throws where nothing can be written there
+  {
+    const OutputFolder free_to_write(options.out);  // throws where it is not; given back before the runs take it
+  }
   const int jobs = options.jobs > 0 ? options.jobs : available_cores();
   const int processes = std::min(jobs, static_cast<int>(schedule(study, before).size()));
   if (processes < 2) return;
