@@ -27,7 +27,7 @@ def main():
     results = CalibrationResult(arguments.folder)
     spectrum = arguments.spectrum
     figure = figures.calibration_spectrum(results) if spectrum else figures.calibration(results, arguments.measure)
-    save(figure, arguments.output)
+    save(figure, arguments.output, arguments.folder)
 
 
 if __name__ == "__main__":

@@ -4,8 +4,9 @@ import sys
 from pathlib import Path
 
 from upbead.errors import UpbeadError, UserError
+from upbead.kept import keep_inputs
 
-__all__ = ["UserError", "run", "save"]
+__all__ = ["UserError", "keep_inputs", "run", "save"]
 
 
 def run(main):
@@ -17,8 +18,9 @@ def run(main):
         sys.exit(1)
 
 
-def save(figure, path):
-    """Writes the figure in the format of the file's ending (.png, .pdf, .svg)."""
+def save(figure, path, *inputs):
+    """Writes the figure in the format of the file's ending (.png, .pdf, .svg), never over one of `inputs`."""
+    keep_inputs(path, *inputs)
     from upbead import figures  # not where a script makes no figure
 
     figures.save(figure, path)

@@ -23,7 +23,7 @@ def main():
     parser.add_argument("-o", "--output", type=Path, default=Path("expected.png"))
     arguments = parser.parse_args()
     results = [ExpectedResult(folder) for folder in arguments.folders]
-    save(figures.expected(results, arguments.law), arguments.output)
+    save(figures.expected(results, arguments.law), arguments.output, *arguments.folders)
 
 
 if __name__ == "__main__":

@@ -14,8 +14,11 @@ import json
 import tomllib
 from pathlib import Path
 
-from common import UserError, run, save
+from common import UserError, keep_inputs, run, save
 from upbead import figures, fit
+
+
+WRITTEN = ("fit.json", "fit.csv", "fit.png")
 
 
 def pairs(texts, what):
@@ -66,12 +69,15 @@ def parse():
 def main():
     options = parse()
     parameters = {text.split("=")[0]: guess(text.split("=", 1)[1]) if "=" in text else None for text in options.parameter}
+    folder = options.out or Path("results") / f"{options.case.stem}-fit"
+    for name in WRITTEN:
+        keep_inputs(folder / name, options.case, options.record)
     found = fit(options.case, options.record, options.reading, parameters, pairs(options.tie, "tie"), column=options.column,
                 unit=options.unit, start=options.start, zero=options.zero, noise=options.noise, jobs=options.jobs,
                 set={key: toml(text) for key, text in pairs(options.set, "set").items()})
     print(found)
     print(" ".join(["run it with", *(f"--set {key}={value:.6g}" for key, value in found.settings.items())]))
-    write(found, options.out or Path("results") / f"{options.case.stem}-fit")
+    write(found, folder)
 
 
 def write(found, folder):

@@ -10,7 +10,7 @@ Frequency and damping are those of the mode that carries most of F_T under that 
 import argparse
 from pathlib import Path
 
-from common import UserError, run
+from common import UserError, keep_inputs, run
 from upbead.lumped_model import Source, write_lumped
 
 
@@ -20,6 +20,7 @@ def main():
     parser.add_argument("--load", help="load that is the wave (default: that with the largest peak)")
     parser.add_argument("-o", "--output", type=Path, default=Path("lumped.h5"))
     arguments = parser.parse_args()
+    keep_inputs(arguments.output, arguments.model)
     source = Source(arguments.model, arguments.load)
     try:
         frequency, damping = write_lumped(arguments.output, source)

@@ -38,7 +38,7 @@ def main():
     else:
         mesh = msh.read(arguments.mesh)
     figure = figures.mesh(mesh, arguments.mesh.name, arguments.zoom)
-    save(figure, arguments.output or arguments.mesh.with_suffix(".png"))
+    save(figure, arguments.output or arguments.mesh.with_suffix(".png"), arguments.mesh)
 
 
 if __name__ == "__main__":

@@ -26,7 +26,7 @@ def main():
     folder = arguments.results
     tables = {(study, scale): StudyTable(folder / f"{study}-{scale}") for study in STUDIES for scale in SCALES}
     spectra = [s for s in json.loads(SPECTRUM.read_text())["sdof_spectrum"] if s["rise_fraction"] == 0.5]
-    save(figures.model_prototype(tables, spectra), arguments.output)
+    save(figures.model_prototype(tables, spectra), arguments.output, SPECTRUM, *(table.folder for table in tables.values()))
 
 
 if __name__ == "__main__":

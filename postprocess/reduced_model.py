@@ -36,7 +36,7 @@ def main():
     time, loads = read_wave(arguments.wave, model)
     time, loads = fine(time, loads, model, arguments.until or 2.0 * time[-1])
     figure = figures.reduced_model(model, time, loads, arguments.reading)
-    save(figure, arguments.out or arguments.wave.with_suffix(".png"))
+    save(figure, arguments.out or arguments.wave.with_suffix(".png"), arguments.model, arguments.wave)
 
 
 if __name__ == "__main__":

@@ -7,7 +7,7 @@ The page needs no network and no other file; it can be mailed. It prints on A4, 
 import argparse
 from pathlib import Path
 
-from common import run
+from common import keep_inputs, run
 from report import page, pdf
 from upbead.errors import UserError
 from upbead.results import Result
@@ -30,6 +30,8 @@ def main():
     )
     arguments = parser.parse_args()
     output = arguments.output or arguments.folder / "report.html"
+    for file in filter(None, (output, arguments.pdf)):
+        keep_inputs(file, arguments.folder, *filter(None, (arguments.case,)))
     text = page.build(Result(arguments.folder), arguments.case)
     try:
         output.write_text(text, encoding="utf-8")

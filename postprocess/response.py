@@ -19,7 +19,7 @@ def main():
     parser.add_argument("--until", type=float, metavar="S", help="end of the time axis; default: where the response ends")
     arguments = parser.parse_args()
     figure = figures.response(Result(arguments.folder), arguments.until)
-    save(figure, arguments.output or arguments.folder / "figure.png")
+    save(figure, arguments.output or arguments.folder / "figure.png", arguments.folder)
 
 
 if __name__ == "__main__":

@@ -30,7 +30,7 @@ def main():
                         help="of the safety factor; default: 0.6 1.0")
     arguments = parser.parse_args()
     summaries = [read_waves(path) for path in arguments.summaries]
-    save(figures.sliding_safety(summaries, arguments.formula, *arguments.range), arguments.output)
+    save(figures.sliding_safety(summaries, arguments.formula, *arguments.range), arguments.output, *arguments.summaries)
 
 
 if __name__ == "__main__":

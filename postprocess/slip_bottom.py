@@ -20,7 +20,7 @@ def main():
     parser.add_argument("-o", "--output", type=Path, default=Path("slip-bottom.png"))
     parser.add_argument("--until", type=float, metavar="S", help="end of the time axes; default: that of the run")
     arguments = parser.parse_args()
-    save(figures.slip_bottom(SlipResult(arguments.folder), arguments.until), arguments.output)
+    save(figures.slip_bottom(SlipResult(arguments.folder), arguments.until), arguments.output, arguments.folder)
 
 
 if __name__ == "__main__":

@@ -23,7 +23,7 @@ def main():
     parser.add_argument("--until", type=float, metavar="S", help="end of the time axis; default: that of the run")
     arguments = parser.parse_args()
     slides, bonded = SlipResult(arguments.slides), Result(arguments.bonded)
-    save(figures.slip_histories(slides, bonded, arguments.until), arguments.output)
+    save(figures.slip_histories(slides, bonded, arguments.until), arguments.output, arguments.slides, arguments.bonded)
 
 
 if __name__ == "__main__":

@@ -25,7 +25,7 @@ def main():
     if len(scales) != len(arguments.folders):
         raise UserError(f"--scale has {len(scales)} numbers for {len(arguments.folders)} folders; give one for each")
     tables = [StudyTable(folder) for folder in arguments.folders]
-    save(figures.slip_safety(tables, scales), arguments.output)
+    save(figures.slip_safety(tables, scales), arguments.output, *arguments.folders)
 
 
 if __name__ == "__main__":

@@ -86,7 +86,7 @@ def main():
     rows = read(options.scenes)
     if not rows:
         raise UserError(f"'{options.scenes}' has no scenes")
-    save(figures.stability(rows), options.output)
+    save(figures.stability(rows), options.output, options.scenes)
     if options.facts:
         command = f"build/tests/stability/stability_map --count {len(rows)} --seed 1 --out map"
         options.facts.write_text(json.dumps(facts(rows, command, options.output.name), indent=2) + "\n")

@@ -23,7 +23,7 @@ def main():
     parser.add_argument("-o", "--output", type=Path, default=Path("study.png"))
     arguments = parser.parse_args()
     table = StudyTable(arguments.folder)
-    save(figures.study(table, arguments.read, arguments.x), arguments.output)
+    save(figures.study(table, arguments.read, arguments.x), arguments.output, arguments.folder)
 
 
 if __name__ == "__main__":

@@ -42,7 +42,8 @@ def main():
     if arguments.measured and len(arguments.measured) != len(summaries):
         raise UserError(f"{len(summaries)} summaries, but {len(arguments.measured)} files of --measured; give as many")
     measured = [measured_points(path) for path in arguments.measured] if arguments.measured else None
-    save(figures.wave_pressure(summaries, arguments.wave, measured), arguments.output)
+    save(figures.wave_pressure(summaries, arguments.wave, measured), arguments.output, *arguments.summaries,
+         *(arguments.measured or ()))
 
 
 if __name__ == "__main__":

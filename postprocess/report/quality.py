@@ -43,6 +43,17 @@ def errors(summary):
         )
         for key, value in (response.get("error_sources") or {}).items():
             rows.append((f"of it: {SOURCES.get(key, key.replace('_', ' '))}", percent(value), ""))
+        if response.get("history_error_estimate") is not None:
+            rows.append(
+                (
+                    "estimated error of the shear force at any time",
+                    percent(response["history_error_estimate"]),
+                    "over its largest; the far sides taken as they are",
+                )
+            )
+        slip = (summary.get("sliding") or {}).get("error_estimate")
+        if slip is not None:
+            rows.append(("estimated error of the sliding distance", quantity(slip, "m"), "by eq. (4) on the history"))
     reduction = summary.get("reduction")
     if reduction:
         nested = "between nested reduced models, over the peak"
@@ -64,6 +75,8 @@ def errors(summary):
             "p",
             "The error by mesh and steps was not estimated in this run; ",
             tag("code", 'mesh.refine = "auto"'),
+            " or ",
+            tag("code", "accuracy.estimate = true"),
             " in the case asks for it.",
             class_="quiet",
         )

@@ -31,6 +31,9 @@ def section(result):
         tag("h3", "Sliding distance by every measure"),
         table(("measure", "S", "in summary.json"), rows, "numbers keys"),
     ]
+    if sliding and sliding.get("why_not_coupled"):
+        why = "Slip as a whole on the shaken ground is not told: " + sliding["why_not_coupled"] + "."
+        parts.append(tag("p", prose(why)))
     if sliding:
         parts += [
             sliding_tables.contact(result.summary),

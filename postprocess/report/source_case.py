@@ -13,10 +13,11 @@ import re
 import tomllib
 from dataclasses import dataclass
 
+LARGEST = 10_000_000  # bytes; as the program has it
 MARKS = ("assumed", "calibrated", "measured", "derived")
 PATHS = ("history", "gauges", "file")  # values that a run rewrites for its own folder
-TABLE = re.compile(r"^\s*\[\s*([^\[\]]+?)\s*\]\s*(?:#\s*(.*))?$")
-KEY = re.compile(r"^\s*([\w.\"-]+)\s*=\s*(.*)$")
+TABLE = re.compile(r"^\[([^\[\]]+)\]\s*(?:#\s*(.*))?$")
+KEY = re.compile(r"^([\w.\"-]+)\s*=\s*(.*)$")
 MARK = re.compile(r"^(" + "|".join(MARKS) + r")\b[:,;.]?\s*", re.IGNORECASE)
 OTHERS = re.compile(r"\ball other numbers are (" + "|".join(MARKS) + r")\b", re.IGNORECASE)
 
@@ -69,12 +70,17 @@ def parts(name):
 
 
 def read(path):
-    """The SourceCase of a file; raises ValueError or OSError where it is no TOML."""
+    """The SourceCase of a file; raises ValueError or OSError where it is no TOML, or none that is a case."""
+    if path.exists() and not path.is_file():
+        raise ValueError("it is no file")  # a pipe would be waited for
+    if path.stat().st_size > LARGEST:
+        raise ValueError(f"it holds more than {LARGEST // 1000000} MB")
     text = path.read_text(encoding="utf-8")
     remarks, table, head = {}, (), []
     begun = False
     for line in text.splitlines():
-        opened, key = TABLE.match(line), KEY.match(line)
+        stripped = line.strip()
+        opened, key = TABLE.match(stripped), KEY.match(stripped)
         begun = begun or bool(opened or key)
         if opened:
             table = parts(opened[1])
@@ -83,7 +89,10 @@ def read(path):
             remarks[table + parts(key[1])] = comment_of(key[2])
         elif not begun and line.startswith("#"):
             head.append(line.lstrip("# ").rstrip())
-    return SourceCase(path, tomllib.loads(text), remarks, "\n".join(head))
+    try:
+        return SourceCase(path, tomllib.loads(text), remarks, "\n".join(head))
+    except RecursionError as error:
+        raise ValueError("it is nested too deeply") from error
 
 
 def units(path):

@@ -27,8 +27,8 @@ def fit(case, record, reading=None, parameters=None, ties=None, *, column=None, 
 
     case: path of a case file. record: path of a file (`column`: default the one after the time), (times, values) in SI
     units, or the name of one of the case's own, [measured.NAME]. reading: what was measured, a path below /history
-    (default: what the case says of its record, else shear_force). parameters: {key: first guess, (low, high) or None}; None: the
-    case's own value; where all have ranges these are searched first. Values are positive numbers.
+    (default: what the case says of its record, else shear_force). parameters: {key: first guess, (low, high) or None};
+    None: the case's own value; where all have ranges these are searched first. Values are positive numbers.
     "record.time_factor" is a key too: the record's times are multiplied with it. ties: {key: "1.667*other key"}, goes
     along. unit: of the column, in place of its header. start: time of the record that is t = 0 of the run (s). zero: so
     much of its beginning is at rest (s); the mean of that is taken off. noise: standard deviation of a sample in SI
@@ -45,7 +45,7 @@ def fit(case, record, reading=None, parameters=None, ties=None, *, column=None, 
         shown = first_run(runs, asked, name, keys)
         start, zero = (0.0, 0.0) if keys else (start, zero)  # that of files the program has seen to
     else:
-        given = fit_record.of_arrays(record)
+        given = fit_record.of_arrays(record)  # a mistake costs no run
         shown = first_run(runs, asked) | {"record": given}
     parameters = parameters_of(asked, shown["case"])
     window = fit_record.cut(shown["record"], start, zero, shown["end"])

@@ -6,16 +6,19 @@
     print(answer["shear_force"].max() / answer["force"].max())
 """
 
-import csv
-
 import h5py
 import numpy as np
 
 from .errors import ModelError
 from .history import History
 from .results import text_of
+from .wave_table import read_wave
+
+__all__ = ["ModelError", "ReducedModel", "fine", "phi_functions", "read_wave"]
 
 KIND, VERSION = "upbead reduced model", 1
+# on the differences of nested models, as `upbead respond` has it: docs/reduced.md
+SAFETY_OF_MODEL, SAFETY_OF_MIDDLE = 1.2, 1.5
 
 
 def phi_functions(x):
@@ -54,12 +57,7 @@ class ReducedModel:
         if file.attrs["format_version"] != VERSION:
             raise ModelError(f"'{path}' has format {file.attrs['format_version']}; this package reads format {VERSION}")
 
-        def pairs(name):
-            values = file[f"modes/{name}"][()]
-            return values[..., 0] + 1j * values[..., 1]
-
-        self.pole, self.load, self.reading = pairs("pole"), pairs("load"), pairs("reading")
-        self.feedthrough, self.impulse = file["modes/feedthrough"][()], file["modes/impulse"][()]
+        self._read_modes(file["modes"])
         self.loads, self.readings = _texts(file["loads/name"]), _texts(file["readings/name"])
         self.duration = file["loads/duration"][()]  # s, of each load in the case
         self.units = dict(zip(self.readings, _texts(file["readings/unit"])))
@@ -67,6 +65,25 @@ class ReducedModel:
         self.validity = dict(file["validity"].attrs)
         self.caisson_mass = file["case"].attrs["caisson_mass"]  # kg/m
         self.title = text_of(file.attrs.get("title", ""))
+
+        self.nested = None  # the larger models that tell errors; none in files of older versions
+        if "nested" in file:
+            self.nested = [self._larger(file[f"nested/{name}"]) for name in ("middle", "reference")]
+
+    def _read_modes(self, group):
+        def pairs(name):
+            values = group[name][()]
+            return values[..., 0] + 1j * values[..., 1]
+
+        self.pole, self.load, self.reading = pairs("pole"), pairs("load"), pairs("reading")
+        self.feedthrough, self.impulse = group["feedthrough"][()], group["impulse"][()]
+
+    def _larger(self, group):
+        model = object.__new__(ReducedModel)
+        model._read_modes(group)
+        model.loads, model.readings, model.units = self.loads, ["shear_force"], {"shear_force": "N/m"}
+        model.descriptions, model.nested = {"shear_force": self.descriptions["shear_force"]}, None
+        return model
 
     def __repr__(self):
         return f"<ReducedModel '{self.title}': loads {', '.join(self.loads)}; {self.pole.size} modes>"
@@ -95,6 +112,19 @@ class ReducedModel:
         y = (z @ self.reading.T).real.T + self.feedthrough @ f_before + self.impulse @ integral
         return {name: History(row, self.units[name], self.descriptions[name]) for name, row in zip(self.readings, y)}
 
+    def error_estimate(self, time, loads):
+        """A bound of the error of F_T's history by the model, over its largest value, as `upbead respond` tells it;
+        None where the model's file holds nothing that tells it. Arguments as of respond()."""
+        if self.nested is None:
+            return None
+        answers = [np.asarray(model.respond(time, loads)["shear_force"]) for model in (self, *self.nested)]
+        model, middle, reference = answers
+        peak = np.abs(model).max()
+        if peak == 0.0:
+            return 0.0
+        return (SAFETY_OF_MODEL * np.abs(reference - model).max()
+                + SAFETY_OF_MIDDLE * np.abs(reference - middle).max()) / peak
+
     def transfer(self, reading, load, frequency):
         """Reading per unit of the load at frequencies (Hz), complex."""
         s = 2j * np.pi * np.asarray(frequency, dtype=float)[:, None]
@@ -114,21 +144,6 @@ class ReducedModel:
                 raise ModelError(f"the load '{name}' has not as many values as there are times")
             rows[self.loads.index(name)] = values
         return rows
-
-
-def read_wave(path, model):
-    """Times and {load: values} of a CSV file with a header, as 'upbead respond' reads it."""
-    try:
-        with open(path, newline="", encoding="utf-8-sig") as file:
-            names, *rows = [[cell.strip() for cell in row] for row in csv.reader(file) if row]
-        columns = np.array(rows, dtype=float).T
-    except (OSError, ValueError) as error:
-        raise ModelError(f"'{path}' cannot be read as a table of numbers below a header: {error}") from error
-    if len(columns) < 2 or len(columns) != len(names):
-        raise ModelError(f"'{path}': give a time (s) and a load in every row")
-    if len(names) == 2 and len(model.loads) == 1:
-        names[1] = model.loads[0]
-    return columns[0], dict(zip(names[1:], columns[1:]))
 
 
 def fine(time, loads, model, end):

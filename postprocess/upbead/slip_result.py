@@ -32,6 +32,10 @@ class SlipResult(Result):
             raise UserError(f"'{self.path}': /{name} has the shape {values.shape}, not {shape}")
         return values
 
+    def has_coupled(self):
+        """Whether the slip as a whole is told; else summary["sliding"]["why_not_coupled"] says why not."""
+        return "coupled" in self.file
+
     def number(self, path):
         """A number of the summary, by its keys with dots."""
         value = self.summary

@@ -125,7 +125,35 @@ struct Factorisation::Impl {
     constexpr double tolerable_loss = 1e8;
     const double lost = sum_of(lost_in(condensation.schur(), A, condensation), sharing);
     n_refinements = std::max(refinements(sum_of(ldlt.growth(), sharing)), lost > tolerable_loss ? 1 : 0);
-    matrix = n_refinements > 0 ? A : SparseMatrix();
+    const bool stands_in = ldlt.n_stand_ins() > 0;
+    matrix = n_refinements > 0 || stands_in ? A : SparseMatrix();
+    if (stands_in) refine_until_exact();
+  }
+
+  /// With pivots that others stand for: as many refinements as a vector without any order needs. It has a part of all
+  /// that a singular matrix cannot give, and that part stays.
+  void refine_until_exact() {
+    constexpr int most = 20;
+    constexpr double exact = 1e-13, shrinking = 0.5;
+    Eigen::MatrixXd b(matrix.rows(), 1), x(matrix.rows(), 1), correction(matrix.rows(), 1);
+    const Vector scale = equilibration(matrix, {});
+    for (Eigen::Index i = 0; i < b.rows(); ++i) b(i, 0) = std::sin(1. + static_cast<double>(i * i % 9973)) / scale[i];
+    const auto size = [&](const Eigen::MatrixXd& r) { return r.col(0).cwiseProduct(scale).norm(); };
+    solve_once(b, x);
+    Eigen::MatrixXd residual = b - matrix * x;
+    double last = size(residual);
+    for (int done = 1; done <= most; ++done) {
+      solve_once(residual, correction);
+      x += correction;
+      residual = b - matrix * x;
+      const double now = size(residual);
+      n_refinements = std::max(n_refinements, done);
+      if (now <= exact * (size(b) + x.col(0).cwiseQuotient(scale).norm())) return;
+      if (!(now < shrinking * last)) break;
+      last = now;
+    }
+    throw NumericsError("the matrix is singular: " + std::to_string(ldlt.n_stand_ins()) +
+                        " of its pivots are zero (is a part of the scene not held, or a pressure nowhere given?)");
   }
 
   void solve(const Eigen::Ref<const Eigen::MatrixXd>& B, Eigen::Ref<Eigen::MatrixXd> X) {

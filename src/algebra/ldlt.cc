@@ -25,9 +25,15 @@ void Ldlt::factorise(const SparseMatrix& A, const Vector& scale) {
   if (is_shared())
     detail::factorise(nodes_, entries_, values.data(), factor_, sum);
   else
-    detail::factorise(nodes_, entries_, values.data(), factor_);
+    detail::factorise(nodes_, entries_, values.data(), factor_, {}, signs_of(A));
   scale_.resize(A.rows());
   for (int k = 0; k < A.rows(); ++k) scale_[k] = scale[nodes_.order[k]];
+}
+
+std::vector<int> Ldlt::signs_of(const SparseMatrix& A) const {
+  std::vector<int> signs;
+  for (const int i : nodes_.order) signs.push_back(A.coeff(i, i) > 0. ? 1 : -1);
+  return signs;
 }
 
 void Ldlt::solve(const Eigen::Ref<const Eigen::MatrixXd>& B, Eigen::Ref<Eigen::MatrixXd> X) const {

@@ -17,7 +17,8 @@ class Ldlt {
   explicit Ldlt(const SparseMatrix& A, Sharing sharing = {});
 
   /// Factorises S A S, S = diag(scale), the diagonal of which should be +-1; A has the pattern of the constructor's.
-  /// Throws NumericsError on a pivot that is zero or not finite.
+  /// Throws NumericsError on a pivot that is not finite, or, where unknowns are shared, zero: elsewhere another one
+  /// stands for it, negative where the diagonal was not positive.
   void factorise(const SparseMatrix& A, const Vector& scale);
   /// Each column of X = A^-1 times that of B; B and X (n x columns) may be the same.
   void solve(const Eigen::Ref<const Eigen::MatrixXd>& B, Eigen::Ref<Eigen::MatrixXd> X) const;
@@ -25,11 +26,15 @@ class Ldlt {
   /// The largest magnitude of a pivot. As the diagonal was +-1, a value g >> 1 tells that a pivot of the other sign
   /// close to zero came first, and that up to g units of round-off are lost.
   double growth() const;
+  /// Pivots that others stand for: solutions then must be refined.
+  int n_stand_ins() const { return factor_.n_stand_ins; }
   long n_factor_entries() const { return static_cast<long>(factor_.n_entries); }
 
  private:
   bool is_shared() const { return !sharing_.unknowns.empty(); }
   void sum_root(double* root, int n_columns) const;
+  /// Of the diagonal, in elimination order; that of a row without one is negative: its unknown is a multiplier.
+  std::vector<int> signs_of(const SparseMatrix& A) const;
 
   Sharing sharing_;
   Supernodes nodes_;

@@ -14,10 +14,12 @@ namespace {
 /// One factorisation.
 class Multifrontal {
  public:
-  Multifrontal(const Supernodes& nodes, const PanelEntries& entries, const double* values)
+  Multifrontal(const Supernodes& nodes, const PanelEntries& entries, const double* values,
+               const std::vector<int>& signs)
       : nodes_(nodes),
         entries_(entries),
         values_(values),
+        signs_(signs),
         first_child_(static_cast<std::size_t>(nodes.count()), -1),
         next_sibling_(first_child_),
         left_(first_child_.size()),
@@ -25,11 +27,12 @@ class Multifrontal {
 
   void run(Factor& factor, const std::function<void(std::vector<double>&)>& sum_root) {
     double* out = factor.entries.get();
+    factor.n_stand_ins = 0;
     for (int s = 0; s < nodes_.count(); ++s) {
       gather(s);
       if (sum_root && s + 1 == nodes_.count()) sum_root(columns_);
       const Panel panel{columns_.data(), nodes_.height(s), nodes_.width(s)};
-      eliminate(s, panel);
+      factor.n_stand_ins += eliminate(s, panel);
       write_slabs(panel, sign_.data(), factor.inverse_pivot.data() + nodes_.first[s], out, work_);
       out += n_slab_entries(panel.height, panel.width);
       if (const int parent = nodes_.parent[s]; parent >= 0) {
@@ -71,9 +74,12 @@ class Multifrontal {
     }
   }
 
-  void eliminate(int s, const Panel& panel) {
-    sign_.resize(static_cast<std::size_t>(panel.width));
-    if (const int failed = factorise(panel, sign_.data(), work_); failed < panel.width) {
+  /// Returns how many pivots others stand for.
+  int eliminate(int s, const Panel& panel) {
+    sign_.assign(static_cast<std::size_t>(panel.width), 1);
+    if (!signs_.empty()) std::copy_n(signs_.begin() + nodes_.first[s], panel.width, sign_.begin());
+    const int failed = factorise(panel, sign_.data(), work_, signs_.empty() ? 0. : stand_in);
+    if (failed < panel.width) {
       const int unknown = nodes_.order[nodes_.first[s] + failed];
       if (!std::isfinite(panel.column(failed)[failed]))
         throw NumericsError("the factor of the matrix has a pivot that is not finite, at unknown " +
@@ -82,11 +88,15 @@ class Multifrontal {
                           " is zero (is a part of the scene not held, or a pressure nowhere given?)");
     }
     subtract_outer_product(panel, sign_.data(), left_[s].data(), work_);
+    int n = 0;
+    for (int j = 0; j < panel.width; ++j) n += panel.column(j)[j] == std::sqrt(stand_in);
+    return n;
   }
 
   const Supernodes& nodes_;
   const PanelEntries& entries_;
   const double* values_;
+  const std::vector<int>& signs_;
   std::vector<int> first_child_, next_sibling_;
   std::vector<std::vector<double>> left_;  ///< per supernode: its Schur complement, until its parent has taken it
   std::vector<int> place_;                 ///< per row: where it is in the present front
@@ -105,8 +115,8 @@ Factor make_factor(const Supernodes& nodes) {
 }
 
 void factorise(const Supernodes& nodes, const PanelEntries& entries, const double* values, Factor& factor,
-               const std::function<void(std::vector<double>&)>& sum_root) {
-  Multifrontal(nodes, entries, values).run(factor, sum_root);
+               const std::function<void(std::vector<double>&)>& sum_root, const std::vector<int>& signs) {
+  Multifrontal(nodes, entries, values, signs).run(factor, sum_root);
 }
 
 }  // namespace upbead::detail

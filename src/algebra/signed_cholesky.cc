@@ -17,10 +17,11 @@ constexpr int block_width = 24, product_width = 64;
 constexpr double one = 1., minus_one = -1.;
 
 /// The diagonal block at column `begin`, column by column; returns as `factorise` does.
-int factorise_block(const Panel& panel, int begin, int end, int* sign) {
+int factorise_block(const Panel& panel, int begin, int end, int* sign, double stand_in) {
   for (int j = begin; j < end; ++j) {
     double* column = panel.column(j);
-    const double pivot = column[j];
+    double pivot = column[j];
+    if (stand_in > 0. && std::abs(pivot) <= zero_pivot) pivot = sign[j] * stand_in;
     if (!(std::abs(pivot) > zero_pivot) || !std::isfinite(pivot)) return j;
     sign[j] = pivot > 0. ? 1 : -1;
     column[j] = std::sqrt(std::abs(pivot));
@@ -56,11 +57,11 @@ void update_right(const Panel& panel, int begin, int end, const int* sign, std::
 
 }  // namespace
 
-int factorise(const Panel& panel, int* sign, std::vector<double>& work) {
+int factorise(const Panel& panel, int* sign, std::vector<double>& work, double stand_in) {
   const auto turn = blas_turn();
   for (int begin = 0; begin < panel.width; begin += block_width) {
     const int end = std::min(begin + block_width, panel.width);
-    if (const int failed = factorise_block(panel, begin, end, sign); failed < end) return failed;
+    if (const int failed = factorise_block(panel, begin, end, sign, stand_in); failed < end) return failed;
     if (end < panel.height) solve_below(panel, begin, end, sign);
     if (end < panel.width) update_right(panel, begin, end, sign, work);
   }

@@ -21,8 +21,9 @@ constexpr double zero_pivot = 2.2e-14;
 /// [A11; A21] -> [L11; L21] with A11 = L11 J L11^T, A21 = L21 J L11^T, L11 lower triangular, J = diag(sign), sign =
 /// +-1: Cholesky with the signs of the pivots carried along, without pivoting, for which A must be quasi-definite
 /// (Vanderbei 1995). By blocks (Golub & Van Loan, Matrix Computations, 4.2.9). Returns the first column whose pivot is
-/// zero or not finite, or the width where there is none.
-int factorise(const Panel& panel, int* sign, std::vector<double>& work);
+/// zero or not finite, or the width where there is none. With `stand_in` > 0 a zero pivot is no failure: stand_in takes
+/// its place, with the sign that `sign` holds for it beforehand.
+int factorise(const Panel& panel, int* sign, std::vector<double>& work, double stand_in = 0.);
 
 /// U -= L21 J L21^T, lower triangle of U ((height - width) squared, by columns) only.
 void subtract_outer_product(const Panel& factor, const int* sign, double* U, std::vector<double>& work);

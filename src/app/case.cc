@@ -82,6 +82,8 @@ CaseTables tables_of(const Case& problem, PathText path_text) {
     table.pulse = source.pulse;
     if (!source.history.empty()) table.history_file = path_text(source.history);
   }
+  tables.accuracy_of = problem.accuracy.of;
+  tables.accuracy_estimate = problem.accuracy.estimate;
   tables.measured = problem.measured;
   for (auto& [name, source] : tables.measured) source.file = path_text(source.file);
   for (const auto& [name, by_gauges] : problem.gauges) {
@@ -124,6 +126,7 @@ Case read_case(const std::string& path, const std::vector<std::string>& override
   make_sliding(problem, tables, report);
   report.throw_if_any(path);
   problem.scene = tables;
+  problem.accuracy = {tables.accuracy_of, tables.accuracy_estimate};
   problem.measured = tables.measured;
   if (!problem.scene.mesh.refine && !problem.document.find("mesh.degree")) problem.scene.mesh.degree = adapted_degree;
   if (tables.sliding_table && tables.sliding_table->uplift_table)

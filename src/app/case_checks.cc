@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "upbead/app/case.h"
+#include "upbead/base/quoted.h"
 
 namespace upbead {
 
@@ -21,7 +22,7 @@ namespace {
 void check_geometry(const std::string& geometry, const Document& document, InputReport& report) try {
   const std::vector<std::string> known = geometries();
   if (std::find(known.begin(), known.end(), geometry) == known.end())
-    report.add("mesh.geometry", document.place("mesh.geometry"), "there is no geometry '" + geometry + "'",
+    report.add("mesh.geometry", document.place("mesh.geometry"), "there is no geometry " + in_quotes(geometry),
                suggestion(geometry, known, "geometries"));
 } catch (const InputError& error) {
   for (const Mistake& mistake : error.mistakes()) report.add("mesh.geometry", mistake);
@@ -93,11 +94,18 @@ void check_time(const CaseTables& tables, const Document& document, InputReport&
 }
 
 void check_probes(const CaseTables& tables, const Document& document, InputReport& report) {
+  constexpr std::size_t most_probes = 5000;  // with 15 histories each 0.6 GB in 1,000 steps
+  if (tables.probes.size() > most_probes)
+    report.add("probes", document.place("probes"),
+               std::to_string(tables.probes.size()) + " probes; at most " + std::to_string(most_probes) +
+                   " are followed, with a history of each of their readings",
+               "keep the points that are looked at, or write fields, [output] fields = { every = ... }");
   const auto plain = [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '-'; };
   for (const auto& [name, probe] : tables.probes) {
     const std::string path = dotted("probes", name);
     if (report.sound(path) && (name.empty() || !std::all_of(name.begin(), name.end(), plain)))
-      report.add(path, document.place(path), "probe " + to_toml(name) + " cannot name a dataset of the results",
+      report.add(path, document.place(path),
+                 "probe " + to_toml(excerpt(name)) + " cannot name a dataset of the results",
                  "use letters, digits, _ and -");
   }
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "records/record_layout.h"
 #include "records/record_table.h"
 
 namespace upbead {
@@ -35,8 +36,12 @@ Columns read_columns(const std::string& path, const Place& place, const std::str
     mistakes.add({path, 1, 1}, "a history of one column", "give two columns, time (s) and value");
   if (columns.table.n_rows() < 2) mistakes.add({path}, "a history of one row", "give two rows or more");
   mistakes.throw_if_any();
-  columns.time = in_si(columns.table, 0, "s");
-  columns.value = in_si(columns.table, 1, si);
+  const RecordLayout layout = layout_of(columns.table);
+  columns.time = times_of(columns.table, layout);
+  if (layout.values.empty())
+    throw InputError({path, 1, 1}, "beside the time no column holds values, but counters or other times",
+                     "give two columns, time (s) and value");
+  columns.value = in_si(columns.table, layout.values.front(), si);
   check_times(columns.table, columns.time, mistakes);
   mistakes.throw_if_any();
   return columns;

@@ -7,6 +7,8 @@ namespace upbead {
 
 namespace {
 
+const Words<AccuracyOf> accuracy_of_words{{"peak", AccuracyOf::peak}, {"history", AccuracyOf::history}};
+
 TableSchema<Fluid> fluid_schema() {
   TableSchema<Fluid> table;
   table.key("density", &Fluid::density).unit("kg/m3").range(above(0.)).doc("density of the water");
@@ -90,7 +92,14 @@ TableSchema<CaseTables> accuracy_schema() {
   TableSchema<CaseTables> table;
   table.key("tolerance", &CaseTables::tolerance)
       .range(between(0., 1.))
-      .doc("relative error allowed in the peak shear force; sets what is auto");
+      .doc("error allowed in the shear force F_T, over its largest; sets what is auto");
+  table.choice("of", &CaseTables::accuracy_of, accuracy_of_words)
+      .doc(
+          "what of F_T the tolerance makes the mesh for, where refine is auto: history: F_T at every time, and so its "
+          "peak; "
+          "peak: that alone, on fewer cells");
+  table.key("estimate", &CaseTables::accuracy_estimate)
+      .doc("true: tell how wrong F_T and S are where refine is a number, too: solves once more on cells half as large");
   return table;
 }
 

@@ -8,6 +8,7 @@
 #include "upbead/app/gauge_source.h"
 #include "upbead/app/measured_source.h"
 #include "upbead/input/schema.h"
+#include "upbead/model/accuracy_choice.h"
 #include "upbead/model/scene.h"
 
 namespace upbead {
@@ -33,6 +34,8 @@ struct CaseTables : Scene {
   std::optional<SlidingTable> sliding_table;
   std::map<std::string, LoadTable> load_tables;
   std::map<std::string, MeasuredSource> measured;
+  AccuracyOf accuracy_of = AccuracyChoice().of;
+  bool accuracy_estimate = AccuracyChoice().estimate;
 };
 
 TableSchema<CaseTables> case_schema();

@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "records/gauge_report.h"
+#include "script_trust.h"
 #include "upbead/app/commands.h"
 #include "upbead/app/report.h"
 #include "upbead/response/scheme_choice.h"
@@ -39,8 +40,9 @@ std::string to_json(const Case& input, const CompiledCase& scene, const Numbered
   return json.dump(2) + "\n";
 }
 
-void explain(const CommonOptions& options) {
+void explain(const CommonOptions& options, bool trusted) {
   const Case input = read_case(options.file, options.overrides);
+  require_trust(input, trusted);
   const CompiledCase scene = compile_case(input);
   const NumberedWarnings told = warnings(input, scene);
   std::cerr << describe(told);
@@ -51,9 +53,10 @@ void explain(const CommonOptions& options) {
 
 void add_explain(CLI::App& program) {
   auto options = std::make_shared<CommonOptions>();
-  auto keys = std::make_shared<bool>(false);
+  auto keys = std::make_shared<bool>(false), trusted = std::make_shared<bool>(false);
   CLI::App* command = program.add_subcommand("explain", "check a case and tell what would be solved, without solving");
   add_common_options(*command, *options);
+  add_trust_option(*command, *trusted);
   command->get_option("FILE")->required(false);
   command->add_flag("--keys", *keys, "print every key of a case file with unit, range, default and meaning");
   command->footer(
@@ -64,13 +67,13 @@ void add_explain(CLI::App& program) {
       "  upbead explain cases/fig2b-model.toml\n"
       "  upbead explain cases/fig2b-model.toml --set regions.mound.hydraulic_conductivity=1e-3\n"
       "  upbead explain --keys");
-  command->callback([options, keys] {
+  command->callback([options, keys, trusted] {
     if (*keys) {
       std::cout << case_reference();
     } else if (options->file.empty()) {
       throw CLI::RequiredError("FILE");
     } else {
-      explain(*options);
+      explain(*options, *trusted);
     }
   });
 }

@@ -37,6 +37,7 @@ FieldOutput::FieldOutput(const Scene& scene, const CompiledCase& compiled, const
 void FieldOutput::write(const State& state) {
   if (!writer_ || !is_field_time(state.time, *every_)) return;
   const Stopwatch watch;
+  if (state.time == 0.) writer_->take_over({});  // another march, as the one before was refused
   writer_->write(state);
   seconds_ += watch.seconds();
 }

@@ -3,7 +3,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "upbead/mesh/mesh.h"
+#include "input_files.h"
 
 namespace upbead {
 
@@ -17,13 +17,7 @@ void Fingerprint::add_file(const std::filesystem::path& path) {
 }
 
 void Fingerprint::add_files(const Case& problem) {
-  add_file(problem.document.path());
-  add_file(mesh_request(problem).file);
-  for (const auto& [name, source] : problem.sources)
-    if (!source.history.empty()) add_file(problem.resolve(source.history));
-  for (const auto& [name, load] : problem.gauges) add_file(problem.resolve(load.source.gauges));
-  if (problem.uplift_gauges) add_file(problem.resolve(problem.uplift_gauges->source.gauges));
-  if (!problem.uplift_history.empty()) add_file(problem.resolve(problem.uplift_history));
+  for (const InputFile& file : input_files(problem)) add_file(file.path);
 }
 
 }  // namespace upbead

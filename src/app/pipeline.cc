@@ -1,15 +1,19 @@
 #include "upbead/app/pipeline.h"
 
 #include "accuracy/adapt.h"
+#include "accuracy/error_account.h"
 #include "compile_on.h"
 #include "contact/contact_report.h"
 #include "contact/contact_run.h"
+#include "contact/rest_forces.h"
+#include "ladder.h"
 #include "records/gauge_report.h"
+#include "records/record_notes.h"
 #include "size_check.h"
 #include "sliding/case_sliding.h"
 #include "sliding/read_sliding.h"
-#include "solve.h"
 #include "upbead/app/equivalent_linear.h"
+#include "upbead/base/error.h"
 #include "upbead/base/stopwatch.h"
 #include "upbead/base/text.h"
 #include "upbead/fem/scene_check.h"
@@ -81,6 +85,7 @@ CompiledCase compile_on(const Case& input, std::shared_ptr<const Mesh> mesh,
   out.with_interface = input.scene.mesh.refine && has_frictional_contact(out.scene);
   recompile(out, resolved.soil);
   check_sliding(input, out.compiled);
+  check_at_rest(input, out);
   out.timing.compile = compile_watch.seconds();
   return out;
 }
@@ -96,19 +101,48 @@ void recompile(CompiledCase& scene, const SoilState& soil) {
   scene.compiled = compile(scene.scene, *scene.space, *scene.unknowns, bodies, scene.processes.get(), nodes);
 }
 
+namespace {
+
+/// A case that names a scheme is told, where that is refused, whether another one answers. Contact has but one.
+Run solve_glued(const Case& input, const CompiledCase& scene, const MarchOptions& marching,
+                const std::function<void(double)>& reducing) {
+  try {
+    return run_glued(input, scene, marching, reducing);
+  } catch (const NumericsError& error) {
+    throw NumericsError(error.what() + what_would_work(input, scene, reducing));
+  }
+}
+
+NumberedWarnings loose_warnings(const Summary& summary) {
+  NumberedWarnings list;
+  if (!summary.reduction || summary.reduction->loose.empty()) return list;
+  std::string names;
+  for (const LooseReading& reading : summary.reduction->loose) names += (names.empty() ? "" : ", ") + reading.name;
+  list.push_back({"reading_not_converged", summary.reduction->error_of_others, summary.reduction->tolerance_of_others,
+                  "1",
+                  "the reduced model that was asked for has F_T within its tolerance, but " + names +
+                      " move by up to " + significant(summary.reduction->error_of_others) +
+                      " of their peaks between nested models; write time.scheme = \"sdirk4\" where they matter"});
+  return list;
+}
+
+}  // namespace
+
 Run run_case(const Case& input, CompiledCase& scene, const MarchOptions& marching,
              const std::function<void(double)>& reducing) {
   settle_soil(input, scene, reducing);
   SceneWatch watch(scene);
   const MarchOptions watched = watch.watching(marching);
   Run run = scene.compiled.system.interface ? run_contact(input, scene, watched, reducing)
-                                            : run_glued(input, scene, watched, reducing);
+                                            : solve_glued(input, scene, watched, reducing);
+  estimate_errors(input, scene, run);
   run.summary.title = input.scene.title;
   run.summary.soil = scene.soil;
   run.summary.loads = scene.compiled.loads_on_caisson;
   run.summary.gauges = gauge_summaries(input, scene);
   run.summary.skipped = skipped(input, scene, run.summary.reduction.has_value());
   watch.tell(input, scene, run);
+  for (NumberedWarning& warning : loose_warnings(run.summary)) run.summary.warnings.push_back(std::move(warning));
   if (run.summary.sliding)
     for (Skipped& item : skipped(*run.summary.sliding)) run.summary.skipped.push_back(std::move(item));
   if (run.summary.contact && !run.summary.contact->solved)
@@ -134,6 +168,7 @@ std::vector<Skipped> skipped(const Case& input, const CompiledCase& scene, bool 
                           "time.scheme = \"reduced\", smooth it, or give time.step = its sampling interval, " +
                           significant(samples[1] - samples[0]) + " s"});
     }
+  for (const LeftOut& part : record_notes(input).left_out) list.push_back({part.what, part.why});
   if (!input.scene.fields_every) list.push_back({"fields", "the case asks for none ([output] fields)"});
   if (!scene.compiled.caisson) list.push_back({"shear force", "the mesh has no surface 'caisson'"});
   if (scene.compiled.caisson && !has_strength(input.scene))

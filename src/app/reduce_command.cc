@@ -2,8 +2,10 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "input_files.h"
 #include "joined_loads.h"
 #include "reduced_slip.h"
+#include "script_trust.h"
 #include "solve.h"
 #include "upbead/app/commands.h"
 #include "upbead/app/equivalent_linear.h"
@@ -14,6 +16,7 @@
 #include "upbead/base/progress.h"
 #include "upbead/base/stopwatch.h"
 #include "upbead/base/text.h"
+#include "upbead/fem/caisson_readings.h"
 #include "upbead/model/words.h"
 #include "upbead/output/model_file.h"
 #include "upbead/response/reduction.h"
@@ -27,6 +30,7 @@ namespace {
 struct ReduceOptionsOfCommand : CommonOptions {
   bool all_readings = false;
   bool check = false;
+  bool trusts_script = false;
 };
 
 /// Of the loads of a scene, by the names that the reduced model has for them.
@@ -89,12 +93,63 @@ nlohmann::ordered_json to_object(const ReducedSlip& slip) {
           {"time", slip.seconds}};
 }
 
+/// Tells people how far it is, and whether they have had enough.
+std::function<void(double)> watched(Progress& progress) {
+  return [&progress](double done) {
+    check_interrupt();
+    progress.update(done);
+  };
+}
+
+/// Larger models of the same loads, to tell the error of any wave.
+struct Nested {
+  std::optional<NestedModels> models;
+  std::string why_not;
+  double seconds = 0.;
+};
+
+/// None where larger models cannot be made of the scene: the model itself is as good without.
+Nested nest(const CompiledCase& scene, const Reduction& reduction) {
+  Progress progress("reducing further");
+  const Stopwatch watch;
+  const System& system = scene.compiled.system;
+  const NestedSpace space{krylov_shift(scene.scene), reduction.n_vectors, scene.compiled.body_coordinates};
+  Nested nested;
+  try {
+    nested.models = nested_models(system, space, {system.reading(reading::shear_force)}, watched(progress));
+    for (ModalModel* model : {&nested.models->middle, &nested.models->reference}) join_pore_pressures(*model);
+  } catch (const NumericsError& error) {
+    nested.models.reset();
+    nested.why_not = error.what();
+  }
+  nested.seconds = watch.seconds();
+  return nested;
+}
+
+nlohmann::ordered_json to_object(const Nested& nested) {
+  if (!nested.models) return nullptr;
+  const NestedModels& m = *nested.models;
+  return {{"modes", {m.middle.n_modes(), m.reference.n_modes()}},
+          {"solves", m.solves},
+          {"factorisations", m.factorisations},
+          {"time", nested.seconds}};
+}
+
+std::string describe(const Nested& nested) {
+  if (!nested.models) return "";
+  const NestedModels& m = *nested.models;
+  return "waves       their errors by larger models of " + std::to_string(m.middle.n_modes()) + " and " +
+         std::to_string(m.reference.n_modes()) + " modes, " + std::to_string(m.solves) + " solves, " +
+         significant(nested.seconds, 2) + " s\n";
+}
+
 /// What `reduce` has made of a case.
 struct Reduced {
   ReducedModelFile file;
   Reduction reduction;
   ReducedSlip slip;
   std::vector<Skipped> skipped;
+  Nested nested;
   std::string path;
   Timing timing;
 };
@@ -113,6 +168,7 @@ std::string to_json(const Reduced& made) {
                        {"error_of_others", r.error.others},
                        {"highest_frequency", m.highest_frequency}};
   json["reduction"]["error_march"] = m.error_march ? nlohmann::ordered_json(*m.error_march) : nullptr;
+  json["nested"] = to_object(made.nested);
   json["slip"] = to_object(made.slip);
   json["skipped"] = nlohmann::ordered_json::array();
   for (const Skipped& part : made.skipped) json["skipped"].push_back({{"what", part.what}, {"why", part.why}});
@@ -142,19 +198,12 @@ std::string describe(const Reduced& made) {
           significant(m.error_peak, 2) + ", other readings up to " + significant(r.error.others, 2) +
           " of theirs (nested models)\n";
   if (m.error_march) text += "            history of F_T " + significant(*m.error_march, 2) + " against a march\n";
+  text += describe(made.nested);
   text += "checked     up to " + significant(m.highest_frequency) + " Hz\n" + describe(made.slip);
   for (const Skipped& part : made.skipped) text += "skipped     " + part.what + ": " + part.why + "\n";
   text += "time        factorise " + significant(t.factorise, 2) + " s, reduce " + significant(t.march, 2) +
           " s, total " + significant(t.total, 2) + " s\n";
   return text + "written     " + made.path + "\n";
-}
-
-/// Tells people how far it is, and whether they have had enough.
-std::function<void(double)> watched(Progress& progress) {
-  return [&progress](double done) {
-    check_interrupt();
-    progress.update(done);
-  };
 }
 
 /// The case as it is reduced: its soil settled, the caisson glued to its ground.
@@ -175,8 +224,9 @@ CompiledCase compile_for_waves(const Case& input) {
 }
 
 /// What the model of a case leaves out, as a run calls it.
-std::vector<Skipped> skipped(const CompiledCase& scene, const ReducedSlip& slip) {
+std::vector<Skipped> skipped(const CompiledCase& scene, const ReducedSlip& slip, const Nested& nested) {
   std::vector<Skipped> list;
+  if (!nested.why_not.empty()) list.push_back({"the error of each wave (error_estimate is null)", nested.why_not});
   if (!slip.why_not.empty()) list.push_back({"slip of the caisson with its ground", slip.why_not});
   if (scene.with_interface)
     list.push_back({"contact node by node", "a reduced model has none; 'upbead run' follows it"});
@@ -192,9 +242,12 @@ Reduction reduce_glued(const CompiledCase& scene, bool all_readings) {
 
 void reduce(const ReduceOptionsOfCommand& options, const Stopwatch& since_start) {
   const Case input = read_case(options.file, options.overrides);
+  require_trust(input, options.trusts_script);
   require_loads(input);
   note_interrupts();
-  OutputFolder folder(options.out.empty() ? "results/" + input.stem : options.out);
+  const std::string out = options.out.empty() ? "results/" + input.stem : options.out;
+  require_inputs_kept(out, {"reduced.h5"}, input_files(input));
+  OutputFolder folder(out);
   const CompiledCase scene = compile_for_waves(input);
   const Stopwatch watch;
   Reduced made;
@@ -202,14 +255,16 @@ void reduce(const ReduceOptionsOfCommand& options, const Stopwatch& since_start)
   made.timing = scene.timing;
   made.timing.factorise = made.reduction.factorise_seconds;
   made.timing.march = watch.seconds() - made.reduction.factorise_seconds;
+  made.nested = nest(scene, made.reduction);
   {
     Progress progress("reducing with slip");
     made.slip = reduce_with_slip(scene, made.reduction, watched(progress));
   }
-  made.skipped = skipped(scene, made.slip);
+  made.skipped = skipped(scene, made.slip, made.nested);
   check_interrupt();
   made.file = model_of(input, scene, made.reduction, folder.name());
   made.file.slip = made.slip.model;
+  made.file.nested = made.nested.models;
   if (options.check) made.file.error_march = error_against_march(made.reduction, scene.scene, scene.compiled);
   folder.write("reduced.h5", model_file(made.file));
   check_interrupt();
@@ -225,6 +280,7 @@ void add_reduce(CLI::App& program) {
   auto options = std::make_shared<ReduceOptionsOfCommand>();
   CLI::App* command = program.add_subcommand("reduce", "solve a scene once for all waves: write its reduced model");
   add_common_options(*command, *options);
+  add_trust_option(*command, options->trusts_script);
   command->add_flag("--all-readings", options->all_readings,
                     "go on until all readings, not F_T alone, move by less than ten times the tolerance");
   command->add_flag("--check", options->check, "march the case as well and tell the error against that; takes longer");

@@ -68,6 +68,15 @@ std::string describe_march(const Run& run) {
          "            because " + run.scheme_reason + "\n";
 }
 
+/// Nothing where the first way was taken.
+std::string describe(const Ladder& ladder) {
+  std::string text;
+  for (const LadderStep& step : ladder)
+    if (!step.refused.empty())
+      text += (text.empty() ? "ladder      " : "            ") + step.way + " refused: " + step.refused + "\n";
+  return text;
+}
+
 std::string describe(const ReductionSummary& r) {
   return format(
       "reduced     to %d modes from %d solves; the history of F_T moves by %.1e of its peak between nested\n"
@@ -84,14 +93,17 @@ std::string describe(const SoilSummary& s) {
 }
 
 std::string describe(const MeshAccuracy& accuracy) {
-  std::string text = "adapted     unknowns (error of F_T):";
-  for (const auto& [unknowns, error] : accuracy.levels) text += format(" %d (%.2g)", unknowns, error);
+  std::string text = "adapted     unknowns (error of the history of F_T, of its peak):";
+  for (const auto& [unknowns, error] : accuracy.levels)
+    text += format(" %d (%.2g, %.2g)", unknowns, error.history, error.peak);
   return text + "\n";
 }
 
-std::string describe(const ErrorEstimate& e) {
-  return format("  error       about %.2g of peak F_T: mesh %.1e, time %.1e, reduced model %.1e, far sides %.1e\n",
-                e.total(), e.mesh, e.time, e.reduced_model, e.far_boundary);
+std::string describe(const ErrorEstimate& peak, const ErrorEstimate& history) {
+  return format("  error       up to %.2g of peak F_T: mesh %.1e, time %.1e, reduced model %.1e, far sides %.1e\n",
+                peak.total(), peak.mesh, peak.time, peak.reduced_model, peak.far_boundary) +
+         format("              up to %.2g of it at any time: mesh %.1e, time %.1e, reduced model %.1e\n",
+                history.total(), history.mesh, history.time, history.reduced_model);
 }
 
 }  // namespace
@@ -139,7 +151,8 @@ std::string describe(const NumberedWarnings& warnings) {
 
 std::string describe(const Run& run) {
   const Timing& t = run.summary.timing;
-  std::string text = run.summary.reduction ? describe(*run.summary.reduction) : describe_march(run);
+  std::string text = describe(run.summary.ladder);
+  text += run.summary.reduction ? describe(*run.summary.reduction) : describe_march(run);
   if (run.response.stopped_early) text += "            stopped early: little energy was left, as the case allows\n";
   if (run.summary.response) {
     const ShearResponse& r = *run.summary.response;
@@ -155,7 +168,7 @@ std::string describe(const Run& run) {
     text += format("  checks      both routes to F_T differ by %.1e", r.reaction_mismatch) +
             (run.summary.energy ? format(", energy by %.1e\n", run.summary.energy->mismatch()) : "\n");
   }
-  if (run.summary.error) text += describe(*run.summary.error);
+  if (run.summary.error) text += describe(*run.summary.error, *run.summary.history_error);
   if (run.summary.soil) text += describe(*run.summary.soil);
   if (run.summary.contact) text += describe(*run.summary.contact);
   if (run.summary.sliding) text += describe(*run.summary.sliding);

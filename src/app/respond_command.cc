@@ -1,12 +1,16 @@
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <iostream>
 
 #include "respond_report.h"
 #include "upbead/app/commands.h"
+#include "upbead/app/report.h"
 #include "upbead/app/respond_waves.h"
 #include "upbead/base/files.h"
+#include "upbead/base/inputs_kept.h"
 #include "upbead/base/interrupt.h"
+#include "upbead/base/quoted.h"
 #include "upbead/base/stopwatch.h"
 #include "upbead/base/text.h"
 
@@ -68,15 +72,50 @@ std::optional<ModelSliding> sliding_of(const Arguments& arguments, const Reduced
   return sliding;
 }
 
+/// SI units of the loads, in the model's order; "" where it has none.
+std::vector<std::string> units_of_loads(const ReducedModelFile& model) {
+  std::vector<std::string> units;
+  for (const std::string& name : model.modes.load_name) {
+    const auto load = std::find_if(model.loads.begin(), model.loads.end(),
+                                   [&name](const ModelLoad& one) { return one.name == name; });
+    units.push_back(load == model.loads.end() ? "" : load->unit);
+  }
+  return units;
+}
+
+std::vector<InputFile> input_files(const Arguments& arguments) {
+  std::vector<InputFile> files{{arguments.model, {arguments.model}}};
+  for (const std::string& path : arguments.forces) files.push_back({path, {path}});
+  return files;
+}
+
+/// How the waves were read, and which of them are no load at all.
+std::string notes_of(const std::vector<WaveFile>& files) {
+  std::string text;
+  for (const WaveFile& file : files) {
+    for (const LeftOut& part : file.notes.left_out) text += "note: " + part.what + ": " + part.why + "\n";
+    text += describe(file.notes.warnings);
+    int zero = 0;
+    for (int w = 0; w < file.n_waves(); ++w)
+      if (file.wave(w).isZero(0.)) ++zero;
+    if (zero > 0)
+      text += "warning: load_zero: " + std::to_string(zero) + " of " + std::to_string(file.n_waves()) + " waves of " +
+              in_quotes(file.name) + " are zero throughout: is a wrong column read as the load?\n";
+  }
+  return text;
+}
+
 void respond(const Arguments& arguments, const Stopwatch& since_start) {
   check(arguments);
   RespondTiming timing;
   const ReducedModelFile model = read_model_file(arguments.model);
   const RespondOptions options{arguments.end, sliding_of(arguments, model)};
-  const std::vector<WaveFile> waves = read_wave_files(arguments.forces, model.modes.load_name);
+  const std::vector<WaveFile> waves = read_wave_files(arguments.forces, model.modes.load_name, units_of_loads(model));
   timing.read = since_start.seconds();
   note_interrupts();
-  OutputFolder folder(arguments.out.empty() ? "results/" + model_name(arguments.model) + "-respond" : arguments.out);
+  const std::string out = arguments.out.empty() ? "results/" + model_name(arguments.model) + "-respond" : arguments.out;
+  require_inputs_kept(out, {"responses.h5", "summary.json"}, input_files(arguments));
+  OutputFolder folder(out);
 
   const Stopwatch respond_watch;
   const std::vector<WaveResponses> responses = respond_to_waves(model, waves, options);
@@ -85,11 +124,12 @@ void respond(const Arguments& arguments, const Stopwatch& since_start) {
   folder.write("responses.h5", response_file(model.title, responses));
   timing.write = write_watch.seconds();
   timing.total = since_start.seconds();
-  const std::string json = to_json(model, arguments.model, responses, timing);
+  const NumberedWarnings warnings = error_warnings(model, responses);
+  const std::string json = to_json(model, arguments.model, responses, timing, warnings);
   folder.write("summary.json", json);
   check_interrupt();
   folder.commit();
-  std::cerr << band_warning(model, responses);
+  std::cerr << notes_of(waves) << band_warning(model, responses) << describe(warnings) << slip_warning(responses);
   std::cout << (arguments.json ? json
                                : describe(model, responses, timing) + "written     " + folder.name() +
                                      "/{responses.h5, summary.json}\n");

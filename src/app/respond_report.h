@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "upbead/base/numbered_warning.h"
 #include "upbead/output/wave_response.h"
 
 namespace upbead {
@@ -12,7 +13,13 @@ namespace upbead {
 std::string describe(const ReducedModelFile& model, const std::vector<WaveResponses>& files,
                      const RespondTiming& timing);
 
+/// A warning where the coupled S of waves is not told; else "".
+std::string slip_warning(const std::vector<WaveResponses>& files);
+
 /// A warning where waves have more beyond the model's highest frequency than its tolerance; else "".
 std::string band_warning(const ReducedModelFile& model, const std::vector<WaveResponses>& files);
+
+/// Waves whose error estimate exceeds the model's tolerance; models that cannot tell any: docs/warnings.md.
+NumberedWarnings error_warnings(const ReducedModelFile& model, const std::vector<WaveResponses>& files);
 
 }  // namespace upbead

@@ -8,10 +8,10 @@ namespace upbead {
 
 namespace {
 
-SlipModel joined_model(const ReducedModelFile& model, const ModelSliding& sliding) {
+SlipModel joined_model(const ReducedModelFile& model, const ModelSliding& sliding, double damping_time) {
   const SlipUplift uplift = sliding.uplift == "computed" ? SlipUplift::computed : SlipUplift::none;
   const ReducedSystem& system = model.slip->system;
-  SlipModel slip = slip_model(system, slip_law(system, sliding.friction, uplift));
+  SlipModel slip = slip_model(system, slip_law(system, sliding.friction, uplift), damping_time);
   for (SlipPhase& phase : slip.phases) {
     join_pore_pressures(phase.modes);
     std::vector<std::string> names = phase.modes.load_name;
@@ -37,36 +37,58 @@ void append_rest(SampledLoads& loads, double step, double buoyant_weight) {
 }  // namespace
 
 WaveSlips::WaveSlips(const ReducedModelFile& model, const ModelSliding& sliding)
-    : model_(joined_model(model, sliding)) {}
+    : model_(joined_model(model, sliding, 0.)) {
+  if (model_.damping_time > 0.) more_damped_ = joined_model(model, sliding, 2. * model_.damping_time);
+}
 
-std::shared_ptr<const CoupledSlip> WaveSlips::of_step(double step) {
-  std::shared_ptr<const CoupledSlip>& slip = made_[step];
-  if (!slip) slip = std::make_shared<const CoupledSlip>(model_, step);
+std::shared_ptr<const WaveSlip> WaveSlips::of_step(double step) {
+  std::shared_ptr<const WaveSlip>& slip = made_[step];
+  if (slip) return slip;
+  std::optional<CoupledSlip> more;
+  if (more_damped_) more.emplace(*more_damped_, step);
+  slip = std::make_shared<const WaveSlip>(WaveSlip{CoupledSlip(model_, step), std::move(more)});
   return slip;
 }
 
-CoupledWave slip_of_wave(const CoupledSlip& slip, const WaveSamples& loads, const WaveGrid& grid, bool batch,
-                         double buoyant_weight, const Eigen::RowVectorXd& prescribed) {
+namespace {
+
+CoupledSliding slide(const CoupledSlip& slip, const WaveSamples& loads, const WaveGrid& grid, bool batch,
+                     double buoyant_weight, const Eigen::RowVectorXd& prescribed) {
   const Eigen::Index K = loads.rows(), N = loads.cols();
   Eigen::RowVectorXd normal = Eigen::RowVectorXd::Constant(N, buoyant_weight);
   if (prescribed.size() > 0) normal -= prescribed;
-  CoupledSliding slid;
   if (batch) {
     WaveSamples all = WaveSamples::Zero(K + 1, N + 1);
     all.topLeftCorner(K, N) = loads;
     all.row(K) << normal, buoyant_weight;
-    slid = slip.slide(all);
-  } else {
-    SampledLoads all = with_jumps(loads, grid);
-    all.begin.conservativeResize(K + 1, Eigen::NoChange);
-    all.end.conservativeResize(K + 1, Eigen::NoChange);
-    all.begin.row(K) = normal.head(N - 1);
-    all.end.row(K) = normal.tail(N - 1);
-    append_rest(all, slip.step(), buoyant_weight);
-    slid = slip.slide(all);
+    return slip.slide(all);
   }
-  return {slid.slip.residual, slid.slip.largest, static_cast<int>(slid.slip.slips.size()), slid.dissipated,
-          slid.lifted_time};
+  SampledLoads all = with_jumps(loads, grid);
+  all.begin.conservativeResize(K + 1, Eigen::NoChange);
+  all.end.conservativeResize(K + 1, Eigen::NoChange);
+  all.begin.row(K) = normal.head(N - 1);
+  all.end.row(K) = normal.tail(N - 1);
+  append_rest(all, slip.step(), buoyant_weight);
+  return slip.slide(all);
+}
+
+}  // namespace
+
+SlipOfWave slip_of_wave(const WaveSlip& slip, const WaveSamples& loads, const WaveGrid& grid, bool batch,
+                        double buoyant_weight, const Eigen::RowVectorXd& prescribed) try {
+  const auto slid_by = [&](const CoupledSlip& model) {
+    return slide(model, loads, grid, batch, buoyant_weight, prescribed);
+  };
+  const CoupledSliding slid = slid_by(slip.slip);
+  std::string why_not = why_no_distance(slid);
+  if (why_not.empty() && slip.more_damped && slid.slip.path > 0.)
+    why_not = why_no_distance(slid, slid_by(*slip.more_damped));
+  if (!why_not.empty()) return {std::nullopt, why_not};
+  return {CoupledWave{slid.slip.residual, slid.slip.largest, static_cast<int>(slid.slip.slips.size()), slid.dissipated,
+                      slid.lifted_time},
+          ""};
+} catch (const NumericsError& error) {
+  return {std::nullopt, error.what()};
 }
 
 }  // namespace upbead

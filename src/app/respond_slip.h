@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "upbead/output/model_file.h"
 #include "upbead/output/wave_response.h"
@@ -12,6 +13,12 @@
 
 namespace upbead {
 
+/// Slides waves of one step.
+struct WaveSlip {
+  CoupledSlip slip;
+  std::optional<CoupledSlip> more_damped;  ///< where the model has damping for the numerics: twice as much
+};
+
 /// One law of friction on a reduced model; waves with the same steps share what is dear to make.
 class WaveSlips {
  public:
@@ -19,17 +26,24 @@ class WaveSlips {
   WaveSlips(const ReducedModelFile& model, const ModelSliding& sliding);
 
   /// `step`: of the samples, or about so (s).
-  std::shared_ptr<const CoupledSlip> of_step(double step);
+  std::shared_ptr<const WaveSlip> of_step(double step);
 
  private:
   SlipModel model_;
-  std::map<double, std::shared_ptr<const CoupledSlip>> made_;
+  std::optional<SlipModel> more_damped_;
+  std::map<double, std::shared_ptr<const WaveSlip>> made_;
+};
+
+/// S of a wave, or why it cannot be told.
+struct SlipOfWave {
+  std::optional<CoupledWave> coupled;
+  std::string why_not;
 };
 
 /// Loads on the grid, and N_0 = W' less the part of the uplift that the model does not tell, `prescribed` (N/m; empty:
 /// none), straight between the times. After the grid no load acts and N_0 = W': the slip is followed to its stop.
 /// - batch: the grid has equal steps and no jump but at its beginning; the loads then fall to zero within one step.
-CoupledWave slip_of_wave(const CoupledSlip& slip, const WaveSamples& loads, const WaveGrid& grid, bool batch,
-                         double buoyant_weight, const Eigen::RowVectorXd& prescribed);
+SlipOfWave slip_of_wave(const WaveSlip& slip, const WaveSamples& loads, const WaveGrid& grid, bool batch,
+                        double buoyant_weight, const Eigen::RowVectorXd& prescribed);
 
 }  // namespace upbead

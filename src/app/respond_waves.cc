@@ -5,12 +5,15 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <string>
 
 #include "parallel.h"
 #include "respond_sliding.h"
 #include "respond_slip.h"
+#include "upbead/base/error.h"
 #include "upbead/base/text.h"
 #include "upbead/dynamics/band_check.h"
+#include "upbead/dynamics/response_error.h"
 #include "upbead/fem/caisson_readings.h"
 #include "wave_grid.h"
 #include "wave_peaks.h"
@@ -64,32 +67,42 @@ class OneReading {
   std::unique_ptr<BatchResponse> batch_;
 };
 
-/// Checks of the band by number of samples and step: files with the same times share one, as it is dear to make.
-class BandChecks {
- public:
-  BandChecks(const ModalModel& shear, double highest_frequency) : shear_(shear), omega_(2. * pi * highest_frequency) {}
+/// What is checked of waves with a number of samples and a step.
+struct WaveChecks {
+  BandCheck band;
+  std::optional<ResponseError> error;  ///< none where the model has nothing to tell it by
+};
 
-  std::shared_ptr<const BandCheck> of(const std::vector<double>& time) {
+/// By number of samples and step: files with the same times share one, as it is dear to make.
+class AllWaveChecks {
+ public:
+  AllWaveChecks(const ReducedModelFile& model, const ModalModel& shear) : model_(model), shear_(shear) {}
+
+  std::shared_ptr<const WaveChecks> of(const std::vector<double>& time) {
     const int n = static_cast<int>(time.size());
-    std::shared_ptr<const BandCheck>& check = made_[{n, time[1]}];
-    if (!check) check = std::make_shared<const BandCheck>(shear_, 0, time[1], n, omega_);
-    return check;
+    std::shared_ptr<const WaveChecks>& checks = made_[{n, time[1]}];
+    if (checks) return checks;
+    WaveChecks made{{shear_, 0, time[1], n, 2. * pi * model_.highest_frequency}, {}};
+    if (model_.nested) made.error.emplace(shear_, 0, *model_.nested, time[1], n);
+    return checks = std::make_shared<const WaveChecks>(std::move(made));
   }
 
  private:
+  const ReducedModelFile& model_;
   const ModalModel& shear_;
-  double omega_;
-  std::map<std::pair<int, double>, std::shared_ptr<const BandCheck>> made_;
+  std::map<std::pair<int, double>, std::shared_ptr<const WaveChecks>> made_;
 };
 
 /// What the waves of all files have in common.
 struct Common {
   Common(const ReducedModelFile& reduced, const RespondOptions& asked)
-      : model(reduced),
-        options(asked),
-        shear(one_reading(model.modes, reading::shear_force)),
-        checks(shear, model.highest_frequency) {
-    if (options.sliding && model.slip) slips.emplace(model, *options.sliding);
+      : model(reduced), options(asked), shear(one_reading(model.modes, reading::shear_force)), checks(reduced, shear) {
+    if (!options.sliding || !model.slip) return;
+    try {
+      slips.emplace(model, *options.sliding);
+    } catch (const NumericsError& error) {
+      why_no_slip = error.what();
+    }
   }
   Common(const Common&) = delete;
   Common& operator=(const Common&) = delete;
@@ -97,8 +110,9 @@ struct Common {
   const ReducedModelFile& model;
   const RespondOptions& options;
   ModalModel shear;
-  BandChecks checks;
+  AllWaveChecks checks;
   std::optional<WaveSlips> slips;
+  std::string why_no_slip;  ///< of all waves
 };
 
 /// Everything that the waves of one file have in common, and their answers.
@@ -113,7 +127,7 @@ class FileWork {
         longest_step_(longest_step(model_)),
         grid_(make_wave_grid(file.time, longest_step_, options_.end.value_or(std::max(file.time.back(), model_.end)))),
         check_time_(equal_times(grid_, longest_step_, std::max(file.time.back(), grid_.time.back()))),
-        check_(common.checks.of(check_time_)),
+        checks_(common.checks.of(check_time_)),
         shear_answer_(shear_, grid_) {
     if (options_.sliding && options_.sliding->uplift == "computed")
       uplift_.emplace(one_reading(model_.modes, reading::uplift), grid_);
@@ -129,6 +143,7 @@ class FileWork {
     result_.force.resize(file.n_waves(), static_cast<Eigen::Index>(grid_.time.size()));
     result_.shear_force.resizeLike(result_.force);
     result_.waves.resize(static_cast<std::size_t>(file.n_waves()));
+    for (WaveResponse& wave : result_.waves) wave.why_not_coupled = common.why_no_slip;
   }
 
   WaveResponses take() { return std::move(result_); }
@@ -147,14 +162,15 @@ class FileWork {
     WaveResponse& out = result_.waves[static_cast<std::size_t>(wave)];
     // F_T passes on no kink of the loads, as long as they do not jump.
     set_peaks(grid_.time, P, F, begins_at_zero && ends_at_zero && shear_.feedthrough.isZero(0.), out);
-    set_band(check_time_ == grid_.time ? loads : on_grid(file_, wave, check_time_), F, out);
+    set_checks(check_time_ == grid_.time ? loads : on_grid(file_, wave, check_time_), F, out);
     if (options_.sliding) set_sliding(loads, P, F, ends_at_zero, out);
   }
 
  private:
-  void set_band(const WaveSamples& loads, const Eigen::RowVectorXd& F, WaveResponse& out) const {
+  void set_checks(const WaveSamples& loads, const Eigen::RowVectorXd& F, WaveResponse& out) const {
     const double peak = F.cwiseAbs().maxCoeff();
-    if (peak > 0.) out.beyond_band = check_->beyond(loads) / peak;
+    if (peak > 0.) out.beyond_band = checks_->band.beyond(loads) / peak;
+    if (checks_->error) out.error_estimate = peak > 0. ? checks_->error->of(loads).bound() / peak : 0.;
   }
 
   void set_sliding(const WaveSamples& loads, const Eigen::RowVectorXd& P, const Eigen::RowVectorXd& F, bool batch,
@@ -168,8 +184,10 @@ class FileWork {
     const Eigen::RowVectorXd& U = uplift_ ? computed : prescribed;
     out.sliding = sliding_distance(bottom, model_.caisson_mass, grid_.time, F, U);
     if (!slip_) return;
-    out.coupled =
+    SlipOfWave slip =
         slip_of_wave(*slip_, loads, grid_, batch && grid_.equal.has_value(), bottom.buoyant_weight, prescribed);
+    out.coupled = slip.coupled;
+    out.why_not_coupled = std::move(slip.why_not);
   }
 
   const ReducedModelFile& model_;
@@ -180,10 +198,10 @@ class FileWork {
   double longest_step_;
   WaveGrid grid_;
   std::vector<double> check_time_;  ///< equally spaced, and of the whole wave even where the answer ends before it
-  std::shared_ptr<const BandCheck> check_;
+  std::shared_ptr<const WaveChecks> checks_;
   OneReading shear_answer_;
-  std::optional<OneReading> uplift_;         ///< where S is asked with the model's pore pressure
-  std::shared_ptr<const CoupledSlip> slip_;  ///< where S is asked and the model can tell
+  std::optional<OneReading> uplift_;      ///< where S is asked with the model's pore pressure
+  std::shared_ptr<const WaveSlip> slip_;  ///< where S is asked and the model can tell
   WaveResponses result_;
 };
 

@@ -3,8 +3,10 @@
 #include <optional>
 
 #include "checkpoints.h"
+#include "input_files.h"
 #include "records/measured.h"
 #include "result_tables.h"
+#include "script_trust.h"
 #include "several_processes.h"
 #include "upbead/app/commands.h"
 #include "upbead/app/report.h"
@@ -39,12 +41,7 @@ Run solve(const Case& input, CompiledCase& scene, FieldOutput& fields, Checkpoin
   };
   MarchOptions options = options_of(input.scene, progress, fields);
   if (checkpoints) options.checkpoints = checkpoints->begin(fields);
-  Run result = run_case(input, scene, options, progress);
-  if (result.summary.response)
-    require_balance(*result.summary.response, result.summary.energy.value_or(EnergyAccount()));
-  else if (result.summary.energy)
-    require_balance(*result.summary.energy, scene.compiled.system, input.scene.time.end);
-  return result;
+  return run_case(input, scene, options, progress);
 }
 
 /// Writes all files but the fields themselves; returns the summary as JSON.
@@ -54,6 +51,10 @@ std::string write(const Case& input, const CompiledCase& scene, const std::vecto
   fields.finish();
   const std::vector<History> computed = histories(scene, run.response.ends);
   run.summary.measured = compare_measured(input, measured, computed);
+  for (const MeasuredRecord& record : measured) {
+    for (const LeftOut& part : record.notes.left_out) run.summary.skipped.push_back({part.what, part.why});
+    for (const NumberedWarning& warning : record.notes.warnings) run.summary.warnings.push_back(warning);
+  }
   std::vector<History> others = tables(scene, run);
   for (History& table : measured_tables(measured)) others.push_back(std::move(table));
   folder.write("results.h5", result_file(input.scene.title, computed, others));
@@ -68,18 +69,28 @@ std::string write(const Case& input, const CompiledCase& scene, const std::vecto
   return json;
 }
 
+/// What a run writes, as patterns.
+std::vector<std::string> run_files() {
+  std::vector<std::string> files{"results.h5", "summary.json", "case.toml"};
+  files.insert(files.end(), field_files.begin(), field_files.end());
+  return files;
+}
+
 /// On several processes all do the same but for the system, which they divide; the first speaks and writes.
-void run(const CommonOptions& options, const CheckpointWish& wish, const Stopwatch& since_start,
+void run(const CommonOptions& options, const CheckpointWish& wish, bool trusted, const Stopwatch& since_start,
          const std::shared_ptr<const Processes>& processes) {
   const bool is_first = !processes || processes->rank() == 0;
   const Case input = read_case(options.file, options.overrides);
+  require_trust(input, trusted);
   require_loads(input);
   if (processes) check_processes(input, wish.every > 0. || wish.resume);
   note_interrupts();
   std::optional<OutputFolder> folder;
   std::optional<Checkpoints> checkpoints;
   if (is_first) {
-    folder.emplace(options.out.empty() ? "results/" + input.stem : options.out);
+    const std::string out = options.out.empty() ? "results/" + input.stem : options.out;
+    require_inputs_kept(out, run_files(), input_files(input));
+    folder.emplace(out);
     checkpoints.emplace(input, folder->name(), wish);
   }
   CompiledCase scene = compile_case(input, nullptr, processes);
@@ -106,6 +117,8 @@ void add_run(CLI::App& program) {
   CLI::App* command = program.add_subcommand("run", "solve a case and write F_T(t), its peak and all histories");
   add_common_options(*command, *options);
   auto wish = std::make_shared<CheckpointWish>();
+  auto trusted = std::make_shared<bool>(false);
+  add_trust_option(*command, *trusted);
   command
       ->add_option("--checkpoint", wish->every,
                    "keep a checkpoint in DIR.checkpoint every so many seconds of wall time; removed in the end")
@@ -131,9 +144,9 @@ void add_run(CLI::App& program) {
       "  upbead run cases/fig2b-model.toml\n"
       "  upbead run cases/fig2b-model.toml --set time.scheme=generalised_alpha --out /tmp/ga\n"
       "  upbead run cases/fig2b-prototype.toml --json | jq .response.shear_to_force_ratio");
-  command->callback([options, wish, since_start = Stopwatch()] {
+  command->callback([options, wish, trusted, since_start = Stopwatch()] {
     const std::shared_ptr<const Processes> processes = started_processes();
-    run_together(processes.get(), [&] { run(*options, *wish, since_start, processes); });
+    run_together(processes.get(), [&] { run(*options, *wish, *trusted, since_start, processes); });
   });
 }
 

@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>
 
-#include "accuracy/error_account.h"
+#include "ladder.h"
 #include "size_check.h"
 #include "sliding/read_sliding.h"
-#include "upbead/base/error.h"
 #include "upbead/base/stopwatch.h"
 #include "upbead/base/text.h"
 #include "upbead/response/reduction.h"
@@ -56,18 +55,21 @@ void summarise(const Case& input, const CompiledCase& scene, const std::string& 
 
 ReductionSummary summary_of(const Reduction& r) {
   constexpr double two_pi = boost::math::constants::two_pi<double>();
-  return {r.n_vectors, r.model.n_modes(), r.error.history, r.error.peak, r.error.others, r.omega / two_pi};
+  return {r.n_vectors,    r.model.n_modes(), r.error.history,   r.error.peak,
+          r.error.others, r.omega / two_pi,  loose_readings(r), r.tolerance_of_others};
 }
 
-Run run_march(const Case& input, const CompiledCase& scene, const SchemeChoice& choice, const MarchOptions& options) {
+Run run_march(const Case& input, const CompiledCase& scene, const SchemeChoice& choice, const MarchOptions& options,
+              const Care& care) {
   SchemeOptions scheme_options;
   if (choice.scheme == TimeScheme::generalised_alpha) scheme_options.kind = SchemeKind::generalised_alpha;
+  scheme_options.refined = care.refined;
   const std::unique_ptr<Scheme> scheme = make_scheme(scene.compiled.system, scheme_options);
-  return march_by(*scheme, input, scene, choice.reason, options);
+  return march_by(*scheme, input, scene, choice.reason, options, care.part);
 }
 
 Run march_by(Scheme& scheme, const Case& input, const CompiledCase& scene, const std::string& reason,
-             const MarchOptions& options) {
+             const MarchOptions& options, double part) {
   const System& system = scene.compiled.system;
   const TimeChoice& time = input.scene.time;
   Run run;
@@ -77,8 +79,13 @@ Run march_by(Scheme& scheme, const Case& input, const CompiledCase& scene, const
   if (!time.step) {
     step = choose_step(input.scene, scene.compiled, scheme.order());
     if (scheme.contact()) step.largest_step *= contact_step;
-    check_steps(input, step.largest_step, step.growth, step.reason);
   }
+  if (part < 1.) {
+    step.largest_step *= part;
+    if (step.growth) step.growth->largest *= part;
+    step.reason = significant(part) + " of those of: " + step.reason;
+  }
+  if (!time.step || part < 1.) check_steps(input, step.largest_step, step.growth, step.reason);
   const TimeGrid grid = make_time_grid(times_to_meet(input.scene, system), time.end, step.largest_step, step.growth);
 
   const Stopwatch watch;
@@ -94,19 +101,14 @@ Run march_by(Scheme& scheme, const Case& input, const CompiledCase& scene, const
   return run;
 }
 
-std::optional<Run> run_reduced(const Case& input, const CompiledCase& scene, SchemeChoice& choice,
-                               const std::function<void(double)>& progress) {
-  const bool asked = input.scene.time.scheme == TimeScheme::reduced;
+Run run_reduced(const Case& input, const CompiledCase& scene, const SchemeChoice& choice,
+                const std::function<void(double)>& progress) {
   const Stopwatch watch;
-  Reduction reduction;
-  try {
-    reduction = reduce_scene(scene.scene, scene.compiled, {false, false, choice.most_vectors, true}, progress);
+  Reduction reduction = reduce_scene(scene.scene, scene.compiled, {false, false, choice.most_vectors, true}, progress);
+  if (input.scene.time.scheme == TimeScheme::reduced)
+    require_shear_converged(reduction);
+  else
     require_converged(reduction);
-  } catch (const NumericsError& error) {
-    if (asked) throw;
-    choice = {TimeScheme::sdirk4, error.what(), {}};
-    return std::nullopt;
-  }
   Run run;
   run.response = respond(reduction, scene.scene, scene.compiled.system);
   run.summary.timing = scene.timing;
@@ -122,13 +124,9 @@ std::optional<Run> run_reduced(const Case& input, const CompiledCase& scene, Sch
 
 Run run_glued(const Case& input, const CompiledCase& scene, const MarchOptions& marching,
               const std::function<void(double)>& reducing) {
-  SchemeChoice choice = choose_scheme(scene.scene, scene.compiled);
-  std::optional<Run> run;
-  if (choice.scheme == TimeScheme::reduced) run = run_reduced(input, scene, choice, reducing);
-  if (!run) run = run_march(input, scene, choice, marching);
-  read_sliding(input, scene, *run, reducing);
-  if (scene.accuracy && run->summary.response) run->summary.error = estimate_error(input, scene, *run);
-  return std::move(*run);
+  Run run = climb(input, scene, ways(input, scene, reducing), marching);
+  read_sliding(input, scene, run, reducing);
+  return run;
 }
 
 }  // namespace upbead

@@ -1,8 +1,6 @@
 // Solving a compiled case in time: by marching, or by a reduced model.
 #pragma once
 
-#include <optional>
-
 #include "upbead/app/pipeline.h"
 #include "upbead/dynamics/reduce.h"
 #include "upbead/response/scheme_choice.h"
@@ -17,16 +15,23 @@ ReductionSummary summary_of(const Reduction& reduction);
 Run run_glued(const Case& input, const CompiledCase& scene, const MarchOptions& marching,
               const std::function<void(double)>& reducing);
 
-/// Marches by that scheme, chosen for that reason.
+/// How a march is done with more care than usual.
+struct Care {
+  bool refined = false;  ///< see SchemeOptions
+  double part = 1.;      ///< of the usual steps
+};
+
+/// Marches by that scheme, chosen for that reason, in `part` times the usual steps.
 Run march_by(Scheme& scheme, const Case& input, const CompiledCase& scene, const std::string& reason,
-             const MarchOptions& options);
+             const MarchOptions& options, double part = 1.);
 
 /// Marches; `choice` is a scheme that does, the observer sees every step.
-Run run_march(const Case& input, const CompiledCase& scene, const SchemeChoice& choice, const MarchOptions& options);
+Run run_march(const Case& input, const CompiledCase& scene, const SchemeChoice& choice, const MarchOptions& options,
+              const Care& care = {});
 
-/// Reduces the scene and answers its own loads. Where that fails and the case has left the scheme to us: none, and
-/// `choice` becomes a march that says why. Throws NumericsError where the case has asked for it.
-std::optional<Run> run_reduced(const Case& input, const CompiledCase& scene, SchemeChoice& choice,
-                               const std::function<void(double)>& progress);
+/// Reduces the scene and answers its own loads. A case that asks for a reduced model gets one whose F_T meets the
+/// tolerance; readings that do not are listed in its summary. Throws NumericsError where it does not converge.
+Run run_reduced(const Case& input, const CompiledCase& scene, const SchemeChoice& choice,
+                const std::function<void(double)>& progress);
 
 }  // namespace upbead

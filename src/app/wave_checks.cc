@@ -2,8 +2,10 @@
 
 #include <algorithm>
 
+#include "upbead/base/quoted.h"
 #include "upbead/base/suggest.h"
 #include "upbead/base/text.h"
+#include "upbead/base/units.h"
 
 namespace upbead::detail {
 
@@ -14,8 +16,8 @@ std::size_t find(const Names& names, const std::string& name) {
 void add_unknown_load(const Place& place, const std::string& what, const std::string& name, const Names& loads,
                       Mistakes& mistakes) {
   const std::string near = nearest(name, loads), all = "the model's loads are: " + join(loads);
-  mistakes.add(place, what + " '" + name + "' is no load of the model",
-               near.empty() ? all : "did you mean '" + near + "'? " + all);
+  mistakes.add(place, what + " " + in_quotes(name) + " is no load of the model",
+               near.empty() ? all : "did you mean " + in_quotes(near) + "? " + all);
 }
 
 void check_times(const std::vector<double>& time, const std::function<Place(std::size_t)>& place, Mistakes& mistakes) {
@@ -28,6 +30,26 @@ void check_times(const std::vector<double>& time, const std::function<Place(std:
       return mistakes.add(
           place(n), "t = " + significant(time[n], 6) + " s does not follow t = " + significant(time[n - 1], 6) + " s",
           "let the times ascend strictly");
+}
+
+double factor_to_load(const std::string& unit, std::size_t k, const Names& units, const Place& place,
+                      const std::string& who) {
+  if (unit.empty()) return 1.;
+  const std::string wanted = k < units.size() ? units[k] : "";
+  const std::optional<Unit> known = unit_of(unit);
+  if (known && (wanted.empty() ? known->si == "N/m" || known->si == "Pa" : known->si == wanted)) return known->factor;
+  throw InputError(
+      place,
+      "the unit " + in_quotes(unit) + " of " + who + " is none of the load, " + (wanted.empty() ? "N/m or Pa" : wanted),
+      "write one of " + units_like(wanted.empty() ? "N/m" : wanted));
+}
+
+std::vector<double> in_unit_of_load(const CsvTable& table, std::size_t column, std::size_t k, const Names& units) {
+  const double factor =
+      factor_to_load(table.units[column], k, units, {table.path, 1, 1}, "column " + in_quotes(table.names[column]));
+  std::vector<double> values = table.columns[column];
+  for (double& value : values) value *= factor;
+  return values;
 }
 
 }  // namespace upbead::detail

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "upbead/app/wave_files.h"
+#include "upbead/base/csv.h"
 #include "upbead/base/error.h"
 
 namespace upbead::detail {
@@ -23,6 +24,14 @@ void add_unknown_load(const Place& place, const std::string& what, const std::st
 void check_times(const std::vector<double>& time, const std::function<Place(std::size_t)>& place, Mistakes& mistakes);
 
 /// The waves of one HDF5 file, without a name; throws InputError.
-WaveFile read_hdf5_waves(const std::string& path, const Names& loads);
+WaveFile read_hdf5_waves(const std::string& path, const Names& loads, const Names& units);
+
+/// What a unit makes of 1 of it, in that of load `k`; of a load whose unit is not known, force or pressure. Throws
+/// InputError where it is a unit of another quantity; `who`: has it.
+double factor_to_load(const std::string& unit, std::size_t k, const Names& units, const Place& place,
+                      const std::string& who);
+
+/// A column in the unit of load `k`.
+std::vector<double> in_unit_of_load(const CsvTable& table, std::size_t column, std::size_t k, const Names& units);
 
 }  // namespace upbead::detail

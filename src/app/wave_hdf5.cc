@@ -2,9 +2,11 @@
 #include <cmath>
 #include <map>
 
+#include "records/header_words.h"
 #include "upbead/base/magnitude.h"
+#include "upbead/base/quoted.h"
 #include "upbead/base/suggest.h"
-#include "upbead/base/trial_run.h"
+#include "upbead/base/units.h"
 #include "upbead/output/hdf5_reader.h"
 #include "wave_checks.h"
 
@@ -27,8 +29,11 @@ std::string shape_text(const NumberArray& array) {
 /// The datasets of an HDF5 file of waves, checked one by one.
 class WaveDatasets {
  public:
-  WaveDatasets(const std::string& path, const Names& loads)
-      : path_(path), loads_(loads), file_(path, "a file with the datasets time and " + join(loads, " or ")) {
+  WaveDatasets(const std::string& path, const Names& loads, const Names& units)
+      : path_(path),
+        loads_(loads),
+        units_(units),
+        file_(path, "a file with the datasets time and " + join(loads, " or ")) {
     read_time();
     for (const std::string& name : file_.names())
       if (name != "time") read_load(name);
@@ -59,6 +64,13 @@ class WaveDatasets {
       throw InputError({path_}, "no dataset /time with one time (s) a sample", "add it");
     time_ = array->values;
     clear_small(time_);
+    if (const auto unit = file_.text_attribute("/time", "unit"); unit && !unit->empty()) {
+      const std::optional<Unit> known = unit_of(unit_of_time("time", *unit));
+      if (!known)
+        throw InputError({path_}, "the unit " + in_quotes(*unit) + " of /time is none of a time",
+                         "write one of " + units_like("s"));
+      for (double& t : time_) t *= known->factor;
+    }
     if (const std::string objection = objection_to(time_); !objection.empty())
       mistakes_.add({path_}, "/time holds a number that " + objection, "give finite times");
     else
@@ -73,8 +85,12 @@ class WaveDatasets {
       return add_unknown_load({path_}, "dataset", name, loads_, mistakes_);
     }
     auto array = file_.numbers("/" + name);
-    if (!array) return mistakes_.add({path_}, "/" + name + " cannot be read as numbers", "write it as an array");
+    if (!array)
+      return mistakes_.add({path_}, "/" + excerpt(name) + " cannot be read as numbers", "write it as an array");
     clear_small(array->values);
+    const double factor =
+        factor_to_load(file_.text_attribute("/" + name, "unit").value_or(""), k, units_, {path_}, "/" + excerpt(name));
+    for (double& value : array->values) value *= factor;
     const std::size_t rank = array->shape.size();
     if (rank < 1 || rank > 2 || array->shape.back() != time_.size() || array->values.empty())
       mistakes_.add({path_}, "/" + name + " has the shape " + shape_text(*array),
@@ -97,7 +113,7 @@ class WaveDatasets {
   }
 
   std::string path_;
-  const Names& loads_;
+  const Names &loads_, &units_;
   Hdf5Reader file_;
   Mistakes mistakes_;
   std::vector<double> time_;
@@ -109,10 +125,8 @@ class WaveDatasets {
 
 }  // namespace
 
-WaveFile read_hdf5_waves(const std::string& path, const Names& loads) {
-  if (!survives(path, [&] { WaveDatasets(path, loads); }))
-    throw InputError({path}, "HDF5 breaks down on it, so it is damaged", "write the file again");
-  return WaveDatasets(path, loads).take();
+WaveFile read_hdf5_waves(const std::string& path, const Names& loads, const Names& units) {
+  return WaveDatasets(path, loads, units).take();
 }
 
 }  // namespace upbead::detail

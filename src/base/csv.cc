@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "csv_dialect.h"
+#include "upbead/base/quoted.h"
 #include "upbead/base/text_file.h"
 #include "upbead/base/units.h"
 
@@ -13,6 +14,8 @@ namespace {
 using namespace detail;
 
 constexpr std::uintmax_t most_bytes = 1'000'000'000;  // some 4e7 samples
+constexpr std::size_t most_columns = 10'000;          // channels of one record
+constexpr std::size_t most_numbers = 100'000'000;     // 0.8 GB of memory
 constexpr std::size_t n_listed = 10;                  // mistakes of one file that help; a thousand do not
 
 class Reader {
@@ -27,11 +30,17 @@ class Reader {
 
   void read_header(std::string_view line, int line_number) {
     dialect_ = dialect_of(line);
+    if (const std::size_t n = n_cells(line, dialect_); n > most_columns)
+      throw InputError({table_.path, line_number, 1},
+                       std::to_string(n) + " columns; at most " + std::to_string(most_columns) +
+                           " are read, more than any record has",
+                       "is it the right file? keep the time and the columns that are needed");
     std::vector<Cell> cells = cells_of(line, dialect_);
     const bool begins_with_numbers = are_numbers(cells);
     if (begins_with_numbers) {
-      cells = cells_of(comment_, dialect_of(comment_));
-      if (cells.size() != cells_of(line, dialect_).size() || are_numbers(cells))
+      const Dialect of_names = dialect_of(comment_);
+      if (n_cells(comment_, of_names) == cells.size()) cells = cells_of(comment_, of_names);
+      if (are_numbers(cells))
         throw InputError({table_.path, line_number, 1}, "the first line holds numbers, not the names of the columns",
                          "put a header line above them, such as time,force");
     }
@@ -45,7 +54,9 @@ class Reader {
     if (begins_with_numbers) read_line(line, line_number);
   }
 
-  void reserve(std::size_t rows) {
+  /// `rows`, but no more than so many characters can hold.
+  void reserve(std::size_t rows, std::size_t characters) {
+    rows = std::min({rows, characters / (2 * table_.columns.size()) + 1, most_numbers / table_.columns.size() + 1});
     table_.lines.reserve(rows);
     for (std::vector<double>& column : table_.columns) column.reserve(rows);
   }
@@ -54,6 +65,10 @@ class Reader {
     if (!read_row(line, dialect_, row_) && !read_cells(line, line_number)) return;
     for (std::size_t c = 0; c < row_.size(); ++c) table_.columns[c].push_back(row_[c]);
     table_.lines.push_back(line_number);
+    if (table_.lines.size() > most_numbers / row_.size())
+      throw InputError({table_.path, line_number, 1},
+                       "more than " + std::to_string(most_numbers) + " numbers: they would fill the memory",
+                       "is it the right file? thin the record, or keep the columns that are needed");
   }
 
   CsvTable finish() {
@@ -66,6 +81,10 @@ class Reader {
   }
 
  private:
+  static std::size_t n_cells(std::string_view line, Dialect dialect) {
+    return static_cast<std::size_t>(std::count(line.begin(), line.end(), dialect.separator)) + 1;
+  }
+
   bool are_numbers(const std::vector<Cell>& cells) const {
     return std::all_of(cells.begin(), cells.end(), [this](const Cell& cell) {
       double number = 0.;
@@ -75,22 +94,21 @@ class Reader {
 
   /// The row cell by cell, telling what is wrong with it; false where it gives no numbers.
   bool read_cells(std::string_view line, int line_number) {
+    if (const std::size_t n = n_cells(line, dialect_); n != table_.names.size()) {
+      add(1, line_number,
+          "cells in this row: " + std::to_string(n) + ", in the header: " + std::to_string(table_.names.size()),
+          "give every row one number per column, separated by " + dialect_.separators());
+      return false;
+    }
     const std::vector<Cell> cells = cells_of(line, dialect_);
     if (is_row_of_units(cells)) {
       for (std::size_t c = 0; c < cells.size(); ++c) table_.units[c] = bare(cells[c].text);
       return false;
     }
-    if (cells.size() != table_.names.size()) {
-      add(1, line_number,
-          "cells in this row: " + std::to_string(cells.size()) +
-              ", in the header: " + std::to_string(table_.names.size()),
-          "give every row one number per column, separated by " + dialect_.separators());
-      return false;
-    }
     for (std::size_t c = 0; c < cells.size(); ++c) {
       const std::string objection = read_number(cells[c].text, dialect_, row_[c]);
       if (!objection.empty())
-        add(cells[c].column, line_number, objection + " (column " + table_.names[c] + ")",
+        add(cells[c].column, line_number, objection + " (column " + excerpt(table_.names[c]) + ")",
             "give a finite number such as 1.5e6");
     }
     return true;
@@ -131,9 +149,9 @@ bool is_comment(std::string_view line) {
 
 }  // namespace
 
-CsvTable read_csv(const std::string& path, const Place& place) {
-  const std::string file = read_text(path, most_bytes, place);
-  std::string_view text = file;
+namespace {
+
+CsvTable read_table(std::string_view text, const std::string& path) {
   if (text.substr(0, 3) == "\xEF\xBB\xBF") text.remove_prefix(3);  // byte order mark of spreadsheets
   Reader reader(path);
   for (int number = 1; !reader.full() && !text.empty(); ++number) {
@@ -147,10 +165,27 @@ CsvTable read_csv(const std::string& path, const Place& place) {
       reader.read_comment(line);
     } else {
       reader.read_header(line, number);
-      reader.reserve(static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')) + 1);
+      reader.reserve(static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')) + 1, text.size());
     }
   }
   return reader.finish();
+}
+
+}  // namespace
+
+CsvTable read_csv(const std::string& path, const Place& place) {
+  return read_table(read_text(path, most_bytes, place), path);
+}
+
+CsvTable read_csv_head(const std::string& path, std::size_t bytes) {
+  std::string text = read_text(path, most_bytes, {}, bytes);
+  const std::size_t last = text.rfind('\n');
+  if (text.size() >= bytes && last != std::string::npos) text.resize(last);
+  try {
+    return read_table(text, path);
+  } catch (const InputError&) {
+    return read_csv(path, {});  // its header is longer than that
+  }
 }
 
 }  // namespace upbead

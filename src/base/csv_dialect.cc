@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "upbead/base/magnitude.h"
+#include "upbead/base/quoted.h"
+#include "upbead/base/units.h"
 
 namespace upbead::detail {
 
@@ -25,6 +27,18 @@ std::from_chars_result parse(std::string_view text, Dialect dialect, double& num
   if (with_point.find('.') == std::string::npos) with_point.replace(with_point.find(','), 1, ".");
   const auto [stop, error] = std::from_chars(with_point.data(), with_point.data() + with_point.size(), number);
   return {begin + (stop - with_point.data()), error};
+}
+
+/// Where the slash is behind which a unit follows, as ISO 80000-1 has it: "t / s", "p1/kPa", "F/kN/m"; npos without.
+std::size_t slash_before_unit(std::string_view text) {
+  constexpr std::size_t longest_unit = 20;
+  if (text.size() <= longest_unit && unit_of(std::string(text))) return std::string_view::npos;  // "kN/m" alone
+  for (std::size_t at = text.find('/', 1); at != std::string_view::npos; at = text.find('/', at + 1)) {
+    const std::string_view behind = trimmed(text.substr(at + 1));
+    if (behind.size() > longest_unit) continue;
+    if (const auto unit = unit_of(std::string(behind)); unit && unit->si != "1") return at;
+  }
+  return std::string_view::npos;
 }
 
 }  // namespace
@@ -58,10 +72,10 @@ std::string read_number(std::string_view cell, Dialect dialect, double& number) 
   const std::string text(cell);
   const auto [stop, error] = parse(text, dialect, number);
   if (text.empty()) return "an empty cell";
-  if (error == std::errc::result_out_of_range) return "'" + text + "' is beyond the range of a number";
-  if (error != std::errc() || stop != text.data() + text.size()) return "'" + text + "' is not a number";
-  if (!std::isfinite(number)) return "'" + text + "' is not finite";
-  if (is_too_large(number)) return "'" + text + "' is larger than any quantity in SI units";
+  if (error == std::errc::result_out_of_range) return in_quotes(text) + " is beyond the range of a number";
+  if (error != std::errc() || stop != text.data() + text.size()) return in_quotes(text) + " is not a number";
+  if (!std::isfinite(number)) return in_quotes(text) + " is not finite";
+  if (is_too_large(number)) return in_quotes(text) + " is larger than any quantity in SI units";
   if (is_too_small(number)) number = 0.;  // what is left of a number that decays in some program
   return "";
 }
@@ -86,8 +100,11 @@ Heading heading(std::string_view cell) {
   std::string_view text = trimmed(cell);
   if (text.size() > 1 && text.front() == '"' && text.back() == '"') text = trimmed(text.substr(1, text.size() - 2));
   const std::size_t open = text.find_last_of("([");
-  if (open == std::string_view::npos || open == 0 || (text.back() != ')' && text.back() != ']'))
-    return {std::string(text), ""};
+  if (open == std::string_view::npos || open == 0 || (text.back() != ')' && text.back() != ']')) {
+    const std::size_t slash = slash_before_unit(text);
+    if (slash == std::string_view::npos) return {std::string(text), ""};
+    return {std::string(trimmed(text.substr(0, slash))), std::string(trimmed(text.substr(slash + 1)))};
+  }
   return {std::string(trimmed(text.substr(0, open))),
           std::string(trimmed(text.substr(open + 1, text.size() - open - 2)))};
 }

@@ -31,7 +31,7 @@ std::string read_number(std::string_view text, Dialect dialect, double& number);
 /// Fills `row` from a line that holds as many sound numbers; false where it does not.
 bool read_row(std::string_view line, Dialect dialect, std::vector<double>& row);
 
-/// The name and the unit of "p1 (kPa)", "p1 [kPa]" or "p1", with or without quotes.
+/// The name and the unit of "p1 (kPa)", "p1 [kPa]", "p1 / kPa" or "p1", with or without quotes.
 struct Heading {
   std::string name, unit;
 };

@@ -1,21 +1,35 @@
 #include "upbead/base/error.h"
 
+#include "upbead/base/quoted.h"
+
 namespace upbead {
 
+namespace {
+constexpr std::size_t longest_sentence = 4000;  // whatever was quoted in it
+constexpr std::size_t n_told = 1000;            // mistakes that a person mends in one go
+
+/// As it is, also several lines, where it is no longer than a message may be.
+std::string bounded(const std::string& text, std::size_t most) {
+  return text.size() > most ? excerpt(text, most) : text;
+}
+}  // namespace
+
 std::string to_string(const Mistake& mistake) {
-  std::string text = mistake.place.file;
+  std::string text = bounded(mistake.place.file, longest_path);
   if (mistake.place.line > 0) text += ":" + std::to_string(mistake.place.line);
   if (mistake.place.line > 0 && mistake.place.column > 0) text += ":" + std::to_string(mistake.place.column);
   if (!text.empty()) text += ": ";
-  text += mistake.what;
-  if (!mistake.cure.empty()) text += "; " + mistake.cure;
+  text += bounded(mistake.what, longest_sentence);
+  if (!mistake.cure.empty()) text += "; " + bounded(mistake.cure, longest_sentence);
   return text;
 }
 
 namespace {
 std::string join(const std::vector<Mistake>& mistakes) {
   std::string text;
-  for (const Mistake& mistake : mistakes) text += (text.empty() ? "" : "\n") + to_string(mistake);
+  for (std::size_t i = 0; i < mistakes.size() && i < n_told; ++i)
+    text += (text.empty() ? "" : "\n") + to_string(mistakes[i]);
+  if (mistakes.size() > n_told) text += "\nand " + std::to_string(mistakes.size() - n_told) + " more mistakes";
   return text;
 }
 }  // namespace

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "upbead/base/quoted.h"
+
 namespace upbead {
 
 namespace {
@@ -28,12 +30,24 @@ std::size_t distance(const std::string& a, const std::string& b) {
   return d[a.size()][b.size()];
 }
 
+constexpr std::size_t longest_word = 200;  // a slip of the hand is one of a word; the distance takes its square
+constexpr std::size_t n_listed = 40;       // words that a person looks through
+
+std::string list_of(const std::vector<std::string>& words) {
+  std::vector<std::string> shown;
+  for (std::size_t i = 0; i < words.size() && i < n_listed; ++i) shown.push_back(excerpt(words[i]));
+  const std::string more = " and " + std::to_string(words.size() - shown.size()) + " more";
+  return join(shown) + (words.size() > n_listed ? more : "");
+}
+
 }  // namespace
 
 std::string nearest(const std::string& word, const std::vector<std::string>& candidates) {
   std::string best;
   std::size_t least = 0;
+  if (word.size() > longest_word) return best;
   for (const std::string& candidate : candidates) {
+    if (candidate.size() > longest_word) continue;
     const std::size_t d = distance(folded(word), folded(candidate));
     if (d > std::max(word.size(), candidate.size()) / 3 || (!best.empty() && d >= least)) continue;
     best = candidate;
@@ -44,8 +58,8 @@ std::string nearest(const std::string& word, const std::vector<std::string>& can
 
 std::string suggestion(const std::string& word, const std::vector<std::string>& candidates, const std::string& kind) {
   const std::string near = nearest(word, candidates);
-  if (!near.empty()) return "did you mean '" + near + "'?";
-  return candidates.empty() ? "there are no " + kind : "known " + kind + ": " + join(candidates);
+  if (!near.empty()) return "did you mean " + in_quotes(near) + "?";
+  return candidates.empty() ? "there are no " + kind : "known " + kind + ": " + list_of(candidates);
 }
 
 std::string join(const std::vector<std::string>& words, const std::string& separator) {

@@ -2,23 +2,27 @@
 
 #include <zlib.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 
 #include "upbead/base/input_file.h"
+#include "upbead/base/quoted.h"
 
 namespace upbead {
 
-std::string read_text(const std::string& path, std::uintmax_t most, const Place& place) {
+std::string read_text(const std::string& path, std::uintmax_t most, const Place& place, std::uintmax_t enough) {
   require_readable(path, most, place);
   // what is not packed comes out as it is
   const std::unique_ptr<gzFile_s, int (*)(gzFile)> file(gzopen(path.c_str(), "rb"), gzclose);
-  if (!file) throw InputError(place, "cannot read '" + path + "'", "check the path and the rights");
+  if (!file) throw InputError(place, "cannot read " + quoted_path(path), "check the path and the rights");
   constexpr unsigned piece = 1U << 20U;
+  constexpr std::size_t harmless = 64'000'000, most_unpacked = 100;  // of tables of numbers 2 to 20; a bomb has 1000
   gzbuffer(file.get(), piece);
   std::string text;
   std::error_code ignored;
-  if (const std::uintmax_t size = std::filesystem::file_size(path, ignored); !ignored) text.reserve(size + piece);
+  if (const std::uintmax_t size = std::filesystem::file_size(path, ignored); !ignored)
+    text.reserve(std::min(size, enough) + piece);
   while (true) {
     const std::size_t before = text.size();
     text.resize(before + piece);
@@ -26,11 +30,18 @@ std::string read_text(const std::string& path, std::uintmax_t most, const Place&
     text.resize(before + static_cast<std::size_t>(std::max(n, 0)));
     int code = Z_OK;
     if (n < 0 || (gzerror(file.get(), &code), code == Z_BUF_ERROR || code == Z_DATA_ERROR))
-      throw InputError(place, "'" + path + "' is damaged where it is packed by gzip", "pack it again");
+      throw InputError(place, quoted_path(path) + " is damaged where it is packed by gzip", "pack it again");
     if (text.size() > most)
-      throw InputError(place, "'" + path + "' holds more than " + std::to_string(most / 1'000'000) + " MB unpacked",
+      throw InputError(place,
+                       quoted_path(path) + " holds more than " + std::to_string(most / 1'000'000) + " MB unpacked",
                        "is it the right file? a record may be thinned");
-    if (n == 0) return text;
+    if (const std::uintmax_t packed = static_cast<std::uintmax_t>(std::max<z_off_t>(gzoffset(file.get()), 0));
+        text.size() > harmless && text.size() > most_unpacked * packed)
+      throw InputError(place,
+                       quoted_path(path) + " unpacks to more than " + std::to_string(most_unpacked) +
+                           " times its size: so much alike is no record",
+                       "is it the right file? else unpack it before");
+    if (n == 0 || text.size() >= enough) return text;
   }
 }
 

@@ -17,13 +17,25 @@ struct Row {
 };
 
 // without blanks, ^ and *; the first of each quantity is the SI unit
-constexpr std::array<Row, 70> rows{{
+constexpr std::array<Row, 82> rows{{
     {"s", "s", 1.},
     {"ms", "s", 1e-3},
     {"us", "s", 1e-6},
     {"sec", "s", 1.},
     {"msec", "s", 1e-3},
     {"min", "s", 60.},
+    {"h", "s", 3600.},
+    {"secs", "s", 1.},
+    {"second", "s", 1.},
+    {"seconds", "s", 1.},
+    {"sek", "s", 1.},
+    {"sekunden", "s", 1.},
+    {"msek", "s", 1e-3},
+    {"milliseconds", "s", 1e-3},
+    {"millisecond", "s", 1e-3},
+    {"millisekunden", "s", 1e-3},
+    {"microseconds", "s", 1e-6},
+    {"minutes", "s", 60.},
     {"m", "m", 1.},
     {"cm", "m", 1e-2},
     {"mm", "m", 1e-3},

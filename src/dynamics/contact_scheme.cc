@@ -17,8 +17,8 @@ const System& checked(const System& system) {
 
 }  // namespace
 
-FrictionalContact::FrictionalContact(const System& system, bool account_energy)
-    : SchemeBase(checked(system), account_energy),
+FrictionalContact::FrictionalContact(const System& system, const SchemeOptions& options)
+    : SchemeBase(checked(system), options),
       glued_(system, sdirk4_tableau()),
       moving_(system, friction_tableau()),
       impact_(system, euler_tableau()),
@@ -87,8 +87,9 @@ void FrictionalContact::report() {
 
 }  // namespace detail
 
-std::unique_ptr<Scheme> make_contact_scheme(const System& system, bool account_energy) {
-  return std::make_unique<detail::FrictionalContact>(system, account_energy);
+std::unique_ptr<Scheme> make_contact_scheme(const System& system, bool account_energy, bool refined) {
+  return std::make_unique<detail::FrictionalContact>(system,
+                                                     SchemeOptions{SchemeKind::sdirk4, 0., account_energy, refined});
 }
 
 }  // namespace upbead

@@ -12,7 +12,7 @@ namespace upbead::detail {
 /// node bounce. A step that meets what its tableau is not made for is done anew with the next one.
 class FrictionalContact : public SchemeBase {
  public:
-  FrictionalContact(const System& system, bool account_energy);
+  FrictionalContact(const System& system, const SchemeOptions& options);
   std::string name() const override { return "contact"; }
   int order() const override { return 2; }
   int solves_per_step() const override { return glued_.n_stages(); }

@@ -32,11 +32,13 @@ bool operator==(const EffectiveCoefficients& a, const EffectiveCoefficients& b) 
 
 }  // namespace
 
-EffectiveMatrix::EffectiveMatrix(const System& system, const EffectiveCoefficients& coefficients)
-    : EffectiveMatrix(system, combine(system, coefficients)) {}
+EffectiveMatrix::EffectiveMatrix(const System& system, const EffectiveCoefficients& coefficients, bool refined)
+    : EffectiveMatrix(system, combine(system, coefficients), refined) {}
 
-EffectiveMatrix::EffectiveMatrix(const System& system, const SparseMatrix& E)
+EffectiveMatrix::EffectiveMatrix(const System& system, const SparseMatrix& E, bool refined)
     : n_free_(system.n_free()),
+      refined_(refined),
+      free_(refined ? free_block(E, n_free_) : SparseMatrix()),
       coupling_(free_rows_of_prescribed(E, n_free_)),
       prescribed_(E.bottomRows(system.n_prescribed)),
       factors_(free_block(E, n_free_), system.blocks, system.sharing) {
@@ -47,7 +49,9 @@ void EffectiveMatrix::refactor(const System& system, const EffectiveCoefficients
   const SparseMatrix E = combine(system, coefficients);
   coupling_ = free_rows_of_prescribed(E, n_free_);
   prescribed_ = E.bottomRows(system.n_prescribed);
-  factors_.refactor(free_block(E, n_free_));
+  const SparseMatrix free = free_block(E, n_free_);
+  factors_.refactor(free);
+  if (refined_) free_ = free;
   check_inertia(system);
 }
 
@@ -63,6 +67,11 @@ void EffectiveMatrix::check_inertia(const System& system) const {
 void EffectiveMatrix::solve(Vector& rhs, Vector& y) const {
   if (coupling_.cols() > 0) rhs.head(n_free_) -= coupling_ * y.tail(coupling_.cols());
   factors_.solve(rhs.head(n_free_), y.head(n_free_));
+  if (!refined_) return;
+  residual_ = rhs.head(n_free_) - free_ * y.head(n_free_);
+  correction_.resize(n_free_);
+  factors_.solve(residual_, correction_);
+  y.head(n_free_) += correction_;
 }
 
 Vector EffectiveMatrix::residual_of_last(int n, const Vector& rhs, const Vector& y) const {
@@ -80,7 +89,7 @@ Eigen::MatrixXd EffectiveMatrix::condensed_on_last(int n) const {
 void EffectiveMatrices::factorise(const EffectiveCoefficients& coefficients) {
   const Stopwatch watch;
   if (entries_.size() < kept_matrices) {
-    entries_.push_front({coefficients, EffectiveMatrix(system_, coefficients)});
+    entries_.push_front({coefficients, EffectiveMatrix(system_, coefficients, refined_)});
   } else {
     entries_.splice(entries_.begin(), entries_, std::prev(entries_.end()));
     entries_.front().matrix.refactor(system_, coefficients);

@@ -18,10 +18,11 @@ struct EffectiveCoefficients {
 /// E = m M + c C + k K, its rows and columns of the free unknowns factorised.
 class EffectiveMatrix {
  public:
-  /// Throws NumericsError where E is singular or has not one negative pivot for each free phi.
-  EffectiveMatrix(const System& system, const EffectiveCoefficients& coefficients);
+  /// Throws NumericsError where E is singular or has not one negative pivot for each free phi. `refined`: each solution
+  /// is, by its residual.
+  EffectiveMatrix(const System& system, const EffectiveCoefficients& coefficients, bool refined);
   /// The same of an E that is at hand.
-  EffectiveMatrix(const System& system, const SparseMatrix& E);
+  EffectiveMatrix(const System& system, const SparseMatrix& E, bool refined = false);
 
   /// Solves E y = rhs for the free unknowns of y, with the prescribed ones (its tail) given. `rhs` has all n entries;
   /// its head is overwritten. Of a divided system, `rhs` is a sum over processes.
@@ -37,15 +38,18 @@ class EffectiveMatrix {
   void check_inertia(const System& system) const;
 
   int n_free_;
+  bool refined_;
+  SparseMatrix free_;        ///< rows and columns of the free unknowns, where solutions are refined
   SparseMatrix coupling_;    ///< rows of the free, columns of the prescribed unknowns
   SparseMatrix prescribed_;  ///< rows of the prescribed unknowns, all columns
   Factorisation factors_;
+  mutable Vector residual_, correction_;
 };
 
 /// Effective matrices by step size: a few are kept, then the oldest is overwritten.
 class EffectiveMatrices {
  public:
-  explicit EffectiveMatrices(const System& system) : system_(system) {}
+  EffectiveMatrices(const System& system, bool refined) : system_(system), refined_(refined) {}
   /// The matrix of these coefficients, factorised when it is not at hand.
   const EffectiveMatrix& get(const EffectiveCoefficients& coefficients);
   int n_factorisations() const { return n_factorisations_; }
@@ -61,6 +65,7 @@ class EffectiveMatrices {
   };
 
   const System& system_;
+  bool refined_;
   std::list<Entry> entries_;  ///< latest used first
   int n_factorisations_ = 0;
   double seconds_ = 0.;

@@ -14,24 +14,11 @@ AlphaCoefficients::AlphaCoefficients(double rho_inf)
   if (!(rho_inf >= 0. && rho_inf <= 1.)) throw std::invalid_argument("generalised-alpha: rho_inf lies in [0, 1]");
 }
 
-namespace {
-
-/// M of displacements is positive, that of phi (compressibility) negative.
-bool is_massless(const SparseMatrix& M) {
-  for (Eigen::Index i = 0; i < M.rows(); ++i)
-    if (M.coeff(i, i) > 0.) return false;
-  return true;
-}
-
-}  // namespace
-
-GeneralisedAlpha::GeneralisedAlpha(const System& system, double rho_inf, bool account_energy)
-    : SchemeBase(system, account_energy),
-      p_(rho_inf),
+GeneralisedAlpha::GeneralisedAlpha(const System& system, const SchemeOptions& options)
+    : SchemeBase(system, options),
+      p_(options.rho_inf),
       damping_and_stiffness_(system.C, system.K),
-      euler_(system, euler_tableau()),
       sdirk4_(system, sdirk4_tableau()),
-      massless_(is_massless(system.M)),
       largest_load_(system.loads.size(), 0.),
       pair_(system.size(), 2),
       triple_(system.size(), 3) {}
@@ -39,17 +26,20 @@ GeneralisedAlpha::GeneralisedAlpha(const System& system, double rho_inf, bool ac
 void GeneralisedAlpha::start(const State& state) {
   SchemeBase::start(state);
   std::fill(largest_load_.begin(), largest_load_.end(), 0.);
+  last_step_ = 0.;
 }
 
 SchemeMemory GeneralisedAlpha::memory() const {
   SchemeMemory memory = SchemeBase::memory();
   memory.largest_load = largest_load_;
+  memory.last_step = last_step_;
   return memory;
 }
 
 void GeneralisedAlpha::recall(const SchemeMemory& memory) {
   SchemeBase::recall(memory);
   largest_load_ = memory.largest_load;
+  last_step_ = memory.last_step;
 }
 
 /// Whether a load jumps at t, or a prescribed velocity has a kink there (its acceleration jumps).
@@ -73,29 +63,26 @@ void GeneralisedAlpha::note_end_load() {
     largest_load_[k] = std::max(largest_load_[k], std::abs(end_load_[k]));
 }
 
-/// x''(t+) where M may be singular: three steps of backward Euler so small that only what jumps moves. The first
-/// carries over what jumps without mass to hold it (a displacement in a quasi-static scene), the second what jumps in
-/// x' (a pressure that only obeys a constraint, a prescribed velocity), the third finds x'' of the consistent state.
-/// Time stands still meanwhile, an error of 3e-6 h.
-void GeneralisedAlpha::start_anew(State& state, double h) {
-  const double t = state.time;
-  for (int i = 0; i < 3; ++i) {
-    euler_.step(state, 1e-6 * h, t + 0.5 * h, matrices_, meter());
-    state.time = t;
-    ++n_solves_;
-  }
-}
-
-/// The step after a jump where nothing has mass. Velocities of a soil that drains are infinite there. The method hands
-/// on -rho_inf of a wrong velocity, which swings from step to step, and what it has moved stays: the sums of h v_f and
-/// of dx differ by h (1/2 - alpha_f) times the change of v. One L-stable step damps what is faster than the step (as
-/// Rannacher's: Numer. Math. 43 (1984) 309); a third of a percent of the largest pressure may stay.
-void GeneralisedAlpha::step_from_jump(State& state, double h) {
+/// The step after a jump. Velocities of a soil that drains are infinite there, those of what has no mass jump, x'' of a
+/// prescribed velocity too. The method hands on -rho_inf of a wrong velocity, which swings from step to step, and what
+/// it has moved stays: the sums of h v_f and of dx differ by h (1/2 - alpha_f) times the change of v. One L-stable step
+/// damps what is faster than the step (as Rannacher's: Numer. Math. 43 (1984) 309) and ends in x, x', x'' that obey the
+/// equations; in consolidation a third of a percent of the largest pressure may stay. x'' of what has no mass still
+/// tells how it fell within that step; a second one makes it as smooth as the method takes it to be.
+void GeneralisedAlpha::step_l_stable(State& state, double h) {
   sdirk4_.step(state, h, state.time + 0.5 * h, matrices_, meter());
   n_solves_ += sdirk4_.n_stages();
   end_load_ = sdirk4_.load();
   note_end_load();
   balanced_ = {state, end_load_};
+}
+
+/// Whether the step is much longer than the one before. What moves at the pace of the short steps, the long ones do not
+/// resolve: the method then overshoots by the square of their ratio (h v of a mode that should not move at all: Hilber
+/// and Hughes, Earthq. Eng. Struct. Dyn. 6 (1978) 99). The first long steps so are L-stable ones, which damp it.
+bool GeneralisedAlpha::is_lengthened(double h) const {
+  constexpr double tolerable = 1.5;
+  return last_step_ != 0. && h > tolerable * std::abs(last_step_);
 }
 
 /// x_f and v_f for a_m = 0 (into x_, v_), and the known part of a_m for prescribed unknowns.
@@ -124,10 +111,9 @@ void GeneralisedAlpha::finish(State& state, double h) const {
 }
 
 void GeneralisedAlpha::advance(State& state, double h) {
-  if (loads_start_anew(state.time, h)) {
-    if (massless_) return step_from_jump(state, h);
-    start_anew(state, h);
-  }
+  const bool first = loads_start_anew(state.time, h) || is_lengthened(h), second = last_step_ < 0.;
+  last_step_ = first ? -h : h;
+  if (first || second) return step_l_stable(state, h);
   before_ = state;
   loads_.evaluate(state.time + h, state.time + 0.5 * h, end_load_);
   std::vector<double>& load = balanced_.load;

@@ -17,10 +17,10 @@ struct AlphaCoefficients {
 
 /// M a_m + C v_f + K x_f = f_f with y_m = (1 - alpha_m) y_(n+1) + alpha_m y_n (alpha_f alike), solved for a_m. The
 /// acceleration carried from step to step is only first order accurate. Where a load jumps, or a prescribed velocity
-/// has a kink, it starts anew: see `start_anew`.
+/// has a kink, and where steps lengthen, an L-stable step comes first: see `step_l_stable` and `is_lengthened`.
 class GeneralisedAlpha : public SchemeBase {
  public:
-  GeneralisedAlpha(const System& system, double rho_inf, bool account_energy);
+  GeneralisedAlpha(const System& system, const SchemeOptions& options);
   std::string name() const override { return "generalised_alpha"; }
   int order() const override { return 2; }
   int solves_per_step() const override { return 1; }
@@ -32,8 +32,8 @@ class GeneralisedAlpha : public SchemeBase {
  private:
   bool loads_start_anew(double t, double h);
   void note_end_load();
-  void start_anew(State& state, double h);
-  void step_from_jump(State& state, double h);
+  bool is_lengthened(double h) const;
+  void step_l_stable(State& state, double h);
   void predict(const State& state, double h, State& middle);
   void finish(State& state, double h) const;
   void account(const State& before, const State& after, double h);
@@ -43,10 +43,10 @@ class GeneralisedAlpha : public SchemeBase {
 
   AlphaCoefficients p_;
   SymmetricPair damping_and_stiffness_;
-  Dirk euler_, sdirk4_;
-  bool massless_;  ///< no displacement has a mass; M of phi is compressibility
+  Dirk sdirk4_;
   std::vector<double> begin_load_;
   std::vector<double> largest_load_;  ///< |f_k| so far, to tell a jump from round-off
+  double last_step_ = 0.;             ///< s; 0 before the first; negative: a second L-stable one is due
   State before_;
   Vector x_, v_, f_, rhs_;
   VectorBlock pair_, triple_;

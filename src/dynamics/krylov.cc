@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "effective_matrix.h"
+#include "orthogonalise.h"
 #include "upbead/base/error.h"
 #include "upbead/base/stopwatch.h"
 
@@ -13,8 +14,9 @@ namespace upbead {
 
 namespace {
 
-/// What of a vector may remain, beside its length, where it lies in the span of others.
-constexpr double round_off = 1e-11;
+using detail::add_column;
+using detail::orthogonalise;
+using detail::round_off;
 
 bool is_phi(const System& system, int unknown) {
   return system.field[static_cast<std::size_t>(unknown)] == Field::pressure_impulse;
@@ -38,32 +40,15 @@ Vector norm_weight(const SparseMatrix& T, const System& system) {
   return weight;
 }
 
-/// Takes the span of the orthonormal columns of Q out of y, twice, as once is not enough near the span; returns the
-/// coordinates of what it took.
-Vector orthogonalise(const Eigen::Ref<const Eigen::MatrixXd>& Q, Vector& y) {
-  Vector coordinates = Vector::Zero(Q.cols());
-  for (int pass = 0; pass < 2; ++pass) {
-    const Vector h = Q.transpose() * y;
-    y.noalias() -= Q * h;
-    coordinates += h;
-  }
-  return coordinates;
-}
-
-void add_column(FieldBasis& basis, const Vector& column, int coordinate) {
-  if (basis.n() == basis.vectors.cols()) basis.vectors.conservativeResize(Eigen::NoChange, 2 * basis.n());
-  basis.vectors.col(basis.n()) = column;
-  basis.coordinate.push_back(coordinate);
-}
-
 }  // namespace
 
-SecondOrderKrylov::SecondOrderKrylov(const System& system, double shift, const std::vector<int>& exact)
+SecondOrderKrylov::SecondOrderKrylov(const System& system, double shift, const std::vector<int>& exact,
+                                     const std::vector<Vector>& kept)
     : system_(system), shift_(shift) {
   if (!(shift > 0.)) throw std::invalid_argument("the shift of a Krylov space must be positive");
   first_ = 2. * shift * shift * system.M + shift * system.C;
   const SparseMatrix T = shift * shift * system.M + shift * system.C + system.K;
-  make_bases(T, exact);
+  make_bases(T, exact, kept);
   const Stopwatch watch;
   T_ = std::make_unique<detail::EffectiveMatrix>(system, T);
   factorise_seconds_ = watch.seconds();
@@ -72,7 +57,8 @@ SecondOrderKrylov::SecondOrderKrylov(const System& system, double shift, const s
 
 SecondOrderKrylov::~SecondOrderKrylov() = default;
 
-void SecondOrderKrylov::make_bases(const SparseMatrix& T, const std::vector<int>& exact) {
+void SecondOrderKrylov::make_bases(const SparseMatrix& T, const std::vector<int>& exact,
+                                   const std::vector<Vector>& kept) {
   constexpr int room = 32;
   const Vector weight = norm_weight(T, system_);
   for (int i = 0; i < system_.size(); ++i) (is_phi(system_, i) ? phi_ : u_).unknown.push_back(i);
@@ -89,6 +75,7 @@ void SecondOrderKrylov::make_bases(const SparseMatrix& T, const std::vector<int>
   };
   for (int i = system_.n_free(); i < system_.size(); ++i) keep(i);
   for (const int i : exact) keep(i);
+  for (const Vector& direction : kept) take(direction);
 }
 
 void SecondOrderKrylov::solve(Vector& rhs, Vector& x) {

@@ -64,14 +64,16 @@ void grow(Eigen::MatrixXd& A, Eigen::Index rows, Eigen::Index columns) {
 }  // namespace
 
 Projection::Projection(const System& system, const SecondOrderKrylov& krylov)
+    : Projection(system, krylov.displacements(), krylov.phi(), krylov.shift()) {}
+
+Projection::Projection(const System& system, const FieldBasis& displacements, const FieldBasis& phi, double shift)
     : system_(system),
-      krylov_(krylov),
-      u_(make_group(system, krylov.displacements())),
-      phi_(make_group(system, krylov.phi())),
+      u_(make_group(system, displacements)),
+      phi_(make_group(system, phi)),
       position_(row_matrix(system.readings, &Reading::position, system.size())),
       velocity_(row_matrix(system.readings, &Reading::velocity, system.size())),
       acceleration_(row_matrix(system.readings, &Reading::acceleration, system.size())),
-      reduced_(without_coordinates(system, krylov.shift())) {
+      reduced_(without_coordinates(system, shift)) {
   const auto coupling = [&](const SparseMatrix& A) -> SparseMatrix {
     return phi_.basis.unit.asDiagonal() * block(A, phi_.basis.unknown, u_.basis.unknown) * u_.basis.unit.asDiagonal();
   };
@@ -96,13 +98,13 @@ void Projection::extend() {
 }
 
 void Projection::resize() {
-  const Eigen::Index R = krylov_.n_coordinates();
+  const Eigen::Index R = u_.basis.n() + phi_.basis.n();
   for (Eigen::MatrixXd* A : {&reduced_.M, &reduced_.C, &reduced_.K}) grow(*A, R, R);
   grow(reduced_.load, R, reduced_.load.cols());
   for (Eigen::MatrixXd* rows : {&reduced_.position, &reduced_.velocity, &reduced_.acceleration})
     grow(*rows, rows->rows(), R);
   reduced_.is_phi.assign(static_cast<std::size_t>(R), false);
-  for (const int coordinate : krylov_.phi().coordinate) reduced_.is_phi[static_cast<std::size_t>(coordinate)] = true;
+  for (const int coordinate : phi_.basis.coordinate) reduced_.is_phi[static_cast<std::size_t>(coordinate)] = true;
 }
 
 void Projection::project(Group& group) {

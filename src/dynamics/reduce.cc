@@ -128,8 +128,11 @@ Eigen::MatrixXd phi_velocities(const FieldBasis& basis, const Eigen::MatrixXd& c
 }
 
 Reduction reduce(const System& system, const ReduceOptions& options) {
-  SecondOrderKrylov krylov(system, options.shift, options.exact);
+  SecondOrderKrylov krylov(system, options.shift, options.exact, options.kept);
   Reduction out;
+  out.tolerance = options.tolerance;
+  out.tolerance_of_others = options.tolerance_of_others;
+  out.measured = options.measured;
   out.n_independent_loads = krylov.n_independent_loads();
   out.factorise_seconds = krylov.factorise_seconds();
   const std::vector<SampledLoads> loads = trainings(options.training, options.each_load);

@@ -6,8 +6,8 @@
 namespace upbead {
 
 std::unique_ptr<Scheme> make_scheme(const System& system, const SchemeOptions& options) {
-  if (options.kind == SchemeKind::sdirk4) return std::make_unique<detail::Sdirk4>(system, options.account_energy);
-  return std::make_unique<detail::GeneralisedAlpha>(system, options.rho_inf, options.account_energy);
+  if (options.kind == SchemeKind::sdirk4) return std::make_unique<detail::Sdirk4>(system, options);
+  return std::make_unique<detail::GeneralisedAlpha>(system, options);
 }
 
 }  // namespace upbead

@@ -20,7 +20,7 @@ class SchemeBase : public Scheme {
     end_load_ = balanced_.load;
     if (meter_) meter_->start(state);
   }
-  SchemeMemory memory() const override { return {balanced_, end_load_, {}, energy()}; }
+  SchemeMemory memory() const override { return {balanced_, end_load_, {}, 0., energy()}; }
   void recall(const SchemeMemory& memory) override {
     balanced_ = memory.balanced;
     end_load_ = memory.end_load;
@@ -35,8 +35,9 @@ class SchemeBase : public Scheme {
   double factorise_seconds() const override { return matrices_.seconds(); }
 
  protected:
-  SchemeBase(const System& system, bool account_energy) : system_(system), loads_(system), matrices_(system) {
-    if (account_energy) meter_.emplace(system);
+  SchemeBase(const System& system, const SchemeOptions& options)
+      : system_(system), loads_(system), matrices_(system, options.refined && !system.is_divided()) {
+    if (options.account_energy) meter_.emplace(system);
     SchemeBase::start(at_rest(system));
   }
   EnergyMeter* meter() { return meter_ ? &*meter_ : nullptr; }

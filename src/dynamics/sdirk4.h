@@ -11,8 +11,8 @@ namespace upbead::detail {
 /// of a prescribed velocity needs no care.
 class Sdirk4 : public SchemeBase {
  public:
-  Sdirk4(const System& system, bool account_energy)
-      : SchemeBase(system, account_energy), dirk_(system, sdirk4_tableau()) {}
+  Sdirk4(const System& system, const SchemeOptions& options)
+      : SchemeBase(system, options), dirk_(system, sdirk4_tableau()) {}
   std::string name() const override { return "sdirk4"; }
   int order() const override { return 4; }
   int solves_per_step() const override { return dirk_.n_stages(); }

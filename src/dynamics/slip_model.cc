@@ -199,6 +199,38 @@ ModalModel side_by_side(const ModalModel& a, const ModalModel& b) {
   return both;
 }
 
+/// Damping ratio at s_0 that may be added.
+constexpr double largest_ratio = 5e-3;
+
+SlipModel model_with(const ReducedSystem& reduced, const SlipLaw& law, double damping_time) {
+  if (!(law.friction > 0.)) throw std::invalid_argument("slip needs friction");
+  ReducedSystem damped = reduced;
+  if (damping_time > 0.) damped.C += damping_time * reduced.K;
+  const OpenLoop loop = open_loop(damped, law);
+  SlipModel model;
+  model.friction = law.friction;
+  model.damping_time = damping_time;
+  model.share_of_slip = loop.share_of_slip;
+  const std::array<Equations, 4> equations{stuck(loop), slipping(loop, law.friction), slipping(loop, -law.friction),
+                                           slipping(loop, 0.)};
+  for (std::size_t i = 0; i < equations.size(); ++i) {
+    model.phases[i] = in_modes(equations[i], loop.A.rows(), model.growth);
+    add_labels(model.phases[i].modes, reduced, law.readings);
+  }
+  return model;
+}
+
+/// The largest 2 sigma/omega^2 of poles that grow, of those that take no more than half of `largest`.
+double beta_against_flutter(const SlipModel& model, double largest) {
+  double beta = 0.;
+  for (const SlipPhase& phase : model.phases)
+    for (const std::complex<double>& pole : phase.modes.pole) {
+      const double wanted = pole.real() > 0. ? 2. * pole.real() / std::norm(pole) : 0.;
+      if (2. * wanted <= largest) beta = std::max(beta, wanted);
+    }
+  return beta;
+}
+
 }  // namespace
 
 void add_slip(System& system, int slip) {
@@ -207,17 +239,15 @@ void add_slip(System& system, int slip) {
   system.readings.push_back({slip_name::velocity, "m/s", "velocity of the slip, landward", {}, {{slip, 1.}}, {}, {}});
 }
 
-SlipModel slip_model(const ReducedSystem& reduced, const SlipLaw& law) {
-  if (!(law.friction > 0.)) throw std::invalid_argument("slip needs friction");
-  const OpenLoop loop = open_loop(reduced, law);
-  SlipModel model;
-  model.friction = law.friction;
-  model.share_of_slip = loop.share_of_slip;
-  const std::array<Equations, 4> equations{stuck(loop), slipping(loop, law.friction), slipping(loop, -law.friction),
-                                           slipping(loop, 0.)};
-  for (std::size_t i = 0; i < equations.size(); ++i) {
-    model.phases[i] = in_modes(equations[i], loop.A.rows(), model.growth);
-    add_labels(model.phases[i].modes, reduced, law.readings);
+SlipModel slip_model(const ReducedSystem& reduced, const SlipLaw& law, double damping_time) {
+  constexpr int most_tries = 8;
+  double beta = damping_time;
+  SlipModel model = model_with(reduced, law, beta);
+  for (int i = 0; i < most_tries; ++i) {
+    const double wanted = beta_against_flutter(model, 2. * largest_ratio / reduced.shift - beta);
+    if (wanted == 0.) break;
+    beta += 2. * wanted;
+    model = model_with(reduced, law, beta);
   }
   return model;
 }

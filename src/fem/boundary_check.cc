@@ -1,4 +1,5 @@
 // Do the conditions on boundaries fit the regions behind them?
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
@@ -78,7 +79,49 @@ void check_pressure(Checker& checker, const std::string& key, const Boundary& si
 
 }  // namespace
 
+namespace {
+
+/// What supports hold of the three motions as one body: the sum of c c^T over the directions d that they hold at points
+/// (x, y), c the parts of the unit motions along d.
+Eigen::Matrix3d held_motions(const Checker& checker) {
+  using D = DisplacementCondition;
+  Eigen::Matrix3d held = Eigen::Matrix3d::Zero();
+  const auto& first = checker.mesh.triangulation.get_vertices().front();
+  for (const auto& cell : checker.mesh.triangulation.active_cell_iterators())
+    for (const auto& face : cell->face_iterators()) {
+      const auto side = checker.scene.boundaries.find(checker.mesh.curve_of(face));
+      if (!face->at_boundary() || side == checker.scene.boundaries.end()) continue;
+      const D condition = side->second.displacement;
+      if ((condition != D::fixed && condition != D::roller) ||
+          checker.is(checker.mesh.surface_of(cell), RegionKind::water))
+        continue;
+      const auto along = (face->vertex(1) - face->vertex(0)) / face->measure();
+      for (unsigned v = 0; v < 2; ++v) {
+        const auto at = (face->vertex(v) - first) / face->measure();
+        const Eigen::Vector3d normal(along[1], -along[0], along[1] * at[1] + along[0] * at[0]);
+        const Eigen::Vector3d tangent(along[0], along[1], along[0] * at[1] - along[1] * at[0]);
+        held += normal * normal.transpose();
+        if (condition == D::fixed) held += tangent * tangent.transpose();
+      }
+    }
+  return held;
+}
+
+/// Without inertia a scene that may move as one body has no answer.
+void check_held(Checker& checker) {
+  if (checker.scene.time.inertia) return;
+  const Eigen::Vector3d held = held_motions(checker).selfadjointView<Eigen::Lower>().eigenvalues();
+  if (held[0] > 1e-10 * held[2] && held[2] > 0.) return;
+  checker.object(
+      "boundaries",
+      "without inertia (time.inertia = false) nothing holds the scene: as one body it may shift or turn freely",
+      "say displacement = \"fixed\" at its base, or \"roller\" at base and sides");
+}
+
+}  // namespace
+
 void check_boundaries(Checker& checker) {
+  check_held(checker);
   Names outer;
   for (const auto& [name, curve] : checker.outline.outer) {
     outer.insert(name);

@@ -111,6 +111,18 @@ NodalSums sums_of_motions(const Space& space, const Caisson& caisson) {
   return sums;
 }
 
+std::vector<Vector> caisson_motions(const Space& space, const Unknowns& unknowns, const Caisson& caisson) {
+  const NodalSums sums = sums_of_motions(space, caisson);
+  std::vector<Vector> motions(static_cast<std::size_t>(sums.n), Vector::Zero(unknowns.size()));
+  for (unsigned dof = 0; dof < sums.of_dof.size(); ++dof) {
+    const Row& expansion = unknowns.expansion(dof);
+    if (expansion.size() != 1 || expansion.front().second != 1.) continue;  // it follows others
+    for (const auto& [motion, part] : sums.of_dof[dof])
+      motions[static_cast<std::size_t>(motion)][expansion.front().first] = part;
+  }
+  return motions;
+}
+
 NodalSums sums_of_nodes(const Space& space, const std::vector<InterfaceNode>& nodes) {
   NodalSums sums;
   sums.of_dof.resize(space.dofs().n_dofs());

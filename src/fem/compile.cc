@@ -1,5 +1,7 @@
 #include "upbead/fem/compile.h"
 
+#include <algorithm>
+
 #include "upbead/fem/assembly.h"
 #include "upbead/fem/base_readings.h"
 #include "upbead/fem/caisson_readings.h"
@@ -19,6 +21,10 @@ Interface interface_of(const std::vector<InterfaceNode>& nodes) {
   }
   interface.normal_force = Vector::Zero(interface.n_nodes());
   return interface;
+}
+
+bool is_deformable(const std::vector<Body>& bodies) {
+  return std::none_of(bodies.begin(), bodies.end(), [](const Body& body) { return body.region == caisson_name; });
 }
 
 }  // namespace
@@ -48,6 +54,8 @@ CompiledScene compile(const Scene& scene, const Space& space, const Unknowns& un
       compile_loads(scene, space, unknowns, bodies, compiled.caisson, forces ? &forces->ground : nullptr);
   if (compiled.caisson) {
     const double density = scene.regions.at(caisson_name).density.value_or(0.);
+    if (!processes && is_deformable(bodies))
+      compiled.caisson_motions = caisson_motions(space, unknowns, *compiled.caisson);
     const auto momentum = momentum_rows(space, unknowns, bodies, compiled.caisson->body, density);
     system.readings = caisson_readings(*compiled.caisson, *forces, momentum,
                                        uplift_rows(space, unknowns, *compiled.caisson), loads, scene.time.inertia);

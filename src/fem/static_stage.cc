@@ -81,8 +81,12 @@ double water_level(const Scene& scene, const Mesh& mesh) {
   return level;
 }
 
-Vector static_normal_forces(const Scene& scene, const Mesh& mesh, const SoilState& soil) {
-  return detail::normal_forces(scene, mesh, soil);
+Vector static_normal_forces(const Scene& scene, const Mesh& mesh, const SoilState& soil, bool has_settled) {
+  return detail::normal_forces(scene, mesh, soil, has_settled);
+}
+
+WeightInWater caisson_in_water(const Scene& scene, const Mesh& mesh) {
+  return detail::caisson_in_water(scene, mesh);
 }
 
 /// What stiffens draws load, which stiffens it more: changes of log G shrink by a factor from solve to solve, and all

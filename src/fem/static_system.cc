@@ -76,8 +76,18 @@ class Ground {
     return (system.K * x - weights).tail(nodes);
   }
 
-  /// Work of the weights in unit motions of the unknowns; still water stands at `level`.
-  Vector weights(double level) const {
+  WeightInWater caisson_in_water(double level) const {
+    const Vector f = weights(level, true);
+    std::size_t b = 0;
+    while (bodies_.at(b).region != caisson_name) ++b;
+    // the unit rotation moves a point by -(x - x_G) upwards
+    const double weight = -f[unknowns_.coordinate(b, motion_y)];
+    return {weight, bodies_[b].centre[0] + f[unknowns_.coordinate(b, motion_rotation)] / weight};
+  }
+
+  /// Work of the weights in unit motions of the unknowns, of all or of the caisson alone; still water stands at
+  /// `level`.
+  Vector weights(double level, bool of_caisson_alone = false) const {
     // where the water level cuts a cell its weight jumps: many points there
     const hp::QCollection<dim> points(QGauss<dim>(static_cast<unsigned>(space_.degree()) + 1),
                                       QIterated<dim>(QGauss<1>(3), 16));
@@ -85,7 +95,8 @@ class Ground {
                                 update_values | update_quadrature_points | update_JxW_values);
     Vector f = Vector::Zero(unknowns_.size());
     for (const auto& cell : space_.dofs().active_cell_iterators()) {
-      if (space_.kind(cell) == CellKind::absent) continue;
+      const bool of_caisson = space_.mesh().surface_of(cell) == caisson_name;
+      if (space_.kind(cell) == CellKind::absent || (of_caisson_alone && !of_caisson)) continue;
       hp_values.reinit(cell, is_cut(cell, level) ? 1 : 0);
       const FEValues<dim>& fe = hp_values.get_present_fe_values();
       std::vector<types::global_dof_index> dofs(fe.dofs_per_cell);
@@ -93,7 +104,6 @@ class Ground {
       for (const unsigned i : fe.dof_indices()) {
         const double work = work_of(fe, i, cell, level);
         const auto dof = static_cast<unsigned>(dofs[i]);
-        const bool of_caisson = space_.mesh().surface_of(cell) == caisson_name;
         const Row& row = of_caisson ? unknowns_.caisson_expansion(dof) : unknowns_.expansion(dof);
         for (const auto& [unknown, weight] : row) f[unknown] += weight * work;
       }
@@ -163,10 +173,15 @@ EffectiveStress StaticSystem::solve(const SoilState& soil) const {
   return Ground(scene_, mesh_, soil).solve(weights_);
 }
 
-Vector normal_forces(const Scene& scene, const Mesh& mesh, const SoilState& soil) {
+Vector normal_forces(const Scene& scene, const Mesh& mesh, const SoilState& soil, bool has_settled) {
   const Scene rest = at_rest(scene);
   const Ground ground(rest, mesh, soil, true);
-  return ground.normal_forces(ground.weights(water_level(scene, mesh)));
+  return ground.normal_forces(ground.weights(water_level(scene, mesh), has_settled));
+}
+
+WeightInWater caisson_in_water(const Scene& scene, const Mesh& mesh) {
+  const Scene rest = at_rest(scene);
+  return Ground(rest, mesh, {}).caisson_in_water(water_level(scene, mesh));
 }
 
 }  // namespace upbead::detail

@@ -20,7 +20,8 @@ class StaticSystem {
   Vector weights_;  ///< by unknown; whatever the stiffness
 };
 
-/// See static_normal_forces.
-Vector normal_forces(const Scene& scene, const Mesh& mesh, const SoilState& soil);
+/// See static_normal_forces and caisson_in_water.
+Vector normal_forces(const Scene& scene, const Mesh& mesh, const SoilState& soil, bool has_settled);
+WeightInWater caisson_in_water(const Scene& scene, const Mesh& mesh);
 
 }  // namespace upbead::detail

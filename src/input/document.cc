@@ -6,11 +6,13 @@
 
 #include "toml_text.h"
 #include "upbead/base/input_file.h"
+#include "upbead/base/quoted.h"
 
 namespace upbead {
 
 namespace {
 
+constexpr std::size_t longest_override = 300;      // of one that a message quotes
 constexpr std::uintmax_t most_bytes = 10'000'000;  // a case has some kilobytes
 
 std::string read_text(const std::string& path) {
@@ -23,7 +25,7 @@ std::string read_text(const std::string& path) {
 
 /// The tree that one override stands for: tables of one entry each, down to its value.
 Node read_override(const std::string& text) {
-  const std::string place = "--set " + text;
+  const std::string place = "--set " + excerpt(text, longest_override);
   const std::size_t equals = text.find('=');
   const auto fail = [&](const std::string& what) -> InputError {
     return InputError({place}, what, "write --set KEY=VALUE, such as --set time.end=2.0");
@@ -59,7 +61,8 @@ void forget_lines(Node& node) {
 void apply(Node& root, Node&& change, std::size_t depth) {
   auto& [key, value] = std::get<NodeTable>(change.value).front();
   auto* table = std::get_if<NodeTable>(&root.value);
-  if (!table) throw InputError(change.place, "'" + key + "' is set within " + found(root), "see the keys of the case");
+  if (!table)
+    throw InputError(change.place, in_quotes(key) + " is set within " + found(root), "see the keys of the case");
   const auto old = std::find_if(table->begin(), table->end(), [k = &key](const auto& e) { return e.first == *k; });
   if (old == table->end())
     table->emplace_back(std::move(key), std::move(value));

@@ -1,5 +1,6 @@
 #include "upbead/input/schema_text.h"
 
+#include "upbead/base/quoted.h"
 #include "upbead/base/suggest.h"
 
 namespace upbead {
@@ -20,7 +21,7 @@ void check_known(const Node& node, const std::string& path, const std::vector<st
     bool is_known = false;
     for (const std::string& name : known) is_known = is_known || name == key;
     if (!is_known)
-      report.add(dotted(path, key), entry.place, "unknown key '" + key + "' " + where_text(path),
+      report.add(dotted(path, key), entry.place, "unknown key " + in_quotes(key) + " " + where_text(path),
                  suggestion(key, known, "keys"));
   }
 }
@@ -56,9 +57,10 @@ std::string with_condition(const KeyInfo& key) {
 KeyRow key_row(const KeyInfo& key, const std::string& type, const std::string& standard) {
   const bool bounded = key.range.text() != Range().text();
   return {key.name, type, bounded ? key.range.text() : "",
-          key.required       ? "required"
-          : standard.empty() ? key.fallback
-                             : "`" + standard + "`",
+          key.required            ? "required"
+          : !key.fallback.empty() ? key.fallback
+          : standard.empty()      ? ""
+                                  : "`" + standard + "`",
           with_condition(key)};
 }
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "upbead/base/quoted.h"
+
 namespace upbead {
 
 namespace {
@@ -12,12 +14,20 @@ Place place_of(const toml::source_region& source, const std::string& file) {
   return {file, static_cast<int>(source.begin.line), static_cast<int>(source.begin.column)};
 }
 
+constexpr std::size_t longest_key = 500;  // every message about it tells its whole path
+
 Node convert(const toml::node& node, const Place& place);
 
 Node convert_table(const toml::table& table, const Place& place) {
   NodeTable entries;
-  for (const auto& [key, value] : table)
+  for (const auto& [key, value] : table) {
+    if (key.length() > longest_key)
+      throw InputError(place_of(key.source(), place.file),
+                       "a key of " + std::to_string(key.length()) + " characters, " + in_quotes(key.str()) +
+                           "; at most " + std::to_string(longest_key) + " are read",
+                       "give it a shorter name");
     entries.emplace_back(std::string(key.str()), convert(value, place_of(key.source(), place.file)));
+  }
   // the library sorts by name, a person by place
   std::stable_sort(entries.begin(), entries.end(), [](const auto& a, const auto& b) {
     return std::pair(a.second.place.line, a.second.place.column) <

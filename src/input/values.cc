@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "upbead/base/magnitude.h"
+#include "upbead/base/quoted.h"
 #include "upbead/base/suggest.h"
 
 namespace upbead {
@@ -130,8 +131,8 @@ Verdict read_word(const Node& node, const KeyInfo& key, std::size_t& index) {
   for (index = 0; index < key.words.size(); ++index)
     if (key.words[index] == *node.text()) return {};
   const std::string near = nearest(*node.text(), key.words);
-  return {{node.place, key.name + " = " + to_toml(*node.text()) + " is none of " + list,
-           near.empty() ? "choose one of them" : "did you mean '" + near + "'?"}};
+  return {{node.place, key.name + " = " + to_toml(excerpt(*node.text())) + " is none of " + list,
+           near.empty() ? "choose one of them" : "did you mean " + in_quotes(near) + "?"}};
 }
 
 std::string type_text(const KeyInfo& key, const double*) {

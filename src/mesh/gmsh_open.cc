@@ -19,12 +19,19 @@ Kind kind_of(const std::string& file) {
   return ending == ".geo" ? Kind::script : ending == ".msh" ? Kind::mesh : Kind::unknown;
 }
 
-/// gmsh takes any text for a script, and its message about a mesh that is none would be no help.
+/// gmsh takes for a script whatever does not begin as a mesh.
+bool begins_as_mesh(const std::string& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::string line;
+  std::getline(in, line);
+  return line.rfind("$MeshFormat", 0) == 0 || line.rfind("$Comments", 0) == 0;
+}
+
 bool has_mesh_format(const std::string& file) {
   std::ifstream in(file, std::ios::binary);
   std::string beginning(4096, '\0');
   in.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
-  return beginning.find("$MeshFormat") != std::string::npos;
+  return beginning.find("$MeshFormat") != std::string::npos && begins_as_mesh(file);
 }
 
 bool ends_with_newline(const std::string& file) {
@@ -38,13 +45,15 @@ void check_file(const std::string& file, MeshReport& report) {
   if (!std::filesystem::exists(file))
     return report.add("there is no file '" + file + "'", "check the name and the folder");
   if (std::filesystem::is_directory(file)) return report.add("'" + file + "' is a folder", "name the file in it");
+  if (!std::filesystem::is_regular_file(file))
+    return report.add("'" + file + "' is not a file of a known length", "name a file on a disk");
   if (!std::ifstream(file)) return report.add("'" + file + "' cannot be read", "check its permissions");
   switch (kind_of(file)) {
     case Kind::unknown:
       return report.add("it is neither a .geo nor a .msh", "give a gmsh script (.geo) or a gmsh mesh (.msh)");
     case Kind::mesh:
       if (!has_mesh_format(file))
-        report.add("it is not a gmsh mesh: it has no $MeshFormat",
+        report.add("it is not a gmsh mesh: it has no $MeshFormat at its beginning",
                    "save it from gmsh: File > Export, format 2.2 or 4.1");
       return;
     case Kind::script:
@@ -82,21 +91,30 @@ void check_parameters(const MeshRequest& request, MeshReport& report) {
 
 }  // namespace
 
-void open_mesh(const MeshRequest& request, GmshSession& session, MeshReport& report) {
+bool is_script(const std::string& file) {
+  return kind_of(file) == Kind::script;
+}
+
+void check_source(const MeshRequest& request, MeshReport& report) {
   check_file(request.file, report);
-  if (!report.empty()) return;
-  check_parameters(request, report);
-  if (!report.empty()) return;
-  const bool is_script = kind_of(request.file) == Kind::script;
+  if (report.empty()) check_parameters(request, report);
+}
+
+void open_mesh(const MeshRequest& request, GmshSession& session, MeshReport& report) {
+  const bool script = is_script(request.file);
   try {
-    session.open(request.file, request.parameters);
-    if (is_script) session.generate();
+    if (script) {
+      session.open_script(request.file, request.parameters);
+      session.generate();
+    } else {
+      session.open_mesh(request.file);
+    }
   } catch (const GmshError& error) {
     // One slip makes many messages; the first ones tell.
     const std::size_t count = std::min<std::size_t>(error.messages.size(), 5);
     for (std::size_t i = 0; i < count; ++i)
       report.add_about_parameters("gmsh says: " + error.messages[i],
-                                  is_script ? "mend the script or its parameters" : "save the mesh again from gmsh");
+                                  script ? "mend the script or its parameters" : "save the mesh again from gmsh");
   }
 }
 

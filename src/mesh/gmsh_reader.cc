@@ -1,16 +1,18 @@
 #include "gmsh_reader.h"
 
 #include <gmsh.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <filesystem>
 #include <limits>
 
 #include "gmsh_open.h"
 #include "gmsh_session.h"
-#include "upbead/base/trial_run.h"
+#include "outside_commands.h"
+#include "raw_mesh_parcel.h"
+#include "upbead/base/confined_work.h"
 
 namespace upbead {
 
@@ -187,7 +189,8 @@ void drop_unused(RawMesh& mesh) {
   mesh.edges = edges;
 }
 
-RawMesh read_in(GmshSession& session, const MeshRequest& request, MeshReport& report) {
+RawMesh read_in(const MeshRequest& request, MeshReport& report) {
+  GmshSession session;
   open_mesh(request, session, report);
   RawMesh mesh;
   if (!report.empty()) return mesh;
@@ -201,20 +204,57 @@ RawMesh read_in(GmshSession& session, const MeshRequest& request, MeshReport& re
   return mesh;
 }
 
-/// Whether gmsh lives through a mesh that somebody else has written; a script is gmsh's own word.
-bool is_bearable(GmshSession& session, const MeshRequest& request) {
-  if (std::filesystem::path(request.file).extension() != ".msh") return true;
-  MeshReport unheard(request);
-  return survives(request.file, [&] { read_in(session, request, unheard); });
+void check_commands(const MeshRequest& request, MeshReport& report) {
+  if (!is_script(request.file)) return;
+  for (const OutsideCommand& command : outside_commands(request.file))
+    report.add_in_script(command.place, "'" + command.word + "' would " + command.would,
+                         "remove it: a script may draw and mesh, and nothing else");
+}
+
+/// gmsh's time and memory (bytes): a script may mesh for long.
+ConfinedLimits limits_for(const MeshRequest& request) {
+  ConfinedLimits limits = limits_for_file(request.file);
+  limits.hidden_ending = ".opt";
+  if (!is_script(request.file)) return limits;
+  constexpr double longest = 3600.;
+  limits.seconds = longest;
+  limits.memory = static_cast<std::size_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+  return limits;
+}
+
+void report_end(const ConfinedOutcome& outcome, const MeshRequest& request, MeshReport& report) {
+  for (const std::string& what : outcome.refused)
+    report.add("it tries to " + what, "remove what does so: a mesh is drawn, and nothing else is done");
+  if (outcome.result || !outcome.refused.empty()) return;
+  if (is_script(request.file))
+    report.add_about_parameters("gmsh " + outcome.end + " on it", "mend the script or its parameters");
+  else
+    report.add("gmsh breaks down on it, so it is damaged", "save it again from gmsh: File > Export, format 2.2 or 4.1");
 }
 
 }  // namespace
 
 RawMesh read_raw_mesh(const MeshRequest& request, MeshReport& report) {
-  GmshSession session;
-  if (is_bearable(session, request)) return read_in(session, request, report);
-  report.add("gmsh breaks down on it, so it is damaged", "save it again from gmsh: File > Export, format 2.2 or 4.1");
-  return {};
+  check_source(request, report);
+  check_commands(request, report);
+  if (!report.empty()) return {};
+  const ConfinedOutcome outcome = work_confined(
+      [&request] {
+        MeshReport found(request);
+        const RawMesh mesh = read_in(request, found);
+        Parcel parcel;
+        parcel.put(found.mistakes());
+        put(parcel, mesh);
+        return parcel.take();
+      },
+      limits_for(request));
+  report_end(outcome, request, report);
+  if (!outcome.result) return {};
+  OpenParcel parcel(*outcome.result);
+  report.add(parcel.mistakes());
+  std::optional<RawMesh> mesh = take_mesh(parcel);
+  if (!mesh) report.add("gmsh hands back a mesh that does not fit together", "mend the file");
+  return std::move(mesh).value_or(RawMesh());
 }
 
 }  // namespace upbead

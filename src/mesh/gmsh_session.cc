@@ -1,43 +1,45 @@
 #include "gmsh_session.h"
 
+#include <fcntl.h>
 #include <gmsh.h>
+#include <sys/mman.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <cstdio>
-#include <cstdlib>
+#include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <functional>
 #include <vector>
+
+#include "upbead/base/confined_work.h"
 
 namespace upbead {
 
 namespace {
 
-std::mutex& gmsh_mutex() {
-  static std::mutex mutex;
-  return mutex;
-}
-
-/// A gmsh script of ours in the folder for temporary files, for as long as this lives.
-class TemporaryScript {
+/// A file that gmsh opens by a name of our own. gmsh takes up X.opt, a script, beside whatever X it is asked to open;
+/// beside this name there is none.
+class NamedFile {
  public:
-  explicit TemporaryScript(const std::string& text)
-      : path_((std::filesystem::temp_directory_path() / "upbead_XXXXXX.geo").string()) {
-    const int file = mkstemps(path_.data(), 4);
-    if (file < 0)
-      throw GmshError({"cannot write a temporary file in " + std::filesystem::temp_directory_path().string()});
-    close(file);
-    std::ofstream(path_) << text;
+  explicit NamedFile(int file) : file_(file) {
+    if (file < 0) throw GmshError({std::string("the file cannot be opened: ") + std::strerror(errno)});
   }
-  ~TemporaryScript() { std::remove(path_.c_str()); }
-  TemporaryScript(const TemporaryScript&) = delete;
-  TemporaryScript& operator=(const TemporaryScript&) = delete;
-  const std::string& path() const { return path_; }
+  ~NamedFile() { close(file_); }
+  NamedFile(const NamedFile&) = delete;
+  NamedFile& operator=(const NamedFile&) = delete;
+  std::string name() const { return "/proc/self/fd/" + std::to_string(file_); }
 
  private:
-  std::string path_;
+  int file_;
 };
+
+/// A file in memory.
+int file_with(const std::string& text) {
+  const int file = memfd_create("script", MFD_CLOEXEC);
+  if (file >= 0 && write(file, text.data(), text.size()) != static_cast<ssize_t>(text.size())) return -1;
+  return file;
+}
 
 std::vector<std::string> logged_errors() {
   std::vector<std::string> log, errors;
@@ -77,25 +79,32 @@ std::string assignments(const std::map<std::string, double>& parameters) {
 
 }  // namespace
 
-GmshSession::GmshSession() : lock_(gmsh_mutex()) {
+GmshSession::GmshSession() {
+  static bool had_a_session = false;
+  if (had_a_session) gmsh::finalize();
+  had_a_session = true;
   gmsh::initialize(0, nullptr, false);
+  forget_refused();  // FLTK would keep the preferences of a user here
   gmsh::option::setNumber("General.Terminal", 0);
-  // By default gmsh throws from the middle of its parser, at the first error. That hides the other errors and leaves
-  // the rest of the line behind, even beyond finalize, as the beginning of the next script.
+  // By default gmsh throws from the middle of its parser, at the first error, which hides the others.
   gmsh::option::setNumber("General.AbortOnError", 0);
 }
 
-GmshSession::~GmshSession() {
-  gmsh::finalize();
+void GmshSession::open_mesh(const std::string& file) {
+  const NamedFile named(open(file.c_str(), O_RDONLY | O_CLOEXEC));
+  run([&] { gmsh::open(named.name()); });
 }
 
-void GmshSession::open(const std::string& file, const std::map<std::string, double>& parameters) {
-  // gmsh's own -setnumber and its database of parameters outlive finalize, so the values go in by a script of their
-  // own, whose variables open() forgets and merge() keeps. To include the file in that script would be a trap: its
-  // `Abort` then closes a file twice.
+void GmshSession::open_script(const std::string& file, const std::map<std::string, double>& parameters) {
+  // Under its own name, or what it includes would not be found. Where calls are filtered, X.opt is not seen.
+  if (std::filesystem::exists(file + ".opt"))
+    throw GmshError({"there is '" + file + ".opt' beside it, which gmsh would run too: rename it"});
+  // gmsh's own -setnumber and its database of parameters outlive finalize (which fuzzing needs), so the values go in by
+  // a script of their own, whose variables open() forgets and merge() keeps. To include the file in that script would
+  // be a trap: its `Abort` then closes a file twice.
   if (parameters.empty()) return run([&] { gmsh::open(file); });
-  const TemporaryScript script(assignments(parameters));
-  run([&] { gmsh::open(script.path()); });
+  const NamedFile script(file_with(assignments(parameters)));
+  run([&] { gmsh::open(script.name()); });
   run([&] { gmsh::merge(file); });
 }
 

@@ -1,8 +1,7 @@
-// gmsh in this process, from initialize to finalize.
+// gmsh in this process, which is to be a confined one.
 #pragma once
 
 #include <map>
-#include <mutex>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -16,22 +15,18 @@ struct GmshError : std::runtime_error {
   std::vector<std::string> messages;
 };
 
-/// gmsh has one state per process: while a session lives, others wait. Reads no configuration of the user and prints
-/// nothing.
+/// gmsh from its beginning, without the settings of the user, silent. It has one state per process and is not closed:
+/// the confined process ends with it. Where that does not end (fuzzing), the next session begins anew.
 class GmshSession {
  public:
   GmshSession();
-  ~GmshSession();
-  GmshSession(const GmshSession&) = delete;
-  GmshSession& operator=(const GmshSession&) = delete;
 
-  /// Opens a .msh, or runs a .geo with `parameters` set before its first line. Throws GmshError.
-  void open(const std::string& file, const std::map<std::string, double>& parameters);
+  /// Reads a .msh. Throws GmshError.
+  void open_mesh(const std::string& file);
+  /// Runs a .geo with `parameters` set before its first line. Throws GmshError.
+  void open_script(const std::string& file, const std::map<std::string, double>& parameters);
   /// Meshes curves and surfaces of what is open. Throws GmshError.
   void generate();
-
- private:
-  std::lock_guard<std::mutex> lock_;
 };
 
 }  // namespace upbead

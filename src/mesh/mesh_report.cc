@@ -4,6 +4,8 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "upbead/base/quoted.h"
+
 namespace upbead {
 
 namespace {
@@ -30,7 +32,19 @@ MeshReport::MeshReport(const MeshRequest& request)
     : request_(request), name_(std::filesystem::path(request.file).filename().string()) {}
 
 void MeshReport::add_at(const Place& place, const std::string& what, const std::string& cure) {
-  mistakes_.add(place, "mesh '" + name_ + "': " + what, cure);
+  mistakes_.push_back({place, "mesh '" + name_ + "': " + what, cure});
+}
+
+void MeshReport::add_in_script(const Place& place, const std::string& what, const std::string& cure) {
+  mistakes_.push_back({place, what, cure});
+}
+
+void MeshReport::add(const std::vector<Mistake>& mistakes) {
+  mistakes_.insert(mistakes_.end(), mistakes.begin(), mistakes.end());
+}
+
+void MeshReport::throw_if_any() const {
+  if (!mistakes_.empty()) throw InputError(mistakes_);
 }
 
 void MeshReport::add(const std::string& what, const std::string& cure) {
@@ -54,7 +68,7 @@ std::string counted(std::size_t count, const std::string& thing, const std::stri
 }
 
 std::string quoted(const std::string& name) {
-  return name.empty() ? "without a name" : "'" + name + "'";
+  return name.empty() ? "without a name" : in_quotes(name);
 }
 
 }  // namespace upbead

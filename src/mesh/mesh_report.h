@@ -4,6 +4,7 @@
 #include <deal.II/base/point.h>
 
 #include <string>
+#include <vector>
 
 #include "upbead/mesh/mesh.h"
 
@@ -15,15 +16,20 @@ class MeshReport {
   void add(const std::string& what, const std::string& cure);
   /// At the place of the parameter that `what` names, if it names one that was set.
   void add_about_parameters(const std::string& what, const std::string& cure);
+  /// At a place in a script.
+  void add_in_script(const Place& place, const std::string& what, const std::string& cure);
+  /// What another report of the same mesh has found.
+  void add(const std::vector<Mistake>& mistakes);
+  const std::vector<Mistake>& mistakes() const { return mistakes_; }
   bool empty() const { return mistakes_.empty(); }
-  void throw_if_any() const { mistakes_.throw_if_any(); }
+  void throw_if_any() const;
 
  private:
   void add_at(const Place& place, const std::string& what, const std::string& cure);
 
   const MeshRequest& request_;
   std::string name_;
-  Mistakes mistakes_;
+  std::vector<Mistake> mistakes_;
 };
 
 /// How often something was met, and where first.

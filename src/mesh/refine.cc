@@ -32,4 +32,13 @@ void refine_cells(Mesh& mesh, const std::vector<bool>& chosen) {
   mesh.triangulation.execute_coarsening_and_refinement();
 }
 
+std::unique_ptr<Mesh> halved(const Mesh& mesh) {
+  auto finer = std::make_unique<Mesh>();
+  finer->triangulation.copy_triangulation(mesh.triangulation);
+  finer->surfaces = mesh.surfaces;
+  finer->curves = mesh.curves;
+  finer->triangulation.refine_global(1);
+  return finer;
+}
+
 }  // namespace upbead

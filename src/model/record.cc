@@ -14,6 +14,7 @@ namespace {
 constexpr double exactly = 1e-6;  ///< of the range: samples that are meant to be equal
 constexpr std::size_t least_flat = 5;
 constexpr double least_drift = 0.03, most_drift = 0.5;  ///< of the peak; beyond, a load that lasts
+constexpr double most_of_rise = 0.1;  ///< of the slope of the rise: what runs faster is the load itself
 constexpr int least_in_rise = 20;
 
 struct Extent {
@@ -56,6 +57,7 @@ class Inspection {
     for (std::size_t i = 0; i < n_; ++i)
       if (std::abs(value_[i] - start_) > std::abs(value_[top_] - start_)) top_ = i;
     peak_ = std::abs(value_[top_] - start_);
+    rise_ = slope_of_rise();
   }
 
   NumberedWarnings run() {
@@ -102,14 +104,45 @@ class Inspection {
     }
   }
 
+  /// Last time before the top at which the record is farther from its start than that share of its peak.
+  double crossing(double share) const {
+    std::size_t i = top_;
+    while (i > 0 && std::abs(value_[i] - start_) > share * peak_) --i;
+    return time_[i];
+  }
+
+  /// From 10 to 90 % of the peak, as engineers measure a rise (1/s of the peak).
+  double slope_of_rise() const {
+    const double rise = crossing(0.9) - crossing(0.1);
+    return rise > 0. ? 0.8 / rise : HUGE_VAL;
+  }
+
+  /// Between the means of two thirds of [first, last) (1/s of the peak).
+  double slope(std::size_t first, std::size_t last) const {
+    const std::size_t third = std::max<std::size_t>(1, (last - first) / 3);
+    const double change = mean(value_, last - third, last) - mean(value_, first, first + third);
+    return std::abs(change) / peak_ / (mean(time_, last - third, last) - mean(time_, first, first + third));
+  }
+
   void check_end() {
     const double drift = std::abs(median(value_, n_ - at_ends_, n_) - start_) / peak_;
     if (!rests(0, at_ends_) || !rests(n_ - at_ends_, n_)) return;  // it is still on its way
+    if (slope(n_ - at_ends_, n_) > most_of_rise * rise_) return check_cut();
     if (drift > least_drift && drift < most_drift)
       add("record_drifting", drift, least_drift,
           "ends " + significant(100. * drift, 2) +
               " % of its peak away from where it starts: it drifts, or is cut before it has come back; take the drift "
               "off, or give a longer record");
+  }
+
+  /// A load that has not come back where its record ends jumps there.
+  void check_cut() {
+    const double rest = std::abs(value_.back() - start_) / peak_;
+    if (rest > least_drift && rest < most_drift)
+      add("record_cut", rest, least_drift,
+          "still moves where it ends, at t = " + significant(time_.back()) + " s, " + significant(100. * rest, 2) +
+              " % of its peak away from where it starts: the load jumps to zero there; give a longer record, or let it "
+              "come back to zero");
   }
 
   /// The trend of what comes before the first time that a tenth of the peak is reached.
@@ -119,6 +152,7 @@ class Inspection {
     if (event < 4 * least_flat) return;
     const std::size_t part = event / 4;  // the event's own foot is no drift
     const double drift = std::abs(mean(value_, event / 2, event / 2 + part) - mean(value_, 0, part)) / peak_;
+    if (slope(0, event) > most_of_rise * rise_) return;  // the foot of a smooth rise
     if (drift > least_drift)
       add("record_drifting", drift, least_drift,
           "moves by " + significant(100. * drift, 2) + " % of its peak before anything happens, until t = " +
@@ -159,6 +193,7 @@ class Inspection {
   double start_;
   std::size_t top_ = 0;  ///< farthest from the start
   double peak_ = 0.;
+  double rise_ = 0.;  ///< slope (1/s of the peak)
   NumberedWarnings list_;
 };
 

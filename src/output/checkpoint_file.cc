@@ -122,6 +122,7 @@ class Reader {
   std::vector<std::string> texts(const std::string& path) const {
     return file_.texts(path).value_or(std::vector<std::string>());
   }
+  bool is_as_written() const { return file_.checksum_holds().value_or(true); }
   [[noreturn]] void damaged(const std::string& path) const {
     throw InputError({path_}, "the checkpoint is damaged at " + path, "remove its folder and begin from the start");
   }
@@ -147,6 +148,7 @@ std::string checkpoint_file(const std::string& title, const CheckpointFile& chec
   out.add("/memory/balanced/load", memory.balanced.load);
   out.add("/memory/end_load", memory.end_load);
   out.add("/memory/largest_load", memory.largest_load);
+  out.add("/memory/last_step", Numbers{memory.last_step});
   out.add("/memory/energy", packed({memory.energy}));
   out.add("/observed", checkpoint.march.observed);
   Numbers time;
@@ -157,6 +159,7 @@ std::string checkpoint_file(const std::string& title, const CheckpointFile& chec
   }
   out.add("/fields/time", time);
   out.image().texts("/fields/name", names);
+  out.image().seal();
   return out.image().bytes();
 }
 
@@ -178,6 +181,7 @@ CheckpointFile read_checkpoint(const std::string& path) {
   file.march.memory = {{in.state("/memory/balanced"), in.numbers("/memory/balanced/load")},
                        in.numbers("/memory/end_load"),
                        in.numbers("/memory/largest_load"),
+                       in.number("/memory/last_step"),
                        unpacked(energy).front()};
   if (file.march.memory.balanced.state.x.size() != so_far.final_state.x.size()) in.damaged("/memory/balanced");
   file.march.observed = in.numbers("/observed");
@@ -188,6 +192,7 @@ CheckpointFile read_checkpoint(const std::string& path) {
     if (names[i].rfind("fields/", 0) != 0 || names[i].find("..") != std::string::npos) in.damaged("/fields/name");
     file.fields.emplace_back(time[i], names[i]);
   }
+  if (!in.is_as_written()) in.damaged("its checksum");
   return file;
 }
 

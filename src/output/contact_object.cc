@@ -19,6 +19,7 @@ Json to_object(const GluedDemand& d) {
 
 Json to_object(const NodeContact& c) {
   return {{"slip", c.slip},
+          {"error_estimate", json_or_null(c.error_estimate)},
           {"largest_slip", c.largest_slip},
           {"least_slip", c.least_slip},
           {"opening_seaward", c.opening_seaward},

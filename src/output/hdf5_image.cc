@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <numeric>
 
 #include "upbead/base/error.h"
 #include "upbead/output/versions.h"
@@ -64,22 +66,25 @@ Hdf5Image::Hdf5Image(const std::string& title)
       file_(H5Fcreate("image.h5", H5F_ACC_TRUNC, H5P_DEFAULT, access_), H5Fclose),
       links_(with_groups_on_the_way(), H5Pclose),
       creation_(without_clock(), H5Pclose) {
-  set_attribute(file_, "title", title);
-  set_attribute(file_, "program", std::string(program_version()));
-  set_attribute(file_, "versions", versions_line());
+  attribute("/", "title", title);
+  attribute("/", "program", std::string(program_version()));
+  attribute("/", "versions", versions_line());
 }
 
 void Hdf5Image::attribute(const std::string& object, const std::string& name, const std::string& text) {
   set_attribute(Handle(H5Oopen(file_, object.c_str(), H5P_DEFAULT), H5Oclose), name, text);
+  checksum_.add({object, name}, text);
 }
 
 void Hdf5Image::attribute(const std::string& object, const std::string& name, double number) {
   require_finite(object + "/" + name, &number, 1);
   set_attribute(Handle(H5Oopen(file_, object.c_str(), H5P_DEFAULT), H5Oclose), name, H5T_NATIVE_DOUBLE, &number);
+  checksum_.add({object, name}, number);
 }
 
 void Hdf5Image::attribute(const std::string& object, const std::string& name, int number) {
   set_attribute(Handle(H5Oopen(file_, object.c_str(), H5P_DEFAULT), H5Oclose), name, H5T_NATIVE_INT, &number);
+  checksum_.add({object, name}, static_cast<double>(number));
 }
 
 void Hdf5Image::group(const std::string& path) {
@@ -88,13 +93,26 @@ void Hdf5Image::group(const std::string& path) {
 
 void Hdf5Image::numbers(const std::string& path, const std::vector<hsize_t>& shape, const double* values,
                         const Label& label) {
+  require_finite(path, values,
+                 std::accumulate(shape.begin(), shape.end(), std::size_t{1}, std::multiplies<std::size_t>()));
+  write_numbers(path, shape, values, label);
+}
+
+void Hdf5Image::numbers_or_none(const std::string& path, const std::vector<double>& values, const Label& label) {
+  if (std::any_of(values.begin(), values.end(), [](double value) { return std::isinf(value); }))
+    throw NumericsError("'" + path + "' holds a number that is infinite; nothing was written");
+  write_numbers(path, {values.size()}, values.data(), label);
+}
+
+void Hdf5Image::write_numbers(const std::string& path, const std::vector<hsize_t>& shape, const double* values,
+                              const Label& label) {
   const Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose);
-  require_finite(path, values, static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)));
   const Handle data(H5Dcreate2(file_, path.c_str(), H5T_NATIVE_DOUBLE, space, links_, creation_, H5P_DEFAULT),
                     H5Dclose);
   require(H5Dwrite(data, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values));
-  set_attribute(data, "unit", label.unit);
-  set_attribute(data, "description", label.description);
+  attribute(path, "unit", label.unit);
+  attribute(path, "description", label.description);
+  checksum_.add(path, {shape.begin(), shape.end()}, values);
 }
 
 void Hdf5Image::texts(const std::string& path, const std::vector<std::string>& values) {
@@ -105,12 +123,18 @@ void Hdf5Image::texts(const std::string& path, const std::vector<std::string>& v
   const Handle space(H5Screate_simple(1, &size, nullptr), H5Sclose);
   const Handle data(H5Dcreate2(file_, path.c_str(), type, space, links_, creation_, H5P_DEFAULT), H5Dclose);
   require(H5Dwrite(data, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, pointers.data()));
+  checksum_.add(path, values);
 }
 
 void Hdf5Image::text(const std::string& path, const std::string& value) {
   const Handle type(text_type(value.size() + 1), H5Tclose), space(H5Screate(H5S_SCALAR), H5Sclose);
   const Handle data(H5Dcreate2(file_, path.c_str(), type, space, links_, creation_, H5P_DEFAULT), H5Dclose);
   require(H5Dwrite(data, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, value.c_str()));
+  checksum_.add(path, std::vector<std::string>{value});
+}
+
+void Hdf5Image::seal() {
+  attribute("/", checksum_name, checksum_.value());
 }
 
 std::string Hdf5Image::bytes() const {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "hdf5_contents.h"
 #include "hdf5_handle.h"
 
 namespace upbead::detail {
@@ -30,16 +31,24 @@ class Hdf5Image {
   void group(const std::string& path);
   /// Numbers row by row, with the attributes `unit` and `description`. Throws NumericsError where one is not finite.
   void numbers(const std::string& path, const std::vector<hsize_t>& shape, const double* values, const Label& label);
+  /// A list in which NaN stands for a number that there is not. Throws NumericsError where one is infinite.
+  void numbers_or_none(const std::string& path, const std::vector<double>& values, const Label& label);
   /// A list of texts (UTF-8).
   void texts(const std::string& path, const std::vector<std::string>& values);
   /// One text (UTF-8).
   void text(const std::string& path, const std::string& value);
 
+  /// Writes the checksum of all that has been written so far: the last call before bytes().
+  void seal();
+
   /// The file as it would stand on a disk.
   std::string bytes() const;
 
  private:
+  void write_numbers(const std::string& path, const std::vector<hsize_t>& shape, const double* values,
+                     const Label& label);
   Handle access_, file_, links_, creation_;
+  Hdf5Checksum checksum_;
 };
 
 }  // namespace upbead::detail

@@ -2,6 +2,7 @@
 
 #include "hdf5_image.h"
 #include "model_layout.h"
+#include "model_modes.h"
 #include "model_pieces.h"
 #include "model_slip.h"
 
@@ -10,26 +11,6 @@ namespace upbead {
 namespace {
 
 using detail::Hdf5Image;
-using detail::write_matrix;
-
-/// Real and imaginary parts along one more axis, the last. std::complex lies in memory as such a pair.
-void write(Hdf5Image& image, const std::string& path, const Eigen::MatrixXcd& values, std::vector<hsize_t> shape,
-           const detail::Label& label) {
-  const Eigen::Matrix<std::complex<double>, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> rows = values;
-  shape.push_back(2);
-  image.numbers(path, shape, reinterpret_cast<const double*>(rows.data()), label);
-}
-
-void write_modes(Hdf5Image& image, const ModalModel& modes) {
-  const hsize_t m = modes.n_modes(), k = modes.n_loads(), i = modes.n_readings();
-  write(image, "/modes/pole", modes.pole, {m}, {"1/s", "pole_m of z_m' = pole_m z_m + sum_k load_mk f_k, Re and Im"});
-  write(image, "/modes/load", modes.load, {m, k}, {"", "load_mk, Re and Im"});
-  write(image, "/modes/reading", modes.reading, {i, m},
-        {"", "reading_im of y_i = Re sum_m reading_im z_m + sum_k (feedthrough_ik f_k + impulse_ik int f_k dt)"});
-  write_matrix(image, "/modes/feedthrough", modes.feedthrough,
-               {"unit of the reading / unit of the load", "feedthrough_ik"});
-  write_matrix(image, "/modes/impulse", modes.impulse, {"unit of the reading / (unit of the load s)", "impulse_ik"});
-}
 
 void write_loads(Hdf5Image& image, const std::vector<ModelLoad>& loads) {
   std::vector<std::string> name, unit;
@@ -85,10 +66,12 @@ std::string model_file(const ReducedModelFile& model) {
   write_origin(image, model);
   write_loads(image, model.loads);
   detail::write_labels(image, "/readings", model.modes.reading_label);
-  write_modes(image, model.modes);
+  detail::write_modes(image, "/modes", model.modes);
   write_validity(image, model);
+  if (model.nested) detail::write_nested(image, *model.nested);
   if (model.sliding) write_sliding(image, *model.sliding);
   if (model.slip) detail::write_slip(image, *model.slip);
+  image.seal();
   return image.bytes();
 }
 

@@ -1,8 +1,8 @@
+#include "model_modes.h"
 #include "model_parts.h"
 #include "model_pieces.h"
 #include "model_slip.h"
 #include "upbead/base/text.h"
-#include "upbead/base/trial_run.h"
 #include "upbead/output/model_file.h"
 
 namespace upbead {
@@ -18,21 +18,11 @@ void read_loads(ModelParts& parts, ReducedModelFile& model) {
   const std::vector<std::string> units = parts.texts("/loads/unit", k);
   const std::vector<double> peaks = parts.numbers("/loads/peak", {k}),
                             durations = parts.numbers("/loads/duration", {k});
+  for (const auto& [path, values] : {std::pair("/loads/peak", &peaks), std::pair("/loads/duration", &durations)})
+    for (const double value : *values)
+      if (value < 0.) parts.wrong(std::string(path) + " holds " + significant(value));
   for (std::size_t n = 0; n < k; ++n) model.loads.push_back({names[n], units[n], peaks[n], durations[n]});
   model.modes.load_name = names;
-}
-
-void read_modes(ModelParts& parts, ModalModel& modes) {
-  const std::size_t m = parts.length("/modes/pole"), k = modes.load_name.size(), i = modes.reading_label.size();
-  modes.pole = parts.complex_matrix("/modes/pole", {m});
-  modes.load = parts.complex_matrix("/modes/load", {m, k});
-  modes.reading = parts.complex_matrix("/modes/reading", {i, m});
-  modes.feedthrough = parts.matrix("/modes/feedthrough", i, k);
-  modes.impulse = parts.matrix("/modes/impulse", i, k);
-  for (int n = 0; n < modes.n_modes(); ++n)
-    if (modes.pole[n].real() > 0.)
-      parts.wrong("mode " + std::to_string(n) + " grows: Re of its pole is " + significant(modes.pole[n].real()) +
-                  " 1/s, and must not be above 0");
 }
 
 void read_validity(ModelParts& parts, ReducedModelFile& model) {
@@ -65,26 +55,22 @@ void read_sliding(ModelParts& parts, ReducedModelFile& model) {
   sliding.lag = parts.number("/sliding", "lag");
 }
 
-ReducedModelFile read_in(const std::string& path) {
+}  // namespace
+
+ReducedModelFile read_model_file(const std::string& path) {
   ModelParts parts(path);
   ReducedModelFile model;
   read_origin(parts, model);
   read_loads(parts, model);
   model.modes.reading_label = detail::read_labels(parts, "/readings");
-  read_modes(parts, model.modes);
+  detail::read_modes(parts, "/modes", model.modes);
+  model.nested = detail::read_nested(parts, model.modes);
   read_validity(parts, model);
   read_sliding(parts, model);
   model.slip = detail::read_slip(parts);
+  parts.require_checksum();
   parts.throw_if_any();
   return model;
-}
-
-}  // namespace
-
-ReducedModelFile read_model_file(const std::string& path) {
-  if (!survives(path, [&path] { read_in(path); }))
-    throw InputError({path}, "HDF5 breaks down on it, so it is damaged", "make it again with 'upbead reduce'");
-  return read_in(path);
 }
 
 }  // namespace upbead

@@ -114,6 +114,11 @@ std::size_t ModelParts::length(const std::string& path) const {
   return array && !array->shape.empty() ? array->shape[0] : 0;
 }
 
+void ModelParts::require_checksum() {
+  if (mistakes_.empty() && !file_.checksum_holds().value_or(true))
+    wrong("its checksum does not fit: numbers or texts were changed after 'upbead reduce' had written them");
+}
+
 void ModelParts::wrong(const std::string& what) {
   mistakes_.add({path_}, what, again);
 }

@@ -38,6 +38,9 @@ class ModelParts {
   /// The length of a dataset's first axis; 0 where it has none.
   std::size_t length(const std::string& path) const;
 
+  /// Notes it where the parts are sound by themselves, but not what was written. A file without a checksum, as older
+  /// versions wrote them, is taken as it is.
+  void require_checksum();
   /// Notes a mistake.
   void wrong(const std::string& what);
   void throw_if_any() const { mistakes_.throw_if_any(); }

@@ -1,7 +1,9 @@
 #include "model_slip.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "model_pieces.h"
 #include "upbead/base/text.h"
@@ -73,8 +75,57 @@ void read_readings(ModelParts& parts, ReducedSystem& s) {
   s.feedthrough = parts.matrix(group + "/feedthrough", n, s.load_name.size());
 }
 
+bool is_symmetric(const Eigen::MatrixXd& matrix) {
+  constexpr double round_off = 1e-8;
+  return matrix.size() == 0 ||
+         (matrix - matrix.transpose()).cwiseAbs().maxCoeff() <= round_off * matrix.cwiseAbs().maxCoeff();
+}
+
+/// Whether the symmetric part has no eigenvalue below zero; what projection leaves of zeros is far smaller.
+bool is_positive(const Eigen::MatrixXd& matrix) {
+  constexpr double round_off = 1e-8;
+  const double scale = matrix.size() == 0 ? 0. : matrix.cwiseAbs().maxCoeff();
+  if (scale == 0.) return true;
+  const Eigen::MatrixXd part = (matrix + matrix.transpose()) / (2. * scale);
+  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(part, Eigen::EigenvaluesOnly).eigenvalues().minCoeff() >=
+         -round_off * static_cast<double>(part.rows());
+}
+
+/// With the rows of phi multiplied by -1 all three are positive, see ReducedSystem. Without the rows of prescribed
+/// coordinates, which are no equations.
+void require_energies(ModelParts& parts, const ReducedSystem& s) {
+  const auto n = static_cast<Eigen::Index>(s.size() - std::clamp(s.n_prescribed, 0, s.size()));
+  Eigen::VectorXd sign(s.size());
+  for (int i = 0; i < s.size(); ++i) sign[i] = s.is_phi[static_cast<std::size_t>(i)] ? -1. : 1.;
+  const auto equations = [n](const Eigen::MatrixXd& matrix) -> Eigen::MatrixXd {
+    return matrix.bottomRightCorner(n, n);
+  };
+  const auto signed_equations = [&](const Eigen::MatrixXd& matrix) -> Eigen::MatrixXd {
+    return equations(sign.asDiagonal() * matrix);
+  };
+  if (!is_symmetric(equations(s.M)) || !is_positive(signed_equations(s.M)))
+    parts.wrong(group + "/M is not that of a kinetic energy: not symmetric, or negative");
+  if (!is_positive(signed_equations(s.C))) parts.wrong(group + "/C brings energy in");
+  if (!is_symmetric(equations(s.K)) || !is_positive(signed_equations(s.K)))
+    parts.wrong(group + "/K is not that of a strain energy: not symmetric, or negative");
+}
+
+/// Each of the first coordinates is prescribed by one load, no other one by any.
+void require_prescribed(ModelParts& parts, const ReducedSystem& s) {
+  std::vector<int> coordinates;
+  for (const int p : s.prescribed)
+    if (p >= 0) coordinates.push_back(p);
+  std::sort(coordinates.begin(), coordinates.end());
+  std::vector<int> first(static_cast<std::size_t>(std::clamp(s.n_prescribed, 0, s.size())));
+  std::iota(first.begin(), first.end(), 0);
+  if (coordinates != first || s.n_prescribed > s.size())
+    parts.wrong(group + "/prescribed does not fit its n_prescribed, " + std::to_string(s.n_prescribed));
+}
+
 /// What slip_model() takes for granted.
 void require_slip(ModelParts& parts, const ReducedSystem& s) {
+  require_prescribed(parts, s);
+  require_energies(parts, s);
   if (s.load_name.empty() || s.load_name.back() != slip_name::friction)
     parts.wrong(group + "/load_name does not end with '" + slip_name::friction + "'");
   for (const char* name : {reading::normal_force, slip_name::slip, slip_name::velocity})

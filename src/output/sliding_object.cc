@@ -38,15 +38,24 @@ void add_pulse(Json& json, const std::optional<PulseSliding>& pulse) {
   json["sliding_exact"] = value(&PulseSliding::exact);
 }
 
-void add_coupled(Json& json, const std::optional<CoupledSummary>& coupled) {
+void add_coupled(Json& json, const std::optional<CoupledSummary>& coupled, const std::string& why_not) {
   json["sliding_coupled"] = coupled ? Json(coupled->slip.residual) : Json(nullptr);
+  json["why_not_coupled"] = why_not.empty() ? Json(nullptr) : Json(why_not);
   json["coupled"] = nullptr;
   if (!coupled) return;
-  json["coupled"] = {{"largest", coupled->slip.largest},      {"slips", to_array(coupled->slip.slips)},
-                     {"dissipated", coupled->dissipated},     {"peak_shear", coupled->peak_shear},
-                     {"least_normal", coupled->least_normal}, {"lifted_time", coupled->lifted_time},
-                     {"vectors", coupled->vectors},           {"error", coupled->error},
-                     {"glued_error", coupled->glued_error}};
+  json["coupled"] = {{"largest", coupled->slip.largest},
+                     {"slips", to_array(coupled->slip.slips)},
+                     {"dissipated", coupled->dissipated},
+                     {"peak_shear", coupled->peak_shear},
+                     {"least_normal", coupled->least_normal},
+                     {"lifted_time", coupled->lifted_time},
+                     {"vectors", coupled->vectors},
+                     {"error", coupled->error},
+                     {"glued_error", coupled->glued_error},
+                     {"growth", coupled->growth},
+                     {"damping_time", coupled->damping_time},
+                     {"damping_effect", coupled->damping_effect},
+                     {"error_estimate", json_or_null(coupled->error_estimate)}};
 }
 
 void add_equal_impulse(Json& json, const std::optional<EqualImpulse>& pulse) {
@@ -75,8 +84,10 @@ Json to_object(const SlidingSummary& s) {
                {"sliding_history", h.by_history.residual},
                {"sliding_history_largest", h.by_history.largest},
                {"slips", to_array(h.by_history.slips)},
-               {"sliding_normal_force", h.with_normal_force.residual}};
-  add_coupled(json, s.coupled);
+               {"sliding_normal_force", h.with_normal_force.residual},
+               {"error_estimate", json_or_null(s.error_estimate)},
+               {"why_no_error_estimate", s.why_no_estimate.empty() ? Json(nullptr) : Json(s.why_no_estimate)}};
+  add_coupled(json, s.coupled, s.why_not_coupled);
   add_pulse(json, s.pulse);
   add_equal_impulse(json, s.equal_impulse);
   json["duration"] = h.own ? to_object(*h.own) : Json(nullptr);

@@ -26,7 +26,7 @@ Json to_object(const ErrorEstimate& e) {
 }
 
 Json to_object(const ShearResponse& r, const std::optional<EnergyAccount>& energy,
-               const std::optional<ErrorEstimate>& error) {
+               const std::optional<ErrorEstimate>& error, const std::optional<ErrorEstimate>& history) {
   return {{"peak_force", r.peak_force},
           {"peak_force_time", r.peak_force_time},
           {"peak_force_seaward", r.peak_force_seaward},
@@ -47,7 +47,9 @@ Json to_object(const ShearResponse& r, const std::optional<EnergyAccount>& energ
           {"reaction_mismatch", r.reaction_mismatch},
           {"energy_mismatch", energy ? Json(energy->mismatch()) : Json(nullptr)},
           {"error_estimate", error ? Json(error->total()) : Json(nullptr)},
-          {"error_sources", error ? to_object(*error) : Json(nullptr)}};
+          {"error_sources", error ? to_object(*error) : Json(nullptr)},
+          {"history_error_estimate", history ? Json(history->total()) : Json(nullptr)},
+          {"history_error_sources", history ? to_object(*history) : Json(nullptr)}};
 }
 
 Json to_object(const LoadOnCaisson& load) {
@@ -91,13 +93,20 @@ Json to_object(const EnergyAccount& e) {
           {"friction", e.friction}, {"scheme", e.scheme},   {"mismatch", e.mismatch()}};
 }
 
+Json to_object(const std::vector<LooseReading>& readings) {
+  Json object = Json::object();
+  for (const LooseReading& reading : readings) object[reading.name] = reading.error;
+  return object;
+}
+
 Json to_object(const ReductionSummary& r) {
   return {{"vectors", r.vectors},
           {"modes", r.modes},
           {"error", r.error},
           {"error_peak", r.error_peak},
           {"error_of_others", r.error_of_others},
-          {"highest_frequency", r.highest_frequency}};
+          {"highest_frequency", r.highest_frequency},
+          {"loose", to_object(r.loose)}};
 }
 
 Json to_object(const SoilSummary& s) {
@@ -121,6 +130,10 @@ Json to_object(const NumberedWarning& w) {
   return {{"name", w.name}, {"value", w.value}, {"limit", w.limit}, {"unit", w.unit}, {"text", w.text}};
 }
 
+Json to_object(const LadderStep& step) {
+  return {{"way", step.way}, {"refused", step.refused.empty() ? Json(nullptr) : Json(step.refused)}};
+}
+
 Json to_object(const Timing& t) {
   return {{"mesh", t.mesh},   {"compile", t.compile}, {"factorise", t.factorise},
           {"march", t.march}, {"output", t.output},   {"total", t.total}};
@@ -135,7 +148,9 @@ std::string gauges_json(const std::vector<GaugeSummary>& gauges) {
 std::string to_json(const Summary& summary) {
   Json json = {{"title", summary.title}, {"program", program_version()}};
   json["discretisation"] = to_object(summary.discretisation);
-  json["response"] = summary.response ? to_object(*summary.response, summary.energy, summary.error) : Json(nullptr);
+  json["response"] = summary.response
+                         ? to_object(*summary.response, summary.energy, summary.error, summary.history_error)
+                         : Json(nullptr);
   json["loads"] = Json::object();
   for (const LoadOnCaisson& load : summary.loads) json["loads"][load.name] = to_object(load);
   json["gauges"] = to_object(summary.gauges);
@@ -150,6 +165,8 @@ std::string to_json(const Summary& summary) {
   for (const MobilisedStrength& strength : summary.strength) json["strength"].push_back(to_object(strength));
   json["warnings"] = Json::array();
   for (const NumberedWarning& warning : summary.warnings) json["warnings"].push_back(to_object(warning));
+  json["ladder"] = Json::array();
+  for (const LadderStep& step : summary.ladder) json["ladder"].push_back(to_object(step));
   json["skipped"] = Json::array();
   for (const Skipped& skipped : summary.skipped)
     json["skipped"].push_back({{"what", skipped.what}, {"why", skipped.why}});

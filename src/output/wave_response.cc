@@ -1,6 +1,8 @@
 #include "upbead/output/wave_response.h"
 
+#include <algorithm>
 #include <functional>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "hdf5_image.h"
@@ -38,31 +40,52 @@ const std::vector<Column>& columns() {
   return list;
 }
 
+const Column error_column{"error_estimate",
+                          {"1", "bound of the error of F_T by the reduced model, over the largest |F_T|"},
+                          [](const WaveResponse& w) { return w.error_estimate.value_or(0.); }};
+
 const Column sliding_column{"sliding",
                             {"m", "S, sliding distance when the caisson has come to rest, landward"},
                             [](const WaveResponse& w) { return w.sliding.value_or(0.); }};
+
+/// In the columns of a wave whose slip is not told.
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 /// Where the caisson slips with its ground.
 const std::vector<Column>& coupled_columns() {
   static const std::vector<Column> list{
       {"sliding_coupled",
        {"m", "S where the caisson slips as a whole on the ground that it shakes, landward"},
-       [](const WaveResponse& w) { return w.coupled->sliding; }},
+       [](const WaveResponse& w) { return w.coupled ? w.coupled->sliding : none; }},
       {"coupled_largest",
        {"m", "slip of largest magnitude on the way, landward"},
-       [](const WaveResponse& w) { return w.coupled->largest; }},
-      {"coupled_slips", {"1", "number of slips"}, [](const WaveResponse& w) { return w.coupled->slips; }},
-      {"coupled_dissipated", {"J/m", "taken by friction"}, [](const WaveResponse& w) { return w.coupled->dissipated; }},
+       [](const WaveResponse& w) { return w.coupled ? w.coupled->largest : none; }},
+      {"coupled_slips",
+       {"1", "number of slips"},
+       [](const WaveResponse& w) { return w.coupled ? w.coupled->slips : none; }},
+      {"coupled_dissipated",
+       {"J/m", "taken by friction"},
+       [](const WaveResponse& w) { return w.coupled ? w.coupled->dissipated : none; }},
       {"coupled_lifted_time", {"s", "for so long N' would have been negative"}, [](const WaveResponse& w) {
-         return w.coupled->lifted_time;
+         return w.coupled ? w.coupled->lifted_time : none;
        }}};
   return list;
 }
 
-void write_column(detail::Hdf5Image& image, const WaveResponses& file, const Column& column) {
+std::vector<double> values_of(const WaveResponses& file, const Column& column) {
   std::vector<double> values;
   for (const WaveResponse& wave : file.waves) values.push_back(column.value(wave));
+  return values;
+}
+
+void write_column(detail::Hdf5Image& image, const WaveResponses& file, const Column& column) {
+  const std::vector<double> values = values_of(file, column);
   image.numbers("/" + file.name + "/" + column.name, {values.size()}, values.data(), column.label);
+}
+
+void write_coupled_column(detail::Hdf5Image& image, const WaveResponses& file, const Column& column) {
+  const std::vector<double> values = values_of(file, column);
+  image.numbers_or_none("/" + file.name + "/" + column.name, values, column.label);
 }
 
 void write_histories(detail::Hdf5Image& image, const WaveResponses& file) {
@@ -90,8 +113,10 @@ Json to_object(const WaveResponse& wave, const std::string& name) {
           {"peak_shear_seaward", wave.peak_shear_seaward},
           {"ratio", json_or_null(wave.ratio)},
           {"beyond_band", wave.beyond_band},
+          {"error_estimate", json_or_null(wave.error_estimate)},
           {"sliding", json_or_null(wave.sliding)},
           {"sliding_coupled", wave.coupled ? Json(wave.coupled->sliding) : Json(nullptr)},
+          {"why_not_coupled", wave.why_not_coupled.empty() ? Json(nullptr) : Json(wave.why_not_coupled)},
           {"coupled", to_object(wave.coupled)}};
 }
 
@@ -106,15 +131,17 @@ std::string response_file(const std::string& title, const std::vector<WaveRespon
   for (const WaveResponses& file : files) {
     write_histories(image, file);
     for (const Column& column : columns()) write_column(image, file, column);
+    if (file.waves.front().error_estimate) write_column(image, file, error_column);
     if (file.waves.front().sliding) write_column(image, file, sliding_column);
-    if (!file.waves.front().coupled) continue;
-    for (const Column& column : coupled_columns()) write_column(image, file, column);
+    const auto asked = [](const WaveResponse& w) { return w.coupled || !w.why_not_coupled.empty(); };
+    if (!std::any_of(file.waves.begin(), file.waves.end(), asked)) continue;
+    for (const Column& column : coupled_columns()) write_coupled_column(image, file, column);
   }
   return image.bytes();
 }
 
 std::string to_json(const ReducedModelFile& model, const std::string& path, const std::vector<WaveResponses>& files,
-                    const RespondTiming& timing) {
+                    const RespondTiming& timing, const NumberedWarnings& warnings) {
   Json json = {{"program", program_version()}};
   json["model"] = {{"title", model.title},
                    {"file", path},
@@ -125,6 +152,10 @@ std::string to_json(const ReducedModelFile& model, const std::string& path, cons
   for (const WaveResponses& file : files)
     for (std::size_t w = 0; w < file.waves.size(); ++w)
       json["waves"].push_back(to_object(file.waves[w], file.wave_name(w)));
+  json["warnings"] = Json::array();
+  for (const NumberedWarning& w : warnings)
+    json["warnings"].push_back(
+        {{"name", w.name}, {"value", w.value}, {"limit", w.limit}, {"unit", w.unit}, {"text", w.text}});
   const double n = static_cast<double>(json["waves"].size());
   json["timing"] = {
       {"read", timing.read}, {"respond", timing.respond}, {"write", timing.write}, {"total", timing.total}};

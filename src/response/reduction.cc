@@ -67,6 +67,7 @@ Reduction reduce_scene(const Scene& scene, const CompiledScene& compiled, const 
   const bool damped = is_damped(scene);
   options.shift = krylov_shift(scene);
   options.exact = compiled.body_coordinates;
+  options.kept = compiled.caisson_motions;
   options.training = sampled_loads(scene, system);
   options.tolerance = scene.tolerance;
   options.tolerance_of_others = (damped ? others_damped : others_undamped) * scene.tolerance;
@@ -97,6 +98,23 @@ void require_converged(const Reduction& reduction) {
                       " vectors: F_T still moves by " + significant(reduction.error.history) +
                       " of its peak, other readings by up to " + significant(reduction.error.others) + " (" +
                       worst_reading(reduction) + ")");
+}
+
+void require_shear_converged(const Reduction& reduction) {
+  if (reduction.history.empty() || !(reduction.error.history <= reduction.tolerance)) require_converged(reduction);
+}
+
+std::vector<LooseReading> loose_readings(const Reduction& reduction) {
+  std::vector<LooseReading> list;
+  if (reduction.converged) return list;
+  const Eigen::VectorXd& errors = reduction.error.of_reading;
+  for (Eigen::Index i = 0; i < errors.size(); ++i) {
+    const auto& measured = reduction.measured;
+    if (std::find(measured.begin(), measured.end(), i) != measured.end()) continue;
+    if (errors[i] > reduction.tolerance_of_others)
+      list.push_back({reduction.model.reading_label[static_cast<std::size_t>(i)].name, errors[i]});
+  }
+  return list;
 }
 
 Response respond(const Reduction& reduction, const Scene& scene, const System& system) {

@@ -33,11 +33,13 @@ double largest(const Samples& values) {
   return values.cwiseAbs().maxCoeff();
 }
 
-double reaction_mismatch(const CompiledScene& compiled, const Series& balanced) {
+/// `force`: largest |P|, which may lie between the times of the series.
+double reaction_mismatch(const CompiledScene& compiled, const Series& balanced, double force) {
   const Samples by_ground = samples(compiled, balanced, reading::shear_force);
   const Samples by_inertia = samples(compiled, balanced, reading::shear_by_inertia);
-  const double other_forces = std::max(largest(samples(compiled, balanced, reading::force)),
-                                       largest(samples(compiled, balanced, reading::normal_force)));
+  const auto of = [&](const char* name) { return largest(samples(compiled, balanced, name)); };
+  const double other_forces = std::max({force, of(reading::normal_force), of(reading::uplift),
+                                        of(reading::base_moment) / compiled.caisson->bottom_width});
   const double scale = std::max(largest(by_ground), 1e-6 * other_forces);
   return scale > 0. ? largest(by_ground - by_inertia) / scale : 0.;
 }
@@ -105,7 +107,7 @@ ShearResponse read_shear_response(const CompiledScene& compiled, const Response&
   set_peaks(r, compiled, response, P, inertia);
   set_ratios(r, end);
   r.arm = arm_at(compiled, is_seaward(r) ? r.peak_force_seaward_time : r.peak_force_time);
-  r.reaction_mismatch = reaction_mismatch(compiled, response.balanced);
+  r.reaction_mismatch = reaction_mismatch(compiled, response.balanced, std::max(r.peak_force, -r.peak_force_seaward));
   return r;
 }
 

@@ -31,23 +31,30 @@ Complex evaluate(const Reading& reading, const Eigen::VectorXcd& X, Complex s, c
 }
 
 Spectrum solve_spectrum(const Scene& scene, const CompiledScene& compiled) {
+  const double duration = step_of_loads(scene, 4).duration;
+  std::vector<Complex> s;
+  for (int j = 0; j < n_frequencies; ++j) s.emplace_back(decay / duration, j * spacing / duration);
+  return solve_spectrum(scene, compiled, s);
+}
+
+Spectrum solve_spectrum(const Scene& scene, const CompiledScene& compiled, const std::vector<Complex>& s) {
   const System& system = compiled.system;
   SecondOrderKrylov krylov(system, krylov_shift(scene), compiled.body_coordinates);
   while (krylov.n_vectors() < vectors_per_load * krylov.n_independent_loads() && krylov.extend()) {
   }
   const Projection projection(system, krylov);
   const SampledLoads loads = sampled_loads(scene, system);
-  const double duration = step_of_loads(scene, 4).duration;
   const Reading& F_T = system.readings[system.reading(reading::shear_force)];
   Spectrum spectrum;
-  spectrum.X.resize(system.size(), n_frequencies);
-  spectrum.F.resize(static_cast<Eigen::Index>(system.loads.size()), n_frequencies);
-  for (int j = 0; j < n_frequencies; ++j) {
-    const Complex s(decay / duration, j * spacing / duration);
-    spectrum.s.push_back(s);
-    spectrum.F.col(j) = laplace_transform(loads, s);
-    spectrum.X.col(j) = frequency_response(krylov, projection.reduced(), s, spectrum.F.col(j));
-    spectrum.shear.push_back(evaluate(F_T, spectrum.X.col(j), s, spectrum.F.col(j)));
+  spectrum.s = s;
+  const auto n = static_cast<Eigen::Index>(s.size());
+  spectrum.X.resize(system.size(), n);
+  spectrum.F.resize(static_cast<Eigen::Index>(system.loads.size()), n);
+  for (Eigen::Index j = 0; j < n; ++j) {
+    const Complex at = s[static_cast<std::size_t>(j)];
+    spectrum.F.col(j) = laplace_transform(loads, at);
+    spectrum.X.col(j) = frequency_response(krylov, projection.reduced(), at, spectrum.F.col(j));
+    spectrum.shear.push_back(evaluate(F_T, spectrum.X.col(j), at, spectrum.F.col(j)));
   }
   return spectrum;
 }

@@ -15,10 +15,11 @@ struct LoadStretch {
 /// Where a caisson is, in which phase, and what has become of it.
 class CoupledRun {
  public:
-  /// From rest under N_0 = `normal` (N/m). Model and steps must outlive the object.
-  CoupledRun(const SlipModel& model, const std::array<SlipSteps, 4>& steps, double normal);
+  /// From rest under N_0 = `normal` (N/m). Model and levels, each with half the steps of the last, must outlive the
+  /// object.
+  CoupledRun(const SlipModel& model, const std::vector<SlipLevel>& levels, double normal);
 
-  /// Through a stretch; `is_step`: it is as long as the steps. `jumps`: the loads do so at its beginning.
+  /// Through a stretch; `is_step`: it is as long as the longest steps. `jumps`: the loads do so at its beginning.
   void pass(const LoadStretch& stretch, bool is_step, bool jumps);
 
   bool stuck() const { return contact_ == BottomState::stuck; }
@@ -34,30 +35,40 @@ class CoupledRun {
   };
 
   const SlipPhase& phase() const { return model_.phase(contact_); }
-  const SlipSteps& steps() const { return steps_[static_cast<std::size_t>(contact_)]; }
+  std::size_t state() const { return static_cast<std::size_t>(contact_); }
+  std::size_t finest() const { return levels_.size() - 1; }
   double read(const ModalState& z, int row, const Eigen::VectorXd& load) const;
   Reading reading(double watched, double normal) const;
   Reading reading_now(const Eigen::VectorXd& load) const;
-  void follow(LoadStretch stretch);
+  /// Through a step of a level.
+  void pass_step(const LoadStretch& stretch, std::size_t level);
+  /// Through any stretch, in the longest steps that there are, from a level on.
+  void pass_rest(LoadStretch rest, std::size_t level);
+  /// Whether nothing can happen in a step. Counts what its bends make uncertain in the energies.
+  bool is_quiet(const LoadStretch& stretch, const Reading& end, std::size_t level);
+  /// Through a stretch no longer than a step of a level, at the end of which a change of phase shows.
+  void follow(LoadStretch stretch, std::size_t level);
   void advance(double length, const Reading& now, double moved);
   void change(SlipEvent event, const Eigen::VectorXd& load);
   /// s' = 0: sticks, or slips the way it is pushed.
   void rest(const Eigen::VectorXd& state, const Eigen::VectorXd& load);
   void enter(BottomState contact, const Eigen::VectorXd& state, const Eigen::VectorXd& load);
-  void begin_slip();
-  void end_slip();
+  void begin_slip(const Eigen::VectorXd& state);
+  void end_slip(const Eigen::VectorXd& state);
 
   const SlipModel& model_;
-  const std::array<SlipSteps, 4>& steps_;
+  const std::vector<SlipLevel>& levels_;
   BottomState contact_ = BottomState::stuck;
   ModalState z_, next_;
   int n_stretches_ = 0;
+  bool fresh_ = false;  ///< the phase has just begun
   Reading last_;
   double time_ = 0.;
   double slip_ = 0.;  ///< s
   bool slipping_ = false;
   double way_ = 0.;  ///< of the slip that is under way: 1 forward, -1 backward, 0 not known yet
   Slip now_;
+  double energy_ = 0.;  ///< stored when the slip began (J/m)
   CoupledSliding result_;
 };
 

@@ -1,10 +1,13 @@
 #include "upbead/sliding/coupled_slip.h"
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
 #include "coupled_run.h"
 #include "upbead/base/error.h"
+#include "upbead/base/text.h"
 
 namespace upbead {
 
@@ -15,9 +18,36 @@ using detail::CoupledRun;
 /// A slip may last so many times as long as the wave's samples.
 constexpr double longest_tail = 10.;
 
-std::array<SlipSteps, 4> steps_of(const SlipModel& model, double step) {
-  const auto of = [&](BottomState contact) { return SlipSteps(model.phase(contact), contact, step); };
-  return {of(BottomState::stuck), of(BottomState::forward), of(BottomState::backward), of(BottomState::lifted)};
+/// Of a step, as often as it may be halved.
+constexpr double most_halvings = 12.;
+/// Of the friction, that would be lacking without the pull of the ground.
+constexpr double tolerable_pull = 0.01;
+/// Of the energy, that is round-off of the modes.
+constexpr double round_off = 1e-6;
+
+template <class Make>
+auto of_all_phases(const Make& make) {
+  return std::array{make(BottomState::stuck), make(BottomState::forward), make(BottomState::backward),
+                    make(BottomState::lifted)};
+}
+
+/// The fastest oscillation of any phase (rad/s).
+double fastest(const SlipModel& model) {
+  double omega = 0.;
+  for (const SlipPhase& phase : model.phases)
+    if (phase.modes.n_modes() > 0) omega = std::max(omega, phase.modes.pole.imag().maxCoeff());
+  return omega;
+}
+
+/// Each half of the last, down to a radian of the fastest oscillation.
+std::vector<SlipLevel> levels_of(const SlipModel& model, double step) {
+  const Eigen::MatrixXd rows = load_rows(model);
+  const double halvings = std::clamp(std::ceil(std::log2(fastest(model) * step)), 0., most_halvings);
+  std::vector<SlipLevel> levels;
+  for (int i = 0; i <= static_cast<int>(halvings); ++i, step *= 0.5)
+    levels.push_back({step, of_all_phases([&](BottomState s) { return SlipSteps(model.phase(s), s, step); }),
+                      of_all_phases([&](BottomState s) { return SlipWithinStep(model.phase(s), rows, step); })});
+  return levels;
 }
 
 /// A history of n times, at rest at the first.
@@ -40,13 +70,41 @@ void require(bool fits) {
 
 }  // namespace
 
+std::string why_no_distance(const CoupledSliding& s) {
+  if (!std::isfinite(s.slip.residual + s.slip.largest + s.dissipated + s.available + s.peak_shear + s.least_normal))
+    return "its motion grows beyond all numbers";
+  if (s.n_passed_over > 0)
+    return "the caisson sticks, slips and lifts too fast to be followed (" + std::to_string(s.n_passed_over) +
+           " times)";
+  if (s.dissipated > s.available + s.uncertain + round_off * std::abs(s.available) || s.dissipated < -s.uncertain)
+    return "friction would take " + significant(s.dissipated) + " J/m" + " of " + significant(s.available) + " J/m" +
+           " that the loads and the ground have given: its energies do not balance";
+  if (s.pulled > tolerable_pull * s.pressed)
+    return "N' falls to " + significant(s.least_normal) + " N/m" + " and is below zero for " +
+           significant(s.lifted_time) +
+           " s in all: the bottom would part from the ground, which here pulls at it with " +
+           significant(100. * s.pulled / std::max(s.pressed, 1e-300)) +
+           " % of the impulse that it presses with; contact node by node tells what happens then (kind = \"friction\")";
+  return "";
+}
+
+std::string why_no_distance(const CoupledSliding& s, const CoupledSliding& more) {
+  constexpr double tolerable_effect = 0.01;
+  const double effect = std::abs(s.slip.residual - more.slip.residual);
+  if (effect <= tolerable_effect * s.slip.path) return "";
+  return "friction feeds vibrations of the ground, and the damping that keeps them small decides on S: twice as much "
+         "of "
+         "it moves S by " +
+         significant(effect) + " m; give the ground its damping";
+}
+
 CoupledSlip::CoupledSlip(SlipModel model, double step)
-    : model_(std::move(model)), step_(step), steps_(steps_of(model_, step)) {}
+    : model_(std::move(model)), step_(step), levels_(levels_of(model_, step)) {}
 
 CoupledSliding CoupledSlip::slide(const Eigen::Ref<const WaveSamples>& loads, CoupledHistory* history) const {
   require(loads.rows() == model_.n_loads() && loads.cols() > 0);
   const double normal = loads(loads.rows() - 1, 0);
-  CoupledRun run(model_, steps_, normal);
+  CoupledRun run(model_, levels_, normal);
   if (history) prepare(model_, loads.cols(), normal, *history);
   detail::LoadStretch stretch{step_, loads.col(0), loads.col(0)};
   for (Eigen::Index n = 1; n < loads.cols(); ++n) {
@@ -64,7 +122,7 @@ CoupledSliding CoupledSlip::slide(const SampledLoads& loads, CoupledHistory* his
   const auto fits = [&](const Eigen::MatrixXd& f) { return f.rows() == model_.n_loads() && f.cols() == n; };
   require(n > 0 && fits(loads.begin) && fits(loads.end));
   const double normal = loads.begin(loads.begin.rows() - 1, 0);
-  CoupledRun run(model_, steps_, normal);
+  CoupledRun run(model_, levels_, normal);
   if (history) prepare(model_, n + 1, normal, *history);
   for (Eigen::Index i = 0; i < n; ++i) {
     const double length = loads.time[i + 1] - loads.time[i];

@@ -60,6 +60,12 @@ const std::vector<BadHistory> rows{
                "force.csv:3:1: t = 0 s does not follow t = 0 s; let the times ascend strictly"},
     BadHistory{"StartsBeforeTheRun", "time,force\n-0.1,0\n0.1,1\n",
                "force.csv:2:1: the history starts at t = -0.1 s, before the run; let it start at 0 or later"},
+    BadHistory{"OnlyACounter", "Part,force\n0,0\n1,1\n",
+               "force.csv:1:1: no column says that it is the time, and the first one, 'Part', is a counter; call the "
+               "column of times 'time (s)'; a load by transducers may have sampling_rate in its place"},
+    BadHistory{"NoValue", "Part;Time [s]\n0;0\n1;1\n",
+               "force.csv:1:1: beside the time no column holds values, but counters or other times; give two columns, "
+               "time (s) and value"},
     BadHistory{"AllZero", "time,force\n0,0\n1,0\n",
                "force.csv: every value of the history is zero; give a history with a load"},
 };

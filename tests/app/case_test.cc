@@ -150,7 +150,7 @@ TEST_F(CaseTest, NamesAWrongOverride) {
 
 TEST_F(CaseTest, NamesAFileThatCannotBeRead) {
   EXPECT_EQ(refusal("none.toml", {}), "cannot read 'none.toml'; check the path and the rights");
-  EXPECT_EQ(refusal("meshes", {}), "cannot read 'meshes'; check the path and the rights");
+  EXPECT_EQ(refusal("meshes", {}), "'meshes' is a folder; name a file in it");
 }
 
 TEST_F(CaseTest, NeedsARegion) {

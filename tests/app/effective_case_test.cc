@@ -90,6 +90,8 @@ inertia = true
 
 [accuracy]
 tolerance = 0.005
+of = "history"
+estimate = false
 
 [output]
 base = false

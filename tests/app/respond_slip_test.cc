@@ -31,7 +31,7 @@ ElasticSliding by_masses(const ForceHistory& P) {
 }
 
 WaveFile wave(const ForceHistory& P) {
-  WaveFile file{"w", P.time, WaveSamples::Zero(2, static_cast<Eigen::Index>(P.time.size())), 2};
+  WaveFile file{"w", P.time, WaveSamples::Zero(2, static_cast<Eigen::Index>(P.time.size())), 2, {}};
   for (std::size_t n = 0; n < P.time.size(); ++n) file.value(0, static_cast<Eigen::Index>(n)) = P.value[n];
   return file;
 }
@@ -115,11 +115,39 @@ TEST(RespondSlip, PrescribedUpliftIsTakenOffTheWeight) {
     return found;
   };
   const double none = expect({friction, weight}, [](int) { return 0.; }).sliding;
-  const CoupledWave in_phase = expect({friction, weight, 0., "in_phase", 0.7, 0.}, [&](int i) { return 0.7 * P(i); });
+  const CoupledWave in_phase = expect({friction, weight, 0., "in_phase", 0.6, 0.}, [&](int i) { return 0.6 * P(i); });
   EXPECT_GT(std::abs(in_phase.sliding - none), 0.01 * none);
   EXPECT_GT(in_phase.lifted_time, 0.);
   expect({friction, weight, 0., "in_phase", 0.4, 0.02}, [&](int i) { return 0.4 * P(i - 40); });
   expect({friction, weight, 0., "held", 0.3, 0.}, [&](int i) { return 0.3 * P(std::min(i, 150)); });
+}
+
+TEST(RespondSlip, AWaveThatPartsTheBottomHasItsReasonAndCostsNoOther) {
+  WaveFile file = wave(fine_triangle(2e6));
+  const Eigen::Index n = file.value.cols();
+  file.value.conservativeResize(4, Eigen::NoChange);
+  file.value.bottomRows(2) = 0.25 * file.value.topRows(2);
+  ASSERT_EQ(n, file.value.cols());
+  RespondOptions options;
+  options.sliding = ModelSliding{friction, weight, 0., "in_phase", 1., 0.};
+  const std::vector<WaveResponse> waves = respond_to_waves(model_with_slip(), {file}, options)[0].waves;
+  ASSERT_EQ(waves.size(), 2u);
+  EXPECT_FALSE(waves[0].coupled);
+  EXPECT_NE(waves[0].why_not_coupled.find("part from the ground"), std::string::npos) << waves[0].why_not_coupled;
+  EXPECT_TRUE(waves[0].sliding);
+  ASSERT_TRUE(waves[1].coupled);
+  EXPECT_EQ(waves[1].why_not_coupled, "");
+}
+
+TEST(RespondSlip, ASlipThatIsNotWellPosedCostsNothingElse) {
+  ReducedModelFile model = model_with_slip();
+  model.slip->system.feedthrough(0, 2) = 2.;  // N' grows by twice what friction pushes
+  RespondOptions options;
+  options.sliding = ModelSliding{friction, weight};
+  const WaveResponse found = respond_to_waves(model, {wave(fine_triangle(2e6))}, options)[0].waves[0];
+  EXPECT_FALSE(found.coupled);
+  EXPECT_NE(found.why_not_coupled.find("not well posed"), std::string::npos) << found.why_not_coupled;
+  EXPECT_TRUE(found.sliding);
 }
 
 TEST(RespondSlip, ComputedUpliftIsTheModels) {

@@ -17,7 +17,7 @@ namespace {
 using Times = std::vector<double>;
 
 WaveFile wave(const Times& time, const Times& impact) {
-  WaveFile file{"w", time, WaveSamples::Zero(2, static_cast<Eigen::Index>(time.size())), 2};
+  WaveFile file{"w", time, WaveSamples::Zero(2, static_cast<Eigen::Index>(time.size())), 2, {}};
   for (std::size_t n = 0; n < time.size(); ++n) file.value(0, static_cast<Eigen::Index>(n)) = impact[n];
   return file;
 }
@@ -110,6 +110,16 @@ TEST(RespondWaves, OnlyShortWavesLieBeyondTheBand) {
   const double by_corners = answer(wave({0., 0.0025, 0.005}, {0., 1.6e6, 0.})).waves[0].beyond_band;
   EXPECT_GT(on_steps, 0.01);
   EXPECT_NEAR(by_corners, on_steps, 0.05 * on_steps);
+}
+
+TEST(RespondWaves, TellsTheErrorOfEachWave) {
+  EXPECT_EQ(answer(triangle(0.0005)).waves[0].error_estimate, std::nullopt) << "a model that cannot tell";
+  ReducedModelFile model = oscillator();
+  model.nested = nested_oscillators(1.02, 1.03);
+  const double bound = 1.2 * 0.03 + 1.5 * 0.01;  // all three models are the same but for these factors
+  for (const WaveFile& file : {triangle(0.0005), triangle(0.0375), wave({0., 0.0749, 0.075, 0.15}, {0., 1., 1.2, 0.})})
+    EXPECT_NEAR(*respond_to_waves(model, {file}, {}).front().waves[0].error_estimate, bound, 0.02 * bound);
+  EXPECT_EQ(respond_to_waves(model, {triangle(0.0005, 0.)}, {}).front().waves[0].error_estimate, 0.) << "no wave";
 }
 
 TEST(RespondWaves, SlidesAsTheBlockDoesUnderTheWholeHistory) {

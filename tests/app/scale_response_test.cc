@@ -10,6 +10,8 @@ namespace upbead::test {
 
 const std::string small_case =
     section_case({{"cells = 0.5, seabed_front = 60, seabed_back = 60", "cells = 0.4, grading = 4"},
+                  {", frequencies = [1, 10]", ""},
+                  {", frequencies = [1, 10]", ""},
                   {"left = { displacement = \"roller\"", "left = { displacement = \"absorbing\""},
                   {"kind = \"force\"", "shape = [[6.0, 0.4], [22.0, 1.0]]"},
                   {"peak = 1e6", "peak = 1.6e6"},

@@ -83,6 +83,18 @@ TEST_F(WaveFiles, Hdf5HoldsManyWaves) {
   EXPECT_EQ(WaveSamples(file.wave(2)), (WaveSamples(2, 2) << 5., 6., 7., 8.).finished());
 }
 
+TEST_F(WaveFiles, UnitsOfTheHeaderCount) {
+  write("w.csv", "Part;Time [ms];slow [kPa];impact [kN/m]\n0;0;1;2\n1;250;3;4\n");
+  const WaveFile file = read_wave_files({"w.csv"}, two_loads, {"N/m", "Pa"}).front();
+  EXPECT_EQ(file.time, (std::vector<double>{0., 0.25}));
+  EXPECT_EQ(file.value, (WaveSamples(2, 2) << 2e3, 4e3, 1e3, 3e3).finished());
+  ASSERT_EQ(file.notes.left_out.size(), 1U);
+  EXPECT_EQ(file.notes.left_out[0].what, "column 'Part' of w.csv");
+  EXPECT_EQ(refusal_of_csv("t,slow (mm)\n0,1\n1,2\n"),
+            "w.csv:1:1: the unit 'mm' of column 'slow' is none of the load, N/m or Pa; write one of N/m, kN/m, MN/m, "
+            "N/cm, N/mm, gf/cm, kgf/cm, kgf/m, tf/m");
+}
+
 TEST_F(WaveFiles, EqualNamesAreNumbered) {
   std::filesystem::create_directory("a");
   for (const char* path : {"w.csv", "a/w.csv", "v.csv"}) write(path, "t,p\n0,1\n1,2\n");

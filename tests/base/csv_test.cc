@@ -67,6 +67,32 @@ TEST_F(Csv, TellsDamage) {
   EXPECT_EQ(refusal("a,b\n1,1e999\n"), "f:2:3: '1e999' is beyond the range of a number (column b)");
 }
 
+TEST_F(Csv, ALongCellIsNoLongMessage) {
+  const std::string cell(5'000'000, 'x');
+  EXPECT_LT(refusal("time,force\n0,0\n0.1," + cell + "\n").size(), 150U);
+  EXPECT_LT(refusal("time," + cell + "\n0,y\n").size(), 150U);
+}
+
+TEST_F(Csv, RefusesWhatWouldFillTheMemory) {
+  std::string header = "time", row = "0";
+  for (int i = 0; i < 10'000; ++i) {
+    header += ",p";
+    row += ",1";
+  }
+  EXPECT_EQ(refusal(header + "\n" + row + "\n"),
+            "f:1:1: 10001 columns; at most 10000 are read, more than any record has");
+  EXPECT_EQ(refusal("a,b\n" + row + "\n"), "f:2:1: cells in this row: 10001, in the header: 2");
+  const CsvTable blank = read("a,b\n1,2\n" + std::string(20'000'000, '\n') + "3,4\n");
+  EXPECT_EQ(blank.n_rows(), 2U);
+  EXPECT_LT(blank.columns[0].capacity(), 10'000'000U);
+}
+
+TEST_F(Csv, UnitsStandBehindASlashToo) {
+  const CsvTable table = read("t / s;p1/kPa;F/kN/m;kN/m;F_T/P\n0;1;2;3;4\n");
+  EXPECT_EQ(table.names, (std::vector<std::string>{"t", "p1", "F", "kN/m", "F_T/P"}));
+  EXPECT_EQ(table.units, (std::vector<std::string>{"s", "kPa", "kN/m", "", ""}));
+}
+
 TEST_F(Csv, RefusesWhatNoQuantityCanBe) {
   // found by tests/fuzz: the slope of a history from 0 to 1e308 overflows
   EXPECT_EQ(refusal("time,force\n0,0\n1,1e308\n"),
@@ -138,11 +164,14 @@ TEST_F(Csv, TellsSeveralButNotThousands) {
 }
 
 TEST_F(Csv, TellsAMissingFileWhereItWasNamed) {
-  for (const std::string path : {"/nowhere/f.csv", "/tmp"}) try {
+  const std::pair<std::string, std::string> rows[] = {
+      {"/nowhere/f.csv", "cannot read '/nowhere/f.csv'; check the path and the rights"},
+      {"/tmp", "'/tmp' is a folder; name a file in it"}};
+  for (const auto& [path, message] : rows) try {
       read_csv(path, {"case.toml", 3, 1});
       FAIL() << path;
     } catch (const InputError& error) {
-      EXPECT_EQ(error.what(), "case.toml:3:1: cannot read '" + path + "'; check the path and the rights");
+      EXPECT_EQ(error.what(), "case.toml:3:1: " + message);
     }
 }
 

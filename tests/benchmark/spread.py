@@ -49,7 +49,8 @@ class Section:
 
 def run(program, section, settings):
     command = [str(program), "run", str(section.file), "--json"]
-    for key, value in {"mesh.refine": "auto", "mesh.degree": 3, "accuracy.tolerance": 0.002, **settings}.items():
+    for key, value in {"mesh.refine": "auto", "mesh.degree": 3, "accuracy.tolerance": 0.002,
+                       "accuracy.of": "peak", **settings}.items():
         command += ["--set", f"{key}={value}"]
     with tempfile.TemporaryDirectory() as folder:
         done = subprocess.run(command + ["--out", folder], capture_output=True, text=True)

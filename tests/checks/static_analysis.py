@@ -9,7 +9,6 @@ BUILD is a complete build by CMake (with compile_commands.json). clang-tidy look
 since they were clean, on whatever machine (clang_tidy_clean.json; --fresh: at all). What came out goes to docs/reliability/static_analysis.json."""
 
 import argparse
-from concurrent import futures
 import hashlib
 import json
 import os
@@ -19,6 +18,7 @@ import subprocess
 import sys
 import tempfile
 import time
+from concurrent import futures
 
 CHECKS = pathlib.Path(__file__).resolve().parent
 ROOT = CHECKS.parents[1]
@@ -76,6 +76,10 @@ def commands_for_clang(build, folder):
     return sorted(path for path in files if ROOT / "src" in path.parents)
 
 
+def name_of(path):
+    return str(path.relative_to(ROOT))
+
+
 def key_of(path):
     return hashlib.sha1(((ROOT / ".clang-tidy").read_text() + path.read_text()).encode()).hexdigest()
 
@@ -97,16 +101,16 @@ def tidy(build, layers, fresh, jobs):
         files = commands_for_clang(build, pathlib.Path(folder))
         keys = {path: key_of(path) for path in files}
         due = [path for path in sorted(files, key=lambda file: LAYERS.index(layer_of(file)))
-               if clean.get(str(path.relative_to(ROOT))) != keys[path] and (not layers or layer_of(path) in layers)]
+               if clean.get(name_of(path)) != keys[path] and (not layers or layer_of(path) in layers)]
         for path, ours in zip(due, pool.map(lambda path: findings_of(path, folder), due)):
             if ours:
                 print("\n".join(ours), flush=True)
-                clean.pop(str(path.relative_to(ROOT)), None)
+                clean.pop(name_of(path), None)
                 findings += ours
             else:
-                clean[str(path.relative_to(ROOT))] = keys[path]
+                clean[name_of(path)] = keys[path]
                 CLEAN.write_text(json.dumps(clean, indent=0, sort_keys=True) + "\n")
-    current = [path for path in files if clean.get(str(path.relative_to(ROOT))) == key_of(path)]
+    current = [path for path in files if clean.get(name_of(path)) == key_of(path)]  # as it is by now
     print(f"clang-tidy: {len(due)} files looked at, {len(findings)} findings; clean: {len(current)} of {len(files)}")
     checks = subprocess.run(["clang-tidy", "--list-checks", f"--config-file={ROOT / '.clang-tidy'}"],
                             capture_output=True, text=True).stdout.count("\n    ")

@@ -120,7 +120,7 @@ class Coupled(ProgramTest):
     def test_people_see_both_distances(self):
         self.write_wave()
         done = upbead("respond", "model/reduced.h5", "wave.csv", cwd=self.folder)
-        self.assertRegex(done.stdout, r"F_T / P +S +S, coupled\nwave .* mm +[0-9.]+ mm\n")
+        self.assertRegex(done.stdout, r"F_T / P +error of F_T +S +S, coupled\nwave .* mm +[0-9.]+ mm\n")
         done = upbead("respond", "model/reduced.h5", self.write_storm(), cwd=self.folder)
         self.assertRegex(done.stdout, r"sliding +\d+ of them slide .*\nS, coupled +\d+ of them slide .*, farthest [0-9.]+ m")
 
@@ -147,6 +147,75 @@ class Coupled(ProgramTest):
         done = upbead("respond", "model/reduced.h5", self.write_wave(), cwd=self.folder)
         self.assertEqual((done.returncode, done.stdout), (1, ""))
         self.assertIn("/slip/K is missing, or cannot be read as numbers; make it again with 'upbead reduce'", done.stderr)
+
+
+BLOCK = pathlib.Path(__file__).parents[1] / "support/block/block.toml"
+RIGID_S = 1.7540289157  # m: 9,810 N/m sin(pi t/0.5 s) against 1,962 N/m on 1,000 kg/m, from 32.047 ms to 1.60752 s
+
+
+class Undamped(ProgramTest):
+    """A rigid block on ground that nothing damps, where friction feeds vibrations."""
+
+    def slide(self, *arguments, status=0):
+        done = upbead("run", BLOCK, *arguments, "--json", "--out", "out", cwd=self.folder)
+        self.assertEqual(done.returncode, status, done.stderr)
+        return json.loads(done.stdout), done.stderr
+
+    @staticmethod
+    def ground(E, **section):
+        sets = [f"regions.soil.shear_modulus={E / 2.4}"]
+        sets += [f"mesh.parameters.{name}={value}" for name, value in section.items()]
+        return [word for item in sets for word in ("--set", item)]
+
+    def test_the_stiffer_the_ground_the_nearer_is_s_to_that_on_rock(self):
+        # Eq. (4) on F_T(t) of the bonded block knows how far the ground sways. What is left: loads straight between samples
+        # of h = 3.9 ms make the impulse of a half sine of 0.5 s smaller by (pi h / 0.5 s)^2 / 12, 5e-5, and S by twice that
+        # and more; when the slip ends the ground swings, a few of its periods over the 1.6 s of the slide.
+        samples = 3e-4
+        for section in ({}, {"back": 0.5}, {"width": 1.0, "height": 1.0, "front": 0.25, "back": 3}):
+            for E in (1e8, 1e9, 3e9, 1e10):
+                with self.subTest(E=E, **section):
+                    sliding = self.slide(*self.ground(E, **section))[0]["sliding"]
+                    self.assertIsNotNone(sliding["sliding_coupled"], sliding["why_not_coupled"])
+                    tolerance = abs(sliding["sliding_history"] / RIGID_S - 1) + samples
+                    self.assertAlmostEqual(sliding["sliding_coupled"] / sliding["sliding_history"], 1, delta=2 * samples)
+                    self.assertAlmostEqual(sliding["sliding_coupled"] / RIGID_S, 1, delta=tolerance)
+                    if E == 1e10:
+                        self.assertAlmostEqual(sliding["sliding_coupled"] / RIGID_S, 1, delta=samples)
+                    coupled = sliding["coupled"]
+                    self.assertAlmostEqual(coupled["dissipated"] / (1962 * sliding["sliding_coupled"]), 1, delta=1e-2)
+                    self.assertGreaterEqual(coupled["least_normal"], 0)
+                    self.assertLessEqual(coupled["damping_effect"], samples * RIGID_S)
+
+    def test_damping_changes_nothing_there(self):
+        damping = ["--set", "regions.soil.damping={ratio=0.002,frequencies=[1,100]}"]
+        sliding = self.slide(*self.ground(1e9), *damping)[0]["sliding"]
+        self.assertAlmostEqual(sliding["sliding_coupled"] / RIGID_S, 1, delta=6e-4)
+
+    def test_a_distance_that_cannot_be_right_is_null_and_the_rest_is_told(self):
+        lifted = ["--set", "sliding.uplift={kind='prescribed',peak=12000.0}"]
+        told, warnings = self.slide(*self.ground(1e8), *lifted)
+        sliding = told["sliding"]
+        self.assertIsNone(sliding["sliding_coupled"])
+        self.assertIsNone(sliding["coupled"])
+        self.assertIn("the bottom would part from the ground", sliding["why_not_coupled"])
+        self.assertIn("warning: no_coupled_slip: ", warnings)
+        self.assertIn("no_coupled_slip", [warning["name"] for warning in told["warnings"]])
+        self.assertGreater(sliding["sliding_history"], 1)
+        done = upbead("run", BLOCK, *self.ground(1e8), *lifted, "--out", "again", cwd=self.folder)
+        self.assertIn("S, coupled  not told: N' falls to ", done.stdout)
+        upbead("reduce", BLOCK, *self.ground(1e8), *lifted, "--out", "model", cwd=self.folder)
+        (self.folder / "wave.csv").write_text("time,impulse\n0,0\n0.25,9810\n0.5,0\n")
+        (self.folder / "weak.csv").write_text("time,impulse\n0,0\n0.25,10\n0.5,0\n")
+        done = upbead("respond", "model/reduced.h5", "wave.csv", "weak.csv", "--out", "answer", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("is not told for 1 of 2 waves, such as wave: N' falls to ", done.stderr)
+        waves = json.loads((self.folder / "answer/summary.json").read_text())["waves"]
+        self.assertEqual([wave["sliding_coupled"] for wave in waves], [None, 0])
+        self.assertEqual([wave["why_not_coupled"] is None for wave in waves], [False, True])
+        with h5py.File(self.folder / "answer/responses.h5") as file:
+            self.assertTrue(np.isnan(file["wave/sliding_coupled"][0]))
+            self.assertEqual(file["weak/sliding_coupled"][0], 0)
 
 
 if __name__ == "__main__":

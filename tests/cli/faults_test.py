@@ -192,8 +192,8 @@ class Faults(ProgramTest):
                 process = subprocess.Popen(
                     [PROGRAM, "run", CASES / "fig2b-model.toml", *long, "--out", "parts", "--checkpoint", "0.05", "--resume"],
                     cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-                try:
-                    output, errors = process.communicate(timeout=dice.uniform(0.5, 1.) * 1.1**kills)  # longer than it takes to begin, some time
+                try:  # by ratio, so that in the end it is longer than a slow build takes to begin
+                    output, errors = process.communicate(timeout=dice.uniform(0.5, 1.) * 1.1**kills)
                     break
                 except subprocess.TimeoutExpired:
                     process.kill()

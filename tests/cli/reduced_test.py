@@ -115,12 +115,13 @@ class Reduced(ProgramTest):
         self.make_model_and_waves()
         done = self.respond("model.h5", "roof.csv", "roof.csv", "--end", 1)
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertRegex(done.stdout, r"wave +peak P +peak F_T +F_T / P\nroof +1.6 MN/m .*\nroof-2 +1.6 MN/m ")
+        self.assertRegex(done.stdout, r"wave +peak P +peak F_T +F_T / P +error of F_T\nroof +1.6 MN/m .* < 0 %\nroof-2 +1.6 MN/m ")
         done = self.respond("model.h5", "roof.csv", "--json")
         summary = json.loads(done.stdout)
         self.assertEqual(summary["model"], {"title": "oscillator", "file": "model.h5", "error": 0.004,
                                             "tolerance": 0.01, "highest_frequency": 50.0})
         self.assertIsNone(summary["waves"][0]["sliding"])
+        self.assertEqual((summary["waves"][0]["error_estimate"], summary["warnings"]), (0, []))
         self.assertEqual(list(summary["timing"]), ["read", "respond", "write", "total"])
         self.assertGreater(summary["histories_per_second"], 0)
 
@@ -130,6 +131,20 @@ class Reduced(ProgramTest):
         self.assertEqual(done.returncode, 0)
         self.assertRegex(done.stderr, r"^warning: 1 of 1 waves reach beyond .* 3 Hz: worst roof, where .* % of F_T .*"
                                       r"\(tolerance 1 %\); reduce again .* or march it with 'upbead run'\n$")
+
+    def test_respond_warns_of_waves_whose_error_may_be_too_large(self):
+        self.make_model_and_waves(nested=(1.01, 1.02))  # 1.2 x 2 % + 1.5 x 1 %
+        done = self.respond("model.h5", "roof.csv", "--json")
+        self.assertEqual(done.returncode, 0)
+        self.assertRegex(done.stderr, r"^warning: reduced_model_error: F_T of 1 of 1 waves may be wrong .* worst roof, by "
+                                      r"up to 3.9 % of its largest F_T \(tolerance 1 %\); reduce again with an 'end' .*\n$")
+        summary = json.loads(done.stdout)
+        self.assertAlmostEqual(summary["waves"][0]["error_estimate"], 0.039, delta=1e-4)
+        self.assertEqual([w["name"] for w in summary["warnings"]], ["reduced_model_error"])
+        self.make_model_and_waves(nested=None)
+        done = self.respond("model.h5", "roof.csv", "--json")
+        self.assertRegex(done.stderr, r"^warning: no_error_estimate: .* make it again with 'upbead reduce'\n$")
+        self.assertIsNone(json.loads(done.stdout)["waves"][0]["error_estimate"])
 
     def test_respond_refuses_wrong_input_and_writes_nothing(self):
         self.make_model_and_waves(loads=("impact", "slow"))

@@ -25,6 +25,33 @@ SHEAR_SPEED = math.sqrt(30e6 / MOUND_DENSITY)
 PASSING = 0.15 + WIDTH / SHEAR_SPEED
 LEVEL = ["--set", "initial.water_level=15.0"]
 WEIGHT = ["--set", "sliding={ friction = 0.6, buoyant_weight = 4.3e6 }"]
+COLUMN = """
+[mesh]
+geometry = "column"
+parameters = { height = 10, cells = 20 }
+[regions.soil]
+%s
+[boundaries]
+base = { displacement = "fixed"%s }
+left = { displacement = "roller"%s }
+right = { displacement = "roller"%s }
+top = { %s }
+[loads.top]
+boundary = "top"
+kind = "traction"
+direction = [0, -1]
+pulse = %s
+[time]
+end = %g
+[probes]
+a.at = [0.5, 2.13]
+b.at = [0.5, 5.07]
+c.at = [0.5, 8.02]
+"""
+DRY = 'kind = "solid"\nshear_modulus = 20e6\npoissons_ratio = 0.25\ndensity = 2000.0'
+WET = ('kind = "porous"\nshear_modulus = 50e6\npoissons_ratio = 0.3\nporosity = 0.4\ngrain_density = 2650.0\n'
+       'hydraulic_conductivity = 10.0\nflow = "inertial"')
+HEIGHT, DRY_SPEED, SLOW_SPEED = 10.0, math.sqrt(60e6 / 2000), 262.0  # m, m/s
 facts = {}
 
 
@@ -104,6 +131,29 @@ class Warnings(ProgramTest):
         self.assertIn("region 'seabed'", warning["text"])
         self.assertEqual(self.ask("explain", *settings(mesh__parameters__cells=0.35))[0], {})
 
+    def test_mesh_too_coarse_without_damping(self):
+        bare = SCENE.replace("damping = { ratio = 0.05, frequencies = [1, 10] }\n", "")
+        short = settings(loads__impulse__pulse__duration=0.05)
+
+        def history(*arguments):
+            found, _ = self.ask("run", *short, *arguments, scene=bare)
+            with h5py.File(self.folder / "out/results.h5") as file:
+                return found, file["history/time"][:], file["history/shear_force"][:]
+
+        found, time, force = history(*settings(mesh__parameters__cells=0.35))
+        self.assertIn("mesh_too_coarse", found)
+        facts["mesh_too_coarse, undamped"] = found["mesh_too_coarse"]["text"]
+        self.assertEqual(found["mesh_too_coarse"]["limit"], 2.3)
+        _, fine_time, fine = history(*settings(mesh__parameters__cells=0.7, mesh__degree=3))
+        error = abs(force - numpy.interp(time, fine_time, fine)).max() / abs(fine).max()
+        told = 0.05 * (2.3 / found["mesh_too_coarse"]["value"]) ** 2
+        self.assertGreater(error, 0.1)
+        self.assertGreater(told, 0.8 * error)
+        self.assertLess(told, 3 * error)
+        self.assertEqual(self.ask("explain", *short, *settings(mesh__parameters__cells=0.5))[0], {}, "with damping")
+        slow = settings(loads__impulse__pulse__duration=0.2)
+        self.assertEqual(self.ask("explain", *slow, scene=bare)[0], {})
+
     def test_walls_too_near(self):
         echo = 2 * 60 / SHEAR_SPEED
         found, _ = self.ask("run", *settings(time__end=1.2))
@@ -130,6 +180,118 @@ class Warnings(ProgramTest):
         self.assertGreater(warning["limit"], warning["value"])
         self.assertIn("probe 'A': where 'seabed' drains into 'mound'", warning["text"])
         self.assertEqual(self.ask("explain", *settings(probes__A__at="[0.0, -12.0]"))[0], {})
+
+    def column(self, soil, pulse, end):
+        sealed, top = (', pressure = "sealed"', 'pressure = "open"') if "porous" in soil else ("", "")
+        return COLUMN % (soil, sealed, sealed, sealed, top, pulse, end)
+
+    def probed(self, scene, reading, *arguments):
+        """Warnings, times and histories of the three probes (over 1 Pa of load)."""
+        found, _ = self.ask("run", *arguments, scene=scene)
+        with h5py.File(self.folder / "out/results.h5") as file:
+            return found, file["history/time"][:], [file[f"history/probes/{name}/{reading}"][:] for name in "abc"]
+
+    def told_cure(self, text):
+        """Cells (m), rise (s) and step (s) that a warning asks for; None where it does not."""
+        def number(pattern):
+            match = re.search(pattern + r" ([0-9.e+-]+) (?:m|s)\b", text)
+            return match and float(match.group(1))
+        return number("cells of at most"), number("a rise of the load of at least"), number("time.step of at most")
+
+    def dry_error(self, rise, *arguments):
+        """Of the stress of the dry column under a load that rises within `rise`, by d'Alembert."""
+        pulse = f'{{ shape = "step", peak = 1.0, rise = {rise} }}'
+        end = 8 * HEIGHT / DRY_SPEED
+        found, time, stress = self.probed(self.column(DRY, pulse, end), "stress_yy", *arguments)
+        error = 0.0
+        for y, history in zip((2.13, 5.07, 8.02), stress):
+            exact = sum((-1) ** i * numpy.clip((time - (2 * i * HEIGHT + HEIGHT + side * y) / DRY_SPEED) / rise, 0, 1)
+                        for i in range(5) for side in (-1, 1))
+            error = max(error, abs(history + exact).max())
+        return found, error
+
+    def test_stress_rings(self):
+        crossing = 0.5 / DRY_SPEED
+        for rise, arguments in ((crossing, ()), (4 * crossing, ()), (8 * crossing, settings(mesh__degree=3))):
+            found, error = self.dry_error(rise, *arguments)
+            warning = self.expect(found, "stress_rings", limit=0.05)
+            self.assertGreater(warning["value"], 0.8 * error)
+            self.assertLess(warning["value"], 3 * error)
+        found, error = self.dry_error(4 * crossing)
+        cells, rise, step = self.told_cure(found["stress_rings"]["text"])
+        finer = settings(mesh__parameters__cells=math.ceil(HEIGHT / cells), time__step=step)
+        found, error = self.dry_error(4 * crossing, *finer)
+        self.assertEqual(found, {})
+        self.assertLess(error, 0.05)
+        found, error = self.dry_error(rise, *settings(time__step=step))
+        self.assertEqual(found, {})
+        self.assertLess(error, 0.05)
+
+    def test_stress_rings_after_a_jump(self):
+        jump = '{ shape = "step", peak = 1.0 }'
+        found, time, stress = self.probed(self.column(DRY, jump, 0.4), "stress_yy", *settings(time__step=3e-4))
+        self.assertIn("jumps on the ground", self.expect(found, "stress_rings", limit=0.05)["text"])
+        self.assertGreater(max(abs(history).max() for history in stress), 2.2, "it rings by a tenth or more")
+        damped = DRY + "\ndamping = { ratio = 0.2, frequencies = [1, 10] }"
+        found, _, _ = self.probed(self.column(damped, '{ shape = "step", peak = 1.0, rise = 0.05 }', 0.4), "stress_yy")
+        self.assertEqual(found, {})
+        for changes in (settings(loads__top__factor=0), settings(time__inertia="false")):
+            self.assertEqual(self.ask("explain", *changes, scene=self.column(DRY, jump, 0.4))[0], {})
+
+    def test_slow_wave_unresolved(self):
+        duration = 8 * 0.5 / SLOW_SPEED
+        scene = self.column(WET, f'{{ shape = "triangle", peak = 1.0, duration = {duration} }}', 0.3)
+
+        def pressures(step, *arguments):
+            found, time, pressure = self.probed(scene, "pressure", *settings(time__step=step), *arguments)
+            return found, [numpy.interp(numpy.linspace(0, 0.3, 2001), time, history) for history in pressure]
+
+        _, exact = pressures(duration / 256, *settings(mesh__parameters__cells=320, mesh__degree=3))
+
+        def error(found):
+            return max(abs(a - b).max() for a, b in zip(found, exact))
+
+        told, coarse = pressures(duration / 64)
+        warning = told["slow_wave_unresolved"]
+        facts["slow_wave_unresolved"] = warning["text"]
+        self.assertGreater(error(coarse), 0.15)
+        self.assertGreater(warning["value"], 0.8 * error(coarse))
+        self.assertLess(warning["value"], 3 * error(coarse))
+        cells, _, step = self.told_cure(warning["text"])
+        finer = settings(mesh__parameters__cells=math.ceil(HEIGHT / cells))
+        told, fine = pressures(min(step or 1.0, duration / 64), *finer)
+        self.assertNotIn("slow_wave_unresolved", told)
+        self.assertLess(error(fine), 0.05)
+        drag = WET.replace("= 10.0", "= 1e-4")
+        self.assertEqual(self.ask("explain", scene=self.column(
+            drag, '{ shape = "triangle", peak = 1.0, duration = 0.5 }', 1.0))[0].get("slow_wave_unresolved"), None)
+
+    def test_drained_layer(self):
+        mud = settings(mesh__parameters__seabed_depth=0.2, regions__seabed__shear_modulus=1e5,
+                       regions__mound__shear_modulus=5e8, regions__seabed__hydraulic_conductivity=1e-8)
+        found, summary = self.ask("run", *mud)
+        warning = self.expect(found, "drained_layer", limit=0.05)
+        ratio = summary["response"]["shear_to_force_ratio"]
+        stays = SCENE.replace('bed = { pressure = "open" }', "bed = {}")
+        for side in ("base", "left", "right"):
+            stays = re.sub(rf'({side} = {{ displacement = "\w+"), pressure = "sealed"', r"\1", stays)
+        soil = SCENE[SCENE.index("[regions.seabed]"):SCENE.index("[regions.mound]")]
+        stays = stays.replace(soil, '[regions.seabed]\nkind = "solid"\nshear_modulus = 30e6\npoissons_ratio = 0.499\n'
+                                    'density = 2002.0\ndeformation = "elastic"\n'
+                                    'damping = { ratio = 0.05, frequencies = [1, 10] }\n')
+        self.assertIn('kind = "solid"', warning["text"])
+        mud = [text for text in mud if "conductivity" not in text][:-1]
+        found, summary = self.ask("run", *mud, scene=stays)
+        self.assertEqual(found, {})
+        cured = summary["response"]["shear_to_force_ratio"]
+        _, summary = self.ask("run", *mud, *settings(mesh__degree=3, mesh__refine=1), scene=stays)
+        exact = summary["response"]["shear_to_force_ratio"]
+        self.assertLess(abs(cured / exact - 1), 0.05)
+        self.assertGreater(abs(ratio / exact - 1), 0.1)
+        self.assertGreater(warning["value"], abs(ratio / exact - 1))
+        sand = settings(mesh__parameters__seabed_depth=0.2, regions__seabed__shear_modulus=1e5)
+        found, _ = self.ask("explain", *sand)
+        self.assertNotIn('kind = "solid"', found["drained_layer"]["text"], "its skin yields by itself")
 
     def record(self, **changes):
         """A smooth pulse of 0.15 s, every ms; `changes` by time."""

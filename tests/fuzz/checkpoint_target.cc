@@ -21,7 +21,7 @@ std::string sample() {
   file.march.so_far.ends = file.march.so_far.balanced = two_times();
   file.march.so_far.energy.resize(2);
   file.march.so_far.final_state = state_of(1.);
-  file.march.memory = {{state_of(2.), {1., 2.}}, {1., 2.}, {3., 4.}, {}};
+  file.march.memory = {{state_of(2.), {1., 2.}}, {1., 2.}, {3., 4.}, 0.1, {}};
   file.march.observed = {0., 0.2};
   file.fields = {{0., "fields/fields_0.vtu"}, {0.2, "fields/fields_1.vtu"}};
   return checkpoint_file("sample", file);

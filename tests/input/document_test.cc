@@ -78,7 +78,7 @@ TEST_F(DocumentTest, RefusesWrongOverrides) {
   EXPECT_EQ(refusal("a = 1\n", {"a= "}), "--set a= : no value after '='" + cure);
   EXPECT_EQ(refusal("a = 1\n", {"a=[1, 2"}), "--set a=[1, 2: the value is not TOML" + cure);
   EXPECT_EQ(refusal("a = 1\n", {"a b=1"}), "--set a b=1: the key is not TOML" + cure);
-  EXPECT_EQ(refusal("a = 1\n", {"a=1\nb=2"}), "--set a=1\nb=2: more than one line" + cure);
+  EXPECT_EQ(refusal("a = 1\n", {"a=1\nb=2"}), "--set a=1 b=2: more than one line" + cure);
   EXPECT_EQ(refusal("a = 1\n", {"a.b=2", "x"}),
             "--set a.b=2: 'b' is set within the number 1; see the keys of the case\n"
             "--set x: no '=' between key and value" +

@@ -1,5 +1,5 @@
 // Claims: cells that are chosen are split; neighbours differ by one level at most; surfaces meet without hanging nodes;
-// names survive.
+// names survive, also those of a copy on cells half as large.
 #include "upbead/mesh/refine.h"
 
 #include <gtest/gtest.h>
@@ -72,6 +72,22 @@ TEST(RefineCells, NamesOfSidesSurvive) {
   refine_about(*mesh, {9., 6.}, 4.);
   EXPECT_NEAR(length_of("bottom"), bottom, 1e-12 * bottom);
   EXPECT_NEAR(length_of("front"), front, 1e-12 * front);
+}
+
+TEST(Halved, SplitsEveryCellOfACopy) {
+  const auto mesh = section();
+  refine_about(*mesh, {0., 0.}, 8.);
+  const auto before = mesh->triangulation.n_active_cells();
+  const auto finer = halved(*mesh);
+  EXPECT_EQ(mesh->triangulation.n_active_cells(), before);
+  ASSERT_EQ(finer->triangulation.n_active_cells(), 4 * before);
+  for (const auto& cell : finer->triangulation.active_cell_iterators()) {
+    const dealii::Triangulation<dim>::cell_iterator parent(&mesh->triangulation, cell->level() - 1,
+                                                           cell->parent()->index());
+    EXPECT_TRUE(parent->is_active());
+    EXPECT_LT(parent->center().distance(cell->parent()->center()), 1e-12);
+    EXPECT_EQ(finer->surface_of(cell), mesh->surface_of(parent));
+  }
 }
 
 }  // namespace

@@ -50,6 +50,28 @@ TEST(Records, SoundOnesBringNoWarning) {
   EXPECT_EQ(names(record_warnings(sampled([](double t) { return 1e6 * std::sin(20. * t); }))), Names());
 }
 
+/// 1 - cos over T.
+double smooth(double t, double T) {
+  return t < T ? 5e5 * (1. - std::cos(2. * M_PI * t / T)) : 0.;
+}
+
+TEST(Records, TheFootOfASmoothRiseIsNoDrift) {
+  for (const double T : {0.5, 1., 2.})  // with 25 samples or more in the rise
+    for (const double every : {1e-3, 1e-2}) {
+      SCOPED_TRACE(T);
+      EXPECT_EQ(names(record_warnings(sampled([T](double t) { return smooth(t, T); }, T, every))), Names());
+      EXPECT_EQ(names(record_warnings(sampled([T](double t) { return smooth(t, T); }, 0.98 * T, every))), Names());
+      EXPECT_EQ(names(record_warnings(sampled([T](double t) { return -smooth(t, T); }, 2. * T, every))), Names());
+    }
+  EXPECT_EQ(names(record_warnings(sampled([](double t) { return 1e6 * std::min(t, 1. - t); }))), Names());
+}
+
+TEST(Records, ALoadThatIsCutDoesNotDrift) {
+  const NumberedWarnings list = record_warnings(sampled([](double t) { return smooth(t, 0.5); }, 0.4705));
+  ASSERT_EQ(names(list), Names{"record_cut"});
+  EXPECT_NEAR(list[0].value, 0.5 * (1. - std::cos(2. * M_PI * 0.47 / 0.5)), 1e-3);
+}
+
 TEST(Records, StepIsNoFault) {
   EXPECT_EQ(names(record_warnings(sampled([](double t) { return 1e6 * std::min(1., std::max(0., (t - 0.2) / 0.1)); }))),
             Names());

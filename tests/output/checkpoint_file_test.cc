@@ -61,7 +61,7 @@ CheckpointFile sample() {
   so_far.final_state = state(7, 2. / 3.);
   so_far.n_steps = 4;
   so_far.n_solves = 20;
-  file.march.memory = {{state(7, 0.1), {1. / 3., -0.}}, {0.1, 0.2}, {0.3, 0.4}, so_far.energy[1]};
+  file.march.memory = {{state(7, 0.1), {1. / 3., -0.}}, {0.1, 0.2}, {0.3, 0.4}, 0.05, so_far.energy[1]};
   file.fields = {{0., "fields/fields_0000.vtu"}, {0.1, "fields/fields_0001.vtu"}};
   return file;
 }
@@ -94,6 +94,7 @@ TEST_F(CheckpointFileTest, ComesBackToTheLastBit) {
   EXPECT_EQ(m.balanced.load, n.balanced.load);
   EXPECT_EQ(m.end_load, n.end_load);
   EXPECT_EQ(m.largest_load, n.largest_load);
+  EXPECT_EQ(m.last_step, n.last_step);
   EXPECT_EQ(m.energy.work, n.energy.work);
 }
 

@@ -106,6 +106,8 @@ TEST(ModelFile, KeepsASlip) {
   EXPECT_FALSE(read_model_file(TemporaryFile(model_file(made)).path()).slip);
   made.slip = slipping_oscillator();
   made.slip->system.is_phi[1] = true;
+  for (Eigen::MatrixXd* matrix : {&made.slip->system.M, &made.slip->system.C, &made.slip->system.K})
+    (*matrix)(1, 1) *= -1.;  // as the rows of phi are
   made.slip->system.prescribed[1] = 0;
   made.slip->system.n_prescribed = 1;
   const TemporaryFile file(model_file(made));
@@ -146,6 +148,25 @@ TEST(ModelFile, TellsWhatIsWrongWithASlip) {
             "m: /slip/readings/name does not name 'interface/slip'" + again);
   EXPECT_EQ(refusal_of([](ReducedSystem& s) { s.reading_label[0].name = "N"; }),
             "m: /slip/readings/name does not name 'normal_force'" + again);
+}
+
+TEST(ModelFile, KeepsTheLargerModelsThatTellErrors) {
+  ReducedModelFile made = oscillator();
+  EXPECT_FALSE(read_model_file(TemporaryFile(model_file(made)).path()).nested) << "as files of older versions";
+  made.nested = nested_oscillators(1.01, 1.02);
+  const TemporaryFile file(model_file(made));
+  const ReducedModelFile read = read_model_file(file.path());
+  ASSERT_TRUE(read.nested);
+  EXPECT_EQ(read.nested->middle.reading, made.nested->middle.reading);
+  EXPECT_EQ(read.nested->reference.pole, made.nested->reference.pole);
+  EXPECT_EQ(read.nested->reference.reading_label[0].name, "shear_force");
+  EXPECT_EQ(read.nested->solves, 30);
+  EXPECT_EQ(model_file(read), model_file(made));
+  made.nested->middle.pole[1] = 1.;
+  const TemporaryFile wrong(model_file(made));
+  EXPECT_EQ(refusal(wrong.path()),
+            "m: /nested/middle: mode 1 grows: Re of its pole is 1 1/s, and must not be above 0; make it again with "
+            "'upbead reduce'");
 }
 
 TEST(ModelFile, NeedsNeitherModesNorAMarch) {
@@ -231,6 +252,55 @@ TEST(ModelFile, RefusesNumbersThatNoQuantityCanBe) {
   EXPECT_EQ(refusal_after([](hid_t file) { put(file, "/modes/impulse", 1e200); }),
             "m: /modes/impulse holds a number that is larger than any quantity in SI units; make it again with "
             "'upbead reduce'");
+}
+
+TEST(ModelFile, RefusesWhatWasChangedBehindItsBack) {
+  const std::string changed =
+      "m: its checksum does not fit: numbers or texts were changed after 'upbead reduce' had written them; make it "
+      "again "
+      "with 'upbead reduce'";
+  EXPECT_EQ(refusal_after([](hid_t file) { put(file, "/modes/feedthrough", -0.25); }), changed);
+  EXPECT_EQ(refusal_after([](hid_t file) { put_attribute(file, "/case", "end", 2.5); }), changed);
+  EXPECT_EQ(refusal_after([](hid_t file) {
+              H5Lmove(file, "/modes/feedthrough", file, "/kept", H5P_DEFAULT, H5P_DEFAULT);
+              H5Lmove(file, "/modes/impulse", file, "/modes/feedthrough", H5P_DEFAULT, H5P_DEFAULT);
+              H5Lmove(file, "/kept", file, "/modes/impulse", H5P_DEFAULT, H5P_DEFAULT);
+            }),
+            changed);
+  EXPECT_EQ(refusal_after([](hid_t) {}), "");
+}
+
+TEST(ModelFile, TakesAFileWithoutAChecksumAsOlderVersionsWroteThem) {
+  EXPECT_EQ(refusal_after([](hid_t file) { H5Adelete(file, "checksum"); }), "");
+  EXPECT_EQ(refusal_after([](hid_t file) {
+              H5Adelete(file, "checksum");
+              put(file, "/loads/peak", -1.);
+            }),
+            "m: /loads/peak holds -1; make it again with 'upbead reduce'\nm: /loads/peak holds -1; make it again with "
+            "'upbead reduce'");
+}
+
+TEST(ModelFile, RefusesASlipThatMakesEnergy) {
+  // the file's own writer, so that the checksum fits
+  const auto refusal_of = [](const std::function<void(ReducedSystem&)>& change) {
+    ReducedModelFile model = oscillator();
+    model.slip = slipping_oscillator();
+    change(model.slip->system);
+    const TemporaryFile file(model_file(model));
+    return refusal(file.path());
+  };
+  const std::string again = "; make it again with 'upbead reduce'";
+  EXPECT_EQ(refusal_of([](ReducedSystem& s) { s.M *= -1.; }),
+            "m: /slip/M is not that of a kinetic energy: not symmetric, or negative" + again);
+  EXPECT_EQ(refusal_of([](ReducedSystem& s) { s.C *= -1.; }), "m: /slip/C brings energy in" + again);
+  EXPECT_EQ(refusal_of([](ReducedSystem& s) { s.K *= -1.; }),
+            "m: /slip/K is not that of a strain energy: not symmetric, or negative" + again);
+  EXPECT_EQ(refusal_of([](ReducedSystem& s) { s.K(0, 1) *= 1.01; }),
+            "m: /slip/K is not that of a strain energy: not symmetric, or negative" + again);
+  EXPECT_EQ(refusal_of([](ReducedSystem& s) { s.n_prescribed = 1; }),
+            "m: /slip/prescribed does not fit its n_prescribed, 1" + again);
+  EXPECT_EQ(refusal_of([](ReducedSystem& s) { s.prescribed[0] = 1; }),
+            "m: /slip/prescribed does not fit its n_prescribed, 0" + again);
 }
 
 TEST(ModelFile, RefusesAModeThatGrows) {

@@ -37,6 +37,19 @@ ReducedModelFile oscillator() {
   return model;
 }
 
+NestedModels nested_oscillators(double middle, double reference) {
+  const ModalModel modes = oscillator().modes;
+  const auto times = [&modes](double factor) {
+    ModalModel larger = modes;
+    larger.reading = factor * modes.reading.row(1);
+    larger.feedthrough = factor * modes.feedthrough.row(1);
+    larger.impulse = factor * modes.impulse.row(1);
+    larger.reading_label = {modes.reading_label[1]};
+    return larger;
+  };
+  return {times(middle), times(reference), 30, 3};
+}
+
 ModelSlip slipping_oscillator() {
   const double mass = oscillator().caisson_mass, rate = 4. * std::acos(-1.), ratio = 0.15, ground = 50e3;
   Eigen::Matrix2d of_ground;  // of x and s; the ground moves by x - s

@@ -15,6 +15,9 @@ namespace upbead::test {
 /// `shear_force` and `caisson/displacement_x`, and a mode without meaning.
 ReducedModelFile oscillator();
 
+/// Larger models of it whose F_T is so many times that of the model itself.
+NestedModels nested_oscillators(double middle, double reference);
+
 /// That caisson on a ground of 50 t/m with the same spring and dashpot, over which it slips.
 ModelSlip slipping_oscillator();
 

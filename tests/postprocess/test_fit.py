@@ -261,9 +261,9 @@ class Directions(unittest.TestCase):
 class Records(InFolder):
     """Files are read by the program, and tested there; here that all that is said of them gets there."""
 
-    def read(self, **options):
+    def read(self, column, unit=None, start=None, zero=None):
         runs = Runs(self.folder / "case.toml", None, {}, {"mesh.parameters.cells": 1.0}, 2, None)
-        name, keys = fit_record.named(self.folder / "lab.csv", "shear_force", *options.values())
+        name, keys = fit_record.named(self.folder / "lab.csv", "shear_force", column, unit, start, zero)
         return first_run(runs, {}, name, keys)["record"]
 
     def test_files_are_read_by_the_program(self):
@@ -272,11 +272,10 @@ class Records(InFolder):
         record = self.read(column="F_T", unit="tf/m", start=0.1, zero=0.25)
         np.testing.assert_allclose(record.time, [-0.1, 0.1, 0.3])
         np.testing.assert_allclose(record.value, np.array([-1.0, 1.0, -4.5]) * 9806.65)
-        for options, words in (({"column": "F_S", "unit": None}, "'F_S'"), ({"column": None, "unit": "kPa"}, "kPa")):
+        for options, words in (({"column": "F_S"}, "'F_S'"), ({"column": None, "unit": "kPa"}, "kPa"),
+                               ({"column": "F_T", "start": 7.0}, "record_start")):
             with self.assertRaisesRegex(upbead.UserError, words):
-                self.read(**options, start=None, zero=None)
-        with self.assertRaisesRegex(upbead.UserError, "record_start"):
-            self.read(column="F_T", unit=None, start=7.0, zero=None)
+                self.read(**options)
 
     def test_cut(self):
         record = fit_record.Record(np.arange(6.0), np.array([1.0, 3.0, 5.0, 6.0, 7.0, 8.0]))

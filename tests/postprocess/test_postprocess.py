@@ -112,13 +112,13 @@ class Figures(unittest.TestCase):
         command = [sys.executable, "-B", str(SCRIPTS / name), *map(str, arguments)]
         return subprocess.run(command, capture_output=True, text=True, check=False)
 
-    def make_result(self, *adders):
+    def make_result(self, *adders, title="Made-up caisson"):
         time = np.linspace(0.0, 4.0, 4001)
         with h5py.File(self.folder / "results.h5", "w") as file:
             write(file, "time", time, "s")
             for add in adders:
                 add(file, time)
-        summary = {"title": "Made-up caisson", "response": {"shear_to_force_ratio": 0.4321}}
+        summary = {"title": title, "response": {"shear_to_force_ratio": 0.4321}}
         (self.folder / "summary.json").write_text(json.dumps(summary), encoding="utf-8")
 
     def expect_figure(self, done, path, beginning):
@@ -167,6 +167,33 @@ class Figures(unittest.TestCase):
         self.assertIn("Made-up caisson", text)
         document = self.folder / "a.pdf"
         self.expect_figure(self.script("response.py", self.folder, "-o", document, "--until", 1), document, b"%PDF")
+
+    def test_words_are_no_mathematics(self):
+        title = r"costs 5 $ or $\frac{x$, \$ and _"
+        names = ("$\\frac{A$", "_B")
+
+        def add(file, time):
+            for name in names:
+                write(file, f"probes/{name}/$p_{{$", np.sin(time), "Pa")
+
+        self.make_result(add, title=title)
+        vector = self.folder / "a.svg"
+        self.expect_figure(self.script("response.py", self.folder, "-o", vector), vector, b"<?xml")
+        text = vector.read_text(encoding="utf-8")
+        for words in (title, *names, "$p {$"):
+            self.assertIn(f"<!-- {words} -->".replace("<!-- _", "<!--  _"), text)
+
+    def test_nothing_is_written_over_what_is_read(self):
+        self.make_result(add_caisson)
+        before = (self.folder / "results.h5").read_bytes()
+        (self.folder / "link.png").symlink_to("results.h5")
+        for path in ("link.png", "results.h5"):
+            done = self.script("response.py", self.folder, "-o", self.folder / path)
+            self.expect_error(done, "which is read; choose another file")
+        done = self.script("report.py", self.folder, "-o", self.folder / "summary.json")
+        self.expect_error(done, "which is read; choose another file")
+        self.expect_error(self.script("lumped_model.py", self.folder / "results.h5", "-o", self.folder / "link.png"), "which is read")
+        self.assertEqual((self.folder / "results.h5").read_bytes(), before)
 
     def test_response_without_caisson_shows_probes(self):
         self.make_result(add_probes)

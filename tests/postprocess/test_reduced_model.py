@@ -15,7 +15,7 @@ import numpy as np
 SCRIPTS, PROGRAM = Path(sys.argv[1]), Path(sys.argv[2])
 sys.path[:0] = [str(SCRIPTS), str(Path(__file__).parents[1] / "support")]
 from hand_made_model import write_oscillator  # noqa: E402
-from reduced_model import ModelError, ReducedModel, phi_functions  # noqa: E402
+from reduced_model import ModelError, ReducedModel, phi_functions, read_wave  # noqa: E402
 
 
 class ReducedModels(unittest.TestCase):
@@ -62,12 +62,43 @@ class ReducedModels(unittest.TestCase):
         wave, loads = self.write_wave(time)
         self.assert_same(wave, time, loads)
 
+    def test_same_error_estimate(self):
+        for nested, expected in (((1.02, 1.03), 1.2 * 0.03 + 1.5 * 0.01), ((1.0, 1.0), 0.0), (None, None)):
+            self.path.unlink()
+            write_oscillator(self.path, ("impact", "slow"), nested=nested)
+            time = np.arange(1001) * 5e-4
+            wave, loads = self.write_wave(time)
+            known, model = self.program_answers(wave), ReducedModel(self.path)
+            loads = {name: np.interp(known["time"], time, values, right=0.0) for name, values in loads.items()}
+            found = model.error_estimate(known["time"], loads)
+            if nested is None:
+                self.assertIsNone(found)
+                self.assertNotIn("error_estimate", known)
+            else:
+                self.assertAlmostEqual(found, expected, delta=1e-9)
+                self.assertAlmostEqual(known["error_estimate"][0], expected, delta=1e-4)
+
     def test_transfer_function_is_that_of_the_oscillator(self):
         s = 2j * np.pi * np.array([0.1, 2.0, 30.0])
         spring = (4 * np.pi) ** 2 + 2 * 0.15 * 4 * np.pi * s
         model = ReducedModel(self.path)
         model.reading[1, 1] = 0.0  # the mode without meaning
         np.testing.assert_allclose(model.transfer("shear_force", "slow", [0.1, 2.0, 30.0]), spring / (s**2 + spring))
+
+    def test_the_time_is_the_column_that_says_so(self):
+        model = ReducedModel(self.path)
+        wave = self.folder / "counted.csv"
+        wave.write_text("Part,Time [ms],slow [kN/m],impact / MN/m\n0,0,0,0\n1,75,2,1.6\n2,150,0,0\n")
+        time, loads = read_wave(wave, model)
+        np.testing.assert_allclose(time, [0, 0.075, 0.15])
+        np.testing.assert_allclose(loads["slow"], [0, 2e3, 0])
+        np.testing.assert_allclose(loads["impact"], [0, 1.6e6, 0])
+        self.assert_same(wave, time, loads)
+        for text, words in (("Part,slow\n0,0\n1,1\n", "is a counter"), ("Time,Time,slow\n0,0,0\n1,2,1\n", "differ"),
+                            ("t,slow (mm)\n0,0\n1,1\n", "the unit 'mm'")):
+            wave.write_text(text)
+            with self.assertRaisesRegex(ModelError, words):
+                read_wave(wave, model)
 
     def test_phi_functions_agree_where_series_and_formula_meet(self):
         below, above = phi_functions(np.array([0.5 - 1e-9 + 0j])), phi_functions(np.array([0.5 + 1e-9 + 0j]))

@@ -157,6 +157,17 @@ class Source(unittest.TestCase):
         mine = self.path.rename(self.path.parent / "case.toml")
         self.assertEqual(source_case.find(run, results).path.resolve(), mine.resolve())
 
+    def test_what_lies_near_does_no_harm(self):
+        folder = self.path.parent / "results"
+        folder.mkdir(exist_ok=True)
+        os.mkfifo(self.path.parent / "pipe.toml")
+        (self.path.parent / "nested.toml").write_text("a = " + "[" * 100_000, encoding="utf-8")
+        (self.path.parent / "blank.toml").write_text("[" + " " * 20_000, encoding="utf-8")
+        self.assertIsNone(source_case.find({"title": "another"}, folder))
+        for name in ("pipe", "nested", "blank"):
+            with self.assertRaises(ValueError):
+                source_case.read(self.path.parent / f"{name}.toml")
+
     def test_rows(self):
         case = {
             "title": "made-up # 1",

@@ -95,6 +95,20 @@ class SlipFigures(unittest.TestCase):
         self.refused('interface.kind = "friction"', "slip_bottom.py", bonded)
         self.refused("there is no folder", "slip_histories.py", slides, self.folder / "none")
 
+    def test_a_slip_as_a_whole_that_is_not_told_is_not_drawn(self):
+        slides, bonded = write_run(self.folder / "slides", True), write_run(self.folder / "bonded", False)
+        with h5py.File(slides / "results.h5", "r+") as file:
+            del file["coupled"]
+        summary = json.loads((slides / "summary.json").read_text())
+        summary["sliding"] |= {"sliding_coupled": None, "coupled": None, "why_not_coupled": "it parts"}
+        (slides / "summary.json").write_text(json.dumps(summary), encoding="utf-8")
+        self.assertIn("Made-up", self.figure("slip_histories.py", slides, bonded))
+        study = write_study(self.folder / "some", MEASURES)
+        text = (study / "study.csv").read_text().replace("0.01,0.01,0.01,0.01", "0.01,0.01,0.01,")
+        self.assertIn(",,", text)
+        (study / "study.csv").write_text(text)
+        self.assertIn("some", self.figure("slip_safety.py", study))
+
     def test_safety(self):
         full = write_study(self.folder / "full", MEASURES)
         self.assertIn("full", self.figure("slip_safety.py", full, full, "--scale", 1, 20))

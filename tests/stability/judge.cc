@@ -134,10 +134,6 @@ bool is_finite(const Run& run) {
 
 void measure(const Case& input, CompiledCase& scene, Measures& m) {
   const Run run = run_case(input, scene, {});
-  if (run.summary.response)
-    require_balance(*run.summary.response, run.summary.energy.value_or(EnergyAccount()));
-  else if (run.summary.energy)
-    require_balance(*run.summary.energy, scene.compiled.system, input.scene.time.end);
   const System& system = scene.compiled.system;
   const double end = input.scene.time.end, h = run.summary.discretisation.time_step;
   m.scheme = run.summary.discretisation.scheme;
@@ -180,9 +176,9 @@ Verdict judge(const std::string& path) {
     verdict.why = failures(verdict.measures);
     if (!verdict.why.empty()) verdict.kind = Verdict::Kind::failed;
   } catch (const InputError& error) {
-    verdict = {Verdict::Kind::refused, error.mistakes().front().what, {}};
+    verdict = {Verdict::Kind::contradictory, error.mistakes().front().what, {}};
   } catch (const NumericsError& error) {
-    verdict = {Verdict::Kind::refused, std::string("numerics: ") + error.what(), {}};
+    verdict = {Verdict::Kind::refused, error.what(), {}};
   }
   return verdict;
 }

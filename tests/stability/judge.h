@@ -40,7 +40,8 @@ struct Measures {
 };
 
 struct Verdict {
-  enum class Kind { passed, refused, failed } kind = Kind::passed;
+  /// Contradictory: refused as input, for what the case says. Refused: the numerics cannot answer it.
+  enum class Kind { passed, contradictory, refused, failed } kind = Kind::passed;
   std::string why;  ///< message of a refusal; names of the measures that failed
   Measures measures;
 };

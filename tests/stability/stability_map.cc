@@ -9,7 +9,9 @@
 #include <fstream>
 #include <iostream>
 #include <map>
+#include <regex>
 
+#include "both_ways.h"
 #include "judge.h"
 #include "random_case.h"
 #include "upbead/algebra/petsc_session.h"
@@ -24,6 +26,7 @@ struct Options {
   int count = 200, first = 0;
   std::uint64_t seed = 1;
   int print = -1;
+  bool both = false;
   std::string out, file, section = UPBEAD_SECTION_GEO;
 };
 
@@ -31,11 +34,19 @@ const char* word(Verdict::Kind kind) {
   switch (kind) {
     case Verdict::Kind::passed:
       return "passed";
+    case Verdict::Kind::contradictory:
+      return "contradictory";
     case Verdict::Kind::refused:
       return "refused";
     default:
       return "failed";
   }
+}
+
+/// The folder, made if need be.
+std::string prepared(const std::string& folder) {
+  std::filesystem::create_directories(folder);
+  return folder;
 }
 
 std::string quoted(std::string text) {
@@ -83,17 +94,61 @@ void hang(int) {
   _exit(3);
 }
 
-Verdict judge_drawn(const RandomCase& drawn, const std::string& path) {
+/// A scene that is not done after longest_scene ends the program.
+template <typename Result, typename Judge>
+Result in_time(const RandomCase& drawn, const std::string& path, const Judge& judge_path) {
   std::ofstream(path) << drawn.toml;
+  Result result;
   try {
     alarm(longest_scene);
-    Verdict verdict = judge(path);
+    result = judge_path(path);
     alarm(0);
-    return verdict;
   } catch (const std::exception& error) {
-    return {Verdict::Kind::failed, std::string("exception: ") + error.what(), {}};
+    result = {};
+    result.kind = Verdict::Kind::failed;
+    result.why = std::string("exception: ") + error.what();
   }
+  return result;
 }
+
+/// How scenes ended, and of those that were refused why: without numbers and names, so that they can be counted.
+class Count {
+ public:
+  void add(const Verdict::Kind kind, const std::string& why) {
+    ++verdicts_[word(kind)];
+    if (kind != Verdict::Kind::passed) ++reasons_[word(kind) + std::string(": ") + class_of(why)];
+  }
+
+  bool none_failed() const { return verdicts_.count("failed") == 0; }
+
+  void tell() const {
+    int all = 0;
+    for (const auto& [kind, n] : verdicts_) all += n;
+    for (const auto& [kind, n] : verdicts_) std::cout << n << " scenes " << kind << "\n";
+    const int possible = all - of("contradictory");
+    if (possible > 0)
+      std::cout << "of the " << possible << " that do not contradict themselves " << 100. * of("refused") / possible
+                << " % are refused\n";
+    std::vector<std::pair<int, std::string>> list;
+    for (const auto& [reason, n] : reasons_) list.emplace_back(-n, reason);
+    std::sort(list.begin(), list.end());
+    for (const auto& [n, reason] : list) std::cout << "  " << -n << "  " << reason << "\n";
+  }
+
+ private:
+  static std::string class_of(const std::string& why) {
+    std::string text = std::regex_replace(why.substr(0, why.find(';')), std::regex("'[^']*'"), "'...'");
+    text = std::regex_replace(text, std::regex("\\([^)]*\\)"), "(...)");
+    text = std::regex_replace(text, std::regex("-?[0-9][0-9.e+-]*"), "#");
+    return std::regex_replace(text, std::regex("\n"), " ").substr(0, 160);
+  }
+  int of(const std::string& kind) const {
+    const auto found = verdicts_.find(kind);
+    return found == verdicts_.end() ? 0 : found->second;
+  }
+
+  std::map<std::string, int> verdicts_, reasons_;
+};
 
 int judge_file(const std::string& path) {
   const Verdict verdict = judge(path);
@@ -101,31 +156,64 @@ int judge_file(const std::string& path) {
   return verdict.kind == Verdict::Kind::failed;
 }
 
-/// True where no scene failed.
-bool run(const Options& options) {
+/// Calls `judge_scene(number, drawn, path)` for each scene; true where none failed.
+template <typename JudgeScene>
+bool sweep(const Options& options, const JudgeScene& judge_scene) {
   const std::filesystem::path folder =
       options.out.empty() ? std::filesystem::temp_directory_path() / ("stability-" + std::to_string(getpid()))
                           : std::filesystem::path(options.out);
   std::filesystem::create_directories(folder);
-  const std::string path = (folder / "scene.toml").string();
-  Table table((folder / "scenes.csv").string());
-  std::map<std::string, int> verdicts;
+  Count count;
   const Stopwatch all;
   for (int scene = options.first; scene < options.first + options.count; ++scene) {
     const RandomCase drawn = random_case(options.seed, static_cast<std::uint64_t>(scene), options.section);
-    const Stopwatch watch;
-    const Verdict verdict = judge_drawn(drawn, path);
-    table.add(scene, drawn, verdict, watch.seconds());
-    ++verdicts[word(verdict.kind)];
-    if (verdict.kind == Verdict::Kind::failed) {
-      std::cout << "scene " << scene << " of seed " << options.seed << " fails: " << verdict.why << std::endl;
-      if (!options.out.empty()) std::ofstream(folder / ("scene-" + std::to_string(scene) + ".toml")) << drawn.toml;
-    }
+    const auto [kind, why] = judge_scene(scene, drawn, (folder / "scene.toml").string());
+    count.add(kind, why);
+    if (kind != Verdict::Kind::failed) continue;
+    std::cout << "scene " << scene << " of seed " << options.seed << " fails: " << why << std::endl;
+    if (!options.out.empty()) std::ofstream(folder / ("scene-" + std::to_string(scene) + ".toml")) << drawn.toml;
   }
-  for (const auto& [kind, n] : verdicts) std::cout << n << " scenes " << kind << "\n";
+  count.tell();
   std::cout << all.seconds() << " s\n";
   if (options.out.empty()) std::filesystem::remove_all(folder);
-  return verdicts.count("failed") == 0;
+  return count.none_failed();
+}
+
+using Ending = std::pair<Verdict::Kind, std::string>;
+
+bool run(const Options& options) {
+  Table table(options.out.empty() ? "/dev/null" : prepared(options.out) + "/scenes.csv");
+  return sweep(options, [&](int scene, const RandomCase& drawn, const std::string& path) {
+    const Stopwatch watch;
+    const auto verdict = in_time<Verdict>(drawn, path, judge);
+    table.add(scene, drawn, verdict, watch.seconds());
+    return Ending(verdict.kind, verdict.why);
+  });
+}
+
+/// What sdirk4 answers, "auto" must answer.
+bool run_both(const Options& options) {
+  std::map<std::string, int> ways;
+  std::vector<double> differences;
+  int sdirk4_refused = 0;
+  std::ofstream file(options.out.empty() ? "/dev/null" : prepared(options.out) + "/both.csv");
+  file << "scene,verdict,way,tried,difference,sdirk4,why\n";
+  const bool held = sweep(options, [&](int scene, const RandomCase& drawn, const std::string& path) {
+    const auto both = in_time<BothWays>(drawn, path, solve_both_ways);
+    file << scene << ',' << word(both.kind) << ',' << quoted(both.way) << ',' << both.steps_of_ladder << ','
+         << both.difference << ',' << quoted(both.sdirk4) << ',' << quoted(both.why) << std::endl;
+    if (both.kind == Verdict::Kind::passed) ++ways[both.way];
+    if (both.kind == Verdict::Kind::passed && !both.sdirk4.empty()) ++sdirk4_refused;
+    if (both.difference >= 0.) differences.push_back(both.difference);
+    return Ending(both.kind, both.why);
+  });
+  for (const auto& [way, n] : ways) std::cout << n << " scenes answered by " << way << "\n";
+  std::cout << sdirk4_refused << " of these sdirk4 alone does not answer\n";
+  std::sort(differences.begin(), differences.end());
+  if (!differences.empty())
+    std::cout << "peaks of F_T differ by " << differences[differences.size() / 2] << " in the median, "
+              << differences[differences.size() * 99 / 100] << " in 99 % of " << differences.size() << " scenes\n";
+  return held;
 }
 
 }  // namespace
@@ -142,12 +230,15 @@ int main(int argc, char** argv) {
   program.add_option("--seed", options.seed, "stream of numbers")->capture_default_str();
   program.add_option("--out", options.out, "folder for scenes.csv and the case files of scenes that fail");
   program.add_option("--print", options.print, "print the case file of the scene with that number, and do no more");
+  program.add_flag("--both", options.both,
+                   "solve each scene by sdirk4 and by auto instead; fails where only sdirk4 answers");
   program.add_option("--case", options.file, "judge this case file, and do no more");
   program.add_option("--section", options.section, "section.geo as the cases name it")->capture_default_str();
   program.footer(
       "Examples:\n"
       "  stability_map --count 5000 --seed 1 --out map          the map; some minutes\n"
       "  stability_map --count 100000 --seed 2 --out nightly    a night's run\n"
+      "  stability_map --both --count 3000 --seed 3             auto answers whatever sdirk4 answers\n"
       "  stability_map --seed 1 --print 17 --section ../section.geo > scenes/NAME.toml");
   CLI11_PARSE(program, argc, argv);
   if (options.print >= 0) {
@@ -158,5 +249,5 @@ int main(int argc, char** argv) {
   const upbead::PetscSession petsc;
   std::signal(SIGALRM, upbead::test::hang);
   if (!options.file.empty()) return upbead::test::judge_file(options.file);
-  return upbead::test::run(options) ? 0 : 1;
+  return (options.both ? upbead::test::run_both(options) : upbead::test::run(options)) ? 0 : 1;
 }

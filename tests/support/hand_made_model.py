@@ -9,8 +9,10 @@ def pairs(values):
     return np.stack([values.real, values.imag], axis=-1)
 
 
-def write_oscillator(path, loads=("impact",), mass=604.8e3, frequency=2.0, ratio=0.15, highest=50.0, tolerance=0.01):
-    """Every load is a force P on the caisson, in N/m. As other programs write HDF5: texts of variable length."""
+def write_oscillator(path, loads=("impact",), mass=604.8e3, frequency=2.0, ratio=0.15, highest=50.0, tolerance=0.01,
+                     nested=(1.0, 1.0)):
+    """Every load is a force P on the caisson, in N/m. `nested`: F_T of the middle and the reference model over that of
+    the model; none: a file of an older version. As other programs write HDF5: texts of variable length."""
     rate = 2 * np.pi * frequency
     pole = -ratio * rate + 1j * rate * np.sqrt(1 - ratio**2)
     x = -1j / ((mass or 1.0) * pole.imag)  # a model without a caisson has no mass
@@ -30,5 +32,12 @@ def write_oscillator(path, loads=("impact",), mass=604.8e3, frequency=2.0, ratio
         file["modes/reading"] = pairs([[0, 0], [shear, 0.5 - 1j], [x, 0]])
         file["modes/feedthrough"] = np.outer([1.0, 0.0, 0.0], np.ones(n))
         file["modes/impulse"] = np.zeros((3, n))
+        for name, factor in zip(("middle", "reference"), nested or ()):
+            for part in ("pole", "load"):
+                file[f"nested/{name}/{part}"] = file[f"modes/{part}"][()]
+            for part in ("reading", "feedthrough", "impulse"):
+                file[f"nested/{name}/{part}"] = factor * file[f"modes/{part}"][1:2]
+        if nested:
+            file["nested"].attrs.update(solves=30, factorisations=3)
         validity = file.create_group("validity")
         validity.attrs.update(highest_frequency=highest, tolerance=tolerance, error=0.004, error_peak=0.003)

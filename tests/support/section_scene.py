@@ -7,10 +7,10 @@ WIDTH = 18.0  # of the caisson (m)
 
 
 def scene(*changes):
-    """The case with changes, each (old, new); an old text that is not there is an error."""
+    """The case with changes, each (old, new), of the first place only; an old text that is not there is an error."""
     text = SCENE
     for old, new in changes:
         if old not in text:
             raise ValueError(f"section.toml has no '{old}'")
-        text = text.replace(old, new)
+        text = text.replace(old, new, 1)
     return text

@@ -9,6 +9,7 @@
 #include "upbead/app/gauge_source.h"
 #include "upbead/app/measured_source.h"
 #include "upbead/input/document.h"
+#include "upbead/model/accuracy_choice.h"
 #include "upbead/model/scene.h"
 
 namespace upbead {
@@ -23,6 +24,7 @@ struct LoadSource {
 
 struct Case {
   Scene scene;                                ///< checked as far as it can be without a mesh; paths as written
+  AccuracyChoice accuracy;                    ///< what scene.tolerance is asked of
   Document document;                          ///< what was written, for places
   std::string stem;                           ///< the file's name without folder and ending
   std::map<std::string, LoadSource> sources;  ///< of each load of one history, by its name

@@ -13,14 +13,22 @@
 #include "upbead/fem/resolve.h"
 #include "upbead/mesh/mesh.h"
 #include "upbead/output/summary.h"
-#include "upbead/response/mesh_error.h"
 
 namespace upbead {
 
+/// How wrong cells make F_T.
+struct ShearError {
+  double peak = 0.;     ///< of the peak, relative
+  double history = 0.;  ///< of the largest |F_T|, at any time
+};
+
 /// How a mesh came about that was refined for a tolerance.
 struct MeshAccuracy {
-  std::vector<std::pair<int, double>> levels;  ///< unknowns and the error that they make in F_T; the last is used
-  MeshError error;                             ///< of the last
+  struct Level {
+    int unknowns = 0;
+    ShearError error;
+  };
+  std::vector<Level> levels;  ///< that were held against cells half as large; the last is used
 };
 
 /// A scene on its mesh, compiled, before anything is solved.
@@ -65,7 +73,9 @@ struct Run {
 };
 
 /// Settles the soil where it follows the strain, and solves a compiled case in time. Where it is marched the observer
-/// sees every step, where it is reduced `reducing` is called after every solve with 0 to 1. Throws NumericsError.
+/// sees every step, where it is reduced `reducing` is called after every solve with 0 to 1. Where a way to solve it is
+/// refused the next one is tried, and an observer sees another march from step 0. Throws NumericsError where no answer
+/// balances (require_balance of response/shear_response.h).
 Run run_case(const Case& input, CompiledCase& scene, const MarchOptions& marching,
              const std::function<void(double)>& reducing = {});
 

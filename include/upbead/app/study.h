@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "upbead/base/inputs_kept.h"
 #include "upbead/input/document.h"
 
 namespace upbead {
@@ -29,6 +30,7 @@ struct Study {
   std::vector<std::string> units;  ///< of the keys; "" where there is none
   std::vector<std::string> reads;  ///< paths into summary.json
   std::vector<StudyRun> runs;
+  std::vector<InputFile> inputs;  ///< the study, its cases, all files that they name
   std::uint64_t fingerprint = 0;  ///< of the study, its cases, all files that they name, and the program's version
 };
 

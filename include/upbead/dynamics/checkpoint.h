@@ -10,6 +10,7 @@ struct SchemeMemory {
   LoadedState balanced;
   std::vector<double> end_load;
   std::vector<double> largest_load;  ///< |f_k| so far, of generalised-alpha; else empty
+  double last_step = 0.;             ///< of generalised-alpha (s); 0 before the first
   EnergyAccount energy;
 };
 

@@ -31,7 +31,7 @@ struct ContactReport {
 /// 4, and the same to the last bit as SDIRK on the glued system, while no node slips or opens; order 2 while some do;
 /// order 1 in steps in which a node closes. One factorisation for each step size. Its report is
 /// Scheme::contact(). Throws std::invalid_argument where the system has no interface, or is divided among processes;
-/// its steps throw NumericsError where no motion obeys the law.
-std::unique_ptr<Scheme> make_contact_scheme(const System& system, bool account_energy = true);
+/// its steps throw NumericsError where no motion obeys the law. `refined`: see SchemeOptions.
+std::unique_ptr<Scheme> make_contact_scheme(const System& system, bool account_energy = true, bool refined = false);
 
 }  // namespace upbead

@@ -33,12 +33,14 @@ struct FieldBasis {
 /// An Arnoldi process makes the pairs (r_j, r_{j-1}) orthonormal in terms of their coordinates in orthonormal bases
 /// [Lu, Su and Bai 2016, the two-level process TOAR], of u with W and of phi apart. A load that prescribes an unknown
 /// starts with that unknown's unit motion instead of b. One factorisation, one solve a vector. Prescribed unknowns, and
-/// others that are to be kept exactly, are coordinates of their own. The System must outlive the object.
+/// others that are to be kept exactly, are coordinates of their own; so are directions that are kept, up to those
+/// before them. The System must outlive the object.
 class SecondOrderKrylov {
  public:
-  /// `exact`: unknowns to keep. Throws NumericsError where T(s_0) is singular or nothing loads the system,
-  /// std::invalid_argument where the shift is not positive.
-  SecondOrderKrylov(const System& system, double shift, const std::vector<int>& exact = {});
+  /// `exact`: unknowns to keep; `kept`: directions of displacements to keep. Throws NumericsError where T(s_0) is
+  /// singular or nothing loads the system, std::invalid_argument where the shift is not positive.
+  SecondOrderKrylov(const System& system, double shift, const std::vector<int>& exact = {},
+                    const std::vector<Vector>& kept = {});
   ~SecondOrderKrylov();
 
   /// Adds a vector; false where the space is exhausted.
@@ -56,7 +58,7 @@ class SecondOrderKrylov {
   double factorise_seconds() const { return factorise_seconds_; }
 
  private:
-  void make_bases(const SparseMatrix& T, const std::vector<int>& exact);
+  void make_bases(const SparseMatrix& T, const std::vector<int>& exact, const std::vector<Vector>& kept);
   void start();
   /// Coordinates of x in both bases, which it enlarges by what of x is new.
   Vector take(const Vector& x);

@@ -15,6 +15,8 @@ class Projection {
  public:
   /// System and space must outlive the object. Throws std::logic_error where M or K couples phi with u or W.
   Projection(const System& system, const SecondOrderKrylov& krylov);
+  /// On bases of any space, whose coordinates are numbered through; `shift`: ReducedSystem::shift.
+  Projection(const System& system, const FieldBasis& displacements, const FieldBasis& phi, double shift);
   /// Takes in what has come since.
   void extend();
   const ReducedSystem& reduced() const { return reduced_; }
@@ -34,7 +36,6 @@ class Projection {
   void project_rows(const Group& group);
 
   const System& system_;
-  const SecondOrderKrylov& krylov_;
   Group u_, phi_;
   SparseMatrix C_phiu_;                              ///< rows of phi, columns of u and W
   SparseMatrix position_, velocity_, acceleration_;  ///< readings x unknowns

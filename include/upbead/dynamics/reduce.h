@@ -17,6 +17,7 @@ namespace upbead {
 struct ReduceOptions {
   double shift = 0.;          ///< s_0 of the Krylov space (1/s); see reduce_scene
   std::vector<int> exact;     ///< unknowns that are kept as they are
+  std::vector<Vector> kept;   ///< directions of displacements that are kept, see SecondOrderKrylov
   bool each_load = true;      ///< measure with each load alone, too
   SampledLoads training;      ///< histories that the error is measured with
   std::vector<int> measured;  ///< readings that must meet `tolerance`; the others `tolerance_of_others`
@@ -47,7 +48,10 @@ struct PressureModel {
 struct Reduction {
   ModalModel model;
   ReducedSystem system;  ///< that it is made of
-  NestedError error;     ///< against the last smaller model: about the error of that one, more than this one's
+  /// That the error of a reading was to meet: of the measured ones, and of the others.
+  double tolerance = 0., tolerance_of_others = 0.;
+  std::vector<int> measured;
+  NestedError error;  ///< against the last smaller model: about the error of that one, more than this one's
   /// Up to here (rad/s) H(1/T + i omega) of all measured readings, T the end of the training histories, moved by less
   /// than 4 times `tolerance` of its largest value. A history of length T cannot tell resonances narrower than 1/T.
   double omega = 0.;

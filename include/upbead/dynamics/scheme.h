@@ -70,6 +70,9 @@ struct SchemeOptions {
   SchemeKind kind = SchemeKind::sdirk4;
   double rho_inf = 0.9;        ///< generalised-alpha: spectral radius at infinite frequency, in [0, 1]
   bool account_energy = true;  ///< costs products, no solve: a fifth more time with SDIRK, a half more with alpha
+  /// Each solution is refined by its residual (Skeel, Math. Comp. 35 (1980) 817: then every row has a small one), for
+  /// scenes in which forces cancel; a second solve each. Not of a divided system.
+  bool refined = false;
 };
 
 /// The scheme of that kind for a system. Throws std::invalid_argument where rho_inf lies outside [0, 1].

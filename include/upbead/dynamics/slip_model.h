@@ -56,6 +56,7 @@ struct SlipModel {
   Eigen::VectorXd share_of_slip;    ///< of the readings wanted: each is its row plus so many times s
   double friction = 0.;             ///< mu
   double growth = 0.;               ///< largest real part of a pole that friction leaves above round-off (1/s)
+  double damping_time = 0.;         ///< beta of the damping beta K that keeps friction from feeding fast modes (s)
 
   const SlipPhase& phase(BottomState contact) const { return phases[static_cast<std::size_t>(contact)]; }
   int n_loads() const { return phases[0].modes.n_loads(); }  ///< N_0 with them
@@ -73,11 +74,19 @@ struct SlipModel {
 /// map between modal coordinates. Where K~ does not see a rigid motion of the upper body, that motion has no strain but
 /// a pole at zero, and a velocity; s itself is no state but the integral of s', and no Jordan block arises. A closed
 /// loop is not dissipative in form: real parts up to 1e-9 of |A| are round-off and set to zero, what is more is
-/// friction that feeds a motion through N' (flutter), kept and told. Throws NumericsError where 1 -+ mu g <= 0 (slip
+/// friction that feeds a motion through N' (flutter).
+///
+/// Flutter of fast modes: a pole sigma + i omega of the loop takes damping of the ratio sigma/omega to rest, and
+/// stiffness has ratios beta omega/2, so beta = 2 sigma/omega^2. Modes beyond the load's band are not those of the
+/// ground (a Krylov space holds their compliance, not their shapes), and no ground is without damping: beta K, with
+/// twice that beta, is added to C as long as its ratio at s_0, the frequency of the load, stays within 0.5 %. Poles
+/// that ask for more are of the ground and the friction: kept and told (`growth`). `damping_time`: the least beta (s).
+///
+/// Throws NumericsError where 1 -+ mu g <= 0 (slip
 /// then is not well posed: friction makes more than its own normal force), where s' feels what a load prescribes, where
 /// a reading wanted drifts with more than s, and as state_space() does; std::invalid_argument where there is no
 /// friction, or `reduced` lacks what add_slip() adds.
-SlipModel slip_model(const ReducedSystem& reduced, const SlipLaw& law);
+SlipModel slip_model(const ReducedSystem& reduced, const SlipLaw& law, double damping_time = 0.);
 
 /// What all phases are made of, to compare reduced systems by: the stuck motion under the loads, and the free one under
 /// the loads and F_T, side by side. Loads: those of the reduced system, F_T the last. Readings: F_T of the stuck

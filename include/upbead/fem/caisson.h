@@ -27,6 +27,11 @@ std::optional<Caisson> find_caisson(const Space& space);
 std::array<Row, n_motions> momentum_rows(const Space& space, const Unknowns& unknowns, const std::vector<Body>& bodies,
                                          const Body& caisson, double density);
 
+/// The caisson's unit motions (about its bottom's centre) over the unknowns: its own nodes move, all others stay. The
+/// equations tested with one of them are the balance of forces on the caisson, to which its own stiffness, blind to
+/// rigid motions, adds nothing.
+std::vector<Vector> caisson_motions(const Space& space, const Unknowns& unknowns, const Caisson& caisson);
+
 /// Sums of nodal forces: by degree of freedom, the sums it counts in and how much.
 struct NodalSums {
   int n = 0;

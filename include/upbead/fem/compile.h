@@ -18,6 +18,9 @@ struct CompiledScene {
   std::vector<Body> bodies;
   std::vector<int> body_coordinates;  ///< unknowns of the system that are coordinates of rigid bodies
   std::optional<Caisson> caisson;
+  /// Of a caisson that deforms, its motions as a rigid body, over the unknowns. What is projected on them keeps the
+  /// balance of forces on the caisson; empty where its coordinates are unknowns, and where the system is divided.
+  std::vector<Vector> caisson_motions;
   std::vector<LoadOnCaisson> loads_on_caisson;  ///< one per system load
 };
 

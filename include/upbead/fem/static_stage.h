@@ -36,8 +36,16 @@ double water_level(const Scene& scene, const Mesh& mesh);
 
 /// Normal forces N_i of the static state at the interface_nodes under a rigid caisson (N/m, compression positive), of
 /// soils in that state; glued, as the shear stress that goes with it is taken to have crept away. Their sum is the
-/// weight of the caisson in still water.
-Vector static_normal_forces(const Scene& scene, const Mesh& mesh, const SoilState& soil);
+/// weight of the caisson in still water. The caisson stood there when the soils settled under their own weight, or,
+/// where the ground `has_settled`, is set down after that. Throws NumericsError where the ground is not held.
+Vector static_normal_forces(const Scene& scene, const Mesh& mesh, const SoilState& soil, bool has_settled = false);
+
+/// Weight of a rigid caisson in still water (N/m), and where it acts (m, along x).
+struct WeightInWater {
+  double weight = 0.;
+  double x = 0.;
+};
+WeightInWater caisson_in_water(const Scene& scene, const Mesh& mesh);
 
 /// Solves div sigma' + gamma' = 0 for drained soils on their own sides, absorbing ones as rollers, with unit weights
 /// gamma' = (1 - n)(rho_s - rho_f) g below still water and (1 - n) rho_s g above it, of bodies (rho - rho_f) g and rho

@@ -1,6 +1,7 @@
 // Refinement of single cells.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "upbead/mesh/mesh.h"
@@ -11,5 +12,8 @@ namespace upbead {
 /// neighbours to differ by at most one level and for surfaces to meet without hanging nodes: there the equations
 /// change, and their terms are integrated over whole sides of both.
 void refine_cells(Mesh& mesh, const std::vector<bool>& chosen);
+
+/// A copy whose cells are each split into four.
+std::unique_ptr<Mesh> halved(const Mesh& mesh);
 
 }  // namespace upbead

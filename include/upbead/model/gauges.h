@@ -51,8 +51,8 @@ struct InterpolationError {
 };
 InterpolationError interpolation_error(const Gauges& gauges);
 
-/// Warnings of each transducer's record (record.h), where all are sampled too coarsely one for the steepest rise, of
-/// exchanged ones, and
+/// Warnings of each transducer's record (record.h), of several that are sampled too coarsely only that of
+/// the steepest rise, of exchanged ones, and
 ///   gauges_too_sparse   the interpolation error of the force exceeds 5 %
 ///   load_cell_differs   the largest force by the load cell and that of `total` differ by more than 10 %
 /// `name`: of the load; `total`: force by the transducers over time (N/m).

@@ -24,8 +24,10 @@ bool is_measured(const Record& record);
 ///   record_saturated   its extreme is held, to 1e-6 of its range, by 5 samples or more between a rise and a fall: the
 ///                      instrument was at its end. The value is the number of samples
 ///   record_drifting    it rests in the end, between 3 and 50 % of its peak away from where it started, or runs by more
-///   than 3 %
-///                      of the peak before the first event. The value is that share
+///                      than 3 % of the peak before the first event; both more slowly than by a tenth of the slope of
+///                      its rise (10 to 90 % of the peak), as the foot of a smooth rise is no drift. The value is that
+///                      share
+///   record_cut         it ends between 3 and 50 % of its peak away from where it started, and still moves faster
 ///   record_too_coarse  fewer than 20 samples from the last crossing of a tenth of the peak to the peak
 ///   record_spikes      samples that leave both neighbours by a fifth of the range while those agree to a twentieth
 NumberedWarnings record_warnings(const Record& record);

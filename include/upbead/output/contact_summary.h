@@ -17,8 +17,9 @@ struct GluedDemand {
 
 /// What the bottom did, node by node.
 struct NodeContact {
-  double slip = 0.;                ///< mean over the bottom in the end, landward: S (m)
-  double largest_slip = 0.;        ///< mean over the bottom, of largest magnitude on the way (m)
+  double slip = 0.;                      ///< mean over the bottom in the end, landward: S (m)
+  std::optional<double> error_estimate;  ///< of it (m); none where the case does not ask for one
+  double largest_slip = 0.;              ///< mean over the bottom, of largest magnitude on the way (m)
   double least_slip = 0.;          ///< in the end, of the node that slipped least: so far the whole bottom has gone (m)
   double opening_seaward = 0.;     ///< largest, of the seaward end (m)
   double opening_landward = 0.;    ///< largest, of the landward end (m)

@@ -2,12 +2,16 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace upbead {
+
+namespace detail {
+struct Hdf5Contents;
+}
 
 /// Numbers of a dataset, row by row.
 struct NumberArray {
@@ -15,28 +19,31 @@ struct NumberArray {
   std::vector<double> values;
 };
 
-/// An open file. Paths are as "/modes/pole". What is not there, is of another kind or cannot be read is not returned;
-/// what that means is for the caller to say.
+/// What a file says, read as a whole by HDF5 in a confined process (see base/confined_work.h): HDF5 1.10 breaks down on
+/// many a damaged file. Paths are as "/modes/pole". What is not there, is of another kind or cannot be read is not
+/// returned; what that means is for the caller to say.
 class Hdf5Reader {
  public:
   /// `what`: what the file should be, for the cure, such as "a model made by 'upbead reduce'". Throws InputError where
-  /// the file cannot be read or is no HDF5 file.
+  /// the file cannot be read, is no HDF5 file, or is so damaged that HDF5 breaks down.
   Hdf5Reader(const std::string& path, const std::string& what);
   ~Hdf5Reader();
   Hdf5Reader(const Hdf5Reader&) = delete;
   Hdf5Reader& operator=(const Hdf5Reader&) = delete;
 
   /// Everything directly below the root, sorted.
-  std::vector<std::string> names() const;
+  const std::vector<std::string>& names() const;
   /// Integers and floating-point numbers of any length.
   std::optional<NumberArray> numbers(const std::string& path) const;
   /// Texts of fixed or variable length; of a single text a list of one.
   std::optional<std::vector<std::string>> texts(const std::string& path) const;
   std::optional<double> number_attribute(const std::string& object, const std::string& name) const;
   std::optional<std::string> text_attribute(const std::string& object, const std::string& name) const;
+  /// Whether the file is as it was sealed, see detail::Hdf5Image; none where it has no checksum.
+  std::optional<bool> checksum_holds() const;
 
  private:
-  std::int64_t file_ = -1;  ///< HDF5's identifier
+  std::unique_ptr<const detail::Hdf5Contents> contents_;
 };
 
 }  // namespace upbead

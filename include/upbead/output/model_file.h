@@ -7,6 +7,7 @@
 
 #include "upbead/base/error.h"
 #include "upbead/dynamics/modal_model.h"
+#include "upbead/dynamics/nested_models.h"
 #include "upbead/dynamics/reduced_system.h"
 
 namespace upbead {
@@ -42,13 +43,15 @@ struct ReducedModelFile {
   std::string title;
   std::string case_text;  ///< the effective case (TOML), all defaults spelled out
   ModalModel modes;
-  std::vector<ModelLoad> loads;         ///< as in modes.load_name
-  double caisson_mass = 0.;             ///< with fill, W/g (kg/m); 0 where there is no caisson
-  double end = 0.;                      ///< [time] end of the case (s)
-  double highest_frequency = 0.;        ///< up to which the transfer function has been checked (Hz)
-  double tolerance = 0.;                ///< that was asked for, relative
-  double error = 0.;                    ///< measured, of the history of F_T over its peak (nested models)
-  double error_peak = 0.;               ///< measured, of peak F_T
+  std::vector<ModelLoad> loads;   ///< as in modes.load_name
+  double caisson_mass = 0.;       ///< with fill, W/g (kg/m); 0 where there is no caisson
+  double end = 0.;                ///< [time] end of the case (s)
+  double highest_frequency = 0.;  ///< up to which the transfer function has been checked (Hz)
+  double tolerance = 0.;          ///< that was asked for, relative
+  double error = 0.;              ///< measured, of the history of F_T over its peak (nested models)
+  double error_peak = 0.;         ///< measured, of peak F_T
+  /// Of F_T alone, with the loads of `modes`; none in files of before 1.1, and where they cannot be made.
+  std::optional<NestedModels> nested;
   std::optional<double> error_march;    ///< of the history, against a march, where one was made
   std::optional<ModelSliding> sliding;  ///< none where the case has no such table
   std::optional<ModelSlip> slip;        ///< none without `sliding`, or where it cannot be told

@@ -21,14 +21,18 @@ struct PulseSliding {
 
 /// S of a caisson that slips as a whole on the soil, mound and water of the scene, which it shakes.
 struct CoupledSummary {
-  Sliding slip;              ///< over the mound
-  double dissipated = 0.;    ///< by friction (J/m)
-  double peak_shear = 0.;    ///< F_T of largest magnitude (N/m)
-  double least_normal = 0.;  ///< least N' (N/m)
-  double lifted_time = 0.;   ///< for so long N' would have been negative (s)
-  int vectors = 0;           ///< of its Krylov space; 0 where the glued caisson does not reach its friction
-  double error = 0.;         ///< of the forces between nested models, over their largest values
-  double glued_error = 0.;   ///< of F_T while it sticks, against the glued solution, over its peak
+  Sliding slip;                          ///< over the mound
+  double dissipated = 0.;                ///< by friction (J/m)
+  double peak_shear = 0.;                ///< F_T of largest magnitude (N/m)
+  double least_normal = 0.;              ///< least N' (N/m)
+  double lifted_time = 0.;               ///< for so long N' would have been negative (s)
+  int vectors = 0;                       ///< of its Krylov space; 0 where the glued caisson does not reach its friction
+  double error = 0.;                     ///< of the forces between nested models, over their largest values
+  double glued_error = 0.;               ///< of F_T while it sticks, against the glued solution, over its peak
+  double growth = 0.;                    ///< of the fastest vibration that friction feeds (1/s)
+  double damping_time = 0.;              ///< of the damping against fast ones: ratio omega/2 times it (s)
+  double damping_effect = 0.;            ///< what twice that damping changes of S (m)
+  std::optional<double> error_estimate;  ///< of S, by cells too large (m)
 };
 
 /// At the samples of the loads.
@@ -57,6 +61,9 @@ struct SlidingSummary {
   std::optional<EqualImpulse> equal_impulse;  ///< where F_S has a landward peak
   std::optional<CoupledSummary> coupled;      ///< where it can be told
   std::string why_not_coupled;                ///< else
+  bool coupled_failed = false;                ///< for the numerics, not for what the scene is
+  std::optional<double> error_estimate;       ///< of S by eq. (4) on F_T(t) (m)
+  std::string why_no_estimate;                ///< else
 };
 
 }  // namespace upbead

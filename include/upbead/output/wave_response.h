@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "upbead/base/numbered_warning.h"
 #include "upbead/dynamics/batch_response.h"
 #include "upbead/output/model_file.h"
 
@@ -27,9 +28,12 @@ struct WaveResponse {
   double peak_shear_seaward = 0.;  ///< least F_T (N/m)
   std::optional<double> ratio;     ///< peak F_T / peak P, both seaward where the largest |P| is; none where P = 0
   double beyond_band = 0.;         ///< part of F_T from frequencies beyond the model's, over the largest |F_T|
+  /// Bound of the error of F_T's history by the model, over the largest |F_T|; none where the model cannot tell.
+  std::optional<double> error_estimate{};
   /// S by eq. (4) on F_T, where it comes to rest (m); none where nobody asked.
   std::optional<double> sliding{};
   std::optional<CoupledWave> coupled{};  ///< none where nobody asked, or the model cannot tell
+  std::string why_not_coupled{};         ///< where somebody asked and this wave's cannot be told
 };
 
 /// All waves of one file, at the same times.
@@ -53,8 +57,9 @@ struct RespondTiming {
 /// finite.
 std::string response_file(const std::string& title, const std::vector<WaveResponses>& files);
 
-/// summary.json of `respond`. `path`: that of the model. Call after response_file(), which checks the numbers.
+/// summary.json of `respond`. `path`: that of the model; `warnings`: docs/warnings.md. Call after response_file(),
+/// which checks the numbers.
 std::string to_json(const ReducedModelFile& model, const std::string& path, const std::vector<WaveResponses>& files,
-                    const RespondTiming& timing);
+                    const RespondTiming& timing, const NumberedWarnings& warnings = {});
 
 }  // namespace upbead

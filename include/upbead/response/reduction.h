@@ -44,6 +44,18 @@ std::string worst_reading(const Reduction& reduction);
 /// Throws NumericsError with the error reached where the models did not come close enough.
 void require_converged(const Reduction& reduction);
 
+/// The same of F_T alone: other readings may not have come close enough.
+void require_shear_converged(const Reduction& reduction);
+
+/// A reading of a model that has not come close enough, and how far the nested models lie apart, over its peak.
+struct LooseReading {
+  std::string name;
+  double error = 0.;
+};
+
+/// Those besides F_T, in the order of the readings; none of a model that has converged.
+std::vector<LooseReading> loose_readings(const Reduction& reduction);
+
 /// Largest difference of F_T between the model and a march with the same steps, over its peak: how wrong the model
 /// truly is for the scene's own loads. Takes as long as marching with steps of a 32nd of the duration.
 double error_against_march(const Reduction& reduction, const Scene& scene, const CompiledScene& compiled);

@@ -37,8 +37,9 @@ ShearResponse read_shear_response(const CompiledScene& compiled, const Response&
 
 /// Throws NumericsError where the answer is not to be trusted: where both routes to F_T differ by more than 1e-7, where
 /// the work and what it became differ by more than 1e-6, or where more energy is stored than 1.1 times the largest
-/// work. The mismatch of the routes is relative to the largest |F_T|, or, where F_T vanishes by symmetry, to a
-/// millionth of the largest of |P| and the change of the normal force.
+/// work. The mismatch of the routes is relative to the largest |F_T|, or, where F_T vanishes by symmetry or between
+/// loads, to a millionth of the largest of |P| at any time, the change of the normal force, the uplift, and the moment
+/// over the bottom's width.
 void require_balance(const ShearResponse& shear, const EnergyAccount& energy);
 
 /// The same of the energy of a scene without a caisson, marched until `end` (s). Loads that do no work but round-off,

@@ -8,7 +8,7 @@
 
 namespace upbead {
 
-/// Laplace transforms at s_j = (2 + i pi j) / duration, j = 0 ... 9, duration of the shortest load.
+/// Laplace transforms at some s_j.
 struct Spectrum {
   std::vector<std::complex<double>> s;      ///< 1/s
   std::vector<std::complex<double>> shear;  ///< of F_T (N s/m)
@@ -16,8 +16,11 @@ struct Spectrum {
   Eigen::MatrixXcd F;                       ///< of the loads, by column
 };
 
-/// By a small Krylov space: one factorisation and about 20 solves a load. Needs a caisson and inertia. Throws
-/// NumericsError as SecondOrderKrylov does.
+/// At given s, by a small Krylov space: one factorisation and about 20 solves a load. Needs a caisson and inertia.
+/// Throws NumericsError as SecondOrderKrylov does.
+Spectrum solve_spectrum(const Scene& scene, const CompiledScene& compiled, const std::vector<std::complex<double>>& s);
+
+/// At s_j = (2 + i pi j) / duration, j = 0 ... 9, duration of the shortest load.
 Spectrum solve_spectrum(const Scene& scene, const CompiledScene& compiled);
 
 /// F_T(t) (N/m) of a transform at those frequencies: good for the differences of two, at times up to a few durations.

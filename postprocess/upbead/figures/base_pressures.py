@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from .style import styled, subplots
+from .style import plain, styled, subplots
 
 TIMES = [("shear_force", "largest $F_T$", "tab:red"), ("base_moment", "largest moment landward", "tab:blue"),
          ("uplift", "largest $U$", "tab:green")]
@@ -27,9 +27,9 @@ def base_pressures(result):
         if name.endswith("stress"):
             scale_to_inner(axes, position, factor * np.array([history[index] for index, _, _ in times]))
         axes.axhline(0.0, color="black", lw=0.5)
-        axes.set_ylabel(f"{name.replace('_', ' ')} ({unit})")
+        axes.set_ylabel(f"{plain(name.replace('_', ' '))} ({plain(unit)})")
     rows[0, 0].legend(fontsize=7.5)
-    rows[0, 0].set_title(result.title)
+    rows[0, 0].set_title(plain(result.title))
     rows[-1, 0].set_xlabel("place under the caisson, landward (m)")
     return figure
 

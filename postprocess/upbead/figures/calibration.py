@@ -3,7 +3,7 @@
 import matplotlib
 import numpy as np
 
-from .style import new_figure, styled, subplots
+from .style import new_figure, plain, styled, subplots
 
 MEASURES = {"paper": "eq. (7)", "exact": "eqs. (4), (6)", "excess": "time above $\\mu W'$"}
 
@@ -16,7 +16,7 @@ def calibration(results, measure="exact"):
     b = 2). Below: the 95 % ellipses of (a, b) and the given point.
     """
     figure = draw_fits(results, measure)
-    figure.suptitle(results.summary["title"], fontsize=9)
+    figure.suptitle(plain(results.summary["title"]), fontsize=9)
     return figure
 
 
@@ -98,7 +98,7 @@ def draw_fits(results, measure):
     for column, model in zip(panels.T, models):
         for axes, fit, colour in zip(column, results.fits(model, measure), colours):
             points = draw_fit(axes, results, model, fit, measure, colour)
-        column[0].set_title(f"{model}, scale {results.models[model]['scale']:g}", fontsize=9)
+        column[0].set_title(f"{plain(model)}, scale {results.models[model]['scale']:g}", fontsize=9)
         column[n - 1].set_xlabel("$\\alpha^*$")
         draw_ellipses(column[n], results, model, measure, colours)
     for row in panels[:n]:
@@ -119,7 +119,7 @@ def draw_spectrum(results):
             rows = results.model_of_row == name
             if model["scale"] == size:
                 ratio = results.columns["peak_shear"][rows] / results.columns["peak_force"][rows]
-                axes.plot(results.columns["rise"][rows], ratio, ".", markersize=1.5, label=name, rasterized=True)
+                axes.plot(results.columns["rise"][rows], ratio, ".", markersize=1.5, label=plain(name), rasterized=True)
         axes.set_title(f"scale {size:g}", fontsize=9)
         axes.set_xlabel("rise $t_r$ (s)")
         axes.set_xlim(left=0)

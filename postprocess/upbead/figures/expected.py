@@ -3,7 +3,7 @@
 import numpy as np
 
 from ..errors import UserError
-from .style import styled, subplots
+from .style import plain, styled, subplots
 
 LAWS = {"paper": "eq. (7)", "exact": "eqs. (4), (6)", "combined": "combined (1998)", "dynamic": "own dynamics"}
 COLOURS = {"paper": "C0", "exact": "C1", "combined": "C2", "dynamic": "C3"}
@@ -40,12 +40,12 @@ def expected(results, laws=None):
         draw_ratios(panels[3], results, last)
     for axes in panels:
         axes.set_xlabel("height of the wave (m)")
-    figure.suptitle(results[0].summary["title"] if len(results) == 1 else "", fontsize=9)
+    figure.suptitle(plain(results[0].summary["title"]) if len(results) == 1 else "", fontsize=9)
     return figure
 
 
 def label(result, law, results):
-    return LAWS[law] if len(results) == 1 else f"{result.name}, {LAWS[law]}"
+    return LAWS[law] if len(results) == 1 else f"{plain(result.name)}, {LAWS[law]}"
 
 
 def draw_heights(axes, results):
@@ -78,7 +78,7 @@ def draw_curves(axes, results, laws, of, factor=1.0):
 def draw_ratios(axes, results, last):
     for result, style in zip(results, STYLES):
         if result.shear is not None:
-            axes.plot(result.height, result.shear, style, color=COLOURS["dynamic"], label=result.name)
+            axes.plot(result.height, result.shear, style, color=COLOURS["dynamic"], label=plain(result.name))
     axes.set_xlim(first_height(results), last)
     axes.set_ylim(bottom=0)
     axes.set_ylabel("peak $F_T$ / peak $P$,\nown dynamics")

@@ -3,7 +3,7 @@
 import numpy as np
 
 from ..least_squares import scipy_part
-from .style import mosaic, styled
+from .style import mosaic, plain, styled
 
 WIDEST = np.log(10.0)  # of the ellipse's axes, by the logarithm
 
@@ -30,10 +30,10 @@ def draw_record(axes, found, factor, unit):
     axes.plot(found.time, factor * found.first.values, "--", color="tab:blue", lw=1.0, label="first guess")
     axes.plot(found.time, factor * found.computed.values, color="tab:red", lw=1.4, label="fit")
     axes.axhline(0.0, color="black", lw=0.5)
-    axes.set_ylabel(f"{found.reading.replace('_', ' ')} ({unit})")
+    axes.set_ylabel(f"{plain(found.reading.replace('_', ' '))} ({plain(unit)})")
     axes.set_xlim(found.time[0], found.time[-1])
     axes.legend(fontsize="small", loc="best", markerscale=2.5)
-    axes.set_title("\n".join(f"{short(key)} = {value:.4g}" for key, value in found.values.items()), fontsize=9, loc="left")
+    axes.set_title("\n".join(f"{plain(short(key))} = {value:.4g}" for key, value in found.values.items()), fontsize=9, loc="left")
 
 
 def draw_residual(axes, found, factor, unit):
@@ -59,8 +59,8 @@ def draw_ellipse(axes, found):
     bars = {axis: [[value - max(found.confidence[key][0], 0.1 * value)], [min(found.confidence[key][1], 10 * value) - value]]
             for axis, key, value in (("xerr", x_key, x), ("yerr", y_key, y))}
     axes.errorbar(x, y, **bars, fmt="o", color="black", ms=4, lw=1.0, capsize=3, label="each with 95 %")
-    axes.set_xlabel(short(x_key))
-    axes.set_ylabel(short(y_key))
+    axes.set_xlabel(plain(short(x_key)))
+    axes.set_ylabel(plain(short(y_key)))
     axes.legend(fontsize="small")
 
 

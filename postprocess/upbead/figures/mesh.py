@@ -4,7 +4,7 @@ from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
-from .style import styled, subplots
+from .style import plain, styled, subplots
 
 SURFACE_COLOURS = ["#f3e3b3", "#b9c6b0", "#c9ccd4", "#bfdcee", "#e6c9b8", "#d9cbe8"]
 
@@ -18,17 +18,17 @@ def mesh(mesh, title="", zoom=None):
         colour = SURFACE_COLOURS[number % len(SURFACE_COLOURS)]
         corners = [[mesh.points[node] for node in cell] for cell in cells]
         axes.add_collection(PolyCollection(corners, facecolor=colour, edgecolor="0.45", linewidth=0.3))
-        handles.append(Patch(facecolor=colour, edgecolor="0.45", label=f"{name}: {len(cells)} cells"))
+        handles.append(Patch(facecolor=colour, edgecolor="0.45", label=f"{plain(name)}: {len(cells)} cells"))
     for number, (name, edges) in enumerate(mesh.curves.items()):
         ends = [[mesh.points[node] for node in edge] for edge in edges]
         axes.add_collection(LineCollection(ends, color=f"C{number % 10}", linewidth=2.0))
-        handles.append(Line2D([], [], color=f"C{number % 10}", linewidth=2.0, label=name))
+        handles.append(Line2D([], [], color=f"C{number % 10}", linewidth=2.0, label=plain(name)))
     axes.autoscale_view()
     axes.set_aspect("equal")
     axes.grid(False)
     axes.set_xlabel("x (m)")
     axes.set_ylabel("y (m)")
-    axes.set_title(title)
+    axes.set_title(plain(title))
     axes.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, 0.0), borderaxespad=4.5, ncol=6)
     if zoom:
         axes.set_xlim(*zoom[:2])

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from .style import styled, subplots
+from .style import plain, styled, subplots
 
 
 @styled
@@ -14,21 +14,21 @@ def reduced_model(model, time, loads, reading="shear_force"):
         history.plot(time, answer["force"] / 1e3, color="tab:blue", lw=1.2, label=r"$P$ (kN/m)")
     in_kilo = model.units[reading] == "N/m"
     unit = "kN/m" if in_kilo else model.units[reading]
-    symbol = r"$F_T$" if reading == "shear_force" else reading
+    symbol = r"$F_T$" if reading == "shear_force" else plain(reading)
     values = answer[reading] / (1e3 if in_kilo else 1.0)
     history.plot(time, values, color="tab:red", lw=1.2, label=f"{symbol} ({unit})")
     history.set_xlabel("time (s)")
     history.legend()
-    history.set_title(model.title)
+    history.set_title(plain(model.title))
     frequency = np.linspace(0.0, model.validity["highest_frequency"], 1001)[1:]
     for load in loads:
         size = np.abs(model.transfer(reading, load, frequency))
-        name = f"{symbol} / {load}"
+        name = f"{symbol} / {plain(load)}"
         if reading == "shear_force" and "force" in answer:
             force = np.abs(model.transfer("force", load, frequency))
             if not np.all(force > 0):
                 continue  # a load that does not act on the caisson
-            size, name = size / force, f"$F_T / P$, {load}"
+            size, name = size / force, f"$F_T / P$, {plain(load)}"
         spectrum.plot(frequency, size, lw=1.2, label=name)
     spectrum.set_xlabel("frequency (Hz), up to the highest that was checked")
     spectrum.set_ylabel(r"$|H(f)|$")

@@ -7,7 +7,7 @@ displacement of the caisson.
 import numpy as np
 
 from ..errors import UserError
-from .style import styled, subplots
+from .style import plain, styled, subplots
 
 PANELS = [  # dataset, symbol, colour
     ("force", r"$P$", "tab:blue"),
@@ -75,7 +75,7 @@ def draw_measured(axes, result, name, factor):
     """Records that are compared with a history, over it."""
     records = {record: found for record, found in result.measured().items() if found["reading"] == name}
     for record, found in records.items():
-        axes.plot(found["time"], factor * found["value"].values, "--", color="black", lw=0.8, label=f"{record}, measured")
+        axes.plot(found["time"], factor * found["value"].values, "--", color="black", lw=0.8, label=f"{plain(record)}, measured")
     if records:
         axes.legend(fontsize=7.5, loc="upper right")
 
@@ -105,7 +105,7 @@ def draw_caisson(result):
     for axes in forces:
         axes.set_ylim(low, high)
     rows[0].set_xlim(result.time[0], window(result.time, histories))
-    rows[0].set_title(f"{result.title}\n{ratio_text(result, force, shear)}")
+    rows[0].set_title(f"{plain(result.title)}\n{ratio_text(result, force, shear)}")
     figure.align_ylabels()
     return figure
 
@@ -127,11 +127,11 @@ def draw_probes(result):
         first, *others = histories.values()
         factor, unit = first.scale(others)
         for probe, history in histories.items():
-            axes.plot(result.time, factor * history.values, lw=1.2, label=probe)
+            axes.plot(result.time, factor * history.values, lw=1.2, label=plain(probe))
             draw_measured(axes, result, f"probes/{probe}/{quantity}", factor)
-        axes.set_ylabel(f"{quantity.replace('_', ' ')}\n({unit})")
+        axes.set_ylabel(f"{plain(quantity.replace('_', ' '))}\n({plain(unit)})")
     rows[0].legend(ncol=4, fontsize="small")
     rows[0].set_xlim(result.time[0], window(result.time, [h for q in quantities.values() for h in q.values()]))
-    rows[0].set_title(result.title)
+    rows[0].set_title(plain(result.title))
     figure.align_ylabels()
     return figure

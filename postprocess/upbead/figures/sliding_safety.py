@@ -4,7 +4,7 @@ import numpy as np
 from matplotlib.lines import Line2D
 
 from ..errors import UserError
-from .style import styled, subplots
+from .style import plain, styled, subplots
 
 FORMULAS = {"paper": "eq. (7)", "exact": "eqs. (4) and (6), integrated", "combined": "standing wave and pulse"}
 COLOURS = ["tab:blue", "tab:red", "tab:green", "tab:purple", "tab:orange", "tab:brown"]
@@ -34,7 +34,7 @@ def sliding_safety(summaries, formula="paper", low=0.6, high=1.0):
         raise UserError(f"no wave with a safety factor from {low} to {high} slides the caisson")
     axes.set(xlim=(low, high), ylim=(0, 1.05 * largest), xlabel="safety factor against sliding",
              ylabel="sliding distance $S$ (m)", title=f"S by {FORMULAS[formula]}")
-    handles = [Line2D([], [], color="black", ls=LINES[i % len(LINES)], label=t) for i, t in enumerate(titles)]
+    handles = [Line2D([], [], color="black", ls=LINES[i % len(LINES)], label=plain(t)) for i, t in enumerate(titles)]
     handles += [Line2D([], [], color=COLOURS[i % len(COLOURS)], label=rf"$\mu$ = {f:g}")
                 for i, f in enumerate(frictions)]
     axes.legend(handles=handles)

@@ -4,7 +4,7 @@ import numpy as np
 from matplotlib.colors import ListedColormap
 from matplotlib.patches import Patch
 
-from .style import mosaic, styled
+from .style import mosaic, plain, styled
 
 STATES = [("sticks", "0.88"), ("slips", "tab:orange"), ("is open", "tab:blue")]
 
@@ -20,7 +20,7 @@ def slip_bottom(result, until=None):
     draw_states(places["states"], result, times)
     draw_contact(places["contact"], result, times)
     places["contact"].set_xlim(result.time[0], until)
-    figure.suptitle(result.title, fontsize=10)
+    figure.suptitle(plain(result.title), fontsize=10)
     return figure
 
 

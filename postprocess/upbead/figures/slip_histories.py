@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from .style import styled, subplots
+from .style import plain, styled, subplots
 
 BONDED, COUPLED, NODES = "0.55", "tab:blue", "tab:red"
 
@@ -25,8 +25,9 @@ def draw_forces(axes, slides, bonded):
     resistance = scale * slides.number("sliding.resistance")
     axes.plot(slides.time, scale * slides.history("force").values, color="black", lw=0.9, label="$P$")
     axes.plot(bonded.time, scale * bonded.history("shear_force").values, color=BONDED, label="$F_T$, bonded")
-    axes.plot(slides.array("coupled/time"), scale * slides.array("coupled/shear_force"), color=COUPLED,
-              label="$F_T$, slips as a whole")
+    if slides.has_coupled():
+        axes.plot(slides.array("coupled/time"), scale * slides.array("coupled/shear_force"), color=COUPLED,
+                  label="$F_T$, slips as a whole")
     axes.plot(slides.time, scale * slides.history("shear_force").values, color=NODES,
               label="$F_T$, node by node")
     axes.axhline(resistance, color="black", ls=":", lw=0.9, label=r"$\mu W'$")
@@ -43,9 +44,11 @@ def residual(time, x):
 def draw_displacement(axes, slides, bonded):
     axes.plot(bonded.time, 1e3 * bonded.history("caisson/displacement_x").values, color=BONDED,
               label="$x_G$, bonded (elastic)")
-    for time, x, colour, name in (
-            (slides.array("coupled/time"), slides.array("coupled/displacement_x"), COUPLED, "slips as a whole"),
-            (slides.time, slides.history("caisson/displacement_x").values, NODES, "node by node")):
+    lines = [(slides.time, slides.history("caisson/displacement_x").values, NODES, "node by node")]
+    if slides.has_coupled():
+        coupled = slides.array("coupled/time"), slides.array("coupled/displacement_x")
+        lines.insert(0, (*coupled, COUPLED, "slips as a whole"))
+    for time, x, colour, name in lines:
         rest = 1e3 * residual(time, x)
         axes.plot(time, 1e3 * x, color=colour, label=f"$x_G$, {name}; residual {rest:.1f} mm")
         axes.axhline(rest, color=colour, ls=":", lw=0.9)
@@ -55,7 +58,8 @@ def draw_displacement(axes, slides, bonded):
 
 
 def draw_slip(axes, slides):
-    axes.plot(slides.array("coupled/time"), 1e3 * slides.array("coupled/slip"), color=COUPLED, label="as a whole")
+    if slides.has_coupled():
+        axes.plot(slides.array("coupled/time"), 1e3 * slides.array("coupled/slip"), color=COUPLED, label="as a whole")
     axes.plot(slides.time, 1e3 * slides.history("interface/slip").values, color=NODES, label="node by node, mean")
     axes.fill_between(slides.time, 1e3 * slides.slip.min(axis=1), 1e3 * slides.slip.max(axis=1), color=NODES,
                       alpha=0.15, lw=0, label="node by node, least to largest")
@@ -69,11 +73,11 @@ def draw_slip(axes, slides):
 
 def mark_starts(rows, slides):
     """Where the caisson begins to slip as a whole, and where the first node does."""
-    slips = slides.number("sliding.coupled.slips")
+    slips = slides.number("sliding.coupled.slips") if slides.has_coupled() else []
     starts = [(slips[0]["start"], COUPLED)] if slips else []
     starts.append((slides.number("contact.solved.first_slip"), NODES))
     for time, colour in starts:
         for axes in rows:
             axes.axvline(time, color=colour, ls="--", lw=0.8)
     lines = "broken vertical lines: the first node slips (red), slip as a whole begins (blue)"
-    rows[0].set_title(f"{slides.title}\n{lines}", fontsize=9)
+    rows[0].set_title(f"{plain(slides.title)}\n{lines}", fontsize=9)

@@ -1,6 +1,6 @@
 """The slip of a caisson by every measure against its safety factor."""
 
-from .style import styled, subplots
+from .style import plain, styled, subplots
 
 MEASURES = [  # column, name, line
     ("sliding.equal_impulse.sliding_paper", "pulse of equal impulse, eq. (7)", "s:", "0.6"),
@@ -35,4 +35,4 @@ def draw(axes, table, scale):
         axes.plot(safety[shown], slip[shown], line, color=colour, ms=3.5, lw=1.2, label=name)
     axes.set(yscale="log", xlabel=r"safety factor $\mu W' / F_{T,\mathrm{max}}$")
     axes.yaxis.set_major_formatter("{x:g}")
-    axes.set_title(table.name + (f", lengths times {scale:g}" if scale != 1 else ""), fontsize=9)
+    axes.set_title(plain(table.name) + (f", lengths times {scale:g}" if scale != 1 else ""), fontsize=9)

@@ -7,7 +7,7 @@ import numpy as np
 
 from ..errors import UserError
 from ..study_table import READ_UNITS
-from .style import styled, subplots
+from .style import plain, styled, subplots
 
 MOST_LINES = 8
 
@@ -39,7 +39,7 @@ def study(table, read=None, x=None):
     if drawn:
         draw_distribution(panels[len(across)], y, label(table, read))
     failed = f", {len(table.failed)} more failed" if table.failed else ""
-    figure.suptitle(f"{table.name}: {len(table)} runs{failed}", fontsize=9)
+    figure.suptitle(f"{plain(table.name)}: {len(table)} runs{failed}", fontsize=9)
     return figure
 
 
@@ -62,7 +62,7 @@ def is_drawn(table, key):
 
 def label(table, name):
     unit = table.units.get(name) or READ_UNITS.get(name.split(".")[-1])
-    return f"{name} ({unit})" if unit else name
+    return plain(f"{name} ({unit})" if unit else name)
 
 
 def scale_axis(axes, values):
@@ -82,7 +82,7 @@ def draw_points(axes, table, key, y):
     for case in dict.fromkeys(cases):
         good = np.isfinite(y) & np.array([found == case for found in cases])
         correlation = round(rank_correlation(x[good], y[good]), 2) + 0.0
-        axes.plot(x[good], y[good], ".", markersize=3, alpha=0.5, label=f"{Path(case).stem} {correlation:.2f}")
+        axes.plot(x[good], y[good], ".", markersize=3, alpha=0.5, label=f"{plain(Path(case).stem)} {correlation:.2f}")
         axes.set_title(f"rank correlation {correlation:.2f}", fontsize=8)
     if len(set(cases)) > 1:
         axes.set_title("rank correlation", fontsize=8)
@@ -102,7 +102,7 @@ def draw_lines(axes, table, key, others, y):
         order = np.argsort(x[chosen], kind="stable")
         name = ", ".join(f"{other.split('.')[-1]} {value}" for other, value in zip(others, combination))
         axes.plot(x[chosen][order], y[chosen][order], "o-", markersize=3, linewidth=1, alpha=0.4 if crowded else 1,
-                  color="C0" if crowded else None, label=None if crowded else name)
+                  color="C0" if crowded else None, label=None if crowded else plain(name))
     if words:
         axes.set_xticks(range(len(words)), words)
     else:

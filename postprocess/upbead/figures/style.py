@@ -67,6 +67,12 @@ def styled(draw):
     return drawn
 
 
+def plain(text):
+    """Somebody's words as they are: no mathematics between $ and $, and not left out of a legend for a leading _."""
+    text = str(text).replace("$", r"\$")
+    return f" {text}" if text.startswith("_") else text
+
+
 def save(figure, path):
     """Writes the figure in the format of the file's ending (.png, .pdf, .svg)."""
     path = Path(path)

@@ -3,7 +3,7 @@
 import numpy as np
 
 from ..errors import UserError
-from .style import styled, subplots
+from .style import plain, styled, subplots
 
 
 @styled
@@ -53,6 +53,6 @@ def draw_one(axes, summary, name, points):
         axes.plot(points[:, 1] / 1e3, points[:, 0], "o", color="black", ms=4, label="measured")
     axes.axhline(0, color="black", lw=0.6)
     axes.plot([0, 0], [-section["foundation_depth"], section["crest"]], color="black", lw=4, solid_capstyle="butt")
-    axes.set(xlabel="pressure (kPa)", title=f"{summary['title'] or name}\nH = {wave['height']:.3g} m, "
+    axes.set(xlabel="pressure (kPa)", title=f"{plain(summary['title'] or name)}\nH = {wave['height']:.3g} m, "
              f"T = {wave['period']:.3g} s, " + rf"$\alpha^*$ = {wave['alpha_star']:.2g}")
     axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.14))

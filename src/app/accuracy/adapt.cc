@@ -4,24 +4,27 @@
 #include <numeric>
 
 #include "../compile_on.h"
+#include "finer.h"
 #include "upbead/base/error.h"
 #include "upbead/base/interrupt.h"
 #include "upbead/base/stopwatch.h"
 #include "upbead/base/text.h"
 #include "upbead/mesh/refine.h"
+#include "upbead/response/mesh_error.h"
 
 namespace upbead {
 
 namespace {
 
-/// Part of the tolerance that the mesh may use up by its estimate, which was down to 0.6 of the true error
-/// (docs/verification.md).
-constexpr double share_of_mesh = 0.6;
+/// Part of the tolerance that the mesh may use up; the rest is for the reduced model or the steps.
+constexpr double share_of_mesh = 0.75, share_of_rest = 0.25;
 /// Errors of cells that are split, over what they were: measured between 0.2 and 0.6.
 constexpr double error_after_split = 0.4;
 /// Part of the error whose cells are split at once, at least and at most.
 constexpr double least_part = 0.3, most_part = 0.85;
-constexpr int most_unknowns = 400000;
+/// Less than this part of an error is left where cells were split for as much: else cells err that were not seen to.
+constexpr double enough = 0.8;
+constexpr int most_unknowns = 250000;
 
 /// The cells with the largest errors, which together have a part of the sum. Mirror images, whose errors differ by
 /// round-off, are split alike: a symmetric scene then stays so.
@@ -55,40 +58,83 @@ void require_measurable(const Case& input, const CompiledCase& scene) {
   if (!why.empty()) throw InputError(input.place("mesh.refine"), "refine = \"auto\": " + why, cure);
 }
 
-void require_reached(const Case& input, const MeshAccuracy& accuracy, double aim) {
-  const auto [unknowns, error] = accuracy.levels.back();
-  if (error <= aim) return;
-  throw InputError(input.place("accuracy.tolerance"),
-                   "with " + std::to_string(unknowns) + " unknowns the mesh still makes F_T wrong by " +
-                       significant(error) + "; a tolerance of " + significant(input.scene.tolerance) + " leaves it " +
-                       significant(aim),
-                   "raise tolerance, or give mesh.refine as a number");
+double driving(const Case& input, const ShearError& error) {
+  return input.accuracy.of == AccuracyOf::peak ? error.peak : error.history;
 }
+
+[[noreturn]] void throw_out_of_reach(const Case& input, const MeshAccuracy& accuracy, int unknowns) {
+  const MeshAccuracy::Level& last = accuracy.levels.back();
+  const bool peak = input.accuracy.of == AccuracyOf::peak;
+  throw InputError(input.place("accuracy.tolerance"),
+                   "a mesh of " + std::to_string(last.unknowns) + " unknowns still makes " +
+                       (peak ? "the peak of F_T" : "the history of F_T") + " wrong by up to " +
+                       significant(driving(input, last.error)) + "; a tolerance of " +
+                       significant(input.scene.tolerance) + " would take more than " + std::to_string(unknowns),
+                   std::string("raise tolerance, ") + (peak ? "" : "write accuracy.of = \"peak\", ") +
+                       "or give mesh.refine as a number");
+}
+
+/// Splits cells until what they make wrong is small enough.
+class Adaptation {
+ public:
+  explicit Adaptation(const Case& input)
+      : input_(input), aim_(share_of_mesh * input.scene.tolerance), mesh_(read_mesh(mesh_request(input))) {}
+
+  /// The scene on the mesh as it is; its accuracy is set where the mesh will do.
+  CompiledCase compile() {
+    CompiledCase scene = compile_on(input_, mesh_);
+    require_measurable(input_, scene);
+    cells_ = mesh_error(scene.scene, *scene.space, *scene.unknowns, scene.compiled);
+    const int n = scene.compiled.system.n_free();
+    if (n > most_unknowns) throw_out_of_reach(input_, accuracy_, n);
+    measured_ = scale_ * cells_.sum <= aim_;
+    if (measured_) measure(scene, n);
+    return scene;
+  }
+
+  /// Where the cells that seem to be wrong were split and the error has hardly become less, all cells are.
+  void refine() {
+    const std::size_t n = accuracy_.levels.size();
+    const auto error = [this, n](std::size_t back) { return driving(input_, accuracy_.levels[n - back].error); };
+    const bool stuck = measured_ && n > 1 && error(1) > enough * error(2);
+    refine_cells(*mesh_, stuck ? std::vector<bool>(cells_.of_cell.size(), true)
+                               : worst_cells(cells_, part_to_split(scale_ * cells_.sum, aim_)));
+  }
+
+ private:
+  void measure(CompiledCase& scene, int n) {
+    const CompiledCase finer = compile_finer(input_, scene);
+    accuracy_.levels.push_back({n, error_of_cells(input_, scene, finer)});
+    const double error = driving(input_, accuracy_.levels.back().error);
+    if (error <= aim_) scene.accuracy = accuracy_;
+    if (cells_.sum > 0.) scale_ = error / cells_.sum;
+  }
+
+  const Case& input_;
+  double aim_;
+  std::shared_ptr<Mesh> mesh_;
+  MeshAccuracy accuracy_;
+  MeshError cells_;
+  bool measured_ = false;  ///< whether the mesh as it is was held against a finer one
+  double scale_ = 0.;      ///< of the true error over what the cells' sum to, as last measured
+};
 
 }  // namespace
 
 CompiledCase compile_adapted(const Case& input) {
   const Stopwatch watch;
-  const double aim = share_of_mesh * input.scene.tolerance;
-  const std::shared_ptr<Mesh> mesh = read_mesh(mesh_request(input));
-  MeshAccuracy accuracy;
+  Adaptation adaptation(input);
   for (;;) {
     check_interrupt();
-    CompiledCase scene = compile_on(input, mesh);
-    require_measurable(input, scene);
-    accuracy.error = mesh_error(scene.scene, *scene.space, *scene.unknowns, scene.compiled);
-    const int n = scene.compiled.system.n_free();
-    accuracy.levels.emplace_back(n, accuracy.error.sum);
-    if (accuracy.error.sum <= aim || n > most_unknowns) {
-      require_reached(input, accuracy, aim);
-      scene.timing.mesh = watch.seconds() - scene.timing.compile;
-      scene.accuracy = std::move(accuracy);
-      return scene;
-    }
-    const std::vector<bool> chosen = worst_cells(accuracy.error, part_to_split(accuracy.error.sum, aim));
-    scene.unknowns.reset();  // both stand on the mesh as it is
-    scene.space.reset();
-    refine_cells(*mesh, chosen);
+    {
+      CompiledCase scene = adaptation.compile();
+      if (scene.accuracy) {
+        if (input.accuracy.of == AccuracyOf::history) scene.scene.tolerance = share_of_rest * input.scene.tolerance;
+        scene.timing.mesh = watch.seconds() - scene.timing.compile;
+        return scene;
+      }
+    }  // space and unknowns stand on the mesh as it is
+    adaptation.refine();
   }
 }
 

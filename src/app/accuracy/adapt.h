@@ -5,9 +5,9 @@
 
 namespace upbead {
 
-/// Meshes coarsely, then splits the cells that make F_T wrong (mesh_error) until their errors add up to no more than
-/// most of the case's tolerance, and compiles the case on that. Throws InputError where that cannot be measured or
-/// takes too many unknowns.
+/// Meshes coarsely, then splits the cells that make F_T wrong (mesh_error) until F_T moves little enough on cells half
+/// as large (error_of_cells), and compiles the case on that; `accuracy` of what it returns is set. Throws InputError
+/// where that cannot be measured or takes too many unknowns.
 CompiledCase compile_adapted(const Case& input);
 
 }  // namespace upbead

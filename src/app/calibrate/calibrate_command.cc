@@ -1,5 +1,6 @@
 #include <iostream>
 
+#include "../design/design_files.h"
 #include "calibration.h"
 #include "calibration_checks.h"
 #include "calibration_report.h"
@@ -15,7 +16,9 @@ namespace {
 void run_calibration(const CommonOptions& options) {
   const Design design = read_design(options.file, options.overrides, {check_calibration});
   note_interrupts();
-  OutputFolder folder(options.out.empty() ? "results/" + design.stem + "-calibration" : options.out);
+  const std::string out = options.out.empty() ? "results/" + design.stem + "-calibration" : options.out;
+  require_inputs_kept(out, {"summary.json", "calibration.csv", "results.h5", "case.toml"}, input_files(design));
+  OutputFolder folder(out);
   const Calibration found = calibrate(design);
   const std::string json = to_json(design, found);
   folder.write("summary.json", json);

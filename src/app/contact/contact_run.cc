@@ -2,29 +2,27 @@
 
 #include <algorithm>
 
-#include "../solve.h"
+#include "../ladder.h"
 #include "contact_demand.h"
 #include "contact_recorder.h"
-#include "upbead/base/error.h"
-#include "upbead/base/text.h"
-#include "upbead/fem/static_stage.h"
+#include "rest_forces.h"
 #include "upbead/system/interface.h"
 
 namespace upbead {
 
 namespace {
 
-/// Friction, and the forces at rest: as the static state distributes them, in sum W' of [sliding] where that is given.
-void set_at_rest(const CompiledCase& scene, Interface& interface) {
+void join(Ladder& ladder, const Ladder& more) {
+  ladder.insert(ladder.end(), more.begin(), more.end());
+}
+
+/// Friction, and the forces at rest, in sum W' of [sliding] where that is given. Returns the ways tried, if several.
+Ladder set_at_rest(const CompiledCase& scene, Interface& interface) {
   interface.friction = contact_friction(scene.scene);
-  interface.normal_force = static_normal_forces(scene.scene, *scene.mesh, scene.soil_state);
-  const double sum = interface.normal_force.sum();
-  Eigen::Index least = 0;
-  if (!(interface.normal_force.minCoeff(&least) > 0.))
-    throw NumericsError("at rest the caisson pulls on its ground at x = " +
-                        significant(interface.position[static_cast<std::size_t>(least)]) + " m: its weight in water, " +
-                        significant(sum) + " N/m, does not press the whole bottom down");
-  if (scene.scene.sliding) interface.normal_force *= scene.scene.sliding->buoyant_weight / sum;
+  RestForces rest = rest_forces(scene, interface);
+  interface.normal_force = std::move(rest.normal_force);
+  if (scene.scene.sliding) interface.normal_force *= scene.scene.sliding->buoyant_weight / interface.normal_force.sum();
+  return rest.ladder.size() > 1 ? std::move(rest.ladder) : Ladder();
 }
 
 /// Takes the forces at the nodes out of what people read.
@@ -35,18 +33,28 @@ void remove_node_forces(int n_nodes, System& system, Response& response) {
 }
 
 /// Also fills in what the nodes did.
-Run march_contact(const Case& input, const CompiledCase& scene, const MarchOptions& marching, ContactSummary& contact) {
-  const std::unique_ptr<Scheme> scheme = make_contact_scheme(scene.compiled.system);
+Run march_contact(const Case& input, const CompiledCase& scene, const MarchOptions& marching, const Care& care,
+                  ContactSummary& contact) {
+  const std::unique_ptr<Scheme> scheme = make_contact_scheme(scene.compiled.system, true, care.refined);
   ContactRecorder recorder(scene.compiled.system, *scheme);
   MarchOptions options = marching;
   options.observer = [&](const State& state, int step, int n) {
     recorder.see(state);
     if (marching.observer) marching.observer(state, step, n);
   };
-  Run run = march_by(*scheme, input, scene, "glued, the caisson would slip or lift at some node", options);
+  Run run = march_by(*scheme, input, scene, "glued, the caisson would slip or lift at some node", options, care.part);
   contact.solved = recorder.summary();
   run.contact = recorder.history();
   return run;
+}
+
+Run climb_contact(const Case& input, const CompiledCase& scene, const MarchOptions& marching, ContactSummary& contact) {
+  std::vector<Way> ways;
+  for (const Care& care : cares_of(input))
+    ways.push_back({name_of_way("contact", care), [&, care](const MarchOptions& options) {
+                      return march_contact(input, scene, options, care, contact);
+                    }});
+  return climb(input, scene, ways, marching);
 }
 
 }  // namespace
@@ -55,7 +63,7 @@ Run run_contact(const Case& input, CompiledCase& scene, const MarchOptions& marc
                 const std::function<void(double)>& progress) {
   System loose = std::move(scene.compiled.system);
   const int n_nodes = loose.interface->n_nodes();
-  set_at_rest(scene, *loose.interface);
+  Ladder at_rest = set_at_rest(scene, *loose.interface);
   scene.compiled.system = glued(loose, true);
   MarchOptions silent;
   silent.observer = [&progress](const State&, int step, int n) {
@@ -71,14 +79,17 @@ Run run_contact(const Case& input, CompiledCase& scene, const MarchOptions& marc
   remove_node_forces(n_nodes, scene.compiled.system, run.response);
   if (contact.demand.reached || scene.scene.fields_every) {
     scene.compiled.system = std::move(loose);
-    Run solved = march_contact(input, scene, marching, contact);
+    Run solved = climb_contact(input, scene, marching, contact);
     solved.summary.sliding = run.summary.sliding;
-    solved.summary.error = run.summary.error;
     solved.coupled = run.coupled;
+    join(run.summary.ladder, solved.summary.ladder);
+    solved.summary.ladder = std::move(run.summary.ladder);
     solved.summary.timing.factorise += run.summary.timing.factorise;
     solved.summary.timing.march += run.summary.timing.march;
     run = std::move(solved);
   }
+  join(at_rest, run.summary.ladder);
+  run.summary.ladder = std::move(at_rest);
   run.summary.contact = contact;
   return run;
 }

@@ -7,6 +7,7 @@
 #include "../case_checks.h"
 #include "sea_states_file.h"
 #include "shear_model.h"
+#include "upbead/base/quoted.h"
 #include "upbead/base/text.h"
 
 namespace upbead {
@@ -31,7 +32,7 @@ void read(const std::string& path, const Place& key, const std::string& file, In
       if (mistake.place.line > 0 || mistake.place.file.empty())
         report.add(path, mistake.place.line > 0 ? mistake.place : key, mistake.what, mistake.cure);
       else
-        report.add(path, key, "'" + file + "': " + mistake.what, mistake.cure);
+        report.add(path, key, quoted_path(file) + ": " + mistake.what, mistake.cure);
   }
 }
 
@@ -120,7 +121,8 @@ void check_sea(const DesignTables& tables, const Document& document, InputReport
   const Place place = document.place("sea.states");
   const std::string file = resolved(document, tables.sea->states);
   read("sea", place, file, report, [&] {
-    const std::vector<SeaState> states = read_sea_states(file, place);
+    RecordNotes told_later;
+    const std::vector<SeaState> states = read_sea_states(file, place, told_later);
     check_storms(tables, states.size(), document, report);
     if (sound_section(report) && report.sound("scatter")) check_levels(tables, states, document, report);
   });

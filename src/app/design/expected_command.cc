@@ -1,5 +1,6 @@
 #include <iostream>
 
+#include "design_files.h"
 #include "expected_checks.h"
 #include "expected_report.h"
 #include "upbead/app/commands.h"
@@ -18,7 +19,9 @@ void expect(const CommonOptions& options, const Stopwatch& since_start) {
   const Design design = read_design(options.file, options.overrides, {check_expected});
   timing.read = since_start.seconds();
   note_interrupts();
-  OutputFolder folder(options.out.empty() ? "results/" + design.stem + "-expected" : options.out);
+  const std::string out = options.out.empty() ? "results/" + design.stem + "-expected" : options.out;
+  require_inputs_kept(out, {"results.h5", "case.toml", "summary.json"}, input_files(design));
+  OutputFolder folder(out);
   const ExpectedAnswer answer = find_expected(design);
   folder.write("results.h5", expected_file(design, answer));
   folder.write("case.toml", effective_design(design, folder.name()));

@@ -101,10 +101,12 @@ std::string describe(const Design& design, const ExpectedAnswer& answer) {
 }
 
 std::string doubts(const ExpectedAnswer& answer) {
-  if (!answer.monte_carlo) return "";
+  std::string text;
+  for (const LeftOut& part : answer.notes.left_out) text += "note: " + part.what + ": " + part.why + "\n";
+  if (!answer.monte_carlo) return text;
   const LifeStatistics& s = answer.monte_carlo->statistics;
-  if (s.sliding_lives >= few_lives) return "";
-  return "warning: only " + std::to_string(s.sliding_lives) + " of " +
+  if (s.sliding_lives >= few_lives) return text;
+  return text + "warning: only " + std::to_string(s.sliding_lives) + " of " +
          std::to_string(answer.monte_carlo->sliding.size()) +
          " lives slide: mean and interval rest on few of them; simulate more with --set life.lives=NUMBER\n";
 }

@@ -169,11 +169,13 @@ void integrate(const Design& design, const Laws& laws, const std::vector<SeaStat
 
 ExpectedAnswer find_expected(const Design& design) {
   std::vector<SeaState> record;
+  RecordNotes notes;
   if (design.tables.sea)
-    record = read_sea_states(design.resolve(design.tables.sea->states), design.document.place("sea.states"));
+    record = read_sea_states(design.resolve(design.tables.sea->states), design.document.place("sea.states"), notes);
   const Stopwatch watch;
   const Laws laws(design, design.tables.storms ? typical_storms(design) : record);
   ExpectedAnswer answer;
+  answer.notes = std::move(notes);
   answer.model = laws.model();
   if (design.tables.sea) integrate(design, laws, record, answer);
   answer.quadrature_seconds = watch.seconds();

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "design.h"
+#include "upbead/app/record_notes.h"
 #include "upbead/expected/expectation.h"
 #include "upbead/expected/statistics.h"
 
@@ -64,6 +65,7 @@ struct ExpectedAnswer {
   std::optional<ModelUsed> model;
   std::optional<MonteCarlo> monte_carlo;
   double quadrature_seconds = 0.;
+  RecordNotes notes;  ///< how the sea states were read
 };
 
 /// On all cores; the same numbers whatever their number. Throws NumericsError where a number is not finite.

@@ -1,6 +1,6 @@
 #include <iostream>
 
-#include "design.h"
+#include "design_files.h"
 #include "upbead/app/commands.h"
 #include "upbead/app/design.h"
 #include "upbead/base/files.h"
@@ -21,7 +21,9 @@ void waves(const CommonOptions& options) {
   const Design design = read_design(options.file, options.overrides);
   require_waves(design);
   note_interrupts();
-  OutputFolder folder(options.out.empty() ? "results/" + design.stem : options.out);
+  const std::string out = options.out.empty() ? "results/" + design.stem : options.out;
+  require_inputs_kept(out, {"summary.json", "case.toml"}, input_files(design));
+  OutputFolder folder(out);
   const std::vector<WaveAnswer> answers = answer_waves(design.tables);
   const std::string json = to_json(design.tables, answers);
   folder.write("summary.json", json);

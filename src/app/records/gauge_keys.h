@@ -32,9 +32,13 @@ void add_gauge_keys(TableSchema<T>& table, const GaugeWords& words, const std::f
   in(table.key(words.places, &T::place)).unit("m").doc(words.places_doc);
   in(table.key("ends", &T::ends)).unit("m").doc(words.ends_doc);
   in(table.choice(words.to_first, &T::to_first, beyond_words))
-      .doc(std::string("pressure from the ") + words.first +
-           " transducer outward; constant: the same; none: zero; to_zero: linearly to zero at ends");
+      .fallback("required with gauges")
+      .doc(
+          std::string("pressure from the ") + words.first +
+          " transducer outward; constant: the same; none: zero; to_zero: linearly to zero at ends; must be said, as no "
+          "rule is right for all walls");
   in(table.choice(words.to_last, &T::to_last, beyond_words))
+      .fallback("required with gauges")
       .doc(std::string("pressure from the ") + words.last + " transducer outward");
   in(table.key("gauge_unit", &T::gauge_unit))
       .fallback("that of the header, else Pa")

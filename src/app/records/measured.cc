@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "header_words.h"
 #include "record_columns.h"
+#include "upbead/base/quoted.h"
 #include "upbead/base/suggest.h"
 #include "upbead/base/text.h"
 
@@ -21,22 +23,28 @@ MeasuredRecord read(const Case& input, const std::string& name, const MeasuredSo
   const std::string path = dotted("measured", name);
   const Place place = input.place(path + ".file");
   const CsvTable table = read_record_table(input.resolve(source.file), place);
-  const RecordTimes times = record_times(table, source);
-  const std::size_t column = measured_column(source, table, place);
-  MeasuredRecord record{name, source.reading, computed.unit, times.time,
-                        in_si(table, column, computed.unit, source.unit)};
+  const RecordLayout layout = layout_of(table);
+  const RecordTimes times = record_times(table, layout, source);
+  const std::size_t column = measured_column(source, table, layout, place);
+  MeasuredRecord record{
+      name, source.reading, computed.unit, times.time, in_si(table, column, computed.unit, source.unit), {}};
+  note_layout(table, layout, record.notes);
   take_off_rest(times, record.value);
   return record;
 }
 
 }  // namespace
 
-std::size_t measured_column(const MeasuredSource& source, const CsvTable& table, const Place& place) {
+std::size_t measured_column(const MeasuredSource& source, const CsvTable& table, const RecordLayout& layout,
+                            const Place& place) {
   if (!source.column.empty()) return column_of(table, source.column, place);
-  const std::size_t first = source.sampling_rate ? 0 : 1;
-  if (table.names.size() <= first)
-    throw InputError(place, "'" + source.file + "' has no column beside the time", "give a record of two columns");
-  return first;
+  const bool untimed =
+      source.sampling_rate && layout.time == 0 && header_says(table.names[0], table.units[0]) == HeaderSays::nothing;
+  if (untimed) return 0;
+  if (layout.values.empty())
+    throw InputError(place, quoted_path(source.file) + " has no column beside the time",
+                     "give a record of two columns");
+  return layout.values.front();
 }
 
 std::vector<MeasuredRecord> read_measured(const Case& input, const std::vector<History>& computed) {
@@ -49,7 +57,8 @@ std::vector<MeasuredRecord> read_measured(const Case& input, const std::vector<H
       for (const History& one : computed)
         if (one.name != "time") known.push_back(one.name);
       mistakes.add(input.place(dotted("measured", name) + ".reading"),
-                   "the run has no history '" + source.reading + "'", suggestion(source.reading, known, "histories"));
+                   "the run has no history " + in_quotes(source.reading),
+                   suggestion(source.reading, known, "histories"));
       continue;
     }
     try {

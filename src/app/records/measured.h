@@ -4,20 +4,23 @@
 #include <string>
 #include <vector>
 
-#include "record_table.h"
+#include "record_layout.h"
 #include "upbead/app/case.h"
 #include "upbead/output/result_file.h"
 #include "upbead/output/summary.h"
 
 namespace upbead {
 
-/// The column that is meant. Throws InputError at `place` where there is none.
-std::size_t measured_column(const MeasuredSource& source, const CsvTable& table, const Place& place);
+/// The column that is meant: the named one, else the first that is neither a time nor a counter. Throws InputError at
+/// `place` where there is none.
+std::size_t measured_column(const MeasuredSource& source, const CsvTable& table, const RecordLayout& layout,
+                            const Place& place);
 
 /// A record in SI units and the run's time.
 struct MeasuredRecord {
   std::string name, reading, unit;
   std::vector<double> time, value;
+  RecordNotes notes;
 };
 
 /// Reads all records of a case. `computed`: every history that the run will have (values are not looked at). Throws

@@ -64,7 +64,8 @@ Gauges read_gauges(const GaugeSource& source, const std::string& file, const std
                    const Document& document) {
   const Place place = document.place(path + ".gauges");
   const CsvTable table = read_record_table(file, place);
-  const RecordTimes times = record_times(table, source);
+  const RecordLayout layout = layout_of(table);
+  const RecordTimes times = record_times(table, layout, source);
   Gauges gauges;
   gauges.beyond = {source.to_first, source.to_last};
   if (source.ends) gauges.zero_at = *source.ends;

@@ -1,19 +1,43 @@
 #include "record_columns.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include "header_words.h"
+#include "upbead/base/quoted.h"
 #include "upbead/base/suggest.h"
+#include "upbead/base/text.h"
 #include "upbead/input/values.h"
 
 namespace upbead {
 
-RecordTimes record_times(const CsvTable& table, const RecordClock& clock) {
+namespace {
+
+/// A column that says that it is the time must agree with the rate that is given.
+void require_rate(const CsvTable& table, const RecordLayout& layout, double rate) {
+  const bool says_so =
+      layout.time && header_says(table.names[*layout.time], table.units[*layout.time]) > HeaderSays::counter;
+  if (!says_so || table.n_rows() < 2) return;
+  const std::vector<double> time = times_of(table, layout);
+  const double by_rate = static_cast<double>(time.size() - 1) / rate, by_column = time.back() - time.front();
+  if (std::abs(by_rate - by_column) > 0.01 * by_rate)
+    throw InputError({table.path, 1, 1},
+                     "sampling_rate = " + significant(rate) + " Hz makes the record " + significant(by_rate) +
+                         " s long, its column " + in_quotes(table.names[*layout.time]) + " " + significant(by_column) +
+                         " s",
+                     "leave out sampling_rate, or mend it");
+}
+
+}  // namespace
+
+RecordTimes record_times(const CsvTable& table, const RecordLayout& layout, const RecordClock& clock) {
   RecordTimes times;
   if (clock.sampling_rate) {
+    require_rate(table, layout, *clock.sampling_rate);
     times.time.resize(table.n_rows());
     for (std::size_t i = 0; i < times.time.size(); ++i) times.time[i] = static_cast<double>(i) / *clock.sampling_rate;
   } else {
-    times.time = in_si(table, 0, "s");
+    times.time = times_of(table, layout);
   }
   std::vector<double>& time = times.time;
   for (std::size_t i = 1; i < time.size(); ++i)
@@ -29,10 +53,12 @@ RecordTimes record_times(const CsvTable& table, const RecordClock& clock) {
 
 std::size_t column_of(const CsvTable& table, const std::string& name, const Place& place) {
   const auto found = std::find(table.names.begin(), table.names.end(), name);
-  if (found == table.names.end())
-    throw InputError(place, "'" + table.path + "' has no column '" + name + "'",
-                     suggestion(name, table.names, "columns"));
-  return static_cast<std::size_t>(found - table.names.begin());
+  if (found != table.names.end()) return static_cast<std::size_t>(found - table.names.begin());
+  for (std::size_t c = 0; c < table.names.size(); ++c)
+    for (const char* slash : {"/", " / "})
+      if (table.names[c] + slash + table.units[c] == name) return c;
+  throw InputError(place, quoted_path(table.path) + " has no column " + in_quotes(name),
+                   suggestion(name, table.names, "columns"));
 }
 
 void take_off_rest(const RecordTimes& times, std::vector<double>& values) {

@@ -2,10 +2,11 @@
 #include <filesystem>
 
 #include "../records/measured.h"
+#include "../records/record_layout.h"
 #include "../records/record_table.h"
 #include "factors.h"
 #include "scale_mesh.h"
-#include "upbead/base/csv.h"
+#include "upbead/base/quoted.h"
 #include "upbead/base/units.h"
 
 namespace fs = std::filesystem;
@@ -33,20 +34,30 @@ std::string scaled_table(const CsvTable& table, const std::vector<std::string>& 
   return text + "\n";
 }
 
+/// SI units of a record's columns: those of times, of counters, and of all others.
+std::vector<std::string> units_by_column(const CsvTable& table, const std::string& unit) {
+  const RecordLayout layout = layout_of(table);
+  std::vector<std::string> units(table.names.size(), unit);
+  if (layout.time) units[*layout.time] = "s";
+  for (const std::size_t c : layout.clocks) units[c] = "s";
+  for (const std::size_t c : layout.counters) units[c] = "";
+  return units;
+}
+
 /// A history with its times and values at the new size.
 std::string scaled_history(const std::string& path, const Place& place, double factor, const std::string& unit) {
-  const CsvTable table = read_csv(path, place);
-  std::vector<std::string> units(table.names.size(), unit);
-  units.front() = "s";
-  return scaled_table(table, units, factor);
+  const CsvTable table = read_record_table(path, place);
+  return scaled_table(table, units_by_column(table, unit), factor);
 }
 
 /// The record of transducers at the new size.
 std::string scaled_record(const Case& problem, const GaugeSource& source, const std::string& path, double factor) {
   const CsvTable table = read_record_table(problem.resolve(source.gauges), problem.place(path + ".gauges"));
-  std::vector<std::string> units;
-  for (const std::string& name : table.names) units.emplace_back(name == source.load_cell ? "N/m" : "Pa");
-  if (!source.sampling_rate) units.front() = "s";
+  std::vector<std::string> units = units_by_column(table, "Pa");
+  for (std::size_t c = 0; c < units.size(); ++c) {
+    if (table.names[c] == source.load_cell) units[c] = "N/m";
+    if (source.place.count(table.names[c]) != 0) units[c] = "Pa";
+  }
   return scaled_table(table, units, factor);
 }
 
@@ -54,10 +65,12 @@ std::string scaled_record(const Case& problem, const GaugeSource& source, const 
 std::string scaled_measured(const Case& problem, const std::string& name, const MeasuredSource& source, double factor) {
   const Place place = problem.place(dotted("measured", name) + ".file");
   const CsvTable table = read_record_table(problem.resolve(source.file), place);
-  const std::size_t column = measured_column(source, table, place);
+  const RecordLayout layout = layout_of(table);
+  const std::size_t column = measured_column(source, table, layout, place);
   const std::optional<Unit> unit = unit_of(source.unit.empty() ? table.units[column] : source.unit);
   if (!unit)
-    throw InputError(place, "it is not said what unit column '" + table.names[column] + "' has: it cannot be scaled",
+    throw InputError(place,
+                     "it is not said what unit column " + in_quotes(table.names[column]) + " has: it cannot be scaled",
                      "write the unit into its header, or add unit = \"...\"");
   CsvTable one{table.path, {}, {}, {}, table.lines};
   std::vector<std::string> units;
@@ -67,7 +80,7 @@ std::string scaled_measured(const Case& problem, const std::string& name, const 
     one.columns.push_back(table.columns[c]);
     units.push_back(si);
   };
-  if (!source.sampling_rate) keep(0, "s");
+  if (!source.sampling_rate && layout.time) keep(*layout.time, "s");
   keep(column, unit->si);
   return scaled_table(one, units, factor);
 }

@@ -2,6 +2,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "../input_files.h"
 #include "upbead/app/commands.h"
 #include "upbead/app/scale.h"
 #include "upbead/base/files.h"
@@ -49,6 +50,9 @@ void scale(const ScaleOptionsOfCommand& options) {
   const Case problem = read_case(options.file, options.overrides);
   const std::string name = options.out.empty() ? "results/" + problem.stem + "-scaled" : options.out;
   const ScaledCase scaled = scale_case(problem, options.scale, name);
+  std::vector<std::string> written{"case.toml"};
+  for (const NamedText& history : scaled.histories) written.push_back(history.path);
+  require_inputs_kept(name, written, input_files(problem));
   OutputFolder folder(name);
   folder.write("case.toml", scaled.text);
   for (const NamedText& history : scaled.histories) folder.write(history.path, history.text);

@@ -1,6 +1,7 @@
 #include "read_sliding.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "case_sliding.h"
 #include "loose_scene.h"
@@ -52,6 +53,10 @@ CoupledHistoryTable table(const std::vector<double>& time, const CoupledHistory&
           list(history.wanted.row(0))};
 }
 
+void require_none(const std::string& why_no_distance) {
+  if (!why_no_distance.empty()) throw NumericsError(why_no_distance);
+}
+
 void slide(const CompiledCase& scene, Run& run, const std::function<void(double)>& progress) {
   const SlidingChoice& choice = *scene.scene.sliding;
   const CompiledScene loose = compile_loose(scene);
@@ -59,11 +64,29 @@ void slide(const CompiledCase& scene, Run& run, const std::function<void(double)
   const SlipLaw law = slip_law(reduction.system, choice.friction, slip_uplift(choice), {reading::displacement_x});
   const SampledLoads loads = loads_of_slip(scene.scene, loose);
   CoupledHistory history;
-  const CoupledSliding slid =
-      CoupledSlip(slip_model(reduction.system, law), loads.time[1] - loads.time[0]).slide(loads, &history);
-  run.summary.sliding->coupled =
-      CoupledSummary{slid.slip,        slid.dissipated,     slid.peak_shear,         slid.least_normal,
-                     slid.lifted_time, reduction.n_vectors, reduction.error.history, reduction.glued_error};
+  const SlipModel model = slip_model(reduction.system, law);
+  const double step = loads.time[1] - loads.time[0];
+  const CoupledSliding slid = CoupledSlip(model, step).slide(loads, &history);
+  require_none(why_no_distance(slid));
+  double effect = 0.;
+  if (model.damping_time > 0.) {
+    const SlipModel more = slip_model(reduction.system, law, 2. * model.damping_time);
+    const CoupledSliding other = CoupledSlip(more, step).slide(loads);
+    require_none(why_no_distance(slid, other));
+    effect = std::abs(other.slip.residual - slid.slip.residual);
+  }
+  run.summary.sliding->coupled = CoupledSummary{slid.slip,
+                                                slid.dissipated,
+                                                slid.peak_shear,
+                                                slid.least_normal,
+                                                slid.lifted_time,
+                                                reduction.n_vectors,
+                                                reduction.error.history,
+                                                reduction.glued_error,
+                                                model.growth,
+                                                model.damping_time,
+                                                effect,
+                                                {}};
   run.coupled = table(loads.time, history);
 }
 
@@ -89,7 +112,15 @@ void read_sliding(const Case& input, const CompiledCase& scene, Run& run, const 
     run.summary.timing.march += watch.seconds();
   } catch (const NumericsError& error) {
     sliding.why_not_coupled = error.what();
+    sliding.coupled_failed = true;
   }
+}
+
+NumberedWarnings slip_warnings(const SlidingSummary& sliding) {
+  if (!sliding.coupled_failed) return {};
+  return {{"no_coupled_slip", sliding.history.ratio, 1., "1",
+           "the bonded caisson reaches its friction, but how far it slips as a whole on its ground is not told: " +
+               sliding.why_not_coupled + "; sliding_history, and contact node by node (kind = \"friction\"), tell S"}};
 }
 
 std::vector<Skipped> skipped(const SlidingSummary& sliding) {

@@ -12,6 +12,9 @@ namespace upbead {
 /// history.
 void read_sliding(const Case& input, const CompiledCase& scene, Run& run, const std::function<void(double)>& progress);
 
+/// no_coupled_slip: the coupled S would not be right.
+NumberedWarnings slip_warnings(const SlidingSummary& sliding);
+
 /// Why there was nothing to compute, where that is so.
 std::vector<Skipped> skipped(const SlidingSummary& sliding);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <new>
 
+#include "../script_trust.h"
 #include "../sliding/case_sliding.h"
 #include "../sliding/read_sliding.h"
 #include "summary_reader.h"
@@ -63,8 +64,6 @@ std::string Runner::solve(const Case& problem, const std::function<void()>& mean
   marching.stop_at_energy = problem.scene.time.stop_at_energy.value_or(0.);
   marching.observer = [&meanwhile](const State&, int, int) { meanwhile(); };
   solution_ = run_case(problem, *compiled, marching, [&meanwhile](double) { meanwhile(); });
-  if (solution_.summary.response)
-    require_balance(*solution_.summary.response, solution_.summary.energy.value_or(EnergyAccount()));
   compiled_ = std::move(compiled);
   solution_key_ = key;
   return to_json(solution_.summary);
@@ -75,6 +74,7 @@ RunResult Runner::run(const StudyRun& run, const std::function<void()>& meanwhil
   RunResult result;
   try {
     const Case problem = read_case(study_.cases[static_cast<std::size_t>(run.case_index)], overrides_of(run));
+    require_trust(problem, trusts_scripts_);
     require_loads(problem);
     result.values = numbers_at(solve(problem, meanwhile, result.shared), study_.reads);
     result.done = true;

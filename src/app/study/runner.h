@@ -15,7 +15,9 @@ namespace upbead {
 /// run would have made for itself, so every number is the same to the last bit, whatever ran before.
 class Runner {
  public:
-  Runner(const Study& study, bool sharing) : study_(study), sharing_(sharing) {}
+  /// `trusts_scripts`: see require_trust().
+  Runner(const Study& study, bool sharing, bool trusts_scripts)
+      : study_(study), sharing_(sharing), trusts_scripts_(trusts_scripts) {}
   /// A run that fails says so in its result. `meanwhile` is called between its steps. Throws Interrupted.
   RunResult run(const StudyRun& run, const std::function<void()>& meanwhile);
 
@@ -25,6 +27,7 @@ class Runner {
 
   const Study& study_;
   bool sharing_;
+  bool trusts_scripts_;
   std::string mesh_key_, solution_key_;
   std::shared_ptr<const Mesh> mesh_;
   std::unique_ptr<CompiledCase> compiled_;

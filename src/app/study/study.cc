@@ -5,6 +5,7 @@
 #include <set>
 
 #include "../fingerprint.h"
+#include "../input_files.h"
 #include "key_units.h"
 #include "study_checks.h"
 #include "upbead/app/case.h"
@@ -79,9 +80,9 @@ std::optional<Case> first_sound_case(const Study& study, int index, const Docume
 }
 
 /// Everything that a case rests on, also files that a setting names.
-void add_case(Fingerprint& fingerprint, const Case& problem, const std::set<std::string>& words) {
-  fingerprint.add_files(problem);
-  for (const std::string& word : words) fingerprint.add_file(problem.resolve(word));
+void add_case(Study& study, const Case& problem, const std::set<std::string>& words) {
+  for (const InputFile& file : input_files(problem)) study.inputs.push_back(file);
+  for (const std::string& word : words) study.inputs.push_back({problem.resolve(word), study.inputs.front().place});
 }
 
 std::set<std::string> words_of(const StudyTables& tables) {
@@ -131,16 +132,17 @@ Study read_study(const std::string& path, const std::vector<std::string>& overri
 
   Fingerprint fingerprint;
   fingerprint.add(program_version());
-  fingerprint.add_file(path);
+  study.inputs.push_back({path, {path}});
   for (const std::string& text : overrides) fingerprint.add(text);
   for (int c = 0; c < static_cast<int>(study.cases.size()); ++c)
     if (const auto problem = first_sound_case(study, c, document, report)) {
-      add_case(fingerprint, *problem, words_of(tables));
+      add_case(study, *problem, words_of(tables));
       if (c > 0) continue;
       const std::map<std::string, std::string> units = units_of_keys(*problem);
       for (const std::string& key : study.keys) study.units.push_back(units.count(key) != 0 ? units.at(key) : "");
     }
   report.throw_if_any(path);
+  for (const InputFile& file : study.inputs) fingerprint.add_file(file.path);
   study.fingerprint = fingerprint.value();
   return study;
 }

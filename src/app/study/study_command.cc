@@ -4,6 +4,7 @@
 #include <iostream>
 #include <thread>
 
+#include "../script_trust.h"
 #include "launch.h"
 #include "pool.h"
 #include "runner.h"
@@ -20,10 +21,13 @@ namespace {
 
 constexpr int exit_input = 1, exit_failed_runs = 2, exit_signal = 128;
 
+const std::vector<std::string> study_files{"study.csv", "study.h5", "summary.json", "journal/*.jsonl"};
+
 struct StudyOptions : CommonOptions {
   int jobs = 0;  ///< 0: one per core
   bool restart = false;
   bool no_sharing = false;
+  bool trusts_scripts = false;
   bool keys = false;
 };
 
@@ -41,7 +45,7 @@ void work(const Study& study, const std::vector<std::vector<int>>& pieces, const
     if (pool.rank() == 0 && progress.due()) progress.draw(pool.done(), pool.failed());
   };
   Journal journal(options.out, study.fingerprint, pool.rank());
-  Runner runner(study, !options.no_sharing);
+  Runner runner(study, !options.no_sharing, options.trusts_scripts);
   for (std::size_t i = static_cast<std::size_t>(pool.take()); i < pieces.size();
        i = static_cast<std::size_t>(pool.take()))
     for (const int run : pieces[i]) {
@@ -103,6 +107,7 @@ Study read_study_in(const Pool& pool, const StudyOptions& options) {
 void run_study(const StudyOptions& options, const Stopwatch& since_start) {
   Pool pool;
   const Study study = read_study_in(pool, options);
+  require_inputs_kept(options.out, study_files, study.inputs);
   if (pool.rank() == 0 && options.restart) remove_journals(options.out);
   pool.meet();
   const Results before = read_journals(options.out, study.fingerprint, study.runs.size());
@@ -124,6 +129,7 @@ void run_study(const StudyOptions& options, const Stopwatch& since_start) {
 /// Checks everything first, so that mistakes are told once, then starts as many processes as have work.
 void start(const StudyOptions& options) {
   const Study study = read_study(options.file, options.overrides);
+  require_inputs_kept(options.out, study_files, study.inputs);
   const Results before =
       options.restart ? Results(study.runs.size()) : read_journals(options.out, study.fingerprint, study.runs.size());
   {
@@ -157,6 +163,7 @@ void add_options(CLI::App& command, StudyOptions& options) {
   command.add_option("--jobs", options.jobs, "processes (default: one per core)")->check(CLI::Range(1, 100000));
   command.add_flag("--restart", options.restart, "forget the runs that are done");
   command.add_flag("--no-sharing", options.no_sharing, "mesh and solve every run anew; the numbers are the same");
+  add_trust_option(command, options.trusts_scripts);
   command.add_flag("--keys", options.keys, "print every key of a study file with range, default and meaning");
 }
 

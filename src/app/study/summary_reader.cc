@@ -23,6 +23,7 @@ Json full_summary() {
   summary.sliding->pulse.emplace();
   summary.sliding->equal_impulse.emplace();
   summary.sliding->coupled.emplace();
+  summary.sliding->why_not_coupled = "a reason";
   summary.contact.emplace().solved.emplace();
   summary.soil.emplace();
   return Json::parse(to_json(summary));

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "../records/gauge_report.h"
+#include "../records/record_notes.h"
 #include "upbead/response/wave_resolution.h"
 
 namespace upbead {
@@ -23,7 +24,9 @@ NumberedWarnings scene_warnings(const Case& input, const CompiledCase& scene, co
   NumberedWarnings all;
   for (const NumberedWarnings& part :
        {step_warnings(scene), jump_warnings(scene), mesh_warnings(scene), wall_warnings(scene, peak_time),
-        load_warnings(scene), skin_warnings(scene), history_warnings(input), gauge_warnings(input, scene)})
+        load_warnings(scene), skin_warnings(scene), ring_warnings(scene), slow_wave_warnings(scene),
+        layer_warnings(scene), thin_layer_warnings(scene), history_warnings(input), gauge_warnings(input, scene),
+        zero_load_warnings(input), record_notes(input).warnings})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }

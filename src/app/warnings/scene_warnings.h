@@ -24,6 +24,9 @@ NumberedWarnings jump_warnings(const CompiledCase& scene);
 /// where the mesh was made for the tolerance.
 NumberedWarnings mesh_warnings(const CompiledCase& scene);
 
+/// mesh_too_coarse: a thin soft layer whose cells are longer than it is thick (response/thin_layers.h).
+NumberedWarnings thin_layer_warnings(const CompiledCase& scene);
+
 /// walls_too_near: the first echo of a far side is back before the end (of sides beyond 5 B before 1/1.2 of it),
 /// and the loads are shorter than it takes, or the side is nearer than the caisson is wide. `peak_time`: of F_T, where
 /// that is known.
@@ -36,10 +39,26 @@ NumberedWarnings load_warnings(const CompiledCase& scene);
 /// face where soil drains (response/drained_skin.h).
 NumberedWarnings skin_warnings(const CompiledCase& scene);
 
+/// stress_rings: a load acts on ground that deforms, and its cells do not carry its waves to a probe there, or to the
+/// fields, as the equations would (response/carried_pulse.h): by more than 5 %. The worst of all loads and regions.
+NumberedWarnings ring_warnings(const CompiledCase& scene);
+
+/// slow_wave_unresolved: the same of the wave of the pore water against the skeleton where flow is inertial, which
+/// pressures carry, of a degree less than displacements.
+NumberedWarnings slow_wave_warnings(const CompiledCase& scene);
+
+/// drained_layer: soil under the caisson drains by the size of its cells, not by its conductivity, which softens the
+/// ground so much that F_T may err by more than 5 % (response/drained_layer.h); not where the mesh was made for the
+/// tolerance.
+NumberedWarnings layer_warnings(const CompiledCase& scene);
+
 /// Those of all histories that come from files (model/record.h).
 NumberedWarnings history_warnings(const Case& input);
 
-/// All of these.
+/// load_zero: a load or uplift that is zero within the run, as where a wrong column was read.
+NumberedWarnings zero_load_warnings(const Case& input);
+
+/// All of these, and those of reading the files.
 NumberedWarnings scene_warnings(const Case& input, const CompiledCase& scene,
                                 const std::optional<double>& peak_time = {});
 

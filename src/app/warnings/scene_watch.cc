@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "../sliding/read_sliding.h"
 #include "lift_warning.h"
 #include "scene_warnings.h"
 #include "upbead/base/error.h"
@@ -46,7 +47,9 @@ SceneWatch::SceneWatch(const CompiledCase& scene) {
 
 MarchOptions SceneWatch::watching(const MarchOptions& marching) {
   MarchOptions options = marching;
+  unseen_ = memory();
   options.observer = [this, other = marching.observer](const State& state, int step, int n_steps) {
+    if (step == 0) recall(unseen_);  // another march, as the one before was refused
     saw_a_march_ = true;
     if (pressure_) pressure_->see(state);
     if (strength_) strength_->see(state);
@@ -79,6 +82,9 @@ void SceneWatch::tell(const Case& input, const CompiledCase& scene, Run& run) {
   tell_pressure(scene, run);
   tell_strength(run);
   for (NumberedWarning& warning : lift_warnings(scene, run)) run.summary.warnings.push_back(std::move(warning));
+  if (run.summary.sliding)
+    for (NumberedWarning& warning : slip_warnings(*run.summary.sliding))
+      run.summary.warnings.push_back(std::move(warning));
 }
 
 void SceneWatch::tell_pressure(const CompiledCase& scene, Run& run) {

@@ -31,6 +31,7 @@ class SceneWatch {
   std::optional<LeastPressure> pressure_;
   std::optional<Mobilisation> strength_;
   std::string why_no_pressure_, why_no_strength_;
+  std::vector<double> unseen_;  ///< memory before the first march
   bool saw_a_march_ = false;
 };
 

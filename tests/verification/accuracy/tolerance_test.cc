@@ -44,6 +44,7 @@ Summary solve(const ScenePair& pair, double tolerance, Overrides more = {}) {
   Overrides overrides = pair.overrides;
   overrides.push_back("mesh.refine=auto");
   overrides.push_back("mesh.degree=3");
+  overrides.push_back("accuracy.of=peak");
   overrides.push_back("accuracy.tolerance=" + std::to_string(tolerance));
   overrides.insert(overrides.end(), more.begin(), more.end());
   const Case input = read_case(std::string(UPBEAD_CASE_DIR) + "/" + pair.file, overrides);

@@ -1,0 +1,28 @@
+"""What is read is never written over."""
+
+import os
+from pathlib import Path
+
+from .errors import UserError
+
+RESULTS = ("results.h5", "reduced.h5", "responses.h5", "study.h5", "summary.json", "case.toml", "study.csv", "calibration.csv")
+
+
+def files_of(path):
+    """A file, or what a command of the program has written into a folder."""
+    path = Path(path)
+    return [path / name for name in RESULTS] if path.is_dir() else [path]
+
+
+def keep_inputs(output, *inputs):
+    """Raises UserError where `output` is one of the files that are read, or a link to it.
+
+    inputs: files, or folders of results.
+    """
+    for path in (file for given in inputs for file in files_of(given)):
+        try:
+            same = os.path.samefile(output, path)
+        except (OSError, ValueError):
+            continue  # one of them is not there
+        if same:
+            raise UserError(f"'{output}' would be written over '{path}', which is read; choose another file")

@@ -1,0 +1,14 @@
+// The files that a design reads.
+#pragma once
+
+#include <vector>
+
+#include "design.h"
+#include "upbead/base/inputs_kept.h"
+
+namespace upbead {
+
+/// The design itself and the files that it names, each with the key.
+std::vector<InputFile> input_files(const Design& design);
+
+}  // namespace upbead

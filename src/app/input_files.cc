@@ -1,0 +1,22 @@
+#include "input_files.h"
+
+#include "upbead/mesh/mesh.h"
+
+namespace upbead {
+
+std::vector<InputFile> input_files(const Case& problem) {
+  std::vector<InputFile> files{{problem.document.path(), {problem.document.path()}}};
+  const auto add = [&](const std::string& file, const std::string& key) {
+    if (!file.empty()) files.push_back({problem.resolve(file), problem.place(key)});
+  };
+  const MeshRequest mesh = mesh_request(problem);
+  files.push_back({mesh.file, mesh.place});
+  for (const auto& [name, source] : problem.sources) add(source.history, dotted("loads", name) + ".history");
+  for (const auto& [name, load] : problem.gauges) add(load.source.gauges, dotted("loads", name) + ".gauges");
+  if (problem.uplift_gauges) add(problem.uplift_gauges->source.gauges, "sliding.uplift.gauges");
+  add(problem.uplift_history, "sliding.uplift.history");
+  for (const auto& [name, source] : problem.measured) add(source.file, dotted("measured", name) + ".file");
+  return files;
+}
+
+}  // namespace upbead

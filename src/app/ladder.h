@@ -1,0 +1,40 @@
+// The ladder: ways to solve a scene in time, of which the first is taken whose answer holds.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "solve.h"
+
+namespace upbead {
+
+/// One way.
+struct Way {
+  std::string name;  ///< as people are told it, in the summary too
+  std::function<Run(const MarchOptions&)> solve;
+  bool keeps_checkpoints = false;  ///< of all ways one may
+};
+
+/// The only place that asks whether an answer balances: see require_balance of response/shear_response.h.
+void require_balance(const Case& input, const CompiledCase& scene, const Run& run);
+
+/// The answer of the first way that gives one and balances, with the ladder so far in its summary. Throws NumericsError
+/// with all reasons where there is none.
+Run climb(const Case& input, const CompiledCase& scene, const std::vector<Way>& ways, const MarchOptions& marching);
+
+/// With how much care marches are tried, one after the other: as usual, with refined solutions, and, where the case
+/// leaves the scheme to us, in shorter steps too.
+std::vector<Care> cares_of(const Case& input);
+
+/// "NAME", "NAME, refined solutions, steps divided by 4".
+std::string name_of_way(const std::string& scheme, const Care& care);
+
+/// The ways that a case allows: where it leaves the scheme to us a reduced model, if that is less work, then sdirk4
+/// with more and more care; else the scheme that it names.
+std::vector<Way> ways(const Case& input, const CompiledCase& scene, const std::function<void(double)>& reducing);
+
+/// What a person is told whose scheme has been refused: whether "auto" would answer, and how. Tries it.
+std::string what_would_work(const Case& input, const CompiledCase& scene, const std::function<void(double)>& reducing);
+
+}  // namespace upbead

@@ -1,0 +1,299 @@
+#include "confinement.h"
+
+#include <fcntl.h>
+#include <sched.h>
+#include <seccomp.h>
+#include <sys/ioctl.h>
+#include <sys/prctl.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
+#include <ucontext.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <string_view>
+
+#include "landlock.h"
+#include "sanitized.h"
+#include "upbead/base/confined_work.h"
+
+namespace upbead::detail {
+
+namespace {
+
+/// Names and paths of this process alone; there is one filter and one handler of its signal.
+RefusedCalls* noted = nullptr;
+char hidden[16] = "";
+
+/// A sixth number that newfstatat does not have: the handler's own calls pass the filter by it.
+constexpr scmp_datum_t own_call = 0x7570626561640001;
+
+/// Calls that tell what a file was after, and which of their arguments is a path (-1: none).
+struct Telling {
+  int number;
+  int path;
+  const char* what;
+};
+
+const Telling telling[] = {
+    {SCMP_SYS(open), 0, "write the file"},
+    {SCMP_SYS(openat), 1, "write the file"},
+    {SCMP_SYS(openat2), 1, "open the file"},
+    {SCMP_SYS(creat), 0, "write the file"},
+    {SCMP_SYS(truncate), 0, "shorten the file"},
+    {SCMP_SYS(mkdir), 0, "make the folder"},
+    {SCMP_SYS(mkdirat), 1, "make the folder"},
+    {SCMP_SYS(mknod), 0, "make the file"},
+    {SCMP_SYS(mknodat), 1, "make the file"},
+    {SCMP_SYS(unlink), 0, "remove the file"},
+    {SCMP_SYS(unlinkat), 1, "remove the file"},
+    {SCMP_SYS(rmdir), 0, "remove the folder"},
+    {SCMP_SYS(rename), 0, "rename the file"},
+    {SCMP_SYS(renameat), 1, "rename the file"},
+    {SCMP_SYS(renameat2), 1, "rename the file"},
+    {SCMP_SYS(link), 0, "link the file"},
+    {SCMP_SYS(linkat), 1, "link the file"},
+    {SCMP_SYS(symlink), 0, "link the file"},
+    {SCMP_SYS(symlinkat), 0, "link the file"},
+    {SCMP_SYS(chmod), 0, "change the rights of"},
+    {SCMP_SYS(fchmodat), 1, "change the rights of"},
+    {SCMP_SYS(chown), 0, "change the owner of"},
+    {SCMP_SYS(fchownat), 1, "change the owner of"},
+    {SCMP_SYS(execve), 0, "start the program"},
+    {SCMP_SYS(execveat), 1, "start the program"},
+    {SCMP_SYS(fork), -1, "start a program"},
+    {SCMP_SYS(vfork), -1, "start a program"},
+    {SCMP_SYS(clone), -1, "start a program"},
+    {SCMP_SYS(pipe), -1, "start a program"},
+    {SCMP_SYS(pipe2), -1, "start a program"},
+    {SCMP_SYS(socket), -1, "open a connection"},
+    {SCMP_SYS(socketpair), -1, "open a connection"},
+    {SCMP_SYS(connect), -1, "open a connection"},
+    {SCMP_SYS(kill), -1, "send a signal"},
+    {SCMP_SYS(tkill), -1, "send a signal"},
+    {SCMP_SYS(tgkill), -1, "send a signal"},
+    {SCMP_SYS(rt_sigqueueinfo), -1, "send a signal"},
+    {SCMP_SYS(ptrace), -1, "look into another process"},
+    {SCMP_SYS(io_uring_setup), -1, "open a way around what it may do"},
+    {SCMP_SYS(mount), 1, "mount"},
+};
+
+const Telling* telling_of(int number) {
+  const auto* const found = std::find_if(std::begin(telling), std::end(telling),
+                                         [number](const Telling& call) { return call.number == number; });
+  return found == std::end(telling) ? nullptr : found;
+}
+
+/// What computing, memory and reading files need (memfd_create makes memory look like a file); numbers that an
+/// architecture has not are left out by libseccomp.
+const int harmless[] = {
+    SCMP_SYS(read),
+    SCMP_SYS(pread64),
+    SCMP_SYS(readv),
+    SCMP_SYS(preadv),
+    SCMP_SYS(write),
+    SCMP_SYS(writev),
+    SCMP_SYS(lseek),
+    SCMP_SYS(_llseek),
+    SCMP_SYS(close),
+    SCMP_SYS(fstat),
+    SCMP_SYS(fstat64),
+    SCMP_SYS(statx),
+    SCMP_SYS(access),
+    SCMP_SYS(faccessat),
+    SCMP_SYS(faccessat2),
+    SCMP_SYS(readlink),
+    SCMP_SYS(readlinkat),
+    SCMP_SYS(getdents64),
+    SCMP_SYS(getcwd),
+    SCMP_SYS(fadvise64),
+    SCMP_SYS(readahead),
+    SCMP_SYS(statfs),
+    SCMP_SYS(fstatfs),
+    SCMP_SYS(flock),
+    SCMP_SYS(dup),
+    SCMP_SYS(dup2),
+    SCMP_SYS(dup3),
+    SCMP_SYS(poll),
+    SCMP_SYS(ppoll),
+    SCMP_SYS(mmap),
+    SCMP_SYS(mmap2),
+    SCMP_SYS(mprotect),
+    SCMP_SYS(munmap),
+    SCMP_SYS(mremap),
+    SCMP_SYS(madvise),
+    SCMP_SYS(brk),
+    SCMP_SYS(futex),
+    SCMP_SYS(sched_yield),
+    SCMP_SYS(sched_getaffinity),
+    SCMP_SYS(getcpu),
+    SCMP_SYS(membarrier),
+    SCMP_SYS(rseq),
+    SCMP_SYS(set_robust_list),
+    SCMP_SYS(set_tid_address),
+    SCMP_SYS(get_robust_list),
+    SCMP_SYS(rt_sigaction),
+    SCMP_SYS(rt_sigprocmask),
+    SCMP_SYS(rt_sigreturn),
+    SCMP_SYS(sigreturn),
+    SCMP_SYS(sigaltstack),
+    SCMP_SYS(restart_syscall),
+    SCMP_SYS(getpid),
+    SCMP_SYS(gettid),
+    SCMP_SYS(getppid),
+    SCMP_SYS(getuid),
+    SCMP_SYS(geteuid),
+    SCMP_SYS(getgid),
+    SCMP_SYS(getegid),
+    SCMP_SYS(uname),
+    SCMP_SYS(sysinfo),
+    SCMP_SYS(getrusage),
+    SCMP_SYS(getrlimit),
+    SCMP_SYS(times),
+    SCMP_SYS(time),
+    SCMP_SYS(clock_gettime),
+    SCMP_SYS(clock_getres),
+    SCMP_SYS(gettimeofday),
+    SCMP_SYS(getrandom),
+    SCMP_SYS(exit),
+    SCMP_SYS(exit_group),
+    SCMP_SYS(memfd_create),
+#ifdef UPBEAD_ASAN
+    SCMP_SYS(pipe),
+    SCMP_SYS(pipe2),
+#endif
+};
+
+/// The arguments of the call that raised SIGSYS, where we know the machine.
+unsigned long argument(const ucontext_t& context, int n) {
+#if defined(__x86_64__)
+  constexpr int registers[] = {REG_RDI, REG_RSI, REG_RDX, REG_R10};
+  return static_cast<unsigned long>(context.uc_mcontext.gregs[registers[n]]);
+#elif defined(__aarch64__)
+  return context.uc_mcontext.regs[n];
+#else
+  (void)context, (void)n;
+  return 0;
+#endif
+}
+
+void answer(ucontext_t& context, long result) {
+#if defined(__x86_64__)
+  context.uc_mcontext.gregs[REG_RAX] = result;
+#elif defined(__aarch64__)
+  context.uc_mcontext.regs[0] = static_cast<unsigned long>(result);
+#else
+  (void)context, (void)result;  // the number that is there is no success of any of these calls
+#endif
+}
+
+bool is_hidden(const char* path) {
+  const std::string_view name(path), ending(hidden);
+  return !ending.empty() && name.size() >= ending.size() && name.substr(name.size() - ending.size()) == ending;
+}
+
+/// Looks for a file in the place of whoever was stopped doing so.
+long look(const ucontext_t& context) {
+  const auto* const path = reinterpret_cast<const char*>(argument(context, 1));
+  if (path == nullptr || is_hidden(path)) return -ENOENT;
+#ifdef SYS_newfstatat
+  const int before = errno;
+  const long done =
+      syscall(SYS_newfstatat, argument(context, 0), path, argument(context, 2), argument(context, 3), own_call, 0L);
+  const long result = done < 0 ? -errno : done;
+  errno = before;
+  return result;
+#else
+  return -ENOSYS;
+#endif
+}
+
+void note(const Telling& call, const ucontext_t& context) {
+  if (noted->n >= RefusedCalls::most) return;
+  RefusedCalls::Call& kept = noted->call[noted->n++];
+  kept.number = call.number;
+  const auto* const path = call.path < 0 ? nullptr : reinterpret_cast<const char*>(argument(context, call.path));
+  if (path != nullptr) std::strncpy(kept.path, path, sizeof kept.path - 1);
+}
+
+/// A call that the filter stops comes here, and fails.
+void stopped(int, siginfo_t* signal, void* context_of_call) {
+  auto& context = *static_cast<ucontext_t*>(context_of_call);
+#ifdef SYS_newfstatat
+  if (signal->si_syscall == SYS_newfstatat) return answer(context, look(context));
+#endif
+  const Telling* call = telling_of(signal->si_syscall);
+  if (call != nullptr) note(*call, context);
+  answer(context, call != nullptr ? -EPERM : -ENOSYS);
+}
+
+/// Calls that are harmless with some arguments only. Arguments that do not matter keep no rule.
+void allow_by_arguments(scmp_filter_ctx filter) {
+  const auto allow = [filter](int number, std::initializer_list<scmp_arg_cmp> arguments) {
+    seccomp_rule_add_array(filter, SCMP_ACT_ALLOW, number, static_cast<unsigned>(arguments.size()), arguments.begin());
+  };
+  constexpr scmp_datum_t writes = O_ACCMODE | O_CREAT | O_TRUNC | (O_TMPFILE & ~O_DIRECTORY);
+  allow(SCMP_SYS(open), {SCMP_A1(SCMP_CMP_MASKED_EQ, writes, O_RDONLY)});
+  allow(SCMP_SYS(openat), {SCMP_A2(SCMP_CMP_MASKED_EQ, writes, O_RDONLY)});
+  if (*hidden == '\0') {
+    allow(SCMP_SYS(newfstatat), {});
+  } else {
+    allow(SCMP_SYS(newfstatat), {SCMP_A3(SCMP_CMP_MASKED_EQ, AT_EMPTY_PATH, AT_EMPTY_PATH)});
+    allow(SCMP_SYS(newfstatat), {SCMP_A4(SCMP_CMP_EQ, own_call)});
+  }
+  allow(SCMP_SYS(clone), {SCMP_A0(SCMP_CMP_MASKED_EQ, CLONE_THREAD, CLONE_THREAD)});
+  allow(SCMP_SYS(prlimit64), {SCMP_A0(SCMP_CMP_EQ, 0), SCMP_A2(SCMP_CMP_EQ, 0)});
+  allow(SCMP_SYS(tgkill), {SCMP_A0(SCMP_CMP_EQ, static_cast<scmp_datum_t>(getpid()))});  // abort()
+  allow(SCMP_SYS(ioctl), {SCMP_A1(SCMP_CMP_EQ, TCGETS)});                                // isatty()
+  for (const int command : {F_GETFD, F_SETFD, F_GETFL, F_DUPFD, F_DUPFD_CLOEXEC, F_GETLK, F_SETLK})
+    for (const int number : {SCMP_SYS(fcntl), SCMP_SYS(fcntl64)})
+      allow(number, {SCMP_A1(SCMP_CMP_EQ, static_cast<scmp_datum_t>(command))});
+}
+
+bool filter_calls() {
+  scmp_filter_ctx filter = seccomp_init(SCMP_ACT_TRAP);
+  if (filter == nullptr) return false;
+  for (const int number : harmless) seccomp_rule_add(filter, SCMP_ACT_ALLOW, number, 0);
+  // glibc asks with all signals blocked, when a trap would end the process, and knows another way
+  seccomp_rule_add(filter, SCMP_ACT_ERRNO(ENOSYS), SCMP_SYS(clone3), 0);
+  allow_by_arguments(filter);
+  struct sigaction action = {};
+  action.sa_sigaction = stopped;
+  action.sa_flags = SA_SIGINFO | SA_NODEFER;
+  sigaction(SIGSYS, &action, nullptr);
+  const bool done = seccomp_load(filter) == 0;
+  seccomp_release(filter);
+  return done;
+}
+
+}  // namespace
+
+void confine(RefusedCalls& refused, const std::string& hidden_ending) {
+  noted = &refused;
+  hidden_ending.copy(hidden, sizeof hidden - 1);
+  prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
+  const bool files = restrict_files();
+  refused.confined = filter_calls() || files;
+}
+
+std::vector<std::string> described(const RefusedCalls& refused) {
+  std::vector<std::string> list;
+  for (int i = 0; i < std::clamp(refused.n, 0, RefusedCalls::most); ++i) {
+    const RefusedCalls::Call& call = refused.call[i];
+    const Telling* what = telling_of(call.number);
+    if (what == nullptr) continue;
+    const std::string path(call.path, strnlen(call.path, sizeof call.path));
+    std::string text = what->what + (path.empty() ? "" : " '" + path + "'");
+    if (std::find(list.begin(), list.end(), text) == list.end()) list.push_back(std::move(text));
+  }
+  return list;
+}
+
+}  // namespace upbead::detail
+
+void upbead::forget_refused() {
+  if (detail::noted != nullptr) detail::noted->n = 0;
+}

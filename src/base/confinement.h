@@ -1,0 +1,28 @@
+// What takes all power but computing from a process: seccomp and Landlock.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace upbead::detail {
+
+/// What a confined process tried, in memory that it shares with the process that waits for it: told even after a crash.
+struct RefusedCalls {
+  struct Call {
+    int number;      ///< of the system call
+    char path[240];  ///< its file, or ""
+  };
+  static constexpr int most = 8;  ///< that are kept
+  int n = 0;
+  Call call[most];
+  bool confined = false;  ///< seccomp or Landlock is in force
+};
+
+/// Confines this process for good, as far as the kernel can. From then on calls that are not allowed fail, and are
+/// noted in `refused`. `hidden_ending`: see ConfinedLimits.
+void confine(RefusedCalls& refused, const std::string& hidden_ending);
+
+/// "write the file '/tmp/x'": what each call was for; calls that harm nobody are left out, others are there once.
+std::vector<std::string> described(const RefusedCalls& refused);
+
+}  // namespace upbead::detail

@@ -1,0 +1,87 @@
+#include "upbead/dynamics/nested_models.h"
+
+#include "orthogonalise.h"
+#include "upbead/dynamics/krylov.h"
+#include "upbead/dynamics/projection.h"
+#include "upbead/dynamics/state_space.h"
+
+namespace upbead {
+
+namespace {
+
+/// Further shifts over s_0.
+constexpr double low_shift = 1. / 8., high_shift = 8.;
+/// Vectors over those of the model: about s_0 in all, and about each further shift; of `middle` and of `reference`.
+constexpr double middle_share = 1.25, reference_share = 1.6, middle_aside = 0.35, reference_aside = 0.7;
+
+/// Several spaces as one; the coordinates of its first one stay as they are.
+class JoinedSpace {
+ public:
+  explicit JoinedSpace(const SecondOrderKrylov& first) : u_(first.displacements()), phi_(first.phi()) {}
+
+  /// Adds what is new of another space.
+  void add(const SecondOrderKrylov& other) {
+    add(u_, other.displacements());
+    add(phi_, other.phi());
+  }
+  const FieldBasis& displacements() const { return u_; }
+  const FieldBasis& phi() const { return phi_; }
+
+ private:
+  void add(FieldBasis& basis, const FieldBasis& other) {
+    const Vector units = other.unit.cwiseQuotient(basis.unit);
+    for (Eigen::Index j = 0; j < other.n(); ++j) {
+      Vector y = units.cwiseProduct(other.vectors.col(j));
+      const double length = y.norm();
+      detail::orthogonalise(basis.columns(), y);
+      if (y.norm() > detail::round_off * length)
+        detail::add_column(basis, y.normalized(), static_cast<int>(u_.n() + phi_.n()));
+    }
+  }
+
+  FieldBasis u_, phi_;
+};
+
+/// A model with those readings alone.
+ModalModel with_readings(const ModalModel& all, const std::vector<int>& readings) {
+  ModalModel model = all;
+  model.reading = all.reading(readings, Eigen::all);
+  model.feedthrough = all.feedthrough(readings, Eigen::all);
+  model.impulse = all.impulse(readings, Eigen::all);
+  model.reading_label.clear();
+  for (const int i : readings) model.reading_label.push_back(all.reading_label[static_cast<std::size_t>(i)]);
+  return model;
+}
+
+void grow(SecondOrderKrylov& krylov, double vectors, const std::function<void(double)>& progress) {
+  constexpr double nearly_done = 0.97;  // the model itself has been made
+  while (krylov.n_vectors() < vectors && krylov.extend())
+    if (progress) progress(nearly_done);
+}
+
+}  // namespace
+
+NestedModels nested_models(const System& system, const NestedSpace& space, const std::vector<int>& readings,
+                           const std::function<void(double)>& progress) {
+  SecondOrderKrylov same(system, space.shift, space.exact), low(system, low_shift * space.shift, space.exact),
+      high(system, high_shift * space.shift, space.exact);
+  grow(same, space.vectors, progress);
+  JoinedSpace joined(same);
+  Projection projection(system, joined.displacements(), joined.phi(), space.shift);
+  const auto model = [&](double share, double aside) {
+    grow(same, share * space.vectors, progress);
+    grow(low, aside * space.vectors, progress);
+    grow(high, aside * space.vectors, progress);
+    for (const SecondOrderKrylov* krylov : {&same, &low, &high}) joined.add(*krylov);
+    projection.extend();
+    return with_readings(modal_model(state_space(projection.reduced()), projection.reduced()), readings);
+  };
+  NestedModels models;
+  models.middle = model(middle_share, middle_aside);
+  models.reference = model(reference_share, reference_aside);
+  models.solves = same.n_solves() + low.n_solves() + high.n_solves();
+  models.factorisations = 3;
+  return models;
+}
+
+}  // namespace upbead

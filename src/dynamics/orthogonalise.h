@@ -1,0 +1,29 @@
+// Orthonormal directions of a Krylov space, one at a time.
+#pragma once
+
+#include "upbead/dynamics/krylov.h"
+
+namespace upbead::detail {
+
+/// What of a vector may remain, beside its length, where it lies in the span of others.
+constexpr double round_off = 1e-11;
+
+/// Takes the span of the orthonormal columns of Q out of y, twice, as once is not enough near the span; returns the
+/// coordinates of what it took.
+inline Vector orthogonalise(const Eigen::Ref<const Eigen::MatrixXd>& Q, Vector& y) {
+  Vector coordinates = Vector::Zero(Q.cols());
+  for (int pass = 0; pass < 2; ++pass) {
+    const Vector h = Q.transpose() * y;
+    y.noalias() -= Q * h;
+    coordinates += h;
+  }
+  return coordinates;
+}
+
+inline void add_column(FieldBasis& basis, const Vector& column, int coordinate) {
+  if (basis.n() == basis.vectors.cols()) basis.vectors.conservativeResize(Eigen::NoChange, 2 * basis.n());
+  basis.vectors.col(basis.n()) = column;
+  basis.coordinate.push_back(coordinate);
+}
+
+}  // namespace upbead::detail

@@ -1,0 +1,164 @@
+#include <functional>
+#include <optional>
+
+#include "hdf5_contents.h"
+#include "hdf5_handle.h"
+#include "upbead/base/error.h"
+
+namespace upbead::detail {
+
+namespace {
+
+/// HDF5 tells of every failure on stderr; here failures are answers. Holds until the end of the scope.
+class Silence {
+ public:
+  Silence() {
+    H5Eget_auto2(H5E_DEFAULT, &print_, &data_);
+    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  }
+  ~Silence() { H5Eset_auto2(H5E_DEFAULT, print_, data_); }
+  Silence(const Silence&) = delete;
+  Silence& operator=(const Silence&) = delete;
+
+ private:
+  H5E_auto2_t print_ = nullptr;
+  void* data_ = nullptr;
+};
+
+/// Reads into a buffer of the type: H5Dread or H5Aread of one object.
+using Read = std::function<herr_t(hid_t type, void* buffer)>;
+
+bool is_number(hid_t type) {
+  const H5T_class_t kind = H5Tget_class(type);
+  return kind == H5T_FLOAT || kind == H5T_INTEGER;
+}
+
+/// The number of elements of a dataset that the file really holds: none where nothing has been written, or where the
+/// file is too small for them. So a few damaged bytes, or a dataset without data, do not ask for all the memory.
+std::optional<std::size_t> n_stored(hid_t data, hid_t space) {
+  constexpr double most_per_byte = 1100.;  // of deflate, which takes 1 byte for 1,032
+  const hssize_t n = H5Sget_simple_extent_npoints(space);
+  if (n < 0) return {};
+  const auto stored = static_cast<double>(H5Dget_storage_size(data));
+  hsize_t size = 0;
+  if (H5Fget_filesize(Handle(H5Iget_file_id(data), H5Fclose), &size) < 0) return {};
+  if (stored > static_cast<double>(size) || static_cast<double>(n) > most_per_byte * stored) return {};
+  return static_cast<std::size_t>(n);
+}
+
+std::optional<std::vector<std::string>> read_texts(hid_t type, hid_t space, const Read& read) {
+  if (H5Tget_class(type) != H5T_STRING) return {};
+  const auto n = static_cast<std::size_t>(H5Sget_simple_extent_npoints(space));
+  std::vector<std::string> texts;
+  if (H5Tis_variable_str(type) > 0) {
+    std::vector<char*> pointers(n, nullptr);
+    if (read(type, pointers.data()) < 0) return {};
+    for (const char* pointer : pointers) texts.emplace_back(pointer != nullptr ? pointer : "");
+    H5Dvlen_reclaim(type, space, H5P_DEFAULT, pointers.data());
+    return texts;
+  }
+  const std::size_t size = H5Tget_size(type);
+  std::string buffer(n * size, '\0');
+  if (read(type, buffer.data()) < 0) return {};
+  for (std::size_t i = 0; i < n; ++i) texts.emplace_back(buffer.substr(i * size, size).c_str());
+  return texts;
+}
+
+std::optional<NumberArray> read_numbers(hid_t data, hid_t type, hid_t space, const Read& read) {
+  const std::optional<std::size_t> n = n_stored(data, space);
+  if (!n) return {};
+  std::vector<hsize_t> shape(static_cast<std::size_t>(H5Sget_simple_extent_ndims(space)));
+  H5Sget_simple_extent_dims(space, shape.data(), nullptr);
+  NumberArray array{{shape.begin(), shape.end()}, {}};
+  array.values.resize(*n);
+  if (!is_number(type) || read(H5T_NATIVE_DOUBLE, array.values.data()) < 0) return {};
+  if (!has_its_shape(array)) return {};
+  return array;
+}
+
+/// Walks through a file.
+class Walk {
+ public:
+  explicit Walk(hid_t file) { visit(file, "", 0); }
+
+  Hdf5Contents contents;
+
+ private:
+  static std::vector<std::string> links_of(hid_t group) {
+    const auto add = [](hid_t, const char* name, const H5L_info_t*, void* list) -> herr_t {
+      static_cast<std::vector<std::string>*>(list)->emplace_back(name);
+      return 0;
+    };
+    std::vector<std::string> list;
+    H5Literate(group, H5_INDEX_NAME, H5_ITER_INC, nullptr, add, &list);
+    return list;
+  }
+
+  static std::vector<std::string> attributes_of(hid_t object) {
+    const auto add = [](hid_t, const char* name, const H5A_info_t*, void* list) -> herr_t {
+      static_cast<std::vector<std::string>*>(list)->emplace_back(name);
+      return 0;
+    };
+    std::vector<std::string> list;
+    H5Aiterate2(object, H5_INDEX_NAME, H5_ITER_INC, nullptr, add, &list);
+    return list;
+  }
+
+  /// `path` of the root is "".
+  void visit(hid_t object, const std::string& path, int depth) {
+    constexpr int deepest = 8, most = 10000;
+    if (++n_ > most) return;
+    for (const std::string& name : attributes_of(object)) take_attribute(object, {path.empty() ? "/" : path, name});
+    if (H5Iget_type(object) == H5I_DATASET) return take_dataset(object, path);
+    if (depth == deepest) return;
+    const std::vector<std::string> links = links_of(object);
+    if (depth == 0) contents.names = links;
+    for (const std::string& link : links) {
+      const Handle child = Handle::maybe(H5Oopen(object, link.c_str(), H5P_DEFAULT), H5Oclose);
+      const H5I_type_t kind = child < 0 ? H5I_BADID : H5Iget_type(child);
+      if (kind == H5I_DATASET || kind == H5I_GROUP) visit(child, path + "/" + link, depth + 1);
+    }
+  }
+
+  void take_dataset(hid_t data, const std::string& path) {
+    const Handle type(H5Dget_type(data), H5Tclose), space(H5Dget_space(data), H5Sclose);
+    const Read read = [data](hid_t kind, void* buffer) {
+      return H5Dread(data, kind, H5S_ALL, H5S_ALL, H5P_DEFAULT, buffer);
+    };
+    if (is_number(type)) {
+      if (auto numbers = read_numbers(data, type, space, read)) contents.numbers[path] = std::move(*numbers);
+    } else if (n_stored(data, space)) {
+      if (auto texts = read_texts(type, space, read)) contents.texts[path] = std::move(*texts);
+    }
+  }
+
+  void take_attribute(hid_t object, const AttributeName& name) {
+    const Handle attribute = Handle::maybe(H5Aopen(object, name.second.c_str(), H5P_DEFAULT), H5Aclose);
+    if (attribute < 0) return;
+    const Handle type(H5Aget_type(attribute), H5Tclose), space(H5Aget_space(attribute), H5Sclose);
+    const Read read = [&attribute](hid_t kind, void* buffer) { return H5Aread(attribute, kind, buffer); };
+    if (H5Sget_simple_extent_npoints(space) != 1) return;
+    double number = 0.;
+    if (is_number(type)) {
+      if (read(H5T_NATIVE_DOUBLE, &number) >= 0) contents.number_attributes[name] = number;
+    } else if (const auto texts = read_texts(type, space, read)) {
+      contents.text_attributes[name] = texts->front();
+    }
+  }
+
+  int n_ = 0;
+};
+
+}  // namespace
+
+Hdf5Contents read_contents(const std::string& path, const std::string& what) {
+  const Silence silence;
+  if (H5Fis_hdf5(path.c_str()) <= 0) throw InputError({path}, "no HDF5 file", "give " + what);
+  const Handle file = Handle::maybe(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+  if (file < 0)
+    throw InputError({path}, "an HDF5 file that is not whole, or that another program writes to",
+                     "wait until it has been written, or make it again");
+  return std::move(Walk(file).contents);
+}
+
+}  // namespace upbead::detail

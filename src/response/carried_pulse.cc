@@ -1,0 +1,115 @@
+#include "upbead/response/carried_pulse.h"
+
+#include <algorithm>
+#include <boost/math/constants/constants.hpp>
+#include <cmath>
+#include <unsupported/Eigen/FFT>
+#include <vector>
+
+namespace upbead {
+
+namespace {
+
+using Complex = std::complex<double>;
+
+constexpr double pi = boost::math::constants::pi<double>();
+constexpr double most_cells = 400., tail = 30.;      ///< that a wave is followed over, and that trails behind it
+constexpr double highest = 8., steps_per_cell = 4.;  ///< omega h/c that counts, and times in a crossing of a cell
+constexpr double fall = 1e-3;                        ///< of what comes back after the period of the Fourier series
+
+/// exp(-lambda x) decays.
+Complex wave_number(Complex square) {
+  const Complex lambda = std::sqrt(square);
+  return lambda.real() < 0. ? -lambda : lambda;
+}
+
+/// Laplace transform of the triangle, or of the jump.
+Complex transform(double duration, Complex s) {
+  if (duration <= 0.) return 1. / s;
+  const Complex half = std::exp(-0.5 * s * duration);
+  return (1. - half) * (1. - half) / (0.5 * s * s * duration);
+}
+
+/// What differs between both at one place, over time.
+class Difference {
+ public:
+  Difference(const WaveLaw& law, double duration, const WaveCells& cells, double speed, double distance)
+      : law_(law), duration_(duration), cells_(cells), n_cells_(std::max(1., std::round(distance / cells.size))) {
+    const double crossing = cells.size / speed;
+    time_ = 1.5 * ((n_cells_ + tail) * crossing + duration);
+    damping_ = -std::log(fall) / (2. * time_);
+    n_frequencies_ = static_cast<std::size_t>(std::ceil(highest / crossing * time_ / pi));
+    const double n_times = std::max(2. * steps_per_cell * time_ / crossing, 2. * static_cast<double>(n_frequencies_));
+    n_times_ = static_cast<std::size_t>(std::exp2(std::ceil(std::log2(n_times))));
+  }
+
+  /// The Fourier series has the period 2 T; what is left out of it grows towards the end, so that a third of it counts.
+  double largest() const {
+    std::vector<Complex> amplitude(n_times_), value;
+    SteppedFrequency felt(cells_.steps);
+    for (std::size_t j = 0; j < n_frequencies_; ++j)
+      amplitude[j] = (j == 0 ? 0.5 : 1.) * transformed({damping_, static_cast<double>(j) * pi / time_}, felt);
+    Eigen::FFT<double> series;
+    series.SetFlag(Eigen::FFT<double>::Unscaled);
+    series.inv(value, amplitude);
+    double largest = 0.;
+    for (std::size_t i = 0; i <= n_times_ / 3; ++i) {
+      const double t = 2. * time_ * static_cast<double>(i) / static_cast<double>(n_times_);
+      largest = std::max(largest, std::abs(std::exp(damping_ * t) * value[i].real() / time_));
+    }
+    return largest;
+  }
+
+ private:
+  Complex transformed(Complex s, SteppedFrequency& felt) const {
+    const Complex exact = std::exp(-wave_number(law_(s)) * n_cells_ * cells_.size);
+    const Complex found = felt.feels(s) ? std::pow(carried_over_cell(law_(felt(s)), cells_), n_cells_) : Complex(0.);
+    return transform(duration_, s) * (found - exact);
+  }
+
+  const WaveLaw& law_;
+  double duration_;
+  WaveCells cells_;
+  double n_cells_, time_ = 0., damping_ = 0.;
+  std::size_t n_frequencies_ = 0, n_times_ = 0;
+};
+
+}  // namespace
+
+Complex carried_over_cell(Complex square, const WaveCells& cells) {
+  const Complex z = -square * cells.size * cells.size;
+  const Complex cosine = cells.degree == 1 ? (6. - 2. * z) / (6. + z)
+                         : cells.degree == 2
+                             ? (240. + z * (-104. + 3. * z)) / (240. + z * (16. + z))
+                             : (25200. + z * (-11520. + z * (540. - 4. * z))) / (25200. + z * (1080. + z * (30. + z)));
+  const Complex root = std::sqrt(cosine * cosine - 1.);
+  return std::abs(cosine + root) < std::abs(cosine - root) ? cosine + root : cosine - root;
+}
+
+double carried_speed(const WaveLaw& law, double duration, const WaveCells& cells) {
+  double speed = 0., omega = pi / duration;
+  if (!(duration > 0.)) {  // the wave of which a cell is a radian: its speed is found in turns
+    const Complex first = wave_number(law(Complex(0., 1.)));
+    omega = std::abs(first) > 0. ? 1. / (std::abs(first) * cells.size) : 0.;
+  }
+  for (int turn = 0; turn < 4 && omega > 0.; ++turn) {
+    const Complex lambda = wave_number(law(Complex(0., omega)));
+    speed = std::abs(lambda) > 0. ? omega / std::abs(lambda) : 0.;
+    if (duration > 0. || speed == 0.) break;
+    omega = speed / cells.size;
+  }
+  return speed;
+}
+
+double carried_error(const WaveLaw& law, double duration, const WaveCells& cells, double least, double most) {
+  const double speed = carried_speed(law, duration, cells);
+  if (speed == 0. || !std::isfinite(speed)) return 0.;
+  const double last = std::min(most, most_cells * cells.size);
+  double largest = 0.;
+  for (double distance = std::min(std::max(least, cells.size), last);; distance = std::min(4. * distance, last)) {
+    largest = std::max(largest, Difference(law, duration, cells, speed, distance).largest());
+    if (distance >= last) return largest;
+  }
+}
+
+}  // namespace upbead

@@ -1,0 +1,67 @@
+// Claim: no output takes the place of an input, whatever either is called.
+#include "upbead/base/inputs_kept.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace upbead {
+
+namespace fs = std::filesystem;
+
+class InputsKept : public testing::Test {
+ protected:
+  InputsKept() : before_(fs::current_path()) {
+    folder_ = fs::temp_directory_path() / ("upbead-kept-" + std::to_string(getpid()));
+    fs::create_directories(folder_ / "out/fields");
+    fs::current_path(folder_);
+    std::ofstream("case.toml") << "a = 1\n";
+  }
+  ~InputsKept() override {
+    fs::current_path(before_);
+    fs::remove_all(folder_);
+  }
+
+  static std::string refusal(const std::string& folder, const std::string& output, const std::string& input) {
+    try {
+      require_inputs_kept(folder, {output}, {{input, {"case.toml", 2, 1}}});
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+  fs::path folder_, before_;
+};
+
+TEST_F(InputsKept, TheSameNameInTheSameFolder) {
+  EXPECT_EQ(refusal(".", "case.toml", "case.toml"),
+            "case.toml:2:1: 'case.toml' is read, and './case.toml', which would be written, is the same file; choose "
+            "another folder with --out DIR");
+  EXPECT_NE(refusal(folder_.string(), "case.toml", "./out/../case.toml"), "");
+  EXPECT_EQ(refusal("out", "case.toml", "case.toml"), "");
+  EXPECT_EQ(refusal("none", "case.toml", "case.toml"), "");
+  EXPECT_EQ(refusal(".", "results.h5", "case.toml"), "");
+}
+
+TEST_F(InputsKept, Links) {
+  fs::create_symlink("../case.toml", "out/case.toml");
+  EXPECT_NE(refusal("out", "case.toml", "case.toml"), "");
+  fs::remove("out/case.toml");
+  fs::create_hard_link("case.toml", "out/results.h5");
+  EXPECT_NE(refusal("out", "results.h5", "case.toml"), "");
+  fs::create_symlink("case.toml", "link.toml");
+  EXPECT_NE(refusal(".", "case.toml", "link.toml"), "");
+  fs::create_symlink(".", "here");
+  EXPECT_NE(refusal("here", "case.toml", "case.toml"), "");
+}
+
+TEST_F(InputsKept, Patterns) {
+  fs::create_hard_link("case.toml", "out/fields/fields_0001.vtu");
+  EXPECT_NE(refusal("out", "fields/fields_[0-9]*.vtu", "case.toml"), "");
+  EXPECT_EQ(refusal("out", "fields/other_*.vtu", "case.toml"), "");
+}
+
+}  // namespace upbead

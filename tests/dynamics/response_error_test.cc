@@ -1,0 +1,90 @@
+// Claims: ResponseError tells by how much larger models answer a wave differently, whatever rings on; the larger models
+// of nested_models are better than theirs for pulses much shorter and records much longer, and the bound made of them
+// holds.
+// Source: the exact recurrence of every mode; a chain of masses and springs, its modes in closed form.
+#include "upbead/dynamics/response_error.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "modal_models.h"
+#include "reduction_tools.h"
+#include "spring_chain.h"
+
+namespace upbead::test {
+namespace {
+
+constexpr double step = 0.5;
+
+/// Straight between the samples, zero before; the last one is zero.
+Eigen::RowVectorXd exact_answer(const ModalModel& model, int reading, const WaveSamples& loads) {
+  SampledLoads sampled;
+  for (Eigen::Index n = 0; n < loads.cols(); ++n) sampled.time.push_back(static_cast<double>(n) * step);
+  sampled.begin = loads.leftCols(loads.cols() - 1);
+  sampled.end = loads.rightCols(loads.cols() - 1);
+  return respond(model, sampled).reading.row(reading);
+}
+
+/// A triangle of that duration, `n` samples long.
+WaveSamples triangle(double duration, int n) {
+  WaveSamples f = WaveSamples::Zero(1, n);
+  for (int i = 0; i < n; ++i) f(0, i) = std::max(0., 1. - std::abs(2. * i * step / duration - 1.));
+  return f;
+}
+
+/// With one reading.
+ModalModel only(ModalModel model, int reading) {
+  model.reading = Eigen::MatrixXcd(model.reading.row(reading));
+  model.feedthrough = Eigen::MatrixXd(model.feedthrough.row(reading));
+  model.impulse = Eigen::MatrixXd(model.impulse.row(reading));
+  return model;
+}
+
+TEST(ResponseError, IsTheDifferenceOfTheModelsAnswers) {
+  const ModalModel model = random_model(12, 2, 3, step);
+  NestedModels nested{only(random_model(7, 2, 3, step), 1), only(random_model(9, 2, 3, step), 1)};
+  constexpr int n = 700;
+  WaveSamples loads = WaveSamples::Random(2, n);
+  loads.leftCols(1).setZero();
+  loads.rightCols(n / 3).setZero();
+  const ResponseDifference found = ResponseError(model, 1, nested, step, n).of(loads);
+  const Eigen::RowVectorXd reference = exact_answer(nested.reference, 0, loads);
+  const Eigen::RowVectorXd of_model = reference - exact_answer(model, 1, loads),
+                           of_middle = reference - exact_answer(nested.middle, 0, loads);
+  EXPECT_LT((found.of_model.transpose() - of_model).cwiseAbs().maxCoeff(), 1e-3 * of_model.cwiseAbs().maxCoeff());
+  EXPECT_LT((found.of_middle.transpose() - of_middle).cwiseAbs().maxCoeff(), 1e-3 * of_middle.cwiseAbs().maxCoeff());
+}
+
+TEST(ResponseError, OfLoadsThatDoNotFit) {
+  const ModalModel model = random_model(4, 2, 1, step);
+  const ResponseError error(model, 0, {model, model}, step, 10);
+  EXPECT_THROW(error.of(WaveSamples::Zero(1, 10)), std::invalid_argument);
+  EXPECT_THROW(error.of(WaveSamples::Zero(2, 9)), std::invalid_argument);
+}
+
+TEST(ResponseError, BoundsTheErrorOfShorterPulsesAndLongerRecords) {
+  const SpringChain chain;
+  const System system = chain.system(hat());
+  const double shift = 1.25 * 2. * std::acos(-1.) / 40.;  // of a triangle of 40
+  constexpr int vectors = 30;
+  const ModalModel model = modes_of(reduced(system, shift, vectors)), exact = chain.exact();
+  const NestedModels nested = nested_models(system, {shift, vectors, {}}, {0});
+  EXPECT_EQ(nested.reference.n_readings(), 1);
+  int improved = 0;
+  for (const double duration : {6., 12., 40., 200.})
+    for (const int n : {200, 1000, 3000}) {
+      const WaveSamples f = triangle(duration, n);
+      const Eigen::RowVectorXd truth = exact_answer(exact, 0, f);
+      const double error = (exact_answer(model, 0, f) - truth).cwiseAbs().maxCoeff();
+      const double rest = (exact_answer(nested.reference, 0, f) - truth).cwiseAbs().maxCoeff();
+      const double bound = ResponseError(model, 0, nested, step, n).of(f).bound();
+      EXPECT_GE(bound + 1e-9 * truth.cwiseAbs().maxCoeff(), error) << duration << " " << n;
+      EXPECT_LE(bound, 4. * error + 1e-9 * truth.cwiseAbs().maxCoeff()) << duration << " " << n;
+      if (rest < 0.5 * error) ++improved;
+    }
+  EXPECT_GE(improved, 9) << "of 12";
+}
+
+}  // namespace
+}  // namespace upbead::test

@@ -1,0 +1,67 @@
+// Claims: only loads on ground that deforms count, with the cells across their side, the probes of each region and
+// their distances; a load on the rigid caisson does not, nor one that is switched off.
+#include "upbead/response/loaded_ground.h"
+
+#include <gtest/gtest.h>
+
+#include "scenes.h"
+
+namespace upbead::test {
+namespace {
+
+Scene probed_column() {
+  Scene scene = column(sand(), triangle(1e3, 0.1));
+  scene.probes["high"].at = {0.5, 8.};
+  scene.probes["low"].at = {0.5, 3.};
+  return scene;
+}
+
+TEST(LoadedGround, HasCellsAndDistancesOfAColumn) {
+  const auto mesh = column_mesh(10., 40);
+  const auto list = loaded_grounds(probed_column(), *mesh);
+  ASSERT_EQ(list.size(), 1U);
+  EXPECT_EQ(list[0].load, "top");
+  EXPECT_EQ(list[0].region, "soil");
+  EXPECT_EQ(list[0].onlooker, "probe 'high'");
+  EXPECT_TRUE(list[0].pushes);
+  EXPECT_FALSE(list[0].shears);
+  EXPECT_TRUE(list[0].is_plane);
+  EXPECT_NEAR(list[0].cell, 0.25, 1e-9);
+  EXPECT_NEAR(list[0].nearest, 2., 1e-9);
+  EXPECT_NEAR(list[0].farthest, 7., 1e-9);
+}
+
+TEST(LoadedGround, KnowsDirectionsAndFields) {
+  const auto mesh = column_mesh(10., 40);
+  Scene scene = column(sand(), triangle(1e3, 0.1));
+  EXPECT_TRUE(loaded_grounds(scene, *mesh).empty()) << "nobody looks";
+  scene.fields_every = 0.1;
+  scene.loads.at("top").direction = {1., 0.};
+  const auto list = loaded_grounds(scene, *mesh);
+  ASSERT_EQ(list.size(), 1U);
+  EXPECT_FALSE(list[0].pushes);
+  EXPECT_TRUE(list[0].shears);
+  EXPECT_EQ(list[0].onlooker, "the fields");
+  EXPECT_GT(list[0].farthest, 9.);
+  scene.loads.at("top").factor = 0.;
+  EXPECT_TRUE(loaded_grounds(scene, *mesh).empty());
+}
+
+TEST(LoadedGround, IsNotUnderARigidCaisson) {
+  Scene scene = breakwater(triangle(1e6, 0.15));
+  scene.fields_every = 0.1;
+  const auto mesh = breakwater_mesh(0.35);
+  EXPECT_TRUE(loaded_grounds(scene, *mesh).empty());
+  Load& load = scene.loads.begin()->second;
+  load.boundary = "bed";
+  load.kind = LoadKind::pressure;
+  const auto list = loaded_grounds(scene, *mesh);
+  ASSERT_EQ(list.size(), 2U);
+  EXPECT_TRUE(list[0].is_plane) << "from one end of the mesh to the other";
+  EXPECT_EQ(list[1].region, "seabed");
+  load.boundary = "mound_surface";
+  EXPECT_FALSE(loaded_grounds(scene, *mesh).at(0).is_plane);
+}
+
+}  // namespace
+}  // namespace upbead::test

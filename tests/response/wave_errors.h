@@ -1,0 +1,63 @@
+// How wrong reduced models of unlike scenes are under random records, and how wrong they say they are.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "random_records.h"
+#include "scenes.h"
+#include "upbead/dynamics/kernel.h"
+#include "upbead/dynamics/nested_models.h"
+#include "upbead/response/reduction.h"
+
+namespace upbead::test {
+
+/// A breakwater on its mesh; the load is a triangle of `duration`, the scene ends at `end` (s).
+struct ErrorScene {
+  std::string name;
+  Scene scene;
+  std::unique_ptr<Mesh> mesh;
+  double duration, end;
+};
+
+/// Names of all scenes; the first `n_calibrating` set the bound's safety.
+const std::vector<std::string>& error_scene_names();
+constexpr int n_calibrating = 3;
+/// `cells`: as of breakwater_mesh().
+ErrorScene error_scene(const std::string& name, double cells);
+
+/// One record: what is true, by SDIRK on a fine grid, and what is told; all over the largest |F_T|.
+struct WaveError {
+  std::string kind;
+  double length, duration;     ///< over those of the scene
+  double truth_error;          ///< of the truth itself, from twice its step
+  double error, peak_error;    ///< of the history, of the largest |F_T|
+  double of_model, of_middle;  ///< differences of nested models
+  double estimate;             ///< of ResponseDifference::bound()
+};
+
+/// The reduced model of a scene, and the truth (by half its steps) on a grid of `steps` steps a duration, up to
+/// `length` ends.
+class WaveErrors {
+ public:
+  WaveErrors(const ErrorScene& scene, double steps, double length, unsigned seed);
+  /// The next of random records of durations from 0.1 (but 8 steps) to 100 of the scene's, from 0.1 to `length` ends
+  /// long, answered until their own end or the scene's.
+  WaveError next();
+  const Reduction& reduction() const { return reduction_; }
+  const NestedModels& nested() const { return nested_; }
+  int unknowns() const { return compiled_.scene.system.n_free(); }
+  double reduce_seconds = 0., nested_seconds = 0.;
+
+ private:
+  Compiled compiled_;
+  double end_, duration_, step_;
+  int n_, shear_;
+  Reduction reduction_;
+  NestedModels nested_;
+  Kernel kernel_, coarse_kernel_;  ///< with steps of step_ / 2 and step_
+  RandomRecords records_;
+};
+
+}  // namespace upbead::test

@@ -1,0 +1,93 @@
+// Random scenes whose mesh is made for a tolerance, and whether what is told of their errors bounds them.
+
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+
+#include "accuracy_scene.h"
+#include "accuracy_truth.h"
+#include "upbead/algebra/petsc_session.h"
+#include "upbead/base/stopwatch.h"
+
+namespace upbead::test {
+namespace {
+
+struct Options {
+  int count = 20, first = 0;
+  double seconds = 900.;
+  std::uint64_t seed = 1;
+  int print = -1;
+  std::string out = "accuracy.csv", section = UPBEAD_SECTION_GEO;
+};
+
+void write_head(std::ostream& table, const RandomCase& drawn) {
+  table << "seed,scene";
+  for (const auto& fact : drawn.facts)
+    if (fact.first != "contrast") table << ',' << fact.first;
+  table << ",refused,scheme,unknowns,truth_unknowns,truth_peak,truth_history,peak_told_with_sides";
+  for (const char* name : {"peak", "history", "slip", "coupled", "contact_slip"})
+    table << ',' << name << ',' << name << "_told," << name << "_error";
+  table << ",seconds,truth_seconds\n";
+}
+
+void write_number(std::ostream& table, const JudgedNumber& n) {
+  table << ',' << n.value << ',';
+  if (n.is_told) table << n.told;
+  table << ',' << n.error;
+}
+
+void write_row(std::ostream& table, const Options& options, int scene, const RandomCase& drawn,
+               const AccuracyVerdict& v) {
+  table << options.seed << ',' << scene;
+  for (const auto& fact : drawn.facts)
+    if (fact.first != "contrast") table << ',' << fact.second;
+  table << ",\"" << v.refused << "\"," << v.scheme << ',' << v.unknowns << ',' << v.truth_unknowns << ','
+        << v.truth_peak << ',' << v.truth_history << ',' << v.peak_with_sides;
+  for (const JudgedNumber* n : {&v.peak, &v.history, &v.slip, &v.coupled, &v.contact}) write_number(table, *n);
+  table << ',' << v.seconds << ',' << v.truth_seconds << std::endl;  // flushed: a crash must leave the rows before it
+}
+
+void run(const Options& options) {
+  const std::string path =
+      (std::filesystem::temp_directory_path() / ("accuracy-" + std::to_string(getpid()) + ".toml")).string();
+  std::ofstream table(options.out);
+  table.precision(4);
+  const Stopwatch watch;
+  for (int scene = options.first; scene < options.first + options.count && watch.seconds() < options.seconds; ++scene) {
+    const RandomCase drawn = accuracy_scene(options.seed, static_cast<std::uint64_t>(scene), options.section);
+    std::ofstream(path) << drawn.toml;
+    if (scene == options.first) write_head(table, drawn);
+    write_row(table, options, scene, drawn, judge_accuracy(path));
+  }
+  std::filesystem::remove(path);
+}
+
+}  // namespace
+}  // namespace upbead::test
+
+int main(int argc, char** argv) {
+  upbead::test::Options options;
+  CLI::App program("Random scenes with mesh.refine = \"auto\", held against far finer meshes: a row of a table each.");
+  program.add_option("--count", options.count, "how many scenes")->capture_default_str();
+  program.add_option("--first", options.first, "number of the first one")->capture_default_str();
+  program.add_option("--seed", options.seed, "stream of numbers; 1 to 9 are for calibration")->capture_default_str();
+  program.add_option("--seconds", options.seconds, "begin no scene after so long")->capture_default_str();
+  program.add_option("--out", options.out, "the table")->capture_default_str();
+  program.add_option("--print", options.print, "print the case file of the scene with that number, and do no more");
+  program.add_option("--section", options.section, "section.geo as the cases name it")->capture_default_str();
+  program.footer(
+      "Example:\n  accuracy_map --count 200 --seed 20 --out accuracy.csv\n"
+      "  /usr/bin/python3 postprocess/accuracy.py accuracy.csv docs");
+  CLI11_PARSE(program, argc, argv);
+  if (options.print >= 0) {
+    std::cout
+        << upbead::test::accuracy_scene(options.seed, static_cast<std::uint64_t>(options.print), options.section).toml;
+    return 0;
+  }
+  const upbead::PetscSession petsc;
+  upbead::test::run(options);
+  return 0;
+}
