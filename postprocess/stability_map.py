@@ -18,7 +18,7 @@ import numpy as np
 
 from common import UserError, run, save
 from upbead import figures
-from upbead.figures.stability import MEASURES, measured, size, value
+from upbead.figures.stability import MEASURES, is_answered, measured, size, value
 
 
 def read(path):
@@ -31,20 +31,20 @@ def read(path):
 
 def kind(message):
     """A refusal without names and numbers."""
-    message = re.sub(r"'[^']*'", "'...'", message.replace("numerics: ", ""))
+    message = re.sub(r"'[^']*'", "'...'", message.replace("no way to solve this scene holds:", "").strip())
     message = re.sub(r"\([^)]*\)", "(...)", message)
     return re.sub(r"-?\d[\d.e+-]*", "#", message).split(";")[0][:110]
 
 
 def count_line(rows):
-    refused = Counter("input" if not r["why"].startswith("numerics") else "numerics" for r in rows if r["verdict"] == "refused")
     verdicts = Counter(r["verdict"] for r in rows)
-    return (f"{verdicts['passed']} hold every bound, {refused['input']} refused as contradictory input, {refused['numerics']} "
-            f"refused because the numerics cannot do them, {verdicts['failed']} fail")
+    possible = len(rows) - verdicts["contradictory"]
+    return (f"{verdicts['passed']} hold every bound, {verdicts['contradictory']} contradict themselves, {verdicts['refused']} are "
+            f"refused ({100 * verdicts['refused'] / possible:.2f} % of the {possible} others), {verdicts['failed']} fail")
 
 
 def halving_row(rows):
-    marched = [r for r in rows if r["verdict"] != "refused" and r["solved_by"] != "reduced"]
+    marched = [r for r in rows if is_answered(r) and r["solved_by"] != "reduced"]
     at_once = sum(int(r["halvings"]) <= 2 for r in marched)
     most = max(int(r["halvings"]) for r in marched)
     return {"what": "halving the step brings the answer closer", "tried": f"{len(marched)} marched scenes",
@@ -54,10 +54,13 @@ def halving_row(rows):
 
 def facts(rows, command, figure):
     table = [{"what": "scenes", "tried": str(len(rows)), "came_out": count_line(rows)}]
-    answered = [r for r in rows if r["verdict"] != "refused"]
+    answered = [r for r in rows if is_answered(r)]
     table.append({"what": "numbers that are not finite, or an inertia that is not as it must be",
                   "tried": f"{len(answered)} answered scenes",
                   "came_out": str(sum(r["finite"] != "1" or r["inertia"] != "0" for r in answered))})
+    loose = sum(any(value(r[column]) > bound for column, _, bound in MEASURES[:2]) for r in answered)
+    table.append({"what": "answered with the warning balance_loose: forces or energies balance to 1e-4 only",
+                  "tried": f"{len(answered)} answered scenes", "came_out": str(loose)})
     for column, label, bound in MEASURES:
         values = np.array([size(r, column) for r in measured(rows, column)])
         table.append({"what": label.replace("\n", " ").replace("$", ""), "tried": f"{len(values)} scenes",
@@ -66,9 +69,9 @@ def facts(rows, command, figure):
     table.append({"what": "generalised_alpha: energy stored 400 steps after the loads, over the largest with them",
                   "tried": f"{len(kept)} scenes", "came_out": f"worst {max(kept):.3f}, bound 1.1"})
     table.append(halving_row(rows))
-    reasons = Counter(kind(r["why"]) for r in rows if r["verdict"] == "refused")
-    for reason, n in reasons.most_common(12):
-        table.append({"what": "refused: " + reason, "tried": str(len(rows)), "came_out": str(n)})
+    reasons = Counter(f"{r['verdict']}: {kind(r['why'])}" for r in rows if not is_answered(r))
+    for reason, n in reasons.most_common(15):
+        table.append({"what": reason, "tried": str(len(rows)), "came_out": str(n)})
     return {"title": "Stability map",
             "text": "Random small scenes over the whole range of physics: k 1e-10 to 1e3 m/s, G 1e4 to 1e11 Pa with contrasts to "
                     "1e6, K_f 1e5 Pa to infinity, nu 0 to 0.4999, steps 1e-7 to 10 s, pulses from 1 ms to static, bent cells "

@@ -1,5 +1,7 @@
 #include "ladder.h"
 
+#include <limits>
+
 #include "upbead/base/error.h"
 #include "upbead/base/text.h"
 #include "upbead/model/words.h"
@@ -18,6 +20,20 @@ std::string reasons(const Ladder& ladder) {
   for (const LadderStep& step : ladder) text += "\n  " + step.way + ": " + step.refused;
   return text;
 }
+
+/// The best answer so far of those that do not balance.
+struct Closest {
+  std::optional<Run> run;
+  std::string way;
+  double error = std::numeric_limits<double>::infinity();
+
+  void take(Run&& other, const std::string& name, const Mismatch& off) {
+    if (!off.bearable || !(off.error < error)) return;
+    run = std::move(other);
+    way = name;
+    error = off.error;
+  }
+};
 
 /// Steps that are too many are no mistake of the case where it has not asked for them.
 Run march_with(const Case& input, const CompiledCase& scene, const SchemeChoice& choice, const Care& care,
@@ -40,30 +56,44 @@ Way marching_way(const Case& input, const CompiledCase& scene, const SchemeChoic
 
 }  // namespace
 
-void require_balance(const Case& input, const CompiledCase& scene, const Run& run) {
+std::optional<Mismatch> imbalance(const Case& input, const CompiledCase& scene, const Run& run) {
   const Summary& summary = run.summary;
-  if (summary.response)
-    require_balance(*summary.response, summary.energy.value_or(EnergyAccount()));
-  else if (summary.energy)
-    require_balance(*summary.energy, scene.compiled.system, input.scene.time.end);
+  try {
+    if (summary.response)
+      require_balance(*summary.response, summary.energy.value_or(EnergyAccount()));
+    else if (summary.energy)
+      require_balance(*summary.energy, scene.compiled.system, input.scene.time.end);
+  } catch (const Imbalance& found) {
+    return found.mismatch();
+  }
+  return std::nullopt;
 }
 
 Run climb(const Case& input, const CompiledCase& scene, const std::vector<Way>& ways, const MarchOptions& marching) {
   Ladder ladder;
+  Closest closest;
   MarchOptions again = marching;
   again.checkpoints = {};
+  const auto with_ladder = [&ladder](Run&& run) {
+    run.summary.ladder = ladder;
+    return std::move(run);
+  };
   for (const Way& way : ways) {
     ladder.push_back({way.name, ""});
     try {
       Run run = way.solve(way.keeps_checkpoints ? marching : again);
-      require_balance(input, scene, run);
-      run.summary.ladder = ladder;
-      return run;
+      const std::optional<Mismatch> off = imbalance(input, scene, run);
+      if (!off) return with_ladder(std::move(run));
+      ladder.back().refused = Imbalance(*off).what();
+      closest.take(std::move(run), way.name, *off);
     } catch (const NumericsError& error) {
       ladder.back().refused = error.what();
     }
   }
-  throw NumericsError(reasons(ladder));
+  if (!closest.run)
+    throw NumericsError(reasons(ladder) + "; nothing was written, as such an answer is not to be trusted");
+  ladder.push_back({closest.way + ", the closest of these", ""});
+  return with_ladder(std::move(*closest.run));
 }
 
 std::vector<Care> cares_of(const Case& input) {

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "solve.h"
+#include "upbead/response/shear_response.h"
 
 namespace upbead {
 
@@ -16,11 +18,13 @@ struct Way {
   bool keeps_checkpoints = false;  ///< of all ways one may
 };
 
-/// The only place that asks whether an answer balances: see require_balance of response/shear_response.h.
-void require_balance(const Case& input, const CompiledCase& scene, const Run& run);
+/// What does not balance in an answer, see require_balance of response/shear_response.h. Throws NumericsError where it
+/// stores more energy than the loads have brought.
+std::optional<Mismatch> imbalance(const Case& input, const CompiledCase& scene, const Run& run);
 
-/// The answer of the first way that gives one and balances, with the ladder so far in its summary. Throws NumericsError
-/// with all reasons where there is none.
+/// The answer of the first way that gives one and balances, with the ladder so far in its summary. Where none balances,
+/// that which comes closest, as long as it is bearable: it is to be warned of. Else throws NumericsError with all
+/// reasons.
 Run climb(const Case& input, const CompiledCase& scene, const std::vector<Way>& ways, const MarchOptions& marching);
 
 /// With how much care marches are tried, one after the other: as usual, with refined solutions, and, where the case

@@ -113,6 +113,17 @@ Run solve_glued(const Case& input, const CompiledCase& scene, const MarchOptions
   }
 }
 
+NumberedWarnings balance_warnings(const Case& input, const CompiledCase& scene, const Run& run) {
+  const std::optional<Mismatch> off = imbalance(input, scene, run);
+  if (!off) return {};
+  return {
+      {"balance_loose", off->value, off->tolerable, "1",
+       off->what + " by " + significant(off->value) + ", where " + significant(off->tolerable) +
+           " is usual: large forces cancel in this scene and leave their round-off; F_T may err by up to " +
+           significant(off->error, 2) + " of its largest value, motions by that part of what the loads would do " +
+           "alone; look for stiffnesses or permeabilities far from all others, or give the water its bulk modulus"}};
+}
+
 NumberedWarnings loose_warnings(const Summary& summary) {
   NumberedWarnings list;
   if (!summary.reduction || summary.reduction->loose.empty()) return list;
@@ -142,7 +153,8 @@ Run run_case(const Case& input, CompiledCase& scene, const MarchOptions& marchin
   run.summary.gauges = gauge_summaries(input, scene);
   run.summary.skipped = skipped(input, scene, run.summary.reduction.has_value());
   watch.tell(input, scene, run);
-  for (NumberedWarning& warning : loose_warnings(run.summary)) run.summary.warnings.push_back(std::move(warning));
+  for (const NumberedWarnings& list : {loose_warnings(run.summary), balance_warnings(input, scene, run)})
+    run.summary.warnings.insert(run.summary.warnings.end(), list.begin(), list.end());
   if (run.summary.sliding)
     for (Skipped& item : skipped(*run.summary.sliding)) run.summary.skipped.push_back(std::move(item));
   if (run.summary.contact && !run.summary.contact->solved)

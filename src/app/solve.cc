@@ -104,7 +104,8 @@ Run march_by(Scheme& scheme, const Case& input, const CompiledCase& scene, const
 Run run_reduced(const Case& input, const CompiledCase& scene, const SchemeChoice& choice,
                 const std::function<void(double)>& progress) {
   const Stopwatch watch;
-  Reduction reduction = reduce_scene(scene.scene, scene.compiled, {false, false, choice.most_vectors, true}, progress);
+  Reduction reduction =
+      reduce_scene(scene.scene, scene.compiled, {false, false, choice.most_vectors, true, true}, progress);
   if (input.scene.time.scheme == TimeScheme::reduced)
     require_shear_converged(reduction);
   else

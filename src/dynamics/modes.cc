@@ -53,23 +53,26 @@ namespace {
 
 /// Poles below this part of the largest are zero, and so is what a drift sees of a mode below that part of both.
 constexpr double no_pole = 1e-13, no_part = 1e-6;
+/// Pole over s_0 of what floats free: in 1,000/s_0 a velocity loses a millionth, and a place is known to 1e-7 after
+/// 1/s_0.
+constexpr double pole_of_free = 1e-9;
 
-/// y += int (E s + F f): in modes, int z = (z - load int f) / pole. A mode with its pole at zero (pressure of closed
-/// water) has no drift to be seen.
-void add_drift(const StateSpace& space, const detail::Modes& modes, Eigen::MatrixXcd& reading,
+/// y += int (E s + F f): in modes, int z = (z - load int f) / pole. A mode with its pole at zero that has no drift to
+/// be seen is the pressure of closed water; one that has is a body that nothing holds.
+void add_drift(const StateSpace& space, double shift, detail::Modes& modes, Eigen::MatrixXcd& reading,
                Eigen::MatrixXd& impulse) {
   impulse = space.F;
   if (space.E.isZero(0.)) return;
   Eigen::MatrixXcd drift = space.E * modes.X;
   const double largest = modes.pole.cwiseAbs().maxCoeff(), size = space.E.norm();
   for (Eigen::Index m = 0; m < drift.cols(); ++m) {
-    if (std::abs(modes.pole[m]) > no_pole * largest) {
-      drift.col(m) /= modes.pole[m];
-    } else {
-      if (drift.col(m).norm() > no_part * size * modes.X.col(m).norm())
-        throw NumericsError("nothing holds the scene: a mode with a reading has a pole at zero");
+    const bool is_free = std::abs(modes.pole[m]) <= no_pole * largest;
+    if (is_free && drift.col(m).norm() <= no_part * size * modes.X.col(m).norm()) {
       drift.col(m).setZero();
+      continue;
     }
+    if (is_free) modes.pole[m] = -pole_of_free * shift;
+    drift.col(m) /= modes.pole[m];
   }
   if (!drift.allFinite()) throw NumericsError("the drift of the reduced model is not finite");
   reading += drift;
@@ -84,7 +87,7 @@ ModalModel modal_model(const StateSpace& space, const ReducedSystem& labels) {
   modes.pole.real() = modes.pole.real().cwiseMin(0.);
   Eigen::MatrixXcd reading = space.C * modes.X;
   ModalModel model;
-  add_drift(space, modes, reading, model.impulse);
+  add_drift(space, labels.shift, modes, reading, model.impulse);
   const std::vector<int> kept = modes.kept();
   model.pole = modes.pole(kept);
   model.load = modes.load(kept, Eigen::all);

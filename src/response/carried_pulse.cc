@@ -15,7 +15,10 @@ using Complex = std::complex<double>;
 constexpr double pi = boost::math::constants::pi<double>();
 constexpr double most_cells = 400., tail = 30.;      ///< that a wave is followed over, and that trails behind it
 constexpr double highest = 8., steps_per_cell = 4.;  ///< omega h/c that counts, and times in a crossing of a cell
-constexpr double fall = 1e-3;                        ///< of what comes back after the period of the Fourier series
+/// omega times the duration that counts: above omega a triangle has less than 8 / (pi omega duration) of its peak, 0.4
+/// %.
+constexpr double highest_of_load = 600.;
+constexpr double fall = 1e-3;  ///< of what comes back after the period of the Fourier series
 
 /// exp(-lambda x) decays.
 Complex wave_number(Complex square) {
@@ -36,10 +39,12 @@ class Difference {
   Difference(const WaveLaw& law, double duration, const WaveCells& cells, double speed, double distance)
       : law_(law), duration_(duration), cells_(cells), n_cells_(std::max(1., std::round(distance / cells.size))) {
     const double crossing = cells.size / speed;
+    const double last = duration > 0. ? std::min(highest / crossing, highest_of_load / duration) : highest / crossing;
     time_ = 1.5 * ((n_cells_ + tail) * crossing + duration);
     damping_ = -std::log(fall) / (2. * time_);
-    n_frequencies_ = static_cast<std::size_t>(std::ceil(highest / crossing * time_ / pi));
-    const double n_times = std::max(2. * steps_per_cell * time_ / crossing, 2. * static_cast<double>(n_frequencies_));
+    n_frequencies_ = static_cast<std::size_t>(std::ceil(last * time_ / pi));
+    const double n_times =
+        std::max(2. * steps_per_cell / highest * last * time_, 2. * static_cast<double>(n_frequencies_));
     n_times_ = static_cast<std::size_t>(std::exp2(std::ceil(std::log2(n_times))));
   }
 

@@ -67,7 +67,7 @@ Reduction reduce_scene(const Scene& scene, const CompiledScene& compiled, const 
   const bool damped = is_damped(scene);
   options.shift = krylov_shift(scene);
   options.exact = compiled.body_coordinates;
-  options.kept = compiled.caisson_motions;
+  if (aim.balanced) options.kept = compiled.caisson_motions;
   options.training = sampled_loads(scene, system);
   options.tolerance = scene.tolerance;
   options.tolerance_of_others = (damped ? others_damped : others_undamped) * scene.tolerance;

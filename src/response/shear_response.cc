@@ -1,4 +1,5 @@
 #include "upbead/response/shear_response.h"
+#include "upbead/base/text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -113,15 +114,7 @@ ShearResponse read_shear_response(const CompiledScene& compiled, const Response&
 
 namespace {
 
-[[noreturn]] void refuse(const std::string& what) {
-  throw NumericsError(what + "; nothing was written, as such an answer is not to be trusted");
-}
-
-void require(bool holds, double mismatch, const std::string& what) {
-  std::ostringstream text;
-  text << what << " by " << mismatch;
-  if (!holds) refuse(text.str());
-}
+constexpr double bearable = 1e-4;
 
 /// generalised-alpha overshoots in steps much longer than the periods of a scene (Hilber and Hughes, Earthq. Eng.
 /// Struct. Dyn. 6 (1978) 99), and more where short steps follow a pulse and long ones follow these.
@@ -133,7 +126,7 @@ void require_no_gain(const EnergyAccount& energy, double work) {
       << "the scene holds " << energy.stored() / work
       << " times the work of the loads, the rest of which the time scheme has made up: the steps are too long; shorten "
          "time.step, or leave it to the program: \"auto\"";
-  refuse(text.str());
+  throw NumericsError(text.str());
 }
 
 constexpr double tolerable_energy = 1e-6;
@@ -156,18 +149,31 @@ double possible_work(const System& system, double end) {
 
 }  // namespace
 
+Imbalance::Imbalance(Mismatch mismatch)
+    : NumericsError(mismatch.what + " by " + significant(mismatch.value)), mismatch_(std::move(mismatch)) {}
+
 void require_balance(const ShearResponse& shear, const EnergyAccount& energy) {
-  constexpr double tolerable = 1e-7;
-  require(shear.reaction_mismatch <= tolerable, shear.reaction_mismatch, "both routes to the shear force differ");
+  constexpr double tolerable_routes = 1e-7;
   require_no_gain(energy, energy.largest_work);
-  require(energy.mismatch() <= tolerable_energy, energy.mismatch(), energies_differ);
+  const double routes = shear.reaction_mismatch, off = energy.mismatch();
+  const Mismatch of_forces{"both routes to the shear force differ", routes, tolerable_routes, routes,
+                           routes <= bearable};
+  const Mismatch of_energies{energies_differ, off, tolerable_energy, std::sqrt(off), off <= bearable};
+  const bool forces_balance = routes <= tolerable_routes, energies_balance = off <= tolerable_energy;
+  if (!energies_balance && (forces_balance || !of_energies.bearable || of_forces.bearable))
+    throw Imbalance(of_energies);  // where both are bearable that of energies makes more wrong
+  if (!forces_balance) throw Imbalance(of_forces);
 }
 
 void require_balance(const EnergyAccount& energy, const System& system, double end) {
-  const double work = energy.largest_work + 1e-10 * possible_work(system, end);
-  const double mismatch = work > 0. ? energy.mismatch() * energy.largest_work / work : 0.;
+  constexpr double round_off = 1e-10;
+  const double possible = possible_work(system, end), work = energy.largest_work + round_off * possible;
   require_no_gain(energy, work);
-  require(mismatch <= tolerable_energy, mismatch, energies_differ);
+  const double off = work > 0. ? energy.mismatch() * energy.largest_work / work : 0.;
+  if (off <= tolerable_energy) return;
+  const double of_possible = possible > 0. ? off * work / possible : 1.;
+  throw Imbalance({energies_differ, off, tolerable_energy, std::sqrt(std::min(off, of_possible)),
+                   off <= bearable || of_possible <= round_off});
 }
 
 }  // namespace upbead

@@ -124,10 +124,9 @@ void write_sides(Writer& w) {
 }
 
 /// Returns how long it lasts.
-double write_pulse(Writer& w, const std::string& load, double peak, double longest) {
+double write_pulse(Writer& w, const std::string& load, double peak, double shortest, double longest) {
   Draw& draw = w.draw;
-  const double duration = draw.log_uniform(draw.chance(0.15) ? 0.005 : 0.04, longest),
-               rise = draw.uniform(0.2, 0.8) * duration;
+  const double duration = draw.log_uniform(shortest, longest), rise = draw.uniform(0.2, 0.8) * duration;
   const std::string shape = draw.one_of({"triangle", "triangle", "half_sine", "church_roof"});
   w.toml << "[loads." << load << ".pulse]\nshape = \"" << shape << "\"\npeak = " << number(peak)
          << "\nduration = " << number(duration) << "\n";
@@ -145,11 +144,12 @@ double write_loads(Writer& w) {
   const double peak = 0.36 * s.weight * draw.uniform(0.8, 4.);
   const int n = draw.one_of({1, 1, 1, 2, 3});
   w.toml << "[loads.a]\nboundary = \"front\"\nkind = \"force\"\ndirection = [1.0, 0.0]\n";
-  const double first = write_pulse(w, "a", peak, 5.);
+  const double first = write_pulse(w, "a", peak, draw.chance(0.15) ? 0.02 : 0.05, 4.);
+  const double shortest = std::max(0.05, 0.1 * first), longest = std::max(1., first);
   double last = first;
   if (n > 1) {
     w.toml << "[loads.b]\nboundary = \"" << (s.mound ? "mound_surface" : "bed") << "\"\nkind = \"pressure\"\n";
-    last = std::max(last, write_pulse(w, "b", draw.uniform(0.05, 0.5) * peak / s.height, 1.));
+    last = std::max(last, write_pulse(w, "b", draw.uniform(0.05, 0.5) * peak / s.height, shortest, longest));
   }
   if (n > 2) {
     if (s.elastic)
@@ -157,7 +157,8 @@ double write_loads(Writer& w) {
     else
       w.toml << "[loads.c]\nregion = \"caisson\"\nat = [" << (s.mound ? "0.0" : "40.0") << ", "
              << number(s.base + draw.uniform(0.2, 0.9) * s.height) << "]\ndirection = [1.0, -0.3]\n";
-    last = std::max(last, write_pulse(w, "c", draw.uniform(0.1, 0.7) * peak / (s.elastic ? s.width : 1.), 1.));
+    last = std::max(last,
+                    write_pulse(w, "c", draw.uniform(0.1, 0.7) * peak / (s.elastic ? s.width : 1.), shortest, longest));
   }
   w.fact("loads", std::to_string(n));
   w.fact("duration", number(first));
@@ -175,7 +176,7 @@ RandomCase accuracy_scene(std::uint64_t seed, std::uint64_t scene, const std::st
   s.width = draw.uniform(8., 24.);
   s.height = draw.uniform(8., 20.);
   const bool contact = !s.elastic && draw.chance(0.06);
-  const double tolerance = draw.log_uniform(0.015, 0.06);
+  const double tolerance = draw.log_uniform(0.02, 0.08);
   const std::string of = draw.one_of({"history", "peak"});
   w.fact("mound", s.mound ? "1" : "0");
   w.fact("elastic", s.elastic ? "1" : "0");

@@ -11,6 +11,7 @@ namespace upbead::test {
 struct Bounds {
   static constexpr double reaction = 1e-7;   ///< both routes to F_T
   static constexpr double energy = 1e-6;     ///< work and what became of it
+  static constexpr double told = 1e-4;       ///< either, where the run warns of it (balance_loose)
   static constexpr double growth = 1e-9;     ///< rise of the stored energy without loads, beyond twice the noise
   static constexpr double kept = 1.1;        ///< of the energy stored with loads, some hundred steps after them
   static constexpr double residual = 1e-10;  ///< of a solve, in equilibrated variables
@@ -20,6 +21,7 @@ struct Measures {
   int unknowns = 0, steps = 0;
   std::string scheme;
   bool finite = false;
+  bool told_loose = false, only_round_off = false;  ///< warned of; energies within 1e-10 of what the loads could do
   /// |work - what became of it| at the end over the largest work, or, where the loads do none but round-off, over 1e-10
   /// of what they would do alone.
   double energy = 0.;

@@ -24,6 +24,9 @@ struct ReductionAim {
   bool each_load = false;           ///< any history of each load, not only what they do together in the scene
   std::optional<int> most_vectors;  ///< per independent load, where the default is not meant
   bool pressures = false;           ///< to be told everywhere, not at probes alone: Reduction::pressures
+  /// The forces on an elastic caisson balance to round-off, not to the model's error: its rigid motions are kept, which
+  /// takes half as many vectors more.
+  bool balanced = false;
 };
 
 /// The shift of a scene's Krylov space (1/s): 1.25 times 2 pi over the shortest duration of its loads, 1.75 times where

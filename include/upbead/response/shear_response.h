@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "upbead/base/error.h"
 #include "upbead/dynamics/march.h"
 #include "upbead/fem/compile.h"
 
@@ -35,15 +36,33 @@ TimeFunction force_on_caisson(const CompiledScene& compiled);
 /// x_G'' linear between them (of order 2); without inertia the ends of the steps alone.
 ShearResponse read_shear_response(const CompiledScene& compiled, const Response& response, bool inertia);
 
-/// Throws NumericsError where the answer is not to be trusted: where both routes to F_T differ by more than 1e-7, where
-/// the work and what it became differ by more than 1e-6, or where more energy is stored than 1.1 times the largest
-/// work. The mismatch of the routes is relative to the largest |F_T|, or, where F_T vanishes by symmetry or between
-/// loads, to a millionth of the largest of |P| at any time, the change of the normal force, the uplift, and the moment
-/// over the bottom's width.
+/// Two numbers that must be the same are not.
+struct Mismatch {
+  std::string what;
+  double value = 0.;      ///< relative
+  double tolerable = 0.;  ///< that round-off explains in most scenes
+  double error = 0.;      ///< what it may make wrong, of the largest values
+  bool bearable = false;  ///< whether the answer is still good for something, if its error is told
+};
+
+class Imbalance : public NumericsError {
+ public:
+  explicit Imbalance(Mismatch mismatch);
+  const Mismatch& mismatch() const { return mismatch_; }
+
+ private:
+  Mismatch mismatch_;
+};
+
+/// Throws Imbalance where both routes to F_T differ by more than 1e-7, or the work and what it became by more than
+/// 1e-6; NumericsError where more energy is stored than 1.1 times the largest work. The mismatch of the routes is
+/// relative to the largest |F_T|, or, where F_T vanishes by symmetry or between loads, to a millionth of the largest of
+/// |P| at any time, the change of the normal force, the uplift, and the moment over the bottom's width.
 void require_balance(const ShearResponse& shear, const EnergyAccount& energy);
 
 /// The same of the energy of a scene without a caisson, marched until `end` (s). Loads that do no work but round-off,
-/// as a pressure on incompressible water, have nothing to balance: below 1e-10 of what they would do on K alone.
+/// as a pressure on incompressible water, have nothing to balance: below 1e-10 of what they would do on K alone. A
+/// mismatch of less than that is bearable: what moves by more than its root is no round-off.
 void require_balance(const EnergyAccount& energy, const System& system, double end);
 
 }  // namespace upbead

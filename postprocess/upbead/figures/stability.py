@@ -39,10 +39,14 @@ def stability(rows):
         axes[i, -1].text(1.03, 0.5, f"{len(answered)} scenes\nworst {max(values):.1e}\nbound {bound:.0e}",
                          transform=axes[i, -1].transAxes, va="center")
     verdicts = Counter(r["verdict"] for r in rows)
-    figure.suptitle(f"{len(rows)} random scenes: {verdicts['passed']} hold every bound, {verdicts['refused']} are "
-                    f"refused with a reason, {verdicts['failed']} fail", y=0.94)
+    figure.suptitle(f"{len(rows)} random scenes: {verdicts['passed']} hold every bound, {verdicts['contradictory']} contradict "
+                    f"themselves, {verdicts['refused']} are refused with a reason, {verdicts['failed']} fail", y=0.94)
     figure.subplots_adjust(hspace=0.12, wspace=0.1)
     return figure
+
+
+def is_answered(row):
+    return row["verdict"] in ("passed", "failed")
 
 
 def size(row, column):
@@ -57,7 +61,7 @@ def value(text):
 
 def measured(rows, column):
     """The answered scenes that have the measure. generalised_alpha has a bound of its own on energy."""
-    answered = [r for r in rows if r["verdict"] != "refused" and value(r[column]) == value(r[column])]
+    answered = [r for r in rows if is_answered(r) and value(r[column]) == value(r[column])]
     if column == "reaction":
         answered = [r for r in answered if "caisson" in r["reading"] or r["reading"] in ("shear_force", "normal_force")]
     if column in ("energy", "growth"):

@@ -14,16 +14,19 @@ namespace upbead {
 
 namespace {
 
-/// What the truth lies away over what S moves by on cells half as large: docs/accuracy.md.
-constexpr double margin = 2.5;
-/// S of both meshes may agree by chance: part of its change by forces wrong by as much as their peak may be.
-constexpr double by_chance = 0.1;
+/// What the truth lies away over what S moves by on cells half as large, and in half the step: docs/accuracy.md.
+constexpr double margin = 4.5, margin_of_steps = 3.;
+/// S of both meshes may agree by chance: parts of its change by forces wrong by as much as their peak and history may
+/// be.
+constexpr double by_chance = 0.03, by_chance_of_history = 0.01;
+/// S grows at least with the square of the force: a part of it, over the error of the peak, where forces cannot be
+/// scaled.
+constexpr double least_growth = 2.;
 
 /// The case in the same steps, and by the same scheme, as a run of it.
 Case in_steps_of(const Case& input, const Run& run, double part) {
   Case same = input;
   same.scene.fields_every.reset();
-  if (run.summary.reduction) return same;
   same.scene.time.step = part * run.summary.discretisation.time_step * (1. + 1e-9);
   if (run.summary.discretisation.scheme == "generalised_alpha") same.scene.time.scheme = TimeScheme::generalised_alpha;
   if (run.summary.discretisation.scheme == "sdirk4") same.scene.time.scheme = TimeScheme::sdirk4;
@@ -46,38 +49,51 @@ double change_by_forces(const CompiledCase& scene, const Run& run, double error)
                   std::abs(slip_with_forces(scene, run, 1. - std::min(error, 0.5)) - slip));
 }
 
-/// Of S on one mesh and on cells half as large; `by_forces`: its change by forces wrong by as much as their peak may
-/// be.
-double slip_error(double slip, double finer, double by_forces) {
-  const bool at_threshold = slip == 0. || finer == 0.;
-  return std::max(margin * std::abs(slip - finer), (at_threshold ? 1. : by_chance) * by_forces);
+/// Changes of S by forces at the bottom that are all wrong by as much as their peak or their history may be (m).
+struct ByForces {
+  double peak = 0., history = 0.;
+};
+
+/// S as it is, on cells half as large, and in half the step (m).
+double slip_error(double slip, double finer, double shorter, const ByForces& by_forces) {
+  const bool at_threshold = slip == 0. || finer == 0. || shorter == 0.;
+  const double least =
+      at_threshold ? by_forces.peak : std::max(by_chance * by_forces.peak, by_chance_of_history * by_forces.history);
+  return std::max(margin * std::abs(slip - finer) + margin_of_steps * std::abs(slip - shorter), least);
 }
 
-void compare(SlidingSummary& sliding, const SlidingSummary& finer, double by_forces) {
-  sliding.error_estimate =
-      slip_error(sliding.history.by_history.residual, finer.history.by_history.residual, by_forces);
-  if (!sliding.coupled || !finer.coupled) return;
-  sliding.coupled->error_estimate = slip_error(sliding.coupled->slip.residual, finer.coupled->slip.residual, by_forces);
+void compare(SlidingSummary& sliding, const SlidingSummary& finer, const SlidingSummary& shorter,
+             const ByForces& by_forces) {
+  const auto by_history = [](const SlidingSummary& s) { return s.history.by_history.residual; };
+  sliding.error_estimate = slip_error(by_history(sliding), by_history(finer), by_history(shorter), by_forces);
+  if (!sliding.coupled || !finer.coupled || !shorter.coupled) return;
+  const auto as_whole = [](const SlidingSummary& s) { return s.coupled->slip.residual; };
+  sliding.coupled->error_estimate = slip_error(as_whole(sliding), as_whole(finer), as_whole(shorter), by_forces);
 }
 
 }  // namespace
 
 ContactError error_of_contact(const Case& input, const CompiledCase& scene, Run& run) {
   const ShearHistory own = shear_history(scene.compiled, run.response, true);
-  const auto march_on = [&](CompiledCase on, double part, double& slip) {
-    const Run other = run_contact(in_steps_of(input, run, part), on, {}, {});
-    const auto& solved = other.summary.contact->solved;
-    slip = std::abs(run.summary.contact->solved->slip - (solved ? solved->slip : 0.));
-    if (part == 1. && run.summary.sliding) compare(*run.summary.sliding, *other.summary.sliding, 0.);
-    return difference(own, shear_history(on.compiled, other.response, true));
+  ShearError by_cells, by_steps;
+  const auto march_on = [&](CompiledCase on, double part, ShearError& moved) {
+    Run other = run_contact(in_steps_of(input, run, part), on, {}, {});
+    moved = difference(own, shear_history(on.compiled, other.response, true));
+    return other;
   };
-  double by_cells = 0., by_steps = 0.;
+  const Run finer = march_on(compile_finer(input, scene), 1., by_cells),
+            shorter = march_on(compile_again(input, scene), 0.5, by_steps);
+  const auto slip = [](const Run& r) { return r.summary.contact->solved ? r.summary.contact->solved->slip : 0.; };
+  constexpr double whole = 2.;  // order 1 at least: steps half as long take away half
   ContactError error;
-  error.mesh = with_margin(march_on(compile_finer(input, scene), 1., by_cells));
-  // order 1 at least: steps half as long take away half
-  const ShearError in_half = march_on(compile_again(input, scene), 0.5, by_steps);
-  error.time = {2. * in_half.peak, 2. * in_half.history};
-  error.slip = margin * by_cells + 2. * by_steps;
+  error.mesh = with_margin(by_cells);
+  error.time = {whole * by_steps.peak, whole * by_steps.history};
+  error.slip = slip_error(slip(run), slip(finer), slip(shorter), {});
+  if (run.summary.sliding) {
+    const double slid = std::abs(run.summary.sliding->history.by_history.residual);
+    compare(*run.summary.sliding, *finer.summary.sliding, *shorter.summary.sliding,
+            {least_growth * error.mesh.peak * slid, 0.});
+  }
   return error;
 }
 
@@ -85,16 +101,19 @@ void estimate_slip_error(const Case& input, const CompiledCase& scene, Run& run)
   if (!run.summary.sliding || run.summary.sliding->error_estimate) return;
   SlidingSummary& sliding = *run.summary.sliding;
   const ErrorEstimate& error = *run.summary.error;
-  const double by_forces = change_by_forces(scene, run, error.mesh + error.time + error.reduced_model);
-  const bool rests = sliding.history.by_history.slips.empty() && by_forces == 0.;
+  const ByForces by_forces{change_by_forces(scene, run, error.mesh + error.time + error.reduced_model),
+                           change_by_forces(scene, run, run.summary.history_error->total())};
+  const bool rests = sliding.history.by_history.slips.empty() && by_forces.peak == 0.;
   if (rests) {
     sliding.error_estimate = 0.;
     if (sliding.coupled) sliding.coupled->error_estimate = 0.;
     return;
   }
-  const CompiledCase finer = compile_finer(input, scene);
-  const Run other = run_glued(in_steps_of(input, run, 1.), finer, {}, {});
-  compare(sliding, *other.summary.sliding, by_forces);
+  const auto solve_on = [&](const CompiledCase& on, double part) {
+    return run_glued(in_steps_of(input, run, part), on, {}, {});
+  };
+  compare(sliding, *solve_on(compile_finer(input, scene), 1.).summary.sliding,
+          *solve_on(compile_again(input, scene), 0.5).summary.sliding, by_forces);
 }
 
 void tell_why_no_slip_error(const Case& input, Run& run) {

@@ -5,7 +5,9 @@
 //
 // Limits: u 1.95 and 3.95, by least squares over the steps named; phi and p are written down. sdirk4 shows order 4 only
 // at steps of 0.5 ms and less, where the error of u in L2 is below 1e-9: its stages are of order 1, and the fastest
-// waves of this mesh (periods of some ms) have to be resolved before the fourth order takes over.
+// waves of this mesh (periods of some ms) have to be resolved before the fourth order takes over. generalised_alpha
+// takes its first two steps by sdirk4: of few steps these are a noticeable part that errs less, and the order looks
+// lower.
 
 #include <gtest/gtest.h>
 
@@ -54,10 +56,10 @@ TEST(OrderInTime, OfTheSchemes) {
   const Manufactured mms = manufactured("ref8_mms", "time-only", 0, 2);
   const auto mesh = quadrilaterals(mms, Quads::uniform, 2.5);
   const Problem problem(mms, *mesh);
-  const Halving alpha = halving(problem, {50, 100, 200, 400, 800}, SchemeKind::generalised_alpha);
+  const Halving alpha = halving(problem, {100, 200, 400, 800, 1600}, SchemeKind::generalised_alpha);
   const Halving coarse = halving(problem, {50, 100, 200}, SchemeKind::sdirk4);
   const Halving fine = halving(problem, {400, 800, 1600}, SchemeKind::sdirk4);
-  record_orders(record, "generalised_alpha, steps of 4 to 0.25 ms", alpha, 1.95);
+  record_orders(record, "generalised_alpha, steps of 2 to 0.125 ms", alpha, 1.95);
   record_orders(record, "sdirk4, steps of 0.5 to 0.125 ms", fine, 3.95);
   for (const char* norm : {"u in L2", "phi in L2", "p in L2"}) {
     record.measured(std::string("sdirk4, steps of 4 to 1 ms: order in dt of ") + norm, coarse.order_of(norm));
