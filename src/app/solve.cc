@@ -19,6 +19,9 @@ namespace {
 /// duration makes S and peak F_T wrong by less than 0.5 %: docs/slip.md.
 constexpr double contact_step = 2.;
 
+/// Per independent load, where nothing but a reduced model is wanted: twice as many as where a march would do as well.
+constexpr int most_vectors_by_name = 200;
+
 /// Kinks of the loads and the times at which fields are written.
 std::vector<double> times_to_meet(const Scene& scene, const System& system) {
   std::vector<double> times = kinks(system);
@@ -104,9 +107,10 @@ Run march_by(Scheme& scheme, const Case& input, const CompiledCase& scene, const
 Run run_reduced(const Case& input, const CompiledCase& scene, const SchemeChoice& choice,
                 const std::function<void(double)>& progress) {
   const Stopwatch watch;
-  Reduction reduction =
-      reduce_scene(scene.scene, scene.compiled, {false, false, choice.most_vectors, true, true}, progress);
-  if (input.scene.time.scheme == TimeScheme::reduced)
+  const bool by_name = input.scene.time.scheme == TimeScheme::reduced;
+  const std::optional<int> most_vectors = by_name ? most_vectors_by_name : choice.most_vectors;
+  Reduction reduction = reduce_scene(scene.scene, scene.compiled, {false, false, most_vectors, true, true}, progress);
+  if (by_name)
     require_shear_converged(reduction);
   else
     require_converged(reduction);

@@ -100,7 +100,8 @@ const std::vector<BadCase> rows{
     BadCase{"EnergyNotBelowOne", "stop_at_energy = 1e-4", "stop_at_energy = 1.0",
             "case.toml:71:1: stop_at_energy = 1 is outside (0, 1); give the share of the largest energy"},
     BadCase{"ToleranceZero", "tolerance = 0.01", "tolerance = 0",
-            "case.toml:74:1: tolerance = 0 is outside (0, 1); give the error allowed in the shear force F_T, over its largest"},
+            "case.toml:74:1: tolerance = 0 is outside (0, 1); give the error allowed in the shear force F_T, over its "
+            "largest"},
     BadCase{"NegativeFrequency", "frequencies = [1.0, 8]", "frequencies = [-1.0, 8]",
             "case.toml:25:42: frequencies = -1 is outside (0, inf); give the two frequencies, ascending, at or between "
             "which the ratio holds (Hz)"},
