@@ -16,8 +16,9 @@ struct Answer {
   Ladder ladder;
 };
 
-Answer answer(const std::string& path, const std::string& scheme) {
-  const Case input = read_case(path, {"time.scheme=" + scheme});
+Answer answer(const std::string& path, const std::string& scheme, double finer) {
+  Case input = read_case(path, {"time.scheme=" + scheme});
+  if (input.scene.time.step) *input.scene.time.step /= finer;
   require_loads(input);
   CompiledCase scene = compile_case(input);
   Answer answer;
@@ -34,10 +35,10 @@ Answer answer(const std::string& path, const std::string& scheme) {
 
 }  // namespace
 
-BothWays solve_both_ways(const std::string& path) {
+BothWays solve_both_ways(const std::string& path, double finer) {
   BothWays both;
   try {
-    const Answer marched = answer(path, "sdirk4"), automatic = answer(path, "auto");
+    const Answer marched = answer(path, "sdirk4", finer), automatic = answer(path, "auto", finer);
     both.sdirk4 = marched.refused;
     both.steps_of_ladder = static_cast<int>(automatic.ladder.size());
     if (!automatic.refused.empty()) {

@@ -17,7 +17,7 @@ struct BothWays {
   double difference = -1.;  ///< of the peaks of |F_T|, over the larger one; -1 where there is none to compare
 };
 
-/// The case at that path, whatever scheme it names.
-BothWays solve_both_ways(const std::string& path);
+/// The case at that path, whatever scheme it names, its steps divided by `finer`.
+BothWays solve_both_ways(const std::string& path, double finer);
 
 }  // namespace upbead::test

@@ -27,6 +27,7 @@ struct Options {
   std::uint64_t seed = 1;
   int print = -1;
   bool both = false;
+  double finer = 1.;
   std::string out, file, section = UPBEAD_SECTION_GEO;
 };
 
@@ -199,7 +200,8 @@ bool run_both(const Options& options) {
   std::ofstream file(options.out.empty() ? "/dev/null" : prepared(options.out) + "/both.csv");
   file << "scene,verdict,way,tried,difference,sdirk4,why\n";
   const bool held = sweep(options, [&](int scene, const RandomCase& drawn, const std::string& path) {
-    const auto both = in_time<BothWays>(drawn, path, solve_both_ways);
+    const auto both = in_time<BothWays>(
+        drawn, path, [&](const std::string& scene_path) { return solve_both_ways(scene_path, options.finer); });
     file << scene << ',' << word(both.kind) << ',' << quoted(both.way) << ',' << both.steps_of_ladder << ','
          << both.difference << ',' << quoted(both.sdirk4) << ',' << quoted(both.why) << std::endl;
     if (both.kind == Verdict::Kind::passed) ++ways[both.way];
@@ -232,6 +234,9 @@ int main(int argc, char** argv) {
   program.add_option("--print", options.print, "print the case file of the scene with that number, and do no more");
   program.add_flag("--both", options.both,
                    "solve each scene by sdirk4 and by auto instead; fails where only sdirk4 answers");
+  program
+      .add_option("--finer", options.finer, "with --both: divide steps by so much; then auto prefers reduced models")
+      ->capture_default_str();
   program.add_option("--case", options.file, "judge this case file, and do no more");
   program.add_option("--section", options.section, "section.geo as the cases name it")->capture_default_str();
   program.footer(
