@@ -1,6 +1,7 @@
 #include "inside_steps.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "upbead/fem/caisson_readings.h"
 
@@ -48,12 +49,30 @@ InsideSteps::InsideSteps(const CompiledScene& compiled, const Response& response
       v_(samples(compiled, response.ends, reading::velocity_x)),
       P_(P),
       mass_(compiled.caisson->body.mass),
-      quintic_(response.order >= 4) {
+      quintic_(response.ends.time.size() - 1, response.order >= 4) {
   const Samples water = samples(compiled, response.ends, reading::water_force);
   a_ = (water - samples(compiled, response.ends, reading::shear_force)) / mass_;
   for (std::size_t n = 1; n < time_.size(); ++n)
     a_[static_cast<Eigen::Index>(n)] += P_(time_[n], middle(n - 1)) / mass_;
   all_added_mass_ = added_mass(water);
+  for (std::size_t n = 0; n < quintic_.size(); ++n) quintic_[n] = quintic_[n] && is_smooth(n);
+}
+
+double InsideSteps::jerk(std::size_t n) const {
+  return (acceleration(n, n + 1) - acceleration(n, n)) / (time_[n + 1] - time_[n]);
+}
+
+/// What x and v say of x_G'' inside the step beside a straight line: no more than what its slope changes by from step
+/// to step. More is their round-off, divided by h^2.
+bool InsideSteps::is_smooth(std::size_t n) const {
+  const double h = time_[n + 1] - time_[n], own = jerk(n);
+  double change = n > 0 ? std::abs(own - jerk(n - 1)) : std::abs(own);
+  if (n + 2 < time_.size()) change = std::max(change, std::abs(own - jerk(n + 1)));
+  const QuinticHermite x = motion(n);
+  double bend = 0.;
+  for (const double part : {0.25, 0.5, 0.75})
+    bend = std::max(bend, std::abs(x(time_[n] + part * h).second - acceleration(n, n) - part * h * own));
+  return bend <= 2. * h * change;
 }
 
 /// Least squares of water = -m_a x_G''.
@@ -79,7 +98,7 @@ QuinticHermite InsideSteps::motion(std::size_t n) const {
 }
 
 double InsideSteps::acceleration_at(std::size_t n, double t) const {
-  if (quintic_) return motion(n)(t).second;
+  if (quintic_[n]) return motion(n)(t).second;
   const double weight = (t - time_[n]) / (time_[n + 1] - time_[n]);
   return (1. - weight) * acceleration(n, n) + weight * acceleration(n, n + 1);
 }

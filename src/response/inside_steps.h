@@ -16,7 +16,8 @@ using Samples = Eigen::RowVectorXd;
 Samples samples(const CompiledScene& compiled, const Series& series, const char* name);
 
 /// F_T and x_G between the ends of each step. A scheme of order 4 has x_G, x_G' and x_G'' good enough for a quintic; of
-/// order 2 their errors, divided by h^2, would spoil its second derivative, so x_G'' is linear there.
+/// order 2 their errors, divided by h^2, would spoil its second derivative, so x_G'' is linear there; so it is in steps
+/// so short that their round-off does.
 ///
 /// Water answers acceleration at once, so its force is taken as -m_a x_G'' + r: the added mass m_a is fitted to the
 /// whole march, r is small and linear within a step, and where P jumps x_G'' jumps by its jump over m + m_a.
@@ -42,6 +43,8 @@ class InsideSteps {
   double acceleration(std::size_t n, std::size_t end) const;
   QuinticHermite motion(std::size_t n) const;
   double acceleration_at(std::size_t n, double t) const;
+  double jerk(std::size_t n) const;  ///< mean of step n
+  bool is_smooth(std::size_t n) const;
   double added_mass(const Samples& water) const;
 
   const std::vector<double>& time_;
@@ -49,7 +52,7 @@ class InsideSteps {
   const TimeFunction& P_;
   double mass_;
   double all_added_mass_;
-  bool quintic_;
+  std::vector<bool> quintic_;  ///< whether x_G is one, by step
 };
 
 }  // namespace upbead

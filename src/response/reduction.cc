@@ -35,7 +35,8 @@ bool is_damped(const Scene& scene) {
 
 std::vector<double> response_times(const Scene& scene, const System& system) {
   const double end = scene.time.end;
-  const double step = scene.time.step.value_or(step_of_loads(scene, order).duration / steps_per_duration);
+  const double of_loads = step_of_loads(scene, order).duration / steps_per_duration;
+  const double step = std::min(scene.time.step.value_or(of_loads), of_loads);  // loads must be followed
   const TimeGrid grid = make_time_grid(kinks(system), end, std::min(step, end));
   std::vector<double> time{0.};
   for (const TimeSegment& segment : grid.segments)
