@@ -39,8 +39,9 @@ def stability(rows):
         axes[i, -1].text(1.03, 0.5, f"{len(answered)} scenes\nworst {max(values):.1e}\nbound {bound:.0e}",
                          transform=axes[i, -1].transAxes, va="center")
     verdicts = Counter(r["verdict"] for r in rows)
-    figure.suptitle(f"{len(rows)} random scenes: {verdicts['passed']} hold every bound, {verdicts['contradictory']} contradict "
-                    f"themselves, {verdicts['refused']} are refused with a reason, {verdicts['failed']} fail", y=0.94)
+    figure.suptitle(f"{len(rows)} random scenes: {verdicts['passed']} hold every bound (above it: with a warning), "
+                    f"{verdicts['contradictory']} contradict themselves, {verdicts['refused']} are refused with a reason, "
+                    f"{verdicts['failed']} fail", y=0.94)
     figure.subplots_adjust(hspace=0.12, wspace=0.1)
     return figure
 
