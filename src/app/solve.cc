@@ -120,7 +120,8 @@ Run run_reduced(const Case& input, const CompiledCase& scene, const SchemeChoice
   run.summary.timing.factorise = reduction.factorise_seconds;
   run.summary.timing.march = watch.seconds() - reduction.factorise_seconds;
   run.scheme_reason = choice.reason;
-  run.step_reason = "a 32nd of the shortest load, for the record, or less where the case gives it";
+  run.step_reason = input.scene.time.step ? "given in the case, or shorter where loads need it"
+                                          : "a 32nd of the shortest load, for the record";
   summarise(input, scene, "reduced", run);
   run.summary.reduction = summary_of(reduction);
   run.pressures = std::move(reduction.pressures);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>
+#include <cmath>
 #include <limits>
 #include <numeric>
 
@@ -33,10 +34,10 @@ bool is_damped(const Scene& scene) {
 
 }  // namespace
 
-std::vector<double> response_times(const Scene& scene, const System& system) {
+namespace {
+
+std::vector<double> times_of_steps(const Scene& scene, const System& system, double step) {
   const double end = scene.time.end;
-  const double of_loads = step_of_loads(scene, order).duration / steps_per_duration;
-  const double step = std::min(scene.time.step.value_or(of_loads), of_loads);  // loads must be followed
   const TimeGrid grid = make_time_grid(kinks(system), end, std::min(step, end));
   std::vector<double> time{0.};
   for (const TimeSegment& segment : grid.segments)
@@ -48,6 +49,32 @@ std::vector<double> response_times(const Scene& scene, const System& system) {
   const auto same = [end](double a, double b) { return b - a < 1e-9 * end; };
   time.erase(std::unique(time.begin(), time.end(), same), time.end());
   return time;
+}
+
+/// Whether straight lines between the times are the loads: within a thousandth of their largest values.
+bool follow_loads(const std::vector<double>& time, const System& system) {
+  constexpr double tolerable = 1e-3;
+  for (const SystemLoad& load : system.loads) {
+    double largest = 0., most = 0.;
+    for (std::size_t n = 1; n < time.size(); ++n) {
+      const double middle = 0.5 * (time[n - 1] + time[n]), there = load.history(middle, middle);
+      largest = std::max(largest, std::abs(there));
+      most =
+          std::max(most, std::abs(there - 0.5 * (load.history(time[n - 1], middle) + load.history(time[n], middle))));
+    }
+    if (most > tolerable * largest) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::vector<double> response_times(const Scene& scene, const System& system) {
+  const double of_loads = step_of_loads(scene, order).duration / steps_per_duration;
+  if (!scene.time.step) return times_of_steps(scene, system, of_loads);
+  const std::vector<double> given = times_of_steps(scene, system, *scene.time.step);
+  if (*scene.time.step <= of_loads || follow_loads(given, system)) return given;
+  return times_of_steps(scene, system, of_loads);
 }
 
 SampledLoads sampled_loads(const Scene& scene, const System& system) {

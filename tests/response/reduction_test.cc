@@ -1,6 +1,6 @@
 // Claims: the times of a reduced answer meet the kinks of the loads and the samples of rough records, and keep the
-// case's own step; a model that has not converged is refused with its error and the worst reading; the model of a scene
-// errs against a march by less than was asked for.
+// case's own step where it follows the loads; a model that has not converged is refused with its error and the worst
+// reading; the model of a scene errs against a march by less than was asked for.
 #include "upbead/response/reduction.h"
 
 #include <gtest/gtest.h>
@@ -56,6 +56,15 @@ TEST(ResponseTimes, KeepTheCasesOwnStep) {
   const std::vector<double> time = loaded.times();
   EXPECT_EQ(time.size(), 21u);
   EXPECT_NEAR(largest_step(time), 0.025, 1e-12);
+}
+
+/// In steps of 0.1 s a load of 9 Hz would be one of 1 Hz.
+TEST(ResponseTimes, FollowALoadThatTheCasesStepWouldNotSee) {
+  constexpr double omega = 18. * 3.14159265358979;
+  Loaded loaded(TimeFunction({}, {[=](double t) { return std::sin(omega * t); }}));
+  loaded.scene.loads["impulse"].duration = 1. / 36.;
+  loaded.scene.time.step = 0.1;
+  EXPECT_LT(largest_step(loaded.times()), 1e-3);
 }
 
 TEST(ResponseTimes, HoldTheSamplesOfARoughRecord) {

@@ -12,7 +12,8 @@
 namespace upbead {
 
 /// Times at which a reduced model answers a scene: steps of at most a 32nd of the loads' shortest duration, or those
-/// that the case gives, which meet all kinks, and the samples of measured records.
+/// that the case gives where straight lines between them are the loads; they meet all kinks, and the samples of
+/// measured records.
 std::vector<double> response_times(const Scene& scene, const System& system);
 
 /// The scene's own loads at those times.
