@@ -32,10 +32,6 @@ bool is_damped(const Scene& scene) {
   });
 }
 
-}  // namespace
-
-namespace {
-
 std::vector<double> times_of_steps(const Scene& scene, const System& system, double step) {
   const double end = scene.time.end;
   const TimeGrid grid = make_time_grid(kinks(system), end, std::min(step, end));

@@ -1,5 +1,4 @@
 #include "upbead/response/shear_response.h"
-#include "upbead/base/text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,6 +6,7 @@
 
 #include "inside_steps.h"
 #include "upbead/base/error.h"
+#include "upbead/base/text.h"
 #include "upbead/fem/caisson_readings.h"
 
 namespace upbead {

@@ -129,24 +129,26 @@ TEST(ModelFile, KeepsASlip) {
   EXPECT_EQ(model_file(read), model_file(made));
 }
 
+/// Of a slip that was changed before its file was written, so that the checksum fits.
+std::string refusal_of_slip(const std::function<void(ReducedSystem&)>& change) {
+  ReducedModelFile model = oscillator();
+  model.slip = slipping_oscillator();
+  change(model.slip->system);
+  const TemporaryFile file(model_file(model));
+  return refusal(file.path());
+}
+
 TEST(ModelFile, TellsWhatIsWrongWithASlip) {
-  const auto refusal_of = [](const std::function<void(ReducedSystem&)>& change) {
-    ReducedModelFile model = oscillator();
-    model.slip = slipping_oscillator();
-    change(model.slip->system);
-    const TemporaryFile file(model_file(model));
-    return refusal(file.path());
-  };
   const std::string again = "; make it again with 'upbead reduce'";
-  EXPECT_EQ(refusal_of([](ReducedSystem&) {}), "");
-  EXPECT_EQ(refusal_of([](ReducedSystem& s) { s.prescribed[0] = 2; }), "m: /slip/prescribed holds 2" + again);
-  EXPECT_EQ(refusal_of([](ReducedSystem& s) { s.M.conservativeResize(2, 1); }),
+  EXPECT_EQ(refusal_of_slip([](ReducedSystem&) {}), "");
+  EXPECT_EQ(refusal_of_slip([](ReducedSystem& s) { s.prescribed[0] = 2; }), "m: /slip/prescribed holds 2" + again);
+  EXPECT_EQ(refusal_of_slip([](ReducedSystem& s) { s.M.conservativeResize(2, 1); }),
             "m: /slip/M has the shape 2 x 1, not 2 x 2" + again);
-  EXPECT_EQ(refusal_of([](ReducedSystem& s) { s.load_name[2] = "F"; }),
+  EXPECT_EQ(refusal_of_slip([](ReducedSystem& s) { s.load_name[2] = "F"; }),
             "m: /slip/load_name does not end with 'interface/friction'" + again);
-  EXPECT_EQ(refusal_of([](ReducedSystem& s) { s.reading_label[1].name = "s"; }),
+  EXPECT_EQ(refusal_of_slip([](ReducedSystem& s) { s.reading_label[1].name = "s"; }),
             "m: /slip/readings/name does not name 'interface/slip'" + again);
-  EXPECT_EQ(refusal_of([](ReducedSystem& s) { s.reading_label[0].name = "N"; }),
+  EXPECT_EQ(refusal_of_slip([](ReducedSystem& s) { s.reading_label[0].name = "N"; }),
             "m: /slip/readings/name does not name 'normal_force'" + again);
 }
 
@@ -281,25 +283,17 @@ TEST(ModelFile, TakesAFileWithoutAChecksumAsOlderVersionsWroteThem) {
 }
 
 TEST(ModelFile, RefusesASlipThatMakesEnergy) {
-  // the file's own writer, so that the checksum fits
-  const auto refusal_of = [](const std::function<void(ReducedSystem&)>& change) {
-    ReducedModelFile model = oscillator();
-    model.slip = slipping_oscillator();
-    change(model.slip->system);
-    const TemporaryFile file(model_file(model));
-    return refusal(file.path());
-  };
   const std::string again = "; make it again with 'upbead reduce'";
-  EXPECT_EQ(refusal_of([](ReducedSystem& s) { s.M *= -1.; }),
+  EXPECT_EQ(refusal_of_slip([](ReducedSystem& s) { s.M *= -1.; }),
             "m: /slip/M is not that of a kinetic energy: not symmetric, or negative" + again);
-  EXPECT_EQ(refusal_of([](ReducedSystem& s) { s.C *= -1.; }), "m: /slip/C brings energy in" + again);
-  EXPECT_EQ(refusal_of([](ReducedSystem& s) { s.K *= -1.; }),
+  EXPECT_EQ(refusal_of_slip([](ReducedSystem& s) { s.C *= -1.; }), "m: /slip/C brings energy in" + again);
+  EXPECT_EQ(refusal_of_slip([](ReducedSystem& s) { s.K *= -1.; }),
             "m: /slip/K is not that of a strain energy: not symmetric, or negative" + again);
-  EXPECT_EQ(refusal_of([](ReducedSystem& s) { s.K(0, 1) *= 1.01; }),
+  EXPECT_EQ(refusal_of_slip([](ReducedSystem& s) { s.K(0, 1) *= 1.01; }),
             "m: /slip/K is not that of a strain energy: not symmetric, or negative" + again);
-  EXPECT_EQ(refusal_of([](ReducedSystem& s) { s.n_prescribed = 1; }),
+  EXPECT_EQ(refusal_of_slip([](ReducedSystem& s) { s.n_prescribed = 1; }),
             "m: /slip/prescribed does not fit its n_prescribed, 1" + again);
-  EXPECT_EQ(refusal_of([](ReducedSystem& s) { s.prescribed[0] = 1; }),
+  EXPECT_EQ(refusal_of_slip([](ReducedSystem& s) { s.prescribed[0] = 1; }),
             "m: /slip/prescribed does not fit its n_prescribed, 0" + again);
 }
 
