@@ -1,6 +1,8 @@
 #include "upbead/response/spectrum.h"
 
+#include <algorithm>
 #include <boost/math/constants/constants.hpp>
+#include <cmath>
 
 #include "upbead/dynamics/frequency_response.h"
 #include "upbead/dynamics/projection.h"
@@ -14,9 +16,9 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr int n_frequencies = 10, vectors_per_load = 20;
+constexpr int vectors_per_load = 20, least_frequencies = 10, most_frequencies = 80;
 constexpr double pi = boost::math::constants::pi<double>();
-constexpr double decay = 2., spacing = pi;  // both over the duration
+constexpr double decay = 2., spacing = pi;  // both over the window
 
 }  // namespace
 
@@ -30,10 +32,12 @@ Complex evaluate(const Reading& reading, const Eigen::VectorXcd& X, Complex s, c
   return value;
 }
 
-Spectrum solve_spectrum(const Scene& scene, const CompiledScene& compiled) {
-  const double duration = step_of_loads(scene, 4).duration;
+Spectrum solve_spectrum(const Scene& scene, const CompiledScene& compiled, double until) {
+  const double duration = step_of_loads(scene, 4).duration, window = std::max(1.2 * until, duration);
+  const int n = std::clamp(static_cast<int>(std::ceil(least_frequencies * window / duration)), least_frequencies,
+                           most_frequencies);
   std::vector<Complex> s;
-  for (int j = 0; j < n_frequencies; ++j) s.emplace_back(decay / duration, j * spacing / duration);
+  for (int j = 0; j < n; ++j) s.emplace_back(decay / window, j * spacing / window);
   return solve_spectrum(scene, compiled, s);
 }
 

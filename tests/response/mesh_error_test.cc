@@ -51,7 +51,7 @@ TEST(Spectrum, GivesTheDifferenceOfTwoResponses) {
   Scene stiff = soft;
   stiff.regions["seabed"].shear_modulus = 1.05 * soft.regions.at("seabed").shear_modulus.value();
   const Compiled a(soft, *mesh), b(stiff, *mesh);
-  const Spectrum of_a = solve_spectrum(a.resolved, a.scene), of_b = solve_spectrum(b.resolved, b.scene);
+  const Spectrum of_a = solve_spectrum(a.resolved, a.scene, 0.), of_b = solve_spectrum(b.resolved, b.scene, 0.);
   std::vector<std::complex<double>> difference;
   for (std::size_t j = 0; j < of_a.s.size(); ++j) difference.push_back(of_b.shear[j] - of_a.shear[j]);
   const double step = 0.15 / 64;

@@ -20,8 +20,9 @@ struct Spectrum {
 /// Throws NumericsError as SecondOrderKrylov does.
 Spectrum solve_spectrum(const Scene& scene, const CompiledScene& compiled, const std::vector<std::complex<double>>& s);
 
-/// At s_j = (2 + i pi j) / duration, j = 0 ... 9, duration of the shortest load.
-Spectrum solve_spectrum(const Scene& scene, const CompiledScene& compiled);
+/// At s_j = (2 + i pi j) / T, whose inverse holds from the start of the loads to `until` (s): T is the duration of the
+/// shortest load, or 1.2 `until` where that is longer; 10 to 80 of them, as far up as the load goes.
+Spectrum solve_spectrum(const Scene& scene, const CompiledScene& compiled, double until);
 
 /// F_T(t) (N/m) of a transform at those frequencies: good for the differences of two, at times up to a few durations.
 double shear_at(const std::vector<std::complex<double>>& s, const std::vector<std::complex<double>>& shear,

@@ -1,7 +1,6 @@
 #include "error_account.h"
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 
 #include "../compile_on.h"
@@ -47,25 +46,13 @@ double largest_shear(const Spectrum& spectrum, const std::vector<std::complex<do
   return largest;
 }
 
-/// The frequencies whose inverse holds from the start of the loads to a time (s), as far up as the loads go.
-std::vector<std::complex<double>> frequencies(double until, double duration) {
-  constexpr double decay = 2., pi = boost::math::constants::pi<double>();
-  constexpr int least = 10, most = 80;
-  const double window = std::max(1.2 * until, duration);
-  const int n = std::clamp(static_cast<int>(std::ceil(least * window / duration)), least, most);
-  std::vector<std::complex<double>> s;
-  for (int j = 0; j < n; ++j) s.emplace_back(decay / window, j * pi / window);
-  return s;
-}
-
 double error_of_far_sides(const Case& input, const std::shared_ptr<const Mesh>& coarse, const ShearResponse& response) {
   const Sides sides = far_sides(*coarse);
   if (sides.empty()) return 0.;
   const double duration = step_of_loads(input.scene, 4).duration;
-  const auto s = frequencies(response.peak_shear_time, duration);
   const auto spectrum_of = [&](const Case& problem) {
     const CompiledCase scene = compile_on(problem, coarse);
-    return solve_spectrum(scene.scene, scene.compiled, s);
+    return solve_spectrum(scene.scene, scene.compiled, response.peak_shear_time);
   };
   const Spectrum given = spectrum_of(input);
   const auto spectrum_with = [&](const Boundary& kind) {
