@@ -15,7 +15,7 @@ namespace upbead {
 namespace {
 
 /// What the truth lies away over what S moves by on cells half as large, and in half the step: docs/accuracy.md.
-constexpr double margin = 5., margin_of_steps = 3.3;
+constexpr double margin = 4.5, margin_of_steps = 3.;
 /// S of both meshes may agree by chance: parts of its change by forces wrong by as much as their peak and history may
 /// be.
 constexpr double by_chance = 0.03, by_chance_of_history = 0.01;
