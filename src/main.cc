@@ -4,8 +4,8 @@
 #include <csignal>
 
 #include "upbead/algebra/petsc_session.h"
-#include "upbead/app/commands.h"
-#include "upbead/app/failure.h"
+#include "upbead/cli/commands.h"
+#include "upbead/cli/failure.h"
 #include "upbead/base/error.h"
 #include "upbead/base/suggest.h"
 #include "upbead/output/versions.h"

@@ -15,7 +15,8 @@ std::string bounded(const std::string& text, std::size_t most) {
 }  // namespace
 
 std::string to_string(const Mistake& mistake) {
-  std::string text = bounded(mistake.place.file, longest_path);
+  const Place& place = mistake.place;
+  std::string text = bounded(place.file.empty() ? place.key : place.file, longest_path);
   if (mistake.place.line > 0) text += ":" + std::to_string(mistake.place.line);
   if (mistake.place.line > 0 && mistake.place.column > 0) text += ":" + std::to_string(mistake.place.column);
   if (!text.empty()) text += ": ";

@@ -135,6 +135,8 @@ class Recorder {
   Response response_;
 };
 
+const char* const no_fit = "the checkpoint does not belong to this scene";
+
 /// A file that was edited, as a fingerprint guards the others.
 void require_fit(const MarchCheckpoint& checkpoint, const System& system, int n_steps) {
   const Response& so_far = checkpoint.so_far;
@@ -147,7 +149,7 @@ void require_fit(const MarchCheckpoint& checkpoint, const System& system, int n_
                    so_far.final_state.x.size() == system.size() &&
                    checkpoint.memory.balanced.load.size() == system.loads.size() &&
                    checkpoint.memory.end_load.size() == system.loads.size();
-  if (!fit) throw NumericsError("the checkpoint does not belong to this scene");
+  if (!fit) throw NumericsError(no_fit);
 }
 
 /// A march between its steps.
@@ -188,18 +190,28 @@ class March {
 
  private:
   void observe() const {
-    if (options_.observer) options_.observer(state_, done_, n_steps_);
+    for (MarchObserver* observer : options_.observers) observer->see(state_, done_, n_steps_);
   }
   MarchCheckpoint checkpoint() const {
-    const auto& memory = options_.checkpoints.memory;
-    return {with_counts(recorder_.so_far(state_)), scheme_.memory(), memory ? memory() : std::vector<double>()};
+    std::vector<double> observed;
+    for (const MarchObserver* observer : options_.observers) {
+      const std::vector<double> memory = observer->memory();
+      observed.insert(observed.end(), memory.begin(), memory.end());
+    }
+    return {with_counts(recorder_.so_far(state_)), scheme_.memory(), observed};
   }
   void recall(const MarchCheckpoint& checkpoint) {
     const Response& so_far = checkpoint.so_far;
     require_fit(checkpoint, system_, n_steps_);
     state_ = so_far.final_state;
     scheme_.recall(checkpoint.memory);
-    if (options_.checkpoints.recall) options_.checkpoints.recall(checkpoint.observed);
+    auto known = checkpoint.observed.begin();
+    for (MarchObserver* observer : options_.observers) {
+      const auto n = static_cast<std::ptrdiff_t>(observer->memory().size());
+      if (checkpoint.observed.end() - known < n) throw NumericsError(no_fit);
+      observer->recall({known, known + n});
+      known += n;
+    }
     recorder_.recall(so_far);
     early_stop_.recall(so_far.energy);
     done_ = so_far.n_steps;
@@ -225,6 +237,12 @@ class March {
 };
 
 }  // namespace
+
+ObserverFunction progress_observer(std::function<void(double)> progress) {
+  return ObserverFunction([progress = std::move(progress)](const State&, int step, int n_steps) {
+    if (progress) progress(n_steps > 0 ? static_cast<double>(step) / n_steps : 1.);
+  });
+}
 
 Response march(const System& system, Scheme& scheme, const TimeGrid& grid, const MarchOptions& options) {
   if (system.is_divided() && (options.checkpoints.due || options.checkpoints.resume_from))

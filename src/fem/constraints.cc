@@ -128,7 +128,7 @@ void add_supports(Constraints& constraints, const Space& space, const Scene& sce
 }
 
 /// phi is continuous from free water into pores, but of one degree less there: between the vertices, which both share,
-/// the water's nodes follow the soil's shape functions. (Both sides are of one level of refinement: see refine_cells.)
+/// the water's nodes follow the soil's shape functions. (Both sides are of one level of refinement: see mesh/refine.h.)
 void add_wet_pores(Constraints& constraints, const Space& space) {
   std::vector<types::global_dof_index> of_soil;
   for_each_wet_face(space, [&](const WetFace& face) {

@@ -8,7 +8,7 @@
 namespace upbead {
 
 /// u and phi of the smaller cells follow the larger cell's shape functions on their common side. Both are of one kind:
-/// surfaces meet without hanging nodes (see refine_cells).
+/// surfaces meet without hanging nodes (see mesh/refine.h).
 void add_hanging_nodes(dealii::AffineConstraints<double>& constraints, const Space& space);
 
 }  // namespace upbead

@@ -21,22 +21,29 @@ bool choose_across_surfaces(Mesh& mesh) {
   return changed;
 }
 
+std::unique_ptr<Mesh> copy(const Mesh& mesh) {
+  auto other = std::make_unique<Mesh>();
+  other->triangulation.copy_triangulation(mesh.triangulation);
+  other->surfaces = mesh.surfaces;
+  other->curves = mesh.curves;
+  return other;
+}
+
 }  // namespace
 
-void refine_cells(Mesh& mesh, const std::vector<bool>& chosen) {
-  for (const auto& cell : mesh.triangulation.active_cell_iterators())
+std::unique_ptr<Mesh> refined(const Mesh& mesh, const std::vector<bool>& chosen) {
+  auto finer = copy(mesh);
+  for (const auto& cell : finer->triangulation.active_cell_iterators())
     if (chosen[cell->active_cell_index()]) cell->set_refine_flag();
   do {
-    mesh.triangulation.prepare_coarsening_and_refinement();  // one level of difference
-  } while (choose_across_surfaces(mesh));
-  mesh.triangulation.execute_coarsening_and_refinement();
+    finer->triangulation.prepare_coarsening_and_refinement();  // one level of difference
+  } while (choose_across_surfaces(*finer));
+  finer->triangulation.execute_coarsening_and_refinement();
+  return finer;
 }
 
 std::unique_ptr<Mesh> halved(const Mesh& mesh) {
-  auto finer = std::make_unique<Mesh>();
-  finer->triangulation.copy_triangulation(mesh.triangulation);
-  finer->surfaces = mesh.surfaces;
-  finer->curves = mesh.curves;
+  auto finer = copy(mesh);
   finer->triangulation.refine_global(1);
   return finer;
 }

@@ -56,7 +56,8 @@ LeastPressure::LeastPressure(const Space& space, const Unknowns& unknowns, const
   rows_.setFromTriplets(entries.begin(), entries.end());
 }
 
-void LeastPressure::see(const State& state) {
+void LeastPressure::see(const State& state, int step, int) {
+  if (step == 0) has_seen_ = false;
   if (watches()) take(rows_ * state.v, state.time);
 }
 

@@ -85,7 +85,12 @@ void Mobilisation::leave_out_free_surfaces() {
   for (Soil& soil : cells_) soil.counts = soil.middle_stress >= least_stress * stress[soil.region] / area[soil.region];
 }
 
-void Mobilisation::see(const State& state) {
+void Mobilisation::see(const State& state, int step, int) {
+  has_seen_ = true;
+  if (step == 0) {
+    std::fill(largest_.begin(), largest_.end(), 0.);
+    std::fill(time_.begin(), time_.end(), 0.);
+  }
   const Vector sum = sum_ * state.x, difference = difference_ * state.x, shear = shear_ * state.x;
   for (std::size_t c = 0; c < cells_.size(); ++c) {
     const Soil& soil = cells_[c];

@@ -13,7 +13,7 @@
 #include <numeric>
 
 #include "upbead/algebra/petsc_session.h"
-#include "upbead/app/pipeline.h"
+#include "case/case_run.h"
 #include "upbead/base/error.h"
 #include "upbead/base/stopwatch.h"
 #include "upbead/dynamics/batch_response.h"
@@ -49,9 +49,9 @@ struct Shear {
 /// A scene, its reference and what is measured against it.
 class Bench {
  public:
-  explicit Bench(const CompiledCase& scene)
+  explicit Bench(const Simulation& scene)
       : scene_(scene),
-        system_(scene.compiled.system),
+        system_(scene.compiled->system),
         duration_(step_of_loads(scene.scene, 4).duration),
         coarse_(make_time_grid(kinks(system_), scene.scene.time.end, duration_ / 2.)) {
     for (const SystemLoad& load : system_.loads) histories_.push_back(load.history);
@@ -67,7 +67,7 @@ class Bench {
     for (const int refinement : {4, 6, 8, 12, 16, 24, 48, 96})
       add_march(json, SchemeKind::generalised_alpha, refinement);
     for (const double shift : {1., 1.25, 1.5, 1.75, 2.}) add_models(json, shift);
-    const SchemeChoice choice = choose_scheme(scene_.scene, scene_.compiled);
+    const SchemeChoice choice = choose_scheme(scene_.scene, *scene_.compiled);
     json["chosen"] = {chosen("run", {false, false, choice.most_vectors}), chosen("reduce", {true, true, {}})};
     json["throughput"] = throughput();
     return json;
@@ -85,7 +85,7 @@ class Bench {
 
   Shear shear_of(const Response& response, int refinement) const {
     return {response.ends.reading.row(system_.reading(reading::shear_force)),
-            read_shear_response(scene_.compiled, response, true).peak_shear, refinement};
+            read_shear_response(*scene_.compiled, response, true).peak_shear, refinement};
   }
 
   Json march_with(SchemeKind kind, int refinement, Shear& shear) const {
@@ -124,7 +124,7 @@ class Bench {
 
   /// One Krylov space about a shift (in 2 pi / duration), looked at as it grows.
   void add_models(Json& json, double shift) const {
-    SecondOrderKrylov krylov(system_, shift * two_pi / duration_, scene_.compiled.body_coordinates);
+    SecondOrderKrylov krylov(system_, shift * two_pi / duration_, scene_.compiled->body_coordinates);
     Projection projection(system_, krylov);
     double krylov_seconds = 0., projection_seconds = 0.;
     for (const int vectors : {12, 15, 18, 21, 24, 27, 30, 33, 37, 41, 46, 51, 57, 64, 71, 80, 90}) {
@@ -145,7 +145,7 @@ class Bench {
 
   /// How many waves one core answers with the model that `upbead reduce` would write: F_T, its peak and S.
   Json throughput() const {
-    const Reduction reduction = reduce_scene(scene_.scene, scene_.compiled, {true, true, {}});
+    const Reduction reduction = reduce_scene(scene_.scene, *scene_.compiled, {true, true, {}});
     constexpr int n_waves = 2000, n_samples = 2000;
     constexpr double step = 1e-3;
     const BatchResponse batch(reduction.model, system_.reading(reading::shear_force), step);
@@ -153,7 +153,7 @@ class Bench {
     for (int n = 0; n < n_samples; ++n) F_T.time[n] = n * step;
     WaveSamples loads = WaveSamples::Zero(reduction.model.n_loads(), n_samples);
     Eigen::RowVectorXd y(n_samples);
-    const double resistance = reference_.peak, mass = scene_.compiled.caisson->body.mass;
+    const double resistance = reference_.peak, mass = scene_.compiled->caisson->body.mass;
     double respond_seconds = 0., read_seconds = 0.;
     int n_sliding = 0;
     for (int w = 0; w < n_waves; ++w) {
@@ -190,7 +190,7 @@ class Bench {
 
   /// The model that a command makes: what its nested models say of its error, and what that is.
   Json chosen(const char* command, const ReductionAim& aim) const {
-    const Reduction reduction = reduce_scene(scene_.scene, scene_.compiled, aim);
+    const Reduction reduction = reduce_scene(scene_.scene, *scene_.compiled, aim);
     return answered(reduction.model, {{"command", command},
                                       {"solves", reduction.n_solves},
                                       {"converged", reduction.converged},
@@ -212,7 +212,7 @@ class Bench {
     return errors(shear_of(response, modal_refinement), row);
   }
 
-  const CompiledCase& scene_;
+  const Simulation& scene_;
   const System& system_;
   double duration_;
   TimeGrid coarse_;
@@ -227,8 +227,8 @@ int main(int argc, char** argv) {
   try {
     if (argc < 2) throw std::invalid_argument("usage: bench_reduced CASE [KEY=VALUE]...");
     const upbead::PetscSession petsc;
-    const upbead::CompiledCase scene =
-        upbead::compile_case(upbead::read_case(argv[1], std::vector<std::string>(argv + 2, argv + argc)));
+    const upbead::Simulation scene =
+        upbead::simulation_of(upbead::read_case(argv[1], std::vector<std::string>(argv + 2, argv + argc)));
     std::cout << upbead::Bench(scene).measure().dump(1) << "\n";
   } catch (const std::exception& error) {
     std::cerr << error.what() << "\n";

@@ -18,7 +18,7 @@
 #include "../../src/algebra/condensation.h"
 #include "../../src/algebra/ldlt.h"
 #include "upbead/algebra/petsc_session.h"
-#include "upbead/app/pipeline.h"
+#include "case/case_run.h"
 #include "upbead/base/stopwatch.h"
 
 namespace upbead {
@@ -206,8 +206,8 @@ Json cholmod(const Problem& p) {
   return json;
 }
 
-Json measure(const CompiledCase& scene) {
-  const System& system = scene.compiled.system;
+Json measure(const Simulation& scene) {
+  const System& system = scene.compiled->system;
   const SparseMatrix E = effective_matrix(system, 0.0025);
   const Problem p = condensed(E, system.blocks);
   Json json{{"unknowns", system.n_free()}, {"condensed", p.A.rows()}, {"entries_of_matrix", p.A.nonZeros()}};
@@ -225,8 +225,8 @@ int main(int argc, char** argv) {
   try {
     if (argc < 2) throw std::invalid_argument("usage: bench_solves CASE [KEY=VALUE]...");
     const upbead::PetscSession petsc;
-    const upbead::CompiledCase scene =
-        upbead::compile_case(upbead::read_case(argv[1], std::vector<std::string>(argv + 2, argv + argc)));
+    const upbead::Simulation scene =
+        upbead::simulation_of(upbead::read_case(argv[1], std::vector<std::string>(argv + 2, argv + argc)));
     std::cout << upbead::measure(scene).dump(1) << "\n";
   } catch (const std::exception& error) {
     std::cerr << error.what() << "\n";

@@ -85,7 +85,8 @@ TEST_P(Checkpoint, ObserverSeesTheStateThatItBeginsAt) {
   std::vector<int> seen;
   MarchOptions options;
   options.checkpoints.resume_from = std::make_shared<const MarchCheckpoint>(all[4]);
-  options.observer = [&seen](const State&, int step, int) { seen.push_back(step); };
+  ObserverFunction note([&seen](const State&, int step, int) { seen.push_back(step); });
+  options.observers = {&note};
   run(options);
   ASSERT_EQ(seen.size(), all.size() - 4);
   EXPECT_EQ(seen.front(), 5);

@@ -84,11 +84,12 @@ ContactMarch march_contact(const System& system, double end, double step) {
   const auto scheme = make_contact_scheme(system);
   ContactMarch result;
   MarchOptions options;
-  options.observer = [&](const State& state, int, int) {
+  ObserverFunction note([&](const State& state, int, int) {
     result.states.push_back(state);
     result.forces.push_back(scheme->contact()->forces);
     result.moving_steps.push_back(scheme->contact()->slip_steps + scheme->contact()->open_steps);
-  };
+  });
+  options.observers = {&note};
   result.energy = march(system, *scheme, make_time_grid(kinks(system), end, step), options).energy;
   result.report = *scheme->contact();
   result.n_solves = scheme->n_solves();

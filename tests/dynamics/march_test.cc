@@ -26,11 +26,12 @@ TEST(March, RecordsEveryStep) {
   const auto scheme = make_scheme(system);
   int calls = 0;
   MarchOptions options;
-  options.observer = [&](const State& state, int step, int n_steps) {
+  ObserverFunction count([&](const State& state, int step, int n_steps) {
     EXPECT_EQ(step, calls++);
     EXPECT_EQ(n_steps, 40);
     EXPECT_NEAR(state.time, 0.05 * step, 1e-12);
-  };
+  });
+  options.observers = {&count};
   const Response response = march(system, *scheme, make_time_grid(kinks(system), 2., 0.05), options);
   EXPECT_EQ(calls, 41);
   EXPECT_EQ(response.n_steps, 40);

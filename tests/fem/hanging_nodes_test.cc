@@ -21,7 +21,7 @@ std::unique_ptr<Mesh> refined_breakwater(int levels, double distance, std::map<s
     for (const auto& cell : mesh->triangulation.active_cell_iterators())
       chosen[cell->active_cell_index()] =
           std::hypot(std::abs(cell->center()[0]) - 9., cell->center()[1] - 6.) < distance;
-    refine_cells(*mesh, chosen);
+    mesh = refined(*mesh, chosen);
   }
   return mesh;
 }
@@ -89,7 +89,7 @@ TEST(HangingNodes, AColumnSettlesEvenly) {
   const auto mesh = column_mesh(10., 4);
   std::vector<bool> chosen(mesh->triangulation.n_active_cells(), false);
   chosen[1] = true;
-  refine_cells(*mesh, chosen);
+  mesh = refined(*mesh, chosen);
   Region soil = sand();
   soil.flow = Flow::drained;
   Scene scene = column(soil, piecewise_linear({0., 1., 1000.}, {0., 1e5, 1e5}));

@@ -35,7 +35,7 @@ std::unique_ptr<Mesh> mesh_with(int levels) {
     std::vector<bool> chosen(mesh->triangulation.n_active_cells(), false);
     for (const auto& cell : mesh->triangulation.active_cell_iterators())
       chosen[cell->active_cell_index()] = std::hypot(cell->center()[0] + 9., cell->center()[1] - 6.) < 4.;
-    refine_cells(*mesh, chosen);
+    mesh = refined(*mesh, chosen);
   }
   return mesh;
 }

@@ -4,9 +4,9 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "case_schema.h"
+#include "case/case_schema.h"
 #include "target.h"
-#include "upbead/app/case.h"
+#include "upbead/case/case.h"
 
 namespace upbead::fuzz {
 

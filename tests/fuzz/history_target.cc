@@ -2,12 +2,12 @@
 // the force and the warnings of transducers.
 #include <cmath>
 
-#include "case_history.h"
-#include "records/gauge_keys.h"
+#include "case/case_history.h"
+#include "case/records/gauge_keys.h"
 #include "target.h"
-#include "upbead/app/wave_files.h"
+#include "upbead/respond/wave_files.h"
 #include "upbead/base/csv.h"
-#include "wave_grid.h"
+#include "respond/wave_grid.h"
 
 namespace upbead::fuzz {
 

@@ -2,7 +2,7 @@
 #include "hdf5_changes.h"
 #include "output/sample_model.h"
 #include "target.h"
-#include "upbead/app/wave_files.h"
+#include "upbead/respond/wave_files.h"
 
 namespace upbead::fuzz {
 

@@ -94,6 +94,15 @@ class Installed(unittest.TestCase):
         share, geometries = call(build / "consumer", self.reduced(), PEAK, DURATION).split()
         self.assertAlmostEqual(float(share), self.ratio, delta=0.005)
         self.assertEqual(int(geometries), len(list((PROJECT / "meshes").glob("*.geo"))))
+        self.solves_a_section(build / "section")
+
+    def solves_a_section(self, program):
+        """That of a case, without any case."""
+        no_sea = ["--set", "mesh.parameters.sea_front=0", "--set", "mesh.parameters.sea_back=0"]
+        run = json.loads(call(self.program, "run", self.share / "cases/fig2b-prototype.toml", "--json", "--out",
+                              self.folder / "prototype", *COARSE, *no_sea))
+        shear = float(call(program, self.share / "meshes/composite.geo", 1.6e6, 0.15, 1))
+        self.assertAlmostEqual(shear / run["response"]["peak_shear"], 1, delta=1e-5)  # of the digits printed
 
     def test_headers_are_whole(self):
         include = self.prefix / "include"

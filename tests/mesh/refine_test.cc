@@ -16,22 +16,22 @@ std::unique_ptr<Mesh> section() {
 }
 
 /// Splits what lies around a point of the bed's surface, three times.
-void refine_about(Mesh& mesh, const dealii::Point<dim>& point, double distance) {
+void refine_about(std::unique_ptr<Mesh>& mesh, const dealii::Point<dim>& point, double distance) {
   for (int level = 0; level < 3; ++level) {
-    std::vector<bool> chosen(mesh.triangulation.n_active_cells(), false);
-    for (const auto& cell : mesh.triangulation.active_cell_iterators())
+    std::vector<bool> chosen(mesh->triangulation.n_active_cells(), false);
+    for (const auto& cell : mesh->triangulation.active_cell_iterators())
       chosen[cell->active_cell_index()] = cell->center().distance(point) < distance;
-    refine_cells(mesh, chosen);
+    mesh = refined(*mesh, chosen);
   }
 }
 
 TEST(RefineCells, SplitsTheChosenOnes) {
-  const auto mesh = section();
+  auto mesh = section();
   const auto before = mesh->triangulation.n_active_cells();
   std::vector<bool> chosen(before, false);
   for (const auto& cell : mesh->triangulation.active_cell_iterators())
     chosen[cell->active_cell_index()] = mesh->surface_of(cell) == "mound";
-  refine_cells(*mesh, chosen);
+  mesh = refined(*mesh, chosen);
   EXPECT_GT(mesh->triangulation.n_active_cells(), before);
   for (const auto& cell : mesh->triangulation.active_cell_iterators()) {
     if (mesh->surface_of(cell) != "mound") continue;
@@ -40,9 +40,9 @@ TEST(RefineCells, SplitsTheChosenOnes) {
 }
 
 TEST(RefineCells, SurfacesMeetWithoutHangingNodes) {
-  const auto mesh = section();
-  refine_about(*mesh, {-28., 0.}, 6.);  // the toe: sand, rubble and water
-  refine_about(*mesh, {9., 6.}, 4.);    // a corner of the caisson
+  auto mesh = section();
+  refine_about(mesh, {-28., 0.}, 6.);  // the toe: sand, rubble and water
+  refine_about(mesh, {9., 6.}, 4.);    // a corner of the caisson
   int n_hanging = 0, n_across = 0;
   for (const auto& cell : mesh->triangulation.active_cell_iterators())
     for (const unsigned f : cell->face_indices()) {
@@ -61,7 +61,7 @@ TEST(RefineCells, SurfacesMeetWithoutHangingNodes) {
 }
 
 TEST(RefineCells, NamesOfSidesSurvive) {
-  const auto mesh = section();
+  auto mesh = section();
   const auto length_of = [&](const std::string& curve) {
     double length = 0.;
     for (const auto& face : mesh->triangulation.active_face_iterators())
@@ -69,14 +69,14 @@ TEST(RefineCells, NamesOfSidesSurvive) {
     return length;
   };
   const double bottom = length_of("bottom"), front = length_of("front");
-  refine_about(*mesh, {9., 6.}, 4.);
+  refine_about(mesh, {9., 6.}, 4.);
   EXPECT_NEAR(length_of("bottom"), bottom, 1e-12 * bottom);
   EXPECT_NEAR(length_of("front"), front, 1e-12 * front);
 }
 
 TEST(Halved, SplitsEveryCellOfACopy) {
-  const auto mesh = section();
-  refine_about(*mesh, {0., 0.}, 8.);
+  auto mesh = section();
+  refine_about(mesh, {0., 0.}, 8.);
   const auto before = mesh->triangulation.n_active_cells();
   const auto finer = halved(*mesh);
   EXPECT_EQ(mesh->triangulation.n_active_cells(), before);

@@ -25,7 +25,7 @@ TEST(LeastPressure, IsThatOfAllNodesAndSteps) {
   LeastPressure least(compiled.space, compiled.unknowns, compiled.resolved, level);
   const auto scheme = make_scheme(compiled.scene.system);
   MarchOptions options;
-  options.observer = [&least](const State& state, int, int) { least.see(state); };
+  options.observers = {&least};
   const Response response =
       march(compiled.scene.system, *scheme, make_time_grid(kinks(compiled.scene.system), 0.1, 0.005), options);
 
@@ -61,7 +61,7 @@ TEST(LeastPressure, OfAReducedModelIsThatOfTheMarch) {
   LeastPressure marched(compiled.space, compiled.unknowns, compiled.resolved, level);
   const auto scheme = make_scheme(compiled.scene.system);
   MarchOptions options;
-  options.observer = [&marched](const State& state, int, int) { marched.see(state); };
+  options.observers = {&marched};
   march(compiled.scene.system, *scheme, make_time_grid(kinks(compiled.scene.system), scene.time.end, 0.15 / 32.),
         options);
 

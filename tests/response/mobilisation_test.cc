@@ -31,7 +31,7 @@ std::vector<MobilisedStrength> find(double load, const std::optional<double>& k0
   Mobilisation mobilisation(compiled.space, compiled.unknowns, compiled.resolved, rest.stress, k0);
   const auto scheme = make_scheme(compiled.scene.system);
   MarchOptions options;
-  options.observer = [&mobilisation](const State& state, int, int) { mobilisation.see(state); };
+  options.observers = {&mobilisation};
   march(compiled.scene.system, *scheme, make_time_grid(kinks(compiled.scene.system), 2., 0.5), options);
 
   Mobilisation resumed(compiled.space, compiled.unknowns, compiled.resolved, rest.stress, k0);

@@ -42,7 +42,7 @@ std::vector<bool> cells_at_corners(const Mesh& mesh) {
 std::shared_ptr<Mesh> finer_mesh(const Mesh& mesh, int halvings) {
   std::shared_ptr<Mesh> finer = halved(mesh);
   for (int i = 1; i < halvings; ++i) finer = halved(*finer);
-  for (int i = 0; i < rounds_at_corners; ++i) refine_cells(*finer, cells_at_corners(*finer));
+  for (int i = 0; i < rounds_at_corners; ++i) finer = refined(*finer, cells_at_corners(*finer));
   return finer;
 }
 
@@ -59,10 +59,10 @@ Truth solve(const Case& input, const Run& answer, std::shared_ptr<Mesh> mesh) {
   const bool slips = answer.summary.contact && answer.summary.contact->solved;
   const double part = answer.summary.reduction || slips ? 0.25 : 0.5;
   exact.scene.time.step = part * answer.summary.discretisation.time_step * (1. + 1e-9);
-  CompiledCase scene = compile_case(exact, std::move(mesh));
+  const Simulation scene = simulation_of(exact, std::move(mesh));
   Truth truth;
   truth.unknowns = scene.unknowns->n_free();
-  truth.run = run_case(exact, scene, {});
+  truth.run = solve(exact, scene, {});
   return truth;
 }
 
@@ -114,13 +114,13 @@ AccuracyVerdict judge_accuracy(const std::string& path) {
   try {
     const Stopwatch watch;
     const Case input = read_case(path);
-    CompiledCase scene = compile_case(input);
-    const Run run = run_case(input, scene, {});
+    const Simulation scene = simulation_of(input);
+    const Run run = solve(input, scene, {});
     verdict.seconds = watch.seconds();
     verdict.unknowns = scene.unknowns->n_free();
     verdict.scheme = run.summary.discretisation.scheme;
     const Stopwatch truth_watch;
-    const int row = scene.compiled.system.reading(reading::shear_force);
+    const int row = scene.compiled->system.reading(reading::shear_force);
     Truth truth = solve(input, run, finer_mesh(*scene.mesh, 1));
     Run before = std::move(truth.run);
     if (16 * verdict.unknowns <= most_unknowns) {

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "upbead/app/pipeline.h"
+#include "case/case_run.h"
 
 namespace upbead::test {
 

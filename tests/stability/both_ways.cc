@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "upbead/app/pipeline.h"
+#include "case/case_run.h"
 #include "upbead/base/error.h"
 
 namespace upbead::test {
@@ -20,10 +20,10 @@ Answer answer(const std::string& path, const std::string& scheme, double finer) 
   Case input = read_case(path, {"time.scheme=" + scheme});
   if (input.scene.time.step) *input.scene.time.step /= finer;
   require_loads(input);
-  CompiledCase scene = compile_case(input);
+  const Simulation scene = simulation_of(input);
   Answer answer;
   try {
-    const Run run = run_case(input, scene, {});
+    const Run run = solve(input, scene, {});
     to_json(run.summary);  // throws where a number is not finite
     answer.ladder = run.summary.ladder;
     if (const auto& r = run.summary.response) answer.peak = std::max(r->peak_shear, -r->peak_shear_seaward);

@@ -5,7 +5,7 @@
 
 #include "equilibrated.h"
 #include "upbead/algebra/factorisation.h"
-#include "upbead/app/pipeline.h"
+#include "case/case_run.h"
 #include "upbead/base/error.h"
 
 namespace upbead::test {
@@ -133,9 +133,9 @@ bool is_finite(const Run& run) {
          all(r.final_state.x) && all(r.final_state.v) && all(r.final_state.a);
 }
 
-void measure(const Case& input, CompiledCase& scene, Measures& m) {
-  const Run run = run_case(input, scene, {});
-  const System& system = scene.compiled.system;
+void measure(const Case& input, const Simulation& simulation, Measures& m) {
+  const Run run = solve(input, simulation, {});
+  const System& system = run.simulation->compiled->system;
   const double end = input.scene.time.end, h = run.summary.discretisation.time_step;
   m.scheme = run.summary.discretisation.scheme;
   m.unknowns = system.n_free();
@@ -174,7 +174,7 @@ Verdict judge(const std::string& path) {
   try {
     const Case input = read_case(path);
     require_loads(input);
-    CompiledCase scene = compile_case(input);
+    const Simulation scene = simulation_of(input);
     measure(input, scene, verdict.measures);
     verdict.why = failures(verdict.measures);
     if (!verdict.why.empty()) verdict.kind = Verdict::Kind::failed;

@@ -13,7 +13,13 @@ struct Place {
   std::string file;
   int line = 0;
   int column = 0;
+  std::string key = {};  ///< of a scene that was not read from a file, or not yet: "time.step"
 };
+
+/// The place of a key, for whoever knows no file.
+inline Place at_key(std::string key) {
+  return {"", 0, 0, std::move(key)};
+}
 
 /// One mistake of the user: where it is, what is wrong, how to mend it.
 struct Mistake {

@@ -17,7 +17,7 @@ struct SchemeMemory {
 struct MarchCheckpoint {
   Response so_far;  ///< with the state that the march stands at, and the steps done
   SchemeMemory memory;
-  std::vector<double> observed;  ///< what the observer keeps in mind
+  std::vector<double> observed;  ///< memories of the observers, one after the other
 };
 
 }  // namespace upbead

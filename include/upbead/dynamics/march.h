@@ -32,18 +32,45 @@ struct Response {
 
 struct MarchCheckpoint;  // see checkpoint.h
 
+/// Follows the states of a march, and remembers what it needs of them. A march that is begun anew, as the one before was
+/// refused, begins with step 0: then nothing that was seen counts.
+class MarchObserver {
+ public:
+  MarchObserver() = default;
+  MarchObserver(const MarchObserver&) = default;
+  MarchObserver& operator=(const MarchObserver&) = default;
+  virtual ~MarchObserver() = default;
+
+  /// At t = 0 (step 0) and after every step; n_steps is that of the whole grid.
+  virtual void see(const State& state, int step, int n_steps) = 0;
+  /// All that a march which is resumed must know; of one size at all times. And back.
+  virtual std::vector<double> memory() const { return {}; }
+  virtual void recall(const std::vector<double>& /*memory*/) {}
+};
+
+/// Calls a function at every state.
+class ObserverFunction : public MarchObserver {
+ public:
+  using Function = std::function<void(const State&, int step, int n_steps)>;
+  explicit ObserverFunction(Function function) : function_(std::move(function)) {}
+  void see(const State& state, int step, int n_steps) override { function_(state, step, n_steps); }
+
+ private:
+  Function function_;
+};
+
+/// Tells `progress`, which may be none, how far a march is, by 0 to 1.
+ObserverFunction progress_observer(std::function<void(double)> progress);
+
 /// Checkpoints of a march.
 struct Checkpointing {
-  std::function<bool()> due;                               ///< asked after every step; none: never
-  std::function<void(const MarchCheckpoint&)> keep;        ///< takes one, before the observer sees that step
-  std::function<std::vector<double>()> memory;             ///< of the observer; may be none
-  std::function<void(const std::vector<double>&)> recall;  ///< gives it back before the observer sees a state
-  std::shared_ptr<const MarchCheckpoint> resume_from;      ///< of the same system, scheme and grid; null: from rest
+  std::function<bool()> due;                           ///< asked after every step; none: never
+  std::function<void(const MarchCheckpoint&)> keep;    ///< takes one, before observers see that step
+  std::shared_ptr<const MarchCheckpoint> resume_from;  ///< of the same system, scheme and grid; null: from rest
 };
 
 struct MarchOptions {
-  /// Called at t = 0 (step 0) and after every step; n_steps is that of the whole grid.
-  std::function<void(const State&, int step, int n_steps)> observer;
+  std::vector<MarchObserver*> observers;  ///< in this order; they outlive the march
   /// Stop once the loads are over and the stored energy has fallen below this fraction of its largest; 0: never. Loads
   /// are over past the last kink before the end where all are zero and keep that (keeps_value); what prescribes a
   /// motion counts too. A step, a harmonic or a triangle that outlasts the march so never stop early.

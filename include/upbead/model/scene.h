@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "upbead/model/accuracy_choice.h"
 #include "upbead/model/load.h"
 #include "upbead/model/region.h"
 #include "upbead/model/sliding_choice.h"
@@ -56,7 +57,8 @@ struct Scene {
   std::map<std::string, Load> loads;
   TimeChoice time;
   std::optional<InitialState> initial;  ///< for stiffness that depends on stress
-  double tolerance = 0.005;             ///< relative, on peak F_T
+  double tolerance = 0.005;             ///< relative, on what `accuracy` says
+  AccuracyChoice accuracy;
   std::map<std::string, Probe> probes;
   std::optional<double> fields_every;  ///< s; none: no fields
   bool base_stress = false;            ///< whether stress and pore pressure along the caisson's bottom are read

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "upbead/dynamics/march.h"
 #include "upbead/dynamics/reduce.h"
 #include "upbead/fem/unknowns.h"
 
@@ -13,20 +14,20 @@ constexpr double vapour_pressure = 2339., atmosphere = 101325.;
 
 /// Where and when a scene's water had its least absolute pressure: atmosphere + rho_f g (level - y) + excess. Only
 /// water below the still water level counts: what stands above holds air.
-class LeastPressure {
+class LeastPressure : public MarchObserver {
  public:
   /// `level`: of still water (m), from water_level(); where it is -infinity nothing is watched.
   LeastPressure(const Space& space, const Unknowns& unknowns, const Scene& scene, double level);
   bool watches() const { return !nodes_.empty(); }
   bool has_seen() const { return has_seen_; }
   /// Takes in a state of a march.
-  void see(const State& state);
+  void see(const State& state, int step, int n_steps) override;
   /// Takes in what a reduced model answers to these loads, at about 16 times in `duration` (s).
   void see(const PressureModel& model, const SampledLoads& loads, double duration);
 
   /// All that it remembers of what it has seen, and back.
-  std::vector<double> memory() const;
-  void recall(const std::vector<double>& memory);
+  std::vector<double> memory() const override;
+  void recall(const std::vector<double>& memory) override;
 
   double value() const { return least_; }  ///< Pa, absolute; negative where the linear answer pulls at the water
   double time() const { return time_; }    ///< s

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "upbead/dynamics/march.h"
 #include "upbead/fem/static_stage.h"
 #include "upbead/fem/unknowns.h"
 
@@ -24,17 +25,18 @@ struct MobilisedStrength {
 };
 
 /// Follows the stresses of all cells of regions with a strength.
-class Mobilisation {
+class Mobilisation : public MarchObserver {
  public:
   /// `rest`: the static state; `k0`: s'_x = K_0 s'_y of it, where that is given. Keeps what it needs of all.
   Mobilisation(const Space& space, const Unknowns& unknowns, const Scene& scene, const EffectiveStress& rest,
                const std::optional<double>& k0);
-  void see(const State& state);
+  void see(const State& state, int step, int n_steps) override;
+  bool has_seen() const { return has_seen_; }
   std::vector<MobilisedStrength> found() const;
 
   /// All that it remembers of the states it has seen, and back.
-  std::vector<double> memory() const;
-  void recall(const std::vector<double>& memory);
+  std::vector<double> memory() const override;
+  void recall(const std::vector<double>& memory) override;
 
  private:
   struct Soil {
@@ -54,6 +56,7 @@ class Mobilisation {
   std::vector<Soil> cells_;
   SparseMatrix sum_, difference_, shear_;  ///< changes of s, (s'_x - s'_y)/2, tau over the unknowns
   std::vector<double> largest_, time_;     ///< by cell
+  bool has_seen_ = false;
 };
 
 }  // namespace upbead

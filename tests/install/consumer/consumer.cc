@@ -2,7 +2,7 @@
 #include <cstdlib>
 #include <iostream>
 
-#include "upbead/app/case.h"
+#include "upbead/case/case.h"
 #include "upbead/dynamics/modal_response.h"
 #include "upbead/output/model_file.h"
 

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "record.h"
-#include "upbead/app/pipeline.h"
+#include "case/case_run.h"
 
 namespace upbead::test {
 namespace {
@@ -48,8 +48,8 @@ Summary solve(const ScenePair& pair, double tolerance, Overrides more = {}) {
   overrides.push_back("accuracy.tolerance=" + std::to_string(tolerance));
   overrides.insert(overrides.end(), more.begin(), more.end());
   const Case input = read_case(std::string(UPBEAD_CASE_DIR) + "/" + pair.file, overrides);
-  CompiledCase scene = compile_case(input);
-  return run_case(input, scene, {}).summary;
+  const Simulation scene = simulation_of(input);
+  return solve(input, scene, {}).summary;
 }
 
 constexpr double tolerance = 0.005, far_finer = 0.001;

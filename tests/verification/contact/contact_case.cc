@@ -56,12 +56,13 @@ ContactMarch::ContactMarch(const Scene& scene, const Mesh& mesh, double mu, doub
   const TimeGrid grid = make_time_grid(kinks(system), end, step);
   for (Eigen::MatrixXd* table : {&slip, &opening, &shear, &normal}) table->resize(n, grid.n_steps() + 1);
   MarchOptions options;
-  options.observer = [&](const State& state, int i, int) {
+  ObserverFunction note([&](const State& state, int i, int) {
     slip.col(i) = state.x.segment(system.first_slip(), n);
     opening.col(i) = state.x.segment(system.first_opening(), n);
     shear.col(i) = scheme->contact()->forces.shear;
     normal.col(i) = scheme->contact()->forces.normal;
-  };
+  });
+  options.observers = {&note};
   response = march(system, *scheme, grid, options);
   report = *scheme->contact();
 }

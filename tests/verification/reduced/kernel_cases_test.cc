@@ -9,7 +9,7 @@
 #include <filesystem>
 
 #include "record.h"
-#include "upbead/app/pipeline.h"
+#include "case/case_run.h"
 #include "upbead/dynamics/kernel.h"
 #include "upbead/fem/caisson_readings.h"
 
@@ -60,8 +60,8 @@ void write_down(Record& record, const std::string& what, const std::vector<std::
 /// Compares in 16 steps a duration of the triangular impulse, so that its kinks are ends of steps.
 void compare(Record& record, const std::string& path) {
   const Case input = read_case(path);
-  const CompiledCase scene = compile_case(input);
-  const System& system = scene.compiled.system;
+  const Simulation scene = simulation_of(input);
+  const System& system = scene.compiled->system;
   const int impulse = load_named(system, "impulse");
   const TimeFunction& P = system.loads.at(impulse).history;
   const double step = (P.kinks().back() - P.kinks().front()) / 16.;

@@ -30,10 +30,10 @@ SampledLoads sampled(const Eigen::VectorXd& force) {
 }
 
 TEST(ReducedWaves, OfThePrototype) {
-  const CompiledCase scene = compile_case(prototype());
-  const System& system = scene.compiled.system;
+  const Simulation scene = simulation_of(prototype());
+  const System& system = scene.compiled->system;
   ASSERT_EQ(system.loads.size(), 1u);
-  const Reduction reduction = reduce_scene(scene.scene, scene.compiled, {true, true, {}});
+  const Reduction reduction = reduce_scene(scene.scene, *scene.compiled, {true, true, {}});
   ASSERT_TRUE(reduction.converged);
   const int shear = system.reading(reading::shear_force);
   const Kernel kernel = discrete_kernel(system, {}, 0, {shear}, step, n - 1);

@@ -5,7 +5,7 @@
 
 #include "record.h"
 #include "scenes.h"
-#include "upbead/app/pipeline.h"
+#include "case/case_run.h"
 #include "upbead/response/reduction.h"
 
 namespace upbead::test {

@@ -1,0 +1,170 @@
+#include "upbead/case/case.h"
+
+#include <filesystem>
+
+#include "case_checks.h"
+#include "case_history.h"
+#include "case_schema.h"
+#include "records/gauge_keys.h"
+#include "records/gauge_loads.h"
+
+namespace fs = std::filesystem;
+
+namespace upbead {
+
+namespace {
+
+/// Where cells are split as the tolerance asks: for tolerances of 1 % and less it needs fewer unknowns than degree 2
+/// (docs/performance.md).
+constexpr int adapted_degree = 3;
+
+/// Reads what a load runs by: a pulse, a history or transducers.
+void make_history(Case& problem, const std::string& name, LoadTable& table, double end) {
+  const std::string path = dotted("loads", name);
+  if (table.kind == LoadKind::pressures) {
+    problem.gauges[name] = {table, table, read_gauges(table, problem.resolve(table.gauges), path, problem.document)};
+  } else if (table.pulse) {
+    table.history = time_function(*table.pulse);
+    table.duration = duration(*table.pulse);
+  } else {
+    read_history(problem.resolve(table.history_file), problem.place(path + ".history"), end, table);
+  }
+  if (table.factor == 0.) {
+    table.history = TimeFunction();
+    table.duration.reset();
+  } else {
+    table.history = scaled(table.history, table.factor);
+  }
+}
+
+/// Makes the histories of all sound loads.
+void make_histories(Case& problem, CaseTables& tables, InputReport& report) {
+  for (auto& [name, table] : tables.load_tables) {
+    if (!report.sound(dotted("loads", name))) continue;
+    try {
+      make_history(problem, name, table, tables.time.end);
+    } catch (const InputError& error) {
+      for (const Mistake& mistake : error.mistakes()) report.add(dotted("loads", name), mistake);
+    }
+  }
+}
+
+/// Makes the sliding of a scene, with the history of its uplift.
+void make_sliding(Case& problem, CaseTables& tables, InputReport& report) {
+  if (!tables.sliding_table || !report.sound("sliding")) return;
+  tables.sliding = *tables.sliding_table;
+  if (!problem.document.find("sliding.friction")) tables.sliding->friction = contact_friction(tables);
+  if (!tables.sliding_table->uplift_table) return;
+  tables.sliding->uplift = *tables.sliding_table->uplift_table;
+  const UpliftTable& table = *tables.sliding_table->uplift_table;
+  try {
+    if (!table.history_file.empty())
+      tables.sliding->uplift->history =
+          read_uplift(problem.resolve(table.history_file), problem.place("sliding.uplift.history"));
+    if (table.gauges.empty()) return;
+    problem.uplift_gauges = {
+        {}, table, read_gauges(table, problem.resolve(table.gauges), "sliding.uplift", problem.document)};
+    tables.sliding->uplift->history = uplift_of(*problem.uplift_gauges);
+  } catch (const InputError& error) {
+    for (const Mistake& mistake : error.mistakes()) report.add("sliding.uplift", mistake);
+  }
+}
+
+/// The tables as written, with the paths of files as `path_text` tells them.
+template <class PathText>
+CaseTables tables_of(const Case& problem, PathText path_text) {
+  CaseTables tables;
+  static_cast<Scene&>(tables) = problem.scene;
+  if (tables.mesh.file) tables.mesh.file = path_text(*tables.mesh.file);
+  for (const auto& [name, source] : problem.sources) {
+    LoadTable& table = tables.load_tables[name];
+    static_cast<Load&>(table) = problem.scene.loads.at(name);
+    table.pulse = source.pulse;
+    if (!source.history.empty()) table.history_file = path_text(source.history);
+  }
+  tables.accuracy_of = problem.scene.accuracy.of;
+  tables.accuracy_estimate = problem.scene.accuracy.estimate;
+  tables.measured = problem.measured;
+  for (auto& [name, source] : tables.measured) source.file = path_text(source.file);
+  for (const auto& [name, by_gauges] : problem.gauges) {
+    LoadTable& table = tables.load_tables[name];
+    static_cast<Load&>(table) = by_gauges.load;
+    static_cast<GaugeSource&>(table) = by_gauges.source;
+    table.gauges = path_text(by_gauges.source.gauges);
+  }
+  if (const auto& sliding = problem.scene.sliding) {
+    static_cast<SlidingChoice&>(tables.sliding_table.emplace()) = *sliding;
+    if (sliding->uplift) {
+      UpliftTable& uplift = tables.sliding_table->uplift_table.emplace();
+      static_cast<UpliftChoice&>(uplift) = *sliding->uplift;
+      if (!problem.uplift_history.empty()) uplift.history_file = path_text(problem.uplift_history);
+      if (problem.uplift_gauges) {
+        static_cast<GaugeSource&>(uplift) = problem.uplift_gauges->source;
+        uplift.gauges = path_text(uplift.gauges);
+      }
+    }
+  }
+  return tables;
+}
+
+}  // namespace
+
+std::string Case::resolve(const std::string& path) const {
+  return (fs::path(document.path()).parent_path() / path).lexically_normal().string();
+}
+
+InputError Case::placed(const InputError& error) const {
+  std::vector<Mistake> mistakes = error.mistakes();
+  for (Mistake& mistake : mistakes)
+    if (mistake.place.file.empty() && !mistake.place.key.empty()) mistake.place = place(mistake.place.key);
+  return InputError(std::move(mistakes));
+}
+
+Case read_case(const std::string& path, const std::vector<std::string>& overrides) {
+  Case problem;
+  problem.document = Document(path, overrides);
+  problem.stem = fs::path(path).stem().string();
+  CaseTables tables;
+  InputReport report;
+  case_schema().read(problem.document.root(), "", tables, report);
+  for (const auto check : {check_mesh, check_regions, check_loads, check_time, check_probes, check_sliding})
+    check(tables, problem.document, report);
+  make_histories(problem, tables, report);
+  make_sliding(problem, tables, report);
+  report.throw_if_any(path);
+  problem.scene = tables;
+  problem.scene.accuracy = {tables.accuracy_of, tables.accuracy_estimate};
+  problem.measured = tables.measured;
+  if (!problem.scene.mesh.refine && !problem.document.find("mesh.degree")) problem.scene.mesh.degree = adapted_degree;
+  if (tables.sliding_table && tables.sliding_table->uplift_table)
+    problem.uplift_history = tables.sliding_table->uplift_table->history_file;
+  for (const auto& [name, table] : tables.load_tables) {
+    if (table.kind == LoadKind::pressures) {
+      add_gauge_loads(name, problem.gauges.at(name), tables.time.end, problem.scene);
+      continue;
+    }
+    problem.scene.loads[name] = table;
+    problem.sources[name] = {table.pulse, table.history_file};
+  }
+  return problem;
+}
+
+void require_loads(const Case& problem) {
+  if (problem.scene.loads.empty())
+    throw InputError(problem.place("loads"), "the case has no load, so nothing would move",
+                     "add a table [loads.NAME] with boundary and pulse");
+}
+
+std::string effective_case(const Case& problem, const std::string& output_folder) {
+  const fs::path folder = fs::absolute(output_folder);
+  const auto seen_from_folder = [&](const std::string& path) {
+    return fs::relative(fs::absolute(problem.resolve(path)), folder).string();
+  };
+  return case_schema().echo(tables_of(problem, seen_from_folder));
+}
+
+std::string case_reference() {
+  return reference(case_schema());
+}
+
+}  // namespace upbead

@@ -1,0 +1,46 @@
+// The keys of the case file, and the tables that they fill before a scene is made of them.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+
+#include "upbead/case/gauge_source.h"
+#include "upbead/case/measured_source.h"
+#include "upbead/input/schema.h"
+#include "upbead/model/accuracy_choice.h"
+#include "upbead/model/scene.h"
+
+namespace upbead {
+
+/// A table [loads.NAME] as written; `history` of Load is made of the pulse or the file, or loads of the gauges.
+struct LoadTable : Load, GaugeSource {
+  std::optional<Pulse> pulse;
+  std::string history_file;
+};
+
+/// The table [sliding.uplift] as written.
+struct UpliftTable : UpliftChoice, GaugeSource {
+  std::string history_file;
+};
+
+/// The table [sliding] as written; `sliding` of Scene is made of it.
+struct SlidingTable : SlidingChoice {
+  std::optional<UpliftTable> uplift_table;
+};
+
+/// The whole file as written; `loads` and `sliding` of Scene are made of load_tables and sliding_table.
+struct CaseTables : Scene {
+  std::optional<SlidingTable> sliding_table;
+  std::map<std::string, LoadTable> load_tables;
+  std::map<std::string, MeasuredSource> measured;
+  AccuracyOf accuracy_of = AccuracyChoice().of;
+  bool accuracy_estimate = AccuracyChoice().estimate;
+};
+
+TableSchema<CaseTables> case_schema();
+TableSchema<Region> region_schema();
+TableSchema<LoadTable> load_schema();
+TableSchema<SlidingTable> sliding_schema();
+
+}  // namespace upbead

@@ -1,0 +1,14 @@
+// The files that a case reads.
+#pragma once
+
+#include <vector>
+
+#include "upbead/case/case.h"
+#include "upbead/base/inputs_kept.h"
+
+namespace upbead {
+
+/// The case itself, its mesh, histories, records and what was measured, each with the key that names it.
+std::vector<InputFile> input_files(const Case& problem);
+
+}  // namespace upbead

@@ -1,0 +1,39 @@
+// Measured histories beside computed ones.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "record_layout.h"
+#include "upbead/case/case.h"
+#include "upbead/output/result_file.h"
+#include "upbead/output/summary.h"
+
+namespace upbead {
+
+/// The column that is meant: the named one, else the first that is neither a time nor a counter. Throws InputError at
+/// `place` where there is none.
+std::size_t measured_column(const MeasuredSource& source, const CsvTable& table, const RecordLayout& layout,
+                            const Place& place);
+
+/// A record in SI units and the run's time.
+struct MeasuredRecord {
+  std::string name, reading, unit;
+  std::vector<double> time, value;
+  RecordNotes notes;
+};
+
+/// Reads all records of a case. `computed`: every history that the run will have (values are not looked at). Throws
+/// InputError with every mistake: a reading that there is not, and whatever is wrong with a file.
+std::vector<MeasuredRecord> read_measured(const Case& input, const std::vector<History>& computed);
+
+/// Each record against its history; `computed` has "time". Throws InputError where they have no time in common.
+std::vector<MeasuredSummary> compare_measured(const Case& input, const std::vector<MeasuredRecord>& records,
+                                              const std::vector<History>& computed);
+
+/// measured/NAME/time and measured/NAME/value.
+std::vector<History> measured_tables(const std::vector<MeasuredRecord>& records);
+
+std::string describe(const std::vector<MeasuredSummary>& measured);
+
+}  // namespace upbead

@@ -1,0 +1,116 @@
+#include "checkpoints.h"
+
+#include <cerrno>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+
+#include "case/fingerprint.h"
+#include "upbead/base/error.h"
+#include "upbead/base/interrupt.h"
+#include "upbead/base/text.h"
+#include "upbead/base/version.h"
+
+namespace fs = std::filesystem;
+
+namespace upbead {
+
+namespace {
+
+const char* const file_name = "state.h5";
+
+std::uint64_t fingerprint_of(const Case& input) {
+  Fingerprint fingerprint;
+  fingerprint.add(program_version());
+  fingerprint.add(effective_case(input, "."));
+  fingerprint.add_files(input);
+  return fingerprint.value();
+}
+
+/// The file is there whole, or the one before it.
+void write_whole(const fs::path& path, const std::string& bytes) {
+  const fs::path partial = path.string() + ".partial";
+  errno = 0;
+  std::ofstream stream(partial, std::ios::binary);
+  stream << bytes;
+  stream.close();
+  std::error_code code(errno, std::generic_category());
+  if (stream) fs::rename(partial, path, code);
+  if (!stream || code)
+    throw InputError({}, "cannot write '" + path.string() + "': " + code.message(), "make room on the disk");
+}
+
+}  // namespace
+
+void check_checkpoints(const Case& input) {
+  Mistakes mistakes;
+  const auto refuse = [&](bool asked, const std::string& key, const std::string& what) {
+    if (asked) mistakes.add(input.place(key), what + " keeps no checkpoints", "leave out --checkpoint and --resume");
+  };
+  refuse(has_frictional_contact(input.scene), "regions.caisson.interface", "a run with contact");
+  for (const auto& [name, region] : input.scene.regions)
+    refuse(region.strain_law.has_value(), "regions." + name + ".strain", "a run with soil that follows its strain");
+  mistakes.throw_if_any();
+}
+
+Checkpoints::Checkpoints(const Case& input, const std::string& results, const CheckpointWish& wish)
+    : title_(input.scene.title),
+      folder_(fs::absolute(results + "/.").lexically_normal().parent_path().string() + ".checkpoint"),
+      wish_(wish) {
+  if (wish.every > 0. || wish.resume) {
+    check_checkpoints(input);
+    fingerprint_ = fingerprint_of(input);
+  }
+  const fs::path file = fs::path(folder_) / file_name;
+  if (!wish.resume || !fs::exists(file)) return;
+  found_ = read_checkpoint(file.string());
+  if (found_->fingerprint != fingerprint_)
+    throw InputError({file.string()}, "a checkpoint of another case, mesh, history or version of upbead",
+                     "begin from the start, without --resume");
+}
+
+bool Checkpoints::due() const {
+  return interrupt_noted() || since_last_.seconds() > wish_.every;
+}
+
+/// A checkpoint that cannot be written is no reason to lose the run.
+void Checkpoints::keep(const MarchCheckpoint& march, const FieldOutput& fields) {
+  try {
+    fs::create_directories(folder_);
+    fields.lay_into(folder_);
+    write_whole(fs::path(folder_) / file_name, checkpoint_file(title_, {fingerprint_, march, fields.written()}));
+    if (interrupt_noted())
+      std::cerr << "upbead: kept at t = " << significant(march.so_far.final_state.time) << " s in " << folder_
+                << "; go on with --resume\n";
+  } catch (const std::exception& error) {
+    std::cerr << "warning: no checkpoint was kept, the run goes on: " << error.what() << "\n";
+  }
+  since_last_ = Stopwatch();
+}
+
+Checkpointing Checkpoints::begin(FieldOutput& fields) {
+  Checkpointing options;
+  if (wish_.every > 0.) {
+    options.due = [this] { return due(); };
+    options.keep = [this, &fields](const MarchCheckpoint& march) { keep(march, fields); };
+  }
+  if (found_) {
+    fields.take_over(folder_, found_->fields);
+    options.resume_from = std::make_shared<const MarchCheckpoint>(found_->march);
+  }
+  return options;
+}
+
+std::string Checkpoints::account() const {
+  if (!wish_.resume) return "";
+  if (!found_) return "resumed     from the start: there is no checkpoint in " + folder_ + "\n";
+  return "resumed     at t = " + significant(found_->march.so_far.final_state.time) + " s, after " +
+         std::to_string(found_->march.so_far.n_steps) + " steps\n";
+}
+
+void Checkpoints::remove() const {
+  std::error_code ignored;  // the results are there; what stays behind harms nobody
+  if (wish_.every > 0. || wish_.resume) fs::remove_all(folder_, ignored);
+}
+
+}  // namespace upbead

@@ -1,0 +1,169 @@
+#include "upbead/cli/report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdarg>
+#include <cstdio>
+
+#include "case/case_run.h"
+#include "contact_report.h"
+#include "case/records/gauge_report.h"
+#include "sliding_report.h"
+#include "upbead/base/text.h"
+#include "upbead/model/words.h"
+#include "upbead/response/scheme_choice.h"
+
+namespace upbead {
+
+namespace {
+
+__attribute__((format(printf, 1, 2))) std::string format(const char* pattern, ...) {
+  char buffer[400];
+  va_list arguments;
+  va_start(arguments, pattern);
+  std::vsnprintf(buffer, sizeof buffer, pattern, arguments);
+  va_end(arguments);
+  return buffer;
+}
+
+std::string describe_regions(const Case& input, const Simulation& simulation) {
+  std::string text;
+  for (const Decision& decision : simulation.decisions) {
+    const std::string& name = decision.region;
+    if (name.empty()) continue;
+    const std::string kind = word_of(input.scene.regions.at(name).kind, region_kind_words);
+    std::string line = kind + (decision.value == kind ? "" : ", " + decision.value) +
+                       (decision.key == "flow" ? " flow: " : ": ") + decision.why;
+    for (const Body& body : simulation.compiled->bodies)
+      if (body.region == name)
+        line += format(", %.5g kg/m, centre of gravity (%.4g, %.4g) m, inertia %.4g kg m2/m", body.mass, body.centre[0],
+                       body.centre[1], body.moment_of_inertia);
+    text += format("  %-12s ", name.c_str()) + line + "\n";
+  }
+  return text;
+}
+
+std::string describe_loads(const Simulation& simulation) {
+  std::string text;
+  for (const LoadOnCaisson& load : simulation.compiled->loads_on_caisson) {
+    std::string line = format("  %-12s ", load.name.c_str());
+    const double largest = std::max(std::abs(load.force_x), std::abs(load.force_y));
+    if (const auto arm = load.arm())
+      line += format("arm %.4g m above the caisson's bottom, F_x = %.4g per unit, F_y = %.4g", *arm,
+                     without_round_off(load.force_x, largest), without_round_off(load.force_y, largest));
+    else
+      line += simulation.compiled->caisson ? "no horizontal force on the caisson" : "no caisson to act on";
+    text += line + "\n";
+  }
+  return text;
+}
+
+std::string describe_march(const Run& run) {
+  const Discretisation& d = run.summary.discretisation;
+  return format("marched     %d steps of at most %.4g s by %s (%s); %d solves, %d factorisations\n", d.steps,
+                d.time_step, d.scheme.c_str(), run.step_reason.c_str(), d.solves, d.factorisations) +
+         "            because " + run.scheme_reason + "\n";
+}
+
+/// Nothing where the first way was taken.
+std::string describe(const Ladder& ladder) {
+  std::string text;
+  for (const LadderStep& step : ladder)
+    if (!step.refused.empty())
+      text += (text.empty() ? "ladder      " : "            ") + step.way + " refused: " + step.refused + "\n";
+  return text;
+}
+
+std::string describe(const ReductionSummary& r) {
+  return format(
+      "reduced     to %d modes from %d solves; the history of F_T moves by %.1e of its peak between nested\n"
+      "            models, its peak by %.1e, other readings by %.1e of theirs; checked up to %.3g Hz\n",
+      r.modes, r.vectors, r.error, r.error_peak, r.error_of_others, r.highest_frequency);
+}
+
+std::string describe(const SoilSummary& s) {
+  return format(
+      "soil        %s after %d iterations (peak %s by %.1g); peak |F_T| %.4g of that at vanishing strain;\n"
+      "            effective shear strain up to %.2g, G/G_max down to %.2f, damping up to %.3g\n",
+      s.converged ? "settled" : "NOT SETTLED", s.iterations, "changed", s.change, s.settled / s.linear,
+      s.largest_strain, s.least_modulus_ratio, s.largest_damping);
+}
+
+std::string describe(const MeshAccuracy& accuracy) {
+  std::string text = "adapted     unknowns (error of the history of F_T, of its peak):";
+  for (const auto& [unknowns, error] : accuracy.levels)
+    text += format(" %d (%.2g, %.2g)", unknowns, error.history, error.peak);
+  return text + "\n";
+}
+
+std::string describe(const ErrorEstimate& peak, const ErrorEstimate& history) {
+  return format("  error       up to %.2g of peak F_T: mesh %.1e, time %.1e, reduced model %.1e, far sides %.1e\n",
+                peak.total(), peak.mesh, peak.time, peak.reduced_model, peak.far_boundary) +
+         format("              up to %.2g of it at any time: mesh %.1e, time %.1e, reduced model %.1e\n",
+                history.total(), history.mesh, history.time, history.reduced_model);
+}
+
+}  // namespace
+
+std::string describe(const Case& input, const Simulation& simulation) {
+  std::string text = input.scene.title + "\n";
+  text += format("mesh        %d cells of degree %d, %d unknowns (%d of them relative fluid displacements)\n",
+                 static_cast<int>(simulation.mesh->triangulation.n_active_cells()), simulation.space->degree(),
+                 simulation.unknowns->n_free(), [&] {
+                   int n = 0;
+                   for (const IndexRange& block : simulation.unknowns->blocks()) n += block.size();
+                   return n;
+                 }());
+  if (simulation.processes) text += format("            divided among %d processes\n", simulation.processes->count());
+  if (simulation.accuracy) text += describe(*simulation.accuracy);
+  text += "regions\n" + describe_regions(input, simulation);
+  text += "loads\n" + describe_loads(simulation);
+  text += describe(gauge_summaries(input, simulation));
+  const SchemeChoice choice = choose_scheme(simulation.scene, *simulation.compiled);
+  text += "in time     " + word_of(choice.scheme, time_scheme_words) + ": " + choice.reason + "\n";
+  if (simulation.compiled->system.interface)
+    text += "contact     friction " + significant(contact_friction(simulation.scene)) + " at " +
+            std::to_string(simulation.compiled->system.interface->n_nodes()) +
+            " nodes; followed where the glued caisson would slip or lift at one of them\n";
+  text += "skipped\n";
+  for (const Skipped& item : skipped(input, simulation, choice.scheme == TimeScheme::reduced))
+    text += "  " + item.what + ": " + item.why + "\n";
+  return text;
+}
+
+std::string describe(const NumberedWarnings& warnings) {
+  std::string text;
+  for (const NumberedWarning& warning : warnings) text += "warning: " + warning.name + ": " + warning.text + "\n";
+  return text;
+}
+
+std::string describe(const Run& run) {
+  const Timing& t = run.summary.timing;
+  std::string text = describe(run.summary.ladder);
+  text += run.summary.reduction ? describe(*run.summary.reduction) : describe_march(run);
+  if (run.response.stopped_early) text += "            stopped early: little energy was left, as the case allows\n";
+  if (run.summary.response) {
+    const ShearResponse& r = *run.summary.response;
+    text += "response\n";
+    text += format("  peak P      %-14s at %.4g s\n", with_unit(r.peak_force, "N/m").c_str(), r.peak_force_time);
+    text += format("  peak F_T    %-14s at %.4g s (seaward %s at %.4g s)\n",
+                   with_unit(r.peak_shear, "N/m", r.peak_force).c_str(), r.peak_shear_time,
+                   with_unit(r.peak_shear_seaward, "N/m", r.peak_force).c_str(), r.peak_shear_seaward_time);
+    text += r.shear_to_force_ratio ? format("  F_T / P     %.4f\n", *r.shear_to_force_ratio)
+                                   : std::string("  F_T / P     none: no horizontal force acts on the caisson\n");
+    text += format("  peak x_G    %s\n", with_unit(r.peak_displacement, "m").c_str());
+    if (r.arm) text += format("  arm of P    %.4g m\n", *r.arm);
+    text += format("  checks      both routes to F_T differ by %.1e", r.reaction_mismatch) +
+            (run.summary.energy ? format(", energy by %.1e\n", run.summary.energy->mismatch()) : "\n");
+  }
+  if (run.summary.error) text += describe(*run.summary.error, *run.summary.history_error);
+  if (run.summary.soil) text += describe(*run.summary.soil);
+  if (run.summary.contact) text += describe(*run.summary.contact);
+  if (run.summary.sliding) text += describe(*run.summary.sliding);
+  text +=
+      format("time        mesh %.2f s, compile %.2f s, factorise %.2f s, march %.2f s, output %.2f s, total %.2f s\n",
+             t.mesh, t.compile, t.factorise, t.march, t.output, t.total);
+  return text;
+}
+
+}  // namespace upbead

@@ -1,0 +1,189 @@
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <iostream>
+#include <thread>
+
+#include "case/script_trust.h"
+#include "study/launch.h"
+#include "study/pool.h"
+#include "study/runner.h"
+#include "study/schedule.h"
+#include "study/study_progress.h"
+#include "study/study_report.h"
+#include "upbead/cli/commands.h"
+#include "upbead/base/files.h"
+#include "upbead/base/interrupt.h"
+
+namespace upbead {
+
+namespace {
+
+constexpr int exit_input = 1, exit_failed_runs = 2, exit_signal = 128;
+
+const std::vector<std::string> study_files{"study.csv", "study.h5", "summary.json", "journal/*.jsonl"};
+
+struct StudyOptions : CommonOptions {
+  int jobs = 0;  ///< 0: one per core
+  bool restart = false;
+  bool no_sharing = false;
+  bool trusts_scripts = false;
+  bool keys = false;
+};
+
+int number_of_results(const Results& results) {
+  return static_cast<int>(std::count_if(results.begin(), results.end(), [](const auto& r) { return r.has_value(); }));
+}
+
+/// Takes pieces until none is left, and writes every result down at once.
+void work(const Study& study, const std::vector<std::vector<int>>& pieces, const StudyOptions& options, Pool& pool) {
+  int n = 0;
+  for (const std::vector<int>& piece : pieces) n += static_cast<int>(piece.size());
+  StudyProgress progress(n);
+  const auto meanwhile = [&] {
+    check_interrupt();
+    if (pool.rank() == 0 && progress.due()) progress.draw(pool.done(), pool.failed());
+  };
+  Journal journal(options.out, study.fingerprint, pool.rank());
+  Runner runner(study, !options.no_sharing, options.trusts_scripts);
+  for (std::size_t i = static_cast<std::size_t>(pool.take()); i < pieces.size();
+       i = static_cast<std::size_t>(pool.take()))
+    for (const int run : pieces[i]) {
+      meanwhile();
+      const RunResult result = runner.run(study.runs[static_cast<std::size_t>(run)], meanwhile);
+      journal.add(run, result);
+      pool.tell(1, result.done ? 0 : 1);
+    }
+  while (pool.rank() == 0 && pool.done() < n) {  // the others have their last pieces
+    meanwhile();
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  pool.meet();
+}
+
+/// Writes the tables from the journals, and says what came out.
+void finish(const Study& study, const StudyOptions& options, const StudyAccount& account) {
+  const Results results = read_journals(options.out, study.fingerprint, study.runs.size());
+  OutputFolder folder(options.out);
+  folder.write("study.csv", study_csv(study, results));
+  folder.write("study.h5", study_h5(study, results));
+  const std::string json = to_json(study, results, account);
+  folder.write("summary.json", json);
+  folder.commit();
+  std::cout << (options.json ? json
+                             : describe(study, results, account) + "written     " + folder.name() +
+                                   "/{study.csv, study.h5, summary.json}\n")
+            << std::flush;
+  if (n_failed(results) > 0) throw CLI::RuntimeError(exit_failed_runs);
+}
+
+/// The other processes may be anywhere, and to end MPI in an orderly way would be to wait for them.
+[[noreturn]] void leave(int code) {
+  std::cerr << std::flush;
+  std::_Exit(code);
+}
+
+[[noreturn]] void end_interrupted(const Interrupted& interrupted, const Study& study, const StudyOptions& options,
+                                  const Pool& pool) {
+  // where another process ends before the first has spoken, the launcher ends that one, too
+  if (pool.rank() > 0) std::this_thread::sleep_for(std::chrono::seconds(2));
+  const int n = number_of_results(read_journals(options.out, study.fingerprint, study.runs.size()));
+  if (pool.rank() == 0)
+    std::cerr << "upbead: interrupted; " << n << " of " << study.runs.size()
+              << " runs are done, the same command goes on with the rest\n";
+  leave(exit_signal + interrupted.signal());
+}
+
+/// Of all processes the first one tells mistakes.
+Study read_study_in(const Pool& pool, const StudyOptions& options) {
+  try {
+    return read_study(options.file, options.overrides);
+  } catch (const InputError&) {
+    if (pool.rank() == 0) throw;
+    throw CLI::RuntimeError(exit_input);
+  }
+}
+
+void run_study(const StudyOptions& options, const Stopwatch& since_start) {
+  Pool pool;
+  const Study study = read_study_in(pool, options);
+  require_inputs_kept(options.out, study_files, study.inputs);
+  if (pool.rank() == 0 && options.restart) remove_journals(options.out);
+  pool.meet();
+  const Results before = read_journals(options.out, study.fingerprint, study.runs.size());
+  const std::vector<std::vector<int>> pieces = schedule(study, before);
+  pool.meet();  // nobody writes before all have read
+  note_interrupts();
+  try {
+    if (!pieces.empty()) work(study, pieces, options, pool);
+  } catch (const Interrupted& interrupted) {
+    end_interrupted(interrupted, study, options, pool);
+  } catch (const std::exception& error) {
+    if (pool.size() == 1) throw;
+    std::cerr << error.what() << "\n";
+    leave(exit_input);
+  }
+  if (pool.rank() == 0) finish(study, options, {pool.size(), number_of_results(before), since_start.seconds()});
+}
+
+/// Checks everything first, so that mistakes are told once, then starts as many processes as have work.
+void start(const StudyOptions& options) {
+  const Study study = read_study(options.file, options.overrides);
+  require_inputs_kept(options.out, study_files, study.inputs);
+  const Results before =
+      options.restart ? Results(study.runs.size()) : read_journals(options.out, study.fingerprint, study.runs.size());
+  {
+    const OutputFolder free_to_write(options.out);  // throws where it is not; given back before the runs take it
+  }
+  const int jobs = options.jobs > 0 ? options.jobs : available_cores();
+  const int processes = std::min(jobs, static_cast<int>(schedule(study, before).size()));
+  if (processes < 2) return;
+  launch(processes);
+  std::cerr << "there is no mpirun: the runs go one after the other\n";
+}
+
+const char* const footer =
+    "Runs every scene of the study; the keys of a study file are in docs/study.md (or --keys).\n\n"
+    "Writes into results/NAME (or --out DIR):\n"
+    "  study.csv      one row per run: varied values, what was read, status, message\n"
+    "  study.h5       the same\n"
+    "  summary.json   runs that failed with the command to repeat them, what was skipped, times\n"
+    "  journal/       what is known while it runs; the same command goes on where it stopped\n\n"
+    "A failed run is a row that says why; the exit code then is 2. On a cluster: mpirun -n 64 upbead study STUDY\n\n"
+    "Examples:\n"
+    "  upbead study cases/study/stiffness.toml\n"
+    "  upbead study cases/study/stiffness.toml --jobs 8 --out /tmp/stiffness\n"
+    "  postprocess/study.py results/stiffness";
+
+void add_options(CLI::App& command, StudyOptions& options) {
+  add_common_options(command, options);
+  command.get_option("FILE")->required(false)->description("the study (TOML)");
+  command.get_option("--out")->description("folder for the results (default: results/NAME, NAME as the study's)");
+  command.get_option("--set")->description("use another value of one key of the study; may be given many times");
+  command.add_option("--jobs", options.jobs, "processes (default: one per core)")->check(CLI::Range(1, 100000));
+  command.add_flag("--restart", options.restart, "forget the runs that are done");
+  command.add_flag("--no-sharing", options.no_sharing, "mesh and solve every run anew; the numbers are the same");
+  add_trust_option(command, options.trusts_scripts);
+  command.add_flag("--keys", options.keys, "print every key of a study file with range, default and meaning");
+}
+
+}  // namespace
+
+void add_study(CLI::App& program) {
+  auto options = std::make_shared<StudyOptions>();
+  CLI::App* command = program.add_subcommand("study", "vary keys of cases, and run them side by side");
+  add_options(*command, *options);
+  command->footer(footer);
+  command->callback([options, since_start = Stopwatch()] {
+    if (options->keys) {
+      std::cout << study_reference();
+      return;
+    }
+    if (options->file.empty()) throw CLI::RequiredError("FILE");
+    if (options->out.empty()) options->out = "results/" + std::filesystem::path(options->file).stem().string();
+    if (!is_launched()) start(*options);
+    run_study(*options, since_start);
+  });
+}
+
+}  // namespace upbead

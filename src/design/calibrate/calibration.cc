@@ -1,0 +1,144 @@
+#include "calibration.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "../shear_model.h"
+#include "upbead/base/parallel.h"
+#include "calibration_checks.h"
+#include "calibration_fits.h"
+#include "family.h"
+#include "upbead/base/stopwatch.h"
+#include "upbead/sliding/duration.h"
+
+namespace upbead {
+
+namespace {
+
+constexpr double steps_of_a_rise = 80.;
+
+/// What all waves of one model share, at its size.
+struct Setting {
+  Section section;
+  Water water;
+  ImpactAssumptions impact;
+  std::vector<double> ratios;
+  std::vector<FamilyWave> waves;
+};
+
+Setting setting_at(const DesignTables& tables, const Family& family, double scale) {
+  Setting setting{scaled(tables.section, scale), tables.water, tables.impact, tables.calibration->ratios.values, {}};
+  for (const FamilyWave& wave : family.waves) setting.waves.push_back(scaled(wave, scale));
+  return setting;
+}
+
+Breakwater breakwater_of(const Setting& setting, const FamilyWave& wave) {
+  return {with_mound(setting.section, wave), setting.water, {}, {}};
+}
+
+double shortest_rise(const Setting& setting) {
+  double shortest = HUGE_VAL;
+  for (const FamilyWave& wave : setting.waves) {
+    const WavePressure standing =
+        WaveForces(breakwater_of(setting, wave), sea_state(wave)).at(wave.height, {}, PressureFormula::standing);
+    const ImpactWave impact =
+        impact_wave(setting.impact, {wave.height, wave.period, standing.force, wave.alpha_star, standing.uplift},
+                    setting.water, wave.berm_depth);
+    shortest = std::min(shortest, impact.rise);
+  }
+  return shortest;
+}
+
+WaveDuration duration_at(double ratio, double mass, const ForceHistory& force) {
+  const HistoryDuration found = history_duration(mass, force, ratio);
+  WaveDuration duration{ratio, found.sliding, {}};
+  const auto take = [&duration](DurationMeasure measure, const std::optional<double>& tau_0) {
+    if (tau_0) duration.tau_0[measure] = *tau_0;
+  };
+  take(DurationMeasure::paper, found.by_paper);
+  take(DurationMeasure::exact, found.by_exact);
+  take(DurationMeasure::excess, found.by_excess);
+  take(DurationMeasure::impulse, found.by_impulse);
+  return duration;
+}
+
+void set_impact(const ImpactWave& impact, CalibratedWave& out) {
+  out.standing_force = impact.standing_force;
+  out.peak = impact.peak;
+  out.rise = impact.rise;
+  out.duration = impact.duration;
+  out.reduction = impact.reduction;
+  out.uplift = impact.uplift;
+}
+
+CalibratedWave calibrate_wave(const Setting& setting, std::size_t number,
+                              const std::shared_ptr<const ShearAnswer>& answer) {
+  const FamilyWave& wave = setting.waves[number];
+  CalibratedWave out;
+  out.wave = number;
+  out.height = wave.height;
+  out.period = wave.period;
+  out.wavelength = wave.wavelength;
+  out.berm_depth = wave.berm_depth;
+  out.berm_width = wave.berm_width;
+  out.alpha_I = wave.alpha_I;
+  out.alpha_star = wave.alpha_star;
+  out.tau_0F = standing_duration(wave.height, setting.section.water_depth, wave.period);
+  const DynamicWave answered =
+      DynamicLaw(breakwater_of(setting, wave), sea_state(wave), setting.impact, answer).wave(wave.height);
+  set_impact(answered.wave, out);
+  out.peak_shear = *std::max_element(answered.shear.begin(), answered.shear.end());
+  const ForceHistory force{answered.time, answered.sliding_force};
+  out.peak_sliding_force = force.value[peak_index(force)];
+  if (out.peak_sliding_force <= 0.) return out;  // nothing pushes it landward
+  for (const double ratio : setting.ratios)
+    out.durations.push_back(duration_at(ratio, setting.section.weight / setting.water.gravity, force));
+  return out;
+}
+
+CalibratedModel calibrate_model(const Design& design, const Family& family, const std::string& name) {
+  const DesignTables& tables = design.tables;
+  const ScaledModel& table = tables.calibration->models.at(name);
+  const Setting setting = setting_at(tables, family, table.scale);
+  const WaveModel model = read_wave_model(design.resolve(table.model), table, setting.section, setting.water,
+                                          design.document.place(dotted("calibration.models", name)));
+  CalibratedModel out;
+  out.name = name;
+  out.title = model.title;
+  out.load = model.load;
+  out.scale = table.scale;
+  out.shortest_rise = shortest_rise(setting);
+  out.step = table.step.value_or(out.shortest_rise / steps_of_a_rise);
+  const auto answer = std::make_shared<const ShearAnswer>(model.shear, out.step, 0.);
+  out.waves.resize(setting.waves.size());
+  in_parallel(out.waves.size(), "calibrating " + name,
+              [&](std::size_t i) { out.waves[i] = calibrate_wave(setting, i, answer); });
+  out.fits = fits(out, setting.ratios, tables.duration);
+  return out;
+}
+
+}  // namespace
+
+Calibration calibrate(const Design& design) {
+  const Stopwatch watch;
+  const Family family = make_family(design.tables);
+  Calibration out;
+  out.n_grid = family.n_grid;
+  out.n_waves = family.waves.size();
+  out.left = family.left;
+  out.given = design.tables.duration;
+  for (const auto& [name, model] : design.tables.calibration->models)
+    out.models.push_back(calibrate_model(design, family, name));
+  out.seconds = watch.seconds();
+  return out;
+}
+
+Calibration calibrate(const std::string& path, const std::vector<std::string>& overrides) {
+  return calibrate(read_design(path, overrides, {check_calibration}));
+}
+
+void check_calibration_design(const std::string& path, const std::vector<std::string>& overrides) {
+  read_design(path, overrides, {check_calibration});
+}
+
+}  // namespace upbead

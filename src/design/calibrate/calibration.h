@@ -1,0 +1,12 @@
+// The work of `upbead calibrate`.
+#pragma once
+
+#include "../design.h"
+#include "upbead/design/calibrate.h"
+
+namespace upbead {
+
+/// A sound design.
+Calibration calibrate(const Design& design);
+
+}  // namespace upbead

@@ -1,0 +1,10 @@
+// Checks across the keys of a design, and of the models that it names, for `calibrate`.
+#pragma once
+
+#include "../design.h"
+
+namespace upbead {
+
+void check_calibration(const DesignTables& tables, const Document& document, InputReport& report);
+
+}  // namespace upbead

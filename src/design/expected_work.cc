@@ -1,0 +1,186 @@
+#include "expected_work.h"
+
+#include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+
+#include "upbead/base/parallel.h"
+#include "expected_checks.h"
+#include "expected_laws.h"
+#include "sea_states_file.h"
+#include "upbead/base/error.h"
+#include "upbead/base/stopwatch.h"
+
+namespace upbead {
+
+namespace {
+
+constexpr int curve_points = 240;
+
+double cut_of(const Design& design) {
+  const DesignTables& tables = design.tables;
+  return (tables.sea ? tables.sea->highest : tables.storms->highest).value_or(RayleighHeights::no_cut);
+}
+
+/// Waves of all sea states above a height.
+double waves_above(const std::vector<SeaState>& states, double cut, double height) {
+  double sum = 0.;
+  for (const SeaState& state : states)
+    sum += state.waves * RayleighHeights(state.significant_height, cut).exceedance(height);
+  return sum;
+}
+
+/// The height that so many waves exceed; 0 where there are fewer.
+double height_of(const std::vector<SeaState>& states, double cut, double number) {
+  const auto excess = [&](double height) { return waves_above(states, cut, height) - number; };
+  if (excess(0.) <= 0.) return 0.;
+  double high = 1.;
+  while (excess(high) > 0.) high *= 2.;
+  boost::uintmax_t most = 100;
+  return boost::math::tools::toms748_solve(excess, 0., high, boost::math::tools::eps_tolerance<double>(50), most).first;
+}
+
+QuadratureChoice choice_of(Law law) {
+  return law == Law::dynamic || law == Law::combined ? QuadratureChoice{1e-5, 8} : QuadratureChoice{};
+}
+
+void integrate_states(const Laws& laws, double cut, std::vector<StateAnswer>& states) {
+  in_parallel(states.size(), "integrating", [&](std::size_t i) {
+    StateAnswer& answer = states[i];
+    const RayleighHeights heights(answer.state.significant_height, cut);
+    for (const Law law : laws.known())
+      answer.by_law[law] =
+          expected_distance(*laws.make(law, answer.state), heights, answer.state.waves, choice_of(law));
+  });
+}
+
+std::map<Law, Expectation> total_of(const std::vector<StateAnswer>& states) {
+  std::map<Law, Expectation> total;
+  for (const StateAnswer& state : states)
+    for (const auto& [law, part] : state.by_law) {
+      Expectation& sum = total.try_emplace(law, Expectation{0., 0., 0., HUGE_VAL}).first->second;
+      sum.distance += part.distance;
+      sum.error += part.error;
+      sum.sliding_waves += part.sliding_waves;
+      sum.threshold = std::min(sum.threshold, part.threshold);
+    }
+  for (const auto& [law, sum] : total)
+    if (!std::isfinite(sum.distance))
+      throw NumericsError(std::string("the expected distance by the law '") + word(law) + "' is not finite");
+  return total;
+}
+
+void add_peaks(const DynamicLaw& law, HeightCurves& curves) {
+  for (const double height : curves.height) {
+    const DynamicWave wave = law.wave(height);
+    curves.peak_force.push_back(*std::max_element(wave.force.begin(), wave.force.end()));
+    curves.peak_shear.push_back(*std::max_element(wave.shear.begin(), wave.shear.end()));
+  }
+}
+
+/// Up to the height that a thousandth of a wave exceeds.
+HeightCurves curves_of(const Laws& laws, const std::vector<StateAnswer>& states, const std::vector<SeaState>& record,
+                       double cut) {
+  const auto most = std::max_element(states.begin(), states.end(), [](const StateAnswer& a, const StateAnswer& b) {
+    return a.by_law.at(Law::exact).distance < b.by_law.at(Law::exact).distance;
+  });
+  HeightCurves curves;
+  curves.state = most->state;
+  const double top = height_of(record, cut, 1e-3);
+  for (int i = 1; i <= curve_points; ++i) curves.height.push_back(top * i / curve_points);
+  for (const double height : curves.height) {
+    double sum = 0.;
+    for (const SeaState& state : record)
+      sum += state.waves * RayleighHeights(state.significant_height, cut).density(height);
+    curves.waves.push_back(sum);
+  }
+  const RayleighHeights heights(curves.state.significant_height, cut);
+  for (const Law law : laws.known()) {
+    const auto of = laws.make(law, curves.state);
+    for (const double height : curves.height) {
+      const double distance = of->distance(height);
+      curves.distance[law].push_back(distance);
+      curves.contribution[law].push_back(curves.state.waves * heights.density(height) * distance);
+    }
+  }
+  if (laws.model()) add_peaks(*laws.dynamic(curves.state), curves);
+  return curves;
+}
+
+StormSource source_of(const Design& design) {
+  const StormClimate climate = climate_of(*design.tables.storms);
+  return {[climate, years = design.tables.life->years](double u) { return number_of_storms(climate, years, u); },
+          [climate, section = design.tables.section, water = design.tables.water](double u_height, double u_tide) {
+            return storm_on(section, water, climate, u_height, u_tide);
+          }};
+}
+
+MonteCarlo simulate(const Design& design, const Laws& laws, const std::vector<SeaState>& record,
+                    const ExpectedAnswer& answer) {
+  const LifeTable& table = *design.tables.life;
+  MonteCarlo out;
+  out.law = table.sliding.value_or(laws.best());
+  LifeSetup setup;
+  if (design.tables.storms) {
+    setup.source = source_of(design);
+  } else {
+    setup.states = record;
+    setup.record_years = design.tables.sea->years;
+    out.without_scatter = answer.total.at(out.law).distance * table.years / design.tables.sea->years;
+  }
+  setup.life_years = table.years;
+  setup.cut = cut_of(design);
+  setup.uncertain = uncertainties(design.tables.scatter);
+  setup.law = [&laws, law = out.law](const SeaState& state) { return laws.make(law, state); };
+  setup.seed = static_cast<std::uint64_t>(table.seed);
+  const LifeSimulation simulation(setup);
+  const Stopwatch watch;
+  std::vector<Life> lives(static_cast<std::size_t>(table.lives));
+  in_parallel(lives.size(), "simulating lives",
+              [&](std::size_t i) { lives[i] = simulation.life(static_cast<std::uint32_t>(i)); });
+  out.seconds = watch.seconds();
+  for (const Life& life : lives) {
+    if (!std::isfinite(life.sliding)) throw NumericsError("the sliding distance of a life is not finite");
+    out.sliding.push_back(life.sliding);
+    out.waves += life.waves;
+    out.answered += life.answered;
+  }
+  out.statistics = statistics(out.sliding);
+  return out;
+}
+
+}  // namespace
+
+namespace {
+
+void integrate(const Design& design, const Laws& laws, const std::vector<SeaState>& record, ExpectedAnswer& answer) {
+  const double cut = cut_of(design);
+  for (const SeaState& state : record) answer.states.push_back({state, {}});
+  integrate_states(laws, cut, answer.states);
+  answer.total = total_of(answer.states);
+  answer.waves = waves_above(record, cut, 0.);
+  answer.highest = height_of(record, cut, 1.);
+  for (const auto& [name, height] : design.tables.sea->heights)
+    answer.exceedance.push_back({name, height, waves_above(record, cut, height)});
+  answer.curves = curves_of(laws, answer.states, record, cut);
+}
+
+}  // namespace
+
+ExpectedAnswer find_expected(const Design& design) {
+  std::vector<SeaState> record;
+  RecordNotes notes;
+  if (design.tables.sea)
+    record = read_sea_states(design.resolve(design.tables.sea->states), design.document.place("sea.states"), notes);
+  const Stopwatch watch;
+  const Laws laws(design, design.tables.storms ? typical_storms(design) : record);
+  ExpectedAnswer answer;
+  answer.notes = std::move(notes);
+  answer.model = laws.model();
+  if (design.tables.sea) integrate(design, laws, record, answer);
+  answer.quadrature_seconds = watch.seconds();
+  if (design.tables.life) answer.monte_carlo = simulate(design, laws, record, answer);
+  return answer;
+}
+
+}  // namespace upbead

@@ -1,0 +1,18 @@
+// The record of sea states.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "upbead/case/record_notes.h"
+#include "upbead/base/error.h"
+#include "upbead/expected/sea_state.h"
+
+namespace upbead {
+
+/// Reads a CSV file with the columns significant_height (m), period (s), waves, and, on demand, angle (degrees) and
+/// water_level (m), in any order; units in the header count, a counter is left out and added to `notes`. Throws
+/// InputError with every mistake; a file that cannot be read is one at `place`.
+std::vector<SeaState> read_sea_states(const std::string& path, const Place& place, RecordNotes& notes);
+
+}  // namespace upbead

@@ -1,0 +1,236 @@
+#include "upbead/respond/respond_waves.h"
+
+#include <algorithm>
+#include <boost/math/constants/constants.hpp>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "upbead/base/parallel.h"
+#include "respond_sliding.h"
+#include "respond_slip.h"
+#include "upbead/base/error.h"
+#include "upbead/base/text.h"
+#include "upbead/dynamics/band_check.h"
+#include "upbead/dynamics/response_error.h"
+#include "upbead/fem/caisson_readings.h"
+#include "wave_grid.h"
+#include "wave_peaks.h"
+
+namespace upbead {
+
+namespace {
+
+constexpr double pi = boost::math::constants::pi<double>();
+constexpr double most_numbers = 1e8;  // of P in one file; with F_T and the file itself 5 GB of memory
+
+/// The longest step (s) that shows a peak: a twentieth of the period of the highest frequency, and a fiftieth of the
+/// case's shortest load. The latter counts where a soft ground filters that load, so that checks end at a low
+/// frequency.
+double longest_step(const ReducedModelFile& model) {
+  double step = 1. / (20. * model.highest_frequency);
+  for (const ModelLoad& load : model.loads)
+    if (load.duration > 0.) step = std::min(step, load.duration / 50.);
+  return step;
+}
+
+/// The model with one reading: what else it can tell is not asked.
+ModalModel one_reading(const ModalModel& model, const char* name) {
+  ModalModel one = model;
+  const int i = model.index(name);
+  one.reading = model.reading.row(i);
+  one.feedthrough = model.feedthrough.row(i);
+  one.impulse = model.impulse.row(i);
+  one.reading_label = {model.reading_label[static_cast<std::size_t>(i)]};
+  return one;
+}
+
+/// One reading at the times of a grid.
+class OneReading {
+ public:
+  OneReading(ModalModel model, const WaveGrid& grid) : model_(std::move(model)) {
+    if (grid.equal) batch_ = std::make_unique<BatchResponse>(model_, 0, *grid.equal);
+  }
+  /// `ends_at_zero`: the waves' last sample is zero; a batch goes from it to zero along a straight line.
+  Eigen::RowVectorXd answer(const WaveSamples& loads, const WaveGrid& grid, bool ends_at_zero) const {
+    Eigen::RowVectorXd y(loads.cols());
+    if (batch_ && ends_at_zero)
+      batch_->respond(loads, y);
+    else
+      y = respond(model_, with_jumps(loads, grid)).reading.row(0);
+    return y;
+  }
+
+ private:
+  ModalModel model_;
+  std::unique_ptr<BatchResponse> batch_;
+};
+
+/// What is checked of waves with a number of samples and a step.
+struct WaveChecks {
+  BandCheck band;
+  std::optional<ResponseError> error;  ///< none where the model has nothing to tell it by
+};
+
+/// By number of samples and step: files with the same times share one, as it is dear to make.
+class AllWaveChecks {
+ public:
+  AllWaveChecks(const ReducedModelFile& model, const ModalModel& shear) : model_(model), shear_(shear) {}
+
+  std::shared_ptr<const WaveChecks> of(const std::vector<double>& time) {
+    const int n = static_cast<int>(time.size());
+    std::shared_ptr<const WaveChecks>& checks = made_[{n, time[1]}];
+    if (checks) return checks;
+    WaveChecks made{{shear_, 0, time[1], n, 2. * pi * model_.highest_frequency}, {}};
+    if (model_.nested) made.error.emplace(shear_, 0, *model_.nested, time[1], n);
+    return checks = std::make_shared<const WaveChecks>(std::move(made));
+  }
+
+ private:
+  const ReducedModelFile& model_;
+  const ModalModel& shear_;
+  std::map<std::pair<int, double>, std::shared_ptr<const WaveChecks>> made_;
+};
+
+/// What the waves of all files have in common.
+struct Common {
+  Common(const ReducedModelFile& reduced, const RespondOptions& asked)
+      : model(reduced), options(asked), shear(one_reading(model.modes, reading::shear_force)), checks(reduced, shear) {
+    if (!options.sliding || !model.slip) return;
+    try {
+      slips.emplace(model, *options.sliding);
+    } catch (const NumericsError& error) {
+      why_no_slip = error.what();
+    }
+  }
+  Common(const Common&) = delete;
+  Common& operator=(const Common&) = delete;
+
+  const ReducedModelFile& model;
+  const RespondOptions& options;
+  ModalModel shear;
+  AllWaveChecks checks;
+  std::optional<WaveSlips> slips;
+  std::string why_no_slip;  ///< of all waves
+};
+
+/// Everything that the waves of one file have in common, and their answers.
+class FileWork {
+ public:
+  FileWork(Common& common, const WaveFile& file)
+      : model_(common.model),
+        shear_(common.shear),
+        file_(file),
+        options_(common.options),
+        force_(model_.modes.feedthrough.row(model_.modes.index(reading::force))),
+        longest_step_(longest_step(model_)),
+        grid_(make_wave_grid(file.time, longest_step_, options_.end.value_or(std::max(file.time.back(), model_.end)))),
+        check_time_(equal_times(grid_, longest_step_, std::max(file.time.back(), grid_.time.back()))),
+        checks_(common.checks.of(check_time_)),
+        shear_answer_(shear_, grid_) {
+    if (options_.sliding && options_.sliding->uplift == "computed")
+      uplift_.emplace(one_reading(model_.modes, reading::uplift), grid_);
+    if (common.slips) slip_ = common.slips->of_step(grid_.equal.value_or(longest_step_));
+    const double n = static_cast<double>(grid_.time.size()) * file.n_waves();
+    if (n > most_numbers)
+      throw InputError(Place(),
+                       "the answers to the waves of '" + file.name + "' are " + significant(n) +
+                           " numbers, more than " + significant(most_numbers),
+                       "lower --end, or spread the waves over several files");
+    result_.name = file.name;
+    result_.time = grid_.time;
+    result_.force.resize(file.n_waves(), static_cast<Eigen::Index>(grid_.time.size()));
+    result_.shear_force.resizeLike(result_.force);
+    result_.waves.resize(static_cast<std::size_t>(file.n_waves()));
+    for (WaveResponse& wave : result_.waves) wave.why_not_coupled = common.why_no_slip;
+  }
+
+  WaveResponses take() { return std::move(result_); }
+
+  /// Safe for different waves at the same time.
+  void answer(int wave) {
+    const WaveSamples loads = on_grid(file_, wave, grid_.time);
+    const Eigen::RowVectorXd P = force_ * loads;
+    const bool ends_at_zero = !grid_.last || loads.col(static_cast<Eigen::Index>(*grid_.last)).isZero(0.);
+    const bool begins_at_zero = loads.col(static_cast<Eigen::Index>(grid_.first)).isZero(0.);
+    const Eigen::RowVectorXd F = shear_answer_.answer(loads, grid_, ends_at_zero);
+    if (!F.allFinite() || !P.allFinite())
+      throw NumericsError("the response to a wave of '" + file_.name + "' is not finite; nothing was written");
+    result_.force.row(wave) = P;
+    result_.shear_force.row(wave) = F;
+    WaveResponse& out = result_.waves[static_cast<std::size_t>(wave)];
+    // F_T passes on no kink of the loads, as long as they do not jump.
+    set_peaks(grid_.time, P, F, begins_at_zero && ends_at_zero && shear_.feedthrough.isZero(0.), out);
+    set_checks(check_time_ == grid_.time ? loads : on_grid(file_, wave, check_time_), F, out);
+    if (options_.sliding) set_sliding(loads, P, F, ends_at_zero, out);
+  }
+
+ private:
+  void set_checks(const WaveSamples& loads, const Eigen::RowVectorXd& F, WaveResponse& out) const {
+    const double peak = F.cwiseAbs().maxCoeff();
+    if (peak > 0.) out.beyond_band = checks_->band.beyond(loads) / peak;
+    if (checks_->error) out.error_estimate = peak > 0. ? checks_->error->of(loads).bound() / peak : 0.;
+  }
+
+  void set_sliding(const WaveSamples& loads, const Eigen::RowVectorXd& P, const Eigen::RowVectorXd& F, bool batch,
+                   WaveResponse& out) const {
+    const ModelSliding& bottom = *options_.sliding;
+    Eigen::RowVectorXd computed, prescribed;
+    if (uplift_)
+      computed = uplift_->answer(loads, grid_, batch);
+    else if (bottom.uplift != "none")
+      prescribed = uplift_of_force(bottom, grid_.time, P);
+    const Eigen::RowVectorXd& U = uplift_ ? computed : prescribed;
+    out.sliding = sliding_distance(bottom, model_.caisson_mass, grid_.time, F, U);
+    if (!slip_) return;
+    SlipOfWave slip =
+        slip_of_wave(*slip_, loads, grid_, batch && grid_.equal.has_value(), bottom.buoyant_weight, prescribed);
+    out.coupled = slip.coupled;
+    out.why_not_coupled = std::move(slip.why_not);
+  }
+
+  const ReducedModelFile& model_;
+  const ModalModel& shear_;
+  const WaveFile& file_;
+  const RespondOptions& options_;
+  Eigen::RowVectorXd force_;  ///< P per unit of each load
+  double longest_step_;
+  WaveGrid grid_;
+  std::vector<double> check_time_;  ///< equally spaced, and of the whole wave even where the answer ends before it
+  std::shared_ptr<const WaveChecks> checks_;
+  OneReading shear_answer_;
+  std::optional<OneReading> uplift_;      ///< where S is asked with the model's pore pressure
+  std::shared_ptr<const WaveSlip> slip_;  ///< where S is asked and the model can tell
+  WaveResponses result_;
+};
+
+void require_caisson(const ModalModel& modes) {
+  const auto has = [&modes](const char* name) {
+    return std::any_of(modes.reading_label.begin(), modes.reading_label.end(),
+                       [name](const ReadingLabel& label) { return label.name == name; });
+  };
+  if (!has(reading::shear_force) || !has(reading::force))
+    throw InputError(Place(), "the model has no readings 'force' and 'shear_force': its mesh has no surface 'caisson'",
+                     "reduce a case with a caisson");
+}
+
+}  // namespace
+
+std::vector<WaveResponses> respond_to_waves(const ReducedModelFile& model, const std::vector<WaveFile>& files,
+                                            const RespondOptions& options) {
+  require_caisson(model.modes);
+  Common common(model, options);
+  std::vector<std::unique_ptr<FileWork>> work;
+  std::vector<std::pair<FileWork*, int>> pieces;
+  for (const WaveFile& file : files) {
+    work.push_back(std::make_unique<FileWork>(common, file));
+    for (int w = 0; w < file.n_waves(); ++w) pieces.emplace_back(work.back().get(), w);
+  }
+  in_parallel(pieces.size(), "responding", [&pieces](std::size_t i) { pieces[i].first->answer(pieces[i].second); });
+  std::vector<WaveResponses> responses;
+  for (const auto& file : work) responses.push_back(file->take());
+  return responses;
+}
+
+}  // namespace upbead

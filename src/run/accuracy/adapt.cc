@@ -1,0 +1,140 @@
+#include "adapt.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "../derived.h"
+#include "finer.h"
+#include "upbead/base/error.h"
+#include "upbead/base/interrupt.h"
+#include "upbead/base/stopwatch.h"
+#include "upbead/base/text.h"
+#include "upbead/mesh/refine.h"
+#include "upbead/response/mesh_error.h"
+
+namespace upbead {
+
+namespace {
+
+/// Part of the tolerance that the mesh may use up; the rest is for the reduced model or the steps.
+constexpr double share_of_mesh = 0.75, share_of_rest = 0.25;
+/// Errors of cells that are split, over what they were: measured between 0.2 and 0.6.
+constexpr double error_after_split = 0.4;
+/// Part of the error whose cells are split at once, at least and at most.
+constexpr double least_part = 0.3, most_part = 0.85;
+/// Less than this part of an error is left where cells were split for as much: else cells err that were not seen to.
+constexpr double enough = 0.8;
+constexpr int most_unknowns = 250000;
+
+/// The cells with the largest errors, which together have a part of the sum. Mirror images, whose errors differ by
+/// round-off, are split alike: a symmetric scene then stays so.
+std::vector<bool> worst_cells(const MeshError& error, double part) {
+  std::vector<std::size_t> order(error.of_cell.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return error.of_cell[a] > error.of_cell[b]; });
+  std::vector<bool> chosen(order.size(), false);
+  double sum = 0., least = 0.;
+  for (const std::size_t cell : order) {
+    if (sum >= part * error.sum && error.of_cell[cell] < (1. - 1e-6) * least) break;
+    chosen[cell] = true;
+    least = error.of_cell[cell];
+    sum += least;
+  }
+  return chosen;
+}
+
+/// No more cells than it takes to come just below the aim.
+double part_to_split(double error, double aim) {
+  return std::clamp((error - 0.9 * aim) / (error * (1. - error_after_split)), least_part, most_part);
+}
+
+void require_measurable(const Simulation& simulation) {
+  const std::string cure = "give a number of uniform refinements";
+  std::string why;
+  if (!simulation.compiled->caisson) why = "the mesh has no surface 'caisson' whose F_T would tell";
+  if (!simulation.given.time.inertia) why = "time.inertia = false leaves nothing dynamic to tell";
+  if (simulation.compiled->loads_on_caisson.empty()) why = "no load acts";
+  if (!why.empty()) throw InputError(at_key("mesh.refine"), "refine = \"auto\": " + why, cure);
+}
+
+double driving(const Scene& given, const ShearError& error) {
+  return given.accuracy.of == AccuracyOf::peak ? error.peak : error.history;
+}
+
+[[noreturn]] void throw_out_of_reach(const Scene& given, const MeshAccuracy& accuracy, int unknowns) {
+  const MeshAccuracy::Level& last = accuracy.levels.back();
+  const bool peak = given.accuracy.of == AccuracyOf::peak;
+  throw InputError(at_key("accuracy.tolerance"),
+                   "a mesh of " + std::to_string(last.unknowns) + " unknowns still makes " +
+                       (peak ? "the peak of F_T" : "the history of F_T") + " wrong by up to " +
+                       significant(driving(given, last.error)) + "; a tolerance of " +
+                       significant(given.tolerance) + " would take more than " + std::to_string(unknowns),
+                   std::string("raise tolerance, ") + (peak ? "" : "write accuracy.of = \"peak\", ") +
+                       "or give mesh.refine as a number");
+}
+
+/// Splits cells until what they make wrong is small enough.
+class Adaptation {
+ public:
+  Adaptation(const Scene& given, std::shared_ptr<const Mesh> coarse)
+      : given_(given), aim_(share_of_mesh * given.tolerance), mesh_(std::move(coarse)) {}
+
+  /// The scene on the mesh as it is; its accuracy is set where the mesh will do.
+  Simulation assemble() {
+    Simulation scene = on_mesh(given_, mesh_);
+    require_measurable(scene);
+    cells_ = mesh_error(scene.scene, *scene.space, *scene.unknowns, *scene.compiled);
+    const int n = scene.compiled->system.n_free();
+    if (n > most_unknowns) throw_out_of_reach(given_, accuracy_, n);
+    measured_ = scale_ * cells_.sum <= aim_;
+    if (measured_) measure(scene, n);
+    return scene;
+  }
+
+  /// Where the cells that seem to be wrong were split and the error has hardly become less, all cells are.
+  void refine() {
+    const std::size_t n = accuracy_.levels.size();
+    const auto error = [this, n](std::size_t back) { return driving(given_, accuracy_.levels[n - back].error); };
+    const bool stuck = measured_ && n > 1 && error(1) > enough * error(2);
+    mesh_ = refined(*mesh_, stuck ? std::vector<bool>(cells_.of_cell.size(), true)
+                               : worst_cells(cells_, part_to_split(scale_ * cells_.sum, aim_)));
+  }
+
+ private:
+  void measure(Simulation& simulation, int n) {
+    const Simulation finer = with_halved_cells(simulation);
+    accuracy_.levels.push_back({n, error_of_cells(simulation, finer)});
+    const double error = driving(given_, accuracy_.levels.back().error);
+    if (error <= aim_) simulation.accuracy = accuracy_;
+    if (cells_.sum > 0.) scale_ = error / cells_.sum;
+  }
+
+  const Scene& given_;
+  double aim_;
+  std::shared_ptr<const Mesh> mesh_;
+  MeshAccuracy accuracy_;
+  MeshError cells_;
+  bool measured_ = false;  ///< whether the mesh as it is was held against a finer one
+  double scale_ = 0.;      ///< of the true error over what the cells' sum to, as last measured
+};
+
+}  // namespace
+
+Simulation adapted(const Scene& given, std::shared_ptr<const Mesh> coarse) {
+  const Stopwatch watch;
+  Adaptation adaptation(given, coarse);
+  for (;;) {
+    check_interrupt();
+    Simulation simulation = adaptation.assemble();
+    if (simulation.accuracy) {
+      if (given.accuracy.of == AccuracyOf::history) simulation.scene.tolerance = share_of_rest * given.tolerance;
+      simulation.given_mesh = std::move(coarse);
+      simulation.timing.mesh = watch.seconds() - simulation.timing.compile;
+      return simulation;
+    }
+    adaptation.refine();
+  }
+}
+
+}  // namespace upbead

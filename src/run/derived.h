@@ -1,0 +1,25 @@
+// Simulations made of others.
+#pragma once
+
+#include "upbead/run/simulation.h"
+
+namespace upbead {
+
+/// Checks the scene on the mesh as it is, and assembles it, for `processes` undivided: see compile(). Throws InputError
+/// at keys of the scene.
+Simulation on_mesh(const Scene& given, std::shared_ptr<const Mesh> mesh,
+                   std::shared_ptr<const Processes> processes = nullptr);
+
+/// Assembled anew, with what it says of soil, interface and processes; undivided.
+Simulation assembled(Simulation simulation);
+
+/// The same with other soil on the same cells.
+Simulation with_soil(const Simulation& simulation, const SoilState& soil);
+
+/// The same matrices with another scene as it is asked for: its times, scheme or sliding.
+Simulation with_given(const Simulation& simulation, const Scene& given);
+
+/// The same with another system of equations.
+Simulation with_system(const Simulation& simulation, std::shared_ptr<const CompiledScene> compiled);
+
+}  // namespace upbead

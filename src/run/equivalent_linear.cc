@@ -1,0 +1,113 @@
+// Soils whose stiffness and damping follow the strain of the response: iterated linear solutions.
+#include "derived.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "solve.h"
+#include "upbead/response/strains.h"
+
+namespace upbead {
+
+namespace {
+
+constexpr int most_iterations = 15;
+constexpr double converged = 0.01;
+
+/// The soil of every cell, and what strain makes of it.
+class Soil {
+ public:
+  explicit Soil(const Simulation& simulation) : scene_(simulation) {
+    for (const auto& cell : simulation.space->dofs().active_cell_iterators()) {
+      const Region& region = simulation.space->region(cell);
+      const bool follows = region.strain_law && simulation.space->kind(cell) != CellKind::absent;
+      follows_.push_back(follows);
+      laws_.push_back(follows ? *region.strain_law : StrainLaw());
+      largest_.push_back(follows ? material(region, simulation.scene.fluid, simulation.scene.gravity).G : 0.);
+    }
+  }
+
+  const std::vector<bool>& follows() const { return follows_; }
+
+  /// Stiffness and damping for largest shear strains, by active cell index; of those that do not follow as they are.
+  SoilState at(const std::vector<double>& strain) const {
+    SoilState state = scene_.soil_state;
+    state.shear_modulus.resize(strain.size(), 0.);
+    state.damping_ratio.assign(strain.size(), -1.);
+    for (std::size_t i = 0; i < strain.size(); ++i) {
+      if (!follows_[i]) continue;
+      const double effective = laws_[i].effective * strain[i];
+      state.shear_modulus[i] = largest_[i] * modulus_ratio(laws_[i], effective);
+      state.damping_ratio[i] = damping_ratio(laws_[i], effective);
+    }
+    return state;
+  }
+
+  void report(const std::vector<double>& strain, SoilSummary& summary) const {
+    summary.least_modulus_ratio = 1.;
+    for (std::size_t i = 0; i < strain.size(); ++i) {
+      if (!follows_[i]) continue;
+      const double effective = laws_[i].effective * strain[i];
+      summary.largest_strain = std::max(summary.largest_strain, effective);
+      summary.least_modulus_ratio = std::min(summary.least_modulus_ratio, modulus_ratio(laws_[i], effective));
+      summary.largest_damping = std::max(summary.largest_damping, damping_ratio(laws_[i], effective));
+    }
+  }
+
+ private:
+  const Simulation& scene_;
+  std::vector<bool> follows_;
+  std::vector<StrainLaw> laws_;
+  std::vector<double> largest_;  ///< G_max (Pa)
+};
+
+/// What one linear solution says.
+struct LinearAnswer {
+  std::vector<double> strain;  ///< largest shear strain of each cell
+  double measure = 0.;         ///< that converges: the largest |F_T| (N/m), or strain
+};
+
+LinearAnswer solve_linear(const Simulation& simulation, const std::vector<bool>& follows,
+                          const std::function<void(double)>& progress) {
+  LargestStrains strains(*simulation.space, *simulation.unknowns, follows);
+  ObserverFunction told = progress_observer(progress);
+  MarchOptions options;
+  options.observers = {&strains, &told};
+  const TimeScheme asked = simulation.given.time.scheme;
+  const TimeScheme scheme = asked == TimeScheme::generalised_alpha ? asked : TimeScheme::sdirk4;
+  const Run run = run_march(simulation, {scheme, "equivalent-linear soil is marched", {}}, options);
+  const double largest = *std::max_element(strains.shear().begin(), strains.shear().end());
+  if (!run.summary.response) return {strains.shear(), largest};
+  return {strains.shear(), std::max(run.summary.response->peak_shear, -run.summary.response->peak_shear_seaward)};
+}
+
+bool follows_strain(const Scene& scene) {
+  return std::any_of(scene.regions.begin(), scene.regions.end(),
+                     [](const auto& entry) { return entry.second.strain_law.has_value(); });
+}
+
+}  // namespace
+
+Simulation with_converged_soil(const Simulation& simulation, const std::function<void(double)>& progress) {
+  if (simulation.soil || !follows_strain(simulation.scene)) return simulation;
+  const Soil soil(simulation);
+  const SoilState first = soil.at(std::vector<double>(soil.follows().size(), 0.));
+  SoilSummary summary;
+  Simulation latest = with_soil(simulation, first);
+  LinearAnswer last = solve_linear(latest, soil.follows(), progress);
+  summary.linear = last.measure;
+  while (!summary.converged && summary.iterations < most_iterations) {
+    latest = with_soil(simulation, soil.at(last.strain));
+    const LinearAnswer next = solve_linear(latest, soil.follows(), progress);
+    ++summary.iterations;
+    summary.change = std::abs(next.measure - last.measure) / std::max(next.measure, 1e-300);
+    summary.converged = summary.change < converged;
+    last = next;
+  }
+  summary.settled = last.measure;
+  soil.report(last.strain, summary);
+  latest.soil = summary;
+  return latest;
+}
+
+}  // namespace upbead

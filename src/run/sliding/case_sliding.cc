@@ -1,0 +1,134 @@
+#include "case_sliding.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "upbead/base/error.h"
+#include "upbead/base/text.h"
+#include "upbead/fem/caisson_readings.h"
+#include "upbead/model/words.h"
+#include "upbead/response/base_history.h"
+#include "upbead/response/shear_response.h"
+#include "upbead/waves/shear_duration.h"
+
+namespace upbead {
+
+namespace {
+
+/// W (N/m).
+double weight_of(const Scene& scene, const CompiledScene& compiled) {
+  return scene.sliding->weight.value_or(compiled.caisson->body.mass * scene.gravity);
+}
+
+double landward(const TimeFunction& P, double t) {
+  return t > 0. ? std::max(P(t), 0.) : 0.;
+}
+
+/// U(t) of a prescribed peak, at given times.
+ForceHistory follow_force(const UpliftChoice& uplift, const TimeFunction& P, const std::vector<double>& time) {
+  const Extremum largest = extremum(P, 0., time.back(), 1);
+  ForceHistory U{time, std::vector<double>(time.size(), 0.)};
+  if (largest.value <= 0.) return U;
+  for (std::size_t i = 0; i < time.size(); ++i) {
+    const double t = time[i] - uplift.lag;
+    const bool over = uplift.course == UpliftCourse::held && t > largest.time;
+    U.value[i] = *uplift.peak * (over ? 1. : landward(P, t) / largest.value);
+  }
+  return U;
+}
+
+ForceHistory prescribed(const UpliftChoice& uplift, const TimeFunction& P, const std::vector<double>& time) {
+  if (uplift.peak) return follow_force(uplift, P, time);
+  std::vector<double> all = time;
+  for (const auto* more : {&uplift.history.kinks(), &uplift.history.samples()})
+    for (const double t : *more)
+      if (t < time.back()) all.push_back(t);
+  std::sort(all.begin(), all.end());
+  ForceHistory U{all, {}};
+  for (const double t : all) U.value.push_back(uplift.history(t));
+  return U;
+}
+
+BottomForces bottom_forces(const Scene& scene, const CompiledScene& compiled, const BaseHistory& base) {
+  BottomForces forces;
+  forces.shear_force = {base.time, base.shear_force};
+  forces.normal_change = {base.step_time, base.normal_force};
+  if (const auto& uplift = scene.sliding->uplift)
+    forces.uplift = uplift->kind == UpliftKind::computed ? ForceHistory{base.step_time, base.uplift}
+                                                         : prescribed(*uplift, force_on_caisson(compiled), base.time);
+  return forces;
+}
+
+std::optional<EqualImpulse> equal_impulse(double mass, const HistorySliding& history) {
+  if (!history.own || !history.own->by_impulse) return std::nullopt;
+  const TriangularPulse pulse{history.peak_force, *history.own->by_impulse};
+  return EqualImpulse{pulse.duration, sliding_distance_paper(mass, history.resistance, pulse),
+                      sliding_distance_exact(mass, history.resistance, pulse)};
+}
+
+PulseSliding pulse_sliding(const SlidingWave& wave, double mass, const HistorySliding& history) {
+  PulseSliding s;
+  s.standing_duration = standing_duration(wave.height, wave.depth, wave.period);
+  s.factor = DurationFactor()(wave.alpha_star);
+  s.duration = s.factor * s.standing_duration;
+  const TriangularPulse pulse{history.peak_force, s.duration};
+  s.paper = sliding_distance_paper(mass, history.resistance, pulse);
+  s.paper_parts = sliding_distance_paper_parts(mass, history.resistance, pulse);
+  s.exact = sliding_distance_exact(mass, history.resistance, pulse);
+  return s;
+}
+
+bool has_pore_pressure(const CompiledScene& compiled) {
+  return !compiled.system.readings[static_cast<std::size_t>(compiled.system.reading(reading::uplift))].velocity.empty();
+}
+
+}  // namespace
+
+void check_sliding(const Simulation& simulation) {
+  const Scene& scene = simulation.given;
+  const CompiledScene& compiled = *simulation.compiled;
+  if (!scene.sliding || !compiled.caisson) return;
+  const SlidingChoice& sliding = *scene.sliding;
+  Mistakes mistakes;
+  const double by_mass = compiled.caisson->body.mass * scene.gravity;
+  if (sliding.weight && std::abs(*sliding.weight - by_mass) > 0.01 * by_mass)
+    mistakes.add(at_key("sliding.weight"),
+                 "weight = " + significant(*sliding.weight, 5) + " N/m is not mass x g of the caisson, " +
+                     significant(by_mass, 5) + " N/m",
+                 "remove weight, or mend density or mass in [regions.caisson]");
+  if (sliding.buoyant_weight >= weight_of(scene, compiled))
+    mistakes.add(at_key("sliding.buoyant_weight"),
+                 "buoyant_weight = " + significant(sliding.buoyant_weight, 5) +
+                     " N/m is not below the weight in air, " + significant(weight_of(scene, compiled), 5) +
+                     " N/m",
+                 "give W' in still water, W less the weight of the water that the caisson displaces");
+  if (sliding.uplift && sliding.uplift->kind == UpliftKind::computed && !has_pore_pressure(compiled))
+    mistakes.add(at_key("sliding.uplift.kind"),
+                 "the uplift cannot be computed: no pore pressure acts on the caisson's bottom",
+                 "give a porous region under it a flow other than drained, or prescribe the uplift");
+  mistakes.throw_if_any();
+}
+
+TimeFunction prescribed_uplift(const Scene& scene, const CompiledScene& compiled, const std::vector<double>& time) {
+  const ForceHistory U = prescribed(*scene.sliding->uplift, force_on_caisson(compiled), time);
+  return piecewise_linear(U.time, U.value);
+}
+
+std::optional<SlidingSummary> sliding_of(const Scene& scene, const CompiledScene& compiled, const Response& response) {
+  if (!scene.sliding || !compiled.caisson) return std::nullopt;
+  const SlidingChoice& choice = *scene.sliding;
+  SlidingSummary s;
+  s.weight = weight_of(scene, compiled);
+  s.buoyant_weight = choice.buoyant_weight;
+  s.friction = choice.friction;
+  s.drag = choice.drag;
+  s.uplift = choice.uplift ? word_of(choice.uplift->kind, uplift_kind_words) : "none";
+  const double mass = s.weight / scene.gravity;
+  const BaseHistory base = read_base_history(compiled, response, scene.time.inertia);
+  s.history = slide_history(bottom_forces(scene, compiled, base), {mass, s.friction, s.buoyant_weight, s.drag});
+  s.equal_impulse = equal_impulse(mass, s.history);
+  if (choice.wave) s.pulse = pulse_sliding(*choice.wave, mass, s.history);
+  return s;
+}
+
+}  // namespace upbead

@@ -1,0 +1,29 @@
+// What stands on the ground under the caisson: effective force and moment, eccentricity, pressures of the edges.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "upbead/run/simulation.h"
+#include "upbead/output/result_file.h"
+
+namespace upbead {
+
+/// Over time. N' = W' + change of the normal force - U, M' = W' e_0 + base moment + moment of U about the bottom's
+/// middle, overturning landward positive; U the modelled pore pressure's, less a prescribed uplift too; e_0 how far W'
+/// acts landward of the middle.
+struct EffectiveBase {
+  double width = 0.;           ///< B (m)
+  std::vector<double> force;   ///< N' (N/m), compression positive
+  std::vector<double> moment;  ///< M' (N m/m)
+};
+
+/// W' is that of [sliding], or the mass less the water that the caisson displaces below still water. None without
+/// either, without a caisson, or where nothing presses at rest. `ends`: all readings of the scene over time.
+std::optional<EffectiveBase> effective_base(const Simulation& simulation, const Series& ends);
+
+/// The histories effective_normal_force, effective_base_moment, eccentricity (0 where N' <= 0), toe_pressure (of the
+/// seaward edge) and heel_pressure (of the landward edge).
+std::vector<History> base_histories(const EffectiveBase& base);
+
+}  // namespace upbead

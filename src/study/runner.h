@@ -1,0 +1,37 @@
+// Runs of a study, one after the other in one process.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "run_result.h"
+#include "upbead/case/case.h"
+#include "upbead/run/simulation.h"
+#include "upbead/study/study.h"
+
+namespace upbead {
+
+/// Keeps the mesh while runs ask for the same, and the solution while they differ in [sliding] alone. Both are what the
+/// run would have made for itself, so every number is the same to the last bit, whatever ran before.
+class Runner {
+ public:
+  /// `trusts_scripts`: see require_trust().
+  Runner(const Study& study, bool sharing, bool trusts_scripts)
+      : study_(study), sharing_(sharing), trusts_scripts_(trusts_scripts) {}
+  /// A run that fails says so in its result. `meanwhile` is called between its steps. Throws Interrupted.
+  RunResult run(const StudyRun& run, const std::function<void()>& meanwhile);
+
+ private:
+  std::string solve(const Case& problem, const std::function<void()>& meanwhile, Shared& shared);
+  std::shared_ptr<const Mesh> mesh_for(const Case& problem, Shared& shared);
+
+  const Study& study_;
+  bool sharing_;
+  bool trusts_scripts_;
+  std::string mesh_key_, solution_key_;
+  std::shared_ptr<const Mesh> mesh_;
+  Run solution_;
+};
+
+}  // namespace upbead

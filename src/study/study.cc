@@ -1,0 +1,154 @@
+#include "upbead/study/study.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "case/fingerprint.h"
+#include "case/input_files.h"
+#include "key_units.h"
+#include "study_checks.h"
+#include "upbead/case/case.h"
+#include "upbead/base/version.h"
+#include "upbead/mesh/mesh.h"
+
+namespace fs = std::filesystem;
+
+namespace upbead {
+
+namespace {
+
+std::vector<Axis> axes_of(const StudyTables& tables, const Document& document) {
+  std::vector<Axis> axes;
+  const Node* vary = document.find("vary");
+  if (vary && vary->table())
+    for (const auto& [key, node] : *vary->table())
+      if (tables.vary.count(key) != 0) axes.push_back({key, tables.vary.at(key)});
+  return axes;
+}
+
+/// The settings of one run: first what is fixed, so that the more special comes last.
+StudyRun make_run(const StudyTables& tables, const std::vector<Axis>& axes, const Sampler& sampler, int case_index,
+                  int number) {
+  StudyRun run;
+  run.case_index = case_index;
+  for (const auto& [key, value] : tables.set) run.settings.emplace_back(key, value.toml);
+  const std::vector<Literal> values = sampler.values(number);
+  for (std::size_t a = 0; a < axes.size(); ++a) run.varied.emplace_back(axes[a].key, values[a].toml);
+  run.settings.insert(run.settings.end(), run.varied.begin(), run.varied.end());
+  for (const auto& [key, follow] : tables.follow)
+    for (std::size_t a = 0; a < axes.size(); ++a)
+      if (axes[a].key == follow.key) run.settings.emplace_back(key, literal(follow.factor * values[a].number).toml);
+  return run;
+}
+
+/// A mistake in a value that the study has set is told at its place in the study.
+Mistake seen_from_study(const Mistake& mistake, const StudyRun& run, const Document& document) {
+  const std::string mark = "--set ";
+  if (mistake.place.file.rfind(mark, 0) != 0) return mistake;
+  const std::vector<std::string> overrides = overrides_of(run);
+  const auto found = std::find(overrides.begin(), overrides.end(), mistake.place.file.substr(mark.size()));
+  if (found == overrides.end()) return mistake;
+  const std::string& key = run.settings[static_cast<std::size_t>(found - overrides.begin())].first;
+  for (const std::string& path : {dotted("vary", key), dotted("follow", key), "set." + key})
+    if (document.find(path)) return {document.place(path), *found + ": " + mistake.what, mistake.cure};
+  return {document.place("set"), *found + ": " + mistake.what, mistake.cure};
+}
+
+constexpr int most_attempts = 1000;
+
+/// Reads a case as the first of its runs that can be read; where none of many can, the first one tells why.
+std::optional<Case> first_sound_case(const Study& study, int index, const Document& document, InputReport& report) {
+  std::optional<InputError> first;
+  const StudyRun* first_run = nullptr;
+  int attempts = 0;
+  for (const StudyRun& run : study.runs) {
+    if (run.case_index != index || ++attempts > most_attempts) continue;
+    try {
+      Case problem = read_case(study.cases[static_cast<std::size_t>(index)], overrides_of(run));
+      require_loads(problem);
+      return problem;
+    } catch (const InputError& error) {
+      if (first) continue;
+      first = error;
+      first_run = &run;
+    }
+  }
+  if (first)
+    for (const Mistake& mistake : first->mistakes()) report.add("", seen_from_study(mistake, *first_run, document));
+  return std::nullopt;
+}
+
+/// Everything that a case rests on, also files that a setting names.
+void add_case(Study& study, const Case& problem, const std::set<std::string>& words) {
+  for (const InputFile& file : input_files(problem)) study.inputs.push_back(file);
+  for (const std::string& word : words) study.inputs.push_back({problem.resolve(word), study.inputs.front().place});
+}
+
+std::set<std::string> words_of(const StudyTables& tables) {
+  std::set<std::string> words;
+  const auto add = [&words](const Literal& value) {
+    if (value.toml.size() > 2 && value.toml.front() == '"') words.insert(value.toml.substr(1, value.toml.size() - 2));
+  };
+  for (const auto& [key, value] : tables.set) add(value);
+  for (const auto& [key, vary] : tables.vary)
+    for (const Literal& value : vary.values) add(value);
+  return words;
+}
+
+void make_runs(Study& study, const StudyTables& tables, const std::vector<Axis>& axes) {
+  const Sampler sampler(tables, axes);
+  for (int c = 0; c < static_cast<int>(study.cases.size()); ++c)
+    for (int i = 0; i < sampler.n_runs(); ++i) study.runs.push_back(make_run(tables, axes, sampler, c, i));
+}
+
+}  // namespace
+
+std::vector<std::string> overrides_of(const StudyRun& run) {
+  std::vector<std::string> list;
+  for (const auto& [key, value] : run.settings) list.push_back(key + "=" + value);
+  return list;
+}
+
+Study read_study(const std::string& path, const std::vector<std::string>& overrides) {
+  const Document document(path, overrides);
+  require_quoted_keys(document);
+  StudyTables tables;
+  InputReport report;
+  study_schema().read(document.root(), "", tables, report);
+  const std::vector<Axis> axes = axes_of(tables, document);
+  check_study(tables, axes, document, report);
+  report.throw_if_any(path);
+
+  Study study;
+  study.title = tables.title;
+  study.stem = fs::path(path).stem().string();
+  if (!tables.one_case.empty()) tables.cases = {tables.one_case};
+  for (const std::string& file : tables.cases)
+    study.cases.push_back((fs::path(path).parent_path() / file).lexically_normal().string());
+  for (const Axis& axis : axes) study.keys.push_back(axis.key);
+  study.reads = tables.read.empty() ? default_reads() : tables.read;
+  make_runs(study, tables, axes);
+
+  Fingerprint fingerprint;
+  fingerprint.add(program_version());
+  study.inputs.push_back({path, {path}});
+  for (const std::string& text : overrides) fingerprint.add(text);
+  for (int c = 0; c < static_cast<int>(study.cases.size()); ++c)
+    if (const auto problem = first_sound_case(study, c, document, report)) {
+      add_case(study, *problem, words_of(tables));
+      if (c > 0) continue;
+      const std::map<std::string, std::string> units = units_of_keys(*problem);
+      for (const std::string& key : study.keys) study.units.push_back(units.count(key) != 0 ? units.at(key) : "");
+    }
+  report.throw_if_any(path);
+  for (const InputFile& file : study.inputs) fingerprint.add_file(file.path);
+  study.fingerprint = fingerprint.value();
+  return study;
+}
+
+std::string study_reference() {
+  return reference(study_schema());
+}
+
+}  // namespace upbead

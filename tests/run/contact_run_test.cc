@@ -1,0 +1,124 @@
+// Claims: where no node slips or pulls the run is the tied one, by the short way and by the long way; where one does,
+// the contact is solved, S stands beside the other measures, and the balance of energy closes; what cannot slip is
+// told. Tolerances: round-off.
+
+#include <cmath>
+
+#include "good_case.h"
+#include "section_case.h"
+#include "upbead/algebra/petsc_session.h"
+#include "case/case_run.h"
+#include "upbead/base/error.h"
+#include "upbead/fem/caisson_readings.h"
+
+namespace upbead::test {
+namespace {
+
+const std::string breakwater_toml = section_case({{"cells = 0.5, seabed_front = 60, seabed_back = 60", "cells = 0.35"},
+                                                  {"damping = { ratio = 0.05, frequencies = [1, 10] }\n", ""}}) +
+                                    "[initial]\nwater_level = 15.0\n[sliding]\nbuoyant_weight = 4.296e6\n";
+
+const std::string friction = "regions.caisson.interface.kind=\"friction\"";
+
+class ContactRun : public InFolder {
+ protected:
+  ContactRun() {
+    unsetenv("UPBEAD_MESHES");
+    write("case.toml", breakwater_toml);
+  }
+  struct Solved {
+    upbead::Run run;
+    double last(const std::string& reading) const {
+      return run.response.ends.reading(run.simulation->compiled->system.reading(reading), run.response.ends.reading.cols() - 1);
+    }
+  };
+  static Solved solve(const std::vector<std::string>& overrides) {
+    static const PetscSession petsc;
+    const Case problem = read_case("case.toml", overrides);
+    return {upbead::solve(problem, simulation_of(problem), {})};
+  }
+  static std::string refusal(const std::vector<std::string>& overrides) {
+    try {
+      solve(overrides);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  }
+};
+
+TEST_F(ContactRun, IsTheTiedRunWhereNothingMoves) {
+  const std::vector<std::string> steps{"time.scheme=\"sdirk4\"", "time.step=0.005", "loads.impulse.factor=0.5"};
+  std::vector<std::string> with = steps, in_full = steps;
+  with.push_back(friction);
+  in_full.insert(in_full.end(), {friction, "output.fields={ every = 0.1 }"});  // asks for a march with contact
+  const Solved tied = solve(steps), shortly = solve(with), fully = solve(in_full);
+  EXPECT_FALSE(tied.run.summary.contact);
+  ASSERT_TRUE(shortly.run.summary.contact && fully.run.summary.contact);
+  EXPECT_FALSE(shortly.run.summary.contact->solved);
+  EXPECT_LT(shortly.run.summary.contact->demand.slip, 1.);
+  EXPECT_GT(shortly.run.summary.contact->demand.least_normal, 0.);
+  EXPECT_EQ(shortly.run.summary.skipped.back().what, "contact node by node");
+  ASSERT_TRUE(fully.run.summary.contact->solved);
+  EXPECT_EQ(fully.run.summary.discretisation.scheme, "contact");
+  EXPECT_EQ(fully.run.summary.contact->solved->slip, 0.);
+  const auto& peak = tied.run.summary.response;
+  for (const Solved* other : {&shortly, &fully}) {
+    const auto& response = other->run.summary.response;
+    EXPECT_NEAR(response->peak_displacement, peak->peak_displacement, 1e-11 * peak->peak_displacement);
+    EXPECT_NEAR(other->last(reading::shear_force), tied.last(reading::shear_force), 1e-9 * peak->peak_shear);
+    EXPECT_EQ(other->run.simulation->compiled->system.readings.size(),
+              static_cast<std::size_t>(other->run.response.ends.reading.rows()));
+  }
+  EXPECT_NEAR(shortly.run.summary.response->peak_shear, peak->peak_shear, 1e-11 * peak->peak_shear);
+}
+
+TEST_F(ContactRun, IsTheReducedTiedRunToo) {
+  const Solved tied = solve({"loads.impulse.factor=0.5"}), free = solve({"loads.impulse.factor=0.5", friction});
+  EXPECT_FALSE(free.run.summary.contact->solved);
+  EXPECT_NEAR(free.run.summary.response->peak_shear / tied.run.summary.response->peak_shear, 1., 2e-3);
+}
+
+TEST_F(ContactRun, SlidesByEveryMeasure) {
+  const Solved slid = solve({"loads.impulse.factor=8", friction});
+  const Summary& summary = slid.run.summary;
+  ASSERT_TRUE(summary.contact && summary.contact->solved && summary.sliding && summary.sliding->coupled);
+  const NodeContact& contact = *summary.contact->solved;
+  EXPECT_NEAR(summary.contact->weight, 4.296e6, 1.);
+  EXPECT_GT(contact.slip, 0.01);
+  EXPECT_EQ(contact.slip, slid.last("interface/slip"));
+  EXPECT_GE(contact.largest_slip, contact.slip);
+  EXPECT_LE(std::abs(contact.least_slip), contact.slip);
+  EXPECT_GT(contact.opening_seaward, 0.);
+  EXPECT_LT(contact.least_contact, 1.);
+  EXPECT_GT(contact.dissipated, 0.);
+  EXPECT_LT(summary.energy->mismatch(), 1e-9);
+  EXPECT_NEAR(contact.dissipated, summary.energy->friction, 1e-9 * contact.dissipated);
+  // whole slip by the reduced model, and by eq. (4) on the glued history: the same order, not the same
+  EXPECT_GT(summary.sliding->coupled->slip.residual, 0.01);
+  EXPECT_GT(summary.sliding->history.by_history.residual, 0.01);
+  EXPECT_LT(summary.sliding->coupled->glued_error, 5e-3);
+  ASSERT_TRUE(slid.run.coupled && slid.run.contact);
+  EXPECT_EQ(slid.run.coupled->slip.back(), summary.sliding->coupled->slip.residual);
+  const std::size_t n = static_cast<std::size_t>(summary.contact->nodes);
+  EXPECT_EQ(slid.run.contact->slip.size(), n * slid.run.contact->time.size());
+}
+
+TEST_F(ContactRun, CoupledSlipIsSkippedWhereTheCaissonSticks) {
+  const Solved stuck = solve({});
+  ASSERT_TRUE(stuck.run.summary.sliding->coupled);
+  EXPECT_EQ(stuck.run.summary.sliding->coupled->slip.residual, 0.);
+  EXPECT_EQ(stuck.run.summary.sliding->coupled->vectors, 0);
+  EXPECT_EQ(stuck.run.summary.skipped.back().what, "slip of the caisson with its ground");
+}
+
+TEST_F(ContactRun, RefusesWhatCannotSlip) {
+  EXPECT_NE(refusal({friction, "time.inertia=false", "regions.mound.flow=\"darcy\""})
+                .find("friction follows the motion in time"),
+            std::string::npos);
+  write("case.toml", breakwater_toml + "[regions.seabed.interface]\nkind = \"tied\"\n");
+  EXPECT_NE(refusal({}).find("'interface' does not belong in [regions.seabed]"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace upbead::test

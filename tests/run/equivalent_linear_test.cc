@@ -1,0 +1,143 @@
+// Claim: equivalent-linear soil settles where an oscillator with the secant stiffness of its own strain does. The
+// oscillator: a rigid block on a layer that is 400 times wider than thick and has no mass to speak of, which only
+// shears: stiffness G B / h, strain u / h. Tolerance: 0.3 % for the layer's ends and its rocking, where both take the
+// same number of iterations; 1 %, to which the program settles, against the fixed point.
+
+
+#include <cmath>
+
+#include "good_case.h"
+#include "upbead/algebra/petsc_session.h"
+#include "case/case_run.h"
+
+namespace upbead::test {
+namespace {
+
+constexpr double B = 400., h = 1., mass = 4e6, G_max = 1e6, duration = 0.2;
+
+const char* const layer_geo = R"(
+Point(1) = {-200, 0, 0}; Point(2) = {200, 0, 0}; Point(3) = {200, 1, 0}; Point(4) = {-200, 1, 0};
+Point(5) = {200, 3, 0}; Point(6) = {-200, 3, 0};
+Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1};
+Line(5) = {3, 5}; Line(6) = {5, 6}; Line(7) = {6, 4};
+Curve Loop(1) = {1, 2, 3, 4}; Plane Surface(1) = {1};
+Curve Loop(2) = {-3, 5, 6, 7}; Plane Surface(2) = {2};
+Transfinite Curve {1, 3, 6} = 61; Transfinite Curve {2, 4, 5, 7} = 2;
+Transfinite Surface {1, 2}; Recombine Surface {1, 2};
+Physical Surface("soil") = {1}; Physical Surface("caisson") = {2};
+Physical Curve("base") = {1}; Physical Curve("sides") = {2, 4}; Physical Curve("walls") = {5, 6, 7};
+)";
+
+std::string layer_case(double peak, const std::string& strain) {
+  return R"([mesh]
+file = "layer.geo"
+[regions.soil]
+kind = "solid"
+deformation = "elastic"
+density = 1e-3
+shear_modulus = 1e6
+poissons_ratio = 0.3
+damping = { ratio = 0.0, frequencies = [1.0, 10.0] }
+strain = )" +
+         strain +
+         R"(
+[regions.caisson]
+kind = "rigid"
+mass = 4e6
+[boundaries]
+base = { displacement = "fixed" }
+sides = {}
+walls = {}
+[loads.impact]
+region = "caisson"
+at = [0.0, 1.0]
+pulse = { shape = "triangle", duration = 0.2, peak = )" +
+         std::to_string(peak) + R"( }
+[time]
+end = 1.5
+step = 0.005
+)";
+}
+
+struct Peaks {
+  double u = 0., F_T = 0.;
+};
+
+/// The oscillator under the triangle, by Runge and Kutta's fourth-order steps.
+Peaks oscillate(double G, double stiffness_damping, double peak) {
+  const double k = G * B / h, c = stiffness_damping * k, step = 1e-4;
+  const auto P = [&](double t) { return t < duration ? peak * (1. - std::abs(2. * t / duration - 1.)) : 0.; };
+  double u = 0., v = 0.;
+  Peaks peaks;
+  for (double t = 0.; t < 1.5; t += step) {
+    const auto a = [&](double at, double x, double w) { return (P(at) - c * w - k * x) / mass; };
+    const double a1 = a(t, u, v), v2 = v + step / 2. * a1, a2 = a(t + step / 2., u + step / 2. * v, v2);
+    const double v3 = v + step / 2. * a2, a3 = a(t + step / 2., u + step / 2. * v2, v3);
+    const double v4 = v + step * a3, a4 = a(t + step, u + step * v3, v4);
+    u += step / 6. * (v + 2. * v2 + 2. * v3 + v4);
+    v += step / 6. * (a1 + 2. * a2 + 2. * a3 + a4);
+    peaks.u = std::max(peaks.u, std::abs(u));
+    peaks.F_T = std::max(peaks.F_T, std::abs(k * u + c * v));
+  }
+  return peaks;
+}
+
+class EquivalentLinear : public InFolder {
+ protected:
+  SoilSummary settle(double peak, const std::string& strain) {
+    static const PetscSession petsc;  // MPI starts once in a process
+    write("layer.geo", layer_geo);
+    write("case.toml", layer_case(peak, strain));
+    const Case input = read_case("case.toml");
+    const Simulation scene = simulation_of(input);
+    return *solve(input, scene, {}).summary.soil;
+  }
+};
+
+TEST_F(EquivalentLinear, SettlesWhereTheOscillatorDoes) {
+  for (const double peak : {2e4, 4e5, 2e6}) {
+    SCOPED_TRACE(peak);
+    const SoilSummary found =
+        settle(peak, "{ reference_strain = 1e-3, smallest_damping = 0.0, largest_damping = 0.0 }");
+    EXPECT_TRUE(found.converged);
+    double G = G_max;
+    Peaks peaks = oscillate(G, 0., peak);
+    EXPECT_NEAR(found.linear, peaks.F_T, 3e-3 * peaks.F_T);
+    for (int i = 0; i < found.iterations; ++i) {
+      G = G_max / (1. + 0.65 * peaks.u / h / 1e-3);
+      peaks = oscillate(G, 0., peak);
+    }
+    EXPECT_NEAR(found.settled, peaks.F_T, 3e-3 * peaks.F_T);
+    EXPECT_NEAR(found.largest_strain, 0.65 * peaks.u / h, 5e-3 * peaks.u / h);
+    for (int i = 0; i < 200; ++i) {
+      G = std::sqrt(G * G_max / (1. + 0.65 * peaks.u / h / 1e-3));
+      peaks = oscillate(G, 0., peak);
+    }
+    EXPECT_NEAR(found.settled, peaks.F_T, 0.01 * peaks.F_T) << "the fixed point";
+    EXPECT_TRUE(peak < 1e6 || found.settled < 0.8 * found.linear) << "a large wave feels soft soil";
+    EXPECT_TRUE(peak > 1e5 || found.settled > 0.95 * found.linear) << "a small one does not";
+  }
+}
+
+TEST_F(EquivalentLinear, TakesDampingFromTheStrainToo) {
+  const double peak = 1e6;
+  const SoilSummary found =
+      settle(peak, "{ modulus = [[1e-6, 1.0], [1.0, 1.0]], damping = [[1e-4, 0.0], [1e-2, 0.3]] }");
+  double damping = 0.;
+  Peaks peaks = oscillate(G_max, 0., peak);
+  for (int i = 0; i < found.iterations; ++i) {
+    damping = 0.3 * std::log(0.65 * peaks.u / h / 1e-4) / std::log(1e2);
+    peaks = oscillate(G_max, damping / (std::acos(-1.) * 11.), peak);
+  }
+  EXPECT_GT(damping, 0.1);
+  EXPECT_NEAR(found.settled, peaks.F_T, 3e-3 * peaks.F_T);
+  EXPECT_LT(found.settled, 0.97 * found.linear);
+  EXPECT_EQ(found.least_modulus_ratio, 1.);
+}
+
+TEST_F(EquivalentLinear, IsNothingWithoutAStrainLaw) {
+  EXPECT_FALSE(needs_equivalent_linear(Scene()));
+}
+
+}  // namespace
+}  // namespace upbead::test
