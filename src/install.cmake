@@ -3,8 +3,8 @@
 include(CMakePackageConfigHelpers)
 
 # some of PETSc's, MPI's and HDF5's libraries lie in folders of their own
-set_target_properties(upbead PROPERTIES INSTALL_RPATH_USE_LINK_PATH ON)
-install(TARGETS upbead RUNTIME DESTINATION bin)
+set_target_properties(upbead upbead-solver PROPERTIES INSTALL_RPATH_USE_LINK_PATH ON)
+install(TARGETS upbead upbead-solver RUNTIME DESTINATION bin)
 
 # for programs of others
 get_property(layers GLOBAL PROPERTY UPBEAD_LAYERS)

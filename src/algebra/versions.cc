@@ -17,36 +17,26 @@ std::string dotted(int first, int second, int third) {
   return std::to_string(first) + "." + std::to_string(second) + "." + std::to_string(third);
 }
 
-std::string petsc() {
-  PetscInt major = 0, minor = 0, patch = 0;
-  PetscGetVersionNumber(&major, &minor, &patch, nullptr);
-  return dotted(major, minor, patch);
-}
-
-std::string cholmod() {
-  int version[3];
-  cholmod_version(version);
-  return dotted(version[0], version[1], version[2]);
-}
-
-/// "Open MPI v4.1.4", of a text that goes on with the package and the machine that it was built on.
+/// As the program was built with: asking the libraries would load them all.
 std::string mpi() {
-  char text[MPI_MAX_LIBRARY_VERSION_STRING];
-  int length = 0;
-  MPI_Get_library_version(text, &length);
-  const std::string all(text, length);
-  return all.substr(0, all.find_first_of(",\n"));
+#ifdef OMPI_MAJOR_VERSION
+  return "Open MPI v" + dotted(OMPI_MAJOR_VERSION, OMPI_MINOR_VERSION, OMPI_RELEASE_VERSION);
+#else
+  return "of standard " + std::to_string(MPI_VERSION) + "." + std::to_string(MPI_SUBVERSION);
+#endif
 }
 
 /// Debian chooses a BLAS at run time by a link, so no header knows: the file that dgemm comes from, or, where that is
 /// OpenBLAS, what it says of itself.
 std::string blas() {
   Dl_info found;
-  void* const dgemm = dlsym(RTLD_DEFAULT, "dgemm_");
+  void* dgemm = dlsym(RTLD_DEFAULT, "dgemm_");
+  void* const library = dgemm == nullptr ? dlopen("libblas.so.3", RTLD_LAZY) : RTLD_DEFAULT;
+  if (dgemm == nullptr && library != nullptr) dgemm = dlsym(library, "dgemm_");
   if (dgemm == nullptr || dladdr(dgemm, &found) == 0) return "unknown";
   const std::unique_ptr<char, void (*)(void*)> path(realpath(found.dli_fname, nullptr), std::free);
   std::string file = path ? path.get() : found.dli_fname;
-  void* const config = dlsym(RTLD_DEFAULT, "openblas_get_config");
+  void* const config = dlsym(library, "openblas_get_config");
   if (config == nullptr || file.find("openblas") == std::string::npos) return file;
   std::string text = reinterpret_cast<const char* (*)()>(config)();
   text.erase(text.find_last_not_of(' ') + 1);
@@ -56,8 +46,8 @@ std::string blas() {
 }  // namespace
 
 Versions algebra_versions() {
-  return {{"PETSc", petsc()},
-          {"CHOLMOD", cholmod()},
+  return {{"PETSc", dotted(PETSC_VERSION_MAJOR, PETSC_VERSION_MINOR, PETSC_VERSION_SUBMINOR)},
+          {"CHOLMOD", dotted(CHOLMOD_MAIN_VERSION, CHOLMOD_SUB_VERSION, CHOLMOD_SUBSUB_VERSION)},
           {"Eigen", dotted(EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
           {"BLAS", blas()},
           {"MPI", mpi()}};

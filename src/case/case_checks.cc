@@ -4,8 +4,8 @@
 #include <cctype>
 #include <filesystem>
 
-#include "upbead/case/case.h"
 #include "upbead/base/quoted.h"
+#include "upbead/case/case.h"
 
 namespace upbead {
 

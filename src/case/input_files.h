@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "upbead/case/case.h"
 #include "upbead/base/inputs_kept.h"
+#include "upbead/case/case.h"
 
 namespace upbead {
 

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "field_output.h"
-#include "upbead/case/case.h"
 #include "upbead/base/stopwatch.h"
+#include "upbead/case/case.h"
 #include "upbead/output/checkpoint_file.h"
 
 namespace upbead {

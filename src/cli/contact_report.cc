@@ -1,6 +1,5 @@
 #include "contact_report.h"
 
-#include "upbead/cli/report.h"
 #include "upbead/base/text.h"
 
 namespace upbead {

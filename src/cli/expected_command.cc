@@ -3,12 +3,12 @@
 #include "design/design_files.h"
 #include "design/expected_checks.h"
 #include "design/expected_report.h"
-#include "upbead/cli/commands.h"
-#include "upbead/design/design.h"
-#include "upbead/design/expected.h"
 #include "upbead/base/files.h"
 #include "upbead/base/interrupt.h"
 #include "upbead/base/stopwatch.h"
+#include "upbead/cli/commands.h"
+#include "upbead/design/design.h"
+#include "upbead/design/expected.h"
 
 namespace upbead {
 

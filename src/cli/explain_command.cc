@@ -5,6 +5,7 @@
 #include "case/records/gauge_report.h"
 #include "case/script_trust.h"
 #include "upbead/cli/commands.h"
+#include "upbead/cli/program.h"
 #include "upbead/cli/report.h"
 #include "upbead/response/scheme_choice.h"
 
@@ -55,7 +56,7 @@ void explain(const CommonOptions& options, bool trusted) {
 void add_explain(CLI::App& program) {
   auto options = std::make_shared<CommonOptions>();
   auto keys = std::make_shared<bool>(false), trusted = std::make_shared<bool>(false);
-  CLI::App* command = program.add_subcommand("explain", "check a case and tell what would be solved, without solving");
+  CLI::App* command = &add_solver_command(program, "explain");
   add_common_options(*command, *options);
   add_trust_option(*command, *trusted);
   command->get_option("FILE")->required(false);

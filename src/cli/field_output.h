@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "upbead/run/simulation.h"
 #include "upbead/base/files.h"
 #include "upbead/output/fields.h"
+#include "upbead/run/simulation.h"
 
 namespace upbead {
 

@@ -4,13 +4,13 @@
 
 #include "case/case_run.h"
 #include "case/input_files.h"
+#include "case/script_trust.h"
 #include "respond/joined_loads.h"
 #include "run/reduced_slip.h"
-#include "case/script_trust.h"
 #include "run/solve.h"
 #include "upbead/cli/commands.h"
+#include "upbead/cli/program.h"
 
-#include "upbead/run/simulation.h"
 #include "upbead/base/error.h"
 #include "upbead/base/files.h"
 #include "upbead/base/interrupt.h"
@@ -22,6 +22,7 @@
 #include "upbead/output/model_file.h"
 #include "upbead/response/reduction.h"
 #include "upbead/response/shear_response.h"
+#include "upbead/run/simulation.h"
 #include "upbead/system/interface.h"
 
 namespace upbead {
@@ -232,7 +233,8 @@ std::vector<Skipped> skipped(const Simulation& simulation, const ReducedSlip& sl
 
 Reduction reduce_glued(const Simulation& simulation, bool all_readings) {
   Progress progress("reducing");
-  Reduction reduction = reduce_scene(simulation.scene, *simulation.compiled, {!all_readings, true, {}}, watched(progress));
+  Reduction reduction =
+      reduce_scene(simulation.scene, *simulation.compiled, {!all_readings, true, {}}, watched(progress));
   require_converged(reduction);
   return reduction;
 }
@@ -262,7 +264,8 @@ void reduce(const ReduceOptionsOfCommand& options, const Stopwatch& since_start)
   made.file = model_of(input, simulation, made.reduction, folder.name());
   made.file.slip = made.slip.model;
   made.file.nested = made.nested.models;
-  if (options.check) made.file.error_march = error_against_march(made.reduction, simulation.scene, *simulation.compiled);
+  if (options.check)
+    made.file.error_march = error_against_march(made.reduction, simulation.scene, *simulation.compiled);
   folder.write("reduced.h5", model_file(made.file));
   check_interrupt();
   folder.commit();
@@ -275,7 +278,7 @@ void reduce(const ReduceOptionsOfCommand& options, const Stopwatch& since_start)
 
 void add_reduce(CLI::App& program) {
   auto options = std::make_shared<ReduceOptionsOfCommand>();
-  CLI::App* command = program.add_subcommand("reduce", "solve a scene once for all waves: write its reduced model");
+  CLI::App* command = &add_solver_command(program, "reduce");
   add_common_options(*command, *options);
   add_trust_option(*command, options->trusts_script);
   command->add_flag("--all-readings", options->all_readings,

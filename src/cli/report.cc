@@ -6,8 +6,8 @@
 #include <cstdio>
 
 #include "case/case_run.h"
-#include "contact_report.h"
 #include "case/records/gauge_report.h"
+#include "contact_report.h"
 #include "sliding_report.h"
 #include "upbead/base/text.h"
 #include "upbead/model/words.h"
@@ -128,12 +128,6 @@ std::string describe(const Case& input, const Simulation& simulation) {
   text += "skipped\n";
   for (const Skipped& item : skipped(input, simulation, choice.scheme == TimeScheme::reduced))
     text += "  " + item.what + ": " + item.why + "\n";
-  return text;
-}
-
-std::string describe(const NumberedWarnings& warnings) {
-  std::string text;
-  for (const NumberedWarning& warning : warnings) text += "warning: " + warning.name + ": " + warning.text + "\n";
   return text;
 }
 

@@ -4,15 +4,15 @@
 #include <iostream>
 
 #include "respond_report.h"
-#include "upbead/cli/commands.h"
-#include "upbead/cli/report.h"
-#include "upbead/respond/respond_waves.h"
 #include "upbead/base/files.h"
 #include "upbead/base/inputs_kept.h"
 #include "upbead/base/interrupt.h"
 #include "upbead/base/quoted.h"
 #include "upbead/base/stopwatch.h"
 #include "upbead/base/text.h"
+#include "upbead/cli/commands.h"
+#include "upbead/cli/warning_lines.h"
+#include "upbead/respond/respond_waves.h"
 
 namespace upbead {
 

@@ -4,7 +4,6 @@
 #include <functional>
 #include <iterator>
 
-#include "upbead/cli/report.h"
 #include "upbead/base/text.h"
 
 namespace upbead {

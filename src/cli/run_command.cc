@@ -2,19 +2,20 @@
 #include <iostream>
 #include <optional>
 
-#include "checkpoints.h"
-#include "case/input_files.h"
 #include "case/case_run.h"
-#include "upbead/run/histories.h"
+#include "case/input_files.h"
 #include "case/script_trust.h"
+#include "checkpoints.h"
 #include "several_processes.h"
-#include "upbead/cli/commands.h"
-#include "upbead/cli/report.h"
 #include "upbead/base/files.h"
 #include "upbead/base/interrupt.h"
 #include "upbead/base/progress.h"
 #include "upbead/base/stopwatch.h"
+#include "upbead/cli/commands.h"
+#include "upbead/cli/program.h"
+#include "upbead/cli/report.h"
 #include "upbead/output/fields.h"
+#include "upbead/run/histories.h"
 
 namespace upbead {
 
@@ -99,7 +100,7 @@ void run(const CommonOptions& options, const CheckpointWish& wish, bool trusted,
 
 void add_run(CLI::App& program) {
   auto options = std::make_shared<CommonOptions>();
-  CLI::App* command = program.add_subcommand("run", "solve a case and write F_T(t), its peak and all histories");
+  CLI::App* command = &add_solver_command(program, "run");
   add_common_options(*command, *options);
   auto wish = std::make_shared<CheckpointWish>();
   auto trusted = std::make_shared<bool>(false);

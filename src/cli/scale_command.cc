@@ -3,11 +3,11 @@
 #include <nlohmann/json.hpp>
 
 #include "case/input_files.h"
-#include "upbead/cli/commands.h"
-#include "upbead/case/scale.h"
 #include "upbead/base/files.h"
 #include "upbead/base/suggest.h"
 #include "upbead/base/text.h"
+#include "upbead/case/scale.h"
+#include "upbead/cli/commands.h"
 
 namespace upbead {
 

@@ -3,8 +3,8 @@
 #include <chrono>
 #include <thread>
 
-#include "upbead/cli/failure.h"
 #include "upbead/base/error.h"
+#include "upbead/cli/failure.h"
 
 namespace upbead {
 

@@ -11,9 +11,10 @@
 #include "study/schedule.h"
 #include "study/study_progress.h"
 #include "study/study_report.h"
-#include "upbead/cli/commands.h"
 #include "upbead/base/files.h"
 #include "upbead/base/interrupt.h"
+#include "upbead/cli/commands.h"
+#include "upbead/cli/program.h"
 
 namespace upbead {
 
@@ -171,7 +172,7 @@ void add_options(CLI::App& command, StudyOptions& options) {
 
 void add_study(CLI::App& program) {
   auto options = std::make_shared<StudyOptions>();
-  CLI::App* command = program.add_subcommand("study", "vary keys of cases, and run them side by side");
+  CLI::App* command = &add_solver_command(program, "study");
   add_options(*command, *options);
   command->footer(footer);
   command->callback([options, since_start = Stopwatch()] {

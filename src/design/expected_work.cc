@@ -4,11 +4,11 @@
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 
-#include "upbead/base/parallel.h"
 #include "expected_checks.h"
 #include "expected_laws.h"
 #include "sea_states_file.h"
 #include "upbead/base/error.h"
+#include "upbead/base/parallel.h"
 #include "upbead/base/stopwatch.h"
 
 namespace upbead {

@@ -10,20 +10,12 @@
 
 namespace upbead {
 
-namespace {
-
-Versions hdf5_version() {
-  unsigned major = 0, minor = 0, release = 0;
-  H5get_libversion(&major, &minor, &release);
-  return {{"HDF5", std::to_string(major) + "." + std::to_string(minor) + "." + std::to_string(release)}};
-}
-
-}  // namespace
-
 const Versions& versions() {
   static const Versions all = [] {
     Versions list = base_versions();
-    for (const Versions& part : {mesh_versions(), algebra_versions(), dynamics_versions(), hdf5_version()})
+    const std::string hdf5 =
+        std::to_string(H5_VERS_MAJOR) + "." + std::to_string(H5_VERS_MINOR) + "." + std::to_string(H5_VERS_RELEASE);
+    for (const Versions& part : {mesh_versions(), algebra_versions(), dynamics_versions(), Versions{{"HDF5", hdf5}}})
       list.insert(list.end(), part.begin(), part.end());
     return list;
   }();

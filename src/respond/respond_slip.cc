@@ -2,7 +2,7 @@
 
 #include "joined_loads.h"
 #include "upbead/base/error.h"
-#include "upbead/response/slip_reduction.h"
+#include "upbead/response/slip_law.h"
 
 namespace upbead {
 

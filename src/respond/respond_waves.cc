@@ -7,10 +7,10 @@
 #include <memory>
 #include <string>
 
-#include "upbead/base/parallel.h"
 #include "respond_sliding.h"
 #include "respond_slip.h"
 #include "upbead/base/error.h"
+#include "upbead/base/parallel.h"
 #include "upbead/base/text.h"
 #include "upbead/dynamics/band_check.h"
 #include "upbead/dynamics/response_error.h"

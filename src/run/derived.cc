@@ -13,8 +13,7 @@ namespace {
 
 void throw_objections(const std::vector<Objection>& objections) {
   Mistakes mistakes;
-  for (const Objection& objection : objections)
-    mistakes.add(at_key(objection.key), objection.what, objection.cure);
+  for (const Objection& objection : objections) mistakes.add(at_key(objection.key), objection.what, objection.cure);
   mistakes.throw_if_any();
 }
 
@@ -41,13 +40,14 @@ Simulation on_mesh(const Scene& given, std::shared_ptr<const Mesh> mesh, std::sh
 }
 
 Simulation assembled(Simulation simulation) {
-  simulation.space = std::make_shared<Space>(*simulation.mesh, simulation.scene, simulation.absent, simulation.soil_state);
+  simulation.space =
+      std::make_shared<Space>(*simulation.mesh, simulation.scene, simulation.absent, simulation.soil_state);
   const std::vector<Body> bodies = rigid_bodies(*simulation.space);
   const std::vector<InterfaceNode> nodes =
       simulation.with_interface ? interface_nodes(*simulation.space) : std::vector<InterfaceNode>();
   simulation.unknowns = std::make_shared<Unknowns>(*simulation.space, simulation.scene, bodies, nodes);
-  simulation.compiled = std::make_shared<CompiledScene>(compile(simulation.scene, *simulation.space, *simulation.unknowns,
-                                                                bodies, simulation.processes.get(), nodes));
+  simulation.compiled = std::make_shared<CompiledScene>(
+      compile(simulation.scene, *simulation.space, *simulation.unknowns, bodies, simulation.processes.get(), nodes));
   return simulation;
 }
 

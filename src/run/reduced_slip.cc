@@ -8,7 +8,8 @@ namespace upbead {
 
 namespace {
 
-ModelSlip model_slip(const Simulation& simulation, const Reduction& glued, const std::function<void(double)>& progress) {
+ModelSlip model_slip(const Simulation& simulation, const Reduction& glued,
+                     const std::function<void(double)>& progress) {
   const Scene& s = simulation.scene;
   const Response response = respond(glued, s, simulation.compiled->system);
   SlipReduction reduction = reduce_loose(s, compile_loose(simulation), response.ends, progress);

@@ -4,9 +4,9 @@
 #include <functional>
 #include <string>
 
-#include "upbead/run/simulation.h"
 #include "upbead/output/model_file.h"
 #include "upbead/response/reduction.h"
+#include "upbead/run/simulation.h"
 
 namespace upbead {
 

@@ -1,8 +1,8 @@
 #include "size_check.h"
 
-#include "upbead/run/simulation.h"
 #include "upbead/base/text.h"
 #include "upbead/response/step_choice.h"
+#include "upbead/run/simulation.h"
 
 namespace upbead {
 

@@ -62,8 +62,7 @@ ReductionSummary summary_of(const Reduction& r) {
           r.error.others, r.omega / two_pi,  loose_readings(r), r.tolerance_of_others};
 }
 
-Run run_march(const Simulation& simulation, const SchemeChoice& choice, const MarchOptions& options,
-              const Care& care) {
+Run run_march(const Simulation& simulation, const SchemeChoice& choice, const MarchOptions& options, const Care& care) {
   SchemeOptions scheme_options;
   if (choice.scheme == TimeScheme::generalised_alpha) scheme_options.kind = SchemeKind::generalised_alpha;
   scheme_options.refined = care.refined;
@@ -71,8 +70,8 @@ Run run_march(const Simulation& simulation, const SchemeChoice& choice, const Ma
   return march_by(*scheme, simulation, choice.reason, options, care.part);
 }
 
-Run march_by(Scheme& scheme, const Simulation& simulation, const std::string& reason,
-             const MarchOptions& options, double part) {
+Run march_by(Scheme& scheme, const Simulation& simulation, const std::string& reason, const MarchOptions& options,
+             double part) {
   const System& system = simulation.compiled->system;
   const TimeChoice& time = simulation.given.time;
   Run run;
@@ -89,7 +88,8 @@ Run march_by(Scheme& scheme, const Simulation& simulation, const std::string& re
     step.reason = significant(part) + " of those of: " + step.reason;
   }
   if (!time.step || part < 1.) check_steps(simulation.given, step.largest_step, step.growth, step.reason);
-  const TimeGrid grid = make_time_grid(times_to_meet(simulation.given, system), time.end, step.largest_step, step.growth);
+  const TimeGrid grid =
+      make_time_grid(times_to_meet(simulation.given, system), time.end, step.largest_step, step.growth);
 
   const Stopwatch watch;
   run.response = march(system, scheme, grid, options);
@@ -104,12 +104,12 @@ Run march_by(Scheme& scheme, const Simulation& simulation, const std::string& re
   return run;
 }
 
-Run run_reduced(const Simulation& simulation, const SchemeChoice& choice,
-                const std::function<void(double)>& progress) {
+Run run_reduced(const Simulation& simulation, const SchemeChoice& choice, const std::function<void(double)>& progress) {
   const Stopwatch watch;
   const bool by_name = simulation.given.time.scheme == TimeScheme::reduced;
   const std::optional<int> most_vectors = by_name ? most_vectors_by_name : choice.most_vectors;
-  Reduction reduction = reduce_scene(simulation.scene, *simulation.compiled, {false, false, most_vectors, true, true}, progress);
+  Reduction reduction =
+      reduce_scene(simulation.scene, *simulation.compiled, {false, false, most_vectors, true, true}, progress);
   if (by_name)
     require_shear_converged(reduction);
   else
@@ -121,15 +121,14 @@ Run run_reduced(const Simulation& simulation, const SchemeChoice& choice,
   run.summary.timing.march = watch.seconds() - reduction.factorise_seconds;
   run.scheme_reason = choice.reason;
   run.step_reason = simulation.given.time.step ? "given in the case, or shorter where loads need it"
-                                          : "a 32nd of the shortest load, for the record";
+                                               : "a 32nd of the shortest load, for the record";
   summarise(simulation, "reduced", run);
   run.summary.reduction = summary_of(reduction);
   run.pressures = std::move(reduction.pressures);
   return run;
 }
 
-Run run_glued(const Simulation& simulation, const MarchOptions& marching,
-              const std::function<void(double)>& reducing) {
+Run run_glued(const Simulation& simulation, const MarchOptions& marching, const std::function<void(double)>& reducing) {
   Run run = climb(simulation, ways(simulation, reducing), marching);
   read_sliding(simulation, run, reducing);
   return run;

@@ -55,7 +55,8 @@ std::string Runner::solve(const Case& problem, const std::function<void()>& mean
   options.progress = [&meanwhile](double) { meanwhile(); };
   if (sharing_ && solution_.simulation && key == solution_key_) {
     shared = Shared::solution;
-    return to_json(in_places_of(problem, [&] { return with_sliding(solution_, problem.scene, options.progress); }).summary);
+    return to_json(
+        in_places_of(problem, [&] { return with_sliding(solution_, problem.scene, options.progress); }).summary);
   }
   solution_ = {};
   check_size(problem.scene);

@@ -8,8 +8,8 @@
 #include "case/input_files.h"
 #include "key_units.h"
 #include "study_checks.h"
-#include "upbead/case/case.h"
 #include "upbead/base/version.h"
+#include "upbead/case/case.h"
 #include "upbead/mesh/mesh.h"
 
 namespace fs = std::filesystem;

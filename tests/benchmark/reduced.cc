@@ -12,8 +12,8 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
-#include "upbead/algebra/petsc_session.h"
 #include "case/case_run.h"
+#include "upbead/algebra/petsc_session.h"
 #include "upbead/base/error.h"
 #include "upbead/base/stopwatch.h"
 #include "upbead/dynamics/batch_response.h"

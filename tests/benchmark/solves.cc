@@ -17,8 +17,8 @@
 
 #include "../../src/algebra/condensation.h"
 #include "../../src/algebra/ldlt.h"
-#include "upbead/algebra/petsc_session.h"
 #include "case/case_run.h"
+#include "upbead/algebra/petsc_session.h"
 #include "upbead/base/stopwatch.h"
 
 namespace upbead {

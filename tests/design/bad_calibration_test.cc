@@ -4,8 +4,8 @@
 
 #include "../output/sample_model.h"
 #include "good_case.h"
-#include "upbead/design/calibrate.h"
 #include "upbead/base/error.h"
+#include "upbead/design/calibrate.h"
 
 namespace upbead::test {
 

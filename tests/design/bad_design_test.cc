@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "good_case.h"
-#include "upbead/design/design.h"
 #include "upbead/base/error.h"
+#include "upbead/design/design.h"
 
 namespace upbead::test {
 namespace {

@@ -5,8 +5,8 @@
 
 #include "../output/sample_model.h"
 #include "good_case.h"
-#include "upbead/design/expected.h"
 #include "upbead/base/error.h"
+#include "upbead/design/expected.h"
 
 namespace upbead::test {
 

@@ -4,10 +4,10 @@
 
 #include "case/case_history.h"
 #include "case/records/gauge_keys.h"
-#include "target.h"
-#include "upbead/respond/wave_files.h"
-#include "upbead/base/csv.h"
 #include "respond/wave_grid.h"
+#include "target.h"
+#include "upbead/base/csv.h"
+#include "upbead/respond/wave_files.h"
 
 namespace upbead::fuzz {
 

@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "case/case_run.h"
 #include "good_case.h"
 #include "upbead/algebra/petsc_session.h"
-#include "case/case_run.h"
 #include "upbead/base/error.h"
 
 namespace upbead::test {

@@ -4,10 +4,10 @@
 
 #include <cmath>
 
+#include "case/case_run.h"
 #include "good_case.h"
 #include "section_case.h"
 #include "upbead/algebra/petsc_session.h"
-#include "case/case_run.h"
 #include "upbead/base/error.h"
 #include "upbead/fem/caisson_readings.h"
 
@@ -29,7 +29,8 @@ class ContactRun : public InFolder {
   struct Solved {
     upbead::Run run;
     double last(const std::string& reading) const {
-      return run.response.ends.reading(run.simulation->compiled->system.reading(reading), run.response.ends.reading.cols() - 1);
+      return run.response.ends.reading(run.simulation->compiled->system.reading(reading),
+                                       run.response.ends.reading.cols() - 1);
     }
   };
   static Solved solve(const std::vector<std::string>& overrides) {

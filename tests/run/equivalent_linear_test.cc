@@ -3,12 +3,11 @@
 // shears: stiffness G B / h, strain u / h. Tolerance: 0.3 % for the layer's ends and its rocking, where both take the
 // same number of iterations; 1 %, to which the program settles, against the fixed point.
 
-
 #include <cmath>
 
+#include "case/case_run.h"
 #include "good_case.h"
 #include "upbead/algebra/petsc_session.h"
-#include "case/case_run.h"
 
 namespace upbead::test {
 namespace {

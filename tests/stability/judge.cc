@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "case/case_run.h"
 #include "equilibrated.h"
 #include "upbead/algebra/factorisation.h"
-#include "case/case_run.h"
 #include "upbead/base/error.h"
 
 namespace upbead::test {

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "upbead/case/case.h"
+#include "upbead/cli/warning_lines.h"
 #include "upbead/run/simulation.h"
 
 namespace upbead {
@@ -13,8 +14,5 @@ std::string describe(const Case& input, const Simulation& simulation);
 
 /// What came out: peaks, ratio, checks, times.
 std::string describe(const Run& run);
-
-/// Warnings, one line each: "warning: NAME: text".
-std::string describe(const NumberedWarnings& warnings);
 
 }  // namespace upbead

@@ -32,8 +32,8 @@ struct Response {
 
 struct MarchCheckpoint;  // see checkpoint.h
 
-/// Follows the states of a march, and remembers what it needs of them. A march that is begun anew, as the one before was
-/// refused, begins with step 0: then nothing that was seen counts.
+/// Follows the states of a march, and remembers what it needs of them. A march that is begun anew, as the one before
+/// was refused, begins with step 0: then nothing that was seen counts.
 class MarchObserver {
  public:
   MarchObserver() = default;

@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
-#include "upbead/respond/wave_files.h"
 #include "upbead/output/model_file.h"
 #include "upbead/output/wave_response.h"
+#include "upbead/respond/wave_files.h"
 
 namespace upbead {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "upbead/dynamics/reduce.h"
-#include "upbead/dynamics/slip_model.h"
 #include "upbead/fem/compile.h"
+#include "upbead/response/slip_law.h"
 
 namespace upbead {
 
@@ -23,12 +23,6 @@ struct SlipReduction {
   double factorise_seconds = 0.;
 };
 
-/// Which part of the uplift N' is without.
-enum class SlipUplift {
-  none,     ///< N' = N_0 + change of the total normal force; a prescribed uplift is part of N_0
-  computed  ///< the modelled pore pressure on the bottom is taken off besides
-};
-
 /// Reduces a scene with an interface for its loads, F_T and s, at krylov_shift(), to its tolerance.
 /// - compiled: with the interface, on one process.
 /// - glued: what the caisson's glued twin reads, all readings of the system in their order; trains the model with F_T
@@ -37,9 +31,5 @@ enum class SlipUplift {
 /// Throws NumericsError as reduce_scene() does, std::invalid_argument where there is no interface or no shear force.
 SlipReduction reduce_slip(const Scene& scene, const CompiledScene& compiled, SlipUplift uplift, const Series& glued,
                           const std::function<void(double)>& progress = {});
-
-/// Coulomb's law for a scene's reduced system, by the names of its readings; `wanted`: of others that are to be read.
-SlipLaw slip_law(const ReducedSystem& system, double friction, SlipUplift uplift,
-                 const std::vector<std::string>& wanted = {});
 
 }  // namespace upbead

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "upbead/run/simulation.h"
 #include "upbead/output/result_file.h"
+#include "upbead/run/simulation.h"
 
 namespace upbead {
 

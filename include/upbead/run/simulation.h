@@ -37,17 +37,17 @@ struct Simulation;
 /// What a run tells while it is solved.
 struct RunOptions {
   std::function<void(double)> progress;  ///< called with 0 to 1, again and again; may throw to end the run
-  /// Of what follows the march; called once, with the scene as it is marched (its soil converged), before the march. Null
-  /// where nobody follows. The observer outlives the run.
+  /// Of what follows the march; called once, with the scene as it is marched (its soil converged), before the march.
+  /// Null where nobody follows. The observer outlives the run.
   std::function<MarchObserver*(const Simulation&)> observer;
   Checkpointing checkpoints;
 };
 
-/// A scene on its mesh, assembled: a value that nothing changes. What other soil, cells or contact make of it is another
-/// one; copies share all that is large.
+/// A scene on its mesh, assembled: a value that nothing changes. What other soil, cells or contact make of it is
+/// another one; copies share all that is large.
 struct Simulation {
-  /// Checks the scene on the mesh, decides what it leaves open, and assembles. Where scene.mesh.refine has no number the
-  /// cells are split as the tolerance asks, from this mesh on. `among`: processes, who all call this, to divide the
+  /// Checks the scene on the mesh, decides what it leaves open, and assembles. Where scene.mesh.refine has no number
+  /// the cells are split as the tolerance asks, from this mesh on. `among`: processes, who all call this, to divide the
   /// system among. Throws InputError whose places are keys of the scene, such as "boundaries.left".
   Simulation(Scene asked, std::shared_ptr<const Mesh> on, std::shared_ptr<const Processes> among = nullptr);
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "upbead/case/record_notes.h"
 #include "upbead/base/csv.h"
+#include "upbead/case/record_notes.h"
 
 namespace upbead {
 

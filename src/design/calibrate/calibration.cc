@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "../shear_model.h"
-#include "upbead/base/parallel.h"
 #include "calibration_checks.h"
 #include "calibration_fits.h"
 #include "family.h"
+#include "upbead/base/parallel.h"
 #include "upbead/base/stopwatch.h"
 #include "upbead/sliding/duration.h"
 

@@ -68,8 +68,8 @@ double driving(const Scene& given, const ShearError& error) {
   throw InputError(at_key("accuracy.tolerance"),
                    "a mesh of " + std::to_string(last.unknowns) + " unknowns still makes " +
                        (peak ? "the peak of F_T" : "the history of F_T") + " wrong by up to " +
-                       significant(driving(given, last.error)) + "; a tolerance of " +
-                       significant(given.tolerance) + " would take more than " + std::to_string(unknowns),
+                       significant(driving(given, last.error)) + "; a tolerance of " + significant(given.tolerance) +
+                       " would take more than " + std::to_string(unknowns),
                    std::string("raise tolerance, ") + (peak ? "" : "write accuracy.of = \"peak\", ") +
                        "or give mesh.refine as a number");
 }
@@ -98,7 +98,7 @@ class Adaptation {
     const auto error = [this, n](std::size_t back) { return driving(given_, accuracy_.levels[n - back].error); };
     const bool stuck = measured_ && n > 1 && error(1) > enough * error(2);
     mesh_ = refined(*mesh_, stuck ? std::vector<bool>(cells_.of_cell.size(), true)
-                               : worst_cells(cells_, part_to_split(scale_ * cells_.sum, aim_)));
+                                  : worst_cells(cells_, part_to_split(scale_ * cells_.sum, aim_)));
   }
 
  private:

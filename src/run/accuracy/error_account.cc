@@ -109,7 +109,8 @@ bool has_slipped(const Run& run) {
 
 void estimate_errors(Run& run) {
   const Simulation& simulation = *run.simulation;
-  if (!run.summary.response || !simulation.given.time.inertia || (!simulation.accuracy && !simulation.given.accuracy.estimate)) {
+  if (!run.summary.response || !simulation.given.time.inertia ||
+      (!simulation.accuracy && !simulation.given.accuracy.estimate)) {
     tell_why_no_slip_error(run);
     return;
   }

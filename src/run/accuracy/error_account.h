@@ -5,8 +5,8 @@
 
 namespace upbead {
 
-/// Fills in what a run's F_T and S are wrong by, where its mesh was made for the tolerance (`simulation.accuracy`) or the
-/// case asks for it (accuracy.estimate); else why that is not told. From
+/// Fills in what a run's F_T and S are wrong by, where its mesh was made for the tolerance (`simulation.accuracy`) or
+/// the case asks for it (accuracy.estimate); else why that is not told. From
 /// - the cells: F_T and S on cells half as large (finer.h);
 /// - the steps of a march: F_T moves by so much with steps half as long, on the coarse mesh that the refinement started
 ///   from; of contact node by node on the mesh itself;

@@ -22,7 +22,8 @@ Ladder set_at_rest(const Simulation& simulation, Interface& interface) {
   interface.friction = contact_friction(simulation.scene);
   RestForces rest = rest_forces(simulation, interface);
   interface.normal_force = std::move(rest.normal_force);
-  if (simulation.scene.sliding) interface.normal_force *= simulation.scene.sliding->buoyant_weight / interface.normal_force.sum();
+  if (simulation.scene.sliding)
+    interface.normal_force *= simulation.scene.sliding->buoyant_weight / interface.normal_force.sum();
   return rest.ladder.size() > 1 ? std::move(rest.ladder) : Ladder();
 }
 

@@ -99,8 +99,7 @@ void check_sliding(const Simulation& simulation) {
   if (sliding.buoyant_weight >= weight_of(scene, compiled))
     mistakes.add(at_key("sliding.buoyant_weight"),
                  "buoyant_weight = " + significant(sliding.buoyant_weight, 5) +
-                     " N/m is not below the weight in air, " + significant(weight_of(scene, compiled), 5) +
-                     " N/m",
+                     " N/m is not below the weight in air, " + significant(weight_of(scene, compiled), 5) + " N/m",
                  "give W' in still water, W less the weight of the water that the caisson displaces");
   if (sliding.uplift && sliding.uplift->kind == UpliftKind::computed && !has_pore_pressure(compiled))
     mistakes.add(at_key("sliding.uplift.kind"),

@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "upbead/run/simulation.h"
 #include "upbead/output/result_file.h"
+#include "upbead/run/simulation.h"
 
 namespace upbead {
 

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "upbead/run/simulation.h"
 #include "upbead/response/slip_reduction.h"
+#include "upbead/run/simulation.h"
 
 namespace upbead {
 

@@ -12,8 +12,8 @@ namespace upbead {
 /// history.
 void read_sliding(const Simulation& simulation, Run& run, const std::function<void(double)>& progress);
 
-/// A run without contact of the same scene with other sliding: what was solved is kept. Throws InputError at keys of the
-/// scene.
+/// A run without contact of the same scene with other sliding: what was solved is kept. Throws InputError at keys of
+/// the scene.
 Run with_sliding(const Run& run, const Scene& given, const std::function<void(double)>& progress);
 
 /// no_coupled_slip: the coupled S would not be right.

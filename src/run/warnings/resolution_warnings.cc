@@ -78,12 +78,15 @@ NumberedWarnings jump_warnings(const Simulation& simulation) {
 
 NumberedWarnings mesh_warnings(const Simulation& simulation) {
   const double duration = shortest_duration(simulation.scene);
-  if (!simulation.scene.time.inertia || !std::isfinite(duration) || !simulation.compiled->caisson || simulation.accuracy) return {};
+  if (!simulation.scene.time.inertia || !std::isfinite(duration) || !simulation.compiled->caisson ||
+      simulation.accuracy)
+    return {};
   NumberedWarnings list;
-  for (const WaveResolution& at :
-       wave_resolution(simulation.scene, *simulation.mesh, *simulation.compiled->caisson, duration, simulation.soil_state)) {
+  for (const WaveResolution& at : wave_resolution(simulation.scene, *simulation.mesh, *simulation.compiled->caisson,
+                                                  duration, simulation.soil_state)) {
     const bool rings = duration > 0. && is_undamped(simulation.scene.regions.at(at.region), duration);
-    const CellsToWave wide = cells_to_wave(at, at.wavelength, simulation.space->degree() == 2 ? of_degree_2 : of_degree_3);
+    const CellsToWave wide =
+        cells_to_wave(at, at.wavelength, simulation.space->degree() == 2 ? of_degree_2 : of_degree_3);
     const CellsToWave free =
         cells_to_wave(at, at.speed * duration, simulation.space->degree() == 2 ? undamped_2 : undamped_3);
     const CellsToWave worst = rings && free.error > wide.error ? free : wide;

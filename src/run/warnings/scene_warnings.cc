@@ -12,8 +12,8 @@ std::optional<double> passing_time(const Simulation& simulation) {
   if (!simulation.scene.time.inertia || !std::isfinite(duration)) return std::nullopt;
   double time = duration;
   if (simulation.compiled->caisson)
-    for (const WaveResolution& at :
-         wave_resolution(simulation.scene, *simulation.mesh, *simulation.compiled->caisson, duration, simulation.soil_state))
+    for (const WaveResolution& at : wave_resolution(simulation.scene, *simulation.mesh, *simulation.compiled->caisson,
+                                                    duration, simulation.soil_state))
       time = std::max(time, at.wavelength / at.speed);
   return time > 0. ? std::optional(time) : std::nullopt;
 }
@@ -21,9 +21,10 @@ std::optional<double> passing_time(const Simulation& simulation) {
 NumberedWarnings warnings(const Simulation& simulation, const std::optional<double>& peak_time) {
   NumberedWarnings all;
   for (const NumberedWarnings& part :
-       {step_warnings(simulation), jump_warnings(simulation), mesh_warnings(simulation), wall_warnings(simulation, peak_time),
-        load_warnings(simulation), skin_warnings(simulation), ring_warnings(simulation), slow_wave_warnings(simulation),
-        layer_warnings(simulation), thin_layer_warnings(simulation)})
+       {step_warnings(simulation), jump_warnings(simulation), mesh_warnings(simulation),
+        wall_warnings(simulation, peak_time), load_warnings(simulation), skin_warnings(simulation),
+        ring_warnings(simulation), slow_wave_warnings(simulation), layer_warnings(simulation),
+        thin_layer_warnings(simulation)})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }

@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "upbead/run/simulation.h"
 #include "upbead/base/numbered_warning.h"
+#include "upbead/run/simulation.h"
 
 namespace upbead {
 

@@ -4,9 +4,9 @@
 #include <optional>
 #include <string>
 
-#include "upbead/run/simulation.h"
 #include "upbead/response/least_pressure.h"
 #include "upbead/response/mobilisation.h"
+#include "upbead/run/simulation.h"
 
 namespace upbead {
 

@@ -10,7 +10,8 @@ NumberedWarnings thin_layer_warnings(const Simulation& simulation) {
   constexpr double least = 1.;  // cells along to the thickness: docs/warnings.md
   if (!simulation.scene.time.inertia || !simulation.compiled->caisson || simulation.accuracy) return {};
   NumberedWarnings list;
-  for (const ThinLayer& layer : thin_layers(simulation.scene, *simulation.mesh, *simulation.compiled->caisson, simulation.soil_state))
+  for (const ThinLayer& layer :
+       thin_layers(simulation.scene, *simulation.mesh, *simulation.compiled->caisson, simulation.soil_state))
     if (const double n = layer.cells_per_thickness(); n < least)
       list.push_back({"mesh_too_coarse", n, least, "1",
                       "region '" + layer.region + "' is a soft layer of " + significant(layer.thickness, 2) +

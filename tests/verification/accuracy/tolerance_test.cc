@@ -6,8 +6,8 @@
 
 #include <cmath>
 
-#include "record.h"
 #include "case/case_run.h"
+#include "record.h"
 
 namespace upbead::test {
 namespace {

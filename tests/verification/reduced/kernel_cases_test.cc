@@ -8,8 +8,8 @@
 #include <cmath>
 #include <filesystem>
 
-#include "record.h"
 #include "case/case_run.h"
+#include "record.h"
 #include "upbead/dynamics/kernel.h"
 #include "upbead/fem/caisson_readings.h"
 

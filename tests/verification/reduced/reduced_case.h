@@ -3,9 +3,9 @@
 
 #include <string>
 
+#include "case/case_run.h"
 #include "record.h"
 #include "scenes.h"
-#include "case/case_run.h"
 #include "upbead/response/reduction.h"
 
 namespace upbead::test {

@@ -1,0 +1,14 @@
+#include "upbead/cli/commands.h"
+#include "upbead/cli/program.h"
+
+namespace upbead {
+
+void add_other_commands(CLI::App& program) {
+  add_respond(program);
+  add_waves(program);
+  add_expected(program);
+  add_calibrate(program);
+  add_scale(program);
+}
+
+}  // namespace upbead
