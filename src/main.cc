@@ -6,13 +6,18 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <map>
 
 #include "upbead/base/error.h"
 #include "upbead/case/case.h"
 #include "upbead/cli/failure.h"
 #include "upbead/cli/program.h"
+#include "upbead/model/exclusions.h"
 
 namespace {
+
+const std::map<std::string, std::string (*)()> tables{{"--keys", upbead::case_reference},
+                                                      {"--exclusions", upbead::exclusion_table}};
 
 bool is_solvers(const std::string& word) {
   return std::any_of(upbead::solver_commands.begin(), upbead::solver_commands.end(),
@@ -26,12 +31,11 @@ bool is_solvers(const std::string& word) {
   throw upbead::InputError({}, "cannot start '" + solver + "', which meshes and solves", "install upbead again, whole");
 }
 
-/// Commands that other words than `explain --keys` make start the solver.
+/// `explain` prints its two tables itself; other words with it, and the other commands of the solver, start that.
 void add_all(CLI::App& program) {
   for (const auto& [name, what] : upbead::solver_commands) program.add_subcommand(name, what);
   CLI::App& explain = *program.get_subcommand("explain");
-  explain.add_flag("--keys");
-  explain.callback([] { std::cout << upbead::case_reference(); });
+  for (const auto& [option, text] : tables) explain.add_flag_callback(option, [print = text] { std::cout << print(); });
   upbead::add_other_commands(program);
 }
 
@@ -39,8 +43,8 @@ void add_all(CLI::App& program) {
 
 int main(int argc, char** argv) {
   try {
-    const bool prints_keys = argc == 3 && argv[1] == std::string("explain") && argv[2] == std::string("--keys");
-    if (argc > 1 && is_solvers(argv[1]) && !prints_keys) become_solver(argv);
+    const bool prints_table = argc == 3 && argv[1] == std::string("explain") && tables.count(argv[2]) > 0;
+    if (argc > 1 && is_solvers(argv[1]) && !prints_table) become_solver(argv);
   } catch (...) {
     return upbead::tell_failure();
   }

@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <map>
 
 #include "upbead/base/quoted.h"
 #include "upbead/case/case.h"
+#include "upbead/model/exclusions.h"
+#include "upbead/model/words.h"
 
 namespace upbead {
 
@@ -60,22 +63,6 @@ void check_regions(const CaseTables& tables, const Document& document, InputRepo
   }
 }
 
-namespace {
-/// What a case asks for that a reduced model does not do.
-std::string beyond_a_reduced_model(const CaseTables& tables) {
-  std::string text;
-  const auto add = [&text](bool asked, const std::string& what) {
-    if (asked) text += (text.empty() ? "" : ", ") + what;
-  };
-  add(tables.fields_every.has_value(), "it gives no fields");
-  add(tables.time.stop_at_energy.has_value(), "it keeps no account of energy to stop by");
-  add(has_strength(tables), "it gives no stresses of all cells, which a strength needs");
-  add(!tables.time.inertia, "it needs inertia");
-  add(has_frictional_contact(tables), "it does not slip node by node");
-  return text;
-}
-}  // namespace
-
 void check_time(const CaseTables& tables, const Document& document, InputReport& report) {
   if (!report.sound("time")) return;
   const TimeChoice& time = tables.time;
@@ -83,14 +70,17 @@ void check_time(const CaseTables& tables, const Document& document, InputReport&
     report.add("time", document.place("time.step"),
                "step = " + number_text(*time.step) + " is longer than end = " + number_text(time.end),
                "give a shorter step (s), or \"auto\"");
-  if (time.scheme == TimeScheme::generalised_alpha && report.sound("regions") && has_frictional_contact(tables))
-    report.add("time", document.place("time.scheme"),
-               "scheme = \"generalised_alpha\" does not follow friction at the caisson's bottom",
-               "write scheme = \"auto\"");
-  if (time.scheme != TimeScheme::reduced) return;
-  if (const std::string beyond = beyond_a_reduced_model(tables); !beyond.empty())
-    report.add("time", document.place("time.scheme"),
-               "scheme = \"reduced\" cannot do what the case asks for: " + beyond, "write scheme = \"auto\"");
+  const std::map<TimeScheme, Way> ways{{TimeScheme::reduced, Way::reduced_model},
+                                       {TimeScheme::generalised_alpha, Way::generalised_alpha}};
+  const auto way = ways.find(time.scheme);
+  if (way == ways.end()) return;
+  std::string reasons;
+  for (const Exclusion& reason : excluded(tables, way->second)) reasons += (reasons.empty() ? "" : ", ") + reason.why;
+  if (!reasons.empty())
+    report.add(
+        "time", document.place("time.scheme"),
+        "scheme = \"" + word_of(time.scheme, time_scheme_words) + "\" cannot do what the case asks for: " + reasons,
+        "write scheme = \"auto\"");
 }
 
 void check_probes(const CaseTables& tables, const Document& document, InputReport& report) {

@@ -10,6 +10,7 @@
 #include "upbead/base/interrupt.h"
 #include "upbead/base/text.h"
 #include "upbead/base/version.h"
+#include "upbead/model/exclusions.h"
 
 namespace fs = std::filesystem;
 
@@ -44,12 +45,8 @@ void write_whole(const fs::path& path, const std::string& bytes) {
 
 void check_checkpoints(const Case& input) {
   Mistakes mistakes;
-  const auto refuse = [&](bool asked, const std::string& key, const std::string& what) {
-    if (asked) mistakes.add(input.place(key), what + " keeps no checkpoints", "leave out --checkpoint and --resume");
-  };
-  refuse(has_frictional_contact(input.scene), "regions.caisson.interface", "a run with contact");
-  for (const auto& [name, region] : input.scene.regions)
-    refuse(region.strain_law.has_value(), "regions." + name + ".strain", "a run with soil that follows its strain");
+  for (const Exclusion& reason : excluded(input.scene, Way::checkpoints))
+    mistakes.add(input.place(reason.key), "no checkpoints: " + reason.why, "leave out --checkpoint and --resume");
   mistakes.throw_if_any();
 }
 

@@ -7,6 +7,7 @@
 #include "upbead/cli/commands.h"
 #include "upbead/cli/program.h"
 #include "upbead/cli/report.h"
+#include "upbead/model/exclusions.h"
 #include "upbead/response/scheme_choice.h"
 
 namespace upbead {
@@ -61,6 +62,8 @@ void add_explain(CLI::App& program) {
   add_trust_option(*command, *trusted);
   command->get_option("FILE")->required(false);
   command->add_flag("--keys", *keys, "print every key of a case file with unit, range, default and meaning");
+  auto exclusions = std::make_shared<bool>(false);
+  command->add_flag("--exclusions", *exclusions, "print what cannot go with what");
   command->footer(
       "Reads, checks and meshes the case, solves nothing and writes nothing. Prints the mesh, how the pore water of "
       "each\n"
@@ -69,9 +72,9 @@ void add_explain(CLI::App& program) {
       "  upbead explain cases/fig2b-model.toml\n"
       "  upbead explain cases/fig2b-model.toml --set regions.mound.hydraulic_conductivity=1e-3\n"
       "  upbead explain --keys");
-  command->callback([options, keys, trusted] {
-    if (*keys) {
-      std::cout << case_reference();
+  command->callback([options, keys, exclusions, trusted] {
+    if (*keys || *exclusions) {
+      std::cout << (*keys ? case_reference() : exclusion_table());
     } else if (options->file.empty()) {
       throw CLI::RequiredError("FILE");
     } else {

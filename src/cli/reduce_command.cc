@@ -10,6 +10,7 @@
 #include "run/solve.h"
 #include "upbead/cli/commands.h"
 #include "upbead/cli/program.h"
+#include "upbead/model/exclusions.h"
 
 #include "upbead/base/error.h"
 #include "upbead/base/files.h"
@@ -214,9 +215,8 @@ Simulation simulation_for_waves(const Case& input) {
   if (!simulation.compiled->caisson)
     throw InputError(input.place("mesh"), "the mesh has no surface 'caisson': there is no F_T to reduce the scene to",
                      "use 'upbead run'");
-  if (!input.scene.time.inertia)
-    throw InputError(input.place("time.inertia"), "consolidation cannot be reduced: inertia = false",
-                     "use 'upbead run'");
+  for (const Exclusion& reason : excluded(input.scene, Way::reduce_command))
+    throw InputError(input.place(reason.key), reason.why, "use 'upbead run'");
   Progress progress("soil and strain");
   return bonded(with_converged_soil(simulation, watched(progress)));
 }

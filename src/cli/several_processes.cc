@@ -1,5 +1,7 @@
 #include "several_processes.h"
 
+#include "upbead/model/exclusions.h"
+
 #include <chrono>
 #include <thread>
 
@@ -9,20 +11,12 @@
 namespace upbead {
 
 void check_processes(const Case& input, bool with_checkpoints) {
-  const Scene& scene = input.scene;
   Mistakes mistakes;
-  const auto refuse = [&](bool asked, const std::string& key, const std::string& what) {
-    if (asked)
-      mistakes.add(input.place(key), what + " on several processes", "remove it, or run upbead alone, without mpirun");
-  };
   if (with_checkpoints)
     mistakes.add({}, "no checkpoints are kept on several processes", "leave out --checkpoint and --resume");
-  refuse(scene.time.scheme == TimeScheme::reduced, "time.scheme", "no reduced model is made");
-  refuse(scene.time.stop_at_energy.has_value(), "time.stop_at_energy", "no run stops early");
-  refuse(scene.fields_every.has_value(), "output.fields", "no fields are written");
-  refuse(has_frictional_contact(scene), "regions.caisson.interface", "no contact is solved");
-  for (const auto& [name, region] : scene.regions)
-    refuse(region.strain_law.has_value(), "regions." + name + ".strain", "soil does not follow its strain");
+  for (const Exclusion& reason : excluded(input.scene, Way::several_processes))
+    mistakes.add(input.place(reason.key), reason.why + " on several processes",
+                 "remove it, or run upbead alone, without mpirun");
   mistakes.throw_if_any();
 }
 

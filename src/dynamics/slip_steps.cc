@@ -37,16 +37,20 @@ double sum(const Lanes& values) {
   return total;
 }
 
-/// The first `n_pairs` modes may be complex, the others, up to `n_modes`, are real. Both are whole numbers of lanes.
-UPBEAD_CLONES void add_step(Eigen::Index n_pairs, Eigen::Index n_modes, const StepPointers& p, SlipStep& y) {
+/// Of the modes of one lane each.
+struct StepSums {
   Lanes watched = {}, normal = {}, distance = {};
+};
+
+/// The first `n_pairs` modes, which may be complex; a whole number of lanes.
+UPBEAD_CLONES void add_pairs(Eigen::Index n_pairs, const StepPointers& p, StepSums& sums) {
   for (Eigen::Index m = 0; m < n_pairs; m += lanes) {
     Lanes a, b, re, im;
     detail::load(p.re + m, re);
     detail::load(p.im + m, im);
     detail::load(p.distance_re + m, a);
     detail::load(p.distance_im + m, b);
-    distance += a * re - b * im;
+    sums.distance += a * re - b * im;
     detail::load(p.E_re + m, a);
     detail::load(p.E_im + m, b);
     Lanes next_re = a * re - b * im, next_im = a * im + b * re;
@@ -65,16 +69,20 @@ UPBEAD_CLONES void add_step(Eigen::Index n_pairs, Eigen::Index n_modes, const St
     detail::store(next_im, p.to_im + m);
     detail::load(p.watched_re + m, a);
     detail::load(p.watched_im + m, b);
-    watched += a * next_re - b * next_im;
+    sums.watched += a * next_re - b * next_im;
     detail::load(p.normal_re + m, a);
     detail::load(p.normal_im + m, b);
-    normal += a * next_re - b * next_im;
+    sums.normal += a * next_re - b * next_im;
   }
+}
+
+/// The real modes from `n_pairs` on; whole numbers of lanes.
+UPBEAD_CLONES void add_real(Eigen::Index n_pairs, Eigen::Index n_modes, const StepPointers& p, StepSums& sums) {
   for (Eigen::Index m = n_pairs; m < n_modes; m += lanes) {
     Lanes a, re;
     detail::load(p.re + m, re);
     detail::load(p.distance_re + m, a);
-    distance += a * re;
+    sums.distance += a * re;
     detail::load(p.E_re + m, a);
     Lanes next = a * re;
     for (std::size_t k = 0; k < p.n_inputs; ++k) {
@@ -85,13 +93,19 @@ UPBEAD_CLONES void add_step(Eigen::Index n_pairs, Eigen::Index n_modes, const St
     }
     detail::store(next, p.to_re + m);
     detail::load(p.watched_re + m, a);
-    watched += a * next;
+    sums.watched += a * next;
     detail::load(p.normal_re + m, a);
-    normal += a * next;
+    sums.normal += a * next;
   }
-  y.watched += sum(watched);
-  y.normal += sum(normal);
-  y.distance += sum(distance);
+}
+
+void add_step(Eigen::Index n_pairs, Eigen::Index n_modes, const StepPointers& p, SlipStep& y) {
+  StepSums sums;
+  add_pairs(n_pairs, p, sums);
+  add_real(n_pairs, n_modes, p, sums);
+  y.watched += sum(sums.watched);
+  y.normal += sum(sums.normal);
+  y.distance += sum(sums.distance);
 }
 
 }  // namespace

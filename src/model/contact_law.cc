@@ -21,6 +21,11 @@ bool has_frictional_contact(const Scene& scene) {
   return contact_law(scene) != nullptr;
 }
 
+bool follows_strain(const Scene& scene) {
+  return std::any_of(scene.regions.begin(), scene.regions.end(),
+                     [](const auto& entry) { return entry.second.strain_law.has_value(); });
+}
+
 bool has_strength(const Scene& scene) {
   return std::any_of(scene.regions.begin(), scene.regions.end(),
                      [](const auto& entry) { return entry.second.strength.has_value(); });

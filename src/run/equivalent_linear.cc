@@ -81,11 +81,6 @@ LinearAnswer solve_linear(const Simulation& simulation, const std::vector<bool>&
   return {strains.shear(), std::max(run.summary.response->peak_shear, -run.summary.response->peak_shear_seaward)};
 }
 
-bool follows_strain(const Scene& scene) {
-  return std::any_of(scene.regions.begin(), scene.regions.end(),
-                     [](const auto& entry) { return entry.second.strain_law.has_value(); });
-}
-
 }  // namespace
 
 Simulation with_converged_soil(const Simulation& simulation, const std::function<void(double)>& progress) {

@@ -1,7 +1,7 @@
 // Claims: a case that asks for more steps or fields than a machine bears is refused, before anything is meshed, at the
 // key that drives it; a consolidation of days with automatic steps is not.
+#include "case/case_run.h"
 #include "good_case.h"
-#include "upbead/run/simulation.h"
 
 namespace upbead::test {
 
@@ -11,7 +11,8 @@ class LimitsOfSize : public InFolder {
   static std::string said(const std::vector<std::string>& overrides) {
     write("case.toml", good_case);
     try {
-      check_size(read_case("case.toml", overrides));
+      const Case input = read_case("case.toml", overrides);
+      in_places_of(input, [&] { check_size(input.scene); });
     } catch (const InputError& error) {
       return error.what();
     }

@@ -46,7 +46,7 @@ def jobs():
     sliding = ["--set", "sliding.buoyant_weight=1000"]
     for name, keys in {
         "fields and strength": ["--set", "output.fields.every=0.01"],
-        "base": ["--set", "output.base_stress=true"],
+        "base": ["--set", "output.base=true"],
         "auto": ["--set", "mesh.refine=auto", "--set", "accuracy.tolerance=0.02"],
         "estimate": ["--set", "accuracy.estimate=true", "--set", "mesh.parameters.cells=0.35"],
         "contact": ["--set", FRICTION, "--set", "mesh.parameters.cells=0.35", "--set", "initial.water_level=0.75"],

@@ -4,6 +4,7 @@
 usage: measured_test.py PROGRAM CASES_FOLDER
 """
 
+import csv
 import json
 import sys
 import unittest
@@ -65,6 +66,21 @@ reading = "shear_force"
             self.assertLess(abs(file["measured/sway/time"][:] - time).max(), 1e-12)
         again = upbead("run", self.folder / "out/case.toml", "--json", "--out", self.folder / "again")
         self.assertEqual(json.loads(again.stdout)["measured"], summary["measured"])
+
+    def test_a_study_holds_its_runs_against_records(self):
+        self.run_scene()
+        time, force = self.history("history/time", "history/shear_force")
+        rows = [f"{t!r},{f!r}" for t, f in zip(time, force)]
+        (self.folder / "lab.csv").write_text("t (s),F (N/m)\n" + "\n".join(rows) + "\n")
+        (self.folder / "scene.toml").write_text(SCENE + '[measured.lab]\nfile = "lab.csv"\nreading = "shear_force"\n')
+        (self.folder / "study.toml").write_text(
+            'case = "scene.toml"\nread = ["measured.lab.peak_ratio"]\n[vary."loads.impulse.factor"]\nvalues = [1, 2]\n')
+        done = upbead("study", self.folder / "study.toml", "--out", self.folder / "study")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        with open(self.folder / "study/study.csv", newline="") as file:
+            ratios = [float(row["measured.lab.peak_ratio"]) for row in csv.DictReader(file)]
+        self.assertAlmostEqual(ratios[0], 1, 9)
+        self.assertAlmostEqual(ratios[1], 2, 6)
 
     def test_mistakes_are_told_before_anything_is_solved(self):
         (self.folder / "lab.csv").write_text("t (s),F (m)\n0,1\n1,2\n")

@@ -86,7 +86,7 @@ TEST(HangingNodes, BothRoutesToTheShearForceAndTheEnergyAgree) {
 }
 
 TEST(HangingNodes, AColumnSettlesEvenly) {
-  const auto mesh = column_mesh(10., 4);
+  auto mesh = column_mesh(10., 4);
   std::vector<bool> chosen(mesh->triangulation.n_active_cells(), false);
   chosen[1] = true;
   mesh = refined(*mesh, chosen);

@@ -48,7 +48,7 @@ WORDS = {
              "\\x22soil\\x22", "\\x22base\\x22", "nan", "inf", "1e300"],
 }
 BATCHES = {"mesh": 8000, "groups": 6000}  # executions of one process: gmsh keeps 0.1 MB of each
-TIMEOUTS = {"mesh": 30, "model_bytes": 30}  # s: these give up gmsh and HDF5 after 5 s of computing
+TIMEOUTS = {"mesh": 60, "model_bytes": 60}  # s: these give up gmsh and HDF5 after 5 s of computing, 12 s of the sanitizers'
 DOCUMENTS = {"case": ["case.md"], "design": ["waves.md", "expected.md", "calibration.md"]}
 NUMBERS = ["inf", "nan", "1e308", "-1e308", "1e-308", "0.0", "-1", "true", "[]", "[[0,1],[1,0]]", "{}", "\\x22\\x22",
            "\\x22auto\\x22", "9223372036854775807", "\\x0a[", "]\\x0a", "1979-05-27"]
@@ -210,7 +210,7 @@ def facts(results, known):
                 "undefined-behaviour sanitizers. A reader may refuse (InputError) or read; another exception, a report "
                 "of a sanitizer, a broken promise about what was read (finite, fitting sizes, the effective file is "
                 "read as the same file), 10 s or 2 GB are findings. gmsh and HDF5 themselves break down on damaged files: "
-                "these are read in a copy of the process first. The inputs kept are replayed with every build "
+                "they read in a confined process. The inputs kept are replayed with every build "
                 "(ctest -R fuzz), and some thousands of random changes of them tried.",
         "command": "tests/fuzz/run.py",
         "figure": None,

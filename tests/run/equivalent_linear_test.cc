@@ -135,7 +135,7 @@ TEST_F(EquivalentLinear, TakesDampingFromTheStrainToo) {
 }
 
 TEST_F(EquivalentLinear, IsNothingWithoutAStrainLaw) {
-  EXPECT_FALSE(needs_equivalent_linear(Scene()));
+  EXPECT_FALSE(follows_strain(Scene()));
 }
 
 }  // namespace

@@ -71,6 +71,9 @@ inline const std::string caisson_name = "caisson";
 /// Whether the caisson may slip and lift on its ground, node by node.
 bool has_frictional_contact(const Scene& scene);
 
+/// Whether some region's stiffness and damping follow the strain.
+bool follows_strain(const Scene& scene);
+
 /// Whether some region's strength is given.
 bool has_strength(const Scene& scene);
 

@@ -1,0 +1,58 @@
+// Claims: every way that a scene cannot take is told at the key that asks for what the way does not do, and only then;
+// the table names every one of them once.
+#include "upbead/model/exclusions.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace upbead::test {
+namespace {
+
+constexpr Way ways[] = {Way::reduced_model,  Way::generalised_alpha, Way::adapted_mesh,
+                        Way::reduce_command, Way::several_processes, Way::checkpoints};
+
+TEST(Exclusions, OfAPlainSceneAreNone) {
+  Scene scene;
+  scene.regions["sand"].kind = RegionKind::porous;
+  for (const Way way : ways) EXPECT_TRUE(excluded(scene, way).empty());
+}
+
+TEST(Exclusions, AreToldAtTheKeyThatAsks) {
+  Scene scene;
+  scene.fields_every = 0.1;
+  scene.time.stop_at_energy = 1e-3;
+  scene.regions["sand"].strain_law = StrainLaw();
+  scene.regions["mound"].strain_law = StrainLaw();
+  std::vector<std::string> keys;
+  for (const Exclusion& reason : excluded(scene, Way::several_processes)) keys.push_back(reason.key);
+  EXPECT_EQ(keys, (std::vector<std::string>{"time.stop_at_energy", "output.fields", "regions.mound.strain",
+                                            "regions.sand.strain"}));
+  EXPECT_EQ(excluded(scene, Way::reduced_model).size(), 2U);
+  EXPECT_TRUE(excluded(scene, Way::adapted_mesh).empty());
+  scene.time.inertia = false;
+  ASSERT_EQ(excluded(scene, Way::adapted_mesh).size(), 1U);
+  EXPECT_EQ(excluded(scene, Way::adapted_mesh).front().key, "time.inertia");
+}
+
+TEST(Exclusions, StandInTheTable) {
+  Scene scene;
+  scene.fields_every = 0.1;
+  scene.time = {1., {}, TimeScheme::reduced, false, 1e-3};
+  scene.regions["sand"].strain_law = StrainLaw();
+  scene.regions["sand"].strength = Strength();
+  scene.regions["caisson"].kind = RegionKind::rigid;
+  scene.regions["caisson"].interface = ContactLaw{ContactKind::friction, {}};
+  ASSERT_TRUE(has_frictional_contact(scene));
+  const std::string table = exclusion_table();
+  std::size_t told = 0;
+  for (const Way way : ways)
+    for (const Exclusion& reason : excluded(scene, way)) {
+      EXPECT_NE(table.find("| " + reason.why + " |"), std::string::npos) << reason.why;
+      ++told;
+    }
+  EXPECT_EQ(static_cast<std::size_t>(std::count(table.begin(), table.end(), '\n')), told + 2);
+}
+
+}  // namespace
+}  // namespace upbead::test
