@@ -8,7 +8,6 @@
 #include "upbead/base/stopwatch.h"
 #include "upbead/cli/commands.h"
 #include "upbead/design/design.h"
-#include "upbead/design/expected.h"
 
 namespace upbead {
 
@@ -52,10 +51,6 @@ const char* const footer =
     "  upbead expected --keys";
 
 }  // namespace
-
-void check_expected_design(const std::string& path, const std::vector<std::string>& overrides) {
-  read_design(path, overrides, {check_expected});
-}
 
 void add_expected(CLI::App& program) {
   auto options = std::make_shared<CommonOptions>();

@@ -9,6 +9,7 @@
 #include "shear_model.h"
 #include "upbead/base/quoted.h"
 #include "upbead/base/text.h"
+#include "upbead/design/expected.h"
 
 namespace upbead {
 
@@ -210,6 +211,10 @@ void check_expected(const DesignTables& tables, const Document& document, InputR
   check_sea(tables, document, report);
   check_climate(tables, document, report);
   check_dynamics(tables, document, report);
+}
+
+void check_expected_design(const std::string& path, const std::vector<std::string>& overrides) {
+  read_design(path, overrides, {check_expected});
 }
 
 }  // namespace upbead
