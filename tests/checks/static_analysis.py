@@ -139,7 +139,7 @@ def valgrind(build):
         done = subprocess.run(
             ["valgrind", "--leak-check=full", "--show-leak-kinds=definite,possible", "--errors-for-leak-kinds=definite",
              "--error-exitcode=9", "--num-callers=40", "--track-origins=no", f"--suppressions={CHECKS / 'valgrind.supp'}",
-             build / "upbead", "run", case, "--out", pathlib.Path(folder) / "results"],
+             build / "upbead-solver", "run", case, "--out", pathlib.Path(folder) / "results"],
             capture_output=True, text=True, env=environment)
     summary = re.findall(r"ERROR SUMMARY: (\d+) errors.*\(suppressed: (\d+)", done.stderr)
     errors, suppressed = summary[-1] if summary else ("no", "0")
