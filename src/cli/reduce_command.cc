@@ -218,7 +218,7 @@ Simulation simulation_for_waves(const Case& input) {
   for (const Exclusion& reason : excluded(input.scene, Way::reduce_command))
     throw InputError(input.place(reason.key), reason.why, "use 'upbead run'");
   Progress progress("soil and strain");
-  return bonded(with_converged_soil(simulation, watched(progress)));
+  return in_places_of(input, [&] { return bonded(with_converged_soil(simulation, watched(progress))); });
 }
 
 /// What the model of a case leaves out, as a run calls it.

@@ -59,7 +59,7 @@ std::string Runner::solve(const Case& problem, const std::function<void()>& mean
         in_places_of(problem, [&] { return with_sliding(solution_, problem.scene, options.progress); }).summary);
   }
   solution_ = {};
-  check_size(problem.scene);
+  in_places_of(problem, [&] { check_size(problem.scene); });  // before a mesh is read
   const Simulation simulation = simulation_of(problem, mesh_for(problem, shared));
   solution_ = upbead::solve(problem, simulation, read_records(problem, simulation), options);
   solution_key_ = key;

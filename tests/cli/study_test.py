@@ -92,6 +92,13 @@ class Study(ProgramTest):
             np.testing.assert_array_equal(ratio, [float(row["response.shear_to_force_ratio"]) for row in rows])
             np.testing.assert_array_equal(file["varied/mesh.parameters.mound_height"][:], [5, 5, 6, 6] * 3)
 
+    def test_too_many_steps_are_told_where_they_are_asked_for(self):
+        (self.folder / "study.toml").write_text(
+            'case = "small.toml"\nread = ["response.peak_shear"]\n[vary."time.step"]\nvalues = [1e-9, 1e-10]\n')
+        upbead("study", "study.toml", cwd=self.folder)
+        for row, step in zip(self.rows(), ("1e-9", "1e-10")):
+            self.assertTrue(row["message"].startswith(f"--set time.step={step}: "), row["message"])
+
     def test_a_row_is_what_the_run_finds_alone(self):
         self.study()
         row = self.rows()[6]
