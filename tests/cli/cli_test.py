@@ -129,6 +129,11 @@ class Cli(ProgramTest):
         self.assertEqual(sorted(os.listdir(result)), ["case.toml", "fields", "results.h5", "summary.json"])
         self.assertEqual(os.listdir(result / "fields"), ["mine.vtu"], "no older fields beside newer results")
 
+    def test_fields_of_soil_that_follows_its_strain(self):
+        done = self.run_model("--set", "output.fields.every=0.025", "--set", "regions.seabed.strain.reference_strain=1e-4")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(len(os.listdir(self.folder / "results/fig2b-model/fields")), 3)
+
     def test_fields_hold_what_a_probe_reads(self):
         """In the middle of a cell of the mound, at every written time; to the single precision of the files."""
         result, fields = self.folder / "results/fig2b-model", ["--set", "output.fields.every=0.025"]
