@@ -7,10 +7,10 @@ namespace upbead {
 
 namespace {
 
-volatile std::sig_atomic_t noted = 0;
+volatile std::sig_atomic_t noted_signal = 0;
 
 void note(int signal) {
-  noted = signal;
+  noted_signal = signal;
 }
 
 }  // namespace
@@ -27,11 +27,11 @@ void note_interrupts() {
 }
 
 bool interrupt_noted() {
-  return noted != 0;
+  return noted_signal != 0;
 }
 
 void check_interrupt() {
-  if (interrupt_noted()) throw Interrupted(noted);
+  if (interrupt_noted()) throw Interrupted(noted_signal);
 }
 
 }  // namespace upbead

@@ -1,5 +1,6 @@
 #include "upbead/base/text.h"
 
+#include <cctype>
 #include <cmath>
 #include <sstream>
 
@@ -23,6 +24,10 @@ std::string with_unit(double value, const std::string& unit, double peak) {
   if (size >= 1e3) return significant(value / 1e3, 4) + " k" + unit;
   if (unit == "m" && size > 0. && size < 0.1) return significant(value * 1e3, 4) + " m" + unit;
   return significant(value, 4) + " " + unit;
+}
+
+bool is_word_character(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
 }
 
 }  // namespace upbead

@@ -4,12 +4,13 @@
 #include <array>
 #include <string_view>
 
+#include "upbead/base/constants.h"
+
 namespace upbead {
 
 namespace {
 
 constexpr double g = 9.80665;
-constexpr double pi = 3.14159265358979323846;
 
 struct Row {
   std::string_view text, si;

@@ -70,8 +70,8 @@ void check_time(const CaseTables& tables, const Document& document, InputReport&
     report.add("time", document.place("time.step"),
                "step = " + number_text(*time.step) + " is longer than end = " + number_text(time.end),
                "give a shorter step (s), or \"auto\"");
-  const std::map<TimeScheme, Way> ways{{TimeScheme::reduced, Way::reduced_model},
-                                       {TimeScheme::generalised_alpha, Way::generalised_alpha}};
+  const std::map<TimeScheme, Treatment> ways{{TimeScheme::reduced, Treatment::reduced_model},
+                                             {TimeScheme::generalised_alpha, Treatment::generalised_alpha}};
   const auto way = ways.find(time.scheme);
   if (way == ways.end()) return;
   std::string reasons;

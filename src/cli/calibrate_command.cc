@@ -33,7 +33,7 @@ void run_calibration(const CommonOptions& options) {
                                    "/{summary.json, calibration.csv, results.h5, case.toml}\n");
 }
 
-const char* const footer =
+const char* const calibrate_footer =
     "Sends the impulsive forces of a family of waves and mounds through reduced models, finds tau_0 of each history "
     "by\n"
     "equal sliding at given r = F_Smax/(mu W'), and fits k = tau_0/tau_0F = 1/(alpha*^a + 1)^b to it, with the region\n"
@@ -68,7 +68,7 @@ void add_calibrate(CLI::App& program) {
   command->get_option("--out")->description(
       "folder for the results (default: results/NAME-calibration, NAME as the file's)");
   command->add_flag("--keys", *keys, "print every key of a design file with unit, range, default and meaning");
-  command->footer(footer);
+  command->footer(calibrate_footer);
   command->callback([options, keys] {
     if (*keys)
       std::cout << design_reference();

@@ -45,7 +45,7 @@ void write_whole(const fs::path& path, const std::string& bytes) {
 
 void check_checkpoints(const Case& input) {
   Mistakes mistakes;
-  for (const Exclusion& reason : excluded(input.scene, Way::checkpoints))
+  for (const Exclusion& reason : excluded(input.scene, Treatment::checkpoints))
     mistakes.add(input.place(reason.key), "no checkpoints: " + reason.why, "leave out --checkpoint and --resume");
   mistakes.throw_if_any();
 }

@@ -35,7 +35,7 @@ void expect(const CommonOptions& options, const Stopwatch& since_start) {
                                    "/{summary.json, results.h5, case.toml}\n");
 }
 
-const char* const footer =
+const char* const expected_footer =
     "Sums the sliding distances S of all waves of a record of sea states: heights by Rayleigh, S by four laws\n"
     "(docs/expected.md), quadrature. With [life] it also simulates lives by Monte Carlo, with [scatter.NAME] for what "
     "is\n"
@@ -61,7 +61,7 @@ void add_expected(CLI::App& program) {
   command->get_option("--out")->description(
       "folder for the results (default: results/NAME-expected, NAME as the file's)");
   command->add_flag("--keys", *keys, "print every key of a design file with unit, range, default and meaning");
-  command->footer(footer);
+  command->footer(expected_footer);
   command->callback([options, keys, since_start = Stopwatch()] {
     if (*keys)
       std::cout << design_reference();

@@ -215,7 +215,7 @@ Simulation simulation_for_waves(const Case& input) {
   if (!simulation.compiled->caisson)
     throw InputError(input.place("mesh"), "the mesh has no surface 'caisson': there is no F_T to reduce the scene to",
                      "use 'upbead run'");
-  for (const Exclusion& reason : excluded(input.scene, Way::reduce_command))
+  for (const Exclusion& reason : excluded(input.scene, Treatment::reduce_command))
     throw InputError(input.place(reason.key), reason.why, "use 'upbead run'");
   Progress progress("soil and strain");
   return in_places_of(input, [&] { return bonded(with_converged_soil(simulation, watched(progress))); });

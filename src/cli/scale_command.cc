@@ -61,7 +61,7 @@ void scale(const ScaleOptionsOfCommand& options) {
                              : describe(scaled, options.scale) + "written     " + name + "/case.toml\n");
 }
 
-const char* const footer =
+const char* const scale_footer =
     "Writes into results/NAME-scaled (or --out DIR), all or nothing:\n"
     "  case.toml      the similar case with all defaults; runs as it is\n"
     "  LOAD.csv       its force histories, where the case has any\n\n"
@@ -89,7 +89,7 @@ void add_scale(CLI::App& program) {
       ->type_name("KEY=VALUE")
       ->take_all()
       ->allow_extra_args(false);
-  command->footer(footer);
+  command->footer(scale_footer);
   command->callback([options] {
     options->scale.soil = options->soil == "same" ? SoilScaling::same : SoilScaling::froude;
     scale(*options);

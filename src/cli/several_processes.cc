@@ -14,7 +14,7 @@ void check_processes(const Case& input, bool with_checkpoints) {
   Mistakes mistakes;
   if (with_checkpoints)
     mistakes.add({}, "no checkpoints are kept on several processes", "leave out --checkpoint and --resume");
-  for (const Exclusion& reason : excluded(input.scene, Way::several_processes))
+  for (const Exclusion& reason : excluded(input.scene, Treatment::several_processes))
     mistakes.add(input.place(reason.key), reason.why + " on several processes",
                  "remove it, or run upbead alone, without mpirun");
   mistakes.throw_if_any();

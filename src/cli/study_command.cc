@@ -143,7 +143,7 @@ void start(const StudyOptions& options) {
   std::cerr << "there is no mpirun: the runs go one after the other\n";
 }
 
-const char* const footer =
+const char* const study_footer =
     "Runs every scene of the study; the keys of a study file are in docs/study.md (or --keys).\n\n"
     "Writes into results/NAME (or --out DIR):\n"
     "  study.csv      one row per run: varied values, what was read, status, message\n"
@@ -174,7 +174,7 @@ void add_study(CLI::App& program) {
   auto options = std::make_shared<StudyOptions>();
   CLI::App* command = &add_solver_command(program, "study");
   add_options(*command, *options);
-  command->footer(footer);
+  command->footer(study_footer);
   command->callback([options, since_start = Stopwatch()] {
     if (options->keys) {
       std::cout << study_reference();

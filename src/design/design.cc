@@ -11,10 +11,6 @@ namespace fs = std::filesystem;
 
 namespace upbead {
 
-namespace {
-constexpr double highest_over_significant = 1.8;  // H_max / H_1/3 outside the surf zone [Goda 2000]
-}
-
 std::string Design::resolve(const std::string& path) const {
   return (fs::path(document.path()).parent_path() / path).lexically_normal().string();
 }

@@ -6,10 +6,10 @@ namespace {
 
 const std::vector<std::pair<std::string, Law>> law_words{
     {"paper", Law::paper}, {"exact", Law::exact}, {"combined", Law::combined}, {"dynamic", Law::dynamic}};
-const std::vector<std::pair<std::string, ScatterKind>> kind_words{{"normal", ScatterKind::normal},
-                                                                  {"lognormal", ScatterKind::lognormal},
-                                                                  {"uniform", ScatterKind::uniform},
-                                                                  {"triangular", ScatterKind::triangular}};
+const std::vector<std::pair<std::string, ScatterKind>> scatter_words{{"normal", ScatterKind::normal},
+                                                                     {"lognormal", ScatterKind::lognormal},
+                                                                     {"uniform", ScatterKind::uniform},
+                                                                     {"triangular", ScatterKind::triangular}};
 const std::vector<std::pair<std::string, Per>> per_words{
     {"life", Per::life}, {"storm", Per::storm}, {"wave", Per::wave}};
 const std::vector<std::pair<std::string, ImpactForce>> force_words{
@@ -52,7 +52,7 @@ TableSchema<Scatter> scatter_schema() {
     return s.kind == ScatterKind::normal || s.kind == ScatterKind::lognormal;
   };
   TableSchema<Scatter> table;
-  table.choice("kind", &Scatter::kind, kind_words).doc("distribution");
+  table.choice("kind", &Scatter::kind, scatter_words).doc("distribution");
   table.key("mean", &Scatter::mean)
       .fallback("1; of water_level 0")
       .doc("mean before the ends are cut")

@@ -4,13 +4,13 @@ namespace upbead {
 
 namespace {
 
-const std::vector<std::pair<std::string, ExtremeKind>> kind_words{{"weibull", ExtremeKind::weibull},
-                                                                  {"gumbel", ExtremeKind::gumbel}};
+const std::vector<std::pair<std::string, ExtremeKind>> extreme_words{{"weibull", ExtremeKind::weibull},
+                                                                     {"gumbel", ExtremeKind::gumbel}};
 const std::vector<std::pair<std::string, TideKind>> tide_words{{"sinusoidal", TideKind::sinusoidal},
                                                                {"uniform", TideKind::uniform}};
 
 void declare_heights(TableSchema<StormsTable>& table) {
-  table.choice("distribution", &StormsTable::kind, kind_words)
+  table.choice("distribution", &StormsTable::kind, extreme_words)
       .doc("distribution of H_0', the equivalent deep-water significant height of a storm");
   table.key("location", &StormsTable::location).unit("m").range(from_to(0., 100.)).required().doc("location of H_0'");
   table.key("scale", &StormsTable::scale).unit("m").range(from_to(1e-6, 100.)).required().doc("scale of H_0'");

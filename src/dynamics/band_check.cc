@@ -1,18 +1,17 @@
 #include "upbead/dynamics/band_check.h"
 
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <complex>
 #include <stdexcept>
 
 #include "phi_functions.h"
 #include "real_fft.h"
+#include "upbead/base/constants.h"
 
 namespace upbead {
 
 namespace {
 
-constexpr double pi = boost::math::constants::pi<double>();
 using Complex = std::complex<double>;
 
 /// Response at the samples' times to the lines between samples exp(i omega n h), of load k: what the recurrence of

@@ -1,18 +1,17 @@
 #include "upbead/dynamics/response_error.h"
 
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <complex>
 #include <stdexcept>
 
 #include "phi_functions.h"
 #include "real_fft.h"
+#include "upbead/base/constants.h"
 
 namespace upbead {
 
 namespace {
 
-constexpr double pi = boost::math::constants::pi<double>();
 using Complex = std::complex<double>;
 
 constexpr double padding = 1.1;  ///< length of the FFT over that of the wave

@@ -17,7 +17,7 @@ namespace {
 /// What of a pole's real part is round-off, beside |A|.
 constexpr double no_growth = 1e-9;
 /// What of a position's row may lie beyond strains and s and be round-off.
-constexpr double no_drift = 1e-6;
+constexpr double no_slip_drift = 1e-6;
 
 /// s' = A s + B f + b F_T with readings: n of N', `wanted`, velocity s'. s' is the last state, up to its unit.
 struct OpenLoop {
@@ -58,7 +58,7 @@ void take_slip_out(StateSpace& s, int slip, int reading, double& share) {
   const double of_slip = s.E.row(slip).squaredNorm();
   if (of_slip > 0.) share = s.E.row(reading).dot(s.E.row(slip)) / of_slip;
   for (Eigen::MatrixXd* part : {&s.C, &s.D, &s.E, &s.F}) part->row(reading) -= share * part->row(slip);
-  if (s.E.row(reading).norm() > no_drift * drift)
+  if (s.E.row(reading).norm() > no_slip_drift * drift)
     throw NumericsError("a reading of a caisson that slips is held by neither strain nor slip; march this scene");
 }
 

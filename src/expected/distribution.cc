@@ -13,7 +13,7 @@ namespace upbead {
 
 namespace {
 
-using Quantile = std::function<double(double)>;
+using QuantileFunction = std::function<double(double)>;
 
 bool by_moments(const Scatter& scatter) {
   return scatter.kind == ScatterKind::normal || scatter.kind == ScatterKind::lognormal;
@@ -25,7 +25,7 @@ double deviation(const Scatter& scatter, double mean) {
 
 /// The inverse of a distribution of Boost between its cuts.
 template <class D>
-Quantile between_cuts(const D& distribution, const Scatter& scatter) {
+QuantileFunction between_cuts(const D& distribution, const Scatter& scatter) {
   const double from = scatter.low ? cdf(distribution, *scatter.low) : 0.;
   const double to = scatter.high ? cdf(distribution, *scatter.high) : 1.;
   return [distribution, from, to, low = scatter.low, high = scatter.high](double u) {
@@ -34,7 +34,7 @@ Quantile between_cuts(const D& distribution, const Scatter& scatter) {
   };
 }
 
-Quantile quantile_of(const Scatter& scatter, double mean) {
+QuantileFunction quantile_of(const Scatter& scatter, double mean) {
   const double sigma = deviation(scatter, mean);
   switch (scatter.kind) {
     case ScatterKind::uniform:
@@ -58,7 +58,8 @@ Quantile quantile_of(const Scatter& scatter, double mean) {
 
 /// Ends that are so far out that hardly anything is left between them.
 bool nothing_left(const Scatter& scatter, double mean) {
-  const Quantile whole = quantile_of({scatter.kind, mean, scatter.cov, scatter.deviation, {}, {}, {}, {}}, mean);
+  const QuantileFunction whole =
+      quantile_of({scatter.kind, mean, scatter.cov, scatter.deviation, {}, {}, {}, {}}, mean);
   return (scatter.low && whole(1. - 1e-6) < *scatter.low) || (scatter.high && whole(1e-6) > *scatter.high);
 }
 

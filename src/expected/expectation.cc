@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <cmath>
-#include <limits>
+
+#include "upbead/base/constants.h"
 
 namespace upbead {
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Where S becomes positive between two heights, from below. A law's own threshold may be a safe guess: its waves are
 /// looked at upwards, in steps, then by halves.

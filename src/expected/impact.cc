@@ -1,16 +1,15 @@
 #include "upbead/expected/impact.h"
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <complex>
 
+#include "upbead/base/constants.h"
+
 namespace upbead {
 
 namespace {
-
-constexpr double pi = boost::math::constants::pi<double>();
 
 template <class Function>
 double root(const Function& f, double from, double to) {

@@ -1,18 +1,17 @@
 #include "upbead/expected/storm_climate.h"
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <boost/math/distributions/extreme_value.hpp>
 #include <boost/math/distributions/poisson.hpp>
 #include <boost/math/distributions/weibull.hpp>
 #include <cmath>
 
+#include "upbead/base/constants.h"
 #include "upbead/waves/random_breaking.h"
 
 namespace upbead {
 
 namespace {
-constexpr double pi = boost::math::constants::pi<double>();
 constexpr double least_height = 0.01;  // m; a calm year is no error
 }  // namespace
 

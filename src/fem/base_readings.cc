@@ -41,11 +41,6 @@ std::map<types::global_dof_index, PorePush> pore_pushes(const Space& space, cons
   return of_node;
 }
 
-Row scaled(Row row, double factor) {
-  for (auto& entry : row) entry.second *= factor;
-  return row;
-}
-
 Row sum(Row row, const std::map<int, double>& more, double factor) {
   std::map<int, double> entries(row.begin(), row.end());
   for (const auto& [unknown, weight] : more) entries[unknown] += factor * weight;

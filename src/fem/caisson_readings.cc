@@ -6,11 +6,6 @@ namespace upbead {
 
 namespace {
 
-Row scaled(Row row, double factor) {
-  for (auto& entry : row) entry.second *= factor;
-  return row;
-}
-
 /// One entry per load.
 std::vector<double> feedthrough(const SceneLoads& loads, double LoadOnCaisson::*part, double factor) {
   std::vector<double> values;

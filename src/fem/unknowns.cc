@@ -126,4 +126,9 @@ Row to_row(const std::map<int, double>& entries) {
   return row;
 }
 
+Row scaled(Row row, double factor) {
+  for (auto& entry : row) entry.second *= factor;
+  return row;
+}
+
 }  // namespace upbead

@@ -1,5 +1,6 @@
 #include "upbead/input/range.h"
 
+#include "upbead/base/constants.h"
 #include "upbead/input/node.h"
 
 namespace upbead {
@@ -9,13 +10,8 @@ bool Range::contains(double value) const {
 }
 
 std::string Range::text() const {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   if (low_ == -infinity && high_ == infinity && !high_belongs_) return "any finite number";
   return (low_belongs_ ? "[" : "(") + number_text(low_) + ", " + number_text(high_) + (high_belongs_ ? "]" : ")");
-}
-
-namespace {
-constexpr double infinity = std::numeric_limits<double>::infinity();
 }
 
 Range above(double low) {

@@ -12,11 +12,11 @@ namespace upbead {
 
 namespace {
 
-enum class Kind { script, mesh, unknown };
+enum class FileKind { script, mesh, unknown };
 
-Kind kind_of(const std::string& file) {
+FileKind kind_of(const std::string& file) {
   const std::string ending = std::filesystem::path(file).extension().string();
-  return ending == ".geo" ? Kind::script : ending == ".msh" ? Kind::mesh : Kind::unknown;
+  return ending == ".geo" ? FileKind::script : ending == ".msh" ? FileKind::mesh : FileKind::unknown;
 }
 
 /// gmsh takes for a script whatever does not begin as a mesh.
@@ -49,14 +49,14 @@ void check_file(const std::string& file, MeshReport& report) {
     return report.add("'" + file + "' is not a file of a known length", "name a file on a disk");
   if (!std::ifstream(file)) return report.add("'" + file + "' cannot be read", "check its permissions");
   switch (kind_of(file)) {
-    case Kind::unknown:
+    case FileKind::unknown:
       return report.add("it is neither a .geo nor a .msh", "give a gmsh script (.geo) or a gmsh mesh (.msh)");
-    case Kind::mesh:
+    case FileKind::mesh:
       if (!has_mesh_format(file))
         report.add("it is not a gmsh mesh: it has no $MeshFormat at its beginning",
                    "save it from gmsh: File > Export, format 2.2 or 4.1");
       return;
-    case Kind::script:
+    case FileKind::script:
       if (!ends_with_newline(file))
         report.add("its last line does not end with a newline, so gmsh may lose it", "end the file with a newline");
   }
@@ -68,7 +68,7 @@ std::string with_default(const GeoParameter& parameter) {
 
 void check_parameters(const MeshRequest& request, MeshReport& report) {
   if (request.parameters.empty()) return;
-  if (kind_of(request.file) == Kind::mesh)
+  if (kind_of(request.file) == FileKind::mesh)
     return report.add_about_parameters(
         "a .msh is finished and takes no parameters, not '" + request.parameters.begin()->first + "'",
         "drop them, or name the .geo that made it");
@@ -92,7 +92,7 @@ void check_parameters(const MeshRequest& request, MeshReport& report) {
 }  // namespace
 
 bool is_script(const std::string& file) {
-  return kind_of(file) == Kind::script;
+  return kind_of(file) == FileKind::script;
 }
 
 void check_source(const MeshRequest& request, MeshReport& report) {

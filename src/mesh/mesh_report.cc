@@ -1,26 +1,22 @@
 #include "mesh_report.h"
 
-#include <cctype>
 #include <cstdio>
 #include <filesystem>
 
 #include "upbead/base/quoted.h"
+#include "upbead/base/text.h"
 
 namespace upbead {
 
 namespace {
-
-bool is_letter(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
-}
 
 /// Whether `name` stands in a sentence as a word of its own. A person may have given it any characters.
 bool names(const std::string& sentence, const std::string& name) {
   if (name.empty()) return false;
   for (auto at = sentence.find(name); at != std::string::npos; at = sentence.find(name, at + 1)) {
     const std::size_t end = at + name.size();
-    const bool begins = at == 0 || !is_letter(sentence[at - 1]),
-               ends = end == sentence.size() || !is_letter(sentence[end]);
+    const bool begins = at == 0 || !is_word_character(sentence[at - 1]),
+               ends = end == sentence.size() || !is_word_character(sentence[end]);
     if (begins && ends) return true;
   }
   return false;

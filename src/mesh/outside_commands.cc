@@ -8,23 +8,21 @@
 #include <set>
 #include <sstream>
 
+#include "upbead/base/text.h"
+
 namespace upbead {
 
 namespace {
 
 namespace fs = std::filesystem;
 
-enum class Kind { word, text, symbol };
+enum class TokenKind { word, text, symbol };
 
 struct Token {
-  Kind kind;
+  TokenKind kind;
   std::string text;  ///< without quotation marks
   int line, column;
 };
-
-bool is_letter(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
-}
 
 /// Splits a script into tokens; comments are left out.
 class Tokens {
@@ -50,12 +48,12 @@ class Tokens {
     if (c == '"' || c == '\'') {
       end = behind(std::string(1, c), end);
       const bool closed = end > at_ + 1 && text_[end - 1] == c;
-      list.push_back({Kind::text, text_.substr(at_ + 1, end - at_ - (closed ? 2 : 1)), line, column});
-    } else if (is_letter(c)) {
-      while (end < text_.size() && is_letter(text_[end])) ++end;
-      list.push_back({Kind::word, text_.substr(at_, end - at_), line, column});
+      list.push_back({TokenKind::text, text_.substr(at_ + 1, end - at_ - (closed ? 2 : 1)), line, column});
+    } else if (is_word_character(c)) {
+      while (end < text_.size() && is_word_character(text_[end])) ++end;
+      list.push_back({TokenKind::word, text_.substr(at_, end - at_), line, column});
     } else if (!std::isspace(static_cast<unsigned char>(c)) && c != '\0') {
-      list.push_back({Kind::symbol, std::string(1, c), line, column});
+      list.push_back({TokenKind::symbol, std::string(1, c), line, column});
     }
     skip(end);
   }
@@ -91,7 +89,7 @@ class Search {
  public:
   Search(const fs::path& file, const std::vector<Token>& tokens) : file_(file), tokens_(tokens) {
     for (std::size_t i = 0; i < tokens.size(); ++i)
-      if (tokens[i].kind == Kind::word && !is(i - 1, ".")) look_at(i);
+      if (tokens[i].kind == TokenKind::word && !is(i - 1, ".")) look_at(i);
   }
 
   std::vector<OutsideCommand> found;
@@ -111,14 +109,14 @@ class Search {
       add(i, "start a program");
     else if (word == "Printf" && is(behind_brackets(i + 1), ">"))
       add(i, "write a file");
-    else if (i + 1 < tokens_.size() && tokens_[i + 1].kind == Kind::text)
+    else if (i + 1 < tokens_.size() && tokens_[i + 1].kind == TokenKind::text)
       follow(word, tokens_[i + 1].text);
   }
 
   /// Whether a text follows, or a function that makes one, or a View.
   bool has_text(std::size_t i) const {
     if (is(i - 1, "Macro") || is(i - 1, "Function") || is(i - 1, "Call") || i + 1 >= tokens_.size()) return false;
-    return tokens_[i + 1].kind != Kind::symbol && tokens_[i + 1].text != "In";
+    return tokens_[i + 1].kind != TokenKind::symbol && tokens_[i + 1].text != "In";
   }
 
   std::size_t behind_brackets(std::size_t i) const {
@@ -140,7 +138,7 @@ class Search {
 
   /// Of no token, too.
   bool is(std::size_t i, const char* text) const {
-    return i < tokens_.size() && tokens_[i].kind != Kind::text && tokens_[i].text == text;
+    return i < tokens_.size() && tokens_[i].kind != TokenKind::text && tokens_[i].text == text;
   }
 
   void add(std::size_t i, const std::string& would) {

@@ -45,34 +45,34 @@ constexpr std::array way_names{"`time.scheme = \"reduced\"`", "`time.scheme = \"
                                "several processes",           "`--checkpoint`"};
 
 struct Row {
-  Way way;
+  Treatment way;
   const Feature& feature;
   const char* why;
 };
 
 const std::vector<Row>& rows() {
   static const std::vector<Row> list{
-      {Way::reduced_model, fields, "it gives no fields"},
-      {Way::reduced_model, early_stop, "it keeps no account of energy to stop by"},
-      {Way::reduced_model, strength, "it gives no stresses of all cells, which a strength needs"},
-      {Way::reduced_model, consolidation, "it needs inertia"},
-      {Way::reduced_model, contact, "it does not slip node by node"},
-      {Way::generalised_alpha, contact, "it does not follow friction at the caisson's bottom"},
-      {Way::adapted_mesh, consolidation, "time.inertia = false leaves nothing dynamic to tell"},
-      {Way::reduce_command, consolidation, "consolidation cannot be reduced: inertia = false"},
-      {Way::several_processes, by_reduced, "no reduced model is made"},
-      {Way::several_processes, early_stop, "no run stops early"},
-      {Way::several_processes, fields, "no fields are written"},
-      {Way::several_processes, contact, "no contact is solved"},
-      {Way::several_processes, strain, "soil does not follow its strain"},
-      {Way::checkpoints, contact, "a run with contact keeps none"},
-      {Way::checkpoints, strain, "a run with soil that follows its strain keeps none"}};
+      {Treatment::reduced_model, fields, "it gives no fields"},
+      {Treatment::reduced_model, early_stop, "it keeps no account of energy to stop by"},
+      {Treatment::reduced_model, strength, "it gives no stresses of all cells, which a strength needs"},
+      {Treatment::reduced_model, consolidation, "it needs inertia"},
+      {Treatment::reduced_model, contact, "it does not slip node by node"},
+      {Treatment::generalised_alpha, contact, "it does not follow friction at the caisson's bottom"},
+      {Treatment::adapted_mesh, consolidation, "time.inertia = false leaves nothing dynamic to tell"},
+      {Treatment::reduce_command, consolidation, "consolidation cannot be reduced: inertia = false"},
+      {Treatment::several_processes, by_reduced, "no reduced model is made"},
+      {Treatment::several_processes, early_stop, "no run stops early"},
+      {Treatment::several_processes, fields, "no fields are written"},
+      {Treatment::several_processes, contact, "no contact is solved"},
+      {Treatment::several_processes, strain, "soil does not follow its strain"},
+      {Treatment::checkpoints, contact, "a run with contact keeps none"},
+      {Treatment::checkpoints, strain, "a run with soil that follows its strain keeps none"}};
   return list;
 }
 
 }  // namespace
 
-std::vector<Exclusion> excluded(const Scene& scene, Way way) {
+std::vector<Exclusion> excluded(const Scene& scene, Treatment way) {
   std::vector<Exclusion> list;
   for (const Row& row : rows()) {
     if (row.way != way) continue;

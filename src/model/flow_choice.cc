@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "upbead/base/constants.h"
 #include "upbead/base/text.h"
 #include "upbead/model/choices.h"
 
@@ -9,7 +9,6 @@ namespace upbead {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 // Measured on the shipped prototype, so that peak F_T moves by less than 0.1 %: docs/skipping.md.
 constexpr double largest_X_of_darcy = 0.15;
 constexpr double least_theta_of_drained = 1.;

@@ -1,7 +1,7 @@
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 
+#include "upbead/base/constants.h"
 #include "upbead/model/load.h"
 #include "upbead/model/words.h"
 
@@ -9,20 +9,18 @@ namespace upbead {
 
 namespace {
 
-constexpr double pi = boost::math::constants::pi<double>();
-
 using Shapes = std::vector<PulseShape>;
 using S = PulseShape;
 
 /// Which shapes need an optional member, and which others may have it.
-struct MemberRule {
+struct PulseRule {
   std::string key;
   std::optional<double> Pulse::*member;
   Shapes needed;
   Shapes allowed;
 };
 
-const std::vector<MemberRule> member_rules{
+const std::vector<PulseRule> pulse_rules{
     {"rise", &Pulse::rise, {}, {S::triangle, S::step, S::church_roof}},
     {"duration", &Pulse::duration, {S::triangle, S::half_sine, S::church_roof}, {}},
     {"plateau", &Pulse::plateau, {S::church_roof}, {}},
@@ -78,7 +76,7 @@ std::vector<Objection> objections(const Pulse& pulse) {
   std::vector<Objection> list;
   const std::string shape = word_of(pulse.shape, pulse_shape_words);
   if (pulse.peak == 0.) list.push_back({"peak", "peak is zero, so there is no load", "give the largest value"});
-  for (const MemberRule& rule : member_rules) {
+  for (const PulseRule& rule : pulse_rules) {
     const bool given = (pulse.*rule.member).has_value(), needed = holds(rule.needed, pulse.shape);
     if (needed && !given)
       list.push_back({rule.key, "'" + rule.key + "' is missing, which shape " + shape + " needs", "add " + rule.key});

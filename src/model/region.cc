@@ -1,17 +1,15 @@
 #include "upbead/model/region.h"
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <functional>
 
+#include "upbead/base/constants.h"
 #include "upbead/model/words.h"
 
 namespace upbead {
 
 namespace {
-
-constexpr double pi = boost::math::constants::pi<double>();
 
 using Kinds = std::vector<RegionKind>;
 using K = RegionKind;

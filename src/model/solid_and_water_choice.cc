@@ -1,17 +1,13 @@
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
-#include <limits>
 
+#include "upbead/base/constants.h"
 #include "upbead/base/text.h"
 #include "upbead/model/choices.h"
 
 namespace upbead {
 
 namespace {
-
-constexpr double pi = boost::math::constants::pi<double>();
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // Measured on the shipped prototype, so that peak F_T moves by less than 0.1 %: docs/skipping.md.
 constexpr double largest_of_incompressible = 0.2;  ///< omega h / c

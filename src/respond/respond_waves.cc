@@ -1,7 +1,6 @@
 #include "upbead/respond/respond_waves.h"
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <map>
 #include <memory>
@@ -9,6 +8,7 @@
 
 #include "respond_sliding.h"
 #include "respond_slip.h"
+#include "upbead/base/constants.h"
 #include "upbead/base/error.h"
 #include "upbead/base/parallel.h"
 #include "upbead/base/text.h"
@@ -22,7 +22,6 @@ namespace upbead {
 
 namespace {
 
-constexpr double pi = boost::math::constants::pi<double>();
 constexpr double most_numbers = 1e8;  // of P in one file; with F_T and the file itself 5 GB of memory
 
 /// The longest step (s) that shows a peak: a twentieth of the period of the highest frequency, and a fiftieth of the

@@ -1,10 +1,11 @@
 #include "upbead/response/carried_pulse.h"
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <unsupported/Eigen/FFT>
 #include <vector>
+
+#include "upbead/base/constants.h"
 
 namespace upbead {
 
@@ -12,7 +13,6 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr double pi = boost::math::constants::pi<double>();
 constexpr double most_cells = 400., tail = 30.;      ///< that a wave is followed over, and that trails behind it
 constexpr double highest = 8., steps_per_cell = 4.;  ///< omega h/c that counts, and times in a crossing of a cell
 /// omega times the duration that counts: above omega a triangle has less than 8 / (pi omega duration) of its peak, 0.4

@@ -21,7 +21,7 @@ bool deforms(const Region& region) {
          (region.kind == RegionKind::solid && region.deformation != Deformation::rigid);
 }
 
-struct Span {
+struct Extent {
   double low = 1e300, high = -1e300;
   void add(double value) {
     low = std::min(low, value);
@@ -30,8 +30,8 @@ struct Span {
   double width() const { return high - low; }
 };
 
-Span span(const MeshCell& cell, const Direction& along) {
-  Span span;
+Extent span(const MeshCell& cell, const Direction& along) {
+  Extent span;
   for (const unsigned v : cell->vertex_indices()) span.add(cell->vertex(v) * along);
   return span;
 }
@@ -119,14 +119,14 @@ void act(const Load& load, const Side& side, LoadedGround& ground) {
 }
 
 double width_across(const Mesh& mesh, const Direction& along) {
-  Span all;
+  Extent all;
   for (const auto& cell : mesh.triangulation.active_cell_iterators())
     for (const unsigned v : cell->vertex_indices()) all.add(cell->vertex(v) * along);
   return all.width();
 }
 
 bool is_plane(const Mesh& mesh, const Side& side) {
-  Span loaded;
+  Extent loaded;
   for (const auto& face : side.faces)
     for (const Point& end : face) loaded.add(end * side.along());
   return loaded.width() >= plane_share * width_across(mesh, side.along());

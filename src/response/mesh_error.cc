@@ -1,9 +1,9 @@
 #include "upbead/response/mesh_error.h"
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 
+#include "upbead/base/constants.h"
 #include "upbead/fem/caisson_readings.h"
 #include "upbead/fem/surplus.h"
 #include "upbead/response/spectrum.h"
@@ -13,7 +13,6 @@ namespace upbead {
 
 namespace {
 
-constexpr double pi = boost::math::constants::pi<double>();
 /// Real part of s over the imaginary one: resonances that are narrower than the distance of two frequencies are seen
 /// between them, too.
 constexpr double decay = 0.25;

@@ -10,7 +10,7 @@ namespace upbead {
 
 namespace {
 
-constexpr double vectors_per_load = 46., solves_per_step = 5.;
+constexpr double usual_vectors_per_load = 46., solves_per_step = 5.;
 constexpr std::size_t most_independent = 3;  ///< forces on a rigid caisson: two and a moment
 /// Part of a march's work that may be lost on a reduced model that does not converge.
 constexpr double risk = 1.;
@@ -41,7 +41,7 @@ SchemeChoice choose_scheme(const Scene& scene, const CompiledScene& compiled) {
   const double step = scene.time.step.value_or(step_of_loads(scene, 4).largest_step);
   const double marched = solves_per_step * estimated_steps(kinks(system).size(), scene.time.end, step);
   const double n_loads = static_cast<double>(std::min(system.loads.size(), most_independent));
-  const double reduced = vectors_per_load * n_loads;
+  const double reduced = usual_vectors_per_load * n_loads;
   if (const double equal = work(reduced, system.n_free()); marched < equal)
     return march(about(marched) + " solves; a reduced model would cost as much as " + about(equal));
   double most = reduced;

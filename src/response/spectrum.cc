@@ -1,9 +1,9 @@
 #include "upbead/response/spectrum.h"
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 
+#include "upbead/base/constants.h"
 #include "upbead/dynamics/frequency_response.h"
 #include "upbead/dynamics/projection.h"
 #include "upbead/fem/caisson_readings.h"
@@ -16,8 +16,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr int vectors_per_load = 20, least_frequencies = 10, most_frequencies = 80;
-constexpr double pi = boost::math::constants::pi<double>();
+constexpr int rough_vectors_per_load = 20, least_frequencies = 10, most_frequencies = 80;
 constexpr double decay = 2., spacing = pi;  // both over the window
 
 }  // namespace
@@ -44,7 +43,7 @@ Spectrum solve_spectrum(const Scene& scene, const CompiledScene& compiled, doubl
 Spectrum solve_spectrum(const Scene& scene, const CompiledScene& compiled, const std::vector<Complex>& s) {
   const System& system = compiled.system;
   SecondOrderKrylov krylov(system, krylov_shift(scene), compiled.body_coordinates);
-  while (krylov.n_vectors() < vectors_per_load * krylov.n_independent_loads() && krylov.extend()) {
+  while (krylov.n_vectors() < rough_vectors_per_load * krylov.n_independent_loads() && krylov.extend()) {
   }
   const Projection projection(system, krylov);
   const SampledLoads loads = sampled_loads(scene, system);

@@ -1,11 +1,10 @@
 #include "upbead/response/step_choice.h"
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
-#include <limits>
 
 #include "upbead/algebra/factorisation.h"
+#include "upbead/base/constants.h"
 #include "upbead/base/stopwatch.h"
 #include "upbead/base/text.h"
 #include "upbead/fem/caisson_readings.h"
@@ -13,9 +12,6 @@
 namespace upbead {
 
 namespace {
-
-constexpr double pi = boost::math::constants::pi<double>();
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 struct LoadDuration {
   double seconds = infinity;

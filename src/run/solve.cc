@@ -1,11 +1,11 @@
 #include "solve.h"
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 
 #include "ladder.h"
 #include "size_check.h"
 #include "sliding/read_sliding.h"
+#include "upbead/base/constants.h"
 #include "upbead/base/stopwatch.h"
 #include "upbead/base/text.h"
 #include "upbead/response/reduction.h"
@@ -57,7 +57,6 @@ void summarise(const Simulation& simulation, const std::string& scheme, Run& run
 }  // namespace
 
 ReductionSummary summary_of(const Reduction& r) {
-  constexpr double two_pi = boost::math::constants::two_pi<double>();
   return {r.n_vectors,    r.model.n_modes(), r.error.history,   r.error.peak,
           r.error.others, r.omega / two_pi,  loose_readings(r), r.tolerance_of_others};
 }

@@ -1,16 +1,16 @@
 #include "upbead/sliding/combined.h"
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <stdexcept>
+
+#include "upbead/base/constants.h"
 
 namespace upbead {
 
 namespace {
 
-constexpr double pi = boost::math::constants::pi<double>();
 constexpr int points_of_half_period = 400;  // chords of the sine are 8e-6 of its height too low
 
 template <class Function>

@@ -1,7 +1,6 @@
 #include "upbead/waves/dispersion.h"
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <boost/math/tools/roots.hpp>
 #include <cmath>
 #include <limits>
@@ -9,23 +8,15 @@
 #include <string>
 #include <utility>
 
+#include "require_positive.h"
+#include "upbead/base/constants.h"
+
 namespace upbead {
 
-namespace {
-
-constexpr double two_pi = boost::math::constants::two_pi<double>();
-
-void require_positive(double value, const char* name) {
-  if (!(value > 0. && std::isfinite(value)))
-    throw std::invalid_argument(std::string("the dispersion of waves needs a finite ") + name + " above 0");
-}
-
-}  // namespace
-
 double relative_wave_number(double period, double depth, double gravity) {
-  require_positive(period, "period");
-  require_positive(depth, "depth");
-  require_positive(gravity, "gravity");
+  require_positive(period, "period", "the dispersion of waves needs");
+  require_positive(depth, "depth", "the dispersion of waves needs");
+  require_positive(gravity, "gravity", "the dispersion of waves needs");
   const double omega = two_pi / period, y = omega * omega * depth / gravity;
   // x tanh(x) = y: tanh(x) < 1 and tanh(x) < x bound x from below, their sum bounds it from above.
   const double low = std::max(y, std::sqrt(y)), high = y + std::sqrt(y);
@@ -44,8 +35,8 @@ double wavelength(double period, double depth, double gravity) {
 }
 
 double deep_water_wavelength(double period, double gravity) {
-  require_positive(period, "period");
-  require_positive(gravity, "gravity");
+  require_positive(period, "period", "the dispersion of waves needs");
+  require_positive(gravity, "gravity", "the dispersion of waves needs");
   return gravity * period * period / two_pi;
 }
 

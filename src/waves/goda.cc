@@ -1,24 +1,18 @@
 #include "upbead/waves/goda.h"
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <stdexcept>
 #include <string>
 
+#include "require_positive.h"
+#include "upbead/base/constants.h"
 #include "upbead/waves/dispersion.h"
 #include "upbead/waves/impulsive.h"
 
 namespace upbead {
 
 namespace {
-
-constexpr double two_pi = boost::math::constants::two_pi<double>();
-
-void require_positive(double value, const char* name) {
-  if (!(value > 0. && std::isfinite(value)))
-    throw std::invalid_argument(std::string("Goda's formulas need a finite ") + name + " above 0");
-}
 
 /// lambda_1 = lambda_3 of a wall behind wave-dissipating blocks, after Takahashi, Tanimoto and Shimosako (1990). The
 /// numbers have not been checked in the original, which is why a section may bring its own.
@@ -41,10 +35,10 @@ void add_resultants(const Section& s, WavePressure& p) {
 
 Goda::Goda(const Section& section, const Water& water, const DesignWave& wave)
     : section_(section), unit_weight_(water.density * water.gravity), cos_angle_(std::cos(wave.angle)) {
-  require_positive(section.water_depth, "water depth");
-  require_positive(section.foundation_depth, "foundation depth");
-  require_positive(section.berm_depth, "berm depth");
-  require_positive(wave.significant_height, "significant height");
+  require_positive(section.water_depth, "water depth", "Goda\'s formulas need");
+  require_positive(section.foundation_depth, "foundation depth", "Goda\'s formulas need");
+  require_positive(section.berm_depth, "berm depth", "Goda\'s formulas need");
+  require_positive(wave.significant_height, "significant height", "Goda\'s formulas need");
   const double h = section.water_depth;
   const double kh = relative_wave_number(wave.period, h, water.gravity);
   wavelength_ = two_pi * h / kh;

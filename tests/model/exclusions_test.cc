@@ -9,13 +9,13 @@
 namespace upbead::test {
 namespace {
 
-constexpr Way ways[] = {Way::reduced_model,  Way::generalised_alpha, Way::adapted_mesh,
-                        Way::reduce_command, Way::several_processes, Way::checkpoints};
+constexpr Treatment ways[] = {Treatment::reduced_model,  Treatment::generalised_alpha, Treatment::adapted_mesh,
+                              Treatment::reduce_command, Treatment::several_processes, Treatment::checkpoints};
 
 TEST(Exclusions, OfAPlainSceneAreNone) {
   Scene scene;
   scene.regions["sand"].kind = RegionKind::porous;
-  for (const Way way : ways) EXPECT_TRUE(excluded(scene, way).empty());
+  for (const Treatment way : ways) EXPECT_TRUE(excluded(scene, way).empty());
 }
 
 TEST(Exclusions, AreToldAtTheKeyThatAsks) {
@@ -25,14 +25,14 @@ TEST(Exclusions, AreToldAtTheKeyThatAsks) {
   scene.regions["sand"].strain_law = StrainLaw();
   scene.regions["mound"].strain_law = StrainLaw();
   std::vector<std::string> keys;
-  for (const Exclusion& reason : excluded(scene, Way::several_processes)) keys.push_back(reason.key);
+  for (const Exclusion& reason : excluded(scene, Treatment::several_processes)) keys.push_back(reason.key);
   EXPECT_EQ(keys, (std::vector<std::string>{"time.stop_at_energy", "output.fields", "regions.mound.strain",
                                             "regions.sand.strain"}));
-  EXPECT_EQ(excluded(scene, Way::reduced_model).size(), 2U);
-  EXPECT_TRUE(excluded(scene, Way::adapted_mesh).empty());
+  EXPECT_EQ(excluded(scene, Treatment::reduced_model).size(), 2U);
+  EXPECT_TRUE(excluded(scene, Treatment::adapted_mesh).empty());
   scene.time.inertia = false;
-  ASSERT_EQ(excluded(scene, Way::adapted_mesh).size(), 1U);
-  EXPECT_EQ(excluded(scene, Way::adapted_mesh).front().key, "time.inertia");
+  ASSERT_EQ(excluded(scene, Treatment::adapted_mesh).size(), 1U);
+  EXPECT_EQ(excluded(scene, Treatment::adapted_mesh).front().key, "time.inertia");
 }
 
 TEST(Exclusions, StandInTheTable) {
@@ -46,7 +46,7 @@ TEST(Exclusions, StandInTheTable) {
   ASSERT_TRUE(has_frictional_contact(scene));
   const std::string table = exclusion_table();
   std::size_t told = 0;
-  for (const Way way : ways)
+  for (const Treatment way : ways)
     for (const Exclusion& reason : excluded(scene, way)) {
       EXPECT_NE(table.find("| " + reason.why + " |"), std::string::npos) << reason.why;
       ++told;

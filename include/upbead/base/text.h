@@ -15,4 +15,7 @@ double without_round_off(double value, double peak);
 /// is round-off of `peak` prints as 0.
 std::string with_unit(double value, const std::string& unit, double peak = 0.);
 
+/// A letter, a digit or _.
+bool is_word_character(char c);
+
 }  // namespace upbead

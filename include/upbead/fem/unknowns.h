@@ -61,5 +61,6 @@ class Unknowns {
 
 /// A row from the map that add_to has filled; zero weights are dropped.
 Row to_row(const std::map<int, double>& entries);
+Row scaled(Row row, double factor);
 
 }  // namespace upbead

@@ -9,7 +9,7 @@
 namespace upbead {
 
 /// A way to solve or to run a scene that not every scene can take.
-enum class Way { reduced_model, generalised_alpha, adapted_mesh, reduce_command, several_processes, checkpoints };
+enum class Treatment { reduced_model, generalised_alpha, adapted_mesh, reduce_command, several_processes, checkpoints };
 
 /// Why a scene cannot take a way: at a key of the scene, which asks for what the way does not do.
 struct Exclusion {
@@ -18,7 +18,7 @@ struct Exclusion {
 };
 
 /// All reasons, by the order of the table; empty where the scene can take it.
-std::vector<Exclusion> excluded(const Scene& scene, Way way);
+std::vector<Exclusion> excluded(const Scene& scene, Treatment way);
 
 /// The table in Markdown: what a scene asks for, and why each way cannot do it.
 std::string exclusion_table();

@@ -33,6 +33,8 @@ struct Water {
   double gravity = 9.81;   ///< g (m/s2)
 };
 
+constexpr double highest_over_significant = 1.8;  ///< H_max / H_1/3 outside the surf zone [Goda 2000]
+
 /// One design wave, or the highest of a sea state.
 struct DesignWave {
   double height = 0.;              ///< H_D (m)

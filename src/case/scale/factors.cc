@@ -62,7 +62,7 @@ bool is_of_the_soil(const std::string& path, const std::string& unit) {
 }
 
 /// The unit of a number; that of a pulse's peak is told by the kind of its load.
-std::string unit_of(const KeyInfo& key, const std::string& path, const CaseTables& tables) {
+std::string dimension_of(const KeyInfo& key, const std::string& path, const CaseTables& tables) {
   if (key.unit != "N/m or Pa") return key.unit;
   return history_unit(tables.load_tables.at(split_dotted(path).at(1)));
 }
@@ -79,7 +79,7 @@ void scale_numbers(CaseTables& tables, const ScaleOptions& options, Ratios& rati
   const auto scale = [&](const KeyInfo& key, const std::string& path, double& number) {
     if (starts_with(path, "mesh.parameters.") || is_second_of_pair(key)) return;
     const double before = number;
-    const std::string unit = unit_of(key, path, tables);
+    const std::string unit = dimension_of(key, path, tables);
     const double exponent = froude_exponent(unit);
     if (const double* ratio = ratios.find(path)) {
       number *= *ratio;

@@ -11,8 +11,7 @@ namespace upbead {
 
 namespace {
 
-constexpr double highest_over_significant = 1.8;  // H_max / H_1/3 outside the surf zone [Goda 2000]
-constexpr double round_off = 1e-9;                // of H/h = 0.8 and d = h' from a grid
+constexpr double round_off = 1e-9;  // of H/h = 0.8 and d = h' from a grid
 
 /// Why a wave is left out; "" where it is not.
 std::string why_not(const DesignTables& tables, const FamilyWave& wave, const WavePressure& pressure) {

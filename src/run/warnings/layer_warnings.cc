@@ -11,10 +11,10 @@ namespace upbead {
 namespace {
 
 /// Of F_T, where a layer that should not yield yields more than all else: the largest of ten scenes, docs/warnings.md.
-constexpr double at_most = 0.25, largest_error = 0.05;
+constexpr double at_most = 0.25, largest_layer_error = 0.05;
 
 std::string cure(const DrainedLayer& layer, int degree) {
-  constexpr double share = largest_error / at_most, ratio = share / (1. - share);
+  constexpr double share = largest_layer_error / at_most, ratio = share / (1. - share);
   const double skin = layer.skin / layer.stiffness;  // what it yields by (m/Pa)
   const double cell = degree * (layer.skin + layer.stiffness * layer.of_the_rest * ratio);
   const bool water_stays = skin <= ratio * (layer.of_the_rest - skin);
@@ -35,8 +35,8 @@ NumberedWarnings layer_warnings(const Simulation& simulation) {
                     0.5 * duration, simulation.soil_state);
   if (!layer) return {};
   const double error = at_most * layer->share();
-  if (error <= largest_error) return {};
-  return {{"drained_layer", error, largest_error, "1",
+  if (error <= largest_layer_error) return {};
+  return {{"drained_layer", error, largest_layer_error, "1",
            "water leaves a skin of " + significant(layer->skin, 2) + " m of '" + layer->region + "' into '" +
                layer->into + "' within " + significant(0.5 * duration) + " s, but cells of " +
                significant(layer->cell, 2) + " m drain more, which makes " +
