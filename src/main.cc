@@ -8,11 +8,11 @@
 #include <iostream>
 #include <map>
 
+#include "cli/failure.h"
+#include "cli/program.h"
+#include "model/exclusions.h"
 #include "upbead/base/error.h"
 #include "upbead/case/case.h"
-#include "upbead/cli/failure.h"
-#include "upbead/cli/program.h"
-#include "upbead/model/exclusions.h"
 
 namespace {
 

@@ -1,8 +1,8 @@
 // upbead-solver: all commands of upbead, with the libraries that mesh and solve.
 
+#include "cli/failure.h"
+#include "cli/program.h"
 #include "upbead/algebra/petsc_session.h"
-#include "upbead/cli/failure.h"
-#include "upbead/cli/program.h"
 
 namespace {
 

@@ -1,4 +1,4 @@
-#include "upbead/algebra/eigenpairs.h"
+#include "algebra/eigenpairs.h"
 
 #include <petscsys.h>
 // after petscsys.h, which it needs

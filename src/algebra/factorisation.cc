@@ -1,4 +1,4 @@
-#include "upbead/algebra/factorisation.h"
+#include "algebra/factorisation.h"
 
 #include <algorithm>
 #include <cmath>

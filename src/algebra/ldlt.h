@@ -1,8 +1,8 @@
 // P A P^T = L D L^T of one sparse symmetric matrix.
 #pragma once
 
+#include "algebra/factorisation.h"
 #include "multifrontal.h"
-#include "upbead/algebra/factorisation.h"
 
 namespace upbead::detail {
 

@@ -1,4 +1,4 @@
-#include "upbead/algebra/versions.h"
+#include "algebra/versions.h"
 
 #include <cholmod.h>
 #include <dlfcn.h>

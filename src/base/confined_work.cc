@@ -1,4 +1,4 @@
-#include "upbead/base/confined_work.h"
+#include "base/confined_work.h"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -20,11 +20,11 @@
 #include <new>
 #include <stdexcept>
 
+#include "base/interrupt.h"
+#include "base/parcel.h"
 #include "confinement.h"
 #include "sanitized.h"
 #include "upbead/base/error.h"
-#include "upbead/base/interrupt.h"
-#include "upbead/base/parcel.h"
 
 namespace upbead {
 

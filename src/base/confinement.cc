@@ -16,9 +16,9 @@
 #include <cstring>
 #include <string_view>
 
+#include "base/confined_work.h"
 #include "landlock.h"
 #include "sanitized.h"
-#include "upbead/base/confined_work.h"
 
 namespace upbead::detail {
 

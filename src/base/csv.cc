@@ -1,11 +1,11 @@
-#include "upbead/base/csv.h"
+#include "base/csv.h"
 
 #include <algorithm>
 
+#include "base/quoted.h"
+#include "base/text_file.h"
+#include "base/units.h"
 #include "csv_dialect.h"
-#include "upbead/base/quoted.h"
-#include "upbead/base/text_file.h"
-#include "upbead/base/units.h"
 
 namespace upbead {
 

@@ -4,9 +4,9 @@
 #include <charconv>
 #include <cmath>
 
-#include "upbead/base/magnitude.h"
-#include "upbead/base/quoted.h"
-#include "upbead/base/units.h"
+#include "base/magnitude.h"
+#include "base/quoted.h"
+#include "base/units.h"
 
 namespace upbead::detail {
 

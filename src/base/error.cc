@@ -1,6 +1,6 @@
 #include "upbead/base/error.h"
 
-#include "upbead/base/quoted.h"
+#include "base/quoted.h"
 
 namespace upbead {
 

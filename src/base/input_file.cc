@@ -1,9 +1,9 @@
-#include "upbead/base/input_file.h"
+#include "base/input_file.h"
 
 #include <filesystem>
 #include <fstream>
 
-#include "upbead/base/quoted.h"
+#include "base/quoted.h"
 
 namespace fs = std::filesystem;
 

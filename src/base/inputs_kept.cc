@@ -1,10 +1,10 @@
-#include "upbead/base/inputs_kept.h"
+#include "base/inputs_kept.h"
 
 #include <algorithm>
 #include <filesystem>
 
+#include "base/quoted.h"
 #include "exchange.h"
-#include "upbead/base/quoted.h"
 
 namespace fs = std::filesystem;
 

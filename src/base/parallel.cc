@@ -1,4 +1,4 @@
-#include "upbead/base/parallel.h"
+#include "base/parallel.h"
 
 #include <algorithm>
 #include <atomic>
@@ -7,8 +7,8 @@
 #include <thread>
 #include <vector>
 
-#include "upbead/base/interrupt.h"
-#include "upbead/base/progress.h"
+#include "base/interrupt.h"
+#include "base/progress.h"
 
 namespace upbead {
 

@@ -1,4 +1,4 @@
-#include "upbead/base/parcel.h"
+#include "base/parcel.h"
 
 #include <stdexcept>
 

@@ -1,4 +1,4 @@
-#include "upbead/base/progress.h"
+#include "base/progress.h"
 
 #include <unistd.h>
 

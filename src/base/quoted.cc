@@ -1,4 +1,4 @@
-#include "upbead/base/quoted.h"
+#include "base/quoted.h"
 
 #include <algorithm>
 

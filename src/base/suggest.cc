@@ -1,9 +1,9 @@
-#include "upbead/base/suggest.h"
+#include "base/suggest.h"
 
 #include <algorithm>
 #include <cctype>
 
-#include "upbead/base/quoted.h"
+#include "base/quoted.h"
 
 namespace upbead {
 

@@ -1,4 +1,4 @@
-#include "upbead/base/text.h"
+#include "base/text.h"
 
 #include <cctype>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "upbead/base/text_file.h"
+#include "base/text_file.h"
 
 #include <zlib.h>
 
@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <memory>
 
-#include "upbead/base/input_file.h"
-#include "upbead/base/quoted.h"
+#include "base/input_file.h"
+#include "base/quoted.h"
 
 namespace upbead {
 

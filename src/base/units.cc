@@ -1,10 +1,10 @@
-#include "upbead/base/units.h"
+#include "base/units.h"
 
 #include <algorithm>
 #include <array>
 #include <string_view>
 
-#include "upbead/base/constants.h"
+#include "base/constants.h"
 
 namespace upbead {
 

@@ -1,4 +1,4 @@
-#include "upbead/base/version.h"
+#include "base/version.h"
 
 namespace upbead {
 

@@ -5,10 +5,10 @@
 #include <filesystem>
 #include <map>
 
-#include "upbead/base/quoted.h"
+#include "base/quoted.h"
+#include "model/exclusions.h"
+#include "model/words.h"
 #include "upbead/case/case.h"
-#include "upbead/model/exclusions.h"
-#include "upbead/model/words.h"
 
 namespace upbead {
 

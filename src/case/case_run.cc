@@ -1,10 +1,10 @@
 #include "case_run.h"
 
+#include "base/stopwatch.h"
 #include "case_warnings.h"
 #include "records/gauge_report.h"
 #include "records/record_notes.h"
-#include "upbead/base/stopwatch.h"
-#include "upbead/run/histories.h"
+#include "run/histories.h"
 
 namespace upbead {
 

@@ -1,7 +1,7 @@
 #include "case_schema.h"
 #include "records/measured_schema.h"
 
-#include "upbead/model/words.h"
+#include "model/words.h"
 
 namespace upbead {
 

@@ -5,10 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "upbead/case/gauge_source.h"
-#include "upbead/case/measured_source.h"
-#include "upbead/input/schema.h"
-#include "upbead/model/accuracy_choice.h"
+#include "input/schema.h"
+#include "upbead/case/case.h"
 #include "upbead/model/scene.h"
 
 namespace upbead {

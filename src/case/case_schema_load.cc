@@ -1,6 +1,6 @@
 #include "case_schema.h"
+#include "model/words.h"
 #include "records/gauge_keys.h"
-#include "upbead/model/words.h"
 
 namespace upbead {
 

@@ -1,5 +1,5 @@
 #include "case_schema.h"
-#include "upbead/model/words.h"
+#include "model/words.h"
 
 namespace upbead {
 

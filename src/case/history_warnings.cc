@@ -1,5 +1,5 @@
 #include "case_warnings.h"
-#include "upbead/model/record.h"
+#include "model/record.h"
 
 namespace upbead {
 

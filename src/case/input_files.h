@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "upbead/base/inputs_kept.h"
+#include "base/inputs_kept.h"
 #include "upbead/case/case.h"
 
 namespace upbead {

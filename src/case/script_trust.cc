@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "upbead/base/confined_work.h"
+#include "base/confined_work.h"
 #include "upbead/base/error.h"
 
 namespace upbead {

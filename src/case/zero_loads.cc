@@ -1,7 +1,7 @@
 #include <algorithm>
 
+#include "base/text.h"
 #include "case_warnings.h"
-#include "upbead/base/text.h"
 
 namespace upbead {
 

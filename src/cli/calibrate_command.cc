@@ -1,13 +1,13 @@
 #include <iostream>
 
+#include "base/files.h"
+#include "base/interrupt.h"
+#include "cli/commands.h"
 #include "design/calibrate/calibration.h"
 #include "design/calibrate/calibration_checks.h"
 #include "design/calibrate/calibration_report.h"
 #include "design/design_files.h"
-#include "upbead/base/files.h"
-#include "upbead/base/interrupt.h"
-#include "upbead/cli/commands.h"
-#include "upbead/design/design.h"
+#include "design/design.h"
 
 namespace upbead {
 

@@ -5,12 +5,12 @@
 #include <fstream>
 #include <iostream>
 
+#include "base/interrupt.h"
+#include "base/text.h"
+#include "base/version.h"
 #include "case/fingerprint.h"
+#include "model/exclusions.h"
 #include "upbead/base/error.h"
-#include "upbead/base/interrupt.h"
-#include "upbead/base/text.h"
-#include "upbead/base/version.h"
-#include "upbead/model/exclusions.h"
 
 namespace fs = std::filesystem;
 

@@ -5,10 +5,10 @@
 #include <optional>
 #include <string>
 
+#include "base/stopwatch.h"
 #include "field_output.h"
-#include "upbead/base/stopwatch.h"
+#include "output/checkpoint_file.h"
 #include "upbead/case/case.h"
-#include "upbead/output/checkpoint_file.h"
 
 namespace upbead {
 

@@ -1,4 +1,4 @@
-#include "upbead/cli/commands.h"
+#include "cli/commands.h"
 
 namespace upbead {
 

@@ -1,6 +1,6 @@
 #include "contact_report.h"
 
-#include "upbead/base/text.h"
+#include "base/text.h"
 
 namespace upbead {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "upbead/output/contact_summary.h"
+#include "upbead/output/summary.h"
 
 namespace upbead {
 

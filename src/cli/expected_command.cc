@@ -1,13 +1,13 @@
 #include <iostream>
 
+#include "base/files.h"
+#include "base/interrupt.h"
+#include "base/stopwatch.h"
+#include "cli/commands.h"
 #include "design/design_files.h"
 #include "design/expected_checks.h"
 #include "design/expected_report.h"
-#include "upbead/base/files.h"
-#include "upbead/base/interrupt.h"
-#include "upbead/base/stopwatch.h"
-#include "upbead/cli/commands.h"
-#include "upbead/design/design.h"
+#include "design/design.h"
 
 namespace upbead {
 

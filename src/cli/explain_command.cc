@@ -4,11 +4,12 @@
 #include "case/case_run.h"
 #include "case/records/gauge_report.h"
 #include "case/script_trust.h"
-#include "upbead/cli/commands.h"
-#include "upbead/cli/program.h"
-#include "upbead/cli/report.h"
-#include "upbead/model/exclusions.h"
-#include "upbead/response/scheme_choice.h"
+#include "cli/commands.h"
+#include "cli/program.h"
+#include "cli/report.h"
+#include "fem/compile.h"
+#include "model/exclusions.h"
+#include "response/scheme_choice.h"
 
 namespace upbead {
 

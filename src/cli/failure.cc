@@ -1,11 +1,11 @@
-#include "upbead/cli/failure.h"
+#include "cli/failure.h"
 
 #include <exception>
 #include <iostream>
 #include <new>
 
+#include "base/interrupt.h"
 #include "upbead/base/error.h"
-#include "upbead/base/interrupt.h"
 
 namespace upbead {
 

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <filesystem>
 
+#include "base/stopwatch.h"
 #include "upbead/base/error.h"
-#include "upbead/base/stopwatch.h"
 
 namespace fs = std::filesystem;
 

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "upbead/base/files.h"
-#include "upbead/output/fields.h"
+#include "base/files.h"
+#include "output/fields.h"
 #include "upbead/run/simulation.h"
 
 namespace upbead {

@@ -1,5 +1,5 @@
-#include "upbead/cli/commands.h"
-#include "upbead/cli/program.h"
+#include "cli/commands.h"
+#include "cli/program.h"
 
 namespace upbead {
 

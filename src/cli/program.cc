@@ -1,12 +1,12 @@
-#include "upbead/cli/program.h"
+#include "cli/program.h"
 
 #include <algorithm>
 #include <csignal>
 
+#include "base/suggest.h"
+#include "cli/failure.h"
+#include "output/versions.h"
 #include "upbead/base/error.h"
-#include "upbead/base/suggest.h"
-#include "upbead/cli/failure.h"
-#include "upbead/output/versions.h"
 
 namespace upbead {
 

@@ -1,17 +1,18 @@
-#include "upbead/cli/report.h"
+#include "cli/report.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdarg>
 #include <cstdio>
 
+#include "base/text.h"
 #include "case/case_run.h"
 #include "case/records/gauge_report.h"
 #include "contact_report.h"
+#include "fem/compile.h"
+#include "model/words.h"
+#include "response/scheme_choice.h"
 #include "sliding_report.h"
-#include "upbead/base/text.h"
-#include "upbead/model/words.h"
-#include "upbead/response/scheme_choice.h"
 
 namespace upbead {
 

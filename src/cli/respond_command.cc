@@ -3,16 +3,16 @@
 #include <filesystem>
 #include <iostream>
 
+#include "base/files.h"
+#include "base/inputs_kept.h"
+#include "base/interrupt.h"
+#include "base/quoted.h"
+#include "base/stopwatch.h"
+#include "base/text.h"
+#include "cli/commands.h"
+#include "cli/warning_lines.h"
+#include "respond/respond_waves.h"
 #include "respond_report.h"
-#include "upbead/base/files.h"
-#include "upbead/base/inputs_kept.h"
-#include "upbead/base/interrupt.h"
-#include "upbead/base/quoted.h"
-#include "upbead/base/stopwatch.h"
-#include "upbead/base/text.h"
-#include "upbead/cli/commands.h"
-#include "upbead/cli/warning_lines.h"
-#include "upbead/respond/respond_waves.h"
 
 namespace upbead {
 

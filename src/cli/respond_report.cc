@@ -4,7 +4,7 @@
 #include <functional>
 #include <iterator>
 
-#include "upbead/base/text.h"
+#include "base/text.h"
 
 namespace upbead {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "output/wave_response.h"
 #include "upbead/base/numbered_warning.h"
-#include "upbead/output/wave_response.h"
 
 namespace upbead {
 

@@ -2,20 +2,20 @@
 #include <iostream>
 #include <optional>
 
+#include "base/files.h"
+#include "base/interrupt.h"
+#include "base/progress.h"
+#include "base/stopwatch.h"
 #include "case/case_run.h"
 #include "case/input_files.h"
 #include "case/script_trust.h"
 #include "checkpoints.h"
+#include "cli/commands.h"
+#include "cli/program.h"
+#include "cli/report.h"
+#include "output/fields.h"
+#include "run/histories.h"
 #include "several_processes.h"
-#include "upbead/base/files.h"
-#include "upbead/base/interrupt.h"
-#include "upbead/base/progress.h"
-#include "upbead/base/stopwatch.h"
-#include "upbead/cli/commands.h"
-#include "upbead/cli/program.h"
-#include "upbead/cli/report.h"
-#include "upbead/output/fields.h"
-#include "upbead/run/histories.h"
 
 namespace upbead {
 

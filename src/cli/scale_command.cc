@@ -2,12 +2,12 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "base/files.h"
+#include "base/suggest.h"
+#include "base/text.h"
 #include "case/input_files.h"
-#include "upbead/base/files.h"
-#include "upbead/base/suggest.h"
-#include "upbead/base/text.h"
-#include "upbead/case/scale.h"
-#include "upbead/cli/commands.h"
+#include "case/scale.h"
+#include "cli/commands.h"
 
 namespace upbead {
 

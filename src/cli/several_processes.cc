@@ -1,12 +1,12 @@
 #include "several_processes.h"
 
-#include "upbead/model/exclusions.h"
+#include "model/exclusions.h"
 
 #include <chrono>
 #include <thread>
 
+#include "cli/failure.h"
 #include "upbead/base/error.h"
-#include "upbead/cli/failure.h"
 
 namespace upbead {
 

@@ -1,6 +1,6 @@
 #include "sliding_report.h"
 
-#include "upbead/base/text.h"
+#include "base/text.h"
 
 namespace upbead {
 

@@ -4,17 +4,17 @@
 #include <iostream>
 #include <thread>
 
+#include "base/files.h"
+#include "base/interrupt.h"
 #include "case/script_trust.h"
+#include "cli/commands.h"
+#include "cli/program.h"
 #include "study/launch.h"
 #include "study/pool.h"
 #include "study/runner.h"
 #include "study/schedule.h"
 #include "study/study_progress.h"
 #include "study/study_report.h"
-#include "upbead/base/files.h"
-#include "upbead/base/interrupt.h"
-#include "upbead/cli/commands.h"
-#include "upbead/cli/program.h"
 
 namespace upbead {
 

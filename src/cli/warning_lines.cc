@@ -1,4 +1,4 @@
-#include "upbead/cli/warning_lines.h"
+#include "cli/warning_lines.h"
 
 namespace upbead {
 

@@ -1,11 +1,11 @@
 #include <iostream>
 
+#include "base/files.h"
+#include "base/interrupt.h"
+#include "cli/commands.h"
 #include "design/design_files.h"
 #include "design/waves_report.h"
-#include "upbead/base/files.h"
-#include "upbead/base/interrupt.h"
-#include "upbead/cli/commands.h"
-#include "upbead/design/design.h"
+#include "design/design.h"
 
 namespace upbead {
 

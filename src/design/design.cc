@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "design_checks.h"
-#include "upbead/design/design.h"
+#include "design/design.h"
 #include "upbead/waves/random_breaking.h"
 
 namespace fs = std::filesystem;

@@ -34,4 +34,12 @@ std::string effective_design(const Design& design, const std::string& output_fol
 /// The wave of a sound table, with heights by random breaking where only that of deep water is given.
 DesignWave design_wave(const WaveTable& wave, const Section& section, const Water& water);
 
+/// The design as TOML with every default spelled out, and with paths as seen from `output_folder`. Throws InputError
+/// with every mistake in the section and its waves.
+std::string effective_design(const std::string& path, const std::vector<std::string>& overrides = {},
+                             const std::string& output_folder = ".");
+
+/// Every key of the design file as Markdown.
+std::string design_reference();
+
 }  // namespace upbead

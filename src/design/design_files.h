@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include "base/inputs_kept.h"
 #include "design.h"
-#include "upbead/base/inputs_kept.h"
 
 namespace upbead {
 

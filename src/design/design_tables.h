@@ -7,9 +7,9 @@
 
 #include "calibrate/calibration_tables.h"
 #include "expected_tables.h"
-#include "upbead/input/schema.h"
+#include "input/schema.h"
+#include "sliding/elastic_block.h"
 #include "upbead/sliding/combined.h"
-#include "upbead/sliding/elastic_block.h"
 #include "upbead/waves/section.h"
 #include "upbead/waves/shear_duration.h"
 

@@ -4,12 +4,12 @@
 #include <cmath>
 #include <filesystem>
 
+#include "base/quoted.h"
+#include "base/text.h"
 #include "case/case_checks.h"
+#include "design/expected.h"
 #include "sea_states_file.h"
 #include "shear_model.h"
-#include "upbead/base/quoted.h"
-#include "upbead/base/text.h"
-#include "upbead/design/expected.h"
 
 namespace upbead {
 

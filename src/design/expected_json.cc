@@ -1,11 +1,11 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "base/text.h"
+#include "base/version.h"
 #include "expected_report.h"
-#include "upbead/base/text.h"
-#include "upbead/base/version.h"
-#include "upbead/output/json_text.h"
-#include "upbead/output/versions.h"
+#include "output/json_text.h"
+#include "output/versions.h"
 
 namespace upbead {
 

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "expected/dynamic_law.h"
 #include "expected_work.h"
-#include "upbead/expected/dynamic_law.h"
 
 namespace upbead {
 

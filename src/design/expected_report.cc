@@ -3,8 +3,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "upbead/base/text.h"
-#include "upbead/output/result_file.h"
+#include "base/text.h"
+#include "output/result_file.h"
 
 namespace upbead {
 

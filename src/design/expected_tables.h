@@ -5,11 +5,11 @@
 #include <optional>
 #include <string>
 
+#include "expected/impact.h"
+#include "expected/storm_climate.h"
+#include "input/schema.h"
 #include "upbead/expected/distribution.h"
-#include "upbead/expected/impact.h"
 #include "upbead/expected/sliding_law.h"
-#include "upbead/expected/storm_climate.h"
-#include "upbead/input/schema.h"
 
 namespace upbead {
 

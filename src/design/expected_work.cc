@@ -4,12 +4,12 @@
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 
+#include "base/parallel.h"
+#include "base/stopwatch.h"
 #include "expected_checks.h"
 #include "expected_laws.h"
 #include "sea_states_file.h"
 #include "upbead/base/error.h"
-#include "upbead/base/parallel.h"
-#include "upbead/base/stopwatch.h"
 
 namespace upbead {
 

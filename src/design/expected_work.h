@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "case/record_notes.h"
 #include "design.h"
-#include "upbead/case/record_notes.h"
+#include "expected/statistics.h"
 #include "upbead/expected/expectation.h"
-#include "upbead/expected/statistics.h"
 
 namespace upbead {
 

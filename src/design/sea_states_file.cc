@@ -4,12 +4,12 @@
 #include <boost/math/constants/constants.hpp>
 #include <functional>
 
+#include "base/quoted.h"
+#include "base/suggest.h"
+#include "base/text.h"
 #include "case/records/header_words.h"
 #include "case/records/record_layout.h"
 #include "case/records/record_table.h"
-#include "upbead/base/quoted.h"
-#include "upbead/base/suggest.h"
-#include "upbead/base/text.h"
 
 namespace upbead {
 

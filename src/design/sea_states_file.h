@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "case/record_notes.h"
 #include "upbead/base/error.h"
-#include "upbead/case/record_notes.h"
 #include "upbead/expected/sea_state.h"
 
 namespace upbead {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "upbead/base/suggest.h"
-#include "upbead/base/text.h"
-#include "upbead/fem/caisson_readings.h"
+#include "base/suggest.h"
+#include "base/text.h"
+#include "fem/caisson_readings.h"
 #include "upbead/output/model_file.h"
 
 namespace upbead {

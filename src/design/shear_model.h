@@ -4,8 +4,8 @@
 #include <string>
 
 #include "design_tables.h"
+#include "expected/shear_answer.h"
 #include "upbead/base/error.h"
-#include "upbead/expected/shear_answer.h"
 
 namespace upbead {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "design.h"
-#include "upbead/sliding/elastic_block.h"
+#include "sliding/elastic_block.h"
 #include "upbead/sliding/pulse.h"
 #include "upbead/waves/stability.h"
 #include "upbead/waves/validity.h"

@@ -1,8 +1,8 @@
 #include <nlohmann/json.hpp>
 
-#include "upbead/base/version.h"
-#include "upbead/output/json_text.h"
-#include "upbead/output/versions.h"
+#include "base/version.h"
+#include "output/json_text.h"
+#include "output/versions.h"
 #include "waves_report.h"
 
 namespace upbead {

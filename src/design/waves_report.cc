@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "upbead/base/text.h"
+#include "base/text.h"
 
 namespace upbead {
 

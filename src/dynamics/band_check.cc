@@ -1,12 +1,12 @@
-#include "upbead/dynamics/band_check.h"
+#include "dynamics/band_check.h"
 
 #include <cmath>
 #include <complex>
 #include <stdexcept>
 
+#include "base/constants.h"
 #include "phi_functions.h"
 #include "real_fft.h"
-#include "upbead/base/constants.h"
 
 namespace upbead {
 

@@ -1,4 +1,4 @@
-#include "upbead/dynamics/batch_response.h"
+#include "dynamics/batch_response.h"
 
 #include <stdexcept>
 

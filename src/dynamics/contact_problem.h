@@ -5,7 +5,7 @@
 #include <Eigen/LU>
 #include <vector>
 
-#include "upbead/dynamics/contact.h"
+#include "dynamics/contact.h"
 
 namespace upbead::detail {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <string>
 
+#include "base/stopwatch.h"
 #include "upbead/base/error.h"
-#include "upbead/base/stopwatch.h"
 
 namespace upbead::detail {
 

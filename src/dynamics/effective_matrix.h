@@ -3,7 +3,7 @@
 
 #include <list>
 
-#include "upbead/algebra/factorisation.h"
+#include "algebra/factorisation.h"
 #include "upbead/system/system.h"
 
 namespace upbead::detail {

@@ -1,4 +1,4 @@
-#include "upbead/dynamics/frequency_response.h"
+#include "dynamics/frequency_response.h"
 
 #include <Eigen/LU>
 

@@ -1,4 +1,4 @@
-#include "upbead/dynamics/interpolate.h"
+#include "dynamics/interpolate.h"
 
 namespace upbead {
 

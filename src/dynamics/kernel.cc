@@ -1,4 +1,4 @@
-#include "upbead/dynamics/kernel.h"
+#include "dynamics/kernel.h"
 
 #include <stdexcept>
 

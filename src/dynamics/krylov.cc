@@ -5,10 +5,10 @@
 #include <set>
 #include <stdexcept>
 
+#include "base/stopwatch.h"
 #include "effective_matrix.h"
 #include "orthogonalise.h"
 #include "upbead/base/error.h"
-#include "upbead/base/stopwatch.h"
 
 namespace upbead {
 

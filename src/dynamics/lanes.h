@@ -3,7 +3,7 @@
 
 #include <cstring>
 
-#include "upbead/dynamics/split_array.h"
+#include "dynamics/split_array.h"
 
 // Registers of AVX2 and AVX-512 and their fused operations do 1.4 and 3.4 times as many multiplications as those that
 // every x86-64 has. GCC compiles a function marked so for all three and picks one when the program starts. Not with the

@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "dynamics/checkpoint.h"
 #include "upbead/base/error.h"
-#include "upbead/dynamics/checkpoint.h"
 
 namespace upbead {
 

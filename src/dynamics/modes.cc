@@ -3,10 +3,10 @@
 #include <Eigen/LU>
 #include <cmath>
 
-#include "upbead/algebra/eigenpairs.h"
+#include "algebra/eigenpairs.h"
+#include "base/text.h"
+#include "dynamics/state_space.h"
 #include "upbead/base/error.h"
-#include "upbead/base/text.h"
-#include "upbead/dynamics/state_space.h"
 
 namespace upbead {
 

@@ -1,9 +1,9 @@
 #include "upbead/dynamics/nested_models.h"
 
+#include "dynamics/projection.h"
+#include "dynamics/state_space.h"
 #include "orthogonalise.h"
 #include "upbead/dynamics/krylov.h"
-#include "upbead/dynamics/projection.h"
-#include "upbead/dynamics/state_space.h"
 
 namespace upbead {
 

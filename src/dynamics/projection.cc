@@ -1,4 +1,4 @@
-#include "upbead/dynamics/projection.h"
+#include "dynamics/projection.h"
 
 #include <stdexcept>
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <map>
 
+#include "dynamics/projection.h"
+#include "dynamics/state_space.h"
 #include "upbead/base/error.h"
-#include "upbead/dynamics/projection.h"
-#include "upbead/dynamics/state_space.h"
 
 namespace upbead {
 

@@ -1,12 +1,12 @@
-#include "upbead/dynamics/response_error.h"
+#include "dynamics/response_error.h"
 
 #include <cmath>
 #include <complex>
 #include <stdexcept>
 
+#include "base/constants.h"
 #include "phi_functions.h"
 #include "real_fft.h"
-#include "upbead/base/constants.h"
 
 namespace upbead {
 

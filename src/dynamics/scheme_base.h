@@ -3,10 +3,10 @@
 
 #include <optional>
 
+#include "dynamics/checkpoint.h"
 #include "effective_matrix.h"
 #include "energy_meter.h"
 #include "load_sum.h"
-#include "upbead/dynamics/checkpoint.h"
 #include "upbead/dynamics/scheme.h"
 
 namespace upbead::detail {

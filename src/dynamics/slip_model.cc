@@ -1,14 +1,14 @@
-#include "upbead/dynamics/slip_model.h"
+#include "dynamics/slip_model.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
 
+#include "base/text.h"
+#include "dynamics/state_space.h"
 #include "modes.h"
 #include "upbead/base/error.h"
-#include "upbead/base/text.h"
-#include "upbead/dynamics/state_space.h"
 
 namespace upbead {
 

@@ -1,4 +1,4 @@
-#include "upbead/dynamics/slip_path.h"
+#include "dynamics/slip_path.h"
 
 #include <cmath>
 

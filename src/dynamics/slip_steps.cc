@@ -1,4 +1,4 @@
-#include "upbead/dynamics/slip_steps.h"
+#include "dynamics/slip_steps.h"
 
 #include <array>
 #include <stdexcept>

@@ -1,4 +1,4 @@
-#include "upbead/dynamics/slip_within_step.h"
+#include "dynamics/slip_within_step.h"
 
 #include <algorithm>
 #include <cmath>

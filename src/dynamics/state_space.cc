@@ -1,4 +1,4 @@
-#include "upbead/dynamics/state_space.h"
+#include "dynamics/state_space.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>

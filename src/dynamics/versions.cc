@@ -1,4 +1,4 @@
-#include "upbead/dynamics/versions.h"
+#include "dynamics/versions.h"
 
 #include <fftw3.h>
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "upbead/base/text.h"
+#include "base/text.h"
 
 namespace upbead {
 

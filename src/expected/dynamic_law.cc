@@ -1,4 +1,4 @@
-#include "upbead/expected/dynamic_law.h"
+#include "expected/dynamic_law.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <cmath>
 
-#include "upbead/base/constants.h"
+#include "base/constants.h"
 
 namespace upbead {
 

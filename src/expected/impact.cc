@@ -1,11 +1,11 @@
-#include "upbead/expected/impact.h"
+#include "expected/impact.h"
 
 #include <algorithm>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <complex>
 
-#include "upbead/base/constants.h"
+#include "base/constants.h"
 
 namespace upbead {
 

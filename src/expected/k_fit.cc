@@ -1,4 +1,4 @@
-#include "upbead/expected/k_fit.h"
+#include "expected/k_fit.h"
 
 #include <Eigen/Dense>
 #include <algorithm>

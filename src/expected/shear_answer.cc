@@ -1,4 +1,4 @@
-#include "upbead/expected/shear_answer.h"
+#include "expected/shear_answer.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "upbead/expected/statistics.h"
+#include "expected/statistics.h"
 
 #include <algorithm>
 #include <boost/math/distributions/binomial.hpp>

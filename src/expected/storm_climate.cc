@@ -1,4 +1,4 @@
-#include "upbead/expected/storm_climate.h"
+#include "expected/storm_climate.h"
 
 #include <algorithm>
 #include <boost/math/distributions/extreme_value.hpp>
@@ -6,7 +6,7 @@
 #include <boost/math/distributions/weibull.hpp>
 #include <cmath>
 
-#include "upbead/base/constants.h"
+#include "base/constants.h"
 #include "upbead/waves/random_breaking.h"
 
 namespace upbead {

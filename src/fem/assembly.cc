@@ -1,14 +1,14 @@
-#include "upbead/fem/assembly.h"
+#include "fem/assembly.h"
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/hp/fe_values.h>
 
 #include <functional>
 
-#include "upbead/fem/kernels.h"
-#include "upbead/fem/open_sides.h"
-#include "upbead/fem/wave_sides.h"
-#include "upbead/fem/wet_faces.h"
+#include "fem/kernels.h"
+#include "fem/open_sides.h"
+#include "fem/wave_sides.h"
+#include "fem/wet_faces.h"
 
 namespace upbead {
 

@@ -1,4 +1,4 @@
-#include "upbead/fem/base_readings.h"
+#include "fem/base_readings.h"
 
 #include "bottom_faces.h"
 

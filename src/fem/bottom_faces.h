@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "upbead/fem/faces.h"
+#include "fem/faces.h"
 
 namespace upbead {
 

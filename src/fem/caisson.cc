@@ -1,4 +1,4 @@
-#include "upbead/fem/caisson.h"
+#include "fem/caisson.h"
 
 #include <deal.II/base/quadrature_lib.h>
 

@@ -1,4 +1,4 @@
-#include "upbead/fem/caisson_readings.h"
+#include "fem/caisson_readings.h"
 
 #include <map>
 

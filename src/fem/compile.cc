@@ -1,13 +1,13 @@
-#include "upbead/fem/compile.h"
+#include "fem/compile.h"
 
 #include <algorithm>
 
-#include "upbead/fem/assembly.h"
-#include "upbead/fem/base_readings.h"
-#include "upbead/fem/caisson_readings.h"
-#include "upbead/fem/partition.h"
-#include "upbead/fem/probes.h"
-#include "upbead/fem/uplift.h"
+#include "fem/assembly.h"
+#include "fem/base_readings.h"
+#include "fem/caisson_readings.h"
+#include "fem/partition.h"
+#include "fem/probes.h"
+#include "fem/uplift.h"
 
 namespace upbead {
 

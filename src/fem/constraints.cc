@@ -1,11 +1,11 @@
-#include "upbead/fem/constraints.h"
+#include "fem/constraints.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 
+#include "fem/faces.h"
 #include "hanging_nodes.h"
-#include "upbead/fem/faces.h"
 
 namespace upbead {
 

@@ -1,11 +1,11 @@
-#include "upbead/fem/face_loads.h"
+#include "fem/face_loads.h"
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
 
 #include <algorithm>
 
-#include "upbead/fem/faces.h"
+#include "fem/faces.h"
 
 namespace upbead {
 

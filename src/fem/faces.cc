@@ -1,4 +1,4 @@
-#include "upbead/fem/faces.h"
+#include "fem/faces.h"
 
 #include <deal.II/base/quadrature_lib.h>
 

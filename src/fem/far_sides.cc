@@ -1,4 +1,4 @@
-#include "upbead/fem/far_sides.h"
+#include "fem/far_sides.h"
 
 #include "outline.h"
 #include "upbead/model/scene.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "upbead/fem/faces.h"
+#include "fem/faces.h"
 
 namespace upbead {
 

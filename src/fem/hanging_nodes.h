@@ -3,7 +3,7 @@
 
 #include <deal.II/lac/affine_constraints.h>
 
-#include "upbead/fem/space.h"
+#include "fem/space.h"
 
 namespace upbead {
 

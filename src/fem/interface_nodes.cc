@@ -1,4 +1,4 @@
-#include "upbead/fem/interface_nodes.h"
+#include "fem/interface_nodes.h"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 #include <map>
 
 #include "bottom_faces.h"
-#include "upbead/fem/unknowns.h"
+#include "fem/unknowns.h"
 
 namespace upbead {
 

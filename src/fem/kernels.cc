@@ -1,4 +1,4 @@
-#include "upbead/fem/kernels.h"
+#include "fem/kernels.h"
 
 #include <Eigen/Core>
 #include <algorithm>

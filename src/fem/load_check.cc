@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/text.h"
 #include "checker.h"
-#include "upbead/base/text.h"
 
 namespace upbead {
 

@@ -1,4 +1,4 @@
-#include "upbead/fem/locate.h"
+#include "fem/locate.h"
 
 #include <deal.II/base/geometry_info.h>
 #include <deal.II/fe/mapping_q1.h>

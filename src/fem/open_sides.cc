@@ -1,4 +1,4 @@
-#include "upbead/fem/open_sides.h"
+#include "fem/open_sides.h"
 
 #include <deal.II/base/quadrature_lib.h>
 

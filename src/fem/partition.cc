@@ -1,4 +1,4 @@
-#include "upbead/fem/partition.h"
+#include "fem/partition.h"
 
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/sparsity_pattern.h>

@@ -6,8 +6,8 @@
 #include <map>
 #include <vector>
 
-#include "upbead/fem/kernels.h"
-#include "upbead/fem/probes.h"
+#include "fem/kernels.h"
+#include "fem/probes.h"
 
 namespace upbead {
 

@@ -1,7 +1,7 @@
-#include "upbead/fem/probes.h"
+#include "fem/probes.h"
 
+#include "fem/locate.h"
 #include "point_rows.h"
-#include "upbead/fem/locate.h"
 
 namespace upbead {
 

@@ -5,7 +5,7 @@
 #include <limits>
 #include <map>
 
-#include "upbead/fem/wave_sides.h"
+#include "fem/wave_sides.h"
 
 namespace upbead {
 

@@ -3,13 +3,13 @@
 #include <cmath>
 #include <limits>
 
+#include "base/text.h"
+#include "fem/locate.h"
+#include "fem/static_stage.h"
+#include "model/choices.h"
+#include "model/words.h"
 #include "outline.h"
 #include "reach.h"
-#include "upbead/base/text.h"
-#include "upbead/fem/locate.h"
-#include "upbead/fem/static_stage.h"
-#include "upbead/model/choices.h"
-#include "upbead/model/words.h"
 
 namespace upbead {
 

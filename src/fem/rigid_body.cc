@@ -1,4 +1,4 @@
-#include "upbead/fem/rigid_body.h"
+#include "fem/rigid_body.h"
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_nothing.h>

@@ -1,12 +1,12 @@
-#include "upbead/fem/scene_check.h"
+#include "fem/scene_check.h"
 
 #include <cmath>
 
+#include "base/text.h"
 #include "checker.h"
-#include "upbead/base/text.h"
-#include "upbead/fem/interface_nodes.h"
-#include "upbead/fem/locate.h"
-#include "upbead/fem/static_stage.h"
+#include "fem/interface_nodes.h"
+#include "fem/locate.h"
+#include "fem/static_stage.h"
 
 namespace upbead {
 

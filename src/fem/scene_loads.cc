@@ -1,8 +1,8 @@
-#include "upbead/fem/scene_loads.h"
+#include "fem/scene_loads.h"
 
 #include <cmath>
 
-#include "upbead/fem/face_loads.h"
+#include "fem/face_loads.h"
 
 namespace upbead {
 

@@ -1,4 +1,4 @@
-#include "upbead/fem/space.h"
+#include "fem/space.h"
 
 #include <deal.II/fe/fe_dgq.h>
 #include <deal.II/fe/fe_nothing.h>

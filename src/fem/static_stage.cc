@@ -1,4 +1,4 @@
-#include "upbead/fem/static_stage.h"
+#include "fem/static_stage.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,9 +3,9 @@
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/hp/fe_values.h>
 
-#include "upbead/algebra/factorisation.h"
-#include "upbead/fem/assembly.h"
-#include "upbead/fem/faces.h"
+#include "algebra/factorisation.h"
+#include "fem/assembly.h"
+#include "fem/faces.h"
 
 namespace upbead::detail {
 

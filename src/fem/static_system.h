@@ -1,9 +1,9 @@
 // The ground at rest under its weight, for any stiffness.
 #pragma once
 
+#include "fem/static_stage.h"
 #include "upbead/algebra/sparse.h"
 #include "upbead/fem/soil_state.h"
-#include "upbead/fem/static_stage.h"
 
 namespace upbead::detail {
 

@@ -1,4 +1,4 @@
-#include "upbead/fem/surplus.h"
+#include "fem/surplus.h"
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_dgq.h>
@@ -7,7 +7,7 @@
 
 #include <array>
 
-#include "upbead/fem/kernels.h"
+#include "fem/kernels.h"
 
 namespace upbead {
 

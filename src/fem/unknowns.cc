@@ -1,9 +1,9 @@
-#include "upbead/fem/unknowns.h"
+#include "fem/unknowns.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "upbead/fem/constraints.h"
+#include "fem/constraints.h"
 
 namespace upbead {
 

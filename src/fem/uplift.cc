@@ -1,4 +1,4 @@
-#include "upbead/fem/uplift.h"
+#include "fem/uplift.h"
 
 namespace upbead {
 

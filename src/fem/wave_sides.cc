@@ -1,4 +1,4 @@
-#include "upbead/fem/wave_sides.h"
+#include "fem/wave_sides.h"
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>

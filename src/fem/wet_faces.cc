@@ -1,4 +1,4 @@
-#include "upbead/fem/wet_faces.h"
+#include "fem/wet_faces.h"
 
 #include <set>
 

@@ -4,9 +4,9 @@
 #include <fstream>
 #include <sstream>
 
+#include "base/input_file.h"
+#include "base/quoted.h"
 #include "toml_text.h"
-#include "upbead/base/input_file.h"
-#include "upbead/base/quoted.h"
 
 namespace upbead {
 

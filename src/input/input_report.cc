@@ -1,4 +1,4 @@
-#include "upbead/input/input_report.h"
+#include "input/input_report.h"
 
 #include <algorithm>
 #include <tuple>

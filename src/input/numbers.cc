@@ -1,4 +1,4 @@
-#include "upbead/input/numbers.h"
+#include "input/numbers.h"
 
 namespace upbead {
 

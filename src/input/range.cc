@@ -1,6 +1,6 @@
-#include "upbead/input/range.h"
+#include "input/range.h"
 
-#include "upbead/base/constants.h"
+#include "base/constants.h"
 #include "upbead/input/node.h"
 
 namespace upbead {

@@ -1,7 +1,7 @@
-#include "upbead/input/schema_text.h"
+#include "input/schema_text.h"
 
-#include "upbead/base/quoted.h"
-#include "upbead/base/suggest.h"
+#include "base/quoted.h"
+#include "base/suggest.h"
 
 namespace upbead {
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "upbead/base/quoted.h"
+#include "base/quoted.h"
 
 namespace upbead {
 

@@ -1,12 +1,12 @@
-#include "upbead/input/values.h"
+#include "input/values.h"
 
 #include <cmath>
 #include <cstdlib>
 #include <type_traits>
 
-#include "upbead/base/magnitude.h"
-#include "upbead/base/quoted.h"
-#include "upbead/base/suggest.h"
+#include "base/magnitude.h"
+#include "base/quoted.h"
+#include "base/suggest.h"
 
 namespace upbead {
 

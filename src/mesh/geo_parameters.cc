@@ -1,4 +1,4 @@
-#include "upbead/mesh/geo_parameters.h"
+#include "mesh/geo_parameters.h"
 
 #include <algorithm>
 #include <cctype>

@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "upbead/base/suggest.h"
-#include "upbead/mesh/geo_parameters.h"
+#include "base/suggest.h"
+#include "mesh/geo_parameters.h"
 
 namespace upbead {
 

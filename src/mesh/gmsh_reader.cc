@@ -8,11 +8,11 @@
 #include <cstdlib>
 #include <limits>
 
+#include "base/confined_work.h"
 #include "gmsh_open.h"
 #include "gmsh_session.h"
 #include "outside_commands.h"
 #include "raw_mesh_parcel.h"
-#include "upbead/base/confined_work.h"
 
 namespace upbead {
 

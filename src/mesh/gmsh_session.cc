@@ -12,7 +12,7 @@
 #include <functional>
 #include <vector>
 
-#include "upbead/base/confined_work.h"
+#include "base/confined_work.h"
 
 namespace upbead {
 

@@ -3,8 +3,8 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "upbead/base/quoted.h"
-#include "upbead/base/text.h"
+#include "base/quoted.h"
+#include "base/text.h"
 
 namespace upbead {
 

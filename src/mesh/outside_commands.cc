@@ -8,7 +8,7 @@
 #include <set>
 #include <sstream>
 
-#include "upbead/base/text.h"
+#include "base/text.h"
 
 namespace upbead {
 

@@ -3,8 +3,8 @@
 
 #include <optional>
 
+#include "base/parcel.h"
 #include "raw_mesh.h"
-#include "upbead/base/parcel.h"
 
 namespace upbead {
 

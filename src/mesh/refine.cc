@@ -1,4 +1,4 @@
-#include "upbead/mesh/refine.h"
+#include "mesh/refine.h"
 
 namespace upbead {
 

@@ -1,4 +1,4 @@
-#include "upbead/mesh/versions.h"
+#include "mesh/versions.h"
 
 #include <deal.II/base/config.h>
 #include <gmsh.h>

@@ -1,4 +1,4 @@
-#include "upbead/model/exclusions.h"
+#include "model/exclusions.h"
 
 #include <algorithm>
 #include <array>

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "upbead/base/largest.h"
-#include "upbead/base/text.h"
-#include "upbead/model/record.h"
+#include "base/largest.h"
+#include "base/text.h"
+#include "model/record.h"
 
 namespace upbead {
 

@@ -1,4 +1,4 @@
-#include "upbead/model/plane_waves.h"
+#include "model/plane_waves.h"
 
 #include <cmath>
 

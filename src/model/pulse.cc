@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "upbead/base/constants.h"
+#include "base/constants.h"
+#include "model/words.h"
 #include "upbead/model/load.h"
-#include "upbead/model/words.h"
 
 namespace upbead {
 

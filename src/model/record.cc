@@ -1,11 +1,11 @@
-#include "upbead/model/record.h"
+#include "model/record.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <utility>
 
-#include "upbead/base/text.h"
+#include "base/text.h"
 
 namespace upbead {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <functional>
 
-#include "upbead/base/constants.h"
-#include "upbead/model/words.h"
+#include "base/constants.h"
+#include "model/words.h"
 
 namespace upbead {
 

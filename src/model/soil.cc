@@ -1,4 +1,4 @@
-#include "upbead/model/soil.h"
+#include "upbead/model/region.h"
 
 #include <algorithm>
 #include <cmath>

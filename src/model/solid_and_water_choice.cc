@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "upbead/base/constants.h"
-#include "upbead/base/text.h"
-#include "upbead/model/choices.h"
+#include "base/constants.h"
+#include "base/text.h"
+#include "model/choices.h"
 
 namespace upbead {
 

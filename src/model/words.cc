@@ -1,4 +1,4 @@
-#include "upbead/model/words.h"
+#include "model/words.h"
 
 namespace upbead {
 

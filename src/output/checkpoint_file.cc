@@ -1,4 +1,4 @@
-#include "upbead/output/checkpoint_file.h"
+#include "output/checkpoint_file.h"
 
 #include <algorithm>
 #include <array>
@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "hdf5_image.h"
+#include "output/hdf5_reader.h"
 #include "upbead/base/error.h"
-#include "upbead/output/hdf5_reader.h"
 
 namespace upbead {
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "upbead/output/json_text.h"
+#include "output/json_text.h"
 
 namespace upbead {
 

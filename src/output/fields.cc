@@ -1,4 +1,4 @@
-#include "upbead/output/fields.h"
+#include "output/fields.h"
 
 #include <deal.II/grid/filtered_iterator.h>
 #include <deal.II/numerics/data_out.h>

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "upbead/base/parcel.h"
-#include "upbead/output/hdf5_reader.h"
+#include "base/parcel.h"
+#include "output/hdf5_reader.h"
 
 namespace upbead::detail {
 

@@ -5,8 +5,8 @@
 #include <functional>
 #include <numeric>
 
+#include "output/versions.h"
 #include "upbead/base/error.h"
-#include "upbead/output/versions.h"
 
 namespace upbead::detail {
 

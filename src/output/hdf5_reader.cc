@@ -1,13 +1,13 @@
-#include "upbead/output/hdf5_reader.h"
+#include "output/hdf5_reader.h"
 
 #include <filesystem>
 #include <limits>
 #include <stdexcept>
 
+#include "base/confined_work.h"
+#include "base/input_file.h"
 #include "hdf5_contents.h"
-#include "upbead/base/confined_work.h"
 #include "upbead/base/error.h"
-#include "upbead/base/input_file.h"
 
 namespace upbead {
 

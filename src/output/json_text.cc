@@ -1,4 +1,4 @@
-#include "upbead/output/json_text.h"
+#include "output/json_text.h"
 
 #include <cmath>
 #include <nlohmann/json.hpp>

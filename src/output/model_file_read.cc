@@ -1,8 +1,8 @@
+#include "base/text.h"
 #include "model_modes.h"
 #include "model_parts.h"
 #include "model_pieces.h"
 #include "model_slip.h"
-#include "upbead/base/text.h"
 #include "upbead/output/model_file.h"
 
 namespace upbead {

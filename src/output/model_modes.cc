@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <complex>
 
+#include "base/text.h"
+#include "fem/caisson_readings.h"
 #include "model_pieces.h"
-#include "upbead/base/text.h"
-#include "upbead/fem/caisson_readings.h"
 
 namespace upbead::detail {
 

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/magnitude.h"
+#include "base/suggest.h"
+#include "base/text.h"
 #include "model_layout.h"
-#include "upbead/base/magnitude.h"
-#include "upbead/base/suggest.h"
-#include "upbead/base/text.h"
 
 namespace upbead::detail {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "output/hdf5_reader.h"
 #include "upbead/base/error.h"
-#include "upbead/output/hdf5_reader.h"
 
 namespace upbead::detail {
 

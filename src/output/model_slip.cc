@@ -5,10 +5,10 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/text.h"
+#include "dynamics/slip_model.h"
+#include "fem/caisson_readings.h"
 #include "model_pieces.h"
-#include "upbead/base/text.h"
-#include "upbead/dynamics/slip_model.h"
-#include "upbead/fem/caisson_readings.h"
 
 namespace upbead::detail {
 

@@ -1,4 +1,4 @@
-#include "upbead/output/result_file.h"
+#include "output/result_file.h"
 
 #include "hdf5_image.h"
 

@@ -1,6 +1,6 @@
 #include "sliding_object.h"
 
-#include "upbead/output/json_text.h"
+#include "output/json_text.h"
 
 namespace upbead {
 

@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "upbead/output/sliding_summary.h"
+#include "upbead/output/summary.h"
 
 namespace upbead {
 

@@ -2,11 +2,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/version.h"
 #include "contact_object.h"
+#include "output/json_text.h"
+#include "output/versions.h"
 #include "sliding_object.h"
-#include "upbead/base/version.h"
-#include "upbead/output/json_text.h"
-#include "upbead/output/versions.h"
 
 namespace upbead {
 

@@ -1,4 +1,4 @@
-#include "upbead/output/table_file.h"
+#include "output/table_file.h"
 
 #include "hdf5_image.h"
 

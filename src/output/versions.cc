@@ -1,12 +1,12 @@
-#include "upbead/output/versions.h"
+#include "output/versions.h"
 
 #include <hdf5.h>
 
 #include <nlohmann/json.hpp>
 
-#include "upbead/algebra/versions.h"
-#include "upbead/dynamics/versions.h"
-#include "upbead/mesh/versions.h"
+#include "algebra/versions.h"
+#include "dynamics/versions.h"
+#include "mesh/versions.h"
 
 namespace upbead {
 

@@ -1,14 +1,14 @@
-#include "upbead/output/wave_response.h"
+#include "output/wave_response.h"
 
 #include <algorithm>
 #include <functional>
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "base/version.h"
 #include "hdf5_image.h"
-#include "upbead/base/version.h"
-#include "upbead/output/json_text.h"
-#include "upbead/output/versions.h"
+#include "output/json_text.h"
+#include "output/versions.h"
 
 namespace upbead {
 

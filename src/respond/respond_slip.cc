@@ -1,8 +1,8 @@
 #include "respond_slip.h"
 
 #include "joined_loads.h"
+#include "response/slip_law.h"
 #include "upbead/base/error.h"
-#include "upbead/response/slip_law.h"
 
 namespace upbead {
 

@@ -6,9 +6,9 @@
 #include <optional>
 #include <string>
 
+#include "output/wave_response.h"
+#include "sliding/coupled_slip.h"
 #include "upbead/output/model_file.h"
-#include "upbead/output/wave_response.h"
-#include "upbead/sliding/coupled_slip.h"
 #include "wave_grid.h"
 
 namespace upbead {

@@ -1,4 +1,4 @@
-#include "upbead/respond/respond_waves.h"
+#include "respond/respond_waves.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,15 +6,15 @@
 #include <memory>
 #include <string>
 
+#include "base/constants.h"
+#include "base/parallel.h"
+#include "base/text.h"
+#include "dynamics/band_check.h"
+#include "dynamics/response_error.h"
+#include "fem/caisson_readings.h"
 #include "respond_sliding.h"
 #include "respond_slip.h"
-#include "upbead/base/constants.h"
 #include "upbead/base/error.h"
-#include "upbead/base/parallel.h"
-#include "upbead/base/text.h"
-#include "upbead/dynamics/band_check.h"
-#include "upbead/dynamics/response_error.h"
-#include "upbead/fem/caisson_readings.h"
 #include "wave_grid.h"
 #include "wave_peaks.h"
 

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "upbead/base/quoted.h"
-#include "upbead/base/suggest.h"
-#include "upbead/base/text.h"
-#include "upbead/base/units.h"
+#include "base/quoted.h"
+#include "base/suggest.h"
+#include "base/text.h"
+#include "base/units.h"
 
 namespace upbead::detail {
 

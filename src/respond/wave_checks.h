@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "upbead/base/csv.h"
+#include "base/csv.h"
+#include "respond/wave_files.h"
 #include "upbead/base/error.h"
-#include "upbead/respond/wave_files.h"
 
 namespace upbead::detail {
 

@@ -1,11 +1,11 @@
-#include "upbead/respond/wave_files.h"
+#include "respond/wave_files.h"
 
 #include <algorithm>
 #include <filesystem>
 
+#include "base/quoted.h"
 #include "case/records/record_layout.h"
 #include "case/records/record_table.h"
-#include "upbead/base/quoted.h"
 #include "wave_checks.h"
 
 namespace upbead {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/text.h"
 #include "upbead/base/error.h"
-#include "upbead/base/text.h"
 
 namespace upbead {
 

@@ -3,8 +3,8 @@
 
 #include <optional>
 
+#include "respond/wave_files.h"
 #include "upbead/dynamics/modal_response.h"
-#include "upbead/respond/wave_files.h"
 
 namespace upbead {
 

@@ -2,12 +2,12 @@
 #include <cmath>
 #include <map>
 
+#include "base/magnitude.h"
+#include "base/quoted.h"
+#include "base/suggest.h"
+#include "base/units.h"
 #include "case/records/header_words.h"
-#include "upbead/base/magnitude.h"
-#include "upbead/base/quoted.h"
-#include "upbead/base/suggest.h"
-#include "upbead/base/units.h"
-#include "upbead/output/hdf5_reader.h"
+#include "output/hdf5_reader.h"
 #include "wave_checks.h"
 
 namespace upbead::detail {

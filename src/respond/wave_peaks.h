@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "upbead/output/wave_response.h"
+#include "output/wave_response.h"
 
 namespace upbead {
 

@@ -1,8 +1,8 @@
-#include "upbead/response/base_history.h"
+#include "response/base_history.h"
 
+#include "fem/caisson_readings.h"
 #include "inside_steps.h"
-#include "upbead/fem/caisson_readings.h"
-#include "upbead/response/shear_response.h"
+#include "response/shear_response.h"
 
 namespace upbead {
 

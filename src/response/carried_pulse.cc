@@ -1,11 +1,11 @@
-#include "upbead/response/carried_pulse.h"
+#include "response/carried_pulse.h"
 
 #include <algorithm>
 #include <cmath>
 #include <unsupported/Eigen/FFT>
 #include <vector>
 
-#include "upbead/base/constants.h"
+#include "base/constants.h"
 
 namespace upbead {
 

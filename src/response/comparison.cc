@@ -1,4 +1,4 @@
-#include "upbead/response/comparison.h"
+#include "response/comparison.h"
 
 #include <algorithm>
 #include <cmath>

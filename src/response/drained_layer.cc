@@ -1,11 +1,11 @@
-#include "upbead/response/drained_layer.h"
+#include "response/drained_layer.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
 
-#include "upbead/response/drained_skin.h"
+#include "response/drained_skin.h"
 
 namespace upbead {
 

@@ -1,4 +1,4 @@
-#include "upbead/response/drained_skin.h"
+#include "response/drained_skin.h"
 
 #include <array>
 #include <cmath>

@@ -1,11 +1,11 @@
-#include "upbead/response/far_echo.h"
+#include "response/far_echo.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "upbead/fem/far_sides.h"
-#include "upbead/response/wave_resolution.h"
+#include "fem/far_sides.h"
+#include "response/wave_resolution.h"
 
 namespace upbead {
 

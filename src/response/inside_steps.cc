@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "upbead/fem/caisson_readings.h"
+#include "fem/caisson_readings.h"
 
 namespace upbead {
 

@@ -4,9 +4,9 @@
 #include <Eigen/Core>
 #include <functional>
 
-#include "upbead/dynamics/interpolate.h"
+#include "dynamics/interpolate.h"
+#include "fem/compile.h"
 #include "upbead/dynamics/march.h"
-#include "upbead/fem/compile.h"
 
 namespace upbead {
 

@@ -1,4 +1,4 @@
-#include "upbead/response/least_pressure.h"
+#include "response/least_pressure.h"
 
 #include <algorithm>
 #include <set>

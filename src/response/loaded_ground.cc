@@ -1,4 +1,4 @@
-#include "upbead/response/loaded_ground.h"
+#include "response/loaded_ground.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,13 +1,13 @@
-#include "upbead/response/mesh_error.h"
+#include "response/mesh_error.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "upbead/base/constants.h"
-#include "upbead/fem/caisson_readings.h"
-#include "upbead/fem/surplus.h"
-#include "upbead/response/spectrum.h"
-#include "upbead/response/step_choice.h"
+#include "base/constants.h"
+#include "fem/caisson_readings.h"
+#include "fem/surplus.h"
+#include "response/spectrum.h"
+#include "response/step_choice.h"
 
 namespace upbead {
 

@@ -1,4 +1,4 @@
-#include "upbead/response/mobilisation.h"
+#include "response/mobilisation.h"
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/hp/fe_values.h>
@@ -121,7 +121,7 @@ std::vector<MobilisedStrength> Mobilisation::found() const {
     if (largest_[c] > 1.) of.share += soil.area;
     if (largest_[c] <= of.largest) continue;
     of.largest = largest_[c];
-    of.at = soil.middle;
+    of.at = {soil.middle[0], soil.middle[1]};
     of.time = time_[c];
   }
   for (std::size_t i = 0; i < list.size(); ++i)

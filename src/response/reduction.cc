@@ -1,4 +1,4 @@
-#include "upbead/response/reduction.h"
+#include "response/reduction.h"
 
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>
@@ -6,10 +6,10 @@
 #include <limits>
 #include <numeric>
 
+#include "base/text.h"
+#include "fem/caisson_readings.h"
+#include "response/step_choice.h"
 #include "upbead/base/error.h"
-#include "upbead/base/text.h"
-#include "upbead/fem/caisson_readings.h"
-#include "upbead/response/step_choice.h"
 
 namespace upbead {
 

@@ -1,10 +1,10 @@
-#include "upbead/response/scheme_choice.h"
+#include "response/scheme_choice.h"
 
 #include <algorithm>
 #include <cmath>
 
+#include "response/step_choice.h"
 #include "upbead/dynamics/time_grid.h"
-#include "upbead/response/step_choice.h"
 
 namespace upbead {
 

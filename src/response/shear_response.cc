@@ -1,13 +1,13 @@
-#include "upbead/response/shear_response.h"
+#include "response/shear_response.h"
 
 #include <algorithm>
 #include <cmath>
 #include <sstream>
 
+#include "base/text.h"
+#include "fem/caisson_readings.h"
 #include "inside_steps.h"
 #include "upbead/base/error.h"
-#include "upbead/base/text.h"
-#include "upbead/fem/caisson_readings.h"
 
 namespace upbead {
 

@@ -1,6 +1,6 @@
-#include "upbead/response/slip_law.h"
+#include "response/slip_law.h"
 
-#include "upbead/fem/caisson_readings.h"
+#include "fem/caisson_readings.h"
 
 namespace upbead {
 

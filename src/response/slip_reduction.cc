@@ -1,12 +1,12 @@
-#include "upbead/response/slip_reduction.h"
+#include "response/slip_reduction.h"
 
 #include <algorithm>
 #include <limits>
 #include <stdexcept>
 
-#include "upbead/fem/caisson_readings.h"
-#include "upbead/response/reduction.h"
-#include "upbead/system/interface.h"
+#include "fem/caisson_readings.h"
+#include "response/reduction.h"
+#include "system/interface.h"
 
 namespace upbead {
 

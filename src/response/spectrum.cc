@@ -1,14 +1,14 @@
-#include "upbead/response/spectrum.h"
+#include "response/spectrum.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "upbead/base/constants.h"
-#include "upbead/dynamics/frequency_response.h"
-#include "upbead/dynamics/projection.h"
-#include "upbead/fem/caisson_readings.h"
-#include "upbead/response/reduction.h"
-#include "upbead/response/step_choice.h"
+#include "base/constants.h"
+#include "dynamics/frequency_response.h"
+#include "dynamics/projection.h"
+#include "fem/caisson_readings.h"
+#include "response/reduction.h"
+#include "response/step_choice.h"
 
 namespace upbead {
 

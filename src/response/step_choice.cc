@@ -1,13 +1,13 @@
-#include "upbead/response/step_choice.h"
+#include "response/step_choice.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "upbead/algebra/factorisation.h"
-#include "upbead/base/constants.h"
-#include "upbead/base/stopwatch.h"
-#include "upbead/base/text.h"
-#include "upbead/fem/caisson_readings.h"
+#include "algebra/factorisation.h"
+#include "base/constants.h"
+#include "base/stopwatch.h"
+#include "base/text.h"
+#include "fem/caisson_readings.h"
 
 namespace upbead {
 

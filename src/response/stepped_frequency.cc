@@ -1,4 +1,4 @@
-#include "upbead/response/stepped_frequency.h"
+#include "response/stepped_frequency.h"
 
 #include <boost/math/constants/constants.hpp>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "upbead/response/strains.h"
+#include "response/strains.h"
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/hp/fe_values.h>

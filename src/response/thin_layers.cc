@@ -1,11 +1,11 @@
-#include "upbead/response/thin_layers.h"
+#include "response/thin_layers.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
 
-#include "upbead/response/wave_resolution.h"
+#include "response/wave_resolution.h"
 
 namespace upbead {
 

@@ -1,4 +1,4 @@
-#include "upbead/response/wave_resolution.h"
+#include "response/wave_resolution.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,12 @@
 #include "derived.h"
 
+#include "base/stopwatch.h"
 #include "contact/rest_forces.h"
+#include "fem/compile.h"
+#include "fem/scene_check.h"
 #include "sliding/case_sliding.h"
+#include "system/interface.h"
 #include "upbead/base/error.h"
-#include "upbead/base/stopwatch.h"
-#include "upbead/fem/scene_check.h"
-#include "upbead/system/interface.h"
 
 namespace upbead {
 

@@ -1,6 +1,7 @@
 // Simulations made of others.
 #pragma once
 
+#include "fem/compile.h"
 #include "upbead/run/simulation.h"
 
 namespace upbead {

@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fem/compile.h"
+#include "response/strains.h"
 #include "solve.h"
-#include "upbead/response/strains.h"
 
 namespace upbead {
 

@@ -1,10 +1,11 @@
-#include "upbead/run/histories.h"
+#include "run/histories.h"
 
 #include <map>
 #include <optional>
 
+#include "fem/base_readings.h"
+#include "fem/compile.h"
 #include "sliding/effective_base.h"
-#include "upbead/fem/base_readings.h"
 
 namespace upbead {
 

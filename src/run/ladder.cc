@@ -4,9 +4,10 @@
 
 #include <limits>
 
+#include "base/text.h"
+#include "fem/compile.h"
+#include "model/words.h"
 #include "upbead/base/error.h"
-#include "upbead/base/text.h"
-#include "upbead/model/words.h"
 
 namespace upbead {
 

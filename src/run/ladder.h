@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "response/shear_response.h"
 #include "solve.h"
-#include "upbead/response/shear_response.h"
 
 namespace upbead {
 

@@ -1,8 +1,8 @@
 #include "reduced_slip.h"
 
+#include "base/stopwatch.h"
 #include "sliding/loose_scene.h"
 #include "upbead/base/error.h"
-#include "upbead/base/stopwatch.h"
 
 namespace upbead {
 

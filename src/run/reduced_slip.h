@@ -4,8 +4,8 @@
 #include <functional>
 #include <string>
 
+#include "response/reduction.h"
 #include "upbead/output/model_file.h"
-#include "upbead/response/reduction.h"
 #include "upbead/run/simulation.h"
 
 namespace upbead {

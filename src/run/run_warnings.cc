@@ -1,9 +1,10 @@
 #include "run_warnings.h"
 
+#include "base/text.h"
 #include "contact/contact_demand.h"
+#include "fem/compile.h"
 #include "ladder.h"
 #include "sliding/read_sliding.h"
-#include "upbead/base/text.h"
 
 namespace upbead {
 

@@ -2,13 +2,14 @@
 
 #include "accuracy/adapt.h"
 #include "accuracy/error_account.h"
+#include "base/stopwatch.h"
 #include "contact/contact_run.h"
 #include "derived.h"
+#include "fem/compile.h"
 #include "ladder.h"
 #include "run_warnings.h"
+#include "system/part.h"
 #include "upbead/base/error.h"
-#include "upbead/base/stopwatch.h"
-#include "upbead/system/part.h"
 #include "warnings/scene_watch.h"
 
 namespace upbead {

@@ -1,7 +1,7 @@
 #include "size_check.h"
 
-#include "upbead/base/text.h"
-#include "upbead/response/step_choice.h"
+#include "base/text.h"
+#include "response/step_choice.h"
 #include "upbead/run/simulation.h"
 
 namespace upbead {

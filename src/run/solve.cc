@@ -2,14 +2,15 @@
 
 #include <algorithm>
 
+#include "base/constants.h"
+#include "base/stopwatch.h"
+#include "base/text.h"
+#include "fem/compile.h"
 #include "ladder.h"
+#include "response/reduction.h"
+#include "response/step_choice.h"
 #include "size_check.h"
 #include "sliding/read_sliding.h"
-#include "upbead/base/constants.h"
-#include "upbead/base/stopwatch.h"
-#include "upbead/base/text.h"
-#include "upbead/response/reduction.h"
-#include "upbead/response/step_choice.h"
 
 namespace upbead {
 

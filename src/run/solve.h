@@ -1,8 +1,8 @@
 // Solving a compiled case in time: by marching, or by a reduced model.
 #pragma once
 
+#include "response/scheme_choice.h"
 #include "upbead/dynamics/reduce.h"
-#include "upbead/response/scheme_choice.h"
 #include "upbead/run/simulation.h"
 
 namespace upbead {

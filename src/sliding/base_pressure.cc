@@ -1,4 +1,4 @@
-#include "upbead/sliding/base_pressure.h"
+#include "sliding/base_pressure.h"
 
 #include <algorithm>
 #include <cmath>

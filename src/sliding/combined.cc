@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "upbead/base/constants.h"
+#include "base/constants.h"
 
 namespace upbead {
 

@@ -1,8 +1,8 @@
 // One wave's way through the phases of a slip.
 #pragma once
 
+#include "sliding/coupled_slip.h"
 #include "slip_event.h"
-#include "upbead/sliding/coupled_slip.h"
 
 namespace upbead::detail {
 

@@ -1,13 +1,13 @@
-#include "upbead/sliding/coupled_slip.h"
+#include "sliding/coupled_slip.h"
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
 
+#include "base/text.h"
 #include "coupled_run.h"
 #include "upbead/base/error.h"
-#include "upbead/base/text.h"
 
 namespace upbead {
 

@@ -1,4 +1,4 @@
-#include "upbead/sliding/elastic_block.h"
+#include "sliding/elastic_block.h"
 
 #include <algorithm>
 #include <boost/math/tools/toms748_solve.hpp>

@@ -1,8 +1,8 @@
 // When a phase of a slip ends.
 #pragma once
 
-#include "upbead/dynamics/slip_path.h"
-#include "upbead/dynamics/slip_steps.h"
+#include "dynamics/slip_path.h"
+#include "dynamics/slip_steps.h"
 
 namespace upbead::detail {
 

@@ -1,7 +1,7 @@
 #include "key_units.h"
 
 #include "case/case_schema.h"
-#include "upbead/mesh/geo_parameters.h"
+#include "mesh/geo_parameters.h"
 #include "upbead/mesh/mesh.h"
 
 namespace upbead {

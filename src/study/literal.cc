@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "upbead/base/suggest.h"
+#include "base/suggest.h"
 
 namespace upbead {
 

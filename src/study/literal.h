@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "upbead/input/numbers.h"
-#include "upbead/input/values.h"
+#include "input/numbers.h"
+#include "input/values.h"
 
 namespace upbead {
 

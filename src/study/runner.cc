@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <new>
 
+#include "base/interrupt.h"
+#include "base/stopwatch.h"
 #include "case/case_run.h"
 #include "case/script_trust.h"
 #include "run/sliding/case_sliding.h"
 #include "run/sliding/read_sliding.h"
 #include "summary_reader.h"
 #include "upbead/base/error.h"
-#include "upbead/base/interrupt.h"
-#include "upbead/base/stopwatch.h"
 
 namespace upbead {
 

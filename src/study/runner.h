@@ -6,9 +6,9 @@
 #include <string>
 
 #include "run_result.h"
+#include "study/study.h"
 #include "upbead/case/case.h"
 #include "upbead/run/simulation.h"
-#include "upbead/study/study.h"
 
 namespace upbead {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "journal.h"
-#include "upbead/study/study.h"
+#include "study/study.h"
 
 namespace upbead {
 

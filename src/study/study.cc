@@ -1,14 +1,14 @@
-#include "upbead/study/study.h"
+#include "study/study.h"
 
 #include <algorithm>
 #include <filesystem>
 #include <set>
 
+#include "base/version.h"
 #include "case/fingerprint.h"
 #include "case/input_files.h"
 #include "key_units.h"
 #include "study_checks.h"
-#include "upbead/base/version.h"
 #include "upbead/case/case.h"
 #include "upbead/mesh/mesh.h"
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <set>
 
+#include "base/suggest.h"
 #include "summary_reader.h"
-#include "upbead/base/suggest.h"
 
 namespace upbead {
 

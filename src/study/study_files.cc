@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "output/table_file.h"
 #include "study_report.h"
 #include "upbead/input/node.h"
-#include "upbead/output/table_file.h"
 
 namespace upbead {
 

@@ -2,8 +2,8 @@
 
 #include <cstdio>
 
+#include "base/progress.h"
 #include "launch.h"
-#include "upbead/base/progress.h"
 
 namespace upbead {
 

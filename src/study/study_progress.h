@@ -1,7 +1,7 @@
 // The line that says how far a study is.
 #pragma once
 
-#include "upbead/base/stopwatch.h"
+#include "base/stopwatch.h"
 
 namespace upbead {
 

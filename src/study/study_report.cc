@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "upbead/base/text.h"
-#include "upbead/base/version.h"
-#include "upbead/output/versions.h"
+#include "base/text.h"
+#include "base/version.h"
+#include "output/versions.h"
 
 namespace upbead {
 

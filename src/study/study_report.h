@@ -4,7 +4,7 @@
 #include <string>
 
 #include "journal.h"
-#include "upbead/study/study.h"
+#include "study/study.h"
 
 namespace upbead {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "input/schema.h"
 #include "literal.h"
-#include "upbead/input/schema.h"
 
 namespace upbead {
 

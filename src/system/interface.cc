@@ -1,4 +1,4 @@
-#include "upbead/system/interface.h"
+#include "system/interface.h"
 
 #include <map>
 #include <numeric>

@@ -1,4 +1,4 @@
-#include "upbead/system/part.h"
+#include "system/part.h"
 
 #include <algorithm>
 #include <utility>

@@ -8,8 +8,8 @@
 #include <string>
 #include <utility>
 
+#include "base/constants.h"
 #include "require_positive.h"
-#include "upbead/base/constants.h"
 
 namespace upbead {
 

@@ -5,8 +5,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "base/constants.h"
 #include "require_positive.h"
-#include "upbead/base/constants.h"
 #include "upbead/waves/dispersion.h"
 #include "upbead/waves/impulsive.h"
 

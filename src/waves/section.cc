@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "upbead/base/text.h"
+#include "base/text.h"
 
 namespace upbead {
 

@@ -3,7 +3,7 @@
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
 
-#include "upbead/base/text.h"
+#include "base/text.h"
 #include "upbead/waves/dispersion.h"
 #include "upbead/waves/stability.h"
 

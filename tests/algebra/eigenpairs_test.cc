@@ -1,6 +1,6 @@
 // Claims: eigenpairs are those of a matrix made of known ones, real and complex; conjugate pairs stand side by side,
 // the positive imaginary part first; vectors have length 1.
-#include "upbead/algebra/eigenpairs.h"
+#include "algebra/eigenpairs.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 // definite blocks; what is singular is refused with a message.
 // Source: Vanderbei, Symmetric quasi-definite matrices, SIAM J. Optim. 5 (1995) 100; Sylvester's law of inertia.
 // Tolerances: 1e-13 of the equilibrated residual is 450 units of round-off, row by row.
-#include "upbead/algebra/factorisation.h"
+#include "algebra/factorisation.h"
 
 #include <gtest/gtest.h>
 

@@ -5,8 +5,8 @@
 #include <set>
 
 #include "../support/thread_processes.h"
+#include "algebra/factorisation.h"
 #include "quasi_definite.h"
-#include "upbead/algebra/factorisation.h"
 
 namespace upbead {
 namespace {

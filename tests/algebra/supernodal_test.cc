@@ -7,8 +7,8 @@
 
 #include "../../src/algebra/triangular_solve.h"
 #include "../../src/algebra/triangular_solve_variants.h"
+#include "algebra/factorisation.h"
 #include "quasi_definite.h"
-#include "upbead/algebra/factorisation.h"
 #include "upbead/base/error.h"
 
 namespace {

@@ -1,6 +1,6 @@
 // Claim: confined work can compute and hand back what it found, of any size, and nothing else; whatever it tries
 // besides is refused and told, and however it ends is told.
-#include "upbead/base/confined_work.h"
+#include "base/confined_work.h"
 
 #include <arpa/inet.h>
 #include <fcntl.h>
@@ -21,8 +21,8 @@
 #include <thread>
 #include <vector>
 
+#include "base/parcel.h"
 #include "upbead/base/error.h"
-#include "upbead/base/parcel.h"
 
 namespace upbead {
 namespace {

@@ -1,5 +1,5 @@
 // Claim: a table of numbers is read whatever program wrote it; every kind of damage is told by line and column.
-#include "upbead/base/csv.h"
+#include "base/csv.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -1,6 +1,6 @@
 // Claim: an output folder appears whole or not at all, and foreign files in it stay; an older result is replaced in one
 // step, so that a reader never meets a mixture.
-#include "upbead/base/files.h"
+#include "base/files.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>

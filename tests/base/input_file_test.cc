@@ -1,5 +1,5 @@
 // Claim: only files are read. What has no end, or one that may never come, is refused by name at once, with what to do.
-#include "upbead/base/input_file.h"
+#include "base/input_file.h"
 
 #include <gtest/gtest.h>
 #include <sys/socket.h>
@@ -12,7 +12,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "upbead/base/text_file.h"
+#include "base/text_file.h"
 
 namespace upbead {
 

@@ -1,5 +1,5 @@
 // Claim: the line tells percent and time left, and nothing is written where nobody watches.
-#include "upbead/base/progress.h"
+#include "base/progress.h"
 
 #include <gtest/gtest.h>
 

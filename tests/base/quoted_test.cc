@@ -1,11 +1,11 @@
 // Claim: what a message quotes of somebody else's text is short, on one line, and valid UTF-8; a message as a whole is
 // bounded too.
-#include "upbead/base/quoted.h"
+#include "base/quoted.h"
 
 #include <gtest/gtest.h>
 
+#include "base/suggest.h"
 #include "upbead/base/error.h"
-#include "upbead/base/suggest.h"
 
 namespace upbead {
 

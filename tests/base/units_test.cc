@@ -1,6 +1,6 @@
 // Claim: units are what laboratories mean by them. Source of the factors: BIPM, The International System of Units
 // (2019), and NIST SP 811 (2008), appendix B.
-#include "upbead/base/units.h"
+#include "base/units.h"
 
 #include <gtest/gtest.h>
 

@@ -6,10 +6,10 @@
 #include <numeric>
 #include <vector>
 
-#include "upbead/base/stopwatch.h"
-#include "upbead/expected/dynamic_law.h"
+#include "base/stopwatch.h"
+#include "expected/dynamic_law.h"
+#include "fem/caisson_readings.h"
 #include "upbead/expected/life.h"
-#include "upbead/fem/caisson_readings.h"
 #include "upbead/output/model_file.h"
 
 using namespace upbead;

@@ -12,18 +12,19 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
+#include "base/stopwatch.h"
 #include "case/case_run.h"
+#include "dynamics/batch_response.h"
+#include "dynamics/projection.h"
+#include "dynamics/state_space.h"
+#include "fem/caisson_readings.h"
+#include "fem/compile.h"
+#include "response/reduction.h"
+#include "response/scheme_choice.h"
+#include "response/shear_response.h"
+#include "response/step_choice.h"
 #include "upbead/algebra/petsc_session.h"
 #include "upbead/base/error.h"
-#include "upbead/base/stopwatch.h"
-#include "upbead/dynamics/batch_response.h"
-#include "upbead/dynamics/projection.h"
-#include "upbead/dynamics/state_space.h"
-#include "upbead/fem/caisson_readings.h"
-#include "upbead/response/reduction.h"
-#include "upbead/response/scheme_choice.h"
-#include "upbead/response/shear_response.h"
-#include "upbead/response/step_choice.h"
 #include "upbead/sliding/block.h"
 
 namespace upbead {

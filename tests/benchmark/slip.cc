@@ -12,9 +12,9 @@
 #include "../sliding/lumped.h"
 #include "../sliding/lumped_breakwater.h"
 #include "../sliding/random_waves.h"
+#include "base/stopwatch.h"
+#include "sliding/coupled_slip.h"
 #include "upbead/algebra/petsc_session.h"
-#include "upbead/base/stopwatch.h"
-#include "upbead/sliding/coupled_slip.h"
 
 namespace upbead {
 namespace {

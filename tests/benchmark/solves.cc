@@ -17,9 +17,10 @@
 
 #include "../../src/algebra/condensation.h"
 #include "../../src/algebra/ldlt.h"
+#include "base/stopwatch.h"
 #include "case/case_run.h"
+#include "fem/compile.h"
 #include "upbead/algebra/petsc_session.h"
-#include "upbead/base/stopwatch.h"
 
 namespace upbead {
 namespace {

@@ -2,9 +2,9 @@
 // and no value; what cannot be told apart is refused, never guessed.
 #include "case/records/record_layout.h"
 
+#include "base/csv.h"
 #include "case/records/header_words.h"
 #include "good_case.h"
-#include "upbead/base/csv.h"
 
 namespace upbead::test {
 

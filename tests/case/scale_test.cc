@@ -5,8 +5,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "case/scale.h"
 #include "good_case.h"
-#include "upbead/case/scale.h"
 
 namespace upbead::test {
 

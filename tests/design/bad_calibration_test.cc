@@ -3,9 +3,9 @@
 #include <vector>
 
 #include "../output/sample_model.h"
+#include "design/calibrate.h"
 #include "good_case.h"
 #include "upbead/base/error.h"
-#include "upbead/design/calibrate.h"
 
 namespace upbead::test {
 

@@ -4,7 +4,7 @@
 
 #include "good_case.h"
 #include "upbead/base/error.h"
-#include "upbead/design/design.h"
+#include "design/design.h"
 
 namespace upbead::test {
 namespace {

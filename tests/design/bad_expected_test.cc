@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "../output/sample_model.h"
+#include "design/expected.h"
 #include "good_case.h"
 #include "upbead/base/error.h"
-#include "upbead/design/expected.h"
 
 namespace upbead::test {
 

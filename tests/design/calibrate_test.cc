@@ -1,6 +1,6 @@
 // Claim: tau_0 of a pulse that is known is found, the calibration does not depend on the size of the breakwater, and
 // waves beyond the formulas are left out and counted.
-#include "upbead/design/calibrate.h"
+#include "design/calibrate.h"
 
 #include <algorithm>
 #include <cmath>

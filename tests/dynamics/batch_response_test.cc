@@ -1,7 +1,7 @@
 // Claims: a batch gives each wave what respond() gives it, for any number of loads, modes and samples; the part from
 // beyond a frequency is nearly nothing for a slow wave, all for a fast one, and for a kink what its spectrum says.
 // Tolerance 1e-12 of the peak: both sum some ten modes over some hundred steps.
-#include "upbead/dynamics/batch_response.h"
+#include "dynamics/batch_response.h"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 #include <stdexcept>
 
 #include "../../src/dynamics/mode_sum.h"
+#include "dynamics/band_check.h"
 #include "modal_models.h"
-#include "upbead/dynamics/band_check.h"
 #include "upbead/dynamics/modal_response.h"
 
 namespace {

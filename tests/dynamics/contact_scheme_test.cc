@@ -10,7 +10,7 @@
 
 #include "contact_systems.h"
 #include "sample_system.h"
-#include "upbead/system/interface.h"
+#include "system/interface.h"
 
 namespace {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "upbead/dynamics/contact.h"
+#include "dynamics/contact.h"
 #include "upbead/dynamics/march.h"
 
 namespace upbead::test {

@@ -5,8 +5,8 @@
 
 #include "../support/thread_processes.h"
 #include "sample_system.h"
+#include "system/part.h"
 #include "upbead/base/error.h"
-#include "upbead/system/part.h"
 
 namespace {
 

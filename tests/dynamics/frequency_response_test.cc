@@ -1,14 +1,14 @@
 // Claims: the Laplace transform of straight pieces is exact; a full Krylov space answers at a complex frequency as the
 // System itself does. Sources: closed forms. Tolerances: round-off.
-#include "upbead/dynamics/frequency_response.h"
+#include "dynamics/frequency_response.h"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
 #include <cmath>
 
+#include "dynamics/projection.h"
 #include "upbead/algebra/petsc_session.h"
-#include "upbead/dynamics/projection.h"
 
 namespace upbead::test {
 namespace {

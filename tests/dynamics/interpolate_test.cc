@@ -1,6 +1,6 @@
 // Claims: the quintic reproduces every polynomial of degree 5 with its derivatives, and its error falls with h^6.
 // Tolerance: round-off of coefficients of order 1 (1e-12 after division by h^2 = 0.09).
-#include "upbead/dynamics/interpolate.h"
+#include "dynamics/interpolate.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // M >= 0, sym(C) >= 0, K >= 0; on an exhausted space it answers the same; growing it gives what projecting at once
 // does; what couples phi with displacements in M or K is refused.
 // Tolerances: 1e-13 and 1e-12 of the largest entry or eigenvalue are round-off of sums over a dozen unknowns.
-#include "upbead/dynamics/projection.h"
+#include "dynamics/projection.h"
 
 #include <gtest/gtest.h>
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <numeric>
 
-#include "upbead/dynamics/projection.h"
-#include "upbead/dynamics/state_space.h"
+#include "dynamics/projection.h"
+#include "dynamics/state_space.h"
 
 namespace upbead::test {
 

@@ -1,7 +1,7 @@
 // Claims: the stuck phase is the system without s, with F_T the residual of its row; the phases that slip are the whole
 // system under the friction that their own N' makes; states pass between phases unchanged; curves, places and steps of
 // a phase are one motion; a slip that is not well posed, or feels what is prescribed, is refused; growth is told.
-#include "upbead/dynamics/slip_model.h"
+#include "dynamics/slip_model.h"
 
 #include <gtest/gtest.h>
 
@@ -10,10 +10,10 @@
 #include <random>
 #include <stdexcept>
 
+#include "dynamics/slip_path.h"
+#include "dynamics/slip_steps.h"
 #include "reduction_tools.h"
 #include "upbead/base/error.h"
-#include "upbead/dynamics/slip_path.h"
-#include "upbead/dynamics/slip_steps.h"
 
 namespace {
 

@@ -2,15 +2,15 @@
 // pole grows and the energy |s|^2 / 2 never does without load, undamped or damped, not in 1e6 units of time either;
 // readings that would need f' are refused; masses that nothing holds go where the loads take them.
 // Tolerances: round-off of the matrices' norm; 1e-9 after 2^20 products of matrices.
-#include "upbead/dynamics/state_space.h"
+#include "dynamics/state_space.h"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
 #include <unsupported/Eigen/MatrixFunctions>
 
+#include "algebra/eigenpairs.h"
 #include "reduction_tools.h"
-#include "upbead/algebra/eigenpairs.h"
 #include "upbead/base/error.h"
 
 namespace {

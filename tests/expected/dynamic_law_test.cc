@@ -1,6 +1,6 @@
 // Claim: the law dynamic is slide() on the reduced model's answer; a stiff caisson passes its force on unchanged; what
 // is skipped would not have slid.
-#include "upbead/expected/dynamic_law.h"
+#include "expected/dynamic_law.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Claim: the force of a wave is the declared one: its peak, rise, duration and impulse.
-#include "upbead/expected/impact.h"
+#include "expected/impact.h"
 
 #include <gtest/gtest.h>
 

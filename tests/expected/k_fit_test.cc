@@ -1,6 +1,6 @@
 // Claim: the fit of k(alpha*) finds planted a and b, its confidence ellipse holds them as often as it says, and it
 // tells where points say nothing about them.
-#include "upbead/expected/k_fit.h"
+#include "expected/k_fit.h"
 
 #include <gtest/gtest.h>
 

@@ -9,8 +9,8 @@
 #include <thread>
 
 #include "caissons.h"
+#include "expected/statistics.h"
 #include "upbead/expected/expectation.h"
-#include "upbead/expected/statistics.h"
 
 namespace upbead::test {
 

@@ -1,5 +1,5 @@
 // Claim: mean, intervals, quantiles and probabilities of a sample are the textbook's.
-#include "upbead/expected/statistics.h"
+#include "expected/statistics.h"
 
 #include <gtest/gtest.h>
 

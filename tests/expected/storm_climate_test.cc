@@ -1,6 +1,6 @@
 // Claim: storms have the heights, numbers, tides and waves that were asked for, and lives of them the expectation of
 // nested quadrature.
-#include "upbead/expected/storm_climate.h"
+#include "expected/storm_climate.h"
 
 #include <gtest/gtest.h>
 
@@ -8,9 +8,9 @@
 #include <cmath>
 
 #include "caissons.h"
+#include "expected/statistics.h"
 #include "upbead/expected/expectation.h"
 #include "upbead/expected/life.h"
-#include "upbead/expected/statistics.h"
 #include "upbead/waves/random_breaking.h"
 
 namespace upbead::test {

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fem/faces.h"
+#include "mesh/refine.h"
+#include "response/shear_response.h"
 #include "scenes.h"
-#include "upbead/fem/faces.h"
-#include "upbead/mesh/refine.h"
-#include "upbead/response/shear_response.h"
 
 namespace upbead::test {
 namespace {

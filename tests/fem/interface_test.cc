@@ -5,11 +5,11 @@
 
 #include <cmath>
 
+#include "fem/caisson_readings.h"
+#include "fem/static_stage.h"
+#include "mesh/refine.h"
 #include "scenes.h"
-#include "upbead/fem/caisson_readings.h"
-#include "upbead/fem/static_stage.h"
-#include "upbead/mesh/refine.h"
-#include "upbead/system/interface.h"
+#include "system/interface.h"
 
 namespace upbead::test {
 namespace {

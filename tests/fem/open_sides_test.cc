@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "response/shear_response.h"
 #include "scenes.h"
-#include "upbead/response/shear_response.h"
 
 namespace upbead::test {
 namespace {

@@ -1,7 +1,7 @@
 // Claim: every way in which a scene and a mesh may not fit is said with the key to look at. Source: the checks'
 // contract in scene_check.h.
 
-#include "upbead/fem/scene_check.h"
+#include "fem/scene_check.h"
 
 #include <gtest/gtest.h>
 

@@ -4,8 +4,8 @@
 
 #include <limits>
 
+#include "fem/scene_check.h"
 #include "scenes.h"
-#include "upbead/fem/scene_check.h"
 
 namespace upbead::test {
 namespace {

@@ -3,7 +3,7 @@
 // half-plane, s_x + s_y = (2q/pi) alpha, alpha the angle that it subtends (Flamant; Poulos and Davis 1974,
 // section 3.1).
 
-#include "upbead/fem/static_stage.h"
+#include "fem/static_stage.h"
 
 #include <gtest/gtest.h>
 

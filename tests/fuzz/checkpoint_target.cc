@@ -1,7 +1,7 @@
 // A checkpoint that is read fits together.
 #include "hdf5_changes.h"
+#include "output/checkpoint_file.h"
 #include "target.h"
-#include "upbead/output/checkpoint_file.h"
 
 namespace upbead::fuzz {
 

@@ -2,12 +2,12 @@
 // the force and the warnings of transducers.
 #include <cmath>
 
+#include "base/csv.h"
 #include "case/case_history.h"
 #include "case/records/gauge_keys.h"
+#include "respond/wave_files.h"
 #include "respond/wave_grid.h"
 #include "target.h"
-#include "upbead/base/csv.h"
-#include "upbead/respond/wave_files.h"
 
 namespace upbead::fuzz {
 

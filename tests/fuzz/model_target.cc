@@ -1,8 +1,8 @@
 // A reduced model that is read fits together and is finite.
 #include "hdf5_changes.h"
 #include "output/sample_model.h"
+#include "respond/wave_files.h"
 #include "target.h"
-#include "upbead/respond/wave_files.h"
 
 namespace upbead::fuzz {
 

@@ -1,5 +1,5 @@
 // For targets whose files the libraries can read: without a process for each, a hundred times as many.
-#include "upbead/base/confined_work.h"
+#include "base/confined_work.h"
 
 namespace upbead {
 

@@ -1,5 +1,5 @@
 // The versions of all libraries, which only their layers know, and those are not linked.
-#include "upbead/output/versions.h"
+#include "output/versions.h"
 
 namespace upbead {
 

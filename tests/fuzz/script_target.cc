@@ -1,7 +1,7 @@
 // A script is scanned to its end, whatever stands in it; parameters have names, commands places.
+#include "mesh/geo_parameters.h"
 #include "mesh/outside_commands.h"
 #include "target.h"
-#include "upbead/mesh/geo_parameters.h"
 
 namespace upbead::fuzz {
 

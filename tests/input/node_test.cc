@@ -5,7 +5,7 @@
 
 #include <limits>
 
-#include "upbead/input/range.h"
+#include "input/range.h"
 
 namespace upbead {
 

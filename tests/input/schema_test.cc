@@ -1,5 +1,5 @@
 // Claim: one declaration reads, checks, echoes and documents a table.
-#include "upbead/input/schema.h"
+#include "input/schema.h"
 
 #include <gtest/gtest.h>
 

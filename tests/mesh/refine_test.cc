@@ -1,6 +1,6 @@
 // Claims: cells that are chosen are split; neighbours differ by one level at most; surfaces meet without hanging nodes;
 // names survive, also those of a copy on cells half as large.
-#include "upbead/mesh/refine.h"
+#include "mesh/refine.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Claims: every way that a scene cannot take is told at the key that asks for what the way does not do, and only then;
 // the table names every one of them once.
-#include "upbead/model/exclusions.h"
+#include "model/exclusions.h"
 
 #include <gtest/gtest.h>
 

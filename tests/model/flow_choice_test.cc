@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "upbead/model/choices.h"
+#include "model/choices.h"
 
 namespace upbead {
 

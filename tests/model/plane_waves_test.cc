@@ -1,7 +1,7 @@
 // Claims: lambda^2 solves the equations of docs/theory.md, written out anew as a 3 x 3 system; without drag the speeds
 // are those of the two matrices M and A, with much drag the fast wave is undrained and the slow one diffuses with c_v;
 // darcy flow and drained soil are limits.
-#include "upbead/model/plane_waves.h"
+#include "model/plane_waves.h"
 
 #include <gtest/gtest.h>
 

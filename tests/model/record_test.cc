@@ -1,7 +1,7 @@
 // Claims: a sound record brings no warning, smooth, rough or with a long rest; each fault brings its own warning, and
 // no other, with the number that it was made with; the corners of an idealised history are no record; two transducers
 // that were exchanged are named.
-#include "upbead/model/record.h"
+#include "model/record.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "upbead/model/words.h"
+#include "model/words.h"
 
 namespace upbead {
 

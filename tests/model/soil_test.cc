@@ -1,13 +1,11 @@
 // Claim: the soil's laws are the formulas of their sources, and Rayleigh damping says how far it is from what was
 // asked.
-#include "upbead/model/soil.h"
+#include "upbead/model/region.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-
-#include "upbead/model/region.h"
 
 namespace upbead {
 namespace {

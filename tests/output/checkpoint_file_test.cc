@@ -1,6 +1,6 @@
 // Claim: a checkpoint is read back as it was written, every number to the last bit, also with nothing in its lists;
 // what is no whole checkpoint is refused with the file's name.
-#include "upbead/output/checkpoint_file.h"
+#include "output/checkpoint_file.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -10,8 +10,8 @@
 #include <fstream>
 #include <limits>
 
+#include "output/result_file.h"
 #include "upbead/base/error.h"
-#include "upbead/output/result_file.h"
 
 namespace {
 

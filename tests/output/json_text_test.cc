@@ -1,6 +1,6 @@
 // Claim: JSON never holds a number that is not finite; the message names where it is.
 
-#include "upbead/output/json_text.h"
+#include "output/json_text.h"
 
 #include <gtest/gtest.h>
 

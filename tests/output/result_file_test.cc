@@ -1,12 +1,12 @@
 // Claim: results.h5 holds its histories with unit and description, and never a number that is not finite.
-#include "upbead/output/result_file.h"
+#include "output/result_file.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
+#include "output/hdf5_reader.h"
 #include "sample_model.h"
-#include "upbead/output/hdf5_reader.h"
 
 namespace upbead::test {
 

@@ -6,10 +6,10 @@
 #include <functional>
 
 #include "../output/sample_model.h"
-#include "upbead/respond/respond_waves.h"
-#include "upbead/response/slip_reduction.h"
-#include "upbead/sliding/coupled_slip.h"
-#include "upbead/sliding/elastic_block.h"
+#include "respond/respond_waves.h"
+#include "response/slip_reduction.h"
+#include "sliding/coupled_slip.h"
+#include "sliding/elastic_block.h"
 
 namespace upbead::test {
 

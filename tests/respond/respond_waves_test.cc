@@ -1,6 +1,6 @@
 // Claim: the answer to a wave is that of its straight lines and jumps, however its times are spaced; peaks, ratios and
 // what lies beyond the model's frequencies are read off as in a run.
-#include "upbead/respond/respond_waves.h"
+#include "respond/respond_waves.h"
 
 #include <gtest/gtest.h>
 

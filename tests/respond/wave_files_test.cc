@@ -1,5 +1,5 @@
 // Claim: waves come as people write them, CSV or HDF5; what does not fit the model is told by file, line and name.
-#include "upbead/respond/wave_files.h"
+#include "respond/wave_files.h"
 
 #include <hdf5.h>
 

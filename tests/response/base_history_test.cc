@@ -1,14 +1,14 @@
 // Claim: between the ends of long steps the history of F_T is that of short steps, and where the force jumps it holds
 // both values.
-#include "upbead/response/base_history.h"
+#include "response/base_history.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "response/shear_response.h"
 #include "scenes.h"
-#include "upbead/response/shear_response.h"
 
 namespace upbead::test {
 namespace {

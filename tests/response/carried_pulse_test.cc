@@ -3,15 +3,15 @@
 // errs by is what is told, within a factor: stress and pressure over the load's largest value, at any point of a cell.
 // Source: Ainsworth (2004), Discrete dispersion relation for hp-version finite element approximation at high wave
 // number, SIAM J. Numer. Anal. 42, 553-575.
-#include "upbead/response/carried_pulse.h"
+#include "response/carried_pulse.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "model/plane_waves.h"
 #include "scenes.h"
-#include "upbead/model/plane_waves.h"
 
 namespace upbead::test {
 namespace {

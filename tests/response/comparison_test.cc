@@ -1,5 +1,5 @@
 // Claim: a history that is larger and later than a record is told so by how much.
-#include "upbead/response/comparison.h"
+#include "response/comparison.h"
 
 #include <gtest/gtest.h>
 

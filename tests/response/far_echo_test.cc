@@ -1,6 +1,6 @@
 // Claims: the first echo is that of the nearer side, from the mound's toe and by shear waves; absorbing sides are heard
 // in saturated ground only; a column has none, and seas do not hide the ground.
-#include "upbead/response/far_echo.h"
+#include "response/far_echo.h"
 
 #include <gtest/gtest.h>
 

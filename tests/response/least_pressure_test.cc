@@ -1,16 +1,16 @@
 // Claims: the least absolute pressure of a march is the least of all nodes and steps, atmosphere and depth included; a
 // reduced model tells the same place and value as the march. Tolerances: round-off; 3 % of the excess for the reduced
 // model, whose pressures have that error.
-#include "upbead/response/least_pressure.h"
+#include "response/least_pressure.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <limits>
 
+#include "fem/static_stage.h"
+#include "response/reduction.h"
 #include "scenes.h"
-#include "upbead/fem/static_stage.h"
-#include "upbead/response/reduction.h"
 
 namespace upbead::test {
 namespace {

@@ -1,15 +1,15 @@
 // Claims: the estimate of what the cells make of F_T falls as they are split, the largest shares lie at the caisson's
 // bottom corners, of mirror images both; the spectrum tells the response of one scene from another's.
-#include "upbead/response/mesh_error.h"
+#include "response/mesh_error.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "fem/caisson_readings.h"
+#include "response/spectrum.h"
 #include "scenes.h"
-#include "upbead/fem/caisson_readings.h"
-#include "upbead/response/spectrum.h"
 
 namespace upbead::test {
 namespace {

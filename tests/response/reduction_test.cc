@@ -1,7 +1,7 @@
 // Claims: the times of a reduced answer meet the kinks of the loads and the samples of rough records, and keep the
 // case's own step where it follows the loads; a model that has not converged is refused with its error and the worst
 // reading; the model of a scene errs against a march by less than was asked for.
-#include "upbead/response/reduction.h"
+#include "response/reduction.h"
 
 #include <gtest/gtest.h>
 

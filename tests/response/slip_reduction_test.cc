@@ -1,16 +1,16 @@
 // Claims: the reduced model of a scene whose caisson may slip sticks as its glued twin does, and errs by less than was
 // asked for; friction below what F_T needs slips it, with a rigid motion that the soil does not see; a larger model
 // slips it as far; scenes without an interface are refused.
-#include "upbead/response/slip_reduction.h"
+#include "response/slip_reduction.h"
 
 #include <gtest/gtest.h>
 
 #include <stdexcept>
 
+#include "fem/caisson_readings.h"
+#include "response/reduction.h"
 #include "scenes.h"
-#include "upbead/fem/caisson_readings.h"
-#include "upbead/response/reduction.h"
-#include "upbead/sliding/coupled_slip.h"
+#include "sliding/coupled_slip.h"
 
 namespace upbead::test {
 namespace {

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "upbead/base/stopwatch.h"
+#include "base/stopwatch.h"
+#include "dynamics/response_error.h"
+#include "fem/caisson_readings.h"
 #include "upbead/dynamics/modal_response.h"
-#include "upbead/dynamics/response_error.h"
-#include "upbead/fem/caisson_readings.h"
 
 namespace upbead::test {
 

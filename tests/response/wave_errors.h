@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "dynamics/kernel.h"
 #include "random_records.h"
+#include "response/reduction.h"
 #include "scenes.h"
-#include "upbead/dynamics/kernel.h"
 #include "upbead/dynamics/nested_models.h"
-#include "upbead/response/reduction.h"
 
 namespace upbead::test {
 

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "case/case_run.h"
+#include "fem/compile.h"
 #include "good_case.h"
 #include "upbead/algebra/petsc_session.h"
 #include "upbead/base/error.h"

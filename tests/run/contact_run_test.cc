@@ -5,11 +5,12 @@
 #include <cmath>
 
 #include "case/case_run.h"
+#include "fem/caisson_readings.h"
+#include "fem/compile.h"
 #include "good_case.h"
 #include "section_case.h"
 #include "upbead/algebra/petsc_session.h"
 #include "upbead/base/error.h"
-#include "upbead/fem/caisson_readings.h"
 
 namespace upbead::test {
 namespace {

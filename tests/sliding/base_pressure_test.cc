@@ -1,5 +1,5 @@
 // Claim: edge pressures balance N' and M' exactly, whether the whole bottom is pressed or only a part of it.
-#include "upbead/sliding/base_pressure.h"
+#include "sliding/base_pressure.h"
 
 #include <gtest/gtest.h>
 

@@ -9,10 +9,10 @@
 #include <complex>
 #include <random>
 
+#include "dynamics/slip_path.h"
+#include "dynamics/slip_within_step.h"
 #include "lumped.h"
 #include "upbead/base/error.h"
-#include "upbead/dynamics/slip_path.h"
-#include "upbead/dynamics/slip_within_step.h"
 #include "upbead/sliding/pulse.h"
 
 namespace upbead::test {

@@ -11,7 +11,7 @@
 #include "lumped.h"
 #include "lumped_breakwater.h"
 #include "random_waves.h"
-#include "upbead/sliding/coupled_slip.h"
+#include "sliding/coupled_slip.h"
 #include "upbead/sliding/pulse.h"
 
 namespace upbead::test {

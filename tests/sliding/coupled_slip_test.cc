@@ -2,7 +2,7 @@
 // (tests/reference/ref7_sliding.json), the exact block on rigid ground and on a stiff one, two masses under any
 // history.
 
-#include "upbead/sliding/coupled_slip.h"
+#include "sliding/coupled_slip.h"
 
 #include <gtest/gtest.h>
 

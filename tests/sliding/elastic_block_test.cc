@@ -1,7 +1,7 @@
 // Claim: a block that may slip on an elastic base slips as far, and transmits as much, as event-exact references say
 // (tests/reference/ref7_sliding.json, parts B and C); on a stiff base it is the block on rigid ground.
 
-#include "upbead/sliding/elastic_block.h"
+#include "sliding/elastic_block.h"
 
 #include <gtest/gtest.h>
 

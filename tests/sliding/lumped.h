@@ -1,8 +1,8 @@
 // Caissons that slip, made by hand.
 #pragma once
 
-#include "upbead/sliding/coupled_slip.h"
-#include "upbead/sliding/elastic_block.h"
+#include "sliding/coupled_slip.h"
+#include "sliding/elastic_block.h"
 #include "upbead/system/system.h"
 
 namespace upbead::test {

@@ -1,7 +1,7 @@
 // A breakwater of masses, springs and pores, of the size of a reduced model.
 #pragma once
 
-#include "upbead/dynamics/slip_model.h"
+#include "dynamics/slip_model.h"
 
 namespace upbead::test {
 

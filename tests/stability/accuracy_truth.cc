@@ -5,10 +5,10 @@
 #include <map>
 #include <set>
 
+#include "base/stopwatch.h"
+#include "fem/caisson_readings.h"
+#include "mesh/refine.h"
 #include "upbead/base/error.h"
-#include "upbead/base/stopwatch.h"
-#include "upbead/fem/caisson_readings.h"
-#include "upbead/mesh/refine.h"
 
 namespace upbead::test {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "upbead/dynamics/contact.h"
-#include "upbead/fem/caisson_readings.h"
+#include "dynamics/contact.h"
+#include "fem/caisson_readings.h"
 
 namespace upbead::test {
 

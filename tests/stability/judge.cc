@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algebra/factorisation.h"
 #include "case/case_run.h"
 #include "equilibrated.h"
-#include "upbead/algebra/factorisation.h"
+#include "fem/compile.h"
 #include "upbead/base/error.h"
 
 namespace upbead::test {

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <complex>
 
+#include "dynamics/frequency_response.h"
+#include "dynamics/projection.h"
 #include "scenes.h"
-#include "upbead/dynamics/frequency_response.h"
-#include "upbead/dynamics/projection.h"
 
 namespace upbead::test {
 

@@ -11,11 +11,11 @@
 #include <map>
 #include <regex>
 
+#include "base/stopwatch.h"
 #include "both_ways.h"
 #include "judge.h"
 #include "random_case.h"
 #include "upbead/algebra/petsc_session.h"
-#include "upbead/base/stopwatch.h"
 
 namespace upbead::test {
 namespace {

@@ -1,6 +1,6 @@
 // Claim: every mistake in a study is told at its place with a cure, also those in the settings of its cases.
 #include "good_case.h"
-#include "upbead/study/study.h"
+#include "study/study.h"
 
 namespace upbead::test {
 

@@ -4,7 +4,7 @@
 #include <set>
 
 #include "good_case.h"
-#include "upbead/study/study.h"
+#include "study/study.h"
 
 namespace upbead::test {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "fem/compile.h"
 #include "upbead/dynamics/march.h"
-#include "upbead/fem/compile.h"
 #include "upbead/fem/resolve.h"
 #include "upbead/mesh/mesh.h"
 

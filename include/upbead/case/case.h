@@ -1,17 +1,48 @@
 // A case: the file that a person wrote, and the scene that it describes.
 #pragma once
 
+#include <array>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "upbead/case/gauge_source.h"
-#include "upbead/case/measured_source.h"
 #include "upbead/input/document.h"
+#include "upbead/model/gauges.h"
 #include "upbead/model/scene.h"
 
 namespace upbead {
+
+struct RecordClock {
+  double zero = 0.;                     ///< s from the record's beginning that it rests; its mean there is taken off
+  double record_start = 0.;             ///< its time that is t = 0 of the run (s)
+  std::optional<double> sampling_rate;  ///< Hz; none: the first column is the time
+};
+
+/// The keys of a load of kind "pressures", or of a prescribed uplift.
+struct GaugeSource : RecordClock {
+  std::string gauges;                   ///< file; "" where there are none
+  std::map<std::string, double> place;  ///< of each transducer, by the name of its column (m)
+  std::optional<std::array<double, 2>> ends;
+  Beyond to_first = Beyond::constant, to_last = Beyond::constant;
+  std::string gauge_unit;  ///< "": as the headers say
+  std::string load_cell;   ///< name of a column; "" where there is none
+};
+
+/// A load by transducers, which become a load each in the scene.
+struct GaugeLoad {
+  Load load;           ///< what the transducers have in common, as written
+  GaugeSource source;  ///< paths as written
+  Gauges gauges;       ///< read
+};
+
+/// A table [measured.NAME] as written.
+struct MeasuredSource : RecordClock {
+  std::string file;     ///< as written
+  std::string column;   ///< "": the second, or the first where there is no column of times
+  std::string reading;  ///< history below /history of results.h5
+  std::string unit;     ///< "": as the header says
+};
 
 struct MeshRequest;
 

@@ -7,15 +7,119 @@
 
 #include "upbead/base/numbered_warning.h"
 #include "upbead/dynamics/energy.h"
-#include "upbead/output/contact_summary.h"
-#include "upbead/output/ladder.h"
-#include "upbead/output/sliding_summary.h"
-#include "upbead/response/comparison.h"
-#include "upbead/response/mobilisation.h"
-#include "upbead/response/reduction.h"
-#include "upbead/response/shear_response.h"
+#include "upbead/fem/load_on_caisson.h"
+#include "upbead/response/findings.h"
+#include "upbead/sliding/history_sliding.h"
 
 namespace upbead {
+
+/// One way, and why its answer was not taken.
+struct LadderStep {
+  std::string way;      ///< for people: "reduced", "sdirk4", "sdirk4, steps of 0.001 s"
+  std::string refused;  ///< the reason with its numbers; "" where it was taken
+};
+
+/// In the order in which they were tried; the last one was taken.
+using Ladder = std::vector<LadderStep>;
+
+/// How near the glued caisson comes to slipping or lifting, at the node where it comes nearest.
+struct GluedDemand {
+  double slip = 0.;          ///< largest |T_i| / (mu N_i); infinite (told as null) where a node pulls
+  double least_normal = 0.;  ///< least N_i over N_i at rest; below 0 a node pulls
+  double margin = 0.;        ///< of both, for errors of the forces: 0 where it was marched
+  bool reached = false;      ///< whether one of them comes to its limit within the margin
+};
+
+/// What the bottom did, node by node.
+struct NodeContact {
+  double slip = 0.;                      ///< mean over the bottom in the end, landward: S (m)
+  std::optional<double> error_estimate;  ///< of it (m); none where the case does not ask for one
+  double largest_slip = 0.;              ///< mean over the bottom, of largest magnitude on the way (m)
+  double least_slip = 0.;          ///< in the end, of the node that slipped least: so far the whole bottom has gone (m)
+  double opening_seaward = 0.;     ///< largest, of the seaward end (m)
+  double opening_landward = 0.;    ///< largest, of the landward end (m)
+  double least_contact = 1.;       ///< least share of the bottom's width that is in contact
+  double least_normal_force = 0.;  ///< least sum of N_i (N/m)
+  std::optional<double> first_slip;    ///< when a node first slips (s)
+  std::optional<double> first_open;    ///< when a node first opens (s)
+  double dissipated = 0.;              ///< energy that friction took (J/m)
+  int slip_steps = 0, open_steps = 0;  ///< steps in which a node slipped, was open
+  int impacts = 0;                     ///< how often a node closed
+  int fallbacks = 0;                   ///< contact problems that took the slow way
+};
+
+struct ContactSummary {
+  double friction = 0.;  ///< mu
+  double weight = 0.;    ///< sum of N_i at rest (N/m)
+  int nodes = 0;
+  GluedDemand demand;
+  std::optional<NodeContact> solved;  ///< none where the glued solution obeys the law
+};
+
+/// At the ends of the steps; N by step and node, row by row.
+struct ContactHistory {
+  std::vector<double> position, length;           ///< of the nodes (m)
+  std::vector<double> time;                       ///< s
+  std::vector<double> slip, opening;              ///< m
+  std::vector<double> shear_force, normal_force;  ///< T_i, landward on the ground, and effective N_i (N/m)
+};
+
+/// S by tau_0 of eqs. (8)-(11) of Shimosako and Takahashi (1994) and the run's own F_Smax.
+struct PulseSliding {
+  double standing_duration = 0.;  ///< tau_0F (s)
+  double factor = 0.;             ///< k(alpha*)
+  double duration = 0.;           ///< tau_0 (s)
+  double paper = 0.;              ///< S_CAL, eq. (7) (m)
+  PaperParts paper_parts;         ///< S_1 and S_2
+  double exact = 0.;              ///< by integrating eqs. (4) and (6) (m)
+};
+
+/// S of a caisson that slips as a whole on the soil, mound and water of the scene, which it shakes.
+struct CoupledSummary {
+  Sliding slip;                          ///< over the mound
+  double dissipated = 0.;                ///< by friction (J/m)
+  double peak_shear = 0.;                ///< F_T of largest magnitude (N/m)
+  double least_normal = 0.;              ///< least N' (N/m)
+  double lifted_time = 0.;               ///< for so long N' would have been negative (s)
+  int vectors = 0;                       ///< of its Krylov space; 0 where the glued caisson does not reach its friction
+  double error = 0.;                     ///< of the forces between nested models, over their largest values
+  double glued_error = 0.;               ///< of F_T while it sticks, against the glued solution, over its peak
+  double growth = 0.;                    ///< of the fastest vibration that friction feeds (1/s)
+  double damping_time = 0.;              ///< of the damping against fast ones: ratio omega/2 times it (s)
+  double damping_effect = 0.;            ///< what twice that damping changes of S (m)
+  std::optional<double> error_estimate;  ///< of S, by cells too large (m)
+};
+
+/// At the samples of the loads.
+struct CoupledHistoryTable {
+  std::vector<double> time;                       ///< s
+  std::vector<double> shear_force, normal_force;  ///< F_T, N' (N/m)
+  std::vector<double> velocity, slip;             ///< s' (m/s), s (m)
+  std::vector<double> displacement;               ///< x_G, the slip included (m)
+};
+
+/// The triangular pulse with the peak and the impulse of F_S.
+struct EqualImpulse {
+  double duration = 0.;  ///< tau_0 (s)
+  double paper = 0.;     ///< S_CAL, eq. (7) (m)
+  double exact = 0.;     ///< by integrating eqs. (4) and (6) (m)
+};
+
+struct SlidingSummary {
+  double weight = 0.;          ///< W (N/m)
+  double buoyant_weight = 0.;  ///< W' (N/m)
+  double friction = 0.;        ///< mu
+  double drag = 0.;            ///< F_D over velocity (N s/m2)
+  std::string uplift;          ///< none, prescribed or computed
+  HistorySliding history;
+  std::optional<PulseSliding> pulse;          ///< where the case names a wave
+  std::optional<EqualImpulse> equal_impulse;  ///< where F_S has a landward peak
+  std::optional<CoupledSummary> coupled;      ///< where it can be told
+  std::string why_not_coupled;                ///< else
+  bool coupled_failed = false;                ///< for the numerics, not for what the scene is
+  std::optional<double> error_estimate;       ///< of S by eq. (4) on F_T(t) (m)
+  std::string why_no_estimate;                ///< else
+};
 
 struct Discretisation {
   int cells = 0;

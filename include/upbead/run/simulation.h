@@ -9,12 +9,15 @@
 
 #include "upbead/dynamics/march.h"
 #include "upbead/dynamics/reduce.h"
-#include "upbead/fem/compile.h"
 #include "upbead/fem/resolve.h"
 #include "upbead/mesh/mesh.h"
 #include "upbead/output/summary.h"
 
 namespace upbead {
+
+class Space;
+class Unknowns;
+struct CompiledScene;
 
 /// How wrong cells make F_T.
 struct ShearError {

@@ -6,10 +6,10 @@
 #include <utility>
 #include <vector>
 
+#include "input/schema.h"
 #include "record_clock_keys.h"
-#include "upbead/case/gauge_source.h"
+#include "upbead/case/case.h"
 #include "upbead/input/document.h"
-#include "upbead/input/schema.h"
 
 namespace upbead {
 

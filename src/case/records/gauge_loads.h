@@ -1,7 +1,7 @@
 // Loads of a scene made of transducers.
 #pragma once
 
-#include "upbead/case/gauge_source.h"
+#include "upbead/case/case.h"
 #include "upbead/model/scene.h"
 
 namespace upbead {

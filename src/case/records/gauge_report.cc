@@ -2,8 +2,9 @@
 
 #include <cmath>
 
-#include "upbead/base/largest.h"
-#include "upbead/base/text.h"
+#include "base/largest.h"
+#include "base/text.h"
+#include "fem/compile.h"
 
 namespace upbead {
 

@@ -5,7 +5,7 @@
 #include <set>
 #include <vector>
 
-#include "upbead/base/units.h"
+#include "base/units.h"
 
 namespace upbead {
 

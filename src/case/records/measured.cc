@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "base/quoted.h"
+#include "base/suggest.h"
+#include "base/text.h"
 #include "header_words.h"
 #include "record_columns.h"
-#include "upbead/base/quoted.h"
-#include "upbead/base/suggest.h"
-#include "upbead/base/text.h"
+#include "response/comparison.h"
 
 namespace upbead {
 

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "output/result_file.h"
 #include "record_layout.h"
 #include "upbead/case/case.h"
-#include "upbead/output/result_file.h"
 #include "upbead/output/summary.h"
 
 namespace upbead {

@@ -1,8 +1,8 @@
 // The keys of a table [measured.NAME].
 #pragma once
 
-#include "upbead/case/measured_source.h"
-#include "upbead/input/schema.h"
+#include "input/schema.h"
+#include "upbead/case/case.h"
 
 namespace upbead {
 

@@ -1,8 +1,8 @@
 // The keys of RecordClock.
 #pragma once
 
-#include "upbead/case/record_clock.h"
-#include "upbead/input/schema.h"
+#include "input/schema.h"
+#include "upbead/case/case.h"
 
 namespace upbead {
 

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/quoted.h"
+#include "base/suggest.h"
+#include "base/text.h"
 #include "header_words.h"
-#include "upbead/base/quoted.h"
-#include "upbead/base/suggest.h"
-#include "upbead/base/text.h"
-#include "upbead/input/values.h"
+#include "input/values.h"
 
 namespace upbead {
 

@@ -6,7 +6,7 @@
 
 #include "record_layout.h"
 #include "record_table.h"
-#include "upbead/case/record_clock.h"
+#include "upbead/case/case.h"
 
 namespace upbead {
 

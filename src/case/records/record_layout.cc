@@ -4,10 +4,10 @@
 #include <cmath>
 #include <filesystem>
 
+#include "base/quoted.h"
+#include "base/text.h"
 #include "header_words.h"
 #include "record_table.h"
-#include "upbead/base/quoted.h"
-#include "upbead/base/text.h"
 
 namespace upbead {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "upbead/base/csv.h"
-#include "upbead/case/record_notes.h"
+#include "base/csv.h"
+#include "case/record_notes.h"
 
 namespace upbead {
 

@@ -1,8 +1,8 @@
 #include "record_notes.h"
 
+#include "base/quoted.h"
 #include "record_layout.h"
 #include "record_table.h"
-#include "upbead/base/quoted.h"
 
 namespace upbead {
 

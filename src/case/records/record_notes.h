@@ -1,8 +1,8 @@
 // How the files of a case's loads and uplift are read, for people.
 #pragma once
 
+#include "case/record_notes.h"
 #include "upbead/case/case.h"
-#include "upbead/case/record_notes.h"
 
 namespace upbead {
 

@@ -4,10 +4,10 @@
 #include <filesystem>
 #include <numeric>
 
-#include "upbead/base/magnitude.h"
-#include "upbead/base/quoted.h"
-#include "upbead/base/units.h"
-#include "upbead/output/hdf5_reader.h"
+#include "base/magnitude.h"
+#include "base/quoted.h"
+#include "base/units.h"
+#include "output/hdf5_reader.h"
 
 namespace upbead {
 

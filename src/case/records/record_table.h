@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "upbead/base/csv.h"
+#include "base/csv.h"
 
 namespace upbead {
 

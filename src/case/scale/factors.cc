@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "upbead/base/suggest.h"
+#include "base/suggest.h"
 
 namespace upbead {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "../case_schema.h"
-#include "upbead/case/scale.h"
+#include "case/scale.h"
 
 namespace upbead {
 

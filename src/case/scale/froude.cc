@@ -3,7 +3,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "upbead/case/scale.h"
+#include "case/scale.h"
 
 namespace upbead {
 

@@ -4,10 +4,10 @@
 #include "../records/measured.h"
 #include "../records/record_layout.h"
 #include "../records/record_table.h"
+#include "base/quoted.h"
+#include "base/units.h"
 #include "factors.h"
 #include "scale_mesh.h"
-#include "upbead/base/quoted.h"
-#include "upbead/base/units.h"
 
 namespace fs = std::filesystem;
 

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "upbead/mesh/geo_parameters.h"
+#include "mesh/geo_parameters.h"
 #include "upbead/mesh/mesh.h"
 
 namespace upbead {

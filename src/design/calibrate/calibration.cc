@@ -4,11 +4,11 @@
 #include <cmath>
 
 #include "../shear_model.h"
+#include "base/parallel.h"
+#include "base/stopwatch.h"
 #include "calibration_checks.h"
 #include "calibration_fits.h"
 #include "family.h"
-#include "upbead/base/parallel.h"
-#include "upbead/base/stopwatch.h"
 #include "upbead/sliding/duration.h"
 
 namespace upbead {

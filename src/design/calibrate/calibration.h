@@ -2,7 +2,7 @@
 #pragma once
 
 #include "../design.h"
-#include "upbead/design/calibrate.h"
+#include "design/calibrate.h"
 
 namespace upbead {
 

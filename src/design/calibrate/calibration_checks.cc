@@ -1,8 +1,8 @@
 #include "calibration_checks.h"
 
 #include "../expected_checks.h"
+#include "base/text.h"
 #include "family.h"
-#include "upbead/base/text.h"
 
 namespace upbead {
 

@@ -1,7 +1,7 @@
 // The fits of k over the waves of a model.
 #pragma once
 
-#include "upbead/design/calibrate.h"
+#include "design/calibrate.h"
 
 namespace upbead {
 

@@ -2,10 +2,10 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "base/version.h"
 #include "calibration_report.h"
-#include "upbead/base/version.h"
-#include "upbead/output/json_text.h"
-#include "upbead/output/versions.h"
+#include "output/json_text.h"
+#include "output/versions.h"
 
 namespace upbead {
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "../design.h"
-#include "upbead/design/calibrate.h"
+#include "design/calibrate.h"
 
 namespace upbead {
 

@@ -3,9 +3,9 @@
 #include <functional>
 
 #include "calibration_report.h"
+#include "output/table_file.h"
 #include "upbead/base/error.h"
 #include "upbead/input/node.h"
-#include "upbead/output/table_file.h"
 
 namespace upbead {
 

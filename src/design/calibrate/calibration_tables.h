@@ -5,8 +5,8 @@
 #include <string>
 
 #include "../expected_tables.h"
+#include "input/schema.h"
 #include "number_list.h"
-#include "upbead/input/schema.h"
 
 namespace upbead {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "../design_tables.h"
-#include "upbead/expected/dynamic_law.h"
+#include "expected/dynamic_law.h"
 
 namespace upbead {
 

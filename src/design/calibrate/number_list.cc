@@ -1,6 +1,6 @@
 #include "number_list.h"
 
-#include "upbead/base/suggest.h"
+#include "base/suggest.h"
 
 namespace upbead {
 

@@ -4,14 +4,14 @@
 #include <numeric>
 
 #include "../derived.h"
+#include "base/interrupt.h"
+#include "base/stopwatch.h"
+#include "base/text.h"
 #include "finer.h"
+#include "mesh/refine.h"
+#include "model/exclusions.h"
+#include "response/mesh_error.h"
 #include "upbead/base/error.h"
-#include "upbead/base/interrupt.h"
-#include "upbead/base/stopwatch.h"
-#include "upbead/base/text.h"
-#include "upbead/mesh/refine.h"
-#include "upbead/model/exclusions.h"
-#include "upbead/response/mesh_error.h"
 
 namespace upbead {
 

@@ -4,13 +4,13 @@
 #include <cmath>
 
 #include "../derived.h"
+#include "fem/far_sides.h"
 #include "finer.h"
+#include "response/shear_response.h"
+#include "response/spectrum.h"
+#include "response/step_choice.h"
 #include "shear_difference.h"
 #include "slip_error.h"
-#include "upbead/fem/far_sides.h"
-#include "upbead/response/shear_response.h"
-#include "upbead/response/spectrum.h"
-#include "upbead/response/step_choice.h"
 
 namespace upbead {
 

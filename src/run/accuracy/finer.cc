@@ -4,11 +4,11 @@
 
 #include "../derived.h"
 #include "../size_check.h"
+#include "mesh/refine.h"
+#include "response/reduction.h"
+#include "response/step_choice.h"
 #include "shear_difference.h"
 #include "upbead/base/error.h"
-#include "upbead/mesh/refine.h"
-#include "upbead/response/reduction.h"
-#include "upbead/response/step_choice.h"
 
 namespace upbead {
 

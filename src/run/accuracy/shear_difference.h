@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "fem/compile.h"
 #include "upbead/run/simulation.h"
 
 namespace upbead {

@@ -7,6 +7,7 @@
 #include "../derived.h"
 #include "../sliding/case_sliding.h"
 #include "../solve.h"
+#include "fem/compile.h"
 #include "finer.h"
 #include "shear_difference.h"
 #include "upbead/base/error.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "upbead/base/text.h"
+#include "base/text.h"
 
 namespace upbead {
 

@@ -1,9 +1,9 @@
 // What a march with contact leaves behind of the caisson's bottom.
 #pragma once
 
-#include "upbead/dynamics/contact.h"
+#include "dynamics/contact.h"
 #include "upbead/dynamics/march.h"
-#include "upbead/output/contact_summary.h"
+#include "upbead/output/summary.h"
 
 namespace upbead {
 

@@ -6,8 +6,9 @@
 #include "../ladder.h"
 #include "contact_demand.h"
 #include "contact_recorder.h"
+#include "fem/compile.h"
 #include "rest_forces.h"
-#include "upbead/system/interface.h"
+#include "system/interface.h"
 
 namespace upbead {
 

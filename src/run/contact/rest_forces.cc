@@ -4,9 +4,9 @@
 #include <functional>
 #include <utility>
 
+#include "base/text.h"
+#include "fem/static_stage.h"
 #include "upbead/base/error.h"
-#include "upbead/base/text.h"
-#include "upbead/fem/static_stage.h"
 
 namespace upbead {
 

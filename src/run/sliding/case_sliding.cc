@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/text.h"
+#include "fem/caisson_readings.h"
+#include "model/words.h"
+#include "response/base_history.h"
+#include "response/shear_response.h"
 #include "upbead/base/error.h"
-#include "upbead/base/text.h"
-#include "upbead/fem/caisson_readings.h"
-#include "upbead/model/words.h"
-#include "upbead/response/base_history.h"
-#include "upbead/response/shear_response.h"
 #include "upbead/waves/shear_duration.h"
 
 namespace upbead {

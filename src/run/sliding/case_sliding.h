@@ -1,6 +1,7 @@
 // How far the caisson of a case slides.
 #pragma once
 
+#include "fem/compile.h"
 #include "upbead/run/simulation.h"
 
 namespace upbead {

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "case_sliding.h"
-#include "upbead/fem/caisson_readings.h"
-#include "upbead/fem/static_stage.h"
-#include "upbead/sliding/base_pressure.h"
+#include "fem/caisson_readings.h"
+#include "fem/static_stage.h"
+#include "sliding/base_pressure.h"
 
 namespace upbead {
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "upbead/output/result_file.h"
+#include "output/result_file.h"
 #include "upbead/run/simulation.h"
 
 namespace upbead {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "base/text.h"
 #include "upbead/base/error.h"
-#include "upbead/base/text.h"
 
 namespace upbead {
 

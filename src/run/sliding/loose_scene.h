@@ -3,7 +3,8 @@
 
 #include <string>
 
-#include "upbead/response/slip_reduction.h"
+#include "fem/compile.h"
+#include "response/slip_reduction.h"
 #include "upbead/run/simulation.h"
 
 namespace upbead {

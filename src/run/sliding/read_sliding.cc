@@ -5,13 +5,13 @@
 
 #include "../accuracy/slip_error.h"
 #include "../derived.h"
+#include "base/stopwatch.h"
 #include "case_sliding.h"
+#include "fem/caisson_readings.h"
 #include "loose_scene.h"
+#include "response/reduction.h"
+#include "sliding/coupled_slip.h"
 #include "upbead/base/error.h"
-#include "upbead/base/stopwatch.h"
-#include "upbead/fem/caisson_readings.h"
-#include "upbead/response/reduction.h"
-#include "upbead/sliding/coupled_slip.h"
 
 namespace upbead {
 

@@ -1,13 +1,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/text.h"
+#include "model/plane_waves.h"
+#include "response/carried_pulse.h"
+#include "response/loaded_ground.h"
+#include "response/scheme_choice.h"
+#include "response/step_choice.h"
 #include "scene_warnings.h"
-#include "upbead/base/text.h"
-#include "upbead/model/plane_waves.h"
-#include "upbead/response/carried_pulse.h"
-#include "upbead/response/loaded_ground.h"
-#include "upbead/response/scheme_choice.h"
-#include "upbead/response/step_choice.h"
 
 namespace upbead {
 

@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/text.h"
+#include "response/drained_layer.h"
+#include "response/step_choice.h"
 #include "scene_warnings.h"
-#include "upbead/base/text.h"
-#include "upbead/response/drained_layer.h"
-#include "upbead/response/step_choice.h"
 
 namespace upbead {
 

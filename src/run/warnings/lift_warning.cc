@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "../sliding/effective_base.h"
-#include "upbead/base/text.h"
+#include "base/text.h"
 
 namespace upbead {
 

@@ -1,8 +1,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/text.h"
+#include "fem/compile.h"
 #include "scene_warnings.h"
-#include "upbead/base/text.h"
 
 namespace upbead {
 

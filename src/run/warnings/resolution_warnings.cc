@@ -1,11 +1,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/text.h"
+#include "response/scheme_choice.h"
+#include "response/step_choice.h"
+#include "response/wave_resolution.h"
 #include "scene_warnings.h"
-#include "upbead/base/text.h"
-#include "upbead/response/scheme_choice.h"
-#include "upbead/response/step_choice.h"
-#include "upbead/response/wave_resolution.h"
 
 namespace upbead {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "upbead/response/wave_resolution.h"
+#include "response/wave_resolution.h"
 
 namespace upbead {
 

@@ -3,12 +3,12 @@
 #include <cmath>
 
 #include "../sliding/read_sliding.h"
+#include "base/text.h"
 #include "lift_warning.h"
+#include "response/reduction.h"
+#include "response/step_choice.h"
 #include "scene_warnings.h"
 #include "upbead/base/error.h"
-#include "upbead/base/text.h"
-#include "upbead/response/reduction.h"
-#include "upbead/response/step_choice.h"
 
 namespace upbead {
 
@@ -97,7 +97,7 @@ void SceneWatch::tell_strength(Run& run) const {
                                           significant(100. * s.initial_share, 2) +
                                           " % at rest) the stresses exceed the soil's strength, at most " +
                                           (s.largest < 10. ? "" : "more than ") + significant(s.largest) +
-                                          " times at " + place_text(s.at) + " at " + significant(s.time) +
+                                          " times at " + place_text({s.at[0], s.at[1]}) + " at " + significant(s.time) +
                                           " s: it would yield, which linear soil does not; use [regions." + s.region +
                                           ".strain], smaller loads, or a stronger soil"});
 }

@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "upbead/response/least_pressure.h"
-#include "upbead/response/mobilisation.h"
+#include "response/least_pressure.h"
+#include "response/mobilisation.h"
 #include "upbead/run/simulation.h"
 
 namespace upbead {

@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <map>
 
+#include "base/text.h"
+#include "response/drained_skin.h"
+#include "response/step_choice.h"
 #include "scene_warnings.h"
-#include "upbead/base/text.h"
-#include "upbead/response/drained_skin.h"
-#include "upbead/response/step_choice.h"
 
 namespace upbead {
 

@@ -1,8 +1,8 @@
 #include <cmath>
 
+#include "base/text.h"
+#include "response/thin_layers.h"
 #include "scene_warnings.h"
-#include "upbead/base/text.h"
-#include "upbead/response/thin_layers.h"
 
 namespace upbead {
 

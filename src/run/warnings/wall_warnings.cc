@@ -1,6 +1,6 @@
+#include "base/text.h"
+#include "response/far_echo.h"
 #include "scene_warnings.h"
-#include "upbead/base/text.h"
-#include "upbead/response/far_echo.h"
 
 namespace upbead {
 

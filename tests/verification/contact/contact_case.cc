@@ -1,7 +1,7 @@
 #include "contact_case.h"
 
-#include "upbead/fem/static_stage.h"
-#include "upbead/system/interface.h"
+#include "fem/static_stage.h"
+#include "system/interface.h"
 
 namespace upbead::test {
 

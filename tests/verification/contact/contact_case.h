@@ -1,9 +1,9 @@
 // Breakwaters whose caisson slips and lifts, marched with the law of contact.
 #pragma once
 
+#include "dynamics/contact.h"
 #include "record.h"
 #include "scenes.h"
-#include "upbead/dynamics/contact.h"
 #include "upbead/sliding/block.h"
 
 namespace upbead::test {

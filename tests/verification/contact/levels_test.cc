@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "contact_case.h"
-#include "upbead/response/slip_reduction.h"
-#include "upbead/sliding/coupled_slip.h"
+#include "response/slip_reduction.h"
+#include "sliding/coupled_slip.h"
 
 namespace upbead::test {
 namespace {

@@ -7,8 +7,8 @@
 
 #include <cmath>
 
+#include "response/shear_response.h"
 #include "scenes.h"
-#include "upbead/response/shear_response.h"
 
 namespace upbead::test {
 namespace {

@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include "response/shear_response.h"
 #include "scenes.h"
 #include "upbead/base/error.h"
-#include "upbead/response/shear_response.h"
 
 namespace upbead::test {
 namespace {

@@ -9,9 +9,10 @@
 #include <filesystem>
 
 #include "case/case_run.h"
+#include "dynamics/kernel.h"
+#include "fem/caisson_readings.h"
+#include "fem/compile.h"
 #include "record.h"
-#include "upbead/dynamics/kernel.h"
-#include "upbead/fem/caisson_readings.h"
 
 namespace upbead::test {
 namespace {

@@ -9,9 +9,9 @@
 #include <limits>
 #include <random>
 
+#include "fem/caisson_readings.h"
 #include "reduced_case.h"
 #include "upbead/base/error.h"
-#include "upbead/fem/caisson_readings.h"
 
 namespace upbead::test {
 namespace {

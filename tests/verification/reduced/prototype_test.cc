@@ -8,10 +8,10 @@
 #include <cmath>
 #include <unsupported/Eigen/MatrixFunctions>
 
+#include "algebra/eigenpairs.h"
+#include "dynamics/projection.h"
+#include "dynamics/state_space.h"
 #include "reduced_case.h"
-#include "upbead/algebra/eigenpairs.h"
-#include "upbead/dynamics/projection.h"
-#include "upbead/dynamics/state_space.h"
 
 namespace upbead::test {
 namespace {

@@ -10,9 +10,9 @@
 #include <algorithm>
 #include <map>
 
+#include "dynamics/kernel.h"
+#include "fem/caisson_readings.h"
 #include "reduced_case.h"
-#include "upbead/dynamics/kernel.h"
-#include "upbead/fem/caisson_readings.h"
 
 namespace upbead::test {
 namespace {

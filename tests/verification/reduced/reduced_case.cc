@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "upbead/fem/caisson_readings.h"
+#include "fem/caisson_readings.h"
 
 namespace upbead::test {
 

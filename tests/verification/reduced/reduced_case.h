@@ -5,8 +5,8 @@
 
 #include "case/case_run.h"
 #include "record.h"
+#include "response/reduction.h"
 #include "scenes.h"
-#include "upbead/response/reduction.h"
 
 namespace upbead::test {
 

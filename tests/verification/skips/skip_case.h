@@ -5,8 +5,8 @@
 #include <string>
 
 #include "record.h"
+#include "response/shear_response.h"
 #include "scenes.h"
-#include "upbead/response/shear_response.h"
 
 namespace upbead::test {
 

@@ -16,10 +16,10 @@
 #include <cmath>
 #include <limits>
 
+#include "algebra/factorisation.h"
 #include "dynamic_stiffness.h"
 #include "loaded_layer.h"
 #include "tensor_mesh.h"
-#include "upbead/algebra/factorisation.h"
 
 namespace upbead::test {
 namespace {

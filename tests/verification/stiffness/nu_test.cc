@@ -10,9 +10,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algebra/factorisation.h"
 #include "loaded_layer.h"
 #include "record.h"
-#include "upbead/algebra/factorisation.h"
 
 namespace upbead::test {
 namespace {

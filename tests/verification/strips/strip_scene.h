@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "response/shear_response.h"
 #include "scenes.h"
-#include "upbead/response/shear_response.h"
 
 namespace upbead::test {
 

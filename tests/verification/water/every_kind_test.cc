@@ -7,9 +7,9 @@
 #include <cmath>
 
 #include "record.h"
+#include "response/shear_response.h"
 #include "scenes.h"
 #include "tensor_mesh.h"
-#include "upbead/response/shear_response.h"
 
 namespace upbead::test {
 namespace {

@@ -1,0 +1,60 @@
+// What is read off a response: numbers of the summary.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+
+namespace upbead {
+
+/// Of the forces on a caisson. Peaks are signed: landward positive (SI, per metre of breakwater).
+struct ShearResponse {
+  double peak_force = 0., peak_force_time = 0.;                  ///< largest P, landward (N/m, s)
+  double peak_force_seaward = 0., peak_force_seaward_time = 0.;  ///< least P
+  double impulse = 0.;                                           ///< integral of P over the march (N s/m)
+  double peak_shear = 0., peak_shear_time = 0.;                  ///< largest F_T, landward (N/m, s)
+  double peak_shear_seaward = 0., peak_shear_seaward_time = 0.;  ///< least F_T
+  double peak_shear_paper = 0.;                                  ///< largest P - m x_G'' (the paper's reading)
+  double peak_shear_experiment = 0.;  ///< largest P + P_water,front - m x_G'' (what its experiment evaluates)
+  /// Peak F_T / peak P, both landward, or both seaward where the largest |P| is seaward; none where P is 0 throughout.
+  std::optional<double> shear_to_force_ratio;
+  std::optional<double> shear_to_impulse;  ///< the same peak F_T / impulse (1/s); none where that is round-off
+  double peak_displacement = 0.;           ///< largest x_G (m)
+  double peak_rotation = 0.;               ///< largest rotation (rad)
+  std::optional<double> arm;               ///< of P above the bottom when P is largest (m)
+  double peak_base_moment = 0.;            ///< N m/m
+  double reaction_mismatch = 0.;           ///< largest difference of both routes to F_T, see require_balance
+};
+
+/// How far a computed history lies from a measured one, over the times that they share.
+struct Comparison {
+  double peak_measured = 0.;  ///< of largest magnitude
+  double peak_computed = 0.;  ///< largest in the direction of that peak
+  double peak_ratio = 0.;     ///< computed over measured
+  double rms = 0.;            ///< root of the mean square of the difference
+  double rms_relative = 0.;   ///< over the root of the mean square of the measured one
+  double phase = 0.;          ///< by which the computed one comes later: where both correlate best (s)
+};
+
+/// How much of a region's Mohr-Coulomb strength static plus dynamic stresses take. The mobilisation of a cell, at its
+/// middle, is r / (c cos phi + s sin phi), r the radius and s the middle of Mohr's circle of effective stresses in the
+/// plane: 1 where the circle touches the straight line of Coulomb. It ends at 10, which stands for more and for
+/// stresses beyond the tip of the cone.
+struct MobilisedStrength {
+  std::string region;
+  double initial = 0.;               ///< largest at rest
+  double initial_share = 0.;         ///< of the area, where it exceeds 1 at rest
+  double largest = 0.;               ///< largest at any time
+  std::array<double, 2> at{0., 0.};  ///< where that is (m)
+  double time = 0.;                  ///< and when (s)
+  double share = 0.;                 ///< of the area, where it exceeded 1 at some time
+  double left_out = 0.;  ///< of the area, where s at rest is below a tenth of the region's mean: free surfaces
+};
+
+/// A reading of a model that has not come close enough, and how far the nested models lie apart, over its peak.
+struct LooseReading {
+  std::string name;
+  double error = 0.;
+};
+
+}  // namespace upbead

@@ -1,0 +1,18 @@
+// What people read on the terminal.
+#pragma once
+
+#include <string>
+
+#include "cli/warning_lines.h"
+#include "upbead/case/case.h"
+#include "upbead/run/simulation.h"
+
+namespace upbead {
+
+/// What will be solved: mesh, unknowns, regions with their flow and why, loads with their arms, what is skipped.
+std::string describe(const Case& input, const Simulation& simulation);
+
+/// What came out: peaks, ratio, checks, times.
+std::string describe(const Run& run);
+
+}  // namespace upbead

@@ -1,0 +1,46 @@
+// How wrong a reduced model's answer to a wave is.
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+
+#include "dynamics/batch_response.h"
+#include "upbead/dynamics/nested_models.h"
+
+namespace upbead {
+
+namespace detail {
+class RealFft;
+}
+
+/// By how much larger models answer a wave differently: on its own spectrum, and for as long as it is asked for.
+struct ResponseDifference {
+  Eigen::VectorXd of_model;   ///< reference less model, at the samples
+  Eigen::VectorXd of_middle;  ///< reference less middle model
+
+  /// An upper bound of the model's largest error, measured on scenes that it was not made for: docs/reduced.md.
+  double bound() const;
+};
+
+/// The differences for waves of n samples, `step` (s) apart, straight in between and zero before and after. Const and
+/// safe to share between threads.
+///
+/// By FFT at Z = exp((sigma + i omega) step), where each mode's recurrence z' = E z + h (phi_1 - phi_2) b f_n +
+/// h phi_2 b f_(n+1) is h b (phi_1 + (Z - 1) phi_2) / (Z - E): exact at the samples, as lines are. The weight
+/// exp(-sigma t), with sigma = 10 over the padded length, keeps undamped poles off the contour and what wraps around
+/// below exp(-10) of itself.
+class ResponseError {
+ public:
+  /// `reading`: index into the model's; that of the nested models is their only one.
+  ResponseError(const ModalModel& model, int reading, const NestedModels& nested, double step, int n);
+  /// Throws std::invalid_argument where `loads` is not K x n.
+  ResponseDifference of(const Eigen::Ref<const WaveSamples>& loads) const;
+
+ private:
+  int n_;
+  std::shared_ptr<const detail::RealFft> fft_;
+  Eigen::VectorXd weight_;                 ///< exp(-sigma t) of the samples
+  Eigen::MatrixXcd of_model_, of_middle_;  ///< frequencies of the FFT x K
+};
+
+}  // namespace upbead

@@ -1,0 +1,60 @@
+// How a phase of a slip model moves between two samples of its loads.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <complex>
+#include <vector>
+
+#include "dynamics/slip_model.h"
+#include "dynamics/split_array.h"
+
+namespace upbead {
+
+/// The amplitudes z of a phase's modes, padded by zeros.
+using ModalState = detail::SplitArray;
+
+/// In the modes of a phase; a stuck one drops what s' there is.
+ModalState modal_state(const SlipPhase& phase, const Eigen::VectorXd& state);
+/// In energy coordinates.
+Eigen::VectorXd energy_state(const SlipPhase& phase, const ModalState& z);
+
+/// One reading along a stretch of time, made to be evaluated often: modes that hardly move over it make one Taylor
+/// polynomial together, the others keep their exponentials. Right to a few roundings of its parts.
+class SlipCurve {
+ public:
+  /// At t (s) from the start, not beyond the length of the stretch.
+  double operator()(double t) const;
+  static constexpr int n_terms = 20;  ///< 1/20! is below round-off
+
+ private:
+  friend class SlipPath;
+  double length_ = 0.;
+  std::array<double, n_terms> taylor_{};  ///< of powers of t / length
+  std::vector<std::complex<double>> pole_, amplitude_;
+};
+
+/// The motion from a state under loads that run along straight lines: exact at any time t (s) from there on.
+class SlipPath {
+ public:
+  /// `load`, `slope`: of all loads of the phase, at t = 0 and a second; `length` (s). The phase must outlive the
+  /// object.
+  SlipPath(const SlipPhase& phase, const ModalState& start, const Eigen::VectorXd& load, const Eigen::VectorXd& slope,
+           double length);
+  double length() const { return length_; }
+  SlipCurve reading(int row) const;
+
+  struct Place {
+    ModalState z;
+    double distance = 0.;  ///< integral of s' from 0 to t (m)
+  };
+  Place at(double t) const;
+
+ private:
+  const SlipPhase& phase_;
+  Eigen::VectorXcd z_, whole_, rise_;  ///< at t = 0; what load and slope add to z'
+  Eigen::VectorXd load_, slope_;
+  double length_;
+};
+
+}  // namespace upbead

@@ -1,0 +1,21 @@
+// Assembly of M, C and K from cells that deform, faces where regions or the outside meet, and bodies that do not
+// deform.
+#pragma once
+
+#include <vector>
+
+#include "fem/caisson.h"
+#include "fem/rigid_body.h"
+#include "fem/unknowns.h"
+#include "upbead/system/system.h"
+
+namespace upbead {
+
+/// Fills M, C, K and the radiation of `system`; `forces`, where given, collects what ground and water say about the
+/// caisson's nodes. With `own`, by active cell index, what is filled in is of these cells, their faces, and the bodies
+/// where `with_bodies`; `forces` collects all. `interface`: the nodes that `unknowns` was made with.
+void assemble(const Scene& scene, const Space& space, const Unknowns& unknowns, const std::vector<Body>& bodies,
+              CaissonForces* forces, System& system, const std::vector<bool>& own = {}, bool with_bodies = true,
+              const std::vector<InterfaceNode>& interface = {});
+
+}  // namespace upbead

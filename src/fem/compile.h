@@ -1,0 +1,34 @@
+// The compiler of a scene: Scene on a mesh -> System. The only place that knows both.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "fem/caisson.h"
+#include "fem/scene_loads.h"
+#include "fem/space.h"
+#include "fem/unknowns.h"
+#include "upbead/model/scene.h"
+#include "upbead/system/system.h"
+
+namespace upbead {
+
+struct CompiledScene {
+  System system;
+  std::vector<Body> bodies;
+  std::vector<int> body_coordinates;  ///< unknowns of the system that are coordinates of rigid bodies
+  std::optional<Caisson> caisson;
+  /// Of a caisson that deforms, its motions as a rigid body, over the unknowns. What is projected on them keeps the
+  /// balance of forces on the caisson; empty where its coordinates are unknowns, and where the system is divided.
+  std::vector<Vector> caisson_motions;
+  std::vector<LoadOnCaisson> loads_on_caisson;  ///< one per system load
+};
+
+/// Assembles M, C, K, the loads and all readings. The scene must have passed check_scene on this mesh. With `processes`
+/// the matrices are those of this process's cells (partition.h), which the system is yet to be divided by. With the
+/// nodes of an interface, which `unknowns` must have been made with, the system has that interface, without forces at
+/// rest or friction.
+CompiledScene compile(const Scene& scene, const Space& space, const Unknowns& unknowns, const std::vector<Body>& bodies,
+                      const Processes* processes = nullptr, const std::vector<InterfaceNode>& interface = {});
+
+}  // namespace upbead

@@ -1,0 +1,29 @@
+// The loads of a scene as right-hand sides of the system, and what they do to the caisson.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fem/caisson.h"
+#include "fem/unknowns.h"
+#include "upbead/fem/load_on_caisson.h"
+#include "upbead/system/system.h"
+
+namespace upbead {
+
+/// All loads; the three lists run in parallel.
+struct SceneLoads {
+  std::vector<SystemLoad> loads;
+  std::vector<LoadOnCaisson> on_caisson;
+  /// Forces on the ground's cells; at nodes that the caisson shares they belong to the ground, not to P.
+  std::vector<NodalForces> on_ground;
+};
+
+/// One load of the system per load of the scene whose factor is not 0, and one more where it prescribes a pore
+/// pressure. `ground` is needed where there is a caisson.
+SceneLoads compile_loads(const Scene& scene, const Space& space, const Unknowns& unknowns,
+                         const std::vector<Body>& bodies, const std::optional<Caisson>& caisson,
+                         const NodalReaction* ground);
+
+}  // namespace upbead

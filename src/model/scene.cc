@@ -1,0 +1,41 @@
+#include "upbead/model/region.h"
+
+#include <algorithm>
+
+#include "upbead/model/scene.h"
+
+namespace upbead {
+
+namespace {
+
+const ContactLaw* contact_law(const Scene& scene) {
+  const auto caisson = scene.regions.find(caisson_name);
+  const bool is_free = caisson != scene.regions.end() && caisson->second.interface &&
+                       caisson->second.interface->kind == ContactKind::friction;
+  return is_free ? &*caisson->second.interface : nullptr;
+}
+
+}  // namespace
+
+bool has_frictional_contact(const Scene& scene) {
+  return contact_law(scene) != nullptr;
+}
+
+bool follows_strain(const Scene& scene) {
+  return std::any_of(scene.regions.begin(), scene.regions.end(),
+                     [](const auto& entry) { return entry.second.strain_law.has_value(); });
+}
+
+bool has_strength(const Scene& scene) {
+  return std::any_of(scene.regions.begin(), scene.regions.end(),
+                     [](const auto& entry) { return entry.second.strength.has_value(); });
+}
+
+double contact_friction(const Scene& scene) {
+  constexpr double usual = 0.6;  // of concrete on rubble: Goda (2000), section 4.2
+  const ContactLaw* law = contact_law(scene);
+  if (law && law->coefficient) return *law->coefficient;
+  return scene.sliding ? scene.sliding->friction : usual;
+}
+
+}  // namespace upbead

@@ -1,0 +1,41 @@
+// Fields for ParaView: one VTU file per written time and a PVD file that ties them together.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "fem/unknowns.h"
+#include "upbead/system/system.h"
+
+namespace upbead {
+
+/// Patterns of the files that a FieldWriter writes, for OutputFolder::commit().
+inline const std::vector<std::string> field_files{"fields.pvd", "fields/fields_[0-9][0-9][0-9][0-9]*.vtu"};
+
+/// Writes displacement, velocity, acceleration, pore pressure, strain and effective stress (of solid regions: stress),
+/// each with its unit in its name. VTU holds single precision: for pictures, not a record.
+class FieldWriter {
+ public:
+  /// `path_of`: where to write a file of a name, such as OutputFolder::path. All arguments must outlive the writer.
+  FieldWriter(const Space& space, const Unknowns& unknowns, const Scene& scene,
+              std::function<std::string(const std::string&)> path_of);
+
+  void write(const State& state);
+  /// Times and names of the files so far.
+  const std::vector<std::pair<double, std::string>>& written() const { return written_; }
+  /// Counts files as written that lie there already.
+  void take_over(const std::vector<std::pair<double, std::string>>& written) { written_ = written; }
+  /// Writes fields.pvd; call once, last. Throws InputError where the disk does not take it.
+  void finish() const;
+
+ private:
+  const Space& space_;
+  const Unknowns& unknowns_;
+  const Scene& scene_;
+  std::function<std::string(const std::string&)> path_of_;
+  std::vector<std::pair<double, std::string>> written_;
+};
+
+}  // namespace upbead

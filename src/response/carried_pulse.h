@@ -1,0 +1,39 @@
+// What finite elements make of a plane wave that they carry.
+#pragma once
+
+#include <complex>
+#include <functional>
+
+#include "response/stepped_frequency.h"
+
+namespace upbead {
+
+/// Square of lambda in exp(s t - lambda x) at a complex frequency s (1/s): model/plane_waves.h.
+using WaveLaw = std::function<std::complex<double>(std::complex<double> s)>;
+
+/// Cells that a wave passes, and the steps in which it does.
+struct WaveCells {
+  double size = 0.;  ///< h, along the wave (m)
+  int degree = 1;    ///< of the field that carries it: of u; of the slow wave that of the pressure, 1 to 3
+  WaveSteps steps;
+};
+
+/// exp(-lambda h) from one node to the next where lambda^2 = `square`, as elements with exact integrals have it; the
+/// one that decays. With z = -lambda^2 h^2 [Ainsworth 2004: cos(k h) is replaced by a Pade approximant of it]
+///   degree 1  (6 - 2 z)/(6 + z)
+///   degree 2  (240 - 104 z + 3 z^2)/(240 + 16 z + z^2)
+///   degree 3  (25200 - 11520 z + 540 z^2 - 4 z^3)/(25200 + 1080 z + 30 z^2 + z^3).
+std::complex<double> carried_over_cell(std::complex<double> square, const WaveCells& cells);
+
+/// A load enters at x = 0 and is carried on: the largest difference at any time and node from x = `least` to x = `most`
+/// (m) between what cells and steps and what the equations make of it, over the load's largest value. So much a stress,
+/// a pressure or a velocity errs by. The load is a symmetric triangle of that duration (s; 0: a jump that stays). By
+/// the Laplace transform, inverted as a Fourier series with damping [Crump 1976]. 0 where the law has no wave; the wave
+/// is followed for at most 400 cells.
+double carried_error(const WaveLaw& law, double duration, const WaveCells& cells, double least, double most);
+
+/// Of the part of the load that the cells still feel: at omega = pi over the duration; of a jump, where a cell is a
+/// radian long (m/s); 0 without a wave.
+double carried_speed(const WaveLaw& law, double duration, const WaveCells& cells);
+
+}  // namespace upbead

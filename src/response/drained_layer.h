@@ -1,0 +1,35 @@
+// Ground under the caisson that cells drain where its water has no time to leave.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "fem/caisson.h"
+#include "upbead/fem/soil_state.h"
+#include "upbead/mesh/mesh.h"
+#include "upbead/model/scene.h"
+
+namespace upbead {
+
+/// A soil under the caisson that drains into one ten times as permeable. The pressure is continuous, so that of degree
+/// q it must fall to that of the other within the first cell, h, even where the true skin sqrt(c_v t) is far thinner:
+/// a part h/(q + 1) of the soil is drained (the least mean of what a polynomial of degree q is away from 1 where it
+/// must be 0 at one end: 1/2, 1/3) and yields by that over lambda + 2 G.
+struct DrainedLayer {
+  std::string region, into;
+  double cell = 0.;         ///< h, across the face, the mean under the caisson (m)
+  double stiffness = 0.;    ///< lambda + 2 G of the soil (Pa)
+  double skin = 0.;         ///< sqrt(c_v t) (m)
+  double compliance = 0.;   ///< that is wrong, under a vertical stress (m/Pa)
+  double of_the_rest = 0.;  ///< of all ground to the depth of a caisson's width as it should be (m/Pa)
+  double share() const { return compliance / (compliance + of_the_rest); }
+};
+
+/// The one with the largest share, in loads that change within `time` (s). The rest: layers of thickness H, the caisson
+/// B wide, yield by H/(lambda + 2 G) where they have no pores or drain, else as a layer that keeps its volume between
+/// rough faces, H/(4 G (1 + (B/2H)^2)) [Gent and Lindley 1959, plane strain], and the true skin over lambda + 2 G. None
+/// without such a soil. `scene` as solved.
+std::optional<DrainedLayer> drained_layer(const Scene& scene, const Mesh& mesh, const Caisson& caisson,
+                                          int degree_of_pressure, double time, const SoilState& soil = {});
+
+}  // namespace upbead

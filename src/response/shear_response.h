@@ -1,0 +1,50 @@
+// What a coastal engineer reads off a march: peaks of the force and of the shear force, found inside the steps.
+#pragma once
+
+#include <optional>
+
+#include "fem/compile.h"
+#include "upbead/base/error.h"
+#include "upbead/dynamics/march.h"
+#include "upbead/response/findings.h"
+
+namespace upbead {
+
+/// The horizontal load P(t) on the caisson, all loads together.
+TimeFunction force_on_caisson(const CompiledScene& compiled);
+
+/// Needs a scene with a caisson. Between the ends of a step F_T = P + P_water - m x_G'', with x_G by the quintic
+/// Hermite polynomial through x_G, x_G' and x_G'' = (P + P_water - F_T)/m at both ends (schemes of order 4), or with
+/// x_G'' linear between them (of order 2); without inertia the ends of the steps alone.
+ShearResponse read_shear_response(const CompiledScene& compiled, const Response& response, bool inertia);
+
+/// Two numbers that must be the same are not.
+struct Mismatch {
+  std::string what;
+  double value = 0.;      ///< relative
+  double tolerable = 0.;  ///< that round-off explains in most scenes
+  double error = 0.;      ///< what it may make wrong, of the largest values
+  bool bearable = false;  ///< whether the answer is still good for something, if its error is told
+};
+
+class Imbalance : public NumericsError {
+ public:
+  explicit Imbalance(Mismatch mismatch);
+  const Mismatch& mismatch() const { return mismatch_; }
+
+ private:
+  Mismatch mismatch_;
+};
+
+/// Throws Imbalance where both routes to F_T differ by more than 1e-7, or the work and what it became by more than
+/// 1e-6; NumericsError where more energy is stored than 1.1 times the largest work. The mismatch of the routes is
+/// relative to the largest |F_T|, or, where F_T vanishes by symmetry or between loads, to a millionth of the largest of
+/// |P| at any time, the change of the normal force, the uplift, and the moment over the bottom's width.
+void require_balance(const ShearResponse& shear, const EnergyAccount& energy);
+
+/// The same of the energy of a scene without a caisson, marched until `end` (s). Loads that do no work but round-off,
+/// as a pressure on incompressible water, have nothing to balance: below 1e-10 of what they would do on K alone. A
+/// mismatch of less than that is bearable: what moves by more than its root is no round-off.
+void require_balance(const EnergyAccount& energy, const System& system, double end);
+
+}  // namespace upbead

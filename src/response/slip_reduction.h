@@ -1,0 +1,35 @@
+// The reduced model of a scene whose caisson may slip.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "fem/compile.h"
+#include "response/slip_law.h"
+#include "upbead/dynamics/reduce.h"
+
+namespace upbead {
+
+/// A scene in a few coordinates, one of them s, and what is known of its error.
+struct SlipReduction {
+  ReducedSystem system;  ///< of with_rigid_slip() with the load and the readings of add_slip()
+  /// Between nested models, of F_T and N' of the caisson that sticks, and of s' and N' of one that slips freely, under
+  /// all loads with F_T, and under each alone. About the error of the smaller one.
+  NestedError error;
+  double glued_error = 0.;  ///< largest difference of F_T from the glued history, over its peak, while it sticks
+  bool converged = false;   ///< also where the space is exhausted
+  int n_vectors = 0, n_solves = 0;
+  double factorise_seconds = 0.;
+};
+
+/// Reduces a scene with an interface for its loads, F_T and s, at krylov_shift(), to its tolerance.
+/// - compiled: with the interface, on one process.
+/// - glued: what the caisson's glued twin reads, all readings of the system in their order; trains the model with F_T
+///   cut off at 0.7 of its peak, and is compared with. Times ascend from 0.
+/// - progress: called with 0 to 1 after every solve.
+/// Throws NumericsError as reduce_scene() does, std::invalid_argument where there is no interface or no shear force.
+SlipReduction reduce_slip(const Scene& scene, const CompiledScene& compiled, SlipUplift uplift, const Series& glued,
+                          const std::function<void(double)>& progress = {});
+
+}  // namespace upbead

@@ -1,0 +1,20 @@
+// The datasets of results.h5.
+#pragma once
+
+#include <vector>
+
+#include "output/result_file.h"
+#include "upbead/run/simulation.h"
+
+namespace upbead {
+
+/// Histories of all readings, by the names of /history, and of what stands on the ground. `ends`: of the scene.
+std::vector<History> histories(const Simulation& simulation, const Series& ends);
+
+/// The same names and units, without times.
+std::vector<History> names_of_histories(const Simulation& simulation);
+
+/// All that is no history: the bottom's stress, the nodes of an interface, a caisson that slips as a whole.
+std::vector<History> tables(const Run& run);
+
+}  // namespace upbead
