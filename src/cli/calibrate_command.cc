@@ -6,8 +6,8 @@
 #include "design/calibrate/calibration.h"
 #include "design/calibrate/calibration_checks.h"
 #include "design/calibrate/calibration_report.h"
-#include "design/design_files.h"
 #include "design/design.h"
+#include "design/design_files.h"
 
 namespace upbead {
 

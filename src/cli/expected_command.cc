@@ -4,10 +4,10 @@
 #include "base/interrupt.h"
 #include "base/stopwatch.h"
 #include "cli/commands.h"
+#include "design/design.h"
 #include "design/design_files.h"
 #include "design/expected_checks.h"
 #include "design/expected_report.h"
-#include "design/design.h"
 
 namespace upbead {
 

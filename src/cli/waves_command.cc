@@ -3,9 +3,9 @@
 #include "base/files.h"
 #include "base/interrupt.h"
 #include "cli/commands.h"
+#include "design/design.h"
 #include "design/design_files.h"
 #include "design/waves_report.h"
-#include "design/design.h"
 
 namespace upbead {
 

@@ -3,8 +3,8 @@
 #include <boost/math/constants/constants.hpp>
 #include <filesystem>
 
-#include "design_checks.h"
 #include "design/design.h"
+#include "design_checks.h"
 #include "upbead/waves/random_breaking.h"
 
 namespace fs = std::filesystem;

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "design/design.h"
 #include "good_case.h"
 #include "upbead/base/error.h"
-#include "design/design.h"
 
 namespace upbead::test {
 namespace {
