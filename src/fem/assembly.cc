@@ -97,16 +97,15 @@ void assemble_cells(const Scene& scene, const Space& space, CaissonForces* force
   CellMatrices cell_matrices;
   std::vector<types::global_dof_index> dofs;
   for (const auto& cell : space.dofs().active_cell_iterators()) {
-    const Region& region = space.region(cell);
-    if (region.kind == RegionKind::rigid || space.kind(cell) == CellKind::absent) continue;
+    if (space.region(cell).kind == RegionKind::rigid || space.kind(cell) == CellKind::absent) continue;
     dofs.resize(cell->get_fe().n_dofs_per_cell());
     cell->get_dof_indices(dofs);
     const bool own = is_own(cell->active_cell_index());
     const bool ground = forces && space.mesh().surface_of(cell) != caisson_name && forces->ground.has_any(dofs);
     if (!own && !ground) continue;
     hp_values.reinit(cell);
-    const Material constants = material(region, scene.fluid, scene.gravity);
-    assemble_cell(hp_values.get_present_fe_values(), constants, space.kind(cell), scene.time.inertia, cell_matrices);
+    assemble_cell(hp_values.get_present_fe_values(), space.material(cell), space.kind(cell), scene.time.inertia,
+                  cell_matrices);
     if (own) assembly.add(cell_matrices, dofs);
     if (ground) forces->add_ground(cell_matrices, dofs);
   }

@@ -82,21 +82,20 @@ void add_pair(const std::vector<unsigned>& rows, const std::vector<unsigned>& co
 
 }  // namespace
 
+PlaneStrain strain_of(const FEValues<dim>& fe, unsigned i, unsigned q) {
+  const SymmetricTensor<2, dim> strain = fe[u_part].symmetric_gradient(i, q);
+  return {strain[0][0], strain[1][1], strain[0][1]};
+}
+
 void uu_M(const FEValues<dim>& fe, const Material& material, CellMatrices& cell) {
   add_square(part_dofs(fe, u_part), material.rho, values_of(fe, u_part), cell.M);
 }
 
 void uu_K(const FEValues<dim>& fe, const Material& material, CellMatrices& cell) {
-  // 2 G eps:eps + lambda (div u)^2 as one sum of squares.
-  const double root_2G = std::sqrt(2. * material.G), root_4G = std::sqrt(4. * material.G),
-               root_lambda = std::sqrt(material.lambda);
+  const ElasticRoot root(material);
   const auto u = part_dofs(fe, u_part);
-  const Table strains = tabulate(fe, u, 4, [&](unsigned i, unsigned q, double* out) {
-    const SymmetricTensor<2, dim> strain = fe[u_part].symmetric_gradient(i, q);
-    out[0] = root_2G * strain[0][0];
-    out[1] = root_2G * strain[1][1];
-    out[2] = root_4G * strain[0][1];
-    out[3] = root_lambda * (strain[0][0] + strain[1][1]);
+  const Table strains = tabulate(fe, u, ElasticRoot::n_values, [&](unsigned i, unsigned q, double* out) {
+    root.write(strain_of(fe, i, q), out);
   });
   add_square(u, 1., strains, cell.K);
 }

@@ -22,6 +22,9 @@ struct CellMatrices {
   void reinit(unsigned n) { M.reinit(n, n), C.reinit(n, n), K.reinit(n, n); }
 };
 
+/// Strain of the shape function i at the quadrature point q.
+PlaneStrain strain_of(const dealii::FEValues<dim>& fe, unsigned i, unsigned q);
+
 /// uu_M: +rho du.u
 void uu_M(const dealii::FEValues<dim>& fe, const Material& material, CellMatrices& cell);
 /// uu_K: +eps(du) : D : eps(u), plane strain

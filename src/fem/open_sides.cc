@@ -152,8 +152,8 @@ void for_each_open_face(const Scene& scene, const Space& space, const Unknowns& 
       for (const Prescribed& load : prescribed) unknowns_here.push_back(load.unknown);
       terms.reinit({cell}, unknowns_here);
       const bool inertial = space.kind(cell) == CellKind::inertial;
-      const Material constants = material(space.region(cell), scene.fluid, scene.gravity);
-      integrate(FaceValues(space, cell, f), inertial, 1. / constants.b, penalty_over_h, prescribed, terms.matrices.C);
+      const double mobility = 1. / space.material(cell).b;
+      integrate(FaceValues(space, cell, f), inertial, mobility, penalty_over_h, prescribed, terms.matrices.C);
       visit(terms);
     }
   }

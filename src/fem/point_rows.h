@@ -30,16 +30,11 @@ class PointRows {
   Row phi_gradient(unsigned d, double factor) const {
     return row([&](unsigned i) { return factor * values_[phi_part].gradient(i, 0)[d]; });
   }
-  /// Strain component, tension positive.
-  Row strain(unsigned a, unsigned b) const {
-    return row([&](unsigned i) { return values_[u_part].symmetric_gradient(i, 0)[a][b]; });
+  Row strain(double PlaneStrain::*component) const {
+    return row([&](unsigned i) { return strain_of(values_, i, 0).*component; });
   }
-  /// Stress component of plane strain: 2 G eps_ab + lambda div u delta_ab; a = b = 2 is the one out of plane.
-  Row stress(const Material& material, unsigned a, unsigned b) const {
-    return row([&](unsigned i) {
-      const double shear = a < dim && b < dim ? 2. * material.G * values_[u_part].symmetric_gradient(i, 0)[a][b] : 0.;
-      return shear + (a == b ? material.lambda * values_[u_part].divergence(i, 0) : 0.);
-    });
+  Row stress(const ElasticLaw& law, double PlaneStress::*component) const {
+    return row([&](unsigned i) { return law.stress(strain_of(values_, i, 0)).*component; });
   }
 
  private:

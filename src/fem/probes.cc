@@ -57,26 +57,30 @@ void add_water(std::vector<Reading>& list, const std::string& prefix, const Poin
 }
 
 void add_strain_and_stress(std::vector<Reading>& list, const std::string& prefix, const PointRows& rows,
-                           const Region& region, const Material& material) {
+                           const Region& region, const ElasticLaw& law) {
   const std::string stress = region.kind == RegionKind::porous ? "effective_stress" : "stress";
   const std::string text = region.kind == RegionKind::porous ? "effective stress " : "stress ";
   const struct {
     const char* name;
-    unsigned a, b;
-  } components[] = {{"xx", 0, 0}, {"yy", 1, 1}, {"xy", 0, 1}, {"zz", 2, 2}};
+    double PlaneStrain::*strain;
+    double PlaneStress::*stress;
+  } components[] = {{"xx", &PlaneStrain::xx, &PlaneStress::xx},
+                    {"yy", &PlaneStrain::yy, &PlaneStress::yy},
+                    {"xy", &PlaneStrain::xy, &PlaneStress::xy},
+                    {"zz", nullptr, &PlaneStress::zz}};
   for (const auto& c : components) {
-    if (c.a < dim)
+    if (c.strain)
       list.push_back({prefix + "strain_" + c.name,
                       "1",
                       std::string("strain ") + c.name + ", extension positive",
-                      rows.strain(c.a, c.b),
+                      rows.strain(c.strain),
                       {},
                       {},
                       {}});
     list.push_back({prefix + stress + "_" + c.name,
                     "Pa",
                     text + c.name + ", tension positive",
-                    rows.stress(material, c.a, c.b),
+                    rows.stress(law, c.stress),
                     {},
                     {},
                     {}});
@@ -100,7 +104,7 @@ std::vector<Reading> probe_readings(const Space& space, const Unknowns& unknowns
   add_motion(list, prefix, rows);
   if (space.has_pressure(location.cell)) add_pore_water(list, prefix, rows, space.kind(location.cell));
   if (region.kind != RegionKind::rigid)
-    add_strain_and_stress(list, prefix, rows, region, material(region, scene.fluid, scene.gravity));
+    add_strain_and_stress(list, prefix, rows, region, space.material(location.cell));
   return list;
 }
 

@@ -30,18 +30,12 @@ hp::FECollection<dim> make_elements(unsigned k) {
   return elements;
 }
 
-/// Regions by active cell index, each with what the soil is there.
-std::vector<Region> local_regions(const Mesh& mesh, const Scene& scene, const SoilState& soil) {
-  std::vector<Region> regions;
-  for (const auto& cell : mesh.triangulation.active_cell_iterators()) {
-    Region region = scene.regions.at(mesh.surface_of(cell));
-    const std::size_t i = cell->active_cell_index();
-    if (!soil.shear_modulus.empty() && soil.shear_modulus[i] > 0.) region.shear_modulus = soil.shear_modulus[i];
-    if (!soil.damping_ratio.empty() && region.damping && soil.damping_ratio[i] >= 0.)
-      region.damping->ratio = soil.damping_ratio[i];
-    regions.push_back(std::move(region));
-  }
-  return regions;
+/// A region with what the soil is in one of its cells.
+Region in_cell(Region region, const SoilState& soil, std::size_t cell) {
+  if (!soil.shear_modulus.empty() && soil.shear_modulus[cell] > 0.) region.shear_modulus = soil.shear_modulus[cell];
+  if (!soil.damping_ratio.empty() && region.damping && soil.damping_ratio[cell] >= 0.)
+    region.damping->ratio = soil.damping_ratio[cell];
+  return region;
 }
 
 }  // namespace
@@ -52,18 +46,17 @@ Space::Space(const Mesh& mesh, const Scene& scene, const std::vector<bool>& abse
       by_cell_(!soil.shear_modulus.empty() || !soil.damping_ratio.empty()),
       elements_(make_elements(static_cast<unsigned>(scene.mesh.degree))),
       dofs_(mesh.triangulation) {
+  const auto constants = [&scene](const Region& r) { return upbead::material(r, scene.fluid, scene.gravity); };
+  for (const std::string& name : mesh.surfaces) regions_.push_back(scene.regions.at(name));
   if (by_cell_)
-    regions_ = local_regions(mesh, scene, soil);
+    for (const auto& cell : mesh.triangulation.active_cell_iterators())
+      materials_.push_back(constants(in_cell(region(cell), soil, cell->active_cell_index())));
   else
-    for (const std::string& name : mesh.surfaces) regions_.push_back(scene.regions.at(name));
+    for (const Region& region : regions_) materials_.push_back(constants(region));
   for (const auto& cell : dofs_.active_cell_iterators())
     cell->set_active_fe_index(static_cast<unsigned>(
         !absent.empty() && absent[cell->active_cell_index()] ? CellKind::absent : kind_of(region(cell))));
   dofs_.distribute_dofs(elements_);
-}
-
-const Region& Space::region(const DoFHandler<dim>::active_cell_iterator& cell) const {
-  return regions_[by_cell_ ? cell->active_cell_index() : cell->material_id()];
 }
 
 bool Space::has_pressure(const DoFHandler<dim>::active_cell_iterator& cell) const {

@@ -32,15 +32,20 @@ enum class CellKind : unsigned { solid = 0, darcy = 1, inertial = 2, water = 3, 
 class Space {
  public:
   /// Nothing in the scene's regions may be left to be chosen. Cells that are `absent` (by active cell index; none where
-  /// that is empty) carry nothing, and the mesh ends at their sides. What `soil` says of a cell stands in its region.
-  /// The mesh must outlive the space.
+  /// that is empty) carry nothing, and the mesh ends at their sides. What `soil` says of a cell stands in its
+  /// material. The mesh must outlive the space.
   Space(const Mesh& mesh, const Scene& scene, const std::vector<bool>& absent = {}, const SoilState& soil = {});
 
   const Mesh& mesh() const { return *mesh_; }
   const dealii::DoFHandler<dim>& dofs() const { return dofs_; }
   const dealii::MappingQ1<dim>& mapping() const { return mapping_; }
   int degree() const { return degree_; }
-  const Region& region(const dealii::DoFHandler<dim>::active_cell_iterator& cell) const;
+  using MeshCell = dealii::Triangulation<dim>::cell_iterator;
+  const Region& region(const MeshCell& cell) const { return regions_[cell->material_id()]; }
+  /// Constants of a cell, with its own stiffness and damping.
+  const Material& material(const MeshCell& cell) const {
+    return materials_[by_cell_ ? cell->active_cell_index() : cell->material_id()];
+  }
   CellKind kind(const dealii::DoFHandler<dim>::active_cell_iterator& cell) const {
     return static_cast<CellKind>(cell->active_fe_index());
   }
@@ -52,7 +57,8 @@ class Space {
  private:
   const Mesh* mesh_;
   int degree_;
-  std::vector<Region> regions_;  ///< by material_id; by active cell index where the soil differs from cell to cell
+  std::vector<Region> regions_;      ///< by material_id
+  std::vector<Material> materials_;  ///< likewise; by active cell index where the soil differs from cell to cell
   bool by_cell_;
   dealii::MappingQ1<dim> mapping_;
   dealii::hp::FECollection<dim> elements_;

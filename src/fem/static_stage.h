@@ -14,7 +14,7 @@ namespace upbead {
 /// Effective stresses at the middle of each active cell, compression positive (Pa); 0 where there is no soil.
 struct EffectiveStress {
   std::vector<double> horizontal, vertical, out_of_plane;
-  std::vector<double> shear;  ///< -2 G eps_xy
+  std::vector<double> shear;  ///< -sigma_xy
   /// (s'_x + s'_y + s'_z) / 3 of a cell; with K_0 (1 + 2 K_0)/3 s'_y.
   double mean(std::size_t cell, const std::optional<double>& k0) const;
 };

@@ -142,17 +142,15 @@ class Ground {
     hp::FEValues<dim> hp_values(space_.dofs().get_fe_collection(), middle, update_gradients);
     std::vector<SymmetricTensor<2, dim>> strain(1);
     for (const auto& cell : space_.dofs().active_cell_iterators()) {
-      const Region& region = space_.region(cell);
-      if (region.kind == RegionKind::rigid || space_.kind(cell) == CellKind::absent) continue;
+      if (space_.region(cell).kind == RegionKind::rigid || space_.kind(cell) == CellKind::absent) continue;
       hp_values.reinit(cell);
       hp_values.get_present_fe_values()[u_part].get_function_symmetric_gradients(u, strain);
-      const Material m = material(region, scene_.fluid, scene_.gravity);
-      const double pressure = -m.lambda * trace(strain[0]);
+      const PlaneStress stress = space_.material(cell).stress({strain[0][0][0], strain[0][1][1], strain[0][0][1]});
       const std::size_t i = cell->active_cell_index();
-      s.horizontal[i] = pressure - 2. * m.G * strain[0][0][0];
-      s.vertical[i] = pressure - 2. * m.G * strain[0][1][1];
-      s.out_of_plane[i] = pressure;
-      s.shear[i] = -2. * m.G * strain[0][0][1];
+      s.horizontal[i] = -stress.xx;
+      s.vertical[i] = -stress.yy;
+      s.out_of_plane[i] = -stress.zz;
+      s.shear[i] = -stress.xy;
     }
     return s;
   }

@@ -144,10 +144,9 @@ Eigen::MatrixXd cell_errors(const Scene& scene, const Space& space, const Unknow
   CellMatrices matrices;
   std::vector<types::global_dof_index> dofs;
   for (const auto& cell : space.dofs().active_cell_iterators()) {
-    const Region& region = space.region(cell);
-    if (region.kind == RegionKind::rigid || space.kind(cell) == CellKind::absent) continue;
+    if (space.region(cell).kind == RegionKind::rigid || space.kind(cell) == CellKind::absent) continue;
     hp_values.reinit(cell);
-    assemble_cell(hp_values.get_present_fe_values(), material(region, scene.fluid, scene.gravity), space.kind(cell),
+    assemble_cell(hp_values.get_present_fe_values(), space.material(cell), space.kind(cell),
                   scene.time.inertia, matrices);
     dofs.resize(cell->get_fe().n_dofs_per_cell());
     cell->get_dof_indices(dofs);

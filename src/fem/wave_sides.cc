@@ -13,7 +13,7 @@ namespace {
 /// M x'' = A d2x/dn2 for x = (u_n, W_n): plane waves in a porous soil without drag.
 struct DragFree {
   explicit DragFree(const Material& m) {
-    const double E = m.lambda + 2. * m.G, Q = 1. / m.storage;
+    const double E = m.constrained_modulus(), Q = 1. / m.storage;
     M << m.rho, m.rho_f, m.rho_f, m.a;
     A << E + m.alpha * m.alpha * Q, m.alpha * Q, m.alpha * Q, Q;
   }
@@ -52,7 +52,8 @@ void integrate(const FEFaceValues<dim>& fe, const Impedance& z, FullMatrix<doubl
 }
 
 /// What of an impedance a side with these conditions lets out.
-Impedance of_side(const Space& space, const Cell& cell, const Boundary& side, const Material& m) {
+Impedance of_side(const Space& space, const Cell& cell, const Boundary& side) {
+  const Material& m = space.material(cell);
   const CellKind kind = space.kind(cell);
   const bool moves = side.displacement == DisplacementCondition::absorbing;
   const bool flows = side.pressure == PressureCondition::absorbing;
@@ -72,7 +73,7 @@ Impedance impedance(const Material& m, CellKind kind, bool open_to_waves) {
   if (kind == CellKind::inertial && open_to_waves) return drag_free_impedance(m);
   const bool pores = kind == CellKind::inertial || kind == CellKind::darcy;
   Impedance z;
-  z.normal = std::sqrt(m.rho * (m.lambda + 2. * m.G + (pores ? m.alpha * m.alpha / m.storage : 0.)));
+  z.normal = std::sqrt(m.rho * (m.constrained_modulus() + (pores ? m.alpha * m.alpha / m.storage : 0.)));
   z.tangential = std::sqrt(m.rho * m.G);
   return z;
 }
@@ -81,7 +82,7 @@ double fastest_wave(const Region& region, const Fluid& fluid, double gravity) {
   const Material m = material(region, fluid, gravity);
   if (region.kind == RegionKind::rigid) return 0.;
   if (region.kind == RegionKind::water) return std::sqrt(1. / (m.storage * m.rho_f));
-  const double E = m.lambda + 2. * m.G;
+  const double E = m.constrained_modulus();
   if (region.kind == RegionKind::solid || region.flow == Flow::drained) return std::sqrt(E / m.rho);
   const double undrained = std::sqrt((E + m.alpha * m.alpha / m.storage) / m.rho);
   if (region.flow != Flow::inertial || std::isinf(undrained)) return undrained;
@@ -96,9 +97,8 @@ void for_each_absorbing_face(const Scene& scene, const Space& space, const Visit
     const Boundary& side = scene.boundaries.at(curve);
     if (side.displacement != DisplacementCondition::absorbing && side.pressure != PressureCondition::absorbing) return;
     if (space.region(cell).kind == RegionKind::rigid) return;
-    const Material constants = material(space.region(cell), scene.fluid, scene.gravity);
     terms.reinit({cell});
-    integrate(FaceValues(space, cell, f), of_side(space, cell, side, constants), terms.matrices.C);
+    integrate(FaceValues(space, cell, f), of_side(space, cell, side), terms.matrices.C);
     visit(terms);
   });
 }

@@ -45,7 +45,7 @@ double drainage(const Region& region, const Surroundings& at, const Scene& scene
   if (!at.has_open_side || at.has_load || at.touches_water) return 0.;
   const Material m = material(region, scene.fluid, scene.gravity);
   const double l = std::max(at.height, 0.5 * at.width);
-  return m.b > 0. && omega > 0. && l > 0. ? (m.lambda + 2. * m.G) / m.b / (omega * l * l) : 0.;
+  return m.b > 0. && omega > 0. && l > 0. ? m.constrained_modulus() / m.b / (omega * l * l) : 0.;
 }
 
 /// Darcy or inertial, by X.

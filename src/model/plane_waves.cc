@@ -23,7 +23,7 @@ Roots roots(Complex a, Complex b, Complex c) {
 
 PlaneWaves plane_waves(const Material& m, Flow flow, Complex s) {
   const Complex damped = 1. + s * m.stiffness_damping, skeleton = m.rho * (1. + m.mass_damping / s);
-  const Complex G = m.G * damped, E = (m.lambda + 2. * m.G) * damped;
+  const Complex G = m.G * damped, E = m.constrained_modulus() * damped;
   if (flow == Flow::drained) return {s * s * skeleton / G, s * s * skeleton / E, 0.};
   const bool inertial = flow == Flow::inertial;
   const Complex theta = 1. / ((inertial ? m.a * s * s : Complex(0.)) + m.b * s);

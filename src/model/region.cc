@@ -195,8 +195,8 @@ Material material(const Region& region, const Fluid& fluid, double gravity) {
     return m;
   }
   const double nu = *region.poissons_ratio;
-  m.G = region.shear_modulus ? *region.shear_modulus : *region.youngs_modulus / (2. * (1. + nu));
-  m.lambda = 2. * m.G * nu / (1. - 2. * nu);
+  static_cast<ElasticLaw&>(m) =
+      elastic_law(region.shear_modulus ? *region.shear_modulus : *region.youngs_modulus / (2. * (1. + nu)), nu);
   if (region.damping) {
     m.mass_damping = region.damping->mass_factor();
     m.stiffness_damping = region.damping->stiffness_factor();

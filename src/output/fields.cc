@@ -20,7 +20,7 @@ namespace {
 /// Strain and effective stress of plane strain from the gradient of u, tension positive; zero in rigid regions.
 class StrainAndStress : public DataPostprocessor<dim> {
  public:
-  StrainAndStress(const Space& space, const Scene& scene) : space_(space), scene_(scene) {}
+  explicit StrainAndStress(const Space& space) : space_(space) {}
   std::vector<std::string> get_names() const override {
     return {"strain_xx_(1)",
             "strain_yy_(1)",
@@ -38,26 +38,18 @@ class StrainAndStress : public DataPostprocessor<dim> {
 
   void evaluate_vector_field(const DataPostprocessorInputs::Vector<dim>& inputs,
                              std::vector<dealii::Vector<double>>& computed) const override {
-    const Region& region = space_.region(inputs.template get_cell<dim>());
-    const bool rigid = region.kind == RegionKind::rigid;
-    const Material m = rigid ? Material{} : material(region, scene_.fluid, scene_.gravity);
+    const ElasticLaw& law = space_.material(inputs.template get_cell<dim>());
     for (std::size_t q = 0; q < computed.size(); ++q) {
       const auto& g = inputs.solution_gradients[q];
-      const double xx = g[0][0], yy = g[1][1], xy = 0.5 * (g[0][1] + g[1][0]), volume = xx + yy;
-      const double values[] = {xx,
-                               yy,
-                               xy,
-                               2. * m.G * xx + m.lambda * volume,
-                               2. * m.G * yy + m.lambda * volume,
-                               2. * m.G * xy,
-                               m.lambda * volume};
+      const PlaneStrain strain{g[0][0], g[1][1], 0.5 * (g[0][1] + g[1][0])};
+      const PlaneStress stress = law.stress(strain);
+      const double values[] = {strain.xx, strain.yy, strain.xy, stress.xx, stress.yy, stress.xy, stress.zz};
       std::copy(std::begin(values), std::end(values), computed[q].begin());
     }
   }
 
  private:
   const Space& space_;
-  const Scene& scene_;
 };
 
 /// The part of u of second derivatives; those of W and phi say nothing to a reader.
@@ -98,7 +90,7 @@ void fill(const Space& space, const Scene& scene, const Expanded& state, Part pa
   const Interpretation of_vector = DataComponentInterpretation::component_is_part_of_vector;
   const std::vector<Interpretation> interpretation{of_vector, of_vector, of_vector, of_vector,
                                                    DataComponentInterpretation::component_is_scalar};
-  const StrainAndStress strain_and_stress(space, scene);
+  const StrainAndStress strain_and_stress(space);
   const Acceleration acceleration;
   out.attach_dof_handler(space.dofs());
   out.add_data_vector(state.x,

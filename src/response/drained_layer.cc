@@ -22,21 +22,16 @@ struct Layer {
   double G = 0., constrained = 0.;  ///< times the area (Pa m2)
 };
 
-std::map<std::string, Layer> layers_under(const Scene& scene, const Mesh& mesh, const Caisson& caisson,
-                                          const SoilState& soil) {
+std::map<std::string, Layer> layers_under(const Space& space, const Caisson& caisson) {
   std::map<std::string, Layer> layers;
-  for (const auto& cell : mesh.triangulation.active_cell_iterators()) {
-    const std::string& name = mesh.surface_of(cell);
-    const Region& region = scene.regions.at(name);
-    if (name == caisson_name || !is_under(cell->center(), caisson)) continue;
-    if (region.kind != RegionKind::porous && region.kind != RegionKind::solid) continue;
-    const Material m = material(region, scene.fluid, scene.gravity);
-    const double own = soil.shear_modulus.empty() ? 0. : soil.shear_modulus[cell->active_cell_index()];
-    const double G = own > 0. ? own : m.G;
+  for (const auto& cell : space.mesh().triangulation.active_cell_iterators()) {
+    const std::string& name = space.mesh().surface_of(cell);
+    const ElasticLaw& law = space.material(cell);
+    if (name == caisson_name || law.G == 0. || !is_under(cell->center(), caisson)) continue;
     Layer& layer = layers[name];
     layer.area += cell->measure();
-    layer.G += G * cell->measure();
-    layer.constrained += G * (m.lambda / m.G + 2.) * cell->measure();
+    layer.G += law.G * cell->measure();
+    layer.constrained += law.constrained_modulus() * cell->measure();
   }
   return layers;
 }
@@ -62,11 +57,10 @@ std::map<std::string, Faces> faces_under(const Scene& scene, const Mesh& mesh, c
 
 }  // namespace
 
-std::optional<DrainedLayer> drained_layer(const Scene& scene, const Mesh& mesh, const Caisson& caisson,
-                                          int degree_of_pressure, double time, const SoilState& soil) {
+std::optional<DrainedLayer> drained_layer(const Scene& scene, const Space& space, const Caisson& caisson, double time) {
   const double B = caisson.bottom_width;
-  const auto layers = layers_under(scene, mesh, caisson, soil);
-  const auto faces = faces_under(scene, mesh, caisson);
+  const auto layers = layers_under(space, caisson);
+  const auto faces = faces_under(scene, space.mesh(), caisson);
   double rest = 0.;
   for (const auto& [name, layer] : layers) {
     const double H = layer.area / B, G = layer.G / layer.area;
@@ -80,7 +74,7 @@ std::optional<DrainedLayer> drained_layer(const Scene& scene, const Mesh& mesh, 
     DrainedLayer found{name, at.into, at.cell / at.length, layer->second.constrained / layer->second.area, 0.,
                        0.,   rest};
     found.skin = std::sqrt(time / m.b / (m.alpha * m.alpha / found.stiffness + m.storage));
-    const double drained = found.cell / (degree_of_pressure + 1.);
+    const double drained = found.cell / space.degree();
     found.of_the_rest += found.skin / found.stiffness;
     found.compliance = std::max(drained - found.skin, 0.) * std::min(at.length / B, 1.) / found.stiffness;
     if (!worst || found.compliance > worst->compliance) worst = found;

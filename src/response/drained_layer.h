@@ -5,9 +5,6 @@
 #include <string>
 
 #include "fem/caisson.h"
-#include "upbead/fem/soil_state.h"
-#include "upbead/mesh/mesh.h"
-#include "upbead/model/scene.h"
 
 namespace upbead {
 
@@ -28,8 +25,7 @@ struct DrainedLayer {
 /// The one with the largest share, in loads that change within `time` (s). The rest: layers of thickness H, the caisson
 /// B wide, yield by H/(lambda + 2 G) where they have no pores or drain, else as a layer that keeps its volume between
 /// rough faces, H/(4 G (1 + (B/2H)^2)) [Gent and Lindley 1959, plane strain], and the true skin over lambda + 2 G. None
-/// without such a soil. `scene` as solved.
-std::optional<DrainedLayer> drained_layer(const Scene& scene, const Mesh& mesh, const Caisson& caisson,
-                                          int degree_of_pressure, double time, const SoilState& soil = {});
+/// without such a soil. `scene` as solved, of which the space is.
+std::optional<DrainedLayer> drained_layer(const Scene& scene, const Space& space, const Caisson& caisson, double time);
 
 }  // namespace upbead

@@ -21,7 +21,7 @@ bool drains(const Region& soil, const Region& other) {
 
 double consolidation(const Scene& scene, const Region& region) {
   const Material m = material(region, scene.fluid, scene.gravity);
-  return 1. / m.b / (m.alpha * m.alpha / (m.lambda + 2. * m.G) + m.storage);
+  return 1. / m.b / (m.alpha * m.alpha / m.constrained_modulus() + m.storage);
 }
 
 /// c_v t / h^2, and the overshoot after that time.

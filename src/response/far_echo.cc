@@ -21,12 +21,11 @@ struct Span {
 };
 
 /// Of shear waves (m/s), mean over the area of the surfaces; 0 where there is water alone.
-double mean_shear_speed(const Scene& scene, const Mesh& mesh, const std::set<std::string>& surfaces,
-                        const SoilState& soil) {
+double mean_shear_speed(const Space& space, const std::set<std::string>& surfaces) {
   double sum = 0., area = 0.;
-  for (const auto& cell : mesh.triangulation.active_cell_iterators()) {
-    if (surfaces.count(mesh.surface_of(cell)) == 0) continue;
-    const double speed = shear_speed(scene, mesh, cell, soil);
+  for (const auto& cell : space.mesh().triangulation.active_cell_iterators()) {
+    if (surfaces.count(space.mesh().surface_of(cell)) == 0) continue;
+    const double speed = shear_speed(space, cell);
     if (speed == 0.) continue;
     sum += speed * cell->measure();
     area += cell->measure();
@@ -44,7 +43,8 @@ bool is_saturated(const Scene& scene, const std::set<std::string>& surfaces) {
 
 }  // namespace
 
-std::optional<FarEcho> first_echo(const Scene& scene, const Mesh& mesh, const SoilState& soil) {
+std::optional<FarEcho> first_echo(const Scene& scene, const Space& space) {
+  const Mesh& mesh = space.mesh();
   const auto sides = far_sides(mesh);
   std::set<std::string> grounds;
   for (const auto& [side, surfaces] : sides) grounds.insert(surfaces.begin(), surfaces.end());
@@ -60,8 +60,7 @@ std::optional<FarEcho> first_echo(const Scene& scene, const Mesh& mesh, const So
   if (scene.regions.count(caisson_name) == 0 || middle.left > middle.right) return first;
   for (const auto& [side, surfaces] : sides) {
     const double x = of_side.at(side).left;
-    FarEcho echo{side, std::max(middle.left - x, x - middle.right), mean_shear_speed(scene, mesh, surfaces, soil),
-                 false};
+    FarEcho echo{side, std::max(middle.left - x, x - middle.right), mean_shear_speed(space, surfaces), false};
     echo.absorbing = scene.boundaries.at(side).displacement == DisplacementCondition::absorbing;
     if (echo.speed == 0. || echo.distance <= 0. || (echo.absorbing && !is_saturated(scene, surfaces))) continue;
     if (!first || echo.time() < first->time()) first = echo;

@@ -4,9 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "upbead/fem/soil_state.h"
-#include "upbead/mesh/mesh.h"
-#include "upbead/model/scene.h"
+#include "fem/space.h"
 
 namespace upbead {
 
@@ -20,7 +18,7 @@ struct FarEcho {
 
 /// The far side that is felt first, of the upright sides where the ground ends; those of water alone are not felt
 /// (docs/sides.md), and absorbing ones of dry ground are good enough. Distances are from the toe of the mound, or from
-/// what else stands on the ground. None without a caisson. `scene` as solved.
-std::optional<FarEcho> first_echo(const Scene& scene, const Mesh& mesh, const SoilState& soil = {});
+/// what else stands on the ground. None without a caisson. `scene` as solved, of which the space is.
+std::optional<FarEcho> first_echo(const Scene& scene, const Space& space);
 
 }  // namespace upbead

@@ -7,6 +7,8 @@
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
 
+#include "fem/kernels.h"
+
 namespace upbead {
 
 using namespace dealii;
@@ -21,11 +23,10 @@ constexpr double degree = boost::math::constants::degree<double>();
 struct Rows {
   std::vector<Eigen::Triplet<double>> sum, difference, shear;
 
-  void add(int row, int unknown, const Material& m, const SymmetricTensor<2, dim>& strain, double weight) {
-    const double pressure = -m.lambda * trace(strain) - m.G * trace(strain);
-    sum.emplace_back(row, unknown, weight * pressure);
-    difference.emplace_back(row, unknown, -weight * m.G * (strain[0][0] - strain[1][1]));
-    shear.emplace_back(row, unknown, -weight * 2. * m.G * strain[0][1]);
+  void add(int row, int unknown, const PlaneStress& stress, double weight) {
+    sum.emplace_back(row, unknown, -weight * 0.5 * (stress.xx + stress.yy));
+    difference.emplace_back(row, unknown, -weight * 0.5 * (stress.xx - stress.yy));
+    shear.emplace_back(row, unknown, -weight * stress.xy);
   }
 };
 
@@ -36,8 +37,7 @@ double Mobilisation::Soil::mobilisation(double s, double difference, double tau)
   return strength * end_of_scale > r ? r / strength : end_of_scale;
 }
 
-Mobilisation::Mobilisation(const Space& space, const Unknowns& unknowns, const Scene& scene,
-                           const EffectiveStress& rest, const std::optional<double>& k0) {
+Mobilisation::Mobilisation(const Space& space, const Unknowns& unknowns, const EffectiveStress& rest, const std::optional<double>& k0) {
   Rows rows;
   const hp::QCollection<dim> middle{QMidpoint<dim>()};
   hp::FEValues<dim> hp_values(space.dofs().get_fe_collection(), middle, update_gradients);
@@ -49,10 +49,12 @@ Mobilisation::Mobilisation(const Space& space, const Unknowns& unknowns, const S
     const FEValues<dim>& fe = hp_values.get_present_fe_values();
     dofs.resize(fe.dofs_per_cell);
     cell->get_dof_indices(dofs);
-    const Material m = material(region, scene.fluid, scene.gravity);
-    for (const unsigned i : fe.dof_indices())
+    const ElasticLaw& law = space.material(cell);
+    for (const unsigned i : fe.dof_indices()) {
+      const PlaneStress stress = law.stress(strain_of(fe, i, 0));
       for (const auto& [unknown, weight] : unknowns.expansion(static_cast<unsigned>(dofs[i])))
-        rows.add(static_cast<int>(cells_.size()), unknown, m, fe[u_part].symmetric_gradient(i, 0), weight);
+        rows.add(static_cast<int>(cells_.size()), unknown, stress, weight);
+    }
     const std::string& name = space.mesh().surface_of(cell);
     const auto place = std::find(regions_.begin(), regions_.end(), name);
     Soil soil{cell->center(), static_cast<std::size_t>(place - regions_.begin()), cell->measure()};

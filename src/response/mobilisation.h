@@ -15,7 +15,7 @@ namespace upbead {
 class Mobilisation : public MarchObserver {
  public:
   /// `rest`: the static state; `k0`: s'_x = K_0 s'_y of it, where that is given. Keeps what it needs of all.
-  Mobilisation(const Space& space, const Unknowns& unknowns, const Scene& scene, const EffectiveStress& rest,
+  Mobilisation(const Space& space, const Unknowns& unknowns, const EffectiveStress& rest,
                const std::optional<double>& k0);
   void see(const State& state, int step, int n_steps) override;
   bool has_seen() const { return has_seen_; }

@@ -5,8 +5,6 @@
 #include <limits>
 #include <map>
 
-#include "response/wave_resolution.h"
-
 namespace upbead {
 
 namespace {
@@ -31,16 +29,16 @@ double x_extent(const dealii::Triangulation<dim>::active_cell_iterator& cell, do
 
 }  // namespace
 
-std::vector<ThinLayer> thin_layers(const Scene& scene, const Mesh& mesh, const Caisson& caisson,
-                                   const SoilState& soil) {
+std::vector<ThinLayer> thin_layers(const Space& space, const Caisson& caisson) {
+  const Mesh& mesh = space.mesh();
   std::map<std::string, Seen> regions;
   for (const auto& cell : mesh.triangulation.active_cell_iterators()) {
     const std::string& name = mesh.surface_of(cell);
-    const double speed = shear_speed(scene, mesh, cell, soil);
-    if (name == caisson_name || speed == 0.) continue;
+    const double G = space.material(cell).G;
+    if (name == caisson_name || G == 0.) continue;
     Seen& seen = regions[name];
     seen.area += cell->measure();
-    seen.modulus += cell->measure() * speed * speed * material(scene.regions.at(name), scene.fluid, scene.gravity).rho;
+    seen.modulus += cell->measure() * G;
     if (std::abs(cell->center()[0] - caisson.bottom_centre[0]) > caisson.bottom_width) continue;
     double left = 0., right = 0.;
     seen.longest = std::max(seen.longest, x_extent(cell, left, right));

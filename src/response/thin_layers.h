@@ -5,8 +5,6 @@
 #include <vector>
 
 #include "fem/compile.h"
-#include "upbead/fem/soil_state.h"
-#include "upbead/mesh/mesh.h"
 
 namespace upbead {
 
@@ -20,8 +18,7 @@ struct ThinLayer {
   double cells_per_thickness() const { return thickness / longest; }
 };
 
-/// By name. Needs a caisson; `scene` as solved.
-std::vector<ThinLayer> thin_layers(const Scene& scene, const Mesh& mesh, const Caisson& caisson,
-                                   const SoilState& soil = {});
+/// By name. Needs a caisson.
+std::vector<ThinLayer> thin_layers(const Space& space, const Caisson& caisson);
 
 }  // namespace upbead

@@ -16,22 +16,18 @@ double distance(const dealii::Point<dim>& point, const Caisson& caisson) {
 
 }  // namespace
 
-double shear_speed(const Scene& scene, const Mesh& mesh, const dealii::Triangulation<dim>::active_cell_iterator& cell,
-                   const SoilState& soil) {
-  const Region& region = scene.regions.at(mesh.surface_of(cell));
-  if (region.kind != RegionKind::porous && region.kind != RegionKind::solid) return 0.;
-  const Material m = material(region, scene.fluid, scene.gravity);
-  const double own = soil.shear_modulus.empty() ? 0. : soil.shear_modulus[cell->active_cell_index()];
-  return std::sqrt((own > 0. ? own : m.G) / m.rho);
+double shear_speed(const Space& space, const Space::MeshCell& cell) {
+  const Material& m = space.material(cell);
+  return m.G > 0. ? std::sqrt(m.G / m.rho) : 0.;
 }
 
-std::vector<WaveResolution> wave_resolution(const Scene& scene, const Mesh& mesh, const Caisson& caisson,
-                                            double duration, const SoilState& soil) {
+std::vector<WaveResolution> wave_resolution(const Space& space, const Caisson& caisson, double duration) {
+  const Mesh& mesh = space.mesh();
   std::map<std::string, WaveResolution> found;
   std::map<std::string, double> area;
   for (const auto& cell : mesh.triangulation.active_cell_iterators()) {
     const std::string& name = mesh.surface_of(cell);
-    const double speed = shear_speed(scene, mesh, cell, soil);
+    const double speed = shear_speed(space, cell);
     if (name == caisson_name || speed == 0.) continue;
     found[name].speed += speed * cell->measure();
     area[name] += cell->measure();

@@ -5,8 +5,6 @@
 #include <vector>
 
 #include "fem/compile.h"
-#include "upbead/fem/soil_state.h"
-#include "upbead/mesh/mesh.h"
 
 namespace upbead {
 
@@ -21,12 +19,10 @@ struct WaveResolution {
 
 /// Of every region that deforms. D is the shortest duration of the loads (s), B the width of the caisson's bottom: a
 /// body as wide as that sends out no shorter waves, however short the load is. So measured on the shipped section, D
-/// from 0.02 to 0.4 s: docs/warnings.md. Needs a caisson; `scene` as solved.
-std::vector<WaveResolution> wave_resolution(const Scene& scene, const Mesh& mesh, const Caisson& caisson,
-                                            double duration, const SoilState& soil = {});
+/// from 0.02 to 0.4 s: docs/warnings.md. Needs a caisson.
+std::vector<WaveResolution> wave_resolution(const Space& space, const Caisson& caisson, double duration);
 
-/// V_s of a cell that deforms (m/s), 0 of any other; `soil`: what differs from cell to cell.
-double shear_speed(const Scene& scene, const Mesh& mesh, const dealii::Triangulation<dim>::active_cell_iterator& cell,
-                   const SoilState& soil);
+/// V_s of a cell that deforms (m/s), 0 of any other.
+double shear_speed(const Space& space, const Space::MeshCell& cell);
 
 }  // namespace upbead

@@ -24,7 +24,7 @@ class Soil {
       const bool follows = region.strain_law && simulation.space->kind(cell) != CellKind::absent;
       follows_.push_back(follows);
       laws_.push_back(follows ? *region.strain_law : StrainLaw());
-      largest_.push_back(follows ? material(region, simulation.scene.fluid, simulation.scene.gravity).G : 0.);
+      largest_.push_back(follows ? simulation.space->material(cell).G : 0.);
     }
   }
 

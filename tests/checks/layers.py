@@ -5,12 +5,13 @@ import pathlib
 import re
 import sys
 
-FEM = ["base", "model", "algebra", "mesh", "system"]
+FEM = ["base", "material", "model", "algebra", "mesh", "system"]
 RUN = FEM + ["waves", "fem", "dynamics", "response", "sliding", "expected", "output"]
 ALLOWED = {
     "base": [],
     "input": ["base"],
-    "model": ["base"],
+    "material": ["base"],
+    "model": ["base", "material"],
     "waves": ["base"],
     "algebra": ["base"],
     "mesh": ["base"],

@@ -22,10 +22,11 @@ Scene mud_scene() {
   return scene;
 }
 
-std::optional<DrainedLayer> layer_of(const Scene& scene, int degree_of_pressure = 1) {
+std::optional<DrainedLayer> layer_of(Scene scene, int degree_of_pressure = 1) {
+  scene.mesh.degree = degree_of_pressure + 1;
   const auto mesh = breakwater_mesh(0.5, {{"caisson_width", width}, {"seabed_depth", depth}, {"mound_height", mound}});
   const Compiled compiled(scene, *mesh);
-  return drained_layer(compiled.resolved, *mesh, *compiled.scene.caisson, degree_of_pressure, time);
+  return drained_layer(compiled.resolved, compiled.space, *compiled.scene.caisson, time);
 }
 
 TEST(DrainedLayer, YieldsByWhatCellsDrainBeyondTheSkin) {

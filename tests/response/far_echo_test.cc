@@ -19,9 +19,13 @@ Scene scene_of(DisplacementCondition sides) {
   return scene;
 }
 
+std::optional<FarEcho> echo_of(const Scene& scene, const Mesh& mesh) {
+  return first_echo(scene, Space(mesh, scene));
+}
+
 TEST(FarEcho, ComesFromTheNearerSide) {
   const auto mesh = breakwater_mesh(0.35, {{"seabed_front", 60.}, {"seabed_back", 30.}});
-  const auto echo = first_echo(scene_of(DisplacementCondition::roller), *mesh);
+  const auto echo = echo_of(scene_of(DisplacementCondition::roller), *mesh);
   ASSERT_TRUE(echo);
   EXPECT_EQ(echo->side, "right");
   EXPECT_NEAR(echo->distance, 30., 1e-9);
@@ -31,25 +35,25 @@ TEST(FarEcho, ComesFromTheNearerSide) {
 TEST(FarEcho, OfAbsorbingSidesIsHeardInSaturatedGround) {
   const auto mesh = breakwater_mesh(0.35);
   Scene scene = scene_of(DisplacementCondition::absorbing);
-  const auto echo = first_echo(scene, *mesh);
+  const auto echo = echo_of(scene, *mesh);
   ASSERT_TRUE(echo);
   EXPECT_TRUE(echo->absorbing);
   scene.regions["seabed"].flow = Flow::drained;
-  EXPECT_FALSE(first_echo(scene, *mesh));
+  EXPECT_FALSE(echo_of(scene, *mesh));
 }
 
 TEST(FarEcho, IsOfTheGroundBelowASea) {
   Scene scene = scene_of(DisplacementCondition::roller);
   add_sea(scene);
   const auto mesh = breakwater_mesh(0.35, with_sea());
-  const auto echo = first_echo(scene, *mesh);
+  const auto echo = echo_of(scene, *mesh);
   ASSERT_TRUE(echo);
   EXPECT_NEAR(echo->distance, 120., 1e-9);
 }
 
 TEST(FarEcho, ColumnHasNone) {
   const auto mesh = column_mesh(10., 10);
-  EXPECT_FALSE(first_echo(column(sand(), triangle(1e5, 0.1)), *mesh));
+  EXPECT_FALSE(echo_of(column(sand(), triangle(1e5, 0.1)), *mesh));
 }
 
 }  // namespace

@@ -28,13 +28,13 @@ std::vector<MobilisedStrength> find(double load, const std::optional<double>& k0
   const auto mesh = column_mesh(height, cells);
   const Compiled compiled(scene, *mesh);
   const StaticStage rest = solve_static(compiled.resolved, *mesh);
-  Mobilisation mobilisation(compiled.space, compiled.unknowns, compiled.resolved, rest.stress, k0);
+  Mobilisation mobilisation(compiled.space, compiled.unknowns, rest.stress, k0);
   const auto scheme = make_scheme(compiled.scene.system);
   MarchOptions options;
   options.observers = {&mobilisation};
   march(compiled.scene.system, *scheme, make_time_grid(kinks(compiled.scene.system), 2., 0.5), options);
 
-  Mobilisation resumed(compiled.space, compiled.unknowns, compiled.resolved, rest.stress, k0);
+  Mobilisation resumed(compiled.space, compiled.unknowns, rest.stress, k0);
   resumed.recall(mobilisation.memory());
   EXPECT_EQ(resumed.found().at(0).largest, mobilisation.found().at(0).largest);
   return mobilisation.found();

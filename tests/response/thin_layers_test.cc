@@ -14,7 +14,7 @@ std::vector<ThinLayer> layers(double depth, double modulus, double cells) {
   scene.regions["seabed"].shear_modulus = modulus;
   const auto mesh = breakwater_mesh(cells, {{"seabed_depth", depth}});
   const Compiled compiled(scene, *mesh);
-  return thin_layers(compiled.resolved, *mesh, *compiled.scene.caisson);
+  return thin_layers(compiled.space, *compiled.scene.caisson);
 }
 
 TEST(ThinLayers, AreFoundWithTheirCells) {

@@ -17,7 +17,7 @@ std::vector<WaveResolution> resolution(double cells) {
   const Scene scene = breakwater(triangle(1e6, duration));
   const auto mesh = breakwater_mesh(cells, {{"caisson_width", width}});
   const Compiled compiled(scene, *mesh);
-  return wave_resolution(compiled.resolved, *mesh, *compiled.scene.caisson, duration);
+  return wave_resolution(compiled.space, *compiled.scene.caisson, duration);
 }
 
 TEST(WaveResolution, IsOfEveryRegionThatDeforms) {

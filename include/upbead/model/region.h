@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "upbead/base/objection.h"
+#include "upbead/material/elastic_law.h"
 
 namespace upbead {
 
@@ -122,10 +123,8 @@ struct Region {
   Compressibility compressibility = Compressibility::automatic;  ///< water
 };
 
-/// The constants of the equations of motion of one region, ready for the kernels.
-struct Material {
-  double G = 0.;                                     ///< shear modulus (Pa)
-  double lambda = 0.;                                ///< Lame's first constant, 2 G nu / (1 - 2 nu) (Pa)
+/// The constants of the equations of motion of one region, ready for the kernels; the law is that of the skeleton.
+struct Material : ElasticLaw {
   double rho = 0.;                                   ///< (1 - n) rho_s + n rho_f, or the solid's density (kg/m3)
   double rho_f = 0.;                                 ///< fluid density (kg/m3)
   double a = 0.;                                     ///< tortuosity rho_f / n (kg/m3)

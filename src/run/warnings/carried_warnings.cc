@@ -28,19 +28,17 @@ struct Carried {
   double error() const { return inside_cells * carried_error(law, duration, cells, least, most); }
 };
 
-/// The region's constants, G the mean over its cells where the soil differs from cell to cell.
+/// The region's constants, G the mean over its cells.
 Material mean_material(const Simulation& simulation, const std::string& region) {
-  Material m = material(simulation.scene.regions.at(region), simulation.scene.fluid, simulation.scene.gravity);
-  if (simulation.soil_state.shear_modulus.empty()) return m;
+  Material m;
   double sum = 0., area = 0.;
   for (const auto& cell : simulation.mesh->triangulation.active_cell_iterators()) {
     if (simulation.mesh->surface_of(cell) != region) continue;
-    const double own = simulation.soil_state.shear_modulus[cell->active_cell_index()];
-    sum += (own > 0. ? own : m.G) * cell->measure();
+    m = simulation.space->material(cell);
+    sum += m.G * cell->measure();
     area += cell->measure();
   }
-  m.lambda *= sum / area / m.G;
-  m.G = sum / area;
+  static_cast<ElasticLaw&>(m) = m.with_shear_modulus(sum / area);
   return m;
 }
 

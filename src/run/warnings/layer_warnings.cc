@@ -31,8 +31,7 @@ NumberedWarnings layer_warnings(const Simulation& simulation) {
   if (!simulation.compiled->caisson || !scene.time.inertia || simulation.accuracy) return {};
   const double duration = step_of_loads(scene, 4).duration;
   const std::optional<DrainedLayer> layer =
-      drained_layer(scene, *simulation.mesh, *simulation.compiled->caisson, simulation.space->degree() - 1,
-                    0.5 * duration, simulation.soil_state);
+      drained_layer(scene, *simulation.space, *simulation.compiled->caisson, 0.5 * duration);
   if (!layer) return {};
   const double error = at_most * layer->share();
   if (error <= largest_layer_error) return {};

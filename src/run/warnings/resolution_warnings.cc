@@ -82,8 +82,7 @@ NumberedWarnings mesh_warnings(const Simulation& simulation) {
       simulation.accuracy)
     return {};
   NumberedWarnings list;
-  for (const WaveResolution& at : wave_resolution(simulation.scene, *simulation.mesh, *simulation.compiled->caisson,
-                                                  duration, simulation.soil_state)) {
+  for (const WaveResolution& at : wave_resolution(*simulation.space, *simulation.compiled->caisson, duration)) {
     const bool rings = duration > 0. && is_undamped(simulation.scene.regions.at(at.region), duration);
     const CellsToWave wide =
         cells_to_wave(at, at.wavelength, simulation.space->degree() == 2 ? of_degree_2 : of_degree_3);

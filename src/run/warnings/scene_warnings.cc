@@ -12,8 +12,7 @@ std::optional<double> passing_time(const Simulation& simulation) {
   if (!simulation.scene.time.inertia || !std::isfinite(duration)) return std::nullopt;
   double time = duration;
   if (simulation.compiled->caisson)
-    for (const WaveResolution& at : wave_resolution(simulation.scene, *simulation.mesh, *simulation.compiled->caisson,
-                                                    duration, simulation.soil_state))
+    for (const WaveResolution& at : wave_resolution(*simulation.space, *simulation.compiled->caisson, duration))
       time = std::max(time, at.wavelength / at.speed);
   return time > 0. ? std::optional(time) : std::nullopt;
 }

@@ -39,7 +39,7 @@ SceneWatch::SceneWatch(const Simulation& simulation) {
   if (!has_strength(simulation.scene)) return;
   try {
     const StaticStage rest = solve_static(simulation.scene, *simulation.mesh);
-    strength_.emplace(*simulation.space, *simulation.unknowns, simulation.scene, rest.stress, k0_of(simulation.scene));
+    strength_.emplace(*simulation.space, *simulation.unknowns, rest.stress, k0_of(simulation.scene));
   } catch (const NumericsError& error) {
     why_no_strength_ = error.what();
   }

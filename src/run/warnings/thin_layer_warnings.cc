@@ -11,7 +11,7 @@ NumberedWarnings thin_layer_warnings(const Simulation& simulation) {
   if (!simulation.scene.time.inertia || !simulation.compiled->caisson || simulation.accuracy) return {};
   NumberedWarnings list;
   for (const ThinLayer& layer :
-       thin_layers(simulation.scene, *simulation.mesh, *simulation.compiled->caisson, simulation.soil_state))
+       thin_layers(*simulation.space, *simulation.compiled->caisson))
     if (const double n = layer.cells_per_thickness(); n < least)
       list.push_back({"mesh_too_coarse", n, least, "1",
                       "region '" + layer.region + "' is a soft layer of " + significant(layer.thickness, 2) +

@@ -24,7 +24,7 @@ NumberedWarnings wall_warnings(const Simulation& simulation, const std::optional
   const double end = simulation.scene.time.end;
   const std::optional<double> time = passing_time(simulation);
   if (!time || !simulation.compiled->caisson) return {};
-  const std::optional<FarEcho> echo = first_echo(simulation.scene, *simulation.mesh, simulation.soil_state);
+  const std::optional<FarEcho> echo = first_echo(simulation.scene, *simulation.space);
   if (!echo || echo->time() * delay(echo->distance / simulation.compiled->caisson->bottom_width) >= end) return {};
   const bool is_fast = shortest_duration(simulation.scene) < echo->time();
   if (!is_fast && echo->distance >= simulation.compiled->caisson->bottom_width) return {};
