@@ -23,7 +23,6 @@
 #include "base/interrupt.h"
 #include "base/parcel.h"
 #include "confinement.h"
-#include "sanitized.h"
 #include "upbead/base/error.h"
 
 namespace upbead {
@@ -103,7 +102,7 @@ void hand_back_work(const std::function<std::string()>& work) {
     hand_back(Kind::result, work());
   } catch (const InputError& error) {
     Parcel parcel;
-    parcel.put(error.mistakes());
+    parcel.put(error.diagnostics());
     hand_back(Kind::input_error, parcel.take());
   } catch (const std::bad_alloc&) {
     hand_back(Kind::no_memory, "");
@@ -244,7 +243,7 @@ ConfinedOutcome work_confined(const std::function<std::string()>& work, const Co
   } else if (kind == Kind::result) {
     outcome.result = std::move(bytes);
   } else if (kind == Kind::input_error) {
-    throw InputError(OpenParcel(bytes).mistakes());
+    throw InputError(OpenParcel(bytes).diagnostics());
   } else {
     outcome.end = kind == Kind::exception ? "fails: " + bytes : no_memory(limits);
   }

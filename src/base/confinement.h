@@ -4,6 +4,16 @@
 #include <string>
 #include <vector>
 
+// Whether this is a build under AddressSanitizer, whose runtime reserves terabytes of addresses and makes pipes to see
+// whether memory may be read.
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define UPBEAD_ASAN
+#endif
+#elif defined(__SANITIZE_ADDRESS__)
+#define UPBEAD_ASAN
+#endif
+
 namespace upbead::detail {
 
 /// What a confined process tried, in memory that it shares with the process that waits for it: told even after a crash.

@@ -1,16 +1,21 @@
 #include "base/files.h"
 
+#include <fcntl.h>
+#include <fnmatch.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
+#include <cstdio>
+#include <filesystem>
 #include <fstream>
+#include <set>
 #include <system_error>
 
-#include "exchange.h"
-#include "folder_lock.h"
+#include "base/text.h"
 #include "upbead/base/error.h"
 
 namespace fs = std::filesystem;
@@ -57,7 +62,88 @@ void check_room(const fs::path& target, const fs::path& file) {
       fail("'" + (target / folder).string() + "' is a file, not a folder");
 }
 
+/// Whether a file, relative to its folder, matches a pattern: * ? [] in the last part, as in a shell.
+bool matches(const fs::path& file, const std::string& pattern) {
+  return file.parent_path() == fs::path(pattern).parent_path() &&
+         fnmatch(fs::path(pattern).filename().c_str(), file.filename().c_str(), 0) == 0;
+}
+
+/// Folders of the files, and of files that match the patterns; relative, without the outermost.
+std::set<fs::path> own_folders(const std::vector<fs::path>& files, const std::vector<std::string>& replaced) {
+  std::set<fs::path> folders;
+  const auto add = [&folders](fs::path folder) {
+    for (; !folder.empty(); folder = folder.parent_path()) folders.insert(folder);
+  };
+  for (const fs::path& file : files) add(file.parent_path());
+  for (const std::string& pattern : replaced) add(fs::path(pattern).parent_path());
+  return folders;
+}
+
+/// Whether this process works in the folder or below it: a shell would find itself nowhere.
+bool is_worked_in(const fs::path& folder) {
+  std::error_code code;
+  const fs::path here = fs::current_path(code);
+  if (code) return true;
+  const auto [end, ignored] = std::mismatch(folder.begin(), folder.end(), here.begin(), here.end());
+  return end == folder.end();
+}
+
+/// Links what is kept into `fresh`; false where that is not possible.
+bool link_kept(const fs::path& fresh, const fs::path& old, const std::vector<fs::path>& files,
+               const std::vector<std::string>& replaced) {
+  const std::set<fs::path> folders = own_folders(files, replaced);
+  std::error_code code;
+  for (fs::recursive_directory_iterator entry(old, code), end; !code && entry != end; entry.increment(code)) {
+    const fs::path file = entry->path().lexically_relative(old);
+    if (fs::is_directory(entry->symlink_status(code))) {
+      if (folders.count(file) == 0) return false;
+      continue;
+    }
+    if (std::find(files.begin(), files.end(), file) != files.end()) continue;
+    if (std::any_of(replaced.begin(), replaced.end(),
+                    [&](const std::string& pattern) { return matches(file, pattern); }))
+      continue;
+    fs::create_directories((fresh / file).parent_path(), code);
+    if (!code) fs::create_hard_link(entry->path(), fresh / file, code);
+    if (code) return false;
+  }
+  return !code;
+}
+
+/// Puts the folder `fresh` in the place of `old`, and the reverse: whoever looks sees the one or the other as a whole,
+/// whenever this process is killed. What else stands in `old` but `files` (those of `fresh`, relative to it) and what
+/// matches `replaced` is kept, by hard links in `fresh`. False, with `old` as it was, where that is not possible or not
+/// wanted: the file system cannot, `old` holds folders of others, or this process works in it.
+bool exchange(const fs::path& fresh, const fs::path& old, const std::vector<fs::path>& files,
+              const std::vector<std::string>& replaced) {
+  if (is_worked_in(old) || !link_kept(fresh, old, files, replaced)) return false;
+  std::error_code code;
+  fs::permissions(fresh, fs::status(old, code).permissions(), code);
+  return !code && renameat2(AT_FDCWD, fresh.c_str(), AT_FDCWD, old.c_str(), RENAME_EXCHANGE) == 0;
+}
+
 }  // namespace
+
+/// flock(2) on the folder itself: no file is left behind, and it goes with the process however that ends. File systems
+/// without such locks (some networks') count as not held.
+class FolderLock {
+ public:
+  /// `waiting`: LOCK_NB, or 0 to wait for others.
+  FolderLock(const fs::path& folder, int waiting)
+      : descriptor_(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)),
+        held_(descriptor_ >= 0 && flock(descriptor_, LOCK_EX | waiting) == 0) {}
+  ~FolderLock() {
+    if (descriptor_ >= 0) close(descriptor_);
+  }
+  FolderLock(const FolderLock&) = delete;
+  FolderLock& operator=(const FolderLock&) = delete;
+
+  bool held() const { return held_; }
+
+ private:
+  int descriptor_;
+  bool held_;
+};
 
 OutputFolder::OutputFolder(const std::string& path) : name_(path) {
   if (path.empty()) fail("the output folder has no name");
@@ -124,7 +210,7 @@ void OutputFolder::remove_abandoned() const {
     if (entry->path().filename().string().rfind(stem(), 0) == 0 && fs::last_write_time(*entry, code) < old)
       abandoned.push_back(entry->path());
   for (const fs::path& folder : abandoned)
-    if (FolderLock(folder, FolderLock::Wait::no).held()) fs::remove_all(folder, code);
+    if (FolderLock(folder, LOCK_NB).held()) fs::remove_all(folder, code);
 }
 
 void OutputFolder::make_partial() {
@@ -134,7 +220,7 @@ void OutputFolder::make_partial() {
     std::error_code code;
     if (fs::create_directory(candidate, code)) {
       partial_ = candidate;
-      in_use_ = std::make_unique<FolderLock>(partial_, FolderLock::Wait::no);
+      in_use_ = std::make_unique<FolderLock>(partial_, LOCK_NB);
       return;
     }
     if (code) {
@@ -186,7 +272,7 @@ void OutputFolder::remove_older(const std::string& pattern, const std::vector<fs
 }
 
 void OutputFolder::put_into_place(const std::vector<std::string>& replaced) const {
-  const FolderLock turn(target_.parent_path(), FolderLock::Wait::yes);  // two runs into one folder: one after the other
+  const FolderLock turn(target_.parent_path(), 0);  // two runs into one folder: one after the other
   std::error_code code;
   if (!is_there(target_)) {
     fs::rename(partial_, target_, code);
@@ -206,6 +292,43 @@ void OutputFolder::commit(const std::vector<std::string>& replaced) {
   put_into_place(replaced);
   partial_.clear();
   made_parents_.clear();
+}
+
+namespace {
+
+/// Files that are there and would be replaced.
+std::vector<fs::path> replaced_files(const fs::path& folder, const std::vector<std::string>& outputs) {
+  std::vector<fs::path> files;
+  for (const std::string& output : outputs) {
+    const fs::path place = fs::path(output).parent_path();
+    std::error_code code;  // a folder that is not there holds no input
+    for (fs::directory_iterator entry(folder / place, code), end; !code && entry != end; entry.increment(code))
+      if (matches(place / entry->path().filename(), output)) files.push_back(entry->path());
+  }
+  return files;
+}
+
+bool is_same(const fs::path& a, const fs::path& b) {
+  std::error_code different;
+  return fs::equivalent(a, b, different);
+}
+
+}  // namespace
+
+void require_inputs_kept(const std::string& folder, const std::vector<std::string>& outputs,
+                         const std::vector<InputFile>& inputs) {
+  const std::vector<fs::path> files = replaced_files(folder, outputs);
+  Diagnostics mistakes;
+  for (const InputFile& input : inputs) {
+    const auto taken =
+        std::find_if(files.begin(), files.end(), [&](const fs::path& file) { return is_same(file, input.path); });
+    if (taken != files.end())
+      mistakes.add(input.place,
+                   quoted_path(input.path) + " is read, and " + quoted_path(taken->string()) +
+                       ", which would be written, is the same file",
+                   "choose another folder with --out DIR");
+  }
+  mistakes.throw_if_any();
 }
 
 }  // namespace upbead

@@ -9,9 +9,9 @@ void Parcel::put(const std::vector<std::string>& texts) {
   for (const std::string& text : texts) put(text);
 }
 
-void Parcel::put(const std::vector<Mistake>& mistakes) {
-  put(mistakes.size());
-  for (const Mistake& mistake : mistakes) {
+void Parcel::put(const Diagnostics& mistakes) {
+  put(mistakes.list().size());
+  for (const Diagnostic& mistake : mistakes) {
     put(mistake.place.file);
     put(mistake.place.line);
     put(mistake.place.column);
@@ -26,16 +26,16 @@ std::vector<std::string> OpenParcel::texts() {
   return texts;
 }
 
-std::vector<Mistake> OpenParcel::mistakes() {
-  std::vector<Mistake> mistakes;
+Diagnostics OpenParcel::diagnostics() {
+  Diagnostics mistakes;
   for (auto n = value<std::size_t>(); n > 0; --n) {
-    Mistake mistake;
+    Diagnostic mistake;
     mistake.place.file = text();
     mistake.place.line = value<int>();
     mistake.place.column = value<int>();
     mistake.what = text();
     mistake.cure = text();
-    mistakes.push_back(std::move(mistake));
+    mistakes.add(std::move(mistake));
   }
   return mistakes;
 }

@@ -25,7 +25,7 @@ class Parcel {
     put_all(list.data(), list.size());
   }
   void put(const std::vector<std::string>& texts);
-  void put(const std::vector<Mistake>& mistakes);
+  void put(const Diagnostics& mistakes);
   /// Leaves the parcel empty.
   std::string take() { return std::move(bytes_); }
 
@@ -61,7 +61,7 @@ class OpenParcel {
     return list;
   }
   std::vector<std::string> texts();
-  std::vector<Mistake> mistakes();
+  Diagnostics diagnostics();
 
  private:
   /// In bytes, of a list that comes next.

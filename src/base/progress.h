@@ -1,13 +1,15 @@
-// One line on stderr that says how far a long activity is. Only a person at a terminal sees it: nothing is written
-// where stderr is a file or a pipe.
+// Long work: one line on stderr that says how far it is, and independent pieces of it on all cores.
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <string>
 
 #include "base/stopwatch.h"
 
 namespace upbead {
 
+/// Only a person at a terminal sees the line: nothing is written where stderr is a file or a pipe.
 class Progress {
  public:
   /// `what`: the activity, such as "marching".
@@ -29,5 +31,9 @@ class Progress {
 
 /// "marching: 42 %, 12 s left"; no time left is said in the first second, when it would be a guess. `elapsed` in s.
 std::string progress_line(const std::string& what, double done, double elapsed);
+
+/// Calls work(i) once for every i < n, from several threads, and shows how far it is as `what`. Throws the first
+/// exception that a piece throws, and Interrupted; no piece begins after it.
+void in_parallel(std::size_t n, const std::string& what, const std::function<void(std::size_t)>& work);
 
 }  // namespace upbead

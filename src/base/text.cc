@@ -1,5 +1,6 @@
 #include "base/text.h"
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <sstream>
@@ -26,8 +27,105 @@ std::string with_unit(double value, const std::string& unit, double peak) {
   return significant(value, 4) + " " + unit;
 }
 
+std::string percent(double share) {
+  return significant(100. * share) + " %";
+}
+
 bool is_word_character(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
+}
+
+namespace {
+
+/// Bytes 10xxxxxx of UTF-8 go on with a character.
+bool goes_on(char c) {
+  return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
+}
+
+}  // namespace
+
+std::string excerpt(std::string_view text, std::size_t most) {
+  constexpr std::string_view gap = " ... ";
+  std::string line(text.substr(0, most));
+  if (text.size() > most) {
+    const std::size_t kept = most - gap.size();
+    std::size_t head = kept - kept / 3, tail = text.size() - kept / 3;
+    while (head > 0 && goes_on(text[head])) --head;
+    while (tail < text.size() && goes_on(text[tail])) ++tail;
+    line = std::string(text.substr(0, head)).append(gap).append(text.substr(tail));
+  }
+  std::replace_if(
+      line.begin(), line.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20U || c == 0x7F; }, ' ');
+  return line;
+}
+
+std::string in_quotes(std::string_view text, std::size_t most) {
+  return "'" + excerpt(text, most) + "'";
+}
+
+std::string quoted_path(std::string_view path) {
+  return in_quotes(path, path.size() > longest_path ? longest_quote : longest_path);
+}
+
+namespace {
+
+/// Words that differ in this form only are the same to a person.
+std::string folded(const std::string& word) {
+  std::string text = word;
+  for (char& c : text) c = c == '-' || c == ' ' ? '_' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+std::size_t distance(const std::string& a, const std::string& b) {
+  std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+  for (std::size_t i = 0; i <= a.size(); ++i) d[i][0] = i;
+  for (std::size_t j = 0; j <= b.size(); ++j) d[0][j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i)
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t replaced = d[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
+      d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, replaced});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+        d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
+    }
+  return d[a.size()][b.size()];
+}
+
+constexpr std::size_t longest_word = 200;  // a slip of the hand is one of a word; the distance takes its square
+constexpr std::size_t n_suggested = 40;       // words that a person looks through
+
+std::string list_of(const std::vector<std::string>& words) {
+  std::vector<std::string> shown;
+  for (std::size_t i = 0; i < words.size() && i < n_suggested; ++i) shown.push_back(excerpt(words[i]));
+  const std::string more = " and " + std::to_string(words.size() - shown.size()) + " more";
+  return join(shown) + (words.size() > n_suggested ? more : "");
+}
+
+}  // namespace
+
+std::string nearest(const std::string& word, const std::vector<std::string>& candidates) {
+  std::string best;
+  std::size_t least = 0;
+  if (word.size() > longest_word) return best;
+  for (const std::string& candidate : candidates) {
+    if (candidate.size() > longest_word) continue;
+    const std::size_t d = distance(folded(word), folded(candidate));
+    if (d > std::max(word.size(), candidate.size()) / 3 || (!best.empty() && d >= least)) continue;
+    best = candidate;
+    least = d;
+  }
+  return best;
+}
+
+std::string suggestion(const std::string& word, const std::vector<std::string>& candidates, const std::string& kind) {
+  const std::string near = nearest(word, candidates);
+  if (!near.empty()) return "did you mean " + in_quotes(near) + "?";
+  return candidates.empty() ? "there are no " + kind : "known " + kind + ": " + list_of(candidates);
+}
+
+std::string join(const std::vector<std::string>& words, const std::string& separator) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : separator) + word;
+  return text;
 }
 
 }  // namespace upbead

@@ -1,9 +1,36 @@
-// Numbers in sentences.
+// Numbers, names and text of somebody else's in messages.
 #pragma once
 
+#include <cstddef>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace upbead {
+
+constexpr std::size_t longest_quote = 60;   ///< characters (bytes) that tell a person which text is meant
+constexpr std::size_t longest_path = 4096;  ///< PATH_MAX of Linux: a longer one names no file
+
+/// The text on one line, at most `most` characters of it: of a longer one its beginning and its end with " ... "
+/// between. UTF-8 is not cut within a character; control characters become blanks.
+std::string excerpt(std::string_view text, std::size_t most = longest_quote);
+
+/// The same in single quotes: 'porosity'.
+std::string in_quotes(std::string_view text, std::size_t most = longest_quote);
+
+/// A path whole, as it must be found again.
+std::string quoted_path(std::string_view path);
+
+/// The candidate nearest to `word` by Damerau-Levenshtein distance (insert, delete, replace, swap neighbours), capitals
+/// and hyphens set aside; "" where none differs by at most a third of its letters.
+std::string nearest(const std::string& word, const std::vector<std::string>& candidates);
+
+/// "did you mean 'porosity'?" where something is near, else "known KIND: a, b, c" ("there are no KIND" without any).
+/// `kind` is a plural: "keys", "boundaries".
+std::string suggestion(const std::string& word, const std::vector<std::string>& candidates, const std::string& kind);
+
+/// "a, b, c".
+std::string join(const std::vector<std::string>& words, const std::string& separator = ", ");
 
 /// A number with at most that many significant digits: "0.05", "1e-05".
 std::string significant(double value, int digits = 3);
@@ -14,6 +41,9 @@ double without_round_off(double value, double peak);
 /// A number with its unit, in the prefix that reads best: "3.01 kN/m"; milli for metres only, for mN reads as MN. What
 /// is round-off of `peak` prints as 0.
 std::string with_unit(double value, const std::string& unit, double peak = 0.);
+
+/// "12.5 %" of a share of 0.125.
+std::string percent(double share);
 
 /// A letter, a digit or _.
 bool is_word_character(char c);

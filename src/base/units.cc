@@ -4,7 +4,7 @@
 #include <array>
 #include <string_view>
 
-#include "base/constants.h"
+#include "base/numbers.h"
 
 namespace upbead {
 

@@ -2,11 +2,9 @@
 
 #include <filesystem>
 
+#include "case/records/load_records.h"
 #include "case_checks.h"
-#include "case_history.h"
 #include "case_schema.h"
-#include "records/gauge_keys.h"
-#include "records/gauge_loads.h"
 
 namespace fs = std::filesystem;
 
@@ -38,19 +36,19 @@ void make_history(Case& problem, const std::string& name, LoadTable& table, doub
 }
 
 /// Makes the histories of all sound loads.
-void make_histories(Case& problem, CaseTables& tables, InputReport& report) {
+void make_histories(Case& problem, CaseTables& tables, Diagnostics& report) {
   for (auto& [name, table] : tables.load_tables) {
     if (!report.sound(dotted("loads", name))) continue;
     try {
       make_history(problem, name, table, tables.time.end);
     } catch (const InputError& error) {
-      for (const Mistake& mistake : error.mistakes()) report.add(dotted("loads", name), mistake);
+      report.add_at(dotted("loads", name), error.diagnostics());
     }
   }
 }
 
 /// Makes the sliding of a scene, with the history of its uplift.
-void make_sliding(Case& problem, CaseTables& tables, InputReport& report) {
+void make_sliding(Case& problem, CaseTables& tables, Diagnostics& report) {
   if (!tables.sliding_table || !report.sound("sliding")) return;
   tables.sliding = *tables.sliding_table;
   if (!problem.document.find("sliding.friction")) tables.sliding->friction = contact_friction(tables);
@@ -66,7 +64,7 @@ void make_sliding(Case& problem, CaseTables& tables, InputReport& report) {
         {}, table, read_gauges(table, problem.resolve(table.gauges), "sliding.uplift", problem.document)};
     tables.sliding->uplift->history = uplift_of(*problem.uplift_gauges);
   } catch (const InputError& error) {
-    for (const Mistake& mistake : error.mistakes()) report.add("sliding.uplift", mistake);
+    report.add_at("sliding.uplift", error.diagnostics());
   }
 }
 
@@ -114,10 +112,10 @@ std::string Case::resolve(const std::string& path) const {
 }
 
 InputError Case::placed(const InputError& error) const {
-  std::vector<Mistake> mistakes = error.mistakes();
-  for (Mistake& mistake : mistakes)
-    if (mistake.place.file.empty() && !mistake.place.key.empty()) mistake.place = place(mistake.place.key);
-  return InputError(std::move(mistakes));
+  Diagnostics placed;
+  for (const auto& [at, what, cure] : error.diagnostics())
+    placed.add(at.file.empty() && !at.key.empty() ? place(at.key) : at, what, cure);
+  return InputError(std::move(placed));
 }
 
 Case read_case(const std::string& path, const std::vector<std::string>& overrides) {
@@ -125,7 +123,7 @@ Case read_case(const std::string& path, const std::vector<std::string>& override
   problem.document = Document(path, overrides);
   problem.stem = fs::path(path).stem().string();
   CaseTables tables;
-  InputReport report;
+  Diagnostics report;
   case_schema().read(problem.document.root(), "", tables, report);
   for (const auto check : {check_mesh, check_regions, check_loads, check_time, check_probes, check_sliding})
     check(tables, problem.document, report);

@@ -5,69 +5,72 @@
 #include <filesystem>
 #include <map>
 
-#include "base/quoted.h"
+#include "base/text.h"
+#include "case/records/load_records.h"
 #include "model/exclusions.h"
 #include "model/words.h"
 #include "upbead/case/case.h"
 
 namespace upbead {
 
-Objections::Objections(std::string path, const Document& document, InputReport& report)
+TableDiagnostics::TableDiagnostics(std::string path, const Document& document, Diagnostics& report)
     : path_(std::move(path)), document_(document), report_(report), sound_(report.sound(path_)) {}
 
-void Objections::add(const Objection& objection) const {
-  const std::string key = path_ + "." + objection.key;
-  if (sound_ || !document_.find(key))
-    report_.add(path_, document_.place(key), "[" + path_ + "]: " + objection.what, objection.cure);
+void TableDiagnostics::add(const std::string& key, const std::string& what, const std::string& cure) const {
+  const std::string path = path_ + "." + key;
+  if (sound_ || !document_.find(path)) report_.add(document_.place(path), "[" + path_ + "]: " + what, cure);
+}
+
+void TableDiagnostics::add(const Diagnostics& part, const std::string& below) const {
+  for (const Diagnostic& found : part) add(below + found.place.key, found.what, found.cure);
 }
 
 namespace {
-void check_geometry(const std::string& geometry, const Document& document, InputReport& report) try {
+void check_geometry(const std::string& geometry, const Document& document, Diagnostics& report) try {
   const std::vector<std::string> known = geometries();
   if (std::find(known.begin(), known.end(), geometry) == known.end())
-    report.add("mesh.geometry", document.place("mesh.geometry"), "there is no geometry " + in_quotes(geometry),
+    report.add(document.place("mesh.geometry"), "there is no geometry " + in_quotes(geometry),
                suggestion(geometry, known, "geometries"));
 } catch (const InputError& error) {
-  for (const Mistake& mistake : error.mistakes()) report.add("mesh.geometry", mistake);
+  report.add_at("mesh.geometry", error.diagnostics());
 }
 }  // namespace
 
-void check_mesh(const CaseTables& tables, const Document& document, InputReport& report) {
+void check_mesh(const CaseTables& tables, const Document& document, Diagnostics& report) {
   if (!report.sound("mesh")) return;
   const MeshChoice& mesh = tables.mesh;
   if (mesh.geometry && mesh.file)
-    report.add("mesh", document.place("mesh.file"), "both 'geometry' and 'file' are given in [mesh]",
-               "keep one of them");
+    report.add(document.place("mesh.file"), "both 'geometry' and 'file' are given in [mesh]", "keep one of them");
   else if (mesh.geometry)
     check_geometry(*mesh.geometry, document, report);
   else if (!mesh.file)
-    report.add("mesh", document.place("mesh"), "neither 'geometry' nor 'file' is given in [mesh]",
+    report.add(document.place("mesh"), "neither 'geometry' nor 'file' is given in [mesh]",
                "add geometry = \"composite\", or file = the path of a mesh");
   else if (!mesh.parameters.empty() && std::filesystem::path(*mesh.file).extension() == ".msh")
-    report.add("mesh", document.place("mesh.parameters"), "'parameters' are those of a .geo, a .msh has none",
+    report.add(document.place("mesh.parameters"), "'parameters' are those of a .geo, a .msh has none",
                "remove parameters, or give the .geo as file");
 }
 
-void check_regions(const CaseTables& tables, const Document& document, InputReport& report) {
+void check_regions(const CaseTables& tables, const Document& document, Diagnostics& report) {
   if (tables.regions.empty() && report.sound("regions"))
-    report.add("regions", document.place("regions"), "the case has no region",
+    report.add(document.place("regions"), "the case has no region",
                "add a table [regions.NAME] for every physical surface of the mesh");
   for (const auto& [name, region] : tables.regions) {
     const std::string path = dotted("regions", name);
     if (!report.sound(path + ".kind")) continue;
-    const Objections objections(path, document, report);
-    for (const Objection& objection : check(region)) objections.add(objection);
-    if (region.flow == Flow::inertial && report.sound("time") && !tables.time.inertia)
-      report.add(path, document.place(dotted(path, "flow")), "flow = \"inertial\" contradicts time.inertia = false",
-                 "write flow = \"auto\" or inertia = true");
+    TableDiagnostics(path, document, report).add(diagnose(region));
+    if (tables.time.inertia || !report.sound("time")) continue;
+    for (const Exclusion& reason : excluded(tables, Treatment::consolidation))
+      if (reason.key == "regions." + name + ".flow")
+        report.add(document.place(dotted(path, "flow")), reason.why, reason.cure);
   }
 }
 
-void check_time(const CaseTables& tables, const Document& document, InputReport& report) {
+void check_time(const CaseTables& tables, const Document& document, Diagnostics& report) {
   if (!report.sound("time")) return;
   const TimeChoice& time = tables.time;
   if (time.step && *time.step > time.end)
-    report.add("time", document.place("time.step"),
+    report.add(document.place("time.step"),
                "step = " + number_text(*time.step) + " is longer than end = " + number_text(time.end),
                "give a shorter step (s), or \"auto\"");
   const std::map<TimeScheme, Treatment> ways{{TimeScheme::reduced, Treatment::reduced_model},
@@ -78,15 +81,15 @@ void check_time(const CaseTables& tables, const Document& document, InputReport&
   for (const Exclusion& reason : excluded(tables, way->second)) reasons += (reasons.empty() ? "" : ", ") + reason.why;
   if (!reasons.empty())
     report.add(
-        "time", document.place("time.scheme"),
+        document.place("time.scheme"),
         "scheme = \"" + word_of(time.scheme, time_scheme_words) + "\" cannot do what the case asks for: " + reasons,
         "write scheme = \"auto\"");
 }
 
-void check_probes(const CaseTables& tables, const Document& document, InputReport& report) {
+void check_probes(const CaseTables& tables, const Document& document, Diagnostics& report) {
   constexpr std::size_t most_probes = 5000;  // with 15 histories each 0.6 GB in 1,000 steps
   if (tables.probes.size() > most_probes)
-    report.add("probes", document.place("probes"),
+    report.add(document.place("probes"),
                std::to_string(tables.probes.size()) + " probes; at most " + std::to_string(most_probes) +
                    " are followed, with a history of each of their readings",
                "keep the points that are looked at, or write fields, [output] fields = { every = ... }");
@@ -94,10 +97,167 @@ void check_probes(const CaseTables& tables, const Document& document, InputRepor
   for (const auto& [name, probe] : tables.probes) {
     const std::string path = dotted("probes", name);
     if (report.sound(path) && (name.empty() || !std::all_of(name.begin(), name.end(), plain)))
-      report.add(path, document.place(path),
-                 "probe " + to_toml(excerpt(name)) + " cannot name a dataset of the results",
+      report.add(document.place(path), "probe " + to_toml(excerpt(name)) + " cannot name a dataset of the results",
                  "use letters, digits, _ and -");
   }
+}
+
+namespace {
+
+template <class Map>
+std::vector<std::string> keys_of(const Map& map) {
+  std::vector<std::string> keys;
+  for (const auto& [key, value] : map) keys.push_back(key);
+  return keys;
+}
+
+/// The checks of one load.
+class LoadCheck {
+ public:
+  LoadCheck(const std::string& name, const LoadTable& load, const CaseTables& tables, const Document& document,
+            Diagnostics& report)
+      : path_(dotted("loads", name)),
+        load_(load),
+        tables_(tables),
+        document_(document),
+        report_(report),
+        wrong_(path_, document, report) {}
+
+  void run() const {
+    exactly_one("boundary", "region");
+    if (load_.kind == LoadKind::pressures)
+      check_row();
+    else
+      exactly_one("pulse", "history");
+    if (given("boundary")) check_name("boundary", load_.boundary, keys_of(tables_.boundaries), "boundaries");
+    if (given("region")) check_region();
+    if (load_.kind != LoadKind::pressure && load_.kind != LoadKind::pressures && load_.direction[0] == 0. &&
+        load_.direction[1] == 0.)
+      wrong_.add("direction", "direction is zero", "give a direction such as [1.0, 0.0]");
+    if (!load_.shape.empty()) check_shape();
+    if (load_.pulse && report_.sound(path_ + ".pulse.shape")) wrong_.add(diagnose(*load_.pulse), "pulse.");
+  }
+
+ private:
+  bool given(const std::string& key) const { return document_.find(path_ + "." + key) != nullptr; }
+
+  void exactly_one(const std::string& a, const std::string& b) const {
+    if (given(a) && given(b)) wrong_.add(b, "both '" + a + "' and '" + b + "' are given", "keep one of them");
+    if (!given(a) && !given(b)) wrong_.add(a, "neither '" + a + "' nor '" + b + "' is given", "add " + a + " or " + b);
+  }
+
+  bool check_name(const std::string& key, const std::string& name, const std::vector<std::string>& known,
+                  const std::string& kind) const {
+    if (std::find(known.begin(), known.end(), name) != known.end()) return true;
+    wrong_.add(key, key + " = " + to_toml(name) + " has no table [" + dotted(kind, name) + "]",
+               suggestion(name, known, kind));
+    return false;
+  }
+
+  void check_region() const {
+    if (!check_name("region", load_.region, keys_of(tables_.regions), "regions")) return;
+    if (report_.sound(dotted("regions", load_.region)) && tables_.regions.at(load_.region).kind != RegionKind::rigid)
+      wrong_.add("region", "region = " + to_toml(load_.region) + " is not rigid",
+                 "load one of its boundaries instead; only a rigid region takes a load at a point");
+    if (load_.kind != LoadKind::force)
+      wrong_.add("kind", "a load on a region is a force, no traction or pressure", "write kind = \"force\"");
+  }
+
+  void check_row() const {
+    for (const char* key : {"pulse", "history", "shape"})
+      if (given(key))
+        wrong_.add(key, std::string("'") + key + "' does not belong to pressures by transducers",
+                   std::string("remove ") + key + ", or write kind = \"pressure\"");
+    check_gauges(load_, wall_words, path_, document_, report_);
+  }
+
+  void check_shape() const {
+    const auto& shape = load_.shape;
+    bool ascending = true, all_zero = true;
+    for (std::size_t i = 0; i < shape.size(); ++i) {
+      ascending = ascending && (i == 0 || shape[i][0] > shape[i - 1][0]);
+      all_zero = all_zero && shape[i][1] == 0.;
+    }
+    if (shape.size() < 2)
+      wrong_.add("shape", "one pair of height and intensity makes no shape", "give two pairs or more");
+    if (!ascending) wrong_.add("shape", "the heights of shape do not ascend", "order the pairs by height");
+    if (all_zero) wrong_.add("shape", "every intensity of shape is zero", "give an intensity other than zero");
+  }
+
+  std::string path_;
+  const LoadTable& load_;
+  const CaseTables& tables_;
+  const Document& document_;
+  Diagnostics& report_;
+  TableDiagnostics wrong_;
+};
+
+}  // namespace
+
+void check_loads(const CaseTables& tables, const Document& document, Diagnostics& report) {
+  for (const auto& [name, load] : tables.load_tables)
+    if (report.sound(dotted("loads", name) + ".kind")) LoadCheck(name, load, tables, document, report).run();
+}
+
+namespace {
+
+/// Exactly one of the ways to prescribe it.
+void check_prescribed(const UpliftTable& uplift, const TableDiagnostics& wrong) {
+  std::vector<std::string> ways;
+  if (uplift.peak) ways.emplace_back("peak");
+  if (!uplift.history_file.empty()) ways.emplace_back("history");
+  if (!uplift.gauges.empty()) ways.emplace_back("gauges");
+  if (ways.size() > 1) wrong.add(ways[1], "both '" + ways[0] + "' and '" + ways[1] + "' are given", "keep one of them");
+  if (ways.empty())
+    wrong.add("peak", "neither 'peak' nor 'history' nor 'gauges' of a prescribed uplift is given", "add one of them");
+  if (!uplift.peak && !ways.empty() && uplift.lag > 0.)
+    wrong.add("lag", "'lag' is that of an uplift that follows P, a history has its own times", "remove lag");
+}
+
+void check_uplift(const UpliftTable& uplift, const CaseTables& tables, const Document& document, Diagnostics& report) {
+  const TableDiagnostics wrong("sliding.uplift", document, report);
+  if (uplift.kind == UpliftKind::prescribed) check_prescribed(uplift, wrong);
+  if (!uplift.gauges.empty()) {
+    check_gauges(uplift, bottom_words, "sliding.uplift", document, report);
+    if (!uplift.ends) wrong.add("ends", "it is not said where the bottom ends", "add ends = [seaward, landward] (m)");
+  }
+  for (const auto& [name, load] : tables.load_tables)
+    if (load.boundary.empty() && load.region == caisson_name && load.direction[1] > 0. && load.factor != 0.)
+      wrong.add("kind", "the load '" + name + "' lifts the caisson, so that an uplift would count twice",
+                "remove [sliding.uplift] or the upward part of [" + dotted("loads", name) + "]");
+}
+
+/// Node by node and as a whole the caisson stands on one friction and one uplift.
+void check_contact(const SlidingTable& sliding, const CaseTables& tables, bool has_friction,
+                   const TableDiagnostics& wrong) {
+  const std::optional<double>& mu = tables.regions.at(caisson_name).interface->coefficient;
+  if (mu && has_friction && *mu != sliding.friction)
+    wrong.add("friction",
+              "friction = " + number_text(sliding.friction) + " is not the coefficient = " + number_text(*mu) +
+                  " of [regions.caisson] interface",
+              "give the same number, or only one of them");
+  if (sliding.uplift_table && sliding.uplift_table->kind == UpliftKind::prescribed)
+    wrong.add("uplift", "a prescribed uplift cannot act node by node",
+              "write uplift = { kind = \"computed\" }, or [regions.caisson] interface = { kind = \"tied\" }");
+}
+
+}  // namespace
+
+void check_sliding(const CaseTables& tables, const Document& document, Diagnostics& report) {
+  if (!tables.sliding_table || !report.sound("sliding")) return;
+  const SlidingTable& sliding = *tables.sliding_table;
+  const TableDiagnostics wrong("sliding", document, report);
+  if (sliding.weight && sliding.buoyant_weight >= *sliding.weight)
+    wrong.add("buoyant_weight",
+              "buoyant_weight = " + number_text(sliding.buoyant_weight) +
+                  " N/m is not below weight = " + number_text(*sliding.weight) + " N/m",
+              "give W' in still water, W less the weight of the water that the caisson displaces");
+  if (report.sound("regions") && has_frictional_contact(tables))
+    check_contact(sliding, tables, document.find("sliding.friction") != nullptr, wrong);
+  if (report.sound("regions") && tables.regions.count(caisson_name) == 0)
+    wrong.add("friction", "there is no region 'caisson' that could slide",
+              "name the caisson's surface 'caisson', or remove [sliding]");
+  if (sliding.uplift_table) check_uplift(*sliding.uplift_table, tables, document, report);
 }
 
 }  // namespace upbead

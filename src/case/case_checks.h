@@ -7,23 +7,25 @@
 namespace upbead {
 
 /// Reports what is wrong with a table. Where some of its keys were refused already, only what is missing is news.
-class Objections {
+class TableDiagnostics {
  public:
-  Objections(std::string path, const Document& document, InputReport& report);
-  void add(const Objection& objection) const;
+  TableDiagnostics(std::string path, const Document& document, Diagnostics& report);
+  void add(const std::string& key, const std::string& what, const std::string& cure) const;
+  /// What is wrong with the part of a scene that the table, or the table `below` it, has filled.
+  void add(const Diagnostics& part, const std::string& below = "") const;
 
  private:
   std::string path_;
   const Document& document_;
-  InputReport& report_;
+  Diagnostics& report_;
   bool sound_;
 };
 
-void check_mesh(const CaseTables& tables, const Document& document, InputReport& report);
-void check_regions(const CaseTables& tables, const Document& document, InputReport& report);
-void check_loads(const CaseTables& tables, const Document& document, InputReport& report);
-void check_time(const CaseTables& tables, const Document& document, InputReport& report);
-void check_sliding(const CaseTables& tables, const Document& document, InputReport& report);
-void check_probes(const CaseTables& tables, const Document& document, InputReport& report);
+void check_mesh(const CaseTables& tables, const Document& document, Diagnostics& report);
+void check_regions(const CaseTables& tables, const Document& document, Diagnostics& report);
+void check_loads(const CaseTables& tables, const Document& document, Diagnostics& report);
+void check_time(const CaseTables& tables, const Document& document, Diagnostics& report);
+void check_sliding(const CaseTables& tables, const Document& document, Diagnostics& report);
+void check_probes(const CaseTables& tables, const Document& document, Diagnostics& report);
 
 }  // namespace upbead

@@ -36,4 +36,9 @@ NumberedWarnings warnings(const Case& input, const Simulation& simulation);
 /// What is skipped of the scene and of the case's files.
 std::vector<Skipped> skipped(const Case& input, const Simulation& simulation, bool reduced);
 
+/// Of all loads by transducers and of the uplift; forces and arms are those on the caisson of the scene.
+std::vector<GaugeSummary> gauge_summaries(const Case& input, const Simulation& simulation);
+
+std::string describe(const std::vector<GaugeSummary>& gauges);
+
 }  // namespace upbead

@@ -1,6 +1,6 @@
 #include "case_schema.h"
-#include "records/measured_schema.h"
 
+#include "case/records/load_records.h"
 #include "model/words.h"
 
 namespace upbead {

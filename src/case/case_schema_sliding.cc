@@ -1,6 +1,6 @@
+#include "case/records/load_records.h"
 #include "case_schema.h"
 #include "model/words.h"
-#include "records/gauge_keys.h"
 
 namespace upbead {
 

@@ -1,5 +1,8 @@
 #include "input_files.h"
 
+#include <fstream>
+#include <sstream>
+
 #include "upbead/mesh/mesh.h"
 
 namespace upbead {
@@ -17,6 +20,19 @@ std::vector<InputFile> input_files(const Case& problem) {
   add(problem.uplift_history, "sliding.uplift.history");
   for (const auto& [name, source] : problem.measured) add(source.file, dotted("measured", name) + ".file");
   return files;
+}
+
+void Fingerprint::add_file(const std::filesystem::path& path) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored)) return;
+  std::stringstream text;
+  text << std::ifstream(path, std::ios::binary).rdbuf();
+  add(path.filename().string());
+  add(text.str());
+}
+
+void Fingerprint::add_files(const Case& problem) {
+  for (const InputFile& file : input_files(problem)) add_file(file.path);
 }
 
 }  // namespace upbead

@@ -1,12 +1,31 @@
-// The files that a case reads.
+// The files that a case reads, and a number that tells whether they are still the same.
 #pragma once
 
+#include <cstdint>
+#include <filesystem>
+#include <string>
 #include <vector>
 
-#include "base/inputs_kept.h"
+#include "base/files.h"
 #include "upbead/case/case.h"
 
 namespace upbead {
+
+/// FNV-1a, 64 bits: no guard against malice, only against a changed file.
+class Fingerprint {
+ public:
+  void add(const std::string& text) {
+    for (const char c : text + '\0') value_ = (value_ ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
+  }
+  /// A file's name and contents; nothing where there is no such file.
+  void add_file(const std::filesystem::path& path);
+  /// All files that a case rests on: its own, mesh, histories.
+  void add_files(const Case& problem);
+  std::uint64_t value() const { return value_; }
+
+ private:
+  std::uint64_t value_ = 14695981039346656037ULL;
+};
 
 /// The case itself, its mesh, histories, records and what was measured, each with the key that names it.
 std::vector<InputFile> input_files(const Case& problem);

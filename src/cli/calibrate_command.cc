@@ -27,7 +27,7 @@ void run_calibration(const CommonOptions& options) {
   folder.write("case.toml", effective_design(design, folder.name()));
   check_interrupt();
   folder.commit();
-  std::cerr << doubts(found);
+  std::cerr << notes_and_warnings(found);
   std::cout << (options.json ? json
                              : describe(design, found) + "written     " + folder.name() +
                                    "/{summary.json, calibration.csv, results.h5, case.toml}\n");

@@ -8,7 +8,7 @@
 #include "base/interrupt.h"
 #include "base/text.h"
 #include "base/version.h"
-#include "case/fingerprint.h"
+#include "case/input_files.h"
 #include "model/exclusions.h"
 #include "upbead/base/error.h"
 
@@ -44,7 +44,7 @@ void write_whole(const fs::path& path, const std::string& bytes) {
 }  // namespace
 
 void check_checkpoints(const Case& input) {
-  Mistakes mistakes;
+  Diagnostics mistakes;
   for (const Exclusion& reason : excluded(input.scene, Treatment::checkpoints))
     mistakes.add(input.place(reason.key), "no checkpoints: " + reason.why, "leave out --checkpoint and --resume");
   mistakes.throw_if_any();

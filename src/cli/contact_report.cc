@@ -10,10 +10,6 @@ std::string since(const std::optional<double>& time) {
   return time ? "from " + significant(*time, 4) + " s" : "never";
 }
 
-std::string percent(double part) {
-  return significant(100. * part, 3) + " %";
-}
-
 }  // namespace
 
 std::string describe(const ContactSummary& contact) {

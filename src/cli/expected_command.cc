@@ -29,7 +29,7 @@ void expect(const CommonOptions& options, const Stopwatch& since_start) {
   folder.write("summary.json", json);
   check_interrupt();
   folder.commit();
-  std::cerr << doubts(answer);
+  std::cerr << notes_and_warnings(answer);
   std::cout << (options.json ? json
                              : describe(design, answer) + "written     " + folder.name() +
                                    "/{summary.json, results.h5, case.toml}\n");

@@ -2,7 +2,6 @@
 #include <nlohmann/json.hpp>
 
 #include "case/case_run.h"
-#include "case/records/gauge_report.h"
 #include "case/script_trust.h"
 #include "cli/commands.h"
 #include "cli/program.h"

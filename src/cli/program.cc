@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <csignal>
 
-#include "base/suggest.h"
+#include "base/text.h"
 #include "cli/failure.h"
 #include "output/versions.h"
 #include "upbead/base/error.h"

@@ -7,7 +7,6 @@
 
 #include "base/text.h"
 #include "case/case_run.h"
-#include "case/records/gauge_report.h"
 #include "contact_report.h"
 #include "fem/compile.h"
 #include "model/words.h"

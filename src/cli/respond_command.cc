@@ -4,9 +4,7 @@
 #include <iostream>
 
 #include "base/files.h"
-#include "base/inputs_kept.h"
 #include "base/interrupt.h"
-#include "base/quoted.h"
 #include "base/stopwatch.h"
 #include "base/text.h"
 #include "cli/commands.h"
@@ -27,14 +25,14 @@ struct Arguments {
 };
 
 void require_positive(const std::optional<double>& value, const std::string& option, const std::string& example,
-                      Mistakes& mistakes) {
+                      Diagnostics& mistakes) {
   if (value && !(*value > 0. && std::isfinite(*value)))
     mistakes.add(Place(), option + " " + significant(*value) + " is not above 0",
                  "give a positive number such as " + example);
 }
 
 void check(const Arguments& arguments) {
-  Mistakes mistakes;
+  Diagnostics mistakes;
   require_positive(arguments.end, "--end", "2 (s)", mistakes);
   require_positive(arguments.friction, "--friction", "0.6", mistakes);
   require_positive(arguments.buoyant_weight, "--buoyant-weight", "3.4e6 (N/m)", mistakes);
@@ -58,7 +56,7 @@ std::optional<ModelSliding> sliding_of(const Arguments& arguments, const Reduced
   }
   sliding.friction = arguments.friction.value_or(sliding.friction);
   sliding.buoyant_weight = arguments.buoyant_weight.value_or(sliding.buoyant_weight);
-  Mistakes mistakes;
+  Diagnostics mistakes;
   if (sliding.friction == 0.)
     mistakes.add(Place(), "--buoyant-weight alone tells no resistance mu W', and the model's case has no [sliding]",
                  "give --friction too, such as 0.6");

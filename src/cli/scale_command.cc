@@ -3,7 +3,6 @@
 #include <nlohmann/json.hpp>
 
 #include "base/files.h"
-#include "base/suggest.h"
 #include "base/text.h"
 #include "case/input_files.h"
 #include "case/scale.h"

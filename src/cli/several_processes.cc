@@ -11,7 +11,7 @@
 namespace upbead {
 
 void check_processes(const Case& input, bool with_checkpoints) {
-  Mistakes mistakes;
+  Diagnostics mistakes;
   if (with_checkpoints)
     mistakes.add({}, "no checkpoints are kept on several processes", "leave out --checkpoint and --resume");
   for (const Exclusion& reason : excluded(input.scene, Treatment::several_processes))

@@ -5,7 +5,7 @@
 
 #include "design/design.h"
 #include "design_checks.h"
-#include "upbead/waves/random_breaking.h"
+#include "upbead/waves/wave_heights.h"
 
 namespace fs = std::filesystem;
 
@@ -20,7 +20,7 @@ Design read_design(const std::string& path, const std::vector<std::string>& over
   Design design;
   design.document = Document(path, overrides);
   design.stem = fs::path(path).stem().string();
-  InputReport report;
+  Diagnostics report;
   design_schema().read(design.document.root(), "", design.tables, report);
   design.tables.water.gravity = design.tables.gravity;
   for (const DesignCheck check : {check_section, check_waves, check_ground})

@@ -20,7 +20,7 @@ struct Design {
 };
 
 /// Reports what is wrong across the keys of a design.
-using DesignCheck = void (*)(const DesignTables& tables, const Document& document, InputReport& report);
+using DesignCheck = void (*)(const DesignTables& tables, const Document& document, Diagnostics& report);
 
 /// Reads a design with overrides KEY=VALUE; checks the section, the waves, and what `further` checks. Throws InputError
 /// with every mistake.

@@ -5,8 +5,8 @@
 
 namespace upbead {
 
-void check_section(const DesignTables& tables, const Document& document, InputReport& report);
-void check_waves(const DesignTables& tables, const Document& document, InputReport& report);
-void check_ground(const DesignTables& tables, const Document& document, InputReport& report);
+void check_section(const DesignTables& tables, const Document& document, Diagnostics& report);
+void check_waves(const DesignTables& tables, const Document& document, Diagnostics& report);
+void check_ground(const DesignTables& tables, const Document& document, Diagnostics& report);
 
 }  // namespace upbead

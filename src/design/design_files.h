@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "base/inputs_kept.h"
+#include "base/files.h"
 #include "design.h"
 
 namespace upbead {

@@ -10,8 +10,7 @@
 #include "input/schema.h"
 #include "sliding/elastic_block.h"
 #include "upbead/sliding/combined.h"
-#include "upbead/waves/section.h"
-#include "upbead/waves/shear_duration.h"
+#include "upbead/waves/goda.h"
 
 namespace upbead {
 

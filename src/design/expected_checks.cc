@@ -4,7 +4,6 @@
 #include <cmath>
 #include <filesystem>
 
-#include "base/quoted.h"
 #include "base/text.h"
 #include "case/case_checks.h"
 #include "design/expected.h"
@@ -24,16 +23,16 @@ std::string resolved(const Document& document, const std::string& path) {
 
 /// Everything that reading a file may find, at `path` of the report; what has no line, at `key`, which names the file.
 template <class Read>
-void read(const std::string& path, const Place& key, const std::string& file, InputReport& report,
+void read(const std::string& path, const Place& key, const std::string& file, Diagnostics& report,
           const Read& reading) {
   try {
     reading();
   } catch (const InputError& error) {
-    for (const Mistake& mistake : error.mistakes())
-      if (mistake.place.line > 0 || mistake.place.file.empty())
-        report.add(path, mistake.place.line > 0 ? mistake.place : key, mistake.what, mistake.cure);
-      else
-        report.add(path, key, quoted_path(file) + ": " + mistake.what, mistake.cure);
+    for (const auto& [place, what, cure] : error.diagnostics()) {
+      const bool of_the_file = place.line == 0 && !place.file.empty();
+      report.add(at_key(path, place.line > 0 ? place : key), (of_the_file ? quoted_path(file) + ": " : "") + what,
+                 cure);
+    }
   }
 }
 
@@ -42,26 +41,26 @@ bool belongs_to_storm(const std::string& name) {
 }
 
 void check_scatter(const NamedScatter& named, const ScatterTables& tables, const Document& document,
-                   InputReport& report) {
+                   Diagnostics& report) {
   const std::optional<Scatter>& scatter = tables.*named.table;
   const std::string path = dotted("scatter", named.name);
   if (!scatter || !report.sound(path)) return;
-  const Objections found(path, document, report);
-  const std::vector<Objection> wrong = objections(*scatter, named.mean);
-  for (const Objection& objection : wrong) found.add(objection);
+  const TableDiagnostics found(path, document, report);
+  const Diagnostics wrong = diagnose(*scatter, named.mean);
+  found.add(wrong);
   if (scatter->per == Per::wave && belongs_to_storm(named.name))
-    found.add(
-        {"per", std::string(named.name) + " does not scatter from wave to wave", "write per = \"storm\" or \"life\""});
+    found.add("per", std::string(named.name) + " does not scatter from wave to wave",
+              "write per = \"storm\" or \"life\"");
   if (!wrong.empty() || named.mean == 0.) return;
   const double least = Distribution(*scatter, named.mean).quantile(least_u);
   if (least <= 0.)
-    found.add({"low", "the factor may be " + significant(least) + ", which is not above 0",
-               "cut the distribution by low, such as low = 0.2"});
+    found.add("low", "the factor may be " + significant(least) + ", which is not above 0",
+              "cut the distribution by low, such as low = 0.2");
 }
 
 /// Still water must stay above the berm and below the crest, and the caisson heavier than the water.
 void check_levels(const DesignTables& tables, const std::vector<SeaState>& states, const Document& document,
-                  InputReport& report) {
+                  Diagnostics& report) {
   double low = 0., high = 0., weight = 1.;
   if (tables.storms) {
     low = tables.storms->tide_low;
@@ -77,45 +76,45 @@ void check_levels(const DesignTables& tables, const std::vector<SeaState>& state
     high += uncertain.water_level->quantile(1. - least_u);
   }
   if (uncertain.weight) weight = uncertain.weight->quantile(least_u);
-  const Place place = document.place(uncertain.water_level ? "scatter.water_level"
-                                     : tables.storms       ? "storms"
-                                                           : "sea.states");
+  const Place place = at_key("sea", document.place(uncertain.water_level ? "scatter.water_level"
+                                                   : tables.storms       ? "storms"
+                                                                         : "sea.states"));
   const Section& s = tables.section;
   const double depth = std::min(s.berm_depth, s.foundation_depth);
   if (low <= -depth)
-    report.add("sea", place, "still water may fall by " + significant(-low, 4) + " m, below the mound or the caisson",
+    report.add(place, "still water may fall by " + significant(-low, 4) + " m, below the mound or the caisson",
                "give higher water levels, or cut [scatter.water_level] by low");
   if (high > s.crest)
-    report.add("sea", place, "still water may rise by " + significant(high, 4) + " m, above the crest",
+    report.add(place, "still water may rise by " + significant(high, 4) + " m, above the crest",
                "give lower water levels, or cut [scatter.water_level] by high");
   const Section lightest = with_factors(at_water_level(s, tables.water, high), {1., 1., 1., weight});
   if (high <= s.crest && lightest.buoyant_weight <= 0.)
-    report.add("sea", uncertain.weight ? document.place("scatter.weight") : place,
+    report.add(uncertain.weight ? at_key("sea", document.place("scatter.weight")) : place,
                "at its least weight and in the highest water the caisson floats",
                "cut [scatter.weight] by low, or [scatter.water_level] by high");
 }
 
 /// A life must not have more storms than anybody would wait for.
-void check_storms(const DesignTables& tables, std::size_t n_states, const Document& document, InputReport& report) {
+void check_storms(const DesignTables& tables, std::size_t n_states, const Document& document, Diagnostics& report) {
   if (!tables.life || !report.sound("life")) return;
   const double storms = std::ceil(tables.life->years / tables.sea->years) * static_cast<double>(n_states);
   if (storms > most_storms)
-    report.add("life", document.place("life.years"),
+    report.add(document.place("life.years"),
                "a life of " + significant(tables.life->years) + " years is the record " +
                    significant(tables.life->years / tables.sea->years) + " times over, " + significant(storms) +
                    " storms, more than " + significant(most_storms),
                "lower life.years, or check sea.years");
 }
 
-bool sound_section(const InputReport& report) {
+bool sound_section(const Diagnostics& report) {
   return report.sound("section") && report.sound("gravity") && report.sound("fluid");
 }
 
-void check_sea(const DesignTables& tables, const Document& document, InputReport& report) {
+void check_sea(const DesignTables& tables, const Document& document, Diagnostics& report) {
   if (!report.sound("sea")) return;
   if (!tables.sea) {
     if (!tables.storms && report.sound("storms"))
-      report.add("sea", document.place("sea"), "the table [sea] is missing, which 'expected' needs",
+      report.add(document.place("sea"), "the table [sea] is missing, which 'expected' needs",
                  "add [sea] with states = the path of a CSV file, or [storms]");
     return;
   }
@@ -129,41 +128,41 @@ void check_sea(const DesignTables& tables, const Document& document, InputReport
   });
   for (const auto& [name, height] : tables.sea->heights)
     if (height <= 0.)
-      report.add("sea.heights", document.place(dotted("sea.heights", name)),
-                 "the height " + significant(height) + " m is not above 0", "give heights above 0 (m)");
+      report.add(document.place(dotted("sea.heights", name)), "the height " + significant(height) + " m is not above 0",
+                 "give heights above 0 (m)");
 }
 
-void check_climate(const DesignTables& tables, const Document& document, InputReport& report) {
+void check_climate(const DesignTables& tables, const Document& document, Diagnostics& report) {
   if (!tables.storms) return;
-  const Objections found("storms", document, report);
+  const TableDiagnostics found("storms", document, report);
   const StormsTable& storms = *tables.storms;
-  if (tables.sea) found.add({"", "both [sea] and [storms] are given", "keep one of them"});
+  if (tables.sea) found.add("", "both [sea] and [storms] are given", "keep one of them");
   if (!tables.life && report.sound("life"))
-    found.add({"", "[storms] without [life]: there is no life to draw storms for", "add [life] with years and lives"});
+    found.add("", "[storms] without [life]: there is no life to draw storms for", "add [life] with years and lives");
   if (storms.period && storms.steepness)
-    found.add({"steepness", "both 'period' and 'steepness' are given", "keep one of them"});
+    found.add("steepness", "both 'period' and 'steepness' are given", "keep one of them");
   else if (!storms.period && !storms.steepness)
-    found.add({"", "neither 'period' nor 'steepness' is given", "add one of them"});
+    found.add("", "neither 'period' nor 'steepness' is given", "add one of them");
   if (storms.tide_low > storms.tide_high)
-    found.add({"tide_low",
-               "tide_low = " + significant(storms.tide_low) +
-                   " m is above tide_high = " + significant(storms.tide_high) + " m",
-               "give tide_low <= tide_high"});
+    found.add("tide_low",
+              "tide_low = " + significant(storms.tide_low) +
+                  " m is above tide_high = " + significant(storms.tide_high) + " m",
+              "give tide_low <= tide_high");
   if (tables.life && report.sound("life") && storms.per_year * tables.life->years > most_storms)
-    found.add({"per_year",
-               "a life has " + significant(storms.per_year * tables.life->years) + " storms, more than " +
-                   significant(most_storms),
-               "lower per_year or life.years"});
+    found.add("per_year",
+              "a life has " + significant(storms.per_year * tables.life->years) + " storms, more than " +
+                  significant(most_storms),
+              "lower per_year or life.years");
   if (sound_section(report) && report.sound("scatter") && report.sound("storms"))
     check_levels(tables, {}, document, report);
 }
 
-void check_dynamics(const DesignTables& tables, const Document& document, InputReport& report) {
+void check_dynamics(const DesignTables& tables, const Document& document, Diagnostics& report) {
   if (!report.sound("dynamics")) return;
   if (tables.dynamics && sound_section(report))
     check_model("dynamics", *tables.dynamics, tables.section, tables.water, document, report);
   if (!tables.dynamics && tables.life && report.sound("life") && tables.life->sliding == Law::dynamic)
-    report.add("life", document.place("life.sliding"), "sliding = \"dynamic\" needs the caisson's dynamics",
+    report.add(document.place("life.sliding"), "sliding = \"dynamic\" needs the caisson's dynamics",
                "add [dynamics] with model = the path of a reduced model, made by 'upbead reduce'");
   check_impact(tables, document, report);
 }
@@ -171,16 +170,16 @@ void check_dynamics(const DesignTables& tables, const Document& document, InputR
 }  // namespace
 
 void check_model(const std::string& path, const DynamicsTable& table, const Section& section, const Water& water,
-                 const Document& document, InputReport& report) {
+                 const Document& document, Diagnostics& report) {
   const Place place = document.place(dotted(path, "model"));
   const std::string file = resolved(document, table.model);
   read(path, place, file, report, [&] { read_wave_model(file, table, section, water, place); });
 }
 
-void check_impact(const DesignTables& tables, const Document& document, InputReport& report) {
+void check_impact(const DesignTables& tables, const Document& document, Diagnostics& report) {
   if (report.sound("impact") && tables.impact.force == ImpactForce::goda_with_alpha_I)
     report.add(
-        "impact", document.place("impact.force"),
+        document.place("impact.force"),
         "Goda's P with alpha_I is no force to send through the caisson's dynamics: alpha_I was fitted to sliding "
         "tests, so this P already is the force that slides, and its dynamic reduction would count twice",
         "write force = \"impulse\"");
@@ -206,7 +205,7 @@ Uncertainties uncertainties(const ScatterTables& tables) {
   return out;
 }
 
-void check_expected(const DesignTables& tables, const Document& document, InputReport& report) {
+void check_expected(const DesignTables& tables, const Document& document, Diagnostics& report) {
   for (const NamedScatter& named : named_scatters()) check_scatter(named, tables.scatter, document, report);
   check_sea(tables, document, report);
   check_climate(tables, document, report);

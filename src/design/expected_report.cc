@@ -99,7 +99,7 @@ std::string describe(const Design& design, const ExpectedAnswer& answer) {
   return text;
 }
 
-std::string doubts(const ExpectedAnswer& answer) {
+std::string notes_and_warnings(const ExpectedAnswer& answer) {
   std::string text;
   for (const LeftOut& part : answer.notes.left_out) text += "note: " + part.what + ": " + part.why + "\n";
   if (!answer.monte_carlo) return text;

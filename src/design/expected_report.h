@@ -18,6 +18,6 @@ std::string to_json(const Design& design, const ExpectedAnswer& answer, const Ex
 std::string expected_file(const Design& design, const ExpectedAnswer& answer);
 std::string describe(const Design& design, const ExpectedAnswer& answer);
 /// For stderr: what makes the numbers doubtful; "" where nothing does.
-std::string doubts(const ExpectedAnswer& answer);
+std::string notes_and_warnings(const ExpectedAnswer& answer);
 
 }  // namespace upbead

@@ -5,10 +5,10 @@
 #include <optional>
 #include <string>
 
-#include "expected/impact.h"
-#include "expected/storm_climate.h"
+#include "expected/dynamic_law.h"
 #include "input/schema.h"
 #include "upbead/expected/distribution.h"
+#include "upbead/expected/life.h"
 #include "upbead/expected/sliding_law.h"
 
 namespace upbead {

@@ -4,7 +4,7 @@
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 
-#include "base/parallel.h"
+#include "base/progress.h"
 #include "base/stopwatch.h"
 #include "expected_checks.h"
 #include "expected_laws.h"

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "case/record_notes.h"
+#include "case/records/record_layout.h"
 #include "design.h"
-#include "expected/statistics.h"
-#include "upbead/expected/expectation.h"
+#include "upbead/expected/life.h"
+#include "upbead/expected/sliding_law.h"
 
 namespace upbead {
 

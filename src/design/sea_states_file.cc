@@ -4,10 +4,7 @@
 #include <boost/math/constants/constants.hpp>
 #include <functional>
 
-#include "base/quoted.h"
-#include "base/suggest.h"
 #include "base/text.h"
-#include "case/records/header_words.h"
 #include "case/records/record_layout.h"
 #include "case/records/record_table.h"
 
@@ -39,7 +36,7 @@ const std::vector<Column>& columns() {
   return list;
 }
 
-void check_names(const CsvTable& table, RecordNotes& notes, Mistakes& mistakes) {
+void check_names(const CsvTable& table, RecordNotes& notes, Diagnostics& mistakes) {
   std::vector<std::string> known;
   for (const Column& column : columns()) {
     known.push_back(column.name);
@@ -72,7 +69,7 @@ std::vector<double> values_of(const CsvTable& table, std::size_t c, const Column
 
 std::vector<SeaState> read_sea_states(const std::string& path, const Place& place, RecordNotes& notes) {
   const CsvTable table = read_record_table(path, place);
-  Mistakes mistakes;
+  Diagnostics mistakes;
   check_names(table, notes, mistakes);
   std::vector<SeaState> states(table.n_rows());
   for (const Column& column : columns()) {

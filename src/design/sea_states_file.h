@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "case/record_notes.h"
+#include "case/records/record_layout.h"
 #include "upbead/base/error.h"
-#include "upbead/expected/sea_state.h"
+#include "upbead/expected/sliding_law.h"
 
 namespace upbead {
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/suggest.h"
 #include "base/text.h"
 #include "fem/caisson_readings.h"
 #include "upbead/output/model_file.h"
@@ -41,7 +40,7 @@ int load_of(const ReducedModelFile& file, const std::string& name) {
   return best;
 }
 
-void check_mass(double mass, const Section& section, const Water& water, const Place& place, Mistakes& mistakes) {
+void check_mass(double mass, const Section& section, const Water& water, const Place& place, Diagnostics& mistakes) {
   const double weight = mass * water.gravity;
   if (std::abs(weight / section.weight - 1.) <= mass_tolerance) return;
   mistakes.add(place,
@@ -55,7 +54,7 @@ void check_mass(double mass, const Section& section, const Water& water, const P
 WaveModel read_wave_model(const std::string& path, const DynamicsTable& table, const Section& section,
                           const Water& water, const Place& place) {
   const ReducedModelFile file = read_model_file(path);
-  Mistakes mistakes;
+  Diagnostics mistakes;
   if (!has(file.modes, reading::force) || !has(file.modes, reading::shear_force) || file.caisson_mass <= 0.)
     throw InputError(place, "the model '" + path + "' has no caisson, so nothing can slide",
                      "reduce a case with a caisson");

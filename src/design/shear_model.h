@@ -4,7 +4,7 @@
 #include <string>
 
 #include "design_tables.h"
-#include "expected/shear_answer.h"
+#include "expected/dynamic_law.h"
 #include "upbead/base/error.h"
 
 namespace upbead {

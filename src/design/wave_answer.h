@@ -8,8 +8,7 @@
 #include "design.h"
 #include "sliding/elastic_block.h"
 #include "upbead/sliding/pulse.h"
-#include "upbead/waves/stability.h"
-#include "upbead/waves/validity.h"
+#include "upbead/waves/goda.h"
 
 namespace upbead {
 

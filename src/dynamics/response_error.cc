@@ -4,7 +4,7 @@
 #include <complex>
 #include <stdexcept>
 
-#include "base/constants.h"
+#include "base/numbers.h"
 #include "phi_functions.h"
 #include "real_fft.h"
 

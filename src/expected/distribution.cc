@@ -1,5 +1,6 @@
 #include "upbead/expected/distribution.h"
 
+#include <Random123/philox.h>
 #include <algorithm>
 #include <boost/math/distributions/lognormal.hpp>
 #include <boost/math/distributions/normal.hpp>
@@ -63,52 +64,67 @@ bool nothing_left(const Scatter& scatter, double mean) {
   return (scatter.low && whole(1. - 1e-6) < *scatter.low) || (scatter.high && whole(1e-6) > *scatter.high);
 }
 
-std::vector<Objection> objections_to_ends(const Scatter& scatter) {
-  std::vector<Objection> list;
+Diagnostics diagnose_ends(const Scatter& scatter) {
+  Diagnostics list;
   if (!by_moments(scatter))
     for (const auto& [key, value] : {std::pair("low", scatter.low), std::pair("high", scatter.high)})
-      if (!value) list.push_back({key, std::string("'") + key + "' is missing", std::string("add ") + key});
+      if (!value) list.add(at_key(key), std::string("'") + key + "' is missing", std::string("add ") + key);
   if (scatter.low && scatter.high && *scatter.low >= *scatter.high)
-    list.push_back({"low",
-                    "low = " + significant(*scatter.low, 6) + " is not below high = " + significant(*scatter.high, 6),
-                    "give low < high"});
+    list.add(at_key("low"),
+             "low = " + significant(*scatter.low, 6) + " is not below high = " + significant(*scatter.high, 6),
+             "give low < high");
   else if (scatter.mode && scatter.low && scatter.high &&
            (*scatter.mode < *scatter.low || *scatter.mode > *scatter.high))
-    list.push_back({"mode", "mode = " + significant(*scatter.mode, 6) + " is not between low and high",
-                    "give low <= mode <= high"});
+    list.add(at_key("mode"), "mode = " + significant(*scatter.mode, 6) + " is not between low and high",
+             "give low <= mode <= high");
   return list;
 }
 
-std::vector<Objection> objections_to_moments(const Scatter& scatter, double mean) {
-  std::vector<Objection> list;
+Diagnostics diagnose_moments(const Scatter& scatter, double mean) {
+  Diagnostics list;
   if (scatter.cov && scatter.deviation)
-    list.push_back({"cov", "both 'cov' and 'deviation' are given", "keep one of them"});
+    list.add(at_key("cov"), "both 'cov' and 'deviation' are given", "keep one of them");
   else if (!scatter.cov && !scatter.deviation)
-    list.push_back({"deviation", "neither 'cov' nor 'deviation' is given", "add one of them"});
+    list.add(at_key("deviation"), "neither 'cov' nor 'deviation' is given", "add one of them");
   else if (scatter.cov && mean == 0.)
-    list.push_back({"cov", "'cov' tells nothing about a mean of 0", "give deviation instead"});
+    list.add(at_key("cov"), "'cov' tells nothing about a mean of 0", "give deviation instead");
   if (scatter.kind == ScatterKind::lognormal && mean <= 0.)
-    list.push_back({"mean", "the mean of a lognormal distribution, " + significant(mean, 6) + ", is not above 0",
-                    "give a mean above 0, or kind = \"normal\""});
+    list.add(at_key("mean"), "the mean of a lognormal distribution, " + significant(mean, 6) + ", is not above 0",
+             "give a mean above 0, or kind = \"normal\"");
   return list;
 }
 
 }  // namespace
 
-std::vector<Objection> objections(const Scatter& scatter, double mean) {
-  std::vector<Objection> list = objections_to_ends(scatter);
+Diagnostics diagnose(const Scatter& scatter, double mean) {
+  Diagnostics list = diagnose_ends(scatter);
   if (!by_moments(scatter)) return list;
   const double centre = scatter.mean.value_or(mean);
-  for (const Objection& objection : objections_to_moments(scatter, centre)) list.push_back(objection);
+  list.add(diagnose_moments(scatter, centre));
   if (list.empty() && nothing_left(scatter, centre))
-    list.push_back({scatter.low ? "low" : "high", "less than 1e-6 of the distribution is left between its cuts",
-                    "move low or high towards the mean"});
+    list.add(at_key(scatter.low ? "low" : "high"), "less than 1e-6 of the distribution is left between its cuts",
+             "move low or high towards the mean");
   return list;
 }
 
 Distribution::Distribution(const Scatter& scatter, double mean) : per_(scatter.per) {
-  for (const Objection& objection : objections(scatter, mean)) throw std::invalid_argument(objection.what);
+  for (const Diagnostic& wrong : diagnose(scatter, mean)) throw std::invalid_argument(wrong.what);
   quantile_ = quantile_of(scatter, scatter.mean.value_or(mean));
+}
+
+Stream::Stream(std::uint64_t seed) : seed_(seed) {}
+
+std::array<std::uint32_t, 4> Stream::words(const StreamPlace& place) const {
+  const r123::Philox4x32::ctr_type counter{{place[0], place[1], place[2], place[3]}};
+  const r123::Philox4x32::key_type key{{static_cast<std::uint32_t>(seed_), static_cast<std::uint32_t>(seed_ >> 32)}};
+  const r123::Philox4x32::ctr_type out = r123::Philox4x32()(counter, key);
+  return {out[0], out[1], out[2], out[3]};
+}
+
+double Stream::uniform(const StreamPlace& place) const {
+  const std::array<std::uint32_t, 4> w = words(place);
+  const std::uint64_t bits = (static_cast<std::uint64_t>(w[0]) << 20) | (w[1] >> 12);
+  return (static_cast<double>(bits) + 0.5) * 0x1p-52;  // 53 bits: exact
 }
 
 }  // namespace upbead

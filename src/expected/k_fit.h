@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "upbead/waves/shear_duration.h"
+#include "upbead/waves/goda.h"
 
 namespace upbead {
 

@@ -1,8 +1,17 @@
 #include "upbead/expected/life.h"
 
+#include <algorithm>
 #include <boost/math/distributions/binomial.hpp>
+#include <boost/math/distributions/extreme_value.hpp>
+#include <boost/math/distributions/poisson.hpp>
+#include <boost/math/distributions/students_t.hpp>
+#include <boost/math/distributions/weibull.hpp>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
+
+#include "base/numbers.h"
+#include "upbead/waves/wave_heights.h"
 
 namespace upbead {
 
@@ -166,6 +175,82 @@ void LifeSimulation::add_sliding_waves(const Storm& storm, const SlidingLaw& law
     life.sliding += law.distance(storm.drawn.wave * heights.height(part * share), storm.drawn.factors);
   }
   life.answered += number;
+}
+
+namespace {
+constexpr double least_height = 0.01;  // m; a calm year is no error
+}  // namespace
+
+double deep_water_height(const StormClimate& c, double u) {
+  const double height = c.kind == ExtremeKind::weibull
+                            ? c.location + quantile(boost::math::weibull(c.shape, c.scale), u)
+                            : quantile(boost::math::extreme_value(c.location, c.scale), u);
+  return std::max(height, least_height);
+}
+
+double tide_level(const StormClimate& c, double u) {
+  const double part = c.tide == TideKind::uniform ? u : 0.5 * (1. - std::cos(pi * u));
+  return c.tide_low + part * (c.tide_high - c.tide_low);
+}
+
+double number_of_storms(const StormClimate& c, double years, double u) {
+  const double mean = c.per_year * years;
+  if (!c.poisson) return std::floor(mean) + (u < mean - std::floor(mean) ? 1. : 0.);
+  using Up =
+      boost::math::policies::policy<boost::math::policies::discrete_quantile<boost::math::policies::integer_round_up>>;
+  return quantile(boost::math::poisson_distribution<double, Up>(mean), u);
+}
+
+SeaState storm_on(const Section& section, const Water& water, const StormClimate& c, double u_height, double u_tide) {
+  SeaState sea;
+  const double deep = deep_water_height(c, u_height);
+  sea.water_level = tide_level(c, u_tide);
+  sea.period = c.period ? *c.period : std::sqrt(2. * pi * deep / (water.gravity * c.steepness.value()));
+  sea.angle = c.angle;
+  sea.waves = c.duration / sea.period;
+  sea.significant_height =
+      design_heights({deep, sea.period, section.water_depth + sea.water_level, section.bed_slope}, water.gravity)
+          .significant;
+  return sea;
+}
+
+namespace {
+
+constexpr double beside = 0.025;  // on either side of 95 %
+
+Exceeded exceeded(const std::vector<double>& sorted, double limit) {
+  const auto n = static_cast<double>(sorted.size());
+  const auto above = static_cast<double>(sorted.end() - std::upper_bound(sorted.begin(), sorted.end(), limit));
+  using Binomial = boost::math::binomial;
+  return {limit,
+          above / n,
+          {above > 0. ? Binomial::find_lower_bound_on_p(n, above, beside) : 0.,
+           above < n ? Binomial::find_upper_bound_on_p(n, above, beside) : 1.}};
+}
+
+double quantile_of(const std::vector<double>& sorted, double probability) {
+  const double rank = std::ceil(probability * static_cast<double>(sorted.size()));
+  return sorted[static_cast<std::size_t>(std::max(rank, 1.)) - 1];
+}
+
+}  // namespace
+
+LifeStatistics statistics(const std::vector<double>& sliding, const std::vector<double>& limits) {
+  if (sliding.size() < 2) throw std::invalid_argument("statistics need at least two lives");
+  const auto n = static_cast<double>(sliding.size());
+  LifeStatistics out;
+  out.mean = std::accumulate(sliding.begin(), sliding.end(), 0.) / n;
+  double squares = 0.;
+  for (const double S : sliding) squares += (S - out.mean) * (S - out.mean);
+  out.standard_error = std::sqrt(squares / (n - 1.) / n);
+  const double half = quantile(complement(boost::math::students_t(n - 1.), beside)) * out.standard_error;
+  out.interval = {out.mean - half, out.mean + half};
+  std::vector<double> sorted = sliding;
+  std::sort(sorted.begin(), sorted.end());
+  for (const double p : {0.05, 0.5, 0.95, 0.99}) out.quantiles.push_back({p, quantile_of(sorted, p)});
+  for (const double limit : limits) out.exceeded.push_back(exceeded(sorted, limit));
+  out.sliding_lives = static_cast<int>(std::lround(exceeded(sorted, 0.).probability * n));
+  return out;
 }
 
 }  // namespace upbead

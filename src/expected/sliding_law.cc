@@ -1,8 +1,13 @@
 #include "upbead/expected/sliding_law.h"
 
 #include <algorithm>
+#include <boost/math/quadrature/gauss_kronrod.hpp>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+#include <limits>
 #include <stdexcept>
 
+#include "base/numbers.h"
 #include "upbead/sliding/combined.h"
 #include "upbead/sliding/wave_sliding.h"
 
@@ -79,6 +84,131 @@ const char* word(Law law) {
 std::unique_ptr<SlidingLaw> formula_law(Law law, const Breakwater& breakwater, const SeaState& state) {
   if (law == Law::dynamic) throw std::invalid_argument("the law dynamic needs a reduced model");
   return std::make_unique<PulseLaw>(law, breakwater, state);
+}
+
+RayleighHeights::RayleighHeights(double significant_height, double cut)
+    : significant_height_(significant_height), highest_(cut * significant_height), beyond_(std::exp(-2. * cut * cut)) {
+  if (!(significant_height > 0. && std::isfinite(significant_height) && cut > 0.))
+    throw std::invalid_argument("heights of waves need a significant height and a cut above 0");
+}
+
+double RayleighHeights::exceedance(double height) const {
+  if (height >= highest_) return 0.;
+  const double x = std::max(height, 0.) / significant_height_;
+  return std::exp(-2. * x * x) - beyond_;
+}
+
+double RayleighHeights::density(double height) const {
+  if (height <= 0. || height >= highest_) return 0.;
+  const double x = height / significant_height_;
+  return 4. * x / significant_height_ * std::exp(-2. * x * x);
+}
+
+double RayleighHeights::height(double exceedance) const {
+  return significant_height_ * std::sqrt(0.5 * std::max(0., -std::log(exceedance + beyond_)));
+}
+
+double detail::first_height(const std::function<double(double)>& f) {
+  constexpr double beyond_all = 1024.;
+  double low = 1e-3, high = 8.;  // m
+  if (f(low) >= 0.) return 0.;
+  for (double value = f(high); value < 0.; value = f(high)) {
+    low = high;
+    high *= 2.;
+    if (high > beyond_all) return std::numeric_limits<double>::infinity();
+  }
+  boost::uintmax_t most = 100;
+  return boost::math::tools::toms748_solve(f, low, high, boost::math::tools::eps_tolerance<double>(50), most).first;
+}
+
+Section with_factors(const Section& section, const WaveFactors& factors) {
+  Section s = section;
+  s.friction *= factors.friction;
+  s.buoyant_weight += (factors.weight - 1.) * s.weight;
+  s.weight *= factors.weight;
+  return s;
+}
+
+namespace {
+
+Breakwater at_level(const Breakwater& breakwater, double rise) {
+  Breakwater raised = breakwater;
+  raised.section = at_water_level(breakwater.section, breakwater.water, rise);
+  return raised;
+}
+
+}  // namespace
+
+WaveForces::WaveForces(const Breakwater& breakwater, const SeaState& state)
+    : breakwater_(at_level(breakwater, state.water_level)),
+      period_(state.period),
+      goda_(breakwater_.section, breakwater_.water, {0., state.significant_height, state.period, state.angle}) {}
+
+WavePressure WaveForces::at(double height, const WaveFactors& factors, PressureFormula formula) const {
+  WavePressure pressure = goda_.at(height, formula);
+  pressure.force *= factors.force;
+  pressure.uplift *= factors.uplift;
+  return pressure;
+}
+
+double WaveForces::excess(double height, const WaveFactors& factors) const {
+  const Section s = with_factors(breakwater_.section, factors);
+  const WavePressure p = at(height, factors);
+  return p.force + s.friction * (p.uplift - s.buoyant_weight);
+}
+
+double WaveForces::threshold(const WaveFactors& factors) const {
+  return detail::first_height([&](double height) { return excess(height, factors); });
+}
+
+namespace {
+
+/// Where S becomes positive between two heights, from below. A law's own threshold may be a safe guess: its waves are
+/// looked at upwards, in steps, then by halves.
+double first_sliding_height(const SlidingLaw& law, double from, double to) {
+  constexpr int steps = 32, halves = 30;
+  double low = from, high = infinity;
+  for (int i = 1; i <= steps && high == infinity; ++i) {
+    const double height = from + (to - from) * i / steps;
+    if (law.distance(height) > 0.)
+      high = height;
+    else
+      low = height;
+  }
+  if (high == infinity) return infinity;
+  for (int i = 0; i < halves; ++i) {
+    const double middle = 0.5 * (low + high);
+    (law.distance(middle) > 0. ? high : low) = middle;
+  }
+  return low;
+}
+
+/// The height that 1e-18 of the waves beyond `from` exceed, or the cut.
+double top_height(const RayleighHeights& heights, double from) {
+  const double log_share = std::log(1e18);
+  const double significant_height = heights.significant_height();
+  return std::min(heights.highest(),
+                  std::sqrt(from * from + 0.5 * log_share * significant_height * significant_height));
+}
+
+}  // namespace
+
+Expectation expected_distance(const SlidingLaw& law, const RayleighHeights& heights, double waves,
+                              const QuadratureChoice& choice) {
+  Expectation result;
+  result.threshold = infinity;
+  const double safe = law.threshold();
+  if (safe == infinity || safe >= heights.highest()) return result;
+  const double top = top_height(heights, safe);
+  result.threshold = first_sliding_height(law, safe, top);
+  if (result.threshold == infinity) return result;
+  const auto integrand = [&](double height) { return law.distance(height) * heights.density(height); };
+  boost::math::quadrature::gauss_kronrod<double, 31> rule;
+  result.distance =
+      waves * rule.integrate(integrand, result.threshold, top, choice.depth, choice.tolerance, &result.error);
+  result.error *= waves;
+  result.sliding_waves = waves * heights.exceedance(result.threshold);
+  return result;
 }
 
 }  // namespace upbead

@@ -39,9 +39,7 @@ void check_displacement(Checker& checker, const std::string& key, const Boundary
     checker.object(key + ".displacement", "there is only water behind this boundary, which nothing holds",
                    "remove the key");
   if (side.displacement != D::absorbing) return;
-  if (!checker.scene.time.inertia)
-    checker.object(key + ".displacement", "without inertia (time.inertia = false) there are no waves to absorb",
-                   "say \"roller\"");
+  if (!checker.scene.time.inertia) checker.refuse(Treatment::consolidation, key + ".displacement");
   if (at.pore_water && std::isinf(checker.scene.fluid.bulk_modulus))
     checker.object(
         key + ".displacement",
@@ -68,9 +66,7 @@ void check_pressure(Checker& checker, const std::string& key, const Boundary& si
   if (at.pore_water && side.displacement == DisplacementCondition::free)
     checker.object(key + ".displacement", "pores that absorb waves need a skeleton that is held or absorbs them too",
                    "say displacement = \"absorbing\"");
-  if (!checker.scene.time.inertia)
-    checker.object(key + ".pressure", "without inertia (time.inertia = false) there are no waves to absorb",
-                   "say \"sealed\"");
+  if (!checker.scene.time.inertia) checker.refuse(Treatment::consolidation, key + ".pressure");
   if (std::isinf(checker.scene.fluid.bulk_modulus))
     checker.object(key + ".pressure",
                    "incompressible water (fluid.bulk_modulus = inf) carries no pressure waves to absorb",

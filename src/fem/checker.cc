@@ -3,9 +3,14 @@
 namespace upbead {
 
 void Checker::object(std::string key, std::string what, std::string cure) {
-  for (const Objection& known : objections)
-    if (known.key == key && known.what == what) return;
-  objections.push_back({std::move(key), std::move(what), std::move(cure)});
+  for (const Diagnostic& known : found)
+    if (known.place.key == key && known.what == what) return;
+  found.add(at_key(std::move(key)), std::move(what), std::move(cure));
+}
+
+void Checker::refuse(Treatment way, const std::string& key) {
+  for (const Exclusion& reason : excluded(scene, way))
+    if (reason.key == key) object(key, reason.why, reason.cure);
 }
 
 bool Checker::is(const std::string& surface, RegionKind kind) const {

@@ -4,20 +4,23 @@
 #include <string>
 #include <vector>
 
+#include "model/exclusions.h"
 #include "outline.h"
 #include "upbead/model/scene.h"
 
 namespace upbead {
 
-/// A scene, its mesh, and the objections so far.
+/// A scene, its mesh, and what is wrong so far.
 struct Checker {
   const Scene& scene;
   const Mesh& mesh;
   Outline outline;
-  std::vector<Objection> objections;
+  Diagnostics found;
 
   /// Once: the loads of several transducers may have the same mistake.
   void object(std::string key, std::string what, std::string cure);
+  /// What a way that the scene takes cannot do, told at the key that asks for it.
+  void refuse(Treatment way, const std::string& key);
   /// Whether the region of that surface is of that kind; false where the case says nothing of it.
   bool is(const std::string& surface, RegionKind kind) const;
   bool has_pore_water(const std::string& surface) const;

@@ -31,9 +31,7 @@ void check_regions(Checker& checker) {
       checker.object("regions." + name, "the mesh has no surface '" + name + "'",
                      "its surfaces are: " + list(keys(surfaces)));
     if (surfaces.count(name) && region.kind == RegionKind::water && !checker.scene.time.inertia)
-      checker.object("regions." + name + ".kind",
-                     "free water is its own inertia, which time.inertia = false leaves out",
-                     "remove the region, and give the water's pressure on bed and mound as a load");
+      checker.refuse(Treatment::consolidation, "regions." + name + ".kind");
   }
   for (const auto& [a, b] : checker.outline.contacts)
     if (checker.is(a, RegionKind::rigid) && checker.is(b, RegionKind::rigid))
@@ -81,12 +79,8 @@ void check_contact(Checker& checker) {
       checker.object("regions." + name + ".interface", "only the caisson has an interface", "remove it");
   if (!has_frictional_contact(checker.scene)) return;
   const std::string key = "regions.caisson.interface";
-  const Region& caisson = checker.scene.regions.at(caisson_name);
-  if (caisson.kind == RegionKind::solid && caisson.deformation != Deformation::rigid)
-    checker.object(key, "a caisson that deforms cannot slip", "give it kind = \"rigid\", or deformation = \"rigid\"");
-  if (!checker.scene.time.inertia)
-    checker.object(key, "friction follows the motion in time, which time.inertia = false leaves out",
-                   "write kind = \"tied\" or inertia = true");
+  for (const Exclusion& reason : excluded(checker.scene, Treatment::contact))
+    checker.object(key, reason.why, reason.cure);
   if (!bottom_is_level(checker.mesh))
     checker.object(key, "the caisson's bottom is not level", "write kind = \"tied\", or level it in the mesh");
 }
@@ -106,7 +100,7 @@ void check_probes(Checker& checker) {
 
 }  // namespace
 
-std::vector<Objection> check_scene(const Scene& scene, const Mesh& mesh) {
+Diagnostics check_scene(const Scene& scene, const Mesh& mesh) {
   Checker checker{scene, mesh, outline_of(mesh), {}};
   check_regions(checker);
   check_initial(checker);
@@ -115,7 +109,7 @@ std::vector<Objection> check_scene(const Scene& scene, const Mesh& mesh) {
   check_boundaries(checker);
   check_loads(checker);
   check_probes(checker);
-  return std::move(checker.objections);
+  return std::move(checker.found);
 }
 
 }  // namespace upbead

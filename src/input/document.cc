@@ -4,8 +4,8 @@
 #include <fstream>
 #include <sstream>
 
-#include "base/input_file.h"
-#include "base/quoted.h"
+#include "base/text.h"
+#include "base/text_file.h"
 #include "toml_text.h"
 
 namespace upbead {
@@ -76,13 +76,13 @@ void apply(Node& root, Node&& change, std::size_t depth) {
 
 Document::Document(const std::string& path, const std::vector<std::string>& overrides)
     : path_(path), root_(parse_toml(read_text(path), path)) {
-  Mistakes mistakes;
+  Diagnostics mistakes;
   for (const std::string& text : overrides) try {
       Node change = read_override(text);
       forget_lines(change);
       apply(root_, std::move(change), split_dotted(text.substr(0, text.find('='))).size());
     } catch (const InputError& error) {
-      mistakes.add(error);
+      mistakes.add(error.diagnostics());
     }
   mistakes.throw_if_any();
 }
@@ -101,7 +101,7 @@ Place Document::place(const std::string& path) const {
     if (!next) break;
     node = next;
   }
-  return node->place;
+  return at_key(path, node->place);
 }
 
 }  // namespace upbead

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "input/input_report.h"
 #include "input/numbers.h"
 #include "input/values.h"
+#include "upbead/base/error.h"
 
 namespace upbead {
 
@@ -52,7 +52,7 @@ class Entry {
   std::string decisive;
   std::function<bool(const T&)> condition;
   /// Reads `node`, which stands at the dotted path, into the object.
-  std::function<void(const KeyInfo&, const Node& node, const std::string& path, T& object, InputReport&)> read;
+  std::function<void(const KeyInfo&, const Node& node, const std::string& path, T& object, Diagnostics&)> read;
   /// The value as TOML, "" where it is not given or a table with its own header.
   std::function<std::string(const KeyInfo&, const T&)> print;
   /// Tables below, with headers.

@@ -1,6 +1,6 @@
 #include "input/range.h"
 
-#include "base/constants.h"
+#include "base/numbers.h"
 #include "upbead/input/node.h"
 
 namespace upbead {

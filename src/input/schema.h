@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/suggest.h"
+#include "base/text.h"
 #include "input/entry.h"
 #include "input/schema_text.h"
 
@@ -45,7 +45,7 @@ class TableSchema {
   Entry<T>& tables(const std::string& name, std::map<std::string, U> Base::*member, const TableSchema<U>& schema);
 
   /// Reads the table `node` at the dotted path ("" for the root) into `object`; mistakes go to `report`.
-  void read(const Node& node, const std::string& path, T& object, InputReport& report) const;
+  void read(const Node& node, const std::string& path, T& object, Diagnostics& report) const;
   /// `object` as TOML with all defaults spelled out, readable by read().
   std::string echo(const T& object, const std::string& path = "") const;
   /// Shows every number that belongs to `object`, with its declaration and dotted path, to a visitor that may change

@@ -8,9 +8,7 @@ template <class V, class Base>
 Entry<T>& TableSchema<T>::key(const std::string& name, V Base::*member) {
   Entry<T>& entry = add(name);
   entry.read = [member](const KeyInfo& info, const Node& node, const std::string& path, T& object,
-                        InputReport& report) {
-    for (const Mistake& mistake : read_value(node, info, object.*member)) report.add(path, mistake);
-  };
+                        Diagnostics& report) { report.add_at(path, read_value(node, info, object.*member)); };
   entry.print = [member](const KeyInfo& info, const T& object) { return print_value(info, object.*member); };
   entry.type = [](const KeyInfo& info) { return type_text(info, static_cast<const V*>(nullptr)); };
   entry.visit_numbers = [member](const KeyInfo& info, const std::string& path, T& object,
@@ -24,7 +22,7 @@ Entry<T>& TableSchema<T>::key_or_table(const std::string& name, V Base::*member,
                                        const TableSchema<U>& schema) {
   Entry<T>& entry = key(name, member);
   entry.read = [read_value = entry.read, other, schema](const KeyInfo& info, const Node& node, const std::string& path,
-                                                        T& object, InputReport& report) {
+                                                        T& object, Diagnostics& report) {
     if (node.table())
       schema.read(node, path, (object.*other).emplace(), report);
     else
@@ -61,11 +59,11 @@ Entry<T>& TableSchema<T>::choice(const std::string& name, V Base::*member,
   Entry<T>& entry = add(name);
   for (const auto& [word, value] : words) entry.info.words.push_back(word);
   entry.read = [member, words](const KeyInfo& info, const Node& node, const std::string& path, T& object,
-                               InputReport& report) {
+                               Diagnostics& report) {
     std::size_t index = 0;
-    const Verdict verdict = read_word(node, info, index);
-    for (const Mistake& mistake : verdict) report.add(path, mistake);
-    if (verdict.empty()) object.*member = words[index].second;
+    const Diagnostics wrong = read_word(node, info, index);
+    report.add_at(path, wrong);
+    if (wrong.empty()) object.*member = words[index].second;
   };
   entry.print = [member, words](const KeyInfo&, const T& object) {
     const Enum* value = given(object.*member);
@@ -82,7 +80,7 @@ template <class U, class Make, class Find>
 Entry<T>& TableSchema<T>::add_table(const std::string& name, const TableSchema<U>& schema, Make make, Find find) {
   Entry<T>& entry = add(name);
   entry.read = [schema, make](const KeyInfo&, const Node& node, const std::string& path, T& object,
-                              InputReport& report) { schema.read(node, path, make(object), report); };
+                              Diagnostics& report) { schema.read(node, path, make(object), report); };
   entry.print_tables = [schema, find](const T& object, const std::string& path) {
     const U* part = find(object);
     return part ? schema.echo(*part, path) : std::string();
@@ -125,7 +123,7 @@ Entry<T>& TableSchema<T>::tables(const std::string& name, std::map<std::string, 
                                  const TableSchema<U>& schema) {
   Entry<T>& entry = add(name);
   entry.read = [member, schema](const KeyInfo&, const Node& node, const std::string& path, T& object,
-                                InputReport& report) {
+                                Diagnostics& report) {
     if (!check_is_table(node, path, report)) return;
     for (const auto& [key, item] : *node.table())
       if (check_is_table(item, dotted(path, key), report))
@@ -154,7 +152,7 @@ std::vector<std::string> TableSchema<T>::names() const {
 }
 
 template <class T>
-void TableSchema<T>::read(const Node& node, const std::string& path, T& object, InputReport& report) const {
+void TableSchema<T>::read(const Node& node, const std::string& path, T& object, Diagnostics& report) const {
   if (!check_is_table(node, path, report)) return;
   check_known(node, path, names(), report);
   for (const Entry<T>& entry : entries_) {

@@ -1,7 +1,6 @@
 #include "input/schema_text.h"
 
-#include "base/quoted.h"
-#include "base/suggest.h"
+#include "base/text.h"
 
 namespace upbead {
 
@@ -9,31 +8,32 @@ std::string where_text(const std::string& path) {
   return path.empty() ? "at the top of the file" : "in [" + path + "]";
 }
 
-bool check_is_table(const Node& node, const std::string& path, InputReport& report) {
+bool check_is_table(const Node& node, const std::string& path, Diagnostics& report) {
   if (node.table()) return true;
-  report.add(path, node.place, path + ": expected a table, found " + found(node), "write [" + path + "] and its keys");
+  report.add(at_key(path, node.place), path + ": expected a table, found " + found(node),
+             "write [" + path + "] and its keys");
   return false;
 }
 
 void check_known(const Node& node, const std::string& path, const std::vector<std::string>& known,
-                 InputReport& report) {
+                 Diagnostics& report) {
   for (const auto& [key, entry] : *node.table()) {
     bool is_known = false;
     for (const std::string& name : known) is_known = is_known || name == key;
     if (!is_known)
-      report.add(dotted(path, key), entry.place, "unknown key " + in_quotes(key) + " " + where_text(path),
+      report.add(at_key(dotted(path, key), entry.place), "unknown key " + in_quotes(key) + " " + where_text(path),
                  suggestion(key, known, "keys"));
   }
 }
 
 void report_missing(const KeyInfo& key, const std::string& type, const Node& node, const std::string& path,
-                    InputReport& report) {
+                    Diagnostics& report) {
   const std::string cure = type.empty() ? "add [" + dotted(path, key.name) + "]" : "add " + key.name + ", " + type;
-  report.add(dotted(path, key.name), node.place, "'" + key.name + "' is missing " + where_text(path), cure);
+  report.add(at_key(dotted(path, key.name), node.place), "'" + key.name + "' is missing " + where_text(path), cure);
 }
 
-void report_misplaced(const KeyInfo& key, const Node& node, const std::string& path, InputReport& report) {
-  report.add(dotted(path, key.name), node.place,
+void report_misplaced(const KeyInfo& key, const Node& node, const std::string& path, Diagnostics& report) {
+  report.add(at_key(dotted(path, key.name), node.place),
              "'" + key.name + "' does not belong " + where_text(path) + " (only " + key.condition + ")", "remove it");
 }
 

@@ -12,17 +12,17 @@ namespace upbead {
 std::string where_text(const std::string& path);
 
 /// Refuses what is no table; true where `node` is one.
-bool check_is_table(const Node& node, const std::string& path, InputReport& report);
+bool check_is_table(const Node& node, const std::string& path, Diagnostics& report);
 
 /// Refuses every key of the table `node` that is not among `known`.
-void check_known(const Node& node, const std::string& path, const std::vector<std::string>& known, InputReport& report);
+void check_known(const Node& node, const std::string& path, const std::vector<std::string>& known, Diagnostics& report);
 
 /// Reports a required key as missing from the table `node`; `type`: what it takes, "" for a table.
 void report_missing(const KeyInfo& key, const std::string& type, const Node& node, const std::string& path,
-                    InputReport&);
+                    Diagnostics&);
 
 /// Reports a key that stands where its condition does not hold.
-void report_misplaced(const KeyInfo& key, const Node& node, const std::string& path, InputReport& report);
+void report_misplaced(const KeyInfo& key, const Node& node, const std::string& path, Diagnostics& report);
 
 /// "name = value  # unit"; a comment with the fallback where there is no value.
 std::string echo_line(const KeyInfo& key, const std::string& value);

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "base/quoted.h"
+#include "base/text.h"
 
 namespace upbead {
 

@@ -4,9 +4,8 @@
 #include <cstdlib>
 #include <type_traits>
 
-#include "base/magnitude.h"
-#include "base/quoted.h"
-#include "base/suggest.h"
+#include "base/numbers.h"
+#include "base/text.h"
 
 namespace upbead {
 
@@ -23,7 +22,7 @@ bool reads_as_number(const std::string& text) {
 }
 
 template <class V>
-Verdict wrong_type(const Node& node, const KeyInfo& key, const V* type) {
+Diagnostics wrong_type(const Node& node, const KeyInfo& key, const V* type) {
   const std::string expected =
       key.word.empty() ? type_text(key, type) : type_text(key, type) + " or " + to_toml(key.word);
   std::string cure = "give the " + key.meaning();
@@ -38,7 +37,7 @@ std::optional<double> number_of(const Node& node) {
   return {};
 }
 
-Verdict check_range(const Node& node, const KeyInfo& key, double value) {
+Diagnostics check_range(const Node& node, const KeyInfo& key, double value) {
   if (std::isfinite(value) && (is_too_large(value) || is_too_small(value)))
     return {{node.place,
              key.name + " = " + number_text(value) + " is " + (is_too_large(value) ? "larger" : "smaller") +
@@ -49,81 +48,77 @@ Verdict check_range(const Node& node, const KeyInfo& key, double value) {
            "give the " + key.meaning()}};
 }
 
-void append(Verdict& all, const Verdict& more) {
-  all.insert(all.end(), more.begin(), more.end());
-}
-
 std::string with_unit(const std::string& what, const KeyInfo& key) {
   return key.unit.empty() ? what : what + " (" + key.unit + ")";
 }
 
 }  // namespace
 
-Verdict read_value(const Node& node, const KeyInfo& key, double& value) {
+Diagnostics read_value(const Node& node, const KeyInfo& key, double& value) {
   const std::optional<double> number = number_of(node);
   if (!number) return wrong_type(node, key, &value);
   value = *number;
   return check_range(node, key, value);
 }
 
-Verdict read_value(const Node& node, const KeyInfo& key, int& value) {
+Diagnostics read_value(const Node& node, const KeyInfo& key, int& value) {
   const auto* number = std::get_if<std::int64_t>(&node.value);
   if (!number) return wrong_type(node, key, &value);
-  Verdict verdict = check_range(node, key, static_cast<double>(*number));
-  if (verdict.empty() && *number != static_cast<int>(*number))
+  Diagnostics wrong = check_range(node, key, static_cast<double>(*number));
+  if (wrong.empty() && *number != static_cast<int>(*number))
     return {{node.place, key.name + " = " + std::to_string(*number) + " is beyond the range of whole numbers here",
              "give the " + key.meaning()}};
-  if (verdict.empty()) value = static_cast<int>(*number);
-  return verdict;
+  if (wrong.empty()) value = static_cast<int>(*number);
+  return wrong;
 }
 
-Verdict read_value(const Node& node, const KeyInfo& key, bool& value) {
+Diagnostics read_value(const Node& node, const KeyInfo& key, bool& value) {
   const auto* truth = std::get_if<bool>(&node.value);
   if (!truth) return wrong_type(node, key, &value);
   value = *truth;
   return {};
 }
 
-Verdict read_value(const Node& node, const KeyInfo& key, std::string& value) {
+Diagnostics read_value(const Node& node, const KeyInfo& key, std::string& value) {
   if (!node.text()) return wrong_type(node, key, &value);
   value = *node.text();
   return {};
 }
 
-Verdict read_value(const Node& node, const KeyInfo& key, Pair& value) {
+Diagnostics read_value(const Node& node, const KeyInfo& key, Pair& value) {
   const NodeArray* list = node.array();
   if (!list || list->size() != 2) return wrong_type(node, key, &value);
   for (std::size_t i = 0; i < 2; ++i) {
     const std::optional<double> number = number_of((*list)[i]);
     if (!number) return wrong_type((*list)[i], key, &value);
     value[i] = *number;
-    Verdict verdict = check_range((*list)[i], key, value[i]);
-    if (!verdict.empty()) return verdict;
+    Diagnostics wrong = check_range((*list)[i], key, value[i]);
+    if (!wrong.empty()) return wrong;
   }
   return {};
 }
 
-Verdict read_value(const Node& node, const KeyInfo& key, std::vector<Pair>& value) {
+Diagnostics read_value(const Node& node, const KeyInfo& key, std::vector<Pair>& value) {
   const NodeArray* list = node.array();
   if (!list) return wrong_type(node, key, &value);
   value.clear();
-  Verdict all;
-  for (const Node& item : *list) append(all, read_value(item, key, value.emplace_back()));
+  Diagnostics all;
+  for (const Node& item : *list) all.add(read_value(item, key, value.emplace_back()));
   return all;
 }
 
-Verdict read_value(const Node& node, const KeyInfo& key, std::map<std::string, double>& value) {
+Diagnostics read_value(const Node& node, const KeyInfo& key, std::map<std::string, double>& value) {
   if (!node.table()) return wrong_type(node, key, &value);
-  Verdict all;
+  Diagnostics all;
   for (const auto& [name, entry] : *node.table()) {
     KeyInfo inner = key;
     inner.name = name;
-    append(all, read_value(entry, inner, value[name]));
+    all.add(read_value(entry, inner, value[name]));
   }
   return all;
 }
 
-Verdict read_word(const Node& node, const KeyInfo& key, std::size_t& index) {
+Diagnostics read_word(const Node& node, const KeyInfo& key, std::size_t& index) {
   const std::string list = join(key.words);
   if (!node.text())
     return {{node.place, key.name + ": expected one of " + list + ", found " + found(node),

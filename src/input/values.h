@@ -30,20 +30,20 @@ struct KeyInfo {
 };
 
 using Pair = std::array<double, 2>;
-using Verdict = std::vector<Mistake>;  ///< empty where all is well
 
-Verdict read_value(const Node& node, const KeyInfo& key, double& value);
-Verdict read_value(const Node& node, const KeyInfo& key, int& value);
-Verdict read_value(const Node& node, const KeyInfo& key, bool& value);
-Verdict read_value(const Node& node, const KeyInfo& key, std::string& value);
-Verdict read_value(const Node& node, const KeyInfo& key, Pair& value);
-Verdict read_value(const Node& node, const KeyInfo& key, std::vector<Pair>& value);
-Verdict read_value(const Node& node, const KeyInfo& key, std::map<std::string, double>& value);
+/// What is wrong with a value, if anything.
+Diagnostics read_value(const Node& node, const KeyInfo& key, double& value);
+Diagnostics read_value(const Node& node, const KeyInfo& key, int& value);
+Diagnostics read_value(const Node& node, const KeyInfo& key, bool& value);
+Diagnostics read_value(const Node& node, const KeyInfo& key, std::string& value);
+Diagnostics read_value(const Node& node, const KeyInfo& key, Pair& value);
+Diagnostics read_value(const Node& node, const KeyInfo& key, std::vector<Pair>& value);
+Diagnostics read_value(const Node& node, const KeyInfo& key, std::map<std::string, double>& value);
 /// One of key.words; `index` is its place among them.
-Verdict read_word(const Node& node, const KeyInfo& key, std::size_t& index);
+Diagnostics read_word(const Node& node, const KeyInfo& key, std::size_t& index);
 
 template <class V>
-Verdict read_value(const Node& node, const KeyInfo& key, std::optional<V>& value) {
+Diagnostics read_value(const Node& node, const KeyInfo& key, std::optional<V>& value) {
   if (node.text() && !key.word.empty() && *node.text() == key.word) {
     value.reset();
     return {};

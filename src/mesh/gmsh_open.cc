@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "base/suggest.h"
+#include "base/text.h"
 #include "mesh/geo_parameters.h"
 
 namespace upbead {

@@ -243,7 +243,7 @@ RawMesh read_raw_mesh(const MeshRequest& request, MeshReport& report) {
         MeshReport found(request);
         const RawMesh mesh = read_in(request, found);
         Parcel parcel;
-        parcel.put(found.mistakes());
+        parcel.put(found.diagnostics());
         put(parcel, mesh);
         return parcel.take();
       },
@@ -251,7 +251,7 @@ RawMesh read_raw_mesh(const MeshRequest& request, MeshReport& report) {
   report_end(outcome, request, report);
   if (!outcome.result) return {};
   OpenParcel parcel(*outcome.result);
-  report.add(parcel.mistakes());
+  report.add(parcel.diagnostics());
   std::optional<RawMesh> mesh = take_mesh(parcel);
   if (!mesh) report.add("gmsh hands back a mesh that does not fit together", "mend the file");
   return std::move(mesh).value_or(RawMesh());

@@ -3,7 +3,6 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "base/quoted.h"
 #include "base/text.h"
 
 namespace upbead {
@@ -28,19 +27,19 @@ MeshReport::MeshReport(const MeshRequest& request)
     : request_(request), name_(std::filesystem::path(request.file).filename().string()) {}
 
 void MeshReport::add_at(const Place& place, const std::string& what, const std::string& cure) {
-  mistakes_.push_back({place, "mesh '" + name_ + "': " + what, cure});
+  mistakes_.add(place, "mesh '" + name_ + "': " + what, cure);
 }
 
 void MeshReport::add_in_script(const Place& place, const std::string& what, const std::string& cure) {
-  mistakes_.push_back({place, what, cure});
+  mistakes_.add(place, what, cure);
 }
 
-void MeshReport::add(const std::vector<Mistake>& mistakes) {
-  mistakes_.insert(mistakes_.end(), mistakes.begin(), mistakes.end());
+void MeshReport::add(const Diagnostics& mistakes) {
+  mistakes_.add(mistakes);
 }
 
 void MeshReport::throw_if_any() const {
-  if (!mistakes_.empty()) throw InputError(mistakes_);
+  mistakes_.throw_if_any();
 }
 
 void MeshReport::add(const std::string& what, const std::string& cure) {

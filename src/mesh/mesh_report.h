@@ -19,8 +19,8 @@ class MeshReport {
   /// At a place in a script.
   void add_in_script(const Place& place, const std::string& what, const std::string& cure);
   /// What another report of the same mesh has found.
-  void add(const std::vector<Mistake>& mistakes);
-  const std::vector<Mistake>& mistakes() const { return mistakes_; }
+  void add(const Diagnostics& mistakes);
+  const Diagnostics& diagnostics() const { return mistakes_; }
   bool empty() const { return mistakes_.empty(); }
   void throw_if_any() const;
 
@@ -29,7 +29,7 @@ class MeshReport {
 
   const MeshRequest& request_;
   std::string name_;
-  std::vector<Mistake> mistakes_;
+  Diagnostics mistakes_;
 };
 
 /// How often something was met, and where first.

@@ -22,6 +22,30 @@ Keys in_regions(const Scene& scene, std::optional<Table> Region::*table, const s
   return keys;
 }
 
+/// Keys of the outer sides that absorb waves, by the member that says so.
+template <class Member, class Value>
+Keys absorbing(const Scene& scene, Member member, Value value, const std::string& key) {
+  Keys keys;
+  for (const auto& [name, side] : scene.boundaries)
+    if (side.*member == value) keys.push_back("boundaries." + name + "." + key);
+  return keys;
+}
+
+/// Keys of the regions where a member has a value.
+template <class Member, class Value>
+Keys regions_with(const Scene& scene, Member member, Value value, const std::string& key) {
+  Keys keys;
+  for (const auto& [name, region] : scene.regions)
+    if (region.*member == value) keys.push_back("regions." + name + "." + key);
+  return keys;
+}
+
+bool deforms(const Scene& scene) {
+  const auto caisson = scene.regions.find(caisson_name);
+  return caisson != scene.regions.end() && caisson->second.kind == RegionKind::solid &&
+         caisson->second.deformation != Deformation::rigid;
+}
+
 /// What a scene may ask for, and the keys by which one does.
 struct Feature {
   const char* name;
@@ -40,14 +64,32 @@ const Feature strain{"soil that follows its strain",
 const Feature by_reduced{"a reduced model by name",
                          [](const Scene& s) { return when(s.time.scheme == TimeScheme::reduced, "time.scheme"); }};
 
+const Feature deforming_caisson{"a caisson that deforms",
+                                [](const Scene& s) { return when(deforms(s), "regions.caisson.deformation"); }};
+const Feature inertial_flow{"pore water with inertia",
+                            [](const Scene& s) { return regions_with(s, &Region::flow, Flow::inertial, "flow"); }};
+const Feature free_water{"free water",
+                         [](const Scene& s) { return regions_with(s, &Region::kind, RegionKind::water, "kind"); }};
+const Feature absorbing_side{"a side that absorbs waves of the skeleton", [](const Scene& s) {
+                               return absorbing(s, &Boundary::displacement, DisplacementCondition::absorbing,
+                                                "displacement");
+                             }};
+const Feature absorbing_pores{"a side that absorbs waves of the water", [](const Scene& s) {
+                                return absorbing(s, &Boundary::pressure, PressureCondition::absorbing, "pressure");
+                              }};
+
 constexpr std::array way_names{"`time.scheme = \"reduced\"`", "`time.scheme = \"generalised_alpha\"`",
                                "`mesh.refine = \"auto\"`",    "`upbead reduce`",
-                               "several processes",           "`--checkpoint`"};
+                               "several processes",           "`--checkpoint`",
+                               "contact node by node",        "consolidation"};
+
+constexpr const char* no_waves = "without inertia (time.inertia = false) there are no waves to absorb";
 
 struct Row {
   Treatment way;
   const Feature& feature;
   const char* why;
+  const char* cure = "";
 };
 
 const std::vector<Row>& rows() {
@@ -66,7 +108,17 @@ const std::vector<Row>& rows() {
       {Treatment::several_processes, contact, "no contact is solved"},
       {Treatment::several_processes, strain, "soil does not follow its strain"},
       {Treatment::checkpoints, contact, "a run with contact keeps none"},
-      {Treatment::checkpoints, strain, "a run with soil that follows its strain keeps none"}};
+      {Treatment::checkpoints, strain, "a run with soil that follows its strain keeps none"},
+      {Treatment::contact, deforming_caisson, "a caisson that deforms cannot slip",
+       "give it kind = \"rigid\", or deformation = \"rigid\""},
+      {Treatment::contact, consolidation, "friction follows the motion in time, which time.inertia = false leaves out",
+       "write kind = \"tied\" or inertia = true"},
+      {Treatment::consolidation, inertial_flow, "flow = \"inertial\" contradicts time.inertia = false",
+       "write flow = \"auto\" or inertia = true"},
+      {Treatment::consolidation, free_water, "free water is its own inertia, which time.inertia = false leaves out",
+       "remove the region, and give the water's pressure on bed and mound as a load"},
+      {Treatment::consolidation, absorbing_side, no_waves, "say \"roller\""},
+      {Treatment::consolidation, absorbing_pores, no_waves, "say \"sealed\""}};
   return list;
 }
 
@@ -76,7 +128,7 @@ std::vector<Exclusion> excluded(const Scene& scene, Treatment way) {
   std::vector<Exclusion> list;
   for (const Row& row : rows()) {
     if (row.way != way) continue;
-    for (std::string& key : row.feature.asked(scene)) list.push_back({std::move(key), row.why});
+    for (std::string& key : row.feature.asked(scene)) list.push_back({std::move(key), row.why, row.cure});
   }
   return list;
 }

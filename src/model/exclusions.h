@@ -9,12 +9,22 @@
 namespace upbead {
 
 /// A way to solve or to run a scene that not every scene can take.
-enum class Treatment { reduced_model, generalised_alpha, adapted_mesh, reduce_command, several_processes, checkpoints };
+enum class Treatment {
+  reduced_model,
+  generalised_alpha,
+  adapted_mesh,
+  reduce_command,
+  several_processes,
+  checkpoints,
+  contact,        ///< node by node
+  consolidation,  ///< time.inertia = false
+};
 
 /// Why a scene cannot take a way: at a key of the scene, which asks for what the way does not do.
 struct Exclusion {
   std::string key;
-  std::string why;  ///< "no fields are written"
+  std::string why;   ///< "no fields are written"
+  std::string cure;  ///< "" where whoever asked for the way knows it
 };
 
 /// All reasons, by the order of the table; empty where the scene can take it.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/largest.h"
+#include "base/numbers.h"
 #include "base/text.h"
 #include "model/record.h"
 
@@ -50,10 +50,6 @@ Gauges every_other(const Gauges& gauges) {
     fewer.pressure.push_back(gauges.pressure[i]);
   }
   return fewer;
-}
-
-void append(NumberedWarnings& list, const NumberedWarnings& more) {
-  list.insert(list.end(), more.begin(), more.end());
 }
 
 /// Transducers of one record are sampled alike: one warning, of the steepest rise, stands for all.

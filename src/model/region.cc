@@ -4,77 +4,63 @@
 #include <cmath>
 #include <functional>
 
-#include "base/constants.h"
+#include "base/numbers.h"
+#include "model/member_rules.h"
 #include "model/words.h"
 
 namespace upbead {
 
 namespace {
 
-using Kinds = std::vector<RegionKind>;
 using K = RegionKind;
-
-/// Which kinds take a member, which of them cannot do without, and whether it is set to other than its default.
-struct MemberRule {
-  std::string key;
-  Kinds kinds;
-  bool needed;
-  std::function<bool(const Region&)> given;
-};
-
-template <class Member>
-std::function<bool(const Region&)> set(Member member) {
-  return [member](const Region& region) { return (region.*member).has_value(); };
-}
+using Rules = std::vector<MemberRule<Region, RegionKind>>;
 
 template <class Member>
 std::function<bool(const Region&)> changed(Member member) {
   return [member](const Region& region) { return region.*member != Region{}.*member; };
 }
 
-const std::vector<MemberRule>& member_rules() {
+const Rules& member_rules() {
   using R = Region;
-  static const std::vector<MemberRule> rules{
-      {"shear_modulus", {K::solid, K::porous}, false, set(&R::shear_modulus)},
-      {"shear_modulus.reference", {K::porous}, false, set(&R::stress_law)},
-      {"strain", {K::solid, K::porous}, false, set(&R::strain_law)},
-      {"youngs_modulus", {K::solid, K::porous}, false, set(&R::youngs_modulus)},
-      {"poissons_ratio", {K::solid, K::porous}, true, set(&R::poissons_ratio)},
-      {"density", {K::rigid, K::solid}, false, set(&R::density)},
-      {"mass", {K::rigid}, false, set(&R::mass)},
-      {"centre_of_gravity", {K::rigid}, false, set(&R::centre_of_gravity)},
-      {"moment_of_inertia", {K::rigid}, false, set(&R::moment_of_inertia)},
-      {"porosity", {K::porous}, true, set(&R::porosity)},
-      {"grain_density", {K::porous}, true, set(&R::grain_density)},
-      {"hydraulic_conductivity", {K::porous}, false, set(&R::hydraulic_conductivity)},
+  static const Rules rules{
+      {"shear_modulus", {K::solid, K::porous}, false, is_set(&R::shear_modulus)},
+      {"shear_modulus.reference", {K::porous}, false, is_set(&R::stress_law)},
+      {"strain", {K::solid, K::porous}, false, is_set(&R::strain_law)},
+      {"youngs_modulus", {K::solid, K::porous}, false, is_set(&R::youngs_modulus)},
+      {"poissons_ratio", {K::solid, K::porous}, true, is_set(&R::poissons_ratio)},
+      {"density", {K::rigid, K::solid}, false, is_set(&R::density)},
+      {"mass", {K::rigid}, false, is_set(&R::mass)},
+      {"centre_of_gravity", {K::rigid}, false, is_set(&R::centre_of_gravity)},
+      {"moment_of_inertia", {K::rigid}, false, is_set(&R::moment_of_inertia)},
+      {"porosity", {K::porous}, true, is_set(&R::porosity)},
+      {"grain_density", {K::porous}, true, is_set(&R::grain_density)},
+      {"hydraulic_conductivity", {K::porous}, false, is_set(&R::hydraulic_conductivity)},
       {"flow", {K::porous}, false, changed(&R::flow)},
       {"tortuosity", {K::porous}, false, changed(&R::tortuosity)},
       {"biot", {K::porous}, false, changed(&R::biot)},
       {"grain_bulk_modulus", {K::porous}, false, changed(&R::grain_bulk_modulus)},
-      {"damping", {K::solid, K::porous}, false, set(&R::damping)},
-      {"strength", {K::solid, K::porous}, false, set(&R::strength)},
-      {"interface", {K::rigid, K::solid}, false, set(&R::interface)},
+      {"damping", {K::solid, K::porous}, false, is_set(&R::damping)},
+      {"strength", {K::solid, K::porous}, false, is_set(&R::strength)},
+      {"interface", {K::rigid, K::solid}, false, is_set(&R::interface)},
       {"deformation", {K::solid}, false, changed(&R::deformation)},
       {"compressibility", {K::water}, false, changed(&R::compressibility)},
   };
   return rules;
 }
 
-bool holds(const Kinds& kinds, RegionKind kind) {
-  return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
-}
-
 class Checker {
  public:
-  explicit Checker(const Region& region) : region_(region), kind_(word_of(region.kind, region_kind_words)) {}
+  explicit Checker(const Region& region)
+      : region_(region),
+        whose_("a " + word_of(region.kind, region_kind_words) + " region"),
+        list_(diagnose_members(member_rules(), region, region.kind, whose_)) {}
 
-  std::vector<Objection> run() {
-    check_members();
+  Diagnostics run() {
     if (region_.kind == K::rigid) exactly_one("density", region_.density.has_value(), "mass", region_.mass.has_value());
     if (region_.kind == K::solid || region_.kind == K::porous)
       exactly_one("shear_modulus", region_.shear_modulus || region_.stress_law, "youngs_modulus",
                   region_.youngs_modulus.has_value());
-    if (region_.kind == K::solid && !region_.density) missing("density");
+    if (region_.kind == K::solid && !region_.density) add_missing("density", whose_, list_);
     if (region_.kind == K::porous) check_porous();
     if (region_.strain_law) check_strain(*region_.strain_law);
     if (region_.damping && region_.damping->frequencies[0] >= region_.damping->frequencies[1])
@@ -84,26 +70,13 @@ class Checker {
 
  private:
   void add(const std::string& key, const std::string& what, const std::string& cure) {
-    list_.push_back({key, what, cure});
-  }
-
-  void missing(const std::string& key) {
-    add(key, "'" + key + "' is missing, which a " + kind_ + " region needs", "add " + key);
-  }
-
-  void check_members() {
-    for (const MemberRule& rule : member_rules()) {
-      const bool given = rule.given(region_), belongs_here = holds(rule.kinds, region_.kind);
-      if (given && !belongs_here)
-        add(rule.key, "'" + rule.key + "' does not belong to a " + kind_ + " region", "remove it");
-      if (!given && belongs_here && rule.needed) missing(rule.key);
-    }
+    list_.add(at_key(key), what, cure);
   }
 
   void exactly_one(const std::string& a, bool has_a, const std::string& b, bool has_b) {
     if (has_a && has_b) add(b, "both '" + a + "' and '" + b + "' are given", "keep one of them");
     if (!has_a && !has_b)
-      add(a, "neither '" + a + "' nor '" + b + "' is given, one of which a " + kind_ + " region needs",
+      add(a, "neither '" + a + "' nor '" + b + "' is given, one of which " + whose_ + " needs",
           "add " + a + " or " + b);
   }
 
@@ -130,19 +103,16 @@ class Checker {
   }
 
   void check_porous() {
-    if (!region_.hydraulic_conductivity && region_.flow != Flow::drained) missing("hydraulic_conductivity");
+    if (!region_.hydraulic_conductivity && region_.flow != Flow::drained)
+      add_missing("hydraulic_conductivity", whose_, list_);
     if (region_.porosity && *region_.porosity <= 1. && region_.biot < *region_.porosity)
       add("biot", "biot is less than the porosity", "give a Biot coefficient within [porosity, 1]");
   }
 
   const Region& region_;
-  std::string kind_;
-  std::vector<Objection> list_;
+  std::string whose_;
+  Diagnostics list_;
 };
-
-}  // namespace
-
-namespace {
 
 /// zeta at the ends over that in the middle, sqrt(f1 f2), where it is least.
 double sag(const Rayleigh& r) {
@@ -176,12 +146,12 @@ double Rayleigh::error() const {
 }
 
 bool belongs(const std::string& key, RegionKind kind) {
-  for (const MemberRule& rule : member_rules())
-    if (rule.key == key) return holds(rule.kinds, kind);
+  for (const auto& rule : member_rules())
+    if (rule.key == key) return rule.belongs_to(kind);
   return key == "kind";
 }
 
-std::vector<Objection> check(const Region& region) {
+Diagnostics diagnose(const Region& region) {
   return Checker(region).run();
 }
 
@@ -210,6 +180,35 @@ Material material(const Region& region, const Fluid& fluid, double gravity) {
   m.alpha = region.biot;
   m.storage = n / fluid.bulk_modulus + (m.alpha - n) / region.grain_bulk_modulus;
   return m;
+}
+
+double shear_modulus(const StressLaw& law, double stress, double floor) {
+  return law.reference * std::pow(std::max(stress, floor) / law.pressure, law.exponent);
+}
+
+namespace {
+
+/// Straight over the logarithm of the strain, constant beyond the ends.
+double interpolate(const std::vector<std::array<double, 2>>& table, double strain) {
+  if (strain <= table.front()[0]) return table.front()[1];
+  for (std::size_t i = 1; i < table.size(); ++i)
+    if (strain < table[i][0]) {
+      const double part = std::log(strain / table[i - 1][0]) / std::log(table[i][0] / table[i - 1][0]);
+      return (1. - part) * table[i - 1][1] + part * table[i][1];
+    }
+  return table.back()[1];
+}
+
+}  // namespace
+
+double modulus_ratio(const StrainLaw& law, double strain) {
+  if (!law.modulus.empty()) return interpolate(law.modulus, strain);
+  return 1. / (1. + strain / law.reference_strain);
+}
+
+double damping_ratio(const StrainLaw& law, double strain) {
+  if (!law.damping.empty()) return interpolate(law.damping, strain);
+  return law.smallest_damping + (law.largest_damping - law.smallest_damping) * (1. - modulus_ratio(law, strain));
 }
 
 }  // namespace upbead

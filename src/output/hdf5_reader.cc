@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "base/confined_work.h"
-#include "base/input_file.h"
+#include "base/text_file.h"
 #include "hdf5_contents.h"
 #include "upbead/base/error.h"
 

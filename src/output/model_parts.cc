@@ -4,8 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "base/magnitude.h"
-#include "base/suggest.h"
+#include "base/numbers.h"
 #include "base/text.h"
 #include "model_layout.h"
 

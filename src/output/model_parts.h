@@ -48,7 +48,7 @@ class ModelParts {
  private:
   std::string path_;
   Hdf5Reader file_;
-  Mistakes mistakes_;
+  Diagnostics mistakes_;
 };
 
 }  // namespace upbead::detail

@@ -6,8 +6,8 @@
 #include <memory>
 #include <string>
 
-#include "base/constants.h"
-#include "base/parallel.h"
+#include "base/numbers.h"
+#include "base/progress.h"
 #include "base/text.h"
 #include "dynamics/band_check.h"
 #include "dynamics/response_error.h"

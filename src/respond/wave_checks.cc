@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "base/quoted.h"
-#include "base/suggest.h"
 #include "base/text.h"
 #include "base/units.h"
 
@@ -14,13 +12,14 @@ std::size_t find(const Names& names, const std::string& name) {
 }
 
 void add_unknown_load(const Place& place, const std::string& what, const std::string& name, const Names& loads,
-                      Mistakes& mistakes) {
+                      Diagnostics& mistakes) {
   const std::string near = nearest(name, loads), all = "the model's loads are: " + join(loads);
   mistakes.add(place, what + " " + in_quotes(name) + " is no load of the model",
                near.empty() ? all : "did you mean " + in_quotes(near) + "? " + all);
 }
 
-void check_times(const std::vector<double>& time, const std::function<Place(std::size_t)>& place, Mistakes& mistakes) {
+void check_times(const std::vector<double>& time, const std::function<Place(std::size_t)>& place,
+                 Diagnostics& mistakes) {
   if (time.size() < 2) return mistakes.add(place(0), "a wave of one time", "give two times or more");
   if (time.front() < 0.)
     mistakes.add(place(0), "the wave starts at t = " + significant(time.front(), 6) + " s, before the response",

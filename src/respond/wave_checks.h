@@ -18,10 +18,11 @@ std::size_t find(const Names& names, const std::string& name);
 
 /// `what`: "column" or "dataset".
 void add_unknown_load(const Place& place, const std::string& what, const std::string& name, const Names& loads,
-                      Mistakes& mistakes);
+                      Diagnostics& mistakes);
 
 /// Two times or more, from 0 on, ascending. `place`: of the time with that index.
-void check_times(const std::vector<double>& time, const std::function<Place(std::size_t)>& place, Mistakes& mistakes);
+void check_times(const std::vector<double>& time, const std::function<Place(std::size_t)>& place,
+                 Diagnostics& mistakes);
 
 /// The waves of one HDF5 file, without a name; throws InputError.
 WaveFile read_hdf5_waves(const std::string& path, const Names& loads, const Names& units);

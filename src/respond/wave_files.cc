@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "base/quoted.h"
+#include "base/text.h"
 #include "case/records/record_layout.h"
 #include "case/records/record_table.h"
 #include "wave_checks.h"
@@ -18,7 +18,7 @@ using detail::Names;
 
 /// The load of each column of values.
 std::vector<std::size_t> loads_of_columns(const CsvTable& table, const RecordLayout& layout, const Names& loads,
-                                          Mistakes& mistakes) {
+                                          Diagnostics& mistakes) {
   const Place header{table.path, 1, 1};
   if (layout.values.size() == 1 && loads.size() == 1) return {0};
   if (layout.time && find(loads, table.names[*layout.time]) < loads.size())
@@ -40,7 +40,7 @@ std::vector<std::size_t> loads_of_columns(const CsvTable& table, const RecordLay
 WaveFile read_csv_wave(const std::string& path, const Names& loads, const Names& units) {
   const CsvTable table = read_record_table(path, Place());
   const RecordLayout layout = layout_of(table);
-  Mistakes mistakes;
+  Diagnostics mistakes;
   const std::vector<std::size_t> load = loads_of_columns(table, layout, loads, mistakes);
   mistakes.throw_if_any();
   WaveFile file;
@@ -73,7 +73,7 @@ void number_duplicates(std::vector<WaveFile>& files) {
 
 std::vector<WaveFile> read_wave_files(const std::vector<std::string>& paths, const std::vector<std::string>& loads,
                                       const std::vector<std::string>& units) {
-  Mistakes mistakes;
+  Diagnostics mistakes;
   std::vector<WaveFile> files;
   for (const std::string& path : paths) try {
       const std::string ending = fs::path(path).extension().string();
@@ -81,7 +81,7 @@ std::vector<WaveFile> read_wave_files(const std::vector<std::string>& paths, con
       files.push_back(hdf5 ? detail::read_hdf5_waves(path, loads, units) : read_csv_wave(path, loads, units));
       files.back().name = fs::path(path).stem().string();
     } catch (const InputError& error) {
-      mistakes.add(error);
+      mistakes.add(error.diagnostics());
     }
   mistakes.throw_if_any();
   number_duplicates(files);

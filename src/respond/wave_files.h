@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "case/record_notes.h"
+#include "case/records/record_layout.h"
 #include "dynamics/batch_response.h"
 
 namespace upbead {

@@ -2,11 +2,10 @@
 #include <cmath>
 #include <map>
 
-#include "base/magnitude.h"
-#include "base/quoted.h"
-#include "base/suggest.h"
+#include "base/numbers.h"
+#include "base/text.h"
 #include "base/units.h"
-#include "case/records/header_words.h"
+#include "case/records/record_layout.h"
 #include "output/hdf5_reader.h"
 #include "wave_checks.h"
 
@@ -115,7 +114,7 @@ class WaveDatasets {
   std::string path_;
   const Names &loads_, &units_;
   Hdf5Reader file_;
-  Mistakes mistakes_;
+  Diagnostics mistakes_;
   std::vector<double> time_;
   std::map<std::size_t, NumberArray> values_;  ///< by load
   std::size_t n_waves_ = 1;

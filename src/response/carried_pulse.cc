@@ -5,7 +5,7 @@
 #include <unsupported/Eigen/FFT>
 #include <vector>
 
-#include "base/constants.h"
+#include "base/numbers.h"
 
 namespace upbead {
 

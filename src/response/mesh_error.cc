@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/constants.h"
+#include "base/numbers.h"
 #include "fem/caisson_readings.h"
 #include "fem/surplus.h"
 #include "response/spectrum.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/constants.h"
+#include "base/numbers.h"
 #include "dynamics/frequency_response.h"
 #include "dynamics/projection.h"
 #include "fem/caisson_readings.h"

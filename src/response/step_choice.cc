@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "algebra/factorisation.h"
-#include "base/constants.h"
+#include "base/numbers.h"
 #include "base/stopwatch.h"
 #include "base/text.h"
 #include "fem/caisson_readings.h"

@@ -10,19 +10,9 @@
 
 namespace upbead {
 
-namespace {
-
-void throw_objections(const std::vector<Objection>& objections) {
-  Mistakes mistakes;
-  for (const Objection& objection : objections) mistakes.add(at_key(objection.key), objection.what, objection.cure);
-  mistakes.throw_if_any();
-}
-
-}  // namespace
-
 Simulation on_mesh(const Scene& given, std::shared_ptr<const Mesh> mesh, std::shared_ptr<const Processes> processes) {
   const Stopwatch watch;
-  throw_objections(check_scene(given, *mesh));
+  check_scene(given, *mesh).throw_if_any();
   Simulation out;
   out.given = given;
   out.given_mesh = out.mesh = std::move(mesh);

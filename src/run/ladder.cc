@@ -45,7 +45,7 @@ Run march_with(const Simulation& simulation, const SchemeChoice& choice, const C
     return run_march(simulation, choice, options, care);
   } catch (const InputError& error) {
     if (care.part == 1.) throw;
-    throw NumericsError(error.mistakes().front().what);
+    throw NumericsError(error.diagnostics().list().front().what);
   }
 }
 

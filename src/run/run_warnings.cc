@@ -34,11 +34,6 @@ NumberedWarnings loose_warnings(const Summary& summary) {
   return list;
 }
 
-template <class Item>
-void append(std::vector<Item>& list, const std::vector<Item>& more) {
-  list.insert(list.end(), more.begin(), more.end());
-}
-
 }  // namespace
 
 void tell(SceneWatch& watch, Run& run) {

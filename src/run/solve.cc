@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "base/constants.h"
+#include "base/numbers.h"
 #include "base/stopwatch.h"
 #include "base/text.h"
 #include "fem/compile.h"

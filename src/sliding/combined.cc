@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "base/constants.h"
+#include "base/numbers.h"
 
 namespace upbead {
 

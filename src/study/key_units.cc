@@ -9,7 +9,7 @@ namespace upbead {
 std::map<std::string, std::string> units_of_keys(const Case& problem) {
   std::map<std::string, std::string> units;
   CaseTables tables;
-  InputReport report;  // read_case has found no mistake
+  Diagnostics report;  // read_case has found no mistake
   case_schema().read(problem.document.root(), "", tables, report);
   case_schema().visit_numbers(
       tables, "", [&units](const KeyInfo& key, const std::string& path, double&) { units.emplace(path, key.unit); });

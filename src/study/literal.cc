@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "base/suggest.h"
+#include "base/text.h"
 
 namespace upbead {
 
@@ -10,24 +10,19 @@ namespace {
 
 constexpr double largest_exact = 9007199254740992.;  // 2^53
 
-Verdict append(Verdict all, const Verdict& more) {
-  all.insert(all.end(), more.begin(), more.end());
-  return all;
-}
-
-Verdict refuse(const Node& node, const KeyInfo& key, const std::string& expected) {
+Diagnostics refuse(const Node& node, const KeyInfo& key, const std::string& expected) {
   return {{node.place, key.name + ": expected " + expected + ", found " + found(node), "give the " + key.meaning()}};
 }
 
-Verdict read_settings(const Node& node, const KeyInfo& key, const std::string& path,
-                      std::map<std::string, Literal>& value) {
-  Verdict all;
+Diagnostics read_settings(const Node& node, const KeyInfo& key, const std::string& path,
+                          std::map<std::string, Literal>& value) {
+  Diagnostics all;
   for (const auto& [name, entry] : *node.table()) {
     const std::string below = path.empty() ? name : path + "." + name;
     if (entry.table())
-      all = append(all, read_settings(entry, key, below, value));
+      all.add(read_settings(entry, key, below, value));
     else
-      all = append(all, read_value(entry, key, value[below]));
+      all.add(read_value(entry, key, value[below]));
   }
   return all;
 }
@@ -39,7 +34,7 @@ Literal literal(double number) {
   return {whole ? std::to_string(static_cast<std::int64_t>(number)) : to_toml(number), true, number};
 }
 
-Verdict read_value(const Node& node, const KeyInfo& key, Literal& value) {
+Diagnostics read_value(const Node& node, const KeyInfo& key, Literal& value) {
   if (const auto* truth = std::get_if<bool>(&node.value)) {
     value = {to_toml(*truth)};
   } else if (const auto* whole = std::get_if<std::int64_t>(&node.value)) {
@@ -50,8 +45,8 @@ Verdict read_value(const Node& node, const KeyInfo& key, Literal& value) {
     value = {to_toml(*node.text())};
   } else if (node.array()) {
     std::vector<Literal> items;
-    Verdict verdict = read_value(node, key, items);
-    if (!verdict.empty()) return verdict;
+    Diagnostics wrong = read_value(node, key, items);
+    if (!wrong.empty()) return wrong;
     value = {print_value(key, items)};
   } else {
     return refuse(node, key, "a number, a word, true, false or a list");
@@ -59,23 +54,23 @@ Verdict read_value(const Node& node, const KeyInfo& key, Literal& value) {
   return {};
 }
 
-Verdict read_value(const Node& node, const KeyInfo& key, std::vector<Literal>& value) {
+Diagnostics read_value(const Node& node, const KeyInfo& key, std::vector<Literal>& value) {
   if (!node.array()) return refuse(node, key, type_text(key, &value));
   value.clear();
-  Verdict all;
-  for (const Node& item : *node.array()) all = append(all, read_value(item, key, value.emplace_back()));
+  Diagnostics all;
+  for (const Node& item : *node.array()) all.add(read_value(item, key, value.emplace_back()));
   return all;
 }
 
-Verdict read_value(const Node& node, const KeyInfo& key, std::vector<std::string>& value) {
+Diagnostics read_value(const Node& node, const KeyInfo& key, std::vector<std::string>& value) {
   if (!node.array()) return refuse(node, key, type_text(key, &value));
   value.clear();
-  Verdict all;
-  for (const Node& item : *node.array()) all = append(all, read_value(item, key, value.emplace_back()));
+  Diagnostics all;
+  for (const Node& item : *node.array()) all.add(read_value(item, key, value.emplace_back()));
   return all;
 }
 
-Verdict read_value(const Node& node, const KeyInfo& key, std::map<std::string, Literal>& value) {
+Diagnostics read_value(const Node& node, const KeyInfo& key, std::map<std::string, Literal>& value) {
   if (!node.table()) return refuse(node, key, type_text(key, &value));
   return read_settings(node, key, "", value);
 }

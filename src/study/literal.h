@@ -19,11 +19,11 @@ struct Literal {
 
 Literal literal(double number);
 
-Verdict read_value(const Node& node, const KeyInfo& key, Literal& value);
-Verdict read_value(const Node& node, const KeyInfo& key, std::vector<Literal>& value);
-Verdict read_value(const Node& node, const KeyInfo& key, std::vector<std::string>& value);
+Diagnostics read_value(const Node& node, const KeyInfo& key, Literal& value);
+Diagnostics read_value(const Node& node, const KeyInfo& key, std::vector<Literal>& value);
+Diagnostics read_value(const Node& node, const KeyInfo& key, std::vector<std::string>& value);
 /// By dotted key; tables within the table lengthen it.
-Verdict read_value(const Node& node, const KeyInfo& key, std::map<std::string, Literal>& value);
+Diagnostics read_value(const Node& node, const KeyInfo& key, std::map<std::string, Literal>& value);
 
 std::string type_text(const KeyInfo& key, const Literal*);
 std::string type_text(const KeyInfo& key, const std::vector<Literal>*);

@@ -4,8 +4,8 @@
 #include <boost/math/distributions/normal.hpp>
 #include <cmath>
 
-#include "case/fingerprint.h"
-#include "upbead/expected/stream.h"
+#include "case/input_files.h"
+#include "upbead/expected/distribution.h"
 
 namespace upbead {
 

@@ -5,7 +5,6 @@
 #include <set>
 
 #include "base/version.h"
-#include "case/fingerprint.h"
 #include "case/input_files.h"
 #include "key_units.h"
 #include "study_checks.h"
@@ -43,7 +42,7 @@ StudyRun make_run(const StudyTables& tables, const std::vector<Axis>& axes, cons
 }
 
 /// A mistake in a value that the study has set is told at its place in the study.
-Mistake seen_from_study(const Mistake& mistake, const StudyRun& run, const Document& document) {
+Diagnostic seen_from_study(const Diagnostic& mistake, const StudyRun& run, const Document& document) {
   const std::string mark = "--set ";
   if (mistake.place.file.rfind(mark, 0) != 0) return mistake;
   const std::vector<std::string> overrides = overrides_of(run);
@@ -58,7 +57,7 @@ Mistake seen_from_study(const Mistake& mistake, const StudyRun& run, const Docum
 constexpr int most_attempts = 1000;
 
 /// Reads a case as the first of its runs that can be read; where none of many can, the first one tells why.
-std::optional<Case> first_sound_case(const Study& study, int index, const Document& document, InputReport& report) {
+std::optional<Case> first_sound_case(const Study& study, int index, const Document& document, Diagnostics& report) {
   std::optional<InputError> first;
   const StudyRun* first_run = nullptr;
   int attempts = 0;
@@ -75,7 +74,7 @@ std::optional<Case> first_sound_case(const Study& study, int index, const Docume
     }
   }
   if (first)
-    for (const Mistake& mistake : first->mistakes()) report.add("", seen_from_study(mistake, *first_run, document));
+    for (const Diagnostic& mistake : first->diagnostics()) report.add(seen_from_study(mistake, *first_run, document));
   return std::nullopt;
 }
 
@@ -114,7 +113,7 @@ Study read_study(const std::string& path, const std::vector<std::string>& overri
   const Document document(path, overrides);
   require_quoted_keys(document);
   StudyTables tables;
-  InputReport report;
+  Diagnostics report;
   study_schema().read(document.root(), "", tables, report);
   const std::vector<Axis> axes = axes_of(tables, document);
   check_study(tables, axes, document, report);

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/inputs_kept.h"
+#include "base/files.h"
 #include "upbead/input/document.h"
 
 namespace upbead {

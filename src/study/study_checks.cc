@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "base/suggest.h"
+#include "base/text.h"
 #include "summary_reader.h"
 
 namespace upbead {
@@ -17,10 +17,10 @@ struct Checker {
   const StudyTables& study;
   const std::vector<Axis>& axes;
   const Document& document;
-  InputReport& report;
+  Diagnostics& report;
 
   void add(const std::string& path, const std::string& what, const std::string& cure) const {
-    report.add(path, document.place(path), what, cure);
+    report.add(document.place(path), what, cure);
   }
 };
 
@@ -139,7 +139,7 @@ void check_reads(const Checker& check) {
 }  // namespace
 
 void check_study(const StudyTables& study, const std::vector<Axis>& axes, const Document& document,
-                 InputReport& report) {
+                 Diagnostics& report) {
   const Checker check{study, axes, document, report};
   check_cases(check);
   check_axes(check);
@@ -148,7 +148,7 @@ void check_study(const StudyTables& study, const std::vector<Axis>& axes, const 
 }
 
 void require_quoted_keys(const Document& document) {
-  Mistakes mistakes;
+  Diagnostics mistakes;
   for (const std::string table : {"vary", "follow"}) {
     const Node* node = document.find(table);
     if (!node || !node->table()) continue;

@@ -8,7 +8,7 @@ namespace upbead {
 
 /// Reports what is wrong with a study by itself, without its cases. `axes`: in the order of the file.
 void check_study(const StudyTables& study, const std::vector<Axis>& axes, const Document& document,
-                 InputReport& report);
+                 Diagnostics& report);
 
 /// Throws InputError where a key is written without quotes, [vary.time.end]: what the schema would say of that is no
 /// help.

@@ -5,10 +5,10 @@
 #include <stdexcept>
 #include <string>
 
-#include "base/constants.h"
+#include "base/numbers.h"
+#include "base/text.h"
 #include "require_positive.h"
-#include "upbead/waves/dispersion.h"
-#include "upbead/waves/impulsive.h"
+#include "upbead/waves/wave_heights.h"
 
 namespace upbead {
 
@@ -83,6 +83,85 @@ WavePressure Goda::at(double height, PressureFormula formula) const {
   p.pu = head * p.lambda_3 * p.alpha_1 * alpha_3_;
   add_resultants(section_, p);
   return p;
+}
+
+Diagnostics diagnose(const Section& s) {
+  Diagnostics list;
+  if (s.buoyant_weight >= s.weight)
+    list.add(at_key("buoyant_weight"),
+             "buoyant_weight = " + significant(s.buoyant_weight, 6) +
+                 " N/m is not below weight = " + significant(s.weight, 6) + " N/m",
+             "give W' in still water, W less the weight of the displaced water");
+  if (s.centroid && *s.centroid >= s.width)
+    list.add(at_key("centroid"),
+             "centroid = " + significant(*s.centroid, 6) +
+                 " m lies outside the caisson, width = " + significant(s.width, 6) + " m",
+             "give the distance from the landward heel to the line of W' (m)");
+  return list;
+}
+
+Section at_water_level(const Section& section, const Water& water, double rise) {
+  Section s = section;
+  s.water_depth += rise;
+  s.foundation_depth += rise;
+  s.berm_depth += rise;
+  s.crest -= rise;
+  const double under_water = std::clamp(rise, -section.foundation_depth, section.crest);
+  s.buoyant_weight -= water.density * water.gravity * section.width * under_water;
+  return s;
+}
+
+double alpha_I1(double berm_width_over_wavelength, double mound_height_over_depth) {
+  const double x = berm_width_over_wavelength - 0.12, y = mound_height_over_depth - 0.6;
+  const double delta_11 = 0.93 * x + 0.36 * y;
+  const double delta_22 = -0.36 * x + 0.93 * y;
+  const double delta_1 = (delta_11 <= 0. ? 20. : 15.) * delta_11;
+  const double delta_2 = (delta_22 <= 0. ? 4.9 : 3.) * delta_22;
+  // cosh may be infinite for a very wide berm: the coefficient is then 0, as it should be.
+  if (delta_2 <= 0.) return std::cos(delta_2) / std::cosh(delta_1);
+  return 1. / (std::cosh(delta_1) * std::sqrt(std::cosh(delta_2)));
+}
+
+double alpha_I0(double height, double berm_depth) {
+  return std::min(height / berm_depth, 2.);
+}
+
+namespace {
+
+/// p_e under the heel [Goda 2000]: a triangle where the resultant lies in the outer third, else a trapezium.
+double toe_pressure(double width, double vertical, double moment) {
+  if (vertical <= 0.) return 0.;  // lifted off: nothing presses on the mound
+  const double t_e = moment / vertical;
+  if (t_e <= width / 3.) return 2. * vertical / (3. * t_e);
+  return 2. * vertical / width * (2. - 3. * t_e / width);
+}
+
+}  // namespace
+
+Stability stability(const Section& section, const WavePressure& pressure) {
+  const double t = section.centroid.value_or(0.5 * section.width);
+  const double vertical = section.buoyant_weight - pressure.uplift;
+  const double resisting = section.buoyant_weight * t - pressure.uplift_moment;
+  Stability s;
+  s.safety_sliding = section.friction * vertical / pressure.force;
+  s.safety_overturning = resisting / pressure.force_moment;
+  s.toe_pressure = toe_pressure(section.width, vertical, resisting - pressure.force_moment);
+  s.sliding_force = pressure.force + section.friction * pressure.uplift;
+  s.resistance = section.friction * section.buoyant_weight;
+  s.ratio = s.sliding_force / s.resistance;
+  return s;
+}
+
+double buoyant_weight_for(double safety_sliding, double friction, const WavePressure& pressure) {
+  return safety_sliding * pressure.force / friction + pressure.uplift;
+}
+
+double standing_duration(double height, double depth, double period) {
+  return (0.5 - std::min(height / depth, 0.8) / 8.) * period;
+}
+
+double DurationFactor::operator()(double alpha_star) const {
+  return 1. / std::pow(std::pow(std::max(alpha_star, 0.), a) + 1., b);
 }
 
 }  // namespace upbead

@@ -1,11 +1,10 @@
-#include "upbead/waves/validity.h"
+#include "upbead/waves/goda.h"
 
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
 
 #include "base/text.h"
-#include "upbead/waves/dispersion.h"
-#include "upbead/waves/stability.h"
+#include "upbead/waves/wave_heights.h"
 
 namespace upbead {
 

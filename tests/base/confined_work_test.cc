@@ -256,14 +256,14 @@ TEST(Parcel, GivesBackWhatWasPut) {
   parcel.put(std::string("text"));
   parcel.put(std::vector<int>{1, 2, 3});
   parcel.put(std::vector<std::string>{"a", ""});
-  parcel.put(std::vector<Mistake>{{{"f", 1, 2}, "w", "c"}});
+  parcel.put(Diagnostics{{{"f", 1, 2}, "w", "c"}});
   const std::string bytes = parcel.take();
   OpenParcel open(bytes);
   EXPECT_EQ(open.value<double>(), 3.5);
   EXPECT_EQ(open.text(), "text");
   EXPECT_EQ(open.list<int>(), (std::vector<int>{1, 2, 3}));
   EXPECT_EQ(open.texts(), (std::vector<std::string>{"a", ""}));
-  EXPECT_EQ(to_string(open.mistakes().at(0)), "f:1:2: w; c");
+  EXPECT_EQ(to_string(open.diagnostics().list().at(0)), "f:1:2: w; c");
   EXPECT_THROW(open.value<char>(), std::runtime_error);
 }
 

@@ -26,7 +26,7 @@ class Csv : public testing::Test {
       read(text);
     } catch (const InputError& error) {
       std::string messages;
-      for (Mistake mistake : error.mistakes()) {
+      for (Diagnostic mistake : error.diagnostics()) {
         if (mistake.place.file == path_) mistake.place.file = "f";
         mistake.cure.clear();
         messages += (messages.empty() ? "" : "\n") + to_string(mistake);
@@ -158,8 +158,8 @@ TEST_F(Csv, TellsSeveralButNotThousands) {
     read(text);
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_EQ(error.mistakes().size(), 10u);
-    EXPECT_EQ(error.mistakes().back().cure, "give a finite number such as 1.5e6; further rows were not read");
+    EXPECT_EQ(error.diagnostics().list().size(), 10u);
+    EXPECT_EQ(error.diagnostics().list().back().cure, "give a finite number such as 1.5e6; further rows were not read");
   }
 }
 

@@ -1,5 +1,5 @@
 // Claim: only files are read. What has no end, or one that may never come, is refused by name at once, with what to do.
-#include "base/input_file.h"
+#include "base/text_file.h"
 
 #include <gtest/gtest.h>
 #include <sys/socket.h>
@@ -11,8 +11,6 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-
-#include "base/text_file.h"
 
 namespace upbead {
 

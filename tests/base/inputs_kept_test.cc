@@ -1,5 +1,5 @@
 // Claim: no output takes the place of an input, whatever either is called.
-#include "base/inputs_kept.h"
+#include "base/files.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

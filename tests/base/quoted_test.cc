@@ -1,10 +1,9 @@
 // Claim: what a message quotes of somebody else's text is short, on one line, and valid UTF-8; a message as a whole is
 // bounded too.
-#include "base/quoted.h"
+#include "base/text.h"
 
 #include <gtest/gtest.h>
 
-#include "base/suggest.h"
 #include "upbead/base/error.h"
 
 namespace upbead {
@@ -44,8 +43,10 @@ TEST(Quoted, PathsThatCanBeAreWhole) {
 TEST(Quoted, NoMistakeIsLongerThanAPage) {
   const InputError one({std::string(100'000, 'f'), 1, 1}, std::string(1'000'000, 'w'), std::string(1'000'000, 'c'));
   EXPECT_LT(std::string(one.what()).size(), 13'000U);
-  const InputError many(std::vector<Mistake>(20'000, Mistake{{"f"}, "wrong", ""}));
-  EXPECT_EQ(many.mistakes().size(), 20'000U);
+  Diagnostics wrong;
+  for (int i = 0; i < 20'000; ++i) wrong.add({"f"}, "wrong");
+  const InputError many(wrong);
+  EXPECT_EQ(many.diagnostics().list().size(), 20'000U);
   EXPECT_LT(std::string(many.what()).size(), 10'000U);
   EXPECT_NE(std::string(many.what()).find("and 19000 more mistakes"), std::string::npos);
 }

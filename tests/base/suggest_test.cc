@@ -1,5 +1,5 @@
 // Claim: a slip of the hand finds the word that was meant, an unrelated word finds nothing.
-#include "base/suggest.h"
+#include "base/text.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,6 @@
 #include "case/records/record_layout.h"
 
 #include "base/csv.h"
-#include "case/records/header_words.h"
 #include "good_case.h"
 
 namespace upbead::test {

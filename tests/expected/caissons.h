@@ -1,7 +1,7 @@
 // Breakwaters of the tests.
 #pragma once
 
-#include "upbead/expected/wave_forces.h"
+#include "upbead/expected/sliding_law.h"
 
 namespace upbead::test {
 

@@ -31,9 +31,9 @@ std::array<double, 2> moments(const Distribution& distribution) {
   return {mean, std::sqrt(squares / n - mean * mean)};
 }
 
-std::string first_objection(const Scatter& s, double mean = 1.) {
-  const auto list = objections(s, mean);
-  return list.empty() ? "" : list.front().key + ": " + list.front().what;
+std::string first_fault(const Scatter& s, double mean = 1.) {
+  const std::vector<Diagnostic> list = diagnose(s, mean).list();
+  return list.empty() ? "" : list.front().place.key + ": " + list.front().what;
 }
 
 }  // namespace
@@ -90,25 +90,25 @@ TEST(Distribution, NoDeviationIsOneValue) {
 }
 
 TEST(Distribution, ContradictionsAreTold) {
-  EXPECT_EQ(first_objection({}), "deviation: neither 'cov' nor 'deviation' is given");
+  EXPECT_EQ(first_fault({}), "deviation: neither 'cov' nor 'deviation' is given");
   Scatter s = scatter(ScatterKind::normal, 0., 0.1);
   s.cov = 0.1;
-  EXPECT_EQ(first_objection(s), "cov: both 'cov' and 'deviation' are given");
+  EXPECT_EQ(first_fault(s), "cov: both 'cov' and 'deviation' are given");
   s.deviation.reset();
-  EXPECT_EQ(first_objection(s), "cov: 'cov' tells nothing about a mean of 0");
-  EXPECT_EQ(first_objection(scatter(ScatterKind::lognormal, -1., 0.1)),
+  EXPECT_EQ(first_fault(s), "cov: 'cov' tells nothing about a mean of 0");
+  EXPECT_EQ(first_fault(scatter(ScatterKind::lognormal, -1., 0.1)),
             "mean: the mean of a lognormal distribution, -1, is not above 0");
   s = scatter(ScatterKind::normal, 1., 0.1);
   s.low = 3.;
-  EXPECT_EQ(first_objection(s), "low: less than 1e-6 of the distribution is left between its cuts");
+  EXPECT_EQ(first_fault(s), "low: less than 1e-6 of the distribution is left between its cuts");
   s.kind = ScatterKind::uniform;
-  EXPECT_EQ(first_objection(s), "high: 'high' is missing");
+  EXPECT_EQ(first_fault(s), "high: 'high' is missing");
   s.high = 2.;
-  EXPECT_EQ(first_objection(s), "low: low = 3 is not below high = 2");
+  EXPECT_EQ(first_fault(s), "low: low = 3 is not below high = 2");
   s.low = 1.;
   s.mode = 4.;
   s.kind = ScatterKind::triangular;
-  EXPECT_EQ(first_objection(s), "mode: mode = 4 is not between low and high");
+  EXPECT_EQ(first_fault(s), "mode: mode = 4 is not between low and high");
   EXPECT_THROW(Distribution(s, 1.), std::invalid_argument);
 }
 

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "caissons.h"
-#include "upbead/expected/expectation.h"
+#include "upbead/expected/sliding_law.h"
 #include "upbead/sliding/block.h"
 
 namespace upbead::test {

@@ -1,5 +1,5 @@
 // Claim: quadrature gives the expectation that brute force gives, to the digits of an independent computation.
-#include "upbead/expected/expectation.h"
+#include "upbead/expected/sliding_law.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Claim: the force of a wave is the declared one: its peak, rise, duration and impulse.
-#include "expected/impact.h"
+#include "expected/dynamic_law.h"
 
 #include <gtest/gtest.h>
 

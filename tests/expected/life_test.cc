@@ -9,8 +9,7 @@
 #include <thread>
 
 #include "caissons.h"
-#include "expected/statistics.h"
-#include "upbead/expected/expectation.h"
+#include "upbead/expected/sliding_law.h"
 
 namespace upbead::test {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "upbead/expected/sea_state.h"
+#include "upbead/expected/sliding_law.h"
 
 namespace upbead::test {
 

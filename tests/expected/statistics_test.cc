@@ -1,5 +1,5 @@
 // Claim: mean, intervals, quantiles and probabilities of a sample are the textbook's.
-#include "expected/statistics.h"
+#include "upbead/expected/life.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Claim: storms have the heights, numbers, tides and waves that were asked for, and lives of them the expectation of
 // nested quadrature.
-#include "expected/storm_climate.h"
+#include "upbead/expected/life.h"
 
 #include <gtest/gtest.h>
 
@@ -8,10 +8,8 @@
 #include <cmath>
 
 #include "caissons.h"
-#include "expected/statistics.h"
-#include "upbead/expected/expectation.h"
-#include "upbead/expected/life.h"
-#include "upbead/waves/random_breaking.h"
+#include "upbead/expected/sliding_law.h"
+#include "upbead/waves/wave_heights.h"
 
 namespace upbead::test {
 

@@ -1,5 +1,5 @@
 // Claim: the streams are Philox4x32-10, and a number depends on its seed and place alone.
-#include "upbead/expected/stream.h"
+#include "upbead/expected/distribution.h"
 
 #include <gtest/gtest.h>
 

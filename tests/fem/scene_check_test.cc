@@ -29,11 +29,11 @@ TEST_P(SceneCheck, SaysWhatDoesNotFit) {
   Scene scene = breakwater(triangle(1., 0.1));
   GetParam().edit(scene);
   const auto mesh = breakwater_mesh(0.5);
-  const auto objections = check_scene(scene, *mesh);
-  ASSERT_EQ(objections.size(), 1u);
-  EXPECT_EQ(objections[0].key, GetParam().key);
-  EXPECT_NE(objections[0].what.find(GetParam().what), std::string::npos) << objections[0].what;
-  EXPECT_FALSE(objections[0].cure.empty());
+  const auto wrong = check_scene(scene, *mesh).list();
+  ASSERT_EQ(wrong.size(), 1u);
+  EXPECT_EQ(wrong[0].place.key, GetParam().key);
+  EXPECT_NE(wrong[0].what.find(GetParam().what), std::string::npos) << wrong[0].what;
+  EXPECT_FALSE(wrong[0].cure.empty());
 }
 
 const Misfit misfits[] = {

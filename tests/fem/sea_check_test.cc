@@ -35,11 +35,11 @@ TEST_P(SeaCheck, SaysWhatDoesNotFit) {
   Scene scene = sea_scene();
   GetParam().edit(scene);
   const auto mesh = breakwater_mesh(0.5, with_sea());
-  const auto objections = check_scene(scene, *mesh);
-  ASSERT_EQ(objections.size(), 1u);
-  EXPECT_EQ(objections[0].key, GetParam().key);
-  EXPECT_NE(objections[0].what.find(GetParam().what), std::string::npos) << objections[0].what;
-  EXPECT_FALSE(objections[0].cure.empty());
+  const auto wrong = check_scene(scene, *mesh).list();
+  ASSERT_EQ(wrong.size(), 1u);
+  EXPECT_EQ(wrong[0].place.key, GetParam().key);
+  EXPECT_NE(wrong[0].what.find(GetParam().what), std::string::npos) << wrong[0].what;
+  EXPECT_FALSE(wrong[0].cure.empty());
 }
 
 void press_on(Scene& scene, const char* curve) {
@@ -110,10 +110,10 @@ TEST(QuasiStatic, RefusesWaterAndWaves) {
   Scene scene = sea_scene();
   scene.time.inertia = false;
   scene.boundaries["left"].displacement = DisplacementCondition::absorbing;
-  const auto objections = check_scene(scene, *breakwater_mesh(0.5, with_sea()));
-  ASSERT_EQ(objections.size(), 3u);
-  EXPECT_EQ(objections[0].key, "regions.sea_back.kind");
-  EXPECT_EQ(objections[2].key, "boundaries.left.displacement");
+  const auto wrong = check_scene(scene, *breakwater_mesh(0.5, with_sea())).list();
+  ASSERT_EQ(wrong.size(), 3u);
+  EXPECT_EQ(wrong[0].place.key, "regions.sea_back.kind");
+  EXPECT_EQ(wrong[2].place.key, "boundaries.left.displacement");
 }
 
 TEST(ALoadOnAWetWall, ActsOnTheWholeWall) {

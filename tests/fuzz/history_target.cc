@@ -3,8 +3,7 @@
 #include <cmath>
 
 #include "base/csv.h"
-#include "case/case_history.h"
-#include "case/records/gauge_keys.h"
+#include "case/records/load_records.h"
 #include "respond/wave_files.h"
 #include "respond/wave_grid.h"
 #include "target.h"

@@ -35,8 +35,9 @@ bool read_or_refuse(Read read) {
     read();
     return true;
   } catch (const InputError& error) {
-    require(!error.mistakes().empty(), "an InputError has a mistake");
-    for (const Mistake& mistake : error.mistakes()) require(!mistake.what.empty(), "a mistake says what is wrong");
+    require(!error.diagnostics().empty(), "an InputError has a mistake");
+    for (const Diagnostic& mistake : error.diagnostics())
+      require(!mistake.what.empty(), "a mistake says what is wrong");
     return false;
   }
 }

@@ -63,7 +63,7 @@ Node text(const std::string& value) {
 
 std::string refusal(const NodeTable& entries) {
   Thing thing;
-  InputReport report;
+  Diagnostics report;
   thing_schema().read({entries, {"f"}}, "", thing, report);
   try {
     report.throw_if_any("f");
@@ -114,7 +114,7 @@ TEST(Schema, EchoesDefaultsAndFallbacks) {
 TEST(Schema, ReadsIntoMembers) {
   Thing thing;
   thing.step = 1.;
-  InputReport report;
+  Diagnostics report;
   const Node parts{NodeTable{{"a", {NodeTable{{"count", number(2)}}, {}}}}, {}};
   thing_schema().read({NodeTable{{"colour", text("red")},
                                  {"width", number(4)},
@@ -160,7 +160,7 @@ TEST(Schema, RefusesWholeNumbersThatDoNotFit) {
   TableSchema<Part> table;
   table.key("count", &Part::count).range(at_least(0.)).doc("number of pieces");
   Part part;
-  InputReport report;
+  Diagnostics report;
   table.read({NodeTable{{"count", number(4294967297)}}, {"f"}}, "", part, report);
   try {
     report.throw_if_any("f");
@@ -173,7 +173,7 @@ TEST(Schema, RefusesWholeNumbersThatDoNotFit) {
 
 TEST(Schema, KnowsWhichTablesAreSound) {
   Thing thing;
-  InputReport report;
+  Diagnostics report;
   const Node parts{NodeTable{{"a", {NodeTable{{"count", number(9)}}, {}}}, {"b", {NodeTable{}, {}}}}, {}};
   thing_schema().read({NodeTable{{"parts", parts}}, {}}, "", thing, report);
   EXPECT_FALSE(report.sound(""));

@@ -82,7 +82,7 @@ inline std::vector<std::string> complaints(const MeshRequest& request) try {
   return {};
 } catch (const InputError& error) {
   std::vector<std::string> said;
-  for (const Mistake& mistake : error.mistakes()) said.push_back(to_string(mistake));
+  for (const Diagnostic& mistake : error.diagnostics()) said.push_back(to_string(mistake));
   return said;
 }
 

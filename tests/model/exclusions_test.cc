@@ -10,7 +10,8 @@ namespace upbead::test {
 namespace {
 
 constexpr Treatment ways[] = {Treatment::reduced_model,  Treatment::generalised_alpha, Treatment::adapted_mesh,
-                              Treatment::reduce_command, Treatment::several_processes, Treatment::checkpoints};
+                              Treatment::reduce_command, Treatment::several_processes, Treatment::checkpoints,
+                              Treatment::contact,        Treatment::consolidation};
 
 TEST(Exclusions, OfAPlainSceneAreNone) {
   Scene scene;
@@ -41,7 +42,10 @@ TEST(Exclusions, StandInTheTable) {
   scene.time = {1., {}, TimeScheme::reduced, false, 1e-3};
   scene.regions["sand"].strain_law = StrainLaw();
   scene.regions["sand"].strength = Strength();
-  scene.regions["caisson"].kind = RegionKind::rigid;
+  scene.regions["sand"].flow = Flow::inertial;
+  scene.regions["sea"].kind = RegionKind::water;
+  scene.regions["caisson"].kind = RegionKind::solid;
+  scene.boundaries["left"] = {DisplacementCondition::absorbing, PressureCondition::absorbing};
   scene.regions["caisson"].interface = ContactLaw{ContactKind::friction, {}};
   ASSERT_TRUE(has_frictional_contact(scene));
   const std::string table = exclusion_table();

@@ -118,7 +118,7 @@ TEST(PulseTest, SinesTellTheirDuration) {
 TEST(PulseTest, ObjectsToWhatItsShapeDoesNotKnow) {
   Pulse pulse = make(PulseShape::harmonic, 0., 0.);
   pulse.duration = 1.;
-  const std::vector<Objection> list = objections(pulse);
+  const std::vector<Diagnostic> list = diagnose(pulse).list();
   ASSERT_EQ(list.size(), 3u);
   EXPECT_EQ(list[0].what, "peak is zero, so there is no load");
   EXPECT_EQ(list[1].what, "'duration' does not belong to shape harmonic");

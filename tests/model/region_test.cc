@@ -22,9 +22,9 @@ Region rubble() {
   return region;
 }
 
-std::string keys_of(const std::vector<Objection>& list) {
+std::string keys_of(const Diagnostics& list) {
   std::string keys;
-  for (const Objection& objection : list) keys += (keys.empty() ? "" : " ") + objection.key;
+  for (const Diagnostic& found : list) keys += (keys.empty() ? "" : " ") + found.place.key;
   return keys;
 }
 
@@ -73,33 +73,33 @@ TEST(RegionMaterial, OfSolidAndRigid) {
 }
 
 TEST(RegionCheck, WantsTheKeysOfItsKind) {
-  EXPECT_EQ(keys_of(check(rubble())), "");
+  EXPECT_EQ(keys_of(diagnose(rubble())), "");
   Region region;
-  EXPECT_EQ(keys_of(check(region)), "poissons_ratio porosity grain_density shear_modulus hydraulic_conductivity");
+  EXPECT_EQ(keys_of(diagnose(region)), "poissons_ratio porosity grain_density shear_modulus hydraulic_conductivity");
   region.kind = RegionKind::solid;
-  EXPECT_EQ(keys_of(check(region)), "poissons_ratio shear_modulus density");
+  EXPECT_EQ(keys_of(diagnose(region)), "poissons_ratio shear_modulus density");
   region.kind = RegionKind::rigid;
-  EXPECT_EQ(keys_of(check(region)), "density");
+  EXPECT_EQ(keys_of(diagnose(region)), "density");
 }
 
 TEST(RegionCheck, DrainedSoilNeedsNoConductivity) {
   Region region = rubble();
   region.hydraulic_conductivity.reset();
   region.flow = Flow::drained;
-  EXPECT_EQ(keys_of(check(region)), "");
+  EXPECT_EQ(keys_of(diagnose(region)), "");
 }
 
 TEST(RegionCheck, RefusesTheKeysOfOtherKinds) {
   Region region = rubble();
   region.mass = 1.;
   region.density = 1.;
-  EXPECT_EQ(keys_of(check(region)), "density mass");
+  EXPECT_EQ(keys_of(diagnose(region)), "density mass");
   region = rubble();
   region.kind = RegionKind::rigid;
   region.mass = 1.;
   region.flow = Flow::darcy;
   region.damping = Rayleigh{};
-  EXPECT_EQ(keys_of(check(region)),
+  EXPECT_EQ(keys_of(diagnose(region)),
             "shear_modulus poissons_ratio porosity grain_density hydraulic_conductivity flow damping");
 }
 
@@ -108,7 +108,7 @@ TEST(RegionCheck, RefusesContradictions) {
   region.youngs_modulus = 1.;
   region.biot = 0.3;
   region.damping = Rayleigh{0.05, {10., 1.}};
-  EXPECT_EQ(keys_of(check(region)), "youngs_modulus biot damping");
+  EXPECT_EQ(keys_of(diagnose(region)), "youngs_modulus biot damping");
 }
 
 TEST(RegionWords, BelongToKinds) {

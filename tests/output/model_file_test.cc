@@ -22,7 +22,7 @@ std::string refusal(const std::string& path) {
     read_model_file(path);
   } catch (const InputError& error) {
     std::string messages;
-    for (Mistake mistake : error.mistakes()) {
+    for (Diagnostic mistake : error.diagnostics()) {
       if (mistake.place.file == path) mistake.place.file = "m";
       messages += (messages.empty() ? "" : "\n") + to_string(mistake);
     }

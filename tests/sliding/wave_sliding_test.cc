@@ -9,7 +9,7 @@
 #include <cmath>
 
 #include "../waves/sections.h"
-#include "upbead/waves/dispersion.h"
+#include "upbead/waves/wave_heights.h"
 
 namespace upbead::test {
 namespace {

@@ -138,7 +138,7 @@ AccuracyVerdict judge_accuracy(const std::string& path) {
     verdict.history = {s.response->peak_shear, s.history_error->total(), history_error(run, truth.run, row), true};
     judge_slip(run, truth.run, verdict);
   } catch (const InputError& error) {
-    verdict.refused = error.mistakes().front().what;
+    verdict.refused = error.diagnostics().list().front().what;
   } catch (const NumericsError& error) {
     verdict.refused = std::string("numerics: ") + error.what();
   }

@@ -51,7 +51,7 @@ BothWays solve_both_ways(const std::string& path, double finer) {
     if (marched.refused.empty() && larger > 0.) both.difference = std::abs(marched.peak - automatic.peak) / larger;
   } catch (const InputError& error) {
     both.kind = Verdict::Kind::contradictory;
-    both.why = error.mistakes().front().what;
+    both.why = error.diagnostics().list().front().what;
   }
   return both;
 }

@@ -180,7 +180,7 @@ Verdict judge(const std::string& path) {
     verdict.why = failures(verdict.measures);
     if (!verdict.why.empty()) verdict.kind = Verdict::Kind::failed;
   } catch (const InputError& error) {
-    verdict = {Verdict::Kind::contradictory, error.mistakes().front().what, {}};
+    verdict = {Verdict::Kind::contradictory, error.diagnostics().list().front().what, {}};
   } catch (const NumericsError& error) {
     verdict = {Verdict::Kind::refused, error.what(), {}};
   }

@@ -8,7 +8,7 @@
 #include <algorithm>
 
 #include "sections.h"
-#include "upbead/waves/stability.h"
+#include "upbead/waves/goda.h"
 
 namespace upbead::test {
 namespace {

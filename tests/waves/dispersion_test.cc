@@ -1,6 +1,6 @@
 // Claim: kh solves omega^2 h/g = kh tanh(kh) to round-off from a millimetre of water to the deepest sea.
 
-#include "upbead/waves/dispersion.h"
+#include "upbead/waves/wave_heights.h"
 
 #include <gtest/gtest.h>
 

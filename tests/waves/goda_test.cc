@@ -9,7 +9,7 @@
 #include <stdexcept>
 
 #include "sections.h"
-#include "upbead/waves/dispersion.h"
+#include "upbead/waves/wave_heights.h"
 
 namespace upbead::test {
 namespace {

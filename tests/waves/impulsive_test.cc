@@ -1,7 +1,7 @@
 // Claim: alpha_I1 has the values of its formula, its largest one where the tests had it, no jump between its branches,
 // and is negative on low mounds.
 
-#include "upbead/waves/impulsive.h"
+#include "upbead/waves/goda.h"
 
 #include <gtest/gtest.h>
 

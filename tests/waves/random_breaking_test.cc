@@ -1,10 +1,8 @@
 // Claim: design heights by random breaking are those of Goda's examples, and of shoaling alone offshore.
 
-#include "upbead/waves/random_breaking.h"
+#include "upbead/waves/wave_heights.h"
 
 #include <gtest/gtest.h>
-
-#include "upbead/waves/dispersion.h"
 
 namespace upbead {
 namespace {

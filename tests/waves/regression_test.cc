@@ -5,8 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "sections.h"
-#include "upbead/waves/shear_duration.h"
-#include "upbead/waves/stability.h"
+#include "upbead/waves/goda.h"
 
 namespace upbead::test {
 namespace {

@@ -1,6 +1,6 @@
 // Claim: a section that contradicts itself is told so, and it follows the water level.
 
-#include "upbead/waves/section.h"
+#include "upbead/waves/goda.h"
 
 #include <gtest/gtest.h>
 
@@ -9,19 +9,19 @@
 namespace upbead::test {
 namespace {
 
-TEST(Section, SoundOnesHaveNoObjections) {
-  EXPECT_TRUE(objections(goda_section()).empty());
-  EXPECT_TRUE(objections(sliding_section()).empty());
+TEST(Section, SoundOnesHaveNoFaults) {
+  EXPECT_TRUE(diagnose(goda_section()).empty());
+  EXPECT_TRUE(diagnose(sliding_section()).empty());
 }
 
 TEST(Section, ContradictionsAreTold) {
   Section s = goda_section();
   s.buoyant_weight = s.weight;
   s.centroid = 15.;
-  const auto list = objections(s);
+  const auto list = diagnose(s).list();
   ASSERT_EQ(list.size(), 2u);
-  EXPECT_EQ(list[0].key, "buoyant_weight");
-  EXPECT_EQ(list[1].key, "centroid");
+  EXPECT_EQ(list[0].place.key, "buoyant_weight");
+  EXPECT_EQ(list[1].place.key, "centroid");
 }
 
 TEST(Section, FollowsTheWaterLevel) {

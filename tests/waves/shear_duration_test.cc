@@ -1,6 +1,6 @@
 // Claim: tau_0F and k are those of eqs. (8)-(11), and stay sound where alpha* is not positive or H/h above 0.8.
 
-#include "upbead/waves/shear_duration.h"
+#include "upbead/waves/goda.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Claim: safety factors and toe pressure of Goda's example; r is 1 exactly where the safety factor is, and not its
 // inverse elsewhere.
 
-#include "upbead/waves/stability.h"
+#include "upbead/waves/goda.h"
 
 #include <gtest/gtest.h>
 

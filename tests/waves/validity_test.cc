@@ -1,11 +1,11 @@
 // Claim: each warning comes where the formulas leave what they were made from, and only there.
 
-#include "upbead/waves/validity.h"
+#include "upbead/waves/goda.h"
 
 #include <gtest/gtest.h>
 
 #include "sections.h"
-#include "upbead/waves/dispersion.h"
+#include "upbead/waves/wave_heights.h"
 
 namespace upbead::test {
 namespace {

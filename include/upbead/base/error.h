@@ -1,7 +1,9 @@
 // What can go wrong, in three kinds: the input is wrong (the user mends it), the numerics failed (we say why), a bug
-// (any other exception). Mistakes in the input are collected and reported all at once.
+// (any other exception). Diagnostics of the input are collected and reported all at once.
 #pragma once
 
+#include <initializer_list>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -13,54 +15,68 @@ struct Place {
   std::string file;
   int line = 0;
   int column = 0;
-  std::string key = {};  ///< of a scene that was not read from a file, or not yet: "time.step"
+  std::string key = {};  ///< "time.step": all there is of a scene that was not read from a file, or not yet
 };
 
-/// The place of a key, for whoever knows no file.
-inline Place at_key(std::string key) {
-  return {"", 0, 0, std::move(key)};
+/// The place of a key: of a scene or, by its name alone, of a part of one; `place`: where it stands in a file, if
+/// known.
+inline Place at_key(std::string key, Place place = {}) {
+  place.key = std::move(key);
+  return place;
 }
 
 /// One mistake of the user: where it is, what is wrong, how to mend it.
-struct Mistake {
+struct Diagnostic {
   Place place;
   std::string what;
   std::string cure;
 };
 
 /// "file:line:column: what; cure", leaving out what is not known.
-std::string to_string(const Mistake& mistake);
+std::string to_string(const Diagnostic& diagnostic);
 
-/// The input is wrong (exit code 1). Carries every mistake that was found, in the order of the file.
-class InputError : public std::runtime_error {
+/// Collects diagnostics, so that a person sees all of them in one go, and knows which keys are free of them: checks
+/// across keys look at sound ones only, so that one slip is not reported twice.
+class Diagnostics {
  public:
-  explicit InputError(std::vector<Mistake> mistakes);
-  explicit InputError(Mistake mistake) : InputError(std::vector<Mistake>{std::move(mistake)}) {}
-  /// One mistake.
-  InputError(Place place, std::string what, std::string cure);
-  const std::vector<Mistake>& mistakes() const { return mistakes_; }
+  Diagnostics() = default;
+  Diagnostics(std::initializer_list<Diagnostic> list);
+  void add(Diagnostic diagnostic);
+  void add(Place place, std::string what, std::string cure = "");
+  void add(const Diagnostics& more);
+  /// What came of reading the value of a key.
+  void add_at(const std::string& key, const Diagnostics& more);
+  bool empty() const { return list_.empty(); }
+  const std::vector<Diagnostic>& list() const { return list_; }
+  auto begin() const { return list_.begin(); }
+  auto end() const { return list_.end(); }
+  /// Nothing is wrong at or below a dotted key ("" for everything).
+  bool sound(const std::string& key) const;
+  /// Throws InputError if there is any.
+  void throw_if_any() const;
+  /// Likewise, in the order of that file; those of other files follow as they were found.
+  void throw_if_any(const std::string& file) const;
 
  private:
-  std::vector<Mistake> mistakes_;
+  std::vector<Diagnostic> list_;
+  std::set<std::string> keys_;
+};
+
+/// The input is wrong (exit code 1). Carries all that was found.
+class InputError : public std::runtime_error {
+ public:
+  explicit InputError(Diagnostics diagnostics);
+  InputError(Place place, std::string what, std::string cure);
+  const Diagnostics& diagnostics() const { return diagnostics_; }
+
+ private:
+  Diagnostics diagnostics_;
 };
 
 /// The numerics failed (exit code 2): a singular matrix, a number that is not finite.
 class NumericsError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
-};
-
-/// Collects mistakes, so that a person sees all of them in one go.
-class Mistakes {
- public:
-  void add(Place place, std::string what, std::string cure = "");
-  void add(const InputError& error);
-  bool empty() const { return list_.empty(); }
-  /// Throws InputError if there is any mistake.
-  void throw_if_any() const;
-
- private:
-  std::vector<Mistake> list_;
 };
 
 }  // namespace upbead

@@ -16,4 +16,10 @@ struct NumberedWarning {
 
 using NumberedWarnings = std::vector<NumberedWarning>;
 
+/// Puts a list, of warnings for instance, behind another.
+template <class Item>
+void append(std::vector<Item>& list, const std::vector<Item>& more) {
+  list.insert(list.end(), more.begin(), more.end());
+}
+
 }  // namespace upbead

@@ -1,6 +1,8 @@
-// Lives of a breakwater by Monte Carlo: the sea states of a record over and over, and everything uncertain drawn.
+// Lives of a breakwater by Monte Carlo: the sea states of a record over and over, or storms of a climate, and
+// everything uncertain drawn; what the sliding distances of many lives tell.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -9,9 +11,45 @@
 
 #include "upbead/expected/distribution.h"
 #include "upbead/expected/sliding_law.h"
-#include "upbead/expected/stream.h"
+#include "upbead/waves/goda.h"
 
 namespace upbead {
+
+enum class ExtremeKind {
+  weibull,  ///< F(x) = 1 - exp(-((x - location)/scale)^shape)
+  gumbel,   ///< F(x) = exp(-exp(-(x - location)/scale))
+};
+
+enum class TideKind {
+  sinusoidal,  ///< a storm meets any phase of a sinusoidal tide
+  uniform,     ///< any level between the two
+};
+
+struct StormClimate {
+  ExtremeKind kind = ExtremeKind::weibull;  ///< of H_0', the equivalent deep-water significant height of a storm
+  double location = 0.;                     ///< m
+  double scale = 0.;                        ///< m
+  double shape = 1.;                        ///< of weibull
+  double per_year = 1.;                     ///< storms
+  bool poisson = false;                     ///< their number is random; else always the same
+  double duration = 7200.;                  ///< s
+  std::optional<double> period;             ///< T (s); or from steepness
+  std::optional<double> steepness;          ///< H_0'/L_0, which makes T = sqrt(2 pi H_0' / (g steepness))
+  double angle = 0.;                        ///< beta (rad)
+  double tide_low = 0., tide_high = 0.;     ///< still water above that of the section (m)
+  TideKind tide = TideKind::sinusoidal;
+};
+
+/// H_0' (m) that a share u of the storms stays below; at least 1 cm.
+double deep_water_height(const StormClimate& climate, double u);
+/// The level (m) that a share u of the storms stays below.
+double tide_level(const StormClimate& climate, double u);
+/// The least n such that a share u of all lives has at most n storms.
+double number_of_storms(const StormClimate& climate, double years, double u);
+
+/// A storm on the section: H_1/3 by random breaking [Goda 2000] in the depth h that the tide makes, duration/T waves.
+SeaState storm_on(const Section& section, const Water& water, const StormClimate& climate, double u_height,
+                  double u_tide);
 
 /// What is uncertain; what is not given is certain. All but water_level are factors.
 struct Uncertainties {
@@ -79,5 +117,32 @@ class LifeSimulation {
   bool by_wave_;                                         ///< something scatters from wave to wave
   std::vector<std::unique_ptr<const SlidingLaw>> laws_;  ///< of the states, where no draw changes them
 };
+
+using Interval = std::array<double, 2>;
+
+struct Quantile {
+  double probability = 0.;
+  double value = 0.;
+};
+
+/// P(S > limit), and where it lies with 95 % confidence, by Clopper and Pearson (1934).
+struct Exceeded {
+  double limit = 0.;
+  double probability = 0.;
+  Interval interval{};
+};
+
+struct LifeStatistics {
+  double mean = 0.;
+  double standard_error = 0.;  ///< of the mean
+  Interval interval{};         ///< of the mean, 95 %, Student's t: too narrow where few lives bring most of the sum
+  std::vector<Quantile> quantiles;
+  std::vector<Exceeded> exceeded;
+  int sliding_lives = 0;  ///< lives with S > 0
+};
+
+/// `sliding`: S of each life (m), at least two. Sums are taken in the order given, so that they do not depend on who
+/// computed them. Quantiles: the least S that such a share of the lives does not exceed.
+LifeStatistics statistics(const std::vector<double>& sliding, const std::vector<double>& limits = {0.1, 0.3, 1.});
 
 }  // namespace upbead

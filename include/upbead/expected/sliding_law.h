@@ -1,11 +1,84 @@
-// How far the waves of one sea state slide a caisson, by their height.
+// Sea states, the forces of their waves on the caisson, how far these slide it, and what is expected of all, after
+// Shimosako and Takahashi (1994).
 #pragma once
 
+#include <functional>
+#include <limits>
 #include <memory>
 
-#include "upbead/expected/wave_forces.h"
+#include "upbead/sliding/combined.h"
+#include "upbead/waves/goda.h"
 
 namespace upbead {
+
+/// Waves of one significant height.
+struct SeaState {
+  double significant_height = 0.;  ///< H_1/3 at the wall (m)
+  double period = 0.;              ///< T, the significant one (s)
+  double waves = 0.;               ///< their number
+  double angle = 0.;               ///< beta, already turned towards the wall's normal (rad)
+  double water_level = 0.;         ///< still water above that of the section (m)
+};
+
+/// Heights after Rayleigh (Longuet-Higgins 1952): exp(-2 (H / H_1/3)^2) of all waves are higher than H. Waves beyond a
+/// cut are set aside: they count as waves that do not slide, and the others are not made more by as many.
+class RayleighHeights {
+ public:
+  static constexpr double no_cut = std::numeric_limits<double>::infinity();
+
+  /// `cut`: over H_1/3. Throws std::invalid_argument where one is not above 0.
+  explicit RayleighHeights(double significant_height, double cut = no_cut);
+  /// Share of all waves that are higher than H and not beyond the cut.
+  double exceedance(double height) const;
+  /// Density of H (1/m).
+  double density(double height) const;
+  /// H that such a share of all waves exceeds; of the largest share the least height 0, of no share the cut.
+  double height(double exceedance) const;
+  double significant_height() const { return significant_height_; }
+  /// The highest wave (m); infinity without a cut.
+  double highest() const { return highest_; }
+
+ private:
+  double significant_height_, highest_, beyond_;
+};
+
+/// What is known for sure.
+struct Breakwater {
+  Section section;
+  Water water;
+  DurationFactor k;        ///< tau_0 = k tau_0F
+  CombinedModel combined;  ///< of the law combined
+};
+
+/// What one wave makes of it, as factors.
+struct WaveFactors {
+  double force = 1.;     ///< of P
+  double uplift = 1.;    ///< of U
+  double friction = 1.;  ///< of mu
+  double weight = 1.;    ///< of W; the buoyancy W - W' stays
+};
+
+/// W, W' and mu after the factors.
+Section with_factors(const Section& section, const WaveFactors& factors);
+
+/// Goda's forces at the water level of the sea state.
+class WaveForces {
+ public:
+  WaveForces(const Breakwater& breakwater, const SeaState& state);
+  /// At the water level of the sea state.
+  const Breakwater& breakwater() const { return breakwater_; }
+  double period() const { return period_; }
+  WavePressure at(double height, const WaveFactors& factors, PressureFormula formula = PressureFormula::extended) const;
+  /// F_Smax - mu W' (N/m), with alpha*.
+  double excess(double height, const WaveFactors& factors) const;
+  /// The height where it is zero (m), from below to the last digits; infinity where no wave of 1 km gets there.
+  double threshold(const WaveFactors& factors) const;
+
+ private:
+  Breakwater breakwater_;
+  double period_;
+  Goda goda_;
+};
 
 enum class Law {
   paper,     ///< eq. (7) of Shimosako and Takahashi (1994)
@@ -32,5 +105,31 @@ class SlidingLaw {
 /// The law paper, exact or combined. Throws std::invalid_argument for the law dynamic, which needs a model, and where
 /// Goda's formulas refuse the section at the sea state's water level.
 std::unique_ptr<SlidingLaw> formula_law(Law law, const Breakwater& breakwater, const SeaState& state);
+
+struct Expectation {
+  double distance = 0.;       ///< N int S(H) p(H) dH (m)
+  double error = 0.;          ///< estimate of its error (m)
+  double sliding_waves = 0.;  ///< expected number of waves with S > 0
+  double threshold = 0.;      ///< height from which S > 0 (m); infinity where there is none
+};
+
+/// How hard to try.
+struct QuadratureChoice {
+  double tolerance = 1e-9;  ///< relative, of a sea state's distance
+  unsigned depth = 14;      ///< how often an interval may be halved
+};
+
+/// Adaptive Gauss-Kronrod quadrature (Boost) from the height where sliding begins to that which 1e-18 of the sliding
+/// waves exceed, or to the cut.
+Expectation expected_distance(const SlidingLaw& law, const RayleighHeights& heights, double waves,
+                              const QuadratureChoice& choice = {});
+
+namespace detail {
+
+/// Where an increasing function of the height (m) is no longer negative, from below: it is negative there or at the
+/// last digit. Infinity where it is negative up to 1 km.
+double first_height(const std::function<double(double)>& f);
+
+}  // namespace detail
 
 }  // namespace upbead

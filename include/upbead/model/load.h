@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "upbead/base/objection.h"
+#include "upbead/base/error.h"
 #include "upbead/base/time_function.h"
 
 namespace upbead {
@@ -21,7 +21,7 @@ enum class PulseShape { triangle, step, half_sine, church_roof, harmonic };
 ///                impulsive triangle of (1 - plateau) * peak, over at D, and a slow part that rises to plateau * peak
 ///                within `rise`, keeps it until D and falls to zero at plateau_duration
 ///   harmonic     peak sin(2 pi frequency t) for good
-/// rise = 0 or D makes a jump. Which members a shape needs: objections(pulse).
+/// rise = 0 or D makes a jump. Which members a shape needs: diagnose(pulse).
 struct Pulse {
   PulseShape shape = PulseShape::triangle;
   double peak = 0.;                        ///< largest value (N/m or Pa; amplitude of a harmonic)
@@ -34,7 +34,7 @@ struct Pulse {
 };
 
 /// Everything that is missing, superfluous or contradictory in a pulse.
-std::vector<Objection> objections(const Pulse& pulse);
+Diagnostics diagnose(const Pulse& pulse);
 
 /// The history of a pulse without objections.
 TimeFunction time_function(const Pulse& pulse);

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "upbead/base/objection.h"
+#include "upbead/base/error.h"
 #include "upbead/material/elastic_law.h"
 
 namespace upbead {
@@ -142,6 +142,6 @@ Material material(const Region& region, const Fluid& fluid, double gravity);
 bool belongs(const std::string& key, RegionKind kind);
 
 /// Everything that is missing, superfluous or contradictory in a region.
-std::vector<Objection> check(const Region& region);
+Diagnostics diagnose(const Region& region);
 
 }  // namespace upbead

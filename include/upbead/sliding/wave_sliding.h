@@ -2,8 +2,7 @@
 #pragma once
 
 #include "upbead/sliding/pulse.h"
-#include "upbead/waves/shear_duration.h"
-#include "upbead/waves/stability.h"
+#include "upbead/waves/goda.h"
 
 namespace upbead {
 

@@ -1,9 +1,57 @@
-// Wave pressure on the caisson after Goda (2000), extended by the impulsive pressure coefficient.
+// A caisson breakwater and its waves by the formulas of Goda (2000), extended by the impulsive pressure coefficient of
+// Takahashi, Tanimoto and Shimosako (1994): pressures, safety, duration, and where all that holds.
 #pragma once
 
-#include "upbead/waves/section.h"
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "upbead/base/error.h"
 
 namespace upbead {
+
+/// Names and symbols of Goda (2000) and of Shimosako and Takahashi (1994).
+struct Section {
+  double water_depth = 0.;          ///< h, at the wall (m)
+  double foundation_depth = 0.;     ///< h', still water to the caisson's bottom (m)
+  double berm_depth = 0.;           ///< d, still water to the top of the armour of the mound (m)
+  double crest = 0.;                ///< h_c, above still water (m)
+  double width = 0.;                ///< B of the caisson (m)
+  double berm_width = 0.;           ///< B_M, of the mound in front of the caisson (m)
+  double bed_slope = 0.;            ///< tan(theta)
+  double weight = 0.;               ///< W, in air with fill (N/m)
+  double buoyant_weight = 0.;       ///< W', in still water (N/m)
+  std::optional<double> centroid;   ///< t, from the landward heel to the line of W' (m); none: B/2
+  double friction = 0.6;            ///< mu
+  bool dissipating_blocks = false;  ///< whether wave-dissipating blocks cover the wall
+  /// Factors of p_1, of the part of p_1 beside alpha_1, and of p_u; none: 1, or what `dissipating_blocks` makes of
+  /// them.
+  std::optional<double> lambda_1, lambda_2, lambda_3;
+};
+
+/// Water and gravity.
+struct Water {
+  double density = 1030.;  ///< rho (kg/m3)
+  double gravity = 9.81;   ///< g (m/s2)
+};
+
+constexpr double highest_over_significant = 1.8;  ///< H_max / H_1/3 outside the surf zone [Goda 2000]
+
+/// One design wave, or the highest of a sea state.
+struct DesignWave {
+  double height = 0.;              ///< H_D (m)
+  double significant_height = 0.;  ///< H_1/3, tells where h_b is taken (m)
+  double period = 0.;              ///< T, the significant one (s)
+  double angle = 0.;               ///< beta between wave and the wall's normal, already turned towards it (rad)
+};
+
+/// Everything that contradicts itself in a section: W' not below W, a centroid outside B. What is merely outside the
+/// formulas' validity is told by warnings().
+Diagnostics diagnose(const Section& section);
+
+/// The section when the still water stands `rise` higher (m; negative: lower): h, h', d and h_c follow, and W' loses or
+/// gains rho g B rise where the caisson's walls are under water.
+Section at_water_level(const Section& section, const Water& water, double rise);
 
 /// Which coefficient stands beside alpha_1 in p_1.
 enum class PressureFormula {
@@ -48,6 +96,48 @@ class Goda {
   double cos_angle_;    ///< cos(beta)
   double wavelength_, depth_b_;
   double alpha_1_, alpha_3_, alpha_I1_;
+};
+
+/// alpha_I1, of the mound's shape alone: its largest value 1 is at B_M/L = 0.12 and (h - d)/h = 0.6; below 0 on low
+/// mounds (delta_22 < -0.3206), where no impulsive pressure is to be expected.
+double alpha_I1(double berm_width_over_wavelength, double mound_height_over_depth);
+
+/// alpha_I0 = min(H/d, 2).
+double alpha_I0(double height, double berm_depth);
+
+struct Stability {
+  double safety_sliding = 0.;      ///< mu (W' - U) / P
+  double safety_overturning = 0.;  ///< (W' t - M_U) / M_P
+  double toe_pressure = 0.;        ///< p_e, largest pressure under the heel (Pa); negative where it overturns
+  double sliding_force = 0.;       ///< F_Smax = P + mu U (N/m)
+  double resistance = 0.;          ///< mu W' (N/m)
+  double ratio = 0.;               ///< r = F_Smax / (mu W'); not 1/S.F. unless U = 0
+};
+
+Stability stability(const Section& section, const WavePressure& pressure);
+
+/// Buoyant weight W' (N/m) that gives the safety factor against sliding that is asked for.
+double buoyant_weight_for(double safety_sliding, double friction, const WavePressure& pressure);
+
+/// A named warning with its numbers.
+struct Warning {
+  std::string name;  ///< such as "impulsive_breaking", "height_over_depth"
+  std::string text;
+};
+
+/// All that hold for a wave on a section.
+std::vector<Warning> warnings(const Section& section, const Water& water, const DesignWave& wave,
+                              const WavePressure& pressure);
+
+/// tau_0F = (1/2 - H/(8 h)) T (s), eq. (11), stated for 0 <= H/h <= 0.8; kept at its last value 0.4 T beyond
+/// (our extension; it keeps tau_0F continuous).
+double standing_duration(double height, double depth, double period);
+
+/// k(alpha*) of eqs. (8)-(9): tau_0 = k tau_0F. Committees calibrate a and b.
+struct DurationFactor {
+  double a = 0.3, b = 2.;
+  /// k = 1 / (alpha*^a + 1)^b; alpha* is taken for 0 where it is negative.
+  double operator()(double alpha_star) const;
 };
 
 }  // namespace upbead

@@ -1,13 +1,11 @@
-#include "measured.h"
+#include "case/records/measured.h"
 
 #include <algorithm>
 #include <stdexcept>
 
-#include "base/quoted.h"
-#include "base/suggest.h"
 #include "base/text.h"
-#include "header_words.h"
-#include "record_columns.h"
+#include "case/records/record_layout.h"
+#include "case/records/record_table.h"
 #include "response/comparison.h"
 
 namespace upbead {
@@ -50,7 +48,7 @@ std::size_t measured_column(const MeasuredSource& source, const CsvTable& table,
 
 std::vector<MeasuredRecord> read_measured(const Case& input, const std::vector<History>& computed) {
   std::vector<MeasuredRecord> records;
-  Mistakes mistakes;
+  Diagnostics mistakes;
   for (const auto& [name, source] : input.measured) {
     const History* history = find(computed, source.reading);
     if (history == nullptr || source.reading == "time") {
@@ -65,7 +63,7 @@ std::vector<MeasuredRecord> read_measured(const Case& input, const std::vector<H
     try {
       records.push_back(read(input, name, source, *history));
     } catch (const InputError& error) {
-      mistakes.add(error);
+      mistakes.add(error.diagnostics());
     }
   }
   mistakes.throw_if_any();

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "case/records/record_layout.h"
 #include "output/result_file.h"
-#include "record_layout.h"
 #include "upbead/case/case.h"
 #include "upbead/output/summary.h"
 

@@ -1,13 +1,15 @@
-#include "record_layout.h"
+#include "case/records/record_layout.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <filesystem>
+#include <set>
+#include <vector>
 
-#include "base/quoted.h"
 #include "base/text.h"
-#include "header_words.h"
-#include "record_table.h"
+#include "base/units.h"
+#include "case/records/record_table.h"
 
 namespace upbead {
 
@@ -110,6 +112,109 @@ std::vector<double> times_of(const CsvTable& table, const RecordLayout& layout) 
 std::string column_text(const CsvTable& table, std::size_t column) {
   return "column " + in_quotes(table.names[column]) + " of " +
          excerpt(std::filesystem::path(table.path).filename().string());
+}
+
+namespace {
+
+using Words = std::vector<std::string>;
+using Set = std::set<std::string>;
+
+constexpr std::size_t longest_header = 200;
+
+const Set times{"time", "times", "zeit", "zeiten",  "messzeit", "temps",   "tiempo", "tempo",
+                "tijd", "tid",   "aika", "czas",    "vreme",    "vrijeme", "zaman",  "ido",
+                "idő",  "čas",   "cas",  "χρόνος",  "время",    "時間",    "時刻",   "时间",
+                "시간", "sec",   "secs", "seconds", "sekunden", "elapsed", "msec",   "milliseconds"};
+const Set counters{"part",  "particle", "step",   "steps",  "schritt", "zeitschritt", "timestep",  "no",     "nr",
+                   "num",   "number",   "nummer", "numero", "numéro",  "lfd",         "laufnr",    "index",  "idx",
+                   "i",     "n",        "id",     "sample", "samples", "scan",        "scans",     "row",    "rows",
+                   "line",  "zeile",    "ligne",  "record", "rec",     "count",       "counter",   "zähler", "zaehler",
+                   "point", "pt",       "punkt",  "frame",  "frames",  "iter",        "iteration", "cycle",  "pas",
+                   "paso",  "passo",    "n°",     "nº",     "№",       "番号",        "序号",      "unnamed"};
+/// Beside a word of time: a number of a time, or the length of something.
+const Set lengths{"step",  "steps", "dt",   "delta",  "interval", "increment", "lag",    "delay",
+                  "shift", "rise",  "fall", "period", "duration", "constant",  "schritt"};
+const Set clocks{"real",     "cpu",   "wall", "clock", "system", "date",  "day",
+                 "absolute", "local", "utc",  "gmt",   "run",    "stamp", "computing"};
+const Set stamps{"timestamp", "zeitstempel", "runtime", "clock"};
+/// Beside a word of time these alone make a counter of it: "time step", "time no."; "sample time" is a time.
+const Set of_a_time{"step", "steps",  "schritt", "index", "idx", "no", "nr",
+                    "num",  "number", "nummer",  "n°",    "nº",  "id"};
+/// Too short to be meant as a unit without brackets: slip, minimum, height.
+const Set no_units{"s", "min", "h"};
+
+std::string lower(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+/// Words of a header, in small letters, without numbers: TimeStep_2 is time, step.
+Words words_of(const std::string& name) {
+  Words words(1);
+  const auto is_letter = [](unsigned char c) { return std::isalpha(c) != 0 || c >= 0x80U; };
+  char before = ' ';
+  for (const char c : name.substr(0, longest_header)) {
+    const bool hump =
+        std::isupper(static_cast<unsigned char>(c)) != 0 && std::islower(static_cast<unsigned char>(before)) != 0;
+    if (!is_letter(static_cast<unsigned char>(c)) || hump) words.emplace_back();
+    if (is_letter(static_cast<unsigned char>(c))) words.back() += c;
+    before = c;
+  }
+  words.erase(std::remove(words.begin(), words.end(), ""), words.end());
+  for (std::string& word : words) word = lower(word);
+  return words;
+}
+
+bool any(const Words& words, const Set& set) {
+  return std::any_of(words.begin(), words.end(), [&set](const std::string& word) { return set.count(word) != 0; });
+}
+
+bool all(const Words& words, const Set& set) {
+  return std::all_of(words.begin(), words.end(), [&set](const std::string& word) { return set.count(word) != 0; });
+}
+
+bool is_of_time(const std::string& unit) {
+  const auto known = unit_of(unit);
+  return known && known->si == "s";
+}
+
+bool is_counter(const Words& words, const std::string& name, const std::string& unit) {
+  if (!unit.empty() && unit != "1" && unit != "-" && unit != "#") return false;
+  if (words.empty()) return name.empty() || name == "#";
+  Words others = words;
+  others.erase(std::remove_if(others.begin(), others.end(), [](const auto& word) { return times.count(word) != 0; }),
+               others.end());
+  return !others.empty() && all(others, others.size() < words.size() ? of_a_time : counters);
+}
+
+}  // namespace
+
+std::string unit_of_time(const std::string& name, const std::string& unit) {
+  for (const std::string& text : {unit, lower(unit)})
+    if (is_of_time(text)) return text;
+  if (!unit.empty()) return "";
+  if (name.size() > 2 && (name.front() == '[' || name.front() == '(') && is_of_time(name.substr(1, name.size() - 2)))
+    return name.substr(1, name.size() - 2);
+  const Words words = words_of(name);
+  if (words.size() == 1 && words.front().size() == name.size() && no_units.count(words.front()) == 0)
+    return is_of_time(words.front()) ? words.front() : "";
+  const bool names_a_time = words.size() > 1 && (times.count(words.front()) != 0 || words.front() == "t");
+  return names_a_time && is_of_time(words.back()) ? words.back() : "";
+}
+
+HeaderSays header_says(const std::string& name, const std::string& unit) {
+  Words words = words_of(name);
+  const std::string of_time = unit_of_time(name, unit);
+  if (of_time.empty() && is_counter(words, name, unit)) return HeaderSays::counter;
+  if (any(words, lengths)) return HeaderSays::nothing;
+  if (!unit.empty() && of_time.empty()) return HeaderSays::nothing;
+  if (words.size() > 1 && words.back() == of_time) words.pop_back();
+  if (any(words, stamps) || (any(words, clocks) && any(words, times))) return HeaderSays::another_clock;
+  if (words.size() == 1 && times.count(words.front()) != 0) return HeaderSays::time;
+  if (any(words, times)) return HeaderSays::kind_of_time;
+  if (words == Words{"t"} && name.find_first_of("0123456789") == std::string::npos)
+    return name.front() == 'T' ? HeaderSays::capital : HeaderSays::letter;
+  return of_time.empty() ? HeaderSays::nothing : HeaderSays::unit_of_time;
 }
 
 }  // namespace upbead

@@ -1,4 +1,5 @@
-// Which column of a record is its time, which hold values, which are neither: by their headers.
+// Which column of a record is its time, which hold values, which are neither: by what their headers say in the words of
+// laboratories.
 #pragma once
 
 #include <optional>
@@ -6,9 +7,38 @@
 #include <vector>
 
 #include "base/csv.h"
-#include "case/record_notes.h"
+#include "upbead/base/numbered_warning.h"
 
 namespace upbead {
+
+/// How surely a column is the time, least first.
+enum class HeaderSays {
+  nothing,
+  counter,        ///< Part, Step, No., #, Index, Sample, Zeitschritt
+  another_clock,  ///< Real time, CPU time, Timestamp
+  unit_of_time,   ///< a unit of time behind some name, or [s] alone
+  capital,        ///< T
+  letter,         ///< t
+  kind_of_time,   ///< Elapsed time, Time 1 - default sample rate
+  time            ///< Time, Zeit, Temps, Tiempo, time_ms
+};
+
+/// `name` and `unit` as base/csv.h has them. A column with a unit of another quantity is no time, whatever its name.
+HeaderSays header_says(const std::string& name, const std::string& unit);
+
+/// The unit of time that a header gives, as base/units.h knows it: "ms" of "Time [MS]", of "t_ms", of "[ms]"; "" of
+/// "Time".
+std::string unit_of_time(const std::string& name, const std::string& unit);
+
+/// A part of a file that is not used, and why.
+struct LeftOut {
+  std::string what, why;
+};
+
+struct RecordNotes {
+  std::vector<LeftOut> left_out;
+  NumberedWarnings warnings;
+};
 
 struct RecordLayout {
   std::optional<std::size_t> time;    ///< none: no column can be it
@@ -17,7 +47,7 @@ struct RecordLayout {
   std::vector<std::size_t> values;    ///< all others, in their order
 };
 
-/// The time is the column whose header says so most clearly (header_words.h); where none does it is the first one that
+/// The time is the column whose header says so most clearly; where none does it is the first one that
 /// is no counter's. Throws InputError where two say so alike and differ, or where a first column without a word stands
 /// before one that has but a unit of time.
 RecordLayout layout_of(const CsvTable& table);

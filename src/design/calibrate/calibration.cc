@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "../shear_model.h"
-#include "base/parallel.h"
+#include "base/progress.h"
 #include "base/stopwatch.h"
 #include "calibration_checks.h"
 #include "calibration_fits.h"

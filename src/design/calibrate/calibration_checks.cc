@@ -18,11 +18,11 @@ double n_grid(const CalibrationTable& grid) {
   return n;
 }
 
-void check_models(const DesignTables& tables, const Document& document, InputReport& report) {
+void check_models(const DesignTables& tables, const Document& document, Diagnostics& report) {
   const auto& models = tables.calibration->models;
   if (models.empty() && report.sound("calibration.models"))
     report.add(
-        "calibration.models", document.place("calibration"), "[calibration] has no reduced model",
+        document.place("calibration"), "[calibration] has no reduced model",
         "add a table [calibration.models.NAME] with model = the path of a reduced model, made by 'upbead reduce'");
   if (!report.sound("section") || !report.sound("gravity") || !report.sound("fluid")) return;
   for (const auto& [name, model] : models) {
@@ -32,30 +32,28 @@ void check_models(const DesignTables& tables, const Document& document, InputRep
   }
 }
 
-void check_grid(const DesignTables& tables, const Document& document, InputReport& report) {
+void check_grid(const DesignTables& tables, const Document& document, Diagnostics& report) {
   const CalibrationTable& grid = *tables.calibration;
   if (grid.steepness[0] >= grid.steepness[1])
-    report.add("calibration", document.place("calibration.steepness"), "no steepness lies between the two limits",
+    report.add(document.place("calibration.steepness"), "no steepness lies between the two limits",
                "give the least steepness H/L first, then a larger one");
   else if (n_grid(grid) > most_waves)
-    report.add("calibration", document.place("calibration"),
+    report.add(document.place("calibration"),
                "the grid has " + significant(n_grid(grid)) + " waves, more than " + significant(most_waves),
                "give fewer heights, periods or berms");
   else if (report.sound("section") && report.sound("gravity") && report.sound("fluid") &&
            make_family(tables).waves.empty())
-    report.add("calibration", document.place("calibration"),
-               "every wave of the grid is beyond the limits of the formulas",
+    report.add(document.place("calibration"), "every wave of the grid is beyond the limits of the formulas",
                "give H/h up to 0.8, periods with H below 0.142 L tanh(kh) and H/L within steepness, and d up to h'");
 }
 
 }  // namespace
 
-void check_calibration(const DesignTables& tables, const Document& document, InputReport& report) {
+void check_calibration(const DesignTables& tables, const Document& document, Diagnostics& report) {
   check_impact(tables, document, report);
   if (!tables.calibration) {
     if (report.sound("calibration"))
-      report.add("calibration", document.place("calibration"),
-                 "the table [calibration] is missing, which 'calibrate' needs",
+      report.add(document.place("calibration"), "the table [calibration] is missing, which 'calibrate' needs",
                  "add [calibration] with period = [T, ...] (s), and [calibration.models.NAME]");
     return;
   }

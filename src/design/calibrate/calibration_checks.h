@@ -5,6 +5,6 @@
 
 namespace upbead {
 
-void check_calibration(const DesignTables& tables, const Document& document, InputReport& report);
+void check_calibration(const DesignTables& tables, const Document& document, Diagnostics& report);
 
 }  // namespace upbead

@@ -85,7 +85,7 @@ std::string describe(const Design& design, const Calibration& found) {
   return text + format("time        %.2f s\n", found.seconds);
 }
 
-std::string doubts(const Calibration& found) {
+std::string notes_and_warnings(const Calibration& found) {
   std::string text;
   for (const CalibratedModel& model : found.models) {
     const auto n = std::count_if(model.fits.begin(), model.fits.end(), [](const CalibrationFit& fit) {

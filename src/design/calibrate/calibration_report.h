@@ -16,6 +16,6 @@ std::string calibration_csv(const Calibration& found);
 std::string calibration_file(const Design& design, const Calibration& found);
 std::string describe(const Design& design, const Calibration& found);
 /// For stderr: fits that tell nothing; "" where all do.
-std::string doubts(const Calibration& found);
+std::string notes_and_warnings(const Calibration& found);
 
 }  // namespace upbead

@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "upbead/waves/dispersion.h"
 #include "upbead/waves/goda.h"
-#include "upbead/waves/validity.h"
+#include "upbead/waves/wave_heights.h"
 
 namespace upbead {
 

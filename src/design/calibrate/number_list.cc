@@ -1,6 +1,6 @@
 #include "number_list.h"
 
-#include "base/suggest.h"
+#include "base/text.h"
 
 namespace upbead {
 
@@ -8,61 +8,57 @@ namespace {
 
 constexpr int most_values = 1000;
 
-Verdict refuse(const Node& node, const KeyInfo& key, const std::string& what) {
+Diagnostics refuse(const Node& node, const KeyInfo& key, const std::string& what) {
   return {{node.place, key.name + ": " + what, "give the " + key.meaning()}};
-}
-
-void append(Verdict& all, const Verdict& more) {
-  all.insert(all.end(), more.begin(), more.end());
 }
 
 /// One of the three keys of a range.
 template <class V>
-void read_end(const Node& node, const KeyInfo& key, const std::string& name, V& value, Verdict& verdict) {
+void read_end(const Node& node, const KeyInfo& key, const std::string& name, V& value, Diagnostics& wrong) {
   KeyInfo inner = key;
   inner.name = key.name + "." + name;
   const Node* found = node.find(name);
   if (found)
-    append(verdict, read_value(*found, inner, value));
+    wrong.add(read_value(*found, inner, value));
   else
-    append(verdict, refuse(node, key, "the range has no '" + name + "'"));
+    wrong.add(refuse(node, key, "the range has no '" + name + "'"));
 }
 
-Verdict read_range(const Node& node, const KeyInfo& key, std::vector<double>& values) {
+Diagnostics read_range(const Node& node, const KeyInfo& key, std::vector<double>& values) {
   double from = 0., to = 0.;
   int n = 0;
-  Verdict verdict;
+  Diagnostics wrong;
   KeyInfo count = key;
   count.unit = "";
   count.range = from_to(2., most_values);
   count.doc = "number of values";
-  read_end(node, key, "from", from, verdict);
-  read_end(node, key, "to", to, verdict);
-  read_end(node, count, "n", n, verdict);
+  read_end(node, key, "from", from, wrong);
+  read_end(node, key, "to", to, wrong);
+  read_end(node, count, "n", n, wrong);
   for (const auto& [name, entry] : *node.table())
     if (name != "from" && name != "to" && name != "n")
-      append(verdict, {{entry.place, "unknown key '" + name + "' in the range " + key.name,
-                        suggestion(name, {"from", "to", "n"}, "keys")}});
-  if (verdict.empty() && from >= to) append(verdict, refuse(node, key, "'from' is not below 'to'"));
-  if (!verdict.empty()) return verdict;
+      wrong.add(entry.place, "unknown key '" + name + "' in the range " + key.name,
+                suggestion(name, {"from", "to", "n"}, "keys"));
+  if (wrong.empty() && from >= to) wrong.add(refuse(node, key, "'from' is not below 'to'"));
+  if (!wrong.empty()) return wrong;
   for (int i = 0; i < n; ++i) values.push_back(from + (to - from) * i / (n - 1));
   return {};
 }
 
-Verdict read_list(const Node& node, const KeyInfo& key, std::vector<double>& values) {
+Diagnostics read_list(const Node& node, const KeyInfo& key, std::vector<double>& values) {
   if (node.array()->empty()) return refuse(node, key, "the list is empty");
   if (node.array()->size() > most_values)
     return refuse(node, key, "the list has more than " + std::to_string(most_values) + " values");
-  Verdict verdict;
-  for (const Node& item : *node.array()) append(verdict, read_value(item, key, values.emplace_back()));
-  for (std::size_t i = 1; verdict.empty() && i < values.size(); ++i)
+  Diagnostics wrong;
+  for (const Node& item : *node.array()) wrong.add(read_value(item, key, values.emplace_back()));
+  for (std::size_t i = 1; wrong.empty() && i < values.size(); ++i)
     if (values[i] <= values[i - 1]) return refuse((*node.array())[i], key, "the values do not ascend");
-  return verdict;
+  return wrong;
 }
 
 }  // namespace
 
-Verdict read_value(const Node& node, const KeyInfo& key, NumberList& value) {
+Diagnostics read_value(const Node& node, const KeyInfo& key, NumberList& value) {
   value.values.clear();
   if (node.array()) return read_list(node, key, value.values);
   if (node.table()) return read_range(node, key, value.values);

@@ -14,7 +14,7 @@ struct NumberList {
   std::vector<double> values;
 };
 
-Verdict read_value(const Node& node, const KeyInfo& key, NumberList& value);
+Diagnostics read_value(const Node& node, const KeyInfo& key, NumberList& value);
 std::string type_text(const KeyInfo& key, const NumberList*);
 /// Always as a list.
 std::string print_value(const KeyInfo& key, const NumberList& value);

@@ -27,10 +27,6 @@ void look(const Interface& interface, const Series& series, double margin, Glued
   }
 }
 
-std::string percent(double part) {
-  return significant(100. * part, 3) + " %";
-}
-
 }  // namespace
 
 GluedDemand contact_demand(const System& system, const Response& response, double margin) {

@@ -9,7 +9,7 @@
 #include "response/base_history.h"
 #include "response/shear_response.h"
 #include "upbead/base/error.h"
-#include "upbead/waves/shear_duration.h"
+#include "upbead/waves/goda.h"
 
 namespace upbead {
 
@@ -89,7 +89,7 @@ void check_sliding(const Simulation& simulation) {
   const CompiledScene& compiled = *simulation.compiled;
   if (!scene.sliding || !compiled.caisson) return;
   const SlidingChoice& sliding = *scene.sliding;
-  Mistakes mistakes;
+  Diagnostics mistakes;
   const double by_mass = compiled.caisson->body.mass * scene.gravity;
   if (sliding.weight && std::abs(*sliding.weight - by_mass) > 0.01 * by_mass)
     mistakes.add(at_key("sliding.weight"),

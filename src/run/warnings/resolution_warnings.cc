@@ -41,7 +41,7 @@ CellsToWave cells_to_wave(const WaveResolution& at, double wavelength, const Mes
   return {wavelength, n, rule.cells, rule.error * std::pow(rule.cells / n, rule.order)};
 }
 
-std::string percent(double share) {
+std::string rough_percent(double share) {
   return share > 0.5 ? "half or more" : "about " + std::to_string(std::max(1L, std::lround(100. * share))) + " %";
 }
 
@@ -59,7 +59,7 @@ NumberedWarnings step_warnings(const Simulation& simulation) {
   return {{"step_too_coarse", step, limit, "s",
            "time.step = " + significant(step) + " s for waves that pass in " + significant(*time) +
                " s: the history of " + (simulation.compiled->caisson ? "F_T" : "a reading") + " may err by " +
-               percent(rule.error * std::pow(step / limit, rule.order)) + " of its peak; give at most " +
+               rough_percent(rule.error * std::pow(step / limit, rule.order)) + " of its peak; give at most " +
                significant(limit, 2) + " s, or step = \"auto\""}};
 }
 
@@ -94,7 +94,7 @@ NumberedWarnings mesh_warnings(const Simulation& simulation) {
                       "region '" + at.region + "' has cells of " + significant(at.cell, 2) + " m near the caisson, " +
                           significant(worst.cells, 2) + " to a shear wave of " + significant(worst.wavelength, 2) +
                           " m" + (rings ? " (without damping it goes on)" : "") + ": the history of F_T may err by " +
-                          percent(worst.error) + " of its peak; refine the mesh" +
+                          rough_percent(worst.error) + " of its peak; refine the mesh" +
                           (rings ? ", give the soil damping" : "") + ", or write mesh.refine = \"auto\""});
   }
   return list;

@@ -1,4 +1,4 @@
-// The keys of GaugeSource: declared, checked, followed.
+// Records of loads, as histories and by transducers: their keys, declared and checked, and the loads made of them.
 #pragma once
 
 #include <functional>
@@ -6,12 +6,28 @@
 #include <utility>
 #include <vector>
 
+#include "case/case_schema.h"
 #include "input/schema.h"
-#include "record_clock_keys.h"
 #include "upbead/case/case.h"
 #include "upbead/input/document.h"
+#include "upbead/model/scene.h"
 
 namespace upbead {
+
+/// Declares them; `in` may tell each entry where it belongs.
+template <class T, class In>
+void add_clock_keys(TableSchema<T>& table, const In& in) {
+  in(table.key("zero", &T::zero))
+      .unit("s")
+      .range(at_least(0.))
+      .doc("how much of the record's beginning is at rest; its mean is taken off each column; 0: nothing is taken off");
+  in(table.key("record_start", &T::record_start)).unit("s").doc("time of the record that is t = 0 of the run");
+  in(table.key("sampling_rate", &T::sampling_rate))
+      .unit("Hz")
+      .range(above(0.))
+      .fallback("the first column is the time")
+      .doc("samples a second of a record without a column of times");
+}
 
 /// What the places are called: heights of a wall, positions along a bottom.
 struct GaugeWords {
@@ -51,11 +67,29 @@ void add_gauge_keys(TableSchema<T>& table, const GaugeWords& words, const std::f
 
 /// Mistakes in the keys: what is missing or contradicts itself; `path`: of their table.
 void check_gauges(const GaugeSource& source, const GaugeWords& words, const std::string& path, const Document& document,
-                  InputReport& report);
+                  Diagnostics& report);
 
 /// The record, in SI units and the run's time, cut to what comes from t = 0 on. Throws InputError with every mistake,
 /// at the file's lines or at the keys of `path`.
 Gauges read_gauges(const GaugeSource& source, const std::string& file, const std::string& path,
                    const Document& document);
+
+/// Adds a pressure for each transducer that sees any, NAME.TRANSDUCER, spread over the wall as `share` says, in a run
+/// until `end` (s).
+void add_gauge_loads(const std::string& name, const GaugeLoad& by_gauges, double end, Scene& scene);
+
+/// U(t) of transducers along a bottom between its ends (N/m); zero where it would pull. Throws InputError where it is
+/// never positive.
+TimeFunction uplift_of(const GaugeLoad& by_gauges);
+
+TableSchema<MeasuredSource> measured_schema();
+
+/// Fills `load` from the file `path` (CSV or HDF5), in a run until `end` (s): the time is the column whose header says
+/// so, the value the first other one that is no counter. Throws InputError: the file as such, fewer than two columns or
+/// rows, times that do not ascend from 0, all zero. `place`: the key that names the file.
+void read_history(const std::string& path, const Place& place, double end, Load& load);
+
+/// U(t) of a prescribed uplift from such a file; it may be zero, but not negative. Throws InputError as above.
+TimeFunction read_uplift(const std::string& path, const Place& place);
 
 }  // namespace upbead

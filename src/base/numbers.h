@@ -1,8 +1,10 @@
-// How large and how small a quantity in SI units may be.
+// Constants, how large and how small a quantity in SI units may be, and the extreme of a record.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -26,5 +28,15 @@ inline std::string objection_to(const std::vector<double>& numbers) {
   if (!finite) return "is not finite";
   return std::any_of(numbers.begin(), numbers.end(), is_too_large) ? "is larger than any quantity in SI units" : "";
 }
+
+/// Index of the value of largest magnitude, the first of equal ones; 0 of none.
+inline std::size_t index_of_largest(const std::vector<double>& values) {
+  const auto smaller = [](double a, double b) { return std::abs(a) < std::abs(b); };
+  return static_cast<std::size_t>(std::max_element(values.begin(), values.end(), smaller) - values.begin());
+}
+
+constexpr double pi = 3.14159265358979323846;
+constexpr double two_pi = 2. * pi;
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 }  // namespace upbead

@@ -1,0 +1,338 @@
+#include "case/scale.h"
+
+#include <cctype>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+
+#include "base/text.h"
+#include "base/units.h"
+#include "case/case_schema.h"
+#include "case/records/measured.h"
+#include "case/records/record_layout.h"
+#include "case/records/record_table.h"
+#include "mesh/geo_parameters.h"
+#include "upbead/mesh/mesh.h"
+
+namespace fs = std::filesystem;
+
+namespace upbead {
+
+namespace {
+
+/// With lengths times L, and accelerations and densities times 1: s = L^(1/2), kg = L^3, N = kg m/s2, Pa = N/m2.
+const std::map<std::string, double> exponents{{"m", 1.},    {"s", 0.5},  {"kg", 3.},      {"N", 3.}, {"Pa", 1.},
+                                              {"Hz", -0.5}, {"rad", 0.}, {"degrees", 0.}, {"1", 0.}};
+
+/// "m2" has twice the exponent of "m".
+double exponent_of(const std::string& symbol, const std::string& unit) {
+  std::size_t letters = symbol.size();
+  while (letters > 1 && std::isdigit(static_cast<unsigned char>(symbol[letters - 1])) != 0) --letters;
+  const auto found = exponents.find(symbol.substr(0, letters));
+  if (found == exponents.end()) throw std::invalid_argument("no scale is known for the unit '" + unit + "'");
+  return found->second * (letters < symbol.size() ? std::stoi(symbol.substr(letters)) : 1);
+}
+
+}  // namespace
+
+double froude_exponent(const std::string& unit) {
+  if (unit.empty() || unit == "-") return 0.;
+  double sum = 0., sign = 1.;
+  std::string spaced;
+  for (const char c : unit) spaced += c == '/' ? std::string(" / ") : std::string(1, c);
+  std::istringstream symbols(spaced);
+  for (std::string symbol; symbols >> symbol;) {
+    if (symbol == "/")
+      sign = -1.;
+    else
+      sum += sign * exponent_of(symbol, unit);
+  }
+  return sum;
+}
+
+namespace {
+
+/// Ratios that a person gives by key.
+class Ratios {
+ public:
+  /// Throws InputError for a text that is not KEY=VALUE with a finite VALUE.
+  explicit Ratios(const std::vector<std::string>& texts);
+  /// The ratio of the key at a dotted path, or nullptr.
+  const double* find(const std::string& path);
+  /// How the ratio of a path was written, as a place for messages.
+  Place place(const std::string& path) const;
+  /// Throws InputError where a ratio names none of the keys that find() was asked for.
+  void require_all_used() const;
+
+ private:
+  std::map<std::string, double> ratio_;
+  std::map<std::string, std::string> text_;
+  std::set<std::string> asked_, used_;
+};
+
+Ratios::Ratios(const std::vector<std::string>& texts) {
+  Diagnostics mistakes;
+  for (const std::string& text : texts) {
+    const std::size_t equals = text.find('=');
+    const std::string key = text.substr(0, equals), value = equals == std::string::npos ? "" : text.substr(equals + 1);
+    char* end = nullptr;
+    const double ratio = std::strtod(value.c_str(), &end);
+    if (key.empty() || value.empty() || *end != '\0' || !std::isfinite(ratio))
+      mistakes.add({"--ratio " + text}, "it is not a key and a number",
+                   "write --ratio KEY=VALUE, such as --ratio regions.seabed.shear_modulus=4.47");
+    else if (!text_.emplace(key, text).second)
+      mistakes.add({"--ratio " + text}, "the key has a ratio already", "keep one of them");
+    else
+      ratio_[key] = ratio;
+  }
+  mistakes.throw_if_any();
+}
+
+const double* Ratios::find(const std::string& path) {
+  asked_.insert(path);
+  const auto found = ratio_.find(path);
+  if (found == ratio_.end()) return nullptr;
+  used_.insert(path);
+  return &found->second;
+}
+
+Place Ratios::place(const std::string& path) const {
+  return {"--ratio " + text_.at(path)};
+}
+
+void Ratios::require_all_used() const {
+  Diagnostics mistakes;
+  for (const auto& [path, ratio] : ratio_)
+    if (used_.count(path) == 0)
+      mistakes.add(place(path), "the case has no number '" + path + "'",
+                   suggestion(path, {asked_.begin(), asked_.end()}, "numbers"));
+  mistakes.throw_if_any();
+}
+
+/// The unit of a load's history: it follows from the load's kind.
+std::string history_unit(const Load& load) {
+  return load.kind == LoadKind::force ? "N/m" : "Pa";
+}
+
+bool starts_with(const std::string& text, const std::string& beginning) {
+  return text.rfind(beginning, 0) == 0;
+}
+
+/// The soil's own constants, which stay with the same soil: moduli and the hydraulic conductivity.
+bool is_of_the_soil(const std::string& path, const std::string& unit) {
+  return (starts_with(path, "regions.") || starts_with(path, "fluid.")) && (unit == "Pa" || unit == "m/s");
+}
+
+/// The unit of a number; that of a pulse's peak is told by the kind of its load.
+std::string dimension_of(const KeyInfo& key, const std::string& path, const CaseTables& tables) {
+  if (key.unit != "N/m or Pa") return key.unit;
+  return history_unit(tables.load_tables.at(split_dotted(path).at(1)));
+}
+
+/// Of a list of pairs the second number has no dimension, and a ratio is not meant for it.
+bool is_second_of_pair(const KeyInfo& key) {
+  return !key.unit_of_first.empty() && key.unit != key.unit_of_first;
+}
+
+/// Multiplies every number of the tables; the keys that keep a number with a dimension go to `kept`. The mesh's
+/// parameters are left alone: their units stand in the .geo. Throws InputError.
+void scale_numbers(CaseTables& tables, const ScaleOptions& options, Ratios& ratios, std::vector<std::string>& kept) {
+  Diagnostics mistakes;
+  const auto scale = [&](const KeyInfo& key, const std::string& path, double& number) {
+    if (starts_with(path, "mesh.parameters.") || is_second_of_pair(key)) return;
+    const double before = number;
+    const std::string unit = dimension_of(key, path, tables);
+    const double exponent = froude_exponent(unit);
+    if (const double* ratio = ratios.find(path)) {
+      number *= *ratio;
+      if (!key.range.contains(number) && std::isfinite(before))
+        mistakes.add(ratios.place(path), path + " = " + number_text(number) + " is outside " + key.range.text(),
+                     "give another ratio");
+    } else if (options.soil == SoilScaling::same && is_of_the_soil(path, unit)) {
+      if (std::isfinite(number)) kept.push_back(path);
+    } else {
+      number *= std::pow(options.factor, exponent);
+    }
+  };
+  case_schema().visit_numbers(tables, "", scale);
+  mistakes.throw_if_any();
+}
+
+/// "m" of "m: height of the mound".
+std::string unit_of_parameter(const GeoParameter& parameter) {
+  const std::size_t colon = parameter.description.find(':');
+  if (colon == std::string::npos) throw std::invalid_argument("its comment names no unit");
+  return parameter.description.substr(0, colon);
+}
+
+/// The geometry's own value.
+double value_of(const GeoParameter& parameter) {
+  char* end = nullptr;
+  const double value = std::strtod(parameter.default_value.c_str(), &end);
+  if (parameter.default_value.empty() || *end != '\0')
+    throw std::invalid_argument("its default '" + parameter.default_value + "' is no number");
+  return value;
+}
+
+/// Gives every parameter of the case's .geo that has a dimension its new value, also those that the case leaves at the
+/// geometry's own. The unit of a parameter begins the comment behind it: "// m: height of the mound", or "// -: ..."
+/// without one. Throws InputError where the mesh is finished (.msh), where no parameter is a length, and where a unit
+/// or a value cannot be read.
+void scale_mesh(const Case& problem, const ScaleOptions& options, Ratios& ratios, MeshChoice& mesh) {
+  const MeshRequest request = mesh_request(problem);
+  if (std::filesystem::path(request.file).extension() == ".msh")
+    throw InputError(request.place, "a finished mesh (.msh) cannot be scaled", "name the .geo that made it");
+  Diagnostics mistakes;
+  bool has_length = false;
+  for (const GeoParameter& parameter : geo_parameters(request.file)) try {
+      const double exponent = froude_exponent(unit_of_parameter(parameter));
+      const double* ratio = ratios.find(dotted("mesh.parameters", parameter.name));
+      has_length = has_length || exponent != 0.;
+      if (exponent == 0. && ratio == nullptr) continue;
+      const auto given = mesh.parameters.find(parameter.name);
+      const double value = given == mesh.parameters.end() ? value_of(parameter) : given->second;
+      mesh.parameters[parameter.name] = value * (ratio != nullptr ? *ratio : std::pow(options.factor, exponent));
+    } catch (const std::invalid_argument& error) {
+      mistakes.add(request.place,
+                   "the parameter '" + parameter.name + "' of " + request.file + " cannot be scaled: " + error.what(),
+                   "begin the comment behind its number with its unit, such as // m: height of the mound, or // -: for "
+                   "a number without one");
+    }
+  if (mistakes.empty() && !has_length)
+    mistakes.add(request.place, request.file + " cannot be scaled: no parameter of it is a length",
+                 "make its lengths parameters (DefineConstant) with // m: comments");
+  mistakes.throw_if_any();
+}
+
+void check_factor(double factor) {
+  if (factor > 0. && std::isfinite(factor)) return;
+  throw InputError({"--factor " + number_text(factor)}, "the factor is not a positive number",
+                   "give the new length over the old one, such as 20, or 0.05 for a model");
+}
+
+/// A table at the new size; `units`: SI, of the quantity of each column.
+std::string scaled_table(const CsvTable& table, const std::vector<std::string>& units, double factor) {
+  std::string text;
+  for (std::size_t c = 0; c < table.names.size(); ++c)
+    text += (c == 0 ? "" : ",") + table.names[c] + (table.units[c].empty() ? "" : " (" + table.units[c] + ")");
+  for (std::size_t row = 0; row < table.n_rows(); ++row) {
+    text += "\n";
+    for (std::size_t c = 0; c < table.columns.size(); ++c)
+      text += (c == 0 ? "" : ",") + number_text(table.columns[c][row] * std::pow(factor, froude_exponent(units[c])));
+  }
+  return text + "\n";
+}
+
+/// SI units of a record's columns: those of times, of counters, and of all others.
+std::vector<std::string> units_by_column(const CsvTable& table, const std::string& unit) {
+  const RecordLayout layout = layout_of(table);
+  std::vector<std::string> units(table.names.size(), unit);
+  if (layout.time) units[*layout.time] = "s";
+  for (const std::size_t c : layout.clocks) units[c] = "s";
+  for (const std::size_t c : layout.counters) units[c] = "";
+  return units;
+}
+
+/// A history with its times and values at the new size.
+std::string scaled_history(const std::string& path, const Place& place, double factor, const std::string& unit) {
+  const CsvTable table = read_record_table(path, place);
+  return scaled_table(table, units_by_column(table, unit), factor);
+}
+
+/// The record of transducers at the new size.
+std::string scaled_record(const Case& problem, const GaugeSource& source, const std::string& path, double factor) {
+  const CsvTable table = read_record_table(problem.resolve(source.gauges), problem.place(path + ".gauges"));
+  std::vector<std::string> units = units_by_column(table, "Pa");
+  for (std::size_t c = 0; c < units.size(); ++c) {
+    if (table.names[c] == source.load_cell) units[c] = "N/m";
+    if (source.place.count(table.names[c]) != 0) units[c] = "Pa";
+  }
+  return scaled_table(table, units, factor);
+}
+
+/// A measured history at the new size, alone with its time; of what quantity it is, its unit tells.
+std::string scaled_measured(const Case& problem, const std::string& name, const MeasuredSource& source, double factor) {
+  const Place place = problem.place(dotted("measured", name) + ".file");
+  const CsvTable table = read_record_table(problem.resolve(source.file), place);
+  const RecordLayout layout = layout_of(table);
+  const std::size_t column = measured_column(source, table, layout, place);
+  const std::optional<Unit> unit = unit_of(source.unit.empty() ? table.units[column] : source.unit);
+  if (!unit)
+    throw InputError(place,
+                     "it is not said what unit column " + in_quotes(table.names[column]) + " has: it cannot be scaled",
+                     "write the unit into its header, or add unit = \"...\"");
+  CsvTable one{table.path, {}, {}, {}, table.lines};
+  std::vector<std::string> units;
+  const auto keep = [&](std::size_t c, const std::string& si) {
+    one.names.push_back(table.names[c]);
+    one.units.push_back(table.units[c]);
+    one.columns.push_back(table.columns[c]);
+    units.push_back(si);
+  };
+  if (!source.sampling_rate && layout.time) keep(*layout.time, "s");
+  keep(column, unit->si);
+  return scaled_table(one, units, factor);
+}
+
+/// Writes the histories of loads, uplift and what was measured anew, beside the case, under names of their own.
+void scale_histories(const Case& problem, double factor, CaseTables& tables, std::vector<NamedText>& histories) {
+  for (auto& [name, load] : tables.load_tables) {
+    const std::string path = dotted("loads", name);
+    if (!load.history_file.empty())
+      load.history_file = histories
+                              .emplace_back(NamedText{name + ".csv", scaled_history(problem.resolve(load.history_file),
+                                                                                    problem.place(path + ".history"),
+                                                                                    factor, history_unit(load))})
+                              .path;
+    if (!load.gauges.empty())
+      load.gauges = histories.emplace_back(NamedText{name + ".csv", scaled_record(problem, load, path, factor)}).path;
+  }
+  for (auto& [name, source] : tables.measured)
+    source.file =
+        histories.emplace_back(NamedText{"measured-" + name + ".csv", scaled_measured(problem, name, source, factor)})
+            .path;
+  if (!tables.sliding_table || !tables.sliding_table->uplift_table) return;
+  UpliftTable& uplift = *tables.sliding_table->uplift_table;
+  const std::string name = tables.load_tables.count("uplift") == 0 ? "uplift.csv" : "sliding-uplift.csv";
+  if (!uplift.gauges.empty())
+    uplift.gauges =
+        histories.emplace_back(NamedText{name, scaled_record(problem, uplift, "sliding.uplift", factor)}).path;
+  if (uplift.history_file.empty()) return;
+  histories.push_back({name, scaled_history(problem.resolve(uplift.history_file),
+                                            problem.place("sliding.uplift.history"), factor, "N/m")});
+  uplift.history_file = name;
+}
+
+std::string heading(const Case& problem, const ScaleOptions& options) {
+  std::string text = "# Made by `upbead scale " + fs::path(problem.document.path()).filename().string() + " --factor " +
+                     number_text(options.factor);
+  if (options.soil == SoilScaling::same) text += " --soil same";
+  for (const std::string& ratio : options.ratios) text += " --ratio " + ratio;
+  return text + "`: lengths times " + number_text(options.factor) + ", the rest by Froude's law.\n\n";
+}
+
+}  // namespace
+
+ScaledCase scale_case(const Case& problem, const ScaleOptions& options, const std::string& folder) {
+  check_factor(options.factor);
+  Ratios ratios(options.ratios);
+  CaseTables tables;
+  Diagnostics report;  // read_case has found no mistake
+  case_schema().read(problem.document.root(), "", tables, report);
+  ScaledCase scaled;
+  scale_numbers(tables, options, ratios, scaled.kept);
+  scale_mesh(problem, options, ratios, tables.mesh);
+  ratios.require_all_used();
+  if (tables.mesh.file)
+    tables.mesh.file = fs::relative(fs::absolute(problem.resolve(*tables.mesh.file)), fs::absolute(folder)).string();
+  scale_histories(problem, options.factor, tables, scaled.histories);
+  if (!tables.title.empty()) tables.title += ", times " + number_text(options.factor) + " by Froude's law";
+  scaled.text = heading(problem, options) + case_schema().echo(tables);
+  return scaled;
+}
+
+}  // namespace upbead
