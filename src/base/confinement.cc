@@ -16,6 +16,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <sstream>
 #include <string_view>
 
 #include "base/confined_work.h"
@@ -89,83 +90,17 @@ const Telling* telling_of(int number) {
 
 /// What computing, memory and reading files need (memfd_create makes memory look like a file); numbers that an
 /// architecture has not are left out by libseccomp.
-const int harmless[] = {
-    SCMP_SYS(read),
-    SCMP_SYS(pread64),
-    SCMP_SYS(readv),
-    SCMP_SYS(preadv),
-    SCMP_SYS(write),
-    SCMP_SYS(writev),
-    SCMP_SYS(lseek),
-    SCMP_SYS(_llseek),
-    SCMP_SYS(close),
-    SCMP_SYS(fstat),
-    SCMP_SYS(fstat64),
-    SCMP_SYS(statx),
-    SCMP_SYS(access),
-    SCMP_SYS(faccessat),
-    SCMP_SYS(faccessat2),
-    SCMP_SYS(readlink),
-    SCMP_SYS(readlinkat),
-    SCMP_SYS(getdents64),
-    SCMP_SYS(getcwd),
-    SCMP_SYS(fadvise64),
-    SCMP_SYS(readahead),
-    SCMP_SYS(statfs),
-    SCMP_SYS(fstatfs),
-    SCMP_SYS(flock),
-    SCMP_SYS(dup),
-    SCMP_SYS(dup2),
-    SCMP_SYS(dup3),
-    SCMP_SYS(poll),
-    SCMP_SYS(ppoll),
-    SCMP_SYS(mmap),
-    SCMP_SYS(mmap2),
-    SCMP_SYS(mprotect),
-    SCMP_SYS(munmap),
-    SCMP_SYS(mremap),
-    SCMP_SYS(madvise),
-    SCMP_SYS(brk),
-    SCMP_SYS(futex),
-    SCMP_SYS(sched_yield),
-    SCMP_SYS(sched_getaffinity),
-    SCMP_SYS(getcpu),
-    SCMP_SYS(membarrier),
-    SCMP_SYS(rseq),
-    SCMP_SYS(set_robust_list),
-    SCMP_SYS(set_tid_address),
-    SCMP_SYS(get_robust_list),
-    SCMP_SYS(rt_sigaction),
-    SCMP_SYS(rt_sigprocmask),
-    SCMP_SYS(rt_sigreturn),
-    SCMP_SYS(sigreturn),
-    SCMP_SYS(sigaltstack),
-    SCMP_SYS(restart_syscall),
-    SCMP_SYS(getpid),
-    SCMP_SYS(gettid),
-    SCMP_SYS(getppid),
-    SCMP_SYS(getuid),
-    SCMP_SYS(geteuid),
-    SCMP_SYS(getgid),
-    SCMP_SYS(getegid),
-    SCMP_SYS(uname),
-    SCMP_SYS(sysinfo),
-    SCMP_SYS(getrusage),
-    SCMP_SYS(getrlimit),
-    SCMP_SYS(times),
-    SCMP_SYS(time),
-    SCMP_SYS(clock_gettime),
-    SCMP_SYS(clock_getres),
-    SCMP_SYS(gettimeofday),
-    SCMP_SYS(getrandom),
-    SCMP_SYS(exit),
-    SCMP_SYS(exit_group),
-    SCMP_SYS(memfd_create),
+constexpr const char* harmless =
+    "read pread64 readv preadv write writev lseek _llseek close fstat fstat64 statx access faccessat faccessat2 "
+    "readlink readlinkat getdents64 getcwd fadvise64 readahead statfs fstatfs flock dup dup2 dup3 poll ppoll "
+    "mmap mmap2 mprotect munmap mremap madvise brk futex sched_yield sched_getaffinity getcpu membarrier rseq "
+    "set_robust_list set_tid_address get_robust_list rt_sigaction rt_sigprocmask rt_sigreturn sigreturn "
+    "sigaltstack restart_syscall getpid gettid getppid getuid geteuid getgid getegid uname sysinfo getrusage "
+    "getrlimit times time clock_gettime clock_getres gettimeofday getrandom exit exit_group memfd_create"
 #ifdef UPBEAD_ASAN
-    SCMP_SYS(pipe),
-    SCMP_SYS(pipe2),
+    " pipe pipe2"
 #endif
-};
+    ;
 
 /// The arguments of the call that raised SIGSYS, where we know the machine.
 unsigned long argument(const ucontext_t& context, int n) {
@@ -256,7 +191,9 @@ void allow_by_arguments(scmp_filter_ctx filter) {
 bool filter_calls() {
   scmp_filter_ctx filter = seccomp_init(SCMP_ACT_TRAP);
   if (filter == nullptr) return false;
-  for (const int number : harmless) seccomp_rule_add(filter, SCMP_ACT_ALLOW, number, 0);
+  std::istringstream names(harmless);
+  for (std::string name; names >> name;)
+    seccomp_rule_add(filter, SCMP_ACT_ALLOW, seccomp_syscall_resolve_name(name.c_str()), 0);
   // glibc asks with all signals blocked, when a trap would end the process, and knows another way
   seccomp_rule_add(filter, SCMP_ACT_ERRNO(ENOSYS), SCMP_SYS(clone3), 0);
   allow_by_arguments(filter);

@@ -1,8 +1,7 @@
 #include "base/units.h"
 
-#include <algorithm>
-#include <array>
 #include <string_view>
+#include <vector>
 
 #include "base/numbers.h"
 
@@ -13,95 +12,63 @@ namespace {
 constexpr double g = 9.80665;
 
 struct Row {
-  std::string_view text, si;
-  double factor;
+  std::string_view text;
+  double factor;  ///< SI units of one
 };
 
-// without blanks, ^ and *; the first of each quantity is the SI unit
-constexpr std::array<Row, 82> rows{{
-    {"s", "s", 1.},
-    {"ms", "s", 1e-3},
-    {"us", "s", 1e-6},
-    {"sec", "s", 1.},
-    {"msec", "s", 1e-3},
-    {"min", "s", 60.},
-    {"h", "s", 3600.},
-    {"secs", "s", 1.},
-    {"second", "s", 1.},
-    {"seconds", "s", 1.},
-    {"sek", "s", 1.},
-    {"sekunden", "s", 1.},
-    {"msek", "s", 1e-3},
-    {"milliseconds", "s", 1e-3},
-    {"millisecond", "s", 1e-3},
-    {"millisekunden", "s", 1e-3},
-    {"microseconds", "s", 1e-6},
-    {"minutes", "s", 60.},
-    {"m", "m", 1.},
-    {"cm", "m", 1e-2},
-    {"mm", "m", 1e-3},
-    {"um", "m", 1e-6},
-    {"m/s", "m/s", 1.},
-    {"cm/s", "m/s", 1e-2},
-    {"mm/s", "m/s", 1e-3},
-    {"m/s2", "m/s2", 1.},
-    {"cm/s2", "m/s2", 1e-2},
-    {"mm/s2", "m/s2", 1e-3},
-    {"gal", "m/s2", 1e-2},
-    {"Gal", "m/s2", 1e-2},
-    {"g", "m/s2", g},
-    {"G", "m/s2", g},
-    {"rad", "rad", 1.},
-    {"mrad", "rad", 1e-3},
-    {"deg", "rad", pi / 180.},
-    {"°", "rad", pi / 180.},
-    {"rad/s", "rad/s", 1.},
-    {"deg/s", "rad/s", pi / 180.},
-    {"Pa", "Pa", 1.},
-    {"hPa", "Pa", 1e2},
-    {"kPa", "Pa", 1e3},
-    {"MPa", "Pa", 1e6},
-    {"bar", "Pa", 1e5},
-    {"mbar", "Pa", 1e2},
-    {"N/m2", "Pa", 1.},
-    {"kN/m2", "Pa", 1e3},
-    {"MN/m2", "Pa", 1e6},
-    {"N/cm2", "Pa", 1e4},
-    {"N/mm2", "Pa", 1e6},
-    {"gf/cm2", "Pa", 10. * g},
-    {"kgf/cm2", "Pa", 1e4 * g},
-    {"kgf/m2", "Pa", g},
-    {"tf/m2", "Pa", 1e3 * g},
-    {"psi", "Pa", 6894.757293168},
-    {"mH2O", "Pa", 1e3 * g},
-    {"cmH2O", "Pa", 10. * g},
-    {"mmH2O", "Pa", g},
-    {"mAq", "Pa", 1e3 * g},
-    {"N/m", "N/m", 1.},
-    {"kN/m", "N/m", 1e3},
-    {"MN/m", "N/m", 1e6},
-    {"N/cm", "N/m", 1e2},
-    {"N/mm", "N/m", 1e3},
-    {"gf/cm", "N/m", 0.1 * g},
-    {"kgf/cm", "N/m", 1e2 * g},
-    {"kgf/m", "N/m", g},
-    {"tf/m", "N/m", 1e3 * g},
-    {"Nm/m", "Nm/m", 1.},
-    {"kNm/m", "Nm/m", 1e3},
-    {"MNm/m", "Nm/m", 1e6},
-    {"kgfm/m", "Nm/m", g},
-    {"tfm/m", "Nm/m", 1e3 * g},
-    {"Hz", "Hz", 1.},
-    {"kHz", "Hz", 1e3},
-    {"1", "1", 1.},
-    {"-", "1", 1.},
-    {"%", "1", 1e-2},
-    {"N", "N", 1.},
-    {"kN", "N", 1e3},
-    {"MN", "N", 1e6},
-    {"kgf", "N", g},
-    {"tf", "N", 1e3 * g},
-}};
+struct Quantity {
+  std::string_view si;
+  std::vector<Row> units;
+};
+
+/// Without blanks, ^ and *.
+const std::vector<Quantity>& quantities() {
+  static const std::vector<Quantity> list{
+      {"s",
+       {{"s", 1.},
+        {"ms", 1e-3},
+        {"us", 1e-6},
+        {"sec", 1.},
+        {"msec", 1e-3},
+        {"min", 60.},
+        {"h", 3600.},
+        {"secs", 1.},
+        {"second", 1.},
+        {"seconds", 1.},
+        {"sek", 1.},
+        {"sekunden", 1.},
+        {"msek", 1e-3},
+        {"milliseconds", 1e-3},
+        {"millisecond", 1e-3},
+        {"millisekunden", 1e-3},
+        {"microseconds", 1e-6},
+        {"minutes", 60.}}},
+      {"m", {{"m", 1.}, {"cm", 1e-2}, {"mm", 1e-3}, {"um", 1e-6}}},
+      {"m/s", {{"m/s", 1.}, {"cm/s", 1e-2}, {"mm/s", 1e-3}}},
+      {"m/s2", {{"m/s2", 1.}, {"cm/s2", 1e-2}, {"mm/s2", 1e-3}, {"gal", 1e-2}, {"Gal", 1e-2}, {"g", g}, {"G", g}}},
+      {"rad", {{"rad", 1.}, {"mrad", 1e-3}, {"deg", pi / 180.}, {"°", pi / 180.}}},
+      {"rad/s", {{"rad/s", 1.}, {"deg/s", pi / 180.}}},
+      {"Pa", {{"Pa", 1.},           {"hPa", 1e2},       {"kPa", 1e3},       {"MPa", 1e6},
+              {"bar", 1e5},         {"mbar", 1e2},      {"N/m2", 1.},       {"kN/m2", 1e3},
+              {"MN/m2", 1e6},       {"N/cm2", 1e4},     {"N/mm2", 1e6},     {"gf/cm2", 10. * g},
+              {"kgf/cm2", 1e4 * g}, {"kgf/m2", g},      {"tf/m2", 1e3 * g}, {"psi", 6894.757293168},
+              {"mH2O", 1e3 * g},    {"cmH2O", 10. * g}, {"mmH2O", g},       {"mAq", 1e3 * g}}},
+      {"N/m",
+       {{"N/m", 1.},
+        {"kN/m", 1e3},
+        {"MN/m", 1e6},
+        {"N/cm", 1e2},
+        {"N/mm", 1e3},
+        {"gf/cm", 0.1 * g},
+        {"kgf/cm", 1e2 * g},
+        {"kgf/m", g},
+        {"tf/m", 1e3 * g}}},
+      {"Nm/m", {{"Nm/m", 1.}, {"kNm/m", 1e3}, {"MNm/m", 1e6}, {"kgfm/m", g}, {"tfm/m", 1e3 * g}}},
+      {"Hz", {{"Hz", 1.}, {"kHz", 1e3}}},
+      {"1", {{"1", 1.}, {"-", 1.}, {"%", 1e-2}}},
+      {"N", {{"N", 1.}, {"kN", 1e3}, {"MN", 1e6}, {"kgf", g}, {"tf", 1e3 * g}}}};
+  return list;
+}
 
 void replace_all(std::string& text, const std::string& old, const std::string& by) {
   for (std::size_t at = 0; (at = text.find(old, at)) != std::string::npos; at += by.size())
@@ -120,15 +87,17 @@ std::string plain(std::string text) {
 
 std::optional<Unit> unit_of(const std::string& text) {
   const std::string name = plain(text);
-  const auto* row = std::find_if(rows.begin(), rows.end(), [&](const Row& r) { return r.text == name; });
-  if (row == rows.end()) return {};
-  return Unit{row->si == "Nm/m" ? "N m/m" : std::string(row->si), row->factor};
+  for (const Quantity& quantity : quantities())
+    for (const Row& row : quantity.units)
+      if (row.text == name) return Unit{quantity.si == "Nm/m" ? "N m/m" : std::string(quantity.si), row.factor};
+  return {};
 }
 
 std::string units_like(const std::string& si) {
   std::string list;
-  for (const Row& row : rows)
-    if (plain(si) == row.si) list += (list.empty() ? "" : ", ") + std::string(row.text);
+  for (const Quantity& quantity : quantities())
+    if (plain(si) == quantity.si)
+      for (const Row& row : quantity.units) list += (list.empty() ? "" : ", ") + std::string(row.text);
   return list;
 }
 

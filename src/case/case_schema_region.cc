@@ -87,12 +87,12 @@ TableSchema<ContactLaw> contact_schema() {
 }
 
 /// Marks a key as belonging to some kinds of region only.
-void limit(Entry<Region>& entry) {
+void limit(const Entry<Region>& entry) {
   std::vector<std::string> kinds;
   for (const auto& [word, kind] : region_kind_words)
-    if (belongs(entry.info.name, kind)) kinds.push_back(word);
+    if (belongs(entry.name(), kind)) kinds.push_back(word);
   entry.when(
-      "kind", [key = entry.info.name](const Region& region) { return belongs(key, region.kind); },
+      "kind", [key = entry.name()](const Region& region) { return belongs(key, region.kind); },
       "in " + join(kinds, " and ") + " regions");
 }
 

@@ -9,6 +9,31 @@
 
 namespace upbead {
 
+bool Range::contains(double value) const {
+  return (value > low_ || (low_belongs_ && value == low_)) && (value < high_ || (high_belongs_ && value == high_));
+}
+
+std::string Range::text() const {
+  if (low_ == -infinity && high_ == infinity && !high_belongs_) return "any finite number";
+  return (low_belongs_ ? "[" : "(") + number_text(low_) + ", " + number_text(high_) + (high_belongs_ ? "]" : ")");
+}
+
+Range above(double low) {
+  return {low, false, infinity, false};
+}
+Range at_least(double low) {
+  return {low, true, infinity, false};
+}
+Range between(double low, double high) {
+  return {low, false, high, false};
+}
+Range from_to(double low, double high) {
+  return {low, true, high, true};
+}
+Range from_to_below(double low, double high) {
+  return {low, true, high, false};
+}
+
 std::string KeyInfo::meaning() const {
   return doc.substr(0, doc.find(';')) + (unit.empty() ? "" : " (" + unit + ")");
 }
@@ -178,6 +203,28 @@ std::string print_value(const KeyInfo&, const std::map<std::string, double>& val
   std::vector<std::string> entries;
   for (const auto& [name, number] : value) entries.push_back(dotted("", name) + " = " + to_toml(number));
   return entries.empty() ? "" : "{ " + join(entries) + " }";
+}
+
+void visit_value(const KeyInfo& key, const std::string& path, double& value, const NumberVisitor& visitor) {
+  visitor(key, path, value);
+}
+
+void visit_value(const KeyInfo& key, const std::string& path, Pair& value, const NumberVisitor& visitor) {
+  for (double& number : value) visitor(key, path, number);
+}
+
+void visit_value(const KeyInfo& key, const std::string& path, std::vector<Pair>& value, const NumberVisitor& visitor) {
+  KeyInfo first = key;
+  if (!key.unit_of_first.empty()) first.unit = key.unit_of_first;
+  for (Pair& pair : value) {
+    visitor(first, path, pair[0]);
+    visitor(key, path, pair[1]);
+  }
+}
+
+void visit_value(const KeyInfo& key, const std::string& path, std::map<std::string, double>& value,
+                 const NumberVisitor& visitor) {
+  for (auto& [name, number] : value) visitor(key, dotted(path, name), number);
 }
 
 }  // namespace upbead

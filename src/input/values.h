@@ -1,16 +1,43 @@
-// How one value of a key is read, named and written, by its type in C++.
+// How one value of a key is read, named, written and changed, by its type in C++.
 #pragma once
 
 #include <array>
+#include <functional>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "input/range.h"
 #include "upbead/input/node.h"
 
 namespace upbead {
+
+/// An interval; infinity belongs to it only where or_infinite() says so, nan never.
+class Range {
+ public:
+  /// Every finite number.
+  Range() = default;
+  Range(double low, bool low_belongs, double high, bool high_belongs)
+      : low_(low), high_(high), low_belongs_(low_belongs), high_belongs_(high_belongs) {}
+
+  Range or_infinite() const { return {low_, low_belongs_, high_, true}; }
+  bool contains(double value) const;
+  /// "[0, 0.5)", "any finite number".
+  std::string text() const;
+
+ private:
+  double low_ = -std::numeric_limits<double>::infinity();
+  double high_ = std::numeric_limits<double>::infinity();
+  bool low_belongs_ = false;
+  bool high_belongs_ = false;
+};
+
+Range above(double low);                       ///< (low, inf)
+Range at_least(double low);                    ///< [low, inf)
+Range between(double low, double high);        ///< (low, high)
+Range from_to(double low, double high);        ///< [low, high]
+Range from_to_below(double low, double high);  ///< [low, high)
 
 /// What is declared about a key besides its type.
 struct KeyInfo {
@@ -79,6 +106,46 @@ template <class V>
 std::string print_value(const KeyInfo& key, const std::optional<V>& value) {
   if (value) return print_value(key, *value);
   return key.word.empty() ? "" : to_toml(key.word);
+}
+
+/// Sees one number with the declaration of its key (the unit is that of this number) and its dotted path, and may
+/// change it.
+using NumberVisitor = std::function<void(const KeyInfo& key, const std::string& path, double& number)>;
+
+void visit_value(const KeyInfo& key, const std::string& path, double& value, const NumberVisitor& visitor);
+void visit_value(const KeyInfo& key, const std::string& path, Pair& value, const NumberVisitor& visitor);
+void visit_value(const KeyInfo& key, const std::string& path, std::vector<Pair>& value, const NumberVisitor& visitor);
+/// Each at the path of its name below `path`.
+void visit_value(const KeyInfo& key, const std::string& path, std::map<std::string, double>& value,
+                 const NumberVisitor& visitor);
+/// What holds no number with a unit: whole numbers count things.
+inline void visit_value(const KeyInfo&, const std::string&, int&, const NumberVisitor&) {}
+inline void visit_value(const KeyInfo&, const std::string&, bool&, const NumberVisitor&) {}
+inline void visit_value(const KeyInfo&, const std::string&, std::string&, const NumberVisitor&) {}
+
+template <class V>
+void visit_value(const KeyInfo& key, const std::string& path, std::optional<V>& value, const NumberVisitor& visitor) {
+  if (value) visit_value(key, path, *value, visitor);
+}
+
+/// What is done with a value of some type, behind a pointer to it.
+struct ValueType {
+  Diagnostics (*read)(const Node& node, const KeyInfo& key, void* value);
+  std::string (*text)(const KeyInfo& key);
+  std::string (*print)(const KeyInfo& key, const void* value);
+  void (*visit)(const KeyInfo& key, const std::string& path, void* value, const NumberVisitor& visitor);
+};
+
+template <class V>
+const ValueType* value_type() {
+  static constexpr ValueType type{
+      [](const Node& node, const KeyInfo& key, void* value) { return read_value(node, key, *static_cast<V*>(value)); },
+      [](const KeyInfo& key) { return type_text(key, static_cast<const V*>(nullptr)); },
+      [](const KeyInfo& key, const void* value) { return print_value(key, *static_cast<const V*>(value)); },
+      [](const KeyInfo& key, const std::string& path, void* value, const NumberVisitor& visitor) {
+        visit_value(key, path, *static_cast<V*>(value), visitor);
+      }};
+  return &type;
 }
 
 }  // namespace upbead

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "input/numbers.h"
 #include "input/values.h"
 
 namespace upbead {

@@ -5,7 +5,7 @@
 
 #include <limits>
 
-#include "input/range.h"
+#include "input/values.h"
 
 namespace upbead {
 

@@ -159,8 +159,7 @@ TableSchema<MeasuredSource> measured_schema() {
           "\"probes/A/pressure\"");
   table.key("column", &MeasuredSource::column).fallback("the one after the time").doc("name of its column");
   table.key("unit", &MeasuredSource::unit).fallback("that of the header, else SI").doc("unit of the values");
-  add_clock_keys(
-      table, [](auto& entry) -> auto& { return entry; });
+  add_clock_keys(table, [](const auto& entry) { return entry; });
   return table;
 }
 

@@ -41,7 +41,7 @@ extern const std::vector<std::pair<std::string, Beyond>> beyond_words;
 template <class T>
 void add_gauge_keys(TableSchema<T>& table, const GaugeWords& words, const std::function<bool(const T&)>& belongs,
                     const std::string& where) {
-  const auto in = [&](Entry<T>& entry) -> Entry<T>& { return entry.when("kind", belongs, where); };
+  const auto in = [&](const Entry<T>& entry) { return entry.when("kind", belongs, where); };
   in(table.key("gauges", &T::gauges))
       .doc(
           "path of the transducers' record; CSV (units in the header, decimal commas, .gz) or HDF5 (/time and others)");

@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "input/numbers.h"
 #include "input/values.h"
 
 namespace upbead {
