@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "../design_tables.h"
+#include "design/design_tables.h"
 #include "expected/dynamic_law.h"
 
 namespace upbead {
