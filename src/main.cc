@@ -6,22 +6,17 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
-#include <map>
 
-#include "cli/failure.h"
-#include "cli/program.h"
+#include "cli/command.h"
 #include "model/exclusions.h"
 #include "upbead/base/error.h"
 #include "upbead/case/case.h"
 
 namespace {
 
-const std::map<std::string, std::string (*)()> tables{{"--keys", upbead::case_reference},
-                                                      {"--exclusions", upbead::exclusion_table}};
-
 bool is_solvers(const std::string& word) {
-  return std::any_of(upbead::solver_commands.begin(), upbead::solver_commands.end(),
-                     [&word](const auto& command) { return command.first == word; });
+  const std::vector<upbead::Command> commands = upbead::solver_commands();
+  return std::any_of(commands.begin(), commands.end(), [&word](const auto& command) { return command.name == word; });
 }
 
 /// Becomes the solver, with the same words.
@@ -31,22 +26,25 @@ bool is_solvers(const std::string& word) {
   throw upbead::InputError({}, "cannot start '" + solver + "', which meshes and solves", "install upbead again, whole");
 }
 
-/// `explain` prints its two tables itself; other words with it, and the other commands of the solver, start that.
-void add_all(CLI::App& program) {
-  for (const auto& [name, what] : upbead::solver_commands) program.add_subcommand(name, what);
-  CLI::App& explain = *program.get_subcommand("explain");
-  for (const auto& [option, text] : tables) explain.add_flag_callback(option, [print = text] { std::cout << print(); });
-  upbead::add_other_commands(program);
+/// The two tables of `explain`, which need no solver; "" where none is asked for alone.
+std::string table(const std::vector<std::string>& words) {
+  if (words == std::vector<std::string>{"explain", "--keys"}) return upbead::case_reference();
+  if (words == std::vector<std::string>{"explain", "--exclusions"}) return upbead::exclusion_table();
+  return "";
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   try {
-    const bool prints_table = argc == 3 && argv[1] == std::string("explain") && tables.count(argv[2]) > 0;
-    if (argc > 1 && is_solvers(argv[1]) && !prints_table) become_solver(argv);
+    const std::vector<std::string> words(argv + 1, argv + argc);
+    if (const std::string text = table(words); !text.empty()) {
+      std::cout << text;
+      return 0;
+    }
+    if (argc > 1 && is_solvers(argv[1])) become_solver(argv);
   } catch (...) {
     return upbead::tell_failure();
   }
-  return upbead::run_program(argc, argv, add_all);
+  return upbead::run_program(argc, argv, upbead::solver_commands() + upbead::light_commands());
 }

@@ -1,22 +1,14 @@
 // upbead-solver: all commands of upbead, with the libraries that mesh and solve.
 
-#include "cli/failure.h"
-#include "cli/program.h"
+#include "cli/command.h"
 #include "upbead/algebra/petsc_session.h"
-
-namespace {
-
-void add_all(CLI::App& program) {
-  upbead::add_solver_commands(program);
-  upbead::add_other_commands(program);
-}
-
-}  // namespace
 
 int main(int argc, char** argv) {
   try {
     const upbead::PetscSession petsc;
-    return upbead::run_program(argc, argv, add_all);
+    const std::vector<upbead::Command> solving{upbead::explain_command(), upbead::run_command(),
+                                               upbead::reduce_command(), upbead::study_command()};
+    return upbead::run_program(argc, argv, solving + upbead::light_commands());
   } catch (...) {
     return upbead::tell_failure();
   }

@@ -7,11 +7,6 @@
 
 namespace upbead {
 
-void add_trust_option(CLI::App& command, bool& trusted) {
-  command.add_flag("--trust", trusted,
-                   "mesh the case's own .geo even where nothing can keep it from starting programs and writing files");
-}
-
 void require_trust(const Case& problem, bool trusted) {
   const auto& file = problem.scene.mesh.file;
   if (trusted || !file || std::filesystem::path(*file).extension() != ".geo" || can_confine()) return;

@@ -3,8 +3,7 @@
 
 #include "case/case_run.h"
 #include "case/script_trust.h"
-#include "cli/commands.h"
-#include "cli/program.h"
+#include "cli/command.h"
 #include "cli/report.h"
 #include "fem/compile.h"
 #include "model/exclusions.h"
@@ -14,11 +13,15 @@ namespace upbead {
 
 namespace {
 
+struct ExplainOptions : CommonOptions {
+  bool trusted = false;
+};
+
 bool will_be_reduced(const Simulation& simulation) {
   return choose_scheme(simulation.scene, *simulation.compiled).scheme == TimeScheme::reduced;
 }
 
-std::string to_json(const Case& input, const Simulation& simulation, const NumberedWarnings& told) {
+std::string explanation_json(const Case& input, const Simulation& simulation, const NumberedWarnings& told) {
   nlohmann::ordered_json json = {{"title", input.scene.title}};
   json["discretisation"] = {{"cells", simulation.mesh->triangulation.n_active_cells()},
                             {"unknowns", simulation.compiled->system.n_free()},
@@ -43,44 +46,36 @@ std::string to_json(const Case& input, const Simulation& simulation, const Numbe
   return json.dump(2) + "\n";
 }
 
-void explain(const CommonOptions& options, bool trusted) {
+int explain(const ExplainOptions& options) {
   const Case input = read_case(options.file, options.overrides);
-  require_trust(input, trusted);
+  require_trust(input, options.trusted);
   const Simulation simulation = simulation_of(input);
   const NumberedWarnings told = warnings(input, simulation);
   std::cerr << describe(told);
-  std::cout << (options.json ? to_json(input, simulation, told) : describe(input, simulation));
+  std::cout << (options.json ? explanation_json(input, simulation, told) : describe(input, simulation));
+  return 0;
 }
+
+const char* const explain_footer =
+    R"(Reads, checks and meshes the case, solves nothing and writes nothing. Prints the mesh, how the pore water of each
+region is treated and why, each load's arm above the caisson's bottom, and what is skipped.
+
+Examples:
+  upbead explain cases/fig2b-model.toml
+  upbead explain cases/fig2b-model.toml --set regions.mound.hydraulic_conductivity=1e-3
+  upbead explain --keys)";
 
 }  // namespace
 
-void add_explain(CLI::App& program) {
-  auto options = std::make_shared<CommonOptions>();
-  auto keys = std::make_shared<bool>(false), trusted = std::make_shared<bool>(false);
-  CLI::App* command = &add_solver_command(program, "explain");
-  add_common_options(*command, *options);
-  add_trust_option(*command, *trusted);
-  command->get_option("FILE")->required(false);
-  command->add_flag("--keys", *keys, "print every key of a case file with unit, range, default and meaning");
-  auto exclusions = std::make_shared<bool>(false);
-  command->add_flag("--exclusions", *exclusions, "print what cannot go with what");
-  command->footer(
-      "Reads, checks and meshes the case, solves nothing and writes nothing. Prints the mesh, how the pore water of "
-      "each\n"
-      "region is treated and why, each load's arm above the caisson's bottom, and what is skipped.\n\n"
-      "Examples:\n"
-      "  upbead explain cases/fig2b-model.toml\n"
-      "  upbead explain cases/fig2b-model.toml --set regions.mound.hydraulic_conductivity=1e-3\n"
-      "  upbead explain --keys");
-  command->callback([options, keys, exclusions, trusted] {
-    if (*keys || *exclusions) {
-      std::cout << (*keys ? case_reference() : exclusion_table());
-    } else if (options->file.empty()) {
-      throw CLI::RequiredError("FILE");
-    } else {
-      explain(*options, *trusted);
-    }
-  });
+Command explain_command() {
+  const auto options = std::make_shared<ExplainOptions>();
+  Command command = solver_command("explain");
+  command.options = common_options(*options) + std::vector{trust_option(options->trusted)};
+  command.texts = {{"--keys", "print every key of a case file with unit, range, default and meaning", case_reference},
+                   {"--exclusions", "print what cannot go with what", exclusion_table}};
+  command.footer = explain_footer;
+  command.work = [options] { return explain(*options); };
+  return command;
 }
 
 }  // namespace upbead

@@ -2,26 +2,24 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "case/case_run.h"
-#include "case/input_files.h"
-#include "case/script_trust.h"
-#include "cli/commands.h"
-#include "cli/program.h"
-#include "model/exclusions.h"
-#include "respond/joined_loads.h"
-#include "run/reduced_slip.h"
-#include "run/solve.h"
-
 #include "base/files.h"
 #include "base/interrupt.h"
 #include "base/progress.h"
 #include "base/stopwatch.h"
 #include "base/text.h"
+#include "case/case_run.h"
+#include "case/input_files.h"
+#include "case/script_trust.h"
+#include "cli/command.h"
 #include "fem/caisson_readings.h"
 #include "fem/compile.h"
+#include "model/exclusions.h"
 #include "model/words.h"
+#include "respond/joined_loads.h"
 #include "response/reduction.h"
 #include "response/shear_response.h"
+#include "run/reduced_slip.h"
+#include "run/solve.h"
 #include "system/interface.h"
 #include "upbead/base/error.h"
 #include "upbead/output/model_file.h"
@@ -240,7 +238,7 @@ Reduction reduce_glued(const Simulation& simulation, bool all_readings) {
   return reduction;
 }
 
-void reduce(const ReduceOptionsOfCommand& options, const Stopwatch& since_start) {
+int reduce(const ReduceOptionsOfCommand& options, const Stopwatch& since_start) {
   const Case input = read_case(options.file, options.overrides);
   require_trust(input, options.trusts_script);
   require_loads(input);
@@ -273,28 +271,34 @@ void reduce(const ReduceOptionsOfCommand& options, const Stopwatch& since_start)
   made.timing.total = since_start.seconds();
   made.path = folder.name() + "/reduced.h5";
   std::cout << (options.json ? to_json(made) : describe(made));
+  return 0;
 }
+
+const char* const reduce_footer =
+    R"(Writes results/NAME/reduced.h5 (or into --out DIR): the modes of the scene with their error and validity, which
+'upbead respond' and postprocess/reduced_model.py apply to any wave. The model is as large as the case's
+[accuracy] tolerance asks for, measured on the case's own histories by nested models.
+
+Examples:
+  upbead reduce cases/fig2b-prototype.toml
+  upbead reduce cases/fig2b-prototype.toml --check --set accuracy.tolerance=0.001 --out /tmp/fine
+  upbead respond results/fig2b-prototype/reduced.h5 cases/fig2b-prototype-impulse.csv)";
 
 }  // namespace
 
-void add_reduce(CLI::App& program) {
-  auto options = std::make_shared<ReduceOptionsOfCommand>();
-  CLI::App* command = &add_solver_command(program, "reduce");
-  add_common_options(*command, *options);
-  add_trust_option(*command, options->trusts_script);
-  command->add_flag("--all-readings", options->all_readings,
-                    "go on until all readings, not F_T alone, move by less than ten times the tolerance");
-  command->add_flag("--check", options->check, "march the case as well and tell the error against that; takes longer");
-  command->footer(
-      "Writes results/NAME/reduced.h5 (or into --out DIR): the modes of the scene with their error and validity, "
-      "which\n"
-      "'upbead respond' and postprocess/reduced_model.py apply to any wave. The model is as large as the case's\n"
-      "[accuracy] tolerance asks for, measured on the case's own histories by nested models.\n\n"
-      "Examples:\n"
-      "  upbead reduce cases/fig2b-prototype.toml\n"
-      "  upbead reduce cases/fig2b-prototype.toml --check --set accuracy.tolerance=0.001 --out /tmp/fine\n"
-      "  upbead respond results/fig2b-prototype/reduced.h5 cases/fig2b-prototype-impulse.csv");
-  command->callback([options, since_start = Stopwatch()] { reduce(*options, since_start); });
+Command reduce_command() {
+  const auto options = std::make_shared<ReduceOptionsOfCommand>();
+  Command command = solver_command("reduce");
+  command.options =
+      common_options(*options) +
+      std::vector<Option>{
+          trust_option(options->trusts_script),
+          {"--all-readings", &options->all_readings,
+           "go on until all readings, not F_T alone, move by less than ten times the tolerance"},
+          {"--check", &options->check, "march the case as well and tell the error against that; takes longer"}};
+  command.footer = reduce_footer;
+  command.work = [options, since_start = Stopwatch()] { return reduce(*options, since_start); };
+  return command;
 }
 
 }  // namespace upbead

@@ -2,29 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdarg>
-#include <cstdio>
 
+#include "base/format.h"
 #include "base/text.h"
 #include "case/case_run.h"
-#include "contact_report.h"
 #include "fem/compile.h"
 #include "model/words.h"
 #include "response/scheme_choice.h"
-#include "sliding_report.h"
 
 namespace upbead {
 
 namespace {
-
-__attribute__((format(printf, 1, 2))) std::string format(const char* pattern, ...) {
-  char buffer[400];
-  va_list arguments;
-  va_start(arguments, pattern);
-  std::vsnprintf(buffer, sizeof buffer, pattern, arguments);
-  va_end(arguments);
-  return buffer;
-}
 
 std::string describe_regions(const Case& input, const Simulation& simulation) {
   std::string text;
@@ -101,6 +89,79 @@ std::string describe(const ErrorEstimate& peak, const ErrorEstimate& history) {
                 peak.total(), peak.mesh, peak.time, peak.reduced_model, peak.far_boundary) +
          format("              up to %.2g of it at any time: mesh %.1e, time %.1e, reduced model %.1e\n",
                 history.total(), history.mesh, history.time, history.reduced_model);
+}
+
+std::string since(const std::optional<double>& time) {
+  return time ? "from " + significant(*time, 4) + " s" : "never";
+}
+
+/// Nothing where the caisson was bonded.
+std::string describe(const ContactSummary& contact) {
+  if (!contact.solved) return "";
+  const NodeContact& c = *contact.solved;
+  std::string text = "contact     friction " + significant(contact.friction) + " at " + std::to_string(contact.nodes) +
+                     " nodes, N at rest " + with_unit(contact.weight, "N/m") + "\n";
+  text += "  slip        " + with_unit(c.slip, "m", c.largest_slip) +
+          (c.error_estimate ? " (wrong by up to " + with_unit(*c.error_estimate, "m") + ")" : "") +
+          " in the end, at most " + with_unit(c.largest_slip, "m") +
+          " on the way, mean over the bottom; the whole of it " + with_unit(c.least_slip, "m", c.largest_slip) +
+          "; nodes slip " + since(c.first_slip) + "\n";
+  text += "  opening     seaward end " + with_unit(c.opening_seaward, "m") + ", landward end " +
+          with_unit(c.opening_landward, "m") + "; nodes open " + since(c.first_open) + "; at least " +
+          percent(c.least_contact) + " of the bottom touch\n";
+  text += "  friction    took " + with_unit(c.dissipated, "J/m") + "; N falls to " +
+          with_unit(c.least_normal_force, "N/m") + "\n";
+  return text;
+}
+
+std::string seconds(const std::optional<double>& value) {
+  return value ? significant(*value, 4) + " s" : "none";
+}
+
+std::string wrong_by(const std::optional<double>& error) {
+  return error ? " (wrong by up to " + with_unit(*error, "m") + ")" : "";
+}
+
+std::string distances(const SlidingSummary& s) {
+  const Sliding& slid = s.history.by_history;
+  std::string text = "  S           " + with_unit(slid.residual, "m") + wrong_by(s.error_estimate) +
+                     " by eq. (4) on F_T(t), in " + std::to_string(slid.slips.size()) +
+                     (slid.slips.size() == 1 ? " slip" : " slips") + "; with the vertical motion in N' " +
+                     with_unit(s.history.with_normal_force.residual, "m") + "\n";
+  if (s.coupled)
+    text += "  S, coupled  " + with_unit(s.coupled->slip.residual, "m") + wrong_by(s.coupled->error_estimate) +
+            " slipping as a whole on its ground; F_T up to " + with_unit(s.coupled->peak_shear, "N/m") +
+            ", N' down to " + with_unit(s.coupled->least_normal, "N/m") + "\n";
+  else if (!s.why_not_coupled.empty())
+    text += "  S, coupled  not told: " + s.why_not_coupled + "\n";
+  if (s.pulse)
+    text += "  S_CAL       " + with_unit(s.pulse->paper, "m") +
+            " by eq. (7) with tau_0 = " + seconds(s.pulse->duration) + " (k = " + significant(s.pulse->factor) +
+            "), S_1 " + with_unit(s.pulse->paper_parts.accelerating, "m") + " and S_2 " +
+            with_unit(s.pulse->paper_parts.braking, "m") + "; the same pulse integrated " +
+            with_unit(s.pulse->exact, "m") + "\n";
+  return text;
+}
+
+/// F_Smax, S by every measure, and tau_0.
+std::string describe(const SlidingSummary& s) {
+  const HistorySliding& h = s.history;
+  std::string text = "sliding     friction " + significant(s.friction) + ", W' " + with_unit(s.buoyant_weight, "N/m") +
+                     ", uplift " + s.uplift + "\n";
+  text += "  F_Smax      " + with_unit(h.peak_force, "N/m") + " at " + significant(h.peak_force_time, 4) +
+          " s, of it mu U " + with_unit(s.friction * h.uplift_at_peak, "N/m", h.peak_force) + "; mu W' " +
+          with_unit(h.resistance, "N/m") + ", r = " + significant(h.ratio, 4) + "\n";
+  if (h.least_normal_force < 0.)
+    text += "  warning     N' falls to " + with_unit(h.least_normal_force, "N/m") + ": the caisson would lift\n";
+  if (h.by_history.slips.empty() && h.ratio <= 1.)
+    text += "  S           0 m" + wrong_by(s.error_estimate) + ": F_S stays below mu W'\n";
+  else
+    text += distances(s);
+  if (h.own && h.own->by_exact)
+    text += "  tau_0       of this history at this r: " + seconds(h.own->by_paper) + " by eq. (7), " +
+            seconds(h.own->by_exact) + " integrated, " + seconds(h.own->by_excess) + " by the time above mu W', " +
+            seconds(h.own->by_impulse) + " by impulse\n";
+  return text;
 }
 
 }  // namespace

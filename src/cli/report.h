@@ -3,7 +3,6 @@
 
 #include <string>
 
-#include "cli/warning_lines.h"
 #include "upbead/case/case.h"
 #include "upbead/run/simulation.h"
 

@@ -1,6 +1,8 @@
+#include <chrono>
 #include <functional>
 #include <iostream>
 #include <optional>
+#include <thread>
 
 #include "base/files.h"
 #include "base/interrupt.h"
@@ -9,17 +11,23 @@
 #include "case/case_run.h"
 #include "case/input_files.h"
 #include "case/script_trust.h"
-#include "checkpoints.h"
-#include "cli/commands.h"
-#include "cli/program.h"
+#include "cli/command.h"
+#include "cli/march_output.h"
 #include "cli/report.h"
+#include "model/exclusions.h"
 #include "output/fields.h"
 #include "run/histories.h"
-#include "several_processes.h"
+#include "upbead/algebra/processes.h"
+#include "upbead/base/error.h"
 
 namespace upbead {
 
 namespace {
+
+struct RunOptionsOfCommand : CommonOptions {
+  CheckpointWish checkpoint;
+  bool trusted = false;
+};
 
 /// `visible`: whether people see how far it is.
 Run solve(const Case& input, const Simulation& simulation, const std::vector<MeasuredRecord>& records,
@@ -63,14 +71,63 @@ std::vector<std::string> run_files() {
   return files;
 }
 
+const char* const run_footer =
+    R"(Writes into results/NAME (or --out DIR), all or nothing:
+  results.h5     histories /history/{time, force, shear_force, inertia_force, caisson/..., probes/...}, SI units
+  summary.json   peaks, ratio of peak F_T to peak P, checks, what was skipped, times
+  case.toml      the case with all defaults spelled out; runs again as it is
+  fields.pvd     fields for ParaView, where the case has [output] fields
+
+A run that may take long can be killed and go on, to the last bit the same (not with contact, soil that follows
+its strain, or several processes):
+  upbead run CASE --checkpoint 600      keeps where it stands every 600 s, and where it is interrupted
+  upbead run CASE --checkpoint 600 --resume
+
+On several processes (mpirun -n 2 upbead run CASE) the mesh is divided among them; the answer is the same up to
+round-off. Fields, reduced models and an early stop are for one process alone.
+
+Examples:
+  upbead run cases/fig2b-model.toml
+  upbead run cases/fig2b-model.toml --set time.scheme=generalised_alpha --out /tmp/ga
+  upbead run cases/fig2b-prototype.toml --json | jq .response.shear_to_force_ratio)";
+
+/// Throws InputError at the keys of a case that ask for what is not done on several processes; checkpoints are not.
+void check_processes(const Case& input, bool with_checkpoints) {
+  Diagnostics mistakes;
+  if (with_checkpoints)
+    mistakes.add({}, "no checkpoints are kept on several processes", "leave out --checkpoint and --resume");
+  for (const Exclusion& reason : excluded(input.scene, Treatment::several_processes))
+    mistakes.add(input.place(reason.key), reason.why + " on several processes",
+                 "remove it, or run upbead alone, without mpirun");
+  mistakes.throw_if_any();
+}
+
+/// Calls work(); where it fails on one of the processes, says so once and ends them all, as the others would wait for
+/// that one for ever. Alone (null), exceptions pass.
+void run_together(const Processes* processes, const std::function<void()>& work) {
+  if (processes == nullptr) return work();
+  const auto leave_it_to_the_first = [processes](int seconds) {
+    if (processes->rank() > 0) std::this_thread::sleep_for(std::chrono::seconds(seconds));
+  };
+  try {
+    work();
+  } catch (const InputError&) {  // all read the same
+    leave_it_to_the_first(60);
+    processes->end_all(tell_failure());
+  } catch (...) {  // mostly all fail alike
+    leave_it_to_the_first(2);
+    processes->end_all(tell_failure());
+  }
+}
+
 /// On several processes all do the same but for the system, which they divide; the first speaks and writes.
-void run(const CommonOptions& options, const CheckpointWish& wish, bool trusted, const Stopwatch& since_start,
+void run(const RunOptionsOfCommand& options, const Stopwatch& since_start,
          const std::shared_ptr<const Processes>& processes) {
   const bool is_first = !processes || processes->rank() == 0;
   const Case input = read_case(options.file, options.overrides);
-  require_trust(input, trusted);
+  require_trust(input, options.trusted);
   require_loads(input);
-  if (processes) check_processes(input, wish.every > 0. || wish.resume);
+  if (processes) check_processes(input, options.checkpoint.every > 0. || options.checkpoint.resume);
   note_interrupts();
   std::optional<OutputFolder> folder;
   std::optional<Checkpoints> checkpoints;
@@ -78,7 +135,7 @@ void run(const CommonOptions& options, const CheckpointWish& wish, bool trusted,
     const std::string out = options.out.empty() ? "results/" + input.stem : options.out;
     require_inputs_kept(out, run_files(), input_files(input));
     folder.emplace(out);
-    checkpoints.emplace(input, folder->name(), wish);
+    checkpoints.emplace(input, folder->name(), options.checkpoint);
   }
   const Simulation simulation = simulation_of(input, nullptr, processes);
   const std::vector<MeasuredRecord> records = read_records(input, simulation);
@@ -98,42 +155,23 @@ void run(const CommonOptions& options, const CheckpointWish& wish, bool trusted,
 
 }  // namespace
 
-void add_run(CLI::App& program) {
-  auto options = std::make_shared<CommonOptions>();
-  CLI::App* command = &add_solver_command(program, "run");
-  add_common_options(*command, *options);
-  auto wish = std::make_shared<CheckpointWish>();
-  auto trusted = std::make_shared<bool>(false);
-  add_trust_option(*command, *trusted);
-  command
-      ->add_option("--checkpoint", wish->every,
-                   "keep a checkpoint in DIR.checkpoint every so many seconds of wall time; removed in the end")
-      ->type_name("SECONDS")
-      ->check(CLI::PositiveNumber);
-  command->add_flag("--resume", wish->resume, "go on from the checkpoint, where there is one");
-  command->footer(
-      "Writes into results/NAME (or --out DIR), all or nothing:\n"
-      "  results.h5     histories /history/{time, force, shear_force, inertia_force, caisson/..., probes/...}, SI "
-      "units\n"
-      "  summary.json   peaks, ratio of peak F_T to peak P, checks, what was skipped, times\n"
-      "  case.toml      the case with all defaults spelled out; runs again as it is\n"
-      "  fields.pvd     fields for ParaView, where the case has [output] fields\n\n"
-      "A run that may take long can be killed and go on, to the last bit the same (not with contact, soil that "
-      "follows\n"
-      "its strain, or several processes):\n"
-      "  upbead run CASE --checkpoint 600      keeps where it stands every 600 s, and where it is interrupted\n"
-      "  upbead run CASE --checkpoint 600 --resume\n\n"
-      "On several processes (mpirun -n 2 upbead run CASE) the mesh is divided among them; the answer is the same up "
-      "to\n"
-      "round-off. Fields, reduced models and an early stop are for one process alone.\n\n"
-      "Examples:\n"
-      "  upbead run cases/fig2b-model.toml\n"
-      "  upbead run cases/fig2b-model.toml --set time.scheme=generalised_alpha --out /tmp/ga\n"
-      "  upbead run cases/fig2b-prototype.toml --json | jq .response.shear_to_force_ratio");
-  command->callback([options, wish, trusted, since_start = Stopwatch()] {
+Command run_command() {
+  const auto options = std::make_shared<RunOptionsOfCommand>();
+  Command command = solver_command("run");
+  command.options =
+      common_options(*options) +
+      std::vector<Option>{trust_option(options->trusted),
+                          {"--checkpoint", &options->checkpoint.every,
+                           "keep a checkpoint in DIR.checkpoint every so many seconds of wall time; removed in the end",
+                           "SECONDS", false, true},
+                          {"--resume", &options->checkpoint.resume, "go on from the checkpoint, where there is one"}};
+  command.footer = run_footer;
+  command.work = [options, since_start = Stopwatch()] {
     const std::shared_ptr<const Processes> processes = started_processes();
-    run_together(processes.get(), [&] { run(*options, *wish, *trusted, since_start, processes); });
-  });
+    run_together(processes.get(), [&] { run(*options, since_start, processes); });
+    return 0;
+  };
+  return command;
 }
 
 }  // namespace upbead

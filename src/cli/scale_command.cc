@@ -6,7 +6,7 @@
 #include "base/text.h"
 #include "case/input_files.h"
 #include "case/scale.h"
-#include "cli/commands.h"
+#include "cli/command.h"
 
 namespace upbead {
 
@@ -15,7 +15,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct ScaleOptionsOfCommand : CommonOptions {
-  ScaleOptions scale;
+  double factor = 1.;
+  std::vector<std::string> ratios;
   std::string soil = "froude";
 };
 
@@ -28,7 +29,7 @@ double factor_of(const ScaleOptions& options, const std::string& unit) {
   return std::pow(options.factor, froude_exponent(unit));
 }
 
-std::string to_json(const Case& problem, const ScaledCase& scaled, const ScaleOptions& options) {
+std::string scaling_json(const Case& problem, const ScaledCase& scaled, const ScaleOptions& options) {
   Json json{{"title", problem.scene.title}, {"from", problem.document.path()}, {"factor", options.factor}};
   json["soil"] = options.soil == SoilScaling::same ? "same" : "froude";
   for (const auto& [name, unit] : quantities) json["factors"][name] = factor_of(options, unit);
@@ -45,10 +46,12 @@ std::string describe(const ScaledCase& scaled, const ScaleOptions& options) {
   return text + "the same, kept: " + join(scaled.kept) + "\n";
 }
 
-void scale(const ScaleOptionsOfCommand& options) {
+int scale(const ScaleOptionsOfCommand& options) {
   const Case problem = read_case(options.file, options.overrides);
   const std::string name = options.out.empty() ? "results/" + problem.stem + "-scaled" : options.out;
-  const ScaledCase scaled = scale_case(problem, options.scale, name);
+  const ScaleOptions wanted{options.factor, options.soil == "same" ? SoilScaling::same : SoilScaling::froude,
+                            options.ratios};
+  const ScaledCase scaled = scale_case(problem, wanted, name);
   std::vector<std::string> written{"case.toml"};
   for (const NamedText& history : scaled.histories) written.push_back(history.path);
   require_inputs_kept(name, written, input_files(problem));
@@ -56,43 +59,44 @@ void scale(const ScaleOptionsOfCommand& options) {
   folder.write("case.toml", scaled.text);
   for (const NamedText& history : scaled.histories) folder.write(history.path, history.text);
   folder.commit();
-  std::cout << (options.json ? to_json(problem, scaled, options.scale)
-                             : describe(scaled, options.scale) + "written     " + name + "/case.toml\n");
+  std::cout << (options.json ? scaling_json(problem, scaled, wanted)
+                             : describe(scaled, wanted) + "written     " + name + "/case.toml\n");
+  return 0;
 }
 
 const char* const scale_footer =
-    "Writes into results/NAME-scaled (or --out DIR), all or nothing:\n"
-    "  case.toml      the similar case with all defaults; runs as it is\n"
-    "  LOAD.csv       its force histories, where the case has any\n\n"
-    "Lengths of a .geo are scaled by the units in its comments: // m: height of the mound\n\n"
-    "Examples:\n"
-    "  upbead scale cases/fig2b-model.toml --factor 20                  the prototype, its soil 20 times as stiff\n"
-    "  upbead scale cases/fig2b-model.toml --factor 20 --soil same      the prototype on the model's soil\n"
-    "  upbead scale cases/fig2b-model.toml --factor 20 --soil same \\\n"
-    "      --ratio regions.seabed.shear_modulus=4.47 --ratio regions.mound.shear_modulus=4.47";
+    R"(Writes into results/NAME-scaled (or --out DIR), all or nothing:
+  case.toml      the similar case with all defaults; runs as it is
+  LOAD.csv       its force histories, where the case has any
+
+Lengths of a .geo are scaled by the units in its comments: // m: height of the mound
+
+Examples:
+  upbead scale cases/fig2b-model.toml --factor 20                  the prototype, its soil 20 times as stiff
+  upbead scale cases/fig2b-model.toml --factor 20 --soil same      the prototype on the model's soil
+  upbead scale cases/fig2b-model.toml --factor 20 --soil same \
+      --ratio regions.seabed.shear_modulus=4.47 --ratio regions.mound.shear_modulus=4.47)";
 
 }  // namespace
 
-void add_scale(CLI::App& program) {
-  auto options = std::make_shared<ScaleOptionsOfCommand>();
-  CLI::App* command = program.add_subcommand("scale", "write the similar case at another size, by Froude's law");
-  add_common_options(*command, *options);
-  command->get_option("--out")->description("folder for the case (default: results/NAME-scaled, NAME as the file's)");
-  command->add_option("--factor", options->scale.factor, "new length over old length")->required();
-  command
-      ->add_option("--soil", options->soil,
-                   "froude: moduli and conductivity similar too (default); same: the soil's constants stay")
-      ->check(CLI::IsMember({"froude", "same"}))
-      ->option_text("froude|same");
-  command->add_option("--ratio", options->scale.ratios, "multiply one number of the case by that instead")
-      ->type_name("KEY=VALUE")
-      ->take_all()
-      ->allow_extra_args(false);
-  command->footer(scale_footer);
-  command->callback([options] {
-    options->scale.soil = options->soil == "same" ? SoilScaling::same : SoilScaling::froude;
-    scale(*options);
-  });
+Command scale_command() {
+  const auto options = std::make_shared<ScaleOptionsOfCommand>();
+  Command command{"scale", "write the similar case at another size, by Froude's law"};
+  command.options = common_options(*options, "case", "the case (default: results/NAME-scaled, NAME as the file's)") +
+                    std::vector<Option>{
+                        {"--factor", &options->factor, "new length over old length", "", true},
+                        {"--soil",
+                         &options->soil,
+                         "froude: moduli and conductivity similar too (default); same: the soil's constants stay",
+                         "",
+                         false,
+                         false,
+                         {},
+                         {"froude", "same"}},
+                        {"--ratio", &options->ratios, "multiply one number of the case by that instead", "KEY=VALUE"}};
+  command.footer = scale_footer;
+  command.work = [options] { return scale(*options); };
+  return command;
 }
 
 }  // namespace upbead

@@ -7,14 +7,10 @@
 #include "base/files.h"
 #include "base/interrupt.h"
 #include "case/script_trust.h"
-#include "cli/commands.h"
-#include "cli/program.h"
-#include "study/launch.h"
-#include "study/pool.h"
+#include "cli/command.h"
+#include "study/results.h"
 #include "study/runner.h"
-#include "study/schedule.h"
-#include "study/study_progress.h"
-#include "study/study_report.h"
+#include "study/workers.h"
 
 namespace upbead {
 
@@ -29,7 +25,6 @@ struct StudyOptions : CommonOptions {
   bool restart = false;
   bool no_sharing = false;
   bool trusts_scripts = false;
-  bool keys = false;
 };
 
 int number_of_results(const Results& results) {
@@ -62,8 +57,8 @@ void work(const Study& study, const std::vector<std::vector<int>>& pieces, const
   pool.meet();
 }
 
-/// Writes the tables from the journals, and says what came out.
-void finish(const Study& study, const StudyOptions& options, const StudyAccount& account) {
+/// Writes the tables from the journals, and says what came out; returns the exit code.
+int finish(const Study& study, const StudyOptions& options, const StudyAccount& account) {
   const Results results = read_journals(options.out, study.fingerprint, study.runs.size());
   OutputFolder folder(options.out);
   folder.write("study.csv", study_csv(study, results));
@@ -75,7 +70,7 @@ void finish(const Study& study, const StudyOptions& options, const StudyAccount&
                              : describe(study, results, account) + "written     " + folder.name() +
                                    "/{study.csv, study.h5, summary.json}\n")
             << std::flush;
-  if (n_failed(results) > 0) throw CLI::RuntimeError(exit_failed_runs);
+  return n_failed(results) > 0 ? exit_failed_runs : 0;
 }
 
 /// The other processes may be anywhere, and to end MPI in an orderly way would be to wait for them.
@@ -95,19 +90,21 @@ void finish(const Study& study, const StudyOptions& options, const StudyAccount&
   leave(exit_signal + interrupted.signal());
 }
 
-/// Of all processes the first one tells mistakes.
-Study read_study_in(const Pool& pool, const StudyOptions& options) {
+/// Of all processes the first one tells mistakes; none on the others.
+std::optional<Study> read_study_in(const Pool& pool, const StudyOptions& options) {
   try {
     return read_study(options.file, options.overrides);
   } catch (const InputError&) {
     if (pool.rank() == 0) throw;
-    throw CLI::RuntimeError(exit_input);
+    return std::nullopt;
   }
 }
 
-void run_study(const StudyOptions& options, const Stopwatch& since_start) {
+int run_study(const StudyOptions& options, const Stopwatch& since_start) {
   Pool pool;
-  const Study study = read_study_in(pool, options);
+  const std::optional<Study> read = read_study_in(pool, options);
+  if (!read) return exit_input;
+  const Study& study = *read;
   require_inputs_kept(options.out, study_files, study.inputs);
   if (pool.rank() == 0 && options.restart) remove_journals(options.out);
   pool.meet();
@@ -124,7 +121,8 @@ void run_study(const StudyOptions& options, const Stopwatch& since_start) {
     std::cerr << error.what() << "\n";
     leave(exit_input);
   }
-  if (pool.rank() == 0) finish(study, options, {pool.size(), number_of_results(before), since_start.seconds()});
+  if (pool.rank() > 0) return 0;
+  return finish(study, options, {pool.size(), number_of_results(before), since_start.seconds()});
 }
 
 /// Checks everything first, so that mistakes are told once, then starts as many processes as have work.
@@ -144,47 +142,41 @@ void start(const StudyOptions& options) {
 }
 
 const char* const study_footer =
-    "Runs every scene of the study; the keys of a study file are in docs/study.md (or --keys).\n\n"
-    "Writes into results/NAME (or --out DIR):\n"
-    "  study.csv      one row per run: varied values, what was read, status, message\n"
-    "  study.h5       the same\n"
-    "  summary.json   runs that failed with the command to repeat them, what was skipped, times\n"
-    "  journal/       what is known while it runs; the same command goes on where it stopped\n\n"
-    "A failed run is a row that says why; the exit code then is 2. On a cluster: mpirun -n 64 upbead study STUDY\n\n"
-    "Examples:\n"
-    "  upbead study cases/study/stiffness.toml\n"
-    "  upbead study cases/study/stiffness.toml --jobs 8 --out /tmp/stiffness\n"
-    "  postprocess/study.py results/stiffness";
+    R"(Runs every scene of the study; the keys of a study file are in docs/study.md (or --keys).
 
-void add_options(CLI::App& command, StudyOptions& options) {
-  add_common_options(command, options);
-  command.get_option("FILE")->required(false)->description("the study (TOML)");
-  command.get_option("--out")->description("folder for the results (default: results/NAME, NAME as the study's)");
-  command.get_option("--set")->description("use another value of one key of the study; may be given many times");
-  command.add_option("--jobs", options.jobs, "processes (default: one per core)")->check(CLI::Range(1, 100000));
-  command.add_flag("--restart", options.restart, "forget the runs that are done");
-  command.add_flag("--no-sharing", options.no_sharing, "mesh and solve every run anew; the numbers are the same");
-  add_trust_option(command, options.trusts_scripts);
-  command.add_flag("--keys", options.keys, "print every key of a study file with range, default and meaning");
-}
+Writes into results/NAME (or --out DIR):
+  study.csv      one row per run: varied values, what was read, status, message
+  study.h5       the same
+  summary.json   runs that failed with the command to repeat them, what was skipped, times
+  journal/       what is known while it runs; the same command goes on where it stopped
+
+A failed run is a row that says why; the exit code then is 2. On a cluster: mpirun -n 64 upbead study STUDY
+
+Examples:
+  upbead study cases/study/stiffness.toml
+  upbead study cases/study/stiffness.toml --jobs 8 --out /tmp/stiffness
+  postprocess/study.py results/stiffness)";
 
 }  // namespace
 
-void add_study(CLI::App& program) {
-  auto options = std::make_shared<StudyOptions>();
-  CLI::App* command = &add_solver_command(program, "study");
-  add_options(*command, *options);
-  command->footer(study_footer);
-  command->callback([options, since_start = Stopwatch()] {
-    if (options->keys) {
-      std::cout << study_reference();
-      return;
-    }
-    if (options->file.empty()) throw CLI::RequiredError("FILE");
+Command study_command() {
+  const auto options = std::make_shared<StudyOptions>();
+  Command command = solver_command("study");
+  command.options =
+      common_options(*options, "study", "the results (default: results/NAME, NAME as the study's)") +
+      std::vector<Option>{
+          {"--jobs", &options->jobs, "processes (default: one per core)", "", false, false, std::pair(1, 100000)},
+          {"--restart", &options->restart, "forget the runs that are done"},
+          {"--no-sharing", &options->no_sharing, "mesh and solve every run anew; the numbers are the same"},
+          trust_option(options->trusts_scripts)};
+  command.texts = {{"--keys", "print every key of a study file with range, default and meaning", study_reference}};
+  command.footer = study_footer;
+  command.work = [options, since_start = Stopwatch()] {
     if (options->out.empty()) options->out = "results/" + std::filesystem::path(options->file).stem().string();
     if (!is_launched()) start(*options);
-    run_study(*options, since_start);
-  });
+    return run_study(*options, since_start);
+  };
+  return command;
 }
 
 }  // namespace upbead

@@ -1,15 +1,85 @@
-#include "design.h"
+#include "design/design.h"
 
+#include <algorithm>
 #include <boost/math/constants/constants.hpp>
 #include <filesystem>
 
-#include "design/design.h"
-#include "design_checks.h"
 #include "upbead/waves/wave_heights.h"
 
 namespace fs = std::filesystem;
 
 namespace upbead {
+
+namespace {
+
+Diagnostic no_height() {
+  return {at_key("height"), "neither 'height' nor 'deep_water_height' is given",
+          "add height, that of the highest wave (m), or deep_water_height"};
+}
+
+/// Why a measured force alone may be reduced by F_T/P.
+Diagnostic ratio_without_force() {
+  return {at_key("shear_to_force_ratio"),
+          "shear_to_force_ratio needs a measured or computed 'force': alpha_I was fitted to sliding tests, so the P of "
+          "Goda's formula with it already is an effective sliding force, and the ratio would count twice",
+          "add force, the peak of P (N/m), or remove shear_to_force_ratio"};
+}
+
+Diagnostics diagnose(const WaveTable& wave) {
+  Diagnostics list;
+  if (!wave.height && !wave.deep_water_height) list.add(no_height());
+  if (wave.height && wave.deep_water_height)
+    list.add(at_key("deep_water_height"), "both 'height' and 'deep_water_height' are given", "keep one of them");
+  else if (wave.deep_water_height && wave.significant_height)
+    list.add(at_key("significant_height"), "'significant_height' is given, but follows from deep_water_height",
+             "remove it, or give height instead of deep_water_height");
+  if (wave.shear_to_force_ratio && !wave.force) list.add(ratio_without_force());
+  if (wave.uplift && !wave.force)
+    list.add(at_key("uplift"), "'uplift' is that beside a measured or computed 'force', which is not given",
+             "add force, the peak of P (N/m), or remove uplift");
+  return list;
+}
+
+/// Reports what contradicts itself in a table, unless one of the keys that it hangs on has been refused already.
+void report_unless_refused(const std::string& path, const Diagnostics& found, const std::vector<std::string>& keys,
+                           const Document& document, Diagnostics& report) {
+  const auto sound = [&](const std::string& key) { return report.sound(dotted(path, key)); };
+  if (!std::all_of(keys.begin(), keys.end(), sound)) return;
+  for (const auto& [at, what, cure] : found)
+    report.add(document.place(dotted(path, at.key)), "[" + path + "]: " + what, cure);
+}
+
+void check_section(const DesignTables& tables, const Document& document, Diagnostics& report) {
+  if (document.find("section"))
+    report_unless_refused("section", diagnose(tables.section), {"weight", "buoyant_weight", "width", "centroid"},
+                          document, report);
+}
+
+void check_ground(const DesignTables& tables, const Document& document, Diagnostics& report) {
+  if (tables.ground && tables.ground->damping > 0. && tables.ground->mass == 0.)
+    report_unless_refused(
+        "ground", {{at_key("damping"), "'damping' without a 'mass' that it could slow down", "add mass (kg/m)"}},
+        {"damping", "mass"}, document, report);
+  for (const auto& [name, wave] : tables.waves) {
+    if (!wave.pulse_duration || (wave.force && tables.ground)) continue;
+    report_unless_refused(dotted("waves", name),
+                          {{at_key("pulse_duration"),
+                            std::string("'pulse_duration' is that of a measured or computed 'force' on [ground], ") +
+                                (wave.force ? "and there is no [ground]" : "which is not given"),
+                            wave.force ? "add [ground] with stiffness (N/m2)" : "add force, the peak of P (N/m)"}},
+                          {"pulse_duration", "force"}, document, report);
+  }
+}
+
+void check_waves(const DesignTables& tables, const Document& document, Diagnostics& report) {
+  for (const auto& [name, wave] : tables.waves)
+    report_unless_refused(
+        dotted("waves", name), diagnose(wave),
+        {"height", "significant_height", "deep_water_height", "force", "shear_to_force_ratio", "uplift"}, document,
+        report);
+}
+
+}  // namespace
 
 std::string Design::resolve(const std::string& path) const {
   return (fs::path(document.path()).parent_path() / path).lexically_normal().string();
@@ -43,11 +113,6 @@ std::string effective_design(const Design& design, const std::string& output_fol
   return design_schema().echo(tables);
 }
 
-std::string effective_design(const std::string& path, const std::vector<std::string>& overrides,
-                             const std::string& output_folder) {
-  return effective_design(read_design(path, overrides), output_folder);
-}
-
 std::string design_reference() {
   return reference(design_schema());
 }
@@ -66,6 +131,20 @@ DesignWave design_wave(const WaveTable& wave, const Section& section, const Wate
     w.significant_height = wave.significant_height.value_or(w.height / highest_over_significant);
   }
   return w;
+}
+
+std::vector<InputFile> input_files(const Design& design) {
+  std::vector<InputFile> files{{design.document.path(), {design.document.path()}}};
+  const auto add = [&](const std::string& file, const std::string& key) {
+    if (!file.empty()) files.push_back({design.resolve(file), design.document.place(key)});
+  };
+  const DesignTables& tables = design.tables;
+  if (tables.sea) add(tables.sea->states, "sea.states");
+  if (tables.dynamics) add(tables.dynamics->model, "dynamics.model");
+  if (tables.calibration)
+    for (const auto& [name, model] : tables.calibration->models)
+      add(model.model, dotted("calibration.models", name) + ".model");
+  return files;
 }
 
 }  // namespace upbead

@@ -4,7 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "base/files.h"
 #include "design_tables.h"
+#include "upbead/expected/life.h"
 #include "upbead/input/document.h"
 #include "upbead/waves/goda.h"
 
@@ -34,12 +36,35 @@ std::string effective_design(const Design& design, const std::string& output_fol
 /// The wave of a sound table, with heights by random breaking where only that of deep water is given.
 DesignWave design_wave(const WaveTable& wave, const Section& section, const Water& water);
 
-/// The design as TOML with every default spelled out, and with paths as seen from `output_folder`. Throws InputError
-/// with every mistake in the section and its waves.
-std::string effective_design(const std::string& path, const std::vector<std::string>& overrides = {},
-                             const std::string& output_folder = ".");
-
 /// Every key of the design file as Markdown.
 std::string design_reference();
+
+/// The design itself and the files that it names, each with the key.
+std::vector<InputFile> input_files(const Design& design);
+
+/// What `expected` needs: the tables, the record of sea states, the reduced model.
+void check_expected(const DesignTables& tables, const Document& document, Diagnostics& report);
+
+/// Goda's P with alpha_I is refused as a force for a reduced model.
+void check_impact(const DesignTables& tables, const Document& document, Diagnostics& report);
+
+/// Reads the reduced model of the table at the dotted path; it must be that of the section's caisson.
+void check_model(const std::string& path, const DynamicsTable& table, const Section& section, const Water& water,
+                 const Document& document, Diagnostics& report);
+
+/// A scatter by its name, and the mean where it gives none.
+struct NamedScatter {
+  const char* name;
+  std::optional<Scatter> ScatterTables::*table;
+  std::optional<Distribution> Uncertainties::*distribution;
+  double mean;
+};
+const std::vector<NamedScatter>& named_scatters();
+
+/// Sound tables as distributions.
+Uncertainties uncertainties(const ScatterTables& tables);
+
+/// What `calibrate` needs: the tables, and the models that they name.
+void check_calibration(const DesignTables& tables, const Document& document, Diagnostics& report);
 
 }  // namespace upbead

@@ -1,4 +1,4 @@
-#include "design_tables.h"
+#include "design/design_tables.h"
 
 namespace upbead {
 

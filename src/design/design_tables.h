@@ -1,18 +1,100 @@
-// The keys of the design file of `waves` and `expected`, and the tables that they fill.
+// The keys of the design file of `waves`, `expected` and `calibrate`, and the tables that they fill.
 #pragma once
 
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
-#include "calibrate/calibration_tables.h"
-#include "expected_tables.h"
+#include "expected/dynamic_law.h"
 #include "input/schema.h"
+#include "input/values.h"
 #include "sliding/elastic_block.h"
+#include "upbead/expected/distribution.h"
+#include "upbead/expected/life.h"
+#include "upbead/expected/sliding_law.h"
 #include "upbead/sliding/combined.h"
 #include "upbead/waves/goda.h"
 
 namespace upbead {
+
+/// `[0.2, 0.4, 0.8]`, or `{ from = 0.2, to = 0.8, n = 4 }` at equal distances.
+struct NumberList {
+  std::vector<double> values;
+};
+
+Diagnostics read_value(const Node& node, const KeyInfo& key, NumberList& value);
+std::string type_text(const KeyInfo& key, const NumberList*);
+/// Always as a list.
+std::string print_value(const KeyInfo& key, const NumberList& value);
+void visit_value(const KeyInfo& key, const std::string& path, NumberList& value, const NumberVisitor& visitor);
+
+/// [sea]: the record of sea states.
+struct SeaTable {
+  std::string states;                     ///< path of the CSV file
+  double years = 1.;                      ///< that it covers
+  std::optional<double> highest;          ///< cut of the heights, over H_1/3
+  std::map<std::string, double> heights;  ///< whose waves are counted (m)
+};
+
+/// [storms]: in place of [sea]; angle in degrees.
+struct StormsTable : StormClimate {
+  std::optional<double> highest;  ///< cut of the heights, over H_1/3
+};
+
+/// [life]: Monte Carlo.
+struct LifeTable {
+  double years = 50.;
+  int lives = 2000;
+  int seed = 1;
+  std::optional<Law> sliding;  ///< none: dynamic where there is a model, else exact
+};
+
+/// [scatter.NAME]: what is uncertain, by its name.
+struct ScatterTables {
+  std::optional<Scatter> significant_height, wave, period, force, uplift, friction, weight, water_level;
+};
+
+/// [dynamics]: the reduced model of the caisson.
+struct DynamicsTable {
+  std::string model;           ///< path of the file
+  std::string load;            ///< its load that is the wave; "": the only or largest one
+  std::optional<double> step;  ///< of the answers (s)
+};
+
+/// Which force the model answers.
+enum class ImpactForce { impulse, goda_with_alpha_I };
+
+/// [impact].
+struct ImpactTable : ImpactAssumptions {
+  ImpactForce force = ImpactForce::impulse;
+};
+
+/// The tables [sea], [storms], [life], [scatter.NAME], [dynamics], [impact] as written.
+struct ExpectedTables {
+  std::optional<SeaTable> sea;
+  std::optional<StormsTable> storms;
+  std::optional<LifeTable> life;
+  ScatterTables scatter;
+  std::optional<DynamicsTable> dynamics;
+  ImpactTable impact;
+};
+
+/// [calibration.models.NAME].
+struct ScaledModel : DynamicsTable {
+  double scale = 1.;  ///< length of this model's breakwater over that of [section]
+};
+
+/// [calibration]: a grid of waves and mounds, and what is asked of each.
+struct CalibrationTable {
+  NumberList relative_height{{0.3, 0.4, 0.5, 0.6, 0.7, 0.8}};        ///< H/h
+  NumberList period;                                                 ///< T (s)
+  NumberList relative_berm_depth{{0.3, 0.35, 0.4, 0.45, 0.5, 0.6}};  ///< d/h
+  NumberList relative_berm_width{{0.02, 0.06, 0.12, 0.2, 0.3}};      ///< B_M/L
+  NumberList ratios{{1.05, 1.2, 1.5, 2.}};                           ///< r = F_Smax/(mu W')
+  Pair steepness{0.005, 0.14};                                       ///< least and largest H/L
+  std::map<std::string, ScaledModel> models;
+};
 
 /// A table [waves.NAME] as written.
 struct WaveTable {
@@ -40,5 +122,8 @@ struct DesignTables : ExpectedTables {
 };
 
 TableSchema<DesignTables> design_schema();
+/// Declares the tables of `expected`.
+void add_expected_tables(TableSchema<DesignTables>& table);
+TableSchema<CalibrationTable> calibration_schema();
 
 }  // namespace upbead

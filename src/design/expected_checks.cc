@@ -1,4 +1,4 @@
-#include "expected_checks.h"
+#include "design/design.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,9 +6,7 @@
 
 #include "base/text.h"
 #include "case/case_checks.h"
-#include "design/expected.h"
-#include "sea_states_file.h"
-#include "shear_model.h"
+#include "design/expected_laws.h"
 
 namespace upbead {
 
@@ -210,10 +208,6 @@ void check_expected(const DesignTables& tables, const Document& document, Diagno
   check_sea(tables, document, report);
   check_climate(tables, document, report);
   check_dynamics(tables, document, report);
-}
-
-void check_expected_design(const std::string& path, const std::vector<std::string>& overrides) {
-  read_design(path, overrides, {check_expected});
 }
 
 }  // namespace upbead

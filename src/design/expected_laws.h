@@ -1,14 +1,39 @@
-// The sliding laws of a design.
+// What `expected` and `calibrate` rest on: the record of sea states, the reduced model that answers waves, sliding
+// laws.
 #pragma once
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
+#include "case/records/record_layout.h"
+#include "design/expected_report.h"
+#include "design_tables.h"
 #include "expected/dynamic_law.h"
-#include "expected_work.h"
+#include "upbead/base/error.h"
+#include "upbead/expected/sliding_law.h"
 
 namespace upbead {
+
+inline constexpr double steps_of_a_rise = 80.;  ///< of the answers, in the shortest rise of a force
+
+/// Reads a CSV file with the columns significant_height (m), period (s), waves, and, on demand, angle (degrees) and
+/// water_level (m), in any order; units in the header count, a counter is left out and added to `notes`. Throws
+/// InputError with every mistake; a file that cannot be read is one at `place`.
+std::vector<SeaState> read_sea_states(const std::string& path, const Place& place, RecordNotes& notes);
+
+/// What `expected` takes of a model's file.
+struct WaveModel {
+  std::string title;
+  std::string load;  ///< name of the load that is the wave
+  ShearModel shear;
+};
+
+/// Reads it and chooses the load. Throws InputError with every mistake, at `place` (of [dynamics]): no caisson, no such
+/// load, a load without horizontal force, or a mass that is not the section's weight within 1 %.
+WaveModel read_wave_model(const std::string& path, const DynamicsTable& table, const Section& section,
+                          const Water& water, const Place& place);
 
 /// Sound tables as a climate.
 StormClimate climate_of(const StormsTable& table);

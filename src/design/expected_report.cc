@@ -1,8 +1,8 @@
-#include "expected_report.h"
+#include "design/expected_report.h"
 
 #include <cmath>
-#include <cstdio>
 
+#include "base/format.h"
 #include "base/text.h"
 #include "output/result_file.h"
 
@@ -11,13 +11,6 @@ namespace upbead {
 namespace {
 
 constexpr int few_lives = 50;  // that slide: a normal distribution of their mean is then doubtful
-
-template <class... Values>
-std::string format(const char* pattern, Values... values) {
-  char text[400];
-  std::snprintf(text, sizeof text, pattern, values...);
-  return text;
-}
 
 const char* meaning(Law law) {
   switch (law) {

@@ -1,11 +1,75 @@
-// What `upbead expected` tells: summary.json, results.h5, and the text for people.
+// What `upbead expected` computes of a design, and tells: summary.json, results.h5, and the text for people.
 #pragma once
 
+#include <array>
+#include <map>
+#include <optional>
 #include <string>
+#include <vector>
 
-#include "expected_work.h"
+#include "case/records/record_layout.h"
+#include "design.h"
+#include "upbead/expected/life.h"
+#include "upbead/expected/sliding_law.h"
 
 namespace upbead {
+
+inline const std::vector<Law> all_laws{Law::paper, Law::exact, Law::combined, Law::dynamic};
+
+/// One sea state by quadrature; the law dynamic only where there is a model.
+struct StateAnswer {
+  SeaState state;
+  std::map<Law, Expectation> by_law;
+};
+
+/// Heights of all waves, and what those of one sea state bring.
+struct HeightCurves {
+  SeaState state;                                   ///< the one that brings most by the law exact
+  std::vector<double> height;                       ///< m
+  std::vector<double> waves;                        ///< of all sea states (1/m)
+  std::map<Law, std::vector<double>> distance;      ///< S(H) (m)
+  std::map<Law, std::vector<double>> contribution;  ///< to the expectation of that sea state (m/m)
+  std::vector<double> peak_force, peak_shear;  ///< largest P and F_T of the law dynamic (N/m); empty without a model
+};
+
+/// Waves above a height that was asked for.
+struct Exceedance {
+  std::string name;
+  double height = 0., waves = 0.;
+};
+
+struct ModelUsed {
+  std::string title, load;
+  double step = 0.;           ///< of all answers (s)
+  double shortest_rise = 0.;  ///< of the waves that might slide (s)
+};
+
+struct MonteCarlo {
+  Law law = Law::exact;
+  LifeStatistics statistics;
+  std::vector<double> sliding;  ///< S of each life (m)
+  double waves = 0.;            ///< in all lives
+  double answered = 0.;         ///< of them those whose S was computed
+  std::optional<double>
+      without_scatter;  ///< expectation of a life by quadrature, nothing uncertain but the heights (m)
+  double seconds = 0.;
+};
+
+struct ExpectedAnswer {
+  std::vector<StateAnswer> states;
+  std::map<Law, Expectation> total;  ///< thresholds: the least of all sea states
+  double waves = 0.;
+  double highest = 0.;  ///< the height that one wave of the record exceeds (m)
+  std::vector<Exceedance> exceedance;
+  HeightCurves curves;
+  std::optional<ModelUsed> model;
+  std::optional<MonteCarlo> monte_carlo;
+  double quadrature_seconds = 0.;
+  RecordNotes notes;  ///< how the sea states were read
+};
+
+/// On all cores; the same numbers whatever their number. Throws NumericsError where a number is not finite.
+ExpectedAnswer find_expected(const Design& design);
 
 /// Wall times (s).
 struct ExpectedTiming {

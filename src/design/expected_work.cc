@@ -1,4 +1,4 @@
-#include "expected_work.h"
+#include "design/expected_report.h"
 
 #include <algorithm>
 #include <boost/math/tools/toms748_solve.hpp>
@@ -6,9 +6,7 @@
 
 #include "base/progress.h"
 #include "base/stopwatch.h"
-#include "expected_checks.h"
-#include "expected_laws.h"
-#include "sea_states_file.h"
+#include "design/expected_laws.h"
 #include "upbead/base/error.h"
 
 namespace upbead {
@@ -148,10 +146,6 @@ MonteCarlo simulate(const Design& design, const Laws& laws, const std::vector<Se
   out.statistics = statistics(out.sliding);
   return out;
 }
-
-}  // namespace
-
-namespace {
 
 void integrate(const Design& design, const Laws& laws, const std::vector<SeaState>& record, ExpectedAnswer& answer) {
   const double cut = cut_of(design);

@@ -1,4 +1,4 @@
-#include "sea_states_file.h"
+#include "design/expected_laws.h"
 
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>

@@ -1,12 +1,44 @@
-// What `upbead waves` tells, to people and to programs.
+// What `upbead waves` finds, and tells to people and to programs.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "wave_answer.h"
+#include "design.h"
+#include "sliding/elastic_block.h"
+#include "upbead/sliding/pulse.h"
+#include "upbead/waves/goda.h"
 
 namespace upbead {
+
+/// Sliding distances of a wave by each formula (m).
+struct SlidingDistances {
+  double paper = 0.;       ///< S_CAL, eq. (7)
+  PaperParts paper_parts;  ///< S_1 and S_2
+  double exact = 0.;       ///< eqs. (4) and (6), integrated
+  double combined = 0.;    ///< with the standing wave beside the pulse, Shimosako and Takahashi (1998)
+};
+
+struct WaveAnswer {
+  std::string name;
+  DesignWave wave;
+  double wavelength = 0.;          ///< L (m)
+  WavePressure pressure;           ///< by alpha* = max(alpha_2, alpha_I)
+  WavePressure without_alpha_I;    ///< by alpha_2 alone
+  Stability stability;             ///< by Goda's formula with alpha_I, whatever has been measured
+  bool measured = false;           ///< P is given in the design
+  double force = 0., uplift = 0.;  ///< what slides: F_T and U (N/m)
+  double tau_0F = 0., k = 0.;      ///< s, 1
+  TriangularPulse pulse;           ///< F_Smax = F_T + mu U (N/m), tau_0 (s)
+  double ratio = 0.;               ///< r = F_Smax / (mu W')
+  SlidingDistances sliding;
+  std::optional<ElasticSliding> elastic;  ///< on a ground that sways
+  std::vector<Warning> warnings;
+};
+
+/// All waves of a design, in the order of their names.
+std::vector<WaveAnswer> answer_waves(const DesignTables& design);
 
 /// Tables of pressures, safety and sliding, a row a wave.
 std::string describe(const DesignTables& design, const std::vector<WaveAnswer>& answers);

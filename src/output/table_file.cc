@@ -4,6 +4,13 @@
 
 namespace upbead {
 
+std::string csv_cell(const std::string& text) {
+  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
+  std::string cell = "\"";
+  for (const char c : text) cell += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return cell + "\"";
+}
+
 std::string table_file(const std::string& title, const std::vector<TableColumn>& columns) {
   detail::Hdf5Image image(title);
   for (const TableColumn& column : columns) {

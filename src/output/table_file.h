@@ -14,6 +14,9 @@ struct TableColumn {
   std::vector<std::string> texts;
 };
 
+/// A cell of a CSV file: quoted where it holds what separates cells.
+std::string csv_cell(const std::string& text);
+
 /// The bytes of the file, made in memory. Throws NumericsError where a number is not finite.
 std::string table_file(const std::string& title, const std::vector<TableColumn>& columns);
 

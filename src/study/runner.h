@@ -5,8 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "run_result.h"
-#include "study/study.h"
+#include "study/results.h"
 #include "upbead/case/case.h"
 #include "upbead/run/simulation.h"
 

@@ -1,4 +1,4 @@
-#include "sampler.h"
+#include "study_tables.h"
 
 #include <algorithm>
 #include <boost/math/distributions/normal.hpp>

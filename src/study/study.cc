@@ -5,9 +5,10 @@
 #include <set>
 
 #include "base/version.h"
+#include "case/case_schema.h"
 #include "case/input_files.h"
-#include "key_units.h"
-#include "study_checks.h"
+#include "mesh/geo_parameters.h"
+#include "study_tables.h"
 #include "upbead/case/case.h"
 #include "upbead/mesh/mesh.h"
 
@@ -93,6 +94,23 @@ std::set<std::string> words_of(const StudyTables& tables) {
   for (const auto& [key, vary] : tables.vary)
     for (const Literal& value : vary.values) add(value);
   return words;
+}
+
+/// Units by dotted key of every number that the case has, also of the parameters of its .geo where their comments name
+/// one.
+std::map<std::string, std::string> units_of_keys(const Case& problem) {
+  std::map<std::string, std::string> units;
+  CaseTables tables;
+  Diagnostics report;  // read_case has found no mistake
+  case_schema().read(problem.document.root(), "", tables, report);
+  case_schema().visit_numbers(
+      tables, "", [&units](const KeyInfo& key, const std::string& path, double&) { units.emplace(path, key.unit); });
+  for (const GeoParameter& parameter : geo_parameters(mesh_request(problem).file)) {
+    const std::size_t colon = parameter.description.find(':');
+    const std::string unit = colon == std::string::npos ? "" : parameter.description.substr(0, colon);
+    units[dotted("mesh.parameters", parameter.name)] = unit == "-" ? "" : unit;
+  }
+  return units;
 }
 
 void make_runs(Study& study, const StudyTables& tables, const std::vector<Axis>& axes) {

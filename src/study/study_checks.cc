@@ -1,4 +1,4 @@
-#include "study_checks.h"
+#include "study_tables.h"
 
 #include <algorithm>
 #include <set>

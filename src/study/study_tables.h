@@ -1,15 +1,47 @@
-// The keys of the study file, and the tables that they fill.
+// The keys of the study file, the tables that they fill, and the values that these give each run.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "input/schema.h"
-#include "literal.h"
+#include "input/values.h"
+#include "upbead/input/document.h"
 
 namespace upbead {
+
+/// A number, a word, true or false, or a list of those.
+struct Literal {
+  std::string toml;  ///< as TOML; a whole number without a point, so that a key for whole numbers takes it too
+  bool is_number = false;
+  double number = 0.;
+};
+
+Literal literal(double number);
+
+Diagnostics read_value(const Node& node, const KeyInfo& key, Literal& value);
+Diagnostics read_value(const Node& node, const KeyInfo& key, std::vector<Literal>& value);
+Diagnostics read_value(const Node& node, const KeyInfo& key, std::vector<std::string>& value);
+/// By dotted key; tables within the table lengthen it.
+Diagnostics read_value(const Node& node, const KeyInfo& key, std::map<std::string, Literal>& value);
+
+std::string type_text(const KeyInfo& key, const Literal*);
+std::string type_text(const KeyInfo& key, const std::vector<Literal>*);
+std::string type_text(const KeyInfo& key, const std::vector<std::string>*);
+std::string type_text(const KeyInfo& key, const std::map<std::string, Literal>*);
+
+std::string print_value(const KeyInfo& key, const Literal& value);
+std::string print_value(const KeyInfo& key, const std::vector<Literal>& value);
+std::string print_value(const KeyInfo& key, const std::vector<std::string>& value);
+std::string print_value(const KeyInfo& key, const std::map<std::string, Literal>& value);
+
+/// None of these belongs to a key with a unit.
+inline void visit_value(const KeyInfo&, const std::string&, std::vector<Literal>&, const NumberVisitor&) {}
+inline void visit_value(const KeyInfo&, const std::string&, std::vector<std::string>&, const NumberVisitor&) {}
+inline void visit_value(const KeyInfo&, const std::string&, std::map<std::string, Literal>&, const NumberVisitor&) {}
 
 /// How the varied keys combine.
 enum class Sampling {
@@ -54,5 +86,44 @@ TableSchema<StudyTables> study_schema();
 
 /// What is read where a study does not say.
 const std::vector<std::string>& default_reads();
+
+/// A varied key with all that is said of it.
+struct Axis {
+  std::string key;
+  VaryTable vary;
+};
+
+/// The values of a list or a range, in their order. The ends of a range are met exactly.
+std::vector<Literal> values_of(const VaryTable& vary);
+
+/// The value of a key in draw number `draw`: it depends on nothing else than these and the seed, so that more draws or
+/// other keys leave it as it is.
+Literal drawn_value(const Axis& axis, std::uint64_t seed, int draw);
+
+/// How many runs the axes make; of a grid the product, which may be too many for an int.
+double number_of_runs(const StudyTables& study, const std::vector<Axis>& axes);
+
+/// The values of all axes in each run, of a study without mistakes.
+class Sampler {
+ public:
+  /// Both must outlive it.
+  Sampler(const StudyTables& study, const std::vector<Axis>& axes);
+  int n_runs() const;
+  /// In a grid the last axis runs fastest.
+  std::vector<Literal> values(int run) const;
+
+ private:
+  const StudyTables& study_;
+  const std::vector<Axis>& axes_;
+  std::vector<std::vector<Literal>> lists_;  ///< of axes that are no distributions
+};
+
+/// Reports what is wrong with a study by itself, without its cases. `axes`: in the order of the file.
+void check_study(const StudyTables& study, const std::vector<Axis>& axes, const Document& document,
+                 Diagnostics& report);
+
+/// Throws InputError where a key is written without quotes, [vary.time.end]: what the schema would say of that is no
+/// help.
+void require_quoted_keys(const Document& document);
 
 }  // namespace upbead

@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""A layer includes only what stands left of it; any other #include of a layer is an error."""
+"""A layer includes only what stands left of it; any other #include of a layer is an error. Public headers (include/upbead)
+are few, as each is a promise to C++ users, and include no private one, which is not installed."""
 
 import pathlib
 import re
@@ -30,6 +31,8 @@ ALLOWED = {
     "cli": RUN + ["input", "run", "case", "respond", "design", "study"],
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s+"(?:upbead/)?([^/"]+)/')
+PRIVATE = re.compile(r'^\s*#\s*include\s+"(?!upbead/)')
+MOST_PUBLIC = 60
 
 
 def violations(root):
@@ -51,9 +54,20 @@ def violations(root):
                     yield f"{path}:{number}: {layer} must not include {match.group(1)}"
 
 
+def public_mistakes(root):
+    headers = sorted((root / "include" / "upbead").rglob("*.h"))
+    if len(headers) > MOST_PUBLIC:
+        yield f"{root / 'include'}: {len(headers)} public headers, more than {MOST_PUBLIC}; leave what no C++ user needs in src"
+    for path in headers:
+        for number, line in enumerate(path.read_text().splitlines(), 1):
+            if PRIVATE.match(line):
+                yield f"{path}:{number}: a public header must not include a private one"
+
+
 def main():
-    found = list(violations(pathlib.Path(sys.argv[1])))
-    print("\n".join(found) or "layers: every include points left")
+    root = pathlib.Path(sys.argv[1])
+    found = [*violations(root), *public_mistakes(root)]
+    print("\n".join(found) or "layers: every include points left, public headers are few and include no private ones")
     return bool(found)
 
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "../output/sample_model.h"
-#include "design/calibrate.h"
+#include "design/design.h"
 #include "good_case.h"
 #include "upbead/base/error.h"
 
@@ -135,7 +135,7 @@ const std::vector<BadCalibration> rows{
 
 TEST_F(CalibrationTest, AGoodDesignIsReadWithoutAMessage) {
   write("design.toml", good_design);
-  EXPECT_NO_THROW(check_calibration_design("design.toml"));
+  EXPECT_NO_THROW(read_design("design.toml", {}, {check_calibration}));
 }
 
 TEST_P(BadCalibrationTest, IsExplained) {
@@ -144,7 +144,7 @@ TEST_P(BadCalibrationTest, IsExplained) {
   ASSERT_NE(at, std::string::npos);
   write("design.toml", text.replace(at, GetParam().good.size(), GetParam().bad));
   try {
-    check_calibration_design("design.toml");
+    read_design("design.toml", {}, {check_calibration});
     FAIL() << "read without a message";
   } catch (const InputError& error) {
     EXPECT_EQ(error.what(), GetParam().messages);

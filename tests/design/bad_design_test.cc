@@ -85,7 +85,7 @@ TEST_P(BadDesignTest, IsExplained) {
   ASSERT_NE(at, std::string::npos) << "the good design has no '" << GetParam().good << "'";
   write("design.toml", text.replace(at, GetParam().good.size(), GetParam().bad));
   try {
-    effective_design("design.toml");
+    effective_design(read_design("design.toml", {}), ".");
     FAIL() << "read without a message";
   } catch (const InputError& error) {
     EXPECT_EQ(error.what(), GetParam().messages);
@@ -200,12 +200,12 @@ class Design : public InFolder {};
 
 TEST_F(Design, WithEveryKeyIsReadAndEchoed) {
   write("design.toml", good_design);
-  const std::string echo = effective_design("design.toml");
+  const std::string echo = effective_design(read_design("design.toml", {}), ".");
   for (const char* line : {"gravity = 9.8  # m/s2\n", "[section]\n", "berm_depth = 8.5  # m\n", "[waves.measured]\n",
                            "shear_to_force_ratio = 0.4\n", "# lambda_2: 1; with blocks 0\n"})
     EXPECT_NE(echo.find(line), std::string::npos) << line << " is missing in\n" << echo;
   write("again.toml", echo);
-  EXPECT_EQ(effective_design("again.toml"), echo) << "what is echoed reads as the same design";
+  EXPECT_EQ(effective_design(read_design("again.toml", {}), "."), echo) << "what is echoed reads as the same design";
 }
 
 TEST_F(Design, ReferenceNamesEveryKeyOfTheGoodDesign) {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "../output/sample_model.h"
-#include "design/expected.h"
+#include "design/design.h"
 #include "good_case.h"
 #include "upbead/base/error.h"
 
@@ -220,7 +220,7 @@ const std::vector<BadExpected> rows{
 
 TEST_F(ExpectedTest, AGoodDesignIsReadWithoutAMessage) {
   write("design.toml", good_design);
-  EXPECT_NO_THROW(check_expected_design("design.toml"));
+  EXPECT_NO_THROW(read_design("design.toml", {}, {check_expected}));
 }
 
 TEST_P(BadExpectedTest, IsExplained) {
@@ -228,7 +228,7 @@ TEST_P(BadExpectedTest, IsExplained) {
   write("design.toml", row.in_states ? good_design : edited(good_design, row.good, row.bad));
   if (row.in_states) write("states.csv", edited(good_states, row.good, row.bad));
   try {
-    check_expected_design("design.toml", row.overrides);
+    read_design("design.toml", row.overrides, {check_expected});
     FAIL() << "read without a message";
   } catch (const InputError& error) {
     EXPECT_EQ(error.what(), row.messages);

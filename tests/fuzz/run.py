@@ -79,7 +79,7 @@ def seeds(name, folder):
     for number, path in enumerate(files):
         (folder / f"{number}").write_bytes(path.read_bytes())
     if name == "case":
-        text = (ROOT / "tests" / "app" / "good_case.h").read_text()
+        text = (ROOT / "tests" / "support" / "good_case.h").read_text()
         (folder / "every_key").write_text(text.split('R"(')[1].split(')"')[0])
     if name == "history":
         (folder / "triangle").write_text("time,force\n0,0\n0.05,2e6\n0.1,0\n")

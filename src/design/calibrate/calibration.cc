@@ -1,21 +1,34 @@
-#include "calibration.h"
+#include "design/calibrate/calibration_report.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "../shear_model.h"
 #include "base/progress.h"
 #include "base/stopwatch.h"
-#include "calibration_checks.h"
-#include "calibration_fits.h"
-#include "family.h"
+#include "design/calibrate/family.h"
+#include "design/expected_laws.h"
 #include "upbead/sliding/duration.h"
 
 namespace upbead {
 
 namespace {
 
-constexpr double steps_of_a_rise = 80.;
+CalibrationFit fit(const CalibratedModel& model, DurationMeasure measure, std::optional<double> ratio,
+                   const DurationFactor& given) {
+  CalibrationFit out;
+  out.measure = measure;
+  out.ratio = ratio;
+  for (const CalibratedWave& wave : model.waves)
+    for (const WaveDuration& duration : wave.durations) {
+      const auto tau_0 = duration.tau_0.find(measure);
+      if (tau_0 != duration.tau_0.end() && (!ratio || duration.ratio == *ratio))
+        out.points.push_back({wave.alpha_star, tau_0->second / wave.tau_0F});
+    }
+  out.fit = fit_duration_factor(out.points);
+  if (!out.points.empty()) out.given = quality(out.points, given);
+  out.given_in_ellipse = out.fit && in_ellipse(*out.fit, given);
+  return out;
+}
 
 /// What all waves of one model share, at its size.
 struct Setting {
@@ -62,31 +75,16 @@ WaveDuration duration_at(double ratio, double mass, const ForceHistory& force) {
   return duration;
 }
 
-void set_impact(const ImpactWave& impact, CalibratedWave& out) {
-  out.standing_force = impact.standing_force;
-  out.peak = impact.peak;
-  out.rise = impact.rise;
-  out.duration = impact.duration;
-  out.reduction = impact.reduction;
-  out.uplift = impact.uplift;
-}
-
 CalibratedWave calibrate_wave(const Setting& setting, std::size_t number,
                               const std::shared_ptr<const ShearAnswer>& answer) {
   const FamilyWave& wave = setting.waves[number];
   CalibratedWave out;
+  static_cast<FamilyWave&>(out) = wave;
   out.wave = number;
-  out.height = wave.height;
-  out.period = wave.period;
-  out.wavelength = wave.wavelength;
-  out.berm_depth = wave.berm_depth;
-  out.berm_width = wave.berm_width;
-  out.alpha_I = wave.alpha_I;
-  out.alpha_star = wave.alpha_star;
   out.tau_0F = standing_duration(wave.height, setting.section.water_depth, wave.period);
   const DynamicWave answered =
       DynamicLaw(breakwater_of(setting, wave), sea_state(wave), setting.impact, answer).wave(wave.height);
-  set_impact(answered.wave, out);
+  out.impact = answered.wave;
   out.peak_shear = *std::max_element(answered.shear.begin(), answered.shear.end());
   const ForceHistory force{answered.time, answered.sliding_force};
   out.peak_sliding_force = force.value[peak_index(force)];
@@ -94,6 +92,19 @@ CalibratedWave calibrate_wave(const Setting& setting, std::size_t number,
   for (const double ratio : setting.ratios)
     out.durations.push_back(duration_at(ratio, setting.section.weight / setting.water.gravity, force));
   return out;
+}
+
+/// By every measure: for each r, and for all r together; tau_0 by impulse is the same at every r and fitted once.
+std::vector<CalibrationFit> fits(const CalibratedModel& model, const std::vector<double>& ratios,
+                                 const DurationFactor& given) {
+  std::vector<CalibrationFit> list;
+  for (const DurationMeasure measure : {DurationMeasure::paper, DurationMeasure::exact, DurationMeasure::excess}) {
+    for (const double ratio : ratios) list.push_back(fit(model, measure, ratio, given));
+    list.push_back(fit(model, measure, std::nullopt, given));
+  }
+  list.push_back(fit(model, DurationMeasure::impulse, ratios.front(), given));
+  list.back().ratio.reset();
+  return list;
 }
 
 CalibratedModel calibrate_model(const Design& design, const Family& family, const std::string& name) {
@@ -119,6 +130,20 @@ CalibratedModel calibrate_model(const Design& design, const Family& family, cons
 
 }  // namespace
 
+const char* word(DurationMeasure measure) {
+  switch (measure) {
+    case DurationMeasure::paper:
+      return "paper";
+    case DurationMeasure::exact:
+      return "exact";
+    case DurationMeasure::excess:
+      return "excess";
+    case DurationMeasure::impulse:
+      break;
+  }
+  return "impulse";
+}
+
 Calibration calibrate(const Design& design) {
   const Stopwatch watch;
   const Family family = make_family(design.tables);
@@ -131,14 +156,6 @@ Calibration calibrate(const Design& design) {
     out.models.push_back(calibrate_model(design, family, name));
   out.seconds = watch.seconds();
   return out;
-}
-
-Calibration calibrate(const std::string& path, const std::vector<std::string>& overrides) {
-  return calibrate(read_design(path, overrides, {check_calibration}));
-}
-
-void check_calibration_design(const std::string& path, const std::vector<std::string>& overrides) {
-  read_design(path, overrides, {check_calibration});
 }
 
 }  // namespace upbead

@@ -1,12 +1,71 @@
-// What `upbead calibrate` tells: summary.json, calibration.csv, results.h5, and the text for people.
+// The calibration of k(alpha*): tau_0 of many waves through the caisson's own dynamics, the k that fits them, and what
+// `upbead calibrate` tells of it: summary.json, calibration.csv, results.h5, and the text for people.
 #pragma once
 
+#include <array>
+#include <map>
+#include <optional>
 #include <string>
+#include <vector>
 
-#include "../design.h"
-#include "design/calibrate.h"
+#include "design/calibrate/family.h"
+#include "design/design.h"
+#include "expected/k_fit.h"
 
 namespace upbead {
+
+/// Ways to find tau_0 of a history, see HistoryDuration.
+enum class DurationMeasure { paper, exact, excess, impulse };
+inline constexpr std::array<DurationMeasure, 4> all_measures{DurationMeasure::paper, DurationMeasure::exact,
+                                                             DurationMeasure::excess, DurationMeasure::impulse};
+/// Its word in files.
+const char* word(DurationMeasure measure);
+
+/// tau_0 of one history at one r.
+struct WaveDuration {
+  double ratio = 0.;                        ///< r
+  double sliding = 0.;                      ///< S against F_Smax/r (m)
+  std::map<DurationMeasure, double> tau_0;  ///< s; absent where there is none: it does not slide landward
+};
+
+/// One wave on one model, at the model's size.
+struct CalibratedWave : FamilyWave {
+  std::size_t wave = 0;  ///< its number in the family
+  double tau_0F = 0.;    ///< s
+  ImpactWave impact;
+  double peak_shear = 0., peak_sliding_force = 0.;  ///< largest F_T, F_Smax (N/m)
+  std::vector<WaveDuration> durations;              ///< by r
+};
+
+/// A fit of k over the waves of one model.
+struct CalibrationFit {
+  DurationMeasure measure = DurationMeasure::exact;
+  std::optional<double> ratio;  ///< r; none: all r together
+  std::vector<DurationPoint> points;
+  std::optional<DurationFit> fit;  ///< none where the points are too few
+  FitQuality given;                ///< of the design's own a and b, the paper's by default
+  bool given_in_ellipse = false;
+};
+
+struct CalibratedModel {
+  std::string name, title, load;
+  double scale = 1.;
+  double step = 0., shortest_rise = 0.;  ///< s
+  std::vector<CalibratedWave> waves;
+  std::vector<CalibrationFit> fits;
+};
+
+struct Calibration {
+  std::size_t n_grid = 0, n_waves = 0;
+  std::map<std::string, std::size_t> left;  ///< waves left out, by why
+  DurationFactor given;                     ///< [duration]
+  std::vector<CalibratedModel> models;
+  double seconds = 0.;
+};
+
+/// A sound design, on all cores; the same numbers whatever their number. Throws NumericsError where a number is not
+/// finite.
+Calibration calibrate(const Design& design);
 
 /// Throws NumericsError where a number is not finite.
 std::string to_json(const Design& design, const Calibration& found);

@@ -1,4 +1,4 @@
-#include "family.h"
+#include "design/calibrate/family.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "../design_tables.h"
+#include "design/design_tables.h"
 #include "expected/dynamic_law.h"
 
 namespace upbead {
@@ -24,7 +24,7 @@ struct Family {
 };
 
 /// The grid of [calibration], without what is beyond the formulas: H/h above 0.8 and waves above Miche's limit as in
-/// `waves` (goda.h), steepness outside the limits, berms below the caisson's bottom or the bed.
+/// `waves` (validity.h), steepness outside the limits, berms below the caisson's bottom or the bed.
 Family make_family(const DesignTables& tables);
 
 /// Lengths times `scale`, weights times its square.

@@ -1,0 +1,163 @@
+#include "cli/command.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <csignal>
+#include <exception>
+#include <iostream>
+#include <new>
+
+#include "base/interrupt.h"
+#include "base/text.h"
+#include "output/versions.h"
+#include "upbead/base/error.h"
+
+namespace upbead {
+
+namespace {
+
+constexpr int exit_input = 1, exit_numerics = 2, exit_bug = 3, exit_signal = 128;
+
+/// CLI11 would say of `upbead rum` only that a command is missing.
+void check_command(const std::vector<Command>& commands, const std::string& word) {
+  if (word.empty() || word[0] == '-') return;
+  std::vector<std::string> names;
+  for (const Command& command : commands) names.push_back(command.name);
+  if (std::find(names.begin(), names.end(), word) == names.end())
+    throw InputError(Place(), "there is no command '" + word + "'", suggestion(word, names, "commands"));
+}
+
+/// `may_lack`: what is required may be missing.
+void add(CLI::App& app, const Option& option, bool may_lack) {
+  CLI::Option* added = std::visit(
+      [&](auto* value) {
+        if constexpr (std::is_same_v<decltype(value), bool*>)
+          return app.add_flag(option.name, *value, option.help);
+        else
+          return app.add_option(option.name, *value, option.help);
+      },
+      option.value);
+  if (!option.type.empty()) added->type_name(option.type);
+  if (option.required && !may_lack) added->required();
+  if (option.positive) added->check(CLI::PositiveNumber);
+  if (option.range) added->check(CLI::Range(option.range->first, option.range->second));
+  if (!option.words.empty())
+    added->check(CLI::IsMember(option.words))->option_text(CLI::detail::join(option.words, "|"));
+  if (std::holds_alternative<std::vector<std::string>*>(option.value) && option.name[0] == '-')
+    added->take_all()->allow_extra_args(false);
+}
+
+void require_all(const Command& command) {
+  for (const Option& option : command.options)
+    if (option.required && std::get<std::string*>(option.value)->empty()) throw CLI::RequiredError(option.name);
+}
+
+void add(CLI::App& program, const Command& command) {
+  CLI::App& app = *program.add_subcommand(command.name, command.what);
+  app.footer(command.footer);
+  for (const Option& option : command.options) add(app, option, !command.texts.empty());
+  std::vector<CLI::Option*> flags;
+  for (const PrintedText& text : command.texts) flags.push_back(app.add_flag(text.name, text.help));
+  app.callback([command, flags] {
+    for (std::size_t i = 0; i < flags.size(); ++i)
+      if (flags[i]->count() > 0) {
+        std::cout << command.texts[i].text();
+        return;
+      }
+    if (!flags.empty()) require_all(command);
+    if (const int code = command.work(); code != 0) throw CLI::RuntimeError(code);
+  });
+}
+
+int run(int argc, char** argv, const std::vector<Command>& commands) {
+  CLI::App program("upbead: how much of a wave's impulsive force on a caisson reaches its bottom, and does it slide?");
+  program.require_subcommand(1);
+  program.set_version_flag("--version", versions_text);
+  program.footer(
+      "Start with the example:\n"
+      "  upbead explain cases/fig2b-model.toml     what will be solved, and what is skipped\n"
+      "  upbead run cases/fig2b-model.toml         F_T(t) and its peak, into results/fig2b-model\n"
+      "  postprocess/response.py results/fig2b-model\n\n"
+      "Exit codes: 0 done, 1 the input is wrong, 2 the numerics failed, 3 a bug,\n130 and 143 interrupted.");
+  for (const Command& command : commands) add(program, command);
+  if (argc > 1) check_command(commands, argv[1]);
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::RuntimeError& error) {  // a command ends with an exit code of its own
+    return error.get_exit_code();
+  } catch (const CLI::ParseError& error) {
+    return program.exit(error) == 0 ? 0 : exit_input;
+  }
+  return 0;
+}
+
+}  // namespace
+
+std::vector<Option> common_options(CommonOptions& options, const std::string& file, const std::string& out) {
+  return {{"FILE", &options.file, "the " + file + " (TOML)", "", true},
+          {"--json", &options.json, "print the summary as JSON on stdout and nothing else"},
+          {"--out", &options.out, "folder for " + out, "DIR"},
+          {"--set", &options.overrides,
+           "use another value of one key" + std::string(file == "study" ? " of the study" : "") +
+               "; may be given many times",
+           "KEY=VALUE"}};
+}
+
+Option trust_option(bool& trusted) {
+  return {"--trust", &trusted,
+          "mesh the case's own .geo even where nothing can keep it from starting programs and writing files"};
+}
+
+std::vector<Command> solver_commands() {
+  return {{"explain", "check a case and tell what would be solved, without solving"},
+          {"run", "solve a case and write F_T(t), its peak and all histories"},
+          {"reduce", "solve a scene once for all waves: write its reduced model"},
+          {"study", "vary keys of cases, and run them side by side"}};
+}
+
+Command solver_command(const std::string& name) {
+  const std::vector<Command> commands = solver_commands();
+  return *std::find_if(commands.begin(), commands.end(), [&name](const Command& one) { return one.name == name; });
+}
+
+std::vector<Command> light_commands() {
+  return std::vector{respond_command()} + design_commands() + std::vector{scale_command()};
+}
+
+int run_program(int argc, char** argv, const std::vector<Command>& commands) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error to tell, not a death
+  try {
+    return run(argc, argv, commands);
+  } catch (...) {
+    return tell_failure();
+  }
+}
+
+int tell_failure() {
+  try {
+    throw;
+  } catch (const InputError& error) {
+    std::cerr << error.what() << "\n";
+    return exit_input;
+  } catch (const NumericsError& error) {
+    std::cerr << "upbead: the numerics failed: " << error.what() << "\n";
+    return exit_numerics;
+  } catch (const Interrupted& interrupted) {
+    std::cerr << "upbead: interrupted, nothing was written\n";
+    return exit_signal + interrupted.signal();
+  } catch (const std::bad_alloc&) {
+    std::cerr << "upbead: the case does not fit in memory; use a coarser mesh, larger steps or fewer fields\n";
+    return exit_numerics;
+  } catch (const std::exception& error) {
+    std::cerr << "upbead: this is a bug, please report it: " << error.what() << "\n";
+    return exit_bug;
+  }
+}
+
+std::string describe(const NumberedWarnings& warnings) {
+  std::string text;
+  for (const NumberedWarning& warning : warnings) text += "warning: " + warning.name + ": " + warning.text + "\n";
+  return text;
+}
+
+}  // namespace upbead

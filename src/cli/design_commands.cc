@@ -1,0 +1,175 @@
+// waves, expected and calibrate: what formulas say of a section.
+#include <iostream>
+
+#include "base/files.h"
+#include "base/interrupt.h"
+#include "base/stopwatch.h"
+#include "cli/command.h"
+#include "design/calibrate/calibration_report.h"
+#include "design/design.h"
+#include "design/expected_report.h"
+#include "design/waves_report.h"
+
+namespace upbead {
+
+namespace {
+
+/// What a command makes of a design.
+struct Answer {
+  std::vector<std::pair<std::string, std::string>> files;  ///< names and bytes, but for case.toml and summary.json
+  std::string json, text, doubts;                          ///< summary.json; for stdout and stderr
+};
+
+struct DesignWork {
+  std::string suffix;  ///< of the default folder
+  std::vector<DesignCheck> checks;
+  std::vector<std::string> files;  ///< that are written
+  Answer (*answer)(const Design& design, const Stopwatch& since_start);
+};
+
+int work_on(const CommonOptions& options, const DesignWork& work, const Stopwatch& since_start) {
+  const Design design = read_design(options.file, options.overrides, work.checks);
+  note_interrupts();
+  const std::string out = options.out.empty() ? "results/" + design.stem + work.suffix : options.out;
+  require_inputs_kept(out, work.files, input_files(design));
+  OutputFolder folder(out);
+  const Answer answer = work.answer(design, since_start);
+  for (const auto& [name, bytes] : answer.files) folder.write(name, bytes);
+  folder.write("case.toml", effective_design(design, folder.name()));
+  folder.write("summary.json", answer.json);
+  check_interrupt();
+  folder.commit();
+  std::cerr << answer.doubts;
+  std::cout << (options.json ? answer.json
+                             : answer.text + "written     " + folder.name() + "/{" + join(work.files) + "}\n");
+  return 0;
+}
+
+void require_waves(const DesignTables& tables, const Document& document, Diagnostics& report) {
+  if (tables.waves.empty() && report.sound("waves"))
+    report.add(document.place("waves"), "the design has no wave",
+               "add a table [waves.NAME] with height (m) and period (s)");
+}
+
+Answer waves(const Design& design, const Stopwatch&) {
+  const std::vector<WaveAnswer> answers = answer_waves(design.tables);
+  return {{}, to_json(design.tables, answers), describe(design.tables, answers) + "\n", warning_lines(answers)};
+}
+
+Answer expected(const Design& design, const Stopwatch& since_start) {
+  ExpectedTiming timing;
+  timing.read = since_start.seconds();
+  const ExpectedAnswer answer = find_expected(design);
+  const std::string results = expected_file(design, answer);
+  timing.total = since_start.seconds();
+  return {
+      {{"results.h5", results}}, to_json(design, answer, timing), describe(design, answer), notes_and_warnings(answer)};
+}
+
+Answer calibrated(const Design& design, const Stopwatch&) {
+  const Calibration found = calibrate(design);
+  return {{{"calibration.csv", calibration_csv(found)}, {"results.h5", calibration_file(design, found)}},
+          to_json(design, found),
+          describe(design, found),
+          notes_and_warnings(found)};
+}
+
+Command design_command(Command command, const DesignWork& work) {
+  const auto options = std::make_shared<CommonOptions>();
+  command.options = common_options(*options, "design",
+                                   "the results (default: results/NAME" + work.suffix + ", NAME as the " +
+                                       (work.suffix.empty() ? "design's)" : "file's)"));
+  command.texts = {
+      {"--keys", "print every key of a design file with unit, range, default and meaning", design_reference}};
+  command.work = [options, work, since_start = Stopwatch()] { return work_on(*options, work, since_start); };
+  return command;
+}
+
+const char* const waves_footer =
+    R"(For each wave of the design: Goda's pressure with the impulsive pressure coefficient alpha_I of Takahashi,
+Tanimoto and Shimosako, safety factors, how long the shear force lasts (tau_0) and how far the caisson slides.
+A design needs a section and at least one wave:
+  [section]
+  water_depth = 15.0         # h, at the wall (m)
+  foundation_depth = 10.5    # h', still water to the caisson's bottom (m)
+  berm_depth = 8.5           # d, still water to the armour of the mound (m)
+  crest = 6.0                # h_c, above still water (m)
+  width = 12.0               # B (m)
+  berm_width = 8.0           # B_M (m)
+  bed_slope = 0.01           # tan(theta)
+  weight = 4.27e6            # W, in air with fill (N/m)
+  buoyant_weight = 3.0e6     # W', in still water (N/m)
+  [waves.design]
+  height = 12.0              # H, the highest wave (m); or deep_water_height
+  period = 12.0              # T (s)
+
+Writes into results/NAME (or --out DIR), all or nothing:
+  summary.json   all numbers, SI units, one object a wave
+  case.toml      the design with all defaults spelled out; runs again as it is
+Warnings about waves and sections that the formulas were not made for go to stderr and into summary.json.
+
+Examples:
+  upbead waves cases/fig10/impulsive.toml
+  upbead waves cases/fig10/impulsive.toml --set section.friction=0.5 --json | jq '.waves[].safety_sliding'
+  upbead waves --keys)";
+
+const char* const expected_footer =
+    R"(Sums the sliding distances S of all waves of a record of sea states: heights by Rayleigh, S by four laws
+(docs/expected.md), quadrature. With [life] it also simulates lives by Monte Carlo, with [scatter.NAME] for what is
+uncertain. With [dynamics] every wave's impulsive force goes through the caisson's reduced model.
+
+Writes into results/NAME-expected (or --out DIR), all or nothing:
+  summary.json   expected distances, waves above heights, Monte Carlo; SI units
+  results.h5     S and its share in the expectation over the height, S of each life
+  case.toml      the design with all defaults; runs again
+
+Examples:
+  upbead expected cases/section4/hd12.toml
+  upbead expected cases/section4/hd12.toml --set life.lives=10000 --set scatter.force.cov=0.1
+  upbead expected cases/section4/hd10.toml --json | jq .expected.distance_paper
+  upbead expected --keys)";
+
+const char* const calibrate_footer =
+    R"(Sends the impulsive forces of a family of waves and mounds through reduced models, finds tau_0 of each history by
+equal sliding at given r = F_Smax/(mu W'), and fits k = tau_0/tau_0F = 1/(alpha*^a + 1)^b to it, with the region
+of confidence of a and b (docs/calibration.md). Every number of the force histories is an assumption.
+A design needs a section (see 'upbead waves --help') and:
+  [calibration]
+  period = [8.0, 10.0, 12.0]            # T (s); relative_height, relative_berm_depth, ... have defaults
+  [calibration.models.prototype]
+  model = "results/prototype/reduced.h5"  # made by 'upbead reduce'
+  [calibration.models.model]
+  model = "results/model/reduced.h5"
+  scale = 0.05                          # its size over that of [section]
+
+Writes into results/NAME-calibration (or --out DIR), all or nothing:
+  summary.json     the fits by model, r and formula, and those of the given [duration] a, b
+  calibration.csv  a row per model, wave and r; results.h5 the same
+  case.toml        the design with all defaults; runs again
+
+Examples:
+  upbead calibrate cases/calibration/fig2b.toml
+  upbead calibrate cases/calibration/fig2b.toml --set impact.peak_gain=2 --set 'calibration.ratios=[1.2]'
+  upbead calibrate cases/calibration/fig2b.toml --json | jq '.models[].fits[] | select(.measure == "exact")'
+  upbead calibrate --keys)";
+
+}  // namespace
+
+std::vector<Command> design_commands() {
+  const auto command = [](const std::string& name, const std::string& what, const std::string& footer) {
+    return Command{name, what, {}, {}, footer};
+  };
+  return {design_command(command("waves", "pressure, safety factors and sliding distance of given waves, by formulas",
+                                 waves_footer),
+                         {"", {require_waves}, {"summary.json", "case.toml"}, waves}),
+          design_command(command("expected", "expected sliding distance of sea states, and of lives", expected_footer),
+                         {"-expected", {check_expected}, {"summary.json", "results.h5", "case.toml"}, expected}),
+          design_command(
+              command("calibrate", "k(alpha*) of tau_0 = k tau_0F from the caisson's own dynamics", calibrate_footer),
+              {"-calibration",
+               {check_calibration},
+               {"summary.json", "calibration.csv", "results.h5", "case.toml"},
+               calibrated})};
+}
+
+}  // namespace upbead

@@ -1,0 +1,151 @@
+#include "study/workers.h"
+
+#include <sched.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "base/progress.h"
+
+namespace upbead {
+
+namespace {
+
+constexpr const char* terminal = "UPBEAD_TERMINAL";
+
+/// Whether a person sees what goes to stderr, be it through mpirun.
+bool has_terminal() {
+  return isatty(STDERR_FILENO) == 1 || std::getenv(terminal) != nullptr;
+}
+
+/// Texts that end with a null character each, as /proc has them.
+std::vector<std::string> texts_in(const std::string& path) {
+  std::ifstream stream(path, std::ios::binary);
+  std::vector<std::string> list;
+  for (std::string text; std::getline(stream, text, '\0');) list.push_back(text);
+  return list;
+}
+
+std::vector<char*> pointers(std::vector<std::string>& texts) {
+  std::vector<char*> list;
+  for (std::string& text : texts) list.push_back(text.data());
+  list.push_back(nullptr);
+  return list;
+}
+
+/// The environment as this process was started with: PetscSession has told Open MPI since that it is alone.
+std::vector<std::string> environment() {
+  std::vector<std::string> list = texts_in("/proc/self/environ");
+  for (const char* more : {"OMPI_ALLOW_RUN_AS_ROOT=1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1", "OMP_NUM_THREADS=1",
+                           "OPENBLAS_NUM_THREADS=1"}) {
+    const std::string name = std::string(more).substr(0, std::string(more).find('=') + 1);
+    list.erase(std::remove_if(list.begin(), list.end(), [&](const auto& text) { return text.rfind(name, 0) == 0; }),
+               list.end());
+    list.emplace_back(more);
+  }
+  if (has_terminal()) list.push_back(std::string(terminal) + "=1");
+  return list;
+}
+
+constexpr double redraw_after = 0.2;        // s
+constexpr const char* clear = "\r\033[2K";  // back to the first column, erase the line
+
+}  // namespace
+
+bool is_launched() {
+  for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "PMIX_RANK"})
+    if (std::getenv(name) != nullptr) return true;
+  return false;
+}
+
+int available_cores() {
+  cpu_set_t set;
+  CPU_ZERO(&set);
+  return sched_getaffinity(0, sizeof set, &set) == 0 ? std::max(1, CPU_COUNT(&set)) : 1;
+}
+
+void launch(int processes) {
+  // quiet: the program itself says what went wrong; a container may forbid to bind and to copy between processes
+  std::vector<std::string> command{"mpirun",
+                                   "--quiet",
+                                   "-n",
+                                   std::to_string(processes),
+                                   "--oversubscribe",
+                                   "--bind-to",
+                                   "none",
+                                   "--mca",
+                                   "btl_vader_single_copy_mechanism",
+                                   "none",
+                                   std::filesystem::read_symlink("/proc/self/exe").string()};
+  const std::vector<std::string> own = texts_in("/proc/self/cmdline");
+  command.insert(command.end(), own.begin() + 1, own.end());
+  std::vector<std::string> variables = environment();
+  execvpe("mpirun", pointers(command).data(), pointers(variables).data());
+}
+
+Pool::Pool() {
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
+  MPI_Comm_size(MPI_COMM_WORLD, &size_);
+  int* counters = nullptr;
+  const MPI_Aint bytes = rank_ == 0 ? n_counters * sizeof(int) : 0;
+  MPI_Win_allocate(bytes, sizeof(int), MPI_INFO_NULL, MPI_COMM_WORLD, &counters, &window_);
+  MPI_Win_lock_all(0, window_);
+  if (rank_ == 0)
+    for (int i = 0; i < n_counters; ++i) {
+      const int zero = 0;
+      MPI_Put(&zero, 1, MPI_INT, 0, i, 1, MPI_INT, window_);
+    }
+  MPI_Win_flush_all(window_);
+  meet();
+}
+
+Pool::~Pool() {
+  MPI_Win_unlock_all(window_);
+  MPI_Win_free(&window_);
+}
+
+int Pool::add(Counter counter, int by) {
+  int before = 0;
+  MPI_Fetch_and_op(&by, &before, MPI_INT, 0, counter, MPI_SUM, window_);
+  MPI_Win_flush(0, window_);
+  return before;
+}
+
+int Pool::take() {
+  return add(taken, 1);
+}
+
+void Pool::tell(int done, int failed) {
+  add(finished, done);
+  add(failures, failed);
+}
+
+void Pool::meet() const {
+  MPI_Barrier(MPI_COMM_WORLD);
+}
+
+StudyProgress::StudyProgress(int n) : n_(n), visible_(has_terminal()) {}
+
+StudyProgress::~StudyProgress() {
+  if (drawn_at_ >= 0.) std::fputs(clear, stderr);
+}
+
+bool StudyProgress::due() const {
+  return visible_ && (drawn_at_ < 0. || watch_.seconds() - drawn_at_ > redraw_after);
+}
+
+void StudyProgress::draw(int done, int failed) {
+  std::string what = std::to_string(done) + " of " + std::to_string(n_) + " runs";
+  if (failed > 0) what += ", " + std::to_string(failed) + " failed";
+  drawn_at_ = watch_.seconds();
+  std::fputs((clear + progress_line(what, static_cast<double>(done) / n_, drawn_at_)).c_str(), stderr);
+  std::fflush(stderr);
+}
+
+}  // namespace upbead
