@@ -116,7 +116,7 @@ std::string column_text(const CsvTable& table, std::size_t column) {
 
 namespace {
 
-using Words = std::vector<std::string>;
+using HeaderWords = std::vector<std::string>;
 using Set = std::set<std::string>;
 
 constexpr std::size_t longest_header = 200;
@@ -148,9 +148,9 @@ std::string lower(std::string text) {
   return text;
 }
 
-/// Words of a header, in small letters, without numbers: TimeStep_2 is time, step.
-Words words_of(const std::string& name) {
-  Words words(1);
+/// HeaderWords of a header, in small letters, without numbers: TimeStep_2 is time, step.
+HeaderWords words_of(const std::string& name) {
+  HeaderWords words(1);
   const auto is_letter = [](unsigned char c) { return std::isalpha(c) != 0 || c >= 0x80U; };
   char before = ' ';
   for (const char c : name.substr(0, longest_header)) {
@@ -165,11 +165,11 @@ Words words_of(const std::string& name) {
   return words;
 }
 
-bool any(const Words& words, const Set& set) {
+bool any(const HeaderWords& words, const Set& set) {
   return std::any_of(words.begin(), words.end(), [&set](const std::string& word) { return set.count(word) != 0; });
 }
 
-bool all(const Words& words, const Set& set) {
+bool all(const HeaderWords& words, const Set& set) {
   return std::all_of(words.begin(), words.end(), [&set](const std::string& word) { return set.count(word) != 0; });
 }
 
@@ -178,10 +178,10 @@ bool is_of_time(const std::string& unit) {
   return known && known->si == "s";
 }
 
-bool is_counter(const Words& words, const std::string& name, const std::string& unit) {
+bool is_counter(const HeaderWords& words, const std::string& name, const std::string& unit) {
   if (!unit.empty() && unit != "1" && unit != "-" && unit != "#") return false;
   if (words.empty()) return name.empty() || name == "#";
-  Words others = words;
+  HeaderWords others = words;
   others.erase(std::remove_if(others.begin(), others.end(), [](const auto& word) { return times.count(word) != 0; }),
                others.end());
   return !others.empty() && all(others, others.size() < words.size() ? of_a_time : counters);
@@ -195,7 +195,7 @@ std::string unit_of_time(const std::string& name, const std::string& unit) {
   if (!unit.empty()) return "";
   if (name.size() > 2 && (name.front() == '[' || name.front() == '(') && is_of_time(name.substr(1, name.size() - 2)))
     return name.substr(1, name.size() - 2);
-  const Words words = words_of(name);
+  const HeaderWords words = words_of(name);
   if (words.size() == 1 && words.front().size() == name.size() && no_units.count(words.front()) == 0)
     return is_of_time(words.front()) ? words.front() : "";
   const bool names_a_time = words.size() > 1 && (times.count(words.front()) != 0 || words.front() == "t");
@@ -203,7 +203,7 @@ std::string unit_of_time(const std::string& name, const std::string& unit) {
 }
 
 HeaderSays header_says(const std::string& name, const std::string& unit) {
-  Words words = words_of(name);
+  HeaderWords words = words_of(name);
   const std::string of_time = unit_of_time(name, unit);
   if (of_time.empty() && is_counter(words, name, unit)) return HeaderSays::counter;
   if (any(words, lengths)) return HeaderSays::nothing;
@@ -212,7 +212,7 @@ HeaderSays header_says(const std::string& name, const std::string& unit) {
   if (any(words, stamps) || (any(words, clocks) && any(words, times))) return HeaderSays::another_clock;
   if (words.size() == 1 && times.count(words.front()) != 0) return HeaderSays::time;
   if (any(words, times)) return HeaderSays::kind_of_time;
-  if (words == Words{"t"} && name.find_first_of("0123456789") == std::string::npos)
+  if (words == HeaderWords{"t"} && name.find_first_of("0123456789") == std::string::npos)
     return name.front() == 'T' ? HeaderSays::capital : HeaderSays::letter;
   return of_time.empty() ? HeaderSays::nothing : HeaderSays::unit_of_time;
 }
