@@ -91,7 +91,7 @@ std::size_t distance(const std::string& a, const std::string& b) {
 }
 
 constexpr std::size_t longest_word = 200;  // a slip of the hand is one of a word; the distance takes its square
-constexpr std::size_t n_suggested = 40;       // words that a person looks through
+constexpr std::size_t n_suggested = 40;    // words that a person looks through
 
 std::string list_of(const std::vector<std::string>& words) {
   std::vector<std::string> shown;

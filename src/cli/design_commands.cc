@@ -17,7 +17,7 @@ namespace {
 /// What a command makes of a design.
 struct Answer {
   std::vector<std::pair<std::string, std::string>> files;  ///< names and bytes, but for case.toml and summary.json
-  std::string json, text, doubts;                          ///< summary.json; for stdout and stderr
+  std::string json, text, warnings;                        ///< summary.json; for stdout and stderr
 };
 
 struct DesignWork {
@@ -39,7 +39,7 @@ int work_on(const CommonOptions& options, const DesignWork& work, const Stopwatc
   folder.write("summary.json", answer.json);
   check_interrupt();
   folder.commit();
-  std::cerr << answer.doubts;
+  std::cerr << answer.warnings;
   std::cout << (options.json ? answer.json
                              : answer.text + "written     " + folder.name() + "/{" + join(work.files) + "}\n");
   return 0;
