@@ -280,31 +280,26 @@ std::string scaled_measured(const Case& problem, const std::string& name, const 
 
 /// Writes the histories of loads, uplift and what was measured anew, beside the case, under names of their own.
 void scale_histories(const Case& problem, double factor, CaseTables& tables, std::vector<NamedText>& histories) {
+  const auto keep = [&histories](const std::string& name, std::string text) {
+    return histories.emplace_back(NamedText{name, std::move(text)}).path;
+  };
+  const auto history = [&](const std::string& file, const std::string& key, const std::string& unit) {
+    return scaled_history(problem.resolve(file), problem.place(key + ".history"), factor, unit);
+  };
   for (auto& [name, load] : tables.load_tables) {
-    const std::string path = dotted("loads", name);
+    const std::string path = dotted("loads", name), file = name + ".csv";
     if (!load.history_file.empty())
-      load.history_file = histories
-                              .emplace_back(NamedText{name + ".csv", scaled_history(problem.resolve(load.history_file),
-                                                                                    problem.place(path + ".history"),
-                                                                                    factor, history_unit(load))})
-                              .path;
-    if (!load.gauges.empty())
-      load.gauges = histories.emplace_back(NamedText{name + ".csv", scaled_record(problem, load, path, factor)}).path;
+      load.history_file = keep(file, history(load.history_file, path, history_unit(load)));
+    if (!load.gauges.empty()) load.gauges = keep(file, scaled_record(problem, load, path, factor));
   }
   for (auto& [name, source] : tables.measured)
-    source.file =
-        histories.emplace_back(NamedText{"measured-" + name + ".csv", scaled_measured(problem, name, source, factor)})
-            .path;
+    source.file = keep("measured-" + name + ".csv", scaled_measured(problem, name, source, factor));
   if (!tables.sliding_table || !tables.sliding_table->uplift_table) return;
   UpliftTable& uplift = *tables.sliding_table->uplift_table;
-  const std::string name = tables.load_tables.count("uplift") == 0 ? "uplift.csv" : "sliding-uplift.csv";
-  if (!uplift.gauges.empty())
-    uplift.gauges =
-        histories.emplace_back(NamedText{name, scaled_record(problem, uplift, "sliding.uplift", factor)}).path;
-  if (uplift.history_file.empty()) return;
-  histories.push_back({name, scaled_history(problem.resolve(uplift.history_file),
-                                            problem.place("sliding.uplift.history"), factor, "N/m")});
-  uplift.history_file = name;
+  const std::string key = "sliding.uplift";
+  const std::string file = tables.load_tables.count("uplift") == 0 ? "uplift.csv" : "sliding-uplift.csv";
+  if (!uplift.gauges.empty()) uplift.gauges = keep(file, scaled_record(problem, uplift, key, factor));
+  if (!uplift.history_file.empty()) uplift.history_file = keep(file, history(uplift.history_file, key, "N/m"));
 }
 
 std::string heading(const Case& problem, const ScaleOptions& options) {
