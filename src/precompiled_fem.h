@@ -7,7 +7,6 @@
 #include <deal.II/hp/fe_values.h>
 #include <deal.II/lac/affine_constraints.h>
 
-#include <CLI/CLI.hpp>
 #include <boost/math/constants/constants.hpp>
 #include <iostream>
 #include <nlohmann/json.hpp>

@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "upbead/case/case.h"
-#include "upbead/mesh/mesh.h"
+#include "upbead/mesh/request.h"
 
 namespace fs = std::filesystem;
 

@@ -3,7 +3,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "upbead/mesh/mesh.h"
+#include "upbead/mesh/request.h"
 
 namespace upbead {
 

@@ -16,7 +16,7 @@
 #include "case/records/record_layout.h"
 #include "case/records/record_table.h"
 #include "mesh/geo_parameters.h"
-#include "upbead/mesh/mesh.h"
+#include "upbead/mesh/request.h"
 
 namespace fs = std::filesystem;
 

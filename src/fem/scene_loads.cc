@@ -8,11 +8,6 @@ namespace upbead {
 
 using namespace dealii;
 
-std::optional<double> LoadOnCaisson::arm() const {
-  if (std::abs(force_x) < 1e-12) return std::nullopt;
-  return moment / force_x;
-}
-
 namespace {
 
 /// A force at a point of a rigid region, on that body's coordinates.

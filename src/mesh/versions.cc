@@ -1,13 +1,12 @@
 #include "mesh/versions.h"
 
-#include <deal.II/base/config.h>
 #include <gmsh.h>
 
 namespace upbead {
 
 Versions mesh_versions() {
   // gmsh tells its own version only within a session, which costs as much as reading a mesh
-  return {{"deal.II", DEAL_II_PACKAGE_VERSION}, {"gmsh", "interface " GMSH_API_VERSION}};
+  return {{"deal.II", UPBEAD_DEALII_VERSION}, {"gmsh", "interface " GMSH_API_VERSION}};
 }
 
 }  // namespace upbead

@@ -4,7 +4,7 @@
 #include <complex>
 
 #include "base/text.h"
-#include "fem/caisson_readings.h"
+#include "fem/reading_names.h"
 #include "model_pieces.h"
 
 namespace upbead::detail {

@@ -7,7 +7,7 @@
 
 #include "base/text.h"
 #include "dynamics/slip_model.h"
-#include "fem/caisson_readings.h"
+#include "fem/reading_names.h"
 #include "model_pieces.h"
 
 namespace upbead::detail {

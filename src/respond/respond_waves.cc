@@ -11,7 +11,7 @@
 #include "base/text.h"
 #include "dynamics/band_check.h"
 #include "dynamics/response_error.h"
-#include "fem/caisson_readings.h"
+#include "fem/reading_names.h"
 #include "respond_sliding.h"
 #include "respond_slip.h"
 #include "upbead/base/error.h"

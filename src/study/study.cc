@@ -10,7 +10,7 @@
 #include "mesh/geo_parameters.h"
 #include "study_tables.h"
 #include "upbead/case/case.h"
-#include "upbead/mesh/mesh.h"
+#include "upbead/mesh/request.h"
 
 namespace fs = std::filesystem;
 

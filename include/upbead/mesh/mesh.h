@@ -3,26 +3,16 @@
 
 #include <deal.II/grid/tria.h>
 
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "upbead/base/error.h"
+#include "upbead/mesh/request.h"
 
 namespace upbead {
 
 /// Two space dimensions: plane strain, x landward, y up.
 constexpr int dim = 2;
-
-/// Where a mesh comes from. Each value has the place in the case that asked for it, for messages.
-struct MeshRequest {
-  std::string file;                          ///< .geo (gmsh script) or .msh (2.2 or 4.1)
-  Place place;                               ///< of the key that names the file
-  std::map<std::string, double> parameters;  ///< overrides of the .geo's DefineConstant
-  std::map<std::string, Place> parameter_places;
-  int refine = 0;  ///< uniform refinements
-};
 
 /// Names live here because deal.II keeps only numbers: a cell's material_id indexes `surfaces`, a face's manifold_id
 /// indexes `curves` (flat manifolds; faces on no named curve have numbers::flat_manifold_id). Ids survive refinement.
