@@ -5,8 +5,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "algebra/ldlt/ldlt.h"
 #include "condensation.h"
-#include "ldlt.h"
 #include "upbead/base/error.h"
 
 namespace upbead {

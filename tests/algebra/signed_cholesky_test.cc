@@ -3,7 +3,7 @@
 // reported with its column; factorisations in several threads at once do not disturb each other.
 // Source: Vanderbei, Symmetric quasi-definite matrices, SIAM J. Optim. 5 (1995) 100. Tolerance: 1e-13 of the largest
 // entry, 450 units of round-off.
-#include "../../src/algebra/signed_cholesky.h"
+#include "../../src/algebra/ldlt/signed_cholesky.h"
 
 #include <gtest/gtest.h>
 

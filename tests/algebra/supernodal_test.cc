@@ -5,8 +5,8 @@
 
 #include <Eigen/Dense>
 
-#include "../../src/algebra/triangular_solve.h"
-#include "../../src/algebra/triangular_solve_variants.h"
+#include "../../src/algebra/ldlt/factor_view.h"
+#include "../../src/algebra/ldlt/triangular_solve.h"
 #include "algebra/factorisation.h"
 #include "quasi_definite.h"
 #include "upbead/base/error.h"

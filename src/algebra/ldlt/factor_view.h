@@ -1,9 +1,19 @@
-// The two halves of a triangular solve for each instruction set.
+// The factor of a sparse symmetric matrix as plain arrays, and the two halves of a solve with it, for code that is
+// compiled for several instruction sets.
 #pragma once
 
-#include "factor_view.h"
-
 namespace upbead::detail {
+
+/// Columns of a slab, and rows of its tiles (see slabs.h).
+constexpr int slab_width = 8;
+
+/// See Supernodes and Factor, which own the arrays.
+struct FactorView {
+  int n;
+  int n_supernodes;
+  const int *first, *row_begin, *rows;
+  const double *entries, *inverse_pivot;
+};
 
 /// x = D^-1 L^-1 x by the supernodes of `factor`; returns the end of their entries. Compiled for AVX2 with fused
 /// multiply-add, and for what every processor of the platform has.

@@ -1,6 +1,6 @@
 #define UPBEAD_LANES 2
+#include "factor_view.h"
 #include "triangular_solve_kernels.h"
-#include "triangular_solve_variants.h"
 
 namespace upbead::detail {
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "slabs.h"
-#include "triangular_solve_variants.h"
 
 namespace upbead::detail {
 

@@ -1,7 +1,7 @@
 // Compiled with -mavx2 -mfma.
 #define UPBEAD_LANES 4
+#include "factor_view.h"
 #include "triangular_solve_kernels.h"
-#include "triangular_solve_variants.h"
 
 namespace upbead::detail {
 

@@ -4,10 +4,23 @@
 #include <functional>
 #include <vector>
 
-#include "big_array.h"
-#include "panel_entries.h"
+#include "algebra/big_array.h"
+#include "algebra/ldlt/supernodes.h"
 
 namespace upbead::detail {
+
+/// For each supernode, the entries of A in its columns, so that assembling other values needs no search.
+struct PanelEntries {
+  struct Entry {
+    int source;  ///< among the stored values of A
+    int place;   ///< in the panel (height x width, by columns) of the supernode
+  };
+  std::vector<int> begin;  ///< where the entries of each supernode begin; their number at the end
+  std::vector<Entry> entries;
+};
+
+/// Of the lower triangle of A, whose pattern `nodes` were found from.
+PanelEntries find_panel_entries(const SparseMatrix& A, const Supernodes& nodes);
 
 /// Half of the digits: what it changes, iterative refinement mends, and what is lost in it as well.
 constexpr double stand_in = 1e-8;

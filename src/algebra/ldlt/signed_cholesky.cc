@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "blas_turn.h"
+#include "algebra/blas_turn.h"
 
 namespace upbead::detail {
 
