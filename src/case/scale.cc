@@ -15,7 +15,7 @@
 #include "case/records/measured.h"
 #include "case/records/record_layout.h"
 #include "case/records/record_table.h"
-#include "mesh/geo_parameters.h"
+#include "mesh/geo_script.h"
 #include "upbead/mesh/request.h"
 
 namespace fs = std::filesystem;

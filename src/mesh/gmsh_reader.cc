@@ -2,21 +2,60 @@
 
 #include <gmsh.h>
 #include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
 
 #include "base/confined_work.h"
-#include "gmsh_open.h"
-#include "gmsh_session.h"
-#include "outside_commands.h"
-#include "raw_mesh_parcel.h"
+#include "base/parcel.h"
+#include "mesh/geo_script.h"
+#include "mesh/gmsh_session.h"
 
 namespace upbead {
 
 namespace {
+
+/// Whether all indices are of something that is there.
+bool fits(const RawMesh& mesh) {
+  const auto vertices_fit = [n = mesh.vertices.size()](const auto& part) {
+    return std::all_of(part.vertices.begin(), part.vertices.end(), [n](unsigned int v) { return v < n; });
+  };
+  const auto is_index = [](int i, int least, std::size_t n) { return i >= least && i < static_cast<int>(n); };
+  return std::all_of(mesh.cells.begin(), mesh.cells.end(),
+                     [&](const RawMesh::Cell& cell) {
+                       return vertices_fit(cell) && is_index(cell.surface, -1, mesh.surfaces.size());
+                     }) &&
+         std::all_of(mesh.edges.begin(), mesh.edges.end(), [&](const RawMesh::Edge& edge) {
+           return vertices_fit(edge) && is_index(edge.curve, 0, mesh.curves.size());
+         });
+}
+
+/// A mesh on its way out of the confined process that read it.
+void put(Parcel& parcel, const RawMesh& mesh) {
+  std::vector<double> coordinates;
+  coordinates.reserve(2 * mesh.vertices.size());
+  for (const dealii::Point<2>& point : mesh.vertices) coordinates.insert(coordinates.end(), {point[0], point[1]});
+  parcel.put(coordinates);
+  parcel.put(mesh.cells);
+  parcel.put(mesh.edges);
+  parcel.put(mesh.surfaces);
+  parcel.put(mesh.curves);
+}
+
+/// None where its numbers do not fit together, as where the process was in the hands of the file.
+std::optional<RawMesh> take_mesh(OpenParcel& parcel) {
+  RawMesh mesh;
+  const std::vector<double> coordinates = parcel.list<double>();
+  for (std::size_t i = 0; i + 1 < coordinates.size(); i += 2)
+    mesh.vertices.emplace_back(coordinates[i], coordinates[i + 1]);
+  mesh.cells = parcel.list<RawMesh::Cell>();
+  mesh.edges = parcel.list<RawMesh::Edge>();
+  mesh.surfaces = parcel.texts();
+  mesh.curves = parcel.texts();
+  if (!fits(mesh)) return std::nullopt;
+  return mesh;
+}
 
 constexpr int line_type = 1;
 constexpr int quadrilateral_type = 3;
@@ -190,8 +229,7 @@ void drop_unused(RawMesh& mesh) {
 }
 
 RawMesh read_in(const MeshRequest& request, MeshReport& report) {
-  GmshSession session;
-  open_mesh(request, session, report);
+  open_mesh(request, report);
   RawMesh mesh;
   if (!report.empty()) return mesh;
   if (!elements_of(3).empty()) report.add("it has cells in three dimensions", "make a plane mesh (gmsh -2)");

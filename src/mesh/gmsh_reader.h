@@ -1,8 +1,8 @@
 // A .geo or .msh, through gmsh, as plain numbers.
 #pragma once
 
-#include "mesh_report.h"
-#include "raw_mesh.h"
+#include "mesh/mesh_report.h"
+#include "mesh/raw_mesh.h"
 
 namespace upbead {
 

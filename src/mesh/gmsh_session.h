@@ -1,32 +1,17 @@
-// gmsh in this process, which is to be a confined one.
+// gmsh in this process, which is to be a confined one; and what can be checked of its files without it.
 #pragma once
 
-#include <map>
-#include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
+#include "mesh_report.h"
 
 namespace upbead {
 
-/// What gmsh itself said was wrong, message by message.
-struct GmshError : std::runtime_error {
-  explicit GmshError(std::vector<std::string> said) : std::runtime_error(said.front()), messages(std::move(said)) {}
-  std::vector<std::string> messages;
-};
+bool is_script(const std::string& file);
 
-/// gmsh from its beginning, without the settings of the user, silent. It has one state per process and is not closed:
-/// the confined process ends with it. Where that does not end (fuzzing), the next session begins anew.
-class GmshSession {
- public:
-  GmshSession();
+/// Says in `report` what is wrong before gmsh has seen anything: file missing or not gmsh's, unknown parameters.
+void check_source(const MeshRequest& request, MeshReport& report);
 
-  /// Reads a .msh. Throws GmshError.
-  void open_mesh(const std::string& file);
-  /// Runs a .geo with `parameters` set before its first line. Throws GmshError.
-  void open_script(const std::string& file, const std::map<std::string, double>& parameters);
-  /// Meshes curves and surfaces of what is open. Throws GmshError.
-  void generate();
-};
+/// Leaves a meshed model in gmsh, or says in `report` what gmsh itself found wrong. gmsh begins anew, without the
+/// settings of the user, silent. It has one state per process and is not closed: the confined process ends with it.
+void open_mesh(const MeshRequest& request, MeshReport& report);
 
 }  // namespace upbead

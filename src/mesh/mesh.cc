@@ -4,7 +4,6 @@
 #include <deal.II/grid/manifold_lib.h>
 
 #include <algorithm>
-#include <map>
 
 #include "gmsh_reader.h"
 #include "mesh_checks.h"

@@ -52,9 +52,9 @@ void MeshReport::add_about_parameters(const std::string& what, const std::string
   add(what, cure);
 }
 
-std::string to_string(const dealii::Point<2>& point) {
-  char text[64];
-  std::snprintf(text, sizeof text, "(%.6g, %.6g)", point[0], point[1]);
+std::string Found::first() const {
+  char text[80];
+  std::snprintf(text, sizeof text, ", the first at (%.6g, %.6g)", where[0], where[1]);
   return text;
 }
 

@@ -39,10 +39,9 @@ struct Found {
   void add(const dealii::Point<2>& point) {
     if (count++ == 0) where = point;
   }
+  /// ", the first at (1.5, -2)"
+  std::string first() const;
 };
-
-/// "(1.5, -2)"
-std::string to_string(const dealii::Point<2>& point);
 
 /// counted(3, "cell", " of sand") is "3 cells of sand"; 1 has no s.
 std::string counted(std::size_t count, const std::string& thing, const std::string& rest = "");

@@ -4,6 +4,7 @@
 #include <deal.II/base/point.h>
 
 #include <array>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -38,5 +39,19 @@ struct RawMesh {
 inline double cross(const dealii::Tensor<1, 2>& a, const dealii::Tensor<1, 2>& b) {
   return a[0] * b[1] - a[1] * b[0];
 }
+
+/// Side of a cell, its vertices in rising order.
+struct Side {
+  unsigned int first, second;
+  bool forward;  ///< the cell, run anticlockwise, runs from first to second
+};
+
+bool same_edge(const Side& a, const Side& b);
+
+/// All sides of all cells, sorted by their vertices: those that cells share stand together.
+std::vector<Side> sorted_sides(const RawMesh& mesh);
+
+/// The sides that one cell only has.
+std::vector<Side> outer_sides(const std::vector<Side>& sorted);
 
 }  // namespace upbead

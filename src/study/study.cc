@@ -7,7 +7,7 @@
 #include "base/version.h"
 #include "case/case_schema.h"
 #include "case/input_files.h"
-#include "mesh/geo_parameters.h"
+#include "mesh/geo_script.h"
 #include "study_tables.h"
 #include "upbead/case/case.h"
 #include "upbead/mesh/request.h"

@@ -1,6 +1,5 @@
 // A script is scanned to its end, whatever stands in it; parameters have names, commands places.
-#include "mesh/geo_parameters.h"
-#include "mesh/outside_commands.h"
+#include "mesh/geo_script.h"
 #include "target.h"
 
 namespace upbead::fuzz {

@@ -1,4 +1,4 @@
-#include "mesh/geo_parameters.h"
+#include "mesh/geo_script.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Claim: every command of gmsh's scripts that reaches outside is found with its place before gmsh runs, through
 // comments, strings, line breaks, macros and included files; names that look alike are not.
-#include "mesh/outside_commands.h"
+#include "mesh/geo_script.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

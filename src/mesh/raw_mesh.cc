@@ -1,4 +1,4 @@
-#include "mesh_sides.h"
+#include "raw_mesh.h"
 
 #include <algorithm>
 #include <tuple>
