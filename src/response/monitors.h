@@ -62,7 +62,7 @@ class Mobilisation : public MarchObserver {
     double area = 0.;
     double middle_stress = 0., half_difference = 0., shear = 0.;  ///< at rest: s, (s'_x - s'_y)/2, tau (Pa)
     double sine = 0., apex = 0.;                                  ///< sin phi, c cos phi (Pa)
-    ElasticLaw law;
+    ElasticLaw law{};
     bool counts = true;
 
     double mobilisation(double s, double difference, double tau) const;
