@@ -7,7 +7,7 @@
 #include "cli/report.h"
 #include "fem/compile.h"
 #include "model/exclusions.h"
-#include "response/scheme_choice.h"
+#include "response/time_choice.h"
 
 namespace upbead {
 

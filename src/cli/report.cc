@@ -8,7 +8,7 @@
 #include "case/case_run.h"
 #include "fem/compile.h"
 #include "model/words.h"
-#include "response/scheme_choice.h"
+#include "response/time_choice.h"
 
 namespace upbead {
 

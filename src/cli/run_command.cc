@@ -49,9 +49,9 @@ std::string write(const Case& input, const std::vector<MeasuredRecord>& records,
                   const Stopwatch& since_start, OutputFolder& folder) {
   const Stopwatch watch;
   fields.finish();
-  const std::vector<History> computed = histories(*run.simulation, run.response.ends);
-  std::vector<History> others = tables(run);
-  for (History& table : measured_tables(records)) others.push_back(std::move(table));
+  const std::vector<Dataset> computed = histories(*run.simulation, run.response.ends);
+  std::vector<Dataset> others = tables(run);
+  for (Dataset& table : measured_tables(records)) others.push_back(std::move(table));
   folder.write("results.h5", result_file(input.scene.title, computed, others));
   folder.write("case.toml", effective_case(input, folder.name()));
   run.summary.timing.march -= fields.seconds();

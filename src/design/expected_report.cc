@@ -58,7 +58,7 @@ std::string describe_record(const SeaTable& sea, const ExpectedAnswer& answer) {
   return text;
 }
 
-void add_curves(const HeightCurves& curves, std::vector<History>& datasets) {
+void add_curves(const HeightCurves& curves, std::vector<Dataset>& datasets) {
   datasets.push_back({"heights/height", "m", "height of waves", curves.height});
   datasets.push_back({"heights/waves", "1/m", "number of waves of all sea states per metre of height", curves.waves});
   for (const auto& [law, values] : curves.distance)
@@ -75,7 +75,7 @@ void add_curves(const HeightCurves& curves, std::vector<History>& datasets) {
 }  // namespace
 
 std::string expected_file(const Design& design, const ExpectedAnswer& answer) {
-  std::vector<History> datasets;
+  std::vector<Dataset> datasets;
   if (!answer.states.empty()) add_curves(answer.curves, datasets);
   if (answer.monte_carlo)
     datasets.push_back({"lives/sliding", "m", "S of each life, sum of all its waves", answer.monte_carlo->sliding});

@@ -7,6 +7,19 @@
 
 namespace upbead {
 
+/// What a node does, or the whole bottom.
+enum class ContactState : char {
+  stick,          ///< no slip; T is whatever that takes, |T| <= mu N
+  slip_landward,  ///< T = mu N
+  slip_seaward,   ///< T = -mu N
+  open            ///< apart, or N < 0 where nothing may part: T = 0
+};
+
+/// +1, -1 or 0: where it slips.
+inline double direction(ContactState contact) {
+  return contact == ContactState::slip_landward ? 1. : contact == ContactState::slip_seaward ? -1. : 0.;
+}
+
 /// Forces at the nodes of an interface (N/m).
 struct InterfaceForces {
   Vector shear;   ///< T_i on the lower body, landward

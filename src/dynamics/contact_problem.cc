@@ -23,13 +23,13 @@ double largest_force(const InterfaceForces& forces) {
 }
 
 /// Sets what the law forbids, and round-off left, to zero.
-void clean(const std::vector<Contact>& status, Vector& motion) {
+void clean(const std::vector<ContactState>& status, Vector& motion) {
   const auto n = static_cast<Eigen::Index>(status.size());
   for (Eigen::Index i = 0; i < n; ++i) {
-    const Contact contact = status[static_cast<std::size_t>(i)];
+    const ContactState contact = status[static_cast<std::size_t>(i)];
     double &slip = motion[i], &opening = motion[n + i];
-    opening = contact == Contact::open ? std::max(opening, 0.) : 0.;
-    if (contact != Contact::open && slip * direction(contact) <= 0.) slip = 0.;
+    opening = contact == ContactState::open ? std::max(opening, 0.) : 0.;
+    if (contact != ContactState::open && slip * direction(contact) <= 0.) slip = 0.;
   }
 }
 
@@ -44,7 +44,7 @@ bool ContactProblem::holds(const InterfaceForces& forces, double friction, doubl
          (forces.shear.array().abs() <= friction * forces.normal.array() + tolerance).all();
 }
 
-ContactPoint ContactProblem::solve(const ContactPoint& point, double scale, std::vector<Contact>& status) {
+ContactPoint ContactProblem::solve(const ContactPoint& point, double scale, std::vector<ContactState>& status) {
   const double tolerance = force_tolerance * std::max(scale, largest_force(point.forces));
   ContactPoint found;
   if (iterate(point, tolerance, status, found)) return found;
@@ -61,13 +61,13 @@ ContactPoint ContactProblem::solve(const ContactPoint& point, double scale, std:
                       std::to_string(friction_));
 }
 
-bool ContactProblem::iterate(const ContactPoint& point, double tolerance, std::vector<Contact>& status,
+bool ContactProblem::iterate(const ContactPoint& point, double tolerance, std::vector<ContactState>& status,
                              ContactPoint& found) {
-  std::set<std::vector<Contact>> seen;
+  std::set<std::vector<ContactState>> seen;
   for (int i = 0; i < most_iterations && seen.insert(status).second; ++i) {
     release(point, status, found);
     if (!found.motion.allFinite()) return false;
-    std::vector<Contact> next = judge(found, status, tolerance);
+    std::vector<ContactState> next = judge(found, status, tolerance);
     if (next == status) {
       clean(status, found.motion);
       return true;
@@ -78,12 +78,12 @@ bool ContactProblem::iterate(const ContactPoint& point, double tolerance, std::v
 }
 
 /// The rows of what moves: T - mu sigma N = 0 of a node that slips, T = 0 and N = 0 of an open one.
-void ContactProblem::factorise(const std::vector<Contact>& status) {
+void ContactProblem::factorise(const std::vector<ContactState>& status) {
   released_.clear();
   for (Eigen::Index i = 0; i < n_; ++i)
-    if (status[static_cast<std::size_t>(i)] != Contact::stick) released_.push_back(i);
+    if (status[static_cast<std::size_t>(i)] != ContactState::stick) released_.push_back(i);
   for (Eigen::Index i = 0; i < n_; ++i)
-    if (status[static_cast<std::size_t>(i)] == Contact::open) released_.push_back(n_ + i);
+    if (status[static_cast<std::size_t>(i)] == ContactState::open) released_.push_back(n_ + i);
   Eigen::MatrixXd A = D_(released_, released_);
   for (std::size_t k = 0; k < released_.size() && released_[k] < n_; ++k)
     if (const double sigma = direction(status[static_cast<std::size_t>(released_[k])]); sigma != 0.)
@@ -93,7 +93,7 @@ void ContactProblem::factorise(const std::vector<Contact>& status) {
 }
 
 /// The point at which all nodes do what their status says, as far as equations go.
-void ContactProblem::release(const ContactPoint& point, const std::vector<Contact>& status, ContactPoint& found) {
+void ContactProblem::release(const ContactPoint& point, const std::vector<ContactState>& status, ContactPoint& found) {
   if (status != factorised_) factorise(status);
   Vector change = -point.motion;
   for (const Eigen::Index k : released_) change[k] = 0.;
@@ -116,23 +116,26 @@ void ContactProblem::release(const ContactPoint& point, const std::vector<Contac
 }
 
 /// The status that the law's projections give each node at this point.
-std::vector<Contact> ContactProblem::judge(const ContactPoint& point, const std::vector<Contact>& status,
-                                           double tolerance) const {
-  std::vector<Contact> next = status;
+std::vector<ContactState> ContactProblem::judge(const ContactPoint& point, const std::vector<ContactState>& status,
+                                                double tolerance) const {
+  std::vector<ContactState> next = status;
   for (Eigen::Index i = 0; i < n_; ++i) {
-    Contact& contact = next[static_cast<std::size_t>(i)];
+    ContactState& contact = next[static_cast<std::size_t>(i)];
     const double N = point.forces.normal[i], T = point.forces.shear[i];
     const double slip = D_(i, i) * point.motion[i], opening = D_(n_ + i, n_ + i) * point.motion[n_ + i];
-    if (contact == Contact::open) {
+    if (contact == ContactState::open) {
       if (opening >= -tolerance) continue;
       const double sliding = std::abs(slip) + friction_ * opening;
-      contact = sliding <= 0. ? Contact::stick : slip > 0. ? Contact::slip_landward : Contact::slip_seaward;
+      contact = sliding <= 0. ? ContactState::stick
+                : slip > 0.   ? ContactState::slip_landward
+                              : ContactState::slip_seaward;
     } else if (N < -tolerance) {
-      contact = Contact::open;
-    } else if (contact == Contact::stick) {
-      if (std::abs(T) > friction_ * N + tolerance) contact = T > 0. ? Contact::slip_landward : Contact::slip_seaward;
+      contact = ContactState::open;
+    } else if (contact == ContactState::stick) {
+      if (std::abs(T) > friction_ * N + tolerance)
+        contact = T > 0. ? ContactState::slip_landward : ContactState::slip_seaward;
     } else if (slip * direction(contact) < -tolerance) {
-      contact = Contact::stick;
+      contact = ContactState::stick;
     }
   }
   return next;

@@ -9,14 +9,6 @@
 
 namespace upbead::detail {
 
-/// What a node does.
-enum class Contact : char { stick, slip_landward, slip_seaward, open };
-
-/// +1, -1 or 0: where a node slips.
-inline double direction(Contact contact) {
-  return contact == Contact::slip_landward ? 1. : contact == Contact::slip_seaward ? -1. : 0.;
-}
-
 /// Motion q = (slip, opening) of all nodes (2n; in any unit that D shares), and the forces that belong to it.
 struct ContactPoint {
   Vector motion;
@@ -39,23 +31,24 @@ class ContactProblem {
   /// From a point (q_0, T_0, N_0) on the line to the one that obeys the law. `status` is a first guess, and then that
   /// of the solution. Forces count as zero below 1e-10 times the largest of the point or `scale` (N/m). Motions that
   /// the law forbids are exactly zero. Throws NumericsError where no solution is found.
-  ContactPoint solve(const ContactPoint& point, double scale, std::vector<Contact>& status);
+  ContactPoint solve(const ContactPoint& point, double scale, std::vector<ContactState>& status);
   /// How often sweeps were needed so far.
   int n_fallbacks() const { return n_fallbacks_; }
   /// Whether the forces of nodes that stick, all of them, obey the law; `scale` as above.
   static bool holds(const InterfaceForces& forces, double friction, double scale);
 
  private:
-  bool iterate(const ContactPoint& point, double tolerance, std::vector<Contact>& status, ContactPoint& found);
-  void release(const ContactPoint& point, const std::vector<Contact>& status, ContactPoint& found);
-  void factorise(const std::vector<Contact>& status);
-  std::vector<Contact> judge(const ContactPoint& point, const std::vector<Contact>& status, double tolerance) const;
+  bool iterate(const ContactPoint& point, double tolerance, std::vector<ContactState>& status, ContactPoint& found);
+  void release(const ContactPoint& point, const std::vector<ContactState>& status, ContactPoint& found);
+  void factorise(const std::vector<ContactState>& status);
+  std::vector<ContactState> judge(const ContactPoint& point, const std::vector<ContactState>& status,
+                                  double tolerance) const;
 
   Eigen::MatrixXd D_;
   double friction_;
   int n_;
-  std::vector<Contact> factorised_;     ///< status of the present factors
-  std::vector<Eigen::Index> released_;  ///< unknowns that move in it
+  std::vector<ContactState> factorised_;  ///< status of the present factors
+  std::vector<Eigen::Index> released_;    ///< unknowns that move in it
   Eigen::PartialPivLU<Eigen::MatrixXd> factors_;
   Eigen::MatrixXd compliance_;  ///< D^-1, once sweeps need it
   int n_fallbacks_ = 0;

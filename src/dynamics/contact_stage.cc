@@ -22,13 +22,13 @@ ContactStage::ContactStage(const System& system)
 
 void ContactStage::start(const State& state) {
   now_ = {};
-  now_.status.assign(static_cast<std::size_t>(n_), Contact::stick);
+  now_.status.assign(static_cast<std::size_t>(n_), ContactState::stick);
   now_.forces = {Vector::Zero(n_), interface_.normal_force};
   for (int i = 0; i < n_; ++i) {
     const double slip_rate = state.v[system_.first_slip() + i];
-    Contact& contact = now_.status[static_cast<std::size_t>(i)];
-    if (slip_rate != 0.) contact = slip_rate > 0. ? Contact::slip_landward : Contact::slip_seaward;
-    if (state.x[system_.first_opening() + i] > 0.) contact = Contact::open;
+    ContactState& contact = now_.status[static_cast<std::size_t>(i)];
+    if (slip_rate != 0.) contact = slip_rate > 0. ? ContactState::slip_landward : ContactState::slip_seaward;
+    if (state.x[system_.first_opening() + i] > 0.) contact = ContactState::open;
   }
 }
 
@@ -39,7 +39,8 @@ void ContactStage::begin_step(StopAt stop) {
 }
 
 bool ContactStage::all_stick() const {
-  return std::all_of(now_.status.begin(), now_.status.end(), [](Contact contact) { return contact == Contact::stick; });
+  return std::all_of(now_.status.begin(), now_.status.end(),
+                     [](ContactState contact) { return contact == ContactState::stick; });
 }
 
 int ContactStage::n_fallbacks() const {
@@ -64,9 +65,9 @@ ContactProblem& ContactStage::problem(const EffectiveMatrix& E, double g) {
 Vector ContactStage::first_guess(double g, const DirkStage& stage) const {
   Vector motion = Vector::Zero(2 * n_);
   for (int i = 0; i < n_; ++i) {
-    const Contact contact = now_.status[static_cast<std::size_t>(i)];
-    if (contact != Contact::stick) motion[i] = stage.v_predicted[system_.first_slip() + i] / g;
-    if (contact == Contact::open) motion[n_ + i] = std::max(stage.x[system_.first_opening() + i], 0.) / (g * g);
+    const ContactState contact = now_.status[static_cast<std::size_t>(i)];
+    if (contact != ContactState::stick) motion[i] = stage.v_predicted[system_.first_slip() + i] / g;
+    if (contact == ContactState::open) motion[n_ + i] = std::max(stage.x[system_.first_opening() + i], 0.) / (g * g);
   }
   return motion;
 }
@@ -92,14 +93,14 @@ InterfaceForces ContactStage::forces(const EffectiveMatrix& E, const DirkStage& 
 }
 
 /// Compares with the last stage.
-bool ContactStage::note(const std::vector<Contact>& status) {
+bool ContactStage::note(const std::vector<ContactState>& status) {
   bool impact = false;
   for (std::size_t i = 0; i < status.size(); ++i) {
-    const Contact before = now_.status[i], after = status[i];
-    const bool closed = before == Contact::open && after != Contact::open;
+    const ContactState before = now_.status[i], after = status[i];
+    const bool closed = before == ContactState::open && after != ContactState::open;
     now_.impacts += closed;
     impact = impact || closed;
-    now_.opened = now_.opened || after == Contact::open;
+    now_.opened = now_.opened || after == ContactState::open;
     now_.slipped = now_.slipped || direction(after) != 0.;
   }
   now_.status = status;
@@ -124,7 +125,7 @@ bool ContactStage::solve(const EffectiveMatrix& E, double g, DirkStage& stage) {
   E.solve(stage.rhs, stage.a);
   ++n_solves_;
   ContactPoint point{guess, forces(E, stage)};
-  std::vector<Contact> status(static_cast<std::size_t>(n_), Contact::stick);
+  std::vector<ContactState> status(static_cast<std::size_t>(n_), ContactState::stick);
   if (!guess.isZero(0.) || !ContactProblem::holds(point.forces, interface_.friction, scale_)) {
     if (stop_ == StopAt::release) return false;
     status = now_.status;

@@ -17,7 +17,7 @@ enum class StopAt {
 
 /// What the nodes do at one time, and what they did in the steps that led there.
 struct InterfaceState {
-  std::vector<Contact> status;
+  std::vector<ContactState> status;
   InterfaceForces forces;
   bool slipped = false;  ///< a node, in this step
   bool opened = false;   ///< a node, in this step
@@ -49,7 +49,7 @@ class ContactStage : public StageLaw {
   void set_accelerations(const Vector& motion, double g, DirkStage& stage) const;
   void set_motions(const Vector& motion, double g, DirkStage& stage) const;
   void correct(const EffectiveMatrix& E, double g, const Vector& motion, DirkStage& stage);
-  bool note(const std::vector<Contact>& status);
+  bool note(const std::vector<ContactState>& status);
 
   const System& system_;
   const Interface& interface_;

@@ -13,7 +13,7 @@ class ContactSweeps {
   /// `point`: some motion with its forces.
   ContactSweeps(const Eigen::MatrixXd& W, double friction, const ContactPoint& point);
   void sweep();
-  const std::vector<Contact>& status() const { return status_; }
+  const std::vector<ContactState>& status() const { return status_; }
 
  private:
   const Eigen::MatrixXd& W_;
@@ -21,7 +21,7 @@ class ContactSweeps {
   Eigen::Index n_;
   Vector motion_;           ///< under the present forces
   Eigen::MatrixX2d force_;  ///< (-T, N) of each node
-  std::vector<Contact> status_;
+  std::vector<ContactState> status_;
 };
 
 }  // namespace upbead::detail

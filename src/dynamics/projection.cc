@@ -43,7 +43,7 @@ ReducedSystem without_coordinates(const System& system, double shift) {
     const Reading& reading = system.readings[static_cast<std::size_t>(i)];
     for (std::size_t k = 0; k < reading.feedthrough.size(); ++k)
       out.feedthrough(i, static_cast<Eigen::Index>(k)) = reading.feedthrough[k];
-    out.reading_label.push_back({reading.name, reading.unit, reading.description});
+    out.reading_label.push_back({reading.name.text(), reading.unit, reading.description});
   }
   for (const SystemLoad& load : system.loads) {
     out.load_name.push_back(load.name);

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "dynamics/contact.h"
 #include "upbead/dynamics/modal_model.h"
 #include "upbead/dynamics/reduced_system.h"
 #include "upbead/system/system.h"
@@ -30,14 +31,6 @@ struct SlipLaw {
   std::vector<int> readings;                         ///< others that are wanted
 };
 
-/// What the bottom does.
-enum class BottomState {
-  stuck,     ///< s' = 0; F_T is whatever that takes, |F_T| <= mu N'
-  forward,   ///< s' > 0, F_T = mu N'
-  backward,  ///< s' < 0, F_T = -mu N'
-  lifted     ///< N' < 0: F_T = 0, the bottom may go either way
-};
-
 /// The motion in one phase, from any state of energy coordinates (state_space.h).
 struct SlipPhase {
   /// Loads: those of the reduced system without F_T, then N_0, the part of N' that is known beforehand: W', less an
@@ -52,13 +45,13 @@ struct SlipPhase {
 enum SlipReading : int { row_shear = 0, row_normal = 1, row_velocity = 2, first_row_wanted = 3 };
 
 struct SlipModel {
-  std::array<SlipPhase, 4> phases;  ///< by BottomState
+  std::array<SlipPhase, 4> phases;  ///< by ContactState of the bottom
   Eigen::VectorXd share_of_slip;    ///< of the readings wanted: each is its row plus so many times s
   double friction = 0.;             ///< mu
   double growth = 0.;               ///< largest real part of a pole that friction leaves above round-off (1/s)
   double damping_time = 0.;         ///< beta of the damping beta K that keeps friction from feeding fast modes (s)
 
-  const SlipPhase& phase(BottomState contact) const { return phases[static_cast<std::size_t>(contact)]; }
+  const SlipPhase& phase(ContactState contact) const { return phases[static_cast<std::size_t>(contact)]; }
   int n_loads() const { return phases[0].modes.n_loads(); }  ///< N_0 with them
 };
 

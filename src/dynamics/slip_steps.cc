@@ -110,7 +110,7 @@ void add_step(Eigen::Index n_pairs, Eigen::Index n_modes, const StepPointers& p,
 
 }  // namespace
 
-SlipSteps::SlipSteps(const SlipPhase& phase, BottomState contact, double step) {
+SlipSteps::SlipSteps(const SlipPhase& phase, ContactState contact, double step) {
   const ModalModel& modes = phase.modes;
   if (static_cast<std::size_t>(modes.n_loads()) > most_inputs)
     throw std::invalid_argument("a slip model has 16 loads at most");

@@ -20,9 +20,9 @@ struct SlipStep {
 class SlipSteps {
  public:
   /// `step` in s. Throws std::invalid_argument where there are more than 16 loads.
-  SlipSteps(const SlipPhase& phase, BottomState contact, double step);
+  SlipSteps(const SlipPhase& phase, ContactState contact, double step);
   /// Row that is watched.
-  static int watched_row(BottomState contact) { return contact == BottomState::stuck ? row_shear : row_velocity; }
+  static int watched_row(ContactState contact) { return contact == ContactState::stick ? row_shear : row_velocity; }
   /// From a state under loads that go from `begin` to `end` (K); `to` has the size of `from` and
   /// is real where that is.
   SlipStep advance(const detail::SplitArray& from, const Eigen::VectorXd& begin, const Eigen::VectorXd& end,

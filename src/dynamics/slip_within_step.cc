@@ -119,7 +119,7 @@ double SlipWithinStep::work_of_piece(const SplitArray& from, const SplitArray& t
 }
 
 Eigen::MatrixXd load_rows(const SlipModel& model) {
-  const SlipPhase& free = model.phase(BottomState::lifted);
+  const SlipPhase& free = model.phase(ContactState::open);
   const Eigen::Index M = free.modes.n_modes();
   const Eigen::MatrixXd B =
       free.to_state.leftCols(M) * free.modes.load.real() + free.to_state.rightCols(M) * free.modes.load.imag();

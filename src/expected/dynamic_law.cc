@@ -64,7 +64,7 @@ double DynamicLaw::slide_under(const DynamicWave& out, const Section& section) c
   const auto start = std::find_if(F.begin(), F.end(), [resistance](double f) { return std::abs(f) > resistance; });
   if (start == F.end()) return 0.;
   const auto rest = std::max<std::ptrdiff_t>(start - F.begin() - 1, 0);
-  ForceHistory history;
+  History history;
   history.value.assign(F.begin() + rest, F.end());
   for (std::size_t i = 0; i < history.value.size(); ++i)
     history.time.push_back((static_cast<double>(rest) + static_cast<double>(i)) * answer_->step());

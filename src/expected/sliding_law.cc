@@ -9,7 +9,7 @@
 
 #include "base/numbers.h"
 #include "upbead/sliding/combined.h"
-#include "upbead/sliding/wave_sliding.h"
+#include "upbead/sliding/pulse.h"
 
 namespace upbead {
 

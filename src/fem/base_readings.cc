@@ -48,7 +48,7 @@ Row sum(Row row, const std::map<int, double>& more, double factor) {
 }
 
 /// A sum of the nodal forces on the ground, times a factor.
-Reading stress(const std::string& name, const char* description, const NodalReaction& bottom, const SceneLoads& loads,
+Reading stress(const ReadingName& name, const char* description, const NodalReaction& bottom, const SceneLoads& loads,
                int sum, double factor) {
   Reading reading{name,
                   "Pa",
@@ -70,16 +70,16 @@ std::vector<Reading> base_readings(const Space& space, const Unknowns& unknowns,
   std::vector<Reading> list;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const InterfaceNode& node = nodes[i];
-    const std::string prefix = base_prefix + std::to_string(i) + "/";
-    const int x = dim * static_cast<int>(i), y = x + 1;
-    list.push_back(
-        stress(prefix + "shear_stress", "shear stress on the ground, landward", bottom, loads, x, 1. / node.length));
-    list.push_back(stress(prefix + "normal_stress", "change of the effective normal stress, compression positive",
-                          bottom, loads, y, -1. / node.length));
+    const int at = static_cast<int>(i), x = dim * at, y = x + 1;
+    list.push_back(stress({base_group, at, "shear_stress"}, "shear stress on the ground, landward", bottom, loads, x,
+                          1. / node.length));
+    list.push_back(stress({base_group, at, "normal_stress"},
+                          "change of the effective normal stress, compression positive", bottom, loads, y,
+                          -1. / node.length));
     if (const auto found = pushes.find(node.uy); found != pushes.end()) {
       Row& velocity = list.back().velocity;
       velocity = sum(velocity, found->second.upward, -1. / node.length);
-      list.push_back({prefix + "pore_pressure",
+      list.push_back({{base_group, at, "pore_pressure"},
                       "Pa",
                       "excess pore pressure",
                       {},
@@ -89,7 +89,7 @@ std::vector<Reading> base_readings(const Space& space, const Unknowns& unknowns,
     }
     const char* directions[] = {"landward", "upward"};
     for (unsigned d = 0; d < dim; ++d)
-      list.push_back({prefix + (d == 0 ? "displacement_x" : "displacement_y"),
+      list.push_back({{base_group, at, d == 0 ? "displacement_x" : "displacement_y"},
                       "m",
                       std::string("displacement of the ground, ") + directions[d],
                       unknowns.expansion(static_cast<unsigned>(d == 0 ? node.ux : node.uy)),

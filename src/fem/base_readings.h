@@ -9,12 +9,11 @@
 
 namespace upbead {
 
-/// What the names of these readings begin with.
-inline const std::string base_prefix = "base/";
+inline const std::string base_group = "base";
 
-/// At every node i of the bottom: "base/i/normal_stress" (change of the effective stress on the ground, compression
-/// positive), "base/i/shear_stress" (on the ground, landward), where there is pore water "base/i/pore_pressure" (Pa),
-/// and "base/i/displacement_x", "base/i/displacement_y" of the ground (m). The stresses are the consistent nodal forces
+/// At every node of the bottom: normal_stress (change of the effective stress on the ground, compression positive),
+/// shear_stress (on the ground, landward), where there is pore water pore_pressure (Pa), and displacement_x,
+/// displacement_y of the ground (m). The stresses are the consistent nodal forces
 /// over the lengths of the nodes: times these they sum to F_T, to the normal force less the uplift, and to the uplift,
 /// exactly (Hughes, Engel, Mazzei and Larson, J. Comput. Phys. 163 (2000) 467: such fluxes are conserved, those of
 /// single elements are not). `bottom` collects the forces of `nodes`, `loads` are those of the scene.

@@ -102,13 +102,14 @@ void add_motion(std::vector<Reading>& list, const Body& body, const std::array<R
   for (int m = 0; m < dim; ++m) {
     const Row row = scaled(momentum[m], 1. / body.mass);
     const std::string text = " of the centre of gravity, " + directions[m];
-    list.push_back({"caisson/displacement_" + axes[m], "m", "displacement" + text, row, {}, {}, {}});
-    list.push_back({"caisson/velocity_" + axes[m], "m/s", "velocity" + text, {}, row, {}, {}});
-    list.push_back({"caisson/acceleration_" + axes[m], "m/s2", "acceleration" + text, {}, {}, row, {}});
+    list.push_back({{"caisson", "displacement_" + axes[m]}, "m", "displacement" + text, row, {}, {}, {}});
+    list.push_back({{"caisson", "velocity_" + axes[m]}, "m/s", "velocity" + text, {}, row, {}, {}});
+    list.push_back({{"caisson", "acceleration_" + axes[m]}, "m/s2", "acceleration" + text, {}, {}, row, {}});
   }
   const Row rotation = scaled(momentum[motion_rotation], 1. / body.moment_of_inertia);
-  list.push_back({reading::rotation, "rad", "rotation, positive when the top moves landward", rotation, {}, {}, {}});
-  list.push_back({"caisson/angular_velocity", "rad/s", "rate of rotation", {}, rotation, {}, {}});
+  list.push_back(
+      {{"caisson", "rotation"}, "rad", "rotation, positive when the top moves landward", rotation, {}, {}, {}});
+  list.push_back({{"caisson", "angular_velocity"}, "rad/s", "rate of rotation", {}, rotation, {}, {}});
 }
 
 }  // namespace

@@ -73,4 +73,14 @@ CompiledScene compile(const Scene& scene, const Space& space, const Unknowns& un
   return compiled;
 }
 
+AssembledScene assemble_scene(const Scene& scene, const Mesh& mesh, const std::vector<bool>& absent,
+                              const SoilState& soil, bool with_interface, const Processes* processes) {
+  const auto space = std::make_shared<const Space>(mesh, scene, absent, soil);
+  const std::vector<Body> bodies = rigid_bodies(*space);
+  const auto nodes = with_interface ? interface_nodes(*space) : std::vector<InterfaceNode>();
+  const auto unknowns = std::make_shared<const Unknowns>(*space, scene, bodies, nodes);
+  return {space, unknowns,
+          std::make_shared<CompiledScene>(compile(scene, *space, *unknowns, bodies, processes, nodes))};
+}
+
 }  // namespace upbead

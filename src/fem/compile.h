@@ -1,6 +1,7 @@
 // The compiler of a scene: Scene on a mesh -> System. The only place that knows both.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -30,5 +31,16 @@ struct CompiledScene {
 /// rest or friction.
 CompiledScene compile(const Scene& scene, const Space& space, const Unknowns& unknowns, const std::vector<Body>& bodies,
                       const Processes* processes = nullptr, const std::vector<InterfaceNode>& interface = {});
+
+/// What the equations of a scene stand on; copies share it.
+struct AssembledScene {
+  std::shared_ptr<const Space> space;
+  std::shared_ptr<const Unknowns> unknowns;
+  std::shared_ptr<CompiledScene> compiled;
+};
+
+/// A resolved scene compiled on its mesh; `with_interface`: the caisson may slip and lift.
+AssembledScene assemble_scene(const Scene& scene, const Mesh& mesh, const std::vector<bool>& absent,
+                              const SoilState& soil, bool with_interface, const Processes* processes = nullptr);
 
 }  // namespace upbead

@@ -8,6 +8,7 @@
 
 #include "bottom_faces.h"
 #include "fem/unknowns.h"
+#include "system/interface.h"
 
 namespace upbead {
 
@@ -65,22 +66,27 @@ std::vector<Reading> interface_readings(const Unknowns& unknowns, const std::vec
   Row slip;
   for (int i = 0; i < n; ++i)
     slip.emplace_back(unknowns.opening(i) - n, nodes[static_cast<std::size_t>(i)].length / width);
-  return {
-      {"interface/slip", "m", "slip of the caisson over its ground, mean over the bottom, landward", slip, {}, {}, {}},
-      {"interface/opening_seaward",
-       "m",
-       "height of the bottom's seaward end above the ground",
-       {{unknowns.opening(0), 1.}},
-       {},
-       {},
-       {}},
-      {"interface/opening_landward",
-       "m",
-       "height of the bottom's landward end above the ground",
-       {{unknowns.opening(n - 1), 1.}},
-       {},
-       {},
-       {}}};
+  return {{{interface_group, "slip"},
+           "m",
+           "slip of the caisson over its ground, mean over the bottom, landward",
+           slip,
+           {},
+           {},
+           {}},
+          {{interface_group, "opening_seaward"},
+           "m",
+           "height of the bottom's seaward end above the ground",
+           {{unknowns.opening(0), 1.}},
+           {},
+           {},
+           {}},
+          {{interface_group, "opening_landward"},
+           "m",
+           "height of the bottom's landward end above the ground",
+           {{unknowns.opening(n - 1), 1.}},
+           {},
+           {},
+           {}}};
 }
 
 void for_each_gap_term(const Space& space, const Unknowns& unknowns, const std::vector<InterfaceNode>& nodes,

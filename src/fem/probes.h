@@ -22,7 +22,7 @@ std::optional<Location> locate(const Space& space, const dealii::Point<dim>& poi
 
 /// Displacement, velocity and acceleration; where there is pore water, pressure, and with inertial flow Darcy velocity;
 /// where there is an elastic skeleton or solid, strain and effective stress (tension positive; without the viscous part
-/// of the damping). Names are "probes/NAME/quantity".
+/// of the damping). Their group is "probes".
 std::vector<Reading> probe_readings(const Space& space, const Unknowns& unknowns, const Scene& scene,
                                     const std::string& name);
 

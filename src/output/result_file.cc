@@ -6,8 +6,8 @@ namespace upbead {
 
 namespace {
 
-void write(detail::Hdf5Image& image, const std::string& folder, const std::vector<History>& datasets) {
-  for (const History& dataset : datasets) {
+void write(detail::Hdf5Image& image, const std::string& folder, const std::vector<Dataset>& datasets) {
+  for (const Dataset& dataset : datasets) {
     std::vector<hsize_t> shape{dataset.values.size() / dataset.columns};
     if (dataset.columns > 1) shape.push_back(dataset.columns);
     image.numbers(folder + dataset.name, shape, dataset.values.data(), {dataset.unit, dataset.description});
@@ -17,15 +17,15 @@ void write(detail::Hdf5Image& image, const std::string& folder, const std::vecto
 
 }  // namespace
 
-std::string result_file(const std::string& title, const std::vector<History>& histories,
-                        const std::vector<History>& others) {
+std::string result_file(const std::string& title, const std::vector<Dataset>& histories,
+                        const std::vector<Dataset>& others) {
   detail::Hdf5Image image(title);
   write(image, "/history/", histories);
   write(image, "/", others);
   return image.bytes();
 }
 
-std::string dataset_file(const std::string& title, const std::vector<History>& datasets) {
+std::string dataset_file(const std::string& title, const std::vector<Dataset>& datasets) {
   detail::Hdf5Image image(title);
   write(image, "/", datasets);
   return image.bytes();

@@ -7,7 +7,7 @@
 namespace upbead {
 
 /// One dataset.
-struct History {
+struct Dataset {
   std::string name;  ///< path below /history, such as "caisson/displacement_x"
   std::string unit;
   std::string description;
@@ -20,10 +20,10 @@ struct History {
 /// and the root attributes `title` and `program`. Made in memory: HDF5 1.10 does not survive a disk that is full when
 /// it closes a file, whoever writes these bytes can. Throws NumericsError where a value is not finite.
 /// `others` are datasets beside /history, wherever their names say: "interface/slip" is /interface/slip.
-std::string result_file(const std::string& title, const std::vector<History>& histories,
-                        const std::vector<History>& others = {});
+std::string result_file(const std::string& title, const std::vector<Dataset>& histories,
+                        const std::vector<Dataset>& others = {});
 
 /// The same with datasets wherever their names say: "lives/sliding" is /lives/sliding.
-std::string dataset_file(const std::string& title, const std::vector<History>& datasets);
+std::string dataset_file(const std::string& title, const std::vector<Dataset>& datasets);
 
 }  // namespace upbead

@@ -1,15 +1,58 @@
-#include "respond_slip.h"
+#include "respond/respond_slip.h"
 
-#include "joined_loads.h"
+#include <algorithm>
+
 #include "response/slip_law.h"
 #include "upbead/base/error.h"
+#include "upbead/sliding/block.h"
 
 namespace upbead {
+
+void join_pore_pressures(ModalModel& model) {
+  const std::string suffix = ".pore_pressure";
+  for (int k = model.n_loads() - 1; k > 0; --k) {
+    const std::string& name = model.load_name[static_cast<std::size_t>(k)];
+    const std::string& before = model.load_name[static_cast<std::size_t>(k - 1)];
+    if (name == before + suffix) model.join_loads(k - 1, k);
+  }
+}
+
+Eigen::RowVectorXd uplift_of_force(const ModelSliding& sliding, const std::vector<double>& time,
+                                   const Eigen::RowVectorXd& P) {
+  Eigen::Index largest = 0;
+  const double peak = std::max(P.maxCoeff(&largest), 0.);
+  const double peak_time = time[static_cast<std::size_t>(largest)];
+  Eigen::RowVectorXd U(P.size());
+  for (Eigen::Index i = 0; i < P.size(); ++i) {
+    const double t = time[static_cast<std::size_t>(i)] - sliding.lag;
+    const double then = sliding.lag > 0. ? (t < time.front() ? 0. : value_at(time, P, t)) : P[i];
+    const bool over = sliding.uplift == "held" && t > peak_time;
+    U[i] = sliding.uplift_per_force * (over ? peak : std::max(then, 0.));
+  }
+  return U;
+}
+
+double sliding_distance(const ModelSliding& sliding, double mass, const std::vector<double>& time,
+                        const Eigen::RowVectorXd& F_T, const Eigen::RowVectorXd& U) {
+  Eigen::RowVectorXd R = Eigen::RowVectorXd::Constant(F_T.size(), sliding.buoyant_weight);
+  if (U.size() > 0) R = (R - U).cwiseMax(0.);
+  R *= sliding.friction;
+  // it rests until F_T first exceeds R; to leave that time out spares most waves the work
+  Eigen::Index start = 0;
+  while (start < F_T.size() && std::abs(F_T[start]) <= R[start]) ++start;
+  if (start == F_T.size()) return 0.;
+  const auto rest = std::max<Eigen::Index>(start - 1, 0);
+  const std::vector<double> left(time.begin() + rest, time.end());
+  History resistance{left, {R.begin() + rest, R.end()}};
+  resistance.time.push_back(left.back());
+  resistance.value.push_back(sliding.friction * sliding.buoyant_weight);  // the wave is over
+  return slide(mass, {left, {F_T.begin() + rest, F_T.end()}}, resistance, sliding.drag).residual;
+}
 
 namespace {
 
 SlipModel joined_model(const ReducedModelFile& model, const ModelSliding& sliding, double damping_time) {
-  const SlipUplift uplift = sliding.uplift == "computed" ? SlipUplift::computed : SlipUplift::none;
+  const UpliftKind uplift = sliding.uplift == "computed" ? UpliftKind::computed : UpliftKind::prescribed;
   const ReducedSystem& system = model.slip->system;
   SlipModel slip = slip_model(system, slip_law(system, sliding.friction, uplift), damping_time);
   for (SlipPhase& phase : slip.phases) {
@@ -24,7 +67,7 @@ SlipModel joined_model(const ReducedModelFile& model, const ModelSliding& slidin
 }
 
 /// Jumps to zero loads at the end, and goes on for a step.
-void append_rest(SampledLoads& loads, double step, double buoyant_weight) {
+SampledLoads with_rest(SampledLoads loads, double step, double buoyant_weight) {
   const Eigen::Index n = loads.begin.cols();
   loads.time.push_back(loads.time.back() + step);
   for (Eigen::MatrixXd* part : {&loads.begin, &loads.end}) {
@@ -32,6 +75,21 @@ void append_rest(SampledLoads& loads, double step, double buoyant_weight) {
     part->col(n).setZero();
     (*part)(part->rows() - 1, n) = buoyant_weight;
   }
+  return loads;
+}
+
+CoupledSliding slide(const CoupledSlip& slip, const WaveSamples& loads, const WaveGrid& grid, bool batch,
+                     double buoyant_weight, const Eigen::RowVectorXd& prescribed) {
+  const Eigen::Index K = loads.rows(), N = loads.cols();
+  Eigen::RowVectorXd normal = Eigen::RowVectorXd::Constant(N, buoyant_weight);
+  if (prescribed.size() > 0) normal -= prescribed;
+  if (batch) {
+    WaveSamples all = WaveSamples::Zero(K + 1, N + 1);
+    all.topLeftCorner(K, N) = loads;
+    all.row(K) << normal, buoyant_weight;
+    return slip.slide(all);
+  }
+  return slip.slide(with_rest(with_load(with_jumps(loads, grid), normal), slip.step(), buoyant_weight));
 }
 
 }  // namespace
@@ -49,30 +107,6 @@ std::shared_ptr<const WaveSlip> WaveSlips::of_step(double step) {
   slip = std::make_shared<const WaveSlip>(WaveSlip{CoupledSlip(model_, step), std::move(more)});
   return slip;
 }
-
-namespace {
-
-CoupledSliding slide(const CoupledSlip& slip, const WaveSamples& loads, const WaveGrid& grid, bool batch,
-                     double buoyant_weight, const Eigen::RowVectorXd& prescribed) {
-  const Eigen::Index K = loads.rows(), N = loads.cols();
-  Eigen::RowVectorXd normal = Eigen::RowVectorXd::Constant(N, buoyant_weight);
-  if (prescribed.size() > 0) normal -= prescribed;
-  if (batch) {
-    WaveSamples all = WaveSamples::Zero(K + 1, N + 1);
-    all.topLeftCorner(K, N) = loads;
-    all.row(K) << normal, buoyant_weight;
-    return slip.slide(all);
-  }
-  SampledLoads all = with_jumps(loads, grid);
-  all.begin.conservativeResize(K + 1, Eigen::NoChange);
-  all.end.conservativeResize(K + 1, Eigen::NoChange);
-  all.begin.row(K) = normal.head(N - 1);
-  all.end.row(K) = normal.tail(N - 1);
-  append_rest(all, slip.step(), buoyant_weight);
-  return slip.slide(all);
-}
-
-}  // namespace
 
 SlipOfWave slip_of_wave(const WaveSlip& slip, const WaveSamples& loads, const WaveGrid& grid, bool batch,
                         double buoyant_weight, const Eigen::RowVectorXd& prescribed) try {

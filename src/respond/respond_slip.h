@@ -1,17 +1,31 @@
 // S of many waves that slide a caisson which slips as a whole on the ground that it shakes.
 #pragma once
 
+#include <Eigen/Core>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "output/wave_response.h"
+#include "respond/wave_grid.h"
 #include "sliding/coupled_slip.h"
+#include "upbead/dynamics/modal_model.h"
 #include "upbead/output/model_file.h"
-#include "wave_grid.h"
 
 namespace upbead {
+
+/// U(t) >= 0 that follows P(t), given at ascending times (s), as the case has it; for shapes in_phase and held.
+Eigen::RowVectorXd uplift_of_force(const ModelSliding& sliding, const std::vector<double>& time,
+                                   const Eigen::RowVectorXd& P);
+
+/// S (m) by eq. (4): F_T and U straight between the times; an empty U is none. mass: W/g (kg/m).
+double sliding_distance(const ModelSliding& sliding, double mass, const std::vector<double>& time,
+                        const Eigen::RowVectorXd& F_T, const Eigen::RowVectorXd& U);
+
+/// A load that prescribes a pore pressure is two loads of the system, with one history: makes them one again.
+void join_pore_pressures(ModalModel& model);
 
 /// Slides waves of one step.
 struct WaveSlip {

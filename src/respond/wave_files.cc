@@ -1,20 +1,193 @@
 #include "respond/wave_files.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
 
+#include "base/csv.h"
+#include "base/numbers.h"
 #include "base/text.h"
+#include "base/units.h"
 #include "case/records/record_layout.h"
 #include "case/records/record_table.h"
-#include "wave_checks.h"
+#include "output/hdf5_reader.h"
+#include "upbead/base/error.h"
 
 namespace upbead {
 
 namespace {
 
+using Names = std::vector<std::string>;
+
+/// Index of a name; the size of the list where it is not in it.
+std::size_t find(const Names& names, const std::string& name) {
+  return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
+}
+
+/// `what`: "column" or "dataset".
+void add_unknown_load(const Place& place, const std::string& what, const std::string& name, const Names& loads,
+                      Diagnostics& mistakes) {
+  const std::string near = nearest(name, loads), all = "the model's loads are: " + join(loads);
+  mistakes.add(place, what + " " + in_quotes(name) + " is no load of the model",
+               near.empty() ? all : "did you mean " + in_quotes(near) + "? " + all);
+}
+
+/// Two times or more, from 0 on, ascending. `place`: of the time with that index.
+void check_times(const std::vector<double>& time, const std::function<Place(std::size_t)>& place,
+                 Diagnostics& mistakes) {
+  if (time.size() < 2) return mistakes.add(place(0), "a wave of one time", "give two times or more");
+  if (time.front() < 0.)
+    mistakes.add(place(0), "the wave starts at t = " + significant(time.front(), 6) + " s, before the response",
+                 "let it start at 0 or later");
+  for (std::size_t n = 1; n < time.size(); ++n)
+    if (!(time[n] > time[n - 1]))
+      return mistakes.add(
+          place(n), "t = " + significant(time[n], 6) + " s does not follow t = " + significant(time[n - 1], 6) + " s",
+          "let the times ascend strictly");
+}
+
+/// What a unit makes of 1 of it, in that of load `k`; of a load whose unit is not known, force or pressure. Throws
+/// InputError where it is a unit of another quantity; `who`: has it.
+double factor_to_load(const std::string& unit, std::size_t k, const Names& units, const Place& place,
+                      const std::string& who) {
+  if (unit.empty()) return 1.;
+  const std::string wanted = k < units.size() ? units[k] : "";
+  const std::optional<Unit> known = unit_of(unit);
+  if (known && (wanted.empty() ? known->si == "N/m" || known->si == "Pa" : known->si == wanted)) return known->factor;
+  throw InputError(
+      place,
+      "the unit " + in_quotes(unit) + " of " + who + " is none of the load, " + (wanted.empty() ? "N/m or Pa" : wanted),
+      "write one of " + units_like(wanted.empty() ? "N/m" : wanted));
+}
+
+/// A column in the unit of load `k`.
+std::vector<double> in_unit_of_load(const CsvTable& table, std::size_t column, std::size_t k, const Names& units) {
+  const double factor =
+      factor_to_load(table.units[column], k, units, {table.path, 1, 1}, "column " + in_quotes(table.names[column]));
+  std::vector<double> values = table.columns[column];
+  for (double& value : values) value *= factor;
+  return values;
+}
+
+/// What is left of numbers that decay in some program, as in CSV files.
+void clear_small(std::vector<double>& values) {
+  for (double& value : values)
+    if (is_too_small(value)) value = 0.;
+}
+
+std::string shape_text(const NumberArray& array) {
+  Names sizes;
+  for (const std::size_t size : array.shape) sizes.push_back(std::to_string(size));
+  return sizes.empty() ? "of a single number" : join(sizes, " x ");
+}
+
+/// The datasets of an HDF5 file of waves, checked one by one.
+class WaveDatasets {
+ public:
+  WaveDatasets(const std::string& path, const Names& loads, const Names& units)
+      : path_(path),
+        loads_(loads),
+        units_(units),
+        file_(path, "a file with the datasets time and " + join(loads, " or ")) {
+    read_time();
+    for (const std::string& name : file_.names())
+      if (name != "time") read_load(name);
+    if (values_.empty() && !unknown_)
+      mistakes_.add({path_}, "a file without a load", "add a dataset named like a load of the model: " + join(loads_));
+    mistakes_.throw_if_any();
+  }
+
+  WaveFile take() {
+    WaveFile file;
+    file.n_loads = static_cast<int>(loads_.size());
+    const auto n = static_cast<Eigen::Index>(time_.size());
+    file.value.setZero(static_cast<Eigen::Index>(n_waves_) * file.n_loads, n);
+    for (const auto& [k, array] : values_)
+      for (std::size_t w = 0; w < n_waves_; ++w) {
+        const std::size_t row = array.shape.size() == 2 ? w : 0;
+        file.value.row(static_cast<Eigen::Index>(w * loads_.size() + k)) =
+            Eigen::Map<const Eigen::RowVectorXd>(array.values.data() + row * time_.size(), n);
+      }
+    file.time = std::move(time_);
+    return file;
+  }
+
+ private:
+  void read_time() {
+    const auto array = file_.numbers("/time");
+    if (!array || array->shape.size() != 1 || array->values.empty())
+      throw InputError({path_}, "no dataset /time with one time (s) a sample", "add it");
+    time_ = array->values;
+    clear_small(time_);
+    if (const auto unit = file_.text_attribute("/time", "unit"); unit && !unit->empty()) {
+      const std::optional<Unit> known = unit_of(unit_of_time("time", *unit));
+      if (!known)
+        throw InputError({path_}, "the unit " + in_quotes(*unit) + " of /time is none of a time",
+                         "write one of " + units_like("s"));
+      for (double& t : time_) t *= known->factor;
+    }
+    if (const std::string objection = objection_to(time_); !objection.empty())
+      mistakes_.add({path_}, "/time holds a number that " + objection, "give finite times");
+    else
+      check_times(
+          time_, [this](std::size_t n) { return Place{path_ + ": /time[" + std::to_string(n) + "]"}; }, mistakes_);
+  }
+
+  void read_load(const std::string& name) {
+    const std::size_t k = find(loads_, name);
+    if (k == loads_.size()) {
+      unknown_ = true;
+      return add_unknown_load({path_}, "dataset", name, loads_, mistakes_);
+    }
+    auto array = file_.numbers("/" + name);
+    if (!array)
+      return mistakes_.add({path_}, "/" + excerpt(name) + " cannot be read as numbers", "write it as an array");
+    clear_small(array->values);
+    const double factor =
+        factor_to_load(file_.text_attribute("/" + name, "unit").value_or(""), k, units_, {path_}, "/" + excerpt(name));
+    for (double& value : array->values) value *= factor;
+    const std::size_t rank = array->shape.size();
+    if (rank < 1 || rank > 2 || array->shape.back() != time_.size() || array->values.empty())
+      mistakes_.add({path_}, "/" + name + " has the shape " + shape_text(*array),
+                    "give it the length of /time, " + std::to_string(time_.size()) + ", or waves x that length");
+    else if (const std::string objection = objection_to(array->values); !objection.empty())
+      mistakes_.add({path_}, "/" + name + " holds a number that " + objection, "give finite numbers");
+    else if (rank == 2 && !several_.empty() && array->shape[0] != n_waves_)
+      mistakes_.add({path_},
+                    "/" + name + " has " + std::to_string(array->shape[0]) + " waves, /" + several_ + " has " +
+                        std::to_string(n_waves_),
+                    "give every load of the file as many waves");
+    else if (rank == 2)
+      note_waves(name, array->shape[0]);
+    values_.emplace(k, std::move(*array));
+  }
+
+  void note_waves(const std::string& name, std::size_t n) {
+    several_ = name;
+    n_waves_ = n;
+  }
+
+  std::string path_;
+  const Names &loads_, &units_;
+  Hdf5Reader file_;
+  Diagnostics mistakes_;
+  std::vector<double> time_;
+  std::map<std::size_t, NumberArray> values_;  ///< by load
+  std::size_t n_waves_ = 1;
+  std::string several_;   ///< a load that is given wave by wave
+  bool unknown_ = false;  ///< a dataset was no load, and has been told
+};
+
+/// The waves of one HDF5 file, without a name; throws InputError.
+WaveFile read_hdf5_waves(const std::string& path, const Names& loads, const Names& units) {
+  return WaveDatasets(path, loads, units).take();
+}
+
 namespace fs = std::filesystem;
-using detail::find;
-using detail::Names;
 
 /// The load of each column of values.
 std::vector<std::size_t> loads_of_columns(const CsvTable& table, const RecordLayout& layout, const Names& loads,
@@ -29,7 +202,7 @@ std::vector<std::size_t> loads_of_columns(const CsvTable& table, const RecordLay
   for (const std::size_t c : layout.values) {
     const std::size_t k = find(loads, table.names[c]);
     if (k == loads.size())
-      detail::add_unknown_load(header, "column", table.names[c], loads, mistakes);
+      add_unknown_load(header, "column", table.names[c], loads, mistakes);
     else if (std::find(list.begin(), list.end(), k) != list.end())
       mistakes.add(header, "two columns are called " + in_quotes(table.names[c]), "give each load once");
     list.push_back(k);
@@ -45,13 +218,13 @@ WaveFile read_csv_wave(const std::string& path, const Names& loads, const Names&
   mistakes.throw_if_any();
   WaveFile file;
   file.time = times_of(table, layout);
-  detail::check_times(
+  check_times(
       file.time, [&table](std::size_t row) { return table.place(row); }, mistakes);
   mistakes.throw_if_any();
   file.n_loads = static_cast<int>(loads.size());
   file.value.setZero(file.n_loads, static_cast<Eigen::Index>(file.time.size()));
   for (std::size_t i = 0; i < load.size(); ++i) {
-    const std::vector<double> values = detail::in_unit_of_load(table, layout.values[i], load[i], units);
+    const std::vector<double> values = in_unit_of_load(table, layout.values[i], load[i], units);
     file.value.row(static_cast<Eigen::Index>(load[i])) =
         Eigen::Map<const Eigen::RowVectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
   }
@@ -78,7 +251,7 @@ std::vector<WaveFile> read_wave_files(const std::vector<std::string>& paths, con
   for (const std::string& path : paths) try {
       const std::string ending = fs::path(path).extension().string();
       const bool hdf5 = ending == ".h5" || ending == ".hdf5";
-      files.push_back(hdf5 ? detail::read_hdf5_waves(path, loads, units) : read_csv_wave(path, loads, units));
+      files.push_back(hdf5 ? read_hdf5_waves(path, loads, units) : read_csv_wave(path, loads, units));
       files.back().name = fs::path(path).stem().string();
     } catch (const InputError& error) {
       mistakes.add(error.diagnostics());

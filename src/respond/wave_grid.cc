@@ -1,4 +1,4 @@
-#include "wave_grid.h"
+#include "respond/wave_grid.h"
 
 #include <algorithm>
 #include <cmath>

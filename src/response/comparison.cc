@@ -8,15 +8,6 @@ namespace upbead {
 
 namespace {
 
-/// Linear between; the ends are kept beyond.
-double at(const std::vector<double>& time, const std::vector<double>& value, double t) {
-  const auto next = std::upper_bound(time.begin(), time.end(), t);
-  if (next == time.begin()) return value.front();
-  if (next == time.end()) return value.back();
-  const auto i = static_cast<std::size_t>(next - time.begin());
-  return value[i - 1] + (value[i] - value[i - 1]) * (t - time[i - 1]) / (time[i] - time[i - 1]);
-}
-
 /// Correlation of a with b shifted to the left, over what both share.
 double correlation(const std::vector<double>& a, const std::vector<double>& b, std::ptrdiff_t shift) {
   double ab = 0., aa = 0., bb = 0.;
@@ -47,27 +38,29 @@ double best_shift(const std::vector<double>& a, const std::vector<double>& b) {
 
 }  // namespace
 
-Comparison compare(const std::vector<double>& time, const std::vector<double>& measured,
-                   const std::vector<double>& computed_time, const std::vector<double>& computed) {
-  const double begin = std::max(time.front(), computed_time.front()), end = std::min(time.back(), computed_time.back());
+Comparison compare(const History& measured, const History& computed) {
+  const double begin = std::max(measured.time.front(), computed.time.front()),
+               end = std::min(measured.time.back(), computed.time.back());
   constexpr int n = 2000;
   if (!(end > begin)) throw std::invalid_argument("the record and the run have no time in common");
   std::vector<double> a, b;
   for (int i = 0; i <= n; ++i) {
     const double t = begin + (end - begin) * i / n;
-    a.push_back(at(time, measured, t));
-    b.push_back(at(computed_time, computed, t));
+    a.push_back(value_at(measured.time, measured.value, t));
+    b.push_back(value_at(computed.time, computed.value, t));
   }
   Comparison c;
   const auto smaller = [](double x, double y) { return std::abs(x) < std::abs(y); };
-  for (std::size_t i = 0; i < time.size(); ++i)  // the samples themselves, for the peak between the equal steps
-    if (time[i] >= begin && time[i] <= end) c.peak_measured = std::max(c.peak_measured, measured[i], smaller);
+  for (std::size_t i = 0; i < measured.time.size();
+       ++i)  // the samples themselves, for the peak between the equal steps
+    if (measured.time[i] >= begin && measured.time[i] <= end)
+      c.peak_measured = std::max(c.peak_measured, measured.value[i], smaller);
   if (c.peak_measured == 0.) throw std::invalid_argument("the record is zero throughout");
   const double sign = c.peak_measured < 0. ? -1. : 1.;
-  c.peak_computed = sign * at(computed_time, computed, begin);
-  for (std::size_t i = 0; i < computed.size(); ++i)
-    if (computed_time[i] >= begin && computed_time[i] <= end)
-      c.peak_computed = std::max(c.peak_computed, sign * computed[i]);
+  c.peak_computed = sign * value_at(computed.time, computed.value, begin);
+  for (std::size_t i = 0; i < computed.value.size(); ++i)
+    if (computed.time[i] >= begin && computed.time[i] <= end)
+      c.peak_computed = std::max(c.peak_computed, sign * computed.value[i]);
   c.peak_computed *= sign;
   c.peak_ratio = c.peak_computed / c.peak_measured;
   double difference = 0., size = 0.;

@@ -1,14 +1,13 @@
 #include "response/reduction.h"
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
+#include "base/numbers.h"
 #include "base/text.h"
 #include "fem/caisson_readings.h"
-#include "response/step_choice.h"
+#include "response/time_choice.h"
 #include "upbead/base/error.h"
 
 namespace upbead {
@@ -73,32 +72,35 @@ std::vector<double> response_times(const Scene& scene, const System& system) {
   return times_of_steps(scene, system, of_loads);
 }
 
-SampledLoads sampled_loads(const Scene& scene, const System& system) {
+std::vector<TimeFunction> load_histories(const System& system) {
   std::vector<TimeFunction> histories;
   for (const SystemLoad& load : system.loads) histories.push_back(load.history);
-  return sample(histories, response_times(scene, system));
+  return histories;
+}
+
+SampledLoads sampled_loads(const Scene& scene, const System& system) {
+  return sample(load_histories(system), response_times(scene, system));
 }
 
 double krylov_shift(const Scene& scene) {
-  return (is_damped(scene) ? shift_damped : shift_undamped) * boost::math::constants::two_pi<double>() /
-         step_of_loads(scene, order).duration;
+  return (is_damped(scene) ? shift_damped : shift_undamped) * two_pi / step_of_loads(scene, order).duration;
 }
 
-Reduction reduce_scene(const Scene& scene, const CompiledScene& compiled, const ReductionAim& aim,
+Reduction reduce_scene(const Scene& scene, const CompiledScene& compiled, const ReductionTargets& targets,
                        const std::function<void(double)>& progress) {
   const System& system = compiled.system;
   ReduceOptions options;
   const bool damped = is_damped(scene);
   options.shift = krylov_shift(scene);
   options.exact = compiled.body_coordinates;
-  if (aim.balanced) options.kept = compiled.caisson_motions;
+  if (targets.balanced) options.kept = compiled.caisson_motions;
   options.training = sampled_loads(scene, system);
   options.tolerance = scene.tolerance;
   options.tolerance_of_others = (damped ? others_damped : others_undamped) * scene.tolerance;
-  if (aim.only_shear) options.tolerance_of_others = std::numeric_limits<double>::infinity();
-  options.each_load = aim.each_load;
-  if (aim.most_vectors) options.max_vectors = *aim.most_vectors;
-  options.keep_pressures = aim.pressures;
+  if (targets.only_shear) options.tolerance_of_others = infinity;
+  options.each_load = targets.each_load;
+  if (targets.most_vectors) options.max_vectors = *targets.most_vectors;
+  options.keep_pressures = targets.pressures;
   options.progress = progress;
   if (compiled.caisson) {
     options.measured = {system.reading(reading::shear_force)};

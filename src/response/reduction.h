@@ -17,11 +17,13 @@ namespace upbead {
 /// measured records.
 std::vector<double> response_times(const Scene& scene, const System& system);
 
+std::vector<TimeFunction> load_histories(const System& system);
+
 /// The scene's own loads at those times.
 SampledLoads sampled_loads(const Scene& scene, const System& system);
 
 /// What a model is to be good for.
-struct ReductionAim {
+struct ReductionTargets {
   bool only_shear = false;          ///< F_T alone, not all readings
   bool each_load = false;           ///< any history of each load, not only what they do together in the scene
   std::optional<int> most_vectors;  ///< per independent load, where the default is not meant
@@ -40,7 +42,7 @@ double krylov_shift(const Scene& scene);
 /// readings meet the tolerance. It is the smaller of two nested models that misses by so much; the larger one, which is
 /// kept, is better where the space converges quickly, and about as good where it does not. `progress`: called with 0 to
 /// 1 after every solve. Throws NumericsError.
-Reduction reduce_scene(const Scene& scene, const CompiledScene& compiled, const ReductionAim& aim,
+Reduction reduce_scene(const Scene& scene, const CompiledScene& compiled, const ReductionTargets& targets,
                        const std::function<void(double)>& progress = {});
 
 /// Name of the reading with the largest error; "" where there is none.

@@ -2,16 +2,165 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "base/text.h"
+#include "dynamics/interpolate.h"
 #include "fem/caisson_readings.h"
-#include "inside_steps.h"
 #include "upbead/base/error.h"
 
 namespace upbead {
 
 namespace {
+
+constexpr std::size_t most_looks = 16;
+
+std::size_t looks_of(std::size_t n_steps) {
+  return std::clamp<std::size_t>(most_looks * 512 / n_steps, 1, most_looks);
+}
+
+using Samples = Eigen::RowVectorXd;
+
+/// The values of a reading at all times of a series.
+Samples samples(const CompiledScene& compiled, const Series& series, const char* name) {
+  return series.reading.row(compiled.system.reading(name));
+}
+
+/// Looks at some points of every step, and closely at the step where it finds the most.
+template <typename Value>
+Extremum extreme(const std::vector<double>& time, int sign, const Value& value) {
+  const std::size_t n_steps = time.size() - 1, looks = looks_of(n_steps);
+  Extremum best{time.front(), 0.};
+  std::size_t step = 0;
+  for (std::size_t n = 0; n < n_steps; ++n)
+    for (std::size_t i = 0; i <= looks; ++i) {
+      const double t = time[n] + (time[n + 1] - time[n]) * static_cast<double>(i) / static_cast<double>(looks);
+      if (const double y = value(n, t); sign * (y - best.value) > 0.) {
+        best = {t, y};
+        step = n;
+      }
+    }
+  for (std::size_t n = step > 0 ? step - 1 : 0; n < std::min(step + 2, n_steps); ++n) {
+    const TimeFunction inside({}, {[&](double t) { return value(n, t); }});
+    const Extremum candidate = extremum(inside, time[n], time[n + 1], sign, most_looks);
+    if (sign * (candidate.value - best.value) > 0.) best = candidate;
+  }
+  return best;
+}
+
+/// F_T and x_G between the ends of each step. A scheme of order 4 has x_G, x_G' and x_G'' good enough for a quintic; of
+/// order 2 their errors, divided by h^2, would spoil its second derivative, so x_G'' is linear there; so it is in steps
+/// so short that their round-off does.
+///
+/// Water answers acceleration at once, so its force is taken as -m_a x_G'' + r: the added mass m_a is fitted to the
+/// whole march, r is small and linear within a step, and where P jumps x_G'' jumps by its jump over m + m_a.
+class InsideSteps {
+ public:
+  InsideSteps(const CompiledScene& compiled, const Response& response, const TimeFunction& P)
+      : time_(response.ends.time),
+        x_(samples(compiled, response.ends, reading::displacement_x)),
+        v_(samples(compiled, response.ends, reading::velocity_x)),
+        P_(P),
+        mass_(compiled.caisson->body.mass),
+        quintic_(response.ends.time.size() - 1, response.order >= 4) {
+    const Samples water = samples(compiled, response.ends, reading::water_force);
+    a_ = (water - samples(compiled, response.ends, reading::shear_force)) / mass_;
+    for (std::size_t n = 1; n < time_.size(); ++n)
+      a_[static_cast<Eigen::Index>(n)] += P_(time_[n], middle(n - 1)) / mass_;
+    all_added_mass_ = added_mass(water);
+    for (std::size_t n = 0; n < quintic_.size(); ++n) quintic_[n] = quintic_[n] && is_smooth(n);
+  }
+
+  /// Extreme of P + `water` - m x_G'', `water` being a force of the water at the ends of the steps.
+  Extremum shear_force(int sign, const Samples& water) const {
+    const WaterPart part = split(water);
+    return extreme(time_, sign, [&](std::size_t n, double t) { return shear_force_at(n, t, part); });
+  }
+  Extremum displacement(int sign) const {
+    return extreme(time_, sign, [this](std::size_t n, double t) { return motion(n)(t).value; });
+  }
+
+  /// Calls `see` with times, P + `water` - m x_G'' and P: from the start of each step to its end in up to 16 equal
+  /// parts.
+  template <class See>
+  void for_each(const Samples& water, const See& see) const {
+    const WaterPart part = split(water);
+    const std::size_t n_steps = time_.size() - 1, looks = looks_of(n_steps);
+    for (std::size_t n = 0; n < n_steps; ++n)
+      for (std::size_t i = 0; i <= looks; ++i) {
+        const double weight = static_cast<double>(i) / static_cast<double>(looks);
+        const double t = (1. - weight) * time_[n] + weight * time_[n + 1];
+        see(t, shear_force_at(n, t, part), P_(t, middle(n)));
+      }
+  }
+
+ private:
+  /// What the water does: -m_a x_G'' + rest, rest linear within a step.
+  struct WaterPart {
+    double added_mass;
+    Samples rest;
+  };
+  WaterPart split(const Samples& water) const {
+    const double m_a = added_mass(water);
+    return {m_a, water + m_a * a_};
+  }
+
+  double shear_force_at(std::size_t n, double t, const WaterPart& water) const {
+    const auto k = static_cast<Eigen::Index>(n);
+    const double weight = (t - time_[n]) / (time_[n + 1] - time_[n]);
+    return P_(t, middle(n)) + (1. - weight) * water.rest[k] + weight * water.rest[k + 1] -
+           (mass_ + water.added_mass) * acceleration_at(n, t);
+  }
+
+  double middle(std::size_t n) const { return 0.5 * (time_[n] + time_[n + 1]); }
+
+  /// x_G'' at one end of step n, as of that step's own piece of P.
+  double acceleration(std::size_t n, std::size_t end) const {
+    const double a = a_[static_cast<Eigen::Index>(end)];
+    if (end != n) return a;
+    const double before = n == 0 ? 0. : P_(time_[n], middle(n - 1));
+    return a + (P_(time_[n], middle(n)) - before) / (mass_ + all_added_mass_);
+  }
+  double acceleration_at(std::size_t n, double t) const {
+    if (quintic_[n]) return motion(n)(t).second;
+    const double weight = (t - time_[n]) / (time_[n + 1] - time_[n]);
+    return (1. - weight) * acceleration(n, n) + weight * acceleration(n, n + 1);
+  }
+  QuinticHermite motion(std::size_t n) const {
+    const auto jet = [&](std::size_t end) {
+      const auto k = static_cast<Eigen::Index>(end);
+      return Jet{x_[k], v_[k], acceleration(n, end)};
+    };
+    return QuinticHermite(time_[n], time_[n + 1] - time_[n], jet(n), jet(n + 1));
+  }
+  /// Mean of step n.
+  double jerk(std::size_t n) const { return (acceleration(n, n + 1) - acceleration(n, n)) / (time_[n + 1] - time_[n]); }
+
+  /// What x and v say of x_G'' inside the step beside a straight line: no more than what its slope changes by from step
+  /// to step. More is their round-off, divided by h^2.
+  bool is_smooth(std::size_t n) const {
+    const double h = time_[n + 1] - time_[n], own = jerk(n);
+    double change = n > 0 ? std::abs(own - jerk(n - 1)) : std::abs(own);
+    if (n + 2 < time_.size()) change = std::max(change, std::abs(own - jerk(n + 1)));
+    const QuinticHermite x = motion(n);
+    double bend = 0.;
+    for (const double part : {0.25, 0.5, 0.75})
+      bend = std::max(bend, std::abs(x(time_[n] + part * h).second - acceleration(n, n) - part * h * own));
+    return bend <= 2. * h * change;
+  }
+
+  /// Least squares of water = -m_a x_G''.
+  double added_mass(const Samples& water) const {
+    const double square = a_.squaredNorm();
+    return square > 0. ? std::max(0., -water.dot(a_) / square) : 0.;
+  }
+
+  const std::vector<double>& time_;
+  Samples x_, v_, a_;  ///< a as of the step that ends there
+  const TimeFunction& P_;
+  double mass_;
+  double all_added_mass_;
+  std::vector<bool> quintic_;  ///< whether x_G is one, by step
+};
 
 Extremum at_ends(const std::vector<double>& time, const Samples& values, int sign) {
   Eigen::Index at = 0;
@@ -112,6 +261,32 @@ ShearResponse read_shear_response(const CompiledScene& compiled, const Response&
   return r;
 }
 
+BaseHistory read_base_history(const CompiledScene& compiled, const Response& response, bool inertia) {
+  const Series& ends = response.ends;
+  const auto of_steps = [&](const char* name) {
+    const Samples values = samples(compiled, ends, name);
+    return History{ends.time, {values.begin(), values.end()}};
+  };
+  BaseHistory history{{}, {}, of_steps(reading::normal_force), of_steps(reading::uplift)};
+  if (!inertia) {
+    history.shear_force = of_steps(reading::shear_force);
+    history.force = of_steps(reading::force);
+    return history;
+  }
+  const TimeFunction P = force_on_caisson(compiled);
+  const InsideSteps inside(compiled, response, P);
+  History &shear = history.shear_force, &force = history.force;
+  inside.for_each(samples(compiled, ends, reading::water_force), [&](double t, double F_T, double P_t) {
+    if (!shear.time.empty() && t == shear.time.back() && F_T == shear.value.back() && P_t == force.value.back())
+      return;  // nothing jumps between these steps
+    shear.time.push_back(t);
+    shear.value.push_back(F_T);
+    force.value.push_back(P_t);
+  });
+  force.time = shear.time;
+  return history;
+}
+
 namespace {
 
 constexpr double bearable = 1e-4;
@@ -121,12 +296,9 @@ constexpr double bearable = 1e-4;
 void require_no_gain(const EnergyAccount& energy, double work) {
   constexpr double tolerable = 1.1;
   if (energy.stored() <= tolerable * work) return;
-  std::ostringstream text;
-  text
-      << "the scene holds " << energy.stored() / work
-      << " times the work of the loads, the rest of which the time scheme has made up: the steps are too long; shorten "
-         "time.step, or leave it to the program: \"auto\"";
-  throw NumericsError(text.str());
+  throw NumericsError("the scene holds " + significant(energy.stored() / work, 6) +
+                      " times the work of the loads, the rest of which the time scheme has made up: the steps are too "
+                      "long; shorten time.step, or leave it to the program: \"auto\"");
 }
 
 constexpr double tolerable_energy = 1e-6;

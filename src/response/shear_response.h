@@ -5,10 +5,24 @@
 
 #include "fem/compile.h"
 #include "upbead/base/error.h"
+#include "upbead/base/history.h"
 #include "upbead/dynamics/march.h"
 #include "upbead/response/findings.h"
 
 namespace upbead {
+
+/// The forces at the caisson's bottom over time, for what slides on them: changes against still water, straight between
+/// times that are also inside steps, two equal ones where a force jumps; of the last two the ends of the steps.
+struct BaseHistory {
+  History shear_force;   ///< F_T, landward (N/m)
+  History force;         ///< P, landward (N/m)
+  History normal_force;  ///< change of the total normal force, compression positive (N/m)
+  History uplift;        ///< integral of the excess pore pressure over the bottom (N/m)
+};
+
+/// Needs a scene with a caisson. F_T inside the steps as in read_shear_response; without inertia its values at their
+/// ends.
+BaseHistory read_base_history(const CompiledScene& compiled, const Response& response, bool inertia);
 
 /// The horizontal load P(t) on the caisson, all loads together.
 TimeFunction force_on_caisson(const CompiledScene& compiled);

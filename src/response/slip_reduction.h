@@ -5,11 +5,14 @@
 #include <string>
 #include <vector>
 
+#include "dynamics/slip_model.h"
 #include "fem/compile.h"
-#include "response/slip_law.h"
 #include "upbead/dynamics/reduce.h"
 
 namespace upbead {
+
+/// One more load, of these values at the times.
+SampledLoads with_load(SampledLoads loads, const Eigen::RowVectorXd& values);
 
 /// A scene in a few coordinates, one of them s, and what is known of its error.
 struct SlipReduction {
@@ -17,19 +20,19 @@ struct SlipReduction {
   /// Between nested models, of F_T and N' of the caisson that sticks, and of s' and N' of one that slips freely, under
   /// all loads with F_T, and under each alone. About the error of the smaller one.
   NestedError error;
-  double glued_error = 0.;  ///< largest difference of F_T from the glued history, over its peak, while it sticks
-  bool converged = false;   ///< also where the space is exhausted
+  double bonded_error = 0.;  ///< largest difference of F_T from the bonded history, over its peak, while it sticks
+  bool converged = false;    ///< also where the space is exhausted
   int n_vectors = 0, n_solves = 0;
   double factorise_seconds = 0.;
 };
 
 /// Reduces a scene with an interface for its loads, F_T and s, at krylov_shift(), to its tolerance.
 /// - compiled: with the interface, on one process.
-/// - glued: what the caisson's glued twin reads, all readings of the system in their order; trains the model with F_T
+/// - bonded: what the caisson's bonded twin reads, all readings of the system in their order; trains the model with F_T
 ///   cut off at 0.7 of its peak, and is compared with. Times ascend from 0.
 /// - progress: called with 0 to 1 after every solve.
 /// Throws NumericsError as reduce_scene() does, std::invalid_argument where there is no interface or no shear force.
-SlipReduction reduce_slip(const Scene& scene, const CompiledScene& compiled, SlipUplift uplift, const Series& glued,
+SlipReduction reduce_slip(const Scene& scene, const CompiledScene& compiled, UpliftKind uplift, const Series& bonded,
                           const std::function<void(double)>& progress = {});
 
 }  // namespace upbead

@@ -1,4 +1,5 @@
-// A scene's own response at a few complex frequencies: cheap, and enough to tell two scenes apart.
+// A scene's own response at a few complex frequencies: cheap, and enough to tell two scenes apart, and which cells make
+// F_T wrong.
 #pragma once
 
 #include <complex>
@@ -28,8 +29,17 @@ Spectrum solve_spectrum(const Scene& scene, const CompiledScene& compiled, doubl
 double shear_at(const std::vector<std::complex<double>>& s, const std::vector<std::complex<double>>& shear,
                 double time);
 
-/// A reading of x at X, X' = s X, X'' = s^2 X under loads F.
-std::complex<double> evaluate(const Reading& reading, const Eigen::VectorXcd& X, std::complex<double> s,
-                              const Eigen::VectorXcd& F);
+/// What cells have of the error of F_T, relative to its size: tells one cell from another, not how large the error is.
+struct MeshError {
+  std::vector<double> of_cell;  ///< by active cell index
+  double sum = 0.;              ///< of all cells, as if none offset another
+};
+
+/// Of the scene's own loads, at frequencies from one half-wave in the run to four in the shortest load, each
+/// counting for what it has of F_T. As the equations are symmetric, the work F x_G of a force F is wrong by the square
+/// of the error of x in the energy norm (goal and load are one: Becker and Rannacher 2001, sec. 2), and F_T = P - m
+/// x_G'' with it. Low frequencies see the singular corners of the caisson's bottom, high ones the cells that are too
+/// long for waves. Needs a caisson and inertia. Throws NumericsError as solve_spectrum does.
+MeshError mesh_error(const Scene& scene, const Space& space, const Unknowns& unknowns, const CompiledScene& compiled);
 
 }  // namespace upbead

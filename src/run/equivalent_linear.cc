@@ -1,12 +1,12 @@
 // Soils whose stiffness and damping follow the strain of the response: iterated linear solutions.
-#include "derived.h"
+#include "run/derived.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "fem/compile.h"
-#include "response/strains.h"
-#include "solve.h"
+#include "response/monitors.h"
+#include "run/solve.h"
 
 namespace upbead {
 
@@ -71,9 +71,9 @@ struct LinearAnswer {
 LinearAnswer solve_linear(const Simulation& simulation, const std::vector<bool>& follows,
                           const std::function<void(double)>& progress) {
   LargestStrains strains(*simulation.space, *simulation.unknowns, follows);
-  ObserverFunction told = progress_observer(progress);
+  ObserverFunction reported = progress_observer(progress);
   MarchOptions options;
-  options.observers = {&strains, &told};
+  options.observers = {&strains, &reported};
   const TimeScheme asked = simulation.given.time.scheme;
   const TimeScheme scheme = asked == TimeScheme::generalised_alpha ? asked : TimeScheme::sdirk4;
   const Run run = run_march(simulation, {scheme, "equivalent-linear soil is marched", {}}, options);

@@ -5,47 +5,35 @@
 
 #include "fem/base_readings.h"
 #include "fem/compile.h"
-#include "sliding/effective_base.h"
+#include "run/sliding/effective_base.h"
 
 namespace upbead {
 
 namespace {
 
-/// A reading of one place of the bottom: "base/PLACE/WHAT".
-struct PlaceAndWhat {
-  std::size_t place = 0;
-  std::string what;
-};
-
-std::optional<PlaceAndWhat> at_bottom(const Reading& reading) {
-  if (reading.name.rfind(base_prefix, 0) != 0) return std::nullopt;
-  return PlaceAndWhat{std::stoul(reading.name.substr(base_prefix.size())),
-                      reading.name.substr(reading.name.rfind('/') + 1)};
-}
-
-/// What was read along the bottom, by time and place.
-std::vector<History> base_tables(const Simulation& simulation, const Series& series) {
+/// What was read along the bottom, by time and node.
+std::vector<Dataset> base_tables(const Simulation& simulation, const Series& series) {
   if (!simulation.compiled->caisson || !simulation.scene.base_stress) return {};
   std::vector<double> x, length;
   for (const InterfaceNode& node : interface_nodes(*simulation.space)) {
     x.push_back(node.position);
     length.push_back(node.length);
   }
-  std::vector<History> list{
+  std::vector<Dataset> list{
       {"base/position", "m", "x of the nodes of the caisson's bottom", x},
       {"base/length", "m", "length that each node stands for: a stress times it is a force", length}};
-  std::map<std::string, History> tables;
+  std::map<std::string, Dataset> tables;
   const std::size_t n = series.time.size();
   for (std::size_t i = 0; i < simulation.compiled->system.readings.size(); ++i) {
     const Reading& reading = simulation.compiled->system.readings[i];
-    const std::optional<PlaceAndWhat> at = at_bottom(reading);
-    if (!at) continue;
-    History& table = tables[at->what];
+    if (reading.name.group != base_group) continue;
+    const std::string& what = reading.name.quantity;
+    Dataset& table = tables[what];
     if (table.name.empty())
-      table = {base_prefix + at->what, reading.unit, reading.description + ", by time and node", {}, x.size()};
+      table = {"base/" + what, reading.unit, reading.description + ", by time and node", {}, x.size()};
     table.values.resize(n * x.size(), 0.);
     for (std::size_t t = 0; t < n; ++t)
-      table.values[t * x.size() + at->place] =
+      table.values[t * x.size() + static_cast<std::size_t>(reading.name.node)] =
           series.reading(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(t));
   }
   for (auto& table : tables) list.push_back(std::move(table.second));
@@ -63,7 +51,7 @@ std::vector<double> opened_width(const ContactHistory& contact) {
 }
 
 /// What the nodes of the caisson's bottom did, at the times of /history/time.
-std::vector<History> node_tables(const std::optional<ContactHistory>& contact) {
+std::vector<Dataset> node_tables(const std::optional<ContactHistory>& contact) {
   if (!contact) return {};
   const std::size_t n = contact->position.size();
   const std::string nodes = " by time and node of the caisson's bottom";
@@ -78,7 +66,7 @@ std::vector<History> node_tables(const std::optional<ContactHistory>& contact) {
 }
 
 /// The caisson that slips as a whole, at times of its own.
-std::vector<History> coupled_tables(const std::optional<CoupledHistoryTable>& coupled) {
+std::vector<Dataset> coupled_tables(const std::optional<CoupledHistoryTable>& coupled) {
   if (!coupled) return {};
   return {{"coupled/time", "s", "time", coupled->time},
           {"coupled/shear_force", "N/m", "F_T of the caisson that slips as a whole", coupled->shear_force},
@@ -90,30 +78,31 @@ std::vector<History> coupled_tables(const std::optional<CoupledHistoryTable>& co
 
 }  // namespace
 
-std::vector<History> histories(const Simulation& simulation, const Series& series) {
+std::vector<Dataset> histories(const Simulation& simulation, const Series& series) {
   const System& system = simulation.compiled->system;
-  std::vector<History> list{{"time", "s", "time", series.time}};
+  std::vector<Dataset> list{{"time", "s", "time", series.time}};
   for (std::size_t i = 0; i < system.readings.size(); ++i) {
     const Reading& reading = system.readings[i];
-    if (at_bottom(reading)) continue;
+    if (reading.name.group == base_group) continue;
     const auto row = series.reading.row(static_cast<Eigen::Index>(i));
-    list.push_back({reading.name, reading.unit, reading.description, std::vector<double>(row.begin(), row.end())});
+    list.push_back(
+        {reading.name.text(), reading.unit, reading.description, std::vector<double>(row.begin(), row.end())});
   }
   if (const std::optional<EffectiveBase> base = effective_base(simulation, series))
-    for (History& history : base_histories(*base)) list.push_back(std::move(history));
+    for (Dataset& history : base_histories(*base)) list.push_back(std::move(history));
   return list;
 }
 
-std::vector<History> names_of_histories(const Simulation& simulation) {
+std::vector<Dataset> names_of_histories(const Simulation& simulation) {
   const System& system = simulation.compiled->system;
   const auto none = [](std::size_t n) { return Eigen::MatrixXd(static_cast<Eigen::Index>(n), 0); };
   return histories(simulation, {{}, none(system.readings.size()), none(system.loads.size())});
 }
 
-std::vector<History> tables(const Run& run) {
-  std::vector<History> all = base_tables(*run.simulation, run.response.ends);
+std::vector<Dataset> tables(const Run& run) {
+  std::vector<Dataset> all = base_tables(*run.simulation, run.response.ends);
   for (auto part : {node_tables(run.contact), coupled_tables(run.coupled)})
-    for (History& table : part) all.push_back(std::move(table));
+    for (Dataset& table : part) all.push_back(std::move(table));
   return all;
 }
 

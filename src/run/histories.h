@@ -9,12 +9,12 @@
 namespace upbead {
 
 /// Histories of all readings, by the names of /history, and of what stands on the ground. `ends`: of the scene.
-std::vector<History> histories(const Simulation& simulation, const Series& ends);
+std::vector<Dataset> histories(const Simulation& simulation, const Series& ends);
 
 /// The same names and units, without times.
-std::vector<History> names_of_histories(const Simulation& simulation);
+std::vector<Dataset> names_of_histories(const Simulation& simulation);
 
 /// All that is no history: the bottom's stress, the nodes of an interface, a caisson that slips as a whole.
-std::vector<History> tables(const Run& run);
+std::vector<Dataset> tables(const Run& run);
 
 }  // namespace upbead

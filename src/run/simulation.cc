@@ -1,18 +1,74 @@
 #include "upbead/run/simulation.h"
 
-#include "accuracy/adapt.h"
-#include "accuracy/error_account.h"
 #include "base/stopwatch.h"
-#include "contact/contact_run.h"
-#include "derived.h"
 #include "fem/compile.h"
-#include "ladder.h"
-#include "run_warnings.h"
+#include "fem/scene_check.h"
+#include "run/accuracy/accuracy.h"
+#include "run/contact/contact_run.h"
+#include "run/derived.h"
+#include "run/monitors.h"
+#include "run/sliding/case_sliding.h"
+#include "run/solve.h"
+#include "system/interface.h"
 #include "system/part.h"
 #include "upbead/base/error.h"
-#include "warnings/scene_watch.h"
 
 namespace upbead {
+
+Simulation on_mesh(const Scene& given, std::shared_ptr<const Mesh> mesh, std::shared_ptr<const Processes> processes) {
+  const Stopwatch watch;
+  check_scene(given, *mesh).throw_if_any();
+  Simulation out;
+  out.given = given;
+  out.given_mesh = out.mesh = std::move(mesh);
+  out.processes = std::move(processes);
+  ResolvedScene resolved = resolve(given, *out.mesh);
+  out.scene = std::move(resolved.scene);
+  out.decisions = std::move(resolved.decisions);
+  out.absent = std::move(resolved.absent);
+  out.soil_state = std::move(resolved.soil);
+  out.with_interface = given.mesh.refine && has_frictional_contact(out.scene);
+  out = assembled(std::move(out));
+  check_sliding(out);
+  check_at_rest(out);
+  out.timing.compile = watch.seconds();
+  return out;
+}
+
+Simulation assembled(Simulation simulation) {
+  AssembledScene parts = assemble_scene(simulation.scene, *simulation.mesh, simulation.absent, simulation.soil_state,
+                                        simulation.with_interface, simulation.processes.get());
+  simulation.space = std::move(parts.space);
+  simulation.unknowns = std::move(parts.unknowns);
+  simulation.compiled = std::move(parts.compiled);
+  return simulation;
+}
+
+Simulation with_soil(const Simulation& simulation, const SoilState& soil) {
+  Simulation other = simulation;
+  other.soil_state = soil;
+  return assembled(std::move(other));
+}
+
+Simulation with_given(const Simulation& simulation, const Scene& given) {
+  Simulation other = simulation;
+  other.given = given;
+  other.scene.sliding = given.sliding;
+  return other;
+}
+
+Simulation with_system(const Simulation& simulation, std::shared_ptr<const CompiledScene> compiled) {
+  Simulation other = simulation;
+  other.compiled = std::move(compiled);
+  return other;
+}
+
+Simulation bonded(const Simulation& simulation) {
+  if (!simulation.compiled->system.interface) return simulation;
+  CompiledScene compiled = *simulation.compiled;
+  compiled.system = glued(simulation.compiled->system);
+  return with_system(simulation, std::make_shared<CompiledScene>(std::move(compiled)));
+}
 
 namespace {
 
@@ -40,16 +96,6 @@ Simulation divided(Simulation simulation) {
   return simulation;
 }
 
-/// A scene that names a scheme is told, where that is refused, whether another one answers. Contact has but one.
-Run solve_bonded(const Simulation& simulation, const MarchOptions& marching,
-                 const std::function<void(double)>& progress) {
-  try {
-    return run_glued(simulation, marching, progress);
-  } catch (const NumericsError& error) {
-    throw NumericsError(error.what() + what_would_work(simulation, progress));
-  }
-}
-
 }  // namespace
 
 Simulation::Simulation(Scene asked, std::shared_ptr<const Mesh> on, std::shared_ptr<const Processes> among) {
@@ -60,19 +106,19 @@ Simulation::Simulation(Scene asked, std::shared_ptr<const Mesh> on, std::shared_
 
 Run Simulation::run(const RunOptions& options) const {
   const Simulation solved = with_converged_soil(*this, options.progress);
-  SceneWatch watch(solved);
+  Monitors monitors(solved);
   ObserverFunction progress = progress_observer(options.progress);
   MarchOptions marching;
-  marching.observers = watch.observers();
+  marching.observers = monitors.observers();
   marching.observers.push_back(&progress);
   if (MarchObserver* other = options.observer ? options.observer(solved) : nullptr) marching.observers.push_back(other);
   marching.stop_at_energy = given.time.stop_at_energy.value_or(0.);
   marching.checkpoints = options.checkpoints;
   Run run = solved.compiled->system.interface ? run_contact(solved, marching, options.progress)
-                                              : solve_bonded(solved, marching, options.progress);
+                                              : run_tied(solved, marching, options.progress);
   if (!run.simulation) run.simulation = std::make_shared<const Simulation>(solved);
   estimate_errors(run);
-  tell(watch, run);
+  monitors.report(run);
   return run;
 }
 

@@ -1,4 +1,4 @@
-#include "solve.h"
+#include "run/solve.h"
 
 #include <algorithm>
 
@@ -6,15 +6,25 @@
 #include "base/stopwatch.h"
 #include "base/text.h"
 #include "fem/compile.h"
-#include "ladder.h"
+#include "model/words.h"
 #include "response/reduction.h"
-#include "response/step_choice.h"
-#include "size_check.h"
-#include "sliding/read_sliding.h"
+#include "response/time_choice.h"
+#include "run/derived.h"
+#include "run/sliding/coupled_sliding.h"
+#include "upbead/base/error.h"
+#include "upbead/run/simulation.h"
 
 namespace upbead {
 
 namespace {
+
+constexpr double most_steps = 1e6, most_fields = 1e4;
+
+std::size_t n_kinks(const Scene& scene) {
+  std::size_t n = 0;
+  for (const auto& [name, load] : scene.loads) n += load.history.kinks().size();
+  return n;
+}
 
 /// Steps with contact over those of other schemes of order 2: its stages are a quarter of a step. A 32nd of the
 /// duration makes S and peak F_T wrong by less than 0.5 %: docs/slip.md.
@@ -55,11 +65,190 @@ void summarise(const Simulation& simulation, const std::string& scheme, Run& run
   if (!run.response.energy.empty()) run.summary.energy = run.response.energy.back();
 }
 
+/// Refined solutions cost twice as much, and a quarter of the step four times: with it sdirk4 loses 256 times of its
+/// error. More than 32 times the work nobody has asked for.
+constexpr Care cares[] = {{false, 1.}, {true, 1.}, {true, 0.25}, {true, 0.0625}};
+
+std::string reasons(const Ladder& ladder) {
+  if (ladder.size() == 1) return ladder.front().refused;
+  std::string text = "no way to solve this scene holds:";
+  for (const LadderStep& step : ladder) text += "\n  " + step.way + ": " + step.refused;
+  return text;
+}
+
+/// The best answer so far of those that do not balance.
+struct Closest {
+  std::optional<Run> run;
+  std::string way;
+  double error = infinity;
+
+  void take(Run&& other, const std::string& name, const Mismatch& off) {
+    if (!off.bearable || !(off.error < error)) return;
+    run = std::move(other);
+    way = name;
+    error = off.error;
+  }
+};
+
+/// Reduces the scene and answers its own loads. A case that asks for a reduced model gets one whose F_T meets the
+/// tolerance; readings that do not are listed in its summary. Throws NumericsError where it does not converge.
+Run run_reduced(const Simulation& simulation, const SchemeChoice& choice, const std::function<void(double)>& progress) {
+  const Stopwatch watch;
+  const bool by_name = simulation.given.time.scheme == TimeScheme::reduced;
+  const std::optional<int> most_vectors = by_name ? most_vectors_by_name : choice.most_vectors;
+  Reduction reduction =
+      reduce_scene(simulation.scene, *simulation.compiled, {false, false, most_vectors, true, true}, progress);
+  if (by_name)
+    require_shear_converged(reduction);
+  else
+    require_converged(reduction);
+  Run run;
+  run.response = respond(reduction, simulation.scene, simulation.compiled->system);
+  run.summary.timing = simulation.timing;
+  run.summary.timing.factorise = reduction.factorise_seconds;
+  run.summary.timing.march = watch.seconds() - reduction.factorise_seconds;
+  run.scheme_reason = choice.reason;
+  run.step_reason = simulation.given.time.step ? "given in the case, or shorter where loads need it"
+                                               : "a 32nd of the shortest load, for the record";
+  summarise(simulation, "reduced", run);
+  run.summary.reduction = summary_of(reduction);
+  run.pressures = std::move(reduction.pressures);
+  return run;
+}
+
+std::vector<Way> marching_ways(const Simulation& simulation, const SchemeChoice& choice) {
+  const auto solve = [&simulation, choice](const MarchOptions& options, const Care& care) {
+    try {
+      return run_march(simulation, choice, options, care);
+    } catch (const InputError& error) {
+      if (care.part == 1.) throw;  // steps that are too many are no mistake of a case that has not asked for them
+      throw NumericsError(error.diagnostics().list().front().what);
+    }
+  };
+  return ways_with_care(simulation.given, word_of(choice.scheme, time_scheme_words), solve);
+}
+
+/// The ways that a case allows: where it leaves the scheme to us a reduced model, if that is less work, then sdirk4
+/// with more and more care; else the scheme that it names.
+std::vector<Way> ways(const Simulation& simulation, const std::function<void(double)>& reducing) {
+  const SchemeChoice choice = choose_scheme(simulation.scene, *simulation.compiled);
+  if (choice.scheme != TimeScheme::reduced) return marching_ways(simulation, choice);
+  std::vector<Way> list;
+  if (simulation.given.time.scheme != TimeScheme::reduced)
+    list = marching_ways(simulation, {TimeScheme::sdirk4, "the reduced model was refused", {}});
+  list.insert(list.begin(), {"reduced", [&simulation, choice, reducing](const MarchOptions&) {
+                               return run_reduced(simulation, choice, reducing);
+                             }});
+  return list;
+}
+
+/// What a person is told whose scheme has been refused: whether "auto" would answer, and how. Tries it.
+std::string what_would_work(const Simulation& simulation, const std::function<void(double)>& reducing) {
+  const TimeScheme refused = simulation.given.time.scheme;
+  if (refused == TimeScheme::automatic) return "";
+  Scene automatic = simulation.given;
+  automatic.time.scheme = TimeScheme::automatic;
+  const Simulation other = with_given(simulation, automatic);
+  ObserverFunction progress = progress_observer(reducing);
+  MarchOptions silent;
+  silent.observers = {&progress};
+  std::vector<Way> list = marching_ways(other, {TimeScheme::sdirk4, "another scheme was refused", {}});
+  if (refused == TimeScheme::sdirk4) list.erase(list.begin(), list.begin() + 2);  // in its usual steps
+  try {
+    const Run run = climb(other, list, silent);
+    return "; time.scheme = \"auto\" answers this scene, by " + run.summary.ladder.back().way;
+  } catch (const NumericsError&) {
+    return "; nor does sdirk4 answer this scene, in steps a sixteenth as long either";
+  }
+}
+
 }  // namespace
+
+void check_steps(const Scene& scene, double step, const std::optional<StepGrowth>& growth, const std::string& because) {
+  const double end = scene.time.end, n = estimated_steps(n_kinks(scene), end, step, growth);
+  if (n <= most_steps) return;
+  const std::string what = " s makes about " + significant(n) + " steps, more than " + significant(most_steps);
+  if (scene.time.step)
+    throw InputError(at_key("time.step"),
+                     "time.step = " + significant(step) + " s until time.end = " + significant(end) + what,
+                     "raise time.step, or lower time.end");
+  throw InputError(at_key("time.end"),
+                   "time.end = " + significant(end) + " s in steps of " + significant(step) + what +
+                       "; the step follows from " + because,
+                   "lower time.end, or give time.step");
+}
+
+void check_size(const Scene& scene) {
+  const double end = scene.time.end;
+  if (scene.fields_every && end / *scene.fields_every > most_fields)
+    throw InputError(at_key("output.fields.every"),
+                     "every = " + significant(*scene.fields_every) + " s until time.end = " + significant(end) +
+                         " s makes about " + significant(end / *scene.fields_every) + " fields, more than " +
+                         significant(most_fields),
+                     "raise every, or lower time.end");
+  if (scene.time.step) return check_steps(scene, *scene.time.step, {}, "");
+  const LoadStep loads = step_of_loads(scene, scene.time.scheme == TimeScheme::generalised_alpha ? 2 : 4);
+  if (loads.lone_jump) return;
+  const std::string load = loads.load.empty() ? "the loads" : "[loads." + loads.load + "]";
+  check_steps(scene, loads.largest_step, loads.growth, load + ", which lasts " + significant(loads.duration) + " s");
+}
 
 ReductionSummary summary_of(const Reduction& r) {
   return {r.n_vectors,    r.model.n_modes(), r.error.history,   r.error.peak,
           r.error.others, r.omega / two_pi,  loose_readings(r), r.tolerance_of_others};
+}
+
+std::optional<Mismatch> imbalance(const Simulation& simulation, const Run& run) {
+  const Summary& summary = run.summary;
+  try {
+    if (summary.response)
+      require_balance(*summary.response, summary.energy.value_or(EnergyAccount()));
+    else if (summary.energy)
+      require_balance(*summary.energy, simulation.compiled->system, simulation.given.time.end);
+  } catch (const Imbalance& found) {
+    return found.mismatch();
+  }
+  return std::nullopt;
+}
+
+std::vector<Way> ways_with_care(const Scene& given, const std::string& scheme,
+                                const std::function<Run(const MarchOptions&, const Care&)>& solve) {
+  std::vector<Way> list;
+  for (const Care& care : cares) {
+    if (care.part < 1. && given.time.scheme != TimeScheme::automatic) break;
+    std::string name = scheme;
+    if (care.refined) name += ", refined solutions";
+    if (care.part < 1.) name += ", steps divided by " + significant(1. / care.part);
+    list.push_back({name, [solve, care](const MarchOptions& options) { return solve(options, care); }, !care.refined});
+  }
+  return list;
+}
+
+Run climb(const Simulation& simulation, const std::vector<Way>& ways, const MarchOptions& marching) {
+  Ladder ladder;
+  Closest closest;
+  MarchOptions again = marching;
+  again.checkpoints = {};
+  const auto with_ladder = [&ladder](Run&& run) {
+    run.summary.ladder = ladder;
+    return std::move(run);
+  };
+  for (const Way& way : ways) {
+    ladder.push_back({way.name, ""});
+    try {
+      Run run = way.solve(way.keeps_checkpoints ? marching : again);
+      const std::optional<Mismatch> off = imbalance(simulation, run);
+      if (!off) return with_ladder(std::move(run));
+      ladder.back().refused = Imbalance(*off).what();
+      closest.take(std::move(run), way.name, *off);
+    } catch (const NumericsError& error) {
+      ladder.back().refused = error.what();
+    }
+  }
+  if (!closest.run)
+    throw NumericsError(reasons(ladder) + "; nothing was written, as such an answer is not to be trusted");
+  ladder.push_back({closest.way + ", the closest of these", ""});
+  return with_ladder(std::move(*closest.run));
 }
 
 Run run_march(const Simulation& simulation, const SchemeChoice& choice, const MarchOptions& options, const Care& care) {
@@ -104,34 +293,19 @@ Run march_by(Scheme& scheme, const Simulation& simulation, const std::string& re
   return run;
 }
 
-Run run_reduced(const Simulation& simulation, const SchemeChoice& choice, const std::function<void(double)>& progress) {
-  const Stopwatch watch;
-  const bool by_name = simulation.given.time.scheme == TimeScheme::reduced;
-  const std::optional<int> most_vectors = by_name ? most_vectors_by_name : choice.most_vectors;
-  Reduction reduction =
-      reduce_scene(simulation.scene, *simulation.compiled, {false, false, most_vectors, true, true}, progress);
-  if (by_name)
-    require_shear_converged(reduction);
-  else
-    require_converged(reduction);
-  Run run;
-  run.response = respond(reduction, simulation.scene, simulation.compiled->system);
-  run.summary.timing = simulation.timing;
-  run.summary.timing.factorise = reduction.factorise_seconds;
-  run.summary.timing.march = watch.seconds() - reduction.factorise_seconds;
-  run.scheme_reason = choice.reason;
-  run.step_reason = simulation.given.time.step ? "given in the case, or shorter where loads need it"
-                                               : "a 32nd of the shortest load, for the record";
-  summarise(simulation, "reduced", run);
-  run.summary.reduction = summary_of(reduction);
-  run.pressures = std::move(reduction.pressures);
-  return run;
-}
-
-Run run_glued(const Simulation& simulation, const MarchOptions& marching, const std::function<void(double)>& reducing) {
+Run run_bonded(const Simulation& simulation, const MarchOptions& marching,
+               const std::function<void(double)>& reducing) {
   Run run = climb(simulation, ways(simulation, reducing), marching);
   read_sliding(simulation, run, reducing);
   return run;
+}
+
+Run run_tied(const Simulation& simulation, const MarchOptions& marching, const std::function<void(double)>& reducing) {
+  try {
+    return run_bonded(simulation, marching, reducing);
+  } catch (const NumericsError& error) {
+    throw NumericsError(error.what() + what_would_work(simulation, reducing));
+  }
 }
 
 }  // namespace upbead

@@ -1,11 +1,11 @@
 #include "upbead/sliding/combined.h"
 
 #include <algorithm>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <stdexcept>
 
 #include "base/numbers.h"
+#include "base/root.h"
 
 namespace upbead {
 
@@ -15,9 +15,7 @@ constexpr int points_of_half_period = 400;  // chords of the sine are 8e-6 of it
 
 template <class Function>
 double root(const Function& f, double from, double to, int bits) {
-  boost::uintmax_t most = 100;
-  const auto bracket =
-      boost::math::tools::toms748_solve(f, from, to, boost::math::tools::eps_tolerance<double>(bits), most);
+  const auto bracket = root_bracket(f, from, to, bits);
   return 0.5 * (bracket.first + bracket.second);
 }
 
@@ -84,9 +82,9 @@ double uplift_at(const CombinedWave& wave, const CombinedModel& model, const Par
 
 /// A quantity of the wave at all points.
 template <class Value>
-ForceHistory history_of(const CombinedWave& wave, const Value& value) {
+History history_of(const CombinedWave& wave, const Value& value) {
   const Parts parts(wave, standing_reduction(wave));
-  ForceHistory history{times_of(wave, parts), {}};
+  History history{times_of(wave, parts), {}};
   for (const double t : history.time) history.value.push_back(value(parts, t));
   return history;
 }
@@ -102,11 +100,11 @@ double standing_reduction(const CombinedWave& wave) {
   return root(excess, 0., 1., 40);
 }
 
-ForceHistory combined_force(const CombinedWave& wave) {
+History combined_force(const CombinedWave& wave) {
   return history_of(wave, [](const Parts& parts, double t) { return parts.force(t); });
 }
 
-ForceHistory combined_uplift(const CombinedWave& wave, const CombinedModel& model) {
+History combined_uplift(const CombinedWave& wave, const CombinedModel& model) {
   return history_of(wave, [&](const Parts& parts, double t) { return uplift_at(wave, model, parts, t); });
 }
 
@@ -120,7 +118,7 @@ double sliding_distance_combined(double mass, double resistance, double friction
   const double peak = std::max(wave.impulsive.peak, wave.standing_force);
   const double uplift = wave.uplift * std::max(model.uplift_gain, peak / wave.impulsive.peak);
   if (peak + friction * uplift <= resistance) return 0.;  // most waves: spared the rest
-  const ForceHistory F_S = history_of(
+  const History F_S = history_of(
       wave, [&](const Parts& parts, double t) { return parts.force(t) + friction * uplift_at(wave, model, parts, t); });
   return slide(mass, F_S, resistance).residual;
 }

@@ -5,19 +5,23 @@
 #include <stdexcept>
 #include <utility>
 
+#include "base/root.h"
 #include "base/text.h"
-#include "coupled_run.h"
+#include "dynamics/slip_path.h"
+#include "dynamics/slip_steps.h"
 #include "upbead/base/error.h"
 
 namespace upbead {
 
 namespace {
 
-using detail::CoupledRun;
-
+/// Changes of phase that are followed within one piece of the finest steps, and in all.
+constexpr int most_changes = 12, most_in_all = 200000;
+constexpr int stretches_between_drops = 64;
+/// Of what friction takes in a step, that its bends may make wrong.
+constexpr double tolerable = 0.01;
 /// A slip may last so many times as long as the wave's samples.
 constexpr double longest_tail = 10.;
-
 /// Of a step, as often as it may be halved.
 constexpr double most_halvings = 12.;
 /// Of the friction, that would be lacking without the pull of the ground.
@@ -25,10 +29,322 @@ constexpr double tolerable_pull = 0.01;
 /// Of the energy, that is round-off of the modes.
 constexpr double round_off = 1e-6;
 
+enum class SlipEvent {
+  none,
+  starts,  ///< |F_T| reaches mu N'
+  stops,   ///< s' = 0
+  lifts,   ///< N' = 0, falling
+  lands    ///< N' = 0, rising
+};
+
+struct TimedEvent {
+  SlipEvent event = SlipEvent::none;
+  double time = 0.;  ///< from the start of the stretch (s)
+};
+
+/// f(from) >= 0 > f(to); the end of the last bracket where f < 0, or next to it.
+template <class Function>
+double root(const Function& f, double from, double to) {
+  return root_bracket(f, from, to, 46).second;
+}
+
+/// Where f, which is negative at `length`, has become so; at once where it is already.
+template <class Function>
+double crossing(const Function& f, double length) {
+  return f(0.) > 0. ? root(f, 0., length) : 0.;
+}
+
+/// The same where f(0) is zero, up to round-off, and f may yet rise.
+template <class Function>
+double return_to_zero(const Function& f, double length) {
+  constexpr int halvings = 24;
+  for (int i = 0; i < halvings; ++i, length *= 0.5)
+    if (f(0.5 * length) > 0.) return root(f, 0.5 * length, length);
+  return 0.;
+}
+
+/// Which event shows at a time, by its readings: F_T where it sticks, s' where it slips; and N'.
+SlipEvent event_at(ContactState contact, double friction, double watched, double normal) {
+  switch (contact) {
+    case ContactState::stick:
+      return std::abs(watched) > friction * normal ? SlipEvent::starts : SlipEvent::none;
+    case ContactState::open:
+      return normal > 0. ? SlipEvent::lands : SlipEvent::none;
+    default:
+      if (normal < 0.) return SlipEvent::lifts;
+      return direction(contact) * watched < 0. ? SlipEvent::stops : SlipEvent::none;
+  }
+}
+
+/// The event that shows at an end of a path, and when it came. `fresh`: the phase has begun with the path, so that s',
+/// or |F_T| - mu N', is zero up to round-off.
+TimedEvent first_event(const SlipPath& path, ContactState contact, double friction, bool fresh) {
+  const double length = path.length();
+  const SlipCurve normal = path.reading(row_normal), watched = path.reading(SlipSteps::watched_row(contact));
+  const SlipEvent at_end = event_at(contact, friction, watched(length), normal(length));
+  if (!fresh)  // loads may have jumped
+    if (const SlipEvent at_once = event_at(contact, friction, watched(0.), normal(0.)); at_once != SlipEvent::none)
+      return {at_once, 0.};
+  if (contact == ContactState::stick || contact == ContactState::open) {
+    const auto margin = [&](double t) {
+      return contact == ContactState::stick ? friction * normal(t) - std::abs(watched(t)) : -normal(t);
+    };
+    return at_end == SlipEvent::none ? TimedEvent() : TimedEvent{at_end, crossing(margin, length)};
+  }
+  TimedEvent first;
+  if (normal(length) < 0.) first = {SlipEvent::lifts, crossing(normal, length)};
+  const auto speed = [&](double t) { return direction(contact) * watched(t); };
+  if (speed(length) < 0.) {
+    const double stop = fresh ? return_to_zero(speed, length) : crossing(speed, length);
+    if (first.event == SlipEvent::none || stop < first.time) first = {SlipEvent::stops, stop};
+  }
+  return first;
+}
+
+/// A stretch of time on which all loads are straight.
+struct LoadStretch {
+  double length = 0.;  ///< s
+  Eigen::VectorXd begin, end;
+};
+
+/// Where a caisson is, in which phase, and what has become of it.
+class CoupledRun {
+ public:
+  /// From rest under N_0 = `normal` (N/m). Model and levels, each with half the steps of the last, must outlive the
+  /// object.
+  CoupledRun(const SlipModel& model, const std::vector<SlipLevel>& levels, double normal)
+      : model_(model), levels_(levels), last_{0., normal, 0.} {
+    result_.least_normal = normal;
+    const Eigen::VectorXd at_rest = Eigen::VectorXd::Zero(phase().from_state.cols());
+    z_ = next_ = modal_state(phase(), at_rest);
+  }
+
+  /// Through a stretch; `is_step`: it is as long as the longest steps. `jumps`: the loads do so at its beginning.
+  void pass(const LoadStretch& stretch, bool is_step, bool jumps) {
+    if (++n_stretches_ % stretches_between_drops == 0) drop_what_is_gone(z_);
+    if (jumps) {
+      last_ = reading_now(stretch.begin);
+      const double watched = stuck() ? last_.shear : last_.velocity;
+      const SlipEvent at_once = event_at(contact_, model_.friction, watched, last_.normal);
+      if (at_once != SlipEvent::none) change(at_once, stretch.begin);
+    }
+    if (is_step)
+      pass_step(stretch, 0);
+    else
+      pass_rest(stretch, 0);
+  }
+
+  bool stuck() const { return contact_ == ContactState::stick; }
+  /// Writes down what is read now, under these loads.
+  void record(const Eigen::VectorXd& load, Eigen::Index column, CoupledHistory& history) const {
+    history.shear[column] = last_.shear;
+    history.normal[column] = last_.normal;
+    history.velocity[column] = last_.velocity;
+    history.slip[column] = slip_;
+    for (Eigen::Index i = 0; i < history.outputs.rows(); ++i)
+      history.outputs(i, column) =
+          read(z_, first_row_wanted + static_cast<int>(i), load) + model_.share_of_slip[i] * slip_;
+  }
+  /// A slip that is under way counts.
+  CoupledSliding result() const {
+    CoupledSliding result = result_;
+    result.slip.residual = slip_;
+    return result;
+  }
+
+ private:
+  /// Readings at one time.
+  struct Reading {
+    double shear = 0., normal = 0., velocity = 0.;
+  };
+
+  const SlipPhase& phase() const { return model_.phase(contact_); }
+  std::size_t state() const { return static_cast<std::size_t>(contact_); }
+  std::size_t finest() const { return levels_.size() - 1; }
+  double read(const ModalState& z, int row, const Eigen::VectorXd& load) const {
+    const Eigen::Index M = phase().modes.n_modes();
+    const auto weights = phase().modes.reading.row(row);
+    return phase().modes.feedthrough.row(row).dot(load) + weights.real().dot(z.re.head(M).matrix()) -
+           weights.imag().dot(z.im.head(M).matrix());
+  }
+  Reading reading(double watched, double normal) const {
+    if (stuck()) return {watched, normal, 0.};
+    return {direction(contact_) * model_.friction * normal, normal, watched};
+  }
+  Reading reading_now(const Eigen::VectorXd& load) const {
+    return reading(read(z_, SlipSteps::watched_row(contact_), load), read(z_, row_normal, load));
+  }
+  /// Through a step of a level.
+  void pass_step(const LoadStretch& stretch, std::size_t level) {
+    const SlipStep step = levels_[level].steps[state()].advance(z_, stretch.begin, stretch.end, next_);
+    const Reading now = reading(step.watched, step.normal);
+    if (is_quiet(stretch, now, level)) {
+      if (!stuck()) result_.available += levels_[level].within[state()].work(z_, next_, stretch.begin, stretch.end);
+      std::swap(z_, next_);
+      return advance(stretch.length, now, stuck() ? 0. : step.distance);
+    }
+    if (stuck() || level == finest()) return follow(stretch, level);
+    const Eigen::VectorXd middle = 0.5 * (stretch.begin + stretch.end);
+    pass_step({0.5 * stretch.length, stretch.begin, middle}, level + 1);
+    pass_step({0.5 * stretch.length, middle, stretch.end}, level + 1);
+  }
+  /// Through any stretch, in the longest steps that there are, from a level on.
+  void pass_rest(LoadStretch rest, std::size_t level) {
+    const Eigen::VectorXd slope = (rest.end - rest.begin) / rest.length;
+    while (level < levels_.size()) {
+      const double length = levels_[level].length;
+      if (rest.length < length * (1. - 1e-12)) {
+        ++level;
+        continue;
+      }
+      const Eigen::VectorXd begin = rest.begin;
+      rest.begin += length * slope;
+      rest.length -= length;
+      pass_step({length, begin, rest.begin}, level);
+    }
+    if (rest.length > 1e-12 * levels_.back().length) follow(rest, finest());
+  }
+  /// Whether nothing can happen in a step. Counts what its bends make uncertain in the energies.
+  bool is_quiet(const LoadStretch& stretch, const Reading& end, std::size_t level) {
+    if (stuck()) return event_at(contact_, model_.friction, end.shear, end.normal) == SlipEvent::none;
+    const SlipBends bends = levels_[level].within[state()].bends(z_, stretch.begin, stretch.end);
+    const double way = direction(contact_), sign = way == 0. ? -1. : 1.;
+    const double speed = std::max(std::abs(last_.velocity), std::abs(end.velocity));
+    const double of_normal = bends.normal.slow + bends.normal.fast,
+                 of_speed = bends.velocity.slow + bends.velocity.fast;
+    const double shear = std::max(std::abs(last_.shear), std::abs(end.shear));
+    const double uncertain = stretch.length * (std::abs(way) * model_.friction * of_normal * (speed + of_speed) +
+                                               0.5 * std::abs(end.shear - last_.shear) * of_speed);
+    if (level < finest()) {
+      if (!bends.normal.stays_positive(sign * last_.normal, sign * end.normal)) return false;
+      if (way != 0. && !bends.velocity.stays_positive(way * last_.velocity, way * end.velocity)) return false;
+      if (uncertain > tolerable * stretch.length * shear * speed) return false;
+    } else if (event_at(contact_, model_.friction, end.velocity, end.normal) != SlipEvent::none) {
+      return false;
+    }
+    result_.uncertain += uncertain + bends.work;
+    return true;
+  }
+  /// Through a stretch no longer than a step of a level, at the end of which a change of phase shows.
+  void follow(LoadStretch stretch, std::size_t level) {
+    const Eigen::VectorXd slope = (stretch.end - stretch.begin) / stretch.length;
+    for (int changes = 0;; ++changes) {
+      const SlipPath path(phase(), z_, stretch.begin, slope, stretch.length);
+      TimedEvent found;
+      if (changes < most_changes)
+        found = first_event(path, contact_, model_.friction, fresh_);
+      else
+        ++result_.n_passed_over;
+      const double passed = found.event == SlipEvent::none ? stretch.length : found.time;
+      SlipPath::Place place = path.at(passed);
+      const Eigen::VectorXd begin = stretch.begin;
+      stretch.begin += passed * slope;
+      stretch.length -= passed;
+      if (!stuck())
+        result_.available += levels_[level].within[state()].work_of_piece(z_, place.z, begin, stretch.begin, passed);
+      z_ = std::move(place.z);
+      advance(passed, reading_now(stretch.begin), stuck() ? 0. : place.distance);
+      if (found.event == SlipEvent::none) return;
+      change(found.event, stretch.begin);
+      if (!(stretch.length > 0.)) return;
+      if (level < finest()) return pass_rest(stretch, level + 1);
+    }
+  }
+  /// Straight lines of F_T and s' over the step, but for the exact distance.
+  void advance(double length, const Reading& now, double moved) {
+    time_ += length;
+    slip_ += moved;
+    if (length > 0.) fresh_ = false;
+    if (slipping_) {
+      now_.distance += moved;
+      if (std::abs(now.velocity) > std::abs(now_.peak_velocity)) now_.peak_velocity = now.velocity;
+      if (std::abs(slip_) > std::abs(result_.slip.largest)) result_.slip.largest = slip_;
+      result_.dissipated += 0.5 * (last_.shear + now.shear) * moved +
+                            length / 12. * (now.shear - last_.shear) * (now.velocity - last_.velocity);
+      const double impulse = 0.5 * length * (last_.normal + now.normal);
+      (impulse > 0. ? result_.pressed : result_.pulled) += std::abs(impulse);
+    }
+    if (contact_ == ContactState::open) result_.lifted_time += length;
+    if (std::abs(now.shear) > std::abs(result_.peak_shear)) result_.peak_shear = now.shear;
+    result_.least_normal = std::min(result_.least_normal, now.normal);
+    last_ = now;
+  }
+  void change(SlipEvent event, const Eigen::VectorXd& load) {
+    if (++result_.n_changes > most_in_all)
+      throw NumericsError("the caisson would stick, slip and lift more than " + std::to_string(most_in_all) +
+                          " times: friction feeds a vibration of the ground");
+    Eigen::VectorXd state = energy_state(phase(), z_);
+    switch (event) {
+      case SlipEvent::starts:
+        begin_slip(state);
+        return enter(last_.shear > 0. ? ContactState::slip_landward : ContactState::slip_seaward, state, load);
+      case SlipEvent::stops:
+        state[state.size() - 1] = 0.;
+        return rest(state, load);
+      case SlipEvent::lifts:
+        return enter(ContactState::open, state, load);
+      default:
+        if (last_.velocity == 0.) return rest(state, load);
+        return enter(last_.velocity > 0. ? ContactState::slip_landward : ContactState::slip_seaward, state, load);
+    }
+  }
+  /// s' = 0: sticks, or slips the way it is pushed.
+  void rest(const Eigen::VectorXd& state, const Eigen::VectorXd& load) {
+    enter(ContactState::stick, state, load);
+    if (event_at(ContactState::stick, model_.friction, last_.shear, last_.normal) == SlipEvent::none)
+      return end_slip(state);
+    enter(last_.shear > 0. ? ContactState::slip_landward : ContactState::slip_seaward, state, load);
+  }
+  void enter(ContactState contact, const Eigen::VectorXd& state, const Eigen::VectorXd& load) {
+    contact_ = contact;
+    z_ = modal_state(phase(), state);
+    next_ = z_;
+    last_ = reading_now(load);
+    fresh_ = true;
+    const double way = direction(contact);
+    if (way == 0.) return;
+    if (way_ * way < 0.) {  // a turn without rest
+      end_slip(state);
+      begin_slip(state);
+    }
+    way_ = way;
+  }
+  void begin_slip(const Eigen::VectorXd& state) {
+    slipping_ = true;
+    way_ = 0.;
+    now_ = {time_, time_, 0., 0.};
+    energy_ = 0.5 * state.squaredNorm();
+  }
+  void end_slip(const Eigen::VectorXd& state) {
+    slipping_ = false;
+    way_ = 0.;
+    now_.stop = time_;
+    result_.available += energy_ - 0.5 * state.squaredNorm();
+    if (now_.distance == 0.) return;
+    result_.slip.path += std::abs(now_.distance);
+    result_.slip.slips.push_back(now_);
+  }
+
+  const SlipModel& model_;
+  const std::vector<SlipLevel>& levels_;
+  ContactState contact_ = ContactState::stick;
+  ModalState z_, next_;
+  int n_stretches_ = 0;
+  bool fresh_ = false;  ///< the phase has just begun
+  Reading last_;
+  double time_ = 0.;
+  double slip_ = 0.;  ///< s
+  bool slipping_ = false;
+  double way_ = 0.;  ///< of the slip that is under way: 1 forward, -1 backward, 0 not known yet
+  Slip now_;
+  double energy_ = 0.;  ///< stored when the slip began (J/m)
+  CoupledSliding result_;
+};
+
 template <class Make>
 auto of_all_phases(const Make& make) {
-  return std::array{make(BottomState::stuck), make(BottomState::forward), make(BottomState::backward),
-                    make(BottomState::lifted)};
+  return std::array{make(ContactState::stick), make(ContactState::slip_landward), make(ContactState::slip_seaward),
+                    make(ContactState::open)};
 }
 
 /// The fastest oscillation of any phase (rad/s).
@@ -45,15 +361,15 @@ std::vector<SlipLevel> levels_of(const SlipModel& model, double step) {
   const double halvings = std::clamp(std::ceil(std::log2(fastest(model) * step)), 0., most_halvings);
   std::vector<SlipLevel> levels;
   for (int i = 0; i <= static_cast<int>(halvings); ++i, step *= 0.5)
-    levels.push_back({step, of_all_phases([&](BottomState s) { return SlipSteps(model.phase(s), s, step); }),
-                      of_all_phases([&](BottomState s) { return SlipWithinStep(model.phase(s), rows, step); })});
+    levels.push_back({step, of_all_phases([&](ContactState s) { return SlipSteps(model.phase(s), s, step); }),
+                      of_all_phases([&](ContactState s) { return SlipWithinStep(model.phase(s), rows, step); })});
   return levels;
 }
 
 /// A history of n times, at rest at the first.
 void prepare(const SlipModel& model, Eigen::Index n, double normal, CoupledHistory& history) {
   for (Eigen::RowVectorXd* row : {&history.shear, &history.normal, &history.velocity, &history.slip}) row->setZero(n);
-  history.wanted.setZero(model.share_of_slip.size(), n);
+  history.outputs.setZero(model.share_of_slip.size(), n);
   history.normal[0] = normal;
 }
 
@@ -93,8 +409,7 @@ std::string why_no_distance(const CoupledSliding& s, const CoupledSliding& more)
   const double effect = std::abs(s.slip.residual - more.slip.residual);
   if (effect <= tolerable_effect * s.slip.path) return "";
   return "friction feeds vibrations of the ground, and the damping that keeps them small decides on S: twice as much "
-         "of "
-         "it moves S by " +
+         "of it moves S by " +
          significant(effect) + " m; give the ground its damping";
 }
 
@@ -106,7 +421,7 @@ CoupledSliding CoupledSlip::slide(const Eigen::Ref<const WaveSamples>& loads, Co
   const double normal = loads(loads.rows() - 1, 0);
   CoupledRun run(model_, levels_, normal);
   if (history) prepare(model_, loads.cols(), normal, *history);
-  detail::LoadStretch stretch{step_, loads.col(0), loads.col(0)};
+  LoadStretch stretch{step_, loads.col(0), loads.col(0)};
   for (Eigen::Index n = 1; n < loads.cols(); ++n) {
     stretch.begin.swap(stretch.end);
     stretch.end = loads.col(n);

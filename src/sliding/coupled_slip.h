@@ -44,7 +44,7 @@ struct CoupledHistory {
   Eigen::RowVectorXd normal;    ///< N' (N/m)
   Eigen::RowVectorXd velocity;  ///< s' (m/s)
   Eigen::RowVectorXd slip;      ///< s (m)
-  Eigen::MatrixXd wanted;       ///< the readings that the model was asked for
+  Eigen::MatrixXd outputs;      ///< the readings that the model was asked for
 };
 
 /// The steps of all phases, of one length.

@@ -1,20 +1,55 @@
 #include "sliding/elastic_block.h"
 
 #include <algorithm>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
+#include <complex>
 #include <stdexcept>
 
-#include "force_pieces.h"
-#include "oscillator.h"
+#include "base/numbers.h"
+#include "base/root.h"
+#include "sliding/force_pieces.h"
 
 namespace upbead {
 
 namespace {
 
-using detail::ForcePiece;
-using detail::Motion;
-using detail::Oscillator;
+/// Displacement and velocity.
+struct Motion {
+  double x = 0., v = 0.;
+};
+
+/// Solves mass x'' + damping x' + stiffness x = force, exactly. Without mass it is a bare spring: damping must be 0.
+class Oscillator {
+ public:
+  Oscillator(double mass, double damping, double stiffness) : mass_(mass), damping_(damping), stiffness_(stiffness) {
+    if (mass == 0.) return;
+    const std::complex<double> half(-damping / (2. * mass), 0.);
+    std::complex<double> split = std::sqrt(half * half - stiffness / mass);
+    // two equal roots would need another form: they are set apart by what nobody sees
+    if (std::abs(split) < 1e-6 * std::abs(half)) split = 1e-6 * half;
+    root_[0] = half + split;
+    root_[1] = half - split;
+  }
+  /// After t seconds from `start` under force + slope t.
+  /// x = A exp(r_0 t) + B exp(r_1 t) + (force + slope t)/k - c slope/k^2.
+  Motion after(double t, const Motion& start, double force, double slope) const {
+    const double v_static = slope / stiffness_, x_static = force / stiffness_ - damping_ * v_static / stiffness_;
+    if (mass_ == 0.) return {x_static + v_static * t, v_static};
+    const double dx = start.x - x_static, dv = start.v - v_static;
+    const std::complex<double> B = (dv - root_[0] * dx) / (root_[1] - root_[0]), A = dx - B;
+    const std::complex<double> a = A * std::exp(root_[0] * t), b = B * std::exp(root_[1] * t);
+    return {(a + b).real() + x_static + v_static * t, (root_[0] * a + root_[1] * b).real() + v_static};
+  }
+  double acceleration(const Motion& at, double force) const {
+    return mass_ == 0. ? 0. : (force - damping_ * at.v - stiffness_ * at.x) / mass_;
+  }
+  /// 2 pi sqrt(mass/stiffness); 0 without mass (s).
+  double natural_period() const { return two_pi * std::sqrt(mass_ / stiffness_); }
+
+ private:
+  double mass_, damping_, stiffness_;
+  std::complex<double> root_[2];  ///< of mass s^2 + damping s + stiffness
+};
 
 constexpr int looks_per_period = 60;
 
@@ -27,13 +62,12 @@ struct Stretch {
 
 template <class Function>
 double first_root(const Function& f, double length) {
-  boost::uintmax_t most = 100;
-  return boost::math::tools::toms748_solve(f, 0., length, boost::math::tools::eps_tolerance<double>(50), most).second;
+  return root_bracket(f, 0., length, 50).second;
 }
 
-class Walk {
+class BlockOnBase {
  public:
-  Walk(double mass, const ElasticBase& base, double resistance)
+  BlockOnBase(double mass, const ElasticBase& base, double resistance)
       : mass_(mass),
         R_(resistance),
         together_(mass + base.mass, base.damping, base.stiffness),
@@ -114,11 +148,7 @@ class Walk {
     direction_ = 0;
     ground_.v = block_v_;
     slip_.stop = time;
-    Sliding& all = result_.slip;
-    all.residual += slip_.distance;
-    all.path += std::abs(slip_.distance);
-    if (std::abs(all.residual) > std::abs(all.largest)) all.largest = all.residual;
-    all.slips.push_back(slip_);
+    result_.slip.add(slip_);
   }
 
   void note(double P) {
@@ -146,21 +176,21 @@ void require_sound(double mass, const ElasticBase& base, double resistance) {
 
 }  // namespace
 
-ElasticSliding slide_on_base(double mass, const ElasticBase& base, const ForceHistory& force, double resistance) {
+ElasticSliding slide_on_base(double mass, const ElasticBase& base, const History& force, double resistance) {
   require_sound(mass, base, resistance);
-  Walk walk(mass, base, resistance);
+  BlockOnBase block(mass, base, resistance);
   double end = 0.;
-  for (const ForcePiece& piece : detail::force_pieces(force, {{0.}, {resistance}})) {
-    walk.pass({piece.start, piece.length, piece.force.begin, (piece.force.end - piece.force.begin) / piece.length});
+  for (const LinearPiece& piece : force_pieces(force, {{0.}, {resistance}})) {
+    block.pass({piece.start, piece.length, piece.first.begin, (piece.first.end - piece.first.begin) / piece.length});
     end = piece.start + piece.length;
   }
   // P is over; what still slips or swings may slip on for some periods
-  for (int quiet = 0; quiet < 3; end += walk.period()) {
-    const std::size_t slips = walk.result().slip.slips.size();
-    walk.pass({end, walk.period(), 0., 0.});
-    quiet = walk.stuck() && walk.result().slip.slips.size() == slips ? quiet + 1 : 0;
+  for (int quiet = 0; quiet < 3; end += block.period()) {
+    const std::size_t slips = block.result().slip.slips.size();
+    block.pass({end, block.period(), 0., 0.});
+    quiet = block.stuck() && block.result().slip.slips.size() == slips ? quiet + 1 : 0;
   }
-  return walk.result();
+  return block.result();
 }
 
 }  // namespace upbead

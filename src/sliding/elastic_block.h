@@ -24,6 +24,6 @@ struct ElasticSliding {
 /// within such a part goes unseen. Of ref7 B and C it is right to their nine digits.
 /// - mass: m of the caisson (kg/m); force: P, zero before and after its points (N/m); resistance: R (N/m).
 /// Throws std::invalid_argument where mass, stiffness or resistance is not positive, or a history is wrong.
-ElasticSliding slide_on_base(double mass, const ElasticBase& base, const ForceHistory& force, double resistance);
+ElasticSliding slide_on_base(double mass, const ElasticBase& base, const History& force, double resistance);
 
 }  // namespace upbead

@@ -1,15 +1,15 @@
-#include "force_pieces.h"
+#include "sliding/force_pieces.h"
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
 
-namespace upbead::detail {
+namespace upbead {
 
 namespace {
 
-void check(const ForceHistory& history, const std::string& name) {
+void check(const History& history, const std::string& name) {
   const auto finite = [](double x) { return std::isfinite(x); };
   if (history.time.size() != history.value.size()) throw std::invalid_argument(name + ": not as many values as times");
   if (!std::all_of(history.time.begin(), history.time.end(), finite) ||
@@ -20,9 +20,10 @@ void check(const ForceHistory& history, const std::string& name) {
 }
 
 /// Goes through a history from piece to piece; `before` and `after` hold beyond its points.
-class Walk {
+class HistoryReader {
  public:
-  Walk(const ForceHistory& history, double before, double after) : history_(history), before_(before), after_(after) {}
+  HistoryReader(const History& history, double before, double after)
+      : history_(history), before_(before), after_(after) {}
 
   /// The history between two times that no point of it separates, not before those of the last call.
   Line between(double start, double stop) {
@@ -36,53 +37,45 @@ class Walk {
   }
 
  private:
-  const ForceHistory& history_;
+  const History& history_;
   double before_, after_;
   std::size_t next_ = 0;  ///< point after `start`
 };
 
-/// All times of both, each once.
-std::vector<double> merged_times(const ForceHistory& a, const ForceHistory& b) {
-  std::vector<double> times(a.time.size() + b.time.size());
-  std::merge(a.time.begin(), a.time.end(), b.time.begin(), b.time.end(), times.begin());
+/// `before` and `after` hold beyond the points of the second.
+std::vector<LinearPiece> pieces(const History& first, const History& second, double before, double after) {
+  std::vector<double> times(first.time.size() + second.time.size());
+  std::merge(first.time.begin(), first.time.end(), second.time.begin(), second.time.end(), times.begin());
   times.erase(std::unique(times.begin(), times.end()), times.end());
-  return times;
+  HistoryReader a(first, 0., 0.), b(second, before, after);
+  std::vector<LinearPiece> list;
+  list.reserve(times.size());
+  for (std::size_t i = 0; i + 1 < times.size(); ++i) {
+    const double start = times[i], stop = times[i + 1];
+    list.push_back({start, stop - start, a.between(start, stop), b.between(start, stop)});
+  }
+  return list;
 }
 
 }  // namespace
 
-ForcePiece ForcePiece::after(double passed) const {
+LinearPiece LinearPiece::after(double passed) const {
   const double fraction = passed / length;
-  return {start + passed, length - passed, {force.at(fraction), force.end}, {resistance.at(fraction), resistance.end}};
+  return {start + passed, length - passed, {first.at(fraction), first.end}, {second.at(fraction), second.end}};
 }
 
-std::vector<TwoLines> two_lines(const ForceHistory& first, const ForceHistory& second) {
+std::vector<LinearPiece> linear_pieces(const History& first, const History& second) {
   check(first, "first history");
   check(second, "second history");
-  const std::vector<double> times = merged_times(first, second);
-  Walk a(first, 0., 0.), b(second, 0., 0.);
-  std::vector<TwoLines> pieces;
-  for (std::size_t i = 0; i + 1 < times.size(); ++i) {
-    const double start = times[i], stop = times[i + 1];
-    pieces.push_back({start, stop - start, a.between(start, stop), b.between(start, stop)});
-  }
-  return pieces;
+  return pieces(first, second, 0., 0.);
 }
 
-std::vector<ForcePiece> force_pieces(const ForceHistory& force, const ForceHistory& resistance) {
+std::vector<LinearPiece> force_pieces(const History& force, const History& resistance) {
   check(force, "force");
   check(resistance, "resistance");
   if (resistance.value.empty() || *std::min_element(resistance.value.begin(), resistance.value.end()) < 0.)
     throw std::invalid_argument("resistance: at least one value, none below zero");
-  const std::vector<double> times = merged_times(force, resistance);
-  Walk F(force, 0., 0.), R(resistance, resistance.value.front(), resistance.value.back());
-  std::vector<ForcePiece> pieces;
-  pieces.reserve(times.size());
-  for (std::size_t i = 0; i + 1 < times.size(); ++i) {
-    const double start = times[i], stop = times[i + 1];
-    pieces.push_back({start, stop - start, F.between(start, stop), R.between(start, stop)});
-  }
-  return pieces;
+  return pieces(force, resistance, resistance.value.front(), resistance.value.back());
 }
 
-}  // namespace upbead::detail
+}  // namespace upbead

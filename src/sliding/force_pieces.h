@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "upbead/sliding/block.h"
+#include "upbead/base/history.h"
 
-namespace upbead::detail {
+namespace upbead {
 
 /// A quantity that is linear over a piece.
 struct Line {
@@ -13,23 +13,19 @@ struct Line {
   double at(double fraction) const { return (1. - fraction) * begin + fraction * end; }
 };
 
-struct ForcePiece {
-  double start = 0., length = 0.;  ///< s
-  Line force, resistance;          ///< N/m
-  /// What is left of it past `passed` seconds.
-  ForcePiece after(double passed) const;
-};
-
 /// Two histories over a piece.
-struct TwoLines {
+struct LinearPiece {
   double start = 0., length = 0.;  ///< s
   Line first, second;
+  /// What is left of it past `passed` seconds.
+  LinearPiece after(double passed) const;
 };
 
-/// Pieces from the first to the last of all times, ascending; both are zero before and after their points.
-std::vector<TwoLines> two_lines(const ForceHistory& first, const ForceHistory& second);
+/// Pieces from the first to the last of all times, ascending; both are zero before and after their points. Throws
+/// std::invalid_argument as slide() does.
+std::vector<LinearPiece> linear_pieces(const History& first, const History& second);
 
-/// Pieces from the first to the last of all times, ascending. Throws std::invalid_argument as slide() does.
-std::vector<ForcePiece> force_pieces(const ForceHistory& force, const ForceHistory& resistance);
+/// The same of a force and what resists it, which keeps its first and last value.
+std::vector<LinearPiece> force_pieces(const History& force, const History& resistance);
 
-}  // namespace upbead::detail
+}  // namespace upbead

@@ -20,7 +20,7 @@ Scale scale(double mass, double resistance, const TriangularPulse& pulse) {
 
 }  // namespace
 
-ForceHistory history(const TriangularPulse& pulse) {
+History history(const TriangularPulse& pulse) {
   return {{0., 0.5 * pulse.duration, pulse.duration}, {0., pulse.peak, 0.}};
 }
 
@@ -40,6 +40,13 @@ double sliding_distance_exact(double mass, double resistance, const TriangularPu
   if (r <= 1.) return 0.;
   if (r <= 1. + std::sqrt(0.5)) return C * (0.25 + std::sqrt(2.) / 6.) * std::pow(r - 1., 3) / (r * r);
   return C / 8. * (std::pow(r - 1., 2) - 1. / (12. * r * r));
+}
+
+SlidingLoad sliding_load(const Section& section, const Water& water, const WavePressure& pressure, double height,
+                         double period, const DurationFactor& k) {
+  const Stability s = stability(section, pressure);
+  const double tau_0 = k(pressure.alpha_star) * standing_duration(height, section.water_depth, period);
+  return {s.resistance, section.weight / water.gravity, {s.sliding_force, tau_0}};
 }
 
 }  // namespace upbead

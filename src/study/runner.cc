@@ -8,7 +8,7 @@
 #include "case/case_run.h"
 #include "case/script_trust.h"
 #include "run/sliding/case_sliding.h"
-#include "run/sliding/read_sliding.h"
+#include "run/sliding/coupled_sliding.h"
 #include "summary_reader.h"
 #include "upbead/base/error.h"
 

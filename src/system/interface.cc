@@ -57,7 +57,7 @@ System select(const System& system, const Selection& selection) {
     if (load.prescribed >= 0) load.prescribed = selection.of_old[static_cast<std::size_t>(load.prescribed)];
   }
   for (const Reading& reading : system.readings) {
-    if (reading.name.rfind(interface_prefix, 0) == 0) continue;
+    if (reading.name.group == interface_group) continue;
     Reading selected = reading;
     for (Row Reading::*part : {&Reading::position, &Reading::velocity, &Reading::acceleration})
       selected.*part = select(reading.*part, selection);
@@ -74,7 +74,7 @@ Row row_of(const SparseMatrix& A, int i, double sign) {
 }
 
 /// The residual of a row, times `sign`.
-Reading residual(const System& system, int i, double sign, const std::string& name, const std::string& description) {
+Reading residual(const System& system, int i, double sign, const ReadingName& name, const std::string& description) {
   Reading reading{
       name, "N/m", description, row_of(system.K, i, sign), row_of(system.C, i, sign), row_of(system.M, i, sign), {}};
   for (const SystemLoad& load : system.loads)
@@ -84,14 +84,6 @@ Reading residual(const System& system, int i, double sign, const std::string& na
 
 }  // namespace
 
-std::string shear_reading(int node) {
-  return interface_prefix + std::to_string(node) + "/shear_force";
-}
-
-std::string normal_reading(int node) {
-  return interface_prefix + std::to_string(node) + "/normal_force";
-}
-
 System glued(const System& system, bool forces) {
   const int n = system.first_slip(), nodes = system.interface->n_nodes();
   Selection selection{std::vector<int>(static_cast<std::size_t>(system.size()), dropped), n};
@@ -99,9 +91,10 @@ System glued(const System& system, bool forces) {
   System out = select(system, selection);
   out.n_prescribed = system.n_prescribed - 2 * nodes;
   for (int i = 0; forces && i < nodes; ++i)
-    for (Reading reading : {residual(system, n + i, -1., shear_reading(i), "shear force at a node of the interface"),
-                            residual(system, n + nodes + i, 1., normal_reading(i),
-                                     "change of the effective normal force at a node of the interface")}) {
+    for (Reading reading :
+         {residual(system, n + i, -1., {interface_group, i, "shear_force"}, "shear force at a node of the interface"),
+          residual(system, n + nodes + i, 1., {interface_group, i, "normal_force"},
+                   "change of the effective normal force at a node of the interface")}) {
       for (Row Reading::*part : {&Reading::position, &Reading::velocity, &Reading::acceleration})
         reading.*part = select(reading.*part, selection);
       out.readings.push_back(std::move(reading));

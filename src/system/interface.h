@@ -5,15 +5,12 @@
 
 namespace upbead {
 
-/// How the names of all readings of an interface begin. They are the last ones of a system, and are lost with it.
-inline const std::string interface_prefix = "interface/";
-
-/// Names of the readings of an interface's nodes, from 0.
-std::string shear_reading(int node);   ///< T_i (N/m), on the lower body, landward
-std::string normal_reading(int node);  ///< change of the effective N_i (N/m)
+/// The readings of an interface. They are the last ones of a system, and are lost with it.
+inline const std::string interface_group = "interface";
 
 /// The bodies glued together: the system without the unknowns of its interface. With `forces` it has readings of the
-/// forces at all nodes besides.
+/// forces at all nodes besides: in turns shear_force T_i (N/m), on the lower body, landward, and normal_force, the
+/// change of the effective N_i (N/m).
 System glued(const System& system, bool forces = false);
 
 /// The upper body may slip as a whole: all nodes have one slip s (m, landward), which is free, and no opening. s is the

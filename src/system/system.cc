@@ -4,9 +4,14 @@
 
 namespace upbead {
 
+std::string ReadingName::text() const {
+  const std::string whose = node < 0 ? probe : std::to_string(node);
+  return (group.empty() ? "" : group + "/") + (whose.empty() ? "" : whose + "/") + quantity;
+}
+
 int System::reading(const std::string& name) const {
   for (std::size_t i = 0; i < readings.size(); ++i)
-    if (readings[i].name == name) return static_cast<int>(i);
+    if (readings[i].name.text() == name) return static_cast<int>(i);
   throw std::out_of_range("no reading '" + name + "'");
 }
 

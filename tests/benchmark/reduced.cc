@@ -20,9 +20,8 @@
 #include "fem/caisson_readings.h"
 #include "fem/compile.h"
 #include "response/reduction.h"
-#include "response/scheme_choice.h"
 #include "response/shear_response.h"
-#include "response/step_choice.h"
+#include "response/time_choice.h"
 #include "upbead/algebra/petsc_session.h"
 #include "upbead/base/error.h"
 #include "upbead/sliding/block.h"
@@ -150,7 +149,7 @@ class Bench {
     constexpr int n_waves = 2000, n_samples = 2000;
     constexpr double step = 1e-3;
     const BatchResponse batch(reduction.model, system_.reading(reading::shear_force), step);
-    ForceHistory F_T{std::vector<double>(n_samples), std::vector<double>(n_samples)};
+    History F_T{std::vector<double>(n_samples), std::vector<double>(n_samples)};
     for (int n = 0; n < n_samples; ++n) F_T.time[n] = n * step;
     WaveSamples loads = WaveSamples::Zero(reduction.model.n_loads(), n_samples);
     Eigen::RowVectorXd y(n_samples);
@@ -190,7 +189,7 @@ class Bench {
   }
 
   /// The model that a command makes: what its nested models say of its error, and what that is.
-  Json chosen(const char* command, const ReductionAim& aim) const {
+  Json chosen(const char* command, const ReductionTargets& aim) const {
     const Reduction reduction = reduce_scene(scene_.scene, *scene_.compiled, aim);
     return answered(reduction.model, {{"command", command},
                                       {"solves", reduction.n_solves},

@@ -24,8 +24,8 @@ struct Case {
   double scale() const {
     return std::max(point.forces.shear.cwiseAbs().maxCoeff(), point.forces.normal.cwiseAbs().maxCoeff());
   }
-  std::vector<Contact> all(Contact contact) const {
-    return std::vector<Contact>(static_cast<std::size_t>(n()), contact);
+  std::vector<ContactState> all(ContactState contact) const {
+    return std::vector<ContactState>(static_cast<std::size_t>(n()), contact);
   }
 };
 
@@ -53,7 +53,7 @@ Case mirrored(Case c) {
   return c;
 }
 
-ContactPoint solve(const Case& c, std::vector<Contact> guess, int* fallbacks = nullptr) {
+ContactPoint solve(const Case& c, std::vector<ContactState> guess, int* fallbacks = nullptr) {
   ContactProblem problem(c.D, c.friction);
   const ContactPoint found = problem.solve(c.point, 0., guess);
   if (fallbacks != nullptr) *fallbacks += problem.n_fallbacks();
@@ -83,7 +83,7 @@ TEST(ContactProblem, OfOneNodeByHand) {
   const auto at = [&](double T, double N) {
     c.point.forces.shear << T;
     c.point.forces.normal << N;
-    return solve(c, c.all(Contact::stick));
+    return solve(c, c.all(ContactState::stick));
   };
   EXPECT_EQ(at(0.4, 1.).motion, Vector::Zero(2));
   EXPECT_EQ(at(0.4, 1.).forces.shear[0], 0.4);
@@ -100,13 +100,13 @@ TEST(ContactProblem, OfOneNodeByHand) {
 TEST(ContactProblem, LeavesNoRoundOffInWhatTheLawForbids) {
   ContactProblem problem(Eigen::Vector2d(4., 2.).asDiagonal().toDenseMatrix(), 0.5);
   ContactPoint point{Vector::Zero(2), {Vector::Constant(1, 0.), Vector::Constant(1, 1e-13)}};
-  std::vector<Contact> status{Contact::open};
+  std::vector<ContactState> status{ContactState::open};
   EXPECT_EQ(problem.solve(point, 1., status).motion, Vector::Zero(2));
-  EXPECT_EQ(status[0], Contact::open);
+  EXPECT_EQ(status[0], ContactState::open);
   point.forces = {Vector::Constant(1, 0.5 - 1e-13), Vector::Constant(1, 1.)};
-  status = {Contact::slip_landward};
+  status = {ContactState::slip_landward};
   EXPECT_EQ(problem.solve(point, 1., status).motion, Vector::Zero(2));
-  EXPECT_EQ(status[0], Contact::slip_landward);
+  EXPECT_EQ(status[0], ContactState::slip_landward);
 }
 
 // mu up to 1.5 with couplings up to the stiffness itself.
@@ -115,21 +115,21 @@ TEST(ContactProblem, ObeysTheLawWhateverTheGuess) {
     for (unsigned seed = 0; seed < 100; ++seed)
       for (const double friction : {0., 0.3, 0.6, 1.5}) {
         const Case c = random_case(n, 0.8, friction, seed);
-        const ContactPoint cold = solve(c, c.all(Contact::stick));
+        const ContactPoint cold = solve(c, c.all(ContactState::stick));
         EXPECT_LT(violation(c, cold), 1e-9) << n << " nodes, mu " << friction << ", seed " << seed;
-        EXPECT_LT(violation(c, solve(c, c.all(Contact::open))), 1e-9);
+        EXPECT_LT(violation(c, solve(c, c.all(ContactState::open))), 1e-9);
       }
 }
 
 TEST(ContactProblem, DoesNotDependOnTheGuessNorOnTheSide) {
   for (unsigned seed = 0; seed < 100; ++seed) {
     const Case c = random_case(8, 0.5, 0.6, seed);
-    const ContactPoint cold = solve(c, c.all(Contact::stick));
+    const ContactPoint cold = solve(c, c.all(ContactState::stick));
     const double size = cold.motion.norm() + 1e-12;
-    for (const Contact guess : {Contact::open, Contact::slip_landward, Contact::slip_seaward})
+    for (const ContactState guess : {ContactState::open, ContactState::slip_landward, ContactState::slip_seaward})
       EXPECT_LT((solve(c, c.all(guess)).motion - cold.motion).norm(), 1e-9 * size) << seed;
     const ContactPoint other = mirrored({c.D, cold, c.friction}).point,
-                       mirror = solve(mirrored(c), c.all(Contact::stick));
+                       mirror = solve(mirrored(c), c.all(ContactState::stick));
     EXPECT_LT((mirror.motion - other.motion).norm(), 1e-9 * size) << seed;
   }
 }
@@ -138,10 +138,10 @@ TEST(ContactProblem, DoesNotDependOnTheGuessNorOnTheSide) {
 TEST(ContactProblem, StaysAtItsSolution) {
   for (unsigned seed = 0; seed < 50; ++seed) {
     const Case c = random_case(8, 0.5, 0.6, seed);
-    std::vector<Contact> status = c.all(Contact::stick);
+    std::vector<ContactState> status = c.all(ContactState::stick);
     ContactProblem problem(c.D, c.friction);
     const ContactPoint found = problem.solve(c.point, 0., status);
-    const std::vector<Contact> before = status;
+    const std::vector<ContactState> before = status;
     const ContactPoint again = problem.solve(found, c.scale(), status);
     EXPECT_EQ(status, before);
     EXPECT_LT((again.motion - found.motion).norm(), 1e-12 * (1. + found.motion.norm()));
@@ -157,7 +157,7 @@ TEST(ContactProblem, OfDegenerateForces) {
     c.point.forces.shear.head(1).setZero();
     c.point.forces.normal.tail(3) = c.point.forces.normal.tail(3).cwiseAbs();
     c.point.forces.shear.tail(2) = c.friction * c.point.forces.normal.tail(2);
-    EXPECT_LT(violation(c, solve(c, c.all(Contact::stick))), 1e-9) << seed;
+    EXPECT_LT(violation(c, solve(c, c.all(ContactState::stick))), 1e-9) << seed;
   }
 }
 
@@ -165,7 +165,7 @@ TEST(ContactProblem, FallsBackToSweepsWhereTheActiveSetRunsInCircles) {
   int fallbacks = 0;
   for (unsigned seed = 0; seed < 300; ++seed) {
     const Case c = random_case(20, 3., 1., seed);
-    EXPECT_LT(violation(c, solve(c, c.all(Contact::stick), &fallbacks)), 1e-9) << seed;
+    EXPECT_LT(violation(c, solve(c, c.all(ContactState::stick), &fallbacks)), 1e-9) << seed;
   }
   EXPECT_GT(fallbacks, 0) << "else this tests nothing";
   RecordProperty("fallbacks", fallbacks);
@@ -175,7 +175,7 @@ TEST(ContactProblem, FallsBackToSweepsWhereTheActiveSetRunsInCircles) {
 TEST(ContactSweeps, ComeToTheSameStatuses) {
   for (unsigned seed = 0; seed < 20; ++seed) {
     const Case c = random_case(5, 0.5, 0.6, seed);
-    std::vector<Contact> status = c.all(Contact::stick);
+    std::vector<ContactState> status = c.all(ContactState::stick);
     ContactProblem(c.D, c.friction).solve(c.point, 0., status);
     const Eigen::MatrixXd W = c.D.inverse();
     ContactSweeps sweeps(W, c.friction, c.point);

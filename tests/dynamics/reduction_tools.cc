@@ -46,7 +46,7 @@ ReducedSystem whole(const System& system, double shift) {
     const Reading& reading = system.readings[static_cast<std::size_t>(i)];
     for (std::size_t k = 0; k < reading.feedthrough.size(); ++k)
       r.feedthrough(i, static_cast<Eigen::Index>(k)) = reading.feedthrough[k];
-    r.reading_label.push_back({reading.name, reading.unit, reading.description});
+    r.reading_label.push_back({reading.name.text(), reading.unit, reading.description});
   }
   for (const int i : order) r.is_phi.push_back(system.field[static_cast<std::size_t>(i)] == Field::pressure_impulse);
   return r;

@@ -68,8 +68,9 @@ TEST(SlipModel, PhasesAreTheWholeSystemUnderTheirOwnFriction) {
     for (int k = 0; k <= K; ++k) {
       const bool by_load = k < K;
       const Complex N = by_load ? H(n, k) : Complex(1.), speed = by_load ? H(v, k) : Complex(0.);
-      for (const auto& [contact, mu] :
-           {std::pair{BottomState::forward, friction}, {BottomState::backward, -friction}, {BottomState::lifted, 0.}}) {
+      for (const auto& [contact, mu] : {std::pair{ContactState::slip_landward, friction},
+                                        {ContactState::slip_seaward, -friction},
+                                        {ContactState::open, 0.}}) {
         const ModalModel& modes = model.phase(contact).modes;
         const Complex shear = mu * N / (1. - mu * H(n, K));
         expect_equal(modes.transfer(row_shear, k, s), shear);
@@ -77,7 +78,7 @@ TEST(SlipModel, PhasesAreTheWholeSystemUnderTheirOwnFriction) {
         expect_equal(modes.transfer(row_velocity, k, s), speed + H(v, K) * shear);
         expect_equal(modes.transfer(first_row_wanted, k, s), (by_load ? H(0, k) : Complex(0.)) + H(0, K) * shear);
       }
-      const ModalModel& stuck = model.phase(BottomState::stuck).modes;
+      const ModalModel& stuck = model.phase(ContactState::stick).modes;
       const Complex shear = -speed / H(v, K);
       expect_equal(stuck.transfer(row_shear, k, s), shear);
       expect_equal(stuck.transfer(row_normal, k, s), N + H(n, K) * shear);
@@ -108,11 +109,11 @@ TEST(SlipModel, StatesPassUnchanged) {
   std::normal_distribution<double> number;
   const Eigen::Index N = model.phases[0].to_state.rows();
   Eigen::VectorXd state = Eigen::VectorXd::NullaryExpr(N, [&] { return number(random); });
-  for (const BottomState contact : {BottomState::forward, BottomState::backward, BottomState::lifted}) {
+  for (const ContactState contact : {ContactState::slip_landward, ContactState::slip_seaward, ContactState::open}) {
     const SlipPhase& phase = model.phase(contact);
     EXPECT_LT((energy_state(phase, modal_state(phase, state)) - state).norm(), 1e-11 * state.norm());
   }
-  const SlipPhase& stuck = model.phase(BottomState::stuck);
+  const SlipPhase& stuck = model.phase(ContactState::stick);
   state[N - 1] = 0.;
   EXPECT_LT((energy_state(stuck, modal_state(stuck, state)) - state).norm(), 1e-11 * state.norm());
 }
@@ -125,8 +126,8 @@ TEST(SlipModel, CurvesPlacesAndStepsAreOneMotion) {
   const auto draw = [&](Eigen::Index n) -> Eigen::VectorXd {
     return Eigen::VectorXd::NullaryExpr(n, [&] { return number(random); });
   };
-  for (const BottomState contact :
-       {BottomState::stuck, BottomState::forward, BottomState::backward, BottomState::lifted})
+  for (const ContactState contact :
+       {ContactState::stick, ContactState::slip_landward, ContactState::slip_seaward, ContactState::open})
     for (const double step : {0.01, 0.3, 2.}) {
       const SlipPhase& phase = model.phase(contact);
       const ModalState z = modal_state(phase, draw(N));
@@ -144,7 +145,7 @@ TEST(SlipModel, CurvesPlacesAndStepsAreOneMotion) {
       EXPECT_LT((next.re - place.z.re).matrix().norm() + (next.im - place.z.im).matrix().norm(), 1e-11);
       EXPECT_NEAR(found.watched, path.reading(SlipSteps::watched_row(contact))(step), 1e-11);
       EXPECT_NEAR(found.normal, path.reading(row_normal)(step), 1e-11);
-      if (contact != BottomState::stuck) {
+      if (contact != ContactState::stick) {
         EXPECT_NEAR(found.distance, distance, 1e-11);
       }
     }
@@ -152,7 +153,7 @@ TEST(SlipModel, CurvesPlacesAndStepsAreOneMotion) {
 
 TEST(SlipModel, StuckAndLiftedNeverGrow) {
   const SlipModel model = slip_model(reduced_sample(), law());
-  for (const BottomState contact : {BottomState::stuck, BottomState::lifted})
+  for (const ContactState contact : {ContactState::stick, ContactState::open})
     EXPECT_LE(model.phase(contact).modes.pole.real().maxCoeff(), 0.);
 }
 

@@ -99,7 +99,7 @@ TEST(StateSpace, AMillionSecondsOfFreeDecay) {
     for (Eigen::Index i = 0; i < y.rows(); ++i) {
       if (!space.E.row(i).isZero(0.)) continue;  // an integral, which no energy bounds
       EXPECT_LE(y.row(i).cwiseAbs().maxCoeff(), space.C.row(i).norm() * start)
-          << system.readings[static_cast<std::size_t>(i)].name;
+          << system.readings[static_cast<std::size_t>(i)].name.text();
     }
   }
 }

@@ -49,7 +49,7 @@ TEST(DynamicLaw, AStiffCaissonPassesTheForceOn) {
   const DynamicWave wave = stiff.wave(11.);
   const double peak = *std::max_element(wave.force.begin(), wave.force.end());
   for (std::size_t i = 0; i < wave.force.size(); ++i) ASSERT_NEAR(wave.shear[i], wave.force[i], 0.02 * peak) << i;
-  ForceHistory with_uplift{wave.time, wave.force};
+  History with_uplift{wave.time, wave.force};
   for (std::size_t i = 0; i < wave.force.size(); ++i)
     with_uplift.value[i] += wave.sliding_force[i] - wave.shear[i];  // mu U
   const double S = slide(medium_caisson().section.weight / 9.81, with_uplift, resistance()).residual;

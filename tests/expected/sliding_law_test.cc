@@ -7,7 +7,7 @@
 
 #include "caissons.h"
 #include "upbead/sliding/combined.h"
-#include "upbead/sliding/wave_sliding.h"
+#include "upbead/sliding/pulse.h"
 
 namespace upbead::test {
 

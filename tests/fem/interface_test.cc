@@ -109,9 +109,9 @@ TEST_P(Bottom, StressesSumToTheForcesOfAllLoads) {
   const std::vector<double> load(system.loads.size(), 1e9);
   std::map<std::string, double> sum;
   for (const Reading& reading : system.readings) {
-    if (reading.name.rfind("base/", 0) != 0) continue;
-    const auto node = interface_nodes(plain.space)[std::stoul(reading.name.substr(5))];
-    sum[reading.name.substr(reading.name.rfind('/') + 1)] += node.length * evaluate(reading, state, load);
+    if (reading.name.group != base_group) continue;
+    const auto node = interface_nodes(plain.space)[static_cast<std::size_t>(reading.name.node)];
+    sum[reading.name.quantity] += node.length * evaluate(reading, state, load);
   }
   const auto read = [&](const char* name) {
     return evaluate(system.readings[static_cast<std::size_t>(system.reading(name))], state, load);

@@ -10,7 +10,7 @@ namespace {
 
 Body caisson_of(const Scene& scene) {
   const auto mesh = breakwater_mesh(0.5);
-  return Compiled(scene, *mesh).bodies.at(0);
+  return Compiled(scene, *mesh).scene.bodies.at(0);
 }
 
 TEST(RigidBody, IsEvenlyFilledByDefault) {

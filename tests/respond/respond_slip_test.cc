@@ -7,7 +7,7 @@
 
 #include "../output/sample_model.h"
 #include "respond/respond_waves.h"
-#include "response/slip_reduction.h"
+#include "response/slip_law.h"
 #include "sliding/coupled_slip.h"
 #include "sliding/elastic_block.h"
 
@@ -24,26 +24,26 @@ ReducedModelFile model_with_slip() {
 }
 
 /// The same two masses.
-ElasticSliding by_masses(const ForceHistory& P) {
+ElasticSliding by_masses(const History& P) {
   const ReducedSystem system = slipping_oscillator().system;
   return slide_on_base(oscillator().caisson_mass, {system.M(1, 1), system.K(1, 1), system.C(1, 1)}, P,
                        friction * weight);
 }
 
-WaveFile wave(const ForceHistory& P) {
+WaveFile wave(const History& P) {
   WaveFile file{"w", P.time, WaveSamples::Zero(2, static_cast<Eigen::Index>(P.time.size())), 2, {}};
   for (std::size_t n = 0; n < P.time.size(); ++n) file.value(0, static_cast<Eigen::Index>(n)) = P.value[n];
   return file;
 }
 
 /// A triangle of 0.15 s, by its corners.
-ForceHistory triangle(double peak) {
+History triangle(double peak) {
   return {{0., 0.075, 0.15}, {0., peak, 0.}};
 }
 
 /// The same on equal steps.
-ForceHistory fine_triangle(double peak) {
-  ForceHistory P;
+History fine_triangle(double peak) {
+  History P;
   for (int n = 0; n <= 300; ++n) {
     P.time.push_back(n * 5e-4);
     P.value.push_back(peak * (1. - std::abs(n / 150. - 1.)));
@@ -76,8 +76,8 @@ TEST(RespondSlip, IsThatOfTwoMasses) {
 }
 
 TEST(RespondSlip, JumpsCount) {
-  const ForceHistory inside{{0.1, 0.25, 0.9}, {3e6, 1.5e6, 3e5}};
-  const ForceHistory jumping{{0., 0.1, 0.1, 0.25, 0.9, 0.9}, {0., 0., 3e6, 1.5e6, 3e5, 0.}};
+  const History inside{{0.1, 0.25, 0.9}, {3e6, 1.5e6, 3e5}};
+  const History jumping{{0., 0.1, 0.1, 0.25, 0.9, 0.9}, {0., 0., 3e6, 1.5e6, 3e5, 0.}};
   expect_equal(slid(wave(inside)), by_masses(jumping), 1e-8);
 }
 
@@ -85,10 +85,10 @@ TEST(RespondSlip, IsFollowedToItsStopWithoutLoadsAfterTheAnswer) {
   RespondOptions options;
   options.sliding = ModelSliding{friction, weight};
   options.end = 0.1;
-  const ForceHistory whole = triangle(3e6), cut{{0., 0.075, 0.1, 0.1}, {0., 3e6, 2e6, 0.}};
+  const History whole = triangle(3e6), cut{{0., 0.075, 0.1, 0.1}, {0., 3e6, 2e6, 0.}};
   const WaveResponse by_corners = respond_to_waves(model_with_slip(), {wave(whole)}, options)[0].waves[0];
   expect_equal(*by_corners.coupled, by_masses(cut), 1e-8);
-  const ForceHistory falling{{0., 0.075, 0.1, 0.1005}, {0., 3e6, 2e6, 0.}};
+  const History falling{{0., 0.075, 0.1, 0.1005}, {0., 3e6, 2e6, 0.}};
   const WaveResponse by_steps = respond_to_waves(model_with_slip(), {wave(fine_triangle(3e6))}, options)[0].waves[0];
   expect_equal(*by_steps.coupled, by_masses(falling), 1e-8);
 }
@@ -100,7 +100,7 @@ CoupledSliding by_hand(const WaveFile& file, const std::function<double(int)>& u
   WaveSamples loads = WaveSamples::Zero(3, n);
   loads.topLeftCorner(2, file.value.cols()) = file.value;
   for (int i = 0; i < n; ++i) loads(2, i) = weight - uplift(i);
-  return CoupledSlip(slip_model(system, slip_law(system, friction, SlipUplift::none)), 5e-4).slide(loads);
+  return CoupledSlip(slip_model(system, slip_law(system, friction, UpliftKind::prescribed)), 5e-4).slide(loads);
 }
 
 TEST(RespondSlip, PrescribedUpliftIsTakenOffTheWeight) {

@@ -137,7 +137,7 @@ TEST(RespondWaves, SlidesAsTheBlockDoesUnderTheWholeHistory) {
 /// S of a wave by hand: F_T against mu (W' - U), U at the same times.
 double sliding_by_hand(const WaveResponses& found, double friction, double weight, const std::vector<double>& U) {
   const auto F = found.shear_force.row(0);
-  ForceHistory resistance{found.time, {}};
+  History resistance{found.time, {}};
   for (const double u : U) resistance.value.push_back(friction * (weight - u));
   resistance.time.push_back(found.time.back());
   resistance.value.push_back(friction * weight);

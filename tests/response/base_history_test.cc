@@ -1,27 +1,18 @@
 // Claim: between the ends of long steps the history of F_T is that of short steps, and where the force jumps it holds
 // both values.
-#include "response/base_history.h"
+#include "response/shear_response.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "response/shear_response.h"
 #include "scenes.h"
 
 namespace upbead::test {
 namespace {
 
 constexpr double duration = 0.15, end = 0.45;
-
-/// Linear between ascending times.
-double value_at(const std::vector<double>& time, const std::vector<double>& value, double t) {
-  const auto next = std::upper_bound(time.begin(), time.end(), t) - time.begin();
-  if (next == static_cast<std::ptrdiff_t>(time.size())) return value.back();
-  const auto i = static_cast<std::size_t>(next);
-  return value[i - 1] + (value[i] - value[i - 1]) * (t - time[i - 1]) / (time[i] - time[i - 1]);
-}
 
 class BaseHistoryTest : public testing::Test {
  protected:
@@ -44,15 +35,15 @@ TEST_F(BaseHistoryTest, ResolvesWhatHappensInsideSteps) {
   const std::vector<double> step_values(steps.begin(), steps.end());
   for (std::size_t n = 0; n < fine.ends.time.size(); ++n) {
     const double t = fine.ends.time[n], F = exact[static_cast<Eigen::Index>(n)];
-    error = std::max(error, std::abs(value_at(dense.time, dense.shear_force, t) - F));
+    error = std::max(error, std::abs(value_at(dense.shear_force.time, dense.shear_force.value, t) - F));
     error_of_steps = std::max(error_of_steps, std::abs(value_at(coarse.ends.time, step_values, t) - F));
   }
   EXPECT_LT(error, 2e-3 * peak);
   EXPECT_GT(error_of_steps, 5. * error) << "else the history would not need its points inside the steps";
-  EXPECT_NEAR(*std::max_element(dense.shear_force.begin(), dense.shear_force.end()),
+  EXPECT_NEAR(*std::max_element(dense.shear_force.value.begin(), dense.shear_force.value.end()),
               read_shear_response(compiled.scene, coarse, true).peak_shear, 1e-3 * peak);
-  EXPECT_TRUE(std::is_sorted(dense.time.begin(), dense.time.end()));
-  EXPECT_EQ(dense.step_time.size(), dense.normal_force.size());
+  EXPECT_TRUE(std::is_sorted(dense.shear_force.time.begin(), dense.shear_force.time.end()));
+  EXPECT_EQ(dense.normal_force.time.size(), dense.normal_force.value.size());
 }
 
 TEST_F(BaseHistoryTest, KeepsBothValuesOfAForceThatJumps) {
@@ -60,8 +51,8 @@ TEST_F(BaseHistoryTest, KeepsBothValuesOfAForceThatJumps) {
   const Compiled compiled(scene_of(ramp), *mesh_);
   const BaseHistory dense = read_base_history(compiled.scene, run(compiled, end, duration / 8.), true);
   std::vector<double> at_jump;
-  for (std::size_t i = 0; i < dense.time.size(); ++i)
-    if (std::abs(dense.time[i] - duration) < 1e-9) at_jump.push_back(dense.force[i]);
+  for (std::size_t i = 0; i < dense.force.time.size(); ++i)
+    if (std::abs(dense.force.time[i] - duration) < 1e-9) at_jump.push_back(dense.force.value[i]);
   ASSERT_EQ(at_jump.size(), 2u);
   EXPECT_NEAR(at_jump[0], 1.6e6, 1.);
   EXPECT_EQ(at_jump[1], 0.);
@@ -70,7 +61,7 @@ TEST_F(BaseHistoryTest, KeepsBothValuesOfAForceThatJumps) {
 TEST_F(BaseHistoryTest, WithoutInertiaHasTheEndsOfSteps) {
   const Compiled compiled(scene_of(triangle(1.6e6, duration)), *mesh_);
   const Response response = run(compiled, end, duration / 8.);
-  EXPECT_EQ(read_base_history(compiled.scene, response, false).time, response.ends.time);
+  EXPECT_EQ(read_base_history(compiled.scene, response, false).shear_force.time, response.ends.time);
 }
 
 }  // namespace

@@ -10,8 +10,7 @@
 namespace upbead {
 namespace {
 
-struct Sampled {
-  std::vector<double> time, value;
+struct Sampled : History {
   Sampled(double begin, double end, int n, const std::function<double(double)>& f) {
     for (int i = 0; i <= n; ++i) {
       time.push_back(begin + (end - begin) * i / n);
@@ -25,7 +24,7 @@ double bump(double t) {
 }
 
 Comparison of(const Sampled& measured, const Sampled& computed) {
-  return compare(measured.time, measured.value, computed.time, computed.value);
+  return compare(measured, computed);
 }
 
 TEST(Comparison, OfEqualHistoriesIsNothing) {

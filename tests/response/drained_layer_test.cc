@@ -1,6 +1,6 @@
 // Claims: a layer of mud under the mound that drains into it yields by the part of its first cell beyond the skin; its
 // share of all that yields is that sum, worked out anew for one scene; without contrast, or drained, there is none.
-#include "response/drained_layer.h"
+#include "response/drainage.h"
 
 #include <gtest/gtest.h>
 

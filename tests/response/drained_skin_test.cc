@@ -1,7 +1,7 @@
 // Claims: the pressure of sand below rubble overshoots as overshoot() tells, after a jump and, at a sixth of its
 // duration, under a triangle; an open side makes no drained face. Source: Vermeer and Verruijt (1981) for the smallest
 // time. Tolerance: 0.03 of the undrained pressure, which the table is rounded and interpolated to.
-#include "response/drained_skin.h"
+#include "response/drainage.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Claims: the least absolute pressure of a march is the least of all nodes and steps, atmosphere and depth included; a
 // reduced model tells the same place and value as the march. Tolerances: round-off; 3 % of the excess for the reduced
 // model, whose pressures have that error.
-#include "response/least_pressure.h"
+#include "response/monitors.h"
 
 #include <gtest/gtest.h>
 
@@ -65,7 +65,7 @@ TEST(LeastPressure, OfAReducedModelIsThatOfTheMarch) {
   march(compiled.scene.system, *scheme, make_time_grid(kinks(compiled.scene.system), scene.time.end, 0.15 / 32.),
         options);
 
-  ReductionAim aim;
+  ReductionTargets aim;
   aim.pressures = true;
   const Reduction reduction = reduce_scene(compiled.resolved, compiled.scene, aim);
   LeastPressure reduced(compiled.space, compiled.unknowns, compiled.resolved, level);

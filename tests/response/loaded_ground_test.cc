@@ -1,6 +1,6 @@
 // Claims: only loads on ground that deforms count, with the cells across their side, the probes of each region and
 // their distances; a load on the rigid caisson does not, nor one that is switched off.
-#include "response/loaded_ground.h"
+#include "response/ground_waves.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Claims: the estimate of what the cells make of F_T falls as they are split, the largest shares lie at the caisson's
 // bottom corners, of mirror images both; the spectrum tells the response of one scene from another's.
-#include "response/mesh_error.h"
+#include "response/spectrum.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,6 @@
 #include <cmath>
 
 #include "fem/caisson_readings.h"
-#include "response/spectrum.h"
 #include "scenes.h"
 
 namespace upbead::test {

@@ -2,7 +2,7 @@
 // mobilised at all depths, (1 - K)/(1 + K)/sin phi, and no load on top changes that; with K_0 = 1 at rest nothing is,
 // and a load mobilises what Mohr's circle tells at the shallowest cell that counts; a load that pulls ends at 10.
 // Tolerance: round-off of the solution.
-#include "response/mobilisation.h"
+#include "response/monitors.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Claim: a scene is reduced where that is less work than marching, and marched for each of the reasons that the
 // function lists.
-#include "response/scheme_choice.h"
+#include "response/time_choice.h"
 
 #include <gtest/gtest.h>
 

@@ -32,11 +32,11 @@ struct Twins {
   SlipReduction reduced(double tolerance) const {
     Scene wanted = slipping.resolved;
     wanted.tolerance = tolerance;
-    return reduce_slip(wanted, slipping.scene, SlipUplift::computed, response.ends);
+    return reduce_slip(wanted, slipping.scene, UpliftKind::computed, response.ends);
   }
   /// N_0 is so many times what F_T needs to stick.
   CoupledSliding slide(const SlipReduction& reduction, double safety, CoupledHistory* history = nullptr) const {
-    const SlipLaw law = slip_law(reduction.system, friction, SlipUplift::computed, {reading::displacement_x});
+    const SlipLaw law = slip_law(reduction.system, friction, UpliftKind::computed, {reading::displacement_x});
     SampledLoads loads = sampled_loads(slipping.resolved, slipping.scene.system);
     for (Eigen::MatrixXd* part : {&loads.begin, &loads.end}) {
       part->conservativeResize(2, Eigen::NoChange);
@@ -56,8 +56,8 @@ TEST(SlipReduction, SticksAsItsGluedTwinAndSlips) {
   const SlipReduction reduction = twins.reduced(twins.scene.tolerance);
   ASSERT_TRUE(reduction.converged);
   EXPECT_LE(reduction.error.history, twins.scene.tolerance);
-  EXPECT_LE(reduction.glued_error, twins.scene.tolerance);
-  EXPECT_GT(reduction.glued_error, 0.);
+  EXPECT_LE(reduction.bonded_error, twins.scene.tolerance);
+  EXPECT_GT(reduction.bonded_error, 0.);
 
   EXPECT_TRUE(twins.slide(reduction, 1.02).slip.slips.empty());
   CoupledHistory history;
@@ -78,7 +78,7 @@ TEST(SlipReduction, SticksAsItsGluedTwinAndSlips) {
 
 TEST(SlipReduction, NeedsAnInterface) {
   const Twins twins;
-  EXPECT_THROW(reduce_slip(twins.scene, twins.glued.scene, SlipUplift::none, twins.response.ends),
+  EXPECT_THROW(reduce_slip(twins.scene, twins.glued.scene, UpliftKind::prescribed, twins.response.ends),
                std::invalid_argument);
 }
 

@@ -1,6 +1,6 @@
 // Claims: a soft layer that is thin beside the caisson is found, with its thickness and the longest cell along it; none
 // where the ground is thick, or as stiff as what lies beside it.
-#include "response/thin_layers.h"
+#include "response/ground_waves.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Claims: the shortest wave is V_s D + B of each region that deforms, the cell the largest within it, and half the
 // density of cells gives half the cells to a wave.
-#include "response/wave_resolution.h"
+#include "response/ground_waves.h"
 
 #include <gtest/gtest.h>
 

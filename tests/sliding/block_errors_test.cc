@@ -13,12 +13,12 @@ namespace {
 
 struct Refused {
   double mass;
-  ForceHistory force, resistance;
+  History force, resistance;
   std::string says;
 };
 
 const double nan = std::numeric_limits<double>::quiet_NaN();
-const ForceHistory pulse{{0., 1., 2.}, {0., 2., 0.}}, constant{{0.}, {1.}};
+const History pulse{{0., 1., 2.}, {0., 2., 0.}}, constant{{0.}, {1.}};
 
 TEST(Block, RefusesWrongInput) {
   const std::vector<Refused> table{

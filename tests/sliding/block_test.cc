@@ -12,17 +12,17 @@
 namespace upbead {
 namespace {
 
-ForceHistory scaled(ForceHistory history, double time, double value) {
+History scaled(History history, double time, double value) {
   for (double& t : history.time) t *= time;
   for (double& f : history.value) f *= value;
   return history;
 }
 
 /// Points at random times with random values in [low, high].
-ForceHistory random_history(unsigned seed, int points, double low, double high) {
+History random_history(unsigned seed, int points, double low, double high) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> gap(0.01, 0.2), value(low, high);
-  ForceHistory history{{0.}, {value(random)}};
+  History history{{0.}, {value(random)}};
   for (int i = 1; i < points; ++i) {
     history.time.push_back(history.time.back() + gap(random));
     history.value.push_back(value(random));
@@ -31,7 +31,7 @@ ForceHistory random_history(unsigned seed, int points, double low, double high) 
 }
 
 /// The history at t, from the left at a jump.
-double value_at(const ForceHistory& h, double t, double before, double after) {
+double value_at(const History& h, double t, double before, double after) {
   const auto next = std::lower_bound(h.time.begin(), h.time.end(), t) - h.time.begin();
   if (next == 0) return before;
   if (next == static_cast<std::ptrdiff_t>(h.time.size())) return after;
@@ -41,9 +41,9 @@ double value_at(const ForceHistory& h, double t, double before, double after) {
 }
 
 /// Integral of sF - R over a slip; linear between the points, so that the midpoint rule between them is exact.
-double impulse(const ForceHistory& force, const ForceHistory& resistance, const Slip& slip) {
+double impulse(const History& force, const History& resistance, const Slip& slip) {
   std::vector<double> times{slip.start, slip.stop};
-  for (const ForceHistory* h : {&force, &resistance})
+  for (const History* h : {&force, &resistance})
     for (const double t : h->time)
       if (t > slip.start && t < slip.stop) times.push_back(t);
   std::sort(times.begin(), times.end());
@@ -77,7 +77,7 @@ TEST(Block, SlidesUnderAConstantForceAsByHand) {
 TEST(Block, SlidesWhileItsResistanceIsLow) {
   // The force is 0.8 R; R falls to R/2 for a time T: v = 0.3 R T / m, then 0.2 R brakes.
   const double m = 1e5, R = 1e6, T = 0.4, v = 0.3 * R * T / m;
-  const ForceHistory force{{0., 10.}, {0.8 * R, 0.8 * R}};
+  const History force{{0., 10.}, {0.8 * R, 0.8 * R}};
   const Sliding found = slide(m, force, {{1., 1., 1. + T, 1. + T}, {R, 0.5 * R, 0.5 * R, R}});
   ASSERT_EQ(found.slips.size(), 1u);
   EXPECT_NEAR(found.slips[0].start, 1., 1e-14);
@@ -86,7 +86,7 @@ TEST(Block, SlidesWhileItsResistanceIsLow) {
 }
 
 TEST(Block, SlidesSeveralTimesAndBothWays) {
-  const ForceHistory force{{0., 1., 2., 10., 11., 12., 20., 21., 22.}, {0., 4., 0., 0., 4., 0., 0., -4., 0.}};
+  const History force{{0., 1., 2., 10., 11., 12., 20., 21., 22.}, {0., 4., 0., 0., 4., 0., 0., -4., 0.}};
   const Sliding found = slide(1., force, 3.), once = slide(1., {{0., 1., 2.}, {0., 4., 0.}}, 3.);
   ASSERT_EQ(found.slips.size(), 3u);
   EXPECT_NEAR(found.slips[0].distance, once.residual, 1e-14);
@@ -110,7 +110,7 @@ TEST(Block, TurnsWithoutRest) {
 TEST(Block, EverySlipTakesAsMuchImpulseAsItWasGiven) {
   int slips = 0;
   for (unsigned seed = 0; seed < 200; ++seed) {
-    const ForceHistory force = random_history(seed, 30, -3., 4.), resistance = random_history(seed + 1000, 20, 0.5, 2.);
+    const History force = random_history(seed, 30, -3., 4.), resistance = random_history(seed + 1000, 20, 0.5, 2.);
     for (const Slip& slip : slide(0.7, force, resistance).slips) {
       EXPECT_NEAR(impulse(force, resistance, slip), 0., 1e-12) << "seed " << seed;
       EXPECT_GT(slip.distance * slip.peak_velocity, 0.);
@@ -123,7 +123,7 @@ TEST(Block, EverySlipTakesAsMuchImpulseAsItWasGiven) {
 
 TEST(Block, MirroredForceMirrorsTheMotion) {
   for (unsigned seed = 0; seed < 50; ++seed) {
-    const ForceHistory force = random_history(seed, 30, -3., 4.);
+    const History force = random_history(seed, 30, -3., 4.);
     const Sliding a = slide(0.7, force, 1.), b = slide(0.7, scaled(force, 1., -1.), 1.);
     EXPECT_EQ(a.residual, -b.residual);
     EXPECT_EQ(a.largest, -b.largest);
@@ -132,7 +132,7 @@ TEST(Block, MirroredForceMirrorsTheMotion) {
 }
 
 TEST(Block, DistanceScalesWithForceMassAndTime) {
-  const ForceHistory force = random_history(7, 30, -3., 4.);
+  const History force = random_history(7, 30, -3., 4.);
   const Sliding a = slide(0.7, force, 1.);
   EXPECT_NEAR(slide(0.7 * 3e6, scaled(force, 1., 3e6), 3e6).residual, a.residual, 1e-12 * a.path);
   EXPECT_NEAR(slide(0.7, scaled(force, 5., 1.), 1.).residual, 25. * a.residual, 25e-12 * a.path);
@@ -140,8 +140,8 @@ TEST(Block, DistanceScalesWithForceMassAndTime) {
 
 TEST(Block, PointsThatChangeNothingChangeNothing) {
   for (unsigned seed = 0; seed < 50; ++seed) {
-    const ForceHistory force = random_history(seed, 30, -3., 4.);
-    ForceHistory refined;
+    const History force = random_history(seed, 30, -3., 4.);
+    History refined;
     for (double t = 0.; t < force.time.back(); t += 0.003) refined.time.push_back(t);
     refined.time.insert(refined.time.end(), force.time.begin(), force.time.end());
     std::sort(refined.time.begin(), refined.time.end());
@@ -155,7 +155,7 @@ TEST(Block, PointsThatChangeNothingChangeNothing) {
 TEST(Block, AgreesWithManySmallSteps) {
   const double m = 0.7, R = 1., h = 1e-5;
   for (unsigned seed = 0; seed < 5; ++seed) {
-    const ForceHistory force = random_history(seed, 30, -3., 4.);
+    const History force = random_history(seed, 30, -3., 4.);
     double x = 0., v = 0.;
     for (double t = 0.; t < force.time.back() + 20.; t += h) {
       const double free = v + h * value_at(force, t + 0.5 * h, 0., 0.) / m;  // friction takes what it can, not more

@@ -15,7 +15,7 @@ namespace {
 constexpr double pi = boost::math::constants::pi<double>();
 const CombinedWave wave{12., 1.2e6, {2.5e6, 1.5}, 0.4e6};
 
-double impulse(const ForceHistory& h) {
+double impulse(const History& h) {
   double sum = 0.;
   for (std::size_t i = 1; i < h.time.size(); ++i)
     sum += 0.5 * (h.value[i] + h.value[i - 1]) * (h.time[i] - h.time[i - 1]);
@@ -42,7 +42,7 @@ TEST(CombinedSliding, HasNoStandingPartWhereTheImpulseAloneIsMore) {
 
 TEST(CombinedSliding, IsTheLargerOfBothParts) {
   const double gamma = standing_reduction(wave);
-  const ForceHistory F = combined_force(wave);
+  const History F = combined_force(wave);
   for (std::size_t i = 0; i < F.time.size(); ++i) {
     const double t = F.time[i];
     const double P1 = t < 6. ? gamma * 1.2e6 * std::sin(2. * pi * t / 12.) : 0.;

@@ -113,7 +113,7 @@ struct RandomScene {
 
   static constexpr double step = 2e-3;
   double base, stiffness, coupling, damping, uplift;
-  ForceHistory force;
+  History force;
 
  private:
   std::mt19937 random_;
@@ -174,7 +174,7 @@ TEST(SlipWithinStep, BoundsWhatReadingsDoBetweenTheEnds) {
   const SlipModel model = in_modes(wedge(2e5, 6e9, 2e4), friction, shift, {}, 0);
   const Eigen::MatrixXd rows = load_rows(model);
   double nearest = 0.;
-  for (const BottomState bottom : {BottomState::forward, BottomState::backward, BottomState::lifted})
+  for (const ContactState bottom : {ContactState::slip_landward, ContactState::slip_seaward, ContactState::open})
     for (const double step : {1e-4, 1e-3, 1e-2, 0.1}) {
       const SlipPhase& phase = model.phase(bottom);
       const Eigen::Vector2d begin(1e5, weight), end(-2e5, 0.9 * weight), slope = (end - begin) / step;

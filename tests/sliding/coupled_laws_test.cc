@@ -20,7 +20,7 @@ namespace {
 constexpr double mass = 6e5, weight = 3.2e6, friction = 0.6, shift = 30.;
 const ElasticBase base{2e5, 6e8, 4e6};
 constexpr double coupling = 5e8;
-const ForceHistory pulse{{0., 0.05, 0.12, 0.3, 0.35, 0.5}, {0., 8e6, 1e6, -6e6, 0., 0.}};
+const History pulse{{0., 0.05, 0.12, 0.3, 0.35, 0.5}, {0., 8e6, 1e6, -6e6, 0., 0.}};
 
 Eigen::RowVectorXd integral(const Eigen::RowVectorXd& y, double step) {
   Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(y.size());
@@ -53,7 +53,7 @@ TEST(CoupledLaws, WorkIsWhatIsStoredAndTaken) {
 }
 
 /// Moreau's time stepping: N' of the step's start, friction that stops s' or falls short of it.
-double slip_in_small_steps(const System& system, const ForceHistory& force, double step, double end) {
+double slip_in_small_steps(const System& system, const History& force, double step, double end) {
   const Eigen::MatrixXd M = system.M, inverse = M.inverse(), C = system.C, K = system.K;
   const auto n = static_cast<int>(end / step);
   const WaveSamples loads = samples(force, weight, step, n);
@@ -85,9 +85,9 @@ TEST(CoupledLaws, NormalForceThatTheSlipChanges) {
 
 TEST(CoupledLaws, MirrorsWithTheForce) {
   const double step = 1e-3;
-  ForceHistory mirrored = pulse;
+  History mirrored = pulse;
   for (double& value : mirrored.value) value = -value;
-  const auto slide = [&](const System& system, const ForceHistory& force, int normal) {
+  const auto slide = [&](const System& system, const History& force, int normal) {
     return CoupledSlip(in_modes(system, friction, shift, {}, normal), step)
         .slide(samples(force, weight, step, 1001))
         .slip;
@@ -143,7 +143,7 @@ TEST(CoupledLaws, FinerSamplesChangeNothing) {
   RandomWaves waves(3);
   int slid = 0;
   for (int i = 0; i < 40; ++i) {
-    const ForceHistory force = waves.next(2e-3);
+    const History force = waves.next(2e-3);
     const auto slide = [&](double step) {
       return CoupledSlip(model, step)
           .slide(samples(force, breakwater.weight, step, static_cast<int>(std::lround(1.2 / step)) + 1))

@@ -98,11 +98,11 @@ TEST(CoupledSlip, OnStiffGroundTendsToTheExactBlock) {
 }
 
 /// Points at random times that samples meet.
-ForceHistory random_history(unsigned seed, double largest) {
+History random_history(unsigned seed, double largest) {
   std::mt19937 random(seed);
   std::uniform_int_distribution<int> gap(5, 100);
   std::uniform_real_distribution<double> value(-largest, largest);
-  ForceHistory force{{0.}, {0.}};
+  History force{{0.}, {0.}};
   for (int n = 0, i = 1; i < 12; ++i) {
     n += gap(random);
     force.time.push_back(n * 1e-3);
@@ -117,7 +117,7 @@ TEST(CoupledSlip, IsThatOfTwoMassesUnderAnyHistory) {
   const CoupledSlip slip(in_modes(block_on_base(mass, base), friction, shift), 1e-3);
   std::size_t slips = 0;
   for (unsigned seed = 0; seed < 50; ++seed) {
-    const ForceHistory force = random_history(seed, 4. * R);
+    const History force = random_history(seed, 4. * R);
     const CoupledSliding found = slip.slide(samples(force, R / friction, 1e-3, 2000));
     const ElasticSliding expected = slide_on_base(mass, base, force, R);
     ASSERT_EQ(found.slip.slips.size(), expected.slip.slips.size()) << "seed " << seed;

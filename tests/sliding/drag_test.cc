@@ -12,7 +12,7 @@ namespace upbead {
 namespace {
 
 constexpr double mass = 6e5, resistance = 1.9e6;
-const ForceHistory loads{{0., 0.1, 0.2, 0.35, 0.5, 0.9, 1.2}, {0., 3.5e6, 1e6, 3e6, -2.5e6, -3e6, 0.}};
+const History loads{{0., 0.1, 0.2, 0.35, 0.5, 0.9, 1.2}, {0., 3.5e6, 1e6, 3e6, -2.5e6, -3e6, 0.}};
 
 struct End {
   double x = 0., largest = 0.;

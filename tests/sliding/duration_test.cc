@@ -1,6 +1,6 @@
 // Claim: tau_0 of a history is that of the triangle that slides as far; of a triangle, by every exact measure, its own.
 
-#include "upbead/sliding/duration.h"
+#include "upbead/sliding/history_sliding.h"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ namespace {
 constexpr double mass = 6e5;
 
 TEST(HistoryDuration, OfATriangleIsItsOwn) {
-  const ForceHistory triangle = history({3e6, 0.4});
+  const History triangle = history({3e6, 0.4});
   for (const double r : {1.05, 1.2, 1.5, 2.}) {
     const HistoryDuration d = history_duration(mass, triangle, r);
     EXPECT_NEAR(*d.by_exact, 0.4, 1e-12) << r;
@@ -29,7 +29,7 @@ TEST(HistoryDuration, OfATriangleIsItsOwn) {
 }
 
 TEST(HistoryDuration, ScalesWithTime) {
-  ForceHistory h{{0., 0.1, 0.15, 0.3, 0.5, 0.7}, {0., 2e6, 1.5e6, 3e6, -1e6, 0.}};
+  History h{{0., 0.1, 0.15, 0.3, 0.5, 0.7}, {0., 2e6, 1.5e6, 3e6, -1e6, 0.}};
   const HistoryDuration once = history_duration(mass, h, 1.4);
   for (double& t : h.time) t *= 3.;
   const HistoryDuration thrice = history_duration(mass, h, 1.4);
@@ -40,14 +40,14 @@ TEST(HistoryDuration, ScalesWithTime) {
 }
 
 TEST(HistoryDuration, PulseOfThatDurationSlidesAsFar) {
-  const ForceHistory h{{0., 0.1, 0.15, 0.3, 0.5, 0.7}, {0., 2e6, 1.5e6, 3e6, -1e6, 0.}};
+  const History h{{0., 0.1, 0.15, 0.3, 0.5, 0.7}, {0., 2e6, 1.5e6, 3e6, -1e6, 0.}};
   const HistoryDuration d = history_duration(mass, h, 1.4);
   EXPECT_NEAR(sliding_distance_exact(mass, 3e6 / 1.4, {3e6, *d.by_exact}), d.sliding, 1e-13);
   EXPECT_NEAR(sliding_distance_paper(mass, 3e6 / 1.4, {3e6, *d.by_paper}), d.sliding, 1e-13);
 }
 
 TEST(HistoryDuration, TakesTheImpulseOfTheLobeWithThePeakOnly) {
-  const ForceHistory h{{0., 1., 2., 3., 4., 5., 6.}, {0., 1., -1., 1., 3., -1., 2.}};
+  const History h{{0., 1., 2., 3., 4., 5., 6.}, {0., 1., -1., 1., 3., -1., 2.}};
   // from 2.5 (zero) over 1 at 3 and 3 at 4 to 4.75 (zero)
   EXPECT_NEAR(*history_duration(1., h, 1.5).by_impulse, 2. * (0.25 + 2. + 1.125) / 3., 1e-14);
 }

@@ -29,7 +29,7 @@ TEST(HistorySliding, OfATriangleIsTheClosedForm) {
 
 TEST(HistorySliding, UpliftInPhaseIsPartOfThePulse) {
   // F_T + mu U with both triangles of one duration: the pulse of their sum
-  ForceHistory U = history({1e6, 0.3});
+  History U = history({1e6, 0.3});
   const HistorySliding s = slide_history({history(pulse), U, {}}, bottom);
   const TriangularPulse whole{3e6 + 0.6 * 1e6, 0.3};
   EXPECT_NEAR(s.by_history.residual, sliding_distance_exact(6e5, R, whole), 1e-13);
@@ -42,8 +42,8 @@ TEST(HistorySliding, UpliftInPhaseIsPartOfThePulse) {
 }
 
 TEST(HistorySliding, AChangeOfTheNormalForceActsLikeUpliftOfTheOtherSign) {
-  const ForceHistory U{{0., 0.1, 0.2, 0.4}, {0., 8e5, 3e5, 0.}};
-  ForceHistory lift = U;
+  const History U{{0., 0.1, 0.2, 0.4}, {0., 8e5, 3e5, 0.}};
+  History lift = U;
   for (double& value : lift.value) value = -value;
   const HistorySliding by_uplift = slide_history({history(pulse), U, {}}, bottom);
   const HistorySliding by_change = slide_history({history(pulse), {}, lift}, bottom);
@@ -54,8 +54,8 @@ TEST(HistorySliding, AChangeOfTheNormalForceActsLikeUpliftOfTheOtherSign) {
 
 TEST(HistorySliding, NothingHoldsACaissonThatIsLifted) {
   // U above W' from 0.1 to 0.3 s: no friction there; m x'' = F_T alone
-  const ForceHistory push{{0., 0., 0.4, 0.4}, {0., 1e6, 1e6, 0.}};
-  const ForceHistory U{{0.1, 0.1, 0.3, 0.3}, {0., 4e6, 4e6, 0.}};
+  const History push{{0., 0., 0.4, 0.4}, {0., 1e6, 1e6, 0.}};
+  const History U{{0.1, 0.1, 0.3, 0.3}, {0., 4e6, 4e6, 0.}};
   const HistorySliding s = slide_history({push, U, {}}, bottom);
   EXPECT_LT(s.least_normal_force, 0.);
   // 0.2 s at 1e6 N/m, then braked by R - 1e6 until 0.4 s or rest
@@ -68,8 +68,8 @@ TEST(HistorySliding, NothingHoldsACaissonThatIsLifted) {
 
 TEST(HistorySliding, FrictionIsWholeAgainOnceTheUpliftIsOver) {
   // still moving when the uplift ends: braked by the whole mu W'
-  const ForceHistory push{{0., 0., 0.2, 0.2}, {0., 4e6, 4e6, 0.}};
-  const ForceHistory U{{0., 0., 0.2, 0.2}, {0., 1e6, 1e6, 0.}};
+  const History push{{0., 0., 0.2, 0.2}, {0., 4e6, 4e6, 0.}};
+  const History U{{0., 0., 0.2, 0.2}, {0., 1e6, 1e6, 0.}};
   const HistorySliding s = slide_history({push, U, {}}, bottom);
   const double a = (4e6 - 0.6 * 2.5e6) / 6e5, v = 0.2 * a;
   EXPECT_NEAR(s.by_history.residual, 0.5 * a * 0.04 + v * v * 6e5 / (2. * R), 1e-13);

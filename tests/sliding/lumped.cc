@@ -74,7 +74,7 @@ SlipModel in_modes(System system, double friction, double shift, const std::vect
   return slip_model(scaled(whole(system, shift)), law);
 }
 
-WaveSamples samples(const ForceHistory& force, double normal, double step, int n) {
+WaveSamples samples(const History& force, double normal, double step, int n) {
   WaveSamples loads(2, n);
   std::size_t next = 0;
   for (int i = 0; i < n; ++i) {

@@ -21,6 +21,6 @@ ReducedSystem scaled(ReducedSystem reduced);
 SlipModel in_modes(System system, double friction, double shift, const std::vector<int>& wanted = {}, int normal = -1);
 
 /// P at n samples, straight between its points, and a constant N_0.
-WaveSamples samples(const ForceHistory& force, double normal, double step, int n);
+WaveSamples samples(const History& force, double normal, double step, int n);
 
 }  // namespace upbead::test

@@ -54,7 +54,7 @@ TEST(Pulse, Equation7IsTheSumOfItsParts) {
 }
 
 TEST(Pulse, IsATriangle) {
-  const ForceHistory points = history({3., 4.});
+  const History points = history({3., 4.});
   EXPECT_EQ(points.time, (std::vector<double>{0., 2., 4.}));
   EXPECT_EQ(points.value, (std::vector<double>{0., 3., 0.}));
 }

@@ -15,8 +15,8 @@ class RandomWaves {
   explicit RandomWaves(unsigned seed) : random_(seed) {}
 
   /// Its points lie on multiples of `step` (s).
-  ForceHistory next(double step) {
-    ForceHistory force{{0.}, {0.}};
+  History next(double step) {
+    History force{{0.}, {0.}};
     const double peak = 1e6 * std::pow(12., number());
     double t = 0.;
     const auto point = [&](double later, double value) {

@@ -2,7 +2,7 @@
 // another program (declared section, not published); both parts of eq. (7); impulsive waves slide less far than others
 // of the same safety factor, as Fig. 10 of Shimosako and Takahashi (1994) shows.
 
-#include "upbead/sliding/wave_sliding.h"
+#include "upbead/sliding/pulse.h"
 
 #include <gtest/gtest.h>
 

@@ -104,12 +104,7 @@ Compiled::Compiled(const Scene& input, const Mesh& mesh, bool interface)
     : Compiled(resolve(whole(input), mesh), mesh, interface) {}
 
 Compiled::Compiled(const ResolvedScene& input, const Mesh& mesh, bool interface)
-    : resolved(input.scene),
-      space(mesh, resolved, input.absent, input.soil),
-      bodies(rigid_bodies(space)),
-      nodes(interface ? interface_nodes(space) : std::vector<InterfaceNode>()),
-      unknowns(space, resolved, bodies, nodes),
-      scene(compile(resolved, space, unknowns, bodies, nullptr, nodes)) {}
+    : resolved(input.scene), parts(assemble_scene(resolved, mesh, input.absent, input.soil, interface)) {}
 
 Response run(const Compiled& compiled, double end, double step, SchemeKind kind) {
   SchemeOptions options;

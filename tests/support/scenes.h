@@ -38,11 +38,10 @@ struct Compiled {
   Compiled(const Scene& scene, const Mesh& mesh, bool interface = false);
   Compiled(const ResolvedScene& scene, const Mesh& mesh, bool interface = false);
   Scene resolved;
-  Space space;
-  std::vector<Body> bodies;
-  std::vector<InterfaceNode> nodes;
-  Unknowns unknowns;
-  CompiledScene scene;
+  AssembledScene parts;
+  const Space& space = *parts.space;
+  const Unknowns& unknowns = *parts.unknowns;
+  CompiledScene& scene = *parts.compiled;
 };
 
 /// Marches from rest with steps of at most `step`.

@@ -3,13 +3,9 @@
 
 #include <vector>
 
-namespace upbead {
+#include "upbead/base/history.h"
 
-/// A force over time, linear between its points; two points at one time make a jump.
-struct ForceHistory {
-  std::vector<double> time;   ///< s, ascending
-  std::vector<double> value;  ///< N/m
-};
+namespace upbead {
 
 /// From a start to the next stop. Landward positive.
 struct Slip {
@@ -24,6 +20,8 @@ struct Sliding {
   double largest = 0.;      ///< x of largest magnitude on the way (m)
   double path = 0.;         ///< sum of all distances, whichever way they lead (m)
   std::vector<Slip> slips;  ///< one after the other; a turn without rest ends one and begins the next
+
+  void add(const Slip& slip);
 };
 
 /// Solves (W/g) x'' = F_S(t) - F_D - R(t) sgn(x') from rest [Shimosako and Takahashi 1994, eq. (4) with
@@ -37,8 +35,8 @@ struct Sliding {
 /// - drag: F_D = drag x' of eq. (2) (N s/m2 per metre); the paper neglects it.
 /// Throws std::invalid_argument where the mass is not positive, a history has not as many values as times, is not
 /// finite or goes back in time, resistance or drag is negative or has no value, or none is left to stop the block.
-Sliding slide(double mass, const ForceHistory& force, const ForceHistory& resistance, double drag = 0.);
+Sliding slide(double mass, const History& force, const History& resistance, double drag = 0.);
 /// The same with a constant resistance.
-Sliding slide(double mass, const ForceHistory& force, double resistance, double drag = 0.);
+Sliding slide(double mass, const History& force, double resistance, double drag = 0.);
 
 }  // namespace upbead

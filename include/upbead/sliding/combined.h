@@ -32,8 +32,8 @@ struct CombinedWave {
 double standing_reduction(const CombinedWave& wave);
 
 /// P(t) and U(t), straight between 400 points of the half period, the kinks of P_2 and those where P_1 and P_2 cross.
-ForceHistory combined_force(const CombinedWave& wave);
-ForceHistory combined_uplift(const CombinedWave& wave, const CombinedModel& model = {});
+History combined_force(const CombinedWave& wave);
+History combined_uplift(const CombinedWave& wave, const CombinedModel& model = {});
 
 /// M_a (kg/m).
 double added_mass(double density, double foundation_depth, const CombinedModel& model = {});

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "upbead/sliding/block.h"
+#include "upbead/waves/goda.h"
 
 namespace upbead {
 
@@ -12,7 +13,7 @@ struct TriangularPulse {
 };
 
 /// Its points.
-ForceHistory history(const TriangularPulse& pulse);
+History history(const TriangularPulse& pulse);
 
 /// S by eq. (7), g tau_0^2 (F_Smax - mu W')^3 (F_Smax + mu W') / (8 mu W' W F_Smax^2), in m; zero for F_Smax <= mu W'.
 /// It takes F_S for zero from the moment when F_S falls below mu W', and so gives less than eqs. (4) and (6) do.
@@ -31,5 +32,16 @@ PaperParts sliding_distance_paper_parts(double mass, double resistance, const Tr
 /// C (1/4 + sqrt(2)/6) (r - 1)^3 / r^2 where the block stops within the pulse, r <= 1 + 1/sqrt(2), and
 /// C/8 ((r - 1)^2 - 1/(12 r^2)) beyond; 1.94 times eq. (7) at r -> 1, 1.12 times at r = 3. Throws as eq. (7) does.
 double sliding_distance_exact(double mass, double resistance, const TriangularPulse& pulse);
+
+/// What slides the caisson in one wave.
+struct SlidingLoad {
+  double resistance = 0.;  ///< mu W' (N/m)
+  double mass = 0.;        ///< W/g (kg/m)
+  TriangularPulse pulse;   ///< F_Smax = P + mu U and tau_0 of eqs. (8)-(11)
+};
+
+/// The pulse of a wave of height H and period T with the pressures that it makes.
+SlidingLoad sliding_load(const Section& section, const Water& water, const WavePressure& pressure, double height,
+                         double period, const DurationFactor& k = {});
 
 }  // namespace upbead

@@ -31,9 +31,29 @@ struct SystemLoad {
 /// Entries (unknown, weight) of a sparse row.
 using Row = std::vector<std::pair<int, double>>;
 
+/// What a reading is called.
+struct ReadingName {
+  ReadingName() = default;
+  ReadingName(const char* of) : quantity(of) {}
+  ReadingName(std::string of) : quantity(std::move(of)) {}
+  ReadingName(std::string whose, std::string of) : group(std::move(whose)), quantity(std::move(of)) {}
+  ReadingName(std::string whose, std::string of_probe, std::string of)
+      : group(std::move(whose)), probe(std::move(of_probe)), quantity(std::move(of)) {}
+  ReadingName(std::string whose, int of_node, std::string of)
+      : group(std::move(whose)), node(of_node), quantity(std::move(of)) {}
+
+  std::string group;  ///< "caisson", "probes", "base", "interface"; "" of the forces on the caisson
+  std::string probe;  ///< whose it is, of several
+  int node = -1;      ///< or where, by number
+  std::string quantity;
+
+  /// As in files: "shear_force", "caisson/velocity_x", "probes/A/pressure", "base/3/normal_stress".
+  std::string text() const;
+};
+
 /// A scalar reading y = position.x + velocity.x' + acceleration.x'' + sum_k feedthrough_k f_k(t).
 struct Reading {
-  std::string name;  ///< as in /history: "shear_force", "probes/A/pressure"
+  ReadingName name;
   std::string unit;
   std::string description;
   Row position;
@@ -75,7 +95,7 @@ struct System {
   /// Of an interface: the first unknown of slip, and of opening.
   int first_slip() const { return size() - 2 * interface->n_nodes(); }
   int first_opening() const { return size() - interface->n_nodes(); }
-  /// Index of the reading of that name; throws std::out_of_range where there is none.
+  /// Index of the reading of that text; throws std::out_of_range where there is none.
   int reading(const std::string& name) const;
 };
 

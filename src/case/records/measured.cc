@@ -12,13 +12,13 @@ namespace upbead {
 
 namespace {
 
-const History* find(const std::vector<History>& histories, const std::string& name) {
+const Dataset* find(const std::vector<Dataset>& histories, const std::string& name) {
   const auto found =
-      std::find_if(histories.begin(), histories.end(), [&](const History& history) { return history.name == name; });
+      std::find_if(histories.begin(), histories.end(), [&](const Dataset& history) { return history.name == name; });
   return found == histories.end() ? nullptr : &*found;
 }
 
-MeasuredRecord read(const Case& input, const std::string& name, const MeasuredSource& source, const History& computed) {
+MeasuredRecord read(const Case& input, const std::string& name, const MeasuredSource& source, const Dataset& computed) {
   const std::string path = dotted("measured", name);
   const Place place = input.place(path + ".file");
   const CsvTable table = read_record_table(input.resolve(source.file), place);
@@ -46,14 +46,14 @@ std::size_t measured_column(const MeasuredSource& source, const CsvTable& table,
   return layout.values.front();
 }
 
-std::vector<MeasuredRecord> read_measured(const Case& input, const std::vector<History>& computed) {
+std::vector<MeasuredRecord> read_measured(const Case& input, const std::vector<Dataset>& computed) {
   std::vector<MeasuredRecord> records;
   Diagnostics mistakes;
   for (const auto& [name, source] : input.measured) {
-    const History* history = find(computed, source.reading);
+    const Dataset* history = find(computed, source.reading);
     if (history == nullptr || source.reading == "time") {
       std::vector<std::string> known;
-      for (const History& one : computed)
+      for (const Dataset& one : computed)
         if (one.name != "time") known.push_back(one.name);
       mistakes.add(input.place(dotted("measured", name) + ".reading"),
                    "the run has no history " + in_quotes(source.reading),
@@ -71,12 +71,12 @@ std::vector<MeasuredRecord> read_measured(const Case& input, const std::vector<H
 }
 
 std::vector<MeasuredSummary> compare_measured(const Case& input, const std::vector<MeasuredRecord>& records,
-                                              const std::vector<History>& computed) {
+                                              const std::vector<Dataset>& computed) {
   std::vector<MeasuredSummary> list;
   for (const MeasuredRecord& record : records) try {
-      list.push_back(
-          {record.name, record.reading, record.unit,
-           compare(record.time, record.value, find(computed, "time")->values, find(computed, record.reading)->values)});
+      list.push_back({record.name, record.reading, record.unit,
+                      compare({record.time, record.value},
+                              {find(computed, "time")->values, find(computed, record.reading)->values})});
     } catch (const std::invalid_argument& error) {
       throw InputError(input.place(dotted("measured", record.name)), error.what(),
                        "look at record_start, or leave the record out");
@@ -84,8 +84,8 @@ std::vector<MeasuredSummary> compare_measured(const Case& input, const std::vect
   return list;
 }
 
-std::vector<History> measured_tables(const std::vector<MeasuredRecord>& records) {
-  std::vector<History> tables;
+std::vector<Dataset> measured_tables(const std::vector<MeasuredRecord>& records) {
+  std::vector<Dataset> tables;
   for (const MeasuredRecord& record : records) {
     const std::string path = "measured/" + record.name + "/";
     tables.push_back({path + "time", "s", "time of the run", record.time, 1, record.reading});

@@ -25,14 +25,14 @@ struct MeasuredRecord {
 
 /// Reads all records of a case. `computed`: every history that the run will have (values are not looked at). Throws
 /// InputError with every mistake: a reading that there is not, and whatever is wrong with a file.
-std::vector<MeasuredRecord> read_measured(const Case& input, const std::vector<History>& computed);
+std::vector<MeasuredRecord> read_measured(const Case& input, const std::vector<Dataset>& computed);
 
 /// Each record against its history; `computed` has "time". Throws InputError where they have no time in common.
 std::vector<MeasuredSummary> compare_measured(const Case& input, const std::vector<MeasuredRecord>& records,
-                                              const std::vector<History>& computed);
+                                              const std::vector<Dataset>& computed);
 
 /// measured/NAME/time and measured/NAME/value.
-std::vector<History> measured_tables(const std::vector<MeasuredRecord>& records);
+std::vector<Dataset> measured_tables(const std::vector<MeasuredRecord>& records);
 
 std::string describe(const std::vector<MeasuredSummary>& measured);
 

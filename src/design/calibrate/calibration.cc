@@ -8,7 +8,7 @@
 #include "base/text.h"
 #include "design/calibrate/family.h"
 #include "design/expected_laws.h"
-#include "upbead/sliding/duration.h"
+#include "upbead/sliding/history_sliding.h"
 
 namespace upbead {
 
@@ -63,7 +63,7 @@ double shortest_rise(const Setting& setting) {
   return shortest;
 }
 
-WaveDuration duration_at(double ratio, double mass, const ForceHistory& force) {
+WaveDuration duration_at(double ratio, double mass, const History& force) {
   const HistoryDuration found = history_duration(mass, force, ratio);
   WaveDuration duration{ratio, found.sliding, {}};
   const auto take = [&duration](DurationMeasure measure, const std::optional<double>& tau_0) {
@@ -87,7 +87,7 @@ CalibratedWave calibrate_wave(const Setting& setting, std::size_t number,
       DynamicLaw(breakwater_of(setting, wave), sea_state(wave), setting.impact, answer).wave(wave.height);
   out.impact = answered.wave;
   out.peak_shear = *std::max_element(answered.shear.begin(), answered.shear.end());
-  const ForceHistory force{answered.time, answered.sliding_force};
+  const History force{answered.time, answered.sliding_force};
   out.peak_sliding_force = force.value[peak_index(force)];
   if (out.peak_sliding_force <= 0.) return out;  // nothing pushes it landward
   for (const double ratio : setting.ratios)

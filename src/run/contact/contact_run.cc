@@ -1,21 +1,167 @@
-#include "contact_run.h"
+#include "run/contact/contact_run.h"
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
+#include <utility>
 
-#include "../derived.h"
-#include "../ladder.h"
-#include "contact_demand.h"
-#include "contact_recorder.h"
+#include "base/numbers.h"
+#include "base/text.h"
+#include "dynamics/contact.h"
 #include "fem/compile.h"
-#include "rest_forces.h"
+#include "fem/static_stage.h"
+#include "run/derived.h"
+#include "run/solve.h"
 #include "system/interface.h"
+#include "upbead/base/error.h"
+#include "upbead/dynamics/march.h"
+#include "upbead/output/summary.h"
 
 namespace upbead {
 
 namespace {
 
-void join(Ladder& ladder, const Ladder& more) {
+/// N_i at the nodes of the interface (N/m, compression positive), and the ways that led to them.
+struct RestForces {
+  Vector normal_force;
+  Ladder ladder;
+};
+
+/// Stresses a + b x in balance with the weight: sum l (a + b x) = W', sum l (a + b x) x = 0, x from where it acts.
+Vector linear_forces(const Interface& interface, const WeightInWater& caisson) {
+  const auto n = static_cast<Eigen::Index>(interface.position.size());
+  const Eigen::Map<const Eigen::ArrayXd> l(interface.length.data(), n);
+  const Eigen::ArrayXd x = Eigen::Map<const Eigen::ArrayXd>(interface.position.data(), n) - caisson.x;
+  const double s_0 = l.sum(), s_1 = (l * x).sum(), s_2 = (l * x * x).sum();
+  return l * (s_2 - s_1 * x) * (caisson.weight / (s_0 * s_2 - s_1 * s_1));
+}
+
+/// Throws NumericsError where a node does not press.
+void require_pressing(const Interface& interface, const Vector& N) {
+  Eigen::Index least = 0;
+  if (N.minCoeff(&least) > 0.) return;
+  throw NumericsError("at rest the caisson pulls on its ground at x = " +
+                      significant(interface.position[static_cast<std::size_t>(least)]) + " m: its weight in water, " +
+                      significant(N.sum()) + " N/m, does not press the whole bottom down");
+}
+
+/// How a caisson was set down nobody knows; the first of these by which every node presses is taken: the static state
+/// of caisson and soils under their weight; the caisson set down on soils that have settled under theirs; stresses that
+/// are linear over the bottom. Throws NumericsError where none does: see check_at_rest.
+RestForces rest_forces(const Simulation& simulation, const Interface& interface) {
+  const auto by_ground = [&](bool has_settled) {
+    return static_normal_forces(simulation.scene, *simulation.mesh, simulation.soil_state, has_settled);
+  };
+  const std::vector<std::pair<std::string, std::function<Vector()>>> ways = {
+      {"at rest: caisson and soils under their weight", [&] { return by_ground(false); }},
+      {"at rest: the caisson set down on soils that have settled", [&] { return by_ground(true); }},
+      {"at rest: stresses linear over the bottom",
+       [&] { return linear_forces(interface, caisson_in_water(simulation.scene, *simulation.mesh)); }}};
+  RestForces rest;
+  for (const auto& [way, forces] : ways) {
+    rest.ladder.push_back({way, ""});
+    try {
+      rest.normal_force = forces();
+      require_pressing(interface, rest.normal_force);
+      return rest;
+    } catch (const NumericsError& error) {
+      rest.ladder.back().refused = error.what();
+    }
+  }
+  throw NumericsError(rest.ladder.back().refused);
+}
+
+/// Rows of shear and normal force come in turns, node by node, as glued() appends them.
+void look(const Interface& interface, const Series& series, double margin, GluedDemand& demand) {
+  const Eigen::Index n = interface.n_nodes(), columns = static_cast<Eigen::Index>(series.time.size());
+  const auto forces = series.reading.bottomRows(2 * n).leftCols(columns);
+  const double error = margin * forces.cwiseAbs().maxCoeff();
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const double rest = interface.normal_force[i];
+    for (Eigen::Index t = 0; t < columns; ++t) {
+      const double T = std::abs(forces(2 * i, t)), N = rest + forces(2 * i + 1, t);
+      demand.slip = std::max(demand.slip, N > 0. ? T / (interface.friction * N) : infinity);
+      demand.least_normal = std::min(demand.least_normal, N / rest);
+      demand.reached = demand.reached || T + error >= interface.friction * (N - error);
+    }
+  }
+}
+
+/// Of a response of glued(system, true), `system` with the interface; the forces may be wrong by `margin` of their
+/// largest value over all nodes.
+GluedDemand contact_demand(const System& system, const Response& response, double margin) {
+  GluedDemand demand{0., 1., margin, false};
+  look(*system.interface, response.ends, margin, demand);
+  look(*system.interface, response.balanced, margin, demand);
+  return demand;
+}
+
+/// Sees every step of a march; system and scheme must outlive it.
+class ContactRecorder : public MarchObserver {
+ public:
+  ContactRecorder(const System& system, const Scheme& scheme) : system_(system), scheme_(scheme) {}
+  void see(const State& state, int, int) override {
+    const int n = system_.interface->n_nodes();
+    const auto append = [](std::vector<double>& list, const Eigen::Ref<const Vector>& values) {
+      list.insert(list.end(), values.begin(), values.end());
+    };
+    const InterfaceForces& forces = scheme_.contact()->forces;
+    history_.time.push_back(state.time);
+    append(history_.slip, state.x.segment(system_.first_slip(), n));
+    append(history_.opening, state.x.segment(system_.first_opening(), n));
+    append(history_.shear_force, forces.shear);
+    append(history_.normal_force, forces.normal);
+  }
+  ContactHistory history() const {
+    ContactHistory history = history_;
+    history.position = system_.interface->position;
+    history.length = system_.interface->length;
+    return history;
+  }
+  NodeContact summary() const {
+    const std::vector<double>& length = system_.interface->length;
+    const std::size_t n = length.size();
+    double width = 0.;
+    for (const double part : length) width += part;
+    const ContactReport& report = *scheme_.contact();
+    NodeContact out;
+    out.least_normal_force = system_.interface->normal_force.sum();
+    out.dissipated = scheme_.energy().friction;
+    out.slip_steps = report.slip_steps;
+    out.open_steps = report.open_steps;
+    out.impacts = report.impacts;
+    out.fallbacks = report.fallbacks;
+    for (std::size_t t = 0; t < history_.time.size(); ++t) {
+      double slip = 0., contact = 0., normal = 0.;
+      for (std::size_t i = t * n; i < (t + 1) * n; ++i) {
+        slip += history_.slip[i] * length[i - t * n] / width;
+        normal += history_.normal_force[i];
+        if (history_.opening[i] == 0.) contact += length[i - t * n] / width;
+        if (!out.first_slip && history_.slip[i] != 0.) out.first_slip = history_.time[t];
+        if (!out.first_open && history_.opening[i] > 0.) out.first_open = history_.time[t];
+      }
+      out.slip = slip;
+      if (std::abs(slip) > std::abs(out.largest_slip)) out.largest_slip = slip;
+      out.opening_seaward = std::max(out.opening_seaward, history_.opening[t * n]);
+      out.opening_landward = std::max(out.opening_landward, history_.opening[(t + 1) * n - 1]);
+      out.least_contact = std::min(out.least_contact, contact);
+      out.least_normal_force = std::min(out.least_normal_force, normal);
+    }
+    const auto last = history_.slip.end() - static_cast<std::ptrdiff_t>(n);
+    out.least_slip =
+        *std::min_element(last, history_.slip.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
+    return out;
+  }
+
+ private:
+  const System& system_;
+  const Scheme& scheme_;
+  ContactHistory history_;
+};
+
+Ladder joined(Ladder ladder, const Ladder& more) {
   ladder.insert(ladder.end(), more.begin(), more.end());
+  return ladder;
 }
 
 /// Friction, and the forces at rest, in sum W' of [sliding] where that is given. Returns the ways tried, if several.
@@ -48,52 +194,70 @@ Run march_contact(const Simulation& simulation, const MarchOptions& marching, co
   return run;
 }
 
-Run climb_contact(const Simulation& simulation, const MarchOptions& marching, ContactSummary& contact) {
-  std::vector<Way> ways;
-  for (const Care& care : cares_of(simulation.given))
-    ways.push_back({name_of_way("contact", care), [&, care](const MarchOptions& options) {
-                      return march_contact(simulation, options, care, contact);
-                    }});
-  return climb(simulation, ways, marching);
+}  // namespace
+
+void check_at_rest(const Simulation& simulation) {
+  if (!has_frictional_contact(simulation.scene) || !simulation.compiled->caisson) return;
+  const Caisson& caisson = *simulation.compiled->caisson;
+  const WeightInWater at_rest = caisson_in_water(simulation.scene, *simulation.mesh);
+  const double eccentricity = at_rest.x - caisson.bottom_centre[0];
+  if (!(at_rest.weight > 0.))
+    throw InputError(at_key("regions.caisson"),
+                     "the caisson floats: its weight in water is " + significant(at_rest.weight) + " N/m",
+                     "give it more density or mass, or lower the water");
+  if (!(std::abs(eccentricity) < caisson.bottom_width / 6.))
+    throw InputError(at_key("regions.caisson"),
+                     "the caisson does not stand on its whole bottom: its weight in water acts " +
+                         significant(eccentricity) + " m beside the middle, more than a sixth of the width of " +
+                         significant(caisson.bottom_width) + " m",
+                     "move its centre of gravity, or tie it: interface = { kind = \"tied\" }");
 }
 
-}  // namespace
+std::string why_glued(const ContactSummary& contact) {
+  const std::string margin =
+      contact.demand.margin > 0. ? ", which may err by " + percent(contact.demand.margin) : std::string();
+  return "no node pulls or slips: |T| reaches " + percent(contact.demand.slip) + " of mu N, and N falls to " +
+         percent(contact.demand.least_normal) + " of that at rest" + margin;
+}
 
 Run run_contact(const Simulation& simulation, const MarchOptions& marching,
                 const std::function<void(double)>& progress) {
   const auto sliding = std::make_shared<CompiledScene>(*simulation.compiled);
-  System& loose = sliding->system;
-  const int n_nodes = loose.interface->n_nodes();
-  Ladder at_rest = set_at_rest(simulation, *loose.interface);
+  System& system = sliding->system;
+  const int n_nodes = system.interface->n_nodes();
+  const Ladder at_rest = set_at_rest(simulation, *system.interface);
   const auto tied = std::make_shared<CompiledScene>(*simulation.compiled);
-  tied->system = glued(loose, true);
+  tied->system = glued(system, true);
   const Simulation bonded = with_system(simulation, tied);
-  ObserverFunction told = progress_observer(progress);
+  ObserverFunction reported = progress_observer(progress);
   MarchOptions silent;
-  silent.observers = {&told};
-  Run run = run_glued(bonded, silent, progress);
+  silent.observers = {&reported};
+  Run run = run_bonded(bonded, silent, progress);
   const double margin = run.summary.reduction ? run.summary.reduction->error_of_others : 0.;
-  ContactSummary contact{loose.interface->friction,
-                         loose.interface->normal_force.sum(),
+  ContactSummary contact{system.interface->friction,
+                         system.interface->normal_force.sum(),
                          n_nodes,
-                         contact_demand(loose, run.response, margin),
+                         contact_demand(system, run.response, margin),
                          {}};
   remove_node_forces(n_nodes, tied->system, run.response);
   run.simulation = std::make_shared<const Simulation>(bonded);
   if (contact.demand.reached || simulation.scene.fields_every) {
     const auto moving = std::make_shared<const Simulation>(with_system(simulation, sliding));
-    Run solved = climb_contact(*moving, marching, contact);
+    MarchOptions unkept = marching;
+    unkept.checkpoints = {};
+    const auto solve = [&](const MarchOptions& options, const Care& care) {
+      return march_contact(*moving, options, care, contact);
+    };
+    Run solved = climb(*moving, ways_with_care(simulation.given, "contact", solve), unkept);
     solved.simulation = moving;
     solved.summary.sliding = run.summary.sliding;
     solved.coupled = run.coupled;
-    join(run.summary.ladder, solved.summary.ladder);
-    solved.summary.ladder = std::move(run.summary.ladder);
+    solved.summary.ladder = joined(run.summary.ladder, solved.summary.ladder);
     solved.summary.timing.factorise += run.summary.timing.factorise;
     solved.summary.timing.march += run.summary.timing.march;
     run = std::move(solved);
   }
-  join(at_rest, run.summary.ladder);
-  run.summary.ladder = std::move(at_rest);
+  run.summary.ladder = joined(at_rest, run.summary.ladder);
   run.summary.contact = contact;
   return run;
 }

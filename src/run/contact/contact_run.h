@@ -1,11 +1,20 @@
 // Solving a case whose caisson may slip and lift, node by node.
 #pragma once
 
+#include <string>
+
 #include "upbead/run/simulation.h"
 
 namespace upbead {
 
-/// Solves the scene glued first, which tells S by other measures, too. Where no node reaches its friction or pulls,
+/// Throws InputError where a caisson that may lift does not stand on its whole bottom before the waves: where its
+/// weight in water is not downward, or acts outside the middle third.
+void check_at_rest(const Simulation& simulation);
+
+/// Why the bonded solution obeys the law of contact, with the numbers.
+std::string why_glued(const ContactSummary& contact);
+
+/// Solves the scene bonded first, which tells S by other measures, too. Where no node reaches its friction or pulls,
 /// that is the answer; else it is marched with the law of contact. The system must have an interface; the run's
 /// simulation is the one that its answer belongs to. Throws NumericsError.
 Run run_contact(const Simulation& simulation, const MarchOptions& marching,

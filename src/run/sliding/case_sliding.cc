@@ -1,4 +1,4 @@
-#include "case_sliding.h"
+#include "run/sliding/case_sliding.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,6 @@
 #include "base/text.h"
 #include "fem/caisson_readings.h"
 #include "model/words.h"
-#include "response/base_history.h"
 #include "response/shear_response.h"
 #include "upbead/base/error.h"
 #include "upbead/waves/goda.h"
@@ -20,42 +19,37 @@ double weight_of(const Scene& scene, const CompiledScene& compiled) {
   return scene.sliding->weight.value_or(compiled.caisson->body.mass * scene.gravity);
 }
 
-double landward(const TimeFunction& P, double t) {
-  return t > 0. ? std::max(P(t), 0.) : 0.;
-}
-
 /// U(t) of a prescribed peak, at given times.
-ForceHistory follow_force(const UpliftChoice& uplift, const TimeFunction& P, const std::vector<double>& time) {
+History follow_force(const UpliftChoice& uplift, const TimeFunction& P, const std::vector<double>& time) {
   const Extremum largest = extremum(P, 0., time.back(), 1);
-  ForceHistory U{time, std::vector<double>(time.size(), 0.)};
+  History U{time, std::vector<double>(time.size(), 0.)};
   if (largest.value <= 0.) return U;
   for (std::size_t i = 0; i < time.size(); ++i) {
-    const double t = time[i] - uplift.lag;
+    const double t = time[i] - uplift.lag, landward = t > 0. ? std::max(P(t), 0.) : 0.;
     const bool over = uplift.course == UpliftCourse::held && t > largest.time;
-    U.value[i] = *uplift.peak * (over ? 1. : landward(P, t) / largest.value);
+    U.value[i] = *uplift.peak * (over ? 1. : landward / largest.value);
   }
   return U;
 }
 
-ForceHistory prescribed(const UpliftChoice& uplift, const TimeFunction& P, const std::vector<double>& time) {
+/// U(t) of a prescribed uplift, at times of which these are the least.
+History prescribed(const UpliftChoice& uplift, const TimeFunction& P, const std::vector<double>& time) {
   if (uplift.peak) return follow_force(uplift, P, time);
-  std::vector<double> all = time;
+  History U{time, {}};
   for (const auto* more : {&uplift.history.kinks(), &uplift.history.samples()})
     for (const double t : *more)
-      if (t < time.back()) all.push_back(t);
-  std::sort(all.begin(), all.end());
-  ForceHistory U{all, {}};
-  for (const double t : all) U.value.push_back(uplift.history(t));
+      if (t < time.back()) U.time.push_back(t);
+  std::sort(U.time.begin(), U.time.end());
+  for (const double t : U.time) U.value.push_back(uplift.history(t));
   return U;
 }
 
 BottomForces bottom_forces(const Scene& scene, const CompiledScene& compiled, const BaseHistory& base) {
-  BottomForces forces;
-  forces.shear_force = {base.time, base.shear_force};
-  forces.normal_change = {base.step_time, base.normal_force};
+  BottomForces forces{base.shear_force, {}, base.normal_force};
   if (const auto& uplift = scene.sliding->uplift)
-    forces.uplift = uplift->kind == UpliftKind::computed ? ForceHistory{base.step_time, base.uplift}
-                                                         : prescribed(*uplift, force_on_caisson(compiled), base.time);
+    forces.uplift = uplift->kind == UpliftKind::computed
+                        ? base.uplift
+                        : prescribed(*uplift, force_on_caisson(compiled), base.shear_force.time);
   return forces;
 }
 
@@ -109,7 +103,7 @@ void check_sliding(const Simulation& simulation) {
 }
 
 TimeFunction prescribed_uplift(const Scene& scene, const CompiledScene& compiled, const std::vector<double>& time) {
-  const ForceHistory U = prescribed(*scene.sliding->uplift, force_on_caisson(compiled), time);
+  const History U = prescribed(*scene.sliding->uplift, force_on_caisson(compiled), time);
   return piecewise_linear(U.time, U.value);
 }
 

@@ -1,28 +1,35 @@
-#include "effective_base.h"
+#include "run/sliding/effective_base.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "case_sliding.h"
 #include "fem/caisson_readings.h"
 #include "fem/static_stage.h"
-#include "sliding/base_pressure.h"
+#include "run/sliding/case_sliding.h"
 
 namespace upbead {
+
+EdgePressures edge_pressures(double force, double moment, double width) {
+  if (!(force > 0.)) return {};
+  const double e = moment / force, least = 1e-3 * width;
+  if (std::abs(e) <= width / 6.) return {force / width * (1. - 6. * e / width), force / width * (1. + 6. * e / width)};
+  const double edge = 2. * force / (3. * std::max(0.5 * width - std::abs(e), least));
+  return e > 0. ? EdgePressures{0., edge} : EdgePressures{edge, 0.};
+}
 
 namespace {
 
 /// At rest, on the ground.
-struct Rest {
+struct RestingForces {
   double force = 0.;   ///< W' (N/m)
   double moment = 0.;  ///< about the bottom's middle, overturning landward positive (N m/m)
 };
 
 /// Weight less the water that the caisson displaces; a cell that the level cuts displaces its part below.
-Rest submerged_weight(const Simulation& simulation, double level) {
+RestingForces submerged_weight(const Simulation& simulation, double level) {
   const Caisson& caisson = *simulation.compiled->caisson;
   const double middle = caisson.bottom_centre[0], g = simulation.scene.gravity;
-  Rest rest{caisson.body.mass * g, caisson.body.mass * g * (caisson.body.centre[0] - middle)};
+  RestingForces rest{caisson.body.mass * g, caisson.body.mass * g * (caisson.body.centre[0] - middle)};
   for (const auto& cell : simulation.mesh->triangulation.active_cell_iterators()) {
     if (simulation.mesh->surface_of(cell) != caisson.body.region) continue;
     double low = cell->vertex(0)[1], high = low;
@@ -38,11 +45,11 @@ Rest submerged_weight(const Simulation& simulation, double level) {
   return rest;
 }
 
-std::optional<Rest> at_rest(const Simulation& simulation) {
+std::optional<RestingForces> at_rest(const Simulation& simulation) {
   const double level = water_level(simulation.scene, *simulation.mesh);
   const auto& sliding = simulation.scene.sliding;
   if (!std::isfinite(level) && !sliding) return std::nullopt;
-  Rest rest = submerged_weight(simulation, std::isfinite(level) ? level : -1e300);
+  RestingForces rest = submerged_weight(simulation, std::isfinite(level) ? level : -1e300);
   if (!sliding) return rest;
   rest.moment *= sliding->buoyant_weight / rest.force;
   rest.force = sliding->buoyant_weight;
@@ -63,7 +70,7 @@ std::vector<double> relief(const Simulation& simulation, const std::vector<doubl
 
 std::optional<EffectiveBase> effective_base(const Simulation& simulation, const Series& ends) {
   if (!simulation.compiled->caisson) return std::nullopt;
-  const std::optional<Rest> rest = at_rest(simulation);
+  const std::optional<RestingForces> rest = at_rest(simulation);
   if (!rest || !(rest->force > 0.)) return std::nullopt;
   const System& system = simulation.compiled->system;
   const auto row = [&](const char* name) { return ends.reading.row(system.reading(name)); };
@@ -79,7 +86,7 @@ std::optional<EffectiveBase> effective_base(const Simulation& simulation, const 
   return base;
 }
 
-std::vector<History> base_histories(const EffectiveBase& base) {
+std::vector<Dataset> base_histories(const EffectiveBase& base) {
   std::vector<double> eccentricity, toe, heel;
   for (std::size_t i = 0; i < base.force.size(); ++i) {
     eccentricity.push_back(base.force[i] > 0. ? base.moment[i] / base.force[i] : 0.);

@@ -9,6 +9,15 @@
 
 namespace upbead {
 
+/// Effective pressures of the edges (Pa) of a bottom of width B under `force` N' (N/m) and `moment` M' about its middle
+/// (N m/m, overturning landward positive), stress linear over what touches: N'/B (1 -+ 6 e/B) where |e| = |M'/N'| <=
+/// B/6, else 0 and 2 N' / (3 t), t = B/2 - |e| (the bearing pressure p_e of Goda, Random Seas and Design of Maritime
+/// Structures, ch. 4). A bottom that stands on its edge would crush it: t >= B/1000. 0 where N' <= 0.
+struct EdgePressures {
+  double seaward = 0., landward = 0.;
+};
+EdgePressures edge_pressures(double force, double moment, double width);
+
 /// Over time. N' = W' + change of the normal force - U, M' = W' e_0 + base moment + moment of U about the bottom's
 /// middle, overturning landward positive; U the modelled pore pressure's, less a prescribed uplift too; e_0 how far W'
 /// acts landward of the middle.
@@ -24,6 +33,6 @@ std::optional<EffectiveBase> effective_base(const Simulation& simulation, const 
 
 /// The histories effective_normal_force, effective_base_moment, eccentricity (0 where N' <= 0), toe_pressure (of the
 /// seaward edge) and heel_pressure (of the landward edge).
-std::vector<History> base_histories(const EffectiveBase& base);
+std::vector<Dataset> base_histories(const EffectiveBase& base);
 
 }  // namespace upbead

@@ -1,13 +1,13 @@
+#include "run/warnings/carried_warnings.h"
+
 #include <algorithm>
 #include <cmath>
 
 #include "base/text.h"
 #include "model/plane_waves.h"
 #include "response/carried_pulse.h"
-#include "response/loaded_ground.h"
-#include "response/scheme_choice.h"
-#include "response/step_choice.h"
-#include "scene_warnings.h"
+#include "response/ground_waves.h"
+#include "response/time_choice.h"
 
 namespace upbead {
 
@@ -70,13 +70,13 @@ Carried carried(const Simulation& simulation, const LoadedGround& ground, const 
 
 /// The largest value from `high` down to a 64th of it for which the error, of a wave that it changes, is small enough,
 /// to a tenth; 0 where there is none.
-double largest_value(double high, const std::function<double(double)>& error, double aim) {
+double largest_value(double high, const std::function<double(double)>& error, double most) {
   double low = high / 64.;
-  if (!(error(low) <= aim)) return 0.;
-  if (error(high) <= aim) return high;
+  if (!(error(low) <= most)) return 0.;
+  if (error(high) <= most) return high;
   while (high / low > 1.1) {
     const double middle = std::sqrt(low * high);
-    (error(middle) <= aim ? low : high) = middle;
+    (error(middle) <= most ? low : high) = middle;
   }
   return low;
 }
@@ -161,7 +161,7 @@ std::string error_text(const LoadedGround& ground, const Carried& wave, double e
          " of what the load makes there" + (wave.duration > 0. ? "" : ", most at the wave's front, and ring behind it");
 }
 
-NumberedWarnings told(const std::string& name, const LoadedGround& ground, const Carried& wave) {
+NumberedWarnings warnings_of(const std::string& name, const LoadedGround& ground, const Carried& wave) {
   if (!std::isfinite(wave.duration)) return {};
   const double error = wave.error(), speed = carried_speed(wave.law, wave.duration, wave.cells);
   if (error <= largest_error) return {};
@@ -194,7 +194,7 @@ NumberedWarnings ring_warnings(const Simulation& simulation) {
     const Flow flow = flow_of(simulation.scene.regions.at(ground.region));
     const auto ask = [&](const std::string& name, std::complex<double> PlaneWaves::*wave) {
       const WaveLaw law = [&m, flow, wave](std::complex<double> s) { return plane_waves(m, flow, s).*wave; };
-      keep_worst(told("stress_rings", ground, carried(simulation, ground, name, law, degree)), worst);
+      keep_worst(warnings_of("stress_rings", ground, carried(simulation, ground, name, law, degree)), worst);
     };
     if (ground.pushes) ask("its compression wave", &PlaneWaves::fast);
     if (ground.shears) ask("its shear wave", &PlaneWaves::shear);
@@ -210,9 +210,9 @@ NumberedWarnings slow_wave_warnings(const Simulation& simulation) {
     if (flow_of(simulation.scene.regions.at(ground.region)) != Flow::inertial || !ground.pushes) continue;
     const Material m = mean_material(simulation, ground.region);
     const WaveLaw law = [&m](std::complex<double> s) { return plane_waves(m, Flow::inertial, s).slow; };
-    keep_worst(
-        told("slow_wave_unresolved", ground, carried(simulation, ground, "the slow wave of its water", law, degree)),
-        worst);
+    keep_worst(warnings_of("slow_wave_unresolved", ground,
+                           carried(simulation, ground, "the slow wave of its water", law, degree)),
+               worst);
   }
   return worst;
 }

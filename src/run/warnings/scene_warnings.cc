@@ -1,12 +1,23 @@
-#include "scene_warnings.h"
-
+// What may be wrong with the numbers of a scene, one question a function; told before anything is solved.
 #include <algorithm>
 #include <cmath>
+#include <map>
 
-#include "response/wave_resolution.h"
+#include "base/numbers.h"
+#include "base/text.h"
+#include "fem/compile.h"
+#include "response/drainage.h"
+#include "response/ground_waves.h"
+#include "response/time_choice.h"
+#include "run/warnings/carried_warnings.h"
 
 namespace upbead {
 
+namespace {
+
+/// How long the shortest wave of a scene takes to pass (s): D + B/V_s, D the loads' shortest duration, B the width of
+/// the caisson's bottom and V_s the slowest shear wave of the ground near it; D alone without a caisson. None where no
+/// load has a duration, or nothing has inertia.
 std::optional<double> passing_time(const Simulation& simulation) {
   const double duration = shortest_duration(simulation.scene);
   if (!simulation.scene.time.inertia || !std::isfinite(duration)) return std::nullopt;
@@ -17,11 +28,284 @@ std::optional<double> passing_time(const Simulation& simulation) {
   return time > 0. ? std::optional(time) : std::nullopt;
 }
 
+/// A limit, and what the history of F_T errs by there, over its peak; measured: docs/warnings.md.
+struct StepRule {
+  double steps;  ///< in the passing time
+  double error, order;
+};
+constexpr StepRule of_order_2{32., 0.02, 2.}, of_order_4{8., 0.015, 2.5};
+
+struct MeshRule {
+  double cells;  ///< to a wave
+  double error, order;
+};
+constexpr MeshRule of_degree_2{4., 0.05, 3.}, of_degree_3{3., 0.05, 3.};
+
+/// Short waves that damped ground takes away go on: V_s D alone is the wave; measured: docs/warnings.md.
+constexpr MeshRule undamped_2{2.3, 0.05, 2.}, undamped_3{1.35, 0.05, 2.5};
+constexpr double least_damping = 0.02;  ///< at half a period in the duration of the load
+
+bool is_undamped(const Region& region, double duration) {
+  return !region.strain_law && (!region.damping || region.damping->ratio_at(0.5 / duration) < least_damping);
+}
+
+struct CellsToWave {
+  double wavelength, cells, limit, error;
+};
+
+CellsToWave cells_to_wave(const WaveResolution& at, double wavelength, const MeshRule& rule) {
+  const double n = wavelength / at.cell;
+  return {wavelength, n, rule.cells, rule.error * std::pow(rule.cells / n, rule.order)};
+}
+
+std::string rough_percent(double share) {
+  return share > 0.5 ? "half or more" : "about " + std::to_string(std::max(1L, std::lround(100. * share))) + " %";
+}
+
+/// step_too_coarse: a march in steps that the case gives, longer than an 8th of passing_time (order 4) or a 32nd of it
+/// (order 2). None where a reduced model answers.
+NumberedWarnings step_warnings(const Simulation& simulation) {
+  if (!simulation.scene.time.step) return {};
+  const std::optional<double> time = passing_time(simulation);
+  if (!time) return {};
+  const TimeScheme scheme = choose_scheme(simulation.scene, *simulation.compiled).scheme;
+  if (scheme == TimeScheme::reduced) return {};
+  const StepRule rule = scheme == TimeScheme::generalised_alpha ? of_order_2 : of_order_4;
+  const double step = *simulation.scene.time.step, limit = *time / rule.steps;
+  if (step <= limit) return {};
+  return {{"step_too_coarse", step, limit, "s",
+           "time.step = " + significant(step) + " s for waves that pass in " + significant(*time) +
+               " s: the history of " + (simulation.compiled->caisson ? "F_T" : "a reading") + " may err by " +
+               rough_percent(rule.error * std::pow(step / limit, rule.order)) + " of its peak; give at most " +
+               significant(limit, 2) + " s, or step = \"auto\""}};
+}
+
+/// jump_with_alpha: consolidation under a load that jumps, marched by generalised-alpha.
+NumberedWarnings jump_warnings(const Simulation& simulation) {
+  const Scene& scene = simulation.scene;
+  if (scene.time.inertia || scene.time.scheme != TimeScheme::generalised_alpha || shortest_duration(scene) > 0.)
+    return {};
+  const double step = scene.time.step.value_or(step_of_loads(scene, 2).largest_step);
+  return {{"jump_with_alpha", step, 0., "s",
+           "a load jumps, after which generalised_alpha without inertia keeps a false pressure of about a third of a "
+           "percent of the largest, however short the step (" +
+               significant(step) +
+               " s); F_T does not feel it; write time.scheme = \"sdirk4\", or give the load a rise"}};
+}
+
+/// mesh_too_coarse: fewer than 4 cells to a wave (response/ground_waves.h), 3 where u is of degree 3; not
+/// where the mesh was made for the tolerance.
+NumberedWarnings mesh_warnings(const Simulation& simulation) {
+  const double duration = shortest_duration(simulation.scene);
+  if (!simulation.scene.time.inertia || !std::isfinite(duration) || !simulation.compiled->caisson ||
+      simulation.accuracy)
+    return {};
+  NumberedWarnings list;
+  for (const WaveResolution& at : wave_resolution(*simulation.space, *simulation.compiled->caisson, duration)) {
+    const bool rings = duration > 0. && is_undamped(simulation.scene.regions.at(at.region), duration);
+    const CellsToWave wide =
+        cells_to_wave(at, at.wavelength, simulation.space->degree() == 2 ? of_degree_2 : of_degree_3);
+    const CellsToWave free =
+        cells_to_wave(at, at.speed * duration, simulation.space->degree() == 2 ? undamped_2 : undamped_3);
+    const CellsToWave worst = rings && free.error > wide.error ? free : wide;
+    if (worst.cells < worst.limit)
+      list.push_back({"mesh_too_coarse", worst.cells, worst.limit, "1",
+                      "region '" + at.region + "' has cells of " + significant(at.cell, 2) + " m near the caisson, " +
+                          significant(worst.cells, 2) + " to a shear wave of " + significant(worst.wavelength, 2) +
+                          " m" + (rings ? " (without damping it goes on)" : "") + ": the history of F_T may err by " +
+                          rough_percent(worst.error) + " of its peak; refine the mesh" +
+                          (rings ? ", give the soil damping" : "") + ", or write mesh.refine = \"auto\""});
+  }
+  return list;
+}
+
+/// Times of the reflection until it is felt, by widths of the caisson: what comes from far is spread. docs/warnings.md.
+double delay(double widths) {
+  return widths > 5. ? 1.2 : 1.;
+}
+
+std::string cure(const BoundaryReflection& reflection, double end, double peak_in_it) {
+  const std::string from = significant(reflection.time()) + " s on";
+  const std::string hit = peak_in_it > 0. ? ", its peak at " + significant(peak_in_it) + " s with it" : "";
+  return ": from " + from + " F_T(t) holds its echo" + hit + "; move it to " +
+         significant(0.5 * reflection.speed * end) + " m" +
+         (reflection.absorbing ? " (saturated ground absorbs little)" : ", or end the run before");
+}
+
+/// walls_too_near: the first echo of a far side is back before the end (of sides beyond 5 B before 1/1.2 of it),
+/// and the loads are shorter than it takes, or the side is nearer than the caisson is wide. `peak_time`: of F_T, where
+/// that is known.
+NumberedWarnings wall_warnings(const Simulation& simulation, const std::optional<double>& peak_time) {
+  const double end = simulation.scene.time.end;
+  const std::optional<double> time = passing_time(simulation);
+  if (!time || !simulation.compiled->caisson) return {};
+  const std::optional<BoundaryReflection> reflection = first_reflection(simulation.scene, *simulation.space);
+  if (!reflection ||
+      reflection->time() * delay(reflection->distance / simulation.compiled->caisson->bottom_width) >= end)
+    return {};
+  const bool is_fast = shortest_duration(simulation.scene) < reflection->time();
+  if (!is_fast && reflection->distance >= simulation.compiled->caisson->bottom_width) return {};
+  const double peak_in_it = peak_time && *peak_time > reflection->time() ? *peak_time : 0.;
+  return {{"walls_too_near", reflection->time(), end, "s",
+           "the side '" + reflection->side + "' is " + significant(reflection->distance) + " m away, shear waves of " +
+               significant(reflection->speed) + " m/s are back after " + significant(reflection->time()) +
+               " s, before the end at " + significant(end) + " s" + cure(*reflection, end, peak_in_it)}};
+}
+
+/// Concrete, whatever the fill weighs: a rigid region has no stiffness of its own.
+constexpr double youngs_modulus = 30e9, poissons_ratio = 0.2;
+/// Crossings of the caisson by sound within which the error of peak F_T exceeds 2 %: docs/warnings.md.
+constexpr double least_crossings = 4.;
+
+/// From where the first horizontal load on the caisson begins to where the last one has ended (s); infinite where one
+/// lasts, as slow parts of a load make the peak of F_T even where it begins with a jump.
+double time_of_loads(const Simulation& simulation) {
+  double first = simulation.scene.time.end, last = 0.;
+  for (std::size_t k = 0; k < simulation.compiled->loads_on_caisson.size(); ++k) {
+    const TimeFunction& f = simulation.compiled->system.loads[k].history;
+    if (!simulation.compiled->loads_on_caisson[k].arm() || f.kinks().empty()) continue;
+    first = std::min(first, f.kinks().front());
+    last = std::max(last, f(f.kinks().back() + 1.) == 0. ? f.kinks().back() : simulation.scene.time.end);
+  }
+  return last > first ? last - first : simulation.scene.time.end;
+}
+
+/// fast_load: all that pushes the rigid caisson is over before sound has crossed it four times.
+NumberedWarnings load_warnings(const Simulation& simulation) {
+  if (!simulation.compiled->caisson || !simulation.scene.time.inertia) return {};
+  if (simulation.scene.regions.at(caisson_name).kind != RegionKind::rigid) return {};
+  double left = infinity, right = -infinity, area = 0.;
+  for (const auto& cell : simulation.mesh->triangulation.active_cell_iterators()) {
+    if (simulation.mesh->surface_of(cell) != caisson_name) continue;
+    area += cell->measure();
+    for (const unsigned v : cell->vertex_indices()) {
+      left = std::min(left, cell->vertex(v)[0]);
+      right = std::max(right, cell->vertex(v)[0]);
+    }
+  }
+  const double constrained =
+      youngs_modulus * (1. - poissons_ratio) / ((1. + poissons_ratio) * (1. - 2. * poissons_ratio));
+  const double sound = std::sqrt(constrained * area / simulation.compiled->caisson->body.mass);
+  const double limit = least_crossings * (right - left) / sound, time = time_of_loads(simulation);
+  if (time >= limit) return {};
+  return {{"fast_load", time, limit, "s",
+           "the loads are over within " + significant(time) + " s, but sound takes " +
+               significant(limit / least_crossings) + " s to cross the caisson (E = 30 GPa assumed, as it is rigid): " +
+               "its own deformation changes peak F_T by 2 to 15 %; make it kind = \"solid\""}};
+}
+
+/// A pulse builds up the pressure beside the face as a jump within this share of its duration would.
+constexpr double share_of_pulse = 1. / 6.;
+/// Beside the face so many cells are wrong: the first one, and a little of the next.
+constexpr double reach = 1.2;
+
+/// Whether a point lies on the soil's side.
+bool is_inside(const dealii::Point<dim>& point, const DrainedFace& face) {
+  return (point - face.first) * (face.inside - face.first) >= 0.;
+}
+
+/// Name of a probe in the soil, within reach of the face; "fields" where there are fields; else "".
+std::string onlooker(const Scene& scene, const DrainedFace& face) {
+  if (scene.fields_every) return "fields";
+  for (const auto& [name, probe] : scene.probes)
+    if (is_inside({probe.at[0], probe.at[1]}, face) &&
+        distance_to_line({probe.at[0], probe.at[1]}, face.first, face.last) < reach * face.cell)
+      return "probe '" + name + "'";
+  return "";
+}
+
+/// Within which the loads change (s): a share of their duration, or the step at a jump.
+double build_up(const Scene& scene) {
+  const double duration = shortest_duration(scene);
+  const double jump = duration > 0. ? 0. : step_of_loads(scene, 4).largest_step;
+  return std::max(share_of_pulse * duration, scene.time.step.value_or(jump));
+}
+
+/// smallest_step: the pressure that somebody looks at, by a probe or in fields, oscillates from cell to cell beside a
+/// face where soil drains (response/drainage.h).
+NumberedWarnings boundary_layer_warnings(const Simulation& simulation) {
+  const Scene& scene = simulation.scene;
+  if (scene.probes.empty() && !scene.fields_every) return {};
+  const int degree = simulation.space->degree() - 1;
+  const double time = build_up(scene);
+  if (!(time > 0.) || time > scene.time.end) return {};
+  std::map<std::string, NumberedWarning> worst;  // by soil
+  for (const DrainedFace& face : drained_faces(scene, *simulation.mesh)) {
+    const double limit = smallest_time(face, degree);
+    if (time >= limit) continue;
+    const std::string who = onlooker(scene, face);
+    if (who.empty() || (worst.count(face.region) && limit <= worst[face.region].limit)) continue;
+    const std::string formula = degree == 1 ? "h^2/(6 c_v)" : "h^2/(40 c_v)";
+    worst[face.region] = {
+        "smallest_step", time, limit, "s",
+        who + ": where '" + face.region + "' drains into '" + face.into + "' its pressure builds up within " +
+            significant(time) + " s, less than " + formula + " = " + significant(limit) + " s of its cells of " +
+            significant(face.cell, 2) + " m: it overshoots by up to " +
+            significant(100. * overshoot(face, degree, time), 2) +
+            " % from cell to cell there; take cells half as high there, or mesh.degree = 3; F_T does not feel it"};
+  }
+  NumberedWarnings list;
+  for (const auto& [soil, warning] : worst) list.push_back(warning);
+  return list;
+}
+
+/// Of F_T, where a layer that should not yield yields more than all else: the largest of ten scenes, docs/warnings.md.
+constexpr double at_most = 0.25, largest_layer_error = 0.05;
+
+std::string cure(const DrainedLayer& layer, int degree) {
+  constexpr double share = largest_layer_error / at_most, ratio = share / (1. - share);
+  const double skin = layer.skin / layer.stiffness;  // what it yields by (m/Pa)
+  const double cell = degree * (layer.skin + layer.stiffness * layer.of_the_rest * ratio);
+  const bool water_stays = skin <= ratio * (layer.of_the_rest - skin);
+  return "take cells of at most " + significant(cell, 2) + " m there" +
+         (water_stays
+              ? ", or, as its water stays, kind = \"solid\" with poissons_ratio = 0.499 and its density with water"
+              : "");
+}
+
+/// drained_layer: soil under the caisson drains by the size of its cells, not by its conductivity, which softens the
+/// ground so much that F_T may err by more than 5 % (response/drainage.h); not where the mesh was made for the
+/// tolerance.
+NumberedWarnings layer_warnings(const Simulation& simulation) {
+  const Scene& scene = simulation.scene;
+  if (!simulation.compiled->caisson || !scene.time.inertia || simulation.accuracy) return {};
+  const double duration = step_of_loads(scene, 4).duration;
+  const std::optional<DrainedLayer> layer =
+      drained_layer(scene, *simulation.space, *simulation.compiled->caisson, 0.5 * duration);
+  if (!layer) return {};
+  const double error = at_most * layer->share();
+  if (error <= largest_layer_error) return {};
+  return {{"drained_layer", error, largest_layer_error, "1",
+           "water leaves a skin of " + significant(layer->skin, 2) + " m of '" + layer->region + "' into '" +
+               layer->into + "' within " + significant(0.5 * duration) + " s, but cells of " +
+               significant(layer->cell, 2) + " m drain more, which makes " +
+               std::to_string(std::lround(100. * layer->share())) +
+               " % of what the ground under the caisson yields by" + ": F_T may err by up to " +
+               std::to_string(std::lround(100. * error)) + " %; " + cure(*layer, simulation.space->degree())}};
+}
+
+/// mesh_too_coarse: a thin soft layer whose cells are longer than it is thick (response/ground_waves.h).
+NumberedWarnings thin_layer_warnings(const Simulation& simulation) {
+  constexpr double least = 1.;  // cells along to the thickness: docs/warnings.md
+  if (!simulation.scene.time.inertia || !simulation.compiled->caisson || simulation.accuracy) return {};
+  NumberedWarnings list;
+  for (const ThinLayer& layer : thin_layers(*simulation.space, *simulation.compiled->caisson))
+    if (const double n = layer.cells_per_thickness(); n < least)
+      list.push_back({"mesh_too_coarse", n, least, "1",
+                      "region '" + layer.region + "' is a soft layer of " + significant(layer.thickness, 2) +
+                          " m under the caisson with cells up to " + significant(layer.longest, 2) +
+                          " m long: what happens at its ends is not resolved, and F_T may err by several percent; "
+                          "refine the mesh along it, or write mesh.refine = \"auto\" or accuracy.estimate = true"});
+  return list;
+}
+
+}  // namespace
+
 NumberedWarnings warnings(const Simulation& simulation, const std::optional<double>& peak_time) {
   NumberedWarnings all;
   for (const NumberedWarnings& part :
        {step_warnings(simulation), jump_warnings(simulation), mesh_warnings(simulation),
-        wall_warnings(simulation, peak_time), load_warnings(simulation), skin_warnings(simulation),
+        wall_warnings(simulation, peak_time), load_warnings(simulation), boundary_layer_warnings(simulation),
         ring_warnings(simulation), slow_wave_warnings(simulation), layer_warnings(simulation),
         thin_layer_warnings(simulation)})
     all.insert(all.end(), part.begin(), part.end());

@@ -21,11 +21,11 @@ double coupled_slip(const Scene& input, const Mesh& mesh, double end) {
   const Compiled loose(scene, mesh, true), tied(scene, mesh);
   const double step = scene.loads["impulse"].history.kinks().back() / 128.;
   const Response glued = run(tied, end, 4. * step);
-  const SlipReduction reduction = reduce_slip(loose.resolved, loose.scene, SlipUplift::computed, glued.ends);
+  const SlipReduction reduction = reduce_slip(loose.resolved, loose.scene, UpliftKind::computed, glued.ends);
   const int n = static_cast<int>(end / step) + 1;
   WaveSamples loads(2, n);
   for (int i = 0; i < n; ++i) loads.col(i) << scene.loads["impulse"].history(i * step), buoyant_weight();
-  const SlipLaw law = slip_law(reduction.system, friction, SlipUplift::computed);
+  const SlipLaw law = slip_law(reduction.system, friction, UpliftKind::computed);
   return CoupledSlip(slip_model(reduction.system, law), step).slide(loads).slip.residual;
 }
 

@@ -1,7 +1,7 @@
 // Claims: the automatic step is an eighth of the shorter of the loads' duration and the caisson's apparent period (a
 // 64th at order 2); the period follows from the caisson alone, not from loads elsewhere nor their units; no step
 // depends on how long the run is; a consolidation of days takes few steps and agrees with fine ones.
-#include "response/step_choice.h"
+#include "response/time_choice.h"
 
 #include <gtest/gtest.h>
 

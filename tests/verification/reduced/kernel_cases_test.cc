@@ -27,12 +27,10 @@ std::vector<std::string> shipped_cases() {
 
 /// F_T, x_G, and the pressures of all probes.
 std::vector<int> compared(const System& system) {
-  const std::string pressure = "/pressure";
   std::vector<int> readings{system.reading(reading::shear_force), system.reading(reading::displacement_x)};
   for (std::size_t i = 0; i < system.readings.size(); ++i) {
-    const std::string& name = system.readings[i].name;
-    if (name.rfind("probes/", 0) == 0 && name.find(pressure) == name.size() - pressure.size())
-      readings.push_back(static_cast<int>(i));
+    const ReadingName& name = system.readings[i].name;
+    if (name.group == "probes" && name.quantity == "pressure") readings.push_back(static_cast<int>(i));
   }
   return readings;
 }

@@ -1,0 +1,253 @@
+#include "response/monitors.h"
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/hp/fe_values.h>
+#include <algorithm>
+#include <boost/math/constants/constants.hpp>
+#include <cmath>
+#include <set>
+
+#include "fem/kernels.h"
+
+namespace upbead {
+
+using namespace dealii;
+
+MiddleStrains::MiddleStrains(const Space& space, const Unknowns& unknowns, const std::vector<bool>& of_interest) {
+  std::vector<Eigen::Triplet<double>> xx, yy, xy;
+  const hp::QCollection<dim> middle{QMidpoint<dim>()};
+  hp::FEValues<dim> hp_values(space.dofs().get_fe_collection(), middle, update_gradients);
+  std::vector<types::global_dof_index> dofs;
+  for (const auto& cell : space.dofs().active_cell_iterators()) {
+    if (!of_interest[cell->active_cell_index()] || space.kind(cell) == CellKind::absent) continue;
+    hp_values.reinit(cell);
+    const FEValues<dim>& fe = hp_values.get_present_fe_values();
+    dofs.resize(fe.dofs_per_cell);
+    cell->get_dof_indices(dofs);
+    const int row = static_cast<int>(cells_.size());
+    for (const unsigned i : fe.dof_indices()) {
+      const PlaneStrain strain = strain_of(fe, i, 0);
+      for (const auto& [unknown, weight] : unknowns.expansion(static_cast<unsigned>(dofs[i]))) {
+        xx.emplace_back(row, unknown, weight * strain.xx);
+        yy.emplace_back(row, unknown, weight * strain.yy);
+        xy.emplace_back(row, unknown, weight * strain.xy);
+      }
+    }
+    cells_.push_back(cell);
+  }
+  for (auto [matrix, entries] : {std::pair{&xx_, &xx}, std::pair{&yy_, &yy}, std::pair{&xy_, &xy}}) {
+    matrix->resize(static_cast<Eigen::Index>(cells_.size()), unknowns.size());
+    matrix->setFromTriplets(entries->begin(), entries->end());
+  }
+}
+
+std::vector<PlaneStrain> MiddleStrains::at(const Vector& x) const {
+  const Vector xx = xx_ * x, yy = yy_ * x, xy = xy_ * x;
+  std::vector<PlaneStrain> strains;
+  for (Eigen::Index i = 0; i < xx.size(); ++i) strains.push_back({xx[i], yy[i], xy[i]});
+  return strains;
+}
+
+void LargestStrains::see(const State& state, int step, int) {
+  if (step == 0) std::fill(largest_.begin(), largest_.end(), 0.);
+  const std::vector<PlaneStrain> strains = strains_.at(state.x);
+  for (std::size_t c = 0; c < strains.size(); ++c) {
+    double& largest = largest_[strains_.cells()[c]->active_cell_index()];
+    largest = std::max(largest, std::hypot(strains[c].xx - strains[c].yy, 2. * strains[c].xy));
+  }
+}
+
+namespace {
+
+constexpr double end_of_scale = 10.;
+constexpr double least_stress = 0.1;  ///< of the region's mean, as the floor of StressLaw
+constexpr double degree = boost::math::constants::degree<double>();
+
+std::vector<bool> with_strength(const Space& space) {
+  std::vector<bool> list;
+  for (const auto& cell : space.dofs().active_cell_iterators())
+    list.push_back(space.region(cell).strength && space.region(cell).kind != RegionKind::rigid);
+  return list;
+}
+
+}  // namespace
+
+double Mobilisation::Soil::mobilisation(double s, double difference, double tau) const {
+  const double r = std::hypot(difference, tau), strength = apex + s * sine;
+  return strength * end_of_scale > r ? r / strength : end_of_scale;
+}
+
+Mobilisation::Mobilisation(const Space& space, const Unknowns& unknowns, const EffectiveStress& rest,
+                           const std::optional<double>& k0)
+    : strains_(space, unknowns, with_strength(space)) {
+  for (const auto& cell : strains_.cells()) {
+    const std::string& name = space.mesh().surface_of(cell);
+    const auto place = std::find(regions_.begin(), regions_.end(), name);
+    Soil soil{cell->center(), static_cast<std::size_t>(place - regions_.begin()), cell->measure()};
+    if (place == regions_.end()) regions_.push_back(name);
+    const std::size_t i = cell->active_cell_index();
+    const double horizontal = k0 ? *k0 * rest.vertical[i] : rest.horizontal[i];
+    soil.middle_stress = 0.5 * (horizontal + rest.vertical[i]);
+    soil.half_difference = 0.5 * (horizontal - rest.vertical[i]);
+    soil.shear = rest.shear[i];
+    const Region& region = space.region(cell);
+    soil.sine = std::sin(region.strength->friction_angle * degree);
+    soil.apex = region.strength->cohesion * std::cos(region.strength->friction_angle * degree);
+    soil.law = space.material(cell);
+    cells_.push_back(soil);
+  }
+  largest_.assign(cells_.size(), 0.);
+  time_.assign(cells_.size(), 0.);
+  leave_out_free_surfaces();
+}
+
+void Mobilisation::leave_out_free_surfaces() {
+  std::vector<double> stress(regions_.size(), 0.), area(regions_.size(), 0.);
+  for (const Soil& soil : cells_) {
+    stress[soil.region] += std::max(soil.middle_stress, 0.) * soil.area;
+    area[soil.region] += soil.area;
+  }
+  for (Soil& soil : cells_) soil.counts = soil.middle_stress >= least_stress * stress[soil.region] / area[soil.region];
+}
+
+void Mobilisation::see(const State& state, int step, int) {
+  has_seen_ = true;
+  if (step == 0) {
+    std::fill(largest_.begin(), largest_.end(), 0.);
+    std::fill(time_.begin(), time_.end(), 0.);
+  }
+  const std::vector<PlaneStrain> strains = strains_.at(state.x);
+  for (std::size_t c = 0; c < cells_.size(); ++c) {
+    const Soil& soil = cells_[c];
+    const PlaneStress stress = soil.law.stress(strains[c]);  // tension positive
+    const double m = soil.mobilisation(soil.middle_stress - 0.5 * (stress.xx + stress.yy),
+                                       soil.half_difference - 0.5 * (stress.xx - stress.yy), soil.shear - stress.xy);
+    if (!soil.counts || m <= largest_[c]) continue;
+    largest_[c] = m;
+    time_[c] = state.time;
+  }
+}
+
+std::vector<MobilisedStrength> Mobilisation::found() const {
+  std::vector<MobilisedStrength> list(regions_.size());
+  std::vector<double> area(regions_.size(), 0.);
+  for (std::size_t c = 0; c < cells_.size(); ++c) {
+    const Soil& soil = cells_[c];
+    MobilisedStrength& of = list[soil.region];
+    of.region = regions_[soil.region];
+    area[soil.region] += soil.area;
+    if (!soil.counts) {
+      of.left_out += soil.area;
+      continue;
+    }
+    const double initial = soil.mobilisation(soil.middle_stress, soil.half_difference, soil.shear);
+    of.initial = std::max(of.initial, initial);
+    if (initial > 1.) of.initial_share += soil.area;
+    if (largest_[c] > 1.) of.share += soil.area;
+    if (largest_[c] <= of.largest) continue;
+    of.largest = largest_[c];
+    of.at = {soil.middle[0], soil.middle[1]};
+    of.time = time_[c];
+  }
+  for (std::size_t i = 0; i < list.size(); ++i)
+    for (double MobilisedStrength::*part :
+         {&MobilisedStrength::initial_share, &MobilisedStrength::share, &MobilisedStrength::left_out})
+      list[i].*part /= area[i];
+  return list;
+}
+
+std::vector<double> Mobilisation::memory() const {
+  std::vector<double> memory = largest_;
+  memory.insert(memory.end(), time_.begin(), time_.end());
+  return memory;
+}
+
+void Mobilisation::recall(const std::vector<double>& memory) {
+  const auto half = memory.begin() + static_cast<std::ptrdiff_t>(cells_.size());
+  largest_.assign(memory.begin(), half);
+  time_.assign(half, memory.end());
+}
+
+namespace {
+
+/// Where the i-th function of a cell has its node.
+Point<dim> node_of(const Space& space, const DoFHandler<dim>::active_cell_iterator& cell, unsigned i) {
+  const FiniteElement<dim>& fe = cell->get_fe();
+  const FiniteElement<dim>& base = fe.base_element(fe.system_to_base_index(i).first.first);
+  return space.mapping().transform_unit_to_real_cell(cell, base.unit_support_point(fe.system_to_base_index(i).second));
+}
+
+/// Those columns of a sparse matrix alone, in that order.
+SparseMatrix columns_of(const SparseMatrix& rows, const std::vector<int>& columns) {
+  SparseMatrix chosen(rows.cols(), static_cast<Eigen::Index>(columns.size()));
+  for (std::size_t j = 0; j < columns.size(); ++j) chosen.coeffRef(columns[j], static_cast<Eigen::Index>(j)) = 1.;
+  return rows * chosen;
+}
+
+}  // namespace
+
+LeastPressure::LeastPressure(const Space& space, const Unknowns& unknowns, const Scene& scene, double level) {
+  std::vector<Eigen::Triplet<double>> entries;
+  std::set<types::global_dof_index> seen;
+  std::vector<types::global_dof_index> dofs;
+  for (const auto& cell : space.dofs().active_cell_iterators()) {
+    if (!space.has_pressure(cell)) continue;
+    const FiniteElement<dim>& fe = cell->get_fe();
+    dofs.resize(fe.n_dofs_per_cell());
+    cell->get_dof_indices(dofs);
+    for (unsigned i = 0; i < dofs.size(); ++i) {
+      if (fe.system_to_component_index(i).first != phi_component || !seen.insert(dofs[i]).second) continue;
+      const Point<dim> at = node_of(space, cell, i);
+      if (at[1] > level) continue;
+      const int row = static_cast<int>(nodes_.size());
+      for (const auto& [unknown, weight] : unknowns.expansion(static_cast<unsigned>(dofs[i])))
+        entries.emplace_back(row, unknown, weight);
+      nodes_.push_back(
+          {at, space.mesh().surface_of(cell), atmosphere + scene.fluid.density * scene.gravity * (level - at[1])});
+    }
+  }
+  rows_.resize(static_cast<Eigen::Index>(nodes_.size()), unknowns.size());
+  rows_.setFromTriplets(entries.begin(), entries.end());
+}
+
+void LeastPressure::see(const State& state, int step, int) {
+  if (step == 0) has_seen_ = false;
+  if (watches()) take(rows_ * state.v, state.time);
+}
+
+void LeastPressure::see(const PressureModel& model, const SampledLoads& loads, double duration) {
+  if (!watches()) return;
+  const Series series = respond(model.model, loads);
+  std::vector<Eigen::Index> looks;
+  for (std::size_t i = 0; i < series.time.size(); ++i)
+    if (looks.empty() || series.time[i] - series.time[static_cast<std::size_t>(looks.back())] > duration / 17.)
+      looks.push_back(static_cast<Eigen::Index>(i));
+  const SparseMatrix of_phi = columns_of(rows_, model.basis.unknown);
+  const Eigen::MatrixXd excess = of_phi * phi_velocities(model.basis, series.reading(Eigen::all, looks));
+  for (std::size_t i = 0; i < looks.size(); ++i)
+    take(excess.col(static_cast<Eigen::Index>(i)), series.time[static_cast<std::size_t>(looks[i])]);
+}
+
+std::vector<double> LeastPressure::memory() const {
+  return {least_, time_, static_cast<double>(node_), has_seen_ ? 1. : 0.};
+}
+
+void LeastPressure::recall(const std::vector<double>& memory) {
+  least_ = memory.at(0);
+  time_ = memory.at(1);
+  node_ = static_cast<std::size_t>(memory.at(2));
+  has_seen_ = memory.at(3) != 0.;
+}
+
+void LeastPressure::take(const Eigen::Ref<const Vector>& excess, double time) {
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    const double p = nodes_[i].still + excess[static_cast<Eigen::Index>(i)];
+    if (has_seen_ && p >= least_) continue;
+    has_seen_ = true;
+    least_ = p;
+    time_ = time;
+    node_ = i;
+  }
+}
+
+}  // namespace upbead

@@ -1,0 +1,234 @@
+#include "response/time_choice.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "algebra/factorisation.h"
+#include "base/numbers.h"
+#include "base/stopwatch.h"
+#include "base/text.h"
+#include "fem/caisson_readings.h"
+#include "upbead/dynamics/time_grid.h"
+
+namespace upbead {
+
+namespace {
+
+struct LoadDuration {
+  double seconds = infinity;
+  std::string load;
+  void consider(double other, const std::string& name) {
+    if (other < seconds) *this = {other, name};
+  }
+};
+
+/// The shortest duration of a scene where a load jumps: a jump itself has none; infinity where it is alone.
+LoadDuration duration_beside_jumps(const Scene& scene) {
+  LoadDuration shortest;
+  std::vector<std::pair<double, std::string>> kinks;
+  for (const auto& [name, load] : scene.loads) {
+    if (load.factor == 0.) continue;
+    if (load.duration && *load.duration > 0.) shortest.consider(*load.duration, name);
+    for (double kink : load.history.kinks()) kinks.emplace_back(kink, name);
+  }
+  std::sort(kinks.begin(), kinks.end());
+  for (std::size_t i = 0; i + 1 < kinks.size(); ++i) {
+    const double distance = kinks[i + 1].first - kinks[i].first;
+    if (distance > 1e-9 * scene.time.end) shortest.consider(2. * distance, kinks[i + 1].second);
+  }
+  return shortest;
+}
+
+LoadDuration shortest_load(const Scene& scene) {
+  const double seconds = shortest_duration(scene);
+  if (!(seconds > 0.)) return duration_beside_jumps(scene);
+  for (const auto& [name, load] : scene.loads) {
+    Scene alone;
+    alone.loads[name] = load;
+    if (shortest_duration(alone) == seconds) return {seconds, name};
+  }
+  return {};
+}
+
+/// Growth from the last kink on, if all loads keep their values from there.
+std::optional<StepGrowth> growth(const Scene& scene, double step) {
+  const double end = scene.time.end;
+  StepGrowth growth{0., end / 50.};
+  for (const auto& [name, load] : scene.loads)
+    for (double kink : load.history.kinks())
+      if (kink < end) growth.after = std::max(growth.after, kink);
+  for (const auto& [name, load] : scene.loads)
+    if (!keeps_value(load.history, growth.after, std::min(step, (end - growth.after) / 8.))) return {};
+  return growth;
+}
+
+/// Fractions measured for a tolerance of 0.5 %: docs/performance.md.
+double fraction(const Scene& scene, int order) {
+  return (order >= 4 ? 1. / 8. : 1. / 64.) * std::pow(scene.tolerance / 0.005, 1. / order);
+}
+
+/// Height above the centre of gravity at which the largest horizontal load pushes the caisson (m); 0 without one.
+double arm_about_centre(const CompiledScene& compiled, double end) {
+  const Caisson& caisson = *compiled.caisson;
+  double largest = 0., arm = 0.;
+  for (std::size_t k = 0; k < compiled.loads_on_caisson.size(); ++k) {
+    const LoadOnCaisson& load = compiled.loads_on_caisson[k];
+    if (!load.arm()) continue;
+    const TimeFunction& f = compiled.system.loads[k].history;
+    const double peak = std::max(extremum(f, 0., end, 1).value, -extremum(f, 0., end, -1).value);
+    if (std::abs(load.force_x) * peak <= largest) continue;
+    largest = std::abs(load.force_x) * peak;
+    arm = *load.arm() - (caisson.body.centre[1] - caisson.bottom_centre[1]);
+  }
+  return arm;
+}
+
+/// Finds the apparent period at a real s.
+class PeriodFinder {
+ public:
+  PeriodFinder(const CompiledScene& compiled, double end)
+      : system_(compiled.system), mass_(compiled.caisson->body.mass), x_G_(row(reading::displacement_x)) {
+    b_ = x_G_ + arm_about_centre(compiled, end) * row(reading::rotation);
+  }
+
+  /// 0 where the caisson does not move with the force. A light caisson on soft ground, or one that the force turns more
+  /// than it pushes, may only show a positive stiffness at a lower s.
+  double period(double s) {
+    for (int halved = 0; halved <= 4; ++halved, s /= 2.) {
+      const Vector solution = solve(s);
+      const double x = over_all(x_G_.dot(solution));
+      if (!(x > 0.)) continue;
+      const double mass = mass_ + added_mass(solution, s, x), stiffness = 1. / x - mass * s * s;
+      if (stiffness > 0.) return 2. * pi * std::sqrt(mass / stiffness);
+    }
+    return 0.;
+  }
+  int n_factorisations() const { return n_factorisations_; }
+
+ private:
+  /// By virtue of work, the row of a displacement is the unit force that goes with it.
+  Vector row(const char* name) const {
+    Vector values = Vector::Zero(system_.n_free());
+    for (const auto& [i, weight] : system_.readings[system_.reading(name)].position)
+      if (i < values.size()) values[i] += weight;
+    return values;
+  }
+
+  /// Of the water: its force at x' = s x over -x'' = -s^2 x.
+  double added_mass(const Vector& solution, double s, double x) const {
+    double force = 0.;
+    for (const auto& [i, weight] : system_.readings[system_.reading(reading::water_force)].velocity)
+      if (i < solution.size()) force += weight * s * solution[i];
+    return -over_all(force) / (s * s * x);
+  }
+
+  /// Of a divided system, the sum of what each process has of a reading.
+  double over_all(double value) const {
+    if (system_.is_divided()) system_.sharing.processes->sum(&value, 1);
+    return value;
+  }
+
+  Vector solve(double s) {
+    const int n = system_.n_free();
+    const SparseMatrix S = (s * s * system_.M + s * system_.C + system_.K).eval().topLeftCorner(n, n);
+    ++n_factorisations_;
+    return Factorisation(S, system_.blocks, system_.sharing).solve(b_);
+  }
+
+  const System& system_;
+  double mass_;
+  Vector x_G_, b_;
+  int n_factorisations_ = 0;
+};
+
+std::string seconds(double value) {
+  return significant(value, 4) + " s";
+}
+
+std::string reason(const LoadStep& loads, double period) {
+  std::string text = !loads.lone_jump ? "shortest load " + seconds(loads.duration)
+                     : period > 0.    ? "a lone jump"
+                                      : "a lone jump, a 20th of the end " + seconds(loads.duration);
+  if (period > 0.) text += ", apparent period " + seconds(period);
+  if (loads.growth) text += ", growing after " + seconds(loads.growth->after);
+  return text;
+}
+
+}  // namespace
+
+LoadStep step_of_loads(const Scene& scene, int order) {
+  const double end = scene.time.end;
+  const LoadDuration shortest = shortest_load(scene);
+  LoadStep choice;
+  choice.lone_jump = shortest.seconds == infinity && shortest_duration(scene) == 0.;
+  choice.duration = choice.lone_jump ? end / 20. : std::min(shortest.seconds, end);
+  if (shortest.seconds <= end) choice.load = shortest.load;
+  choice.largest_step = std::min(fraction(scene, order) * choice.duration, end);
+  if (!scene.time.inertia) choice.growth = growth(scene, choice.largest_step);
+  return choice;
+}
+
+StepChoice choose_step(const Scene& scene, const CompiledScene& compiled, int order) {
+  const Stopwatch watch;
+  const LoadStep loads = step_of_loads(scene, order);
+  StepChoice choice;
+  choice.growth = loads.growth;
+  choice.largest_step = loads.largest_step;
+  if (compiled.caisson && scene.time.inertia) {
+    PeriodFinder finder(compiled, scene.time.end);
+    double period = finder.period(pi / loads.duration);
+    // The 20th of the end is only where to start from: the period must not depend on how long the run is.
+    for (int i = 0; i < 2 && loads.lone_jump && period > 0.; ++i) period = finder.period(pi / period);
+    choice.apparent_period = period;
+    choice.factorisations = finder.n_factorisations();
+    const double of_period = std::min(fraction(scene, order) * period, scene.time.end);
+    if (period > 0.) choice.largest_step = loads.lone_jump ? of_period : std::min(of_period, loads.largest_step);
+  }
+  choice.reason = reason(loads, choice.apparent_period);
+  choice.seconds = watch.seconds();
+  return choice;
+}
+
+namespace {
+
+constexpr double usual_vectors_per_load = 46., solves_per_step = 5.;
+constexpr std::size_t most_independent = 3;  ///< forces on a rigid caisson: two and a moment
+/// Part of a march's work that may be lost on a reduced model that does not converge.
+constexpr double risk = 1.;
+
+std::string about(double n) {
+  return "about " + std::to_string(10 * std::lround(n / 10.));
+}
+
+/// Work of a reduced model with so many vectors, in solves of a march: each vector is solved for, made orthogonal and
+/// projected; the eigenvalues of all looks together take as long as 4 V^3 / n solves with n unknowns. Measured.
+double work(double vectors, int unknowns) {
+  return 1.5 * vectors + 4. * vectors * vectors * vectors / unknowns;
+}
+
+}  // namespace
+
+SchemeChoice choose_scheme(const Scene& scene, const CompiledScene& compiled) {
+  if (scene.time.scheme != TimeScheme::automatic) return {scene.time.scheme, "given in the case", {}};
+  const auto march = [](const std::string& why) { return SchemeChoice{TimeScheme::sdirk4, why, {}}; };
+  if (!scene.time.inertia) return march("consolidation is marched");
+  if (!compiled.caisson) return march("without a caisson there is no F_T to measure a reduced model's error with");
+  if (scene.fields_every) return march("fields are asked for");
+  if (has_strength(scene)) return march("a strength needs the stresses of all cells");
+  if (scene.time.stop_at_energy) return march("it shall stop early");
+  const System& system = compiled.system;
+  if (system.is_divided()) return march("several processes share the work");
+  if (system.loads.empty()) return march("no load acts");
+  const double step = scene.time.step.value_or(step_of_loads(scene, 4).largest_step);
+  const double marched = solves_per_step * estimated_steps(kinks(system).size(), scene.time.end, step);
+  const double n_loads = static_cast<double>(std::min(system.loads.size(), most_independent));
+  const double reduced = usual_vectors_per_load * n_loads;
+  if (const double equal = work(reduced, system.n_free()); marched < equal)
+    return march(about(marched) + " solves; a reduced model would cost as much as " + about(equal));
+  double most = reduced;
+  while (work(most + 1., system.n_free()) < risk * marched) ++most;
+  return {TimeScheme::reduced, about(reduced) + " solves instead of " + about(marched) + " of a march",
+          static_cast<int>(most / n_loads)};
+}
+
+}  // namespace upbead

@@ -1,0 +1,262 @@
+#include "run/accuracy/accuracy.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "base/interrupt.h"
+#include "base/stopwatch.h"
+#include "base/text.h"
+#include "fem/caisson_readings.h"
+#include "mesh/refine.h"
+#include "model/exclusions.h"
+#include "response/reduction.h"
+#include "response/spectrum.h"
+#include "response/time_choice.h"
+#include "run/derived.h"
+#include "run/solve.h"
+#include "upbead/base/error.h"
+
+namespace upbead {
+
+namespace {
+
+double over(double difference, double scale) {
+  return scale > 0. ? difference / scale : 0.;
+}
+
+}  // namespace
+
+ShearHistory shear_history(const CompiledScene& compiled, const Response& response) {
+  const ShearResponse read = read_shear_response(compiled, response, true);
+  const Eigen::RowVectorXd F_T = response.ends.reading.row(compiled.system.reading(reading::shear_force));
+  return {{response.ends.time, {F_T.begin(), F_T.end()}},
+          -read.peak_force_seaward > read.peak_force ? read.peak_shear_seaward : read.peak_shear};
+}
+
+ShearHistory marched_shear(const CompiledScene& compiled, SchemeKind kind, const TimeGrid& grid) {
+  SchemeOptions options;
+  options.kind = kind;
+  options.account_energy = false;
+  const auto scheme = make_scheme(compiled.system, options);
+  return shear_history(compiled, march(compiled.system, *scheme, grid));
+}
+
+ShearError difference(const ShearHistory& answer, const ShearHistory& better) {
+  const auto& [time, force] = better.history;
+  double largest = 0., most = 0.;
+  for (const double F : force) largest = std::max(largest, std::abs(F));
+  for (std::size_t i = 0; i < answer.history.time.size(); ++i)
+    most = std::max(most, std::abs(answer.history.value[i] - value_at(time, force, answer.history.time[i])));
+  return {over(std::abs(answer.peak - better.peak), std::abs(better.peak)), over(most, largest)};
+}
+
+namespace {
+
+/// What the truth lies away over what halving the cells moves. Where every halving leaves a share q of the error that
+/// is 1/(1 - q): 2 where the corners of a rigid bottom decide (stress as r^(-1/2), F_T wrong by the square of the error
+/// in energy, q = 1/2), less where waves do; the rest is for meshes that are not so fine yet. Measured:
+/// docs/accuracy.md.
+constexpr double margin_of_peak = 3.4, margin_of_history = 4.;
+/// Of what the history moves by; a change of the peak that is smaller is so by chance.
+constexpr double least_share_of_history = 0.3;
+/// Both solutions may be wrong in time by this part of the tolerance.
+constexpr double share_of_time = 0.25;
+
+/// The soil of cells that were split.
+SoilState of_children(const SoilState& soil, const Mesh& mesh, const Mesh& finer) {
+  SoilState state;
+  state.shear_modulus.reserve(finer.triangulation.n_active_cells());
+  for (const auto& cell : finer.triangulation.active_cell_iterators()) {
+    const dealii::Triangulation<dim>::cell_iterator parent(&mesh.triangulation, cell->level() - 1,
+                                                           cell->parent()->index());
+    const unsigned i = parent->active_cell_index();
+    if (!soil.shear_modulus.empty()) state.shear_modulus.push_back(soil.shear_modulus[i]);
+    if (!soil.damping_ratio.empty()) state.damping_ratio.push_back(soil.damping_ratio[i]);
+  }
+  return state;
+}
+
+/// The scene as it is solved for a comparison: more exactly in time, at times of our own.
+Scene compared(const Simulation& simulation) {
+  Scene scene = simulation.scene;
+  scene.tolerance *= share_of_time;
+  scene.time.step.reset();
+  return scene;
+}
+
+std::optional<ShearHistory> by_reduced_model(const Simulation& simulation) {
+  const Scene scene = compared(simulation);
+  ReductionTargets targets;
+  targets.only_shear = true;
+  try {
+    const Reduction reduction = reduce_scene(scene, *simulation.compiled, targets);
+    if (!reduction.converged) return std::nullopt;
+    return shear_history(*simulation.compiled, respond(reduction, scene, simulation.compiled->system));
+  } catch (const NumericsError&) {
+    return std::nullopt;
+  }
+}
+
+/// `soil`: what has followed the strain.
+Simulation like(const Simulation& simulation, const std::shared_ptr<const Mesh>& mesh, const SoilState& soil) {
+  Simulation other = on_mesh(simulation.given, mesh);
+  if (!simulation.soil && other.with_interface == simulation.with_interface) return other;
+  other.with_interface = simulation.with_interface;
+  if (simulation.soil) other.soil_state = soil;
+  return assembled(std::move(other));
+}
+
+}  // namespace
+
+Simulation with_halved_cells(const Simulation& simulation) {
+  const std::shared_ptr<const Mesh> mesh = halved(*simulation.mesh);
+  return like(simulation, mesh, of_children(simulation.soil_state, *simulation.mesh, *mesh));
+}
+
+Simulation assembled_again(const Simulation& simulation) {
+  return like(simulation, simulation.mesh, simulation.soil_state);
+}
+
+ShearError with_margin(const ShearError& moved) {
+  return {std::max(margin_of_peak * moved.peak, least_share_of_history * moved.history),
+          margin_of_history * moved.history};
+}
+
+ShearError error_of_cells(const Simulation& simulation, const Simulation& finer) {
+  const std::optional<ShearHistory> reduced = by_reduced_model(simulation);
+  if (reduced)
+    if (const auto better = by_reduced_model(finer)) return with_margin(difference(*reduced, *better));
+  const double step = choose_step(compared(simulation), *simulation.compiled, 4).largest_step;
+  check_steps(simulation.given, step, {}, "for an estimate of the mesh's error");
+  const auto by_march = [step](const Simulation& on) {
+    const TimeGrid grid = make_time_grid(kinks(on.compiled->system), on.scene.time.end, step);
+    return marched_shear(*on.compiled, SchemeKind::sdirk4, grid);
+  };
+  return with_margin(difference(by_march(simulation), by_march(finer)));
+}
+
+namespace {
+
+/// Part of the tolerance that the mesh may use up; the rest is for the reduced model or the steps.
+constexpr double share_of_mesh = 0.75, share_of_rest = 0.25;
+/// Errors of cells that are split, over what they were: measured between 0.2 and 0.6.
+constexpr double error_after_split = 0.4;
+/// Part of the error whose cells are split at once, at least and at most.
+constexpr double least_part = 0.3, most_part = 0.85;
+/// Less than this part of an error is left where cells were split for as much: else cells err that were not seen to.
+constexpr double enough = 0.8;
+constexpr int most_unknowns = 250000;
+
+/// The cells with the largest errors, which together have a part of the sum. Mirror images, whose errors differ by
+/// round-off, are split alike: a symmetric scene then stays so.
+std::vector<bool> worst_cells(const MeshError& error, double part) {
+  std::vector<std::size_t> order(error.of_cell.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return error.of_cell[a] > error.of_cell[b]; });
+  std::vector<bool> chosen(order.size(), false);
+  double sum = 0., least = 0.;
+  for (const std::size_t cell : order) {
+    if (sum >= part * error.sum && error.of_cell[cell] < (1. - 1e-6) * least) break;
+    chosen[cell] = true;
+    least = error.of_cell[cell];
+    sum += least;
+  }
+  return chosen;
+}
+
+/// No more cells than it takes to come just below the aim.
+double part_to_split(double error, double aim) {
+  return std::clamp((error - 0.9 * aim) / (error * (1. - error_after_split)), least_part, most_part);
+}
+
+void require_measurable(const Simulation& simulation) {
+  const std::string cure = "give a number of uniform refinements";
+  std::string why;
+  if (!simulation.compiled->caisson) why = "the mesh has no surface 'caisson' whose F_T would tell";
+  for (const Exclusion& reason : excluded(simulation.given, Treatment::adapted_mesh)) why = reason.why;
+  if (simulation.compiled->loads_on_caisson.empty()) why = "no load acts";
+  if (!why.empty()) throw InputError(at_key("mesh.refine"), "refine = \"auto\": " + why, cure);
+}
+
+double driving(const Scene& given, const ShearError& error) {
+  return given.accuracy.of == AccuracyOf::peak ? error.peak : error.history;
+}
+
+[[noreturn]] void throw_out_of_reach(const Scene& given, const MeshAccuracy& accuracy, int unknowns) {
+  const MeshAccuracy::Level& last = accuracy.levels.back();
+  const bool peak = given.accuracy.of == AccuracyOf::peak;
+  throw InputError(at_key("accuracy.tolerance"),
+                   "a mesh of " + std::to_string(last.unknowns) + " unknowns still makes " +
+                       (peak ? "the peak of F_T" : "the history of F_T") + " wrong by up to " +
+                       significant(driving(given, last.error)) + "; a tolerance of " + significant(given.tolerance) +
+                       " would take more than " + std::to_string(unknowns),
+                   std::string("raise tolerance, ") + (peak ? "" : "write accuracy.of = \"peak\", ") +
+                       "or give mesh.refine as a number");
+}
+
+/// Splits cells until what they make wrong is small enough.
+class Adaptation {
+ public:
+  Adaptation(const Scene& given, std::shared_ptr<const Mesh> coarse)
+      : given_(given), aim_(share_of_mesh * given.tolerance), mesh_(std::move(coarse)) {}
+
+  /// The scene on the mesh as it is; its accuracy is set where the mesh will do.
+  Simulation assemble() {
+    Simulation scene = on_mesh(given_, mesh_);
+    require_measurable(scene);
+    cells_ = mesh_error(scene.scene, *scene.space, *scene.unknowns, *scene.compiled);
+    const int n = scene.compiled->system.n_free();
+    if (n > most_unknowns) throw_out_of_reach(given_, accuracy_, n);
+    measured_ = scale_ * cells_.sum <= aim_;
+    if (measured_) measure(scene, n);
+    return scene;
+  }
+
+  /// Where the cells that seem to be wrong were split and the error has hardly become less, all cells are.
+  void refine() {
+    const std::size_t n = accuracy_.levels.size();
+    const auto error = [this, n](std::size_t back) { return driving(given_, accuracy_.levels[n - back].error); };
+    const bool stuck = measured_ && n > 1 && error(1) > enough * error(2);
+    mesh_ = refined(*mesh_, stuck ? std::vector<bool>(cells_.of_cell.size(), true)
+                                  : worst_cells(cells_, part_to_split(scale_ * cells_.sum, aim_)));
+  }
+
+ private:
+  void measure(Simulation& simulation, int n) {
+    const Simulation finer = with_halved_cells(simulation);
+    accuracy_.levels.push_back({n, error_of_cells(simulation, finer)});
+    const double error = driving(given_, accuracy_.levels.back().error);
+    if (error <= aim_) simulation.accuracy = accuracy_;
+    if (cells_.sum > 0.) scale_ = error / cells_.sum;
+  }
+
+  const Scene& given_;
+  double aim_;
+  std::shared_ptr<const Mesh> mesh_;
+  MeshAccuracy accuracy_;
+  MeshError cells_;
+  bool measured_ = false;  ///< whether the mesh as it is was held against a finer one
+  double scale_ = 0.;      ///< of the true error over what the cells' sum to, as last measured
+};
+
+}  // namespace
+
+Simulation adapted(const Scene& given, std::shared_ptr<const Mesh> coarse) {
+  const Stopwatch watch;
+  Adaptation adaptation(given, coarse);
+  for (;;) {
+    check_interrupt();
+    Simulation simulation = adaptation.assemble();
+    if (simulation.accuracy) {
+      if (given.accuracy.of == AccuracyOf::history) simulation.scene.tolerance = share_of_rest * given.tolerance;
+      simulation.given_mesh = std::move(coarse);
+      simulation.timing.mesh = watch.seconds() - simulation.timing.compile;
+      return simulation;
+    }
+    adaptation.refine();
+  }
+}
+
+}  // namespace upbead

@@ -1,0 +1,191 @@
+#include "run/sliding/coupled_sliding.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/stopwatch.h"
+#include "base/text.h"
+#include "fem/caisson_readings.h"
+#include "response/reduction.h"
+#include "response/slip_law.h"
+#include "response/slip_reduction.h"
+#include "run/accuracy/accuracy.h"
+#include "run/derived.h"
+#include "run/sliding/case_sliding.h"
+#include "sliding/coupled_slip.h"
+#include "upbead/base/error.h"
+
+namespace upbead {
+
+namespace {
+
+/// Why such a slip cannot be told of a scene with a caisson; "" where it can.
+std::string why_no_slip(const Simulation& simulation) {
+  const System& system = simulation.compiled->system;
+  if (system.is_divided()) return "several processes share the work";
+  if (!simulation.scene.time.inertia) return "consolidation has no dynamics";
+  const std::string& region = simulation.compiled->caisson->body.region;
+  const std::vector<Body>& bodies = simulation.compiled->bodies;
+  if (std::none_of(bodies.begin(), bodies.end(), [&region](const Body& body) { return body.region == region; }))
+    return "the caisson deforms";
+  if (!bottom_is_level(*simulation.mesh)) return "the caisson's bottom is not level";
+  return "";
+}
+
+/// What N' is without, by [sliding].
+UpliftKind slip_uplift(const SlidingChoice& choice) {
+  const bool computed = choice.uplift && choice.uplift->kind == UpliftKind::computed;
+  return computed ? UpliftKind::computed : UpliftKind::prescribed;
+}
+
+/// reduce_slip() of the scene with an interface, on one process, for the uplift of its [sliding]. Throws NumericsError
+/// where that does not come to the tolerance besides.
+SlipReduction reduce_sliding(const Simulation& simulation, const Series& bonded,
+                             const std::function<void(double)>& progress) {
+  const AssembledScene sliding =
+      assemble_scene(simulation.scene, *simulation.mesh, simulation.absent, simulation.soil_state, true);
+  SlipReduction reduction =
+      reduce_slip(simulation.scene, *sliding.compiled, slip_uplift(*simulation.scene.sliding), bonded, progress);
+  constexpr double tolerable = 0.02;  // of forces that S is told with: an undamped scene needs many vectors for less
+  if (!reduction.converged && !(reduction.error.history <= tolerable))
+    throw NumericsError("the forces of its reduced model move by " + significant(reduction.error.history) +
+                        " of their peaks between nested models with " + std::to_string(reduction.n_vectors) +
+                        " vectors");
+  return reduction;
+}
+
+/// Times of the response, four to each: a slip starts and ends between them.
+std::vector<double> fine_times(const std::vector<double>& time) {
+  constexpr int parts = 4;
+  std::vector<double> fine{time.front()};
+  for (std::size_t i = 1; i < time.size(); ++i)
+    for (int j = 1; j <= parts; ++j)
+      fine.push_back(j == parts ? time[i] : time[i - 1] + (time[i] - time[i - 1]) * j / parts);
+  return fine;
+}
+
+/// The scene's loads, and W' less a prescribed uplift.
+SampledLoads loads_of_slip(const Scene& scene, const CompiledScene& compiled) {
+  const std::vector<double> time = fine_times(response_times(scene, compiled.system));
+  const double weight = scene.sliding->buoyant_weight;
+  TimeFunction normal({}, {[weight](double) { return weight; }});
+  if (scene.sliding->uplift && scene.sliding->uplift->kind == UpliftKind::prescribed)
+    normal = sum(normal, scaled(prescribed_uplift(scene, compiled, time), -1.));
+  std::vector<TimeFunction> histories = load_histories(compiled.system);
+  histories.push_back(normal);
+  return sample(histories, time);
+}
+
+CoupledHistoryTable table(const std::vector<double>& time, const CoupledHistory& history) {
+  const auto list = [](const auto& row) { return std::vector<double>(row.begin(), row.end()); };
+  return {time,
+          list(history.shear),
+          list(history.normal),
+          list(history.velocity),
+          list(history.slip),
+          list(history.outputs.row(0))};
+}
+
+void require_none(const std::string& why_no_distance) {
+  if (!why_no_distance.empty()) throw NumericsError(why_no_distance);
+}
+
+void slide(const Simulation& simulation, Run& run, const std::function<void(double)>& progress) {
+  const SlidingChoice& choice = *simulation.scene.sliding;
+  const SlipReduction reduction = reduce_sliding(simulation, run.response.ends, progress);
+  const SlipLaw law = slip_law(reduction.system, choice.friction, slip_uplift(choice), {reading::displacement_x});
+  const SampledLoads loads = loads_of_slip(simulation.scene, *simulation.compiled);
+  CoupledHistory history;
+  const SlipModel model = slip_model(reduction.system, law);
+  const double step = loads.time[1] - loads.time[0];
+  const CoupledSliding slid = CoupledSlip(model, step).slide(loads, &history);
+  require_none(why_no_distance(slid));
+  double effect = 0.;
+  if (model.damping_time > 0.) {
+    const SlipModel more = slip_model(reduction.system, law, 2. * model.damping_time);
+    const CoupledSliding other = CoupledSlip(more, step).slide(loads);
+    require_none(why_no_distance(slid, other));
+    effect = std::abs(other.slip.residual - slid.slip.residual);
+  }
+  run.summary.sliding->coupled = CoupledSummary{slid.slip,
+                                                slid.dissipated,
+                                                slid.peak_shear,
+                                                slid.least_normal,
+                                                slid.lifted_time,
+                                                reduction.n_vectors,
+                                                reduction.error.history,
+                                                reduction.bonded_error,
+                                                model.growth,
+                                                model.damping_time,
+                                                effect,
+                                                {}};
+  run.coupled = table(loads.time, history);
+}
+
+ModelSlip model_slip(const Simulation& simulation, const Reduction& bonded,
+                     const std::function<void(double)>& progress) {
+  const Scene& s = simulation.scene;
+  const Response response = respond(bonded, s, simulation.compiled->system);
+  SlipReduction reduction = reduce_sliding(simulation, response.ends, progress);
+  // whether slip is well posed shows here, not to the first who asks for waves
+  slip_model(reduction.system, slip_law(reduction.system, s.sliding->friction, slip_uplift(*s.sliding)));
+  return {std::move(reduction.system), reduction.error.history, reduction.bonded_error, reduction.n_vectors,
+          reduction.n_solves};
+}
+
+}  // namespace
+
+void read_sliding(const Simulation& simulation, Run& run, const std::function<void(double)>& progress) {
+  run.summary.sliding = sliding_of(simulation.given, *simulation.compiled, run.response);
+  run.coupled.reset();
+  if (!run.summary.sliding) return;
+  SlidingSummary& sliding = *run.summary.sliding;
+  if (sliding.history.with_normal_force.slips.empty()) {
+    const ShearResponse& response = *run.summary.response;
+    sliding.coupled.emplace();
+    sliding.coupled->peak_shear = std::max(response.peak_shear, -response.peak_shear_seaward);
+    sliding.coupled->least_normal = sliding.history.least_normal_force;
+    return;
+  }
+  sliding.why_not_coupled = why_no_slip(simulation);
+  if (!sliding.why_not_coupled.empty()) return;
+  const Stopwatch watch;
+  try {
+    slide(simulation, run, progress);
+    run.summary.timing.march += watch.seconds();
+  } catch (const NumericsError& error) {
+    sliding.why_not_coupled = error.what();
+    sliding.coupled_failed = true;
+  }
+}
+
+Run with_sliding(const Run& run, const Scene& given, const std::function<void(double)>& progress) {
+  Run other = run;
+  const auto simulation = std::make_shared<const Simulation>(with_given(*run.simulation, given));
+  check_sliding(*simulation);
+  other.simulation = simulation;
+  read_sliding(*simulation, other, progress);
+  if (other.summary.error)
+    estimate_slip_error(other);
+  else
+    tell_why_no_slip_error(other);
+  return other;
+}
+
+ReducedSlip reduce_with_slip(const Simulation& simulation, const Reduction& bonded,
+                             const std::function<void(double)>& progress) {
+  ReducedSlip slip;
+  if (!simulation.scene.sliding) return slip;
+  slip.why_not = why_no_slip(simulation);
+  if (!slip.why_not.empty()) return slip;
+  const Stopwatch watch;
+  try {
+    slip.model = model_slip(simulation, bonded, progress);
+  } catch (const NumericsError& error) {
+    slip.why_not = error.what();
+  }
+  slip.seconds = watch.seconds();
+  return slip;
+}
+
+}  // namespace upbead

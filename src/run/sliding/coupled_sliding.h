@@ -1,0 +1,34 @@
+// S by every measure: by formulas on the history of F_T, and of a caisson that slips as a whole on its ground.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "upbead/dynamics/reduce.h"
+#include "upbead/output/model_file.h"
+#include "upbead/run/simulation.h"
+
+namespace upbead {
+
+/// Reads the sliding of a bonded run, with [sliding]; else there is none. Where the caisson never reaches its friction
+/// the coupled S is zero without more work; else the scene is compiled with an interface and reduced, which leaves a
+/// history.
+void read_sliding(const Simulation& simulation, Run& run, const std::function<void(double)>& progress);
+
+/// A run without contact of the same scene with other sliding: what was solved is kept. Throws InputError at keys of
+/// the scene.
+Run with_sliding(const Run& run, const Scene& given, const std::function<void(double)>& progress);
+
+/// What `upbead reduce` has found of it.
+struct ReducedSlip {
+  std::optional<ModelSlip> model;  ///< none without [sliding]
+  std::string why_not;             ///< with [sliding], where there is none
+  double seconds = 0.;
+};
+
+/// Reduces the scene of a case with [sliding] once more, with a caisson that slips as a whole; `bonded`: its model
+/// without, whose response to the scene's loads trains it. `progress` is called with 0 to 1 after every solve.
+ReducedSlip reduce_with_slip(const Simulation& simulation, const Reduction& bonded,
+                             const std::function<void(double)>& progress);
+
+}  // namespace upbead
