@@ -9,6 +9,7 @@
 
 #include "case/records/record_layout.h"
 #include "design.h"
+#include "output/output_schema.h"
 #include "upbead/expected/life.h"
 #include "upbead/expected/sliding_law.h"
 
@@ -78,6 +79,8 @@ struct ExpectedTiming {
 
 /// Throws NumericsError where a number is not finite.
 std::string to_json(const Design& design, const ExpectedAnswer& answer, const ExpectedTiming& timing);
+/// Its keys.
+std::vector<OutputRow> rows_of_expected();
 /// The bytes of results.h5.
 std::string expected_file(const Design& design, const ExpectedAnswer& answer);
 std::string describe(const Design& design, const ExpectedAnswer& answer);

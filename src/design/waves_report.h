@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "design.h"
+#include "output/output_schema.h"
 #include "sliding/elastic_block.h"
 #include "upbead/sliding/pulse.h"
 #include "upbead/waves/goda.h"
@@ -48,5 +49,7 @@ std::string warning_lines(const std::vector<WaveAnswer>& answers);
 
 /// summary.json. Throws NumericsError where a number is not finite.
 std::string to_json(const DesignTables& design, const std::vector<WaveAnswer>& answers);
+/// Its keys.
+std::vector<OutputRow> rows_of_waves();
 
 }  // namespace upbead

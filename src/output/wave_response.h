@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "dynamics/batch_response.h"
+#include "output/output_schema.h"
 #include "upbead/base/numbered_warning.h"
 #include "upbead/output/model_file.h"
 
@@ -61,5 +62,8 @@ std::string response_file(const std::string& title, const std::vector<WaveRespon
 /// which checks the numbers.
 std::string to_json(const ReducedModelFile& model, const std::string& path, const std::vector<WaveResponses>& files,
                     const RespondTiming& timing, const NumberedWarnings& warnings = {});
+
+/// Its keys.
+std::vector<OutputRow> rows_of_respond();
 
 }  // namespace upbead

@@ -11,6 +11,7 @@
 #include "design/calibrate/family.h"
 #include "design/design.h"
 #include "expected/k_fit.h"
+#include "output/output_schema.h"
 
 namespace upbead {
 
@@ -69,6 +70,8 @@ Calibration calibrate(const Design& design);
 
 /// Throws NumericsError where a number is not finite.
 std::string to_json(const Design& design, const Calibration& found);
+/// Its keys.
+std::vector<OutputRow> rows_of_calibration();
 /// A row per model, wave and r.
 std::string calibration_csv(const Calibration& found);
 /// The same columns as the bytes of an HDF5 file.
