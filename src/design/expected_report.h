@@ -9,11 +9,12 @@
 
 #include "case/records/record_layout.h"
 #include "design.h"
-#include "output/output_schema.h"
 #include "upbead/expected/life.h"
 #include "upbead/expected/sliding_law.h"
 
 namespace upbead {
+
+struct OutputRow;
 
 inline const std::vector<Law> all_laws{Law::paper, Law::exact, Law::combined, Law::dynamic};
 

@@ -6,12 +6,13 @@
 #include <vector>
 
 #include "design.h"
-#include "output/output_schema.h"
 #include "sliding/elastic_block.h"
 #include "upbead/sliding/pulse.h"
 #include "upbead/waves/goda.h"
 
 namespace upbead {
+
+struct OutputRow;
 
 /// Sliding distances of a wave by each formula (m).
 struct SlidingDistances {

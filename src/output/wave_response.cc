@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "hdf5_image.h"
-#include "output/versions.h"
+#include "output/output_schema.h"
 
 namespace upbead {
 

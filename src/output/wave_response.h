@@ -6,11 +6,12 @@
 #include <vector>
 
 #include "dynamics/batch_response.h"
-#include "output/output_schema.h"
 #include "upbead/base/numbered_warning.h"
 #include "upbead/output/model_file.h"
 
 namespace upbead {
+
+struct OutputRow;
 
 /// What becomes of a caisson that slips as a whole on the ground that it shakes. Landward positive.
 struct CoupledWave {

@@ -11,9 +11,10 @@
 #include "design/calibrate/family.h"
 #include "design/design.h"
 #include "expected/k_fit.h"
-#include "output/output_schema.h"
 
 namespace upbead {
+
+struct OutputRow;
 
 /// Ways to find tau_0 of a history, see HistoryDuration.
 enum class DurationMeasure { paper, exact, excess, impulse };
