@@ -37,7 +37,7 @@ def undescribed(value, path, rows):
     elif isinstance(value, dict) and (free or not path or any(row.startswith(path + ".") for row in rows)):
         for key, below in value.items():
             yield from undescribed(below, free or f"{path}.{key}".lstrip("."), rows)
-    elif path not in rows:
+    elif path not in rows and path + "[]" not in rows:
         yield path
 
 
