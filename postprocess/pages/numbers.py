@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from upbead.study_table import READ_UNITS
+from upbead import outputs
 
 PREFIXES = {  # unit: (factor, name), the largest first
     "N/m": [(1e6, "MN/m"), (1e3, "kN/m")],
@@ -46,15 +46,13 @@ def digits(value):
 
 
 def of_run(summaries):
-    rows = [("peak P", "response.peak_force", "N/m"), ("time of it", "response.peak_force_time", "s"),
-            ("peak F_T", "response.peak_shear", "N/m"), ("time of it", "response.peak_shear_time", "s"),
-            ("peak F_T / peak P", "response.shear_to_force_ratio", ""),
-            ("largest x_G", "response.peak_displacement", "m"),
-            ("arm of P above the bottom", "response.arm", "m"),
-            ("largest base moment", "response.peak_base_moment", "N m/m"),
-            ("peak F_S / (mu W')", "sliding.ratio", ""), ("S by eq. (4)", "sliding.sliding_history", "m"),
-            ("unknowns", "discretisation.unknowns", ""), ("solves", "discretisation.solves", "")]
-    return [[what, *(number(at(summary, path), unit) for summary in summaries)] for what, path, unit in rows]
+    rows = [("peak P", "response.peak_force"), ("time of it", "response.peak_force_time"),
+            ("peak F_T", "response.peak_shear"), ("time of it", "response.peak_shear_time"),
+            ("peak F_T / peak P", "response.shear_to_force_ratio"), ("largest x_G", "response.peak_displacement"),
+            ("arm of P above the bottom", "response.arm"), ("largest base moment", "response.peak_base_moment"),
+            ("peak F_S / (mu W')", "sliding.ratio"), ("S by eq. (4)", "sliding.sliding_history"),
+            ("unknowns", "discretisation.unknowns"), ("solves", "discretisation.solves")]
+    return [[what, *(number(at(summary, path), outputs.unit(path)) for summary in summaries)] for what, path in rows]
 
 
 def at(summary, path):
@@ -66,10 +64,10 @@ def at(summary, path):
 def of_waves(summaries):
     """The only wave of each summary, or the first and the last one."""
     waves = [wave for summary in summaries for wave in ends(list(summary["waves"].values()))]
-    rows = [("height H", "height", "m"), ("period T", "period", "s"), ("alpha*", "alpha_star", ""),
-            ("P", "force", "N/m"), ("safety factor against sliding", "safety_sliding", ""), ("tau_0", "tau_0", "s"),
-            ("S by eq. (7)", "sliding_paper", "m"), ("S by eqs. (4), (6)", "sliding_exact", "m")]
-    return [[what, *(number(wave[key], unit) for wave in waves)] for what, key, unit in rows]
+    rows = [("height H", "height"), ("period T", "period"), ("alpha*", "alpha_star"), ("P", "force"),
+            ("safety factor against sliding", "safety_sliding"), ("tau_0", "tau_0"), ("S by eq. (7)", "sliding_paper"),
+            ("S by eqs. (4), (6)", "sliding_exact")]
+    return [[what, *(number(wave[key], outputs.unit(f"waves.NAME.{key}", "waves")) for wave in waves)] for what, key in rows]
 
 
 def ends(items):
@@ -111,7 +109,7 @@ def of_study(tables):
     if any(table.failed for table in tables):
         rows.append(["failed", *(number(len(table.failed)) for table in tables)])
     for read in tables[0].reads:
-        unit = READ_UNITS.get(read.split(".")[-1], "")
+        unit = outputs.unit(read)
         rows.append([f"`{read}`", *(spread(table.numbers(read), unit) for table in tables)])
     return rows
 

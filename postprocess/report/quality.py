@@ -3,13 +3,7 @@
 from report.figure import words
 from report.markup import Markup, join, prose, table, tag
 from report.units import percent, quantity
-
-SOURCES = {
-    "mesh": "cells too large",
-    "time": "steps of the march",
-    "reduced_model": "vectors of the reduced model too few",
-    "far_boundary": "what the far sides send back",
-}
+from upbead import outputs
 
 
 def section(result):
@@ -42,7 +36,7 @@ def errors(summary):
             ("estimated error of the peak shear force", percent(response["error_estimate"]), "sum of the parts below")
         )
         for key, value in (response.get("error_sources") or {}).items():
-            rows.append((f"of it: {SOURCES.get(key, key.replace('_', ' '))}", percent(value), ""))
+            rows.append((f"of it: {outputs.label(f'response.error_sources.{key}') or key.replace('_', ' ')}", percent(value), ""))
         if response.get("history_error_estimate") is not None:
             rows.append(
                 (
@@ -92,11 +86,8 @@ def soil(summary):
     parts, found = [], summary.get("soil")
     if found:
         rows = [
-            ("iterations", quantity(found["iterations"])),
-            ("settled", quantity(found["converged"])),
-            ("largest effective strain", quantity(found["largest_strain"])),
-            ("least stiffness over that at vanishing strain", quantity(found["least_modulus_ratio"])),
-            ("largest damping ratio", percent(found["largest_damping"])),
+            (outputs.label(f"soil.{key}"), (percent if key == "largest_damping" else quantity)(found[key]))
+            for key in ("iterations", "converged", "largest_strain", "least_modulus_ratio", "largest_damping")
         ]
         parts += [tag("h3", "Soil that follows the strain"), table(("quantity", "value"), rows, "numbers")]
     strength = summary.get("strength") or []

@@ -4,10 +4,11 @@ import numpy as np
 
 from report import figure, gauges, points
 from report.figure import words
-from report.markup import table, tag
+from report.markup import prose, table, tag
 from report.plot import Line, Panel, Plot
 from report.series import largest
 from report.units import percent, quantity
+from upbead import outputs
 
 PANELS = [
     ("force", "P", 0, "forces"),
@@ -16,30 +17,18 @@ PANELS = [
     ("caisson/displacement_x", "x_G", 3, ""),
 ]
 PEAKS = {"force": "peak_force", "shear_force": "peak_shear"}
-ROWS = [  # key, symbol, unit, key of the time, what it is
-    ("peak_force", "P", "N/m", "peak_force_time", "largest horizontal wave force on the caisson, landward"),
-    (
-        "peak_shear",
-        "F_T",
-        "N/m",
-        "peak_shear_time",
-        "largest shear force at the bottom, landward, found inside the steps",
-    ),
-    ("peak_shear_seaward", "F_T", "N/m", "peak_shear_seaward_time", "largest shear force seaward"),
-    ("shear_to_force_ratio", "F_T / P", "", None, "ratio of the peaks"),
-    ("peak_shear_paper", "F_T", "N/m", None, "largest P − m ẍ of the caisson: the reading of the paper"),
-    (
-        "peak_shear_experiment",
-        "F_T",
-        "N/m",
-        None,
-        "largest P + water in front − m ẍ: what the paper's experiment evaluates",
-    ),
-    ("impulse", "I", "N s/m", None, "integral of P over the run"),
-    ("arm", "", "m", None, "height of the force above the bottom when P is largest"),
-    ("peak_base_moment", "M", "N m/m", None, "largest moment at the bottom, about its middle"),
-    ("peak_displacement", "x_G", "m", None, "largest displacement of the centre of gravity"),
-    ("peak_rotation", "", "rad", None, "largest rotation of the caisson"),
+ROWS = [  # key, symbol, key of the time
+    ("peak_force", "P", "peak_force_time"),
+    ("peak_shear", "F_T", "peak_shear_time"),
+    ("peak_shear_seaward", "F_T", "peak_shear_seaward_time"),
+    ("shear_to_force_ratio", "F_T / P", None),
+    ("peak_shear_paper", "F_T", None),
+    ("peak_shear_experiment", "F_T", None),
+    ("impulse", "I", None),
+    ("arm", "", None),
+    ("peak_base_moment", "M", None),
+    ("peak_displacement", "x_G", None),
+    ("peak_rotation", "", None),
 ]
 
 
@@ -109,9 +98,10 @@ def section(result, measured):
 def peaks(result):
     response = result.summary.get("response") or {}
     rows = []
-    for key, symbol, unit, when, what in ROWS:
+    for key, symbol, when in ROWS:
         if response.get(key) is not None:
-            value = percent(response[key]) if key == "shear_to_force_ratio" else quantity(response[key], unit)
+            ratio, path = key == "shear_to_force_ratio", f"response.{key}"
+            value = percent(response[key]) if ratio else quantity(response[key], outputs.unit(path))
             at = quantity(response[when], "s") if when else ""
-            rows.append((what, words((symbol,)), value, at))
+            rows.append((prose(outputs.label(path)), words((symbol,)), value, at))
     return table(("quantity", "symbol", "value", "at"), rows, "numbers")

@@ -7,18 +7,9 @@ import numpy as np
 
 from report.markup import Markup, fold, join, table, tag
 from report.units import quantity
+from upbead import outputs
 
-SIZES = [
-    ("cells", "", "cells"),
-    ("degree", "", "degree of the displacement"),
-    ("unknowns", "", "unknowns"),
-    ("scheme", "", "scheme in time"),
-    ("time_step", "s", "largest step"),
-    ("steps", "", "steps"),
-    ("solves", "", "solves"),
-    ("factorisations", "", "factorisations"),
-    ("processes", "", "processes"),
-]
+SIZES = ("cells", "degree", "unknowns", "scheme", "time_step", "steps", "solves", "factorisations", "processes")
 
 
 def section(result):
@@ -30,8 +21,8 @@ def section(result):
 def sizes(summary):
     found = summary.get("discretisation") or {}
     rows = [
-        (what, found[key] if isinstance(found[key], str) else quantity(found[key], unit))
-        for key, unit, what in SIZES
+        (outputs.label(path), found[key] if isinstance(found[key], str) else quantity(found[key], outputs.unit(path)))
+        for key, path in ((key, f"discretisation.{key}") for key in SIZES)
         if found.get(key) is not None
     ]
     return tag("div", tag("h3", "Discretisation"), table(None, rows, "numbers")) if rows else Markup("")

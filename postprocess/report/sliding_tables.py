@@ -3,20 +3,16 @@
 from report.markup import Markup, fold, join, table, tag
 from report.measures import at
 from report.units import percent, quantity
+from upbead import outputs
 
 
 def contact(summary):
     solved = at(summary, "contact.solved")
     if not solved:
         return Markup("")
-    rows = [
-        ("largest slip on the way", quantity(solved["largest_slip"], "m")),
-        ("largest opening of the seaward end", quantity(solved["opening_seaward"], "m")),
-        ("largest opening of the landward end", quantity(solved["opening_landward"], "m")),
-        ("least share of the bottom that touches", percent(solved["least_contact"])),
-        ("least normal force", quantity(solved["least_normal_force"], "N/m")),
-        ("energy taken by friction", quantity(solved["dissipated"], "J/m")),
-    ]
+    keys = ("largest_slip", "opening_seaward", "opening_landward", "least_contact", "least_normal_force", "dissipated")
+    rows = [(outputs.label(path), percent(solved[key]) if key == "least_contact" else quantity(solved[key], outputs.unit(path)))
+            for key, path in ((key, f"contact.solved.{key}") for key in keys)]
     return join([tag("h3", "Contact node by node"), table(("quantity", "value"), rows, "numbers")])
 
 

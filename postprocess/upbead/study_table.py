@@ -11,14 +11,6 @@ from .errors import UserError
 from .results import read_summary, text_of
 
 
-READ_UNITS = {  # of what studies read of a summary, by its last key
-    "peak_force": "N/m", "peak_shear": "N/m", "peak_base_moment": "N m/m", "peak_displacement": "m", "arm": "m",
-    "sliding_paper": "m", "sliding_exact": "m", "sliding_history": "m", "sliding_coupled": "m", "slip": "m",
-    "largest_slip": "m", "least_slip": "m", "opening_seaward": "m", "opening_landward": "m",
-    "least_normal_force": "N/m",
-}
-
-
 class StudyTable:
     """The runs that were done, a row each; `table["response.peak_shear"]` is a column as an array."""
 

@@ -1,12 +1,16 @@
 #include <iostream>
-#include <nlohmann/json.hpp>
 
 #include "case/case_run.h"
 #include "case/script_trust.h"
 #include "cli/command.h"
 #include "cli/report.h"
+#include "design/calibrate/calibration_report.h"
+#include "design/expected_report.h"
+#include "design/waves_report.h"
 #include "fem/compile.h"
 #include "model/exclusions.h"
+#include "output/summary_outputs.h"
+#include "output/wave_response.h"
 #include "response/time_choice.h"
 
 namespace upbead {
@@ -21,29 +25,72 @@ bool will_be_reduced(const Simulation& simulation) {
   return choose_scheme(simulation.scene, *simulation.compiled).scheme == TimeScheme::reduced;
 }
 
+/// All that `explain` tells.
+struct Explained {
+  const Case* input;
+  const Simulation* simulation;
+  NumberedWarnings told;
+  std::vector<GaugeSummary> gauges;
+  std::vector<Skipped> skipped;
+};
+
+/// What was chosen for each region, and why.
+Json regions(const Explained& e) {
+  Json json = Json::object();
+  for (const Decision& decision : e.simulation->decisions)
+    if (!decision.region.empty()) json[decision.region] = {{decision.key, decision.value}, {"why", decision.why}};
+  return json;
+}
+
+const OutputSchema<Explained>& explained_outputs() {
+  using E = Explained;
+  const auto size =
+      OutputSchema<Simulation>()
+          .key(
+              "cells", [](const Simulation& s) { return s.mesh->triangulation.n_active_cells(); }, "", "cells")
+          .key(
+              "unknowns", [](const Simulation& s) { return s.compiled->system.n_free(); }, "", "unknowns")
+          .key("degree", inner(&Simulation::space, &Space::degree), "", "degree of the displacement");
+  static const auto schema =
+      OutputSchema<E>()
+          .key("title", inner(&E::input, &Case::scene, &Scene::title), "", "that of the case")
+          .object("discretisation", &E::simulation, size, "how the scene would be solved")
+          .key("regions.NAME", regions, "", "`flow` or `kind` as chosen, and `why`")
+          .named(
+              "loads.NAME", [](const E& e) -> auto& { return e.simulation->compiled->loads_on_caisson; },
+              &LoadOnCaisson::name, load_outputs(), "resultant on the caisson per unit of the history")
+          .named("gauges.NAME", &E::gauges, &GaugeSummary::name, gauge_outputs(),
+                 "of a load by [transducers](records.md), or `sliding.uplift`")
+          .list("skipped[]", &E::skipped, skipped_outputs(), "what would be left out")
+          .list("warnings[]", &E::told, warning_outputs(), "[what may be wrong](warnings.md) and needs no solution");
+  return schema;
+}
+
 std::string explanation_json(const Case& input, const Simulation& simulation, const NumberedWarnings& told) {
-  nlohmann::ordered_json json = {{"title", input.scene.title}};
-  json["discretisation"] = {{"cells", simulation.mesh->triangulation.n_active_cells()},
-                            {"unknowns", simulation.compiled->system.n_free()},
-                            {"degree", simulation.space->degree()}};
-  json["regions"] = nlohmann::ordered_json::object();
-  for (const Decision& decision : simulation.decisions)
-    if (!decision.region.empty())
-      json["regions"][decision.region] = {{decision.key, decision.value}, {"why", decision.why}};
-  json["loads"] = nlohmann::ordered_json::object();
-  for (const LoadOnCaisson& load : simulation.compiled->loads_on_caisson) {
-    json["loads"][load.name] = {{"force_x", load.force_x}, {"force_y", load.force_y}, {"moment", load.moment}};
-    json["loads"][load.name]["arm"] = load.arm() ? nlohmann::ordered_json(*load.arm()) : nullptr;
-  }
-  json["gauges"] = nlohmann::ordered_json::parse(gauges_json(gauge_summaries(input, simulation)));
-  json["skipped"] = nlohmann::ordered_json::array();
-  for (const Skipped& item : skipped(input, simulation, will_be_reduced(simulation)))
-    json["skipped"].push_back({{"what", item.what}, {"why", item.why}});
-  json["warnings"] = nlohmann::ordered_json::array();
-  for (const NumberedWarning& w : told)
-    json["warnings"].push_back(
-        {{"name", w.name}, {"value", w.value}, {"limit", w.limit}, {"unit", w.unit}, {"text", w.text}});
-  return json.dump(2) + "\n";
+  const Explained explained{&input, &simulation, told, gauge_summaries(input, simulation),
+                            skipped(input, simulation, will_be_reduced(simulation))};
+  return explained_outputs().to_json(explained).dump(2) + "\n";
+}
+
+/// The keys of every summary, by command.
+std::vector<std::pair<std::string, std::vector<OutputRow>>> outputs() {
+  return {{"run", summary_outputs().rows()}, {"explain", explained_outputs().rows()},
+          {"respond", rows_of_respond()},    {"waves", rows_of_waves()},
+          {"expected", rows_of_expected()},  {"calibrate", rows_of_calibration()}};
+}
+
+std::string output_reference() {
+  std::string text;
+  for (const auto& [command, rows] : outputs())
+    text += std::string(text.empty() ? "" : "\n") + "## summary.json of `upbead " + command + "`\n\n" + markdown(rows);
+  return text;
+}
+
+std::string output_table() {
+  Json json;
+  for (const auto& [command, rows] : outputs())
+    for (const OutputRow& row : rows) json[command][row.path] = {row.unit, row.meaning};
+  return json_text(json);
 }
 
 int explain(const ExplainOptions& options) {
@@ -63,7 +110,8 @@ region is treated and why, each load's arm above the caisson's bottom, and what 
 Examples:
   upbead explain cases/fig2b-model.toml
   upbead explain cases/fig2b-model.toml --set regions.mound.hydraulic_conductivity=1e-3
-  upbead explain --keys)";
+  upbead explain --keys
+  upbead explain --outputs)";
 
 }  // namespace
 
@@ -72,6 +120,8 @@ Command explain_command() {
   Command command = solver_command("explain");
   command.options = common_options(*options) + std::vector{trust_option(options->trusted)};
   command.texts = {{"--keys", "print every key of a case file with unit, range, default and meaning", case_reference},
+                   {"--outputs", "print every key of the summaries with unit and meaning", output_reference},
+                   {"--outputs-json", "the same for programs", output_table},
                    {"--exclusions", "print what cannot go with what", exclusion_table}};
   command.footer = explain_footer;
   command.work = [options] { return explain(*options); };

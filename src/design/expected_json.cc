@@ -1,101 +1,176 @@
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "base/text.h"
-#include "base/version.h"
 #include "expected_report.h"
-#include "output/json_text.h"
-#include "output/versions.h"
+#include "output/output_schema.h"
 
 namespace upbead {
 
-using Json = nlohmann::ordered_json;
-
 namespace {
 
-/// A height from which waves slide: null where none does.
-Json height(double value) {
-  return std::isfinite(value) ? Json(value) : Json(nullptr);
-}
+/// All that `expected` tells.
+struct ToldExpected {
+  const Design* design;
+  const ExpectedAnswer* answer;
+  const ExpectedTiming* timing;
+};
+using Told = ToldExpected;
+using Answer = ExpectedAnswer;
 
+/// By the word of each law; null where it is not told, or no wave slides.
 Json by_law(const std::map<Law, Expectation>& laws, double Expectation::*member) {
   Json json = Json::object();
   for (const Law law : all_laws) {
     const auto found = laws.find(law);
-    json[word(law)] = found == laws.end() ? Json(nullptr) : height(found->second.*member);
+    const bool told = found != laws.end() && std::isfinite(found->second.*member);
+    json[word(law)] = told ? Json(found->second.*member) : Json();
   }
   return json;
 }
 
-Json to_object(const StateAnswer& answer) {
-  Json json = {{"significant_height", answer.state.significant_height},
-               {"period", answer.state.period},
-               {"waves", answer.state.waves}};
-  json["distance"] = by_law(answer.by_law, &Expectation::distance);
-  json["threshold_height"] = by_law(answer.by_law, &Expectation::threshold);
+OutputSchema<StateAnswer> state_outputs() {
+  using S = StateAnswer;
+  return OutputSchema<S>()
+      .key("significant_height", inner(&S::state, &SeaState::significant_height), "m", "H_1/3 at the wall")
+      .key("period", inner(&S::state, &SeaState::period), "s", "T")
+      .key("waves", inner(&S::state, &SeaState::waves), "", "their number")
+      .key(
+          "distance.LAW", [](const S& s) { return by_law(s.by_law, &Expectation::distance); }, "m", "expected sliding")
+      .key(
+          "threshold_height.LAW", [](const S& s) { return by_law(s.by_law, &Expectation::threshold); }, "m",
+          "height from which waves slide; null where nothing does");
+}
+
+OutputSchema<Told> sliding_by_law_outputs() {
+  const auto of = [](double Expectation::*member) {
+    return [member](const Told& t) { return by_law(t.answer->total, member); };
+  };
+  OutputSchema<Told> schema;
+  schema.key(
+      "years", [](const Told& t) { return t.design->tables.sea->years; }, "", "of the distances");
+  for (const Law law : all_laws)
+    schema.key(
+        std::string("distance_") + word(law),
+        [law](const Told& t) {
+          const auto found = t.answer->total.find(law);
+          return found == t.answer->total.end() ? std::nullopt : std::optional(found->second.distance);
+        },
+        "m", std::string("expected sliding in `years`") + (law == Law::dynamic ? "; null without a model" : ""));
+  return schema.key("error_estimate.LAW", of(&Expectation::error), "m", "of the distance, by quadrature")
+      .key("waves", inner(&Told::answer, &Answer::waves), "", "expected number")
+      .key("waves_that_slide.LAW", of(&Expectation::sliding_waves), "", "expected number above the threshold")
+      .key("threshold_height.LAW", of(&Expectation::threshold), "m",
+           "height from which waves slide; null where nothing does")
+      .key("highest", inner(&Told::answer, &Answer::highest), "m", "the height that one wave exceeds")
+      .list("states[]", inner(&Told::answer, &Answer::states), state_outputs(), "each sea state");
+}
+
+Json quantiles(const Told& told) {
+  Json json;
+  for (const Quantile& q : told.answer->monte_carlo->statistics.quantiles) json[significant(q.probability)] = q.value;
   return json;
 }
 
-Json to_object(const Design& design, const ExpectedAnswer& answer) {
-  Json json = {{"years", design.tables.sea->years}};
-  for (const Law law : all_laws) {
-    const auto found = answer.total.find(law);
-    json[std::string("distance_") + word(law)] =
-        found == answer.total.end() ? Json(nullptr) : Json(found->second.distance);
-  }
-  json["error_estimate"] = by_law(answer.total, &Expectation::error);
-  json["waves"] = answer.waves;
-  json["waves_that_slide"] = by_law(answer.total, &Expectation::sliding_waves);
-  json["threshold_height"] = by_law(answer.total, &Expectation::threshold);
-  json["highest"] = answer.highest;
-  json["states"] = Json::array();
-  for (const StateAnswer& state : answer.states) json["states"].push_back(to_object(state));
+Json probabilities(const Told& told) {
+  Json json;
+  for (const Exceeded& e : told.answer->monte_carlo->statistics.exceeded)
+    json[significant(e.limit)] = {{"value", e.probability}, {"confidence_interval", e.interval}};
   return json;
 }
 
-Json to_object(const MonteCarlo& found, const LifeTable& life) {
-  const LifeStatistics& s = found.statistics;
-  Json json = {{"lives", life.lives},
-               {"years", life.years},
-               {"seed", life.seed},
-               {"law", word(found.law)},
-               {"mean", s.mean},
-               {"standard_error", s.standard_error},
-               {"confidence_interval", s.interval},
-               {"without_scatter", found.without_scatter ? Json(*found.without_scatter) : Json(nullptr)},
-               {"lives_that_slide", s.sliding_lives}};
-  for (const Quantile& q : s.quantiles) json["quantiles"][significant(q.probability)] = q.value;
-  for (const Exceeded& e : s.exceeded)
-    json["probability"][significant(e.limit)] = {{"value", e.probability}, {"confidence_interval", e.interval}};
-  json["waves"] = found.waves;
-  json["waves_computed"] = found.answered;
-  return json;
+OutputSchema<Told> lives_outputs() {
+  using M = MonteCarlo;
+  using S = LifeStatistics;
+  const auto found = inner(&Told::answer, &Answer::monte_carlo);
+  const auto statistics = [](const Told& t) { return &t.answer->monte_carlo->statistics; };
+  const auto asked = OutputSchema<LifeTable>()
+                         .key("lives", &LifeTable::lives, "", "how many")
+                         .key("years", &LifeTable::years, "", "of each")
+                         .key("seed", &LifeTable::seed, "", "of the draws");
+  const auto about = OutputSchema<S>()
+                         .key("mean", &S::mean, "m", "mean S of a life")
+                         .key("standard_error", &S::standard_error, "m", "of the mean")
+                         .key("confidence_interval[]", &S::interval, "m", "of the mean, 95 %");
+  return OutputSchema<Told>()
+      .keys_of(inner(&Told::design, &Design::tables, &DesignTables::life), asked)
+      .key(
+          "law", [](const Told& t) { return word(t.answer->monte_carlo->law); }, "", "by which S was computed")
+      .keys_of(statistics, about)
+      .keys_of(found, OutputSchema<M>().key("without_scatter", &M::without_scatter, "m",
+                                            "expectation of a life by quadrature, nothing uncertain but the heights"))
+      .keys_of(statistics, OutputSchema<S>().key("lives_that_slide", &S::sliding_lives, "", "how many"))
+      .key("quantiles.PROBABILITY", quantiles, "m", "least S that such a share of the lives does not exceed")
+      .or_left_out()
+      .key("probability.LIMIT", probabilities, "", "of S above a limit (m): `value` and its 95 % `confidence_interval`")
+      .or_left_out()
+      .keys_of(found, OutputSchema<M>()
+                          .key("waves", &M::waves, "", "in all lives")
+                          .key("waves_computed", &M::answered, "", "of them those whose S was computed"));
+}
+
+OutputSchema<Told> expected_timing_outputs() {
+  const auto lives = [](double MonteCarlo::*member) {
+    return [member](const Told& t) {
+      const auto& found = t.answer->monte_carlo;
+      return found && found->seconds > 0. ? std::optional((*found).*member / found->seconds) : std::nullopt;
+    };
+  };
+  const auto seconds = [](const Told& t) {
+    return t.answer->monte_carlo ? std::optional(t.answer->monte_carlo->seconds) : std::nullopt;
+  };
+  return OutputSchema<Told>()
+      .key("read", inner(&Told::timing, &ExpectedTiming::read), "s", "reading")
+      .key("quadrature", inner(&Told::answer, &Answer::quadrature_seconds), "s", "quadrature")
+      .key("monte_carlo", seconds, "s", "lives; null without `[life]`")
+      .key("waves_per_second", lives(&MonteCarlo::waves), "1/s", "of all lives; absent without `[life]`")
+      .or_left_out()
+      .key("waves_computed_per_second", lives(&MonteCarlo::answered), "1/s", "those whose S was computed")
+      .or_left_out()
+      .key("total", inner(&Told::timing, &ExpectedTiming::total), "s", "since the start of the program");
+}
+
+OutputSchema<ModelUsed> used_model_outputs() {
+  using M = ModelUsed;
+  return OutputSchema<M>()
+      .key("title", &M::title, "", "that of its case")
+      .key("load", &M::load, "", "that the waves drive")
+      .key("step", &M::step, "s", "of all answers")
+      .key("shortest_rise", &M::shortest_rise, "s", "of the waves that might slide");
+}
+
+const OutputSchema<Told>& expected_outputs() {
+  using E = Exceedance;
+  const auto exceedance = OutputSchema<E>()
+                              .key("height", &E::height, "m", "that was asked for")
+                              .key("waves", &E::waves, "", "expected number above it");
+  static const auto schema =
+      OutputSchema<Told>()
+          .key("title", inner(&Told::design, &Design::tables, &DesignTables::title), "", "that of the design")
+          .program()
+          .object(
+              "expected", [](const Told& t) { return t.design->tables.sea ? &t : nullptr; }, sliding_by_law_outputs(),
+              "expected sliding, by quadrature; null without `[sea]`")
+          .named("exceedance.NAME", inner(&Told::answer, &Answer::exceedance), &E::name, exceedance,
+                 "waves above the `heights` that were asked for")
+          .object("model", inner(&Told::answer, &Answer::model), used_model_outputs(),
+                  "of the law `dynamic`; null without one")
+          .object(
+              "monte_carlo", [](const Told& t) { return t.answer->monte_carlo ? &t : nullptr; }, lives_outputs(),
+              "lives drawn at random; null without `[life]`")
+          .object(
+              "timing", [](const Told& t) { return &t; }, expected_timing_outputs(), "wall times")
+          .versions();
+  return schema;
 }
 
 }  // namespace
 
+std::vector<OutputRow> rows_of_expected() {
+  return expected_outputs().rows();
+}
+
 std::string to_json(const Design& design, const ExpectedAnswer& answer, const ExpectedTiming& timing) {
-  Json json = {{"title", design.tables.title}, {"program", program_version()}};
-  json["expected"] = design.tables.sea ? to_object(design, answer) : Json(nullptr);
-  json["exceedance"] = Json::object();
-  for (const Exceedance& e : answer.exceedance) json["exceedance"][e.name] = {{"height", e.height}, {"waves", e.waves}};
-  json["model"] = nullptr;
-  if (answer.model)
-    json["model"] = {{"title", answer.model->title},
-                     {"load", answer.model->load},
-                     {"step", answer.model->step},
-                     {"shortest_rise", answer.model->shortest_rise}};
-  json["monte_carlo"] = answer.monte_carlo ? to_object(*answer.monte_carlo, *design.tables.life) : Json(nullptr);
-  json["timing"] = {{"read", timing.read}, {"quadrature", answer.quadrature_seconds}, {"monte_carlo", nullptr}};
-  if (const auto& found = answer.monte_carlo) {
-    json["timing"]["monte_carlo"] = found->seconds;
-    json["timing"]["waves_per_second"] = found->seconds > 0. ? Json(found->waves / found->seconds) : Json(nullptr);
-    json["timing"]["waves_computed_per_second"] =
-        found->seconds > 0. ? Json(found->answered / found->seconds) : Json(nullptr);
-  }
-  json["timing"]["total"] = timing.total;
-  json["versions"] = versions_object();
-  return json_text(json);
+  return expected_outputs().text({&design, &answer, &timing});
 }
 
 }  // namespace upbead

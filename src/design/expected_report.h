@@ -14,6 +14,8 @@
 
 namespace upbead {
 
+struct OutputRow;
+
 inline const std::vector<Law> all_laws{Law::paper, Law::exact, Law::combined, Law::dynamic};
 
 /// One sea state by quadrature; the law dynamic only where there is a model.
@@ -78,6 +80,8 @@ struct ExpectedTiming {
 
 /// Throws NumericsError where a number is not finite.
 std::string to_json(const Design& design, const ExpectedAnswer& answer, const ExpectedTiming& timing);
+/// Its keys.
+std::vector<OutputRow> rows_of_expected();
 /// The bytes of results.h5.
 std::string expected_file(const Design& design, const ExpectedAnswer& answer);
 std::string describe(const Design& design, const ExpectedAnswer& answer);

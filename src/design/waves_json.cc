@@ -1,108 +1,172 @@
-#include <nlohmann/json.hpp>
-
-#include "base/version.h"
-#include "output/json_text.h"
-#include "output/versions.h"
+#include "output/output_schema.h"
 #include "waves_report.h"
 
 namespace upbead {
 
-using Json = nlohmann::ordered_json;
-
 namespace {
 
-Json to_object(const Section& s) {
-  return {{"water_depth", s.water_depth},
-          {"foundation_depth", s.foundation_depth},
-          {"berm_depth", s.berm_depth},
-          {"crest", s.crest},
-          {"width", s.width},
-          {"berm_width", s.berm_width},
-          {"bed_slope", s.bed_slope},
-          {"weight", s.weight},
-          {"buoyant_weight", s.buoyant_weight},
-          {"centroid", s.centroid.value_or(0.5 * s.width)},
-          {"friction", s.friction},
-          {"blocks", s.dissipating_blocks}};
+/// A wave with the design that it belongs to.
+struct ToldWave {
+  const DesignTables* design;
+  const WaveAnswer* answer;
+};
+
+struct ToldWaves {
+  const DesignTables* design;
+  std::vector<ToldWave> waves;
+};
+
+OutputSchema<Section> section_outputs() {
+  using S = Section;
+  return OutputSchema<S>()
+      .key("water_depth", &S::water_depth, "m", "h, at the wall")
+      .key("foundation_depth", &S::foundation_depth, "m", "h', still water to the caisson's bottom")
+      .key("berm_depth", &S::berm_depth, "m", "d, still water to the top of the mound's armour")
+      .key("crest", &S::crest, "m", "h_c, above still water")
+      .key("width", &S::width, "m", "B of the caisson")
+      .key("berm_width", &S::berm_width, "m", "B_M")
+      .key("bed_slope", &S::bed_slope, "", "tan(theta)")
+      .key("weight", &S::weight, "N/m", "W")
+      .key("buoyant_weight", &S::buoyant_weight, "N/m", "W'")
+      .key(
+          "centroid", [](const S& s) { return s.centroid.value_or(0.5 * s.width); }, "m",
+          "t, from the landward heel to the line of W'")
+      .key("friction", &S::friction, "", "mu")
+      .key("blocks", &S::dissipating_blocks, "", "whether wave-dissipating blocks cover the wall");
 }
 
-void add_wave(const WaveAnswer& a, double angle, Json& json) {
-  json["height"] = a.wave.height;
-  json["significant_height"] = a.wave.significant_height;
-  json["period"] = a.wave.period;
-  json["angle"] = angle;
-  json["wavelength"] = a.wavelength;
+OutputSchema<WavePressure> coefficients_outputs() {
+  using P = WavePressure;
+  return OutputSchema<P>()
+      .key("alpha_1", &P::alpha_1, "", "of Goda's formula")
+      .key("alpha_2", &P::alpha_2, "", "of Goda's formula")
+      .key("alpha_3", &P::alpha_3, "", "of Goda's formula")
+      .key("alpha_I", &P::alpha_I, "", "as its formula says, negative or not")
+      .key("alpha_star", &P::alpha_star, "", "alpha*")
+      .key("lambda_1", &P::lambda_1, "", "factor of p_1")
+      .key("lambda_2", &P::lambda_2, "", "factor of the part of p_1 beside alpha_1")
+      .key("lambda_3", &P::lambda_3, "", "factor of p_u")
+      .key("eta_star", &P::eta_star, "m", "eta*");
 }
 
-void add_pressure(const WaveAnswer& a, double crest, Json& json) {
-  const WavePressure &p = a.pressure, &q = a.without_alpha_I;
-  json["alpha_1"] = p.alpha_1;
-  json["alpha_2"] = p.alpha_2;
-  json["alpha_3"] = p.alpha_3;
-  json["alpha_I"] = p.alpha_I;
-  json["alpha_star"] = p.alpha_star;
-  json["lambda_1"] = p.lambda_1;
-  json["lambda_2"] = p.lambda_2;
-  json["lambda_3"] = p.lambda_3;
-  json["eta_star"] = p.eta_star;
-  json["overtopped"] = p.eta_star > crest;
-  json["p1"] = p.p1;
-  json["p3"] = p.p3;
-  json["p4"] = p.p4;
-  json["pu"] = p.pu;
-  json["force"] = p.force;
-  json["uplift"] = p.uplift;
-  json["force_moment"] = p.force_moment;
-  json["uplift_moment"] = p.uplift_moment;
-  json["without_alpha_I"] = {{"p1", q.p1}, {"p3", q.p3}, {"p4", q.p4}, {"force", q.force}, {"uplift", q.uplift}};
+OutputSchema<WavePressure> forces_outputs() {
+  using P = WavePressure;
+  return OutputSchema<P>()
+      .key("p1", &P::p1, "Pa", "p_1, with alpha_I")
+      .key("p3", &P::p3, "Pa", "p_3, with alpha_I")
+      .key("p4", &P::p4, "Pa", "p_4, with alpha_I")
+      .key("pu", &P::pu, "Pa", "p_u")
+      .key("force", &P::force, "N/m", "P, with alpha_I")
+      .key("uplift", &P::uplift, "N/m", "U")
+      .key("force_moment", &P::force_moment, "N m/m", "of P about the bottom's level")
+      .key("uplift_moment", &P::uplift_moment, "N m/m", "of U about the heel");
 }
 
-void add_stability(const WaveAnswer& a, Json& json) {
-  json["safety_sliding"] = a.stability.safety_sliding;
-  json["safety_overturning"] = a.stability.safety_overturning;
-  json["toe_pressure"] = a.stability.toe_pressure;
+OutputSchema<WavePressure> without_outputs() {
+  using P = WavePressure;
+  return OutputSchema<P>()
+      .key("p1", &P::p1, "Pa", "p_1")
+      .key("p3", &P::p3, "Pa", "p_3")
+      .key("p4", &P::p4, "Pa", "p_4")
+      .key("force", &P::force, "N/m", "P")
+      .key("uplift", &P::uplift, "N/m", "U");
 }
 
-void add_sliding(const WaveAnswer& a, Json& json) {
-  json["tau_0F"] = a.tau_0F;
-  json["k"] = a.k;
-  json["tau_0"] = a.pulse.duration;
-  json["shear_force"] = a.force;
-  json["shear_force_from"] = a.measured ? "measured" : "goda";
-  json["sliding_force"] = a.pulse.peak;
-  json["ratio"] = a.ratio;
-  json["sliding_paper"] = a.sliding.paper;
-  json["sliding_paper_parts"] = {a.sliding.paper_parts.accelerating, a.sliding.paper_parts.braking};
-  json["sliding_exact"] = a.sliding.exact;
-  json["sliding_combined"] = a.sliding.combined;
-  json["elastic"] = nullptr;
-  if (a.elastic)
-    json["elastic"] = {{"peak_shear", a.elastic->peak_shear},
-                       {"peak_displacement", a.elastic->peak_displacement},
-                       {"sliding", a.elastic->slip.residual}};
+OutputSchema<Stability> stability_outputs() {
+  using S = Stability;
+  return OutputSchema<S>()
+      .key("safety_sliding", &S::safety_sliding, "", "safety factor against sliding, with alpha_I")
+      .key("safety_overturning", &S::safety_overturning, "", "safety factor against overturning, with alpha_I")
+      .key("toe_pressure", &S::toe_pressure, "Pa", "p_e, with alpha_I");
+}
+
+OutputSchema<ElasticSliding> elastic_outputs() {
+  using E = ElasticSliding;
+  return OutputSchema<E>()
+      .key("peak_shear", &E::peak_shear, "N/m", "largest abs(F_T)")
+      .key("peak_displacement", &E::peak_displacement, "m", "of the caisson")
+      .key("sliding", inner(&E::slip, &Sliding::residual), "m", "S");
+}
+
+OutputSchema<WaveAnswer> sliding_outputs() {
+  using A = WaveAnswer;
+  const auto parts = [](const A& a) { return Json{a.sliding.paper_parts.accelerating, a.sliding.paper_parts.braking}; };
+  return OutputSchema<A>()
+      .key("tau_0F", &A::tau_0F, "s", "eq. (11)")
+      .key("k", &A::k, "", "k(alpha*)")
+      .key("tau_0", inner(&A::pulse, &TriangularPulse::duration), "s", "k tau_0F")
+      .key("shear_force", &A::force, "N/m", "F_T that slides")
+      .key(
+          "shear_force_from", [](const A& a) { return a.measured ? "measured" : "goda"; }, "", "`goda` or `measured`")
+      .key("sliding_force", inner(&A::pulse, &TriangularPulse::peak), "N/m", "F_Smax")
+      .key("ratio", &A::ratio, "", "r; not 1/S.F. unless U = 0")
+      .key("sliding_paper", inner(&A::sliding, &SlidingDistances::paper), "m", "S by eq. (7)")
+      .key("sliding_paper_parts[]", parts, "m", "its parts S_1, S_2")
+      .key("sliding_exact", inner(&A::sliding, &SlidingDistances::exact), "m", "S by eqs. (4), (6)")
+      .key("sliding_combined", inner(&A::sliding, &SlidingDistances::combined), "m", "S with the standing wave, too")
+      .object("elastic", &A::elastic, elastic_outputs(),
+              "on the swaying ground; null without `[ground]` and `pulse_duration`")
+      .list("warnings[]", &A::warnings,
+            OutputSchema<Warning>()
+                .key("name", &Warning::name, "", "see above")
+                .key("text", &Warning::text, "", "with its numbers"),
+            "may be empty");
+}
+
+OutputSchema<ToldWave> wave_outputs() {
+  using W = ToldWave;
+  using A = WaveAnswer;
+  using D = DesignWave;
+  const auto pressure = inner(&W::answer, &A::pressure);
+  const auto heights = OutputSchema<D>()
+                           .key("height", &D::height, "m", "H")
+                           .key("significant_height", &D::significant_height, "m", "H_1/3")
+                           .key("period", &D::period, "s", "T");
+  return OutputSchema<W>()
+      .keys_of(inner(&W::answer, &A::wave), heights)
+      .key(
+          "angle", [](const W& w) { return w.design->waves.at(w.answer->name).angle; }, "degrees", "beta")
+      .key("wavelength", inner(&W::answer, &A::wavelength), "m", "L")
+      .keys_of(pressure, coefficients_outputs())
+      .key(
+          "overtopped", [](const W& w) { return w.answer->pressure.eta_star > w.design->section.crest; }, "",
+          "whether eta* is above h_c")
+      .keys_of(pressure, forces_outputs())
+      .object("without_alpha_I", inner(&W::answer, &A::without_alpha_I), without_outputs(), "by alpha_2 alone")
+      .keys_of(inner(&W::answer, &A::stability), stability_outputs())
+      .keys_of(&W::answer, sliding_outputs());
+}
+
+const OutputSchema<ToldWaves>& waves_outputs() {
+  using W = ToldWaves;
+  using D = DesignTables;
+  const auto fluid = OutputSchema<Water>().key("density", &Water::density, "kg/m3", "rho");
+  const auto factor = OutputSchema<DurationFactor>()
+                          .key("a", &DurationFactor::a, "", "of k(alpha*)")
+                          .key("b", &DurationFactor::b, "", "of k(alpha*)");
+  static const auto schema = OutputSchema<W>()
+                                 .key("title", inner(&W::design, &D::title), "", "that of the design")
+                                 .program()
+                                 .key("gravity", inner(&W::design, &D::water, &Water::gravity), "m/s2", "g")
+                                 .object("fluid", inner(&W::design, &D::water), fluid, "as used")
+                                 .object("section", inner(&W::design, &D::section), section_outputs(), "as used")
+                                 .object("duration", inner(&W::design, &D::duration), factor, "as used")
+                                 .named("waves.NAME", &W::waves, inner(&ToldWave::answer, &WaveAnswer::name),
+                                        wave_outputs(), "each wave of the design")
+                                 .versions();
+  return schema;
 }
 
 }  // namespace
 
+std::vector<OutputRow> rows_of_waves() {
+  return waves_outputs().rows();
+}
+
 std::string to_json(const DesignTables& design, const std::vector<WaveAnswer>& answers) {
-  Json json = {{"title", design.title}, {"program", program_version()}};
-  json["gravity"] = design.water.gravity;
-  json["fluid"] = {{"density", design.water.density}};
-  json["section"] = to_object(design.section);
-  json["duration"] = {{"a", design.duration.a}, {"b", design.duration.b}};
-  json["waves"] = Json::object();
-  for (const WaveAnswer& a : answers) {
-    Json& wave = json["waves"][a.name];
-    add_wave(a, design.waves.at(a.name).angle, wave);
-    add_pressure(a, design.section.crest, wave);
-    add_stability(a, wave);
-    add_sliding(a, wave);
-    wave["warnings"] = Json::array();
-    for (const Warning& warning : a.warnings)
-      wave["warnings"].push_back({{"name", warning.name}, {"text", warning.text}});
-  }
-  json["versions"] = versions_object();
-  return json_text(json);
+  ToldWaves told{&design, {}};
+  for (const WaveAnswer& answer : answers) told.waves.push_back({&design, &answer});
+  return waves_outputs().text(told);
 }
 
 }  // namespace upbead

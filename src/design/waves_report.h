@@ -12,6 +12,8 @@
 
 namespace upbead {
 
+struct OutputRow;
+
 /// Sliding distances of a wave by each formula (m).
 struct SlidingDistances {
   double paper = 0.;       ///< S_CAL, eq. (7)
@@ -48,5 +50,7 @@ std::string warning_lines(const std::vector<WaveAnswer>& answers);
 
 /// summary.json. Throws NumericsError where a number is not finite.
 std::string to_json(const DesignTables& design, const std::vector<WaveAnswer>& answers);
+/// Its keys.
+std::vector<OutputRow> rows_of_waves();
 
 }  // namespace upbead

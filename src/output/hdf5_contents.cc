@@ -1,8 +1,13 @@
+#include "hdf5_contents.h"
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <cstdio>
 #include <functional>
 #include <optional>
+#include <stdexcept>
 
-#include "hdf5_contents.h"
-#include "hdf5_handle.h"
 #include "upbead/base/error.h"
 
 namespace upbead::detail {
@@ -149,7 +154,87 @@ class Walk {
   int n_ = 0;
 };
 
+template <class Value>
+void pack(Parcel& parcel, const Value& value) {
+  parcel.put(value);
+}
+
+void pack(Parcel& parcel, const AttributeName& name) {
+  parcel.put(name.first);
+  parcel.put(name.second);
+}
+
+void pack(Parcel& parcel, const NumberArray& array) {
+  parcel.put(array.shape);
+  parcel.put(array.values);
+}
+
+template <class Key, class Value>
+void pack(Parcel& parcel, const std::map<Key, Value>& map) {
+  parcel.put(map.size());
+  for (const auto& [key, value] : map) {
+    pack(parcel, key);
+    pack(parcel, value);
+  }
+}
+
+void unpack(OpenParcel& parcel, double& number) {
+  number = parcel.value<double>();
+}
+
+void unpack(OpenParcel& parcel, std::string& text) {
+  text = parcel.text();
+}
+
+void unpack(OpenParcel& parcel, std::vector<std::string>& texts) {
+  texts = parcel.texts();
+}
+
+void unpack(OpenParcel& parcel, AttributeName& name) {
+  unpack(parcel, name.first);
+  unpack(parcel, name.second);
+}
+
+void unpack(OpenParcel& parcel, NumberArray& array) {
+  array.shape = parcel.list<std::size_t>();
+  array.values = parcel.list<double>();
+  if (!has_its_shape(array)) throw std::runtime_error("an array that has another shape than it says");
+}
+
+template <class Key, class Value>
+void unpack(OpenParcel& parcel, std::map<Key, Value>& map) {
+  for (auto n = parcel.value<std::size_t>(); n > 0; --n) {
+    std::pair<Key, Value> entry;
+    unpack(parcel, entry.first);
+    unpack(parcel, entry.second);
+    map.insert_or_assign(std::move(entry.first), std::move(entry.second));
+  }
+}
+
+/// Of bytes behind those that `sum` is of.
+std::uint32_t crc(const void* data, std::size_t size, std::uint32_t sum = 0) {
+  return static_cast<std::uint32_t>(crc32_z(sum, static_cast<const Bytef*>(data), size));
+}
+
+/// Files hold texts up to their first zero. The zero is counted, so that "ab", "c" is not "a", "bc".
+std::uint32_t crc_of_text(const std::string& text, std::uint32_t sum = 0) {
+  const std::string kept = text.c_str();
+  return crc(kept.c_str(), kept.size() + 1, sum);
+}
+
+std::string key_of(const AttributeName& name) {
+  return name.first + "\n" + name.second;
+}
+
 }  // namespace
+
+bool has_its_shape(const NumberArray& array) {
+  if (std::find(array.shape.begin(), array.shape.end(), 0U) != array.shape.end()) return array.values.empty();
+  std::size_t n = 1;
+  for (const std::size_t size : array.shape)
+    if (__builtin_mul_overflow(n, size, &n)) return false;
+  return n == array.values.size();
+}
 
 Hdf5Contents read_contents(const std::string& path, const std::string& what) {
   const Silence silence;
@@ -159,6 +244,65 @@ Hdf5Contents read_contents(const std::string& path, const std::string& what) {
     throw InputError({path}, "an HDF5 file that is not whole, or that another program writes to",
                      "wait until it has been written, or make it again");
   return std::move(Walk(file).contents);
+}
+
+void put(Parcel& parcel, const Hdf5Contents& contents) {
+  parcel.put(contents.names);
+  pack(parcel, contents.numbers);
+  pack(parcel, contents.texts);
+  pack(parcel, contents.number_attributes);
+  pack(parcel, contents.text_attributes);
+}
+
+Hdf5Contents take_contents(OpenParcel& parcel) {
+  Hdf5Contents contents;
+  contents.names = parcel.texts();
+  unpack(parcel, contents.numbers);
+  unpack(parcel, contents.texts);
+  unpack(parcel, contents.number_attributes);
+  unpack(parcel, contents.text_attributes);
+  return contents;
+}
+
+void Hdf5Checksum::add(const std::string& path, const std::vector<std::size_t>& shape, const double* values) {
+  std::uint32_t sum = 0;
+  std::size_t n = 1;
+  for (const std::uint64_t size : shape) {
+    sum = crc(&size, sizeof size, sum);
+    n *= size;
+  }
+  note(path, n > 0 ? crc(values, n * sizeof(double), sum) : sum);
+}
+
+void Hdf5Checksum::add(const std::string& path, const std::vector<std::string>& texts) {
+  std::uint32_t sum = 0;
+  for (const std::string& text : texts) sum = crc_of_text(text, sum);
+  note(path, sum);
+}
+
+void Hdf5Checksum::add(const AttributeName& name, double number) {
+  note(key_of(name), crc(&number, sizeof number));
+}
+
+void Hdf5Checksum::add(const AttributeName& name, const std::string& text) {
+  if (name != AttributeName("/", checksum_name)) note(key_of(name), crc_of_text(text));
+}
+
+std::string Hdf5Checksum::value() const {
+  std::uint32_t sum = 0;
+  for (const auto& [key, part] : sums_) sum = crc(&part, sizeof part, crc_of_text(key, sum));
+  char text[16];
+  std::snprintf(text, sizeof text, "crc32:%08x", sum);
+  return text;
+}
+
+std::string checksum_of(const Hdf5Contents& contents) {
+  Hdf5Checksum checksum;
+  for (const auto& [path, array] : contents.numbers) checksum.add(path, array.shape, array.values.data());
+  for (const auto& [path, texts] : contents.texts) checksum.add(path, texts);
+  for (const auto& [name, number] : contents.number_attributes) checksum.add(name, number);
+  for (const auto& [name, text] : contents.text_attributes) checksum.add(name, text);
+  return checksum.value();
 }
 
 }  // namespace upbead::detail

@@ -1,8 +1,12 @@
-// Everything that an HDF5 file says, as plain values: what a confined process hands back of it.
+// Everything that an HDF5 file says, as plain values: what a confined process hands back of it; and what reading and
+// writing of such files share.
 #pragma once
+
+#include <hdf5.h>
 
 #include <cstdint>
 #include <map>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,6 +15,29 @@
 #include "output/hdf5_reader.h"
 
 namespace upbead::detail {
+
+/// An HDF5 identifier with the function that closes it. One that is negative, HDF5's word for failure, is a bug where a
+/// file is made (the constructor throws) and a question where one is read (see `maybe`).
+class Handle {
+ public:
+  Handle(hid_t id, herr_t (*close)(hid_t)) : id_(id), close_(close) {
+    if (id < 0) throw std::runtime_error("HDF5 refuses to make an object");
+  }
+  /// One that may be negative: then nothing is closed.
+  static Handle maybe(hid_t id, herr_t (*close)(hid_t)) { return Handle(id, id < 0 ? nullptr : close, 0); }
+  ~Handle() {
+    if (close_ != nullptr) close_(id_);
+  }
+  Handle(const Handle&) = delete;
+  Handle& operator=(const Handle&) = delete;
+  operator hid_t() const { return id_; }
+
+ private:
+  Handle(hid_t id, herr_t (*close)(hid_t), int) : id_(id), close_(close) {}
+
+  hid_t id_;
+  herr_t (*close_)(hid_t);
+};
 
 /// An object such as "/modes/pole", and the name of one of its attributes.
 using AttributeName = std::pair<std::string, std::string>;

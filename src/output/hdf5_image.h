@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "hdf5_contents.h"
-#include "hdf5_handle.h"
 
 namespace upbead::detail {
 

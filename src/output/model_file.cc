@@ -1,16 +1,106 @@
 #include "upbead/output/model_file.h"
 
-#include "hdf5_image.h"
-#include "model_layout.h"
-#include "model_modes.h"
-#include "model_pieces.h"
-#include "model_slip.h"
+#include <algorithm>
+#include <complex>
+
+#include "base/text.h"
+#include "fem/reading_names.h"
+#include "model_parts.h"
 
 namespace upbead {
 
 namespace {
 
-using detail::Hdf5Image;
+using namespace detail;
+
+const std::string nested_group = "/nested";
+
+/// Real and imaginary parts along one more axis, the last. std::complex lies in memory as such a pair.
+void write(Hdf5Image& image, const std::string& path, const Eigen::MatrixXcd& values, std::vector<hsize_t> shape,
+           const Label& label) {
+  const Eigen::Matrix<std::complex<double>, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> rows = values;
+  shape.push_back(2);
+  image.numbers(path, shape, reinterpret_cast<const double*>(rows.data()), label);
+}
+
+const auto fields_of_nested = [](auto& nested, const auto& visit) {
+  visit("solves", nested.solves);
+  visit("factorisations", nested.factorisations);
+};
+
+const auto fields_of_validity = [](auto& model, const auto& visit) {
+  visit("highest_frequency", model.highest_frequency, positive);
+  visit("tolerance", model.tolerance);
+  visit("error", model.error);
+  visit("error_peak", model.error_peak);
+};
+
+const auto fields_of_case = [](auto& model, const auto& visit) {
+  visit("caisson_mass", model.caisson_mass);
+  visit("end", model.end);
+  visit("unknowns", model.unknowns);
+  visit("solves", model.solves);
+  visit("factorisations", model.factorisations);
+};
+
+const auto fields_of_sliding = [](auto& sliding, const auto& visit) {
+  visit("friction", sliding.friction, positive);
+  visit("buoyant_weight", sliding.buoyant_weight, positive);
+  visit("drag", sliding.drag);
+  visit("uplift", sliding.uplift);
+  visit("uplift_per_force", sliding.uplift_per_force);
+  visit("lag", sliding.lag);
+};
+
+void write_modes(Hdf5Image& image, const std::string& group, const ModalModel& modes) {
+  const hsize_t m = modes.n_modes(), k = modes.n_loads(), i = modes.n_readings();
+  write(image, group + "/pole", modes.pole, {m}, {"1/s", "pole_m of z_m' = pole_m z_m + sum_k load_mk f_k, Re and Im"});
+  write(image, group + "/load", modes.load, {m, k}, {"", "load_mk, Re and Im"});
+  write(image, group + "/reading", modes.reading, {i, m},
+        {"", "reading_im of y_i = Re sum_m reading_im z_m + sum_k (feedthrough_ik f_k + impulse_ik int f_k dt)"});
+  write_matrix(image, group + "/feedthrough", modes.feedthrough,
+               {"unit of the reading / unit of the load", "feedthrough_ik"});
+  write_matrix(image, group + "/impulse", modes.impulse, {"unit of the reading / (unit of the load s)", "impulse_ik"});
+}
+
+void read_modes(ModelParts& parts, const std::string& group, ModalModel& modes) {
+  const std::size_t m = parts.length(group + "/pole"), k = modes.load_name.size(), i = modes.reading_label.size();
+  modes.pole = parts.complex_matrix(group + "/pole", {m});
+  modes.load = parts.complex_matrix(group + "/load", {m, k});
+  modes.reading = parts.complex_matrix(group + "/reading", {i, m});
+  modes.feedthrough = parts.matrix(group + "/feedthrough", i, k);
+  modes.impulse = parts.matrix(group + "/impulse", i, k);
+  for (int n = 0; n < modes.n_modes(); ++n)
+    if (modes.pole[n].real() > 0.)
+      parts.wrong((group == "/modes" ? "" : group + ": ") + "mode " + std::to_string(n) + " grows: Re of its pole is " +
+                  significant(modes.pole[n].real()) + " 1/s, and must not be above 0");
+}
+
+void write_nested(Hdf5Image& image, const NestedModels& nested) {
+  image.group(nested_group);
+  write_modes(image, nested_group + "/middle", nested.middle);
+  write_modes(image, nested_group + "/reference", nested.reference);
+  write_attributes(image, nested_group, fields_of_nested, nested);
+}
+
+std::optional<NestedModels> read_nested(ModelParts& parts, const ModalModel& modes) {
+  if (!parts.has(nested_group, "solves")) return std::nullopt;
+  const auto shear = std::find_if(modes.reading_label.begin(), modes.reading_label.end(),
+                                  [](const ReadingLabel& label) { return label.name == reading::shear_force; });
+  if (shear == modes.reading_label.end()) {
+    parts.wrong(nested_group + " is there, but no reading '" + reading::shear_force + "' that it belongs to");
+    return std::nullopt;
+  }
+  NestedModels nested;
+  for (ModalModel* larger : {&nested.middle, &nested.reference}) {
+    larger->load_name = modes.load_name;
+    larger->reading_label = {*shear};
+  }
+  read_modes(parts, nested_group + "/middle", nested.middle);
+  read_modes(parts, nested_group + "/reference", nested.reference);
+  read_attributes(parts, nested_group, fields_of_nested, nested);
+  return nested;
+}
 
 void write_loads(Hdf5Image& image, const std::vector<ModelLoad>& loads) {
   std::vector<std::string> name, unit;
@@ -29,50 +119,61 @@ void write_loads(Hdf5Image& image, const std::vector<ModelLoad>& loads) {
                 {"s", "shortest time in which the load rises and falls in the case"});
 }
 
-void write_validity(Hdf5Image& image, const ReducedModelFile& model) {
-  image.group("/validity");
-  image.attribute("/validity", "highest_frequency", model.highest_frequency);
-  image.attribute("/validity", "tolerance", model.tolerance);
-  image.attribute("/validity", "error", model.error);
-  image.attribute("/validity", "error_peak", model.error_peak);
-  if (model.error_march) image.attribute("/validity", "error_march", *model.error_march);
-}
-
-void write_origin(Hdf5Image& image, const ReducedModelFile& model) {
-  image.text("/case", model.case_text);
-  image.attribute("/case", "caisson_mass", model.caisson_mass);
-  image.attribute("/case", "end", model.end);
-  image.attribute("/case", "unknowns", model.unknowns);
-  image.attribute("/case", "solves", model.solves);
-  image.attribute("/case", "factorisations", model.factorisations);
-}
-
-void write_sliding(Hdf5Image& image, const ModelSliding& sliding) {
-  image.group("/sliding");
-  image.attribute("/sliding", "friction", sliding.friction);
-  image.attribute("/sliding", "buoyant_weight", sliding.buoyant_weight);
-  image.attribute("/sliding", "drag", sliding.drag);
-  image.attribute("/sliding", "uplift", sliding.uplift);
-  image.attribute("/sliding", "uplift_per_force", sliding.uplift_per_force);
-  image.attribute("/sliding", "lag", sliding.lag);
+void read_loads(ModelParts& parts, ReducedModelFile& model) {
+  const std::vector<std::string> names = parts.texts("/loads/name");
+  const std::size_t k = names.size();
+  if (k == 0) parts.wrong("/loads/name names no load");
+  const std::vector<std::string> units = parts.texts("/loads/unit", k);
+  const std::vector<double> peaks = parts.numbers("/loads/peak", {k}),
+                            durations = parts.numbers("/loads/duration", {k});
+  for (const auto& [path, values] : {std::pair("/loads/peak", &peaks), std::pair("/loads/duration", &durations)})
+    for (const double value : *values)
+      if (value < 0.) parts.wrong(std::string(path) + " holds " + significant(value));
+  for (std::size_t n = 0; n < k; ++n) model.loads.push_back({names[n], units[n], peaks[n], durations[n]});
+  model.modes.load_name = names;
 }
 
 }  // namespace
 
 std::string model_file(const ReducedModelFile& model) {
   Hdf5Image image(model.title);
-  image.attribute("/", "kind", std::string(detail::model_layout::kind));
-  image.attribute("/", "format_version", detail::model_layout::version);
-  write_origin(image, model);
+  image.attribute("/", "kind", std::string(model_kind));
+  image.attribute("/", "format_version", model_version);
+  image.text("/case", model.case_text);
+  write_attributes(image, "/case", fields_of_case, model);
   write_loads(image, model.loads);
-  detail::write_labels(image, "/readings", model.modes.reading_label);
-  detail::write_modes(image, "/modes", model.modes);
-  write_validity(image, model);
-  if (model.nested) detail::write_nested(image, *model.nested);
-  if (model.sliding) write_sliding(image, *model.sliding);
-  if (model.slip) detail::write_slip(image, *model.slip);
+  write_labels(image, "/readings", model.modes.reading_label);
+  write_modes(image, "/modes", model.modes);
+  image.group("/validity");
+  write_attributes(image, "/validity", fields_of_validity, model);
+  if (model.error_march) image.attribute("/validity", "error_march", *model.error_march);
+  if (model.nested) write_nested(image, *model.nested);
+  if (model.sliding) {
+    image.group("/sliding");
+    write_attributes(image, "/sliding", fields_of_sliding, *model.sliding);
+  }
+  if (model.slip) write_slip(image, *model.slip);
   image.seal();
   return image.bytes();
+}
+
+ReducedModelFile read_model_file(const std::string& path) {
+  ModelParts parts(path);
+  ReducedModelFile model;
+  model.title = parts.text("/", "title");
+  model.case_text = parts.texts("/case", 1).front();
+  read_attributes(parts, "/case", fields_of_case, model);
+  read_loads(parts, model);
+  model.modes.reading_label = read_labels(parts, "/readings");
+  read_modes(parts, "/modes", model.modes);
+  model.nested = read_nested(parts, model.modes);
+  read_attributes(parts, "/validity", fields_of_validity, model);
+  model.error_march = parts.optional_number("/validity", "error_march");
+  if (parts.has("/sliding", "friction")) read_attributes(parts, "/sliding", fields_of_sliding, model.sliding.emplace());
+  model.slip = read_slip(parts);
+  parts.require_checksum();
+  parts.throw_if_any();
+  return model;
 }
 
 }  // namespace upbead

@@ -6,7 +6,6 @@
 
 #include "base/numbers.h"
 #include "base/text.h"
-#include "model_layout.h"
 
 namespace upbead::detail {
 
@@ -27,13 +26,13 @@ std::string to_string(const ModelParts::Shape& shape) {
 }  // namespace
 
 ModelParts::ModelParts(const std::string& path) : path_(path), file_(path, made_by) {
-  if (file_.text_attribute("/", "kind").value_or("") != model_layout::kind)
+  if (file_.text_attribute("/", "kind").value_or("") != model_kind)
     throw InputError({path_}, "an HDF5 file, but no reduced model", std::string("give ") + made_by);
   const double version = file_.number_attribute("/", "format_version").value_or(0.);
-  if (version != model_layout::version)
+  if (version != model_version)
     throw InputError({path_},
                      "a reduced model in format " + significant(version) + "; this program reads format " +
-                         std::to_string(model_layout::version),
+                         std::to_string(model_version),
                      std::string(again) + " of the same version");
 }
 
@@ -120,6 +119,34 @@ void ModelParts::require_checksum() {
 
 void ModelParts::wrong(const std::string& what) {
   mistakes_.add({path_}, what, again);
+}
+
+void write_matrix(Hdf5Image& image, const std::string& path, const Eigen::MatrixXd& values, const Label& label) {
+  const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> rows = values;
+  image.numbers(path, {static_cast<hsize_t>(rows.rows()), static_cast<hsize_t>(rows.cols())}, rows.data(), label);
+}
+
+void write_labels(Hdf5Image& image, const std::string& group, const std::vector<ReadingLabel>& labels) {
+  std::vector<std::string> name, unit, description;
+  for (const ReadingLabel& label : labels) {
+    name.push_back(label.name);
+    unit.push_back(label.unit);
+    description.push_back(label.description);
+  }
+  image.group(group);
+  image.texts(group + "/name", name);
+  image.texts(group + "/unit", unit);
+  image.texts(group + "/description", description);
+}
+
+std::vector<ReadingLabel> read_labels(ModelParts& parts, const std::string& group) {
+  const std::vector<std::string> names = parts.texts(group + "/name");
+  const std::size_t size = names.size();
+  const std::vector<std::string> units = parts.texts(group + "/unit", size);
+  const std::vector<std::string> descriptions = parts.texts(group + "/description", size);
+  std::vector<ReadingLabel> labels;
+  for (std::size_t i = 0; i < size; ++i) labels.push_back({names[i], units[i], descriptions[i]});
+  return labels;
 }
 
 }  // namespace upbead::detail

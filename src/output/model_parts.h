@@ -1,4 +1,4 @@
-// Datasets and attributes of the file of a reduced model, each checked as it is read.
+// Parts of the file of a reduced model: datasets and attributes, each checked as it is read.
 #pragma once
 
 #include <Eigen/Core>
@@ -6,10 +6,14 @@
 #include <string>
 #include <vector>
 
+#include "hdf5_image.h"
 #include "output/hdf5_reader.h"
-#include "upbead/base/error.h"
+#include "upbead/output/model_file.h"
 
 namespace upbead::detail {
+
+inline const char* const model_kind = "upbead reduced model";
+constexpr int model_version = 1;  ///< of the layout; raise it when a reader of the old one would misread the new one
 
 /// Reads parts of a model and collects what is wrong with them; a wrong part comes back as zeros or empty texts.
 class ModelParts {
@@ -50,5 +54,41 @@ class ModelParts {
   Hdf5Reader file_;
   Diagnostics mistakes_;
 };
+
+/// Row by row.
+void write_matrix(Hdf5Image& image, const std::string& path, const Eigen::MatrixXd& values, const Label& label);
+
+/// Names, units and descriptions of readings, in a group of their own.
+void write_labels(Hdf5Image& image, const std::string& group, const std::vector<ReadingLabel>& labels);
+/// The same from a file; what is wrong is noted.
+std::vector<ReadingLabel> read_labels(ModelParts& parts, const std::string& group);
+
+/// Fields are a function that shows name and value of each attribute to a visitor, the same for the writer and the
+/// reader.
+constexpr bool positive = true;  ///< said behind a number that must not be 0
+
+template <class Fields, class T>
+void write_attributes(Hdf5Image& image, const std::string& group, const Fields& fields, const T& of) {
+  fields(of, [&](const char* name, const auto& value, bool = false) { image.attribute(group, name, value); });
+}
+
+template <class Fields, class T>
+void read_attributes(ModelParts& parts, const std::string& group, const Fields& fields, T& of) {
+  fields(of, [&](const char* name, auto& value, bool is_positive = false) {
+    using V = std::decay_t<decltype(value)>;
+    if constexpr (std::is_same_v<V, double>)
+      value = parts.number(group, name, is_positive);
+    else if constexpr (std::is_same_v<V, int>)
+      value = parts.count(group, name);
+    else
+      value = parts.text(group, name);
+  });
+}
+
+/// The part of a reduced model's file that lets the caisson slip: the group /slip.
+void write_slip(Hdf5Image& image, const ModelSlip& slip);
+
+/// None where the file has no such group; what is wrong with it is noted.
+std::optional<ModelSlip> read_slip(ModelParts& parts);
 
 }  // namespace upbead::detail

@@ -1,4 +1,4 @@
-#include "model_slip.h"
+#include "model_parts.h"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -8,13 +8,21 @@
 #include "base/text.h"
 #include "dynamics/slip_model.h"
 #include "fem/reading_names.h"
-#include "model_pieces.h"
 
 namespace upbead::detail {
 
 namespace {
 
 const std::string group = "/slip";
+
+const auto fields_of_slip = [](auto& slip, const auto& visit) {
+  visit("n_prescribed", slip.system.n_prescribed);
+  visit("shift", slip.system.shift);
+  visit("error", slip.error);
+  visit("glued_error", slip.glued_error);
+  visit("vectors", slip.vectors);
+  visit("solves", slip.solves);
+};
 
 /// Equations of R coordinates, with K loads.
 void write_equations(Hdf5Image& image, const ReducedSystem& s) {
@@ -140,12 +148,7 @@ void write_slip(Hdf5Image& image, const ModelSlip& slip) {
   image.group(group);
   write_equations(image, slip.system);
   write_readings(image, slip.system);
-  image.attribute(group, "n_prescribed", slip.system.n_prescribed);
-  image.attribute(group, "shift", slip.system.shift);
-  image.attribute(group, "error", slip.error);
-  image.attribute(group, "glued_error", slip.glued_error);
-  image.attribute(group, "vectors", slip.vectors);
-  image.attribute(group, "solves", slip.solves);
+  write_attributes(image, group, fields_of_slip, slip);
 }
 
 std::optional<ModelSlip> read_slip(ModelParts& parts) {
@@ -153,12 +156,7 @@ std::optional<ModelSlip> read_slip(ModelParts& parts) {
   ModelSlip slip;
   read_equations(parts, slip.system);
   read_readings(parts, slip.system);
-  slip.system.n_prescribed = parts.count(group, "n_prescribed");
-  slip.system.shift = parts.number(group, "shift");
-  slip.error = parts.number(group, "error");
-  slip.glued_error = parts.number(group, "glued_error");
-  slip.vectors = parts.count(group, "vectors");
-  slip.solves = parts.count(group, "solves");
+  read_attributes(parts, group, fields_of_slip, slip);
   require_slip(parts, slip.system);
   return slip;
 }

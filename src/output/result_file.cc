@@ -31,4 +31,23 @@ std::string dataset_file(const std::string& title, const std::vector<Dataset>& d
   return image.bytes();
 }
 
+std::string csv_cell(const std::string& text) {
+  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
+  std::string cell = "\"";
+  for (const char c : text) cell += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return cell + "\"";
+}
+
+std::string table_file(const std::string& title, const std::vector<TableColumn>& columns) {
+  detail::Hdf5Image image(title);
+  for (const TableColumn& column : columns) {
+    if (column.texts.empty())
+      image.numbers("/" + column.path, {column.numbers.size()}, column.numbers.data(),
+                    {column.unit, column.description});
+    else
+      image.texts("/" + column.path, column.texts);
+  }
+  return image.bytes();
+}
+
 }  // namespace upbead

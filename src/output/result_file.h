@@ -1,4 +1,4 @@
-// results.h5: time histories as named datasets with unit and description.
+// Files of numbers: results.h5, time histories as named datasets with unit and description; columns of a table.
 #pragma once
 
 #include <string>
@@ -25,5 +25,19 @@ std::string result_file(const std::string& title, const std::vector<Dataset>& hi
 
 /// The same with datasets wherever their names say: "lives/sliding" is /lives/sliding.
 std::string dataset_file(const std::string& title, const std::vector<Dataset>& datasets);
+
+/// A dataset of a table: numbers or, where there are none, texts.
+struct TableColumn {
+  std::string path;               ///< below the root, such as "runs/status"
+  std::string unit, description;  ///< of numbers
+  std::vector<double> numbers;
+  std::vector<std::string> texts;
+};
+
+/// A cell of a CSV file: quoted where it holds what separates cells.
+std::string csv_cell(const std::string& text);
+
+/// The bytes of the file, made in memory. Throws NumericsError where a number is not finite.
+std::string table_file(const std::string& title, const std::vector<TableColumn>& columns);
 
 }  // namespace upbead

@@ -1,178 +1,264 @@
-#include "upbead/output/summary.h"
-
-#include <nlohmann/json.hpp>
-
 #include "base/version.h"
-#include "contact_object.h"
-#include "output/json_text.h"
+#include "output/summary_outputs.h"
 #include "output/versions.h"
-#include "sliding_object.h"
 
 namespace upbead {
 
-using Json = nlohmann::ordered_json;
-
 namespace {
 
-Json to_object(const Discretisation& d) {
-  return {
-      {"cells", d.cells},         {"unknowns", d.unknowns}, {"degree", d.degree}, {"scheme", d.scheme},
-      {"time_step", d.time_step}, {"steps", d.steps},       {"solves", d.solves}, {"factorisations", d.factorisations},
-      {"processes", d.processes}};
+OutputSchema<Discretisation> discretisation_outputs() {
+  using D = Discretisation;
+  return OutputSchema<D>()
+      .key("cells", &D::cells, "", "cells")
+      .key("unknowns", &D::unknowns, "", "unknowns")
+      .key("degree", &D::degree, "", "degree of the displacement")
+      .key("scheme", &D::scheme, "", "scheme in time: `reduced`, or what marched")
+      .key("time_step", &D::time_step, "s", "largest step")
+      .key("steps", &D::steps, "", "steps")
+      .key("solves", &D::solves, "", "solves")
+      .key("factorisations", &D::factorisations, "", "factorisations")
+      .key("processes", &D::processes, "", "processes: that shared the work");
 }
 
-Json to_object(const ErrorEstimate& e) {
-  return {{"mesh", e.mesh}, {"time", e.time}, {"reduced_model", e.reduced_model}, {"far_boundary", e.far_boundary}};
+OutputSchema<ShearResponse> forces_on_caisson_outputs() {
+  using R = ShearResponse;
+  return OutputSchema<R>()
+      .key("peak_force", &R::peak_force, "N/m", "largest horizontal wave force on the caisson, landward: peak P")
+      .key("peak_force_time", &R::peak_force_time, "s", "when")
+      .key("peak_force_seaward", &R::peak_force_seaward, "N/m", "least P")
+      .key("peak_force_seaward_time", &R::peak_force_seaward_time, "s", "when")
+      .key("impulse", &R::impulse, "N s/m", "integral of P over the run")
+      .key("peak_shear", &R::peak_shear, "N/m",
+           "largest shear force at the bottom, landward, found inside the steps: peak F_T")
+      .key("peak_shear_time", &R::peak_shear_time, "s", "when")
+      .key("peak_shear_seaward", &R::peak_shear_seaward, "N/m",
+           "largest shear force seaward: least F_T; in an undamped scene it may be the larger swing")
+      .key("peak_shear_seaward_time", &R::peak_shear_seaward_time, "s", "when")
+      .key("shear_to_force_ratio", &R::shear_to_force_ratio, "",
+           "ratio of the peaks: peak F_T / peak P, landward, or seaward where the largest abs(P) is seaward; null "
+           "where there is no P")
+      .key("peak_displacement", &R::peak_displacement, "m", "largest displacement of the centre of gravity: x_G")
+      .key("peak_rotation", &R::peak_rotation, "rad", "largest rotation of the caisson")
+      .key("peak_shear_paper", &R::peak_shear_paper, "N/m",
+           "largest P - m x_G'' of the caisson, the paper's reading; differs from `peak_shear` only where water is "
+           "modelled")
+      .key("peak_shear_experiment", &R::peak_shear_experiment, "N/m",
+           "largest P + P_water,front - m x_G'', what the paper's experiment evaluates")
+      .key("shear_to_impulse", &R::shear_to_impulse, "1/s",
+           "the same peak F_T as in `shear_to_force_ratio` / impulse; null where there is none")
+      .key(
+          "arm", &R::arm, "m",
+          "height of the force above the bottom when P is largest: of its line of action; null without horizontal load")
+      .key("peak_base_moment", &R::peak_base_moment, "N m/m", "largest moment at the bottom, about its middle")
+      .key("reaction_mismatch", &R::reaction_mismatch, "",
+           "largest difference of both routes to F_T over the largest abs(F_T), or, where that is less, over a "
+           "millionth of the largest of abs(P), change of the normal force, uplift, and base moment over the bottom's "
+           "width; round-off; above 1e-7 the next [way](reduced.md#the-ladder) is tried");
 }
 
-Json to_object(const ShearResponse& r, const std::optional<EnergyAccount>& energy,
-               const std::optional<ErrorEstimate>& error, const std::optional<ErrorEstimate>& history) {
-  return {{"peak_force", r.peak_force},
-          {"peak_force_time", r.peak_force_time},
-          {"peak_force_seaward", r.peak_force_seaward},
-          {"peak_force_seaward_time", r.peak_force_seaward_time},
-          {"impulse", r.impulse},
-          {"peak_shear", r.peak_shear},
-          {"peak_shear_time", r.peak_shear_time},
-          {"peak_shear_seaward", r.peak_shear_seaward},
-          {"peak_shear_seaward_time", r.peak_shear_seaward_time},
-          {"shear_to_force_ratio", json_or_null(r.shear_to_force_ratio)},
-          {"peak_displacement", r.peak_displacement},
-          {"peak_rotation", r.peak_rotation},
-          {"peak_shear_paper", r.peak_shear_paper},
-          {"peak_shear_experiment", r.peak_shear_experiment},
-          {"shear_to_impulse", json_or_null(r.shear_to_impulse)},
-          {"arm", json_or_null(r.arm)},
-          {"peak_base_moment", r.peak_base_moment},
-          {"reaction_mismatch", r.reaction_mismatch},
-          {"energy_mismatch", energy ? Json(energy->mismatch()) : Json(nullptr)},
-          {"error_estimate", error ? Json(error->total()) : Json(nullptr)},
-          {"error_sources", error ? to_object(*error) : Json(nullptr)},
-          {"history_error_estimate", history ? Json(history->total()) : Json(nullptr)},
-          {"history_error_sources", history ? to_object(*history) : Json(nullptr)}};
+OutputSchema<ErrorEstimate> error_outputs() {
+  using E = ErrorEstimate;
+  return OutputSchema<E>()
+      .key("mesh", &E::mesh, "", "cells too large")
+      .key("time", &E::time, "", "steps of the march")
+      .key("reduced_model", &E::reduced_model, "", "vectors of the reduced model too few")
+      .key("far_boundary", &E::far_boundary, "", "what the far sides send back");
 }
 
-Json to_object(const LoadOnCaisson& load) {
-  return {
-      {"force_x", load.force_x}, {"force_y", load.force_y}, {"moment", load.moment}, {"arm", json_or_null(load.arm())}};
+OutputSchema<Summary> response_outputs() {
+  using S = Summary;
+  const auto total = [](const std::optional<ErrorEstimate>& error) {
+    return error ? std::optional(error->total()) : std::nullopt;
+  };
+  const auto mismatch = [](const S& s) { return s.energy ? std::optional(s.energy->mismatch()) : std::nullopt; };
+  return OutputSchema<S>()
+      .keys_of(&S::response, forces_on_caisson_outputs())
+      .key("energy_mismatch", mismatch, "",
+           "work minus all that it became, over the largest work; round-off; above 1e-6 the next way is tried; null "
+           "where a reduced model answered")
+      .key(
+          "error_estimate", [total](const S& s) { return total(s.error); }, "",
+          "how wrong `peak_shear` is, relative: the sum of `error_sources`, meant as an upper bound; null unless "
+          "`mesh.refine = \"auto\"` or `accuracy.estimate = true` ([how it is found, how good it is](accuracy.md))")
+      .object("error_sources", &S::error, error_outputs(), "where it comes from; null with it")
+      .key(
+          "history_error_estimate", [total](const S& s) { return total(s.history_error); }, "",
+          "the same of F_T at any time, over its largest magnitude, for the far sides as they are (`far_boundary` is "
+          "0: [`walls_too_near`](warnings.md#far-sides) tells); null with `error_estimate`")
+      .object("history_error_sources", &S::history_error, error_outputs(), "where it comes from; null with it");
 }
 
-Json to_object(const std::vector<GaugeSummary>& gauges) {
-  Json rows = Json::object();
-  for (const GaugeSummary& g : gauges)
-    rows[g.name] = {{"gauges", g.gauges},
-                    {"samples", g.samples},
-                    {"interval", g.interval},
-                    {"peak_gauge", g.peak_gauge},
-                    {"peak_pressure", g.peak_pressure},
-                    {"peak_pressure_time", g.peak_pressure_time},
-                    {"peak_pressure_at", g.peak_at},
-                    {"peak_force", g.peak_force},
-                    {"peak_force_time", g.peak_force_time},
-                    {"arm", json_or_null(g.arm)},
-                    {"force_error", g.force_error},
-                    {"arm_error", g.arm_error},
-                    {"load_cell", json_or_null(g.load_cell)}};
-  return rows;
+OutputSchema<MeasuredSummary> measured_outputs() {
+  using M = MeasuredSummary;
+  using C = Comparison;
+  return OutputSchema<M>()
+      .key("reading", &M::reading, "", "the history that it is held against")
+      .keys_of(&M::comparison,
+               OutputSchema<C>()
+                   .key("peak_measured", &C::peak_measured, "", "of largest magnitude, in the unit of the record")
+                   .key("peak_computed", &C::peak_computed, "", "in the direction of the measured one, in that unit")
+                   .key("peak_ratio", &C::peak_ratio, "", "computed over measured")
+                   .key("rms", &C::rms, "", "root of the mean square of the difference, in that unit")
+                   .key("rms_relative", &C::rms_relative, "", "that over the root of the mean square of the record")
+                   .key("phase", &C::phase, "s", "by which the computed history comes later"));
 }
 
-Json to_object(const MeasuredSummary& m) {
-  const Comparison& c = m.comparison;
-  return {{"reading", m.reading},
-          {"peak_measured", c.peak_measured},
-          {"peak_computed", c.peak_computed},
-          {"peak_ratio", c.peak_ratio},
-          {"rms", c.rms},
-          {"rms_relative", c.rms_relative},
-          {"phase", c.phase}};
+OutputSchema<EnergyAccount> energy_outputs() {
+  using E = EnergyAccount;
+  return OutputSchema<E>()
+      .key("work", &E::work, "J/m", "done by the loads: the sum of the next nine")
+      .key("kinetic", &E::kinetic, "J/m", "stored")
+      .key("strain", &E::strain, "J/m", "stored")
+      .key("fluid", &E::fluid, "J/m", "stored in compressed fluid and raised surfaces")
+      .key("lifted", &E::lifted, "J/m",
+           "stored where the caisson has parted from its ground: forces at rest times openings")
+      .key("drag", &E::drag, "J/m", "taken by flow through the pores")
+      .key("damping", &E::damping, "J/m", "taken by material damping")
+      .key("radiated", &E::radiated, "J/m", "gone through absorbing sides")
+      .key("friction", &E::friction, "J/m", "taken at the bottom, by friction and where nodes close")
+      .key("scheme", &E::scheme, "J/m", "taken by the time scheme; may be negative")
+      .key("mismatch", &E::mismatch, "", "`response.energy_mismatch`");
 }
 
-Json to_object(const EnergyAccount& e) {
-  return {{"work", e.work},         {"kinetic", e.kinetic}, {"strain", e.strain},      {"fluid", e.fluid},
-          {"lifted", e.lifted},     {"drag", e.drag},       {"damping", e.damping},    {"radiated", e.radiated},
-          {"friction", e.friction}, {"scheme", e.scheme},   {"mismatch", e.mismatch()}};
+OutputSchema<ReductionSummary> reduction_outputs() {
+  using R = ReductionSummary;
+  const auto loose = [](const R& r) {
+    Json object = Json::object();
+    for (const LooseReading& reading : r.loose) object[reading.name] = reading.error;
+    return object;
+  };
+  return OutputSchema<R>()
+      .key("vectors", &R::vectors, "", "of the Krylov space")
+      .key("modes", &R::modes, "", "modes")
+      .key("error", &R::error, "", "of the history of F_T, over its peak")
+      .key("error_peak", &R::error_peak, "", "of its peaks")
+      .key("error_of_others", &R::error_of_others, "",
+           "the largest of all other readings, each over its own largest value")
+      .key("highest_frequency", &R::highest_frequency, "Hz", "highest frequency checked")
+      .key("loose.NAME", loose, "",
+           "the readings besides F_T that have not come close enough, with their error (only where the case asks for a "
+           "reduced model)");
 }
 
-Json to_object(const std::vector<LooseReading>& readings) {
-  Json object = Json::object();
-  for (const LooseReading& reading : readings) object[reading.name] = reading.error;
-  return object;
+OutputSchema<SoilSummary> soil_outputs() {
+  using S = SoilSummary;
+  return OutputSchema<S>()
+      .key("iterations", &S::iterations, "", "iterations")
+      .key("converged", &S::converged, "", "settled: whether the last change was below 1 %")
+      .key("change", &S::change, "", "of the peak of abs(F_T) in the last one, relative")
+      .key("peak_linear", &S::linear, "N/m",
+           "largest abs(F_T) with stiffness and damping at vanishing strain; without a caisson a strain, as `peak`")
+      .key("peak", &S::settled, "N/m", "largest abs(F_T), settled")
+      .key("largest_strain", &S::largest_strain, "", "largest effective strain")
+      .key("least_modulus_ratio", &S::least_modulus_ratio, "", "least stiffness over that at vanishing strain")
+      .key("largest_damping", &S::largest_damping, "", "largest damping ratio");
 }
 
-Json to_object(const ReductionSummary& r) {
-  return {{"vectors", r.vectors},
-          {"modes", r.modes},
-          {"error", r.error},
-          {"error_peak", r.error_peak},
-          {"error_of_others", r.error_of_others},
-          {"highest_frequency", r.highest_frequency},
-          {"loose", to_object(r.loose)}};
+OutputSchema<MobilisedStrength> strength_outputs() {
+  using S = MobilisedStrength;
+  return OutputSchema<S>()
+      .key("region", &S::region, "", "its name")
+      .key("initial", &S::initial, "", "largest mobilisation at rest; 1: yield, 10: more")
+      .key("initial_share", &S::initial_share, "", "share of the area where it exceeds 1 at rest")
+      .key("largest", &S::largest, "", "largest mobilisation at any time")
+      .key("at[]", &S::at, "m", "where that is")
+      .key("time", &S::time, "s", "and when")
+      .key("share", &S::share, "", "share of the area where it exceeds 1 at some time")
+      .key("left_out", &S::left_out, "", "share of the area that is left out: free surfaces");
 }
 
-Json to_object(const SoilSummary& s) {
-  return {{"iterations", s.iterations},
-          {"converged", s.converged},
-          {"change", s.change},
-          {"peak_linear", s.linear},
-          {"peak", s.settled},
-          {"largest_strain", s.largest_strain},
-          {"least_modulus_ratio", s.least_modulus_ratio},
-          {"largest_damping", s.largest_damping}};
+OutputSchema<Timing> timing_outputs() {
+  using T = Timing;
+  return OutputSchema<T>()
+      .key("mesh", &T::mesh, "s", "meshing")
+      .key("compile", &T::compile, "s", "making M, C, K and loads")
+      .key("factorise", &T::factorise, "s", "factorising")
+      .key("march", &T::march, "s", "marching, or reducing and answering")
+      .key("output", &T::output, "s", "writing")
+      .key("total", &T::total, "s", "since the start of the program");
 }
 
-Json to_object(const MobilisedStrength& s) {
-  return {{"region", s.region},   {"initial", s.initial},     {"initial_share", s.initial_share},
-          {"largest", s.largest}, {"at", {s.at[0], s.at[1]}}, {"time", s.time},
-          {"share", s.share},     {"left_out", s.left_out}};
+OutputSchema<LadderStep> ladder_outputs() {
+  return OutputSchema<LadderStep>()
+      .key("way", &LadderStep::way, "", "its name")
+      .reason("refused", &LadderStep::refused, "why it was refused; null of the last one, which was taken");
 }
 
-Json to_object(const NumberedWarning& w) {
-  return {{"name", w.name}, {"value", w.value}, {"limit", w.limit}, {"unit", w.unit}, {"text", w.text}};
-}
-
-Json to_object(const LadderStep& step) {
-  return {{"way", step.way}, {"refused", step.refused.empty() ? Json(nullptr) : Json(step.refused)}};
-}
-
-Json to_object(const Timing& t) {
-  return {{"mesh", t.mesh},   {"compile", t.compile}, {"factorise", t.factorise},
-          {"march", t.march}, {"output", t.output},   {"total", t.total}};
+OutputSchema<Summary> whole_outputs() {
+  using S = Summary;
+  const auto of_caisson = [](const S& s) { return s.response ? &s : nullptr; };
+  return OutputSchema<S>()
+      .key("title", &S::title, "", "that of the case")
+      .program()
+      .object("discretisation", &S::discretisation, discretisation_outputs(), "how the scene was solved")
+      .object("response", of_caisson, response_outputs(), "null where the mesh has no surface `caisson`")
+      .named("loads.NAME", &S::loads, &LoadOnCaisson::name, load_outputs(),
+             "resultant on the caisson per unit of the history")
+      .named("gauges.NAME", &S::gauges, &GaugeSummary::name, gauge_outputs(),
+             "of a load by [transducers](records.md), or `sliding.uplift`")
+      .named("measured.NAME", &S::measured, &MeasuredSummary::name, measured_outputs(),
+             "of a [record](records.md#the-response) of `[measured]`")
+      .object("energy", &S::energy, energy_outputs(), "at the end; null where a reduced model answered")
+      .object("reduction", &S::reduction, reduction_outputs(),
+              "[how far two nested models lie apart](reduced.md); null where the case was marched")
+      .object("sliding", &S::sliding, sliding_outputs(),
+              "with `[sliding]` in the case, else null. Eq. numbers are those of Shimosako and Takahashi (1994); F_S = "
+              "F_T + mu U. Of all this only `sliding_coupled` moves the scene: elsewhere F_T is that of a caisson "
+              "bonded to its mound")
+      .object("contact", &S::contact, contact_outputs(),
+              "[slip and uplift node by node](contact.md); null where the bottom is tied")
+      .object("soil", &S::soil, soil_outputs(), "of soil that follows the strain; else null")
+      .list("strength[]", &S::strength, strength_outputs(), "of each region with a [strength](warnings.md#strength)")
+      .list("warnings[]", &S::warnings, warning_outputs(), "[what may be wrong](warnings.md) though nothing failed")
+      .list("ladder[]", &S::ladder, ladder_outputs(),
+            "the [ways](reduced.md#the-ladder) that were tried, in their order")
+      .list("skipped[]", &S::skipped, skipped_outputs(), "each thing that was left out")
+      .object("timing", &S::timing, timing_outputs(), "wall times")
+      .versions();
 }
 
 }  // namespace
 
-std::string gauges_json(const std::vector<GaugeSummary>& gauges) {
-  return json_text(to_object(gauges));
+OutputSchema<LoadOnCaisson> load_outputs() {
+  using L = LoadOnCaisson;
+  return OutputSchema<L>()
+      .key("force_x", &L::force_x, "N/m", "landward")
+      .key("force_y", &L::force_y, "N/m", "upward")
+      .key("moment", &L::moment, "N m/m", "about the bottom's middle")
+      .key("arm", &L::arm, "m", "height above the bottom; null without horizontal force");
+}
+
+OutputSchema<GaugeSummary> gauge_outputs() {
+  using G = GaugeSummary;
+  return OutputSchema<G>()
+      .key("gauges", &G::gauges, "", "how many")
+      .key("samples", &G::samples, "", "how many")
+      .key("interval", &G::interval, "s", "between samples, mean")
+      .key("peak_gauge", &G::peak_gauge, "", "that saw the largest pressure")
+      .key("peak_pressure", &G::peak_pressure, "Pa", "largest pressure")
+      .key("peak_pressure_time", &G::peak_pressure_time, "s", "when")
+      .key("peak_pressure_at", &G::peak_at, "m", "where")
+      .key("peak_force", &G::peak_force, "N/m", "largest force")
+      .key("peak_force_time", &G::peak_force_time, "s", "when")
+      .key("arm", &G::arm, "m", "of it above the bottom; of an uplift landward of the bottom's middle")
+      .key("force_error", &G::force_error, "", "of the force by interpolation, relative")
+      .key("arm_error", &G::arm_error, "", "of the arm by interpolation, over the row's length")
+      .key("load_cell", &G::load_cell, "N/m", "largest force by the load cell; null without");
+}
+
+OutputSchema<Skipped> skipped_outputs() {
+  return OutputSchema<Skipped>()
+      .key("what", &Skipped::what, "", "its name")
+      .key("why", &Skipped::why, "", "why it was left out");
+}
+
+const OutputSchema<Summary>& summary_outputs() {
+  static const OutputSchema<Summary> schema = whole_outputs();
+  return schema;
 }
 
 std::string to_json(const Summary& summary) {
-  Json json = {{"title", summary.title}, {"program", program_version()}};
-  json["discretisation"] = to_object(summary.discretisation);
-  json["response"] = summary.response
-                         ? to_object(*summary.response, summary.energy, summary.error, summary.history_error)
-                         : Json(nullptr);
-  json["loads"] = Json::object();
-  for (const LoadOnCaisson& load : summary.loads) json["loads"][load.name] = to_object(load);
-  json["gauges"] = to_object(summary.gauges);
-  json["measured"] = Json::object();
-  for (const MeasuredSummary& measured : summary.measured) json["measured"][measured.name] = to_object(measured);
-  json["energy"] = summary.energy ? to_object(*summary.energy) : Json(nullptr);
-  json["reduction"] = summary.reduction ? to_object(*summary.reduction) : Json(nullptr);
-  json["sliding"] = summary.sliding ? to_object(*summary.sliding) : Json(nullptr);
-  json["contact"] = summary.contact ? to_object(*summary.contact) : Json(nullptr);
-  json["soil"] = summary.soil ? to_object(*summary.soil) : Json(nullptr);
-  json["strength"] = Json::array();
-  for (const MobilisedStrength& strength : summary.strength) json["strength"].push_back(to_object(strength));
-  json["warnings"] = Json::array();
-  for (const NumberedWarning& warning : summary.warnings) json["warnings"].push_back(to_object(warning));
-  json["ladder"] = Json::array();
-  for (const LadderStep& step : summary.ladder) json["ladder"].push_back(to_object(step));
-  json["skipped"] = Json::array();
-  for (const Skipped& skipped : summary.skipped)
-    json["skipped"].push_back({{"what", skipped.what}, {"why", skipped.why}});
-  json["timing"] = to_object(summary.timing);
-  json["versions"] = versions_object();
-  return json_text(json);
+  return summary_outputs().text(summary);
 }
 
 }  // namespace upbead

@@ -1,91 +1,137 @@
 #include "output/wave_response.h"
 
 #include <algorithm>
-#include <functional>
 #include <limits>
-#include <nlohmann/json.hpp>
 
-#include "base/version.h"
 #include "hdf5_image.h"
-#include "output/json_text.h"
-#include "output/versions.h"
+#include "output/output_schema.h"
 
 namespace upbead {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-struct Column {
+/// A wave, and its name in the summary.
+struct NamedWave {
   std::string name;
-  detail::Label label;
-  std::function<double(const WaveResponse&)> value;
+  const WaveResponse* wave;
 };
 
-/// One number a wave.
-const std::vector<Column>& columns() {
-  static const std::vector<Column> list{
-      {"peak_force", {"N/m", "largest P, landward"}, [](const WaveResponse& w) { return w.peak_force; }},
-      {"peak_shear", {"N/m", "largest F_T, landward"}, [](const WaveResponse& w) { return w.peak_shear; }},
-      {"peak_shear_time", {"s", "time of the largest F_T"}, [](const WaveResponse& w) { return w.peak_shear_time; }},
-      {"peak_shear_seaward",
-       {"N/m", "least F_T: the largest seaward one is negative"},
-       [](const WaveResponse& w) { return w.peak_shear_seaward; }},
-      {"ratio",
-       {"1", "peak F_T / peak P, both seaward where the largest |P| is; 0 where P = 0 throughout"},
-       [](const WaveResponse& w) { return w.ratio.value_or(0.); }},
-      {"beyond_band",
-       {"1", "part of F_T from frequencies beyond the model's highest, over the largest |F_T|"},
-       [](const WaveResponse& w) { return w.beyond_band; }}};
-  return list;
+/// All that `respond` tells.
+struct Answers {
+  const ReducedModelFile* model;
+  std::string path;
+  std::vector<NamedWave> waves;
+  RespondTiming timing;
+  NumberedWarnings warnings;
+};
+
+OutputSchema<CoupledWave> coupled_wave_outputs() {
+  using C = CoupledWave;
+  return OutputSchema<C>()
+      .key("largest", &C::largest, "m", "slip of largest magnitude on the way, landward")
+      .key("slips", &C::slips, "", "number of slips")
+      .key("dissipated", &C::dissipated, "J/m", "taken by friction")
+      .key("lifted_time", &C::lifted_time, "s", "for so long N' would have been negative");
 }
 
-const Column error_column{"error_estimate",
-                          {"1", "bound of the error of F_T by the reduced model, over the largest |F_T|"},
-                          [](const WaveResponse& w) { return w.error_estimate.value_or(0.); }};
-
-const Column sliding_column{"sliding",
-                            {"m", "S, sliding distance when the caisson has come to rest, landward"},
-                            [](const WaveResponse& w) { return w.sliding.value_or(0.); }};
-
-/// In the columns of a wave whose slip is not told.
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
-
-/// Where the caisson slips with its ground.
-const std::vector<Column>& coupled_columns() {
-  static const std::vector<Column> list{
-      {"sliding_coupled",
-       {"m", "S where the caisson slips as a whole on the ground that it shakes, landward"},
-       [](const WaveResponse& w) { return w.coupled ? w.coupled->sliding : none; }},
-      {"coupled_largest",
-       {"m", "slip of largest magnitude on the way, landward"},
-       [](const WaveResponse& w) { return w.coupled ? w.coupled->largest : none; }},
-      {"coupled_slips",
-       {"1", "number of slips"},
-       [](const WaveResponse& w) { return w.coupled ? w.coupled->slips : none; }},
-      {"coupled_dissipated",
-       {"J/m", "taken by friction"},
-       [](const WaveResponse& w) { return w.coupled ? w.coupled->dissipated : none; }},
-      {"coupled_lifted_time", {"s", "for so long N' would have been negative"}, [](const WaveResponse& w) {
-         return w.coupled ? w.coupled->lifted_time : none;
-       }}};
-  return list;
+/// The datasets of responses.h5 take unit and meaning from here.
+const OutputSchema<WaveResponse>& wave_outputs() {
+  using W = WaveResponse;
+  const auto slip = [](const W& w) { return w.coupled ? std::optional(w.coupled->sliding) : std::nullopt; };
+  static const auto schema =
+      OutputSchema<W>()
+          .key("peak_force", &W::peak_force, "N/m", "largest P, landward")
+          .key("peak_shear", &W::peak_shear, "N/m", "largest F_T, landward")
+          .key("peak_shear_time", &W::peak_shear_time, "s", "time of the largest F_T")
+          .key("peak_shear_seaward", &W::peak_shear_seaward, "N/m", "least F_T: the largest seaward one is negative")
+          .key("ratio", &W::ratio, "",
+               "peak F_T / peak P, both seaward where the largest |P| is; null where P = 0 throughout")
+          .key("beyond_band", &W::beyond_band, "",
+               "part of F_T from frequencies beyond the model's highest, over the largest |F_T|")
+          .key("error_estimate", &W::error_estimate, "",
+               "bound of the error of F_T by the reduced model, over the largest |F_T|; null where the model's file "
+               "holds no `/nested`, which a warning says")
+          .key("sliding", &W::sliding, "m",
+               "S, sliding distance when the caisson has come to rest, landward; null where not asked for")
+          .key("sliding_coupled", slip, "m",
+               "S where the caisson slips as a whole on the ground that it shakes, landward; null where not asked for, "
+               "and where the model cannot tell")
+          .reason("why_not_coupled", &W::why_not_coupled, "the reason, where it is this wave's; else null")
+          .object("coupled", &W::coupled, coupled_wave_outputs(), "of that slip; null with it");
+  return schema;
 }
 
-std::vector<double> values_of(const WaveResponses& file, const Column& column) {
+OutputSchema<Answers> model_outputs() {
+  using A = Answers;
+  using M = ReducedModelFile;
+  return OutputSchema<A>()
+      .key("title", inner(&A::model, &M::title), "", "that of its case")
+      .key("file", &A::path, "", "its path")
+      .key("error", inner(&A::model, &M::error), "", "of the history of F_T over its peak")
+      .key("tolerance", inner(&A::model, &M::tolerance), "", "that was asked for, relative")
+      .key("highest_frequency", inner(&A::model, &M::highest_frequency), "Hz", "up to which it has been checked");
+}
+
+const OutputSchema<Answers>& answers_outputs() {
+  using A = Answers;
+  using T = RespondTiming;
+  const auto timing = OutputSchema<T>()
+                          .key("read", &T::read, "s", "reading")
+                          .key("respond", &T::respond, "s", "answering")
+                          .key("write", &T::write, "s", "writing")
+                          .key("total", &T::total, "s", "since the start of the program");
+  const auto wave =
+      OutputSchema<NamedWave>()
+          .key("name", &NamedWave::name, "", "of the file, with `[i]` counted from 0 where it holds several")
+          .keys_of(&NamedWave::wave, wave_outputs());
+  const auto per_second = [](const A& a) {
+    const auto n = static_cast<double>(a.waves.size());
+    return a.timing.respond > 0. ? std::optional(n / a.timing.respond) : std::nullopt;
+  };
+  static const auto schema = OutputSchema<A>()
+                                 .program()
+                                 .object(
+                                     "model", [](const A& a) { return &a; }, model_outputs(), "the reduced model")
+                                 .list("waves[]", &A::waves, wave, "each wave")
+                                 .list("warnings[]", &A::warnings, warning_outputs(),
+                                       "[reduced_model_error, no_error_estimate](warnings.md#reduced-models)")
+                                 .object("timing", &A::timing, timing, "wall times")
+                                 .key("histories_per_second", per_second, "1/s", "waves over `timing.respond`")
+                                 .versions();
+  return schema;
+}
+
+/// Datasets that are there where the number of the first wave is; of the others null is 0.
+bool may_be_absent(const OutputRow& row) {
+  return row.path == "error_estimate" || row.path == "sliding";
+}
+
+/// Datasets in which NaN stands for a slip that is not told.
+bool is_of_slip(const OutputRow& row) {
+  return row.path == "sliding_coupled" || row.path.rfind("coupled.", 0) == 0;
+}
+
+/// One number a wave: "coupled.slips" of the summary is the dataset coupled_slips.
+void write_column(detail::Hdf5Image& image, const std::string& group, const std::vector<Json>& waves,
+                  const OutputRow& row) {
+  std::string path = "/" + row.path;
+  const bool of_slip = is_of_slip(row);
+  const double none = of_slip ? std::numeric_limits<double>::quiet_NaN() : 0.;
+  std::replace(path.begin(), path.end(), '.', '/');
+  const Json::json_pointer at(path);
   std::vector<double> values;
-  for (const WaveResponse& wave : file.waves) values.push_back(column.value(wave));
-  return values;
-}
-
-void write_column(detail::Hdf5Image& image, const WaveResponses& file, const Column& column) {
-  const std::vector<double> values = values_of(file, column);
-  image.numbers("/" + file.name + "/" + column.name, {values.size()}, values.data(), column.label);
-}
-
-void write_coupled_column(detail::Hdf5Image& image, const WaveResponses& file, const Column& column) {
-  const std::vector<double> values = values_of(file, column);
-  image.numbers_or_none("/" + file.name + "/" + column.name, values, column.label);
+  for (const Json& wave : waves) {
+    const bool told = wave.contains(at) && !wave.at(at).is_null();
+    values.push_back(told ? wave.at(at).get<double>() : none);
+  }
+  std::replace(path.begin() + 1, path.end(), '/', '_');
+  const std::size_t absent = row.meaning.find("; null");
+  const detail::Label label{row.unit.empty() ? "1" : row.unit,
+                            row.meaning.substr(0, absent) + (row.path == "ratio" ? "; 0 where P = 0 throughout" : "")};
+  if (of_slip)
+    image.numbers_or_none(group + path, values, label);
+  else
+    image.numbers(group + path, {values.size()}, values.data(), label);
 }
 
 void write_histories(detail::Hdf5Image& image, const WaveResponses& file) {
@@ -95,29 +141,6 @@ void write_histories(detail::Hdf5Image& image, const WaveResponses& file) {
   image.numbers(group + "force", shape, file.force.data(), {"N/m", "P, horizontal load on the caisson, landward"});
   image.numbers(group + "shear_force", shape, file.shear_force.data(),
                 {"N/m", "F_T, shear force at the caisson's bottom, landward on the ground"});
-}
-
-Json to_object(const std::optional<CoupledWave>& coupled) {
-  if (!coupled) return nullptr;
-  return {{"largest", coupled->largest},
-          {"slips", coupled->slips},
-          {"dissipated", coupled->dissipated},
-          {"lifted_time", coupled->lifted_time}};
-}
-
-Json to_object(const WaveResponse& wave, const std::string& name) {
-  return {{"name", name},
-          {"peak_force", wave.peak_force},
-          {"peak_shear", wave.peak_shear},
-          {"peak_shear_time", wave.peak_shear_time},
-          {"peak_shear_seaward", wave.peak_shear_seaward},
-          {"ratio", json_or_null(wave.ratio)},
-          {"beyond_band", wave.beyond_band},
-          {"error_estimate", json_or_null(wave.error_estimate)},
-          {"sliding", json_or_null(wave.sliding)},
-          {"sliding_coupled", wave.coupled ? Json(wave.coupled->sliding) : Json(nullptr)},
-          {"why_not_coupled", wave.why_not_coupled.empty() ? Json(nullptr) : Json(wave.why_not_coupled)},
-          {"coupled", to_object(wave.coupled)}};
 }
 
 }  // namespace
@@ -130,38 +153,29 @@ std::string response_file(const std::string& title, const std::vector<WaveRespon
   detail::Hdf5Image image(title);
   for (const WaveResponses& file : files) {
     write_histories(image, file);
-    for (const Column& column : columns()) write_column(image, file, column);
-    if (file.waves.front().error_estimate) write_column(image, file, error_column);
-    if (file.waves.front().sliding) write_column(image, file, sliding_column);
-    const auto asked = [](const WaveResponse& w) { return w.coupled || !w.why_not_coupled.empty(); };
-    if (!std::any_of(file.waves.begin(), file.waves.end(), asked)) continue;
-    for (const Column& column : coupled_columns()) write_coupled_column(image, file, column);
+    std::vector<Json> waves;
+    for (const WaveResponse& wave : file.waves) waves.push_back(wave_outputs().to_json(wave));
+    const bool slips = std::any_of(file.waves.begin(), file.waves.end(), [](const WaveResponse& wave) {
+      return wave.coupled || !wave.why_not_coupled.empty();
+    });
+    for (const OutputRow& row : wave_outputs().rows()) {
+      const bool absent = is_of_slip(row) ? !slips : may_be_absent(row) && waves.front().at(row.path).is_null();
+      if (row.is_number && !absent) write_column(image, "/" + file.name, waves, row);
+    }
   }
   return image.bytes();
 }
 
+std::vector<OutputRow> rows_of_respond() {
+  return answers_outputs().rows();
+}
+
 std::string to_json(const ReducedModelFile& model, const std::string& path, const std::vector<WaveResponses>& files,
                     const RespondTiming& timing, const NumberedWarnings& warnings) {
-  Json json = {{"program", program_version()}};
-  json["model"] = {{"title", model.title},
-                   {"file", path},
-                   {"error", model.error},
-                   {"tolerance", model.tolerance},
-                   {"highest_frequency", model.highest_frequency}};
-  json["waves"] = Json::array();
+  Answers answers{&model, path, {}, timing, warnings};
   for (const WaveResponses& file : files)
-    for (std::size_t w = 0; w < file.waves.size(); ++w)
-      json["waves"].push_back(to_object(file.waves[w], file.wave_name(w)));
-  json["warnings"] = Json::array();
-  for (const NumberedWarning& w : warnings)
-    json["warnings"].push_back(
-        {{"name", w.name}, {"value", w.value}, {"limit", w.limit}, {"unit", w.unit}, {"text", w.text}});
-  const double n = static_cast<double>(json["waves"].size());
-  json["timing"] = {
-      {"read", timing.read}, {"respond", timing.respond}, {"write", timing.write}, {"total", timing.total}};
-  json["histories_per_second"] = timing.respond > 0. ? Json(n / timing.respond) : Json(nullptr);
-  json["versions"] = versions_object();
-  return json.dump(2) + "\n";
+    for (std::size_t w = 0; w < file.waves.size(); ++w) answers.waves.push_back({file.wave_name(w), &file.waves[w]});
+  return answers_outputs().to_json(answers).dump(2) + "\n";
 }
 
 }  // namespace upbead

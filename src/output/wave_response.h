@@ -11,6 +11,8 @@
 
 namespace upbead {
 
+struct OutputRow;
+
 /// What becomes of a caisson that slips as a whole on the ground that it shakes. Landward positive.
 struct CoupledWave {
   double sliding = 0.;      ///< S, where it comes to rest (m)
@@ -61,5 +63,8 @@ std::string response_file(const std::string& title, const std::vector<WaveRespon
 /// which checks the numbers.
 std::string to_json(const ReducedModelFile& model, const std::string& path, const std::vector<WaveResponses>& files,
                     const RespondTiming& timing, const NumberedWarnings& warnings = {});
+
+/// Its keys.
+std::vector<OutputRow> rows_of_respond();
 
 }  // namespace upbead

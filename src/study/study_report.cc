@@ -5,7 +5,7 @@
 
 #include "base/text.h"
 #include "base/version.h"
-#include "output/table_file.h"
+#include "output/result_file.h"
 #include "output/versions.h"
 #include "study/results.h"
 #include "upbead/input/node.h"

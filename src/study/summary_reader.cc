@@ -3,38 +3,16 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "output/summary_outputs.h"
 #include "upbead/input/node.h"
-#include "upbead/output/summary.h"
 
 namespace upbead {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-/// A summary with everything in it.
-Json full_summary() {
-  Summary summary;
-  summary.response.emplace();
-  summary.energy.emplace();
-  summary.reduction.emplace();
-  summary.sliding.emplace();
-  summary.sliding->history.own.emplace();
-  summary.sliding->pulse.emplace();
-  summary.sliding->equal_impulse.emplace();
-  summary.sliding->coupled.emplace();
-  summary.sliding->why_not_coupled = "a reason";
-  summary.contact.emplace().solved.emplace();
-  summary.soil.emplace();
-  return Json::parse(to_json(summary));
-}
-
-/// Adds the paths of all numbers below `json`; null stands for a number that this summary has not.
-void collect(const Json& json, const std::string& path, std::vector<std::string>& list) {
-  if (json.is_object())
-    for (const auto& [key, value] : json.items()) collect(value, dotted(path, key), list);
-  else if (json.is_number() || json.is_null())
-    list.push_back(path);
+/// Up to where it is a list, or has names of its own: "sliding.slips" of "sliding.slips[].start".
+std::string plain_part(const std::string& path) {
+  return path.substr(0, std::min(path.find("[]"), path.find(".NAME")));
 }
 
 const Json* find(const Json& json, const std::string& path) {
@@ -50,10 +28,10 @@ const Json* find(const Json& json, const std::string& path) {
 
 const std::vector<std::string>& readable_paths() {
   static const std::vector<std::string> list = [] {
-    Json json = full_summary();
-    json.erase("timing");
     std::vector<std::string> paths;
-    collect(json, "", paths);
+    for (const OutputRow& row : summary_outputs().rows())
+      if (row.is_number && plain_part(row.path) == row.path && split_dotted(row.path).front() != "timing")
+        paths.push_back(row.path);
     return paths;
   }();
   return list;
@@ -70,7 +48,9 @@ std::string objection_to_reading(const std::string& path) {
   if (keys.front() == "loads") return keys.size() == 3 ? "" : "of a load it takes loads.NAME.arm or the like";
   const std::vector<std::string>& known = readable_paths();
   if (std::find(known.begin(), known.end(), path) != known.end()) return "";
-  return find(full_summary(), path) != nullptr ? "it is no number" : "no summary has it";
+  for (const OutputRow& row : summary_outputs().rows())
+    if (plain_part(row.path) == path) return "it is no number";
+  return "no summary has it";
 }
 
 std::vector<std::optional<double>> numbers_at(const std::string& summary_json, const std::vector<std::string>& paths) {

@@ -8,6 +8,7 @@ import json
 import os
 import pathlib
 import pty
+import re
 import resource
 import shutil
 import signal
@@ -21,9 +22,23 @@ import numpy
 from program import CASES, PROGRAM, ProgramTest, upbead
 
 sys.path.insert(0, str(pathlib.Path(__file__).parents[2] / "postprocess"))
+import output_tables  # noqa: E402
 from report import vtu  # noqa: E402
 
 QUICK = ["--set", "mesh.parameters.cells=0.5", "--set", "time.end=0.05"]
+
+
+def undescribed(value, path, rows):
+    """Paths of what is written but not among the described ones: of lists "slips[]", by names "loads.NAME"."""
+    free = next((row for row in rows if re.fullmatch(re.escape(path) + r"\.[A-Z]+", row)), None)
+    if isinstance(value, list) and path + "[]" in rows:
+        for item in value:
+            yield from undescribed(item, path + "[]", rows)
+    elif isinstance(value, dict) and (free or not path or any(row.startswith(path + ".") for row in rows)):
+        for key, below in value.items():
+            yield from undescribed(below, free or f"{path}.{key}".lstrip("."), rows)
+    elif path not in rows and path + "[]" not in rows:
+        yield path
 
 
 class Cli(ProgramTest):
@@ -177,6 +192,19 @@ class Cli(ProgramTest):
     def test_reference_of_keys_is_current(self):
         text = (CASES.parent / "docs/case.md").read_text()
         self.assertTrue(text.endswith(upbead("explain", "--keys").stdout), "run upbead explain --keys into docs/case.md")
+
+    def test_tables_of_outputs_are_current(self):
+        for path, text in output_tables.files(PROGRAM).items():
+            self.assertEqual(path.read_text(), text, "run postprocess/output_tables.py build/upbead")
+
+    def test_summaries_hold_only_what_is_described(self):
+        known = json.loads(upbead("explain", "--outputs-json").stdout)
+        done = {"run": self.run_model("--json"), "explain": upbead("explain", CASES / "fig2b-model.toml", "--json")}
+        for command, case in (("waves", "fig7-9/impulsive"), ("expected", "section4/hd10")):
+            done[command] = upbead(command, CASES / f"{case}.toml", "--json", cwd=self.folder)
+        for command, end in done.items():
+            self.assertEqual(end.returncode, 0, end.stderr)
+            self.assertEqual(list(undescribed(json.loads(end.stdout), "", known[command])), [], command)
 
     def test_wrong_input_leaves_an_old_result_as_it_was(self):
         self.run_model()

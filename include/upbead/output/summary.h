@@ -1,4 +1,5 @@
-// summary.json: what a run found, in SI numbers.
+// summary.json: what a run found, in SI numbers. Units and meanings of most are with their keys in
+// src/output/summary.cc and sliding_outputs.cc, of which docs/output.md is made.
 #pragma once
 
 #include <optional>
@@ -32,17 +33,13 @@ struct GluedDemand {
 
 /// What the bottom did, node by node.
 struct NodeContact {
-  double slip = 0.;                      ///< mean over the bottom in the end, landward: S (m)
-  std::optional<double> error_estimate;  ///< of it (m); none where the case does not ask for one
-  double largest_slip = 0.;              ///< mean over the bottom, of largest magnitude on the way (m)
-  double least_slip = 0.;          ///< in the end, of the node that slipped least: so far the whole bottom has gone (m)
-  double opening_seaward = 0.;     ///< largest, of the seaward end (m)
-  double opening_landward = 0.;    ///< largest, of the landward end (m)
-  double least_contact = 1.;       ///< least share of the bottom's width that is in contact
-  double least_normal_force = 0.;  ///< least sum of N_i (N/m)
-  std::optional<double> first_slip;    ///< when a node first slips (s)
-  std::optional<double> first_open;    ///< when a node first opens (s)
-  double dissipated = 0.;              ///< energy that friction took (J/m)
+  double slip = 0.;                      ///< S
+  std::optional<double> error_estimate;  ///< none where the case does not ask for one
+  double largest_slip = 0., least_slip = 0.;
+  double opening_seaward = 0., opening_landward = 0.;
+  double least_contact = 1., least_normal_force = 0.;
+  std::optional<double> first_slip, first_open;
+  double dissipated = 0.;
   int slip_steps = 0, open_steps = 0;  ///< steps in which a node slipped, was open
   int impacts = 0;                     ///< how often a node closed
   int fallbacks = 0;                   ///< contact problems that took the slow way
@@ -66,28 +63,21 @@ struct ContactHistory {
 
 /// S by tau_0 of eqs. (8)-(11) of Shimosako and Takahashi (1994) and the run's own F_Smax.
 struct PulseSliding {
-  double standing_duration = 0.;  ///< tau_0F (s)
-  double factor = 0.;             ///< k(alpha*)
-  double duration = 0.;           ///< tau_0 (s)
-  double paper = 0.;              ///< S_CAL, eq. (7) (m)
-  PaperParts paper_parts;         ///< S_1 and S_2
-  double exact = 0.;              ///< by integrating eqs. (4) and (6) (m)
+  double standing_duration = 0., factor = 0., duration = 0.;  ///< tau_0F (s), k(alpha*), tau_0 (s)
+  double paper = 0.;                                          ///< S_CAL, eq. (7) (m)
+  PaperParts paper_parts;                                     ///< S_1 and S_2
+  double exact = 0.;                                          ///< by integrating eqs. (4) and (6) (m)
 };
 
 /// S of a caisson that slips as a whole on the soil, mound and water of the scene, which it shakes.
 struct CoupledSummary {
-  Sliding slip;                          ///< over the mound
-  double dissipated = 0.;                ///< by friction (J/m)
-  double peak_shear = 0.;                ///< F_T of largest magnitude (N/m)
-  double least_normal = 0.;              ///< least N' (N/m)
-  double lifted_time = 0.;               ///< for so long N' would have been negative (s)
-  int vectors = 0;                       ///< of its Krylov space; 0 where the glued caisson does not reach its friction
-  double error = 0.;                     ///< of the forces between nested models, over their largest values
-  double glued_error = 0.;               ///< of F_T while it sticks, against the glued solution, over its peak
-  double growth = 0.;                    ///< of the fastest vibration that friction feeds (1/s)
-  double damping_time = 0.;              ///< of the damping against fast ones: ratio omega/2 times it (s)
-  double damping_effect = 0.;            ///< what twice that damping changes of S (m)
-  std::optional<double> error_estimate;  ///< of S, by cells too large (m)
+  Sliding slip;  ///< over the mound
+  double dissipated = 0., peak_shear = 0., least_normal = 0., lifted_time = 0.;
+  int vectors = 0;                      ///< 0 where the glued caisson does not reach its friction
+  double error = 0., glued_error = 0.;  ///< between nested models, and against the glued solution
+  double growth = 0.;                   ///< of the fastest vibration that friction feeds
+  double damping_time = 0., damping_effect = 0.;
+  std::optional<double> error_estimate;
 };
 
 /// At the samples of the loads.
@@ -100,17 +90,12 @@ struct CoupledHistoryTable {
 
 /// The triangular pulse with the peak and the impulse of F_S.
 struct EqualImpulse {
-  double duration = 0.;  ///< tau_0 (s)
-  double paper = 0.;     ///< S_CAL, eq. (7) (m)
-  double exact = 0.;     ///< by integrating eqs. (4) and (6) (m)
+  double duration = 0., paper = 0., exact = 0.;  ///< as of PulseSliding
 };
 
 struct SlidingSummary {
-  double weight = 0.;          ///< W (N/m)
-  double buoyant_weight = 0.;  ///< W' (N/m)
-  double friction = 0.;        ///< mu
-  double drag = 0.;            ///< F_D over velocity (N s/m2)
-  std::string uplift;          ///< none, prescribed or computed
+  double weight = 0., buoyant_weight = 0., friction = 0., drag = 0.;  ///< W, W', mu, F_D over velocity
+  std::string uplift;                                                 ///< none, prescribed or computed
   HistorySliding history;
   std::optional<PulseSliding> pulse;          ///< where the case names a wave
   std::optional<EqualImpulse> equal_impulse;  ///< where F_S has a landward peak
@@ -122,25 +107,17 @@ struct SlidingSummary {
 };
 
 struct Discretisation {
-  int cells = 0;
-  int unknowns = 0;
-  int degree = 0;
+  int cells = 0, unknowns = 0, degree = 0;
   std::string scheme;
-  double time_step = 0.;  ///< the largest (s)
-  int steps = 0;
-  int solves = 0;
-  int factorisations = 0;
-  int processes = 1;
+  double time_step = 0.;  ///< the largest
+  int steps = 0, solves = 0, factorisations = 0, processes = 1;
 };
 
 /// How good a reduced model is: the differences of two nested ones, which the larger one undercuts.
 struct ReductionSummary {
-  int vectors = 0;  ///< of the Krylov space
-  int modes = 0;
-  double error = 0.;                ///< of the history of F_T, over its largest value
-  double error_peak = 0.;           ///< of its peaks
-  double error_of_others = 0.;      ///< the largest of all other readings' histories, each over its largest value
-  double highest_frequency = 0.;    ///< up to which the transfer function of F_T has been checked (Hz)
+  int vectors = 0, modes = 0;
+  double error = 0., error_peak = 0., error_of_others = 0.;
+  double highest_frequency = 0.;    ///< up to which the transfer function of F_T has been checked
   std::vector<LooseReading> loose;  ///< readings that have not come close enough, besides F_T
   double tolerance_of_others = 0.;  ///< that these were to meet
 };
@@ -157,14 +134,11 @@ struct ErrorEstimate {
 
 /// What the strain of the response made of the soil.
 struct SoilSummary {
-  int iterations = 0;               ///< of linear solutions after the first
-  bool converged = false;           ///< whether the last change was below 1 %
-  double change = 1.;               ///< of the peak of |F_T| in the last one, relative
-  double linear = 0.;               ///< peak |F_T| with stiffness and damping at vanishing strain (N/m)
-  double settled = 0.;              ///< peak |F_T| in the last one (N/m); without a caisson both are strains
-  double largest_strain = 0.;       ///< largest effective shear strain of a cell
-  double least_modulus_ratio = 1.;  ///< least G/G_max
-  double largest_damping = 0.;      ///< largest damping ratio
+  int iterations = 0;                ///< of linear solutions after the first
+  bool converged = false;            ///< whether the last change was below 1 %
+  double change = 1.;                ///< of the peak of |F_T| in the last one, relative
+  double linear = 0., settled = 0.;  ///< peak |F_T| at vanishing strain and in the last one; without a caisson strains
+  double largest_strain = 0., least_modulus_ratio = 1., largest_damping = 0.;
 };
 
 /// What transducers along a wall or a bottom measured.
@@ -219,9 +193,6 @@ struct Summary {
   std::vector<Skipped> skipped;
   Timing timing;
 };
-
-/// An object by name, as below the key `gauges`.
-std::string gauges_json(const std::vector<GaugeSummary>& gauges);
 
 /// JSON with the keys of docs/output.md; null where a value does not exist. Throws NumericsError where one is not
 /// finite.

@@ -5,8 +5,8 @@ from pathlib import Path
 
 import numpy as np
 
+from .. import outputs
 from ..errors import UserError
-from ..study_table import READ_UNITS
 from .style import plain, styled, subplots
 
 MOST_LINES = 8
@@ -61,7 +61,7 @@ def is_drawn(table, key):
 
 
 def label(table, name):
-    unit = table.units.get(name) or READ_UNITS.get(name.split(".")[-1])
+    unit = table.units.get(name) or outputs.unit(name)
     return plain(f"{name} ({unit})" if unit else name)
 
 

@@ -1,96 +1,157 @@
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
-#include "base/version.h"
 #include "calibration_report.h"
-#include "output/json_text.h"
-#include "output/versions.h"
+#include "output/output_schema.h"
 
 namespace upbead {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+/// All that `calibrate` tells.
+struct ToldCalibration {
+  const Design* design;
+  const Calibration* found;
+};
 
-Json to_object(const FitQuality& quality) {
-  return {{"deviation", quality.deviation}, {"bias", quality.bias}, {"r_squared", quality.r_squared}};
+OutputSchema<FitQuality> quality_outputs() {
+  using Q = FitQuality;
+  return OutputSchema<Q>()
+      .key("deviation", &Q::deviation, "", "root mean square of k - k(alpha*)")
+      .key("bias", &Q::bias, "", "mean of k(alpha*) - k")
+      .key("r_squared", &Q::r_squared, "", "R2");
 }
 
 /// The ellipse: semi-axes and where the long one points, in the plane of (a, b).
-Json ellipse_of(const DurationFit& fit) {
-  const double q = ellipse_size(fit);
-  const double aa = fit.covariance(0, 0), bb = fit.covariance(1, 1), ab = fit.covariance(0, 1);
-  const double mean = 0.5 * (aa + bb), radius = std::hypot(0.5 * (aa - bb), ab);
-  return {{"level", 0.95},
-          {"long_axis", std::sqrt(q * (mean + radius))},
-          {"short_axis", std::sqrt(q * std::max(mean - radius, 0.))},
-          {"angle", 0.5 * std::atan2(2. * ab, aa - bb)}};
+OutputSchema<DurationFit> ellipse_outputs() {
+  using F = DurationFit;
+  const auto axis = [](double sign) {
+    return [sign](const F& fit) {
+      const double aa = fit.covariance(0, 0), bb = fit.covariance(1, 1), ab = fit.covariance(0, 1);
+      const double mean = 0.5 * (aa + bb), radius = std::hypot(0.5 * (aa - bb), ab);
+      return std::sqrt(ellipse_size(fit) * std::max(mean + sign * radius, 0.));
+    };
+  };
+  const auto angle = [](const F& fit) {
+    return 0.5 * std::atan2(2. * fit.covariance(0, 1), fit.covariance(0, 0) - fit.covariance(1, 1));
+  };
+  return OutputSchema<F>()
+      .key(
+          "level", [](const F&) { return 0.95; }, "", "of confidence")
+      .key("long_axis", axis(1.), "", "semi-axis")
+      .key("short_axis", axis(-1.), "", "semi-axis")
+      .key("angle", angle, "rad", "of the long axis from the a-axis");
 }
 
-void add_certainty(const DurationFit& fit, Json& json) {
-  const Eigen::Matrix2d& C = fit.covariance;
-  const double sa = std::sqrt(C(0, 0)), sb = std::sqrt(C(1, 1));
-  const bool degenerate = sa == 0. || sb == 0.;  // points that the formula meets exactly
-  json["standard_error"] = {{"a", sa}, {"b", sb}};
-  json["covariance"] = {{C(0, 0), C(0, 1)}, {C(1, 0), C(1, 1)}};
-  json["correlation"] = degenerate ? Json(nullptr) : Json(C(0, 1) / (sa * sb));
-  json["ellipse"] = ellipse_of(fit);
+OutputSchema<CalibrationFit> certainty_outputs() {
+  using F = DurationFit;
+  const auto certain = [](const CalibrationFit& c) { return c.fit && c.fit->has_covariance() ? &*c.fit : nullptr; };
+  const auto deviation = [](int i) { return [i](const F& fit) { return std::sqrt(fit.covariance(i, i)); }; };
+  const auto covariance = [](const F& fit) {
+    const Eigen::Matrix2d& C = fit.covariance;
+    return Json{{C(0, 0), C(0, 1)}, {C(1, 0), C(1, 1)}};
+  };
+  const auto correlation = [deviation](const F& fit) {
+    const double a = deviation(0)(fit), b = deviation(1)(fit);  // 0 where the formula meets all points exactly
+    return a == 0. || b == 0. ? std::nullopt : std::optional(fit.covariance(0, 1) / (a * b));
+  };
+  return OutputSchema<CalibrationFit>()
+      .object("standard_error", certain,
+              OutputSchema<F>().key("a", deviation(0), "", "of a").key("b", deviation(1), "", "of b"),
+              "null where the fit is doubted, as the next three")
+      .keys_of(certain, OutputSchema<F>()
+                            .key("covariance[]", covariance, "", "of (a, b)")
+                            .key("correlation", correlation, "", "of a and b; null where both are exact"))
+      .object("ellipse", certain, ellipse_outputs(), "of (a, b), 95 %");
 }
 
-Json to_object(const CalibrationFit& found) {
-  Json json = {{"measure", word(found.measure)},
-               {"ratio", found.ratio ? Json(*found.ratio) : Json(nullptr)},
-               {"points", found.points.size()},
-               {"a", nullptr},
-               {"b", nullptr},
-               {"standard_error", nullptr},
-               {"covariance", nullptr},
-               {"correlation", nullptr},
-               {"ellipse", nullptr}};
-  if (const auto& fit = found.fit) {
-    json["a"] = fit->best.a;
-    json["b"] = fit->best.b;
-    if (fit->has_covariance()) add_certainty(*fit, json);
-    json["residual_deviation"] = fit->residual_deviation;
-    json["quality"] = to_object(fit->quality);
-  }
-  json["doubt"] = found.fit ? word(found.fit->doubt) : "too_few";
-  json["given"] = to_object(found.given);
-  json["given_in_ellipse"] = found.given_in_ellipse;
-  return json;
+OutputSchema<CalibrationFit> fit_outputs() {
+  using C = CalibrationFit;
+  const auto best = [](double DurationFactor::*member) {
+    return [member](const C& c) { return c.fit ? std::optional(c.fit->best.*member) : std::nullopt; };
+  };
+  const auto residual = [](const C& c) { return c.fit ? std::optional(c.fit->residual_deviation) : std::nullopt; };
+  return OutputSchema<C>()
+      .key(
+          "measure", [](const C& c) { return word(c.measure); }, "", "of tau_0")
+      .key("ratio", &C::ratio, "", "r; null: all r")
+      .key(
+          "points", [](const C& c) { return c.points.size(); }, "", "how many")
+      .key("a", best(&DurationFactor::a), "", "of k(alpha*); null with too few points, as b")
+      .key("b", best(&DurationFactor::b), "", "of k(alpha*)")
+      .keys_of([](const C& c) { return &c; }, certainty_outputs())
+      .key("residual_deviation", residual, "",
+           "sqrt(sum of squares / (points - 2)); absent without a fit, as `quality`")
+      .or_left_out()
+      .object(
+          "quality", [](const C& c) { return c.fit ? &c.fit->quality : nullptr; }, quality_outputs(), "of the fit")
+      .or_left_out()
+      .key(
+          "doubt", [](const C& c) { return c.fit ? word(c.fit->doubt) : "too_few"; }, "",
+          "why the points do not tell a and b; `none` where they do")
+      .object("given", &C::given, quality_outputs(), "of the design's own a and b")
+      .key("given_in_ellipse", &C::given_in_ellipse, "", "whether the ellipse holds these");
 }
 
-Json to_object(const CalibratedModel& model) {
-  Json json = {{"title", model.title},
-               {"load", model.load},
-               {"scale", model.scale},
-               {"step", model.step},
-               {"shortest_rise", model.shortest_rise}};
-  json["fits"] = Json::array();
-  for (const CalibrationFit& fit : model.fits) json["fits"].push_back(to_object(fit));
-  return json;
+OutputSchema<CalibratedModel> calibrated_model_outputs() {
+  using M = CalibratedModel;
+  return OutputSchema<M>()
+      .key("title", &M::title, "", "that of its case")
+      .key("load", &M::load, "", "that the waves drive")
+      .key("scale", &M::scale, "", "of its lengths")
+      .key("step", &M::step, "s", "of all answers")
+      .key("shortest_rise", &M::shortest_rise, "s", "of all waves")
+      .list("fits[]", &M::fits, fit_outputs(), "by measure and r");
 }
 
-Json impact_of(const ImpactTable& impact) {
-  const char* const uplift[] = {"held", "in_phase", "sinusoidal"};
-  return {{"peak_gain", impact.peak_gain},           {"rise_coefficient", impact.rise_coefficient},
-          {"duration_least", impact.duration_least}, {"duration_gain", impact.duration_gain},
-          {"duration_decay", impact.duration_decay}, {"uplift", uplift[static_cast<int>(impact.uplift)]}};
+OutputSchema<ImpactTable> impact_outputs() {
+  using I = ImpactTable;
+  const auto uplift = [](const I& impact) {
+    const char* const words[] = {"held", "in_phase", "sinusoidal"};
+    return words[static_cast<int>(impact.uplift)];
+  };
+  return OutputSchema<I>()
+      .key("peak_gain", &I::peak_gain, "", "as used")
+      .key("rise_coefficient", &I::rise_coefficient, "", "as used")
+      .key("duration_least", &I::duration_least, "", "as used")
+      .key("duration_gain", &I::duration_gain, "", "as used")
+      .key("duration_decay", &I::duration_decay, "", "as used")
+      .key("uplift", uplift, "", "`held`, `in_phase` or `sinusoidal`");
+}
+
+const OutputSchema<ToldCalibration>& calibration_outputs() {
+  using T = ToldCalibration;
+  using C = Calibration;
+  const auto waves = OutputSchema<C>()
+                         .key("grid", &C::n_grid, "", "points of the grid")
+                         .key("taken", &C::n_waves, "", "of them waves that can be")
+                         .key("left_out.REASON", &C::left, "", "the others");
+  const auto factor = OutputSchema<DurationFactor>()
+                          .key("a", &DurationFactor::a, "", "of `[duration]`")
+                          .key("b", &DurationFactor::b, "", "of `[duration]`");
+  static const auto schema =
+      OutputSchema<T>()
+          .key("title", inner(&T::design, &Design::tables, &DesignTables::title), "", "that of the design")
+          .program()
+          .object("waves", &T::found, waves, "of the family")
+          .object("impact", inner(&T::design, &Design::tables, &DesignTables::impact), impact_outputs(),
+                  "the force history")
+          .object("given", inner(&T::found, &C::given), factor, "k(alpha*) of the design")
+          .named("models.NAME", inner(&T::found, &C::models), &CalibratedModel::name, calibrated_model_outputs(),
+                 "each model")
+          .object("timing", &T::found, OutputSchema<C>().key("calibrate", &C::seconds, "s", "all of it"), "wall times")
+          .versions();
+  return schema;
 }
 
 }  // namespace
 
+std::vector<OutputRow> rows_of_calibration() {
+  return calibration_outputs().rows();
+}
+
 std::string to_json(const Design& design, const Calibration& found) {
-  Json json = {{"title", design.tables.title}, {"program", program_version()}};
-  json["waves"] = {{"grid", found.n_grid}, {"taken", found.n_waves}, {"left_out", found.left}};
-  json["impact"] = impact_of(design.tables.impact);
-  json["given"] = {{"a", found.given.a}, {"b", found.given.b}};
-  json["models"] = Json::object();
-  for (const CalibratedModel& model : found.models) json["models"][model.name] = to_object(model);
-  json["timing"] = {{"calibrate", found.seconds}};
-  json["versions"] = versions_object();
-  return json_text(json);
+  return calibration_outputs().text({&design, &found});
 }
 
 }  // namespace upbead

@@ -6,7 +6,7 @@
 
 #include "base/format.h"
 #include "base/text.h"
-#include "output/table_file.h"
+#include "output/result_file.h"
 #include "upbead/base/error.h"
 #include "upbead/input/node.h"
 

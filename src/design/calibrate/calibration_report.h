@@ -14,6 +14,8 @@
 
 namespace upbead {
 
+struct OutputRow;
+
 /// Ways to find tau_0 of a history, see HistoryDuration.
 enum class DurationMeasure { paper, exact, excess, impulse };
 inline constexpr std::array<DurationMeasure, 4> all_measures{DurationMeasure::paper, DurationMeasure::exact,
@@ -69,6 +71,8 @@ Calibration calibrate(const Design& design);
 
 /// Throws NumericsError where a number is not finite.
 std::string to_json(const Design& design, const Calibration& found);
+/// Its keys.
+std::vector<OutputRow> rows_of_calibration();
 /// A row per model, wave and r.
 std::string calibration_csv(const Calibration& found);
 /// The same columns as the bytes of an HDF5 file.

@@ -1,0 +1,195 @@
+// The keys of a JSON object that is written, each declared once: name, member, unit, meaning. From the declaration
+// follow the object, the tables of docs (`upbead explain --outputs`), and units and labels in Python.
+//
+//   OutputSchema<Timing> schema;
+//   schema.key("total", &Timing::total, "s", "since the start of the program");
+//
+// An access is a pointer to a member or a function of the object. What is optional and absent is written as null.
+// "slips[]" names a list, "loads.NAME" an object with a key for each name. A meaning is Markdown, its links as in docs;
+// up to the first ": " or "; " it serves as a label.
+#pragma once
+
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "output/versions.h"
+#include "upbead/base/numbered_warning.h"
+
+namespace upbead {
+
+using Json = nlohmann::ordered_json;
+
+/// The text, indented by two, with a final newline. JSON has no word for a number that is not finite: throws
+/// NumericsError with its path.
+std::string json_text(const Json& json);
+
+struct OutputRow {
+  std::string path;  ///< "response.peak_shear", "sliding.slips[].start", "loads.NAME.arm"
+  std::string unit;  ///< "" where it has none
+  std::string meaning;
+  bool is_number = false;  ///< or null
+};
+
+/// As tables by key, unit and meaning; what has many keys of its own gets a table under a heading.
+std::string markdown(const std::vector<OutputRow>& rows);
+
+/// What schemas share, whatever they describe.
+class OutputKeys {
+ public:
+  struct Entry {
+    std::vector<OutputRow> rows;  ///< its own, then those of what is inside
+    std::function<Json(const void*)> value;
+  };
+  const std::vector<Entry>& entries() const { return entries_; }
+  std::vector<OutputRow> rows() const;
+
+ protected:
+  void add(const OutputRow& row, std::function<Json(const void*)> value, const OutputKeys* inside);
+  void add(const Entry& entry) { entries_.push_back(entry); }
+  /// The last key is left out where it is null.
+  void leave_out_null();
+  Json object(const void* of) const;
+
+ private:
+  std::vector<Entry> entries_;
+};
+
+namespace detail {
+
+template <class V>
+Json json_of(const V& value) {
+  return Json(value);
+}
+template <class V>
+Json json_of(const std::optional<V>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+template <class V>
+constexpr bool is_numeric = std::is_arithmetic_v<V> && !std::is_same_v<V, bool>;
+template <class V>
+constexpr bool is_numeric<std::optional<V>> = is_numeric<V>;
+
+template <class U>
+const U* pointer_to(const U& part) {
+  return &part;
+}
+template <class U>
+const U* pointer_to(const std::optional<U>& part) {
+  return part ? &*part : nullptr;
+}
+template <class U>
+const U* pointer_to(const U* part) {
+  return part;
+}
+template <class U>
+void pointer_to(const U&& part) = delete;
+
+}  // namespace detail
+
+/// Access to a member of a member, and so on; a member may be a pointer.
+template <class First, class... Further>
+auto inner(First first, Further... further) {
+  return [first, further...](const auto& of) -> decltype(auto) {
+    if constexpr (sizeof...(further) == 0)
+      return std::invoke(first, of);
+    else
+      return inner(further...)(std::invoke(first, of));
+  };
+}
+
+template <class T>
+class OutputSchema : public OutputKeys {
+ public:
+  /// A number, a word, a flag, an array, or Json.
+  template <class Access>
+  OutputSchema& key(const std::string& name, Access access, const std::string& unit, const std::string& meaning) {
+    using V = std::decay_t<std::invoke_result_t<Access, const T&>>;
+    return put({name, unit, meaning, detail::is_numeric<V>},
+               [access](const T& of) { return detail::json_of(std::invoke(access, of)); });
+  }
+  /// Words; null where there are none.
+  OutputSchema& reason(const std::string& name, std::string T::*member, const std::string& meaning) {
+    return put({name, "", meaning}, [member](const T& of) { return (of.*member).empty() ? Json() : Json(of.*member); });
+  }
+  /// `access` gives a U, an optional U, or a pointer, null where there is none.
+  template <class Access, class U>
+  OutputSchema& object(const std::string& name, Access access, const OutputSchema<U>& inside,
+                       const std::string& meaning) {
+    const auto value = [access, inside](const T& of) {
+      const U* part = detail::pointer_to(std::invoke(access, of));
+      return part ? inside.to_json(*part) : Json();
+    };
+    return put({name, "", meaning}, value, &inside);
+  }
+  /// The keys of a part as if they were its own; all null where there is no such part.
+  template <class Access, class U>
+  OutputSchema& keys_of(Access access, const OutputSchema<U>& part) {
+    for (const Entry& entry : part.entries())
+      add({entry.rows, [access, value = entry.value](const void* of) {
+             const U* found = detail::pointer_to(std::invoke(access, *static_cast<const T*>(of)));
+             return found ? value(found) : Json();
+           }});
+    return *this;
+  }
+  /// The last key is left out instead of being null.
+  OutputSchema& or_left_out() {
+    leave_out_null();
+    return *this;
+  }
+  /// `access` gives several U.
+  template <class Access, class U>
+  OutputSchema& list(const std::string& name, Access access, const OutputSchema<U>& inside,
+                     const std::string& meaning) {
+    const auto value = [access, inside](const T& of) {
+      Json items = Json::array();
+      for (const U& item : std::invoke(access, of)) items.push_back(inside.to_json(item));
+      return items;
+    };
+    return put({name, "", meaning}, value, &inside);
+  }
+  /// The same as an object: `name_of` an item is its key.
+  template <class Access, class Name, class U>
+  OutputSchema& named(const std::string& name, Access access, Name name_of, const OutputSchema<U>& inside,
+                      const std::string& meaning) {
+    const auto value = [access, name_of, inside](const T& of) {
+      Json items = Json::object();
+      for (const U& item : std::invoke(access, of)) items[std::invoke(name_of, item)] = inside.to_json(item);
+      return items;
+    };
+    return put({name, "", meaning}, value, &inside);
+  }
+
+  /// The keys `program` and `versions`, which every summary has.
+  OutputSchema& program() {
+    return key(
+        "program", [](const T&) { return program_version(); }, "", "that wrote it");
+  }
+  OutputSchema& versions() {
+    return key(
+        "versions.NAME", [](const T&) { return versions_object(); }, "",
+        "of upbead, its compiler and the libraries that numbers go through; an attribute of the same name in "
+        "`results.h5` and reduced models");
+  }
+
+  Json to_json(const T& of) const { return OutputKeys::object(&of); }
+  std::string text(const T& of) const { return json_text(to_json(of)); }
+
+ private:
+  template <class Function>
+  OutputSchema& put(const OutputRow& row, Function value, const OutputKeys* inside = nullptr) {
+    add(
+        row, [value](const void* of) { return value(*static_cast<const T*>(of)); }, inside);
+    return *this;
+  }
+};
+
+/// Of the warnings of every summary.
+OutputSchema<NumberedWarning> warning_outputs();
+
+}  // namespace upbead

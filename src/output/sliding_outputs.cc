@@ -1,0 +1,174 @@
+#include <cmath>
+
+#include "output/summary_outputs.h"
+
+namespace upbead {
+
+namespace {
+
+OutputSchema<Slip> slip_outputs() {
+  return OutputSchema<Slip>()
+      .key("start", &Slip::start, "s", "when it starts")
+      .key("stop", &Slip::stop, "s", "when it stops or turns")
+      .key("distance", &Slip::distance, "m", "landward positive")
+      .key("peak_velocity", &Slip::peak_velocity, "m/s", "largest velocity on the way");
+}
+
+OutputSchema<HistorySliding> forces_outputs() {
+  using H = HistorySliding;
+  return OutputSchema<H>()
+      .key("resistance", &H::resistance, "N/m", "mu W'")
+      .key("peak_sliding_force", &H::peak_force, "N/m", "F_Smax")
+      .key("peak_sliding_force_time", &H::peak_force_time, "s", "when")
+      .key("shear_at_peak", &H::shear_at_peak, "N/m", "F_T then")
+      .key("uplift_at_peak", &H::uplift_at_peak, "N/m", "U then")
+      .key("ratio", &H::ratio, "", "r = F_Smax / (mu W')")
+      .key("least_normal_force", &H::least_normal_force, "N/m",
+           "least N' = W' - U + change of the normal force; below 0 the caisson would lift");
+}
+
+OutputSchema<HistorySliding> distances_outputs() {
+  using H = HistorySliding;
+  return OutputSchema<H>()
+      .key("sliding_history", inner(&H::by_history, &Sliding::residual), "m",
+           "S by eq. (4) on F_T(t) and U(t): where the caisson comes to rest")
+      .key("sliding_history_largest", inner(&H::by_history, &Sliding::largest), "m", "largest distance on the way")
+      .list("slips[]", inner(&H::by_history, &Sliding::slips), slip_outputs(), "each slip")
+      .key("sliding_normal_force", inner(&H::with_normal_force, &Sliding::residual), "m",
+           "as `sliding_history`, friction acting on N' with the caisson's vertical motion");
+}
+
+OutputSchema<CoupledSummary> coupled_outputs() {
+  using C = CoupledSummary;
+  return OutputSchema<C>()
+      .key("largest", inner(&C::slip, &Sliding::largest), "m", "largest distance on the way")
+      .list("slips[]", inner(&C::slip, &Sliding::slips), slip_outputs(), "each slip")
+      .key("dissipated", &C::dissipated, "J/m", "energy taken by friction")
+      .key("peak_shear", &C::peak_shear, "N/m", "F_T of largest magnitude")
+      .key("least_normal", &C::least_normal, "N/m", "least N'")
+      .key("lifted_time", &C::lifted_time, "s", "for so long N' would have been negative")
+      .key("vectors", &C::vectors, "", "of its reduced model; 0 where the bonded caisson does not reach mu N'")
+      .key("error", &C::error, "", "of the forces between nested models, over their largest values")
+      .key("glued_error", &C::glued_error, "", "of F_T while it sticks, over its peak")
+      .key("growth", &C::growth, "1/s",
+           "of the fastest vibration that friction feeds ([flutter](contact.md#flutter)); 0: none")
+      .key("damping_time", &C::damping_time, "s",
+           "of what holds vibrations far above the load: the ratio of their damping is omega/2 times that")
+      .key("damping_effect", &C::damping_effect, "m", "what twice that damping moves S by")
+      .key("error_estimate", &C::error_estimate, "m",
+           "of S by cells and errors of F_T; null where that of `sliding` is");
+}
+
+OutputSchema<EqualImpulse> impulse_outputs() {
+  using E = EqualImpulse;
+  return OutputSchema<E>()
+      .key("tau_0", &E::duration, "s", "its duration")
+      .key("sliding_paper", &E::paper, "m", "S by eq. (7)")
+      .key("sliding_exact", &E::exact, "m", "S integrated");
+}
+
+OutputSchema<PulseSliding> pulse_outputs() {
+  using P = PulseSliding;
+  const auto parts = [](const P& p) { return Json{p.paper_parts.accelerating, p.paper_parts.braking}; };
+  return OutputSchema<P>()
+      .key("tau_0F", &P::standing_duration, "s",
+           "of `[sliding.wave]`, eqs. (8)-(11); null without that table, as the next five")
+      .key("k", &P::factor, "", "k(alpha*)")
+      .key("tau_0", &P::duration, "s", "k tau_0F")
+      .key("sliding_paper", &P::paper, "m", "S_CAL: eq. (7) with F_Smax and tau_0")
+      .key("sliding_paper_parts[]", parts, "m",
+           "its parts S_1 (until F_S has fallen to mu W') and S_2 (braking without F_S)")
+      .key("sliding_exact", &P::exact, "m",
+           "eqs. (4) and (6) integrated, same pulse: 1.94 times eq. (7) at r = 1, 1.12 times at r = 3");
+}
+
+OutputSchema<HistoryDuration> duration_outputs() {
+  using D = HistoryDuration;
+  return OutputSchema<D>()
+      .key("ratio", &D::ratio, "", "r")
+      .key("sliding", &D::sliding, "m", "S at this r")
+      .key("by_paper", &D::by_paper, "s",
+           "of the pulse that slides as far by eq. (7); null where it has no value, as the next three")
+      .key("by_exact", &D::by_exact, "s", "of the pulse that slides as far, integrated")
+      .key("by_excess", &D::by_excess, "s", "total time above mu W', over (1 - 1/r)")
+      .key("by_impulse", &D::by_impulse, "s", "twice the impulse of the lobe with the peak, over the peak");
+}
+
+OutputSchema<GluedDemand> demand_outputs() {
+  using D = GluedDemand;
+  const auto slip = [](const D& d) { return std::isfinite(d.slip) ? std::optional(d.slip) : std::nullopt; };
+  return OutputSchema<D>()
+      .key("slip", slip, "", "largest abs(T) / (mu N); null where a node pulls")
+      .key("least_normal", &D::least_normal, "", "least N over that at rest")
+      .key("margin", &D::margin, "", "of both, for errors of a reduced model")
+      .key("reached", &D::reached, "", "whether one of them comes to its limit within the margin");
+}
+
+OutputSchema<NodeContact> solved_outputs() {
+  using C = NodeContact;
+  return OutputSchema<C>()
+      .key("slip", &C::slip, "m", "mean over the bottom in the end, landward: S")
+      .key("error_estimate", &C::error_estimate, "m",
+           "upper bound of the error of `slip` by cells and steps; null where `response.error_estimate` is")
+      .key("largest_slip", &C::largest_slip, "m", "largest slip on the way: mean over the bottom")
+      .key("least_slip", &C::least_slip, "m",
+           "of the node that slipped least, in the end: so far the whole bottom has gone; the rest is local slip of "
+           "edges that lift")
+      .key("opening_seaward", &C::opening_seaward, "m", "largest opening of the seaward end")
+      .key("opening_landward", &C::opening_landward, "m", "largest opening of the landward end")
+      .key("least_contact", &C::least_contact, "", "least share of the bottom that touches: of its width")
+      .key("least_normal_force", &C::least_normal_force, "N/m", "least normal force: sum of N")
+      .key("first_slip", &C::first_slip, "s", "when a node first slips; null: never")
+      .key("first_open", &C::first_open, "s", "when a node first opens; null: never")
+      .key("dissipated", &C::dissipated, "J/m", "energy taken by friction")
+      .key("slip_steps", &C::slip_steps, "", "steps in which a node slipped")
+      .key("open_steps", &C::open_steps, "", "steps in which a node was open")
+      .key("impacts", &C::impacts, "", "how often a node closed")
+      .key("fallbacks", &C::fallbacks, "", "contact problems that took the slow way");
+}
+
+}  // namespace
+
+OutputSchema<SlidingSummary> sliding_outputs() {
+  using S = SlidingSummary;
+  const auto coupled_slip = [](const S& s) {
+    return s.coupled ? std::optional(s.coupled->slip.residual) : std::nullopt;
+  };
+  return OutputSchema<S>()
+      .key("friction", &S::friction, "", "mu")
+      .key("weight", &S::weight, "N/m", "W")
+      .key("buoyant_weight", &S::buoyant_weight, "N/m", "W'")
+      .key("drag", &S::drag, "N s/m2", "F_D over the velocity")
+      .key("uplift", &S::uplift, "", "`none`, `prescribed` or `computed`")
+      .keys_of(&S::history, forces_outputs())
+      .keys_of(&S::history, distances_outputs())
+      .key("error_estimate", &S::error_estimate, "m",
+           "[upper bound of the error](accuracy.md) of `sliding_history`; null where `response.error_estimate` is")
+      .reason("why_no_error_estimate", &S::why_no_estimate, "why `error_estimate` is null; else null")
+      .key("sliding_coupled", coupled_slip, "m",
+           "S of a caisson that slips as a whole on the ground that it shakes, in the end; 0 where the bonded caisson "
+           "does not reach mu N'; null where it cannot be told")
+      .reason("why_not_coupled", &S::why_not_coupled, "why `sliding_coupled` is null; null where it is not")
+      .object("coupled", &S::coupled, coupled_outputs(), "of `sliding_coupled`; null with it")
+      .keys_of(&S::pulse, pulse_outputs())
+      .object("equal_impulse", &S::equal_impulse, impulse_outputs(),
+              "the triangular pulse of the same peak and impulse as F_S; null where F_S is nowhere landward")
+      .object("duration", inner(&S::history, &HistorySliding::own), duration_outputs(),
+              "tau_0 *of this history* at its own r: of the triangular pulse of equal peak; null where F_S is nowhere "
+              "landward")
+      .list("duration_table[]", inner(&S::history, &HistorySliding::table), duration_outputs(),
+            "the same against mu W' = F_Smax / r for r = 1.05 to 2: tau_0 is no property of the history alone");
+}
+
+OutputSchema<ContactSummary> contact_outputs() {
+  using C = ContactSummary;
+  return OutputSchema<C>()
+      .key("friction", &C::friction, "", "mu")
+      .key("weight", &C::weight, "N/m", "sum of N at rest")
+      .key("nodes", &C::nodes, "", "nodes of the bottom")
+      .object("glued", &C::demand, demand_outputs(), "how near the glued caisson comes to moving at any node")
+      .object("solved", &C::solved, solved_outputs(),
+              "what the bottom did; null where the glued caisson obeys the law of contact");
+}
+
+}  // namespace upbead

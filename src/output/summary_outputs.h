@@ -1,0 +1,18 @@
+// The keys of summary.json, and those that other files have, too.
+#pragma once
+
+#include "output/output_schema.h"
+#include "upbead/output/summary.h"
+
+namespace upbead {
+
+OutputSchema<LoadOnCaisson> load_outputs();
+OutputSchema<GaugeSummary> gauge_outputs();
+OutputSchema<Skipped> skipped_outputs();
+OutputSchema<SlidingSummary> sliding_outputs();
+OutputSchema<ContactSummary> contact_outputs();
+
+/// Of `upbead run`.
+const OutputSchema<Summary>& summary_outputs();
+
+}  // namespace upbead
