@@ -3,7 +3,7 @@
 
 namespace upbead {
 
-/// Names of the readings that others look up.
+/// Texts of the readings that others look up.
 namespace reading {
 inline const char* const force = "force";                              ///< P, horizontal load on the caisson
 inline const char* const water_force = "water_force";                  ///< P_water, of the modelled water

@@ -1,6 +1,5 @@
 #include "response/slip_law.h"
 
-#include "base/numbers.h"
 #include "fem/reading_names.h"
 
 namespace upbead {
@@ -12,6 +11,14 @@ SlipLaw slip_law(const ReducedSystem& system, double friction, UpliftKind uplift
     law.normal_force.emplace_back(index_of(system.reading_label, reading::uplift), -1.);
   for (const std::string& name : outputs) law.readings.push_back(index_of(system.reading_label, name));
   return law;
+}
+
+SampledLoads with_load(SampledLoads loads, const Eigen::RowVectorXd& values) {
+  const Eigen::Index K = loads.begin.rows(), N = loads.begin.cols();
+  for (Eigen::MatrixXd* part : {&loads.begin, &loads.end}) part->conservativeResize(K + 1, Eigen::NoChange);
+  loads.begin.row(K) = values.head(N);
+  loads.end.row(K) = values.tail(N);
+  return loads;
 }
 
 }  // namespace upbead

@@ -1,10 +1,11 @@
-// Friction under a caisson on a reduced model.
+// The friction of a caisson that slips as a whole, on its reduced model.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "dynamics/slip_model.h"
+#include "upbead/dynamics/modal_response.h"
 #include "upbead/model/scene.h"
 
 namespace upbead {
@@ -14,5 +15,8 @@ namespace upbead {
 /// of N_0. `outputs`: other readings.
 SlipLaw slip_law(const ReducedSystem& system, double friction, UpliftKind uplift,
                  const std::vector<std::string>& outputs = {});
+
+/// One more load, of these values at the times.
+SampledLoads with_load(SampledLoads loads, const Eigen::RowVectorXd& values);
 
 }  // namespace upbead

@@ -6,7 +6,6 @@
 #include "base/numbers.h"
 #include "fem/reading_names.h"
 #include "response/reduction.h"
-#include "response/slip_law.h"
 #include "system/interface.h"
 #include "upbead/base/history.h"
 
@@ -20,14 +19,6 @@ constexpr double cut_off = 0.7;
 constexpr int most_vectors = 60;
 
 }  // namespace
-
-SampledLoads with_load(SampledLoads loads, const Eigen::RowVectorXd& values) {
-  const Eigen::Index K = loads.begin.rows(), N = loads.begin.cols();
-  for (Eigen::MatrixXd* part : {&loads.begin, &loads.end}) part->conservativeResize(K + 1, Eigen::NoChange);
-  loads.begin.row(K) = values.head(N);
-  loads.end.row(K) = values.tail(N);
-  return loads;
-}
 
 SlipReduction reduce_slip(const Scene& scene, const CompiledScene& compiled, UpliftKind uplift, const Series& bonded,
                           const std::function<void(double)>& progress) {

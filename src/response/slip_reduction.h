@@ -2,17 +2,12 @@
 #pragma once
 
 #include <functional>
-#include <string>
-#include <vector>
 
-#include "dynamics/slip_model.h"
 #include "fem/compile.h"
+#include "response/slip_law.h"
 #include "upbead/dynamics/reduce.h"
 
 namespace upbead {
-
-/// One more load, of these values at the times.
-SampledLoads with_load(SampledLoads loads, const Eigen::RowVectorXd& values);
 
 /// A scene in a few coordinates, one of them s, and what is known of its error.
 struct SlipReduction {
