@@ -11,7 +11,7 @@
 #include "case/input_files.h"
 #include "case/script_trust.h"
 #include "cli/command.h"
-#include "fem/caisson_readings.h"
+#include "fem/caisson/readings.h"
 #include "fem/compile.h"
 #include "model/exclusions.h"
 #include "model/words.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "base/text.h"
-#include "fem/reading_names.h"
+#include "fem/caisson/reading_names.h"
 #include "upbead/output/model_file.h"
 
 namespace upbead {

@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "fem/caisson.h"
-#include "fem/rigid_body.h"
+#include "fem/caisson/caisson.h"
+#include "fem/caisson/rigid_body.h"
 #include "fem/unknowns.h"
 #include "upbead/system/system.h"
 

@@ -3,11 +3,11 @@
 #include <algorithm>
 
 #include "fem/assembly.h"
-#include "fem/base_readings.h"
-#include "fem/caisson_readings.h"
+#include "fem/caisson/base_readings.h"
+#include "fem/caisson/readings.h"
+#include "fem/caisson/uplift.h"
 #include "fem/partition.h"
 #include "fem/probes.h"
-#include "fem/uplift.h"
 
 namespace upbead {
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "fem/caisson.h"
+#include "fem/caisson/caisson.h"
 #include "fem/scene_loads.h"
 #include "fem/space.h"
 #include "fem/unknowns.h"

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "fem/interface_nodes.h"
-#include "fem/rigid_body.h"
+#include "fem/caisson/interface_nodes.h"
+#include "fem/caisson/rigid_body.h"
 #include "fem/space.h"
 
 namespace upbead {

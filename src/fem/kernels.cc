@@ -94,9 +94,8 @@ void uu_M(const FEValues<dim>& fe, const Material& material, CellMatrices& cell)
 void uu_K(const FEValues<dim>& fe, const Material& material, CellMatrices& cell) {
   const ElasticRoot root(material);
   const auto u = part_dofs(fe, u_part);
-  const Table strains = tabulate(fe, u, ElasticRoot::n_values, [&](unsigned i, unsigned q, double* out) {
-    root.write(strain_of(fe, i, q), out);
-  });
+  const Table strains = tabulate(fe, u, ElasticRoot::n_values,
+                                 [&](unsigned i, unsigned q, double* out) { root.write(strain_of(fe, i, q), out); });
   add_square(u, 1., strains, cell.K);
 }
 

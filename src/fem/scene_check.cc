@@ -4,7 +4,7 @@
 
 #include "base/text.h"
 #include "checker.h"
-#include "fem/interface_nodes.h"
+#include "fem/caisson/interface_nodes.h"
 #include "fem/locate.h"
 #include "fem/static_stage.h"
 

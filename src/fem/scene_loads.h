@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "fem/caisson.h"
+#include "fem/caisson/caisson.h"
 #include "fem/unknowns.h"
 #include "upbead/fem/load_on_caisson.h"
 #include "upbead/system/system.h"

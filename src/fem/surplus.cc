@@ -146,8 +146,8 @@ Eigen::MatrixXd cell_errors(const Scene& scene, const Space& space, const Unknow
   for (const auto& cell : space.dofs().active_cell_iterators()) {
     if (space.region(cell).kind == RegionKind::rigid || space.kind(cell) == CellKind::absent) continue;
     hp_values.reinit(cell);
-    assemble_cell(hp_values.get_present_fe_values(), space.material(cell), space.kind(cell),
-                  scene.time.inertia, matrices);
+    assemble_cell(hp_values.get_present_fe_values(), space.material(cell), space.kind(cell), scene.time.inertia,
+                  matrices);
     dofs.resize(cell->get_fe().n_dofs_per_cell());
     cell->get_dof_indices(dofs);
     Dense local = Dense::Zero(static_cast<Eigen::Index>(dofs.size()), values.cols());

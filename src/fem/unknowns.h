@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "fem/interface_nodes.h"
-#include "fem/rigid_body.h"
+#include "fem/caisson/interface_nodes.h"
+#include "fem/caisson/rigid_body.h"
 #include "fem/space.h"
 #include "upbead/system/system.h"
 

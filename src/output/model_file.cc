@@ -4,7 +4,7 @@
 #include <complex>
 
 #include "base/text.h"
-#include "fem/reading_names.h"
+#include "fem/caisson/reading_names.h"
 #include "model_parts.h"
 
 namespace upbead {

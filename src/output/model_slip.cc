@@ -7,7 +7,7 @@
 
 #include "base/text.h"
 #include "dynamics/slip_model.h"
-#include "fem/reading_names.h"
+#include "fem/caisson/reading_names.h"
 
 namespace upbead::detail {
 

@@ -12,7 +12,7 @@
 #include "base/text.h"
 #include "dynamics/band_check.h"
 #include "dynamics/response_error.h"
-#include "fem/reading_names.h"
+#include "fem/caisson/reading_names.h"
 #include "output/wave_response.h"
 #include "respond/respond_slip.h"
 #include "respond/wave_grid.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "fem/caisson.h"
+#include "fem/caisson/caisson.h"
 
 namespace upbead {
 

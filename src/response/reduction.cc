@@ -6,7 +6,7 @@
 
 #include "base/numbers.h"
 #include "base/text.h"
-#include "fem/caisson_readings.h"
+#include "fem/caisson/readings.h"
 #include "response/time_choice.h"
 #include "upbead/base/error.h"
 

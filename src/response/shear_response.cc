@@ -5,7 +5,7 @@
 
 #include "base/text.h"
 #include "dynamics/interpolate.h"
-#include "fem/caisson_readings.h"
+#include "fem/caisson/readings.h"
 #include "upbead/base/error.h"
 
 namespace upbead {

@@ -1,6 +1,6 @@
 #include "response/slip_law.h"
 
-#include "fem/reading_names.h"
+#include "fem/caisson/reading_names.h"
 
 namespace upbead {
 

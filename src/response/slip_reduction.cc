@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "base/numbers.h"
-#include "fem/reading_names.h"
+#include "fem/caisson/reading_names.h"
 #include "response/reduction.h"
 #include "system/interface.h"
 #include "upbead/base/history.h"

@@ -6,7 +6,7 @@
 #include "base/numbers.h"
 #include "dynamics/frequency_response.h"
 #include "dynamics/projection.h"
-#include "fem/caisson_readings.h"
+#include "fem/caisson/readings.h"
 #include "fem/surplus.h"
 #include "response/reduction.h"
 #include "response/time_choice.h"

@@ -7,7 +7,7 @@
 #include "base/numbers.h"
 #include "base/stopwatch.h"
 #include "base/text.h"
-#include "fem/caisson_readings.h"
+#include "fem/caisson/readings.h"
 #include "upbead/dynamics/time_grid.h"
 
 namespace upbead {

@@ -8,7 +8,7 @@
 
 #include "base/stopwatch.h"
 #include "expected/dynamic_law.h"
-#include "fem/caisson_readings.h"
+#include "fem/caisson/readings.h"
 #include "upbead/expected/life.h"
 #include "upbead/output/model_file.h"
 

@@ -17,7 +17,7 @@
 #include "dynamics/batch_response.h"
 #include "dynamics/projection.h"
 #include "dynamics/state_space.h"
-#include "fem/caisson_readings.h"
+#include "fem/caisson/readings.h"
 #include "fem/compile.h"
 #include "response/reduction.h"
 #include "response/shear_response.h"

@@ -1,7 +1,7 @@
 // Claim: the scaled case with Froude-similar soil has the same dimensionless F_T, marched and reduced.
 #include "case/case_run.h"
 #include "case/scale.h"
-#include "fem/caisson_readings.h"
+#include "fem/caisson/readings.h"
 #include "fem/compile.h"
 #include "good_case.h"
 #include "section_case.h"

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "fem/caisson_readings.h"
+#include "fem/caisson/readings.h"
 #include "fem/static_stage.h"
 #include "mesh/refine.h"
 #include "scenes.h"

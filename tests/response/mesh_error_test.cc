@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fem/caisson_readings.h"
+#include "fem/caisson/readings.h"
 #include "scenes.h"
 
 namespace upbead::test {

@@ -7,7 +7,7 @@
 
 #include <stdexcept>
 
-#include "fem/caisson_readings.h"
+#include "fem/caisson/readings.h"
 #include "response/reduction.h"
 #include "scenes.h"
 #include "sliding/coupled_slip.h"

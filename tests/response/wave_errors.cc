@@ -6,7 +6,7 @@
 
 #include "base/stopwatch.h"
 #include "dynamics/response_error.h"
-#include "fem/caisson_readings.h"
+#include "fem/caisson/readings.h"
 #include "upbead/dynamics/modal_response.h"
 
 namespace upbead::test {

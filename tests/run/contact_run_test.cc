@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "case/case_run.h"
-#include "fem/caisson_readings.h"
+#include "fem/caisson/readings.h"
 #include "fem/compile.h"
 #include "good_case.h"
 #include "section_case.h"

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "base/stopwatch.h"
-#include "fem/caisson_readings.h"
+#include "fem/caisson/readings.h"
 #include "mesh/refine.h"
 #include "upbead/base/error.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "dynamics/contact.h"
-#include "fem/caisson_readings.h"
+#include "fem/caisson/readings.h"
 
 namespace upbead::test {
 

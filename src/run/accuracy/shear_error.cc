@@ -7,7 +7,7 @@
 #include "base/interrupt.h"
 #include "base/stopwatch.h"
 #include "base/text.h"
-#include "fem/caisson_readings.h"
+#include "fem/caisson/readings.h"
 #include "mesh/refine.h"
 #include "model/exclusions.h"
 #include "response/reduction.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/text.h"
-#include "fem/caisson_readings.h"
+#include "fem/caisson/readings.h"
 #include "model/words.h"
 #include "response/shear_response.h"
 #include "upbead/base/error.h"

@@ -5,7 +5,7 @@
 
 #include "base/stopwatch.h"
 #include "base/text.h"
-#include "fem/caisson_readings.h"
+#include "fem/caisson/readings.h"
 #include "response/reduction.h"
 #include "response/slip_law.h"
 #include "response/slip_reduction.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fem/caisson_readings.h"
+#include "fem/caisson/readings.h"
 #include "fem/static_stage.h"
 #include "run/sliding/case_sliding.h"
 

@@ -10,7 +10,7 @@
 
 #include "case/case_run.h"
 #include "dynamics/kernel.h"
-#include "fem/caisson_readings.h"
+#include "fem/caisson/readings.h"
 #include "fem/compile.h"
 #include "record.h"
 

@@ -9,7 +9,7 @@
 #include <limits>
 #include <random>
 
-#include "fem/caisson_readings.h"
+#include "fem/caisson/readings.h"
 #include "reduced_case.h"
 #include "upbead/base/error.h"
 

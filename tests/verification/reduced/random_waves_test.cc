@@ -11,7 +11,7 @@
 #include <map>
 
 #include "dynamics/kernel.h"
-#include "fem/caisson_readings.h"
+#include "fem/caisson/readings.h"
 #include "reduced_case.h"
 
 namespace upbead::test {

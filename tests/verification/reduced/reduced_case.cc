@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "fem/caisson_readings.h"
+#include "fem/caisson/readings.h"
 
 namespace upbead::test {
 

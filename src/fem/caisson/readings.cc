@@ -1,4 +1,4 @@
-#include "fem/caisson_readings.h"
+#include "fem/caisson/readings.h"
 
 #include <map>
 

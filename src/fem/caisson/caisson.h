@@ -6,9 +6,9 @@
 #include <optional>
 #include <vector>
 
+#include "fem/caisson/rigid_body.h"
 #include "fem/face_loads.h"
 #include "fem/faces.h"
-#include "fem/rigid_body.h"
 #include "fem/unknowns.h"
 
 namespace upbead {

@@ -4,8 +4,8 @@
 #include <array>
 #include <vector>
 
-#include "fem/caisson.h"
-#include "fem/reading_names.h"
+#include "fem/caisson/caisson.h"
+#include "fem/caisson/reading_names.h"
 #include "fem/scene_loads.h"
 #include "upbead/system/system.h"
 

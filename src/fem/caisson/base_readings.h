@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "fem/caisson.h"
+#include "fem/caisson/caisson.h"
 #include "fem/scene_loads.h"
 
 namespace upbead {

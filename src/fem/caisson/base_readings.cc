@@ -1,6 +1,6 @@
-#include "fem/base_readings.h"
+#include "fem/caisson/base_readings.h"
 
-#include "bottom_faces.h"
+#include "fem/bottom_faces.h"
 
 namespace upbead {
 

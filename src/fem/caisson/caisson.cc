@@ -1,11 +1,11 @@
-#include "fem/caisson.h"
+#include "fem/caisson/caisson.h"
 
 #include <deal.II/base/quadrature_lib.h>
 
 #include <algorithm>
 #include <limits>
 
-#include "hanging_nodes.h"
+#include "fem/hanging_nodes.h"
 
 namespace upbead {
 

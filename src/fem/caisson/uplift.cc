@@ -1,4 +1,4 @@
-#include "fem/uplift.h"
+#include "fem/caisson/uplift.h"
 
 namespace upbead {
 

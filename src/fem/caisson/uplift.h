@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "fem/caisson.h"
+#include "fem/caisson/caisson.h"
 
 namespace upbead {
 

@@ -1,4 +1,4 @@
-#include "fem/interface_nodes.h"
+#include "fem/caisson/interface_nodes.h"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 #include <limits>
 #include <map>
 
-#include "bottom_faces.h"
+#include "fem/bottom_faces.h"
 #include "fem/unknowns.h"
 #include "system/interface.h"
 

@@ -1,4 +1,4 @@
-#include "fem/rigid_body.h"
+#include "fem/caisson/rigid_body.h"
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_nothing.h>
