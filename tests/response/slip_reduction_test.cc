@@ -65,7 +65,7 @@ TEST(SlipReduction, SticksAsItsGluedTwinAndSlips) {
   EXPECT_GT(slid.slip.residual, 1e-3);
   EXPECT_NEAR(slid.peak_shear, 0.6 * twins.peak_shear(), 0.01 * slid.peak_shear) << "N' hardly moves here";
   EXPECT_GT(slid.dissipated, 0.);
-  const double x = history.wanted(0, history.wanted.cols() - 1);
+  const double x = history.outputs(0, history.outputs.cols() - 1);
   EXPECT_NEAR(x, slid.slip.residual, 0.5 * slid.slip.residual) << "the caisson is carried along, its soil swings";
 
   const SlipReduction larger = twins.reduced(5e-5);

@@ -138,7 +138,7 @@ TEST(CoupledFlutter, NoSceneGivesADistanceThatCannotBe) {
       // all that the loads have done, by x', straight between samples
       double work = 0., rough = 0.;
       for (Eigen::Index n = 1; n < loads.cols(); ++n) {
-        const double v = history.wanted(0, n - 1), w = history.wanted(0, n), P = loads(0, n - 1), Q = loads(0, n);
+        const double v = history.outputs(0, n - 1), w = history.outputs(0, n), P = loads(0, n - 1), Q = loads(0, n);
         work += RandomScene::step * (P * (2. * v + w) + Q * (v + 2. * w)) / 6.;
         rough += RandomScene::step * (std::abs(P) + std::abs(Q)) * std::abs(w - v);
       }

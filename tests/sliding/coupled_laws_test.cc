@@ -38,7 +38,7 @@ TEST(CoupledLaws, WorkIsWhatIsStoredAndTaken) {
     const CoupledSliding found = CoupledSlip(model, step).slide(loads, &history);
     EXPECT_GT(found.slip.slips.size(), 1u);
     Eigen::MatrixXd velocity(3, n);
-    velocity << history.wanted, history.velocity;
+    velocity << history.outputs, history.velocity;
     Eigen::MatrixXd position(3, n);
     for (int i = 0; i < 3; ++i) position.row(i) = integral(velocity.row(i), step);
     const double work = integral(loads.row(0).cwiseProduct(velocity.row(0)), step)[n - 1];

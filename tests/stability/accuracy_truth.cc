@@ -7,6 +7,7 @@
 
 #include "base/stopwatch.h"
 #include "fem/caisson/readings.h"
+#include "fem/compile.h"
 #include "mesh/refine.h"
 #include "upbead/base/error.h"
 

@@ -35,14 +35,15 @@ std::string choose_reading(const System& system, const Series& ends) {
     return ends.reading.row(system.reading(name)).cwiseAbs().maxCoeff();
   };
   const bool caisson = std::any_of(system.readings.begin(), system.readings.end(),
-                                   [](const Reading& r) { return r.name == reading::shear_force; });
+                                   [](const Reading& r) { return r.name.text() == reading::shear_force; });
   if (caisson)
     return largest(reading::shear_force) > 1e-6 * largest(reading::normal_force) ? reading::shear_force
                                                                                  : reading::normal_force;
   std::string best;
   for (const Reading& r : system.readings)
-    if (r.name.find("/displacement") != std::string::npos && (best.empty() || largest(r.name) > largest(best)))
-      best = r.name;
+    if (const std::string name = r.name.text();
+        name.find("/displacement") != std::string::npos && (best.empty() || largest(name) > largest(best)))
+      best = name;
   return best;
 }
 

@@ -77,7 +77,7 @@ void compare(Record& record, const std::string& path) {
   std::vector<std::string> names;
   for (std::size_t i = 0; i < readings.size(); ++i) {
     marched.row(static_cast<Eigen::Index>(i)) = response.ends.reading.row(readings[i]);
-    names.push_back(system.readings[readings[i]].name);
+    names.push_back(system.readings[readings[i]].name.text());
   }
   write_down(record, input.stem, names, convolved, marched);
 }
