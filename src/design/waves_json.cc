@@ -77,7 +77,8 @@ OutputSchema<Stability> stability_outputs() {
   return OutputSchema<S>()
       .key("safety_sliding", &S::safety_sliding, "", "safety factor against sliding, with alpha_I")
       .key("safety_overturning", &S::safety_overturning, "", "safety factor against overturning, with alpha_I")
-      .key("toe_pressure", &S::toe_pressure, "Pa", "p_e, with alpha_I");
+      .key("heel_pressure", &S::heel_pressure, "Pa", "p_e, under the landward edge, with alpha_I")
+      .key("toe_pressure", &S::heel_pressure, "Pa", "the same, as older versions call it");
 }
 
 OutputSchema<ElasticSliding> elastic_outputs() {

@@ -101,7 +101,7 @@ Row safety(const WaveAnswer& a) {
           short_number(a.pressure.uplift_moment / 1e6),
           short_number(a.stability.safety_sliding),
           short_number(a.stability.safety_overturning),
-          short_number(a.stability.toe_pressure / 1e3)};
+          short_number(a.stability.heel_pressure / 1e3)};
 }
 
 Row sliding(const WaveAnswer& a) {

@@ -129,7 +129,7 @@ double alpha_I0(double height, double berm_depth) {
 namespace {
 
 /// p_e under the heel [Goda 2000]: a triangle where the resultant lies in the outer third, else a trapezium.
-double toe_pressure(double width, double vertical, double moment) {
+double heel_pressure(double width, double vertical, double moment) {
   if (vertical <= 0.) return 0.;  // lifted off: nothing presses on the mound
   const double t_e = moment / vertical;
   if (t_e <= width / 3.) return 2. * vertical / (3. * t_e);
@@ -145,7 +145,7 @@ Stability stability(const Section& section, const WavePressure& pressure) {
   Stability s;
   s.safety_sliding = section.friction * vertical / pressure.force;
   s.safety_overturning = resisting / pressure.force_moment;
-  s.toe_pressure = toe_pressure(section.width, vertical, resisting - pressure.force_moment);
+  s.heel_pressure = heel_pressure(section.width, vertical, resisting - pressure.force_moment);
   s.sliding_force = pressure.force + section.friction * pressure.uplift;
   s.resistance = section.friction * section.buoyant_weight;
   s.ratio = s.sliding_force / s.resistance;

@@ -34,7 +34,7 @@ period = 12.0
 KEYS = ["height", "significant_height", "period", "angle", "wavelength", "alpha_1", "alpha_2", "alpha_3", "alpha_I",
         "alpha_star", "lambda_1", "lambda_2", "lambda_3", "eta_star", "overtopped", "p1", "p3", "p4", "pu", "force",
         "uplift", "force_moment", "uplift_moment", "without_alpha_I", "safety_sliding", "safety_overturning",
-        "toe_pressure", "tau_0F", "k", "tau_0", "shear_force", "shear_force_from", "sliding_force", "ratio",
+        "heel_pressure", "toe_pressure", "tau_0F", "k", "tau_0", "shear_force", "shear_force_from", "sliding_force", "ratio",
         "sliding_paper", "sliding_paper_parts", "sliding_exact", "sliding_combined", "elastic", "warnings"]
 
 # Goda (2000), p. 140; B_M and so alpha_I are additions. W and W' by 2.1 and 2.4 t/m3 below and above still water.

@@ -1,6 +1,6 @@
-// Claim: loads, safety factors and toe pressure of the 15 cases that the tests of Deltares' coastal-structures-toolbox
+// Claim: loads, safety factors and heel pressure of the 15 cases that the tests of Deltares' coastal-structures-toolbox
 // 1.0.0 hold (goda1985_test.py; the 15th differs from the first by B_M alone, which Goda's formula does not know).
-// Their numbers have 5 digits; the toe pressure is ill-conditioned. Some sections are not physical (h' > h), which does
+// Their numbers have 5 digits; the heel pressure is ill-conditioned. Some sections are not physical (h' > h), which does
 // not matter to the arithmetic.
 
 #include <gtest/gtest.h>
@@ -124,7 +124,7 @@ TEST_P(Deltares, IsReproduced) {
   near(p.pu, 1e3 * expected.p_u, 5e-4, "p_u");
   near(safety.safety_sliding, expected.sliding, 5e-4, "S.F. sliding");
   near(safety.safety_overturning, expected.overturning, 5e-4, "S.F. overturning");
-  near(safety.toe_pressure, 1e3 * expected.p_e, 5e-3, "p_e");
+  near(safety.heel_pressure, 1e3 * expected.p_e, 5e-3, "p_e");
 }
 
 INSTANTIATE_TEST_SUITE_P(, Deltares, testing::ValuesIn(rows), name_of);

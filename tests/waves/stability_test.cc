@@ -1,4 +1,4 @@
-// Claim: safety factors and toe pressure of Goda's example; r is 1 exactly where the safety factor is, and not its
+// Claim: safety factors and heel pressure of Goda's example; r is 1 exactly where the safety factor is, and not its
 // inverse elsewhere.
 
 #include "upbead/waves/goda.h"
@@ -18,11 +18,11 @@ TEST(Stability, IsThatOfTheBooksExample) {
   const Stability plain = stability(goda_section(), pressure(PressureFormula::goda));
   EXPECT_NEAR(plain.safety_sliding, 1.1687, 5e-5);
   EXPECT_NEAR(plain.safety_overturning, 2.5785, 5e-5);
-  EXPECT_NEAR(plain.toe_pressure, 291.31e3, 10.);
+  EXPECT_NEAR(plain.heel_pressure, 291.31e3, 10.);
   const Stability extended = stability(goda_section(), pressure(PressureFormula::extended));
   EXPECT_NEAR(extended.safety_sliding, 1.1644, 5e-5);
   EXPECT_NEAR(extended.safety_overturning, 2.5691, 5e-5);
-  EXPECT_NEAR(extended.toe_pressure, 291.98e3, 10.);
+  EXPECT_NEAR(extended.heel_pressure, 291.98e3, 10.);
 }
 
 TEST(Stability, HasRatioOneWhereTheSafetyFactorIsOne) {
@@ -58,22 +58,22 @@ TEST(Stability, ToePressureIsContinuousWhereTheSeawardEdgeOpens) {
   // t_e = B/3 where W' t - M_U - M_P = (W' - U) B/3.
   const double t = ((s.buoyant_weight - p.uplift) * s.width / 3. + p.uplift_moment + p.force_moment) / s.buoyant_weight;
   s.centroid = t * (1. - 1e-9);
-  const double opened = stability(s, p).toe_pressure;
+  const double opened = stability(s, p).heel_pressure;
   s.centroid = t * (1. + 1e-9);
-  EXPECT_NEAR(stability(s, p).toe_pressure / opened, 1., 1e-7);
+  EXPECT_NEAR(stability(s, p).heel_pressure / opened, 1., 1e-7);
 }
 
 TEST(Stability, ToePressureIsNegativeWhereItOverturns) {
   Section s = goda_section();
   s.centroid = 1.;
   EXPECT_LT(stability(s, pressure(PressureFormula::goda)).safety_overturning, 1.);
-  EXPECT_LT(stability(s, pressure(PressureFormula::goda)).toe_pressure, 0.);
+  EXPECT_LT(stability(s, pressure(PressureFormula::goda)).heel_pressure, 0.);
 }
 
 TEST(Stability, NothingPressesOnTheMoundWhereUpliftLifts) {
   Section s = goda_section();
   s.buoyant_weight = 4e5;
-  EXPECT_EQ(stability(s, pressure(PressureFormula::goda)).toe_pressure, 0.);
+  EXPECT_EQ(stability(s, pressure(PressureFormula::goda)).heel_pressure, 0.);
   EXPECT_LT(stability(s, pressure(PressureFormula::goda)).safety_sliding, 0.);
 }
 
