@@ -130,6 +130,7 @@ Case read_case(const std::string& path, const std::vector<std::string>& override
   make_histories(problem, tables, report);
   make_sliding(problem, tables, report);
   report.throw_if_any(path);
+  problem.notes = report.notes();
   problem.scene = tables;
   problem.scene.accuracy = {tables.accuracy_of, tables.accuracy_estimate};
   problem.measured = tables.measured;
@@ -145,6 +146,12 @@ Case read_case(const std::string& path, const std::vector<std::string>& override
     problem.sources[name] = {table.pulse, table.history_file};
   }
   return problem;
+}
+
+std::string notes_on(const Case& problem) {
+  std::string text;
+  for (const Diagnostic& note : problem.notes) text += "note: " + to_string(note) + "\n";
+  return text;
 }
 
 void require_loads(const Case& problem) {

@@ -34,7 +34,8 @@ TableSchema<MeshChoice> mesh_schema() {
   table.key("degree", &MeshChoice::degree)
       .range(from_to(2., 3.))
       .doc("polynomial degree of the displacement; that of the pressure is one less; 3 where refine is auto");
-  table.key("keep_unreached", &MeshChoice::keep_unreached)
+  table.key("full_domain", &MeshChoice::full_domain)
+      .formerly("keep_unreached")
       .doc("true: solve also where no wave could come from the loads and be read of before the end");
   return table;
 }

@@ -98,7 +98,7 @@ int explain(const ExplainOptions& options) {
   require_trust(input, options.trusted);
   const Simulation simulation = simulation_of(input);
   const NumberedWarnings told = warnings(input, simulation);
-  std::cerr << describe(told);
+  std::cerr << notes_on(input) << describe(told);
   std::cout << (options.json ? explanation_json(input, simulation, told) : describe(input, simulation));
   return 0;
 }

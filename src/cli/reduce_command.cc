@@ -242,6 +242,7 @@ int reduce(const ReduceOptionsOfCommand& options, const Stopwatch& since_start) 
   const Case input = read_case(options.file, options.overrides);
   require_trust(input, options.trusts_script);
   require_loads(input);
+  std::cerr << notes_on(input);
   note_interrupts();
   const std::string out = options.out.empty() ? "results/" + input.stem : options.out;
   require_inputs_kept(out, {"reduced.h5"}, input_files(input));

@@ -127,6 +127,7 @@ void run(const RunOptionsOfCommand& options, const Stopwatch& since_start,
   const Case input = read_case(options.file, options.overrides);
   require_trust(input, options.trusted);
   require_loads(input);
+  if (is_first) std::cerr << notes_on(input);
   if (processes) check_processes(input, options.checkpoint.every > 0. || options.checkpoint.resume);
   note_interrupts();
   std::optional<OutputFolder> folder;

@@ -48,6 +48,7 @@ std::string describe(const ScaledCase& scaled, const ScaleOptions& options) {
 
 int scale(const ScaleOptionsOfCommand& options) {
   const Case problem = read_case(options.file, options.overrides);
+  std::cerr << notes_on(problem);
   const std::string name = options.out.empty() ? "results/" + problem.stem + "-scaled" : options.out;
   const ScaleOptions wanted{options.factor, options.soil == "same" ? SoilScaling::same : SoilScaling::froude,
                             options.ratios};

@@ -79,7 +79,7 @@ Ends ends_of(const Scene& scene, const Mesh& mesh) {
 
 Reach find_reach(const Scene& scene, const Mesh& mesh) {
   Reach reach;
-  if (scene.mesh.keep_unreached || scene.fields_every || !scene.time.inertia) return reach;
+  if (scene.mesh.full_domain || scene.fields_every || !scene.time.inertia) return reach;
   for (const auto& [name, region] : scene.regions)
     reach.speed = std::max(reach.speed, fastest_wave(region, scene.fluid, scene.gravity));
   if (std::isinf(reach.speed)) return reach;

@@ -119,7 +119,7 @@ void leave_out_unreached(const Mesh& mesh, ResolvedScene& resolved) {
   for (std::size_t i = 0; i < reach.unreached.size(); ++i)
     resolved.absent[i] = resolved.absent[i] || reach.unreached[i];
   const std::string cells = std::to_string(reach.n_unreached) + " cells";
-  resolved.decisions.push_back({"", "keep_unreached", "false",
+  resolved.decisions.push_back({"", "full_domain", "false",
                                 "waves of at most " + significant(reach.speed) +
                                     " m/s do not come there and back within " + significant(resolved.scene.time.end) +
                                     " s",

@@ -20,12 +20,32 @@ bool check_is_table(const Node& node, const std::string& path, Diagnostics& repo
 }
 
 void check_known(const Node& node, const std::string& path, const std::vector<Key>& keys, Diagnostics& report) {
-  std::vector<std::string> known;
-  for (const Key& key : keys) known.push_back(key.info.name);
+  std::vector<std::string> known, former;
+  for (const Key& key : keys) {
+    known.push_back(key.info.name);
+    former.push_back(key.info.former);
+  }
+  const auto has = [](const std::vector<std::string>& list, const std::string& name) {
+    return !name.empty() && std::find(list.begin(), list.end(), name) != list.end();
+  };
   for (const auto& [name, entry] : *node.table())
-    if (std::find(known.begin(), known.end(), name) == known.end())
+    if (!has(known, name) && !has(former, name))
       report.add(at_key(dotted(path, name), entry.place), "unknown key " + in_quotes(name) + " " + where_text(path),
                  suggestion(name, known, "keys"));
+}
+
+/// The value of a key, by its older name too; nullptr where it is not given.
+const Node* find_value(const Node& node, const KeyInfo& key, const std::string& path, Diagnostics& report) {
+  const Node* value = node.find(key.name);
+  const Node* old = key.former.empty() ? nullptr : node.find(key.former);
+  if (!old) return value;
+  const Place place = at_key(path, old->place);
+  if (value)
+    report.add(place, in_quotes(key.former) + " is the older name of " + in_quotes(key.name) + ", and both are given",
+               "remove it");
+  else
+    report.note(place, in_quotes(key.former) + " is called " + in_quotes(key.name) + " now");
+  return value ? value : old;
 }
 
 /// What a key takes, in words; "" of a table alone.
@@ -111,7 +131,7 @@ void Table::read(const Node& node, const std::string& path, void* object, Diagno
   check_known(node, path, keys_, report);
   for (const Key& key : keys_) {
     const std::string place = dotted(path, key.info.name);
-    const Node* value = node.find(key.info.name);
+    const Node* value = find_value(node, key.info, place, report);
     const bool decided = key.decisive.empty() || report.sound(dotted(path, key.decisive));
     const bool belongs = !key.belongs || key.belongs(object);
     if (value && decided && !belongs)

@@ -70,6 +70,8 @@ class Entry {
   /// A word that stands for "not given" in an optional member.
   Entry or_word(std::string word) const { return set(key_.info.word, std::move(word)); }
   Entry required() const { return set(key_.info.required, true); }
+  /// An older name of the key: still understood, with a note that tells the new one.
+  Entry formerly(std::string name) const { return set(key_.info.former, std::move(name)); }
   /// The key belongs only where `belongs` holds; judged once `decisive_key`, declared before, is read and sound.
   Entry when(std::string decisive_key, std::function<bool(const T&)> belongs, std::string in_words) const {
     key_.decisive = std::move(decisive_key);

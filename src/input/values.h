@@ -42,6 +42,7 @@ Range from_to_below(double low, double high);  ///< [low, high)
 /// What is declared about a key besides its type.
 struct KeyInfo {
   std::string name;
+  std::string former;              ///< an older name, still understood; "" where there is none
   std::string unit;                ///< "" for a number without one
   std::string doc;                 ///< a noun phrase after "the"; what follows a ";" is for the reference only
   std::string fallback;            ///< the default in words, where it is none of the values

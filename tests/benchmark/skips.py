@@ -83,7 +83,7 @@ STUDIES = [
      {"time.end": "6"}),
     ("fig2b prototype, steps of 5 ms", "fields every 20 ms", PROTOTYPE, {"time.step": "0.005"},
      {"time.step": "0.005", "output.fields.every": "0.02"}),
-    ("dry scene", "cells out of reach", dry(), {**NO_SEA}, {**NO_SEA, "mesh.keep_unreached": "true"}),
+    ("dry scene", "cells out of reach", dry(), {**NO_SEA}, {**NO_SEA, "mesh.full_domain": "true"}),
     ("column of sand", "inertial flow", COLUMN.format(k="1e-4", top="open"), {}, {"regions.soil.flow": '"inertial"'}),
     ("undrained column", "inertial flow", COLUMN.format(k="1e-9", top="sealed"), {}, {"regions.soil.flow": '"inertial"'}),
 ]

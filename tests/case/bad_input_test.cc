@@ -18,7 +18,7 @@ const std::vector<BadCase> rows{
             "case.toml:18:1: unknown key 'porosty' in [regions.rubble]; did you mean 'porosity'?"},
     BadCase{"UnknownKeyFarFromAny", "refine = 1", "colour = 1",
             "case.toml:11:1: unknown key 'colour' in [mesh]; known keys: geometry, file, parameters, refine, degree, "
-            "keep_unreached"},
+            "full_domain"},
     BadCase{"UnknownTable", "[accuracy]", "[acuracy]",
             "case.toml:73:2: unknown key 'acuracy' at the top of the file; did you mean 'accuracy'?"},
     BadCase{"UnknownKeyAtTheTop", "title = \"prototype\"", "name = \"prototype\"",

@@ -138,6 +138,14 @@ TEST_F(CaseTest, TakesOverrides) {
   EXPECT_EQ(scene.probes.at("B").at, (std::array<double, 2>{1., 2.}));
 }
 
+TEST_F(CaseTest, UnderstandsOlderNames) {
+  const Case problem = read(small_case, {"mesh.keep_unreached=true"});
+  EXPECT_TRUE(problem.scene.mesh.full_domain);
+  ASSERT_EQ(problem.notes.size(), 1U);
+  EXPECT_NE(notes_on(problem).find("'keep_unreached' is called 'full_domain' now"), std::string::npos);
+  EXPECT_EQ(notes_on(read(small_case, {"mesh.full_domain=true"})), "");
+}
+
 TEST_F(CaseTest, NamesAWrongOverride) {
   write("case.toml", good_case);
   EXPECT_EQ(

@@ -50,7 +50,7 @@ bulk_modulus = 2.2e9  # Pa
 file = "../sub/my.msh"
 refine = 0
 degree = 2
-keep_unreached = false
+full_domain = false
 
 [regions.soil]
 kind = "porous"

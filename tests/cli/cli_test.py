@@ -126,6 +126,11 @@ class Cli(ProgramTest):
             self.assertIn(word, done.stdout)
         self.assertEqual(self.left_behind(), [])
 
+    def test_older_name_of_a_key_is_understood_with_a_note(self):
+        done = upbead("explain", CASES / "fig2b-model.toml", "--set", "mesh.keep_unreached=true", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertRegex(done.stderr, "note: .*'keep_unreached' is called 'full_domain' now\n")
+
     def test_fields_open_in_paraview(self):
         done = self.run_model("--set", "output.fields.every=0.025")
         self.assertEqual(done.returncode, 0, done.stderr)

@@ -46,7 +46,7 @@ TableSchema<Thing> thing_schema() {
       .doc("whether there is room inside")
       .when(
           "colour", [](const Thing& thing) { return thing.colour == Colour::red; }, "of red things");
-  table.key("name", &Thing::name).doc("name").fallback("nameless");
+  table.key("name", &Thing::name).doc("name").fallback("nameless").formerly("label");
   table.key("points", &Thing::points).doc("points");
   table.table("part", &Thing::part, part_schema()).doc("The part.");
   table.table("spare", &Thing::spare, part_schema());
@@ -129,6 +129,20 @@ TEST(Schema, ReadsIntoMembers) {
   EXPECT_EQ(thing.width, 4.);
   EXPECT_FALSE(thing.step);
   EXPECT_EQ(thing.parts.at("a").count, 2);
+}
+
+TEST(Schema, UnderstandsAnOlderNameWithANote) {
+  Thing thing;
+  Diagnostics report;
+  thing_schema().read({NodeTable{{"label", text("old")}}, {}}, "", thing, report);
+  EXPECT_TRUE(report.empty());
+  EXPECT_EQ(thing.name, "old");
+  ASSERT_EQ(report.notes().size(), 1U);
+  EXPECT_EQ(to_string(report.notes().front()), "f:1:1: 'label' is called 'name' now");
+  EXPECT_NE(thing_schema().echo(thing).find("name = \"old\""), std::string::npos);
+  EXPECT_EQ(refusal({{"label", text("old")}, {"name", text("new")}}),
+            "f:1:1: 'label' is the older name of 'name', and both are given; remove it");
+  EXPECT_EQ(refusal({{"label", number(1)}}), "f:2:3: name: expected a string, found the number 1; give the name");
 }
 
 TEST(Schema, TellsMistakesInTheOrderOfTheFile) {

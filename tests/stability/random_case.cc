@@ -29,7 +29,7 @@ void write_mesh(CaseDraft& draft) {
   const int degree = draft.draw.chance(0.25) ? 3 : 2;
   draft.toml << "[mesh]\n"
              << draft.layout.mesh << "degree = " << degree
-             << "\nkeep_unreached = " << (draft.draw.chance(0.5) ? "true" : "false") << "\n\n";
+             << "\nfull_domain = " << (draft.draw.chance(0.5) ? "true" : "false") << "\n\n";
   draft.facts.emplace_back("degree", std::to_string(degree));
   draft.facts.emplace_back("depth", number(draft.layout.depth));
   draft.facts.emplace_back("aspect", number(draft.layout.aspect));

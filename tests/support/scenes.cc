@@ -96,7 +96,7 @@ std::map<std::string, double> with_sea() {
 
 /// With all cells: tests march to other ends than the scene's, or not at all.
 static Scene whole(Scene scene) {
-  scene.mesh.keep_unreached = true;
+  scene.mesh.full_domain = true;
   return scene;
 }
 

@@ -46,6 +46,9 @@ class Diagnostics {
   void add(const Diagnostics& more);
   /// What came of reading the value of a key.
   void add_at(const std::string& key, const Diagnostics& more);
+  /// What is no mistake, but should be known.
+  void note(Place place, std::string what) { notes_.push_back({std::move(place), std::move(what), ""}); }
+  const std::vector<Diagnostic>& notes() const { return notes_; }
   bool empty() const { return list_.empty(); }
   const std::vector<Diagnostic>& list() const { return list_; }
   auto begin() const { return list_.begin(); }
@@ -58,7 +61,7 @@ class Diagnostics {
   void throw_if_any(const std::string& file) const;
 
  private:
-  std::vector<Diagnostic> list_;
+  std::vector<Diagnostic> list_, notes_;
   std::set<std::string> keys_;
 };
 

@@ -55,6 +55,7 @@ struct LoadSource {
 struct Case {
   Scene scene;                                ///< checked as far as it can be without a mesh; paths as written
   Document document;                          ///< what was written, for places
+  std::vector<Diagnostic> notes;              ///< what is no mistake but should be known: keys by older names
   std::string stem;                           ///< the file's name without folder and ending
   std::map<std::string, LoadSource> sources;  ///< of each load of one history, by its name
   std::map<std::string, GaugeLoad> gauges;    ///< loads by transducers; in the scene NAME.TRANSDUCER
@@ -73,6 +74,9 @@ struct Case {
 /// Reads the case file with overrides KEY=VALUE and checks all that needs no mesh. Throws InputError with every
 /// mistake.
 Case read_case(const std::string& path, const std::vector<std::string>& overrides = {});
+
+/// Its notes for people, a line each.
+std::string notes_on(const Case& problem);
 
 /// Throws InputError where the case has no load; not an error as long as nothing is computed.
 void require_loads(const Case& problem);

@@ -72,7 +72,7 @@ struct MeshChoice {
   std::map<std::string, double> parameters;  ///< overrides of the .geo's own parameters
   std::optional<int> refine = 0;             ///< uniform refinements; none: the cells that the tolerance asks for
   int degree = 2;                            ///< of u; phi has degree - 1
-  bool keep_unreached = false;               ///< solve also where no wave can come from and be read of before the end
+  bool full_domain = false;                  ///< solve also where no wave can come from and be read of before the end
 };
 
 enum class TimeScheme { automatic, generalised_alpha, sdirk4, reduced };
