@@ -1,7 +1,7 @@
 // Claim: loads, safety factors and heel pressure of the 15 cases that the tests of Deltares' coastal-structures-toolbox
 // 1.0.0 hold (goda1985_test.py; the 15th differs from the first by B_M alone, which Goda's formula does not know).
-// Their numbers have 5 digits; the heel pressure is ill-conditioned. Some sections are not physical (h' > h), which does
-// not matter to the arithmetic.
+// Their numbers have 5 digits; the heel pressure is ill-conditioned. Some sections are not physical (h' > h), which
+// does not matter to the arithmetic.
 
 #include <gtest/gtest.h>
 
