@@ -42,11 +42,11 @@ std::string ModelParts::text(const std::string& object, const std::string& name)
   return value.value_or("");
 }
 
-double ModelParts::number(const std::string& object, const std::string& name, bool positive) {
+double ModelParts::number(const std::string& object, const std::string& name, bool above_0) {
   const auto value = file_.number_attribute(object, name);
   if (!value)
     wrong("the attribute '" + name + "' of " + object + " is missing");
-  else if (!objection_to({*value}).empty() || *value < 0. || (positive && *value == 0.))
+  else if (!objection_to({*value}).empty() || *value < 0. || (above_0 && *value == 0.))
     wrong("the attribute '" + name + "' of " + object + " is " + significant(*value));
   return value.value_or(0.);
 }
