@@ -20,10 +20,13 @@ class MiddleStrains {
   const std::vector<dealii::DoFHandler<dim>::active_cell_iterator>& cells() const { return cells_; }
   /// One for each of these cells.
   std::vector<PlaneStrain> at(const Vector& x) const;
+  /// gamma = sqrt((e_x - e_y)^2 + (2 e_xy)^2) of each, the diameter of Mohr's circle. The difference is taken in the
+  /// rows: after the sums, what is left of two large strains would carry their rounding.
+  std::vector<double> shear(const Vector& x) const;
 
  private:
   std::vector<dealii::DoFHandler<dim>::active_cell_iterator> cells_;
-  SparseMatrix xx_, yy_, xy_;
+  SparseMatrix xx_, yy_, xy_, difference_;
 };
 
 /// Largest shear strain of each cell over all states that it has seen.
@@ -32,7 +35,6 @@ class LargestStrains : public MarchObserver {
   /// `of_interest`: by active cell index; others stay 0.
   LargestStrains(const Space& space, const Unknowns& unknowns, const std::vector<bool>& of_interest)
       : strains_(space, unknowns, of_interest), largest_(of_interest.size(), 0.) {}
-  /// gamma = sqrt((e_x - e_y)^2 + (2 e_xy)^2), the diameter of Mohr's circle.
   void see(const State& state, int step, int n_steps) override;
   /// By active cell index.
   const std::vector<double>& shear() const { return largest_; }
