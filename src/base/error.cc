@@ -55,6 +55,7 @@ void Diagnostics::add(const Diagnostics& more) {
 
 void Diagnostics::add_at(const std::string& key, const Diagnostics& more) {
   for (const Diagnostic& found : more) add({at_key(key, found.place), found.what, found.cure});
+  for (const Diagnostic& found : more.notes_) note(at_key(key, found.place), found.what);
 }
 
 bool Diagnostics::sound(const std::string& key) const {

@@ -238,7 +238,7 @@ void check_contact(const SlidingTable& sliding, const CaseTables& tables, bool h
               "give the same number, or only one of them");
   if (sliding.uplift_table && sliding.uplift_table->kind == UpliftKind::prescribed)
     wrong.add("uplift", "a prescribed uplift cannot act node by node",
-              "write uplift = { kind = \"computed\" }, or [regions.caisson] interface = { kind = \"tied\" }");
+              "write uplift = { kind = \"computed\" }, or [regions.caisson] interface = { kind = \"bonded\" }");
 }
 
 }  // namespace
@@ -247,9 +247,9 @@ void check_sliding(const CaseTables& tables, const Document& document, Diagnosti
   if (!tables.sliding_table || !report.sound("sliding")) return;
   const SlidingTable& sliding = *tables.sliding_table;
   const TableDiagnostics wrong("sliding", document, report);
-  if (sliding.weight && sliding.buoyant_weight >= *sliding.weight)
-    wrong.add("buoyant_weight",
-              "buoyant_weight = " + number_text(sliding.buoyant_weight) +
+  if (sliding.weight && sliding.submerged_weight >= *sliding.weight)
+    wrong.add("submerged_weight",
+              "submerged_weight = " + number_text(sliding.submerged_weight) +
                   " N/m is not below weight = " + number_text(*sliding.weight) + " N/m",
               "give W' in still water, W less the weight of the water that the caisson displaces");
   if (report.sound("regions") && has_frictional_contact(tables))

@@ -75,7 +75,8 @@ TableSchema<Strength> strength_schema() {
 TableSchema<ContactLaw> contact_schema() {
   TableSchema<ContactLaw> table;
   table.choice("kind", &ContactLaw::kind, contact_kind_words)
-      .doc("tied: it neither slips nor lifts; friction: Coulomb friction and no tension, node by node");
+      .formerly_word("tied", "bonded")
+      .doc("bonded: it neither slips nor lifts; friction: Coulomb friction and no tension, node by node");
   table.key("coefficient", &ContactLaw::coefficient)
       .range(above(0.))
       .fallback("friction of [sliding], or 0.6")
@@ -135,7 +136,7 @@ void declare_mass(TableSchema<Region>& table) {
             .fallback("that of the area, evenly filled")
             .doc("moment of inertia about the centre of gravity"));
   limit(table.table("interface", &Region::interface, contact_schema())
-            .doc("How the bottom of the region caisson stands on its ground; tied without this table."));
+            .doc("How the bottom of the region caisson stands on its ground; bonded without this table."));
 }
 
 void declare_pores(TableSchema<Region>& table) {

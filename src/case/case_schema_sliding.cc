@@ -56,7 +56,8 @@ TableSchema<SlidingWave> wave_schema() {
 TableSchema<SlidingTable> sliding_schema() {
   TableSchema<SlidingTable> table;
   table.key("friction", &SlidingTable::friction).range(above(0.)).doc("friction coefficient mu of the bottom");
-  table.key("buoyant_weight", &SlidingTable::buoyant_weight)
+  table.key("submerged_weight", &SlidingTable::submerged_weight)
+      .formerly("buoyant_weight")
       .unit("N/m")
       .range(above(0.))
       .required()

@@ -98,7 +98,7 @@ A design needs a section and at least one wave:
   berm_width = 8.0           # B_M (m)
   bed_slope = 0.01           # tan(theta)
   weight = 4.27e6            # W, in air with fill (N/m)
-  buoyant_weight = 3.0e6     # W', in still water (N/m)
+  submerged_weight = 3.0e6     # W', in still water (N/m)
   [waves.design]
   height = 12.0              # H, the highest wave (m); or deep_water_height
   period = 12.0              # T (s)
@@ -125,7 +125,7 @@ Writes into results/NAME-expected (or --out DIR), all or nothing:
 
 Examples:
   upbead expected cases/section4/hd12.toml
-  upbead expected cases/section4/hd12.toml --set life.lives=10000 --set scatter.force.cov=0.1
+  upbead expected cases/section4/hd12.toml --set life.simulated_lives=10000 --set scatter.force.cov=0.1
   upbead expected cases/section4/hd10.toml --json | jq .expected.distance_paper
   upbead expected --keys)";
 

@@ -53,7 +53,7 @@ std::vector<ModelLoad> model_loads(const Scene& scene, const ModalModel& model) 
 }
 
 ModelSliding model_sliding(const SlidingChoice& choice, double peak_force) {
-  ModelSliding sliding{choice.friction, choice.buoyant_weight, choice.drag};
+  ModelSliding sliding{choice.friction, choice.submerged_weight, choice.drag};
   if (!choice.uplift) return sliding;
   const UpliftChoice& uplift = *choice.uplift;
   sliding.uplift = uplift.kind == UpliftKind::computed ? "computed"

@@ -146,8 +146,8 @@ std::string distances(const SlidingSummary& s) {
 /// F_Smax, S by every measure, and tau_0.
 std::string describe(const SlidingSummary& s) {
   const HistorySliding& h = s.history;
-  std::string text = "sliding     friction " + significant(s.friction) + ", W' " + with_unit(s.buoyant_weight, "N/m") +
-                     ", uplift " + s.uplift + "\n";
+  std::string text = "sliding     friction " + significant(s.friction) + ", W' " +
+                     with_unit(s.submerged_weight, "N/m") + ", uplift " + s.uplift + "\n";
   text += "  F_Smax      " + with_unit(h.peak_force, "N/m") + " at " + significant(h.peak_force_time, 4) +
           " s, of it mu U " + with_unit(s.friction * h.uplift_at_peak, "N/m", h.peak_force) + "; mu W' " +
           with_unit(h.resistance, "N/m") + ", r = " + significant(h.ratio, 4) + "\n";

@@ -176,7 +176,7 @@ struct Arguments {
   std::vector<std::string> forces;
   bool json = false;
   std::string out;
-  std::optional<double> end, friction, buoyant_weight;
+  std::optional<double> end, friction, submerged_weight;
 };
 
 void require_positive(const std::optional<double>& value, const std::string& option, const std::string& example,
@@ -190,7 +190,7 @@ void check(const Arguments& arguments) {
   Diagnostics mistakes;
   require_positive(arguments.end, "--end", "2 (s)", mistakes);
   require_positive(arguments.friction, "--friction", "0.6", mistakes);
-  require_positive(arguments.buoyant_weight, "--buoyant-weight", "3.4e6 (N/m)", mistakes);
+  require_positive(arguments.submerged_weight, "--buoyant-weight", "3.4e6 (N/m)", mistakes);
   mistakes.throw_if_any();
 }
 
@@ -202,7 +202,7 @@ std::string model_name(const std::string& path) {
 
 /// What is asked for beside what the model knows of its case's [sliding].
 std::optional<ModelSliding> sliding_of(const Arguments& arguments, const ReducedModelFile& model) {
-  const bool asked = arguments.friction || arguments.buoyant_weight;
+  const bool asked = arguments.friction || arguments.submerged_weight;
   if (!asked && !model.sliding) return std::nullopt;
   ModelSliding sliding = model.sliding.value_or(ModelSliding());
   if (sliding.uplift == "history") {
@@ -210,12 +210,12 @@ std::optional<ModelSliding> sliding_of(const Arguments& arguments, const Reduced
     sliding.uplift = "none";
   }
   sliding.friction = arguments.friction.value_or(sliding.friction);
-  sliding.buoyant_weight = arguments.buoyant_weight.value_or(sliding.buoyant_weight);
+  sliding.submerged_weight = arguments.submerged_weight.value_or(sliding.submerged_weight);
   Diagnostics mistakes;
   if (sliding.friction == 0.)
     mistakes.add(Place(), "--buoyant-weight alone tells no resistance mu W', and the model's case has no [sliding]",
                  "give --friction too, such as 0.6");
-  if (sliding.buoyant_weight == 0.)
+  if (sliding.submerged_weight == 0.)
     mistakes.add(Place(), "--friction alone tells no resistance mu W', and the model's case has no [sliding]",
                  "give --buoyant-weight too (N/m)");
   if (model.caisson_mass == 0.)
@@ -321,7 +321,7 @@ Command respond_command() {
       {"--end", &arguments->end, "how long to answer (default: as long as the waves or the case)", "S"},
       {"--friction", &arguments->friction,
        "friction coefficient of the caisson's bottom, for S (default: [sliding] of the model's case)", "MU"},
-      {"--buoyant-weight", &arguments->buoyant_weight,
+      {"--buoyant-weight", &arguments->submerged_weight,
        "W' of the caisson in still water, for S (default: [sliding] of the model's case)", "N/m"}};
   command.footer = respond_footer;
   command.work = [arguments, since_start = Stopwatch()] { return respond(*arguments, since_start); };

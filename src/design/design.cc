@@ -51,7 +51,7 @@ void report_unless_refused(const std::string& path, const Diagnostics& found, co
 
 void check_section(const DesignTables& tables, const Document& document, Diagnostics& report) {
   if (document.find("section"))
-    report_unless_refused("section", diagnose(tables.section), {"weight", "buoyant_weight", "width", "centroid"},
+    report_unless_refused("section", diagnose(tables.section), {"weight", "submerged_weight", "width", "centroid"},
                           document, report);
 }
 

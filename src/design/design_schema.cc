@@ -48,7 +48,8 @@ void declare_weights(TableSchema<Section>& table) {
       .range(from_to(1., 1e12))
       .required()
       .doc("weight W of the caisson with its fill, in air");
-  table.key("buoyant_weight", &Section::buoyant_weight)
+  table.key("submerged_weight", &Section::submerged_weight)
+      .formerly("buoyant_weight")
       .unit("N/m")
       .range(from_to(1., 1e12))
       .required()

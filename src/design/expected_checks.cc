@@ -86,7 +86,7 @@ void check_levels(const DesignTables& tables, const std::vector<SeaState>& state
     report.add(place, "still water may rise by " + significant(high, 4) + " m, above the crest",
                "give lower water levels, or cut [scatter.water_level] by high");
   const Section lightest = with_factors(at_water_level(s, tables.water, high), {1., 1., 1., weight});
-  if (high <= s.crest && lightest.buoyant_weight <= 0.)
+  if (high <= s.crest && lightest.submerged_weight <= 0.)
     report.add(uncertain.weight ? at_key("sea", document.place("scatter.weight")) : place,
                "at its least weight and in the highest water the caisson floats",
                "cut [scatter.weight] by low, or [scatter.water_level] by high");

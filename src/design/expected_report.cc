@@ -100,7 +100,7 @@ std::string notes_and_warnings(const ExpectedAnswer& answer) {
   if (s.sliding_lives >= few_lives) return text;
   return text + "warning: only " + std::to_string(s.sliding_lives) + " of " +
          std::to_string(answer.monte_carlo->sliding.size()) +
-         " lives slide: mean and interval rest on few of them; simulate more with --set life.lives=NUMBER\n";
+         " lives slide: mean and interval rest on few of them; simulate more with --set life.simulated_lives=NUMBER\n";
 }
 
 }  // namespace upbead

@@ -37,7 +37,10 @@ TableSchema<SeaTable> sea_schema() {
 TableSchema<LifeTable> life_schema() {
   TableSchema<LifeTable> table;
   table.key("years", &LifeTable::years).unit("years").range(from_to(1e-3, 1e5)).doc("life of the structure");
-  table.key("lives", &LifeTable::lives).range(from_to(2., 1e7)).doc("number of lives to simulate");
+  table.key("simulated_lives", &LifeTable::lives)
+      .formerly("lives")
+      .range(from_to(2., 1e7))
+      .doc("number of lives to simulate");
   table.key("seed", &LifeTable::seed)
       .range(from_to(0., 2147483647.))
       .doc("seed; the same one gives the same numbers on any number of threads");

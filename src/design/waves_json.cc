@@ -27,7 +27,8 @@ OutputSchema<Section> section_outputs() {
       .key("berm_width", &S::berm_width, "m", "B_M")
       .key("bed_slope", &S::bed_slope, "", "tan(theta)")
       .key("weight", &S::weight, "N/m", "W")
-      .key("buoyant_weight", &S::buoyant_weight, "N/m", "W'")
+      .key("submerged_weight", &S::submerged_weight, "N/m", "W'")
+      .key("buoyant_weight", &S::submerged_weight, "N/m", "the same, by its older name")
       .key(
           "centroid", [](const S& s) { return s.centroid.value_or(0.5 * s.width); }, "m",
           "t, from the landward heel to the line of W'")

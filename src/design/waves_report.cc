@@ -39,7 +39,7 @@ void set_sliding(const DesignTables& design, double standing_force, WaveAnswer& 
 void set_elastic(const WaveTable& table, const DesignTables& design, WaveAnswer& a) {
   if (!design.ground || !table.pulse_duration) return;
   const Section& s = design.section;
-  const double resistance = s.friction * (s.buoyant_weight - a.uplift);
+  const double resistance = s.friction * (s.submerged_weight - a.uplift);
   if (resistance <= 0.) return;  // it floats, which a warning says
   a.elastic = slide_on_base(s.weight / design.water.gravity, *design.ground,
                             history({*table.force, *table.pulse_duration}), resistance);
@@ -128,7 +128,7 @@ std::string describe(const Section& s) {
   return "section     h " + short_number(s.water_depth) + " m, h' " + short_number(s.foundation_depth) + " m, d " +
          short_number(s.berm_depth) + " m, h_c " + short_number(s.crest) + " m, B " + short_number(s.width) +
          " m, B_M " + short_number(s.berm_width) + " m, tan(theta) " + short_number(s.bed_slope) + "\n" +
-         "caisson     W " + short_number(s.weight / 1e6) + " MN/m" + ", W' " + short_number(s.buoyant_weight / 1e6) +
+         "caisson     W " + short_number(s.weight / 1e6) + " MN/m" + ", W' " + short_number(s.submerged_weight / 1e6) +
          " MN/m" + ", mu " + short_number(s.friction) +
          (s.dissipating_blocks ? ", behind wave-dissipating blocks" : "") + "\n";
 }

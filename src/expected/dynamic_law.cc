@@ -30,7 +30,7 @@ ImpactWave DynamicLaw::on_wall(double height, const WaveFactors& factors) const 
 
 double DynamicLaw::most(const ImpactWave& wave, const Section& section) const {
   const double F = answer_->bound(limits(wave), number_of_samples(wave, answer_->step()));
-  return F + section.friction * (wave.uplift - section.buoyant_weight);
+  return F + section.friction * (wave.uplift - section.submerged_weight);
 }
 
 bool DynamicLaw::may_slide(double height, const WaveFactors& factors) const {
@@ -59,7 +59,7 @@ void answer(const ShearAnswer& model, const ImpactAssumptions& assumptions, cons
 }  // namespace
 
 double DynamicLaw::slide_under(const DynamicWave& out, const Section& section) const {
-  const double resistance = section.friction * section.buoyant_weight;
+  const double resistance = section.friction * section.submerged_weight;
   const std::vector<double>& F = out.sliding_force;
   const auto start = std::find_if(F.begin(), F.end(), [resistance](double f) { return std::abs(f) > resistance; });
   if (start == F.end()) return 0.;

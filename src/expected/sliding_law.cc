@@ -29,7 +29,7 @@ class PulseLaw : public SlidingLaw {
   double distance(double height, const WaveFactors& factors) const override {
     const Section section = with_factors(forces_.breakwater().section, factors);
     const WavePressure pressure = forces_.at(height, factors);
-    const double resistance = section.friction * section.buoyant_weight;
+    const double resistance = section.friction * section.submerged_weight;
     if (pressure.force + section.friction * uplift_gain() * pressure.uplift <= resistance)
       return 0.;  // most waves: spared the rest
     if (resistance <= 0.) throw std::invalid_argument("the caisson floats: its buoyant weight is not above 0");
@@ -124,7 +124,7 @@ double detail::first_height(const std::function<double(double)>& f) {
 Section with_factors(const Section& section, const WaveFactors& factors) {
   Section s = section;
   s.friction *= factors.friction;
-  s.buoyant_weight += (factors.weight - 1.) * s.weight;
+  s.submerged_weight += (factors.weight - 1.) * s.weight;
   s.weight *= factors.weight;
   return s;
 }
@@ -154,7 +154,7 @@ WavePressure WaveForces::at(double height, const WaveFactors& factors, PressureF
 double WaveForces::excess(double height, const WaveFactors& factors) const {
   const Section s = with_factors(breakwater_.section, factors);
   const WavePressure p = at(height, factors);
-  return p.force + s.friction * (p.uplift - s.buoyant_weight);
+  return p.force + s.friction * (p.uplift - s.submerged_weight);
 }
 
 double WaveForces::threshold(const WaveFactors& factors) const {

@@ -82,7 +82,7 @@ void check_contact(Checker& checker) {
   for (const Exclusion& reason : excluded(checker.scene, Treatment::contact))
     checker.object(key, reason.why, reason.cure);
   if (!bottom_is_level(checker.mesh))
-    checker.object(key, "the caisson's bottom is not level", "write kind = \"tied\", or level it in the mesh");
+    checker.object(key, "the caisson's bottom is not level", "write kind = \"bonded\", or level it in the mesh");
 }
 
 void check_probes(Checker& checker) {

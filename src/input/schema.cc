@@ -34,12 +34,16 @@ void check_known(const Node& node, const std::string& path, const std::vector<Ke
                  suggestion(name, known, "keys"));
 }
 
-/// The value of a key, by its older name too; nullptr where it is not given.
+/// The value of a key, by its older name too; nullptr where it is not given. What an override sets by one name takes
+/// the place of what the file sets by the other.
 const Node* find_value(const Node& node, const KeyInfo& key, const std::string& path, Diagnostics& report) {
   const Node* value = node.find(key.name);
   const Node* old = key.former.empty() ? nullptr : node.find(key.former);
   if (!old) return value;
   const Place place = at_key(path, old->place);
+  const auto overrides = [](const Node* by) { return by && by->place.file.rfind("--set ", 0) == 0; };
+  if (overrides(value) && !overrides(old)) return value;
+  if (overrides(old) && !overrides(value)) value = nullptr;
   if (value)
     report.add(place, in_quotes(key.former) + " is the older name of " + in_quotes(key.name) + ", and both are given",
                "remove it");

@@ -72,6 +72,10 @@ class Entry {
   Entry required() const { return set(key_.info.required, true); }
   /// An older name of the key: still understood, with a note that tells the new one.
   Entry formerly(std::string name) const { return set(key_.info.former, std::move(name)); }
+  /// An older word of a choice: still understood, with a note that tells the new one.
+  Entry formerly_word(std::string former, std::string now) const {
+    return set(key_.info.former_words[std::move(former)], std::move(now));
+  }
   /// The key belongs only where `belongs` holds; judged once `decisive_key`, declared before, is read and sound.
   Entry when(std::string decisive_key, std::function<bool(const T&)> belongs, std::string in_words) const {
     key_.decisive = std::move(decisive_key);

@@ -148,8 +148,13 @@ Diagnostics read_word(const Node& node, const KeyInfo& key, std::size_t& index) 
   if (!node.text())
     return {{node.place, key.name + ": expected one of " + list + ", found " + found(node),
              "write " + key.name + " = " + to_toml(key.words.front())}};
+  const auto former = key.former_words.find(*node.text());
+  const std::string& word = former == key.former_words.end() ? *node.text() : former->second;
+  Diagnostics found_word;
+  if (word != *node.text())
+    found_word.note(node.place, in_quotes(former->first) + " is called " + in_quotes(word) + " now");
   for (index = 0; index < key.words.size(); ++index)
-    if (key.words[index] == *node.text()) return {};
+    if (key.words[index] == word) return found_word;
   const std::string near = nearest(*node.text(), key.words);
   return {{node.place, key.name + " = " + to_toml(excerpt(*node.text())) + " is none of " + list,
            near.empty() ? "choose one of them" : "did you mean " + in_quotes(near) + "?"}};

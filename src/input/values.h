@@ -50,6 +50,7 @@ struct KeyInfo {
   std::string word;                ///< stands for "not given", such as "auto"; "" where there is none
   std::string condition;           ///< where the key belongs, in words; "" for everywhere
   std::vector<std::string> words;  ///< allowed words of a choice
+  std::map<std::string, std::string> former_words;  ///< older words, still understood, and what they are now
   Range range;
   bool required = false;
 

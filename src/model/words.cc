@@ -7,7 +7,7 @@ const Words<RegionKind> region_kind_words{{"porous", RegionKind::porous},
                                           {"rigid", RegionKind::rigid},
                                           {"water", RegionKind::water}};
 
-const Words<ContactKind> contact_kind_words{{"tied", ContactKind::tied}, {"friction", ContactKind::friction}};
+const Words<ContactKind> contact_kind_words{{"bonded", ContactKind::bonded}, {"friction", ContactKind::friction}};
 
 const Words<Flow> flow_words{
     {"auto", Flow::automatic}, {"darcy", Flow::darcy}, {"inertial", Flow::inertial}, {"drained", Flow::drained}};

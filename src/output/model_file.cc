@@ -45,7 +45,7 @@ const auto fields_of_case = [](auto& model, const auto& visit) {
 
 const auto fields_of_sliding = [](auto& sliding, const auto& visit) {
   visit("friction", sliding.friction, positive);
-  visit("buoyant_weight", sliding.buoyant_weight, positive);
+  visit("buoyant_weight", sliding.submerged_weight, positive);
   visit("drag", sliding.drag);
   visit("uplift", sliding.uplift);
   visit("uplift_per_force", sliding.uplift_per_force);

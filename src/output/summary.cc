@@ -206,7 +206,7 @@ OutputSchema<Summary> whole_outputs() {
               "F_T + mu U. Of all this only `sliding_coupled` moves the scene: elsewhere F_T is that of a caisson "
               "bonded to its mound")
       .object("contact", &S::contact, contact_outputs(),
-              "[slip and uplift node by node](contact.md); null where the bottom is tied")
+              "[slip and uplift node by node](contact.md); null where the bottom is bonded")
       .object("soil", &S::soil, soil_outputs(), "of soil that follows the strain; else null")
       .list("strength[]", &S::strength, strength_outputs(), "of each region with a [strength](warnings.md#strength)")
       .list("warnings[]", &S::warnings, warning_outputs(), "[what may be wrong](warnings.md) though nothing failed")

@@ -34,7 +34,7 @@ Eigen::RowVectorXd uplift_of_force(const ModelSliding& sliding, const std::vecto
 
 double sliding_distance(const ModelSliding& sliding, double mass, const std::vector<double>& time,
                         const Eigen::RowVectorXd& F_T, const Eigen::RowVectorXd& U) {
-  Eigen::RowVectorXd R = Eigen::RowVectorXd::Constant(F_T.size(), sliding.buoyant_weight);
+  Eigen::RowVectorXd R = Eigen::RowVectorXd::Constant(F_T.size(), sliding.submerged_weight);
   if (U.size() > 0) R = (R - U).cwiseMax(0.);
   R *= sliding.friction;
   // it rests until F_T first exceeds R; to leave that time out spares most waves the work
@@ -45,7 +45,7 @@ double sliding_distance(const ModelSliding& sliding, double mass, const std::vec
   const std::vector<double> left(time.begin() + rest, time.end());
   History resistance{left, {R.begin() + rest, R.end()}};
   resistance.time.push_back(left.back());
-  resistance.value.push_back(sliding.friction * sliding.buoyant_weight);  // the wave is over
+  resistance.value.push_back(sliding.friction * sliding.submerged_weight);  // the wave is over
   return slide(mass, {left, {F_T.begin() + rest, F_T.end()}}, resistance, sliding.drag).residual;
 }
 
@@ -67,29 +67,29 @@ SlipModel joined_model(const ReducedModelFile& model, const ModelSliding& slidin
 }
 
 /// Jumps to zero loads at the end, and goes on for a step.
-SampledLoads with_rest(SampledLoads loads, double step, double buoyant_weight) {
+SampledLoads with_rest(SampledLoads loads, double step, double submerged_weight) {
   const Eigen::Index n = loads.begin.cols();
   loads.time.push_back(loads.time.back() + step);
   for (Eigen::MatrixXd* part : {&loads.begin, &loads.end}) {
     part->conservativeResize(Eigen::NoChange, n + 1);
     part->col(n).setZero();
-    (*part)(part->rows() - 1, n) = buoyant_weight;
+    (*part)(part->rows() - 1, n) = submerged_weight;
   }
   return loads;
 }
 
 CoupledSliding slide(const CoupledSlip& slip, const WaveSamples& loads, const WaveGrid& grid, bool batch,
-                     double buoyant_weight, const Eigen::RowVectorXd& prescribed) {
+                     double submerged_weight, const Eigen::RowVectorXd& prescribed) {
   const Eigen::Index K = loads.rows(), N = loads.cols();
-  Eigen::RowVectorXd normal = Eigen::RowVectorXd::Constant(N, buoyant_weight);
+  Eigen::RowVectorXd normal = Eigen::RowVectorXd::Constant(N, submerged_weight);
   if (prescribed.size() > 0) normal -= prescribed;
   if (batch) {
     WaveSamples all = WaveSamples::Zero(K + 1, N + 1);
     all.topLeftCorner(K, N) = loads;
-    all.row(K) << normal, buoyant_weight;
+    all.row(K) << normal, submerged_weight;
     return slip.slide(all);
   }
-  return slip.slide(with_rest(with_load(with_jumps(loads, grid), normal), slip.step(), buoyant_weight));
+  return slip.slide(with_rest(with_load(with_jumps(loads, grid), normal), slip.step(), submerged_weight));
 }
 
 }  // namespace
@@ -109,9 +109,9 @@ std::shared_ptr<const WaveSlip> WaveSlips::of_step(double step) {
 }
 
 SlipOfWave slip_of_wave(const WaveSlip& slip, const WaveSamples& loads, const WaveGrid& grid, bool batch,
-                        double buoyant_weight, const Eigen::RowVectorXd& prescribed) try {
+                        double submerged_weight, const Eigen::RowVectorXd& prescribed) try {
   const auto slid_by = [&](const CoupledSlip& model) {
-    return slide(model, loads, grid, batch, buoyant_weight, prescribed);
+    return slide(model, loads, grid, batch, submerged_weight, prescribed);
   };
   const CoupledSliding slid = slid_by(slip.slip);
   std::string why_not = why_no_distance(slid);

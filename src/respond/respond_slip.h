@@ -58,6 +58,6 @@ struct SlipOfWave {
 /// none), straight between the times. After the grid no load acts and N_0 = W': the slip is followed to its stop.
 /// - batch: the grid has equal steps and no jump but at its beginning; the loads then fall to zero within one step.
 SlipOfWave slip_of_wave(const WaveSlip& slip, const WaveSamples& loads, const WaveGrid& grid, bool batch,
-                        double buoyant_weight, const Eigen::RowVectorXd& prescribed);
+                        double submerged_weight, const Eigen::RowVectorXd& prescribed);
 
 }  // namespace upbead

@@ -220,7 +220,7 @@ class FileWork {
     out.sliding = sliding_distance(bottom, model_.caisson_mass, grid_.time, F, U);
     if (!slip_) return;
     SlipOfWave slip =
-        slip_of_wave(*slip_, loads, grid_, batch && grid_.equal.has_value(), bottom.buoyant_weight, prescribed);
+        slip_of_wave(*slip_, loads, grid_, batch && grid_.equal.has_value(), bottom.submerged_weight, prescribed);
     out.coupled = slip.coupled;
     out.why_not_coupled = std::move(slip.why_not);
   }

@@ -37,8 +37,8 @@ EdgeStress least_edge_stress(const EffectiveBase& base, const std::vector<double
   return least;
 }
 
-/// would_lift: an edge of a tied caisson pulls, its effective stress N'/B - 6 |M'|/(1.26 B^2). N' = W' + change of the
-/// normal force - U, M' = W' e + base moment + moment of U, U the modelled pore pressure's and e how far W' acts
+/// would_lift: an edge of a bonded caisson pulls, its effective stress N'/B - 6 |M'|/(1.26 B^2). N' = W' + change of
+/// the normal force - U, M' = W' e + base moment + moment of U, U the modelled pore pressure's and e how far W' acts
 /// landward of the bottom's middle. W' is that of [sliding], less a prescribed uplift, or the mass less the water that
 /// the caisson displaces below still water; without either there is no warning.
 NumberedWarnings lift_warnings(const Simulation& simulation, const Run& run) {
@@ -54,7 +54,7 @@ NumberedWarnings lift_warnings(const Simulation& simulation, const Run& run) {
            which + " would pull at the ground with " + with_unit(-least.stress, "Pa") + " at " +
                significant(least.time) + " s (N' = " + with_unit(least.force, "N/m") + ", moment " +
                with_unit(least.moment, "N m/m") +
-               "), which a tied bottom holds and a real one does not: write [regions.caisson.interface] kind = "
+               "), which a bonded base holds and a real one does not: write [regions.caisson.interface] kind = "
                "\"friction\""}};
 }
 

@@ -133,7 +133,7 @@ HistorySliding slide_history(const BottomForces& forces, const BottomResistance&
   const History less_uplift = sum({}, -1., forces.uplift);
   const History change = sum(less_uplift, 1., forces.normal_change);
   HistorySliding result;
-  result.resistance = bottom.friction * bottom.buoyant_weight;
+  result.resistance = bottom.friction * bottom.submerged_weight;
   if (!F_S.value.empty()) {
     const std::size_t peak = peak_index(F_S);
     result.peak_force = F_S.value[peak];
@@ -142,9 +142,9 @@ HistorySliding slide_history(const BottomForces& forces, const BottomResistance&
     result.shear_at_peak = result.peak_force - bottom.friction * result.uplift_at_peak;
   }
   result.ratio = result.peak_force / result.resistance;
-  result.least_normal_force = bottom.buoyant_weight + least(change);
+  result.least_normal_force = bottom.submerged_weight + least(change);
   const auto slide_on = [&](const History& relief) {
-    return slide(bottom.mass, forces.shear_force, friction_of(bottom.friction, bottom.buoyant_weight, relief),
+    return slide(bottom.mass, forces.shear_force, friction_of(bottom.friction, bottom.submerged_weight, relief),
                  bottom.drag);
   };
   result.by_history = slide_on(less_uplift);

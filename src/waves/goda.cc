@@ -87,9 +87,9 @@ WavePressure Goda::at(double height, PressureFormula formula) const {
 
 Diagnostics diagnose(const Section& s) {
   Diagnostics list;
-  if (s.buoyant_weight >= s.weight)
-    list.add(at_key("buoyant_weight"),
-             "buoyant_weight = " + significant(s.buoyant_weight, 6) +
+  if (s.submerged_weight >= s.weight)
+    list.add(at_key("submerged_weight"),
+             "submerged_weight = " + significant(s.submerged_weight, 6) +
                  " N/m is not below weight = " + significant(s.weight, 6) + " N/m",
              "give W' in still water, W less the weight of the displaced water");
   if (s.centroid && *s.centroid >= s.width)
@@ -107,7 +107,7 @@ Section at_water_level(const Section& section, const Water& water, double rise) 
   s.berm_depth += rise;
   s.crest -= rise;
   const double under_water = std::clamp(rise, -section.foundation_depth, section.crest);
-  s.buoyant_weight -= water.density * water.gravity * section.width * under_water;
+  s.submerged_weight -= water.density * water.gravity * section.width * under_water;
   return s;
 }
 
@@ -140,19 +140,19 @@ double heel_pressure(double width, double vertical, double moment) {
 
 Stability stability(const Section& section, const WavePressure& pressure) {
   const double t = section.centroid.value_or(0.5 * section.width);
-  const double vertical = section.buoyant_weight - pressure.uplift;
-  const double resisting = section.buoyant_weight * t - pressure.uplift_moment;
+  const double vertical = section.submerged_weight - pressure.uplift;
+  const double resisting = section.submerged_weight * t - pressure.uplift_moment;
   Stability s;
   s.safety_sliding = section.friction * vertical / pressure.force;
   s.safety_overturning = resisting / pressure.force_moment;
   s.heel_pressure = heel_pressure(section.width, vertical, resisting - pressure.force_moment);
   s.sliding_force = pressure.force + section.friction * pressure.uplift;
-  s.resistance = section.friction * section.buoyant_weight;
+  s.resistance = section.friction * section.submerged_weight;
   s.ratio = s.sliding_force / s.resistance;
   return s;
 }
 
-double buoyant_weight_for(double safety_sliding, double friction, const WavePressure& pressure) {
+double submerged_weight_for(double safety_sliding, double friction, const WavePressure& pressure) {
   return safety_sliding * pressure.force / friction + pressure.uplift;
 }
 

@@ -60,7 +60,7 @@ void judge_wave(const Situation& s, std::vector<Warning>& list) {
 /// The usual slip is kN for N, or W in place of W'; a caisson's footing or rounded corners make no fifth.
 void judge_weight(const Situation& s, std::vector<Warning>& list) {
   const Section& c = s.section;
-  const double given = c.weight - c.buoyant_weight;
+  const double given = c.weight - c.submerged_weight;
   const double displaced = s.water.density * s.water.gravity * c.foundation_depth * c.width;
   if (std::abs(given - displaced) > 0.2 * displaced)
     list.push_back({"buoyancy",
@@ -96,10 +96,10 @@ void judge_pressure(const Situation& s, double depth_b, std::vector<Warning>& li
     list.push_back({"eta_star_below_crest", "eta* = " + metres(p.eta_star) + " does not rise above the crest, h_c = " +
                                                 metres(s.section.crest) + ": p4 = 0"});
   const double safety = stability(s.section, p).safety_overturning;
-  if (p.uplift < s.section.buoyant_weight && safety < 1.)
+  if (p.uplift < s.section.submerged_weight && safety < 1.)
     list.push_back({"overturns", "the safety factor against overturning is " + significant(safety) +
                                      ": the caisson tilts, and a formula for sliding knows nothing of that"});
-  if (p.uplift >= s.section.buoyant_weight)
+  if (p.uplift >= s.section.submerged_weight)
     list.push_back({"lifted", "U is not below W': the caisson floats up, and no safety factor means anything"});
 }
 

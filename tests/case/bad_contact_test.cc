@@ -15,7 +15,7 @@ const std::string uplift = "[sliding.uplift]\nkind = \"prescribed\"\npeak = 5e5\
 
 const std::vector<BadCase> contact_rows{
     BadCase{"UnknownKind", caisson, interface + "{ kind = \"sticky\" }\n",
-            "case.toml:38:15: kind = \"sticky\" is none of tied, friction; choose one of them"},
+            "case.toml:38:15: kind = \"sticky\" is none of bonded, friction; choose one of them"},
     BadCase{"CoefficientZero", caisson, interface + "{ kind = \"friction\", coefficient = 0 }\n",
             "case.toml:38:34: coefficient = 0 is outside (0, inf); give the friction coefficient mu"},
     BadCase{"CoefficientOfATie", caisson, interface + "{ coefficient = 0.6 }\n",
@@ -28,7 +28,7 @@ const std::vector<BadCase> contact_rows{
         "TwoFrictionsAndTwoUplifts", caisson, interface + "{ kind = \"friction\", coefficient = 0.5 }\n",
         "case.toml:84:1: [sliding]: friction = 0.55 is not the coefficient = 0.5 of [regions.caisson] interface; give "
         "the same number, or only one of them\ncase.toml:90:10: [sliding]: a prescribed uplift cannot act node by "
-        "node; write uplift = { kind = \"computed\" }, or [regions.caisson] interface = { kind = \"tied\" }"},
+        "node; write uplift = { kind = \"computed\" }, or [regions.caisson] interface = { kind = \"bonded\" }"},
 };
 
 INSTANTIATE_TEST_SUITE_P(Contact, BadContact, testing::ValuesIn(contact_rows), name_of);

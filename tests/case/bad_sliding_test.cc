@@ -10,15 +10,15 @@ TEST_P(BadSliding, IsExplained) {
 }
 
 const std::vector<BadCase> rows{
-    BadCase{"NoBuoyantWeight", "buoyant_weight = 4.3e6\n", "",
-            "case.toml:82:2: 'buoyant_weight' is missing in [sliding]; add buoyant_weight, a number (N/m)"},
+    BadCase{"NoBuoyantWeight", "submerged_weight = 4.3e6\n", "",
+            "case.toml:82:2: 'submerged_weight' is missing in [sliding]; add submerged_weight, a number (N/m)"},
     BadCase{"FrictionZero", "friction = 0.55", "friction = 0",
             "case.toml:83:1: friction = 0 is outside (0, inf); give the friction coefficient mu of the bottom"},
     BadCase{
         "DragNegative", "drag = 1e4", "drag = -1.0",
         "case.toml:86:1: drag = -1 is outside [0, inf); give the drag force F_D over the sliding velocity (N s/m2)"},
-    BadCase{"HeavierInWater", "buoyant_weight = 4.3e6", "buoyant_weight = 8e6",
-            "case.toml:84:1: [sliding]: buoyant_weight = 8e6 N/m is not below weight = 7410000 N/m; give W' in still "
+    BadCase{"HeavierInWater", "submerged_weight = 4.3e6", "submerged_weight = 8e6",
+            "case.toml:84:1: [sliding]: submerged_weight = 8e6 N/m is not below weight = 7410000 N/m; give W' in still "
             "water, W less the weight of the water that the caisson displaces"},
     BadCase{"AlphaStarTooLarge", "alpha_star = 0.5", "alpha_star = 2.5",
             "case.toml:87:51: alpha_star = 2.5 is outside [0, 2]; give the pressure coefficient alpha* = max(alpha_I, "

@@ -113,7 +113,7 @@ TEST_F(Scale, MultipliesEveryNumberByItsDimension) {
   expect_factor(*after.time.step, *before.time.step, 2.);
   expect_factor(*after.fields_every, *before.fields_every, 2.);
   expect_factor(after.probes.at("A").at[1], before.probes.at("A").at[1], 4.);
-  expect_factor(after.sliding->buoyant_weight, before.sliding->buoyant_weight, 16.);
+  expect_factor(after.sliding->submerged_weight, before.sliding->submerged_weight, 16.);
   expect_factor(after.sliding->drag, before.sliding->drag, 8.);
   expect_factor(after.sliding->friction, before.sliding->friction, 1.);
   expect_factor(*after.sliding->uplift->peak, *before.sliding->uplift->peak, 16.);

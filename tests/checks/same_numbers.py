@@ -43,7 +43,7 @@ def jobs():
             yield f"explain {name}", ["explain", path, "--json"]
     yield "reduce", ["reduce", prototype, "--json", "--out", "{out}"]
     model = CASES / "fig2b-model.toml"
-    sliding = ["--set", "sliding.buoyant_weight=1000"]
+    sliding = ["--set", "sliding.submerged_weight=1000"]
     for name, keys in {
         "fields and strength": ["--set", "output.fields.every=0.01"],
         "base": ["--set", "output.base=true"],

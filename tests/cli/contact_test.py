@@ -17,7 +17,7 @@ from program import CASES, ProgramTest, upbead
 sys.path.insert(0, str(pathlib.Path(__file__).parents[2] / "postprocess"))
 from report import vtu  # noqa: E402
 
-COARSE = ["--set", "mesh.parameters.cells=0.35", "--set", "sliding.buoyant_weight=10740.0"]
+COARSE = ["--set", "mesh.parameters.cells=0.35", "--set", "sliding.submerged_weight=10740.0"]
 FRICTION = ["--set", 'regions.caisson.interface.kind="friction"']
 WIDTH, HEIGHT = 0.9, 0.3  # of the caisson, and of its bottom above the seabed (m)
 STRONG = ["--set", "loads.impulse.factor=3"]

@@ -23,7 +23,7 @@ from hand_made_model import write_oscillator  # noqa: E402
 
 HD12, HD10 = CASES / "section4/hd12.toml", CASES / "section4/hd10.toml"
 PROTOTYPE = CASES / "expected/prototype.toml"
-LIFE = ["--set", "life.lives=300", "--set", "scatter.force.cov=0.1", "--set", "scatter.friction.cov=0.1"]
+LIFE = ["--set", "life.simulated_lives=300", "--set", "scatter.force.cov=0.1", "--set", "scatter.friction.cov=0.1"]
 
 
 class Expected(ProgramTest):
@@ -60,7 +60,7 @@ class Expected(ProgramTest):
         self.assertIsNone(found["monte_carlo"])
 
     def test_lives_have_the_mean_of_quadrature(self):
-        found = self.expected(HD10, "--set", "life.years=9", "--set", "life.lives=2000")
+        found = self.expected(HD10, "--set", "life.years=9", "--set", "life.simulated_lives=2000")
         life = found["monte_carlo"]
         self.assertEqual(life["law"], "exact")
         self.assertAlmostEqual(life["without_scatter"], found["expected"]["distance_exact"])
@@ -90,14 +90,14 @@ class Expected(ProgramTest):
             self.assertEqual(file["lives/sliding"].attrs["unit"], b"m")
 
     def test_few_lives_that_slide_are_doubted(self):
-        done = upbead("expected", HD12, "--set", "life.lives=5", cwd=self.folder)
+        done = upbead("expected", HD12, "--set", "life.simulated_lives=5", cwd=self.folder)
         self.assertEqual(done.returncode, 0)
         self.assertRegex(done.stderr, r"^warning: only \d of 5 lives slide: ")
 
     def test_own_dynamics_are_the_default_where_a_model_is_given(self):
         write_oscillator(self.folder / "model.h5", mass=5.933088e6 / 9.81)
         model = ["--set", f"dynamics.model={self.folder / 'model.h5'}", "--set", "dynamics.load=impact"]
-        found = self.expected(PROTOTYPE, *model, "--set", "life.lives=20", "--set", "life.years=1")
+        found = self.expected(PROTOTYPE, *model, "--set", "life.simulated_lives=20", "--set", "life.years=1")
         self.assertEqual(found["monte_carlo"]["law"], "dynamic")
         self.assertGreater(found["expected"]["distance_dynamic"], 0)
         self.assertEqual(found["model"]["load"], "impact")
@@ -118,14 +118,14 @@ class Expected(ProgramTest):
         self.assertGreater(found["expected"]["distance_dynamic"], found["expected"]["distance_paper"])
 
     def test_mistakes_leave_nothing(self):
-        done = upbead("expected", HD10, "--set", "sea.years=0", "--set", "life.lives=1", cwd=self.folder)
+        done = upbead("expected", HD10, "--set", "sea.years=0", "--set", "life.simulated_lives=1", cwd=self.folder)
         self.assertEqual(done.returncode, 1)
         self.assertIn("years", done.stderr)
         self.assertIn("lives", done.stderr)
         self.assertEqual(self.left_behind(), [])
 
     def test_interrupted_lives_leave_nothing(self):
-        long = ["--set", "life.lives=10000000", "--set", "scatter.period.cov=0.1"]
+        long = ["--set", "life.simulated_lives=10000000", "--set", "scatter.period.cov=0.1"]
         process = subprocess.Popen([PROGRAM, "expected", HD10, *long],
                                    cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
         wait_until_it_catches(signal.SIGINT, process)
@@ -138,7 +138,7 @@ class Expected(ProgramTest):
 
     def test_progress_is_shown_on_a_terminal(self):
         leader, follower = pty.openpty()
-        process = subprocess.Popen([PROGRAM, "expected", HD10, *LIFE, "--set", "life.lives=50000"], cwd=self.folder,
+        process = subprocess.Popen([PROGRAM, "expected", HD10, *LIFE, "--set", "life.simulated_lives=50000"], cwd=self.folder,
                                    stdout=subprocess.DEVNULL, stderr=follower)
         os.close(follower)
         text = b""

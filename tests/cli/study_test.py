@@ -24,7 +24,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).parents[1] / "support"))
 from section_scene import scene  # noqa: E402
 
 SMALL = scene(("cells = 0.5, seabed_front = 60, seabed_back = 60", "cells = 0.3, grading = 4"), ("peak = 1e6", "peak = 8e6"),
-              ("end = 0.6", "end = 0.3"), *2 * [(", frequencies = [1, 10]", "")]) + "[sliding]\nbuoyant_weight = 4.3e6\n"
+              ("end = 0.6", "end = 0.3"), *2 * [(", frequencies = [1, 10]", "")]) + "[sliding]\nsubmerged_weight = 4.3e6\n"
 
 STUDY = """title = "small"
 case = "small.toml"

@@ -24,7 +24,7 @@ MOUND_DENSITY = 0.6 * 2650 + 0.4 * 1030
 SHEAR_SPEED = math.sqrt(30e6 / MOUND_DENSITY)
 PASSING = 0.15 + WIDTH / SHEAR_SPEED
 LEVEL = ["--set", "initial.water_level=15.0"]
-WEIGHT = ["--set", "sliding={ friction = 0.6, buoyant_weight = 4.3e6 }"]
+WEIGHT = ["--set", "sliding={ friction = 0.6, submerged_weight = 4.3e6 }"]
 COLUMN = """
 [mesh]
 geometry = "column"

@@ -22,7 +22,7 @@ width = 12.0
 berm_width = 8.0
 bed_slope = 0.01
 weight = 4273236.0
-buoyant_weight = 3000096.2
+submerged_weight = 3000096.2
 [waves.a_high]
 height = 12.0
 period = 12.0
@@ -47,7 +47,7 @@ width = 15.0
 berm_width = 8.0
 bed_slope = 0.01
 weight = 3394750.5
-buoyant_weight = 2318643.0
+submerged_weight = 2318643.0
 [waves.book]
 deep_water_height = 6.3
 period = 11.4
@@ -198,7 +198,7 @@ class Waves(ProgramTest):
         for part in ("`[section]`", "`[waves.NAME]`", "| `berm_depth` |", "`[duration]`"):
             self.assertIn(part, done.stdout)
         done = self.waves("--help")
-        for part in ("buoyant_weight = 3.0e6", "summary.json", "--set"):
+        for part in ("submerged_weight = 3.0e6", "summary.json", "--set"):
             self.assertIn(part, done.stdout)
 
 

@@ -24,7 +24,7 @@ width = 12.0
 berm_width = 8.0
 bed_slope = 0.01
 weight = 4.27e6
-buoyant_weight = 3.0e6
+submerged_weight = 3.0e6
 centroid = 6.0
 friction = 0.6
 blocks = false
@@ -107,8 +107,8 @@ const std::vector<BadDesign> rows{
      "design.toml:7:2: 'water_depth' is missing in [section]; add water_depth, a number (m)"},
     {"MissingWeight", "weight = 4.27e6\n", "",
      "design.toml:7:2: 'weight' is missing in [section]; add weight, a number (N/m)"},
-    {"MissingBuoyantWeight", "buoyant_weight = 3.0e6\n", "",
-     "design.toml:7:2: 'buoyant_weight' is missing in [section]; add buoyant_weight, a number (N/m)"},
+    {"MissingBuoyantWeight", "submerged_weight = 3.0e6\n", "",
+     "design.toml:7:2: 'submerged_weight' is missing in [section]; add submerged_weight, a number (N/m)"},
     {"MissingPeriod", "period = 12.0\nangle", "angle",
      "design.toml:26:8: 'period' is missing in [waves.design]; add period, a number (s)"},
     {"NoSection", "[section]", "[section_]",
@@ -135,8 +135,9 @@ const std::vector<BadDesign> rows{
     {"FrictionOfNone", "friction = 0.6", "friction = 0",
      "design.toml:18:1: friction = 0 is outside [0.01, 10]; give the friction coefficient mu between the caisson and "
      "the mound"},
-    {"BuoyantWeightNotBelowWeight", "buoyant_weight = 3.0e6", "buoyant_weight = 4.27e6",
-     "design.toml:16:1: [section]: buoyant_weight = 4.27e+06 N/m is not below weight = 4.27e+06 N/m; give W' in still "
+    {"BuoyantWeightNotBelowWeight", "submerged_weight = 3.0e6", "submerged_weight = 4.27e6",
+     "design.toml:16:1: [section]: submerged_weight = 4.27e+06 N/m is not below weight = 4.27e+06 N/m; give W' in "
+     "still "
      "water, W less the weight of the displaced water"},
     {"CentroidOutside", "centroid = 6.0", "centroid = 12",
      "design.toml:17:1: [section]: centroid = 12 m lies outside the caisson, width = 12 m; give the distance from the "
@@ -185,9 +186,10 @@ const std::vector<BadDesign> rows{
     {"NotToml", "gravity = 9.8", "gravity = ",
      "design.toml:2:11: not TOML: Error while parsing key-value pair: expected value, saw '\\n'; see https://toml.io "
      "for the syntax"},
-    {"ManyAtOnceInTheOrderOfTheFile", "weight = 4.27e6\nbuoyant_weight = 3.0e6\ncentroid = 6.0\nfriction = 0.6",
-     "weight = 3.0e6\nbuoyant_weight = 4.0e6\ncentroid = 20.0\nfricton = 0.6",
-     "design.toml:16:1: [section]: buoyant_weight = 4e+06 N/m is not below weight = 3e+06 N/m; give W' in still water, "
+    {"ManyAtOnceInTheOrderOfTheFile", "weight = 4.27e6\nsubmerged_weight = 3.0e6\ncentroid = 6.0\nfriction = 0.6",
+     "weight = 3.0e6\nsubmerged_weight = 4.0e6\ncentroid = 20.0\nfricton = 0.6",
+     "design.toml:16:1: [section]: submerged_weight = 4e+06 N/m is not below weight = 3e+06 N/m; give W' in still "
+     "water, "
      "W less the weight of the displaced water\n"
      "design.toml:17:1: [section]: centroid = 20 m lies outside the caisson, width = 12 m; give the distance from the "
      "landward heel to the line of W' (m)\n"

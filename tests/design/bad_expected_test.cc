@@ -23,7 +23,7 @@ width = 18.0
 berm_width = 8.0
 bed_slope = 0.01
 weight = 5.933e6
-buoyant_weight = 4.296e6
+submerged_weight = 4.296e6
 
 [sea]
 states = "states.csv"
@@ -33,7 +33,7 @@ heights = { high = 10.5 }
 
 [life]
 years = 50
-lives = 100
+simulated_lives = 100
 seed = 7
 sliding = "exact"
 
@@ -126,8 +126,8 @@ const std::vector<BadExpected> rows{
      "design.toml:17:1: highest = 0 is outside [0.01, 10]; give the largest height of a wave over H_1/3"},
     {"HeightBelowZero", "high = 10.5", "high = -1",
      "design.toml:18:13: the height -1 m is not above 0; give heights above 0 (m)"},
-    {"OneLife", "lives = 100", "lives = 1",
-     "design.toml:22:1: lives = 1 is outside [2, 1e7]; give the number of lives to simulate"},
+    {"OneLife", "simulated_lives = 100", "simulated_lives = 1",
+     "design.toml:22:1: simulated_lives = 1 is outside [2, 1e7]; give the number of lives to simulate"},
     {"TooManyStorms",
      "years = 9",
      "years = 0.001",
@@ -212,7 +212,7 @@ const std::vector<BadExpected> rows{
      "design.toml:35:10: still water may rise by 7 m, above the crest; give lower water levels, or cut "
      "[scatter.water_level] by high",
      true},
-    {"SeveralAtOnce", "years = 50\nlives = 100", "years = 0\nlives = 1.5",
+    {"SeveralAtOnce", "years = 50\nsimulated_lives = 100", "years = 0\nsimulated_lives = 1.5",
      "design.toml:21:1: years = 0 is outside [0.001, 1e5]; give the life of the structure (years)\ndesign.toml:22:1: "
      "lives: expected a whole number, found the number 1.5; give the number of lives to simulate"}};
 

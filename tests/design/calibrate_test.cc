@@ -22,7 +22,7 @@ width = 18.0
 berm_width = 8.0
 bed_slope = 0.01
 weight = 5.933e6
-buoyant_weight = 4.296e6
+submerged_weight = 4.296e6
 
 [calibration]
 relative_height = [0.3, 0.5, 0.7]

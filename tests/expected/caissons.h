@@ -17,7 +17,7 @@ inline Breakwater medium_caisson() {
   s.berm_width = 8.;
   s.bed_slope = 0.01;
   s.weight = 16.5 * 12. * 2200. * 9.81;
-  s.buoyant_weight = s.weight - 1030. * 9.81 * 10.5 * 12.;
+  s.submerged_weight = s.weight - 1030. * 9.81 * 10.5 * 12.;
   return caisson;
 }
 

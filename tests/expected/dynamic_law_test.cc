@@ -39,7 +39,7 @@ DynamicLaw law(double frequency, double ratio, double step = 2e-3, const ImpactA
 }
 
 double resistance() {
-  return 0.6 * medium_caisson().section.buoyant_weight;
+  return 0.6 * medium_caisson().section.submerged_weight;
 }
 
 }  // namespace

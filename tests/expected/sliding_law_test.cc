@@ -70,7 +70,7 @@ TEST(FormulaLaw, NothingSlidesBelowTheThresholdAndEverythingAbove) {
 TEST(FormulaLaw, AWallOfMountainsNeverSlides) {
   Breakwater caisson = medium_caisson();
   caisson.section.weight *= 1e6;
-  caisson.section.buoyant_weight *= 1e6;
+  caisson.section.submerged_weight *= 1e6;
   EXPECT_EQ(formula_law(Law::exact, caisson, storm(6.))->threshold(), HUGE_VAL);
 }
 
@@ -87,7 +87,7 @@ TEST(FormulaLaw, FactorsScaleForceUpliftFrictionAndWeight) {
   const Section s = medium_caisson().section, f = with_factors(s, factors);
   EXPECT_DOUBLE_EQ(f.friction, 1.2 * s.friction);
   EXPECT_DOUBLE_EQ(f.weight, 1.05 * s.weight);
-  EXPECT_NEAR(f.weight - f.buoyant_weight, s.weight - s.buoyant_weight, 1e-6) << "buoyancy stays";
+  EXPECT_NEAR(f.weight - f.submerged_weight, s.weight - s.submerged_weight, 1e-6) << "buoyancy stays";
 }
 
 TEST(FormulaLaw, TheWaterLevelChangesDepthsAndBuoyancy) {
@@ -96,7 +96,7 @@ TEST(FormulaLaw, TheWaterLevelChangesDepthsAndBuoyancy) {
   const Breakwater raised = WaveForces(medium_caisson(), high).breakwater();
   EXPECT_EQ(raised.section.water_depth, 16.);
   EXPECT_EQ(raised.section.crest, 5.);
-  EXPECT_LT(raised.section.buoyant_weight, medium_caisson().section.buoyant_weight);
+  EXPECT_LT(raised.section.submerged_weight, medium_caisson().section.submerged_weight);
 }
 
 }  // namespace upbead::test

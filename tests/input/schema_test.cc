@@ -38,7 +38,7 @@ TableSchema<Part> part_schema() {
 TableSchema<Thing> thing_schema() {
   const std::vector<std::pair<std::string, Colour>> words{{"red", Colour::red}, {"green", Colour::green}};
   TableSchema<Thing> table;
-  table.choice("colour", &Thing::colour, words).doc("colour");
+  table.choice("colour", &Thing::colour, words).doc("colour").formerly_word("scarlet", "red");
   table.choice("edge", &Thing::edge, words).doc("colour of the edge");
   table.key("width", &Thing::width).unit("m").range(above(0.)).doc("width; of all");
   table.key("step", &Thing::step).unit("s").or_word("auto").doc("step");
@@ -142,7 +142,24 @@ TEST(Schema, UnderstandsAnOlderNameWithANote) {
   EXPECT_NE(thing_schema().echo(thing).find("name = \"old\""), std::string::npos);
   EXPECT_EQ(refusal({{"label", text("old")}, {"name", text("new")}}),
             "f:1:1: 'label' is the older name of 'name', and both are given; remove it");
+  // what is set on the command line counts, by whichever name
+  const Node by_override{std::string("set"), {"--set label=set"}};
+  EXPECT_EQ(refusal({{"label", by_override}, {"name", text("file")}}), "");
+  thing_schema().read({NodeTable{{"label", by_override}, {"name", text("file")}}, {}}, "", thing, report);
+  EXPECT_EQ(thing.name, "set");
+  thing_schema().read({NodeTable{{"name", by_override}, {"label", text("file")}}, {}}, "", thing, report);
+  EXPECT_EQ(thing.name, "set");
   EXPECT_EQ(refusal({{"label", number(1)}}), "f:2:3: name: expected a string, found the number 1; give the name");
+}
+
+TEST(Schema, UnderstandsAnOlderWordWithANote) {
+  Thing thing;
+  Diagnostics report;
+  thing_schema().read({NodeTable{{"colour", text("scarlet")}}, {}}, "", thing, report);
+  EXPECT_TRUE(report.empty());
+  EXPECT_EQ(thing.colour, Colour::red);
+  ASSERT_EQ(report.notes().size(), 1U);
+  EXPECT_EQ(to_string(report.notes().front()), "f:1:1: 'scarlet' is called 'red' now");
 }
 
 TEST(Schema, TellsMistakesInTheOrderOfTheFile) {

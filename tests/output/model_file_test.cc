@@ -96,7 +96,7 @@ TEST(ModelFile, KeepsWhatHoldsTheCaisson) {
   const TemporaryFile file(model_file(made));
   const ReducedModelFile read = read_model_file(file.path());
   ASSERT_TRUE(read.sliding);
-  EXPECT_EQ(read.sliding->buoyant_weight, 4.3e6);
+  EXPECT_EQ(read.sliding->submerged_weight, 4.3e6);
   EXPECT_EQ(read.sliding->uplift, "held");
   EXPECT_EQ(model_file(read), model_file(made));
 }

@@ -130,7 +130,7 @@ TEST(RespondWaves, SlidesAsTheBlockDoesUnderTheWholeHistory) {
   const double S = slide(oscillator().caisson_mass, {found.time, {F.begin(), F.end()}}, 7e5).residual;
   EXPECT_GT(S, 0.);
   EXPECT_NEAR(*found.waves[0].sliding, S, 1e-12 * S);
-  options.sliding->buoyant_weight = 7e6;
+  options.sliding->submerged_weight = 7e6;
   EXPECT_EQ(*answer(triangle(0.0005), options).waves[0].sliding, 0.);
 }
 

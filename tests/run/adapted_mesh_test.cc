@@ -151,8 +151,8 @@ TEST_F(AdaptedMesh, TellsHowWrongTheSlipIs) {
   const std::vector<std::string> damped =
       both(small, {"regions.seabed.damping={ratio=0.05,frequencies=[1,10]}",
                    "regions.mound.damping={ratio=0.05,frequencies=[1,10]}", "accuracy.tolerance=0.02"});
-  const std::vector<std::string> slides = both(damped, {"sliding.friction=0.2", "sliding.buoyant_weight=1.5e6"});
-  const std::vector<std::string> tied = both(damped, {"sliding.friction=0.6", "sliding.buoyant_weight=3e6"});
+  const std::vector<std::string> slides = both(damped, {"sliding.friction=0.2", "sliding.submerged_weight=1.5e6"});
+  const std::vector<std::string> tied = both(damped, {"sliding.friction=0.6", "sliding.submerged_weight=3e6"});
   const auto slip = [](const Summary& summary) { return summary.sliding->history.by_history.residual; };
   const Summary run = solve(slides).summary, truth = solve(both(slides, far_finer)).summary;
   ASSERT_GT(slip(truth), 0.);

@@ -17,7 +17,7 @@ namespace {
 
 const std::string breakwater_toml = section_case({{"cells = 0.5, seabed_front = 60, seabed_back = 60", "cells = 0.35"},
                                                   {"damping = { ratio = 0.05, frequencies = [1, 10] }\n", ""}}) +
-                                    "[initial]\nwater_level = 15.0\n[sliding]\nbuoyant_weight = 4.296e6\n";
+                                    "[initial]\nwater_level = 15.0\n[sliding]\nsubmerged_weight = 4.296e6\n";
 
 const std::string friction = "regions.caisson.interface.kind=\"friction\"";
 

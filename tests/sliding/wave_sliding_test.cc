@@ -45,7 +45,7 @@ TEST(WaveSliding, TakesTheWeightInAirForTheMassAndUpliftIntoTheForce) {
   const WavePressure p = Goda(s, water, sliding_wave(11.)).at(11.);
   const SlidingLoad load = load_of(s, sliding_wave(11.));
   EXPECT_DOUBLE_EQ(load.mass, s.weight / 9.81);
-  EXPECT_DOUBLE_EQ(load.resistance, 0.6 * s.buoyant_weight);
+  EXPECT_DOUBLE_EQ(load.resistance, 0.6 * s.submerged_weight);
   EXPECT_DOUBLE_EQ(load.pulse.peak, p.force + 0.6 * p.uplift);
 }
 
@@ -64,9 +64,9 @@ TEST(WaveSliding, PartsOfEquation7AreItsSumAndItsBraking) {
 
 /// The section with the weight that gives the safety factor against sliding.
 Section weighed(Section s, const DesignWave& wave, double safety) {
-  const double buoyancy = s.weight - s.buoyant_weight;
-  s.buoyant_weight = buoyant_weight_for(safety, s.friction, Goda(s, water, wave).at(wave.height));
-  s.weight = s.buoyant_weight + buoyancy;
+  const double buoyancy = s.weight - s.submerged_weight;
+  s.submerged_weight = submerged_weight_for(safety, s.friction, Goda(s, water, wave).at(wave.height));
+  s.weight = s.submerged_weight + buoyancy;
   return s;
 }
 

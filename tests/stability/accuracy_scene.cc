@@ -194,7 +194,7 @@ RandomCase accuracy_scene(std::uint64_t seed, std::uint64_t scene, const std::st
   const double last = write_loads(w);
   w.toml << "[time]\nend = " << number(last * draw.uniform(1.1, 2.) + draw.uniform(0.1, 0.8))
          << "\n\n[accuracy]\ntolerance = " << number(tolerance) << "\nof = \"" << of
-         << "\"\n\n[sliding]\nfriction = 0.6\nbuoyant_weight = " << number(0.6 * s.weight) << "\n";
+         << "\"\n\n[sliding]\nfriction = 0.6\nsubmerged_weight = " << number(0.6 * s.weight) << "\n";
   return {w.toml.str(), w.facts};
 }
 

@@ -10,7 +10,7 @@ WORDS = ["porous", "solid", "rigid", "water", "auto", "darcy", "inertial", "drai
          "harmonic", "generalised_alpha", "sdirk4", "reduced", "elastic", "compressible", "incompressible", "tied",
          "friction", "column", "composite", "caisson", "front", "bed", "lower", "upper", "", "nonsense", "\\u0000", "ü"]
 ADDITIONS = ["[output]\nfields = { every = 1e-3 }", "[accuracy]\ntolerance = 1e-9", "[initial]\nwater_level = 1e9",
-             "[initial]\nk0 = 4.9", "[sliding]\nfriction = 0.6\nbuoyant_weight = 1e5", "[probes.far]\nat = [1e9, 0]",
+             "[initial]\nk0 = 4.9", "[sliding]\nfriction = 0.6\nsubmerged_weight = 1e5", "[probes.far]\nat = [1e9, 0]",
              "[loads.again]\nregion = \"caisson\"\nat = [0, 0]\npulse = { shape = \"step\", peak = 1e5 }",
              "[loads.none]\nboundary = \"bed\"\nkind = \"traction\"\npulse = { shape = \"step\", peak = 0 }",
              "[regions.caisson.interface]\nkind = \"friction\"", "[regions.upper.strain]\nreference_strain = 1e-6",

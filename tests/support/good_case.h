@@ -94,7 +94,7 @@ fields = { every = 0.02 }
 
 [sliding]
 friction = 0.55
-buoyant_weight = 4.3e6
+submerged_weight = 4.3e6
 weight = 7.41e6
 drag = 1e4
 wave = { height = 8, depth = 15.0, period = 13.6, alpha_star = 0.5 }

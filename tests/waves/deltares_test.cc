@@ -95,7 +95,7 @@ Section section(const Input& i) {
   s.berm_width = i.B_M;
   s.bed_slope = 1. / i.cot;
   s.weight = 9.81 * i.B * (i.below * i.h_1 + i.above * i.crest);
-  s.buoyant_weight = s.weight - 9.81 * i.density * i.h_1 * i.B;
+  s.submerged_weight = s.weight - 9.81 * i.density * i.h_1 * i.B;
   s.centroid = i.t_over_B * i.B;
   s.friction = i.friction;
   return s;

@@ -16,11 +16,11 @@ TEST(Section, SoundOnesHaveNoFaults) {
 
 TEST(Section, ContradictionsAreTold) {
   Section s = goda_section();
-  s.buoyant_weight = s.weight;
+  s.submerged_weight = s.weight;
   s.centroid = 15.;
   const auto list = diagnose(s).list();
   ASSERT_EQ(list.size(), 2u);
-  EXPECT_EQ(list[0].place.key, "buoyant_weight");
+  EXPECT_EQ(list[0].place.key, "submerged_weight");
   EXPECT_EQ(list[1].place.key, "centroid");
 }
 
@@ -30,16 +30,16 @@ TEST(Section, FollowsTheWaterLevel) {
   EXPECT_DOUBLE_EQ(high.foundation_depth, 8.6);
   EXPECT_DOUBLE_EQ(high.berm_depth, 7.1);
   EXPECT_DOUBLE_EQ(high.crest, 1.9);
-  EXPECT_DOUBLE_EQ(high.buoyant_weight, s.buoyant_weight - 1030. * 9.81 * 15. * 1.5);
+  EXPECT_DOUBLE_EQ(high.submerged_weight, s.submerged_weight - 1030. * 9.81 * 15. * 1.5);
   EXPECT_EQ(high.weight, s.weight);
   const Section back = at_water_level(high, Water(), -1.5);
-  EXPECT_NEAR(back.buoyant_weight, s.buoyant_weight, 1e-9 * s.weight);
+  EXPECT_NEAR(back.submerged_weight, s.submerged_weight, 1e-9 * s.weight);
 }
 
 TEST(Section, DisplacesNoMoreThanItself) {
   const Section s = goda_section();
-  EXPECT_DOUBLE_EQ(at_water_level(s, Water(), 10.).buoyant_weight, at_water_level(s, Water(), 3.4).buoyant_weight);
-  EXPECT_DOUBLE_EQ(at_water_level(s, Water(), -9.).buoyant_weight, s.buoyant_weight + 1030. * 9.81 * 15. * 7.1);
+  EXPECT_DOUBLE_EQ(at_water_level(s, Water(), 10.).submerged_weight, at_water_level(s, Water(), 3.4).submerged_weight);
+  EXPECT_DOUBLE_EQ(at_water_level(s, Water(), -9.).submerged_weight, s.submerged_weight + 1030. * 9.81 * 15. * 7.1);
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ inline Section goda_section() {
   s.berm_width = 8.;
   s.bed_slope = 0.01;
   s.weight = 346.05e3 * 9.81;
-  s.buoyant_weight = 2318.643e3;
+  s.submerged_weight = 2318.643e3;
   return s;
 }
 
@@ -41,7 +41,7 @@ inline Section sliding_section() {
   s.berm_width = 8.;
   s.bed_slope = 0.01;
   s.weight = 16.5 * 12. * 2200. * 9.81;
-  s.buoyant_weight = s.weight - 1030. * 9.81 * 10.5 * 12.;
+  s.submerged_weight = s.weight - 1030. * 9.81 * 10.5 * 12.;
   return s;
 }
 

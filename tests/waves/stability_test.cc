@@ -28,7 +28,7 @@ TEST(Stability, IsThatOfTheBooksExample) {
 TEST(Stability, HasRatioOneWhereTheSafetyFactorIsOne) {
   const WavePressure p = pressure(PressureFormula::extended);
   Section s = goda_section();
-  s.buoyant_weight = buoyant_weight_for(1., s.friction, p);
+  s.submerged_weight = submerged_weight_for(1., s.friction, p);
   const Stability one = stability(s, p);
   EXPECT_NEAR(one.safety_sliding, 1., 1e-14);
   EXPECT_NEAR(one.ratio, 1., 1e-14);
@@ -48,7 +48,7 @@ TEST(Stability, RatioIsNotTheInverseOfTheSafetyFactor) {
 TEST(Stability, FindsTheWeightForASafetyFactor) {
   const WavePressure p = pressure(PressureFormula::goda);
   Section s = goda_section();
-  s.buoyant_weight = buoyant_weight_for(1.2, s.friction, p);
+  s.submerged_weight = submerged_weight_for(1.2, s.friction, p);
   EXPECT_NEAR(stability(s, p).safety_sliding, 1.2, 1e-14);
 }
 
@@ -56,7 +56,8 @@ TEST(Stability, ToePressureIsContinuousWhereTheSeawardEdgeOpens) {
   const WavePressure p = pressure(PressureFormula::goda);
   Section s = goda_section();
   // t_e = B/3 where W' t - M_U - M_P = (W' - U) B/3.
-  const double t = ((s.buoyant_weight - p.uplift) * s.width / 3. + p.uplift_moment + p.force_moment) / s.buoyant_weight;
+  const double t =
+      ((s.submerged_weight - p.uplift) * s.width / 3. + p.uplift_moment + p.force_moment) / s.submerged_weight;
   s.centroid = t * (1. - 1e-9);
   const double opened = stability(s, p).heel_pressure;
   s.centroid = t * (1. + 1e-9);
@@ -72,7 +73,7 @@ TEST(Stability, ToePressureIsNegativeWhereItOverturns) {
 
 TEST(Stability, NothingPressesOnTheMoundWhereUpliftLifts) {
   Section s = goda_section();
-  s.buoyant_weight = 4e5;
+  s.submerged_weight = 4e5;
   EXPECT_EQ(stability(s, pressure(PressureFormula::goda)).heel_pressure, 0.);
   EXPECT_LT(stability(s, pressure(PressureFormula::goda)).safety_sliding, 0.);
 }

@@ -30,7 +30,7 @@ Section ordinary() {
 }
 /// W that goes with W'.
 void weigh(Section& s) {
-  s.weight = s.buoyant_weight + 1030. * 9.81 * s.foundation_depth * s.width;
+  s.weight = s.submerged_weight + 1030. * 9.81 * s.foundation_depth * s.width;
 }
 
 const DesignWave calm{8., 8. / 1.8, 12., 0.};
@@ -89,7 +89,7 @@ TEST(Warnings, TellOfCaissonsFarBelowTheBed) {
   Section s = ordinary();
   s.foundation_depth = 80.;
   s.width = 2000.;
-  s.buoyant_weight = 1e10;
+  s.submerged_weight = 1e10;
   weigh(s);
   EXPECT_EQ(names(s, calm), (Names{"foundation_below_bed", "alpha_3_clamped"}));
 }
@@ -99,14 +99,14 @@ TEST(Warnings, TellWhereThePressureEnds) {
   s.crest = 12.5;
   EXPECT_EQ(names(s, calm), Names{"eta_star_below_crest"});
   s = ordinary();
-  s.buoyant_weight = 3e5;
+  s.submerged_weight = 3e5;
   weigh(s);
   EXPECT_EQ(names(s, calm), Names{"lifted"});
 }
 
 TEST(Warnings, TellOfWeightsThatDoNotFitTheWidth) {
   Section s = ordinary();
-  s.weight += 0.19 * (s.weight - s.buoyant_weight);
+  s.weight += 0.19 * (s.weight - s.submerged_weight);
   EXPECT_EQ(names(s, calm), Names{});
   s.weight *= 1.2;
   EXPECT_EQ(names(s, calm), Names{"buoyancy"});

@@ -48,12 +48,12 @@ struct InitialState {
 };
 
 enum class ContactKind {
-  tied,      ///< it neither slips nor lifts
+  bonded,    ///< it neither slips nor lifts
   friction,  ///< Coulomb friction and no tension, node by node
 };
 
 struct ContactLaw {
-  ContactKind kind = ContactKind::tied;
+  ContactKind kind = ContactKind::bonded;
   std::optional<double> coefficient;  ///< mu; none: that of [sliding], or 0.6
 };
 

@@ -50,7 +50,7 @@ struct SlidingWave {
 
 struct SlidingChoice {
   double friction = 0.6;         ///< mu
-  double buoyant_weight = 0.;    ///< W', in still water (N/m)
+  double submerged_weight = 0.;  ///< W', in still water (N/m)
   std::optional<double> weight;  ///< W, in air with fill (N/m); none: mass x g of the caisson
   double drag = 0.;              ///< F_D over velocity, eq. (2) (N s/m2)
   std::optional<UpliftChoice> uplift;

@@ -22,9 +22,9 @@ struct ModelLoad {
 
 /// The table [sliding] of the case.
 struct ModelSliding {
-  double friction = 0.;         ///< mu
-  double buoyant_weight = 0.;   ///< W' (N/m)
-  double drag = 0.;             ///< F_D over velocity (N s/m2)
+  double friction = 0.;          ///< mu
+  double submerged_weight = 0.;  ///< W' (N/m)
+  double drag = 0.;              ///< F_D over velocity (N s/m2)
   std::string uplift = "none";  ///< in_phase, held (of P), computed (pore pressure), history (of the case's wave alone)
   double uplift_per_force = 0.;  ///< of in_phase and held: U over P
   double lag = 0.;               ///< by which U comes after P (s)

@@ -94,8 +94,8 @@ struct EqualImpulse {
 };
 
 struct SlidingSummary {
-  double weight = 0., buoyant_weight = 0., friction = 0., drag = 0.;  ///< W, W', mu, F_D over velocity
-  std::string uplift;                                                 ///< none, prescribed or computed
+  double weight = 0., submerged_weight = 0., friction = 0., drag = 0.;  ///< W, W', mu, F_D over velocity
+  std::string uplift;                                                   ///< none, prescribed or computed
   HistorySliding history;
   std::optional<PulseSliding> pulse;          ///< where the case names a wave
   std::optional<EqualImpulse> equal_impulse;  ///< where F_S has a landward peak
@@ -185,7 +185,7 @@ struct Summary {
   std::optional<ErrorEstimate> error;          ///< of the peak; none where the mesh was not made for the tolerance
   std::optional<ErrorEstimate> history_error;  ///< of the whole history; with it
   std::optional<SlidingSummary> sliding;       ///< none without [sliding]
-  std::optional<ContactSummary> contact;       ///< none where the bottom is tied
+  std::optional<ContactSummary> contact;       ///< none where the bottom is bonded
   std::optional<SoilSummary> soil;             ///< none where no soil depends on strain
   std::vector<MobilisedStrength> strength;     ///< of the regions whose strength is given
   NumberedWarnings warnings;                   ///< docs/warnings.md

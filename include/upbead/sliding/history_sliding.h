@@ -38,10 +38,10 @@ struct BottomForces {
 
 /// What resists.
 struct BottomResistance {
-  double mass = 0.;            ///< W/g (kg/m)
-  double friction = 0.;        ///< mu
-  double buoyant_weight = 0.;  ///< W' (N/m)
-  double drag = 0.;            ///< F_D over velocity (N s/m2)
+  double mass = 0.;              ///< W/g (kg/m)
+  double friction = 0.;          ///< mu
+  double submerged_weight = 0.;  ///< W' (N/m)
+  double drag = 0.;              ///< F_D over velocity (N s/m2)
 };
 
 struct HistorySliding {

@@ -20,7 +20,7 @@ struct Section {
   double berm_width = 0.;           ///< B_M, of the mound in front of the caisson (m)
   double bed_slope = 0.;            ///< tan(theta)
   double weight = 0.;               ///< W, in air with fill (N/m)
-  double buoyant_weight = 0.;       ///< W', in still water (N/m)
+  double submerged_weight = 0.;     ///< W', in still water (N/m)
   std::optional<double> centroid;   ///< t, from the landward heel to the line of W' (m); none: B/2
   double friction = 0.6;            ///< mu
   bool dissipating_blocks = false;  ///< whether wave-dissipating blocks cover the wall
@@ -117,7 +117,7 @@ struct Stability {
 Stability stability(const Section& section, const WavePressure& pressure);
 
 /// Buoyant weight W' (N/m) that gives the safety factor against sliding that is asked for.
-double buoyant_weight_for(double safety_sliding, double friction, const WavePressure& pressure);
+double submerged_weight_for(double safety_sliding, double friction, const WavePressure& pressure);
 
 /// A named warning with its numbers.
 struct Warning {

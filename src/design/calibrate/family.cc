@@ -62,7 +62,7 @@ Section scaled(const Section& section, double scale) {
     *length *= scale;
   if (s.centroid) *s.centroid *= scale;
   s.weight *= scale * scale;
-  s.buoyant_weight *= scale * scale;
+  s.submerged_weight *= scale * scale;
   return s;
 }
 

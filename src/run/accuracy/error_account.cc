@@ -44,7 +44,7 @@ Simulation in_steps_of(const Simulation& other, const Run& run, double part) {
 double slip_with_forces(const Simulation& simulation, const Run& run, double factor) {
   Scene other = simulation.scene;
   other.sliding->weight = run.summary.sliding->weight / factor;
-  other.sliding->buoyant_weight /= factor;
+  other.sliding->submerged_weight /= factor;
   other.sliding->drag /= factor;
   return sliding_of(other, *simulation.compiled, run.response)->history.by_history.residual;
 }

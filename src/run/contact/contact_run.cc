@@ -170,7 +170,7 @@ Ladder set_at_rest(const Simulation& simulation, Interface& interface) {
   RestForces rest = rest_forces(simulation, interface);
   interface.normal_force = std::move(rest.normal_force);
   if (simulation.scene.sliding)
-    interface.normal_force *= simulation.scene.sliding->buoyant_weight / interface.normal_force.sum();
+    interface.normal_force *= simulation.scene.sliding->submerged_weight / interface.normal_force.sum();
   return rest.ladder.size() > 1 ? std::move(rest.ladder) : Ladder();
 }
 
@@ -210,7 +210,7 @@ void check_at_rest(const Simulation& simulation) {
                      "the caisson does not stand on its whole bottom: its weight in water acts " +
                          significant(eccentricity) + " m beside the middle, more than a sixth of the width of " +
                          significant(caisson.bottom_width) + " m",
-                     "move its centre of gravity, or tie it: interface = { kind = \"tied\" }");
+                     "move its centre of gravity, or bond it: interface = { kind = \"bonded\" }");
 }
 
 std::string why_glued(const ContactSummary& contact) {

@@ -90,9 +90,9 @@ void check_sliding(const Simulation& simulation) {
                  "weight = " + significant(*sliding.weight, 5) + " N/m is not mass x g of the caisson, " +
                      significant(by_mass, 5) + " N/m",
                  "remove weight, or mend density or mass in [regions.caisson]");
-  if (sliding.buoyant_weight >= weight_of(scene, compiled))
-    mistakes.add(at_key("sliding.buoyant_weight"),
-                 "buoyant_weight = " + significant(sliding.buoyant_weight, 5) +
+  if (sliding.submerged_weight >= weight_of(scene, compiled))
+    mistakes.add(at_key("sliding.submerged_weight"),
+                 "submerged_weight = " + significant(sliding.submerged_weight, 5) +
                      " N/m is not below the weight in air, " + significant(weight_of(scene, compiled), 5) + " N/m",
                  "give W' in still water, W less the weight of the water that the caisson displaces");
   if (sliding.uplift && sliding.uplift->kind == UpliftKind::computed && !has_pore_pressure(compiled))
@@ -112,13 +112,13 @@ std::optional<SlidingSummary> sliding_of(const Scene& scene, const CompiledScene
   const SlidingChoice& choice = *scene.sliding;
   SlidingSummary s;
   s.weight = weight_of(scene, compiled);
-  s.buoyant_weight = choice.buoyant_weight;
+  s.submerged_weight = choice.submerged_weight;
   s.friction = choice.friction;
   s.drag = choice.drag;
   s.uplift = choice.uplift ? word_of(choice.uplift->kind, uplift_kind_words) : "none";
   const double mass = s.weight / scene.gravity;
   const BaseHistory base = read_base_history(compiled, response, scene.time.inertia);
-  s.history = slide_history(bottom_forces(scene, compiled, base), {mass, s.friction, s.buoyant_weight, s.drag});
+  s.history = slide_history(bottom_forces(scene, compiled, base), {mass, s.friction, s.submerged_weight, s.drag});
   s.equal_impulse = equal_impulse(mass, s.history);
   if (choice.wave) s.pulse = pulse_sliding(*choice.wave, mass, s.history);
   return s;

@@ -67,7 +67,7 @@ std::vector<double> fine_times(const std::vector<double>& time) {
 /// The scene's loads, and W' less a prescribed uplift.
 SampledLoads loads_of_slip(const Scene& scene, const CompiledScene& compiled) {
   const std::vector<double> time = fine_times(response_times(scene, compiled.system));
-  const double weight = scene.sliding->buoyant_weight;
+  const double weight = scene.sliding->submerged_weight;
   TimeFunction normal({}, {[weight](double) { return weight; }});
   if (scene.sliding->uplift && scene.sliding->uplift->kind == UpliftKind::prescribed)
     normal = sum(normal, scaled(prescribed_uplift(scene, compiled, time), -1.));

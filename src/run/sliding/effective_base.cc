@@ -51,8 +51,8 @@ std::optional<RestingForces> at_rest(const Simulation& simulation) {
   if (!std::isfinite(level) && !sliding) return std::nullopt;
   RestingForces rest = submerged_weight(simulation, std::isfinite(level) ? level : -1e300);
   if (!sliding) return rest;
-  rest.moment *= sliding->buoyant_weight / rest.force;
-  rest.force = sliding->buoyant_weight;
+  rest.moment *= sliding->submerged_weight / rest.force;
+  rest.force = sliding->submerged_weight;
   return rest;
 }
 

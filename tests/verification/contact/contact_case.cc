@@ -44,7 +44,7 @@ double caisson_mass() {
   return 2100. * 18. * 16.;
 }
 
-double buoyant_weight() {
+double submerged_weight() {
   return 9.81 * (caisson_mass() - 1030. * 18. * 9.);
 }
 

@@ -19,7 +19,7 @@ Scene wet_section(const TimeFunction& force, double arm);
 void stiffen(Scene& scene);
 /// m (kg/m) and W' (N/m) of that caisson.
 double caisson_mass();
-double buoyant_weight();
+double submerged_weight();
 
 /// What a march with contact found.
 enum class Bottom { nodes, whole };

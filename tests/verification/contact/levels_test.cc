@@ -24,14 +24,14 @@ double coupled_slip(const Scene& input, const Mesh& mesh, double end) {
   const SlipReduction reduction = reduce_slip(loose.resolved, loose.scene, UpliftKind::computed, glued.ends);
   const int n = static_cast<int>(end / step) + 1;
   WaveSamples loads(2, n);
-  for (int i = 0; i < n; ++i) loads.col(i) << scene.loads["impulse"].history(i * step), buoyant_weight();
+  for (int i = 0; i < n; ++i) loads.col(i) << scene.loads["impulse"].history(i * step), submerged_weight();
   const SlipLaw law = slip_law(reduction.system, friction, UpliftKind::computed);
   return CoupledSlip(slip_model(reduction.system, law), step).slide(loads).slip.residual;
 }
 
 TEST(Levels, RigidSlipOnRigidGroundIsTheExactBlock) {
   Record record("contact_block");
-  const double R = friction * buoyant_weight();
+  const double R = friction * submerged_weight();
   const auto mesh = breakwater_mesh(0.25);
   for (const double r : {1.1, 1.5, 2.}) {
     Scene scene = drained_section(triangle(r * R, 3.), 0.);
@@ -46,7 +46,7 @@ class Levels : public testing::TestWithParam<bool> {
  protected:
   /// Under a triangle of r mu W' at its peak.
   Scene scene(double r, double arm, double duration) const {
-    const TimeFunction force = triangle(r * friction * buoyant_weight(), duration);
+    const TimeFunction force = triangle(r * friction * submerged_weight(), duration);
     return GetParam() ? wet_section(force, arm) : drained_section(force, arm);
   }
   std::unique_ptr<Mesh> mesh() const { return GetParam() ? breakwater_mesh(0.35, with_sea()) : breakwater_mesh(0.35); }

@@ -10,7 +10,7 @@ namespace {
 
 TEST(NodeContact, OnRigidGroundIsTheExactBlock) {
   Record record("contact_block");
-  const double R = friction * buoyant_weight(), duration = 3.;
+  const double R = friction * submerged_weight(), duration = 3.;
   const auto mesh = breakwater_mesh(0.25);
   for (const double r : {1.1, 1.5, 2.}) {
     Scene scene = drained_section(triangle(r * R, duration), 0.);
@@ -36,7 +36,7 @@ class Section : public testing::TestWithParam<bool> {
 TEST_P(Section, ObeysTheLawAtEveryNode) {
   Record record("contact_law");
   const ContactMarch run(scene(7e6), *mesh(), friction, 0.8, 0.15 / 48.);
-  const double W = buoyant_weight();
+  const double W = submerged_weight();
   record.at_most("penetration over S, " + name(), std::max(0., -run.opening.minCoeff()) / run.S(), 0.);
   record.at_most("tension over W', " + name(), -run.normal.minCoeff() / W, 1e-10);
   record.at_most("force at open nodes over W', " + name(),
