@@ -69,4 +69,8 @@ def measures(summary):
 def best(summary):
     """The measure with the most of the mechanics in it; None where sliding was not asked for."""
     found = measures(summary)
+    design = at(summary, "sliding.design")
+    if design:
+        short = next((short for key, short, _ in KNOWN if key == design["measure"]), design["why"])
+        return Measure(design["measure"], design["value"], short, design["why"])
     return found[0] if found else None

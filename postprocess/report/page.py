@@ -14,6 +14,7 @@ from report import (
     quality,
     response,
     run,
+    sheet,
     sliding,
     source_case,
 )
@@ -31,6 +32,7 @@ def build(result, case_file=None):
     outline, drawn = section_drawing(result, case)
     sections = [
         head.head(result),
+        sheet.section(result, outline),
         drawn,
         input_section(case, source, result.folder),
         response.section(result, measured.by_reading(result)),
@@ -39,6 +41,7 @@ def build(result, case_file=None):
         animation.section(result, near(outline)),
         measured.section(result),
         quality.section(result),
+        sheet.formulas(result),
         run.section(result),
         run.case_text(result.folder, source),
     ]

@@ -4,7 +4,7 @@ import numpy as np
 
 from report import figure, gauges, points
 from report.figure import words
-from report.markup import prose, table, tag
+from report.markup import Markup, join, prose, table, tag
 from report.plot import Line, Panel, Plot
 from report.series import largest
 from report.units import percent, quantity
@@ -30,6 +30,7 @@ ROWS = [  # key, symbol, key of the time
     ("peak_displacement", "x_G", None),
     ("peak_rotation", "", None),
 ]
+MOST_PERIODS = 6
 
 
 def window(time, histories, share=0.05):
@@ -89,10 +90,21 @@ def section(result, measured):
         tag("h2", "Response"),
         figure.of_plot(plot, caption),
         peaks(result),
+        periods(result.summary),
         gauges.records(result.summary),
         *points.figures(result, ("pressure",)),
         id="response-section",
     )
+
+
+def periods(summary):
+    rows = [
+        (quantity(found["period"], "s"), percent(found["share"]), percent(found["damping_ratio"]))
+        for found in (summary.get("periods") or [])[:MOST_PERIODS]
+    ]
+    if not rows:
+        return Markup("")
+    return join([tag("h3", "Natural periods"), table(("period", "share in F_T", "of critical damping"), rows, "numbers")])
 
 
 def peaks(result):

@@ -63,6 +63,7 @@ void make_sliding(Case& problem, CaseTables& tables, Diagnostics& report) {
     problem.uplift_gauges = {
         {}, table, read_gauges(table, problem.resolve(table.gauges), "sliding.uplift", problem.document)};
     tables.sliding->uplift->history = uplift_of(*problem.uplift_gauges);
+    tables.sliding->uplift->parts = uplift_parts_of(problem.uplift_gauges->gauges);
   } catch (const InputError& error) {
     report.add_at("sliding.uplift", error.diagnostics());
   }
@@ -83,6 +84,7 @@ CaseTables tables_of(const Case& problem, PathText path_text) {
   tables.accuracy_of = problem.scene.accuracy.of;
   tables.accuracy_estimate = problem.scene.accuracy.estimate;
   tables.measured = problem.measured;
+  tables.sheet = problem.sheet;
   for (auto& [name, source] : tables.measured) source.file = path_text(source.file);
   for (const auto& [name, by_gauges] : problem.gauges) {
     LoadTable& table = tables.load_tables[name];
@@ -134,6 +136,7 @@ Case read_case(const std::string& path, const std::vector<std::string>& override
   problem.scene = tables;
   problem.scene.accuracy = {tables.accuracy_of, tables.accuracy_estimate};
   problem.measured = tables.measured;
+  problem.sheet = tables.sheet;
   if (!problem.scene.mesh.refine && !problem.document.find("mesh.degree")) problem.scene.mesh.degree = adapted_degree;
   if (tables.sliding_table && tables.sliding_table->uplift_table)
     problem.uplift_history = tables.sliding_table->uplift_table->history_file;

@@ -227,7 +227,7 @@ void check_uplift(const UpliftTable& uplift, const CaseTables& tables, const Doc
                 "remove [sliding.uplift] or the upward part of [" + dotted("loads", name) + "]");
 }
 
-/// Node by node and as a whole the caisson stands on one friction and one uplift.
+/// Node by node and as a whole the caisson stands on one friction.
 void check_contact(const SlidingTable& sliding, const CaseTables& tables, bool has_friction,
                    const TableDiagnostics& wrong) {
   const std::optional<double>& mu = tables.regions.at(caisson_name).interface->coefficient;
@@ -236,9 +236,6 @@ void check_contact(const SlidingTable& sliding, const CaseTables& tables, bool h
               "friction = " + number_text(sliding.friction) + " is not the coefficient = " + number_text(*mu) +
                   " of [regions.caisson] interface",
               "give the same number, or only one of them");
-  if (sliding.uplift_table && sliding.uplift_table->kind == UpliftKind::prescribed)
-    wrong.add("uplift", "a prescribed uplift cannot act node by node",
-              "write uplift = { kind = \"computed\" }, or [regions.caisson] interface = { kind = \"bonded\" }");
 }
 
 }  // namespace

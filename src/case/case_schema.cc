@@ -104,6 +104,28 @@ TableSchema<CaseTables> accuracy_schema() {
   return table;
 }
 
+TableSchema<Limits> limits_schema() {
+  TableSchema<Limits> table;
+  table.key("sliding", &Limits::sliding).unit("m").range(above(0.)).doc("largest sliding distance S that is allowed");
+  table.key("base_pressure", &Limits::base_pressure)
+      .unit("Pa")
+      .range(above(0.))
+      .doc("largest pressure of heel and toe on the mound that is allowed; 400e3 to 600e3 in Japanese practice");
+  table.key("overturning", &Limits::overturning)
+      .range(above(0.))
+      .doc("least margin against overturning that is allowed; 1.2 in Japanese practice");
+  return table;
+}
+
+TableSchema<SheetHead> sheet_schema() {
+  TableSchema<SheetHead> table;
+  table.key("project", &SheetHead::project).doc("project");
+  table.key("client", &SheetHead::client).doc("client");
+  table.key("author", &SheetHead::author).doc("author, who answers for the numbers");
+  table.key("revision", &SheetHead::revision).doc("revision, such as \"B, 2026-05-04\"");
+  return table;
+}
+
 TableSchema<CaseTables> output_schema() {
   TableSchema<CaseTables> fields;
   fields.key("every", &CaseTables::fields_every)
@@ -146,6 +168,9 @@ TableSchema<CaseTables> case_schema() {
   table.section("output", output_schema());
   table.table("sliding", &CaseTables::sliding_table, sliding_schema())
       .doc("How far the caisson slides, Shimosako and Takahashi (1994); not asked without this table.");
+  table.table("limits", &CaseTables::limits, limits_schema())
+      .doc("What the section is checked against; what is not given is told, but not judged.");
+  table.table("report", &CaseTables::sheet, sheet_schema()).doc("The head of the report's sheet.");
   return table;
 }
 

@@ -32,6 +32,7 @@ struct CaseTables : Scene {
   std::optional<SlidingTable> sliding_table;
   std::map<std::string, LoadTable> load_tables;
   std::map<std::string, MeasuredSource> measured;
+  SheetHead sheet;
   AccuracyOf accuracy_of = AccuracyChoice().of;
   bool accuracy_estimate = AccuracyChoice().estimate;
 };

@@ -24,8 +24,13 @@ TableSchema<UpliftTable> uplift_schema() {
       .when("kind", is_prescribed, "where the uplift is prescribed");
   table.choice("shape", &UpliftTable::course, uplift_course_words)
       .doc(
-          "course of U in time; in_phase: proportional to P while that is landward; held: so up to the largest P, then "
-          "at its peak")
+          "course of U in time; held: proportional to P up to the largest P, then at its peak, the safe side where F_T "
+          "comes after P; in_phase: proportional to P while that is landward")
+      .when("kind", is_prescribed, "where the uplift is prescribed");
+  table.choice("distribution", &UpliftTable::distribution, uplift_distribution_words)
+      .doc(
+          "pressure over the base of a peak or history; triangle: largest at the seaward edge, zero at the heel; "
+          "uniform: the same everywhere")
       .when("kind", is_prescribed, "where the uplift is prescribed");
   table.key("lag", &UpliftTable::lag)
       .unit("s")

@@ -114,6 +114,58 @@ std::string describe(const ContactSummary& contact) {
   return text;
 }
 
+/// Of one edge: at rest, and at its worst.
+std::string edge(double at_rest, const std::optional<double>& worst, double time) {
+  return with_unit(at_rest, "Pa") + " at rest, " +
+         (worst ? "up to " + with_unit(*worst, "Pa") + " at "
+                : std::string("no value: the resultant leaves the base here from ")) +
+         significant(time, 4) + " s";
+}
+
+std::string describe(const BaseSummary& b) {
+  std::string text = "base        effective pressure, linear over what touches\n";
+  text += "  heel        " + edge(b.heel_pressure_at_rest, b.peak_heel_pressure, b.peak_heel_pressure_time) + "\n";
+  text += "  toe         " + edge(b.toe_pressure_at_rest, b.peak_toe_pressure, b.peak_toe_pressure_time) + "\n";
+  text += "  resultant   up to " + with_unit(b.largest_eccentricity, "m") + " beside the middle at " +
+          significant(b.largest_eccentricity_time, 4) + " s; N' down to " + with_unit(b.least_normal_force, "N/m") +
+          "\n";
+  if (b.least_overturning_margin)
+    text += "  overturning margin " + significant(*b.least_overturning_margin) + " at " +
+            significant(b.least_overturning_margin_time, 4) + " s\n";
+  if (b.peak_computed_pressure)
+    text += "  as solved   up to " + with_unit(*b.peak_computed_pressure, "Pa") +
+            " under the node at x = " + significant(b.peak_computed_pressure_at, 4) + " m\n";
+  return text;
+}
+
+/// Nothing where no reduced model tells them.
+std::string describe(const std::vector<NaturalPeriod>& periods) {
+  constexpr std::size_t most = 4;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(most, periods.size()); ++i)
+    text += (i == 0 ? "periods     " : ", ") + significant(periods[i].period) + " s (share in F_T " +
+            percent(periods[i].share) + ", damping " + percent(periods[i].damping_ratio) + ")";
+  return text.empty() ? "" : text + "\n";
+}
+
+std::string describe(const std::vector<Check>& checks) {
+  std::string text;
+  for (const Check& c : checks) {
+    const auto number = [&c](double value) {
+      return c.unit.empty() ? significant(value, 4) : with_unit(value, c.unit.c_str());
+    };
+    text += (text.empty() ? "checks\n" : "") + format("  %-27s ", c.name.c_str()) +
+            (c.demand ? number(*c.demand) : "without bound");
+    if (!c.capacity)
+      text += ", no limit given";
+    else
+      text += " against " + number(*c.capacity) + ": " + (*c.holds ? "holds" : "DOES NOT HOLD") +
+              (c.margin ? ", margin " + significant(*c.margin, 3) : std::string());
+    text += "\n";
+  }
+  return text;
+}
+
 std::string seconds(const std::optional<double>& value) {
   return value ? significant(*value, 4) + " s" : "none";
 }
@@ -157,6 +209,11 @@ std::string describe(const SlidingSummary& s) {
     text += "  S           0 m" + wrong_by(s.error_estimate) + ": F_S stays below mu W'\n";
   else
     text += distances(s);
+  text += "  for design  S = " + with_unit(s.design.value, "m") + wrong_by(s.design.error_estimate) + " (" +
+          s.design.measure + "): " + s.design.why + "\n";
+  if (s.courses && s.courses->held > 0.)
+    text += "  uplift      decides S by eq. (4): " + with_unit(s.courses->held, "m") + " held at its peak, " +
+            with_unit(s.courses->in_phase, "m") + " in phase with P\n";
   if (h.own && h.own->by_exact)
     text += "  tau_0       of this history at this r: " + seconds(h.own->by_paper) + " by eq. (7), " +
             seconds(h.own->by_exact) + " integrated, " + seconds(h.own->by_excess) + " by the time above mu W', " +
@@ -213,8 +270,11 @@ std::string describe(const Run& run) {
   }
   if (run.summary.error) text += describe(*run.summary.error, *run.summary.history_error);
   if (run.summary.soil) text += describe(*run.summary.soil);
+  text += describe(run.summary.periods);
   if (run.summary.contact) text += describe(*run.summary.contact);
   if (run.summary.sliding) text += describe(*run.summary.sliding);
+  if (run.summary.base) text += describe(*run.summary.base);
+  text += describe(run.summary.checks);
   text +=
       format("time        mesh %.2f s, compile %.2f s, factorise %.2f s, march %.2f s, output %.2f s, total %.2f s\n",
              t.mesh, t.compile, t.factorise, t.march, t.output, t.total);

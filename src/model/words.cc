@@ -49,6 +49,8 @@ const Words<RayleighFit> rayleigh_fit_words{{"ends", RayleighFit::ends}, {"band"
 
 const Words<UpliftKind> uplift_kind_words{{"prescribed", UpliftKind::prescribed}, {"computed", UpliftKind::computed}};
 
-const Words<UpliftCourse> uplift_course_words{{"in_phase", UpliftCourse::in_phase}, {"held", UpliftCourse::held}};
+const Words<UpliftCourse> uplift_course_words{{"held", UpliftCourse::held}, {"in_phase", UpliftCourse::in_phase}};
+const Words<UpliftDistribution> uplift_distribution_words{{"triangle", UpliftDistribution::triangle},
+                                                          {"uniform", UpliftDistribution::uniform}};
 
 }  // namespace upbead

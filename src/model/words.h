@@ -25,6 +25,7 @@ extern const Words<TimeScheme> time_scheme_words;
 extern const Words<RayleighFit> rayleigh_fit_words;
 extern const Words<UpliftKind> uplift_kind_words;
 extern const Words<UpliftCourse> uplift_course_words;
+extern const Words<UpliftDistribution> uplift_distribution_words;
 
 template <class Enum>
 std::string word_of(Enum value, const Words<Enum>& words) {

@@ -38,6 +38,22 @@ OutputSchema<HistorySliding> distances_outputs() {
            "as `sliding_history`, friction acting on N' with the caisson's vertical motion");
 }
 
+OutputSchema<DesignSliding> design_outputs() {
+  using D = DesignSliding;
+  return OutputSchema<D>()
+      .key("value", &D::value, "m", "S to design by")
+      .key("measure", &D::measure, "", "the key that has it: the measure with most mechanics that the scene allows")
+      .key("why", &D::why, "", "why this one")
+      .key("error_estimate", &D::error_estimate, "m", "its own; null where there is none");
+}
+
+OutputSchema<UpliftCourses> course_outputs() {
+  using U = UpliftCourses;
+  return OutputSchema<U>()
+      .key("held", &U::held, "m", "U follows P up to the largest P, then stays at its peak")
+      .key("in_phase", &U::in_phase, "m", "U follows P");
+}
+
 OutputSchema<CoupledSummary> coupled_outputs() {
   using C = CoupledSummary;
   return OutputSchema<C>()
@@ -141,6 +157,7 @@ OutputSchema<SlidingSummary> sliding_outputs() {
       .key("buoyant_weight", &S::submerged_weight, "N/m", "the same, by its older name")
       .key("drag", &S::drag, "N s/m2", "F_D over the velocity")
       .key("uplift", &S::uplift, "", "`none`, `prescribed` or `computed`")
+      .object("design", &S::design, design_outputs(), "the one S to design by; the others tell how much it depends on")
       .keys_of(&S::history, forces_outputs())
       .keys_of(&S::history, distances_outputs())
       .key("error_estimate", &S::error_estimate, "m",
@@ -151,6 +168,9 @@ OutputSchema<SlidingSummary> sliding_outputs() {
            "does not reach mu N'; null where it cannot be told")
       .reason("why_not_coupled", &S::why_not_coupled, "why `sliding_coupled` is null; null where it is not")
       .object("coupled", &S::coupled, coupled_outputs(), "of `sliding_coupled`; null with it")
+      .object("uplift_courses", &S::courses, course_outputs(),
+              "`sliding_history` by the course of U(t): how much the assumption decides; null but for a prescribed "
+              "peak")
       .keys_of(&S::pulse, pulse_outputs())
       .object("equal_impulse", &S::equal_impulse, impulse_outputs(),
               "the triangular pulse of the same peak and impulse as F_S; null where F_S is nowhere landward")

@@ -140,6 +140,60 @@ OutputSchema<ReductionSummary> reduction_outputs() {
            "reduced model)");
 }
 
+OutputSchema<BaseSummary> base_outputs() {
+  using B = BaseSummary;
+  return OutputSchema<B>()
+      .key("heel_pressure_at_rest", &B::heel_pressure_at_rest, "Pa", "of the landward edge, before the wave")
+      .key("toe_pressure_at_rest", &B::toe_pressure_at_rest, "Pa", "of the seaward edge, before the wave")
+      .key("eccentricity_at_rest", &B::eccentricity_at_rest, "m", "of W', landward of the middle")
+      .key(
+          "peak_heel_pressure", &B::peak_heel_pressure, "Pa",
+          "largest pressure of the landward edge; null where the resultant leaves the base there: a bonded base pulls, "
+          "a real one overturns or rocks")
+      .key("peak_heel_pressure_time", &B::peak_heel_pressure_time, "s", "when, or when the resultant first leaves")
+      .key("peak_toe_pressure", &B::peak_toe_pressure, "Pa", "the same of the seaward edge")
+      .key("peak_toe_pressure_time", &B::peak_toe_pressure_time, "s", "when")
+      .key("largest_eccentricity", &B::largest_eccentricity, "m", "e = M'/N' of largest magnitude, landward positive")
+      .key("largest_eccentricity_time", &B::largest_eccentricity_time, "s", "when")
+      .key("least_normal_force", &B::least_normal_force, "N/m", "least N'")
+      .key("least_normal_force_time", &B::least_normal_force_time, "s", "when")
+      .key("least_overturning_margin", &B::least_overturning_margin, "",
+           "least of (moment of W' - U)/(moment of all that the wave does), about the heel or the toe: Goda's safety "
+           "factor against overturning where nothing moves; null where nothing overturns")
+      .key("least_overturning_margin_time", &B::least_overturning_margin_time, "s", "when")
+      .key("peak_computed_pressure", &B::peak_computed_pressure, "Pa",
+           "largest effective stress under a node of the base, as solved; without friction node by node on stresses at "
+           "rest that are linear, and without a prescribed uplift; at the edges of a rigid base it grows with finer "
+           "cells; null unless `output.base = true` or contact was solved")
+      .key("peak_computed_pressure_at", &B::peak_computed_pressure_at, "m", "x of that node")
+      .key("peak_computed_pressure_time", &B::peak_computed_pressure_time, "s", "when")
+      .key("limit", &B::limit, "Pa", "of heel and toe pressure, `limits.base_pressure`; null where none is given");
+}
+
+OutputSchema<Check> check_outputs() {
+  using C = Check;
+  return OutputSchema<C>()
+      .key("name", &C::name, "", "what is checked")
+      .key("unit", &C::unit, "", "of demand and capacity")
+      .key("demand", &C::demand, "", "what comes, in that unit; null: more than can be told")
+      .key("capacity", &C::capacity, "", "what is bearable: mu W', or a limit of `[limits]`; null where none is given")
+      .key("margin", &C::margin, "",
+           "above 1 where it holds: capacity over demand, or demand over capacity of what must not fall below; null "
+           "without a capacity, or where nothing is demanded")
+      .key("holds", &C::holds, "", "whether it holds; null without a capacity")
+      .key("measure", &C::measure, "", "the key of the summary with the demand")
+      .reason("assumption", &C::assumption, "what it rests on; null for nothing worth telling");
+}
+
+OutputSchema<NaturalPeriod> period_outputs() {
+  using P = NaturalPeriod;
+  return OutputSchema<P>()
+      .key("period", &P::period, "s", "of the free swing")
+      .key("damping_ratio", &P::damping_ratio, "", "of critical")
+      .key("share", &P::share, "",
+           "of its largest contribution to F_T under these loads in the sum of those of all modes that swing");
+}
+
 OutputSchema<SoilSummary> soil_outputs() {
   using S = SoilSummary;
   return OutputSchema<S>()
@@ -201,13 +255,22 @@ OutputSchema<Summary> whole_outputs() {
       .object("energy", &S::energy, energy_outputs(), "at the end; null where a reduced model answered")
       .object("reduction", &S::reduction, reduction_outputs(),
               "[how far two nested models lie apart](reduced.md); null where the case was marched")
+      .list("periods[]", &S::periods, period_outputs(),
+            "natural periods of ground and bonded caisson that F_T takes part in, largest share first, from 1 %; "
+            "modes damped by more than 0.7 of critical do not swing; empty where no reduced model was made")
       .object("sliding", &S::sliding, sliding_outputs(),
               "with `[sliding]` in the case, else null. Eq. numbers are those of Shimosako and Takahashi (1994); F_S = "
               "F_T + mu U. Of all this only `sliding_coupled` moves the scene: elsewhere F_T is that of a caisson "
               "bonded to its mound")
+      .object(
+          "base", &S::base, base_outputs(),
+          "[what presses on the base](contact.md#base-pressure): effective, stress linear over what touches, at the "
+          "ends of the steps; null where neither `[sliding]` nor the water level tells W'")
       .object("contact", &S::contact, contact_outputs(),
               "[slip and uplift node by node](contact.md); null where the bottom is bonded")
       .object("soil", &S::soil, soil_outputs(), "of soil that follows the strain; else null")
+      .list("checks[]", &S::checks, check_outputs(),
+            "checks of the section: sliding, friction, pressure of heel and toe, overturning; empty without a caisson")
       .list("strength[]", &S::strength, strength_outputs(), "of each region with a [strength](warnings.md#strength)")
       .list("warnings[]", &S::warnings, warning_outputs(), "[what may be wrong](warnings.md) though nothing failed")
       .list("ladder[]", &S::ladder, ladder_outputs(),

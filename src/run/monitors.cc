@@ -6,6 +6,7 @@
 #include "fem/compile.h"
 #include "response/reduction.h"
 #include "response/time_choice.h"
+#include "run/checks.h"
 #include "run/contact/contact_run.h"
 #include "run/sliding/coupled_sliding.h"
 #include "run/sliding/effective_base.h"
@@ -41,10 +42,8 @@ EdgeStress least_edge_stress(const EffectiveBase& base, const std::vector<double
 /// the normal force - U, M' = W' e + base moment + moment of U, U the modelled pore pressure's and e how far W' acts
 /// landward of the bottom's middle. W' is that of [sliding], less a prescribed uplift, or the mass less the water that
 /// the caisson displaces below still water; without either there is no warning.
-NumberedWarnings lift_warnings(const Simulation& simulation, const Run& run) {
-  if (run.summary.contact) return {};
-  const std::optional<EffectiveBase> base = effective_base(simulation, run.response.ends);
-  if (!base) return {};
+NumberedWarnings lift_warnings(const std::optional<EffectiveBase>& base, const Run& run) {
+  if (run.summary.contact || !base) return {};
   const EdgeStress least = least_edge_stress(*base, run.response.ends.time);
   if (least.stress >= 0.) return {};
   const std::string which = least.force < 0.    ? "the whole caisson"
@@ -56,6 +55,18 @@ NumberedWarnings lift_warnings(const Simulation& simulation, const Run& run) {
                with_unit(least.moment, "N m/m") +
                "), which a bonded base holds and a real one does not: write [regions.caisson.interface] kind = "
                "\"friction\""}};
+}
+
+/// base_pressure: an edge presses harder than the case allows.
+NumberedWarnings pressure_warnings(const std::optional<BaseSummary>& base) {
+  if (!base || !base->limit || !base->peak_heel_pressure || !base->peak_toe_pressure) return {};
+  const bool heel = *base->peak_heel_pressure >= *base->peak_toe_pressure;
+  const double largest = heel ? *base->peak_heel_pressure : *base->peak_toe_pressure;
+  if (largest <= *base->limit) return {};
+  return {{"base_pressure", largest, *base->limit, "Pa",
+           std::string("the ") + (heel ? "heel" : "toe") + " presses with " + with_unit(largest, "Pa") + " at " +
+               significant(heel ? base->peak_heel_pressure_time : base->peak_toe_pressure_time) +
+               " s, more than limits.base_pressure: widen the caisson, or spread its weight seaward"}};
 }
 
 /// no_coupled_slip: the coupled S would not be right.
@@ -144,13 +155,19 @@ void Monitors::report(Run& run) {
   summary.warnings = warnings(simulation, peak_time);
   report_pressure(simulation, run);
   report_strength(run);
-  append(summary.warnings, lift_warnings(simulation, run));
+  const std::optional<EffectiveBase> base = effective_base(simulation, run.response.ends);
+  if (base) summary.base = base_summary(simulation, *base, run.response.ends, run.contact);
+  if (summary.base) summary.base->limit = simulation.given.limits.base_pressure;
+  append(summary.warnings, lift_warnings(base, run));
+  append(summary.warnings, pressure_warnings(summary.base));
   if (summary.sliding) append(summary.warnings, slip_warnings(*summary.sliding));
   append(summary.warnings, loose_warnings(summary));
   append(summary.warnings, balance_warnings(run));
   if (summary.sliding) append(summary.skipped, skipped(*summary.sliding));
   if (summary.contact && !summary.contact->solved)
     summary.skipped.push_back({"contact node by node", why_glued(*summary.contact)});
+  if (summary.sliding) summary.sliding->design = design_sliding(*summary.sliding, summary.contact);
+  summary.checks = checks_of(simulation.given, summary);
 }
 
 void Monitors::report_pressure(const Simulation& simulation, Run& run) {

@@ -5,8 +5,10 @@
 #include "base/numbers.h"
 #include "base/stopwatch.h"
 #include "base/text.h"
+#include "fem/caisson/reading_names.h"
 #include "fem/compile.h"
 #include "model/words.h"
+#include "response/natural_periods.h"
 #include "response/reduction.h"
 #include "response/time_choice.h"
 #include "run/derived.h"
@@ -112,6 +114,9 @@ Run run_reduced(const Simulation& simulation, const SchemeChoice& choice, const 
                                                : "a 32nd of the shortest load, for the record";
   summarise(simulation, "reduced", run);
   run.summary.reduction = summary_of(reduction);
+  if (simulation.compiled->caisson)
+    run.summary.periods = natural_periods(reduction.model, reading::shear_force,
+                                          sampled_loads(simulation.scene, simulation.compiled->system));
   run.pressures = std::move(reduction.pressures);
   return run;
 }

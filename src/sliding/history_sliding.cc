@@ -128,6 +128,20 @@ HistoryDuration history_duration(double mass, const History& force, double ratio
   return result;
 }
 
+namespace {
+
+/// `relief`: change of N'.
+Sliding slide_on(const BottomForces& forces, const BottomResistance& bottom, const History& relief) {
+  return slide(bottom.mass, forces.shear_force, friction_of(bottom.friction, bottom.submerged_weight, relief),
+               bottom.drag);
+}
+
+}  // namespace
+
+Sliding slide_on_history(const BottomForces& forces, const BottomResistance& bottom) {
+  return slide_on(forces, bottom, sum({}, -1., forces.uplift));
+}
+
 HistorySliding slide_history(const BottomForces& forces, const BottomResistance& bottom) {
   const History F_S = sum(forces.shear_force, bottom.friction, forces.uplift);
   const History less_uplift = sum({}, -1., forces.uplift);
@@ -143,12 +157,8 @@ HistorySliding slide_history(const BottomForces& forces, const BottomResistance&
   }
   result.ratio = result.peak_force / result.resistance;
   result.least_normal_force = bottom.submerged_weight + least(change);
-  const auto slide_on = [&](const History& relief) {
-    return slide(bottom.mass, forces.shear_force, friction_of(bottom.friction, bottom.submerged_weight, relief),
-                 bottom.drag);
-  };
-  result.by_history = slide_on(less_uplift);
-  result.with_normal_force = slide_on(change);
+  result.by_history = slide_on(forces, bottom, less_uplift);
+  result.with_normal_force = slide_on(forces, bottom, change);
   if (result.peak_force <= 0.) return result;
   result.own = history_duration(bottom.mass, F_S, result.ratio);
   for (const double r : {1.05, 1.1, 1.2, 1.3, 1.5, 1.75, 2.})

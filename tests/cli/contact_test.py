@@ -99,9 +99,20 @@ class Contact(ProgramTest):
         self.assertEqual(self.summary("again")["contact"], self.summary()["contact"])
 
     def test_what_cannot_be_meant_is_told_and_nothing_written(self):
-        done = self.run_model(*FRICTION, "--set", 'sliding.uplift={ kind = "prescribed", peak = 100.0 }', status=1)
-        self.assertIn("a prescribed uplift cannot act node by node", done.stderr)
+        done = self.run_model(*FRICTION, "--set", "regions.caisson.interface.coefficient=0.5", "--set",
+                              "sliding.friction=0.6", status=1)
+        self.assertIn("friction = 0.6 is not the coefficient = 0.5", done.stderr)
         self.assertFalse((self.folder / "out").exists())
+
+    def test_a_prescribed_uplift_acts_node_by_node(self):
+        uplift = ["--set", 'sliding.uplift={ kind = "prescribed", peak = 2000.0 }']
+        self.run_model(*FRICTION, *STRONG, out="without")
+        self.run_model(*FRICTION, *STRONG, *uplift)
+        without, found = self.summary("without"), self.summary()
+        self.assertGreater(found["contact"]["solved"]["slip"], 1.05 * without["contact"]["solved"]["slip"])
+        self.assertEqual(found["sliding"]["design"]["measure"], "contact.solved.slip")
+        self.assertEqual(found["sliding"]["design"]["value"], found["contact"]["solved"]["slip"])
+        self.assertGreater(found["base"]["peak_heel_pressure"], without["base"]["peak_heel_pressure"])
 
 
 if __name__ == "__main__":

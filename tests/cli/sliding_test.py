@@ -71,8 +71,12 @@ class Sliding(ProgramTest):
     def test_uplift_relieves(self):
         without = self.run_model(*STRONG)
         uplift = "sliding.uplift={kind='prescribed',peak=2000.0}"
-        in_phase = self.run_model(*STRONG, "--set", uplift)
-        held = self.run_model(*STRONG, "--set", uplift, "--set", "sliding.uplift.shape=held")
+        in_phase = self.run_model(*STRONG, "--set", uplift, "--set", "sliding.uplift.shape=in_phase")
+        held = self.run_model(*STRONG, "--set", uplift)  # the safe side is the default
+        for found in (in_phase, held):
+            self.assertEqual(found["uplift_courses"], {"held": held["sliding_history"],
+                                                       "in_phase": in_phase["sliding_history"]})
+        self.assertIsNone(without["uplift_courses"])
         pressed = ["--set", "loads.impulse.direction=[1.0, -0.5]"]  # else the pore pressure is antisymmetric: U = 0
         computed = self.run_model(*STRONG, *pressed, "--set", "sliding.uplift={kind='computed'}")
         self.assertGreater(in_phase["sliding_history"], 1.02 * without["sliding_history"])

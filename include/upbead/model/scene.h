@@ -32,12 +32,27 @@ enum class UpliftCourse {
   held,      ///< so up to the largest P, and from then on at its peak: on the safe side where F_T comes after P
 };
 
+/// How a prescribed uplift that is known by its force U alone presses on the base.
+enum class UpliftDistribution {
+  triangle,  ///< 2 U/B at the seaward edge, zero at the heel, after Goda (2000)
+  uniform,   ///< U/B everywhere
+};
+
+/// A part of the uplift pressure p_u(x, t) = sum shape(x) pressure(t), straight between the points of its shape and
+/// zero beyond.
+struct UpliftPart {
+  std::vector<std::array<double, 2>> shape;  ///< x (m), and the pressure per unit of the history
+  TimeFunction pressure;
+};
+
 struct UpliftChoice {
   UpliftKind kind = UpliftKind::prescribed;
   std::optional<double> peak;  ///< prescribed, without a history (N/m)
-  UpliftCourse course = UpliftCourse::in_phase;
-  double lag = 0.;       ///< by which U comes after P (s)
-  TimeFunction history;  ///< prescribed, without a peak: U(t) (N/m)
+  UpliftCourse course = UpliftCourse::held;
+  double lag = 0.;                                                 ///< by which U comes after P (s)
+  TimeFunction history;                                            ///< prescribed, without a peak: U(t) (N/m)
+  std::vector<UpliftPart> parts;                                   ///< of a history by transducers: their own pressures
+  UpliftDistribution distribution = UpliftDistribution::triangle;  ///< where there are no parts
 };
 
 /// The wave that tau_0 of Shimosako and Takahashi (1994), eqs. (8)-(11), is asked of.
@@ -55,6 +70,13 @@ struct SlidingChoice {
   double drag = 0.;              ///< F_D over velocity, eq. (2) (N s/m2)
   std::optional<UpliftChoice> uplift;
   std::optional<SlidingWave> wave;
+};
+
+/// What is still good enough; what is not given is not judged.
+struct Limits {
+  std::optional<double> sliding;        ///< S (m)
+  std::optional<double> base_pressure;  ///< of the heel and of the toe (Pa)
+  std::optional<double> overturning;    ///< least margin against it
 };
 
 enum class DisplacementCondition { fixed, roller, free, absorbing };
@@ -106,6 +128,7 @@ struct Scene {
   std::optional<double> fields_every;  ///< s; none: no fields
   bool base_stress = false;            ///< whether stress and pore pressure along the caisson's bottom are read
   std::optional<SlidingChoice> sliding;
+  Limits limits;
 };
 
 /// The region whose bottom shear is read.

@@ -93,10 +93,25 @@ struct EqualImpulse {
   double duration = 0., paper = 0., exact = 0.;  ///< as of PulseSliding
 };
 
+/// S by eq. (4) on F_T(t) (m), by the course that a prescribed peak of U is taken to have.
+struct UpliftCourses {
+  double held = 0., in_phase = 0.;
+};
+
+/// The S to design by.
+struct DesignSliding {
+  double value = 0.;                     ///< m
+  std::string measure;                   ///< the key of the summary that has it
+  std::string why;                       ///< this one
+  std::optional<double> error_estimate;  ///< m
+};
+
 struct SlidingSummary {
   double weight = 0., submerged_weight = 0., friction = 0., drag = 0.;  ///< W, W', mu, F_D over velocity
   std::string uplift;                                                   ///< none, prescribed or computed
   HistorySliding history;
+  DesignSliding design;
+  std::optional<UpliftCourses> courses;       ///< where a peak of U is prescribed without its course
   std::optional<PulseSliding> pulse;          ///< where the case names a wave
   std::optional<EqualImpulse> equal_impulse;  ///< where F_S has a landward peak
   std::optional<CoupledSummary> coupled;      ///< where it can be told
@@ -104,6 +119,37 @@ struct SlidingSummary {
   bool coupled_failed = false;                ///< for the numerics, not for what the scene is
   std::optional<double> error_estimate;       ///< of S by eq. (4) on F_T(t) (m)
   std::string why_no_estimate;                ///< else
+};
+
+/// What presses on the base, effective stress linear over what touches, at rest and at the worst of the steps' ends.
+struct BaseSummary {
+  double heel_pressure_at_rest = 0., toe_pressure_at_rest = 0., eccentricity_at_rest = 0.;  ///< Pa, Pa, m
+  /// Of the landward and of the seaward edge (Pa); none where the resultant leaves the base there.
+  std::optional<double> peak_heel_pressure = 0., peak_toe_pressure = 0.;
+  double peak_heel_pressure_time = 0., peak_toe_pressure_time = 0.;  ///< when, or when it first leaves (s)
+  double largest_eccentricity = 0., largest_eccentricity_time = 0.;  ///< of largest magnitude, landward (m)
+  double least_normal_force = 0., least_normal_force_time = 0.;      ///< N' (N/m)
+  /// Least ratio of the moments that hold the caisson up to those that overturn it, about either edge; none where
+  /// nothing overturns.
+  std::optional<double> least_overturning_margin;
+  double least_overturning_margin_time = 0.;
+  std::optional<double> peak_computed_pressure;  ///< of a node of the base (Pa); none where these are not read
+  double peak_computed_pressure_at = 0., peak_computed_pressure_time = 0.;  ///< where (m) and when
+  std::optional<double> limit;                                              ///< of heel and toe pressure (Pa)
+};
+
+/// One check of a section: what is asked of it, and what it can bear.
+struct Check {
+  std::string name;                ///< "sliding", "heel pressure"
+  std::string unit;                ///< of demand and capacity
+  std::optional<double> demand;    ///< what comes; none: more than can be told
+  std::optional<double> capacity;  ///< what is bearable; none: not given
+  /// Above 1 where it holds: capacity over demand, or of what must not fall below a limit demand over capacity; none
+  /// without a capacity, or where nothing is demanded.
+  std::optional<double> margin;
+  std::optional<bool> holds;  ///< none without a capacity
+  std::string measure;        ///< the key of the summary, and what it means
+  std::string assumption;     ///< that it rests on; "" for none worth telling
 };
 
 struct Discretisation {
@@ -182,11 +228,14 @@ struct Summary {
   std::vector<MeasuredSummary> measured;
   std::optional<EnergyAccount> energy;         ///< none where no march kept an account
   std::optional<ReductionSummary> reduction;   ///< none where it was marched
+  std::vector<NaturalPeriod> periods;          ///< of F_T; none where no reduced model was made
   std::optional<ErrorEstimate> error;          ///< of the peak; none where the mesh was not made for the tolerance
   std::optional<ErrorEstimate> history_error;  ///< of the whole history; with it
   std::optional<SlidingSummary> sliding;       ///< none without [sliding]
+  std::optional<BaseSummary> base;             ///< none where what presses at rest is not known
   std::optional<ContactSummary> contact;       ///< none where the bottom is bonded
   std::optional<SoilSummary> soil;             ///< none where no soil depends on strain
+  std::vector<Check> checks;                   ///< of the section, in the order of a sheet
   std::vector<MobilisedStrength> strength;     ///< of the regions whose strength is given
   NumberedWarnings warnings;                   ///< docs/warnings.md
   Ladder ladder;                               ///< the ways tried; the last one was taken

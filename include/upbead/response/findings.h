@@ -26,6 +26,13 @@ struct ShearResponse {
   double reaction_mismatch = 0.;           ///< largest difference of both routes to F_T, see require_balance
 };
 
+/// A free vibration: exp(-damping_ratio |p| t) sin(2 pi t / period), p its pole.
+struct NaturalPeriod {
+  double period = 0.;         ///< 2 pi / |Im p| (s)
+  double damping_ratio = 0.;  ///< -Re p / |p|
+  double share = 0.;          ///< in F_T under the scene's loads
+};
+
 /// How far a computed history lies from a measured one, over the times that they share.
 struct Comparison {
   double peak_measured = 0.;  ///< of largest magnitude

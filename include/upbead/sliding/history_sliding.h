@@ -58,6 +58,9 @@ struct HistorySliding {
   std::vector<HistoryDuration> table;  ///< tau_0 at r = 1.05 to 2
 };
 
+/// S by integrating eq. (4) with N' = W' - U alone.
+Sliding slide_on_history(const BottomForces& forces, const BottomResistance& bottom);
+
 /// S by integrating eq. (4) of Shimosako and Takahashi (1994). Friction acts on N', not below 0. Throws as slide()
 /// does.
 HistorySliding slide_history(const BottomForces& forces, const BottomResistance& bottom);

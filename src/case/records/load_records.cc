@@ -149,6 +149,16 @@ TimeFunction uplift_of(const GaugeLoad& by_gauges) {
   return piecewise_linear(by_gauges.gauges.time, uplift);
 }
 
+std::vector<UpliftPart> uplift_parts_of(const Gauges& gauges) {
+  std::vector<UpliftPart> parts;
+  for (std::size_t i = 0; i < gauges.count(); ++i) {
+    std::vector<double> pressure = gauges.pressure[i];
+    for (double& p : pressure) p = std::max(p, 0.);
+    if (sees_any(pressure)) parts.push_back({share(gauges, i), piecewise_linear(gauges.time, pressure)});
+  }
+  return parts;
+}
+
 TableSchema<MeasuredSource> measured_schema() {
   TableSchema<MeasuredSource> table;
   table.key("file", &MeasuredSource::file).required().doc("path of the record; CSV (docs/records.md) or HDF5");

@@ -82,6 +82,9 @@ void add_gauge_loads(const std::string& name, const GaugeLoad& by_gauges, double
 /// never positive.
 TimeFunction uplift_of(const GaugeLoad& by_gauges);
 
+/// The pressure of each transducer over the base, suction left out.
+std::vector<UpliftPart> uplift_parts_of(const Gauges& gauges);
+
 TableSchema<MeasuredSource> measured_schema();
 
 /// Fills `load` from the file `path` (CSV or HDF5), in a run until `end` (s): the time is the column whose header says

@@ -11,6 +11,7 @@
 #include "fem/compile.h"
 #include "fem/static_stage.h"
 #include "run/derived.h"
+#include "run/sliding/uplift.h"
 #include "run/solve.h"
 #include "system/interface.h"
 #include "upbead/base/error.h"
@@ -71,15 +72,18 @@ RestForces rest_forces(const Simulation& simulation, const Interface& interface)
   throw NumericsError(rest.ladder.back().refused);
 }
 
-/// Rows of shear and normal force come in turns, node by node, as glued() appends them.
-void look(const Interface& interface, const Series& series, double margin, GluedDemand& demand) {
+/// Rows of shear and normal force come in turns, node by node, as glued() appends them; without the uplift.
+void look(const Interface& interface, const std::vector<UpliftLoad>& uplift, const Series& series, double margin,
+          GluedDemand& demand) {
   const Eigen::Index n = interface.n_nodes(), columns = static_cast<Eigen::Index>(series.time.size());
   const auto forces = series.reading.bottomRows(2 * n).leftCols(columns);
   const double error = margin * forces.cwiseAbs().maxCoeff();
   for (Eigen::Index i = 0; i < n; ++i) {
     const double rest = interface.normal_force[i];
     for (Eigen::Index t = 0; t < columns; ++t) {
-      const double T = std::abs(forces(2 * i, t)), N = rest + forces(2 * i + 1, t);
+      double N = rest + forces(2 * i + 1, t);
+      for (const UpliftLoad& load : uplift) N -= load.node[i] * load.pressure(series.time[static_cast<std::size_t>(t)]);
+      const double T = std::abs(forces(2 * i, t));
       demand.slip = std::max(demand.slip, N > 0. ? T / (interface.friction * N) : infinity);
       demand.least_normal = std::min(demand.least_normal, N / rest);
       demand.reached = demand.reached || T + error >= interface.friction * (N - error);
@@ -89,11 +93,21 @@ void look(const Interface& interface, const Series& series, double margin, Glued
 
 /// Of a response of glued(system, true), `system` with the interface; the forces may be wrong by `margin` of their
 /// largest value over all nodes.
-GluedDemand contact_demand(const System& system, const Response& response, double margin) {
+GluedDemand contact_demand(const System& system, const std::vector<UpliftLoad>& uplift, const Response& response,
+                           double margin) {
   GluedDemand demand{0., 1., margin, false};
-  look(*system.interface, response.ends, margin, demand);
-  look(*system.interface, response.balanced, margin, demand);
+  look(*system.interface, uplift, response.ends, margin, demand);
+  look(*system.interface, uplift, response.balanced, margin, demand);
   return demand;
+}
+
+/// The prescribed pressure pushes both bodies apart: its power is that of the openings alone, N' falls by it.
+void add_loads(const std::vector<UpliftLoad>& uplift, System& system) {
+  for (const UpliftLoad& load : uplift) {
+    SystemLoad apart{"sliding.uplift", Vector::Zero(system.size()), load.pressure};
+    apart.vector.segment(system.first_opening(), system.interface->n_nodes()) = load.node;
+    system.loads.push_back(std::move(apart));
+  }
 }
 
 /// Sees every step of a march; system and scheme must outlive it.
@@ -226,6 +240,7 @@ Run run_contact(const Simulation& simulation, const MarchOptions& marching,
   System& system = sliding->system;
   const int n_nodes = system.interface->n_nodes();
   const Ladder at_rest = set_at_rest(simulation, *system.interface);
+  const std::vector<UpliftLoad> uplift = uplift_loads(simulation, system.interface->position, system.interface->length);
   const auto tied = std::make_shared<CompiledScene>(*simulation.compiled);
   tied->system = glued(system, true);
   const Simulation bonded = with_system(simulation, tied);
@@ -237,10 +252,11 @@ Run run_contact(const Simulation& simulation, const MarchOptions& marching,
   ContactSummary contact{system.interface->friction,
                          system.interface->normal_force.sum(),
                          n_nodes,
-                         contact_demand(system, run.response, margin),
+                         contact_demand(system, uplift, run.response, margin),
                          {}};
   remove_node_forces(n_nodes, tied->system, run.response);
   run.simulation = std::make_shared<const Simulation>(bonded);
+  add_loads(uplift, system);
   if (contact.demand.reached || simulation.scene.fields_every) {
     const auto moving = std::make_shared<const Simulation>(with_system(simulation, sliding));
     MarchOptions unkept = marching;
@@ -251,6 +267,7 @@ Run run_contact(const Simulation& simulation, const MarchOptions& marching,
     Run solved = climb(*moving, ways_with_care(simulation.given, "contact", solve), unkept);
     solved.simulation = moving;
     solved.summary.sliding = run.summary.sliding;
+    solved.summary.periods = run.summary.periods;
     solved.coupled = run.coupled;
     solved.summary.ladder = joined(run.summary.ladder, solved.summary.ladder);
     solved.summary.timing.factorise += run.summary.timing.factorise;

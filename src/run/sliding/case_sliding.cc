@@ -7,6 +7,7 @@
 #include "fem/caisson/readings.h"
 #include "model/words.h"
 #include "response/shear_response.h"
+#include "run/sliding/uplift.h"
 #include "upbead/base/error.h"
 #include "upbead/waves/goda.h"
 
@@ -19,38 +20,35 @@ double weight_of(const Scene& scene, const CompiledScene& compiled) {
   return scene.sliding->weight.value_or(compiled.caisson->body.mass * scene.gravity);
 }
 
-/// U(t) of a prescribed peak, at given times.
-History follow_force(const UpliftChoice& uplift, const TimeFunction& P, const std::vector<double>& time) {
-  const Extremum largest = extremum(P, 0., time.back(), 1);
-  History U{time, std::vector<double>(time.size(), 0.)};
-  if (largest.value <= 0.) return U;
-  for (std::size_t i = 0; i < time.size(); ++i) {
-    const double t = time[i] - uplift.lag, landward = t > 0. ? std::max(P(t), 0.) : 0.;
-    const bool over = uplift.course == UpliftCourse::held && t > largest.time;
-    U.value[i] = *uplift.peak * (over ? 1. : landward / largest.value);
-  }
-  return U;
-}
-
 /// U(t) of a prescribed uplift, at times of which these are the least.
-History prescribed(const UpliftChoice& uplift, const TimeFunction& P, const std::vector<double>& time) {
-  if (uplift.peak) return follow_force(uplift, P, time);
+History prescribed(const UpliftChoice& uplift, const CompiledScene& compiled, const std::vector<double>& time) {
+  const TimeFunction of_time = prescribed_uplift(uplift, force_on_caisson(compiled), time.back());
   History U{time, {}};
-  for (const auto* more : {&uplift.history.kinks(), &uplift.history.samples()})
+  for (const auto* more : {&of_time.kinks(), &of_time.samples()})
     for (const double t : *more)
       if (t < time.back()) U.time.push_back(t);
   std::sort(U.time.begin(), U.time.end());
-  for (const double t : U.time) U.value.push_back(uplift.history(t));
+  for (const double t : U.time) U.value.push_back(of_time(t));
   return U;
 }
 
-BottomForces bottom_forces(const Scene& scene, const CompiledScene& compiled, const BaseHistory& base) {
+BottomForces bottom_forces(const SlidingChoice& sliding, const CompiledScene& compiled, const BaseHistory& base) {
   BottomForces forces{base.shear_force, {}, base.normal_force};
-  if (const auto& uplift = scene.sliding->uplift)
-    forces.uplift = uplift->kind == UpliftKind::computed
-                        ? base.uplift
-                        : prescribed(*uplift, force_on_caisson(compiled), base.shear_force.time);
+  if (const auto& uplift = sliding.uplift)
+    forces.uplift =
+        uplift->kind == UpliftKind::computed ? base.uplift : prescribed(*uplift, compiled, base.shear_force.time);
   return forces;
+}
+
+/// S by eq. (4) with U in either course; none where its course is known.
+std::optional<UpliftCourses> by_course(SlidingChoice sliding, const CompiledScene& compiled, const BaseHistory& base,
+                                       const BottomResistance& bottom) {
+  if (!sliding.uplift || !sliding.uplift->peak) return std::nullopt;
+  const auto S = [&](UpliftCourse course) {
+    sliding.uplift->course = course;
+    return slide_on_history(bottom_forces(sliding, compiled, base), bottom).residual;
+  };
+  return UpliftCourses{S(UpliftCourse::held), S(UpliftCourse::in_phase)};
 }
 
 std::optional<EqualImpulse> equal_impulse(double mass, const HistorySliding& history) {
@@ -102,8 +100,8 @@ void check_sliding(const Simulation& simulation) {
   mistakes.throw_if_any();
 }
 
-TimeFunction prescribed_uplift(const Scene& scene, const CompiledScene& compiled, const std::vector<double>& time) {
-  const History U = prescribed(*scene.sliding->uplift, force_on_caisson(compiled), time);
+TimeFunction sampled_uplift(const Scene& scene, const CompiledScene& compiled, const std::vector<double>& time) {
+  const History U = prescribed(*scene.sliding->uplift, compiled, time);
   return piecewise_linear(U.time, U.value);
 }
 
@@ -118,7 +116,9 @@ std::optional<SlidingSummary> sliding_of(const Scene& scene, const CompiledScene
   s.uplift = choice.uplift ? word_of(choice.uplift->kind, uplift_kind_words) : "none";
   const double mass = s.weight / scene.gravity;
   const BaseHistory base = read_base_history(compiled, response, scene.time.inertia);
-  s.history = slide_history(bottom_forces(scene, compiled, base), {mass, s.friction, s.submerged_weight, s.drag});
+  const BottomResistance bottom{mass, s.friction, s.submerged_weight, s.drag};
+  s.history = slide_history(bottom_forces(choice, compiled, base), bottom);
+  s.courses = by_course(choice, compiled, base, bottom);
   s.equal_impulse = equal_impulse(mass, s.history);
   if (choice.wave) s.pulse = pulse_sliding(*choice.wave, mass, s.history);
   return s;

@@ -11,7 +11,7 @@ namespace upbead {
 void check_sliding(const Simulation& simulation);
 
 /// U(t) of a prescribed uplift, straight between times of which these are the least (N/m).
-TimeFunction prescribed_uplift(const Scene& scene, const CompiledScene& compiled, const std::vector<double>& time);
+TimeFunction sampled_uplift(const Scene& scene, const CompiledScene& compiled, const std::vector<double>& time);
 
 /// None without [sliding].
 std::optional<SlidingSummary> sliding_of(const Scene& scene, const CompiledScene& compiled, const Response& response);

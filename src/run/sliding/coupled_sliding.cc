@@ -70,7 +70,7 @@ SampledLoads loads_of_slip(const Scene& scene, const CompiledScene& compiled) {
   const double weight = scene.sliding->submerged_weight;
   TimeFunction normal({}, {[weight](double) { return weight; }});
   if (scene.sliding->uplift && scene.sliding->uplift->kind == UpliftKind::prescribed)
-    normal = sum(normal, scaled(prescribed_uplift(scene, compiled, time), -1.));
+    normal = sum(normal, scaled(sampled_uplift(scene, compiled, time), -1.));
   std::vector<TimeFunction> histories = load_histories(compiled.system);
   histories.push_back(normal);
   return sample(histories, time);

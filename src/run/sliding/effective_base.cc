@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fem/caisson/base_readings.h"
 #include "fem/caisson/readings.h"
 #include "fem/static_stage.h"
-#include "run/sliding/case_sliding.h"
+#include "run/sliding/uplift.h"
 
 namespace upbead {
 
@@ -56,16 +57,6 @@ std::optional<RestingForces> at_rest(const Simulation& simulation) {
   return rest;
 }
 
-/// A prescribed uplift at those times; zeros without one.
-std::vector<double> relief(const Simulation& simulation, const std::vector<double>& time) {
-  std::vector<double> uplift(time.size(), 0.);
-  const auto& sliding = simulation.scene.sliding;
-  if (time.empty() || !sliding || !sliding->uplift || sliding->uplift->kind != UpliftKind::prescribed) return uplift;
-  const TimeFunction prescribed = prescribed_uplift(simulation.scene, *simulation.compiled, time);
-  for (std::size_t i = 0; i < time.size(); ++i) uplift[i] = prescribed(time[i]);
-  return uplift;
-}
-
 }  // namespace
 
 std::optional<EffectiveBase> effective_base(const Simulation& simulation, const Series& ends) {
@@ -76,14 +67,113 @@ std::optional<EffectiveBase> effective_base(const Simulation& simulation, const 
   const auto row = [&](const char* name) { return ends.reading.row(system.reading(name)); };
   const auto N = row(reading::normal_force), M = row(reading::base_moment), U = row(reading::uplift),
              M_U = row("uplift_moment");
-  const std::vector<double> prescribed = relief(simulation, ends.time);
-  EffectiveBase base{simulation.compiled->caisson->bottom_width, {}, {}};
+  const std::vector<UpliftLoad> prescribed = uplift_loads(simulation, {}, {});
+  EffectiveBase base;
+  base.width = simulation.compiled->caisson->bottom_width;
+  base.weight = rest->force;
+  base.weight_moment = rest->moment;
   for (std::size_t i = 0; i < ends.time.size(); ++i) {
     const auto t = static_cast<Eigen::Index>(i);
-    base.force.push_back(rest->force + N[t] - U[t] - prescribed[i]);
-    base.moment.push_back(rest->moment + M[t] + M_U[t]);
+    double force = U[t], moment = M_U[t];
+    for (const UpliftLoad& load : prescribed) {
+      force += load.force * load.pressure(ends.time[i]);
+      moment += load.moment * load.pressure(ends.time[i]);
+    }
+    base.uplift.push_back(force);
+    base.uplift_moment.push_back(moment);
+    base.force.push_back(rest->force + N[t] - force);
+    base.moment.push_back(rest->moment + M[t] + moment);
   }
   return base;
+}
+
+namespace {
+
+/// About the edge landward (side 1) or seaward (-1) of the middle: moments of W' less U over those of the wave; none
+/// where the wave does not turn the caisson that way. Goda's (W' t - M_U)/M_P where nothing moves.
+std::optional<double> overturning_margin(const EffectiveBase& base, std::size_t i, double side) {
+  const double arm = 0.5 * base.width;
+  const double holds = (base.weight - base.uplift[i]) * arm - side * (base.weight_moment + base.uplift_moment[i]);
+  const double all = base.force[i] * arm - side * base.moment[i], overturns = holds - all;
+  if (!(overturns > 1e-9 * base.weight * arm)) return std::nullopt;
+  return holds / overturns;
+}
+
+/// The largest effective stress of a node of the base: its change, on stresses at rest that are linear over it.
+void look_at_nodes(const Simulation& simulation, const EffectiveBase& base, const Series& series,
+                   BaseSummary& summary) {
+  const System& system = simulation.compiled->system;
+  if (!simulation.scene.base_stress) return;
+  const std::vector<InterfaceNode> nodes = interface_nodes(*simulation.space);
+  for (std::size_t r = 0; r < system.readings.size(); ++r) {
+    const ReadingName& name = system.readings[r].name;
+    if (name.group != base_group || name.quantity != "normal_stress") continue;
+    Eigen::Index t = 0;
+    const double x = nodes[static_cast<std::size_t>(name.node)].position, B = base.width;
+    const double rest =
+        base.weight / B + 12. * base.weight_moment * (x - simulation.compiled->caisson->bottom_centre[0]) / (B * B * B);
+    const double stress = rest + series.reading.row(static_cast<Eigen::Index>(r)).maxCoeff(&t);
+    if (summary.peak_computed_pressure && stress <= *summary.peak_computed_pressure) continue;
+    summary.peak_computed_pressure = stress;
+    summary.peak_computed_pressure_at = x;
+    summary.peak_computed_pressure_time = series.time[static_cast<std::size_t>(t)];
+  }
+}
+
+void look_at_nodes(const ContactHistory& contact, BaseSummary& summary) {
+  const std::size_t n = contact.position.size();
+  for (std::size_t i = 0; i < contact.normal_force.size(); ++i) {
+    const double stress = contact.normal_force[i] / contact.length[i % n];
+    if (summary.peak_computed_pressure && stress <= *summary.peak_computed_pressure) continue;
+    summary.peak_computed_pressure = stress;
+    summary.peak_computed_pressure_at = contact.position[i % n];
+    summary.peak_computed_pressure_time = contact.time[i / n];
+  }
+}
+
+void look_at_edges(const EffectiveBase& base, std::size_t i, double time, BaseSummary& s) {
+  const EdgePressures edges = edge_pressures(base.force[i], base.moment[i], base.width);
+  const double e = base.force[i] > 0. ? base.moment[i] / base.force[i] : 0.;
+  const auto see = [&](double pressure, bool leaves, std::optional<double>& peak, double& when) {
+    if (!peak || !(pressure > *peak || leaves)) return;
+    peak = leaves ? std::nullopt : std::optional(pressure);
+    when = time;
+  };
+  const bool leaves = std::abs(base.moment[i]) >= 0.5 * base.width * base.force[i];
+  see(edges.landward, leaves && base.moment[i] >= 0., s.peak_heel_pressure, s.peak_heel_pressure_time);
+  see(edges.seaward, leaves && base.moment[i] <= 0., s.peak_toe_pressure, s.peak_toe_pressure_time);
+  if (std::abs(e) > std::abs(s.largest_eccentricity)) {
+    s.largest_eccentricity = e;
+    s.largest_eccentricity_time = time;
+  }
+  if (base.force[i] < s.least_normal_force) {
+    s.least_normal_force = base.force[i];
+    s.least_normal_force_time = time;
+  }
+  for (const double side : {1., -1.})
+    if (const auto margin = overturning_margin(base, i, side);
+        margin && (!s.least_overturning_margin || *margin < *s.least_overturning_margin)) {
+      s.least_overturning_margin = margin;
+      s.least_overturning_margin_time = time;
+    }
+}
+
+}  // namespace
+
+BaseSummary base_summary(const Simulation& simulation, const EffectiveBase& base, const Series& series,
+                         const std::optional<ContactHistory>& contact) {
+  BaseSummary s;
+  const EdgePressures rest = edge_pressures(base.weight, base.weight_moment, base.width);
+  s.heel_pressure_at_rest = rest.landward;
+  s.toe_pressure_at_rest = rest.seaward;
+  s.eccentricity_at_rest = base.weight_moment / base.weight;
+  s.least_normal_force = base.weight;
+  for (std::size_t i = 0; i < base.force.size(); ++i) look_at_edges(base, i, series.time[i], s);
+  if (contact)
+    look_at_nodes(*contact, s);
+  else
+    look_at_nodes(simulation, base, series, s);
+  return s;
 }
 
 std::vector<Dataset> base_histories(const EffectiveBase& base) {

@@ -1,0 +1,89 @@
+#include "run/checks.h"
+
+#include <algorithm>
+
+namespace upbead {
+
+DesignSliding design_sliding(const SlidingSummary& s, const std::optional<ContactSummary>& contact) {
+  if (contact && contact->solved)
+    return {contact->solved->slip, "contact.solved.slip", "friction is followed node by node",
+            contact->solved->error_estimate};
+  if (contact) return {0., "contact.solved", "no node of the bonded base reaches its friction or pulls", {}};
+  if (s.coupled)
+    return {s.coupled->slip.residual, "sliding.sliding_coupled",
+            s.coupled->vectors > 0 ? "the caisson slips as a whole on the ground that it shakes"
+                                   : "the bonded caisson does not reach mu N'",
+            s.coupled->error_estimate};
+  const double plain = s.history.by_history.residual, moved = s.history.with_normal_force.residual;
+  const std::string why = "the larger of two by F_T(t) of the bonded caisson; slip with its ground is not told: ";
+  return plain >= moved ? DesignSliding{plain, "sliding.sliding_history", why + s.why_not_coupled, s.error_estimate}
+                        : DesignSliding{moved, "sliding.sliding_normal_force", why + s.why_not_coupled, {}};
+}
+
+namespace {
+
+/// What must not exceed a capacity.
+Check at_most(Check check, const std::optional<double>& capacity) {
+  check.capacity = capacity;
+  if (!capacity) return check;
+  if (check.demand && *check.demand > 0.) check.margin = *capacity / *check.demand;
+  check.holds = check.demand && *check.demand <= *capacity;
+  return check;
+}
+
+/// What must not fall below one.
+Check at_least_as(Check check, const std::optional<double>& capacity) {
+  check.capacity = capacity;
+  if (!capacity) return check;
+  check.margin = *check.demand / *capacity;
+  check.holds = *check.demand >= *capacity;
+  return check;
+}
+
+Check check_of(const std::string& name, const std::string& unit, const std::optional<double>& demand,
+               const std::string& measure, const std::string& assumption) {
+  Check check;
+  check.name = name;
+  check.unit = unit;
+  check.demand = demand;
+  check.measure = measure;
+  check.assumption = assumption;
+  return check;
+}
+
+std::string about_uplift(const Scene& scene) {
+  if (!scene.sliding || !scene.sliding->uplift) return "no uplift";
+  const UpliftChoice& uplift = *scene.sliding->uplift;
+  if (uplift.kind == UpliftKind::computed) return "uplift by the computed pore pressure";
+  if (!uplift.peak) return "uplift as given over time";
+  return uplift.course == UpliftCourse::held ? "uplift held at its peak" : "uplift in phase with P";
+}
+
+}  // namespace
+
+std::vector<Check> checks_of(const Scene& scene, const Summary& summary) {
+  std::vector<Check> list;
+  if (const auto& sliding = summary.sliding) {
+    const std::string assumption = about_uplift(scene) + "; " + sliding->design.why;
+    list.push_back(
+        at_most(check_of("sliding distance", "m", sliding->design.value, sliding->design.measure, assumption),
+                scene.limits.sliding));
+    list.push_back(at_most(check_of("force against friction", "N/m", sliding->history.peak_force,
+                                    "sliding.peak_sliding_force", about_uplift(scene) + "; F_T of the bonded caisson"),
+                           sliding->history.resistance));
+  }
+  if (const auto& base = summary.base) {
+    const std::string linear = about_uplift(scene) + "; effective stress linear over what touches";
+    list.push_back(at_most(check_of("heel pressure", "Pa", base->peak_heel_pressure, "base.peak_heel_pressure", linear),
+                           scene.limits.base_pressure));
+    list.push_back(at_most(check_of("toe pressure", "Pa", base->peak_toe_pressure, "base.peak_toe_pressure", linear),
+                           scene.limits.base_pressure));
+    if (base->least_overturning_margin)
+      list.push_back(at_least_as(check_of("margin against overturning", "", *base->least_overturning_margin,
+                                          "base.least_overturning_margin", about_uplift(scene) + "; a rigid base"),
+                                 scene.limits.overturning));
+  }
+  return list;
+}
+
+}  // namespace upbead

@@ -1,0 +1,18 @@
+// What a section is signed for: the S to design by, and each check with demand, capacity and margin.
+#pragma once
+
+#include <vector>
+
+#include "upbead/model/scene.h"
+#include "upbead/output/summary.h"
+
+namespace upbead {
+
+/// The measure with most mechanics of those that a run has: friction node by node, else a caisson that slips as a whole
+/// on the ground that it shakes, else the larger of eq. (4) on F_T(t) with and without the vertical motion.
+DesignSliding design_sliding(const SlidingSummary& sliding, const std::optional<ContactSummary>& contact);
+
+/// Sliding, friction, pressure of heel and toe, overturning: those of which the summary knows the demand.
+std::vector<Check> checks_of(const Scene& scene, const Summary& summary);
+
+}  // namespace upbead

@@ -1,0 +1,92 @@
+#include "run/warnings/plausibility.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/text.h"
+#include "fem/static_stage.h"
+
+namespace upbead {
+
+namespace {
+
+/// A unit that a number may have been given in, and what it is in SI.
+struct MeantUnit {
+  const char* name;
+  double factor;
+};
+
+/// What is found of a quantity, generously: beyond it a unit has been mistaken, or the scene is no breakwater; and what
+/// is common, by which the unit is guessed.
+struct Usual {
+  const char* unit;
+  double low, high, common_low, common_high;
+  std::vector<MeantUnit> meant;
+};
+
+// From mud to steel; from light fills to steel; from clay to rock armour; fresh to heavy sea water; mu of base plates.
+const Usual modulus{"Pa", 1e4, 1e12, 1e6, 3e11, {{"kPa", 1e3}, {"MPa", 1e6}, {"GPa", 1e9}}};
+const Usual density{"kg/m3", 500., 2e4, 1e3, 8e3, {{"t/m3", 1e3}, {"kN/m3", 1e3 / 9.81}}};
+const Usual water_density{"kg/m3", 900., 1300., 990., 1050., {{"t/m3", 1e3}, {"kN/m3", 1e3 / 9.81}}};
+const Usual conductivity{"m/s", 1e-13, 10., 1e-12, 0.5, {{"cm/s", 1e-2}, {"m/day", 1. / 86400.}, {"mm/s", 1e-3}}};
+const Usual friction{"1", 0.1, 1.5, 0.2, 1., {{"percent", 1e-2}}};
+
+void judge(const std::string& key, const std::optional<double>& value, const Usual& usual, NumberedWarnings& list) {
+  if (!value || (*value >= usual.low && *value <= usual.high)) return;
+  std::string text = key + " = " + significant(*value, 4) + " " + (usual.unit == std::string("1") ? "" : usual.unit);
+  text += *value < usual.low ? " is less than is ever found (" : " is more than is ever found (";
+  const double limit = *value < usual.low ? usual.low : usual.high;
+  text += significant(limit) + ")";
+  for (const MeantUnit& unit : usual.meant)
+    if (const double meant = *value * unit.factor; meant >= usual.common_low && meant <= usual.common_high) {
+      text += "; if it was meant in " + std::string(unit.name) + ", write " + significant(meant, 4);
+      break;
+    }
+  list.push_back({"implausible", *value, limit, usual.unit, text});
+}
+
+void judge_weight(const Simulation& simulation, NumberedWarnings& list) {
+  const auto& sliding = simulation.scene.sliding;
+  if (!sliding || !simulation.compiled->caisson) return;
+  const double given = sliding->submerged_weight;
+  const double in_air = simulation.compiled->caisson->body.mass * simulation.scene.gravity;
+  if (!std::isfinite(water_level(simulation.scene, *simulation.mesh))) {
+    if (given < 0.99 * in_air)
+      list.push_back({"no_water", given, in_air, "N/m",
+                      "sliding.submerged_weight = " + significant(given, 4) + " N/m is below the weight in air, " +
+                          significant(in_air, 4) +
+                          " N/m, but the scene has no still water: give regions of water, or [initial] water_level"});
+    return;
+  }
+  const double displaced = caisson_in_water(simulation.scene, *simulation.mesh).weight;
+  constexpr double tolerable = 0.1;  // footings, rounded corners and layers of ballast make no tenth of W'
+  if (std::abs(given - displaced) <= tolerable * std::abs(displaced)) return;
+  std::string text = "sliding.submerged_weight = " + significant(given, 4) + " N/m, but the caisson less the water " +
+                     "that it displaces weighs " + significant(displaced, 4) + " N/m";
+  for (const MeantUnit& unit : {MeantUnit{"kN/m", 1e3}, MeantUnit{"MN/m", 1e6}})
+    if (std::abs(given * unit.factor - displaced) <= 0.3 * displaced)
+      text += "; if it was meant in " + std::string(unit.name) + ", write " + significant(given * unit.factor, 4);
+  list.push_back({"submerged_weight", given, displaced, "N/m", text});
+}
+
+}  // namespace
+
+NumberedWarnings plausibility_warnings(const Simulation& simulation) {
+  NumberedWarnings list;
+  const Scene& scene = simulation.given;
+  judge("fluid.density", scene.fluid.density, water_density, list);
+  for (const auto& [name, region] : scene.regions) {
+    const std::string at = "regions." + name + ".";
+    judge(at + "shear_modulus", region.shear_modulus, modulus, list);
+    judge(at + "youngs_modulus", region.youngs_modulus, modulus, list);
+    judge(at + "density", region.density, density, list);
+    judge(at + "grain_density", region.grain_density, density, list);
+    judge(at + "hydraulic_conductivity", region.hydraulic_conductivity, conductivity, list);
+    if (region.interface) judge(at + "interface.coefficient", region.interface->coefficient, friction, list);
+  }
+  if (scene.sliding) judge("sliding.friction", scene.sliding->friction, friction, list);
+  judge_weight(simulation, list);
+  return list;
+}
+
+}  // namespace upbead

@@ -1,0 +1,156 @@
+// Claims about a prescribed uplift with friction node by node: on rigid ground the caisson is the exact block of eq.
+// (4) with N' = W' - U(t), whatever the force, the course of U and how it is spread; on real ground what its nodes
+// press with is N' and M' of the caisson's balance, and S falls where the uplift does. Sources: sliding/block.h,
+// statics.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "contact_case.h"
+#include "run/sliding/effective_base.h"
+#include "run/sliding/uplift.h"
+#include "upbead/run/simulation.h"
+
+namespace upbead::test {
+namespace {
+
+constexpr double duration = 3., end = 6.;
+
+TimeFunction half_sine(double peak) {
+  return {{0., duration},
+          {[](double) { return 0.; }, [peak](double t) { return peak * std::sin(std::acos(-1.) * t / duration); },
+           [](double) { return 0.; }}};
+}
+
+UpliftChoice of_peak(double peak, UpliftCourse course, double lag = 0.) {
+  UpliftChoice uplift;
+  uplift.peak = peak;
+  uplift.course = course;
+  uplift.lag = lag;
+  return uplift;
+}
+
+/// Linear in time from `first` to `last`, over the whole run.
+UpliftChoice of_history(double first, double last) {
+  UpliftChoice uplift;
+  uplift.history = piecewise_linear({0., end}, {first, last});
+  return uplift;
+}
+
+/// Transducers at the edges and the middle of the base, which see different courses.
+UpliftChoice of_transducers(double U) {
+  UpliftChoice uplift = of_history(0.5 * U, U);
+  const TimeFunction first = piecewise_linear({0., end}, {U / 9., U / 9.}),
+                     second = piecewise_linear({0., end}, {0., U / 9.});
+  uplift.parts = {{{{-9., 1.}, {0., 0.}}, first}, {{{-9., 0.}, {0., 1.}, {9., 0.}}, second}};
+  uplift.history = sum(scaled(first, 4.5), scaled(second, 9.));
+  return uplift;
+}
+
+Scene with_uplift(Scene scene, const UpliftChoice& uplift) {
+  scene.regions[caisson_name].interface = ContactLaw{ContactKind::friction, friction};
+  scene.sliding = SlidingChoice{friction, submerged_weight(), {}, 0., uplift, {}};
+  return scene;
+}
+
+Run solved(Scene scene, const std::shared_ptr<const Mesh>& mesh, double until, double step) {
+  scene.time.end = until;
+  scene.time.step = step;
+  return Simulation(scene, mesh).run();
+}
+
+/// A function at many times, which are exact for the triangle.
+History sampled(const TimeFunction& f) {
+  History history;
+  for (int i = 0; i <= 6000; ++i) {
+    history.time.push_back(end * i / 6000.);
+    history.value.push_back(f(history.time.back()));
+  }
+  return history;
+}
+
+TEST(NodeContactUplift, OnRigidGroundIsTheExactBlock) {
+  Record record("contact_uplift");
+  const double W = submerged_weight(), R = friction * W, U = 0.3 * W;
+  const std::shared_ptr<const Mesh> mesh = breakwater_mesh(0.25);
+  for (const auto& [shape, force] : {std::pair<std::string, TimeFunction>{"triangle", triangle(1.2 * R, duration)},
+                                     {"half sine", half_sine(1.2 * R)}})
+    for (const auto& [course, uplift] :
+         {std::pair<std::string, UpliftChoice>{"constant", of_history(U, U)},
+          {"falling", of_history(U, 0.)},
+          {"held", of_peak(U, UpliftCourse::held)},
+          {"in phase", of_peak(U, UpliftCourse::in_phase)},
+          {"in phase, later by a tenth", of_peak(U, UpliftCourse::in_phase, 0.1 * duration)},
+          {"by transducers", of_transducers(U)}}) {
+      Scene scene = with_uplift(drained_section(force, 0.), uplift);
+      stiffen(scene);
+      const Run run = solved(scene, mesh, end, duration / 1500.);
+      History resistance = sampled(prescribed_uplift(uplift, force, end));
+      for (double& value : resistance.value) value = friction * (W - value);
+      const double S = slide(caisson_mass(), sampled(force), resistance).residual;
+      ASSERT_TRUE(run.summary.contact && run.summary.contact->solved);
+      record.at_most("S against that of the block, " + shape + ", uplift " + course,
+                     std::abs(run.summary.contact->solved->slip / S - 1.), 1e-3);
+    }
+}
+
+/// Largest difference of what the nodes press with from N' and M', over W' and W' B.
+double unbalanced(const Run& run) {
+  const EffectiveBase base = *effective_base(*run.simulation, run.response.ends);
+  const ContactHistory& nodes = *run.contact;
+  const std::size_t n = nodes.position.size();
+  double worst = 0.;
+  for (std::size_t t = 0; t < base.force.size(); ++t) {
+    double force = 0., moment = 0.;
+    for (std::size_t i = 0; i < n; ++i) {
+      force += nodes.normal_force[t * n + i];
+      moment += nodes.normal_force[t * n + i] * nodes.position[i];
+    }
+    worst = std::max({worst, std::abs(force - base.force[t]) / base.weight,
+                      std::abs(moment - base.moment[t]) / (base.weight * base.width)});
+  }
+  return worst;
+}
+
+TEST(NodeContactUplift, IsWhatTheNodesNoLongerPressWith) {
+  Record record("contact_uplift");
+  const double U = 0.25 * submerged_weight();
+  const std::shared_ptr<const Mesh> dry = breakwater_mesh(0.25), wet = breakwater_mesh(0.25, with_sea());
+  double last = 0.;
+  for (const double peak : {0., 0.5 * U, U}) {
+    const Run run = solved(with_uplift(drained_section(triangle(7e6, 0.15), 8.), of_peak(peak, UpliftCourse::held)),
+                           dry, 0.6, 0.15 / 32.);
+    const std::string at = ", U over W' " + std::to_string(peak / submerged_weight()).substr(0, 5);
+    record.at_most("nodes against N' and M', drained" + at, unbalanced(run), 1e-9);
+    record.at_most("energy that is not accounted for, drained" + at, run.summary.energy->mismatch(), 1e-9);
+    EXPECT_GT(run.summary.contact->solved->slip, last);
+    last = run.summary.contact->solved->slip;
+  }
+  for (const UpliftDistribution spread : {UpliftDistribution::triangle, UpliftDistribution::uniform}) {
+    UpliftChoice uplift = of_peak(U, UpliftCourse::in_phase, 0.03);
+    uplift.distribution = spread;
+    const Run run = solved(with_uplift(wet_section(triangle(7e6, 0.15), 8.), uplift), wet, 0.6, 0.15 / 32.);
+    record.at_most(std::string("nodes against N' and M', with pore water and sea, spread ") +
+                       (spread == UpliftDistribution::triangle ? "as a triangle" : "evenly"),
+                   unbalanced(run), 1e-9);
+  }
+}
+
+/// Slowly loaded, the base presses as Goda's statics say: M_e = W' t - M_U - M_P and p_e of Stability, waves/goda.h.
+TEST(NodeContactUplift, SlowlyPressesAsGodaSays) {
+  Record record("contact_uplift");
+  const double W = submerged_weight(), U = 0.25 * W, P = 0.2 * W, arm = 8., B = 18.;
+  Scene scene = drained_section(piecewise_linear({0., 20., 40.}, {0., P, 0.}), arm);
+  scene.sliding = SlidingChoice{friction, W, {}, 0., of_peak(U, UpliftCourse::in_phase), {}};
+  const Run run = solved(scene, breakwater_mesh(0.25), 40., 0.05);
+  const double e = (P * arm + U * B / 6.) / (W - U), t = 0.5 * B - e;  // M_U = 2/3 U B about the heel
+  const double heel = t <= B / 3. ? 2. * (W - U) / (3. * t) : 2. * (W - U) / B * (2. - 3. * t / B);
+  record.at_most("heel pressure against Goda's", std::abs(run.summary.base->peak_heel_pressure / heel - 1.), 2e-3);
+  record.at_most(
+      "margin against overturning, against Goda's",
+      std::abs(*run.summary.base->least_overturning_margin / ((W * 0.5 * B - U * B * 2. / 3.) / (P * arm)) - 1.), 2e-3);
+  record.at_most("eccentricity", std::abs(run.summary.base->largest_eccentricity / e - 1.), 2e-3);
+}
+
+}  // namespace
+}  // namespace upbead::test
