@@ -1,0 +1,51 @@
+#!/usr/bin/python3
+"""docs/hand-calculations.md: each working gives its value, and so does the program, to the digits of the value."""
+
+import json
+import math
+import re
+import unittest
+
+from program import CASES, ProgramTest, upbead
+
+PAGE = (CASES.parent / "docs/hand-calculations.md").read_text()
+ROW = re.compile(r"^\| (.+?) \| `(.+?)` \| (.+?) \| (.*?) \| (?:`(.+?)`)? *\|$", re.MULTILINE)
+SCALE = {"kPa": 1e3, "kN/m": 1e3, "kN m/m": 1e3}
+NAMES = {name: getattr(math, name) for name in ("pi", "sinh", "cosh", "tanh", "cos", "sqrt", "radians")}
+
+
+def agree(number, text):
+    """To the last digit of the text: half of it, and another half where what goes in was rounded."""
+    digits = text.lower().partition("e")
+    last = 10.0 ** ((int(digits[2]) if digits[2] else 0) - len(digits[0].partition(".")[2]))
+    return abs(number - float(text)) <= 0.5001 * last
+
+
+class HandCalculations(ProgramTest):
+    def sections(self):
+        return [(part.partition("\n")[0], re.search(r"```toml\n(.*?)```", part, re.DOTALL)[1], ROW.findall(part))
+                for part in PAGE.split("\n## ")[1:]]
+
+    def test_every_working_gives_its_value(self):
+        self.assertEqual(len(self.sections()), 3)
+        for title, _, rows in self.sections():
+            self.assertGreater(len(rows), 30)
+            for symbol, working, value, _, _ in rows:
+                with self.subTest(section=title, symbol=symbol):
+                    number = eval(working, {"__builtins__": {}, "min": min, "max": max}, NAMES)
+                    self.assertTrue(agree(number, value), f"{number} is not {value}")
+
+    def test_the_program_has_the_same(self):
+        for title, design, rows in self.sections():
+            (self.folder / "design.toml").write_text(design)
+            done = upbead("waves", "design.toml", "--json", cwd=self.folder)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            wave = json.loads(done.stdout)["waves"]["design"]
+            for symbol, _, value, unit, key in rows:
+                if key:
+                    with self.subTest(section=title, symbol=symbol):
+                        self.assertTrue(agree(wave[key] / SCALE.get(unit, 1.0), value), f"{wave[key]} is not {value}")
+
+
+if __name__ == "__main__":
+    unittest.main(argv=["hand_calculation_test.py"])
