@@ -19,6 +19,8 @@
 #include "response/reduction.h"
 #include "response/shear_response.h"
 #include "run/sliding/coupled_sliding.h"
+#include "run/sliding/effective_base.h"
+#include "run/sliding/uplift.h"
 #include "run/solve.h"
 #include "system/interface.h"
 #include "upbead/base/error.h"
@@ -64,6 +66,18 @@ ModelSliding model_sliding(const SlidingChoice& choice, double peak_force) {
   return sliding;
 }
 
+/// None where W' is not known.
+std::optional<ModelBase> model_base(const Simulation& simulation) {
+  const System& system = simulation.compiled->system;
+  const Series none{{}, Eigen::MatrixXd(system.readings.size(), 0), Eigen::MatrixXd(system.loads.size(), 0)};
+  const std::optional<EffectiveBase> base = effective_base(simulation, none);
+  if (!base) return std::nullopt;
+  ModelBase told{base->width, base->weight, base->weight_moment, 0.};
+  for (const UpliftLoad& load : uplift_loads(simulation, {}, {}))
+    told.uplift_moment_per_force = load.moment / load.force;
+  return told;
+}
+
 ReducedModelFile model_of(const Case& input, const Simulation& simulation, Reduction reduction,
                           const std::string& folder) {
   ReducedModelFile file;
@@ -76,6 +90,7 @@ ReducedModelFile model_of(const Case& input, const Simulation& simulation, Reduc
   file.end = input.scene.time.end;
   if (const auto& sliding = input.scene.sliding)
     file.sliding = model_sliding(*sliding, extremum(force_on_caisson(*simulation.compiled), 0., file.end, 1).value);
+  file.base = model_base(simulation);
   file.highest_frequency = summary_of(reduction).highest_frequency;
   file.tolerance = input.scene.tolerance;
   file.error = reduction.error.history;

@@ -102,6 +102,24 @@ std::optional<NestedModels> read_nested(ModelParts& parts, const ModalModel& mod
   return nested;
 }
 
+const char* const base_path = "/base";
+
+void write_base(Hdf5Image& image, const ModelBase& base) {
+  const std::vector<double> values{base.width, base.weight, base.weight_moment, base.uplift_moment_per_force};
+  image.numbers(base_path, {values.size()}, values.data(),
+                {"",
+                 "width of the base (m), W' (N/m), its moment about the middle, overturning landward positive (N m/m), "
+                 "moment per force of a prescribed uplift (m)"});
+}
+
+std::optional<ModelBase> read_base(ModelParts& parts) {
+  if (parts.length(base_path) == 0) return std::nullopt;
+  const std::vector<double> values = parts.numbers(base_path, {4});
+  if (values[0] > 0. && values[1] > 0.) return ModelBase{values[0], values[1], values[2], values[3]};
+  parts.wrong(std::string(base_path) + " holds a width or a weight that is not above 0");
+  return std::nullopt;
+}
+
 void write_loads(Hdf5Image& image, const std::vector<ModelLoad>& loads) {
   std::vector<std::string> name, unit;
   std::vector<double> peak, duration;
@@ -152,6 +170,7 @@ std::string model_file(const ReducedModelFile& model) {
     image.group("/sliding");
     write_attributes(image, "/sliding", fields_of_sliding, *model.sliding);
   }
+  if (model.base) write_base(image, *model.base);
   if (model.slip) write_slip(image, *model.slip);
   image.seal();
   return image.bytes();
@@ -170,6 +189,7 @@ ReducedModelFile read_model_file(const std::string& path) {
   read_attributes(parts, "/validity", fields_of_validity, model);
   model.error_march = parts.optional_number("/validity", "error_march");
   if (parts.has("/sliding", "friction")) read_attributes(parts, "/sliding", fields_of_sliding, model.sliding.emplace());
+  model.base = read_base(parts);
   model.slip = read_slip(parts);
   parts.require_checksum();
   parts.throw_if_any();

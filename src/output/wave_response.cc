@@ -53,6 +53,12 @@ const OutputSchema<WaveResponse>& wave_outputs() {
                "holds no `/nested`, which a warning says")
           .key("sliding", &W::sliding, "m",
                "S, sliding distance when the caisson has come to rest, landward; null where not asked for")
+          .key("peak_heel_pressure", &W::peak_heel_pressure, "Pa",
+               "largest pressure of the landward edge of the base, stress linear over what touches; null where the "
+               "resultant leaves the base, or the model's file does not tell W'")
+          .key("peak_toe_pressure", &W::peak_toe_pressure, "Pa", "the same of the seaward edge; null likewise")
+          .key("least_overturning_margin", &W::least_overturning_margin, "",
+               "least margin against overturning; null where nothing overturns, or the file does not tell W'")
           .key("sliding_coupled", slip, "m",
                "S where the caisson slips as a whole on the ground that it shakes, landward; null where not asked for, "
                "and where the model cannot tell")
@@ -106,9 +112,10 @@ bool may_be_absent(const OutputRow& row) {
   return row.path == "error_estimate" || row.path == "sliding";
 }
 
-/// Datasets in which NaN stands for a slip that is not told.
+/// Datasets in which NaN stands for what is not told of a wave.
 bool is_of_slip(const OutputRow& row) {
-  return row.path == "sliding_coupled" || row.path.rfind("coupled.", 0) == 0;
+  return row.path == "sliding_coupled" || row.path == "least_overturning_margin" ||
+         row.path.find("_pressure") != std::string::npos || row.path.rfind("coupled.", 0) == 0;
 }
 
 /// One number a wave: "coupled.slips" of the summary is the dataset coupled_slips.

@@ -34,6 +34,8 @@ struct WaveResponse {
   std::optional<double> error_estimate{};
   /// S by eq. (4) on F_T, where it comes to rest (m); none where nobody asked.
   std::optional<double> sliding{};
+  std::optional<double> peak_heel_pressure{}, peak_toe_pressure{};  ///< Pa; none as in BaseExtremes, or not known
+  std::optional<double> least_overturning_margin{};                 ///< likewise
   std::optional<CoupledWave> coupled{};  ///< none where nobody asked, or the model cannot tell
   std::string why_not_coupled{};         ///< where somebody asked and this wave's cannot be told
 };

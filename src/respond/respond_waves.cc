@@ -17,6 +17,7 @@
 #include "respond/respond_slip.h"
 #include "respond/wave_grid.h"
 #include "upbead/base/error.h"
+#include "upbead/sliding/base_pressure.h"
 
 namespace upbead {
 
@@ -128,6 +129,37 @@ class AllWaveChecks {
   std::map<std::pair<int, double>, std::shared_ptr<const WaveChecks>> made_;
 };
 
+/// What presses on the base, over the times of a grid.
+class BaseAnswer {
+ public:
+  BaseAnswer(const ReducedModelFile& model, const WaveGrid& grid)
+      : base_(*model.base),
+        normal_(one_reading(model.modes, reading::normal_force), grid),
+        moment_(one_reading(model.modes, reading::base_moment), grid),
+        uplift_(one_reading(model.modes, reading::uplift), grid),
+        uplift_moment_(one_reading(model.modes, reading::uplift_moment), grid) {}
+
+  /// `prescribed`: an uplift besides the computed one; empty: none.
+  BaseExtremes answer(const WaveSamples& loads, const WaveGrid& grid, bool ends_at_zero,
+                      const Eigen::RowVectorXd& prescribed) const {
+    const auto of = [&](const OneReading& reading) { return reading.answer(loads, grid, ends_at_zero); };
+    const Eigen::RowVectorXd N = of(normal_), M = of(moment_);
+    Eigen::RowVectorXd U = of(uplift_), M_U = of(uplift_moment_);
+    if (prescribed.size() > 0) {
+      U += prescribed;
+      M_U += base_.uplift_moment_per_force * prescribed;
+    }
+    const auto list = [](const Eigen::RowVectorXd& row) { return std::vector<double>(row.begin(), row.end()); };
+    const Eigen::RowVectorXd force = (N - U).array() + base_.weight, moment = (M + M_U).array() + base_.weight_moment;
+    return base_extremes(
+        {base_.width, base_.weight, base_.weight_moment, list(U), list(M_U), list(force), list(moment)}, grid.time);
+  }
+
+ private:
+  ModelBase base_;
+  OneReading normal_, moment_, uplift_, uplift_moment_;
+};
+
 /// What the waves of all files have in common.
 struct Common {
   Common(const ReducedModelFile& reduced, const RespondOptions& asked)
@@ -166,6 +198,7 @@ class FileWork {
         shear_answer_(shear_, grid_) {
     if (options_.sliding && options_.sliding->uplift == "computed")
       uplift_.emplace(one_reading(model_.modes, reading::uplift), grid_);
+    if (options_.sliding && model_.base) base_.emplace(model_, grid_);
     if (common.slips) slip_ = common.slips->of_step(grid_.equal.value_or(longest_step_));
     const double n = static_cast<double>(grid_.time.size()) * file.n_waves();
     if (n > most_numbers)
@@ -218,6 +251,12 @@ class FileWork {
       prescribed = uplift_of_force(bottom, grid_.time, P);
     const Eigen::RowVectorXd& U = uplift_ ? computed : prescribed;
     out.sliding = sliding_distance(bottom, model_.caisson_mass, grid_.time, F, U);
+    if (base_) {
+      const BaseExtremes base = base_->answer(loads, grid_, batch, prescribed);
+      out.peak_heel_pressure = base.peak_heel_pressure;
+      out.peak_toe_pressure = base.peak_toe_pressure;
+      out.least_overturning_margin = base.least_overturning_margin;
+    }
     if (!slip_) return;
     SlipOfWave slip =
         slip_of_wave(*slip_, loads, grid_, batch && grid_.equal.has_value(), bottom.submerged_weight, prescribed);
@@ -235,6 +274,7 @@ class FileWork {
   std::vector<double> check_time_;  ///< equally spaced, and of the whole wave even where the answer ends before it
   std::shared_ptr<const WaveChecks> checks_;
   OneReading shear_answer_;
+  std::optional<BaseAnswer> base_;        ///< where S is asked and the model knows what stands on the base
   std::optional<OneReading> uplift_;      ///< where S is asked with the model's pore pressure
   std::shared_ptr<const WaveSlip> slip_;  ///< where S is asked and the model can tell
   WaveResponses result_;

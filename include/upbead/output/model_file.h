@@ -30,6 +30,14 @@ struct ModelSliding {
   double lag = 0.;               ///< by which U comes after P (s)
 };
 
+/// What stands on the base at rest, and how a prescribed uplift presses.
+struct ModelBase {
+  double width = 0.;                    ///< B (m)
+  double weight = 0.;                   ///< W' (N/m)
+  double weight_moment = 0.;            ///< W' e_0 about the middle, overturning landward positive (N m/m)
+  double uplift_moment_per_force = 0.;  ///< of a prescribed uplift (m)
+};
+
 /// The scene with a caisson that slips on its ground as a whole.
 struct ModelSlip {
   ReducedSystem system;     ///< of reduce_slip(): its last load is F_T, its last readings s and s'
@@ -54,6 +62,7 @@ struct ReducedModelFile {
   std::optional<NestedModels> nested;
   std::optional<double> error_march;    ///< of the history, against a march, where one was made
   std::optional<ModelSliding> sliding;  ///< none where the case has no such table
+  std::optional<ModelBase> base;        ///< none where W' is not known, or of an older version
   std::optional<ModelSlip> slip;        ///< none without `sliding`, or where it cannot be told
   int unknowns = 0, solves = 0, factorisations = 0;
 };

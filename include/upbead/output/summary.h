@@ -10,6 +10,7 @@
 #include "upbead/dynamics/energy.h"
 #include "upbead/fem/load_on_caisson.h"
 #include "upbead/response/findings.h"
+#include "upbead/sliding/base_pressure.h"
 #include "upbead/sliding/history_sliding.h"
 
 namespace upbead {
@@ -121,18 +122,8 @@ struct SlidingSummary {
   std::string why_no_estimate;                ///< else
 };
 
-/// What presses on the base, effective stress linear over what touches, at rest and at the worst of the steps' ends.
-struct BaseSummary {
-  double heel_pressure_at_rest = 0., toe_pressure_at_rest = 0., eccentricity_at_rest = 0.;  ///< Pa, Pa, m
-  /// Of the landward and of the seaward edge (Pa); none where the resultant leaves the base there.
-  std::optional<double> peak_heel_pressure = 0., peak_toe_pressure = 0.;
-  double peak_heel_pressure_time = 0., peak_toe_pressure_time = 0.;  ///< when, or when it first leaves (s)
-  double largest_eccentricity = 0., largest_eccentricity_time = 0.;  ///< of largest magnitude, landward (m)
-  double least_normal_force = 0., least_normal_force_time = 0.;      ///< N' (N/m)
-  /// Least ratio of the moments that hold the caisson up to those that overturn it, about either edge; none where
-  /// nothing overturns.
-  std::optional<double> least_overturning_margin;
-  double least_overturning_margin_time = 0.;
+/// What presses on the base.
+struct BaseSummary : BaseExtremes {
   std::optional<double> peak_computed_pressure;  ///< of a node of the base (Pa); none where these are not read
   double peak_computed_pressure_at = 0., peak_computed_pressure_time = 0.;  ///< where (m) and when
   std::optional<double> limit;                                              ///< of heel and toe pressure (Pa)

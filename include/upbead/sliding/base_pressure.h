@@ -1,0 +1,46 @@
+// What a caisson presses on its base with, over time, and at its worst.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+namespace upbead {
+
+/// Effective pressures of the edges (Pa) of a bottom of width B under `force` N' (N/m) and `moment` M' about its middle
+/// (N m/m, overturning landward positive), stress linear over what touches: N'/B (1 -+ 6 e/B) where |e| = |M'/N'| <=
+/// B/6, else 0 and 2 N' / (3 t), t = B/2 - |e| (the bearing pressure p_e of Goda, Random Seas and Design of Maritime
+/// Structures, ch. 4). A bottom that stands on its edge would crush it: t >= B/1000. 0 where N' <= 0.
+struct EdgePressures {
+  double seaward = 0., landward = 0.;
+};
+EdgePressures edge_pressures(double force, double moment, double width);
+
+/// Over time. N' = W' + change of the normal force - U, M' = W' e_0 + base moment + M_U about the bottom's middle,
+/// overturning landward positive; U the modelled pore pressure's and a prescribed one; e_0 how far W' acts landward of
+/// the middle.
+struct EffectiveBase {
+  double width = 0.;                          ///< B (m)
+  double weight = 0., weight_moment = 0.;     ///< W' (N/m), W' e_0 (N m/m)
+  std::vector<double> uplift, uplift_moment;  ///< U (N/m), M_U (N m/m)
+  std::vector<double> force;                  ///< N' (N/m), compression positive
+  std::vector<double> moment;                 ///< M' (N m/m)
+};
+
+/// What presses on the base, effective stress linear over what touches, at rest and at the worst of the steps' ends.
+struct BaseExtremes {
+  double heel_pressure_at_rest = 0., toe_pressure_at_rest = 0., eccentricity_at_rest = 0.;  ///< Pa, Pa, m
+  /// Of the landward and of the seaward edge (Pa); none where the resultant leaves the base there.
+  std::optional<double> peak_heel_pressure = 0., peak_toe_pressure = 0.;
+  double peak_heel_pressure_time = 0., peak_toe_pressure_time = 0.;  ///< when, or when it first leaves (s)
+  double largest_eccentricity = 0., largest_eccentricity_time = 0.;  ///< of largest magnitude, landward (m)
+  double least_normal_force = 0., least_normal_force_time = 0.;      ///< N' (N/m)
+  /// Least ratio of the moments that hold the caisson up to those that overturn it, about either edge; none where
+  /// nothing overturns.
+  std::optional<double> least_overturning_margin;
+  double least_overturning_margin_time = 0.;
+};
+
+/// At rest, and the largest and least at those times (s).
+BaseExtremes base_extremes(const EffectiveBase& base, const std::vector<double>& time);
+
+}  // namespace upbead
