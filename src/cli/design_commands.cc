@@ -62,8 +62,10 @@ Answer expected(const Design& design, const Stopwatch& since_start) {
   const ExpectedAnswer answer = find_expected(design);
   const std::string results = expected_file(design, answer);
   timing.total = since_start.seconds();
-  return {
-      {{"results.h5", results}}, to_json(design, answer, timing), describe(design, answer), notes_and_warnings(answer)};
+  return {{{"results.h5", results}},
+          to_json(design, answer, timing),
+          describe(design, answer),
+          notes_and_warnings(design, answer)};
 }
 
 Answer calibrated(const Design& design, const Stopwatch&) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <boost/math/tools/roots.hpp>
+#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -47,13 +48,30 @@ double shoaling(const Approach& a, double gravity) {
 DesignHeights design_heights(const Approach& a, double gravity) {
   const double H0 = a.deep_water_height, L0 = deep_water_wavelength(a.period, gravity);
   const double shoaled = shoaling(a, gravity) * H0;
-  if (a.depth / L0 >= 0.2) return {shoaled, 1.8 * shoaled};
+  DesignHeights heights{shoaled, 1.8 * shoaled};
+  if (a.depth / L0 >= 0.2) return heights;
   const BreakingCoefficients s = of_significant(H0 / L0, a.bed_slope), m = of_highest(H0 / L0, a.bed_slope);
-  DesignHeights heights;
   heights.significant = std::min({s.deep * H0 + s.depth * a.depth, s.largest * H0, shoaled});
   const double depth_b = a.depth + 5. * heights.significant * a.bed_slope;
-  heights.highest = std::min({m.deep * H0 + m.depth * depth_b, m.largest * H0, 1.8 * shoaled});
+  heights.breaker = m.deep * H0 + m.depth * depth_b;
+  heights.highest = std::min({heights.breaker, m.largest * H0, 1.8 * shoaled});
   return heights;
+}
+
+SeaBefore sea_before(double significant_height, Approach place, double gravity) {
+  require_positive(significant_height, "significant height", "the sea in deep water needs");
+  const auto of = [&place, gravity](double deep_water_height) {
+    place.deep_water_height = deep_water_height;
+    return design_heights(place, gravity);
+  };
+  const auto excess = [&](double H0) { return of(H0).significant - significant_height; };
+  const double steepest = 0.142 / 1.8 * deep_water_wavelength(place.period, gravity);
+  if (excess(steepest) <= 0.) return {steepest, excess(steepest) == 0., of(steepest)};
+  std::uintmax_t most = 100;
+  const double H0 = boost::math::tools::toms748_solve(excess, 1e-9 * std::min(steepest, significant_height), steepest,
+                                                      boost::math::tools::eps_tolerance<double>(), most)
+                        .first;
+  return {H0, true, of(H0)};
 }
 
 double relative_wave_number(double period, double depth, double gravity) {
