@@ -148,13 +148,14 @@ std::string impossible_seas(const std::vector<StateAnswer>& states) {
   const auto impossible = [](const StateAnswer& s) { return !s.before.reaches; };
   const auto first = std::find_if(states.begin(), states.end(), impossible);
   if (first == states.end()) return "";
-  return format(
-      "warning: %d of %d sea states have an H_1/3 that no sea brings to that depth, the first %s m at T = %s s "
-      "(the steepest sea has %s m): what limits its waves is the steepest sea's highest breaker, %s m; "
-      "significant_height is that at the wall\n",
-      static_cast<int>(std::count_if(states.begin(), states.end(), impossible)), static_cast<int>(states.size()),
-      significant(first->state.significant_height, 4).c_str(), significant(first->state.period, 4).c_str(),
-      significant(first->before.heights.significant, 4).c_str(), significant(first->before.heights.breaker, 4).c_str());
+  const DesignHeights& most = first->before.heights;
+  return "warning: " + std::to_string(std::count_if(states.begin(), states.end(), impossible)) + " of " +
+         std::to_string(states.size()) + " sea states have an H_1/3 that no sea brings to that depth, the first " +
+         significant(first->state.significant_height, 4) + " m at T = " + significant(first->state.period, 4) +
+         " s, where the steepest sea has " + significant(most.significant, 4) + " m" +
+         (std::isfinite(most.breaker) ? " and breaks at " + significant(most.breaker, 4) + " m, which limits its waves"
+                                      : "") +
+         "; check significant_height (at the wall), period and water_depth\n";
 }
 
 /// Waves that the depth would break, where a cut or nothing limits them.

@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "design/design_tables.h"
 
 namespace upbead {
@@ -187,11 +189,11 @@ TableSchema<StormsTable> storms_schema() {
 }  // namespace
 
 Diagnostics read_value(const Node& node, const KeyInfo& key, HighestWave& value) {
-  value = {};
-  if (node.text() && *node.text() == "breaking") return {};
-  value.breaking = false;
-  if (node.text() && *node.text() == "none") return {};
-  if (!node.text()) return read_value(node, key, value.cut);
+  const std::string word = node.text() ? *node.text() : "";
+  value = {word == "breaking"};
+  if (value.breaking || word == "none") return {};
+  const Diagnostics wrong = read_value(node, key, value.cut);
+  if (wrong.empty() || std::isfinite(value.cut)) return wrong;
   return {{node.place, key.name + ": expected " + type_text(key, &value) + ", found " + found(node),
            "give the " + key.meaning()}};
 }
