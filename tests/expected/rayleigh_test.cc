@@ -2,8 +2,10 @@
 // set aside, those above a limit arrive with its height.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <vector>
 
 #include "upbead/expected/sliding_law.h"
 
@@ -67,6 +69,24 @@ TEST(RayleighHeights, WavesAboveTheLimitArriveWithItsHeight) {
   EXPECT_EQ(RayleighHeights(6., 1.7).taken(), std::exp(-2. * 1.7 * 1.7));
   EXPECT_EQ(RayleighHeights(6., 1.7).at_limit(), 0.);
   EXPECT_EQ(RayleighHeights(6.).taken(), 0.);
+}
+
+/// Goda (1975): of waves of height H from 2/3 of the limit on a share (3 H / limit - 2) breaks and is left out, of
+/// those above all; what is left is scaled up.
+TEST(RayleighHeights, AboveAnyHeightBreakingLeavesNoFewerWavesThanInGodasModel) {
+  for (const double limit : {4., 8., 11.7}) {
+    const RayleighHeights waves(6.), broken(6., RayleighHeights::no_cut, limit);
+    const int n = 20000;
+    std::vector<double> below{0.};
+    for (int i = 0; i < n; ++i) {
+      const double H = limit * (i + 0.5) / n;
+      below.push_back(below.back() + waves.density(H) * std::min(3. * (1. - H / limit), 1.) * limit / n);
+    }
+    for (std::size_t i = 0; i < n; i += 100) {
+      const double H = limit * static_cast<double>(i) / n;
+      EXPECT_LE(1. - below[i] / below.back(), broken.exceedance(H) + 1e-12) << H << " of " << limit;
+    }
+  }
 }
 
 TEST(RayleighHeights, ACutBelowTheLimitLeavesNothingToBreak) {
