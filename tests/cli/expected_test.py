@@ -102,6 +102,18 @@ class Expected(ProgramTest):
         self.assertGreater(found["expected"]["distance_dynamic"], 0)
         self.assertEqual(found["model"]["load"], "impact")
 
+    def test_waves_of_own_dynamics_break(self):
+        write_oscillator(self.folder / "model.h5", mass=5.933088e6 / 9.81)
+        model = ["--set", f"dynamics.model={self.folder / 'model.h5'}", "--set", "dynamics.load=impact"]
+        found = self.expected(PROTOTYPE, *model, "--set", "life.simulated_lives=100", "--set", "impact.peak_gain=2",
+                              "--set", "sea.highest=breaking")
+        life = found["monte_carlo"]
+        self.assertEqual(life["law"], "dynamic")
+        self.assertGreater(found["expected"]["distance_limited"]["dynamic"], 0)
+        self.assertLess(abs(life["mean"] - life["without_scatter"]), 3 * life["standard_error"])
+        highest = max(state["highest"] for state in found["expected"]["states"])
+        self.assertAlmostEqual(life["highest"], highest, delta=1e-12)
+
     def test_goda_with_alpha_I_does_not_go_through_the_dynamics(self):
         write_oscillator(self.folder / "model.h5", mass=5.933088e6 / 9.81)
         done = upbead("expected", PROTOTYPE, "--set", f"dynamics.model={self.folder / 'model.h5'}", "--set",
