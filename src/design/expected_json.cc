@@ -88,7 +88,7 @@ OutputSchema<Told> sliding_by_law_outputs() {
       .key("waves_limited", inner(&Told::answer, &Answer::taken), "",
            "expected number that broke to the limit's height, or that a cut set aside")
       .key(
-          "share_limited", [](const Told& t) { return share(t.answer->taken, t.answer->all); }, "",
+          "share_limited", [](const Told& t) { return share_of(t.answer->taken, t.answer->all); }, "",
           "they are of all waves")
       .key("distance_limited.LAW", of(&Expectation::broken), "m", "of the distance, by waves that broke to the limit")
       .list("states[]", inner(&Told::answer, &Answer::states), state_outputs(), "each sea state");
@@ -112,7 +112,7 @@ OutputSchema<MonteCarlo> limited_outputs() {
   return OutputSchema<M>()
       .key("waves_limited", &M::taken, "", "in all lives, that broke to the limit's height, or that a cut set aside")
       .key(
-          "share_limited", [](const M& m) { return share(m.taken, m.waves); }, "", "they are of all waves")
+          "share_limited", [](const M& m) { return share_of(m.taken, m.waves); }, "", "they are of all waves")
       .key("highest", &M::highest, "m", "of the waves whose S was computed");
 }
 

@@ -29,7 +29,7 @@ const char* meaning(Law law) {
 
 /// "213 of 9400 waves (2.3 %)".
 std::string some_of(double some, double all) {
-  return significant(some, 4) + " of " + significant(all, 4) + " waves (" + significant(100. * share(some, all), 2) +
+  return significant(some, 4) + " of " + significant(all, 4) + " waves (" + significant(100. * share_of(some, all), 2) +
          " %)";
 }
 

@@ -77,7 +77,7 @@ struct ExpectedAnswer {
 };
 
 /// Of `all`; 0 of nothing.
-inline double share(double some, double all) {
+inline double share_of(double some, double all) {
   return all > 0. ? some / all : 0.;
 }
 

@@ -172,9 +172,9 @@ void LifeSimulation::add_every_wave(const Storm& storm, const SlidingLaw& law, L
       continue;
     }
     const Drawn all = by_wave_ ? drawn(Per::wave, {storm.life, storm.index, w, 0}, storm.drawn) : storm.drawn;
-    const double drawn = all.wave * heights.height(share - heights.taken());
-    const double height = std::min(drawn, storm.limit);
-    if (drawn > storm.limit) life.taken += 1.;
+    const double unbroken = all.wave * heights.height(share - heights.taken());
+    const double height = std::min(unbroken, storm.limit);
+    if (unbroken > storm.limit) life.taken += 1.;
     add_waves(1., law.distance(height, all.factors), height, life);
   }
 }
