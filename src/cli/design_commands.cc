@@ -62,8 +62,10 @@ Answer expected(const Design& design, const Stopwatch& since_start) {
   const ExpectedAnswer answer = find_expected(design);
   const std::string results = expected_file(design, answer);
   timing.total = since_start.seconds();
-  return {
-      {{"results.h5", results}}, to_json(design, answer, timing), describe(design, answer), notes_and_warnings(answer)};
+  return {{{"results.h5", results}},
+          to_json(design, answer, timing),
+          describe(design, answer),
+          notes_and_warnings(design, answer)};
 }
 
 Answer calibrated(const Design& design, const Stopwatch&) {
@@ -114,8 +116,8 @@ Examples:
   upbead waves --keys)";
 
 const char* const expected_footer =
-    R"(Sums the sliding distances S of all waves of a record of sea states: heights by Rayleigh, S by four laws
-(docs/expected.md), quadrature. With [life] it also simulates lives by Monte Carlo, with [scatter.NAME] for what is
+    R"(Sums the sliding distances S of all waves of a record of sea states: heights by Rayleigh up to Goda's highest random
+breaker (sea.highest), S by four laws (docs/expected.md), quadrature. With [life] it also simulates lives by Monte Carlo, with [scatter.NAME] for what is
 uncertain. With [dynamics] every wave's impulsive force goes through the caisson's reduced model.
 
 Writes into results/NAME-expected (or --out DIR), all or nothing:

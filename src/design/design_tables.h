@@ -29,17 +29,28 @@ std::string type_text(const KeyInfo& key, const NumberList*);
 std::string print_value(const KeyInfo& key, const NumberList& value);
 void visit_value(const KeyInfo& key, const std::string& path, NumberList& value, const NumberVisitor& visitor);
 
+/// Which waves of a sea state come: those that Goda's random breaking leaves, or all up to a cut.
+struct HighestWave {
+  bool breaking = true;
+  double cut = RayleighHeights::no_cut;  ///< over H_1/3; higher waves are set aside
+};
+
+Diagnostics read_value(const Node& node, const KeyInfo& key, HighestWave& value);
+std::string type_text(const KeyInfo& key, const HighestWave*);
+std::string print_value(const KeyInfo& key, const HighestWave& value);
+inline void visit_value(const KeyInfo&, const std::string&, HighestWave&, const NumberVisitor&) {}
+
 /// [sea]: the record of sea states.
 struct SeaTable {
-  std::string states;                     ///< path of the CSV file
-  double years = 1.;                      ///< that it covers
-  std::optional<double> highest;          ///< cut of the heights, over H_1/3
+  std::string states;  ///< path of the CSV file
+  double years = 1.;   ///< that it covers
+  HighestWave highest;
   std::map<std::string, double> heights;  ///< whose waves are counted (m)
 };
 
 /// [storms]: in place of [sea]; angle in degrees.
 struct StormsTable : StormClimate {
-  std::optional<double> highest;  ///< cut of the heights, over H_1/3
+  HighestWave highest;
 };
 
 /// [life]: Monte Carlo.
@@ -72,6 +83,9 @@ struct ImpactTable : ImpactAssumptions {
 
 /// The tables [sea], [storms], [life], [scatter.NAME], [dynamics], [impact] as written.
 struct ExpectedTables {
+  /// That of [sea] or [storms], of which one is given.
+  const HighestWave& highest() const { return sea ? sea->highest : storms->highest; }
+
   std::optional<SeaTable> sea;
   std::optional<StormsTable> storms;
   std::optional<LifeTable> life;

@@ -28,12 +28,34 @@ Json by_law(const std::map<Law, Expectation>& laws, double Expectation::*member)
   return json;
 }
 
+/// Null where there is none.
+std::optional<double> if_finite(double height) {
+  return std::isfinite(height) ? std::optional(height) : std::nullopt;
+}
+
+const char* limit_of(const Told& told) {
+  return word(told.design->tables.highest());
+}
+
 OutputSchema<StateAnswer> state_outputs() {
   using S = StateAnswer;
   return OutputSchema<S>()
       .key("significant_height", inner(&S::state, &SeaState::significant_height), "m", "H_1/3 at the wall")
       .key("period", inner(&S::state, &SeaState::period), "s", "T")
       .key("waves", inner(&S::state, &SeaState::waves), "", "their number")
+      .key(
+          "highest", [](const S& s) { return if_finite(s.heights.highest()); }, "m",
+          "no wave is higher; null without a limit")
+      .key(
+          "share_limited", [](const S& s) { return s.heights.taken(); }, "",
+          "of the waves, broken to the limit's height, or set aside by a cut")
+      .key(
+          "highest_breaker", [](const S& s) { return if_finite(s.before.heights.breaker); }, "m",
+          "Goda's highest random breaker; null where h/L_0 >= 0.2, where his formulas know none")
+      .key("deep_water_height", inner(&S::before, &SeaBefore::deep_water_height), "m",
+           "H_0' that makes H_1/3 at the wall; the steepest sea's where none does")
+      .key("significant_height_possible", inner(&S::before, &SeaBefore::reaches), "",
+           "whether a sea comes with such an H_1/3")
       .key(
           "distance.LAW", [](const S& s) { return by_law(s.by_law, &Expectation::distance); }, "m", "expected sliding")
       .key(
@@ -61,7 +83,14 @@ OutputSchema<Told> sliding_by_law_outputs() {
       .key("waves_that_slide.LAW", of(&Expectation::sliding_waves), "", "expected number above the threshold")
       .key("threshold_height.LAW", of(&Expectation::threshold), "m",
            "height from which waves slide; null where nothing does")
-      .key("highest", inner(&Told::answer, &Answer::highest), "m", "the height that one wave exceeds")
+      .key("highest", inner(&Told::answer, &Answer::highest), "m", "the height that one wave exceeds, or the limit")
+      .key("limit", limit_of, "", "of the heights: breaking, cut or none")
+      .key("waves_limited", inner(&Told::answer, &Answer::taken), "",
+           "expected number that broke to the limit's height, or that a cut set aside")
+      .key(
+          "share_limited", [](const Told& t) { return share_of(t.answer->taken, t.answer->all); }, "",
+          "they are of all waves")
+      .key("distance_limited.LAW", of(&Expectation::broken), "m", "of the distance, by waves that broke to the limit")
       .list("states[]", inner(&Told::answer, &Answer::states), state_outputs(), "each sea state");
 }
 
@@ -76,6 +105,15 @@ Json probabilities(const Told& told) {
   for (const Exceeded& e : told.answer->monte_carlo->statistics.exceeded)
     json[significant(e.limit)] = {{"value", e.probability}, {"confidence_interval", e.interval}};
   return json;
+}
+
+OutputSchema<MonteCarlo> limited_outputs() {
+  using M = MonteCarlo;
+  return OutputSchema<M>()
+      .key("waves_limited", &M::taken, "", "in all lives, that broke to the limit's height, or that a cut set aside")
+      .key(
+          "share_limited", [](const M& m) { return share_of(m.taken, m.waves); }, "", "they are of all waves")
+      .key("highest", &M::highest, "m", "of the waves whose S was computed");
 }
 
 OutputSchema<Told> lives_outputs() {
@@ -95,7 +133,9 @@ OutputSchema<Told> lives_outputs() {
       .keys_of(inner(&Told::design, &Design::tables, &DesignTables::life), asked)
       .key(
           "law", [](const Told& t) { return word(t.answer->monte_carlo->law); }, "", "by which S was computed")
+      .key("limit", limit_of, "", "of the heights: breaking, cut or none")
       .keys_of(statistics, about)
+      .keys_of(found, limited_outputs())
       .keys_of(found, OutputSchema<M>().key("without_scatter", &M::without_scatter, "m",
                                             "expectation of a life by quadrature, nothing uncertain but the heights"))
       .keys_of(statistics, OutputSchema<S>().key("lives_that_slide", &S::sliding_lives, "", "how many"))

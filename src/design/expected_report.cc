@@ -1,5 +1,6 @@
 #include "design/expected_report.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/format.h"
@@ -26,11 +27,51 @@ const char* meaning(Law law) {
   return "own dynamics";
 }
 
+/// "213 of 9400 waves (2.3 %)".
+std::string some_of(double some, double all) {
+  return significant(some, 4) + " of " + significant(all, 4) + " waves (" + significant(100. * share_of(some, all), 2) +
+         " %)";
+}
+
+/// "10.86 m", "10.7 to 11.4 m"; "" where no sea state has a limit.
+std::string range_of_limits(const std::vector<StateAnswer>& states) {
+  double low = HUGE_VAL, high = 0.;
+  for (const StateAnswer& s : states) {
+    low = std::min(low, s.heights.highest());
+    if (std::isfinite(s.heights.highest())) high = std::max(high, s.heights.highest());
+  }
+  if (low > high) return "";
+  return (low < high ? significant(low, 4) + " to " : "") + significant(high, 4) + " m";
+}
+
+/// Of the sea state whose limit is the highest.
+double waves_at_limit(const std::vector<StateAnswer>& states) {
+  const auto highest = std::max_element(states.begin(), states.end(), [](const StateAnswer& a, const StateAnswer& b) {
+    return a.heights.highest() < b.heights.highest();
+  });
+  return highest->state.waves * highest->heights.at_limit();
+}
+
+std::string describe_limit(const HighestWave& highest, const ExpectedAnswer& answer) {
+  const std::string taken = some_of(answer.taken, answer.all);
+  if (!highest.breaking && highest.cut == RayleighHeights::no_cut) return "  limit       none, as asked\n";
+  if (!highest.breaking)
+    return "  limit       " + significant(highest.cut) + " H_1/3: " + taken + " are higher and set aside\n";
+  const std::string range = range_of_limits(answer.states);
+  if (range.empty()) return "  limit       none: the water is too deep for breaking (h/L_0 >= 0.2)\n";
+  return "  limit       Goda's highest breaker, " + range + ": " + taken + " are higher and break to it\n";
+}
+
 std::string describe(const MonteCarlo& found, const LifeTable& life) {
   const LifeStatistics& s = found.statistics;
   std::string text = format("life        %d lives of %.4g years, law %s, seed %d; %s waves, S computed for %s\n",
                             life.lives, life.years, word(found.law), life.seed, significant(found.waves).c_str(),
                             significant(found.answered).c_str());
+  if (found.taken > 0.)
+    text +=
+        "  limit       " + some_of(found.taken, found.waves) + " were higher" +
+        (found.highest > 0. ? "; of those whose S was computed the highest is " + significant(found.highest, 4) + " m\n"
+                            : "\n");
   text += "  mean S      " + with_unit(s.mean, "m") + ", 95 % between " + with_unit(s.interval[0], "m") + " and " +
           with_unit(s.interval[1], "m");
   if (found.without_scatter) text += "; without scatter " + with_unit(*found.without_scatter, "m");
@@ -45,16 +86,18 @@ std::string describe(const MonteCarlo& found, const LifeTable& life) {
 }
 
 std::string describe_record(const SeaTable& sea, const ExpectedAnswer& answer) {
-  std::string text =
-      format("sea         %d sea states, %s waves in %.4g years, the highest %.2f m (one wave is higher)\n",
-             static_cast<int>(answer.states.size()), significant(answer.waves, 4).c_str(), sea.years, answer.highest);
+  std::string text = format("sea         %d sea states, %s waves in %.4g years, the highest %.2f m (%s)\n",
+                            static_cast<int>(answer.states.size()), significant(answer.waves, 4).c_str(), sea.years,
+                            answer.highest, waves_at_limit(answer.states) < 1. ? "one wave is higher" : "the limit");
+  text += describe_limit(sea.highest, answer);
   for (const Exceedance& e : answer.exceedance)
     text += format("  H > %.4g m  %.4g waves (%s)\n", e.height, e.waves, e.name.c_str());
   text += format("expected    sum of S in %.4g years   waves that slide   from H\n", sea.years);
   for (const auto& [law, found] : answer.total)
     text += format("  %-9s %-14s %-12s %-18.4g ", word(law), meaning(law), with_unit(found.distance, "m").c_str(),
                    found.sliding_waves) +
-            (std::isfinite(found.threshold) ? format("%.2f m\n", found.threshold) : "none slides\n");
+            (std::isfinite(found.threshold) ? format("%.2f m", found.threshold) : "none slides") +
+            (found.broken > 0. ? "; " + with_unit(found.broken, "m") + " by waves at the limit\n" : "\n");
   return text;
 }
 
@@ -65,14 +108,20 @@ void add_curves(const HeightCurves& curves, std::vector<Dataset>& datasets) {
     datasets.push_back({std::string("heights/distance/") + word(law), "m",
                         "S of a wave of the sea state that brings most, by its height", values});
   for (const auto& [law, values] : curves.contribution)
-    datasets.push_back({std::string("heights/contribution/") + word(law), "1",
-                        "part of the expected distance of that sea state per metre of height", values});
+    datasets.push_back(
+        {std::string("heights/contribution/") + word(law), "1",
+         "part of the expected distance of that sea state per metre of height, without waves at the limit", values});
   if (curves.peak_force.empty()) return;
   datasets.push_back({"heights/peak_force", "N/m", "largest P of the law dynamic", curves.peak_force});
   datasets.push_back({"heights/peak_shear", "N/m", "largest F_T of the law dynamic", curves.peak_shear});
 }
 
 }  // namespace
+
+const char* word(const HighestWave& highest) {
+  if (highest.breaking) return "breaking";
+  return highest.cut == RayleighHeights::no_cut ? "none" : "cut";
+}
 
 std::string expected_file(const Design& design, const ExpectedAnswer& answer) {
   std::vector<Dataset> datasets;
@@ -92,9 +141,43 @@ std::string describe(const Design& design, const ExpectedAnswer& answer) {
   return text;
 }
 
-std::string notes_and_warnings(const ExpectedAnswer& answer) {
+namespace {
+
+/// Sea states that no sea in deep water brings to the wall.
+std::string impossible_seas(const std::vector<StateAnswer>& states) {
+  const auto impossible = [](const StateAnswer& s) { return !s.before.reaches; };
+  const auto first = std::find_if(states.begin(), states.end(), impossible);
+  if (first == states.end()) return "";
+  const DesignHeights& most = first->before.heights;
+  return "warning: " + std::to_string(std::count_if(states.begin(), states.end(), impossible)) + " of " +
+         std::to_string(states.size()) + " sea states have an H_1/3 that no sea brings to that depth, the first " +
+         significant(first->state.significant_height, 4) + " m at T = " + significant(first->state.period, 4) +
+         " s, where the steepest sea has " + significant(most.significant, 4) + " m" +
+         (std::isfinite(most.breaker) ? " and breaks at " + significant(most.breaker, 4) + " m, which limits its waves"
+                                      : "") +
+         "; check significant_height (at the wall), period and water_depth\n";
+}
+
+/// Waves that the depth would break, where a cut or nothing limits them.
+std::string unbroken_waves(const HighestWave& highest, const ExpectedAnswer& answer) {
+  if (highest.breaking) return "";
+  double higher = 0., lowest = HUGE_VAL;
+  for (const StateAnswer& s : answer.states) {
+    higher += s.state.waves * s.heights.exceedance(s.before.heights.breaker);
+    lowest = std::min(lowest, s.before.heights.breaker);
+  }
+  if (higher < 1.) return "";
+  return "warning: " + some_of(higher, answer.all) + " are higher than Goda's highest breaker, " +
+         significant(lowest, 4) +
+         " m or more by sea state: such waves break before; sea.highest = \"breaking\" limits them\n";
+}
+
+}  // namespace
+
+std::string notes_and_warnings(const Design& design, const ExpectedAnswer& answer) {
   std::string text;
   for (const LeftOut& part : answer.notes.left_out) text += "note: " + part.what + ": " + part.why + "\n";
+  if (design.tables.sea) text += impossible_seas(answer.states) + unbroken_waves(design.tables.sea->highest, answer);
   if (!answer.monte_carlo) return text;
   const LifeStatistics& s = answer.monte_carlo->statistics;
   if (s.sliding_lives >= few_lives) return text;

@@ -21,6 +21,8 @@ inline const std::vector<Law> all_laws{Law::paper, Law::exact, Law::combined, La
 /// One sea state by quadrature; the law dynamic only where there is a model.
 struct StateAnswer {
   SeaState state;
+  RayleighHeights heights;  ///< as the limit leaves them
+  SeaBefore before;         ///< tells where its waves break, whether they are let or not
   std::map<Law, Expectation> by_law;
 };
 
@@ -52,6 +54,8 @@ struct MonteCarlo {
   std::vector<double> sliding;  ///< S of each life (m)
   double waves = 0.;            ///< in all lives
   double answered = 0.;         ///< of them those whose S was computed
+  double taken = 0.;            ///< of them those that the limit took
+  double highest = 0.;          ///< of those whose S was computed (m)
   std::optional<double>
       without_scatter;  ///< expectation of a life by quadrature, nothing uncertain but the heights (m)
   double seconds = 0.;
@@ -60,8 +64,10 @@ struct MonteCarlo {
 struct ExpectedAnswer {
   std::vector<StateAnswer> states;
   std::map<Law, Expectation> total;  ///< thresholds: the least of all sea states
-  double waves = 0.;
-  double highest = 0.;  ///< the height that one wave of the record exceeds (m)
+  double waves = 0.;                 ///< of all sea states, without those beyond a cut
+  double taken = 0.;                 ///< waves that the limit took: broken to its height, or beyond a cut
+  double all = 0.;                   ///< waves of all sea states
+  double highest = 0.;               ///< the height that one wave of the record exceeds, or the limit (m)
   std::vector<Exceedance> exceedance;
   HeightCurves curves;
   std::optional<ModelUsed> model;
@@ -69,6 +75,11 @@ struct ExpectedAnswer {
   double quadrature_seconds = 0.;
   RecordNotes notes;  ///< how the sea states were read
 };
+
+/// Of `all`; 0 of nothing.
+inline double share_of(double some, double all) {
+  return all > 0. ? some / all : 0.;
+}
 
 /// On all cores; the same numbers whatever their number. Throws NumericsError where a number is not finite.
 ExpectedAnswer find_expected(const Design& design);
@@ -86,6 +97,8 @@ std::vector<OutputRow> rows_of_expected();
 std::string expected_file(const Design& design, const ExpectedAnswer& answer);
 std::string describe(const Design& design, const ExpectedAnswer& answer);
 /// For stderr: what makes the numbers doubtful; "" where nothing does.
-std::string notes_and_warnings(const ExpectedAnswer& answer);
+std::string notes_and_warnings(const Design& design, const ExpectedAnswer& answer);
+/// What limits the heights: breaking, cut or none.
+const char* word(const HighestWave& highest);
 
 }  // namespace upbead

@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "design/design_tables.h"
 
 namespace upbead {
@@ -17,6 +19,10 @@ const std::vector<std::pair<std::string, ImpactForce>> force_words{
 const std::vector<std::pair<std::string, ImpactUplift>> uplift_words{
     {"held", ImpactUplift::held}, {"in_phase", ImpactUplift::in_phase}, {"sinusoidal", ImpactUplift::sinusoidal}};
 
+const char* const highest_doc =
+    "largest height of a wave over H_1/3; higher ones are set aside; breaking: Goda's highest random breaker at the "
+    "wall's depth and the sea state's water level, higher waves break to its height; none: no limit at all";
+
 TableSchema<SeaTable> sea_schema() {
   TableSchema<SeaTable> table;
   table.key("states", &SeaTable::states)
@@ -26,10 +32,7 @@ TableSchema<SeaTable> sea_schema() {
           "demand, "
           "water_level (m) and angle (degrees)");
   table.key("years", &SeaTable::years).unit("years").range(from_to(1e-3, 1e5)).doc("time that the sea states cover");
-  table.key("highest", &SeaTable::highest)
-      .range(from_to(0.01, 10.))
-      .fallback("no cut")
-      .doc("largest height of a wave over H_1/3; higher ones are set aside");
+  table.key("highest", &SeaTable::highest).range(from_to(0.01, 10.)).doc(highest_doc);
   table.key("heights", &SeaTable::heights).unit("m").doc("heights by name; the waves above each are counted");
   return table;
 }
@@ -179,14 +182,30 @@ TableSchema<StormsTable> storms_schema() {
       .doc("high water above still water");
   table.choice("tide", &StormsTable::tide, tide_words)
       .doc("level that a storm meets; sinusoidal: any phase of a sine between the two; uniform: any level");
-  table.key("highest", &StormsTable::highest)
-      .range(from_to(0.01, 10.))
-      .fallback("no cut")
-      .doc("largest height of a wave over H_1/3; higher ones are set aside");
+  table.key("highest", &StormsTable::highest).range(from_to(0.01, 10.)).doc(highest_doc);
   return table;
 }
 
 }  // namespace
+
+Diagnostics read_value(const Node& node, const KeyInfo& key, HighestWave& value) {
+  const std::string word = node.text() ? *node.text() : "";
+  value = {word == "breaking"};
+  if (value.breaking || word == "none") return {};
+  const Diagnostics wrong = read_value(node, key, value.cut);
+  if (wrong.empty() || std::isfinite(value.cut)) return wrong;
+  return {{node.place, key.name + ": expected " + type_text(key, &value) + ", found " + found(node),
+           "give the " + key.meaning()}};
+}
+
+std::string type_text(const KeyInfo&, const HighestWave*) {
+  return "a number, \"breaking\" or \"none\"";
+}
+
+std::string print_value(const KeyInfo& key, const HighestWave& value) {
+  if (value.breaking) return to_toml(std::string("breaking"));
+  return value.cut == RayleighHeights::no_cut ? to_toml(std::string("none")) : print_value(key, value.cut);
+}
 
 void add_expected_tables(TableSchema<DesignTables>& table) {
   table.table("sea", &DesignTables::sea, sea_schema()).doc("Sea states, for `expected`; or [storms].");

@@ -15,22 +15,23 @@ namespace {
 
 constexpr int curve_points = 240;
 
-double cut_of(const Design& design) {
-  const DesignTables& tables = design.tables;
-  return (tables.sea ? tables.sea->highest : tables.storms->highest).value_or(RayleighHeights::no_cut);
+StateAnswer answer_of(const DesignTables& tables, const SeaState& state) {
+  const SeaBefore before = sea_before(tables.section, tables.water, state);
+  const HighestWave& highest = tables.highest();
+  const double limit = highest.breaking ? before.heights.breaker : RayleighHeights::no_cut;
+  return {state, RayleighHeights(state.significant_height, highest.cut, limit), before, {}};
 }
 
 /// Waves of all sea states above a height.
-double waves_above(const std::vector<SeaState>& states, double cut, double height) {
+double waves_above(const std::vector<StateAnswer>& states, double height) {
   double sum = 0.;
-  for (const SeaState& state : states)
-    sum += state.waves * RayleighHeights(state.significant_height, cut).exceedance(height);
+  for (const StateAnswer& s : states) sum += s.state.waves * s.heights.exceedance(height);
   return sum;
 }
 
 /// The height that so many waves exceed; 0 where there are fewer.
-double height_of(const std::vector<SeaState>& states, double cut, double number) {
-  const auto excess = [&](double height) { return waves_above(states, cut, height) - number; };
+double height_of(const std::vector<StateAnswer>& states, double number) {
+  const auto excess = [&](double height) { return waves_above(states, height) - number; };
   if (excess(0.) <= 0.) return 0.;
   double high = 1.;
   while (excess(high) > 0.) high *= 2.;
@@ -42,13 +43,12 @@ QuadratureChoice choice_of(Law law) {
   return law == Law::dynamic || law == Law::combined ? QuadratureChoice{1e-5, 8} : QuadratureChoice{};
 }
 
-void integrate_states(const Laws& laws, double cut, std::vector<StateAnswer>& states) {
+void integrate_states(const Laws& laws, std::vector<StateAnswer>& states) {
   in_parallel(states.size(), "integrating", [&](std::size_t i) {
     StateAnswer& answer = states[i];
-    const RayleighHeights heights(answer.state.significant_height, cut);
     for (const Law law : laws.known())
       answer.by_law[law] =
-          expected_distance(*laws.make(law, answer.state), heights, answer.state.waves, choice_of(law));
+          expected_distance(*laws.make(law, answer.state), answer.heights, answer.state.waves, choice_of(law));
   });
 }
 
@@ -56,8 +56,9 @@ std::map<Law, Expectation> total_of(const std::vector<StateAnswer>& states) {
   std::map<Law, Expectation> total;
   for (const StateAnswer& state : states)
     for (const auto& [law, part] : state.by_law) {
-      Expectation& sum = total.try_emplace(law, Expectation{0., 0., 0., HUGE_VAL}).first->second;
+      Expectation& sum = total.try_emplace(law, Expectation{0., 0., 0., 0., HUGE_VAL}).first->second;
       sum.distance += part.distance;
+      sum.broken += part.broken;
       sum.error += part.error;
       sum.sliding_waves += part.sliding_waves;
       sum.threshold = std::min(sum.threshold, part.threshold);
@@ -76,29 +77,26 @@ void add_peaks(const DynamicLaw& law, HeightCurves& curves) {
   }
 }
 
-/// Up to the height that a thousandth of a wave exceeds.
-HeightCurves curves_of(const Laws& laws, const std::vector<StateAnswer>& states, const std::vector<SeaState>& record,
-                       double cut) {
+/// Up to the height that a thousandth of a wave exceeds, or the limit.
+HeightCurves curves_of(const Laws& laws, const std::vector<StateAnswer>& states) {
   const auto most = std::max_element(states.begin(), states.end(), [](const StateAnswer& a, const StateAnswer& b) {
     return a.by_law.at(Law::exact).distance < b.by_law.at(Law::exact).distance;
   });
   HeightCurves curves;
   curves.state = most->state;
-  const double top = height_of(record, cut, 1e-3);
+  const double top = height_of(states, 1e-3);
   for (int i = 1; i <= curve_points; ++i) curves.height.push_back(top * i / curve_points);
   for (const double height : curves.height) {
     double sum = 0.;
-    for (const SeaState& state : record)
-      sum += state.waves * RayleighHeights(state.significant_height, cut).density(height);
+    for (const StateAnswer& s : states) sum += s.state.waves * s.heights.density(height);
     curves.waves.push_back(sum);
   }
-  const RayleighHeights heights(curves.state.significant_height, cut);
   for (const Law law : laws.known()) {
     const auto of = laws.make(law, curves.state);
     for (const double height : curves.height) {
       const double distance = of->distance(height);
       curves.distance[law].push_back(distance);
-      curves.contribution[law].push_back(curves.state.waves * heights.density(height) * distance);
+      curves.contribution[law].push_back(curves.state.waves * most->heights.density(height) * distance);
     }
   }
   if (laws.model()) add_peaks(*laws.dynamic(curves.state), curves);
@@ -127,7 +125,12 @@ MonteCarlo simulate(const Design& design, const Laws& laws, const std::vector<Se
     out.without_scatter = answer.total.at(out.law).distance * table.years / design.tables.sea->years;
   }
   setup.life_years = table.years;
-  setup.cut = cut_of(design);
+  const DesignTables& tables = design.tables;
+  setup.cut = tables.highest().cut;
+  if (tables.highest().breaking)
+    setup.limit = [&tables](const SeaState& state) {
+      return sea_before(tables.section, tables.water, state).heights.breaker;
+    };
   setup.uncertain = uncertainties(design.tables.scatter);
   setup.law = [&laws, law = out.law](const SeaState& state) { return laws.make(law, state); };
   setup.seed = static_cast<std::uint64_t>(table.seed);
@@ -142,21 +145,26 @@ MonteCarlo simulate(const Design& design, const Laws& laws, const std::vector<Se
     out.sliding.push_back(life.sliding);
     out.waves += life.waves;
     out.answered += life.answered;
+    out.taken += life.taken;
+    out.highest = std::max(out.highest, life.highest);
   }
   out.statistics = statistics(out.sliding);
   return out;
 }
 
 void integrate(const Design& design, const Laws& laws, const std::vector<SeaState>& record, ExpectedAnswer& answer) {
-  const double cut = cut_of(design);
-  for (const SeaState& state : record) answer.states.push_back({state, {}});
-  integrate_states(laws, cut, answer.states);
+  for (const SeaState& state : record) {
+    answer.states.push_back(answer_of(design.tables, state));
+    answer.taken += state.waves * answer.states.back().heights.taken();
+    answer.all += state.waves;
+  }
+  integrate_states(laws, answer.states);
   answer.total = total_of(answer.states);
-  answer.waves = waves_above(record, cut, 0.);
-  answer.highest = height_of(record, cut, 1.);
+  answer.waves = waves_above(answer.states, 0.);
+  answer.highest = height_of(answer.states, 1.);
   for (const auto& [name, height] : design.tables.sea->heights)
-    answer.exceedance.push_back({name, height, waves_above(record, cut, height)});
-  answer.curves = curves_of(laws, answer.states, record, cut);
+    answer.exceedance.push_back({name, height, waves_above(answer.states, height)});
+  answer.curves = curves_of(laws, answer.states);
 }
 
 }  // namespace

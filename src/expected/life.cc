@@ -27,7 +27,8 @@ enum Purpose : std::uint32_t {
   for_last_wave = 18,
   for_storms = 19,
   for_sea = 20,
-  for_tide = 21
+  for_tide = 21,
+  for_cut = 22
 };
 
 using Quantity = std::optional<Distribution> Uncertainties::*;
@@ -62,6 +63,13 @@ double binomial_quantile(double n, double p, double u) {
   return quantile(boost::math::binomial_distribution<double, Up>(n, p), u);
 }
 
+/// `number` equal waves.
+void add_waves(double number, double distance, double height, Life& life) {
+  life.sliding += number * distance;
+  life.answered += number;
+  life.highest = std::max(life.highest, height);
+}
+
 }  // namespace
 
 /// Everything that has been drawn for a wave so far.
@@ -74,7 +82,8 @@ struct LifeSimulation::Storm {
   std::uint32_t life, index;
   SeaState sea;  ///< as drawn
   Drawn drawn;
-  double waves;  ///< a whole number
+  double waves;                            ///< a whole number
+  double limit = RayleighHeights::no_cut;  ///< m
 };
 
 LifeSimulation::LifeSimulation(LifeSetup setup) : setup_(std::move(setup)), stream_(setup_.seed) {
@@ -91,7 +100,10 @@ LifeSimulation::LifeSimulation(LifeSetup setup) : setup_(std::move(setup)), stre
     throw std::invalid_argument("a life of more than 4e9 storms");
   storms_ = setup_.states.size() * static_cast<std::size_t>(repetitions);
   if (!changes_states(setup_.uncertain) && !setup_.source)
-    for (const SeaState& state : setup_.states) laws_.push_back(setup_.law(state));
+    for (const SeaState& state : setup_.states) {
+      laws_.push_back(setup_.law(state));
+      limits_.push_back(setup_.limit ? setup_.limit(state) : RayleighHeights::no_cut);
+    }
 }
 
 LifeSimulation::Drawn LifeSimulation::drawn(Per per, const StreamPlace& place, const Drawn& before) const {
@@ -135,11 +147,15 @@ Life LifeSimulation::life(std::uint32_t index) const {
   return life;
 }
 
-void LifeSimulation::add_storm(const Storm& storm, Life& life) const {
+void LifeSimulation::add_storm(Storm& storm, Life& life) const {
   life.waves += storm.waves;
   std::unique_ptr<const SlidingLaw> own;
   if (laws_.empty()) own = setup_.law(storm.sea);
   const SlidingLaw& law = own ? *own : *laws_[storm.index % laws_.size()];
+  if (!own)
+    storm.limit = limits_[storm.index % limits_.size()];
+  else if (setup_.limit)
+    storm.limit = setup_.limit(storm.sea);
   if (by_wave_ || setup_.every_wave)
     add_every_wave(storm, law, life);
   else
@@ -148,33 +164,49 @@ void LifeSimulation::add_storm(const Storm& storm, Life& life) const {
 
 void LifeSimulation::add_every_wave(const Storm& storm, const SlidingLaw& law, Life& life) const {
   const RayleighHeights heights(storm.sea.significant_height, setup_.cut);
-  const double beyond = 1. - heights.exceedance(0.);
   const auto n = static_cast<std::uint32_t>(storm.waves);
   for (std::uint32_t w = 0; w < n; ++w) {
     const double share = stream_.uniform({storm.life, storm.index, w, for_height});  // of all waves that are higher
-    if (share < beyond) continue;
+    if (share < heights.taken()) {
+      life.taken += 1.;
+      continue;
+    }
     const Drawn all = by_wave_ ? drawn(Per::wave, {storm.life, storm.index, w, 0}, storm.drawn) : storm.drawn;
-    life.sliding += law.distance(all.wave * heights.height(share - beyond), all.factors);
-    life.answered += 1.;
+    const double unbroken = all.wave * heights.height(share - heights.taken());
+    const double height = std::min(unbroken, storm.limit);
+    if (unbroken > storm.limit) life.taken += 1.;
+    add_waves(1., law.distance(height, all.factors), height, life);
   }
 }
 
 void LifeSimulation::add_sliding_waves(const Storm& storm, const SlidingLaw& law, Life& life) const {
   const RayleighHeights heights(storm.sea.significant_height, setup_.cut);
+  if (heights.taken() > 0.)
+    life.taken +=
+        binomial_quantile(storm.waves, heights.taken(), stream_.uniform({storm.life, storm.index, no_wave, for_cut}));
   const double u = stream_.uniform({storm.life, storm.index, no_wave, for_number});
-  // No wave is above the threshold if u <= (1 - p)^N, p the share of waves above it: if the height that a share
+  // No wave is above a height if u <= (1 - p)^N, p the share of waves above it: if the height that a share
   // 1 - u^(1/N) exceeds is below it. Most storms end here, without the threshold.
   const double rare = storm.waves > 0. ? -std::expm1(std::log(u) / storm.waves) : 1.;
   if (rare >= heights.exceedance(0.)) return;
-  if (!law.may_slide(storm.drawn.wave * heights.height(rare), storm.drawn.factors)) return;
-  const double share = heights.exceedance(law.threshold(storm.drawn.factors) / storm.drawn.wave);
+  const double highest = storm.drawn.wave * heights.height(rare);
+  const bool slide = law.may_slide(std::min(highest, storm.limit), storm.drawn.factors);
+  if (!slide && highest <= storm.limit) return;
+  // Waves that slide, or where none does, those that break.
+  const double from = slide ? law.threshold(storm.drawn.factors) : storm.limit;
+  const double share = heights.exceedance(from / storm.drawn.wave);
   const double number = binomial_quantile(storm.waves, share, u);
-  const auto n = static_cast<std::uint32_t>(number);
-  for (std::uint32_t w = 0; w < n; ++w) {
+  double broken = slide ? 0. : number;
+  for (std::uint32_t w = 0; slide && w < static_cast<std::uint32_t>(number); ++w) {
     const double part = stream_.uniform({storm.life, storm.index, w, for_height});
-    life.sliding += law.distance(storm.drawn.wave * heights.height(part * share), storm.drawn.factors);
+    const double height = storm.drawn.wave * heights.height(part * share);
+    if (height > storm.limit)
+      broken += 1.;
+    else
+      add_waves(1., law.distance(height, storm.drawn.factors), height, life);
   }
-  life.answered += number;
+  life.taken += broken;
+  if (slide && broken > 0.) add_waves(broken, law.distance(storm.limit, storm.drawn.factors), storm.limit, life);
 }
 
 namespace {

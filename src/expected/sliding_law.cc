@@ -86,10 +86,20 @@ std::unique_ptr<SlidingLaw> formula_law(Law law, const Breakwater& breakwater, c
   return std::make_unique<PulseLaw>(law, breakwater, state);
 }
 
-RayleighHeights::RayleighHeights(double significant_height, double cut)
-    : significant_height_(significant_height), highest_(cut * significant_height), beyond_(std::exp(-2. * cut * cut)) {
-  if (!(significant_height > 0. && std::isfinite(significant_height) && cut > 0.))
-    throw std::invalid_argument("heights of waves need a significant height and a cut above 0");
+SeaBefore sea_before(const Section& section, const Water& water, const SeaState& state) {
+  return sea_before(state.significant_height,
+                    {0., state.period, section.water_depth + state.water_level, section.bed_slope}, water.gravity);
+}
+
+RayleighHeights::RayleighHeights(double significant_height, double cut, double limit)
+    : significant_height_(significant_height),
+      highest_(std::min(cut * significant_height, limit)),
+      beyond_(std::exp(-2. * cut * cut)),
+      at_limit_(0.) {
+  if (!(significant_height > 0. && std::isfinite(significant_height) && cut > 0. && limit > 0.))
+    throw std::invalid_argument("heights of waves need a significant height, a cut and a limit above 0");
+  const double x = limit / significant_height;
+  if (limit < cut * significant_height) at_limit_ = std::exp(-2. * x * x) - beyond_;
 }
 
 double RayleighHeights::exceedance(double height) const {
@@ -105,7 +115,7 @@ double RayleighHeights::density(double height) const {
 }
 
 double RayleighHeights::height(double exceedance) const {
-  return significant_height_ * std::sqrt(0.5 * std::max(0., -std::log(exceedance + beyond_)));
+  return std::min(significant_height_ * std::sqrt(0.5 * std::max(0., -std::log(exceedance + beyond_))), highest_);
 }
 
 double detail::first_height(const std::function<double(double)>& f) {
@@ -183,7 +193,7 @@ double first_sliding_height(const SlidingLaw& law, double from, double to) {
   return low;
 }
 
-/// The height that 1e-18 of the waves beyond `from` exceed, or the cut.
+/// The height that 1e-18 of the waves beyond `from` exceed, or the highest.
 double top_height(const RayleighHeights& heights, double from) {
   const double log_share = std::log(1e18);
   const double significant_height = heights.significant_height();
@@ -207,6 +217,8 @@ Expectation expected_distance(const SlidingLaw& law, const RayleighHeights& heig
   result.distance =
       waves * rule.integrate(integrand, result.threshold, top, choice.depth, choice.tolerance, &result.error);
   result.error *= waves;
+  if (heights.at_limit() > 0.) result.broken = waves * heights.at_limit() * law.distance(heights.highest());
+  result.distance += result.broken;
   result.sliding_waves = waves * heights.exceedance(result.threshold);
   return result;
 }

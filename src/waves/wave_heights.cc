@@ -21,39 +21,83 @@ double small_amplitude_shoaling(const Approach& a, double gravity) {
   return 1. / std::sqrt((1. + 2. * kh / std::sinh(2. * kh)) * std::tanh(kh));
 }
 
+constexpr double surf = 0.2;  ///< h/L_0 from which nothing breaks
+/// Powers of H_0'/L_0 in beta_0 and beta_max.
+constexpr double deep_power = -0.38, largest_power = -0.29;
+
 /// beta_0, beta_1 and beta_max of H_1/3, or those of H_max with a star.
 struct BreakingCoefficients {
   double deep, depth, largest;
 };
 
 BreakingCoefficients of_significant(double steepness, double slope) {
-  return {0.028 * std::pow(steepness, -0.38) * std::exp(20. * std::pow(slope, 1.5)), 0.52 * std::exp(4.2 * slope),
-          std::max(0.92, 0.32 * std::pow(steepness, -0.29) * std::exp(2.4 * slope))};
+  return {0.028 * std::pow(steepness, deep_power) * std::exp(20. * std::pow(slope, 1.5)), 0.52 * std::exp(4.2 * slope),
+          std::max(0.92, 0.32 * std::pow(steepness, largest_power) * std::exp(2.4 * slope))};
 }
 
 BreakingCoefficients of_highest(double steepness, double slope) {
-  return {0.052 * std::pow(steepness, -0.38) * std::exp(20. * std::pow(slope, 1.5)), 0.63 * std::exp(3.8 * slope),
-          std::max(1.65, 0.53 * std::pow(steepness, -0.29) * std::exp(2.4 * slope))};
+  return {0.052 * std::pow(steepness, deep_power) * std::exp(20. * std::pow(slope, 1.5)), 0.63 * std::exp(3.8 * slope),
+          std::max(1.65, 0.53 * std::pow(steepness, largest_power) * std::exp(2.4 * slope))};
+}
+
+/// Of K_s, what the finite height adds.
+double finite_shoaling(const Approach& a, double L0) {
+  return 0.0015 * std::pow(a.depth / L0, -2.87) * std::pow(a.deep_water_height / L0, 1.27);
+}
+
+/// `small`: K_s of small waves.
+DesignHeights heights_of(const Approach& a, double L0, double small) {
+  const double H0 = a.deep_water_height;
+  const double shoaled = (small + finite_shoaling(a, L0)) * H0;
+  DesignHeights heights{shoaled, 1.8 * shoaled};
+  if (a.depth / L0 >= surf) return heights;
+  const BreakingCoefficients s = of_significant(H0 / L0, a.bed_slope), m = of_highest(H0 / L0, a.bed_slope);
+  heights.significant = std::min({s.deep * H0 + s.depth * a.depth, s.largest * H0, shoaled});
+  const double depth_b = a.depth + 5. * heights.significant * a.bed_slope;
+  heights.breaker = m.deep * H0 + m.depth * depth_b;
+  heights.highest = std::min({heights.breaker, m.largest * H0, 1.8 * shoaled});
+  return heights;
+}
+
+/// H_0'/L_0 that shoals to `relative_height` H/L_0, by Newton's method. Its function is convex: from above the guesses
+/// fall until rounding stops them.
+double shoaled_from(double relative_height, double relative_depth, double small) {
+  const double finite = 0.0015 * std::pow(relative_depth, -2.87);
+  double s = std::min(relative_height / small, std::pow(relative_height / finite, 1. / 2.27));
+  for (double last = HUGE_VAL; s < last;) {
+    last = s;
+    const double part = finite * std::pow(s, 1.27);
+    s -= ((small + part) * s - relative_height) / (small + 2.27 * part);
+  }
+  return s;
 }
 
 }  // namespace
 
 double shoaling(const Approach& a, double gravity) {
-  const double L0 = deep_water_wavelength(a.period, gravity);
-  return small_amplitude_shoaling(a, gravity) +
-         0.0015 * std::pow(a.depth / L0, -2.87) * std::pow(a.deep_water_height / L0, 1.27);
+  return small_amplitude_shoaling(a, gravity) + finite_shoaling(a, deep_water_wavelength(a.period, gravity));
 }
 
 DesignHeights design_heights(const Approach& a, double gravity) {
-  const double H0 = a.deep_water_height, L0 = deep_water_wavelength(a.period, gravity);
-  const double shoaled = shoaling(a, gravity) * H0;
-  if (a.depth / L0 >= 0.2) return {shoaled, 1.8 * shoaled};
-  const BreakingCoefficients s = of_significant(H0 / L0, a.bed_slope), m = of_highest(H0 / L0, a.bed_slope);
-  DesignHeights heights;
-  heights.significant = std::min({s.deep * H0 + s.depth * a.depth, s.largest * H0, shoaled});
-  const double depth_b = a.depth + 5. * heights.significant * a.bed_slope;
-  heights.highest = std::min({m.deep * H0 + m.depth * depth_b, m.largest * H0, 1.8 * shoaled});
-  return heights;
+  return heights_of(a, deep_water_wavelength(a.period, gravity), small_amplitude_shoaling(a, gravity));
+}
+
+SeaBefore sea_before(double significant_height, Approach place, double gravity) {
+  require_positive(significant_height, "significant height", "the sea in deep water needs");
+  const double L0 = deep_water_wavelength(place.period, gravity), small = small_amplitude_shoaling(place, gravity);
+  const double x = significant_height / L0, depth = place.depth / L0;
+  // Each branch of H_1/3 grows with H_0': the least of them is H_1/3 where the largest of their inverses is H_0'.
+  double steepness = shoaled_from(x, depth, small);
+  if (depth < surf) {
+    const BreakingCoefficients one = of_significant(1., place.bed_slope);  // beta_0 and beta_max fall with powers of it
+    const double broken = std::pow(std::max(x - one.depth * depth, 0.) / one.deep, 1. / (1. + deep_power));
+    const double sloping = 0.32 * std::exp(2.4 * place.bed_slope);
+    const double largest = std::min(x / 0.92, std::pow(x / sloping, 1. / (1. + largest_power)));
+    steepness = std::max({steepness, broken, largest});
+  }
+  constexpr double steepest = 0.142 / 1.8;
+  place.deep_water_height = std::min(steepness, steepest) * L0;
+  return {place.deep_water_height, steepness <= steepest, heights_of(place, L0, small)};
 }
 
 double relative_wave_number(double period, double depth, double gravity) {

@@ -102,6 +102,18 @@ class Expected(ProgramTest):
         self.assertGreater(found["expected"]["distance_dynamic"], 0)
         self.assertEqual(found["model"]["load"], "impact")
 
+    def test_waves_of_own_dynamics_break(self):
+        write_oscillator(self.folder / "model.h5", mass=5.933088e6 / 9.81)
+        model = ["--set", f"dynamics.model={self.folder / 'model.h5'}", "--set", "dynamics.load=impact"]
+        found = self.expected(PROTOTYPE, *model, "--set", "life.simulated_lives=100", "--set", "impact.peak_gain=2",
+                              "--set", "sea.highest=breaking")
+        life = found["monte_carlo"]
+        self.assertEqual(life["law"], "dynamic")
+        self.assertGreater(found["expected"]["distance_limited"]["dynamic"], 0)
+        self.assertLess(abs(life["mean"] - life["without_scatter"]), 3 * life["standard_error"])
+        highest = max(state["highest"] for state in found["expected"]["states"])
+        self.assertAlmostEqual(life["highest"], highest, delta=1e-12)
+
     def test_goda_with_alpha_I_does_not_go_through_the_dynamics(self):
         write_oscillator(self.folder / "model.h5", mass=5.933088e6 / 9.81)
         done = upbead("expected", PROTOTYPE, "--set", f"dynamics.model={self.folder / 'model.h5'}", "--set",
@@ -161,6 +173,85 @@ class Expected(ProgramTest):
         self.assertGreater(found["monte_carlo"]["mean"], 0)
         higher = self.expected("storms.toml", "--set", "storms.location=4")
         self.assertGreater(higher["monte_carlo"]["mean"], found["monte_carlo"]["mean"])
+
+    def write_surf_zone(self, states="7.95,12,3000\n5,10,20000"):
+        """A caisson in 12 m of water, where the record's waves of 7.95 m break."""
+        section = {"water_depth": 12, "foundation_depth": 7, "berm_depth": 6.5, "crest": 6, "width": 20, "berm_width": 8,
+                   "bed_slope": 0.02, "weight": 5.0e6, "submerged_weight": 3.585e6}
+        (self.folder / "surf.toml").write_text(
+            'title = "surf zone"\n[section]\n' + "".join(f"{key} = {value}\n" for key, value in section.items()) +
+            '[sea]\nstates = "states.csv"\nyears = 50\n[life]\nsimulated_lives = 2000\nyears = 50\n')
+        (self.folder / "states.csv").write_text("significant_height,period,waves\n" + states + "\n")
+
+    def test_drawn_waves_break_where_waves_breaks_them(self):
+        self.write_surf_zone()
+        found = self.expected("surf.toml")
+        high, low = found["expected"]["states"]
+        self.assertAlmostEqual(high["highest"], 10.9, delta=0.05)
+        for state in (high, low):
+            (self.folder / "wave.toml").write_text(
+                (self.folder / "surf.toml").read_text().split("[sea]")[0] +
+                f"[waves.same]\ndeep_water_height = {state['deep_water_height']!r}\nperiod = {state['period']!r}\n")
+            done = upbead("waves", "wave.toml", "--json", cwd=self.folder)
+            wave = json.loads(done.stdout)["waves"]["same"]
+            self.assertAlmostEqual(wave["significant_height"], state["significant_height"], delta=1e-12)
+            if state is high:
+                self.assertAlmostEqual(wave["height"], state["highest"], delta=1e-12)
+                self.assertAlmostEqual(wave["height"], found["monte_carlo"]["highest"], delta=1e-12)
+                self.assertAlmostEqual(wave["height"], found["expected"]["highest"], delta=1e-12)
+        share = np.exp(-2 * (high["highest"] / 7.95) ** 2)
+        self.assertAlmostEqual(high["share_limited"], share, delta=1e-12)
+        limited = 3000 * share + 20000 * np.exp(-2 * (low["highest"] / 5) ** 2)
+        self.assertAlmostEqual(found["expected"]["waves_limited"], limited, delta=1e-9)
+        self.assertAlmostEqual(found["monte_carlo"]["waves_limited"] / 2000, limited, delta=0.01 * limited)
+        life = found["monte_carlo"]
+        self.assertLess(abs(life["mean"] - life["without_scatter"]), 3 * life["standard_error"])
+        self.assertEqual([found["expected"]["limit"], life["limit"]], ["breaking", "breaking"])
+        told = upbead("expected", "surf.toml", cwd=self.folder)
+        self.assertRegex(told.stdout, r"the highest 10\.86 m \(the limit\)")
+        self.assertRegex(told.stdout, r"limit +Goda's highest breaker, 9\.568 to 10\.86 m: 85\.14 of \S+ waves")
+
+    def test_limits_by_hand_and_none(self):
+        """Numbers of the program before waves broke in it."""
+        self.write_surf_zone()
+        for limit, exact in (("1.8", 4.091082806070966), ("1.4", 0.02936711990564604), ("none", 6.8122584857918485)):
+            done = upbead("expected", "surf.toml", "--set", f"sea.highest={limit}", "--json", cwd=self.folder)
+            found = json.loads(done.stdout)
+            self.assertAlmostEqual(found["expected"]["distance_exact"] / exact, 1, delta=1e-9)
+            self.assertEqual(found["expected"]["limit"], "none" if limit == "none" else "cut")
+            self.assertRegex(done.stderr, r"warning: [\d.]+ of \S+ waves .* higher than Goda's highest breaker")
+        self.assertEqual(found["expected"]["waves_limited"], 0)
+        self.assertIsNone(found["expected"]["states"][0]["highest"])
+
+    def test_seas_that_cannot_be_are_told(self):
+        self.write_surf_zone("9,12,3000\n5,10,20000")
+        done = upbead("expected", "surf.toml", "--json", cwd=self.folder)
+        self.assertRegex(done.stderr, r"warning: 1 of 2 sea states have an H_1/3 that no sea brings to that depth, the "
+                                      r"first 9 m at T = 12 s, where the steepest sea has 8\.166 m and breaks at 11\.27 m")
+        states = json.loads(done.stdout)["expected"]["states"]
+        self.assertEqual([s["significant_height_possible"] for s in states], [False, True])
+        self.assertAlmostEqual(states[0]["highest"], 11.274, delta=1e-3)
+
+    def test_water_levels_move_the_limit(self):
+        self.write_surf_zone()
+        (self.folder / "states.csv").write_text("significant_height,period,waves,water_level\n7.5,12,3000,0\n"
+                                                "7.5,12,3000,2\n")
+        low, high = self.expected("surf.toml")["expected"]["states"]
+        self.assertGreater(high["highest"], low["highest"] + 0.8)
+
+    def test_waves_of_storms_break(self):
+        self.write_surf_zone()
+        text = (self.folder / "surf.toml").read_text()
+        (self.folder / "surf.toml").write_text(text[:text.index("[sea]")] + (
+            "[storms]\nlocation = 5\nscale = 2\nshape = 1.4\nsteepness = 0.035\n[life]\nsimulated_lives = 500\n"))
+        found, free = (self.expected("surf.toml", "--set", f"storms.highest={word}")["monte_carlo"]
+                       for word in ("breaking", "none"))
+        self.assertEqual(self.expected("surf.toml")["monte_carlo"], found)
+        self.assertLess(found["mean"], free["mean"])
+        self.assertGreater(found["mean"], 0)
+        self.assertGreater(found["waves_limited"], 0)
+        self.assertEqual(free["waves_limited"], 0)
+        self.assertGreater(free["highest"], 1.2 * found["highest"])
 
     def test_results_are_drawn(self):
         script = CASES.parent / "postprocess/expected_sliding.py"

@@ -124,6 +124,14 @@ const std::vector<BadExpected> rows{
      "design.toml:16:1: years = 0 is outside [0.001, 1e5]; give the time that the sea states cover (years)"},
     {"HighestOfZero", "highest = 2.0", "highest = 0",
      "design.toml:17:1: highest = 0 is outside [0.01, 10]; give the largest height of a wave over H_1/3"},
+    {"HighestOfAWord", "highest = 2.0", "highest = \"some\"",
+     "design.toml:17:1: highest: expected a number, \"breaking\" or \"none\", found a string; give the largest height "
+     "of "
+     "a wave over H_1/3"},
+    {"HighestOfAList", "highest = 2.0", "highest = [2.0]",
+     "design.toml:17:1: highest: expected a number, \"breaking\" or \"none\", found a list of 1; give the largest "
+     "height "
+     "of a wave over H_1/3"},
     {"HeightBelowZero", "high = 10.5", "high = -1",
      "design.toml:18:13: the height -1 m is not above 0; give heights above 0 (m)"},
     {"OneLife", "simulated_lives = 100", "simulated_lives = 1",
@@ -214,7 +222,7 @@ const std::vector<BadExpected> rows{
      true},
     {"SeveralAtOnce", "years = 50\nsimulated_lives = 100", "years = 0\nsimulated_lives = 1.5",
      "design.toml:21:1: years = 0 is outside [0.001, 1e5]; give the life of the structure (years)\ndesign.toml:22:1: "
-     "lives: expected a whole number, found the number 1.5; give the number of lives to simulate"}};
+     "simulated_lives: expected a whole number, found the number 1.5; give the number of lives to simulate"}};
 
 }  // namespace
 

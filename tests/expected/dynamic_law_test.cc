@@ -128,12 +128,15 @@ TEST(DynamicLaw, TheFactorOfTheForceScalesTheHistory) {
 
 TEST(DynamicLaw, TheExpectationIsThatOfASumOverHeights) {
   const DynamicLaw soft = law(1.5, 0.1, 4e-3);
-  const RayleighHeights heights(6.);
-  const Expectation found = expected_distance(soft, heights, 600., {1e-4, 6});
-  double sum = 0.;
-  for (double H = 5.0025; H < 25.; H += 0.005) sum += 600. * soft.distance(H, {}) * heights.density(H) * 0.005;
-  EXPECT_GT(sum, 0.);
-  EXPECT_NEAR(found.distance, sum, 1e-3 * sum);
+  for (const double limit : {RayleighHeights::no_cut, 11.}) {
+    const RayleighHeights heights(6., RayleighHeights::no_cut, limit), all(6.);
+    const Expectation found = expected_distance(soft, heights, 600., {1e-4, 6});
+    double sum = 0.;
+    for (double H = 5.0025; H < 25.; H += 0.005)
+      sum += 600. * soft.distance(std::min(H, limit), {}) * all.density(H) * 0.005;
+    EXPECT_GT(sum, 0.);
+    EXPECT_NEAR(found.distance, sum, 1e-3 * sum) << limit;
+  }
 }
 
 }  // namespace upbead::test

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "caissons.h"
@@ -37,7 +38,50 @@ double trapezoids(const SlidingLaw& law, const RayleighHeights& heights, double 
   return sum;
 }
 
+/// The sum over waves of equal share, each with its height drawn and broken to the limit; no density, no quadrature.
+double wave_by_wave(const SlidingLaw& law, double significant_height, double limit) {
+  const int n = 4000000;
+  double sum = 0.;
+  for (int i = 0; i < n; ++i)
+    sum += law.distance(std::min(significant_height * std::sqrt(-0.5 * std::log((i + 0.5) / n)), limit), {}) / n;
+  return sum;
+}
+
 }  // namespace
+
+TEST(Expectation, OfWavesThatBreakIsThatOfASumOverWaves) {
+  const auto exact = formula_law(Law::exact, medium_caisson(), storm(6.));
+  for (const double limit : {10.2, 11., 12.5}) {
+    const Expectation found = expected_distance(*exact, RayleighHeights(6., RayleighHeights::no_cut, limit), 600.);
+    const double sum = 600. * wave_by_wave(*exact, 6., limit);
+    EXPECT_GT(sum, 0.);
+    EXPECT_NEAR(found.distance, sum, 2e-6 * sum) << limit;
+    const double share = std::exp(-2. * limit * limit / 36.);
+    EXPECT_NEAR(found.broken, 600. * share * exact->distance(limit), 1e-12 * found.broken) << limit;
+    EXPECT_LT(found.distance, expected_distance(*exact, RayleighHeights(6.), 600.).distance);
+    EXPECT_GT(found.distance, expected_distance(*exact, RayleighHeights(6., limit / 6.), 600.).distance)
+        << "waves that break still come";
+  }
+  const OddLaw odd;
+  for (const double limit : {8.2, 9.2, 10.}) {
+    const Expectation found = expected_distance(odd, RayleighHeights(6., RayleighHeights::no_cut, limit), 600.);
+    EXPECT_NEAR(found.distance, 600. * wave_by_wave(odd, 6., limit), 1e-4 * found.distance) << limit;
+  }
+}
+
+TEST(Expectation, OfALimitFarAwayIsThatWithoutOne) {
+  const auto exact = formula_law(Law::exact, medium_caisson(), storm(6.));
+  const double without = expected_distance(*exact, RayleighHeights(6.), 600.).distance;
+  EXPECT_EQ(expected_distance(*exact, RayleighHeights(6., RayleighHeights::no_cut, 60.), 600.).distance, without);
+}
+
+TEST(Expectation, OfALimitBelowTheThresholdIsZero) {
+  const auto exact = formula_law(Law::exact, medium_caisson(), storm(6.));
+  const Expectation found = expected_distance(*exact, RayleighHeights(6., RayleighHeights::no_cut, 5.), 600.);
+  EXPECT_EQ(found.distance, 0.);
+  EXPECT_EQ(found.broken, 0.);
+  EXPECT_EQ(found.sliding_waves, 0.);
+}
 
 TEST(Expectation, OfAStormAgreesWithAnIndependentQuadrature) {
   const struct {

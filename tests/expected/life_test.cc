@@ -188,6 +188,85 @@ TEST(LifeSimulation, WavesBeyondTheCutDoNotSlide) {
   EXPECT_LT(off(LifeSimulation(s), 3000, expected), 3.);
 }
 
+TEST(LifeSimulation, WavesThatBreakSlideAsQuadratureSays) {
+  LifeSetup s = setup();
+  s.states = {storm(6.)};
+  for (const double limit : {10., 11.}) {
+    s.limit = [limit](const SeaState&) { return limit; };
+    const RayleighHeights heights(6., RayleighHeights::no_cut, limit);
+    const double expected =
+        expected_distance(*formula_law(Law::exact, medium_caisson(), storm(6.)), heights, 600.).distance;
+    for (const bool every_wave : {false, true}) {
+      s.every_wave = every_wave;
+      const LifeSimulation simulation(s);
+      const std::uint32_t n = every_wave ? 3000 : 12000;
+      EXPECT_LT(off(simulation, n, expected), 3.) << limit;
+      double taken = 0., highest = 0.;
+      for (std::uint32_t i = 0; i < n; ++i) {
+        const Life life = simulation.life(i);
+        taken += life.taken;
+        highest = std::max(highest, life.highest);
+      }
+      const double broken = n * 600. * heights.at_limit();
+      EXPECT_LT(std::abs(taken - broken), 4. * std::sqrt(broken)) << limit;
+      EXPECT_EQ(highest, limit) << "none is higher, some get there";
+    }
+  }
+}
+
+TEST(LifeSimulation, WavesThatBreakWithoutSlidingAreCounted) {
+  LifeSetup s = setup();
+  s.states = {storm(6.)};
+  s.limit = [](const SeaState&) { return 7.; };
+  for (const bool every_wave : {false, true}) {
+    s.every_wave = every_wave;
+    const LifeSimulation simulation(s);
+    double taken = 0.;
+    for (std::uint32_t i = 0; i < 300; ++i) {
+      EXPECT_EQ(simulation.life(i).sliding, 0.);
+      taken += simulation.life(i).taken;
+    }
+    const double broken = 300 * 600. * std::exp(-2. * 49. / 36.);
+    EXPECT_LT(std::abs(taken - broken), 4. * std::sqrt(broken));
+  }
+}
+
+TEST(LifeSimulation, WavesBeyondTheCutAreCounted) {
+  LifeSetup s = setup();
+  s.states = {storm(6.)};
+  s.cut = 1.4;
+  for (const bool every_wave : {false, true}) {
+    s.every_wave = every_wave;
+    double taken = 0.;
+    for (std::uint32_t i = 0; i < 300; ++i) taken += LifeSimulation(s).life(i).taken;
+    const double beyond = 300 * 600. * std::exp(-2. * 1.4 * 1.4);
+    EXPECT_LT(std::abs(taken - beyond), 4. * std::sqrt(beyond));
+  }
+}
+
+TEST(LifeSimulation, TheLimitHoldsForHeightsWithTheirFactorAndForSeasAsDrawn) {
+  LifeSetup s = setup();
+  s.states = {storm(5.)};
+  s.uncertain.wave = Distribution(normal(1.2, 0., Per::storm), 1.);
+  Scatter level;
+  level.kind = ScatterKind::uniform;
+  level.low = -1.;
+  level.high = 1.;
+  s.uncertain.water_level = Distribution(level, 0.);
+  s.limit = [](const SeaState& sea) { return 9.5 + sea.water_level; };
+  const auto at_level = [](double rise) {
+    SeaState sea = storm(5.);
+    sea.water_level = rise;
+    const RayleighHeights heights(6., RayleighHeights::no_cut, 9.5 + rise);
+    return 0.5 * expected_distance(*formula_law(Law::exact, medium_caisson(), sea), heights, 600.).distance;
+  };
+  const double expected = boost::math::quadrature::gauss_kronrod<double, 31>::integrate(at_level, -1., 1., 5, 1e-8);
+  EXPECT_GT(expected, 0.);
+  EXPECT_LT(off(LifeSimulation(s), 5000, expected), 3.);
+  s.every_wave = true;
+  EXPECT_LT(off(LifeSimulation(s), 1500, expected), 3.);
+}
+
 TEST(LifeSimulation, SeaStatesCannotScatterFromWaveToWave) {
   LifeSetup s = setup();
   s.uncertain.period = Distribution(normal(1., 0.1, Per::wave), 1.);

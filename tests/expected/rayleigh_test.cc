@@ -1,12 +1,21 @@
-// Claim: exceedance, density and its inverse belong together, with a cut as without; waves beyond it are set aside.
+// Claim: exceedance, density and its inverse belong together, with a cut or a limit as without; waves beyond a cut are
+// set aside, those above a limit arrive with its height.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <vector>
 
 #include "upbead/expected/sliding_law.h"
 
 namespace upbead::test {
+
+namespace {
+
+const RayleighHeights limited(6., RayleighHeights::no_cut, 11.7);
+
+}  // namespace
 
 TEST(RayleighHeights, ExceedanceIsThatOfLonguetHiggins) {
   const RayleighHeights heights(6.);
@@ -24,7 +33,7 @@ TEST(RayleighHeights, SignificantHeightIsTheMeanOfTheHighestThird) {
 }
 
 TEST(RayleighHeights, DensityIsTheSlopeOfTheExceedance) {
-  for (const RayleighHeights& heights : {RayleighHeights(6.), RayleighHeights(6., 2.)})
+  for (const RayleighHeights& heights : {RayleighHeights(6.), RayleighHeights(6., 2.), limited})
     for (const double H : {0.5, 3., 7., 11.5}) {
       const double slope = (heights.exceedance(H - 1e-4) - heights.exceedance(H + 1e-4)) / 2e-4;
       EXPECT_NEAR(heights.density(H), slope, 1e-7 * heights.density(3.)) << H;
@@ -32,7 +41,7 @@ TEST(RayleighHeights, DensityIsTheSlopeOfTheExceedance) {
 }
 
 TEST(RayleighHeights, HeightIsTheInverseOfTheExceedance) {
-  for (const RayleighHeights& heights : {RayleighHeights(6.), RayleighHeights(6., 2.)})
+  for (const RayleighHeights& heights : {RayleighHeights(6.), RayleighHeights(6., 2.), limited})
     for (const double H : {0.5, 3., 7., 11.5}) EXPECT_NEAR(heights.height(heights.exceedance(H)), H, 1e-10);
 }
 
@@ -47,10 +56,52 @@ TEST(RayleighHeights, WavesBeyondTheCutAreSetAside) {
   EXPECT_NEAR(cut.height(0.), 12., 1e-12);
 }
 
+TEST(RayleighHeights, WavesAboveTheLimitArriveWithItsHeight) {
+  const double above = std::exp(-2. * std::pow(11.7 / 6., 2));
+  EXPECT_EQ(limited.highest(), 11.7);
+  EXPECT_DOUBLE_EQ(limited.at_limit(), above);
+  EXPECT_DOUBLE_EQ(limited.taken(), above);
+  EXPECT_EQ(limited.exceedance(0.), 1.) << "none is lost";
+  EXPECT_NEAR(limited.exceedance(11.7 - 1e-9), above, 1e-11);
+  EXPECT_EQ(limited.exceedance(11.7), 0.);
+  EXPECT_EQ(limited.height(0.9 * above), 11.7);
+  EXPECT_EQ(limited.height(0.), 11.7);
+  EXPECT_EQ(RayleighHeights(6., 1.7).taken(), std::exp(-2. * 1.7 * 1.7));
+  EXPECT_EQ(RayleighHeights(6., 1.7).at_limit(), 0.);
+  EXPECT_EQ(RayleighHeights(6.).taken(), 0.);
+}
+
+/// Goda (1975): of waves of height H from 2/3 of the limit on a share (3 H / limit - 2) breaks and is left out, of
+/// those above all; what is left is scaled up.
+TEST(RayleighHeights, AboveAnyHeightBreakingLeavesNoFewerWavesThanInGodasModel) {
+  for (const double limit : {4., 8., 11.7}) {
+    const RayleighHeights waves(6.), broken(6., RayleighHeights::no_cut, limit);
+    const int n = 20000;
+    std::vector<double> below{0.};
+    for (int i = 0; i < n; ++i) {
+      const double H = limit * (i + 0.5) / n;
+      below.push_back(below.back() + waves.density(H) * std::min(3. * (1. - H / limit), 1.) * limit / n);
+    }
+    for (std::size_t i = 0; i < n; i += 100) {
+      const double H = limit * static_cast<double>(i) / n;
+      EXPECT_LE(1. - below[i] / below.back(), broken.exceedance(H) + 1e-12) << H << " of " << limit;
+    }
+  }
+}
+
+TEST(RayleighHeights, ACutBelowTheLimitLeavesNothingToBreak) {
+  const RayleighHeights both(6., 1.7, 11.7), other(6., 2.2, 11.7);
+  EXPECT_EQ(both.highest(), 1.7 * 6.);
+  EXPECT_EQ(both.at_limit(), 0.);
+  EXPECT_DOUBLE_EQ(other.at_limit(), limited.at_limit() - std::exp(-2. * 2.2 * 2.2));
+  EXPECT_DOUBLE_EQ(other.taken(), limited.at_limit());
+}
+
 TEST(RayleighHeights, RefuseWhatIsNoSea) {
   EXPECT_THROW(RayleighHeights(0.), std::invalid_argument);
   EXPECT_THROW(RayleighHeights(std::nan("")), std::invalid_argument);
   EXPECT_THROW(RayleighHeights(6., 0.), std::invalid_argument);
+  EXPECT_THROW(RayleighHeights(6., 2., 0.), std::invalid_argument);
 }
 
 }  // namespace upbead::test

@@ -26,14 +26,19 @@ StormClimate climate() {
   return c;
 }
 
+/// Goda's highest random breaker at the sea state's level.
+double breaker(const SeaState& sea) {
+  return sea_before(medium_caisson().section, medium_caisson().water, sea).heights.breaker;
+}
+
 double quadrature(const StormClimate& c, double years) {
   const Breakwater b = medium_caisson();
   using Rule = boost::math::quadrature::gauss_kronrod<double, 15>;
   const auto of_height = [&](double u_height) {
     const auto of_tide = [&](double u_tide) {
       const SeaState sea = storm_on(b.section, b.water, c, u_height, u_tide);
-      return expected_distance(*formula_law(Law::exact, b, sea), RayleighHeights(sea.significant_height), sea.waves)
-          .distance;
+      const RayleighHeights heights(sea.significant_height, RayleighHeights::no_cut, breaker(sea));
+      return expected_distance(*formula_law(Law::exact, b, sea), heights, sea.waves).distance;
     };
     return Rule::integrate(of_tide, 0., 1., 2, 1e-3);
   };
@@ -43,6 +48,7 @@ double quadrature(const StormClimate& c, double years) {
 LifeSetup lives_of(const StormClimate& c) {
   LifeSetup setup;
   setup.law = [](const SeaState& sea) { return formula_law(Law::exact, medium_caisson(), sea); };
+  setup.limit = breaker;
   setup.source = {[c](double u) { return number_of_storms(c, 50., u); },
                   [c](double u_height, double u_tide) {
                     return storm_on(medium_caisson().section, medium_caisson().water, c, u_height, u_tide);
@@ -91,10 +97,26 @@ TEST(StormClimate, AStormRunsToTheWall) {
   EXPECT_EQ(sea.significant_height, design_heights({deep, sea.period, 15. + level, 0.01}, 9.81).significant);
 }
 
+TEST(StormClimate, AStormBreaksAsTheSeaThatItCameFrom) {
+  const Breakwater b = medium_caisson();
+  StormClimate c = climate();
+  c.location = 6.;
+  for (const double u_tide : {0., 0.5, 1.}) {
+    const SeaState sea = storm_on(b.section, b.water, c, 0.9, u_tide);
+    const double deep = deep_water_height(c, 0.9);
+    const SeaBefore before = sea_before(b.section, b.water, sea);
+    EXPECT_NEAR(before.deep_water_height, deep, 1e-12 * deep);
+    EXPECT_NEAR(before.heights.highest, design_heights({deep, sea.period, 15. + sea.water_level, 0.01}, 9.81).highest,
+                1e-12);
+    EXPECT_EQ(before.heights.highest, before.heights.breaker) << "the depth decides";
+  }
+}
+
 TEST(StormClimate, LivesHaveTheExpectationOfNestedQuadrature) {
   for (const bool poisson : {false, true}) {
     StormClimate c = climate();
     c.poisson = poisson;
+    c.scale = 2.5;
     const double expected = quadrature(c, 50.);
     EXPECT_GT(expected, 0.);
     std::vector<double> sliding;

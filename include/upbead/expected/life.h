@@ -61,6 +61,8 @@ struct Uncertainties {
 };
 
 using LawMaker = std::function<std::unique_ptr<SlidingLaw>(const SeaState&)>;
+/// The height (m) to which higher waves of a sea state break.
+using WaveLimit = std::function<double(const SeaState&)>;
 
 /// Storms that are drawn and do not come from a record. Both take numbers in (0, 1).
 struct StormSource {
@@ -74,6 +76,7 @@ struct LifeSetup {
   double record_years = 1.;           ///< that it covers
   double life_years = 50.;
   double cut = RayleighHeights::no_cut;  ///< of the heights, over H_1/3
+  WaveLimit limit;                       ///< of a sea state as drawn; none: waves do not break
   Uncertainties uncertain;
   LawMaker law;  ///< of a sea state as drawn
   std::uint64_t seed = 1;
@@ -84,6 +87,8 @@ struct Life {
   double sliding = 0.;   ///< sum of all S (m)
   double waves = 0.;     ///< that came
   double answered = 0.;  ///< waves whose S was computed, because they might slide
+  double taken = 0.;     ///< waves that broke to the limit or were beyond the cut
+  double highest = 0.;   ///< of the waves whose S was computed, the highest (m)
 };
 
 /// A life is the record, repeated, the last time with part of its waves, or storms of a source. A storm is one sea
@@ -91,7 +96,8 @@ struct Life {
 /// Every number belongs to its life, storm and wave: lives can be simulated in any order, by any number of threads.
 ///
 /// Where nothing scatters from wave to wave, only waves that may slide are drawn: their number, binomial, then their
-/// heights given that they exceed the threshold of S. The distribution of S is the same as with every wave drawn.
+/// heights given that they exceed the threshold of S or the limit. The distribution of S is the same as with every wave
+/// drawn. A limit holds for the height with its factor.
 class LifeSimulation {
  public:
   /// Throws std::invalid_argument where significant height, period or water level scatter from wave to wave, or a storm
@@ -105,7 +111,7 @@ class LifeSimulation {
  private:
   struct Storm;
   struct Drawn;
-  void add_storm(const Storm& storm, Life& life) const;
+  void add_storm(Storm& storm, Life& life) const;
   void add_every_wave(const Storm& storm, const SlidingLaw& law, Life& life) const;
   void add_sliding_waves(const Storm& storm, const SlidingLaw& law, Life& life) const;
   SeaState sea_of(std::uint32_t life, std::uint32_t storm) const;
@@ -116,6 +122,7 @@ class LifeSimulation {
   std::size_t storms_;
   bool by_wave_;                                         ///< something scatters from wave to wave
   std::vector<std::unique_ptr<const SlidingLaw>> laws_;  ///< of the states, where no draw changes them
+  std::vector<double> limits_;                           ///< and their limits (m)
 };
 
 using Interval = std::array<double, 2>;

@@ -8,6 +8,7 @@
 
 #include "upbead/sliding/combined.h"
 #include "upbead/waves/goda.h"
+#include "upbead/waves/wave_heights.h"
 
 namespace upbead {
 
@@ -20,26 +21,37 @@ struct SeaState {
   double water_level = 0.;         ///< still water above that of the section (m)
 };
 
-/// Heights after Rayleigh (Longuet-Higgins 1952): exp(-2 (H / H_1/3)^2) of all waves are higher than H. Waves beyond a
-/// cut are set aside: they count as waves that do not slide, and the others are not made more by as many.
+/// The sea in deep water that it comes from and its highest random breaker, at its water level [Goda 2000].
+SeaBefore sea_before(const Section& section, const Water& water, const SeaState& state);
+
+/// Heights after Rayleigh (Longuet-Higgins 1952): exp(-2 (H / H_1/3)^2) of all waves are higher than H. Two things may
+/// happen to the highest. Waves above a `limit` break and arrive with its height: none is lost, which is the safe side.
+/// Waves beyond a `cut` are set aside: they count as waves that do not slide, and the others are not made more by as
+/// many.
 class RayleighHeights {
  public:
   static constexpr double no_cut = std::numeric_limits<double>::infinity();
 
-  /// `cut`: over H_1/3. Throws std::invalid_argument where one is not above 0.
-  explicit RayleighHeights(double significant_height, double cut = no_cut);
+  /// `cut`: over H_1/3; `limit`: m. Throws std::invalid_argument where one is not above 0.
+  explicit RayleighHeights(double significant_height, double cut = no_cut, double limit = no_cut);
   /// Share of all waves that are higher than H and not beyond the cut.
   double exceedance(double height) const;
-  /// Density of H (1/m).
+  /// Density of H (1/m); without the waves at the limit, which are at_limit().
   double density(double height) const;
-  /// H that such a share of all waves exceeds; of the largest share the least height 0, of no share the cut.
+  /// H that such a share of all waves exceeds; of the largest share the least height 0, of no share the highest.
   double height(double exceedance) const;
   double significant_height() const { return significant_height_; }
-  /// The highest wave (m); infinity without a cut.
+  /// The highest wave (m); infinity without cut and limit.
   double highest() const { return highest_; }
+  /// Share of all waves that have broken to the limit.
+  double at_limit() const { return at_limit_; }
+  /// Share of all waves that a limit or a cut took: broken or set aside.
+  double taken() const { return at_limit_ + beyond_; }
 
  private:
-  double significant_height_, highest_, beyond_;
+  double significant_height_, highest_;
+  double beyond_;  ///< share of all waves beyond the cut
+  double at_limit_;
 };
 
 /// What is known for sure.
@@ -107,7 +119,8 @@ class SlidingLaw {
 std::unique_ptr<SlidingLaw> formula_law(Law law, const Breakwater& breakwater, const SeaState& state);
 
 struct Expectation {
-  double distance = 0.;       ///< N int S(H) p(H) dH (m)
+  double distance = 0.;       ///< N (int S(H) p(H) dH + S of the limit times the share of waves at it) (m)
+  double broken = 0.;         ///< of that, by the waves at the limit (m)
   double error = 0.;          ///< estimate of its error (m)
   double sliding_waves = 0.;  ///< expected number of waves with S > 0
   double threshold = 0.;      ///< height from which S > 0 (m); infinity where there is none
@@ -120,7 +133,7 @@ struct QuadratureChoice {
 };
 
 /// Adaptive Gauss-Kronrod quadrature (Boost) from the height where sliding begins to that which 1e-18 of the sliding
-/// waves exceed, or to the cut.
+/// waves exceed, to the cut, or to the limit, whose waves are added.
 Expectation expected_distance(const SlidingLaw& law, const RayleighHeights& heights, double waves,
                               const QuadratureChoice& choice = {});
 

@@ -1,6 +1,8 @@
 // Lengths of small-amplitude waves, and design heights of random waves near the shore, after Goda (2000).
 #pragma once
 
+#include <limits>
+
 namespace upbead {
 
 /// kh with k = 2 pi / L, from omega^2 h / g = kh tanh(kh), to round-off at any depth.
@@ -27,9 +29,23 @@ double shoaling(const Approach& approach, double gravity);
 struct DesignHeights {
   double significant = 0.;  ///< H_1/3 (m)
   double highest = 0.;      ///< H_max (m)
+  /// beta_0* H_0' + beta_1* h_b, the highest random breaker that the depth lets through (m): H_max where no other
+  /// branch of its formula is lower. Infinity from h/L_0 = 0.2 on, where the formulas know no breaking.
+  double breaker = std::numeric_limits<double>::infinity();
 };
 
 /// Both at the depth of `approach`, with the highest of random breakers h_b deep, 5 H_1/3 seaward.
 DesignHeights design_heights(const Approach& approach, double gravity);
+
+/// The sea in deep water that makes a H_1/3 at a depth.
+struct SeaBefore {
+  double deep_water_height = 0.;  ///< H_0' (m)
+  bool reaches = true;            ///< false: even the steepest sea, which this is, comes with a lower H_1/3
+  DesignHeights heights;          ///< of this sea at the depth
+};
+
+/// design_heights() inverted: its H_1/3 grows with H_0'. The steepest sea has H_max = 1.8 H_0' at Miche's (1944) limit
+/// in deep water, 0.142 L_0. `place`: its deep_water_height is not used.
+SeaBefore sea_before(double significant_height, Approach place, double gravity);
 
 }  // namespace upbead
