@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "fem/outline.h"
 #include "model/exclusions.h"
-#include "outline.h"
 #include "upbead/model/scene.h"
 
 namespace upbead {

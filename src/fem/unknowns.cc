@@ -14,18 +14,16 @@ namespace {
 /// The field of every degree of freedom, and for each cell with W its degrees of freedom of W.
 struct Layout {
   std::vector<Field> field;
-  std::vector<std::vector<types::global_dof_index>> W;
+  std::vector<Dofs> W;
 };
 
 Layout layout_of(const Space& space) {
   Layout layout;
   layout.field.assign(space.dofs().n_dofs(), Field::displacement);
-  std::vector<types::global_dof_index> dofs;
   for (const auto& cell : space.dofs().active_cell_iterators()) {
     const auto& fe = cell->get_fe();
-    dofs.resize(fe.n_dofs_per_cell());
-    cell->get_dof_indices(dofs);
-    std::vector<types::global_dof_index> W;
+    const Dofs dofs = dofs_of(cell);
+    Dofs W;
     for (unsigned i = 0; i < dofs.size(); ++i) {
       const int component = static_cast<int>(fe.system_to_component_index(i).first);
       if (component == phi_component) {
@@ -102,7 +100,7 @@ int Unknowns::prescribed(const std::string& load) const {
 Vector Unknowns::expand(const Vector& x) const {
   Vector full = Vector::Zero(static_cast<Eigen::Index>(expansion_.size()));
   for (std::size_t i = 0; i < expansion_.size(); ++i)
-    for (const auto& [j, weight] : expansion_[i]) full[static_cast<Eigen::Index>(i)] += weight * x[j];
+    for (const auto& [j, weight] : expansion_[i]) full[i] += weight * x[j];
   return full;
 }
 

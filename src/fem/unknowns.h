@@ -7,12 +7,15 @@
 #include <utility>
 #include <vector>
 
-#include "fem/caisson/interface_nodes.h"
+#include "fem/caisson/bottom.h"
 #include "fem/caisson/rigid_body.h"
 #include "fem/space.h"
 #include "upbead/system/system.h"
 
 namespace upbead {
+
+/// Nodal forces on some cells: degree of freedom -> force (N/m).
+using NodalForces = std::map<unsigned, double>;
 
 /// Degree of freedom i of the space is sum_j weight_j x_j over its expansion; fixed ones have none. Order of the
 /// unknowns x: free u and phi, three coordinates per rigid body, W cell by cell, prescribed pressures, and, where an
