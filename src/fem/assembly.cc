@@ -114,10 +114,8 @@ class Assembly {
  private:
   std::vector<const Row*> rows_of(const Dofs& dofs, bool of_caisson = false) const {
     std::vector<const Row*> rows;
-    for (const auto dof : dofs) {
-      const auto i = static_cast<unsigned>(dof);
-      rows.push_back(of_caisson ? &unknowns_.caisson_expansion(i) : &unknowns_.expansion(i));
-    }
+    for (const auto dof : dofs)
+      rows.push_back(of_caisson ? &unknowns_.caisson_expansion(dof) : &unknowns_.expansion(dof));
     return rows;
   }
 
@@ -133,7 +131,7 @@ void assemble_cells(const Scene& scene, const Space& space, CaissonForces* force
                               update_values | update_gradients | update_JxW_values);
   CellMatrices cell_matrices;
   for (const auto& cell : space.dofs().active_cell_iterators()) {
-    if (space.region(cell).kind == RegionKind::rigid || space.kind(cell) == CellKind::absent) continue;
+    if (!space.has_matrices(cell)) continue;
     const Dofs dofs = dofs_of(cell);
     const bool own = is_own(cell->active_cell_index());
     const bool ground = forces && space.mesh().surface_of(cell) != caisson_name && forces->ground.has_any(dofs);

@@ -116,18 +116,16 @@ void check_held(Checker& checker) {
 
 void check_boundaries(Checker& checker) {
   check_held(checker);
-  Names outer;
-  for (const auto& [name, curve] : checker.outline.outer) {
-    outer.insert(name);
+  const auto& outer = checker.outline.outer;
+  for (const auto& [name, curve] : outer)
     if (!checker.scene.boundaries.count(name))
       checker.object("boundaries", "the outer curve '" + name + "' of the mesh has no condition",
                      "add a table [boundaries." + name + "]");
-  }
   const bool lacks_a_sea = checker.lacks_a_sea();
   for (const auto& [name, side] : checker.scene.boundaries) {
     const std::string key = "boundaries." + name;
-    if (outer.count(name)) {
-      const Behind at = behind(checker, checker.outline.outer.at(name));
+    if (const auto curve = outer.find(name); curve != outer.end()) {
+      const Behind at = behind(checker, curve->second);
       check_displacement(checker, key, side, at);
       check_pressure(checker, key, side, at);
       continue;
@@ -138,7 +136,7 @@ void check_boundaries(Checker& checker) {
     checker.object(key,
                    inside ? "the curve '" + name + "' lies inside the mesh, where nothing is to be prescribed"
                           : "the mesh has no outer curve '" + name + "'",
-                   "its outer curves are: " + list(outer));
+                   "its outer curves are: " + list(keys(outer)));
   }
 }
 
@@ -218,10 +216,8 @@ void check_loads(Checker& checker) {
     const auto curve = checker.outline.outer.find(load.boundary);
     const bool outer = curve != checker.outline.outer.end();
     if (!outer && checker.under_water(load.boundary).empty()) {
-      Names names;
-      for (const auto& entry : checker.outline.outer) names.insert(entry.first);
       checker.object(table + ".boundary", "the mesh has no outer curve '" + load.boundary + "'",
-                     "its outer curves are: " + list(names));
+                     "its outer curves are: " + list(keys(checker.outline.outer)));
       continue;
     }
     check_water(checker, table, load, outer ? curve->second.surfaces : Names{});

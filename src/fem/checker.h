@@ -30,6 +30,13 @@ struct Checker {
   bool lacks_a_sea() const;
 };
 
+template <typename Value>
+Names keys(const std::map<std::string, Value>& map) {
+  Names names;
+  for (const auto& entry : map) names.insert(entry.first);
+  return names;
+}
+
 /// "bed, left", or "none".
 std::string list(const Names& names);
 

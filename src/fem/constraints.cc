@@ -13,21 +13,22 @@ using Constraints = AffineConstraints<double>;
 
 namespace {
 
-/// The degrees of freedom on a side of a smaller cell that the larger one does not have follow its shape functions.
-void follow(Constraints& constraints, const Space& space, const Cell& small, unsigned side, const Cell& large) {
-  const auto& fe = small->get_fe();
-  const Dofs of_small = dofs_of(small), of_large = dofs_of(large);
-  for (unsigned i = 0; i < fe.n_dofs_per_face(side); ++i) {
-    const unsigned index = fe.face_to_cell_index(i, side);
-    const auto dof = of_small[index];
-    if (constraints.is_constrained(dof) || std::find(of_large.begin(), of_large.end(), dof) != of_large.end()) continue;
-    const auto [component, at] = node_of(space, small, index);
-    const Point<dim> unit = space.mapping().transform_real_to_unit_cell(large, at);
+/// The degrees of freedom on a face of a cell that the cell on its other side does not have follow that one's shape
+/// functions.
+void follow(Constraints& constraints, const Space& space, const Cell& cell, unsigned face, const Cell& other) {
+  const auto& fe = cell->get_fe();
+  const Dofs of_cell = dofs_of(cell), of_other = dofs_of(other);
+  for (unsigned i = 0; i < fe.n_dofs_per_face(face); ++i) {
+    const unsigned index = fe.face_to_cell_index(i, face);
+    const auto dof = of_cell[index];
+    if (constraints.is_constrained(dof) || std::find(of_other.begin(), of_other.end(), dof) != of_other.end()) continue;
+    const auto [component, at] = node_of(space, cell, index);
+    const Point<dim> unit = space.mapping().transform_real_to_unit_cell(other, at);
     constraints.add_line(dof);
-    for (unsigned j = 0; j < of_large.size(); ++j)
-      if (large->get_fe().system_to_component_index(j).first == component)
-        if (const double weight = large->get_fe().shape_value(j, unit); std::abs(weight) > 1e-12)
-          constraints.add_entry(dof, of_large[j], weight);
+    for (unsigned j = 0; j < of_other.size(); ++j)
+      if (other->get_fe().system_to_component_index(j).first == component)
+        if (const double weight = other->get_fe().shape_value(j, unit); std::abs(weight) > 1e-12)
+          constraints.add_entry(dof, of_other[j], weight);
   }
 }
 
@@ -135,22 +136,7 @@ void add_supports(Constraints& constraints, const Space& space, const Scene& sce
 /// the water's nodes follow the soil's shape functions. (Both sides are of one level of refinement: see mesh/refine.h.)
 void add_wet_pores(Constraints& constraints, const Space& space) {
   for_each_wet_face(space, [&](const WetFace& face) {
-    if (!space.has_pores(face.solid)) return;
-    const auto& soil = face.solid->get_fe();
-    const Dofs of_soil = dofs_of(face.solid);
-    const auto of_water = face_dofs(face.water, face.water_face);
-    for (unsigned i = 0; i < of_water.size(); ++i) {
-      if (constraints.is_constrained(of_water[i])) continue;
-      if (std::find(of_soil.begin(), of_soil.end(), of_water[i]) != of_soil.end()) continue;
-      const unsigned index = face.water->get_fe().face_to_cell_index(i, face.water_face);
-      const Point<dim> node = node_of(space, face.water, index).at;
-      const Point<dim> unit = space.mapping().transform_real_to_unit_cell(face.solid, node);
-      constraints.add_line(of_water[i]);
-      for (unsigned j = 0; j < of_soil.size(); ++j)
-        if (soil.system_to_component_index(j).first == phi_component)
-          if (const double weight = soil.shape_value(j, unit); std::abs(weight) > 1e-12)
-            constraints.add_entry(of_water[i], of_soil[j], weight);
-    }
+    if (space.has_pores(face.solid)) follow(constraints, space, face.water, face.water_face, face.solid);
   });
 }
 

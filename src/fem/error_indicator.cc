@@ -143,14 +143,14 @@ Eigen::MatrixXd cell_errors(const Scene& scene, const Space& space, const Unknow
   }
   CellMatrices matrices;
   for (const auto& cell : space.dofs().active_cell_iterators()) {
-    if (space.region(cell).kind == RegionKind::rigid || space.kind(cell) == CellKind::absent) continue;
+    if (!space.has_matrices(cell)) continue;
     hp_values.reinit(cell);
     assemble_cell(hp_values.get_present_fe_values(), space.material(cell), space.kind(cell), scene.time.inertia,
                   matrices);
     const Dofs dofs = dofs_of(cell);
     Dense local = Dense::Zero(static_cast<Eigen::Index>(dofs.size()), values.cols());
     for (std::size_t i = 0; i < dofs.size(); ++i)
-      for (const auto& [j, weight] : unknowns.expansion(static_cast<unsigned>(dofs[i])))
+      for (const auto& [j, weight] : unknowns.expansion(dofs[i]))
         local.row(static_cast<Eigen::Index>(i)) += weight * values.row(j);
     errors.row(cell->active_cell_index()) =
         squares_of_errors(parts[static_cast<unsigned>(space.kind(cell))], matrices, local, size);

@@ -3,6 +3,7 @@
 #include <deal.II/fe/fe_values.h>
 
 #include <map>
+#include <optional>
 
 #include "fem/kernels.h"
 #include "fem/outline.h"
@@ -11,6 +12,15 @@ namespace upbead {
 
 using namespace dealii;
 
+namespace {
+
+/// A point of the mesh: its cell and the coordinates in it.
+struct Location {
+  Cell cell;
+  Point<dim> unit;
+};
+
+/// The cell that holds a point; of several, one with pore water. None outside the mesh.
 std::optional<Location> locate(const Space& space, const Point<dim>& point) {
   std::optional<Location> found;
   for (const auto& cell : space.dofs().active_cell_iterators()) {
@@ -19,8 +29,6 @@ std::optional<Location> locate(const Space& space, const Point<dim>& point) {
   }
   return found;
 }
-
-namespace {
 
 /// Rows of point values at one location.
 class PointRows {
@@ -52,7 +60,7 @@ class PointRows {
   Row row(const Value& value) const {
     std::map<int, double> entries;
     for (unsigned i = 0; i < dofs_.size(); ++i)
-      if (const double v = value(i); v != 0.) unknowns_.add_to(entries, static_cast<unsigned>(dofs_[i]), v);
+      if (const double v = value(i); v != 0.) unknowns_.add_to(entries, dofs_[i], v);
     return to_row(entries);
   }
 

@@ -57,12 +57,6 @@ std::string list(const Names& names) {
 
 namespace {
 
-Names keys(const std::map<std::string, Bounds>& surfaces) {
-  Names names;
-  for (const auto& entry : surfaces) names.insert(entry.first);
-  return names;
-}
-
 void check_regions(Checker& checker) {
   const auto& surfaces = checker.outline.surfaces;
   for (const auto& [surface, bounds] : surfaces)

@@ -52,6 +52,10 @@ class Space {
     return materials_[by_cell_ ? cell->active_cell_index() : cell->material_id()];
   }
   CellKind kind(const Cell& cell) const { return static_cast<CellKind>(cell->active_fe_index()); }
+  /// Whether the cell has matrices of its own: it is there, and not of a rigid body.
+  bool has_matrices(const Cell& cell) const {
+    return region(cell).kind != RegionKind::rigid && kind(cell) != CellKind::absent;
+  }
   /// Whether there is phi, of pore water or of free water.
   bool has_pressure(const Cell& cell) const { return has_pores(cell) || kind(cell) == CellKind::water; }
   /// Whether there is pore water.

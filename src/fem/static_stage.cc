@@ -107,8 +107,7 @@ class Ground {
       const Dofs dofs = dofs_of(cell);
       for (const unsigned i : fe.dof_indices()) {
         const double work = work_of(fe, i, cell, level);
-        const auto dof = static_cast<unsigned>(dofs[i]);
-        const Row& row = of_caisson ? unknowns_.caisson_expansion(dof) : unknowns_.expansion(dof);
+        const Row& row = of_caisson ? unknowns_.caisson_expansion(dofs[i]) : unknowns_.expansion(dofs[i]);
         for (const auto& [unknown, weight] : row) f[unknown] += weight * work;
       }
     }
@@ -146,7 +145,7 @@ class Ground {
     hp::FEValues<dim> hp_values(space_.dofs().get_fe_collection(), middle, update_gradients);
     std::vector<SymmetricTensor<2, dim>> strain(1);
     for (const auto& cell : space_.dofs().active_cell_iterators()) {
-      if (space_.region(cell).kind == RegionKind::rigid || space_.kind(cell) == CellKind::absent) continue;
+      if (!space_.has_matrices(cell)) continue;
       hp_values.reinit(cell);
       hp_values.get_present_fe_values()[u_part].get_function_symmetric_gradients(u, strain);
       const PlaneStress stress = space_.material(cell).stress({strain[0][0][0], strain[0][1][1], strain[0][0][1]});

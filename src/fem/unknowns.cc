@@ -51,13 +51,13 @@ void Unknowns::separate(const std::vector<InterfaceNode>& interface) {
   const int first = size() - 2 * n_interface_;
   for (const InterfaceNode& node : interface)
     for (const auto dof : {node.ux, node.uy}) {
-      Row& row = of_caisson_[static_cast<unsigned>(dof)];
+      Row& row = of_caisson_[dof];
       for (const auto& [j, weight] : expansion_[dof])
         if (j < first) row.emplace_back(j, weight);
     }
 }
 
-const Row& Unknowns::caisson_expansion(unsigned dof) const {
+const Row& Unknowns::caisson_expansion(types::global_dof_index dof) const {
   const auto found = of_caisson_.find(dof);
   return found == of_caisson_.end() ? expansion_[dof] : found->second;
 }
@@ -113,7 +113,7 @@ Vector Unknowns::expand_caisson(const Vector& x) const {
   return full;
 }
 
-void Unknowns::add_to(std::map<int, double>& row, unsigned dof, double weight) const {
+void Unknowns::add_to(std::map<int, double>& row, types::global_dof_index dof, double weight) const {
   for (const auto& [j, part] : expansion_[dof]) row[j] += weight * part;
 }
 

@@ -25,7 +25,7 @@ MiddleStrains::MiddleStrains(const Space& space, const Unknowns& unknowns, const
     const int row = static_cast<int>(cells_.size());
     for (const unsigned i : fe.dof_indices()) {
       const PlaneStrain strain = strain_of(fe, i, 0);
-      for (const auto& [unknown, weight] : unknowns.expansion(static_cast<unsigned>(dofs[i]))) {
+      for (const auto& [unknown, weight] : unknowns.expansion(dofs[i])) {
         xx.emplace_back(row, unknown, weight * strain.xx);
         yy.emplace_back(row, unknown, weight * strain.yy);
         xy.emplace_back(row, unknown, weight * strain.xy);
@@ -189,8 +189,7 @@ LeastPressure::LeastPressure(const Space& space, const Unknowns& unknowns, const
       const Point<dim> at = node_of(space, cell, i).at;
       if (at[1] > level) continue;
       const int row = static_cast<int>(nodes_.size());
-      for (const auto& [unknown, weight] : unknowns.expansion(static_cast<unsigned>(dofs[i])))
-        entries.emplace_back(row, unknown, weight);
+      for (const auto& [unknown, weight] : unknowns.expansion(dofs[i])) entries.emplace_back(row, unknown, weight);
       nodes_.push_back(
           {at, space.mesh().surface_of(cell), atmosphere + scene.fluid.density * scene.gravity * (level - at[1])});
     }

@@ -46,7 +46,7 @@ Row deformable_momentum(const Space& space, const Unknowns& unknowns, const Body
       for (unsigned q = 0; q < fe.n_quadrature_points; ++q)
         sum +=
             density * (fe[u_part].value(i, q) * unit_motion(motion, fe.quadrature_point(q), body.centre)) * fe.JxW(q);
-      unknowns.add_to(row, static_cast<unsigned>(dofs[i]), sum);
+      unknowns.add_to(row, dofs[i], sum);
     }
   }
   return to_row(row);
@@ -145,10 +145,9 @@ void NodalReaction::add(const CellMatrices& cell, const Dofs& dofs) {
     for (const auto& [sum, part] : sums_.of_dof[dofs[i]]) {
       const auto k = static_cast<std::size_t>(sum);
       for (unsigned j = 0; j < dofs.size(); ++j) {
-        const auto dof = static_cast<unsigned>(dofs[j]);
-        if (cell.M(i, j) != 0.) unknowns_->add_to(M_[k], dof, part * cell.M(i, j));
-        if (cell.C(i, j) != 0.) unknowns_->add_to(C_[k], dof, part * cell.C(i, j));
-        if (cell.K(i, j) != 0.) unknowns_->add_to(K_[k], dof, part * cell.K(i, j));
+        if (cell.M(i, j) != 0.) unknowns_->add_to(M_[k], dofs[j], part * cell.M(i, j));
+        if (cell.C(i, j) != 0.) unknowns_->add_to(C_[k], dofs[j], part * cell.C(i, j));
+        if (cell.K(i, j) != 0.) unknowns_->add_to(K_[k], dofs[j], part * cell.K(i, j));
       }
     }
 }

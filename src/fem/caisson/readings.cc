@@ -133,17 +133,15 @@ namespace {
 
 using Entries = std::array<std::map<int, double>, n_motions>;
 
-void add_face(const Space& space, const Unknowns& unknowns, const Point<dim>& about, const Cell& ground, unsigned f,
-              Entries& entries) {
-  const FaceValues fe(space, ground, f);
-  const Dofs dofs = dofs_of(ground);
+void add_uplift(const FaceValues& fe, const Dofs& dofs, const Unknowns& unknowns, const Point<dim>& about,
+                Entries& entries) {
   for (unsigned i = 0; i < dofs.size(); ++i)
     for (int m = 0; m < n_motions; ++m) {
       double work = 0.;  // the ground's outward normal points into the caisson
       for (unsigned q = 0; q < fe.n_quadrature_points; ++q)
         work += fe[phi_part].value(i, q) * (fe.normal_vector(q) * unit_motion(m, fe.quadrature_point(q), about)) *
                 fe.JxW(q);
-      if (work != 0.) unknowns.add_to(entries[m], static_cast<unsigned>(dofs[i]), work);
+      if (work != 0.) unknowns.add_to(entries[m], dofs[i], work);
     }
 }
 
@@ -151,12 +149,10 @@ void add_face(const Space& space, const Unknowns& unknowns, const Point<dim>& ab
 
 std::array<Row, n_motions> uplift_rows(const Space& space, const Unknowns& unknowns, const Caisson& caisson) {
   Entries entries;
-  for (const auto& cell : space.dofs().active_cell_iterators()) {
-    if (!space.has_pores(cell)) continue;
-    for (const unsigned f : cell->face_indices())
-      if (!cell->at_boundary(f) && space.mesh().surface_of(cell->neighbor(f)) == caisson.body.region)
-        add_face(space, unknowns, caisson.bottom_centre, cell, f, entries);
-  }
+  for_each_bottom_face(space, [&](const Cell& ground, unsigned f) {
+    if (space.has_pores(ground))
+      add_uplift(FaceValues(space, ground, f), dofs_of(ground), unknowns, caisson.bottom_centre, entries);
+  });
   std::array<Row, n_motions> rows;
   for (int m = 0; m < n_motions; ++m) rows[m] = to_row(entries[m]);
   return rows;
@@ -187,8 +183,8 @@ std::map<types::global_dof_index, PorePush> pore_pushes(const Space& space, cons
           upward += part * fe.normal_vector(q)[1];
         }
         if (amount == 0. && upward == 0.) continue;
-        unknowns.add_to(push.amount, static_cast<unsigned>(dofs[j]), amount);
-        unknowns.add_to(push.upward, static_cast<unsigned>(dofs[j]), upward);
+        unknowns.add_to(push.amount, dofs[j], amount);
+        unknowns.add_to(push.upward, dofs[j], upward);
       }
     });
   });
@@ -240,7 +236,7 @@ std::vector<Reading> base_readings(const Space& space, const Unknowns& unknowns,
     for (unsigned d = 0; d < dim; ++d)
       list.push_back(position_reading({base_group, at, d == 0 ? "displacement_x" : "displacement_y"}, "m",
                                       std::string("displacement of the ground, ") + directions[d],
-                                      unknowns.expansion(static_cast<unsigned>(d == 0 ? node.ux : node.uy))));
+                                      unknowns.expansion(d == 0 ? node.ux : node.uy)));
   }
   return list;
 }
