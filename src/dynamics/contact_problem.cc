@@ -7,10 +7,59 @@
 #include <string>
 #include <utility>
 
-#include "contact_sweeps.h"
 #include "upbead/base/error.h"
 
 namespace upbead::detail {
+
+namespace {
+
+struct NodeSolution {
+  ContactState contact;
+  Eigen::Vector2d force;  ///< (-T, N)
+};
+
+/// The law at one node that moves by `free` + W force. With mu W_nt < W_nn, W_tt the cases exclude each other; else the
+/// first that fits is taken.
+NodeSolution solve_node(const Eigen::Matrix2d& W, const Eigen::Vector2d& free, double friction) {
+  if (free[1] >= 0.) return {ContactState::open, Eigen::Vector2d::Zero()};
+  const Eigen::Vector2d stick = -W.inverse() * free;
+  if (stick[1] >= 0. && std::abs(stick[0]) <= friction * stick[1]) return {ContactState::stick, stick};
+  for (const ContactState contact : {ContactState::slip_landward, ContactState::slip_seaward}) {
+    const double sigma = direction(contact);
+    const double N = -free[1] / (W(1, 1) - friction * sigma * W(1, 0));
+    const Eigen::Vector2d force(-friction * sigma * N, N);
+    if (N >= 0. && sigma * (free[0] + W.row(0) * force) >= 0.) return {contact, force};
+  }
+  return {ContactState::stick, {0., std::max(stick[1], 0.)}};
+}
+
+}  // namespace
+
+/// Starts where no node carries a force.
+ContactSweeps::ContactSweeps(const Eigen::MatrixXd& W, double friction, const ContactPoint& point)
+    : W_(W),
+      friction_(friction),
+      n_(W.rows() / 2),
+      force_(Eigen::MatrixX2d::Zero(n_, 2)),
+      status_(static_cast<std::size_t>(n_), ContactState::open) {
+  Vector force(2 * n_);
+  force << -point.forces.shear, point.forces.normal;
+  motion_ = point.motion - W * force;
+}
+
+void ContactSweeps::sweep() {
+  for (Eigen::Index i = 0; i < n_; ++i) {
+    Eigen::Matrix2d W;
+    W << W_(i, i), W_(i, n_ + i), W_(n_ + i, i), W_(n_ + i, n_ + i);
+    const Eigen::Vector2d before = force_.row(i);
+    const Eigen::Vector2d free = Eigen::Vector2d(motion_[i], motion_[n_ + i]) - W * before;
+    const NodeSolution node = solve_node(W, free, friction_);
+    const Eigen::Vector2d change = node.force - before;
+    motion_ += change[0] * W_.col(i) + change[1] * W_.col(n_ + i);
+    force_.row(i) = node.force;
+    status_[i] = node.contact;
+  }
+}
 
 namespace {
 
@@ -26,7 +75,7 @@ double largest_force(const InterfaceForces& forces) {
 void clean(const std::vector<ContactState>& status, Vector& motion) {
   const auto n = static_cast<Eigen::Index>(status.size());
   for (Eigen::Index i = 0; i < n; ++i) {
-    const ContactState contact = status[static_cast<std::size_t>(i)];
+    const ContactState contact = status[i];
     double &slip = motion[i], &opening = motion[n + i];
     opening = contact == ContactState::open ? std::max(opening, 0.) : 0.;
     if (contact != ContactState::open && slip * direction(contact) <= 0.) slip = 0.;
@@ -81,12 +130,12 @@ bool ContactProblem::iterate(const ContactPoint& point, double tolerance, std::v
 void ContactProblem::factorise(const std::vector<ContactState>& status) {
   released_.clear();
   for (Eigen::Index i = 0; i < n_; ++i)
-    if (status[static_cast<std::size_t>(i)] != ContactState::stick) released_.push_back(i);
+    if (status[i] != ContactState::stick) released_.push_back(i);
   for (Eigen::Index i = 0; i < n_; ++i)
-    if (status[static_cast<std::size_t>(i)] == ContactState::open) released_.push_back(n_ + i);
+    if (status[i] == ContactState::open) released_.push_back(n_ + i);
   Eigen::MatrixXd A = D_(released_, released_);
   for (std::size_t k = 0; k < released_.size() && released_[k] < n_; ++k)
-    if (const double sigma = direction(status[static_cast<std::size_t>(released_[k])]); sigma != 0.)
+    if (const double sigma = direction(status[released_[k]]); sigma != 0.)
       A.row(static_cast<Eigen::Index>(k)) += friction_ * sigma * D_.row(n_ + released_[k])(released_);
   if (!released_.empty()) factors_.compute(A);
   factorised_ = status;
@@ -103,11 +152,10 @@ void ContactProblem::release(const ContactPoint& point, const std::vector<Contac
   if (!released_.empty()) {
     Vector unbalanced = force(released_);
     for (std::size_t k = 0; k < released_.size() && released_[k] < n_; ++k)
-      unbalanced[static_cast<Eigen::Index>(k)] +=
-          friction_ * direction(status[static_cast<std::size_t>(released_[k])]) * force[n_ + released_[k]];
+      unbalanced[k] += friction_ * direction(status[released_[k]]) * force[n_ + released_[k]];
     const Vector moved = -factors_.solve(unbalanced);
     for (std::size_t k = 0; k < released_.size(); ++k) {
-      change[released_[k]] = moved[static_cast<Eigen::Index>(k)];
+      change[released_[k]] = moved[k];
       force += change[released_[k]] * D_.col(released_[k]);
     }
   }
@@ -120,7 +168,7 @@ std::vector<ContactState> ContactProblem::judge(const ContactPoint& point, const
                                                 double tolerance) const {
   std::vector<ContactState> next = status;
   for (Eigen::Index i = 0; i < n_; ++i) {
-    ContactState& contact = next[static_cast<std::size_t>(i)];
+    ContactState& contact = next[i];
     const double N = point.forces.normal[i], T = point.forces.shear[i];
     const double slip = D_(i, i) * point.motion[i], opening = D_(n_ + i, n_ + i) * point.motion[n_ + i];
     if (contact == ContactState::open) {

@@ -22,7 +22,7 @@ struct ContactPoint {
 ///
 /// by an active set, which is Newton's method on the law written with projections [Alart and Curnier 1991; Hueber and
 /// Wohlmuth 2005]: each node gets a status, what it releases follows from one dense solve, and the result tells the
-/// next status. Where statuses come back, sweeps over the nodes find better ones (gauss_seidel.h).
+/// next status. Where statuses come back, sweeps over the nodes find better ones (ContactSweeps).
 class ContactProblem {
  public:
   /// stiffness: D, 2n x 2n; friction: mu.
@@ -52,6 +52,26 @@ class ContactProblem {
   Eigen::PartialPivLU<Eigen::MatrixXd> factors_;
   Eigen::MatrixXd compliance_;  ///< D^-1, once sweeps need it
   int n_fallbacks_ = 0;
+};
+
+/// Contact by sweeps over the nodes, for problems in which an active set runs in circles.
+/// Nonlinear Gauss-Seidel on the compliance W = D^-1 [Jean 1999; Moreau 1999]: one node after the other
+/// gets the forces that obey the law while those of all others stay as they are. It converges slowly but hardly ever
+/// fails; it is asked for statuses only.
+class ContactSweeps {
+ public:
+  /// `point`: some motion with its forces.
+  ContactSweeps(const Eigen::MatrixXd& W, double friction, const ContactPoint& point);
+  void sweep();
+  const std::vector<ContactState>& status() const { return status_; }
+
+ private:
+  const Eigen::MatrixXd& W_;
+  double friction_;
+  Eigen::Index n_;
+  Vector motion_;           ///< under the present forces
+  Eigen::MatrixX2d force_;  ///< (-T, N) of each node
+  std::vector<ContactState> status_;
 };
 
 }  // namespace upbead::detail

@@ -1,13 +1,54 @@
 // One step of a diagonally implicit Runge-Kutta scheme for a System.
 #pragma once
 
-#include "dirk_stage.h"
-#include "effective_matrix.h"
-#include "energy_meter.h"
-#include "load_sum.h"
-#include "symmetric_pair.h"
+#include <vector>
+
+#include "dynamics/effective_matrix.h"
+#include "dynamics/energy_meter.h"
+#include "dynamics/products.h"
+#include "upbead/system/system.h"
 
 namespace upbead::detail {
+
+/// Evaluates the loads of a system as the smooth pieces that hold a given time.
+class LoadSum {
+ public:
+  explicit LoadSum(const System& system) : system_(system) {}
+
+  /// f_k(t) of every load, by the piece that holds the time `inside`.
+  void evaluate(double t, double inside, std::vector<double>& f) const;
+  /// sum_k b_k f_k.
+  void sum(const std::vector<double>& f, Vector& b) const;
+  /// The prescribed unknowns' velocities (the tail of `v`) that belong to f; zero where no load prescribes.
+  void prescribe(const std::vector<double>& f, Vector& v) const;
+
+ private:
+  const System& system_;
+};
+
+/// A stage on its way: with g = h gamma, v = v_predicted + g a and x = x_explicit + g v.
+struct DirkStage {
+  Vector v_predicted;
+  Vector x_explicit;  ///< of the prescribed unknowns
+  Vector x;           ///< x_explicit + g v_predicted, until move()
+  Vector v;           ///< from move() on
+  Vector a;           ///< prescribed unknowns (tail): given; free ones: those of the last stage, until solved
+  Vector rhs;         ///< f - C v_predicted - K x before move(), so that E a = rhs
+
+  /// x and v that belong to a.
+  void move(double g) {
+    v = v_predicted + g * a;
+    x += g * g * a;
+  }
+};
+
+/// What decides on the prescribed unknowns of a stage that no load moves.
+class StageLaw {
+ public:
+  virtual ~StageLaw() = default;
+  /// Solves the stage and moves it. False: the step shall not go on.
+  virtual bool solve(const EffectiveMatrix& E, double g, DirkStage& stage) = 0;
+};
 
 /// A lower triangular tableau with one value on the diagonal, whose last row holds the weights (stiffly accurate).
 struct Tableau {

@@ -1,7 +1,7 @@
 // Keeps the account of energy of a march.
 #pragma once
 
-#include "quadratic.h"
+#include "dynamics/products.h"
 #include "upbead/dynamics/energy.h"
 
 namespace upbead::detail {

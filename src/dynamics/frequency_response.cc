@@ -7,7 +7,7 @@ namespace upbead {
 Eigen::VectorXcd laplace_transform(const SampledLoads& loads, std::complex<double> s) {
   Eigen::VectorXcd F = Eigen::VectorXcd::Zero(loads.begin.rows());
   for (Eigen::Index n = 0; n < loads.begin.cols(); ++n) {
-    const double t = loads.time[static_cast<std::size_t>(n)], h = loads.time[static_cast<std::size_t>(n) + 1] - t;
+    const double t = loads.time[n], h = loads.time[static_cast<std::size_t>(n) + 1] - t;
     const std::complex<double> decay = std::exp(-s * h), start = std::exp(-s * t);
     const std::complex<double> whole = (1. - decay) / s, moment = (1. - decay * (1. + s * h)) / (s * s);
     F += start * (whole * loads.begin.col(n) + moment / h * (loads.end.col(n) - loads.begin.col(n)));
@@ -21,7 +21,7 @@ Eigen::VectorXcd frequency_response(const SecondOrderKrylov& krylov, const Reduc
   const Eigen::MatrixXcd A = s * s * reduced.M + s * reduced.C + reduced.K;
   Eigen::VectorXcd q = Eigen::VectorXcd::Zero(p + n);
   for (std::size_t k = 0; k < reduced.prescribed.size(); ++k)
-    if (reduced.prescribed[k] >= 0) q[reduced.prescribed[k]] += F[static_cast<Eigen::Index>(k)] / s;
+    if (reduced.prescribed[k] >= 0) q[reduced.prescribed[k]] += F[k] / s;
   const Eigen::VectorXcd b = reduced.load * F - A.leftCols(p) * q.head(p);
   q.tail(n) = A.bottomRightCorner(n, n).partialPivLu().solve(b.tail(n));
   Eigen::VectorXcd x = Eigen::VectorXcd::Zero(krylov.displacements().unknown.size() + krylov.phi().unknown.size());

@@ -19,7 +19,7 @@ using detail::orthogonalise;
 using detail::round_off;
 
 bool is_phi(const System& system, int unknown) {
-  return system.field[static_cast<std::size_t>(unknown)] == Field::pressure_impulse;
+  return system.field[unknown] == Field::pressure_impulse;
 }
 
 /// Squares of the norm's weights, in which all kinds of unknowns count alike: the diagonal of |T|, and for each phi the
@@ -65,7 +65,7 @@ void SecondOrderKrylov::make_bases(const SparseMatrix& T, const std::vector<int>
   for (FieldBasis* basis : {&u_, &phi_}) {
     basis->unit = weight(basis->unknown).cwiseSqrt().cwiseInverse();
     for (std::size_t i = 0; i < basis->unknown.size(); ++i)
-      if (basis->unknown[i] >= system_.n_free()) basis->unit[static_cast<Eigen::Index>(i)] = 1.;
+      if (basis->unknown[i] >= system_.n_free()) basis->unit[i] = 1.;
     basis->vectors.resize(basis->unit.size(), room);
   }
   const auto keep = [&](int unknown) {
@@ -110,7 +110,7 @@ void SecondOrderKrylov::start() {
 void SecondOrderKrylov::take(FieldBasis& basis, const Vector& x, double least, Vector& coordinates) {
   Vector y = Vector(x(basis.unknown)).cwiseQuotient(basis.unit);
   const Vector h = orthogonalise(basis.columns(), y);
-  for (Eigen::Index j = 0; j < h.size(); ++j) coordinates[basis.coordinate[static_cast<std::size_t>(j)]] = h[j];
+  for (Eigen::Index j = 0; j < h.size(); ++j) coordinates[basis.coordinate[j]] = h[j];
   const double rest = y.norm();
   if (rest <= least) return;
   add_column(basis, y / rest, n_coordinates_);
@@ -132,7 +132,7 @@ Vector SecondOrderKrylov::vector_of(const Eigen::Ref<const Vector>& coordinates)
   for (const FieldBasis* basis : {&u_, &phi_}) {
     Vector h = Vector::Zero(basis->n());
     for (Eigen::Index j = 0; j < h.size(); ++j)
-      if (const int c = basis->coordinate[static_cast<std::size_t>(j)]; c < coordinates.size()) h[j] = coordinates[c];
+      if (const int c = basis->coordinate[j]; c < coordinates.size()) h[j] = coordinates[c];
     x(basis->unknown) = (basis->columns() * h).cwiseProduct(basis->unit);
   }
   return x;

@@ -1,9 +1,8 @@
-// Several modes at a time.
+// Several complex numbers at a time.
 #pragma once
 
+#include <Eigen/Core>
 #include <cstring>
-
-#include "dynamics/split_array.h"
 
 // Registers of AVX2 and AVX-512 and their fused operations do 1.4 and 3.4 times as many multiplications as those that
 // every x86-64 has. GCC compiles a function marked so for all three and picks one when the program starts. Not with the
@@ -15,6 +14,14 @@
 #endif
 
 namespace upbead::detail {
+
+/// Complex numbers as two arrays, so that a processor can take several at a time.
+struct SplitArray {
+  Eigen::ArrayXd re, im;
+};
+
+/// Left alone, modes would decay to denormal numbers, which are very slow, and stay there.
+void flush_denormals(SplitArray& z);
 
 constexpr int lanes = 8;
 
@@ -31,5 +38,13 @@ inline void store(const Lanes& from, double* to) {
 
 /// Padded by zeros to a multiple of `lanes`.
 SplitArray padded(const Eigen::VectorXcd& values);
+
+/// Number of samples that add_mode_sum() takes at a time.
+constexpr int samples_at_a_time = 8;
+
+/// Of modes w(n + 1) = E w(n) + f_n: adds y_n = Re sum_m reading_m w_m(n) to y for `n_samples`, a multiple of
+/// samples_at_a_time. Their number is a multiple of `lanes`; w is w(0) before and w(n_samples) afterwards.
+void add_mode_sum(const SplitArray& E, const SplitArray& reading, const double* f, Eigen::Index n_samples,
+                  SplitArray& w, double* y);
 
 }  // namespace upbead::detail

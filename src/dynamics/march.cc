@@ -6,7 +6,6 @@
 #include <stdexcept>
 #include <string>
 
-#include "dynamics/checkpoint.h"
 #include "upbead/base/error.h"
 
 namespace upbead {

@@ -49,7 +49,7 @@ ModalModel with_readings(const ModalModel& all, const std::vector<int>& readings
   model.feedthrough = all.feedthrough(readings, Eigen::all);
   model.impulse = all.impulse(readings, Eigen::all);
   model.reading_label.clear();
-  for (const int i : readings) model.reading_label.push_back(all.reading_label[static_cast<std::size_t>(i)]);
+  for (const int i : readings) model.reading_label.push_back(all.reading_label[i]);
   return model;
 }
 

@@ -12,12 +12,12 @@ using Columns = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::Row
 /// A(rows, columns) for ascending index lists.
 SparseMatrix block(const SparseMatrix& A, const std::vector<int>& rows, const std::vector<int>& columns) {
   std::vector<int> local(static_cast<std::size_t>(A.cols()), -1);
-  for (std::size_t j = 0; j < columns.size(); ++j) local[static_cast<std::size_t>(columns[j])] = static_cast<int>(j);
+  for (std::size_t j = 0; j < columns.size(); ++j) local[columns[j]] = static_cast<int>(j);
   SparseMatrix B(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(columns.size()));
   for (std::size_t i = 0; i < rows.size(); ++i) {
     B.startVec(static_cast<Eigen::Index>(i));
     for (SparseMatrix::InnerIterator entry(A, rows[i]); entry; ++entry)
-      if (const int j = local[static_cast<std::size_t>(entry.col())]; j >= 0 && entry.value() != 0.)
+      if (const int j = local[entry.col()]; j >= 0 && entry.value() != 0.)
         B.insertBack(static_cast<Eigen::Index>(i), j) = entry.value();
   }
   B.finalize();
@@ -40,7 +40,7 @@ ReducedSystem without_coordinates(const System& system, double shift) {
   const auto I = static_cast<Eigen::Index>(system.readings.size()), K = static_cast<Eigen::Index>(system.loads.size());
   out.feedthrough.setZero(I, K);
   for (Eigen::Index i = 0; i < I; ++i) {
-    const Reading& reading = system.readings[static_cast<std::size_t>(i)];
+    const Reading& reading = system.readings[i];
     for (std::size_t k = 0; k < reading.feedthrough.size(); ++k)
       out.feedthrough(i, static_cast<Eigen::Index>(k)) = reading.feedthrough[k];
     out.reading_label.push_back({reading.name.text(), reading.unit, reading.description});
@@ -104,7 +104,7 @@ void Projection::resize() {
   for (Eigen::MatrixXd* rows : {&reduced_.position, &reduced_.velocity, &reduced_.acceleration})
     grow(*rows, rows->rows(), R);
   reduced_.is_phi.assign(static_cast<std::size_t>(R), false);
-  for (const int coordinate : phi_.basis.coordinate) reduced_.is_phi[static_cast<std::size_t>(coordinate)] = true;
+  for (const int coordinate : phi_.basis.coordinate) reduced_.is_phi[coordinate] = true;
 }
 
 void Projection::project(Group& group) {
@@ -114,8 +114,8 @@ void Projection::project(Group& group) {
     const Eigen::MatrixXd product = A * added, gram = group.basis.columns().transpose() * product;
     for (Eigen::Index i = 0; i < gram.rows(); ++i)
       for (Eigen::Index j = 0; j < gram.cols(); ++j) {
-        const int row = coordinate[static_cast<std::size_t>(i)];
-        const int column = coordinate[static_cast<std::size_t>(group.n_projected + j)];
+        const int row = coordinate[i];
+        const int column = coordinate[group.n_projected + j];
         reduced(row, column) = reduced(column, row) = gram(i, j);
       }
   };
@@ -131,8 +131,8 @@ void Projection::project_coupling() {
   const auto fill = [&](const Eigen::MatrixXd& gram, Eigen::Index first_phi, Eigen::Index first_u) {
     for (Eigen::Index i = 0; i < gram.rows(); ++i)
       for (Eigen::Index j = 0; j < gram.cols(); ++j) {
-        const int row = phi_.basis.coordinate[static_cast<std::size_t>(first_phi + i)];
-        const int column = u_.basis.coordinate[static_cast<std::size_t>(first_u + j)];
+        const int row = phi_.basis.coordinate[first_phi + i];
+        const int column = u_.basis.coordinate[first_u + j];
         reduced_.C(row, column) = reduced_.C(column, row) = gram(i, j);
       }
   };
@@ -146,7 +146,7 @@ void Projection::project_rows(const Group& group) {
   Vector x = Vector::Zero(system_.size());
   for (Eigen::Index c = group.n_projected; c < group.basis.n(); ++c) {
     x(group.basis.unknown) = group.basis.unit.cwiseProduct(group.basis.vectors.col(c));
-    const int r = group.basis.coordinate[static_cast<std::size_t>(c)];
+    const int r = group.basis.coordinate[c];
     reduced_.position.col(r) = position_ * x;
     reduced_.velocity.col(r) = velocity_ * x;
     reduced_.acceleration.col(r) = acceleration_ * x;

@@ -1,7 +1,6 @@
 #include "real_fft.h"
 
 #include <fftw3.h>
-
 #include <mutex>
 
 namespace upbead::detail {
@@ -63,3 +62,11 @@ Eigen::VectorXd RealFft::backward(Eigen::VectorXcd amplitude) const {
 }
 
 }  // namespace upbead::detail
+
+namespace upbead {
+
+Versions dynamics_versions() {
+  return {{"FFTW", fftw_version + sizeof "fftw"}};  // of "fftw-3.3.10-sse2-avx"
+}
+
+}  // namespace upbead

@@ -4,6 +4,8 @@
 #include <Eigen/Core>
 #include <memory>
 
+#include "base/version.h"
+
 namespace upbead::detail {
 
 /// Transforms series of a fixed length, forward with exp(-i ...), backward with 1/n, so that one undoes the other. Any
@@ -26,3 +28,10 @@ class RealFft {
 };
 
 }  // namespace upbead::detail
+
+namespace upbead {
+
+/// Of FFTW.
+Versions dynamics_versions();
+
+}  // namespace upbead

@@ -46,11 +46,11 @@ Eigen::VectorXd scales(const ModalModel& model, const Eigen::MatrixXd& y) {
   std::map<std::string, double> of_unit;
   Eigen::VectorXd scale = y.cwiseAbs().rowwise().maxCoeff();
   for (Eigen::Index i = 0; i < scale.size(); ++i) {
-    double& largest = of_unit[model.reading_label[static_cast<std::size_t>(i)].unit];
+    double& largest = of_unit[model.reading_label[i].unit];
     largest = std::max(largest, scale[i]);
   }
   for (Eigen::Index i = 0; i < scale.size(); ++i)
-    scale[i] = std::max(scale[i], small_reading * of_unit[model.reading_label[static_cast<std::size_t>(i)].unit]);
+    scale[i] = std::max(scale[i], small_reading * of_unit[model.reading_label[i].unit]);
   return scale;
 }
 
@@ -80,7 +80,7 @@ ReducedSystem with_velocities(ReducedSystem system, const std::vector<int>& coor
   const Eigen::Index I = system.velocity.rows(), n = static_cast<Eigen::Index>(coordinate.size());
   for (Eigen::MatrixXd* rows : {&system.position, &system.velocity, &system.acceleration, &system.feedthrough})
     rows->conservativeResizeLike(Eigen::MatrixXd::Zero(I + n, rows->cols()));
-  for (Eigen::Index i = 0; i < n; ++i) system.velocity(I + i, coordinate[static_cast<std::size_t>(i)]) = 1.;
+  for (Eigen::Index i = 0; i < n; ++i) system.velocity(I + i, coordinate[i]) = 1.;
   system.reading_label.resize(static_cast<std::size_t>(I + n));
   return system;
 }

@@ -3,10 +3,10 @@
 
 #include <optional>
 
-#include "dynamics/checkpoint.h"
+#include "dynamics/dirk.h"
 #include "effective_matrix.h"
 #include "energy_meter.h"
-#include "load_sum.h"
+#include "upbead/dynamics/march.h"
 #include "upbead/dynamics/scheme.h"
 
 namespace upbead::detail {
@@ -40,6 +40,14 @@ class SchemeBase : public Scheme {
     if (options.account_energy) meter_.emplace(system);
     SchemeBase::start(at_rest(system));
   }
+  /// A step of `dirk` as this scheme's own: its end satisfies the equation of motion.
+  void advance_by(Dirk& dirk, State& state, double h) {
+    dirk.step(state, h, state.time + 0.5 * h, matrices_, meter());
+    n_solves_ += dirk.n_stages();
+    end_load_ = dirk.load();
+    balanced_ = {state, end_load_};
+  }
+
   EnergyMeter* meter() { return meter_ ? &*meter_ : nullptr; }
 
   const System& system_;
@@ -53,5 +61,8 @@ class SchemeBase : public Scheme {
   std::optional<EnergyMeter> meter_;
   EnergyAccount no_account_;
 };
+
+/// See generalised_alpha.cc.
+std::unique_ptr<Scheme> make_generalised_alpha(const System& system, const SchemeOptions& options);
 
 }  // namespace upbead::detail

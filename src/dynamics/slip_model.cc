@@ -7,7 +7,6 @@
 
 #include "base/text.h"
 #include "dynamics/state_space.h"
-#include "modes.h"
 #include "upbead/base/error.h"
 
 namespace upbead {
@@ -46,7 +45,7 @@ ReducedSystem with_slip_last(ReducedSystem r) {
   for (Eigen::MatrixXd* A : {&r.position, &r.velocity, &r.acceleration}) *A = Eigen::MatrixXd((*A)(Eigen::all, order));
   r.load = Eigen::MatrixXd(r.load(order, Eigen::all));
   std::vector<bool> is_phi;
-  for (const int i : order) is_phi.push_back(r.is_phi[static_cast<std::size_t>(i)]);
+  for (const int i : order) is_phi.push_back(r.is_phi[i]);
   r.is_phi = is_phi;
   return r;
 }
@@ -83,8 +82,7 @@ OpenLoop open_loop(const ReducedSystem& reduced, const SlipLaw& law) {
     o.n_shear += weight * s.D(reading, K);
   }
   o.share_of_slip.setZero(static_cast<Eigen::Index>(law.readings.size()));
-  for (std::size_t i = 0; i < law.readings.size(); ++i)
-    take_slip_out(s, slip, law.readings[i], o.share_of_slip[static_cast<Eigen::Index>(i)]);
+  for (std::size_t i = 0; i < law.readings.size(); ++i) take_slip_out(s, slip, law.readings[i], o.share_of_slip[i]);
   o.wanted = s.C(law.readings, Eigen::all);
   o.wanted_load = s.D(law.readings, Eigen::seqN(0, K));
   o.wanted_shear = s.D(law.readings, K);
@@ -177,7 +175,7 @@ void add_labels(ModalModel& modes, const ReducedSystem& reduced, const std::vect
   modes.reading_label = {{slip_name::friction, "N/m", "F_T, shear force on the ground, landward"},
                          {"interface/normal_force", "N/m", "N', effective normal force, compression positive"},
                          {slip_name::velocity, "m/s", "velocity of the slip, landward"}};
-  for (const int i : wanted) modes.reading_label.push_back(reduced.reading_label[static_cast<std::size_t>(i)]);
+  for (const int i : wanted) modes.reading_label.push_back(reduced.reading_label[i]);
 }
 
 /// The readings of two models one after the other; the second has the loads, the first all but the last.
@@ -235,8 +233,9 @@ double beta_against_flutter(const SlipModel& model, double largest) {
 
 void add_slip(System& system, int slip) {
   system.loads.push_back({slip_name::friction, -Vector::Unit(system.size(), slip), TimeFunction(), -1});
-  system.readings.push_back({slip_name::slip, "m", "slip, landward", {{slip, 1.}}, {}, {}, {}});
-  system.readings.push_back({slip_name::velocity, "m/s", "velocity of the slip, landward", {}, {{slip, 1.}}, {}, {}});
+  system.readings.push_back(position_reading(slip_name::slip, "m", "slip, landward", {{slip, 1.}}));
+  system.readings.push_back(
+      velocity_reading(slip_name::velocity, "m/s", "velocity of the slip, landward", {{slip, 1.}}));
 }
 
 SlipModel slip_model(const ReducedSystem& reduced, const SlipLaw& law, double damping_time) {

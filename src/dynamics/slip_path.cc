@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "lanes.h"
-
 namespace upbead {
 
 using Complex = std::complex<double>;
@@ -50,7 +48,7 @@ Eigen::VectorXd energy_state(const SlipPhase& phase, const ModalState& z) {
 double SlipCurve::operator()(double t) const {
   const double part = t / length_;
   double y = 0.;
-  for (int k = n_terms - 1; k >= 0; --k) y = y * part + taylor_[static_cast<std::size_t>(k)];
+  for (int k = n_terms - 1; k >= 0; --k) y = y * part + taylor_[k];
   for (std::size_t m = 0; m < pole_.size(); ++m) {
     const double angle = pole_[m].imag() * t;
     y += std::exp(pole_[m].real() * t) *
@@ -81,9 +79,8 @@ SlipCurve SlipPath::reading(int row) const {
     const Complex c = phase_.modes.reading(row, m), p = phase_.modes.pole[m];
     if (c == 0.) continue;
     if (std::abs(p) * length_ <= 1.) {
-      for_each_term({z_[m], whole_[m], rise_[m]}, p, length_, [&](int k, double re, double im) {
-        curve.taylor_[static_cast<std::size_t>(k)] += c.real() * re - c.imag() * im;
-      });
+      for_each_term({z_[m], whole_[m], rise_[m]}, p, length_,
+                    [&](int k, double re, double im) { curve.taylor_[k] += c.real() * re - c.imag() * im; });
       continue;
     }
     const Complex line = whole_[m] / p, bend = rise_[m] / (p * p);

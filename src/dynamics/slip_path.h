@@ -6,8 +6,8 @@
 #include <complex>
 #include <vector>
 
+#include "dynamics/lanes.h"
 #include "dynamics/slip_model.h"
-#include "dynamics/split_array.h"
 
 namespace upbead {
 

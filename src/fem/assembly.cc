@@ -2,17 +2,54 @@
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/hp/fe_values.h>
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+#include <deal.II/lac/sparsity_pattern.h>
+#include <deal.II/lac/sparsity_tools.h>
 
 #include <functional>
 
 #include "fem/kernels.h"
-#include "fem/open_sides.h"
-#include "fem/wave_sides.h"
-#include "fem/wet_faces.h"
+#include "fem/sides.h"
 
 namespace upbead {
 
 using namespace dealii;
+
+namespace {
+
+/// Degrees of freedom that a cell has to be solved for.
+unsigned weight(const Space& space, const DoFHandler<dim>::active_cell_iterator& cell) {
+  return space.region(cell).kind == RegionKind::rigid ? 0 : cell->get_fe().n_dofs_per_cell();
+}
+
+/// Cells with a common face that a cut between them would cost something; of a face between cells of two sizes, once.
+SparsityPattern neighbours(const Space& space, const std::vector<unsigned>& weights) {
+  DynamicSparsityPattern pattern(static_cast<unsigned>(weights.size()));
+  for (const auto& cell : space.dofs().active_cell_iterators())
+    for (const unsigned f : cell->face_indices()) {
+      if (cell->at_boundary(f) || !cell->neighbor(f)->is_active()) continue;
+      const unsigned i = cell->active_cell_index(), j = cell->neighbor(f)->active_cell_index();
+      if (weights[i] == 0 || weights[j] == 0) continue;
+      pattern.add(i, j);
+      pattern.add(j, i);
+    }
+  SparsityPattern compressed;
+  compressed.copy_from(pattern);
+  return compressed;
+}
+
+}  // namespace
+
+std::vector<bool> own_cells(const Space& space, const Processes& processes) {
+  std::vector<unsigned> weights;
+  for (const auto& cell : space.dofs().active_cell_iterators()) weights.push_back(weight(space, cell));
+  std::vector<unsigned> owner(weights.size(), 0);
+  SparsityTools::partition(neighbours(space, weights), weights, static_cast<unsigned>(processes.count()), owner,
+                           SparsityTools::Partitioner::metis);
+  std::vector<bool> own;
+  for (const unsigned process : owner) own.push_back(process == static_cast<unsigned>(processes.rank()));
+  return own;
+}
 
 namespace {
 
@@ -33,7 +70,7 @@ class Assembly {
  public:
   explicit Assembly(const Unknowns& unknowns) : unknowns_(unknowns) {}
 
-  void add(const CellMatrices& cell, const std::vector<types::global_dof_index>& dofs) {
+  void add(const CellMatrices& cell, const Dofs& dofs) {
     const std::vector<const Row*> rows = rows_of(dofs);
     scatter(cell.M, rows, M_);
     scatter(cell.C, rows, C_);
@@ -75,12 +112,10 @@ class Assembly {
   }
 
  private:
-  std::vector<const Row*> rows_of(const std::vector<types::global_dof_index>& dofs, bool of_caisson = false) const {
+  std::vector<const Row*> rows_of(const Dofs& dofs, bool of_caisson = false) const {
     std::vector<const Row*> rows;
-    for (const auto dof : dofs) {
-      const auto i = static_cast<unsigned>(dof);
-      rows.push_back(of_caisson ? &unknowns_.caisson_expansion(i) : &unknowns_.expansion(i));
-    }
+    for (const auto dof : dofs)
+      rows.push_back(of_caisson ? &unknowns_.caisson_expansion(dof) : &unknowns_.expansion(dof));
     return rows;
   }
 
@@ -95,11 +130,9 @@ void assemble_cells(const Scene& scene, const Space& space, CaissonForces* force
   hp::FEValues<dim> hp_values(space.dofs().get_fe_collection(), quadrature,
                               update_values | update_gradients | update_JxW_values);
   CellMatrices cell_matrices;
-  std::vector<types::global_dof_index> dofs;
   for (const auto& cell : space.dofs().active_cell_iterators()) {
-    if (space.region(cell).kind == RegionKind::rigid || space.kind(cell) == CellKind::absent) continue;
-    dofs.resize(cell->get_fe().n_dofs_per_cell());
-    cell->get_dof_indices(dofs);
+    if (!space.has_matrices(cell)) continue;
+    const Dofs dofs = dofs_of(cell);
     const bool own = is_own(cell->active_cell_index());
     const bool ground = forces && space.mesh().surface_of(cell) != caisson_name && forces->ground.has_any(dofs);
     if (!own && !ground) continue;

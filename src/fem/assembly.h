@@ -6,7 +6,9 @@
 
 #include "fem/caisson/caisson.h"
 #include "fem/caisson/rigid_body.h"
+#include "fem/space.h"
 #include "fem/unknowns.h"
+#include "upbead/algebra/processes.h"
 #include "upbead/system/system.h"
 
 namespace upbead {
@@ -17,5 +19,9 @@ namespace upbead {
 void assemble(const Scene& scene, const Space& space, const Unknowns& unknowns, const std::vector<Body>& bodies,
               CaissonForces* forces, System& system, const std::vector<bool>& own = {}, bool with_bodies = true,
               const std::vector<InterfaceNode>& interface = {});
+
+/// By active cell index, whether a cell is this process's own. By METIS: equal numbers of degrees of freedom, few faces
+/// between (Karypis & Kumar, SIAM J. Sci. Comput. 20 (1999) 359). Cells that are rigid or absent weigh nothing.
+std::vector<bool> own_cells(const Space& space, const Processes& processes);
 
 }  // namespace upbead

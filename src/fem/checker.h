@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "fem/outline.h"
 #include "model/exclusions.h"
-#include "outline.h"
 #include "upbead/model/scene.h"
 
 namespace upbead {
@@ -29,6 +29,13 @@ struct Checker {
   /// Whether the case has a water region that the mesh has no surface for: a sea that is not there.
   bool lacks_a_sea() const;
 };
+
+template <typename Value>
+Names keys(const std::map<std::string, Value>& map) {
+  Names names;
+  for (const auto& entry : map) names.insert(entry.first);
+  return names;
+}
 
 /// "bed, left", or "none".
 std::string list(const Names& names);

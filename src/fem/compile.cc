@@ -3,10 +3,7 @@
 #include <algorithm>
 
 #include "fem/assembly.h"
-#include "fem/caisson/base_readings.h"
 #include "fem/caisson/readings.h"
-#include "fem/caisson/uplift.h"
-#include "fem/partition.h"
 #include "fem/probes.h"
 
 namespace upbead {

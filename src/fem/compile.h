@@ -26,7 +26,7 @@ struct CompiledScene {
 };
 
 /// Assembles M, C, K, the loads and all readings. The scene must have passed check_scene on this mesh. With `processes`
-/// the matrices are those of this process's cells (partition.h), which the system is yet to be divided by. With the
+/// the matrices are those of this process's cells (own_cells), which the system is yet to be divided by. With the
 /// nodes of an interface, which `unknowns` must have been made with, the system has that interface, without forces at
 /// rest or friction.
 CompiledScene compile(const Scene& scene, const Space& space, const Unknowns& unknowns, const std::vector<Body>& bodies,

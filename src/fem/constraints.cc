@@ -5,7 +5,6 @@
 #include <map>
 
 #include "fem/faces.h"
-#include "hanging_nodes.h"
 
 namespace upbead {
 
@@ -14,8 +13,27 @@ using Constraints = AffineConstraints<double>;
 
 namespace {
 
-std::vector<types::global_dof_index> face_dofs(const Cell& cell, unsigned f) {
-  std::vector<types::global_dof_index> dofs(cell->get_fe().n_dofs_per_face(f));
+/// The degrees of freedom on a face of a cell that the cell on its other side does not have follow that one's shape
+/// functions.
+void follow(Constraints& constraints, const Space& space, const Cell& cell, unsigned face, const Cell& other) {
+  const auto& fe = cell->get_fe();
+  const Dofs of_cell = dofs_of(cell), of_other = dofs_of(other);
+  for (unsigned i = 0; i < fe.n_dofs_per_face(face); ++i) {
+    const unsigned index = fe.face_to_cell_index(i, face);
+    const auto dof = of_cell[index];
+    if (constraints.is_constrained(dof) || std::find(of_other.begin(), of_other.end(), dof) != of_other.end()) continue;
+    const auto [component, at] = node_of(space, cell, index);
+    const Point<dim> unit = space.mapping().transform_real_to_unit_cell(other, at);
+    constraints.add_line(dof);
+    for (unsigned j = 0; j < of_other.size(); ++j)
+      if (other->get_fe().system_to_component_index(j).first == component)
+        if (const double weight = other->get_fe().shape_value(j, unit); std::abs(weight) > 1e-12)
+          constraints.add_entry(dof, of_other[j], weight);
+  }
+}
+
+Dofs face_dofs(const Cell& cell, unsigned f) {
+  Dofs dofs(cell->get_fe().n_dofs_per_face(f));
   cell->face(f)->get_dof_indices(dofs, cell->active_fe_index());
   return dofs;
 }
@@ -27,18 +45,13 @@ void constrain(Constraints& constraints, types::global_dof_index dof) {
 /// u of every node of a rigid region follows the body's three coordinates.
 void add_rigid(Constraints& constraints, const Space& space, const std::vector<Body>& bodies) {
   const types::global_dof_index first = space.dofs().n_dofs();
-  std::vector<types::global_dof_index> dofs;
   for (const auto& cell : space.dofs().active_cell_iterators())
     for (std::size_t b = 0; b < bodies.size(); ++b) {
       if (space.mesh().surface_of(cell) != bodies[b].region) continue;
-      const auto& fe = cell->get_fe();
-      dofs.resize(fe.n_dofs_per_cell());
-      cell->get_dof_indices(dofs);
+      const Dofs dofs = dofs_of(cell);
       for (unsigned i = 0; i < dofs.size(); ++i) {
         if (constraints.is_constrained(dofs[i])) continue;
-        const auto [component, node] = fe.system_to_component_index(i);
-        const Point<dim> at =
-            space.mapping().transform_unit_to_real_cell(cell, fe.base_element(0).unit_support_point(node));
+        const auto [component, at] = node_of(space, cell, i);
         constraints.add_line(dofs[i]);
         for (int m = 0; m < n_motions; ++m)
           if (const double weight = unit_motion(m, at, bodies[b].centre)[component]; weight != 0.)
@@ -60,14 +73,6 @@ struct RollerNode {
   types::global_dof_index ux, uy;
   std::vector<Tensor<1, dim>> normals;
 };
-
-/// The node that the i-th degree of freedom on a face belongs to.
-Point<dim> node_on_face(const Space& space, const Cell& cell, unsigned f, unsigned i) {
-  const auto& fe = cell->get_fe();
-  const auto [component, node] = fe.system_to_component_index(fe.face_to_cell_index(i, f));
-  const auto& base = fe.base_element(fe.component_to_base_index(component).first);
-  return space.mapping().transform_unit_to_real_cell(cell, base.unit_support_point(node));
-}
 
 /// The degrees of freedom of u of each node on a face, as pairs.
 std::map<unsigned, std::array<types::global_dof_index, 2>> nodes_on_face(const Cell& cell, unsigned f) {
@@ -130,24 +135,8 @@ void add_supports(Constraints& constraints, const Space& space, const Scene& sce
 /// phi is continuous from free water into pores, but of one degree less there: between the vertices, which both share,
 /// the water's nodes follow the soil's shape functions. (Both sides are of one level of refinement: see mesh/refine.h.)
 void add_wet_pores(Constraints& constraints, const Space& space) {
-  std::vector<types::global_dof_index> of_soil;
   for_each_wet_face(space, [&](const WetFace& face) {
-    if (!space.has_pores(face.solid)) return;
-    const auto& soil = face.solid->get_fe();
-    of_soil.resize(soil.n_dofs_per_cell());
-    face.solid->get_dof_indices(of_soil);
-    const auto of_water = face_dofs(face.water, face.water_face);
-    for (unsigned i = 0; i < of_water.size(); ++i) {
-      if (constraints.is_constrained(of_water[i])) continue;
-      if (std::find(of_soil.begin(), of_soil.end(), of_water[i]) != of_soil.end()) continue;
-      const Point<dim> node = node_on_face(space, face.water, face.water_face, i);
-      const Point<dim> unit = space.mapping().transform_real_to_unit_cell(face.solid, node);
-      constraints.add_line(of_water[i]);
-      for (unsigned j = 0; j < of_soil.size(); ++j)
-        if (soil.system_to_component_index(j).first == phi_component)
-          if (const double weight = soil.shape_value(j, unit); std::abs(weight) > 1e-12)
-            constraints.add_entry(of_water[i], of_soil[j], weight);
-    }
+    if (space.has_pores(face.solid)) follow(constraints, space, face.water, face.water_face, face.solid);
   });
 }
 
@@ -162,7 +151,7 @@ void add_water_levels(Constraints& constraints, const Space& space, const Scene&
     for (unsigned i = 0; i < dofs.size(); ++i) {
       if (constraints.is_constrained(dofs[i])) continue;
       constraints.add_line(dofs[i]);
-      const double height = node_on_face(space, cell, f, i)[1];
+      const double height = node_of(space, cell, cell->get_fe().face_to_cell_index(i, f)).at[1];
       for (std::size_t l = 0; l < loads.size(); ++l)
         if (const Load& load = scene.loads.at(loads[l]); load.boundary == curve)
           constraints.add_entry(dofs[i], first_prescribed + l, intensity(load, height));
@@ -171,6 +160,15 @@ void add_water_levels(Constraints& constraints, const Space& space, const Scene&
 }
 
 }  // namespace
+
+void add_hanging_nodes(Constraints& constraints, const Space& space) {
+  for (const auto& cell : space.dofs().active_cell_iterators()) {
+    if (space.kind(cell) == CellKind::absent) continue;
+    for (const unsigned f : cell->face_indices())
+      if (!cell->at_boundary(f) && cell->neighbor_is_coarser(f) && space.kind(cell->neighbor(f)) == space.kind(cell))
+        follow(constraints, space, cell, f, cell->neighbor(f));
+  }
+}
 
 std::vector<std::string> pressure_prescribing_loads(const Space& space, const Scene& scene) {
   std::vector<std::string> names;

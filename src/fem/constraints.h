@@ -1,4 +1,5 @@
-// Essential conditions: rigid regions, fixed and roller sides, levels of free water and where it meets pores.
+// Essential conditions: rigid regions, fixed and roller sides, levels of free water and where it meets pores, hanging
+// nodes.
 #pragma once
 
 #include <deal.II/lac/affine_constraints.h>
@@ -6,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "fem/caisson/interface_nodes.h"
+#include "fem/caisson/bottom.h"
 #include "fem/caisson/rigid_body.h"
 #include "fem/space.h"
 
@@ -21,5 +22,9 @@ std::vector<std::string> pressure_prescribing_loads(const Space& space, const Sc
 dealii::AffineConstraints<double> make_constraints(const Space& space, const Scene& scene,
                                                    const std::vector<Body>& bodies,
                                                    const std::vector<InterfaceNode>& interface = {});
+
+/// u and phi of the smaller cells follow the larger cell's shape functions on their common side. Both are of one kind:
+/// surfaces meet without hanging nodes (see mesh/refine.h).
+void add_hanging_nodes(dealii::AffineConstraints<double>& constraints, const Space& space);
 
 }  // namespace upbead

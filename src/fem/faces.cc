@@ -35,10 +35,8 @@ void FaceTerms::reinit(const std::vector<Cell>& cells, const std::vector<int>& p
   cell = cells.back()->active_cell_index();
   of_caisson = false;
   dofs.clear();
-  std::vector<types::global_dof_index> of_cell;
   for (const Cell& each : cells) {
-    of_cell.resize(each->get_fe().n_dofs_per_cell());
-    each->get_dof_indices(of_cell);
+    const Dofs of_cell = dofs_of(each);
     dofs.insert(dofs.end(), of_cell.begin(), of_cell.end());
   }
   prescribed = prescribed_unknowns;

@@ -12,8 +12,6 @@
 
 namespace upbead {
 
-using Cell = dealii::DoFHandler<dim>::active_cell_iterator;
-
 /// Calls visit(cell, face number, curve) for every outer face.
 void for_each_outer_face(const Space& space,
                          const std::function<void(const Cell&, unsigned, const std::string&)>& visit);
@@ -34,7 +32,7 @@ void for_each_wet_face(const Space& space, const std::function<void(const WetFac
 struct FaceTerms {
   unsigned cell = 0;  ///< active index of the cell that it counts to: of a wet face, the water's
   CellMatrices matrices;
-  std::vector<dealii::types::global_dof_index> dofs;
+  Dofs dofs;
   std::vector<int> prescribed;
   bool of_caisson = false;  ///< its displacements are those of the caisson, not of the ground under it
 

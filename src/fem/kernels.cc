@@ -8,6 +8,11 @@ namespace upbead {
 
 using namespace dealii;
 
+PlaneStrain strain_of(const FEValues<dim>& fe, unsigned i, unsigned q) {
+  const SymmetricTensor<2, dim> strain = fe[u_part].symmetric_gradient(i, q);
+  return {strain[0][0], strain[1][1], strain[0][1]};
+}
+
 namespace {
 
 /// Local degrees of freedom of one part (u, W or phi).
@@ -80,17 +85,12 @@ void add_pair(const std::vector<unsigned>& rows, const std::vector<unsigned>& co
     }
 }
 
-}  // namespace
-
-PlaneStrain strain_of(const FEValues<dim>& fe, unsigned i, unsigned q) {
-  const SymmetricTensor<2, dim> strain = fe[u_part].symmetric_gradient(i, q);
-  return {strain[0][0], strain[1][1], strain[0][1]};
-}
-
+/// uu_M: +rho du.u
 void uu_M(const FEValues<dim>& fe, const Material& material, CellMatrices& cell) {
   add_square(part_dofs(fe, u_part), material.rho, values_of(fe, u_part), cell.M);
 }
 
+/// uu_K: +eps(du) : D : eps(u), plane strain
 void uu_K(const FEValues<dim>& fe, const Material& material, CellMatrices& cell) {
   const ElasticRoot root(material);
   const auto u = part_dofs(fe, u_part);
@@ -99,6 +99,7 @@ void uu_K(const FEValues<dim>& fe, const Material& material, CellMatrices& cell)
   add_square(u, 1., strains, cell.K);
 }
 
+/// uu_C: Rayleigh damping, from the uu blocks of M and K that are in `cell` already
 void uu_C(const FEValues<dim>& fe, const Material& material, CellMatrices& cell) {
   const auto u = part_dofs(fe, u_part);
   for (const unsigned i : u)
@@ -106,6 +107,7 @@ void uu_C(const FEValues<dim>& fe, const Material& material, CellMatrices& cell)
       cell.C(i, j) += material.mass_damping * cell.M(i, j) + material.stiffness_damping * cell.K(i, j);
 }
 
+/// up_C and pu_C: -alpha (div du) phi and its transpose
 void up_C(const FEValues<dim>& fe, const Material& material, CellMatrices& cell) {
   const auto u = part_dofs(fe, u_part);
   const Table divergence =
@@ -113,18 +115,22 @@ void up_C(const FEValues<dim>& fe, const Material& material, CellMatrices& cell)
   add_pair(u, part_dofs(fe, phi_part), -material.alpha, divergence, values_of_phi(fe), cell.C);
 }
 
+/// pp_M: -1/Q dphi phi
 void pp_M(const FEValues<dim>& fe, const Material& material, CellMatrices& cell) {
   add_square(part_dofs(fe, phi_part), -material.storage, values_of_phi(fe), cell.M);
 }
 
+/// pp_C, darcy: -(1/b) grad dphi . grad phi
 void pp_C(const FEValues<dim>& fe, const Material& material, CellMatrices& cell) {
   add_square(part_dofs(fe, phi_part), -1. / material.b, gradients_of_phi(fe), cell.C);
 }
 
+/// pp_K, water: -(1/rho_f) grad dphi . grad phi
 void pp_K(const FEValues<dim>& fe, const Material& material, CellMatrices& cell) {
   add_square(part_dofs(fe, phi_part), -1. / material.rho_f, gradients_of_phi(fe), cell.K);
 }
 
+/// uW_M and Wu_M: +rho_f du.W and its transpose; WW_M: +a dW.W
 void W_M(const FEValues<dim>& fe, const Material& material, CellMatrices& cell) {
   const auto W = part_dofs(fe, W_part);
   const Table values = values_of(fe, W_part);
@@ -132,12 +138,15 @@ void W_M(const FEValues<dim>& fe, const Material& material, CellMatrices& cell) 
   add_square(W, material.a, values, cell.M);
 }
 
+/// WW_C: +b dW.W; Wp_C and pW_C: +dW.grad phi and its transpose
 void W_C(const FEValues<dim>& fe, const Material& material, CellMatrices& cell) {
   const auto W = part_dofs(fe, W_part);
   const Table values = values_of(fe, W_part);
   add_square(W, material.b, values, cell.C);
   add_pair(W, part_dofs(fe, phi_part), 1., values, gradients_of_phi(fe), cell.C);
 }
+
+}  // namespace
 
 void assemble_cell(const FEValues<dim>& fe, const Material& material, CellKind kind, bool inertia, CellMatrices& cell) {
   cell.reinit(fe.dofs_per_cell);

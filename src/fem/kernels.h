@@ -1,5 +1,5 @@
-// The blocks of M, C and K on one cell. Names are rows, columns, matrix: up_C is the block of C in the equation of u
-// that multiplies the rate of phi. Tested with (du, dW, -dphi) every block is symmetric:
+// The blocks of M, C and K on one cell. Names (kernels.cc) are rows, columns, matrix: up_C is the block of C in the
+// equation of u that multiplies the rate of phi. Tested with (du, dW, -dphi) every block is symmetric:
 //
 //   momentum   rho u'' + rho_f W'' - div(sigma'(u) - alpha phi' I) = 0
 //   fluid      rho_f u'' + a W'' + b W' + grad phi' = 0                         (inertial flow)
@@ -24,25 +24,6 @@ struct CellMatrices {
 
 /// Strain of the shape function i at the quadrature point q.
 PlaneStrain strain_of(const dealii::FEValues<dim>& fe, unsigned i, unsigned q);
-
-/// uu_M: +rho du.u
-void uu_M(const dealii::FEValues<dim>& fe, const Material& material, CellMatrices& cell);
-/// uu_K: +eps(du) : D : eps(u), plane strain
-void uu_K(const dealii::FEValues<dim>& fe, const Material& material, CellMatrices& cell);
-/// uu_C: Rayleigh damping, from the uu blocks of M and K that are in `cell` already
-void uu_C(const dealii::FEValues<dim>& fe, const Material& material, CellMatrices& cell);
-/// up_C and pu_C: -alpha (div du) phi and its transpose
-void up_C(const dealii::FEValues<dim>& fe, const Material& material, CellMatrices& cell);
-/// pp_M: -1/Q dphi phi
-void pp_M(const dealii::FEValues<dim>& fe, const Material& material, CellMatrices& cell);
-/// pp_C, darcy: -(1/b) grad dphi . grad phi
-void pp_C(const dealii::FEValues<dim>& fe, const Material& material, CellMatrices& cell);
-/// pp_K, water: -(1/rho_f) grad dphi . grad phi
-void pp_K(const dealii::FEValues<dim>& fe, const Material& material, CellMatrices& cell);
-/// uW_M and Wu_M: +rho_f du.W and its transpose; WW_M: +a dW.W
-void W_M(const dealii::FEValues<dim>& fe, const Material& material, CellMatrices& cell);
-/// WW_C: +b dW.W; Wp_C and pW_C: +dW.grad phi and its transpose
-void W_C(const dealii::FEValues<dim>& fe, const Material& material, CellMatrices& cell);
 
 /// All blocks of a cell of that kind. Without inertia (consolidation) M keeps the storage pp_M only.
 void assemble_cell(const dealii::FEValues<dim>& fe, const Material& material, CellKind kind, bool inertia,

@@ -1,4 +1,4 @@
-#include "fem/open_sides.h"
+#include "fem/sides.h"
 
 #include <deal.II/base/quadrature_lib.h>
 

@@ -1,4 +1,7 @@
-#include "outline.h"
+#include "fem/outline.h"
+
+#include <deal.II/base/geometry_info.h>
+#include <deal.II/fe/mapping_q1.h>
 
 #include <algorithm>
 
@@ -8,7 +11,7 @@ namespace upbead {
 
 using namespace dealii;
 
-void Extent::add(const Point<dim>& point) {
+void Bounds::add(const Point<dim>& point) {
   left = std::min(left, point[0]);
   right = std::max(right, point[0]);
   lowest = std::min(lowest, point[1]);
@@ -58,10 +61,32 @@ Outline outline_of(const Mesh& mesh) {
       }
       OuterCurve& curve = outline.outer[mesh.curve_of(cell->face(f))];
       curve.surfaces.insert(mesh.surface_of(cell));
-      for (unsigned v = 0; v < 2; ++v) curve.extent.add(cell->face(f)->vertex(v));
+      for (unsigned v = 0; v < 2; ++v) curve.bounds.add(cell->face(f)->vertex(v));
     }
   }
   return outline;
+}
+
+std::map<std::string, std::set<std::string>> far_sides(const Mesh& mesh) {
+  std::map<std::string, std::set<std::string>> sides;
+  for (const auto& [name, curve] : outline_of(mesh).outer) {
+    const Bounds& bounds = curve.bounds;
+    const bool upright = bounds.right - bounds.left < 1e-6 * (bounds.highest - bounds.lowest);
+    if (upright && curve.surfaces.count(caisson_name) == 0) sides[name] = curve.surfaces;
+  }
+  return sides;
+}
+
+std::optional<Point<dim>> unit_coordinates(const Triangulation<dim>::active_cell_iterator& cell,
+                                           const Point<dim>& point) {
+  if (cell->vertex(0).distance(point) > 1.01 * cell->diameter()) return std::nullopt;  // what is in it is no farther
+  try {
+    const Point<dim> unit = MappingQ1<dim>().transform_real_to_unit_cell(cell, point);
+    if (!GeometryInfo<dim>::is_inside_unit_cell(unit, 1e-9)) return std::nullopt;
+    return GeometryInfo<dim>::project_to_unit_cell(unit);
+  } catch (const Mapping<dim>::ExcTransformationFailed&) {
+    return std::nullopt;  // far outside the mapping of a quadrilateral has no inverse
+  }
 }
 
 }  // namespace upbead

@@ -1,8 +1,11 @@
-// The shape of a mesh in the large: its surfaces and curves, and what meets where.
+// The shape of a mesh in the large: its surfaces and curves, what meets where, and where a point lies.
 #pragma once
+
+#include <deal.II/base/point.h>
 
 #include <limits>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -13,20 +16,20 @@ namespace upbead {
 
 using Names = std::set<std::string>;
 
-/// Extent of a surface or a curve (m).
-struct Extent {
+/// Ends of a surface or a curve (m).
+struct Bounds {
   double left = std::numeric_limits<double>::infinity(), right = -left;
   double lowest = left, highest = -left;
   void add(const dealii::Point<dim>& point);
 };
 
 struct OuterCurve {
-  Extent extent;
+  Bounds bounds;
   Names surfaces;  ///< behind it
 };
 
 struct Outline {
-  std::map<std::string, Extent> surfaces;
+  std::map<std::string, Bounds> surfaces;
   std::map<std::string, OuterCurve> outer;                                     ///< outer parts of curves, by name
   std::map<std::string, std::set<std::pair<std::string, std::string>>> inner;  ///< surfaces on both sides of a curve
   std::set<std::pair<std::string, std::string>> contacts;  ///< surfaces that share a face, in alphabetical order
@@ -37,5 +40,12 @@ struct Outline {
 };
 
 Outline outline_of(const Mesh& mesh);
+
+/// Names of the outer curves that are upright lines and do not belong to the caisson, and of the surfaces behind them.
+std::map<std::string, std::set<std::string>> far_sides(const Mesh& mesh);
+
+/// Coordinates of a point in the unit cell; none where it lies outside the cell. On its rim counts as inside.
+std::optional<dealii::Point<dim>> unit_coordinates(const dealii::Triangulation<dim>::active_cell_iterator& cell,
+                                                   const dealii::Point<dim>& point);
 
 }  // namespace upbead

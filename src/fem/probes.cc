@@ -1,12 +1,26 @@
 #include "fem/probes.h"
 
-#include "fem/locate.h"
-#include "point_rows.h"
+#include <deal.II/fe/fe_values.h>
+
+#include <map>
+#include <optional>
+
+#include "fem/kernels.h"
+#include "fem/outline.h"
 
 namespace upbead {
 
 using namespace dealii;
 
+namespace {
+
+/// A point of the mesh: its cell and the coordinates in it.
+struct Location {
+  Cell cell;
+  Point<dim> unit;
+};
+
+/// The cell that holds a point; of several, one with pore water. None outside the mesh.
 std::optional<Location> locate(const Space& space, const Point<dim>& point) {
   std::optional<Location> found;
   for (const auto& cell : space.dofs().active_cell_iterators()) {
@@ -16,66 +30,80 @@ std::optional<Location> locate(const Space& space, const Point<dim>& point) {
   return found;
 }
 
-namespace {
+/// Rows of point values at one location.
+class PointRows {
+ public:
+  PointRows(const Space& space, const Unknowns& unknowns, const Location& location)
+      : unknowns_(unknowns),
+        values_(space.mapping(), location.cell->get_fe(), Quadrature<dim>(location.unit),
+                update_values | update_gradients),
+        dofs_(dofs_of(location.cell)) {
+    values_.reinit(typename Triangulation<dim>::cell_iterator(location.cell));
+  }
+
+  Row value(unsigned component) const {
+    return row([&](unsigned i) { return values_.shape_value_component(i, 0, component); });
+  }
+  /// `factor` times a component of grad phi.
+  Row phi_gradient(unsigned d, double factor) const {
+    return row([&](unsigned i) { return factor * values_[phi_part].gradient(i, 0)[d]; });
+  }
+  Row strain(double PlaneStrain::*component) const {
+    return row([&](unsigned i) { return strain_of(values_, i, 0).*component; });
+  }
+  Row stress(const ElasticLaw& law, double PlaneStress::*component) const {
+    return row([&](unsigned i) { return law.stress(strain_of(values_, i, 0)).*component; });
+  }
+
+ private:
+  template <typename Value>
+  Row row(const Value& value) const {
+    std::map<int, double> entries;
+    for (unsigned i = 0; i < dofs_.size(); ++i)
+      if (const double v = value(i); v != 0.) unknowns_.add_to(entries, dofs_[i], v);
+    return to_row(entries);
+  }
+
+  const Unknowns& unknowns_;
+  FEValues<dim> values_;
+  Dofs dofs_;
+};
 
 void add_motion(std::vector<Reading>& list, const std::string& probe, const PointRows& rows) {
   const char* axis[] = {"x", "y"};
   const char* meaning[] = {"landward", "upward"};
   for (unsigned d = 0; d < dim; ++d) {
     const Row row = rows.value(d);
-    list.push_back({{"probes", probe, std::string("displacement_") + axis[d]},
-                    "m",
-                    std::string("displacement, ") + meaning[d],
-                    row,
-                    {},
-                    {},
-                    {}});
-    list.push_back({{"probes", probe, std::string("velocity_") + axis[d]},
-                    "m/s",
-                    std::string("velocity, ") + meaning[d],
-                    {},
-                    row,
-                    {},
-                    {}});
-    list.push_back({{"probes", probe, std::string("acceleration_") + axis[d]},
-                    "m/s2",
-                    std::string("acceleration, ") + meaning[d],
-                    {},
-                    {},
-                    row,
-                    {}});
+    list.push_back(position_reading({"probes", probe, std::string("displacement_") + axis[d]}, "m",
+                                    std::string("displacement, ") + meaning[d], row));
+    list.push_back(velocity_reading({"probes", probe, std::string("velocity_") + axis[d]}, "m/s",
+                                    std::string("velocity, ") + meaning[d], row));
+    list.push_back(acceleration_reading({"probes", probe, std::string("acceleration_") + axis[d]}, "m/s2",
+                                        std::string("acceleration, ") + meaning[d], row));
   }
 }
 
 /// Pore pressure p = phi'; where the fluid has inertia, Darcy velocity w = W'.
 void add_pore_water(std::vector<Reading>& list, const std::string& probe, const PointRows& rows, CellKind kind) {
-  list.push_back({{"probes", probe, "pressure"}, "Pa", "excess pore pressure", {}, rows.value(phi_component), {}, {}});
-  if (kind != CellKind::inertial) return;
   list.push_back(
-      {{"probes", probe, "darcy_velocity_x"}, "m/s", "relative fluid velocity, landward", {}, rows.value(dim), {}, {}});
-  list.push_back({{"probes", probe, "darcy_velocity_y"},
-                  "m/s",
-                  "relative fluid velocity, upward",
-                  {},
-                  rows.value(dim + 1),
-                  {},
-                  {}});
+      velocity_reading({"probes", probe, "pressure"}, "Pa", "excess pore pressure", rows.value(phi_component)));
+  if (kind != CellKind::inertial) return;
+  list.push_back(velocity_reading({"probes", probe, "darcy_velocity_x"}, "m/s", "relative fluid velocity, landward",
+                                  rows.value(dim)));
+  list.push_back(velocity_reading({"probes", probe, "darcy_velocity_y"}, "m/s", "relative fluid velocity, upward",
+                                  rows.value(dim + 1)));
 }
 
 /// Pressure of free water, and its velocity -grad phi / rho_f.
 void add_water(std::vector<Reading>& list, const std::string& probe, const PointRows& rows, double density) {
-  list.push_back(
-      {{"probes", probe, "pressure"}, "Pa", "change of the water's pressure", {}, rows.value(phi_component), {}, {}});
+  list.push_back(velocity_reading({"probes", probe, "pressure"}, "Pa", "change of the water's pressure",
+                                  rows.value(phi_component)));
   const char* axis[] = {"x", "y"};
   const char* meaning[] = {"landward", "upward"};
   for (unsigned d = 0; d < dim; ++d)
-    list.push_back({{"probes", probe, std::string("velocity_") + axis[d]},
-                    "m/s",
-                    std::string("velocity of the water, ") + meaning[d],
-                    rows.phi_gradient(d, -1. / density),
-                    {},
-                    {},
-                    {}});
+    list.push_back(position_reading({"probes", probe, std::string("velocity_") + axis[d]}, "m/s",
+                                    std::string("velocity of the water, ") + meaning[d],
+                                    rows.phi_gradient(d, -1. / density)));
 }
 
 void add_strain_and_stress(std::vector<Reading>& list, const std::string& probe, const PointRows& rows,
@@ -92,20 +120,10 @@ void add_strain_and_stress(std::vector<Reading>& list, const std::string& probe,
                     {"zz", nullptr, &PlaneStress::zz}};
   for (const auto& c : components) {
     if (c.strain)
-      list.push_back({{"probes", probe, std::string("strain_") + c.name},
-                      "1",
-                      std::string("strain ") + c.name + ", extension positive",
-                      rows.strain(c.strain),
-                      {},
-                      {},
-                      {}});
-    list.push_back({{"probes", probe, stress + "_" + c.name},
-                    "Pa",
-                    text + c.name + ", tension positive",
-                    rows.stress(law, c.stress),
-                    {},
-                    {},
-                    {}});
+      list.push_back(position_reading({"probes", probe, std::string("strain_") + c.name}, "1",
+                                      std::string("strain ") + c.name + ", extension positive", rows.strain(c.strain)));
+    list.push_back(position_reading({"probes", probe, stress + "_" + c.name}, "Pa",
+                                    text + c.name + ", tension positive", rows.stress(law, c.stress)));
   }
 }
 

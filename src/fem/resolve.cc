@@ -4,12 +4,11 @@
 #include <limits>
 
 #include "base/text.h"
-#include "fem/locate.h"
+#include "fem/domain_of_influence.h"
+#include "fem/outline.h"
 #include "fem/static_stage.h"
 #include "model/choices.h"
 #include "model/words.h"
-#include "outline.h"
-#include "reach.h"
 
 namespace upbead {
 
@@ -25,10 +24,10 @@ bool has_probe_in(const Scene& scene, const Mesh& mesh, const std::string& regio
 }
 
 Surroundings surroundings_of(const std::string& name, const Scene& scene, const Mesh& mesh, const Outline& outline) {
-  const Extent& extent = outline.surfaces.at(name);
+  const Bounds& bounds = outline.surfaces.at(name);
   Surroundings at;
-  at.height = extent.highest - extent.lowest;
-  at.width = extent.right - extent.left;
+  at.height = bounds.highest - bounds.lowest;
+  at.width = bounds.right - bounds.left;
   at.has_probe = scene.fields_every.has_value() || has_probe_in(scene, mesh, name);
   for (const std::string& other : outline.touching(name)) {
     at.touches.push_back(other);
@@ -113,14 +112,13 @@ void leave_out_idle_water(const Outline& outline, const Mesh& mesh, ResolvedScen
 }
 
 void leave_out_unreached(const Mesh& mesh, ResolvedScene& resolved) {
-  const Reach reach = find_reach(resolved.scene, mesh);
-  if (reach.n_unreached == 0) return;
-  resolved.absent.resize(reach.unreached.size(), false);
-  for (std::size_t i = 0; i < reach.unreached.size(); ++i)
-    resolved.absent[i] = resolved.absent[i] || reach.unreached[i];
-  const std::string cells = std::to_string(reach.n_unreached) + " cells";
+  const DomainOfInfluence domain = domain_of_influence(resolved.scene, mesh);
+  if (domain.n_outside == 0) return;
+  resolved.absent.resize(domain.outside.size(), false);
+  for (std::size_t i = 0; i < domain.outside.size(); ++i) resolved.absent[i] = resolved.absent[i] || domain.outside[i];
+  const std::string cells = std::to_string(domain.n_outside) + " cells";
   resolved.decisions.push_back({"", "full_domain", "false",
-                                "waves of at most " + significant(reach.speed) +
+                                "waves of at most " + significant(domain.speed) +
                                     " m/s do not come there and back within " + significant(resolved.scene.time.end) +
                                     " s",
                                 cells});

@@ -59,12 +59,17 @@ Space::Space(const Mesh& mesh, const Scene& scene, const std::vector<bool>& abse
   dofs_.distribute_dofs(elements_);
 }
 
-bool Space::has_pressure(const DoFHandler<dim>::active_cell_iterator& cell) const {
-  return has_pores(cell) || kind(cell) == CellKind::water;
+Dofs dofs_of(const Cell& cell) {
+  Dofs dofs(cell->get_fe().n_dofs_per_cell());
+  cell->get_dof_indices(dofs);
+  return dofs;
 }
 
-bool Space::has_pores(const DoFHandler<dim>::active_cell_iterator& cell) const {
-  return kind(cell) == CellKind::darcy || kind(cell) == CellKind::inertial;
+DofNode node_of(const Space& space, const Cell& cell, unsigned i) {
+  const auto& fe = cell->get_fe();
+  const auto [component, node] = fe.system_to_component_index(i);
+  const auto& base = fe.base_element(fe.component_to_base_index(component).first);
+  return {component, space.mapping().transform_unit_to_real_cell(cell, base.unit_support_point(node))};
 }
 
 }  // namespace upbead

@@ -23,6 +23,11 @@ inline const dealii::FEValuesExtractors::Vector u_part{0};
 inline const dealii::FEValuesExtractors::Vector W_part{dim};
 inline const dealii::FEValuesExtractors::Scalar phi_part{phi_component};
 
+using Cell = dealii::DoFHandler<dim>::active_cell_iterator;
+using Dofs = std::vector<dealii::types::global_dof_index>;
+/// All degrees of freedom of a cell, in its own order.
+Dofs dofs_of(const Cell& cell);
+
 /// What a cell carries; also its index into the collection of elements.
 enum class CellKind : unsigned { solid = 0, darcy = 1, inertial = 2, water = 3, absent = 4 };
 
@@ -46,13 +51,15 @@ class Space {
   const Material& material(const MeshCell& cell) const {
     return materials_[by_cell_ ? cell->active_cell_index() : cell->material_id()];
   }
-  CellKind kind(const dealii::DoFHandler<dim>::active_cell_iterator& cell) const {
-    return static_cast<CellKind>(cell->active_fe_index());
+  CellKind kind(const Cell& cell) const { return static_cast<CellKind>(cell->active_fe_index()); }
+  /// Whether the cell has matrices of its own: it is there, and not of a rigid body.
+  bool has_matrices(const Cell& cell) const {
+    return region(cell).kind != RegionKind::rigid && kind(cell) != CellKind::absent;
   }
   /// Whether there is phi, of pore water or of free water.
-  bool has_pressure(const dealii::DoFHandler<dim>::active_cell_iterator& cell) const;
+  bool has_pressure(const Cell& cell) const { return has_pores(cell) || kind(cell) == CellKind::water; }
   /// Whether there is pore water.
-  bool has_pores(const dealii::DoFHandler<dim>::active_cell_iterator& cell) const;
+  bool has_pores(const Cell& cell) const { return kind(cell) == CellKind::darcy || kind(cell) == CellKind::inertial; }
 
  private:
   const Mesh* mesh_;
@@ -64,5 +71,12 @@ class Space {
   dealii::hp::FECollection<dim> elements_;
   dealii::DoFHandler<dim> dofs_;
 };
+
+/// The component and the place of the node that the i-th degree of freedom of a cell stands for.
+struct DofNode {
+  unsigned component;
+  dealii::Point<dim> at;
+};
+DofNode node_of(const Space& space, const Cell& cell, unsigned i);
 
 }  // namespace upbead

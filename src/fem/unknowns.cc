@@ -14,18 +14,16 @@ namespace {
 /// The field of every degree of freedom, and for each cell with W its degrees of freedom of W.
 struct Layout {
   std::vector<Field> field;
-  std::vector<std::vector<types::global_dof_index>> W;
+  std::vector<Dofs> W;
 };
 
 Layout layout_of(const Space& space) {
   Layout layout;
   layout.field.assign(space.dofs().n_dofs(), Field::displacement);
-  std::vector<types::global_dof_index> dofs;
   for (const auto& cell : space.dofs().active_cell_iterators()) {
     const auto& fe = cell->get_fe();
-    dofs.resize(fe.n_dofs_per_cell());
-    cell->get_dof_indices(dofs);
-    std::vector<types::global_dof_index> W;
+    const Dofs dofs = dofs_of(cell);
+    Dofs W;
     for (unsigned i = 0; i < dofs.size(); ++i) {
       const int component = static_cast<int>(fe.system_to_component_index(i).first);
       if (component == phi_component) {
@@ -53,13 +51,13 @@ void Unknowns::separate(const std::vector<InterfaceNode>& interface) {
   const int first = size() - 2 * n_interface_;
   for (const InterfaceNode& node : interface)
     for (const auto dof : {node.ux, node.uy}) {
-      Row& row = of_caisson_[static_cast<unsigned>(dof)];
+      Row& row = of_caisson_[dof];
       for (const auto& [j, weight] : expansion_[dof])
         if (j < first) row.emplace_back(j, weight);
     }
 }
 
-const Row& Unknowns::caisson_expansion(unsigned dof) const {
+const Row& Unknowns::caisson_expansion(types::global_dof_index dof) const {
   const auto found = of_caisson_.find(dof);
   return found == of_caisson_.end() ? expansion_[dof] : found->second;
 }
@@ -102,7 +100,7 @@ int Unknowns::prescribed(const std::string& load) const {
 Vector Unknowns::expand(const Vector& x) const {
   Vector full = Vector::Zero(static_cast<Eigen::Index>(expansion_.size()));
   for (std::size_t i = 0; i < expansion_.size(); ++i)
-    for (const auto& [j, weight] : expansion_[i]) full[static_cast<Eigen::Index>(i)] += weight * x[j];
+    for (const auto& [j, weight] : expansion_[i]) full[i] += weight * x[j];
   return full;
 }
 
@@ -115,7 +113,7 @@ Vector Unknowns::expand_caisson(const Vector& x) const {
   return full;
 }
 
-void Unknowns::add_to(std::map<int, double>& row, unsigned dof, double weight) const {
+void Unknowns::add_to(std::map<int, double>& row, types::global_dof_index dof, double weight) const {
   for (const auto& [j, part] : expansion_[dof]) row[j] += weight * part;
 }
 

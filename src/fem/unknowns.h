@@ -7,12 +7,15 @@
 #include <utility>
 #include <vector>
 
-#include "fem/caisson/interface_nodes.h"
+#include "fem/caisson/bottom.h"
 #include "fem/caisson/rigid_body.h"
 #include "fem/space.h"
 #include "upbead/system/system.h"
 
 namespace upbead {
+
+/// Nodal forces on some cells: degree of freedom -> force (N/m).
+using NodalForces = std::map<unsigned, double>;
 
 /// Degree of freedom i of the space is sum_j weight_j x_j over its expansion; fixed ones have none. Order of the
 /// unknowns x: free u and phi, three coordinates per rigid body, W cell by cell, prescribed pressures, and, where an
@@ -24,9 +27,9 @@ class Unknowns {
 
   int size() const { return static_cast<int>(field_.size()); }
   int n_free() const { return size() - n_prescribed(); }
-  const Row& expansion(unsigned dof) const { return expansion_[dof]; }
+  const Row& expansion(dealii::types::global_dof_index dof) const { return expansion_[dof]; }
   /// Of the caisson's own node where it may part from the ground's.
-  const Row& caisson_expansion(unsigned dof) const;
+  const Row& caisson_expansion(dealii::types::global_dof_index dof) const;
   const std::vector<Field>& field() const { return field_; }
   const std::vector<IndexRange>& blocks() const { return blocks_; }
   int n_prescribed() const { return static_cast<int>(prescribed_.size()) + 2 * n_interface_; }
@@ -44,7 +47,7 @@ class Unknowns {
   Vector expand_caisson(const Vector& x) const;
   bool has_interface() const { return n_interface_ > 0; }
   /// Adds weight * (value of a degree of freedom) to a row over the unknowns, given as a map.
-  void add_to(std::map<int, double>& row, unsigned dof, double weight) const;
+  void add_to(std::map<int, double>& row, dealii::types::global_dof_index dof, double weight) const;
 
  private:
   void number(const Space& space, const dealii::AffineConstraints<double>& constraints, std::size_t n_coordinates);
@@ -53,9 +56,9 @@ class Unknowns {
   std::vector<Row> expansion_;
   std::vector<Field> field_;
   std::vector<IndexRange> blocks_;
-  std::vector<std::string> prescribed_;  ///< names of the loads that prescribe a pressure
-  std::map<unsigned, Row> of_caisson_;   ///< by degree of freedom of the interface
-  int n_interface_ = 0;                  ///< nodes
+  std::vector<std::string> prescribed_;                        ///< names of the loads that prescribe a pressure
+  std::map<dealii::types::global_dof_index, Row> of_caisson_;  ///< by degree of freedom of the interface
+  int n_interface_ = 0;                                        ///< nodes
   int first_coordinate_ = 0;
 };
 

@@ -1,4 +1,4 @@
-#include "gmsh_reader.h"
+// A .geo or .msh, through gmsh, as plain numbers.
 
 #include <gmsh.h>
 #include <unistd.h>
@@ -11,6 +11,7 @@
 #include "base/parcel.h"
 #include "mesh/geo_script.h"
 #include "mesh/gmsh_session.h"
+#include "mesh/raw_mesh.h"
 
 namespace upbead {
 

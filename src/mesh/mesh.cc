@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "gmsh_reader.h"
-#include "mesh_checks.h"
+#include "mesh_report.h"
+#include "raw_mesh.h"
 
 namespace upbead {
 

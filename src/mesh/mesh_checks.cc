@@ -1,10 +1,13 @@
-#include "mesh_checks.h"
+// Is a mesh one that a solution can stand on?
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
 #include <utility>
+
+#include "mesh_report.h"
+#include "raw_mesh.h"
 
 namespace upbead {
 
@@ -40,6 +43,17 @@ void check_cells(const RawMesh& mesh, MeshReport& report) {
   if (unnamed.count > 0)
     report.add(counted(unnamed.count, "cell") + " on no physical surface" + unnamed.first(),
                "name what it is made of: Physical Surface(\"name\") = {...};");
+}
+
+/// The sides that one cell only has.
+std::vector<Side> outer_sides(const std::vector<Side>& sorted) {
+  std::vector<Side> outer;
+  for (std::size_t i = 0; i < sorted.size(); ++i) {
+    const bool like_last = i > 0 && same_edge(sorted[i - 1], sorted[i]);
+    const bool like_next = i + 1 < sorted.size() && same_edge(sorted[i], sorted[i + 1]);
+    if (!like_last && !like_next) outer.push_back(sorted[i]);
+  }
+  return outer;
 }
 
 /// Cells that lie over each other.
@@ -148,14 +162,6 @@ bool check_joints(const RawMesh& mesh, const std::vector<Side>& outer, MeshRepor
 }
 
 }  // namespace
-
-void turn_clockwise_cells(RawMesh& mesh) {
-  for (RawMesh::Cell& cell : mesh.cells) {
-    const auto& v = mesh.vertices;
-    const auto& i = cell.vertices;
-    if (cross(v[i[2]] - v[i[0]], v[i[3]] - v[i[1]]) < 0) std::swap(cell.vertices[1], cell.vertices[3]);
-  }
-}
 
 void check_mesh(const RawMesh& mesh, MeshReport& report) {
   if (mesh.cells.empty()) {

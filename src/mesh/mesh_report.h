@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "upbead/mesh/mesh.h"
+#include "upbead/mesh/request.h"
 
 namespace upbead {
 

@@ -23,14 +23,12 @@ std::vector<Side> sorted_sides(const RawMesh& mesh) {
   return sides;
 }
 
-std::vector<Side> outer_sides(const std::vector<Side>& sorted) {
-  std::vector<Side> outer;
-  for (std::size_t i = 0; i < sorted.size(); ++i) {
-    const bool like_last = i > 0 && same_edge(sorted[i - 1], sorted[i]);
-    const bool like_next = i + 1 < sorted.size() && same_edge(sorted[i], sorted[i + 1]);
-    if (!like_last && !like_next) outer.push_back(sorted[i]);
+void turn_clockwise_cells(RawMesh& mesh) {
+  for (RawMesh::Cell& cell : mesh.cells) {
+    const auto& v = mesh.vertices;
+    const auto& i = cell.vertices;
+    if (cross(v[i[2]] - v[i[0]], v[i[3]] - v[i[1]]) < 0) std::swap(cell.vertices[1], cell.vertices[3]);
   }
-  return outer;
 }
 
 }  // namespace upbead

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "upbead/mesh/request.h"
+
 namespace upbead {
 
 struct RawMesh {
@@ -51,7 +53,17 @@ bool same_edge(const Side& a, const Side& b);
 /// All sides of all cells, sorted by their vertices: those that cells share stand together.
 std::vector<Side> sorted_sides(const RawMesh& mesh);
 
-/// The sides that one cell only has.
-std::vector<Side> outer_sides(const std::vector<Side>& sorted);
+class MeshReport;
+
+/// Meshes or reads the file, in a confined process: what a script tries outside of it is a mistake too, and is not
+/// done. Files *.opt beside meshes and scripts, and settings of the user, are ignored. What is wrong with the file, its
+/// parameters, groups and kinds of cells goes into `report`; what it returns then may lack cells.
+RawMesh read_raw_mesh(const MeshRequest& request, MeshReport& report);
+
+/// Turns clockwise cells, so that vertices run anticlockwise.
+void turn_clockwise_cells(RawMesh& mesh);
+
+/// Says everything that is wrong with a mesh whose cells have been turned.
+void check_mesh(const RawMesh& mesh, MeshReport& report);
 
 }  // namespace upbead

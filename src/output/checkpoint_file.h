@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "dynamics/checkpoint.h"
+#include "upbead/dynamics/march.h"
 
 namespace upbead {
 

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "algebra/versions.h"
-#include "dynamics/versions.h"
+#include "dynamics/real_fft.h"
 #include "mesh/versions.h"
 
 namespace upbead {

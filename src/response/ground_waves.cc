@@ -6,7 +6,7 @@
 #include <set>
 
 #include "base/numbers.h"
-#include "fem/far_sides.h"
+#include "fem/outline.h"
 
 namespace upbead {
 

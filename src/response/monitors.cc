@@ -17,17 +17,15 @@ MiddleStrains::MiddleStrains(const Space& space, const Unknowns& unknowns, const
   std::vector<Eigen::Triplet<double>> xx, yy, xy, difference;
   const hp::QCollection<dim> middle{QMidpoint<dim>()};
   hp::FEValues<dim> hp_values(space.dofs().get_fe_collection(), middle, update_gradients);
-  std::vector<types::global_dof_index> dofs;
   for (const auto& cell : space.dofs().active_cell_iterators()) {
     if (!of_interest[cell->active_cell_index()] || space.kind(cell) == CellKind::absent) continue;
     hp_values.reinit(cell);
     const FEValues<dim>& fe = hp_values.get_present_fe_values();
-    dofs.resize(fe.dofs_per_cell);
-    cell->get_dof_indices(dofs);
+    const Dofs dofs = dofs_of(cell);
     const int row = static_cast<int>(cells_.size());
     for (const unsigned i : fe.dof_indices()) {
       const PlaneStrain strain = strain_of(fe, i, 0);
-      for (const auto& [unknown, weight] : unknowns.expansion(static_cast<unsigned>(dofs[i]))) {
+      for (const auto& [unknown, weight] : unknowns.expansion(dofs[i])) {
         xx.emplace_back(row, unknown, weight * strain.xx);
         yy.emplace_back(row, unknown, weight * strain.yy);
         xy.emplace_back(row, unknown, weight * strain.xy);
@@ -178,13 +176,6 @@ void Mobilisation::recall(const std::vector<double>& memory) {
 
 namespace {
 
-/// Where the i-th function of a cell has its node.
-Point<dim> node_of(const Space& space, const DoFHandler<dim>::active_cell_iterator& cell, unsigned i) {
-  const FiniteElement<dim>& fe = cell->get_fe();
-  const FiniteElement<dim>& base = fe.base_element(fe.system_to_base_index(i).first.first);
-  return space.mapping().transform_unit_to_real_cell(cell, base.unit_support_point(fe.system_to_base_index(i).second));
-}
-
 /// Those columns of a sparse matrix alone, in that order.
 SparseMatrix columns_of(const SparseMatrix& rows, const std::vector<int>& columns) {
   SparseMatrix chosen(rows.cols(), static_cast<Eigen::Index>(columns.size()));
@@ -197,19 +188,16 @@ SparseMatrix columns_of(const SparseMatrix& rows, const std::vector<int>& column
 LeastPressure::LeastPressure(const Space& space, const Unknowns& unknowns, const Scene& scene, double level) {
   std::vector<Eigen::Triplet<double>> entries;
   std::set<types::global_dof_index> seen;
-  std::vector<types::global_dof_index> dofs;
   for (const auto& cell : space.dofs().active_cell_iterators()) {
     if (!space.has_pressure(cell)) continue;
     const FiniteElement<dim>& fe = cell->get_fe();
-    dofs.resize(fe.n_dofs_per_cell());
-    cell->get_dof_indices(dofs);
+    const Dofs dofs = dofs_of(cell);
     for (unsigned i = 0; i < dofs.size(); ++i) {
       if (fe.system_to_component_index(i).first != phi_component || !seen.insert(dofs[i]).second) continue;
-      const Point<dim> at = node_of(space, cell, i);
+      const Point<dim> at = node_of(space, cell, i).at;
       if (at[1] > level) continue;
       const int row = static_cast<int>(nodes_.size());
-      for (const auto& [unknown, weight] : unknowns.expansion(static_cast<unsigned>(dofs[i])))
-        entries.emplace_back(row, unknown, weight);
+      for (const auto& [unknown, weight] : unknowns.expansion(dofs[i])) entries.emplace_back(row, unknown, weight);
       nodes_.push_back(
           {at, space.mesh().surface_of(cell), atmosphere + scene.fluid.density * scene.gravity * (level - at[1])});
     }

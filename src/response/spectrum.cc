@@ -7,7 +7,7 @@
 #include "dynamics/frequency_response.h"
 #include "dynamics/projection.h"
 #include "fem/caisson/readings.h"
-#include "fem/surplus.h"
+#include "fem/error_indicator.h"
 #include "response/reduction.h"
 #include "response/time_choice.h"
 

@@ -3,7 +3,7 @@
 #include <map>
 #include <optional>
 
-#include "fem/caisson/base_readings.h"
+#include "fem/caisson/readings.h"
 #include "fem/compile.h"
 #include "run/sliding/effective_base.h"
 

@@ -121,7 +121,7 @@ class CoupledRun {
 
   /// Through a stretch; `is_step`: it is as long as the longest steps. `jumps`: the loads do so at its beginning.
   void pass(const LoadStretch& stretch, bool is_step, bool jumps) {
-    if (++n_stretches_ % stretches_between_drops == 0) drop_what_is_gone(z_);
+    if (++n_stretches_ % stretches_between_drops == 0) flush_denormals(z_);
     if (jumps) {
       last_ = reading_now(stretch.begin);
       const double watched = stuck() ? last_.shear : last_.velocity;

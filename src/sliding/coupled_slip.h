@@ -8,7 +8,6 @@
 #include "dynamics/batch_response.h"
 #include "dynamics/slip_model.h"
 #include "dynamics/slip_steps.h"
-#include "dynamics/slip_within_step.h"
 #include "upbead/dynamics/modal_response.h"
 #include "upbead/sliding/block.h"
 
@@ -61,7 +60,7 @@ struct SlipLevel {
 /// samples; energy coordinates pass from phase to phase. A change of phase is found as a root inside the step, so that
 /// it is exact. While it sticks a change is looked for at the samples: what comes and goes back within one step goes
 /// unseen: take steps of a 20th of the shortest period that matters. Once it moves none is missed: friction on an N' <
-/// 0 or against no motion would be a source of energy. Where the bends of s' and N' within a step (slip_within_step.h)
+/// 0 or against no motion would be a source of energy. Where the bends of s' and N' within a step (slip_steps.h)
 /// leave room for a change, the step is halved, down to a radian of the fastest mode.
 /// s is the exact integral of s'. Dissipated energy takes F_T as straight between samples: error of order step^2.
 class CoupledSlip {

@@ -19,10 +19,10 @@ SparseMatrix select(const SparseMatrix& A, const Selection& selection) {
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(static_cast<std::size_t>(A.nonZeros()));
   for (int i = 0; i < A.rows(); ++i) {
-    const int row = selection.of_old[static_cast<std::size_t>(i)];
+    const int row = selection.of_old[i];
     if (row == dropped) continue;
     for (SparseMatrix::InnerIterator entry(A, i); entry; ++entry)
-      if (const int column = selection.of_old[static_cast<std::size_t>(entry.col())]; column != dropped)
+      if (const int column = selection.of_old[entry.col()]; column != dropped)
         entries.emplace_back(row, column, entry.value());
   }
   SparseMatrix B(selection.size, selection.size);
@@ -33,7 +33,7 @@ SparseMatrix select(const SparseMatrix& A, const Selection& selection) {
 Row select(const Row& row, const Selection& selection) {
   std::map<int, double> entries;
   for (const auto& [i, weight] : row)
-    if (const int j = selection.of_old[static_cast<std::size_t>(i)]; j != dropped) entries[j] += weight;
+    if (const int j = selection.of_old[i]; j != dropped) entries[j] += weight;
   return Row(entries.begin(), entries.end());
 }
 
@@ -46,15 +46,15 @@ System select(const System& system, const Selection& selection) {
   if (system.radiation.size() > 0) out.radiation = select(system.radiation, selection);
   out.field.resize(static_cast<std::size_t>(selection.size));
   for (std::size_t i = 0; i < system.field.size(); ++i)
-    if (selection.of_old[i] != dropped) out.field[static_cast<std::size_t>(selection.of_old[i])] = system.field[i];
+    if (selection.of_old[i] != dropped) out.field[selection.of_old[i]] = system.field[i];
   out.blocks = system.blocks;
   out.loads = system.loads;
   for (SystemLoad& load : out.loads) {
     const Vector old = std::move(load.vector);
     load.vector = Vector::Zero(selection.size);
     for (Eigen::Index i = 0; i < old.size(); ++i)
-      if (const int j = selection.of_old[static_cast<std::size_t>(i)]; j != dropped) load.vector[j] += old[i];
-    if (load.prescribed >= 0) load.prescribed = selection.of_old[static_cast<std::size_t>(load.prescribed)];
+      if (const int j = selection.of_old[i]; j != dropped) load.vector[j] += old[i];
+    if (load.prescribed >= 0) load.prescribed = selection.of_old[load.prescribed];
   }
   for (const Reading& reading : system.readings) {
     if (reading.name.group == interface_group) continue;
@@ -87,7 +87,7 @@ Reading residual(const System& system, int i, double sign, const ReadingName& na
 System glued(const System& system, bool forces) {
   const int n = system.first_slip(), nodes = system.interface->n_nodes();
   Selection selection{std::vector<int>(static_cast<std::size_t>(system.size()), dropped), n};
-  for (int i = 0; i < n; ++i) selection.of_old[static_cast<std::size_t>(i)] = i;
+  for (int i = 0; i < n; ++i) selection.of_old[i] = i;
   System out = select(system, selection);
   out.n_prescribed = system.n_prescribed - 2 * nodes;
   for (int i = 0; forces && i < nodes; ++i)
@@ -105,8 +105,8 @@ System glued(const System& system, bool forces) {
 System with_rigid_slip(const System& system) {
   const int free = system.n_free(), nodes = system.interface->n_nodes();
   Selection selection{std::vector<int>(static_cast<std::size_t>(system.size()), dropped), system.first_slip() + 1};
-  for (int i = 0; i < system.first_slip(); ++i) selection.of_old[static_cast<std::size_t>(i)] = i < free ? i : i + 1;
-  for (int i = 0; i < nodes; ++i) selection.of_old[static_cast<std::size_t>(system.first_slip() + i)] = free;
+  for (int i = 0; i < system.first_slip(); ++i) selection.of_old[i] = i < free ? i : i + 1;
+  for (int i = 0; i < nodes; ++i) selection.of_old[system.first_slip() + i] = free;
   System out = select(system, selection);
   out.n_prescribed = system.n_prescribed - 2 * nodes;
   return out;
@@ -115,8 +115,7 @@ System with_rigid_slip(const System& system) {
 System with_one_node(const System& system) {
   const int first = system.first_slip(), nodes = system.interface->n_nodes();
   Selection selection{std::vector<int>(static_cast<std::size_t>(system.size()), dropped), first + 2};
-  for (int i = 0; i < system.size(); ++i)
-    selection.of_old[static_cast<std::size_t>(i)] = i < first ? i : i < first + nodes ? first : first + 1;
+  for (int i = 0; i < system.size(); ++i) selection.of_old[i] = i < first ? i : i < first + nodes ? first : first + 1;
   System out = select(system, selection);
   out.n_prescribed = system.n_prescribed - 2 * nodes + 2;
   const Interface& all = *system.interface;

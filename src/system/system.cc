@@ -15,6 +15,18 @@ int System::reading(const std::string& name) const {
   throw std::out_of_range("no reading '" + name + "'");
 }
 
+Reading position_reading(ReadingName name, std::string unit, std::string description, Row row) {
+  return {std::move(name), std::move(unit), std::move(description), std::move(row), {}, {}, {}};
+}
+
+Reading velocity_reading(ReadingName name, std::string unit, std::string description, Row row) {
+  return {std::move(name), std::move(unit), std::move(description), {}, std::move(row), {}, {}};
+}
+
+Reading acceleration_reading(ReadingName name, std::string unit, std::string description, Row row) {
+  return {std::move(name), std::move(unit), std::move(description), {}, {}, std::move(row), {}};
+}
+
 State at_rest(const System& system) {
   const Vector zero = Vector::Zero(system.size());
   return {0., zero, zero, zero};

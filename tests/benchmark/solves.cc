@@ -16,7 +16,7 @@
 #include <nlohmann/json.hpp>
 
 #include "../../src/algebra/condensation.h"
-#include "../../src/algebra/ldlt.h"
+#include "../../src/algebra/ldlt/ldlt.h"
 #include "base/stopwatch.h"
 #include "case/case_run.h"
 #include "fem/compile.h"

@@ -9,8 +9,8 @@
 #include <random>
 #include <stdexcept>
 
-#include "../../src/dynamics/mode_sum.h"
-#include "dynamics/band_check.h"
+#include "../../src/dynamics/lanes.h"
+#include "dynamics/answer_error.h"
 #include "modal_models.h"
 #include "upbead/dynamics/modal_response.h"
 

@@ -1,6 +1,6 @@
 // Claim: a march that is resumed from a checkpoint gives what it would have given, to the last bit: at every step of
 // both schemes, over jumps of a load (where generalised-alpha starts anew), changes of the step size and an early stop.
-#include "dynamics/checkpoint.h"
+#include "upbead/dynamics/march.h"
 
 #include <gtest/gtest.h>
 

@@ -8,8 +8,6 @@
 
 #include <random>
 
-#include "../../src/dynamics/contact_sweeps.h"
-
 namespace {
 
 using namespace upbead;

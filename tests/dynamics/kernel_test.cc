@@ -2,7 +2,7 @@
 // with SDIRK for all loads that are straight within steps, prescribed ones too, with generalised-alpha for forces
 // without jumps; others are refused.
 // Tolerance 1e-12 of the peak: 120 steps of round-off.
-#include "dynamics/kernel.h"
+#include "discrete_kernel.h"
 
 #include <gtest/gtest.h>
 

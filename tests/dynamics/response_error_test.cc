@@ -2,7 +2,7 @@
 // of nested_models are better than theirs for pulses much shorter and records much longer, and the bound made of them
 // holds.
 // Source: the exact recurrence of every mode; a chain of masses and springs, its modes in closed form.
-#include "dynamics/response_error.h"
+#include "dynamics/answer_error.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Claim: the pass through the lower triangles of C and K gives what the products with the whole matrices give, whatever
 // entries either lacks. Tolerance: round-off of sums of a dozen terms of order 1.
-#include "../../src/dynamics/symmetric_pair.h"
+#include "../../src/dynamics/products.h"
 
 #include <gtest/gtest.h>
 

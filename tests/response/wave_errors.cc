@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "base/stopwatch.h"
-#include "dynamics/response_error.h"
+#include "dynamics/answer_error.h"
 #include "fem/caisson/readings.h"
 #include "upbead/dynamics/modal_response.h"
 

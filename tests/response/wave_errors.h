@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "dynamics/kernel.h"
+#include "discrete_kernel.h"
 #include "random_records.h"
 #include "response/reduction.h"
 #include "scenes.h"

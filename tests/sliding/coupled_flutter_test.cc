@@ -10,7 +10,7 @@
 #include <random>
 
 #include "dynamics/slip_path.h"
-#include "dynamics/slip_within_step.h"
+#include "dynamics/slip_steps.h"
 #include "lumped.h"
 #include "upbead/base/error.h"
 #include "upbead/sliding/pulse.h"

@@ -1,6 +1,8 @@
 // Where the work of the loads went.
 #pragma once
 
+#include <cmath>
+
 namespace upbead {
 
 /// Energy (J/m) at a time of a march: work = kinetic + strain + fluid + lifted + drag + damping + radiated +
@@ -21,7 +23,10 @@ struct EnergyAccount {
   /// Stored in the system now.
   double stored() const { return kinetic + strain + fluid + lifted; }
   /// |work - sum of all others| / largest_work; 0 where no work was done.
-  double mismatch() const;
+  double mismatch() const {
+    if (largest_work == 0.) return 0.;
+    return std::abs(work - stored() - drag - damping - radiated - scheme - friction) / largest_work;
+  }
 };
 
 }  // namespace upbead

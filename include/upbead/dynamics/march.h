@@ -30,7 +30,12 @@ struct Response {
   bool stopped_early = false;
 };
 
-struct MarchCheckpoint;  // see checkpoint.h
+/// A march that stands still after some of its steps, with all that it needs to go on as if it never had.
+struct MarchCheckpoint {
+  Response so_far;  ///< with the state that the march stands at, and the steps done
+  SchemeMemory memory;
+  std::vector<double> observed;  ///< memories of the observers, one after the other
+};
 
 /// Follows the states of a march, and remembers what it needs of them. A march that is begun anew, as the one before
 /// was refused, begins with step 0: then nothing that was seen counts.

@@ -11,12 +11,20 @@
 namespace upbead {
 
 struct ContactReport;
-struct SchemeMemory;  // see checkpoint.h
 
 /// A state, and the load values f_k that belong to it.
 struct LoadedState {
   State state;
   std::vector<double> load;
+};
+
+/// What a scheme carries from step to step beside the state and what it can make anew.
+struct SchemeMemory {
+  LoadedState balanced;
+  std::vector<double> end_load;
+  std::vector<double> largest_load;  ///< |f_k| so far, of generalised-alpha; else empty
+  double last_step = 0.;             ///< of generalised-alpha (s); 0 before the first
+  EnergyAccount energy;
 };
 
 /// Advances M x'' + C x' + K x = sum_k b_k f_k(t) by single steps. Loads are evaluated as the smooth piece that holds

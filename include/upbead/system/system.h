@@ -62,6 +62,11 @@ struct Reading {
   std::vector<double> feedthrough;  ///< one per load; empty means none
 };
 
+/// Readings of one part of the state alone.
+Reading position_reading(ReadingName name, std::string unit, std::string description, Row row);
+Reading velocity_reading(ReadingName name, std::string unit, std::string description, Row row);
+Reading acceleration_reading(ReadingName name, std::string unit, std::string description, Row row);
+
 /// Where two bodies touch and may slip and part, node by node. Its unknowns are motions of the upper body relative to
 /// the lower one: slip (m, landward) of all nodes, then opening (m, apart) of all nodes. They are the last unknowns of
 /// the system and count as prescribed: kept at zero they glue the bodies; a contact law may move them. With them the

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "fem/hanging_nodes.h"
+#include "fem/constraints.h"
 
 namespace upbead {
 
@@ -34,21 +34,19 @@ namespace {
 /// Momentum of a deformable caisson: the integral of density times velocity times a unit motion.
 Row deformable_momentum(const Space& space, const Unknowns& unknowns, const Body& body, double density, int motion) {
   std::map<int, double> row;
-  std::vector<types::global_dof_index> dofs;
   const QGauss<dim> quadrature(static_cast<unsigned>(space.degree()) + 1);
   for (const auto& cell : space.dofs().active_cell_iterators()) {
     if (space.mesh().surface_of(cell) != body.region) continue;
     FEValues<dim> fe(space.mapping(), cell->get_fe(), quadrature,
                      update_values | update_quadrature_points | update_JxW_values);
     fe.reinit(typename Triangulation<dim>::cell_iterator(cell));
-    dofs.resize(fe.dofs_per_cell);
-    cell->get_dof_indices(dofs);
+    const Dofs dofs = dofs_of(cell);
     for (unsigned i = 0; i < dofs.size(); ++i) {
       double sum = 0.;
       for (unsigned q = 0; q < fe.n_quadrature_points; ++q)
         sum +=
             density * (fe[u_part].value(i, q) * unit_motion(motion, fe.quadrature_point(q), body.centre)) * fe.JxW(q);
-      unknowns.add_to(row, static_cast<unsigned>(dofs[i]), sum);
+      unknowns.add_to(row, dofs[i], sum);
     }
   }
   return to_row(row);
@@ -90,16 +88,11 @@ NodalSums sums_of_motions(const Space& space, const Caisson& caisson) {
   NodalSums sums;
   sums.n = n_motions;
   sums.of_dof.resize(space.dofs().n_dofs());
-  std::vector<types::global_dof_index> dofs;
   for (const auto& cell : space.dofs().active_cell_iterators()) {
     if (space.mesh().surface_of(cell) != caisson.body.region) continue;
-    const auto& fe = cell->get_fe();
-    dofs.resize(fe.n_dofs_per_cell());
-    cell->get_dof_indices(dofs);
+    const Dofs dofs = dofs_of(cell);
     for (unsigned i = 0; i < dofs.size(); ++i) {
-      const auto [component, node] = fe.system_to_component_index(i);
-      const Point<dim> at =
-          space.mapping().transform_unit_to_real_cell(cell, fe.base_element(0).unit_support_point(node));
+      const auto [component, at] = node_of(space, cell, i);
       auto& parts = sums.of_dof[dofs[i]];
       parts.clear();
       for (int m = 0; m < n_motions; ++m)
@@ -117,8 +110,7 @@ std::vector<Vector> caisson_motions(const Space& space, const Unknowns& unknowns
   for (unsigned dof = 0; dof < sums.of_dof.size(); ++dof) {
     const Row& expansion = unknowns.expansion(dof);
     if (expansion.size() != 1 || expansion.front().second != 1.) continue;  // it follows others
-    for (const auto& [motion, part] : sums.of_dof[dof])
-      motions[static_cast<std::size_t>(motion)][expansion.front().first] = part;
+    for (const auto& [motion, part] : sums.of_dof[dof]) motions[motion][expansion.front().first] = part;
   }
   return motions;
 }
@@ -136,7 +128,7 @@ NodalReaction::NodalReaction(const Unknowns& unknowns, NodalSums sums) : unknown
   for (auto* rows : {&M_, &C_, &K_}) rows->resize(static_cast<std::size_t>(sums_.n));
 }
 
-bool NodalReaction::has_any(const std::vector<types::global_dof_index>& dofs) const {
+bool NodalReaction::has_any(const Dofs& dofs) const {
   return std::any_of(dofs.begin(), dofs.end(), [&](const auto dof) { return !sums_.of_dof[dof].empty(); });
 }
 
@@ -148,15 +140,14 @@ double NodalReaction::sum(int sum, const NodalForces& forces) const {
   return total;
 }
 
-void NodalReaction::add(const CellMatrices& cell, const std::vector<types::global_dof_index>& dofs) {
+void NodalReaction::add(const CellMatrices& cell, const Dofs& dofs) {
   for (unsigned i = 0; i < dofs.size(); ++i)
     for (const auto& [sum, part] : sums_.of_dof[dofs[i]]) {
       const auto k = static_cast<std::size_t>(sum);
       for (unsigned j = 0; j < dofs.size(); ++j) {
-        const auto dof = static_cast<unsigned>(dofs[j]);
-        if (cell.M(i, j) != 0.) unknowns_->add_to(M_[k], dof, part * cell.M(i, j));
-        if (cell.C(i, j) != 0.) unknowns_->add_to(C_[k], dof, part * cell.C(i, j));
-        if (cell.K(i, j) != 0.) unknowns_->add_to(K_[k], dof, part * cell.K(i, j));
+        if (cell.M(i, j) != 0.) unknowns_->add_to(M_[k], dofs[j], part * cell.M(i, j));
+        if (cell.C(i, j) != 0.) unknowns_->add_to(C_[k], dofs[j], part * cell.C(i, j));
+        if (cell.K(i, j) != 0.) unknowns_->add_to(K_[k], dofs[j], part * cell.K(i, j));
       }
     }
 }
@@ -167,7 +158,7 @@ CaissonForces::CaissonForces(const Space& space, const Unknowns& unknowns, const
   if (!bottom_nodes.empty()) bottom.emplace(unknowns, sums_of_nodes(space, bottom_nodes));
 }
 
-void CaissonForces::add_ground(const CellMatrices& cell, const std::vector<types::global_dof_index>& dofs) {
+void CaissonForces::add_ground(const CellMatrices& cell, const Dofs& dofs) {
   ground.add(cell, dofs);
   if (bottom) bottom->add(cell, dofs);
 }

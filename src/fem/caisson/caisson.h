@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "fem/caisson/rigid_body.h"
-#include "fem/face_loads.h"
 #include "fem/faces.h"
 #include "fem/unknowns.h"
 
@@ -50,14 +49,14 @@ class NodalReaction {
   NodalReaction(const Unknowns& unknowns, NodalSums sums);
 
   /// Adds a cell or a face that does not belong to the caisson.
-  void add(const CellMatrices& cell, const std::vector<dealii::types::global_dof_index>& dofs);
+  void add(const CellMatrices& cell, const Dofs& dofs);
   /// Whether some of these degrees of freedom move with the caisson, so that there is something to add.
-  bool has_any(const std::vector<dealii::types::global_dof_index>& dofs) const;
+  bool has_any(const Dofs& dofs) const;
   /// What nodal forces on the caisson's nodes amount to in one of the sums.
   double sum(int sum, const NodalForces& forces) const;
-  Row position(int sum) const { return to_row(K_[static_cast<std::size_t>(sum)]); }
-  Row velocity(int sum) const { return to_row(C_[static_cast<std::size_t>(sum)]); }
-  Row acceleration(int sum) const { return to_row(M_[static_cast<std::size_t>(sum)]); }
+  Row position(int sum) const { return to_row(K_[sum]); }
+  Row velocity(int sum) const { return to_row(C_[sum]); }
+  Row acceleration(int sum) const { return to_row(M_[sum]); }
 
  private:
   const Unknowns* unknowns_;
@@ -75,7 +74,7 @@ struct CaissonForces {
   /// `bottom_nodes`: of the bottom, where forces are asked for node by node.
   CaissonForces(const Space& space, const Unknowns& unknowns, const Caisson& caisson,
                 const std::vector<InterfaceNode>& bottom_nodes = {});
-  void add_ground(const CellMatrices& cell, const std::vector<dealii::types::global_dof_index>& dofs);
+  void add_ground(const CellMatrices& cell, const Dofs& dofs);
   /// Adds the face of a wet solid: water on the caisson, or, of another solid, a part of the ground.
   void add(const WetFace& face, const Space& space, const FaceTerms& terms);
 };

@@ -2,7 +2,11 @@
 
 #include <map>
 
+#include "fem/caisson/bottom.h"
+
 namespace upbead {
+
+using namespace dealii;
 
 namespace {
 
@@ -23,7 +27,7 @@ Reading ground_force(const NodalReaction& ground, const SceneLoads& loads, int m
   return r;
 }
 
-Reading named(Reading r, std::string name, std::string unit, std::string description) {
+Reading named(Reading r, ReadingName name, std::string unit, std::string description) {
   r.name = std::move(name);
   r.unit = std::move(unit);
   r.description = std::move(description);
@@ -58,15 +62,10 @@ void add_loads(std::vector<Reading>& list, const CaissonForces& forces, const Sc
                   {},
                   feedthrough(loads, &LoadOnCaisson::force_y, 1.)});
   const Row front = water_row(forces.water_front), back = water_row(forces.water_back);
-  list.push_back({reading::water_force,
-                  "N/m",
-                  "P_water, force of the modelled water on the caisson, landward",
-                  {},
-                  sum(front, back),
-                  {},
-                  {}});
+  list.push_back(velocity_reading(reading::water_force, "N/m",
+                                  "P_water, force of the modelled water on the caisson, landward", sum(front, back)));
   list.push_back(
-      {reading::water_force_front, "N/m", "P_water on the faces that look seaward, landward", {}, front, {}, {}});
+      velocity_reading(reading::water_force_front, "N/m", "P_water on the faces that look seaward, landward", front));
 }
 
 void add_base_forces(std::vector<Reading>& list, const NodalReaction& ground, const SceneLoads& loads) {
@@ -102,14 +101,14 @@ void add_motion(std::vector<Reading>& list, const Body& body, const std::array<R
   for (int m = 0; m < dim; ++m) {
     const Row row = scaled(momentum[m], 1. / body.mass);
     const std::string text = " of the centre of gravity, " + directions[m];
-    list.push_back({{"caisson", "displacement_" + axes[m]}, "m", "displacement" + text, row, {}, {}, {}});
-    list.push_back({{"caisson", "velocity_" + axes[m]}, "m/s", "velocity" + text, {}, row, {}, {}});
-    list.push_back({{"caisson", "acceleration_" + axes[m]}, "m/s2", "acceleration" + text, {}, {}, row, {}});
+    list.push_back(position_reading({"caisson", "displacement_" + axes[m]}, "m", "displacement" + text, row));
+    list.push_back(velocity_reading({"caisson", "velocity_" + axes[m]}, "m/s", "velocity" + text, row));
+    list.push_back(acceleration_reading({"caisson", "acceleration_" + axes[m]}, "m/s2", "acceleration" + text, row));
   }
   const Row rotation = scaled(momentum[motion_rotation], 1. / body.moment_of_inertia);
   list.push_back(
-      {{"caisson", "rotation"}, "rad", "rotation, positive when the top moves landward", rotation, {}, {}, {}});
-  list.push_back({{"caisson", "angular_velocity"}, "rad/s", "rate of rotation", {}, rotation, {}, {}});
+      position_reading({"caisson", "rotation"}, "rad", "rotation, positive when the top moves landward", rotation));
+  list.push_back(velocity_reading({"caisson", "angular_velocity"}, "rad/s", "rate of rotation", rotation));
 }
 
 }  // namespace
@@ -120,22 +119,125 @@ std::vector<Reading> caisson_readings(const Caisson& caisson, const CaissonForce
   std::vector<Reading> list;
   add_loads(list, forces, loads);
   add_base_forces(list, forces.ground, loads);
-  list.push_back({reading::uplift,
-                  "N/m",
-                  "U, integral of the excess pore pressure over the bottom, upward",
-                  {},
-                  uplift[motion_y],
-                  {},
-                  {}});
-  list.push_back({"uplift_moment",
-                  "N m/m",
-                  "moment of the uplift about the bottom's middle, overturning landward positive",
-                  {},
-                  uplift[motion_rotation],
-                  {},
-                  {}});
+  list.push_back(velocity_reading(reading::uplift, "N/m",
+                                  "U, integral of the excess pore pressure over the bottom, upward", uplift[motion_y]));
+  list.push_back(velocity_reading("uplift_moment", "N m/m",
+                                  "moment of the uplift about the bottom's middle, overturning landward positive",
+                                  uplift[motion_rotation]));
   add_inertia(list, forces, loads, momentum[motion_x], inertia);
   add_motion(list, caisson.body, momentum);
+  return list;
+}
+
+namespace {
+
+using Entries = std::array<std::map<int, double>, n_motions>;
+
+void add_uplift(const FaceValues& fe, const Dofs& dofs, const Unknowns& unknowns, const Point<dim>& about,
+                Entries& entries) {
+  for (unsigned i = 0; i < dofs.size(); ++i)
+    for (int m = 0; m < n_motions; ++m) {
+      double work = 0.;  // the ground's outward normal points into the caisson
+      for (unsigned q = 0; q < fe.n_quadrature_points; ++q)
+        work += fe[phi_part].value(i, q) * (fe.normal_vector(q) * unit_motion(m, fe.quadrature_point(q), about)) *
+                fe.JxW(q);
+      if (work != 0.) unknowns.add_to(entries[m], dofs[i], work);
+    }
+}
+
+}  // namespace
+
+std::array<Row, n_motions> uplift_rows(const Space& space, const Unknowns& unknowns, const Caisson& caisson) {
+  Entries entries;
+  for_each_bottom_face(space, [&](const Cell& ground, unsigned f) {
+    if (space.has_pores(ground))
+      add_uplift(FaceValues(space, ground, f), dofs_of(ground), unknowns, caisson.bottom_centre, entries);
+  });
+  std::array<Row, n_motions> rows;
+  for (int m = 0; m < n_motions; ++m) rows[m] = to_row(entries[m]);
+  return rows;
+}
+
+namespace {
+
+/// Integrals of the pore pressure times the shape function of a node: of its amount, and of its push upward.
+struct PorePush {
+  std::map<int, double> amount, upward;
+};
+
+/// By the degree of freedom u_y of the node.
+std::map<types::global_dof_index, PorePush> pore_pushes(const Space& space, const Unknowns& unknowns) {
+  std::map<types::global_dof_index, PorePush> of_node;
+  for_each_bottom_face(space, [&](const Cell& ground, unsigned f) {
+    if (!space.has_pores(ground)) return;
+    const FaceValues fe(space, ground, f);
+    const Dofs dofs = dofs_of(ground);
+    for_each_displacement(space, ground, f, [&](unsigned node, unsigned component, const Point<dim>&) {
+      if (component != 1) return;
+      PorePush& push = of_node[dofs[node]];
+      for (unsigned j = 0; j < dofs.size(); ++j) {
+        double amount = 0., upward = 0.;  // the ground's outward normal points into the caisson
+        for (unsigned q = 0; q < fe.n_quadrature_points; ++q) {
+          const double part = fe[u_part].value(node, q)[1] * fe[phi_part].value(j, q) * fe.JxW(q);
+          amount += part;
+          upward += part * fe.normal_vector(q)[1];
+        }
+        if (amount == 0. && upward == 0.) continue;
+        unknowns.add_to(push.amount, dofs[j], amount);
+        unknowns.add_to(push.upward, dofs[j], upward);
+      }
+    });
+  });
+  return of_node;
+}
+
+Row sum(Row row, const std::map<int, double>& more, double factor) {
+  std::map<int, double> entries(row.begin(), row.end());
+  for (const auto& [unknown, weight] : more) entries[unknown] += factor * weight;
+  return to_row(entries);
+}
+
+/// A sum of the nodal forces on the ground, times a factor.
+Reading stress(const ReadingName& name, const char* description, const NodalReaction& bottom, const SceneLoads& loads,
+               int sum, double factor) {
+  Reading reading{name,
+                  "Pa",
+                  description,
+                  scaled(bottom.position(sum), factor),
+                  scaled(bottom.velocity(sum), factor),
+                  scaled(bottom.acceleration(sum), factor),
+                  {}};
+  for (const NodalForces& forces : loads.on_ground) reading.feedthrough.push_back(-factor * bottom.sum(sum, forces));
+  return reading;
+}
+
+}  // namespace
+
+std::vector<Reading> base_readings(const Space& space, const Unknowns& unknowns,
+                                   const std::vector<InterfaceNode>& nodes, const NodalReaction& bottom,
+                                   const SceneLoads& loads) {
+  const auto pushes = pore_pushes(space, unknowns);
+  std::vector<Reading> list;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const InterfaceNode& node = nodes[i];
+    const int at = static_cast<int>(i), x = dim * at, y = x + 1;
+    list.push_back(stress({base_group, at, "shear_stress"}, "shear stress on the ground, landward", bottom, loads, x,
+                          1. / node.length));
+    list.push_back(stress({base_group, at, "normal_stress"},
+                          "change of the effective normal stress, compression positive", bottom, loads, y,
+                          -1. / node.length));
+    if (const auto found = pushes.find(node.uy); found != pushes.end()) {
+      Row& velocity = list.back().velocity;
+      velocity = sum(velocity, found->second.upward, -1. / node.length);
+      list.push_back(velocity_reading({base_group, at, "pore_pressure"}, "Pa", "excess pore pressure",
+                                      scaled(to_row(found->second.amount), 1. / node.length)));
+    }
+    const char* directions[] = {"landward", "upward"};
+    for (unsigned d = 0; d < dim; ++d)
+      list.push_back(position_reading({base_group, at, d == 0 ? "displacement_x" : "displacement_y"}, "m",
+                                      std::string("displacement of the ground, ") + directions[d],
+                                      unknowns.expansion(d == 0 ? node.ux : node.uy)));
+  }
   return list;
 }
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "fem/compile.h"
-#include "fem/far_sides.h"
+#include "fem/outline.h"
 #include "response/shear_response.h"
 #include "response/spectrum.h"
 #include "response/time_choice.h"

@@ -9,7 +9,7 @@
 #include <filesystem>
 
 #include "case/case_run.h"
-#include "dynamics/kernel.h"
+#include "discrete_kernel.h"
 #include "fem/caisson/readings.h"
 #include "fem/compile.h"
 #include "record.h"

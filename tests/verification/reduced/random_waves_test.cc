@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <map>
 
-#include "dynamics/kernel.h"
+#include "discrete_kernel.h"
 #include "fem/caisson/readings.h"
 #include "reduced_case.h"
 

@@ -1,4 +1,4 @@
-#include "fem/caisson/interface_nodes.h"
+#include "fem/caisson/bottom.h"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,6 @@
 #include <limits>
 #include <map>
 
-#include "fem/bottom_faces.h"
 #include "fem/unknowns.h"
 #include "system/interface.h"
 
@@ -14,12 +13,29 @@ namespace upbead {
 
 using namespace dealii;
 
+void for_each_bottom_face(const Space& space, const std::function<void(const Cell&, unsigned)>& visit) {
+  for (const auto& cell : space.dofs().active_cell_iterators()) {
+    if (space.mesh().surface_of(cell) == caisson_name) continue;
+    if (space.kind(cell) == CellKind::water || space.kind(cell) == CellKind::absent) continue;
+    for (const unsigned f : cell->face_indices())
+      if (!cell->at_boundary(f) && space.mesh().surface_of(cell->neighbor(f)) == caisson_name) visit(cell, f);
+  }
+}
+
+void for_each_displacement(const Space& space, const Cell& cell, unsigned f,
+                           const std::function<void(unsigned index, unsigned component, const Point<dim>& at)>& visit) {
+  const auto& fe = cell->get_fe();
+  for (unsigned i = 0; i < fe.n_dofs_per_face(f); ++i) {
+    const unsigned index = fe.face_to_cell_index(i, f);
+    const auto [component, at] = node_of(space, cell, index);
+    if (component < dim) visit(index, component, at);
+  }
+}
+
 std::vector<InterfaceNode> interface_nodes(const Space& space) {
   std::map<types::global_dof_index, InterfaceNode> by_uy;
-  std::vector<types::global_dof_index> dofs;
   for_each_bottom_face(space, [&](const Cell& cell, unsigned f) {
-    dofs.resize(cell->get_fe().n_dofs_per_cell());
-    cell->get_dof_indices(dofs);
+    const Dofs dofs = dofs_of(cell);
     std::map<std::array<double, dim>, InterfaceNode> by_position;
     const FaceValues fe(space, cell, f);
     for_each_displacement(space, cell, f, [&](unsigned index, unsigned component, const Point<dim>& at) {
@@ -64,29 +80,13 @@ std::vector<Reading> interface_readings(const Unknowns& unknowns, const std::vec
   double width = 0.;
   for (const InterfaceNode& node : nodes) width += node.length;
   Row slip;
-  for (int i = 0; i < n; ++i)
-    slip.emplace_back(unknowns.opening(i) - n, nodes[static_cast<std::size_t>(i)].length / width);
-  return {{{interface_group, "slip"},
-           "m",
-           "slip of the caisson over its ground, mean over the bottom, landward",
-           slip,
-           {},
-           {},
-           {}},
-          {{interface_group, "opening_seaward"},
-           "m",
-           "height of the bottom's seaward end above the ground",
-           {{unknowns.opening(0), 1.}},
-           {},
-           {},
-           {}},
-          {{interface_group, "opening_landward"},
-           "m",
-           "height of the bottom's landward end above the ground",
-           {{unknowns.opening(n - 1), 1.}},
-           {},
-           {},
-           {}}};
+  for (int i = 0; i < n; ++i) slip.emplace_back(unknowns.opening(i) - n, nodes[i].length / width);
+  return {position_reading({interface_group, "slip"}, "m",
+                           "slip of the caisson over its ground, mean over the bottom, landward", slip),
+          position_reading({interface_group, "opening_seaward"}, "m",
+                           "height of the bottom's seaward end above the ground", {{unknowns.opening(0), 1.}}),
+          position_reading({interface_group, "opening_landward"}, "m",
+                           "height of the bottom's landward end above the ground", {{unknowns.opening(n - 1), 1.}})};
 }
 
 void for_each_gap_term(const Space& space, const Unknowns& unknowns, const std::vector<InterfaceNode>& nodes,
@@ -98,8 +98,7 @@ void for_each_gap_term(const Space& space, const Unknowns& unknowns, const std::
     if (!space.has_pores(cell)) return;
     std::vector<unsigned> shape;
     std::vector<int> unknown;
-    std::vector<types::global_dof_index> dofs(cell->get_fe().n_dofs_per_cell());
-    cell->get_dof_indices(dofs);
+    const Dofs dofs = dofs_of(cell);
     for_each_displacement(space, cell, f, [&](unsigned index, unsigned component, const Point<dim>&) {
       if (component != 1) return;
       shape.push_back(index);

@@ -1,4 +1,4 @@
-// Where the caisson stands on its ground: nodes that may slip and part.
+// Where the caisson stands on its ground: faces, and nodes that may slip and part.
 #pragma once
 
 #include <deal.II/base/point.h>
@@ -6,13 +6,21 @@
 #include <functional>
 #include <vector>
 
+#include "fem/faces.h"
 #include "fem/kernels.h"
 #include "fem/space.h"
 #include "upbead/system/system.h"
 
 namespace upbead {
 
-struct FaceTerms;
+/// Calls visit(cell of the ground, face) where it touches the caisson.
+void for_each_bottom_face(const Space& space, const std::function<void(const Cell&, unsigned)>& visit);
+
+/// Calls visit(index in the cell, component, node's point) for the displacements of a face.
+void for_each_displacement(
+    const Space& space, const Cell& cell, unsigned f,
+    const std::function<void(unsigned index, unsigned component, const dealii::Point<dim>& at)>& visit);
+
 class Unknowns;
 
 /// A node of the rigid caisson's level bottom. Its degrees of freedom are the ground's: those of the caisson follow

@@ -1,11 +1,11 @@
-#include "reach.h"
+#include "fem/domain_of_influence.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
 
-#include "fem/wave_sides.h"
+#include "fem/sides.h"
 
 namespace upbead {
 
@@ -77,24 +77,24 @@ Ends ends_of(const Scene& scene, const Mesh& mesh) {
 
 }  // namespace
 
-Reach find_reach(const Scene& scene, const Mesh& mesh) {
-  Reach reach;
-  if (scene.mesh.full_domain || scene.fields_every || !scene.time.inertia) return reach;
+DomainOfInfluence domain_of_influence(const Scene& scene, const Mesh& mesh) {
+  DomainOfInfluence domain;
+  if (scene.mesh.full_domain || scene.fields_every || !scene.time.inertia) return domain;
   for (const auto& [name, region] : scene.regions)
-    reach.speed = std::max(reach.speed, fastest_wave(region, scene.fluid, scene.gravity));
-  if (std::isinf(reach.speed)) return reach;
+    domain.speed = std::max(domain.speed, fastest_wave(region, scene.fluid, scene.gravity));
+  if (std::isinf(domain.speed)) return domain;
   const Ends ends = ends_of(scene, mesh);
-  if (ends.sources.empty() || ends.readers.empty()) return reach;
-  reach.unreached.assign(mesh.triangulation.n_active_cells(), false);
+  if (ends.sources.empty() || ends.readers.empty()) return domain;
+  domain.outside.assign(mesh.triangulation.n_active_cells(), false);
   for (const auto& cell : mesh.triangulation.active_cell_iterators()) {
     const Point<dim> middle = cell->center();
     const double way = ends.sources.distance(middle) + ends.readers.distance(middle) - cell->diameter();
-    if (way <= reach.speed * scene.time.end) continue;
-    reach.unreached[cell->active_cell_index()] = true;
-    ++reach.n_unreached;
+    if (way <= domain.speed * scene.time.end) continue;
+    domain.outside[cell->active_cell_index()] = true;
+    ++domain.n_outside;
   }
-  if (reach.n_unreached == 0) reach.unreached.clear();
-  return reach;
+  if (domain.n_outside == 0) domain.outside.clear();
+  return domain;
 }
 
 }  // namespace upbead

@@ -1,4 +1,4 @@
-// How wrong a reduced model's answer to a wave is.
+// How wrong a reduced model's answer to a wave is: beside larger models, and beyond the frequencies that were checked.
 #pragma once
 
 #include <Eigen/Core>
@@ -41,6 +41,24 @@ class ResponseError {
   std::shared_ptr<const detail::RealFft> fft_;
   Eigen::VectorXd weight_;                 ///< exp(-sigma t) of the samples
   Eigen::MatrixXcd of_model_, of_middle_;  ///< frequencies of the FFT x K
+};
+
+/// Tells what part of a wave's response comes from beyond the frequency to which a model has been checked. The wave is
+/// straight between its samples; what these lines hold beyond the samples' own band counts. Const and safe to share
+/// between threads.
+class BandCheck {
+ public:
+  /// For waves of n samples, `step` (s) apart; `omega`: rad/s.
+  BandCheck(const ModalModel& model, int reading, double step, int n, double omega);
+  /// The largest |y| of that part (in the reading's unit) at the samples' times, by FFT of the loads, the transfer
+  /// function beyond omega, and back; n samples are padded by at least as many zeros. Throws std::invalid_argument
+  /// where `loads` is not K x n.
+  double beyond(const Eigen::Ref<const WaveSamples>& loads) const;
+
+ private:
+  int n_;
+  std::shared_ptr<const detail::RealFft> fft_;
+  Eigen::MatrixXcd transfer_;  ///< frequencies of the FFT x K
 };
 
 }  // namespace upbead

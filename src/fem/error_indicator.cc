@@ -1,4 +1,4 @@
-#include "fem/surplus.h"
+#include "fem/error_indicator.h"
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_dgq.h>
@@ -139,20 +139,18 @@ Eigen::MatrixXd cell_errors(const Scene& scene, const Space& space, const Unknow
   for (Eigen::Index j = 0; j < X.cols(); ++j) {
     values.col(2 * j) = X.col(j).real();
     values.col(2 * j + 1) = X.col(j).imag();
-    size[j] = std::abs(s[static_cast<std::size_t>(j)]);
+    size[j] = std::abs(s[j]);
   }
   CellMatrices matrices;
-  std::vector<types::global_dof_index> dofs;
   for (const auto& cell : space.dofs().active_cell_iterators()) {
-    if (space.region(cell).kind == RegionKind::rigid || space.kind(cell) == CellKind::absent) continue;
+    if (!space.has_matrices(cell)) continue;
     hp_values.reinit(cell);
     assemble_cell(hp_values.get_present_fe_values(), space.material(cell), space.kind(cell), scene.time.inertia,
                   matrices);
-    dofs.resize(cell->get_fe().n_dofs_per_cell());
-    cell->get_dof_indices(dofs);
+    const Dofs dofs = dofs_of(cell);
     Dense local = Dense::Zero(static_cast<Eigen::Index>(dofs.size()), values.cols());
     for (std::size_t i = 0; i < dofs.size(); ++i)
-      for (const auto& [j, weight] : unknowns.expansion(static_cast<unsigned>(dofs[i])))
+      for (const auto& [j, weight] : unknowns.expansion(dofs[i]))
         local.row(static_cast<Eigen::Index>(i)) += weight * values.row(j);
     errors.row(cell->active_cell_index()) =
         squares_of_errors(parts[static_cast<unsigned>(space.kind(cell))], matrices, local, size);

@@ -1,9 +1,10 @@
-// The products with two symmetric matrices that a march needs together.
+// Products of a march with the matrices of its system.
 #pragma once
 
 #include <vector>
 
 #include "upbead/algebra/sparse.h"
+#include "upbead/system/system.h"
 
 namespace upbead::detail {
 
@@ -24,5 +25,17 @@ class SymmetricPair {
   std::vector<Pair> entry_;
   Vector diagonal_C_, diagonal_K_;
 };
+
+/// A few vectors side by side, one per column, stored row by row so that a matrix is read once for all of them.
+using VectorBlock = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// Z^T J A Z, rows of J A summed over the unknowns of each field; J = -1 on phi, +1 elsewhere.
+struct FieldGrams {
+  Eigen::MatrixXd displacement, relative_fluid, pressure;
+  Eigen::MatrixXd total() const { return displacement + relative_fluid + pressure; }
+};
+
+/// The grams of Z (n x 1, 2, 3, 4 or 6); throws std::logic_error for another number of columns.
+FieldGrams grams(const SparseMatrix& A, const VectorBlock& Z, const std::vector<Field>& field);
 
 }  // namespace upbead::detail

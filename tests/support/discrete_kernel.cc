@@ -1,8 +1,8 @@
-#include "dynamics/kernel.h"
+#include "discrete_kernel.h"
 
 #include <stdexcept>
 
-#include "real_fft.h"
+#include "dynamics/real_fft.h"
 #include "upbead/dynamics/march.h"
 
 namespace upbead {

@@ -1,0 +1,63 @@
+// What faces on sides add to the system: open sides, where pores drain; absorbing ones, which let waves out; the free
+// surface of water, which carries them; and where water meets something that moves.
+//
+// With phi fixed at the nodes of an open side, soil that hardly drains within a step would have to build a skin far
+// thinner than its cells: the pressure overshoots by a quarter from cell to cell, and a whole row of cells is drained
+// that should not be (Vermeer and Verruijt 1981). Imposed weakly, the side drains as much as the cells resolve: not at
+// all where the skin is much thinner than a cell, fully where it is thicker.
+#pragma once
+
+#include "fem/faces.h"
+#include "fem/unknowns.h"
+
+namespace upbead {
+
+/// Calls visit(terms) for every outer face where the boundary is open and the cell has pore water, and for every face
+/// between pore water and a drained porous region, where the pressure is none. With the jump
+/// [phi] = phi - sum_k intensity_k phi_k over the prescribed phi_k, the mobility 1/b, a penalty g of each flow's own
+/// and the cell's size h across the face:
+///
+/// Darcy flow, Nitsche (1971): C gets
+///   pp  -1/b ( g/h [dphi][phi] - [dphi] grad phi.n - grad dphi.n [phi] )
+/// Inertial flow: the flux through the side is W.n itself (the local discontinuous Galerkin flux of Arnold, Brezzi,
+/// Cockburn and Marini 2002), so C gets
+///   Wp  -dW.n [phi] and its transpose;   pp  -g/(b h) [dphi][phi]
+void for_each_open_face(const Scene& scene, const Space& space, const Unknowns& unknowns, const VisitFace& visit);
+
+/// Impedance of a soil to a plane wave that leaves it (Pa s/m): traction = -(normal u_n' n + tangential u_t' t +
+/// coupling p n), and water leaves through a side that absorbs pressure as well with W_n' = mobility p - coupling u_n'.
+struct Impedance {
+  double normal = 0., tangential = 0.;
+  double coupling = 0., mobility = 0.;
+};
+
+/// Lysmer and Kuhlemeyer (1969): rho V_p and rho V_s, V_p of the undrained soil; the pores are sealed. Where the fluid
+/// has inertia and the side absorbs pressure too (`open_to_waves`), both waves without drag at normal incidence: with
+/// M = (rho, rho_f; rho_f, a) and A = (E + alpha^2 Q, alpha Q; alpha Q, Q), E = lambda + 2 G, the matrix Z, Z M^-1 Z =
+/// A, gives (sigma_n, -p) = -Z (u_n', W_n').
+Impedance impedance(const Material& material, CellKind kind, bool open_to_waves);
+
+/// Speed of the fastest wave in a region (m/s): the undrained one; infinite in incompressible water and in soil full of
+/// it, 0 in a rigid region.
+double fastest_wave(const Region& region, const Fluid& fluid, double gravity);
+
+/// Calls visit(terms) for every absorbing face:
+///   soil   uu_C  +normal (du.n)(u.n) + tangential (du.t)(u.t);  up_C  +coupling (du.n) phi and its transpose;
+///          pp_C  -mobility dphi phi
+///   water  pp_C  -1/(rho_f c) dphi phi, c = sqrt(K_f/rho_f); nothing where it is incompressible
+void for_each_absorbing_face(const Scene& scene, const Space& space, const VisitFace& visit);
+
+/// Calls visit(terms) for every face of a free surface with gravity waves: pp_M -1/(rho_f g) dphi phi (linear waves,
+/// p = rho_f g eta).
+void for_each_surface_face(const Scene& scene, const Space& space, const VisitFace& visit);
+
+/// Calls visit(face, terms) for every wet face but those of walls on which the force was measured while they moved
+/// (Load::measured_on_wall): there the history holds the sea's answer already, and the water stands before a wall at
+/// rest. The water presses on the solid with p = phi', and what the solid moves by the water gives way: with the normal
+/// n out of the solid
+///   up_C  +(du.n) phi  and its transpose.
+/// Where the solid has pores, phi is one field through both and water flows through the face.
+void for_each_wet_face_term(const Scene& scene, const Space& space,
+                            const std::function<void(const WetFace&, const FaceTerms&)>& visit);
+
+}  // namespace upbead
