@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from report import figure, gauges, points
+from report import figure, gauges, points, waves
 from report.figure import words
 from report.markup import prose, table, tag
 from report.plot import Line, Panel, Plot
@@ -89,6 +89,7 @@ def section(result, measured):
         tag("h2", "Response"),
         figure.of_plot(plot, caption),
         peaks(result),
+        waves.records(result.summary),
         gauges.records(result.summary),
         *points.figures(result, ("pressure",)),
         id="response-section",
