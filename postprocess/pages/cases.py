@@ -87,7 +87,7 @@ def known():
 def command_of(path):
     """The command that a file is for."""
     case = tomllib.loads(path.read_text(encoding="utf-8"))
-    for key, command in (("calibration", "calibrate"), ("sea", "expected"), ("section", "waves"), ("vary", "study")):
+    for key, command in (("mesh", "run"), ("calibration", "calibrate"), ("sea", "expected"), ("section", "waves"), ("vary", "study")):
         if key in case:
             return command
     return "run"

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from report import figure, gauges, points
+from report import figure, gauges, points, waves
 from report.figure import words
 from report.markup import Markup, join, prose, table, tag
 from report.plot import Line, Panel, Plot
@@ -91,6 +91,7 @@ def section(result, measured):
         figure.of_plot(plot, caption),
         peaks(result),
         periods(result.summary),
+        waves.records(result.summary),
         gauges.records(result.summary),
         *points.figures(result, ("pressure",)),
         id="response-section",

@@ -4,7 +4,7 @@ import json
 from functools import cache
 from pathlib import Path
 
-NAMED = ("loads", "gauges", "measured")  # by names of the case
+NAMED = ("loads", "gauges", "wave_loads", "measured")  # by names of the case
 
 
 @cache

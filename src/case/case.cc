@@ -5,6 +5,7 @@
 #include "case/records/load_records.h"
 #include "case_checks.h"
 #include "case_schema.h"
+#include "wave_load.h"
 
 namespace fs = std::filesystem;
 
@@ -16,16 +17,27 @@ namespace {
 /// (docs/performance.md).
 constexpr int adapted_degree = 3;
 
-/// Reads what a load runs by: a pulse, a history or transducers.
-void make_history(Case& problem, const std::string& name, LoadTable& table, double end) {
+/// A force landward in the scene; its shape follows with the mesh.
+void make_wave(Case& problem, const std::string& name, const CaseTables& tables, LoadTable& table) {
+  const auto wave = wave_load(table, *table.wave, *tables.section, {tables.fluid.density, tables.gravity});
+  problem.waves[name] = wave;
+  table.kind = LoadKind::force;
+  table.history = wave->history;
+  table.duration = wave->duration;
+}
+
+/// Reads what a load runs by: a pulse, a history, a wave or transducers.
+void make_history(Case& problem, const std::string& name, const CaseTables& tables, LoadTable& table) {
   const std::string path = dotted("loads", name);
   if (table.kind == LoadKind::pressures) {
     problem.gauges[name] = {table, table, read_gauges(table, problem.resolve(table.gauges), path, problem.document)};
+  } else if (table.kind == LoadKind::wave) {
+    make_wave(problem, name, tables, table);
   } else if (table.pulse) {
     table.history = time_function(*table.pulse);
     table.duration = duration(*table.pulse);
   } else {
-    read_history(problem.resolve(table.history_file), problem.place(path + ".history"), end, table);
+    read_history(problem.resolve(table.history_file), problem.place(path + ".history"), tables.time.end, table);
   }
   if (table.factor == 0.) {
     table.history = TimeFunction();
@@ -39,21 +51,49 @@ void make_history(Case& problem, const std::string& name, LoadTable& table, doub
 void make_histories(Case& problem, CaseTables& tables, Diagnostics& report) {
   for (auto& [name, table] : tables.load_tables) {
     if (!report.sound(dotted("loads", name))) continue;
+    if (table.kind == LoadKind::wave && !report.sound("section")) continue;
     try {
-      make_history(problem, name, table, tables.time.end);
+      make_history(problem, name, tables, table);
     } catch (const InputError& error) {
       report.add_at(dotted("loads", name), error.diagnostics());
     }
   }
 }
 
+/// What [sliding] leaves to the one load by a wave.
+void add_wave_sliding(Case& problem, SlidingChoice& sliding) {
+  const auto waves = acting_waves(problem);
+  if (waves.size() != 1) return;
+  const WaveLoad& wave = *waves.front().second;
+  if (!sliding.wave) {
+    problem.sliding_by_wave = true;
+    sliding.wave = {wave.wave.height, wave.section.water_depth, wave.wave.period, wave.pressure.alpha_star};
+  }
+  if (!sliding.uplift || sliding.uplift->kind != UpliftKind::wave) return;
+  problem.uplift_by_wave = true;
+  sliding.uplift->kind = UpliftKind::prescribed;
+  sliding.uplift->peak = wave.load.factor * wave.pressure.uplift;
+}
+
+/// A contact by friction has the section's coefficient, where neither it nor [sliding] gives one.
+void add_section_friction(CaseTables& tables) {
+  if (!tables.section || tables.sliding_table || !has_frictional_contact(tables)) return;
+  std::optional<double>& mu = tables.regions.at(caisson_name).interface->coefficient;
+  if (!mu) mu = tables.section->friction;
+}
+
 /// Makes the sliding of a scene, with the history of its uplift.
 void make_sliding(Case& problem, CaseTables& tables, Diagnostics& report) {
   if (!tables.sliding_table || !report.sound("sliding")) return;
   tables.sliding = *tables.sliding_table;
-  if (!problem.document.find("sliding.friction")) tables.sliding->friction = contact_friction(tables);
+  const SlidingTable& written = *tables.sliding_table;
+  tables.sliding->friction =
+      written.own_friction.value_or(tables.section ? tables.section->friction : contact_friction(tables));
+  tables.sliding->submerged_weight =
+      written.own_submerged_weight.value_or(tables.section ? tables.section->submerged_weight : 0.);
+  if (tables.sliding_table->uplift_table) tables.sliding->uplift = *tables.sliding_table->uplift_table;
+  add_wave_sliding(problem, *tables.sliding);
   if (!tables.sliding_table->uplift_table) return;
-  tables.sliding->uplift = *tables.sliding_table->uplift_table;
   const UpliftTable& table = *tables.sliding_table->uplift_table;
   try {
     if (!table.history_file.empty())
@@ -92,11 +132,24 @@ CaseTables tables_of(const Case& problem, PathText path_text) {
     static_cast<GaugeSource&>(table) = by_gauges.source;
     table.gauges = path_text(by_gauges.source.gauges);
   }
+  for (const auto& [name, wave] : problem.waves) {
+    LoadTable& table = tables.load_tables[name];
+    static_cast<Load&>(table) = wave->load;
+    table.wave = wave->table;
+  }
+  tables.section = problem.section;
   if (const auto& sliding = problem.scene.sliding) {
     static_cast<SlidingChoice&>(tables.sliding_table.emplace()) = *sliding;
+    tables.sliding_table->own_friction = sliding->friction;
+    tables.sliding_table->own_submerged_weight = sliding->submerged_weight;
+    if (problem.sliding_by_wave) tables.sliding_table->wave.reset();
     if (sliding->uplift) {
       UpliftTable& uplift = tables.sliding_table->uplift_table.emplace();
       static_cast<UpliftChoice&>(uplift) = *sliding->uplift;
+      if (problem.uplift_by_wave) {
+        uplift.kind = UpliftKind::wave;
+        uplift.peak.reset();
+      }
       if (!problem.uplift_history.empty()) uplift.history_file = path_text(problem.uplift_history);
       if (problem.uplift_gauges) {
         static_cast<GaugeSource&>(uplift) = problem.uplift_gauges->source;
@@ -127,16 +180,19 @@ Case read_case(const std::string& path, const std::vector<std::string>& override
   CaseTables tables;
   Diagnostics report;
   case_schema().read(problem.document.root(), "", tables, report);
-  for (const auto check : {check_mesh, check_regions, check_loads, check_time, check_probes, check_sliding})
+  for (const auto check :
+       {check_mesh, check_regions, check_section, check_loads, check_time, check_probes, check_sliding})
     check(tables, problem.document, report);
   make_histories(problem, tables, report);
   make_sliding(problem, tables, report);
+  add_section_friction(tables);
   report.throw_if_any(path);
   problem.notes = report.notes();
   problem.scene = tables;
   problem.scene.accuracy = {tables.accuracy_of, tables.accuracy_estimate};
   problem.measured = tables.measured;
   problem.sheet = tables.sheet;
+  problem.section = tables.section;
   if (!problem.scene.mesh.refine && !problem.document.find("mesh.degree")) problem.scene.mesh.degree = adapted_degree;
   if (tables.sliding_table && tables.sliding_table->uplift_table)
     problem.uplift_history = tables.sliding_table->uplift_table->history_file;
@@ -146,6 +202,7 @@ Case read_case(const std::string& path, const std::vector<std::string>& override
       continue;
     }
     problem.scene.loads[name] = table;
+    if (table.wave) continue;
     problem.sources[name] = {table.pulse, table.history_file};
   }
   return problem;

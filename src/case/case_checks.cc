@@ -127,11 +127,13 @@ class LoadCheck {
     exactly_one("boundary", "region");
     if (load_.kind == LoadKind::pressures)
       check_row();
+    else if (load_.kind == LoadKind::wave)
+      check_wave();
     else
       exactly_one("pulse", "history");
     if (given("boundary")) check_name("boundary", load_.boundary, keys_of(tables_.boundaries), "boundaries");
     if (given("region")) check_region();
-    if (load_.kind != LoadKind::pressure && load_.kind != LoadKind::pressures && load_.direction[0] == 0. &&
+    if ((load_.kind == LoadKind::force || load_.kind == LoadKind::traction) && load_.direction[0] == 0. &&
         load_.direction[1] == 0.)
       wrong_.add("direction", "direction is zero", "give a direction such as [1.0, 0.0]");
     if (!load_.shape.empty()) check_shape();
@@ -171,6 +173,22 @@ class LoadCheck {
     check_gauges(load_, wall_words, path_, document_, report_);
   }
 
+  void check_wave() const {
+    for (const char* key : {"pulse", "history", "shape", "region"})
+      if (given(key))
+        wrong_.add(key, std::string("'") + key + "' does not belong to a load by a wave",
+                   std::string("remove ") + key + ", or write kind = \"force\"");
+    if (!load_.wave)
+      wrong_.add("wave", "'wave' is missing, which kind = \"wave\" needs",
+                 "add wave = { height = ..., period = ..., course = \"church_roof\" }");
+    else
+      wrong_.add(diagnose(static_cast<const WaveGiven&>(*load_.wave)), "wave.");
+    if (!tables_.section)
+      wrong_.add("kind",
+                 "a load by a wave needs the cross-section that Goda's formulas take, and there is no [section]",
+                 "add [section], as in a design");
+  }
+
   void check_shape() const {
     const auto& shape = load_.shape;
     bool ascending = true, all_zero = true;
@@ -201,6 +219,19 @@ void check_loads(const CaseTables& tables, const Document& document, Diagnostics
 
 namespace {
 
+/// The uplift of a wave is that of the one load by a wave.
+void check_wave_uplift(const CaseTables& tables, const TableDiagnostics& wrong) {
+  std::vector<std::string> names;
+  for (const auto& [name, load] : tables.load_tables)
+    if (load.kind == LoadKind::wave && load.factor != 0.) names.push_back(name);
+  if (names.empty())
+    wrong.add("kind", "kind = \"wave\" is the uplift of a load by a wave, and no load that acts has kind = \"wave\"",
+              "add one, or write kind = \"prescribed\"");
+  else if (names.size() > 1)
+    wrong.add("kind", "kind = \"wave\" does not tell which of the loads by waves is meant: " + join(names),
+              "switch off all but one by factor = 0");
+}
+
 /// Exactly one of the ways to prescribe it.
 void check_prescribed(const UpliftTable& uplift, const TableDiagnostics& wrong) {
   std::vector<std::string> ways;
@@ -217,6 +248,7 @@ void check_prescribed(const UpliftTable& uplift, const TableDiagnostics& wrong) 
 void check_uplift(const UpliftTable& uplift, const CaseTables& tables, const Document& document, Diagnostics& report) {
   const TableDiagnostics wrong("sliding.uplift", document, report);
   if (uplift.kind == UpliftKind::prescribed) check_prescribed(uplift, wrong);
+  if (uplift.kind == UpliftKind::wave) check_wave_uplift(tables, wrong);
   if (!uplift.gauges.empty()) {
     check_gauges(uplift, bottom_words, "sliding.uplift", document, report);
     if (!uplift.ends) wrong.add("ends", "it is not said where the bottom ends", "add ends = [seaward, landward] (m)");
@@ -228,29 +260,67 @@ void check_uplift(const UpliftTable& uplift, const CaseTables& tables, const Doc
 }
 
 /// Node by node and as a whole the caisson stands on one friction.
-void check_contact(const SlidingTable& sliding, const CaseTables& tables, bool has_friction,
-                   const TableDiagnostics& wrong) {
+void check_contact(const SlidingTable& sliding, const CaseTables& tables, const TableDiagnostics& wrong) {
   const std::optional<double>& mu = tables.regions.at(caisson_name).interface->coefficient;
-  if (mu && has_friction && *mu != sliding.friction)
+  if (mu && sliding.own_friction && *mu != *sliding.own_friction)
     wrong.add("friction",
-              "friction = " + number_text(sliding.friction) + " is not the coefficient = " + number_text(*mu) +
+              "friction = " + number_text(*sliding.own_friction) + " is not the coefficient = " + number_text(*mu) +
                   " of [regions.caisson] interface",
               "give the same number, or only one of them");
 }
 
 }  // namespace
 
+namespace {
+
+/// The section and [sliding] are one caisson's.
+void check_same(const std::string& key, const std::optional<double>& given, double of_section,
+                const TableDiagnostics& wrong) {
+  if (given && *given != of_section)
+    wrong.add(key,
+              key + " = " + number_text(*given) + " is not that of [section], " + key + " = " + number_text(of_section),
+              "give the same number, or only that of [section]");
+}
+
+void check_section_of(const SlidingTable& sliding, const CaseTables& tables, const Document& document,
+                      const TableDiagnostics& wrong, Diagnostics& report) {
+  if (!tables.section) {
+    if (!sliding.own_submerged_weight)
+      report.add(document.place("sliding"), "'submerged_weight' is missing in [sliding]",
+                 "add submerged_weight, a number (N/m)");
+    return;
+  }
+  check_same("friction", sliding.own_friction, tables.section->friction, wrong);
+  check_same("submerged_weight", sliding.own_submerged_weight, tables.section->submerged_weight, wrong);
+  check_same("weight", sliding.weight, tables.section->weight, wrong);
+}
+
+}  // namespace
+
+void check_section(const CaseTables& tables, const Document& document, Diagnostics& report) {
+  if (!tables.section || !report.sound("section")) return;
+  const TableDiagnostics wrong("section", document, report);
+  wrong.add(diagnose(*tables.section));
+  if (!report.sound("regions") || !has_frictional_contact(tables)) return;
+  const std::optional<double>& mu = tables.regions.at(caisson_name).interface->coefficient;
+  if (mu && *mu != tables.section->friction)
+    wrong.add("friction",
+              "friction = " + number_text(tables.section->friction) + " is not the coefficient = " + number_text(*mu) +
+                  " of [regions.caisson] interface",
+              "give the same number, or leave the coefficient to the section");
+}
+
 void check_sliding(const CaseTables& tables, const Document& document, Diagnostics& report) {
   if (!tables.sliding_table || !report.sound("sliding")) return;
   const SlidingTable& sliding = *tables.sliding_table;
   const TableDiagnostics wrong("sliding", document, report);
-  if (sliding.weight && sliding.submerged_weight >= *sliding.weight)
+  if (sliding.weight && sliding.own_submerged_weight && *sliding.own_submerged_weight >= *sliding.weight)
     wrong.add("submerged_weight",
-              "submerged_weight = " + number_text(sliding.submerged_weight) +
+              "submerged_weight = " + number_text(*sliding.own_submerged_weight) +
                   " N/m is not below weight = " + number_text(*sliding.weight) + " N/m",
               "give W' in still water, W less the weight of the water that the caisson displaces");
-  if (report.sound("regions") && has_frictional_contact(tables))
-    check_contact(sliding, tables, document.find("sliding.friction") != nullptr, wrong);
+  check_section_of(sliding, tables, document, wrong, report);
+  if (report.sound("regions") && has_frictional_contact(tables)) check_contact(sliding, tables, wrong);
   if (report.sound("regions") && tables.regions.count(caisson_name) == 0)
     wrong.add("friction", "there is no region 'caisson' that could slide",
               "name the caisson's surface 'caisson', or remove [sliding]");

@@ -25,6 +25,7 @@ void check_mesh(const CaseTables& tables, const Document& document, Diagnostics&
 void check_regions(const CaseTables& tables, const Document& document, Diagnostics& report);
 void check_loads(const CaseTables& tables, const Document& document, Diagnostics& report);
 void check_time(const CaseTables& tables, const Document& document, Diagnostics& report);
+void check_section(const CaseTables& tables, const Document& document, Diagnostics& report);
 void check_sliding(const CaseTables& tables, const Document& document, Diagnostics& report);
 void check_probes(const CaseTables& tables, const Document& document, Diagnostics& report);
 

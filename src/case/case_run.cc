@@ -8,6 +8,7 @@
 #include "base/text.h"
 #include "case/records/record_layout.h"
 #include "case/records/record_table.h"
+#include "case/wave_load.h"
 #include "fem/compile.h"
 #include "model/record.h"
 #include "run/histories.h"
@@ -185,6 +186,7 @@ NumberedWarnings warnings_of_files(const Case& input, const Simulation& simulati
   NumberedWarnings list = history_warnings(input);
   append(list, transducer_warnings(input, simulation));
   append(list, zero_load_warnings(input));
+  append(list, wave_warnings(input));
   append(list, notes.warnings);
   return list;
 }
@@ -204,7 +206,9 @@ Simulation simulation_of(const Case& input, std::shared_ptr<const Mesh> mesh,
     const Stopwatch watch;
     if (!mesh) mesh = read_mesh(mesh_request(input));
     const double seconds = watch.seconds();
-    Simulation simulation(input.scene, std::move(mesh), std::move(processes));
+    const Scene scene = with_profiles(input, *mesh);
+    Simulation simulation(scene, std::move(mesh), std::move(processes));
+    check_waves(input, simulation);
     simulation.timing.mesh += seconds;
     return simulation;
   });
@@ -220,6 +224,7 @@ Run solve(const Case& input, const Simulation& simulation, const std::vector<Mea
   Summary& summary = run.summary;
   const RecordNotes notes = record_notes(input);
   summary.gauges = gauge_summaries(input, *run.simulation);
+  summary.waves = wave_summaries(input);
   append(summary.warnings, warnings_of_files(input, *run.simulation, notes));
   append(summary.skipped, left_out_of(notes));
   if (records.empty()) return run;

@@ -157,7 +157,9 @@ TableSchema<CaseTables> case_schema() {
   table.tables("loads", &CaseTables::load_tables, load_schema())
       .doc(
           "Any number of loads by name, each on exactly one of boundary and region, with exactly one of pulse and "
-          "history.");
+          "history, or with a wave.");
+  table.table("section", &CaseTables::section, section_schema())
+      .doc("The breakwater's cross-section for loads by waves, as in a design; [sliding] takes mu and W' from it.");
   table.table("initial", &CaseTables::initial, initial_schema())
       .doc("The state before the waves, for soils whose stiffness depends on stress.");
   table.table("time", &CaseTables::time, time_schema());

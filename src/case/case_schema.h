@@ -5,16 +5,19 @@
 #include <optional>
 #include <string>
 
+#include "case/wave_load.h"
 #include "input/schema.h"
 #include "upbead/case/case.h"
 #include "upbead/model/scene.h"
 
 namespace upbead {
 
-/// A table [loads.NAME] as written; `history` of Load is made of the pulse or the file, or loads of the gauges.
+/// A table [loads.NAME] as written; `history` of Load is made of the pulse, the file or the wave, or loads of the
+/// gauges.
 struct LoadTable : Load, GaugeSource {
   std::optional<Pulse> pulse;
   std::string history_file;
+  std::optional<WaveLoadTable> wave;
 };
 
 /// The table [sliding.uplift] as written.
@@ -24,6 +27,7 @@ struct UpliftTable : UpliftChoice, GaugeSource {
 
 /// The table [sliding] as written; `sliding` of Scene is made of it.
 struct SlidingTable : SlidingChoice {
+  std::optional<double> own_friction, own_submerged_weight;  ///< none: of [section], of the contact, or the default
   std::optional<UpliftTable> uplift_table;
 };
 
@@ -31,6 +35,7 @@ struct SlidingTable : SlidingChoice {
 struct CaseTables : Scene {
   std::optional<SlidingTable> sliding_table;
   std::map<std::string, LoadTable> load_tables;
+  std::optional<Section> section;
   std::map<std::string, MeasuredSource> measured;
   SheetHead sheet;
   AccuracyOf accuracy_of = AccuracyChoice().of;

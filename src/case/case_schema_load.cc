@@ -15,6 +15,10 @@ bool has_direction(const LoadTable& load) {
   return load.kind == LoadKind::force || load.kind == LoadKind::traction;
 }
 
+bool is_by_wave(const LoadTable& load) {
+  return load.kind == LoadKind::wave;
+}
+
 bool is_by_gauges(const LoadTable& load) {
   return load.kind == LoadKind::pressures;
 }
@@ -54,7 +58,9 @@ TableSchema<LoadTable> load_schema() {
   table.choice("kind", &LoadTable::kind, load_kind_words)
       .doc(
           "what the history means; force: resultant (N/m); traction: Pa; pressure: Pa, total normal stress = -value, "
-          "and pore pressure = value where the boundary is open; pressures: by transducers (gauges), Pa");
+          "and pore pressure = value where the boundary is open; pressures: by transducers (gauges), Pa; wave: of "
+          "Goda's "
+          "formulas, by [.wave] and [section]");
   table.key("at", &LoadTable::at)
       .unit("m")
       .required()
@@ -74,6 +80,11 @@ TableSchema<LoadTable> load_schema() {
   table.table("pulse", &LoadTable::pulse, pulse_schema()).doc("An idealised history; or history.");
   table.key("history", &LoadTable::history_file)
       .doc("path of a CSV file with a header line, then time (s) and value; linear in between; or pulse");
+  table.table("wave", &LoadTable::wave, wave_load_schema())
+      .doc(
+          "A wave, with exactly one of height and deep_water_height; its pressure over the height of the wall is "
+          "Goda's.")
+      .when("kind", is_by_wave, "where kind = \"wave\"");
   add_gauge_keys<LoadTable>(table, wall_words, is_by_gauges, "where kind = \"pressures\"");
   table.key("measured_on_wall", &LoadTable::measured_on_wall)
       .doc("true: measured on the moving wall, so the modelled water does not push back on this boundary")

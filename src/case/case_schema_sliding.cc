@@ -10,13 +10,18 @@ bool is_prescribed(const UpliftTable& uplift) {
   return uplift.kind == UpliftKind::prescribed;
 }
 
+/// A wave's uplift is prescribed, too.
+bool has_course(const UpliftTable& uplift) {
+  return uplift.kind != UpliftKind::computed;
+}
+
 TableSchema<UpliftTable> uplift_schema() {
   TableSchema<UpliftTable> table;
   table.choice("kind", &UpliftTable::kind, uplift_kind_words)
       .required()
       .doc(
           "where the uplift comes from; prescribed: peak, history or gauges; computed: the pore pressure on the "
-          "bottom");
+          "bottom; wave: U = p_u B/2 of the load by a wave");
   table.key("peak", &UpliftTable::peak)
       .unit("N/m")
       .range(at_least(0.))
@@ -26,7 +31,7 @@ TableSchema<UpliftTable> uplift_schema() {
       .doc(
           "course of U in time; held: proportional to P up to the largest P, then at its peak, the safe side where F_T "
           "comes after P; in_phase: proportional to P while that is landward")
-      .when("kind", is_prescribed, "where the uplift is prescribed");
+      .when("kind", has_course, "where the uplift is prescribed");
   table.choice("distribution", &UpliftTable::distribution, uplift_distribution_words)
       .doc(
           "pressure over the base of a peak or history; triangle: largest at the seaward edge, zero at the heel; "
@@ -36,7 +41,7 @@ TableSchema<UpliftTable> uplift_schema() {
       .unit("s")
       .range(at_least(0.))
       .doc("time by which U comes after P")
-      .when("kind", is_prescribed, "where the uplift is prescribed");
+      .when("kind", has_course, "where the uplift is prescribed");
   table.key("history", &UpliftTable::history_file)
       .doc("path of a CSV file with a header line, then time (s) and U (N/m); or peak, or gauges")
       .when("kind", is_prescribed, "where the uplift is prescribed");
@@ -60,12 +65,15 @@ TableSchema<SlidingWave> wave_schema() {
 
 TableSchema<SlidingTable> sliding_schema() {
   TableSchema<SlidingTable> table;
-  table.key("friction", &SlidingTable::friction).range(above(0.)).doc("friction coefficient mu of the bottom");
-  table.key("submerged_weight", &SlidingTable::submerged_weight)
+  table.key("friction", &SlidingTable::own_friction)
+      .range(above(0.))
+      .fallback("that of the contact or of [section], else 0.6")
+      .doc("friction coefficient mu of the bottom");
+  table.key("submerged_weight", &SlidingTable::own_submerged_weight)
       .formerly("buoyant_weight")
       .unit("N/m")
       .range(above(0.))
-      .required()
+      .fallback("that of [section]; required without")
       .doc("weight W' of the caisson in still water");
   table.key("weight", &SlidingTable::weight)
       .unit("N/m")
@@ -79,7 +87,9 @@ TableSchema<SlidingTable> sliding_schema() {
   table.table("uplift", &SlidingTable::uplift_table, uplift_schema())
       .doc("What the wave takes off the weight; nothing without this table.");
   table.table("wave", &SlidingTable::wave, wave_schema())
-      .doc("The wave, for tau_0 of eqs. (8)-(11) and the paper's S_CAL, eq. (7).");
+      .doc(
+          "The wave, for tau_0 of eqs. (8)-(11) and the paper's S_CAL, eq. (7); that of the load by a wave, where "
+          "there is one.");
   return table;
 }
 

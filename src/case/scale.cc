@@ -25,8 +25,8 @@ namespace upbead {
 namespace {
 
 /// With lengths times L, and accelerations and densities times 1: s = L^(1/2), kg = L^3, N = kg m/s2, Pa = N/m2.
-const std::map<std::string, double> exponents{{"m", 1.},    {"s", 0.5},  {"kg", 3.},      {"N", 3.}, {"Pa", 1.},
-                                              {"Hz", -0.5}, {"rad", 0.}, {"degrees", 0.}, {"1", 0.}};
+const std::map<std::string, double> exponents{{"m", 1.},    {"s", 0.5},  {"kg", 3.},      {"N", 3.},   {"Pa", 1.},
+                                              {"Hz", -0.5}, {"rad", 0.}, {"degrees", 0.}, {"deg", 0.}, {"1", 0.}};
 
 /// "m2" has twice the exponent of "m".
 double exponent_of(const std::string& symbol, const std::string& unit) {

@@ -2,6 +2,7 @@
 
 #include "case/case_run.h"
 #include "case/script_trust.h"
+#include "case/wave_load.h"
 #include "cli/command.h"
 #include "cli/report.h"
 #include "design/calibrate/calibration_report.h"
@@ -31,6 +32,7 @@ struct Explained {
   const Simulation* simulation;
   NumberedWarnings told;
   std::vector<GaugeSummary> gauges;
+  std::vector<WaveLoadSummary> waves;
   std::vector<Skipped> skipped;
 };
 
@@ -61,13 +63,19 @@ const OutputSchema<Explained>& explained_outputs() {
               &LoadOnCaisson::name, load_outputs(), "resultant on the caisson per unit of the history")
           .named("gauges.NAME", &E::gauges, &GaugeSummary::name, gauge_outputs(),
                  "of a load by [transducers](records.md), or `sliding.uplift`")
+          .named("wave_loads.NAME", &E::waves, &WaveLoadSummary::name, wave_load_outputs(),
+                 "of a load by a [wave](waves.md#a-wave-as-a-load-of-a-run)")
           .list("skipped[]", &E::skipped, skipped_outputs(), "what would be left out")
           .list("warnings[]", &E::told, warning_outputs(), "[what may be wrong](warnings.md) and needs no solution");
   return schema;
 }
 
 std::string explanation_json(const Case& input, const Simulation& simulation, const NumberedWarnings& told) {
-  const Explained explained{&input, &simulation, told, gauge_summaries(input, simulation),
+  const Explained explained{&input,
+                            &simulation,
+                            told,
+                            gauge_summaries(input, simulation),
+                            wave_summaries(input),
                             skipped(input, simulation, will_be_reduced(simulation))};
   return explained_outputs().to_json(explained).dump(2) + "\n";
 }

@@ -1,21 +1,13 @@
 #include "design/design.h"
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <filesystem>
-
-#include "upbead/waves/wave_heights.h"
 
 namespace fs = std::filesystem;
 
 namespace upbead {
 
 namespace {
-
-Diagnostic no_height() {
-  return {at_key("height"), "neither 'height' nor 'deep_water_height' is given",
-          "add height, that of the highest wave (m), or deep_water_height"};
-}
 
 /// Why a measured force alone may be reduced by F_T/P.
 Diagnostic ratio_without_force() {
@@ -26,13 +18,7 @@ Diagnostic ratio_without_force() {
 }
 
 Diagnostics diagnose(const WaveTable& wave) {
-  Diagnostics list;
-  if (!wave.height && !wave.deep_water_height) list.add(no_height());
-  if (wave.height && wave.deep_water_height)
-    list.add(at_key("deep_water_height"), "both 'height' and 'deep_water_height' are given", "keep one of them");
-  else if (wave.deep_water_height && wave.significant_height)
-    list.add(at_key("significant_height"), "'significant_height' is given, but follows from deep_water_height",
-             "remove it, or give height instead of deep_water_height");
+  Diagnostics list = upbead::diagnose(static_cast<const WaveGiven&>(wave));
   if (wave.shear_to_force_ratio && !wave.force) list.add(ratio_without_force());
   if (wave.uplift && !wave.force)
     list.add(at_key("uplift"), "'uplift' is that beside a measured or computed 'force', which is not given",
@@ -115,22 +101,6 @@ std::string effective_design(const Design& design, const std::string& output_fol
 
 std::string design_reference() {
   return reference(design_schema());
-}
-
-DesignWave design_wave(const WaveTable& wave, const Section& section, const Water& water) {
-  DesignWave w;
-  w.period = wave.period;
-  w.angle = wave.angle * boost::math::constants::degree<double>();
-  if (wave.deep_water_height) {
-    const DesignHeights heights =
-        design_heights({*wave.deep_water_height, wave.period, section.water_depth, section.bed_slope}, water.gravity);
-    w.height = heights.highest;
-    w.significant_height = heights.significant;
-  } else {
-    w.height = *wave.height;
-    w.significant_height = wave.significant_height.value_or(w.height / highest_over_significant);
-  }
-  return w;
 }
 
 std::vector<InputFile> input_files(const Design& design) {

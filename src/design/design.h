@@ -33,9 +33,6 @@ Design read_design(const std::string& path, const std::vector<std::string>& over
 /// there.
 std::string effective_design(const Design& design, const std::string& output_folder);
 
-/// The wave of a sound table, with heights by random breaking where only that of deep water is given.
-DesignWave design_wave(const WaveTable& wave, const Section& section, const Water& water);
-
 /// Every key of the design file as Markdown.
 std::string design_reference();
 

@@ -4,91 +4,9 @@ namespace upbead {
 
 namespace {
 
-/// Lengths that no formula overflows with (m).
-const Range length = from_to(1e-3, 1e4);
-
 TableSchema<Water> fluid_schema() {
   TableSchema<Water> table;
   table.key("density", &Water::density).unit("kg/m3").range(from_to(1., 1e4)).doc("density of the sea water");
-  return table;
-}
-
-void declare_depths(TableSchema<Section>& table) {
-  table.key("water_depth", &Section::water_depth).unit("m").range(length).required().doc("depth h at the wall");
-  table.key("foundation_depth", &Section::foundation_depth)
-      .unit("m")
-      .range(length)
-      .required()
-      .doc("depth h' of the caisson's bottom below still water");
-  table.key("berm_depth", &Section::berm_depth)
-      .unit("m")
-      .range(length)
-      .required()
-      .doc("depth d of the top of the mound's armour below still water");
-  table.key("crest", &Section::crest)
-      .unit("m")
-      .range(from_to(0., 1e4))
-      .required()
-      .doc("height h_c of the crest above still water");
-  table.key("width", &Section::width).unit("m").range(length).required().doc("width B of the caisson");
-  table.key("berm_width", &Section::berm_width)
-      .unit("m")
-      .range(from_to(0., 1e4))
-      .required()
-      .doc("width B_M of the mound's berm in front of the caisson");
-  table.key("bed_slope", &Section::bed_slope)
-      .range(from_to(0., 1.))
-      .required()
-      .doc("slope tan(theta) of the sea bed in front");
-}
-
-void declare_weights(TableSchema<Section>& table) {
-  table.key("weight", &Section::weight)
-      .unit("N/m")
-      .range(from_to(1., 1e12))
-      .required()
-      .doc("weight W of the caisson with its fill, in air");
-  table.key("submerged_weight", &Section::submerged_weight)
-      .formerly("buoyant_weight")
-      .unit("N/m")
-      .range(from_to(1., 1e12))
-      .required()
-      .doc("weight W' of the caisson in still water");
-  table.key("centroid", &Section::centroid)
-      .unit("m")
-      .range(length)
-      .fallback("width / 2")
-      .doc("distance t from the landward heel to the line of W'");
-  table.key("friction", &Section::friction)
-      .range(from_to(0.01, 10.))
-      .doc("friction coefficient mu between the caisson and the mound");
-}
-
-void declare_blocks(TableSchema<Section>& table) {
-  table.key("blocks", &Section::dissipating_blocks)
-      .doc(
-          "true: wave-dissipating blocks cover the wall; changes the standards of the three factors below, to be "
-          "checked "
-          "in Takahashi, Tanimoto and Shimosako (1990)");
-  table.key("lambda_1", &Section::lambda_1)
-      .range(from_to(0., 2.))
-      .fallback("1; with blocks 1 up to H/h = 0.3, 1.2 - (2/3) H/h up to 0.6, 0.8 beyond")
-      .doc("factor lambda_1 of the pressure by alpha_1, and of eta*");
-  table.key("lambda_2", &Section::lambda_2)
-      .range(from_to(0., 2.))
-      .fallback("1; with blocks 0")
-      .doc("factor lambda_2 of the pressure by alpha*");
-  table.key("lambda_3", &Section::lambda_3)
-      .range(from_to(0., 2.))
-      .fallback("as lambda_1 without a value of its own")
-      .doc("factor lambda_3 of the uplift");
-}
-
-TableSchema<Section> section_schema() {
-  TableSchema<Section> table;
-  declare_depths(table);
-  declare_weights(table);
-  declare_blocks(table);
   return table;
 }
 
@@ -158,28 +76,7 @@ void declare_measured(TableSchema<WaveTable>& table) {
 
 TableSchema<WaveTable> wave_schema() {
   TableSchema<WaveTable> table;
-  table.key("height", &WaveTable::height)
-      .unit("m")
-      .range(length)
-      .doc("height H of the wave; the highest one, H_D, for a design; or deep_water_height");
-  table.key("significant_height", &WaveTable::significant_height)
-      .unit("m")
-      .range(length)
-      .fallback("height / 1.8, or by random breaking")
-      .doc("significant height H_1/3; tells where h_b is taken");
-  table.key("deep_water_height", &WaveTable::deep_water_height)
-      .unit("m")
-      .range(length)
-      .doc("equivalent deep-water height H_0'; H_1/3 and H are then those of random breaking");
-  table.key("period", &WaveTable::period)
-      .unit("s")
-      .range(from_to(0.01, 1e4))
-      .required()
-      .doc("significant wave period T");
-  table.key("angle", &WaveTable::angle)
-      .unit("deg")
-      .range(from_to_below(0., 90.))
-      .doc("angle beta between the wave's direction and the wall's normal; already turned by 15 deg towards it");
+  declare_wave(table);
   declare_measured(table);
   return table;
 }

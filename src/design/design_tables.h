@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "case/formula_wave.h"
 #include "expected/dynamic_law.h"
 #include "input/schema.h"
 #include "input/values.h"
@@ -73,9 +74,6 @@ struct DynamicsTable {
   std::optional<double> step;  ///< of the answers (s)
 };
 
-/// Which force the model answers.
-enum class ImpactForce { impulse, goda_with_alpha_I };
-
 /// [impact].
 struct ImpactTable : ImpactAssumptions {
   ImpactForce force = ImpactForce::impulse;
@@ -111,12 +109,7 @@ struct CalibrationTable {
 };
 
 /// A table [waves.NAME] as written.
-struct WaveTable {
-  std::optional<double> height;              ///< H, or from deep_water_height by random breaking (m)
-  std::optional<double> significant_height;  ///< H_1/3 (m); default H/1.8
-  std::optional<double> deep_water_height;   ///< H_0' (m)
-  double period = 0.;                        ///< T (s)
-  double angle = 0.;                         ///< degrees, already turned towards the normal
+struct WaveTable : WaveGiven {
   /// Measured or computed beforehand, in place of Goda's: peak P (N/m), F_T/P of it, and U at that instant (N/m).
   std::optional<double> force, shear_to_force_ratio, uplift;
   std::optional<double> pulse_duration;  ///< of that P as a triangle, for [ground] (s)

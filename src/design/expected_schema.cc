@@ -14,8 +14,6 @@ const std::vector<std::pair<std::string, ScatterKind>> scatter_words{{"normal", 
                                                                      {"triangular", ScatterKind::triangular}};
 const std::vector<std::pair<std::string, Per>> per_words{
     {"life", Per::life}, {"storm", Per::storm}, {"wave", Per::wave}};
-const std::vector<std::pair<std::string, ImpactForce>> force_words{
-    {"impulse", ImpactForce::impulse}, {"goda_with_alpha_I", ImpactForce::goda_with_alpha_I}};
 const std::vector<std::pair<std::string, ImpactUplift>> uplift_words{
     {"held", ImpactUplift::held}, {"in_phase", ImpactUplift::in_phase}, {"sinusoidal", ImpactUplift::sinusoidal}};
 
@@ -112,23 +110,9 @@ TableSchema<DynamicsTable> dynamics_schema() {
 
 TableSchema<ImpactTable> impact_schema() {
   TableSchema<ImpactTable> table;
-  table.choice("force", &ImpactTable::force, force_words)
+  table.choice("force", &ImpactTable::force, impact_force_words)
       .doc("force that the model answers; goda_with_alpha_I is refused, as it already is an effective sliding force");
-  table.key("peak_gain", &ImpactTable::peak_gain)
-      .range(from_to(0., 100.))
-      .doc("e in P_I = P_1 (1 + e alpha*), the peak of the impulsive force; an assumption");
-  table.key("rise_coefficient", &ImpactTable::rise_coefficient)
-      .range(from_to(0.01, 100.))
-      .doc("c in t_r = c sqrt(d/g) rho g H^2 / P_I, its rise; an assumption");
-  table.key("duration_least", &ImpactTable::duration_least)
-      .range(from_to(1.1, 1000.))
-      .doc("a in t_d = t_r (a + b exp(-c t_r/T)), its duration; an assumption");
-  table.key("duration_gain", &ImpactTable::duration_gain)
-      .range(from_to(0., 1000.))
-      .doc("b of the duration; an assumption");
-  table.key("duration_decay", &ImpactTable::duration_decay)
-      .range(from_to(0., 1000.))
-      .doc("c of the duration; an assumption");
+  declare_impact(table);
   table.choice("uplift", &ImpactTable::uplift, uplift_words)
       .doc("uplift over time; held: U_max until T/4, then U_max sin(2 pi t/T)");
   return table;

@@ -105,16 +105,22 @@ double triangle(const ImpactWave& wave, double t) {
   return t < wave.duration ? wave.peak * (wave.duration - t) / (wave.duration - wave.rise) : 0.;
 }
 
-/// Impulse of max(gamma P_1 sin(omega t), triangle) over half a period. Between 0 and t_r and between t_r and t_d the
+/// Between which times the triangle is above gamma P_1 sin(omega t). Between 0 and t_r and between t_r and t_d the
 /// triangle less the sine is convex, it is 0 at 0, not negative at t_r and not positive at t_d: it changes its sign at
 /// most once on each flank.
-double impulse(const ImpactWave& wave, double gamma) {
+std::array<double, 2> where_triangle_leads(const ImpactWave& wave, double gamma) {
   const double omega = 2. * pi / wave.period, peak = gamma * wave.standing_force;
   const auto excess = [&](double t) { return triangle(wave, t) - peak * std::sin(omega * t); };
   const double rise = wave.rise, end = wave.duration;
   const double early = 1e-6 * rise;
-  const double t1 = excess(early) < 0. ? root(excess, early, rise) : 0.;
-  const double t2 = excess(end) < 0. ? root(excess, rise, end) : end;
+  return {excess(early) < 0. ? root(excess, early, rise) : 0., excess(end) < 0. ? root(excess, rise, end) : end};
+}
+
+/// Impulse of max(gamma P_1 sin(omega t), triangle) over half a period.
+double impulse(const ImpactWave& wave, double gamma) {
+  const double omega = 2. * pi / wave.period, peak = gamma * wave.standing_force;
+  const double rise = wave.rise, end = wave.duration;
+  const auto [t1, t2] = where_triangle_leads(wave, gamma);
   const double sine = peak / omega * (2. - (std::cos(omega * t1) - std::cos(omega * t2)));
   const double up = 0.5 * wave.peak / rise * (rise * rise - t1 * t1);
   const double down = 0.5 * wave.peak / (end - rise) * (std::pow(end - rise, 2) - std::pow(end - t2, 2));
@@ -160,6 +166,16 @@ ImpactWave impact_wave(const ImpactAssumptions& a, const WaveOnWall& on_wall, co
   wave.rise = std::min(rise, 0.5 * wave.duration);
   wave.reduction = reduction(wave);
   return wave;
+}
+
+double force_at(const ImpactWave& wave, double t) {
+  if (t <= 0. || t >= 0.5 * wave.period) return 0.;
+  const double standing = wave.reduction * wave.standing_force * std::sin(2. * pi * t / wave.period);
+  return std::max(standing, triangle(wave, t));
+}
+
+std::array<double, 2> where_triangle_leads(const ImpactWave& wave) {
+  return where_triangle_leads(wave, wave.reduction);
 }
 
 ForceLimits limits(const ImpactWave& wave) {

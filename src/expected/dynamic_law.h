@@ -1,6 +1,7 @@
 // Sliding by the caisson's own dynamics: the force of every wave that breaks on it goes through its reduced model.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -92,6 +93,12 @@ struct WaveOnWall {
 /// most half its duration.
 ImpactWave impact_wave(const ImpactAssumptions& assumptions, const WaveOnWall& on_wall, const Water& water,
                        double berm_depth);
+
+/// P(t).
+double force_at(const ImpactWave& wave, double t);
+
+/// Between which times the triangle is the larger part (s).
+std::array<double, 2> where_triangle_leads(const ImpactWave& wave);
 
 /// How large and steep its force is.
 ForceLimits limits(const ImpactWave& wave);

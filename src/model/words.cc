@@ -38,7 +38,8 @@ const Words<PulseShape> pulse_shape_words{{"triangle", PulseShape::triangle},
 const Words<LoadKind> load_kind_words{{"force", LoadKind::force},
                                       {"traction", LoadKind::traction},
                                       {"pressure", LoadKind::pressure},
-                                      {"pressures", LoadKind::pressures}};
+                                      {"pressures", LoadKind::pressures},
+                                      {"wave", LoadKind::wave}};
 
 const Words<TimeScheme> time_scheme_words{{"auto", TimeScheme::automatic},
                                           {"generalised_alpha", TimeScheme::generalised_alpha},
@@ -47,7 +48,8 @@ const Words<TimeScheme> time_scheme_words{{"auto", TimeScheme::automatic},
 
 const Words<RayleighFit> rayleigh_fit_words{{"ends", RayleighFit::ends}, {"band", RayleighFit::band}};
 
-const Words<UpliftKind> uplift_kind_words{{"prescribed", UpliftKind::prescribed}, {"computed", UpliftKind::computed}};
+const Words<UpliftKind> uplift_kind_words{
+    {"prescribed", UpliftKind::prescribed}, {"computed", UpliftKind::computed}, {"wave", UpliftKind::wave}};
 
 const Words<UpliftCourse> uplift_course_words{{"held", UpliftCourse::held}, {"in_phase", UpliftCourse::in_phase}};
 const Words<UpliftDistribution> uplift_distribution_words{{"triangle", UpliftDistribution::triangle},

@@ -250,6 +250,8 @@ OutputSchema<Summary> whole_outputs() {
              "resultant on the caisson per unit of the history")
       .named("gauges.NAME", &S::gauges, &GaugeSummary::name, gauge_outputs(),
              "of a load by [transducers](records.md), or `sliding.uplift`")
+      .named("wave_loads.NAME", &S::waves, &WaveLoadSummary::name, wave_load_outputs(),
+             "of a load by a [wave](waves.md#a-wave-as-a-load-of-a-run)")
       .named("measured.NAME", &S::measured, &MeasuredSummary::name, measured_outputs(),
              "of a [record](records.md#the-response) of `[measured]`")
       .object("energy", &S::energy, energy_outputs(), "at the end; null where a reduced model answered")
@@ -307,6 +309,38 @@ OutputSchema<GaugeSummary> gauge_outputs() {
       .key("force_error", &G::force_error, "", "of the force by interpolation, relative")
       .key("arm_error", &G::arm_error, "", "of the arm by interpolation, over the row's length")
       .key("load_cell", &G::load_cell, "N/m", "largest force by the load cell; null without");
+}
+
+OutputSchema<WaveLoadSummary> wave_load_outputs() {
+  using W = WaveLoadSummary;
+  return OutputSchema<W>()
+      .key("course", &W::course, "", "`church_roof`, `triangle`, `sine` or `combined`")
+      .key("height", &W::height, "m", "H")
+      .key("significant_height", &W::significant_height, "m", "H_1/3")
+      .key("period", &W::period, "s", "T")
+      .key("angle", &W::angle, "degrees", "beta")
+      .key("wavelength", &W::wavelength, "m", "L")
+      .key("alpha_1", &W::alpha_1, "", "of Goda's formula")
+      .key("alpha_2", &W::alpha_2, "", "of Goda's formula")
+      .key("alpha_I", &W::alpha_I, "", "as its formula says, negative or not")
+      .key("alpha_star", &W::alpha_star, "", "alpha*")
+      .key("eta_star", &W::eta_star, "m", "eta*")
+      .key("p1", &W::p1, "Pa", "p_1, with alpha*")
+      .key("p3", &W::p3, "Pa", "p_3, with alpha*")
+      .key("p4", &W::p4, "Pa", "p_4, with alpha*")
+      .key("pu", &W::pu, "Pa", "p_u")
+      .key("force", &W::force, "N/m", "P, with alpha*, as `waves` tells it")
+      .key("force_moment", &W::force_moment, "N m/m", "of P about the bottom's level")
+      .key("uplift", &W::uplift, "N/m", "U, as `waves` tells it")
+      .key("peak", &W::peak, "N/m", "largest P of the load, with its factor")
+      .key("peak_uplift", &W::peak_uplift, "N/m",
+           "largest U of `[sliding.uplift]` of kind wave, with the load's factor")
+      .key("rise", &W::rise, "s", "of the impulsive part; of a sine that of the whole")
+      .key("duration", &W::duration, "s", "of the impulsive part; of a sine that of the whole")
+      .key("standing_force", &W::standing_force, "N/m", "peak of the slow part, gamma P_1; 0 where there is none")
+      .key("impulse", &W::impulse, "N s/m", "integral of P over the course")
+      .key("end", &W::end, "s", "when the course is over")
+      .key("assumptions[]", &W::assumptions, "", "what the load rests on, in words");
 }
 
 OutputSchema<Skipped> skipped_outputs() {

@@ -26,7 +26,7 @@ const std::vector<BadCase> rows{
     BadCase{"WaveWithoutPeriod", ", period = 13.6", "",
             "case.toml:87:1: 'period' is missing in [sliding.wave]; add period, a number (s)"},
     BadCase{"UpliftWithoutKind", "kind = \"prescribed\"\n", "",
-            "case.toml:89:10: 'kind' is missing in [sliding.uplift]; add kind, one of prescribed, computed"},
+            "case.toml:89:10: 'kind' is missing in [sliding.uplift]; add kind, one of prescribed, computed, wave"},
     BadCase{"UpliftOfNoPeak", "peak = 5e5\n", "",
             "case.toml:89:10: [sliding.uplift]: neither 'peak' nor 'history' nor 'gauges' of a prescribed "
             "uplift is given; add one of them"},

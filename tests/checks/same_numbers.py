@@ -31,7 +31,7 @@ def jobs():
         text, name = path.read_text(), path.relative_to(CASES).with_suffix("").as_posix().replace("/", "-")
         if "[study]" in text or "[vary" in text:
             yield f"study {name}", ["study", path, "--out", "{out}"]
-        elif "[section]" in text:
+        elif "[section]" in text and "[mesh]" not in text:
             yield f"waves {name}", ["waves", path, "--json"]
             if "[expected" in text or "[life" in text or "[sea" in text:
                 yield f"expected {name}", ["expected", path, "--json", "--out", "{out}"]

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "upbead/input/document.h"
 #include "upbead/model/gauges.h"
 #include "upbead/model/scene.h"
+#include "upbead/waves/goda.h"
 
 namespace upbead {
 
@@ -45,6 +47,7 @@ struct MeasuredSource : RecordClock {
 };
 
 struct MeshRequest;
+struct WaveLoad;
 
 /// Where a load's history comes from: exactly one of the two.
 struct LoadSource {
@@ -64,8 +67,11 @@ struct Case {
   std::string stem;                           ///< the file's name without folder and ending
   std::map<std::string, LoadSource> sources;  ///< of each load of one history, by its name
   std::map<std::string, GaugeLoad> gauges;    ///< loads by transducers; in the scene NAME.TRANSDUCER
-  std::string uplift_history;                 ///< CSV file of a prescribed uplift, relative to the case; "" without
-  std::optional<GaugeLoad> uplift_gauges;     ///< of an uplift by transducers
+  std::optional<Section> section;             ///< of loads by waves
+  std::map<std::string, std::shared_ptr<const WaveLoad>> waves;  ///< loads by waves; their shapes follow with the mesh
+  bool uplift_by_wave = false, sliding_by_wave = false;  ///< [sliding] uplift and wave are those of the load by a wave
+  std::string uplift_history;              ///< CSV file of a prescribed uplift, relative to the case; "" without
+  std::optional<GaugeLoad> uplift_gauges;  ///< of an uplift by transducers
   std::map<std::string, MeasuredSource> measured;  ///< records to hold the run against
   SheetHead sheet;
 

@@ -46,6 +46,7 @@ enum class LoadKind {
   traction,   ///< Pa in `direction`
   pressure,   ///< Pa: total normal stress = -value, and pore pressure = value where the boundary is open
   pressures,  ///< of a case only: by transducers (gauges.h), each of which becomes a pressure in the scene
+  wave,       ///< of a case only: by Goda's formulas, which become a force with a shape in the scene
 };
 
 /// One table [loads.NAME].

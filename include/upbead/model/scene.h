@@ -24,6 +24,7 @@ struct AccuracyChoice {
 enum class UpliftKind {
   prescribed,  ///< given by the user, from a measurement or a formula
   computed,    ///< the scene's own excess pore pressure on the bottom
+  wave,        ///< of a case only: that of the load by a wave, prescribed in the scene
 };
 
 /// How a prescribed uplift without a history of its own runs in time.

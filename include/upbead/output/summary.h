@@ -193,6 +193,22 @@ struct GaugeSummary {
   std::optional<double> load_cell;  ///< largest force by the load cell (N/m)
 };
 
+/// A load by a wave, by Goda's formulas; forces without the load's factor, unless it is said.
+struct WaveLoadSummary {
+  std::string name, course;
+  double height = 0., significant_height = 0., period = 0., angle = 0.;  ///< H, H_1/3 (m), T (s), beta (degrees)
+  double wavelength = 0.;                                                ///< L (m)
+  double alpha_1 = 0., alpha_2 = 0., alpha_I = 0., alpha_star = 0.;
+  double eta_star = 0.;                               ///< m
+  double p1 = 0., p3 = 0., p4 = 0., pu = 0.;          ///< Pa
+  double force = 0., force_moment = 0., uplift = 0.;  ///< P, M_P about the bottom's level, U
+  double peak = 0., peak_uplift = 0.;                 ///< of the load, with its factor (N/m)
+  double rise = 0., duration = 0.;                    ///< of the impulsive part; of a sine, of all (s)
+  double standing_force = 0., impulse = 0.;           ///< peak of the slow part (N/m), integral (N s/m); with factor
+  double end = 0.;                                    ///< when it is over (s)
+  std::vector<std::string> assumptions;
+};
+
 /// A measured history against the computed one.
 struct MeasuredSummary {
   std::string name, reading, unit;
@@ -216,6 +232,7 @@ struct Summary {
   std::optional<ShearResponse> response;  ///< none without a caisson
   std::vector<LoadOnCaisson> loads;
   std::vector<GaugeSummary> gauges;
+  std::vector<WaveLoadSummary> waves;
   std::vector<MeasuredSummary> measured;
   std::optional<EnergyAccount> energy;         ///< none where no march kept an account
   std::optional<ReductionSummary> reduction;   ///< none where it was marched

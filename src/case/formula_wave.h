@@ -1,0 +1,82 @@
+// A section and a wave of Goda's formulas as tables: their keys are the same in a design and in a case.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "expected/dynamic_law.h"
+#include "input/schema.h"
+#include "upbead/base/error.h"
+#include "upbead/waves/goda.h"
+
+namespace upbead {
+
+/// A wave as written.
+struct WaveGiven {
+  std::optional<double> height;              ///< H, or from deep_water_height by random breaking (m)
+  std::optional<double> significant_height;  ///< H_1/3 (m); default H/1.8
+  std::optional<double> deep_water_height;   ///< H_0' (m)
+  double period = 0.;                        ///< T (s)
+  double angle = 0.;                         ///< degrees, already turned towards the normal
+};
+
+/// Which force the caisson's dynamics answer.
+enum class ImpactForce { impulse, goda_with_alpha_I };
+extern const std::vector<std::pair<std::string, ImpactForce>> impact_force_words;
+
+/// Lengths that no formula overflows with (m).
+inline Range formula_length() {
+  return from_to(1e-3, 1e4);
+}
+
+/// [section].
+TableSchema<Section> section_schema();
+
+/// Declares the keys of WaveGiven.
+template <class T>
+void declare_wave(TableSchema<T>& table) {
+  table.key("height", &T::height)
+      .unit("m")
+      .range(formula_length())
+      .doc("height H of the wave; the highest one, H_D, for a design; or deep_water_height");
+  table.key("significant_height", &T::significant_height)
+      .unit("m")
+      .range(formula_length())
+      .fallback("height / 1.8, or by random breaking")
+      .doc("significant height H_1/3; tells where h_b is taken");
+  table.key("deep_water_height", &T::deep_water_height)
+      .unit("m")
+      .range(formula_length())
+      .doc("equivalent deep-water height H_0'; H_1/3 and H are then those of random breaking");
+  table.key("period", &T::period).unit("s").range(from_to(0.01, 1e4)).required().doc("significant wave period T");
+  table.key("angle", &T::angle)
+      .unit("deg")
+      .range(from_to_below(0., 90.))
+      .doc("angle beta between the wave's direction and the wall's normal; already turned by 15 deg towards it");
+}
+
+/// Declares what ImpactAssumptions tell of the force.
+template <class T>
+void declare_impact(TableSchema<T>& table) {
+  table.key("peak_gain", &T::peak_gain)
+      .range(from_to(0., 100.))
+      .doc("e in P_I = P_1 (1 + e alpha*), the peak of the impulsive force; an assumption");
+  table.key("rise_coefficient", &T::rise_coefficient)
+      .range(from_to(0.01, 100.))
+      .doc("c in t_r = c sqrt(d/g) rho g H^2 / P_I, its rise; an assumption");
+  table.key("duration_least", &T::duration_least)
+      .range(from_to(1.1, 1000.))
+      .doc("a in t_d = t_r (a + b exp(-c t_r/T)), its duration; an assumption");
+  table.key("duration_gain", &T::duration_gain).range(from_to(0., 1000.)).doc("b of the duration; an assumption");
+  table.key("duration_decay", &T::duration_decay).range(from_to(0., 1000.)).doc("c of the duration; an assumption");
+}
+
+/// What is missing or contradicts itself.
+Diagnostics diagnose(const WaveGiven& wave);
+
+/// A sound one, with heights by random breaking where only that of deep water is given.
+DesignWave design_wave(const WaveGiven& wave, const Section& section, const Water& water);
+
+}  // namespace upbead

@@ -1,0 +1,306 @@
+#include "case/wave_load.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/format.h"
+#include "base/numbers.h"
+#include "base/text.h"
+#include "model/words.h"
+#include "upbead/case/case.h"
+#include "upbead/sliding/combined.h"
+
+namespace upbead {
+
+namespace {
+
+const Words<WaveCourse> wave_course_words{{"church_roof", WaveCourse::church_roof},
+                                          {"triangle", WaveCourse::triangle},
+                                          {"sine", WaveCourse::sine},
+                                          {"combined", WaveCourse::combined}};
+
+bool has_impact(const WaveLoadTable& table) {
+  return table.course == WaveCourse::church_roof;
+}
+
+TableSchema<ImpactAssumptions> wave_impact_schema() {
+  TableSchema<ImpactAssumptions> table;
+  declare_impact(table);
+  return table;
+}
+
+}  // namespace
+
+TableSchema<WaveLoadTable> wave_load_schema() {
+  TableSchema<WaveLoadTable> table;
+  declare_wave(table);
+  table.choice("course", &WaveLoadTable::course, wave_course_words)
+      .required()
+      .doc(
+          "how P runs in time; church_roof: an impulsive triangle beside half a standing wave, by [.impact]; triangle: "
+          "tau_0 = k(alpha*) tau_0F; sine: half a sine of T/2; combined: that triangle beside half a standing wave");
+  table.choice("force", &WaveLoadTable::force, impact_force_words)
+      .doc(
+          "peak of P; goda_with_alpha_I: as `waves` tells it, an effective sliding force; impulse: P_I of [.impact], "
+          "as "
+          "`expected` has it")
+      .when("course", has_impact, "where course = \"church_roof\"");
+  table.table("impact", &WaveLoadTable::impact, wave_impact_schema())
+      .doc("The impulsive part of a church roof, as in a design: assumptions of ours.")
+      .when("course", has_impact, "where course = \"church_roof\"");
+  return table;
+}
+
+double WaveLoad::peak() const {
+  return impact ? impact->peak : pressure.force;
+}
+
+namespace {
+
+/// With P of Goda's formulas for the peak, e is what makes P_1 (1 + e alpha*) of it.
+ImpactWave impact_of(const WaveLoad& w, const WavePressure& standing, const Water& water) {
+  ImpactAssumptions assumptions = w.table.impact;
+  const double alpha_star = w.pressure.alpha_star;
+  if (w.table.force == ImpactForce::goda_with_alpha_I)
+    assumptions.peak_gain = alpha_star > 0. ? (w.pressure.force / standing.force - 1.) / alpha_star : 0.;
+  return impact_wave(assumptions, {w.wave.height, w.wave.period, standing.force, alpha_star, standing.uplift}, water,
+                     w.section.berm_depth);
+}
+
+/// Kinks closer than that share of the rise to their neighbour before are left out.
+constexpr double least_gap = 1e-3;
+
+TimeFunction history_of(const ImpactWave& wave) {
+  const auto [from, to] = where_triangle_leads(wave);
+  std::vector<double> kinks{0.};
+  for (const double t : {from, wave.rise, to, 0.5 * wave.period})
+    if (t - kinks.back() > least_gap * wave.rise) kinks.push_back(t);
+  const auto zero = [](double) { return 0.; };
+  std::vector<TimeFunction::Piece> pieces(kinks.size() + 1, [wave](double t) { return force_at(wave, t); });
+  pieces.front() = pieces.back() = zero;
+  return TimeFunction(std::move(kinks), std::move(pieces));
+}
+
+void add_church_roof(const WavePressure& standing, const Water& water, WaveLoad& w) {
+  w.impact = impact_of(w, standing, water);
+  w.standing_force = w.impact->reduction * w.impact->standing_force;
+  w.history = history_of(*w.impact);
+  w.duration = 2. * std::min(w.impact->rise, w.impact->duration - w.impact->rise);
+}
+
+void add_triangle(WaveLoad& w) {
+  const double standing = standing_duration(w.wave.height, w.section.water_depth, w.wave.period);
+  w.pulse = {w.pressure.force, DurationFactor()(w.pressure.alpha_star) * standing};
+}
+
+void add_pulse(const Pulse& pulse, WaveLoad& w) {
+  w.history = time_function(pulse);
+  w.duration = duration(pulse);
+  w.end = *pulse.duration;
+}
+
+void add_combined(const WavePressure& standing, WaveLoad& w) {
+  add_triangle(w);
+  const CombinedWave combined{w.wave.period, standing.force, *w.pulse, w.pressure.uplift};
+  const History force = combined_force(combined);
+  w.standing_force = standing_reduction(combined) * standing.force;
+  w.history = piecewise_linear(force.time, force.value);
+  w.duration = w.pulse->duration;
+}
+
+Pulse pulse_of(PulseShape shape, double peak, double duration) {
+  Pulse pulse;
+  pulse.shape = shape;
+  pulse.peak = peak;
+  pulse.duration = duration;
+  return pulse;
+}
+
+}  // namespace
+
+std::shared_ptr<const WaveLoad> wave_load(const Load& load, const WaveLoadTable& table, const Section& section,
+                                          const Water& water) {
+  WaveLoad w;
+  w.load = load;
+  w.table = table;
+  w.section = section;
+  w.wave = design_wave(table, section, water);
+  const Goda goda(section, water, w.wave);
+  w.wavelength = goda.wavelength();
+  w.pressure = goda.at(w.wave.height);
+  w.end = 0.5 * w.wave.period;
+  w.outside = warnings(section, water, w.wave, w.pressure);
+  const WavePressure standing = goda.at(w.wave.height, PressureFormula::standing);
+  switch (table.course) {
+    case WaveCourse::church_roof:
+      add_church_roof(standing, water, w);
+      break;
+    case WaveCourse::triangle:
+      add_triangle(w);
+      add_pulse(pulse_of(PulseShape::triangle, w.pulse->peak, w.pulse->duration), w);
+      break;
+    case WaveCourse::sine:
+      add_pulse(pulse_of(PulseShape::half_sine, w.pressure.force, w.end), w);
+      break;
+    case WaveCourse::combined:
+      add_combined(standing, w);
+      break;
+  }
+  return std::make_shared<const WaveLoad>(std::move(w));
+}
+
+std::vector<std::pair<std::string, const WaveLoad*>> acting_waves(const Case& input) {
+  std::vector<std::pair<std::string, const WaveLoad*>> list;
+  for (const auto& [name, wave] : input.waves)
+    if (wave->load.factor != 0.) list.emplace_back(name, wave.get());
+  return list;
+}
+
+std::vector<Pair> pressure_profile(const WaveLoad& wave, double bottom) {
+  const WavePressure& p = wave.pressure;
+  const double still = bottom + wave.section.foundation_depth;
+  std::vector<Pair> profile{{bottom, p.p3 / p.p1}, {still, 1.}};
+  if (const double top = std::min(p.eta_star, wave.section.crest); top > 0.)
+    profile.push_back({still + top, p.p4 / p.p1});
+  return profile;
+}
+
+namespace {
+
+std::string impact_words(const WaveLoad& w) {
+  const ImpactAssumptions& a = w.table.impact;
+  return "the larger of a triangle, rise " + significant(a.rise_coefficient) +
+         " sqrt(d/g) rho g H^2 / P, duration rise (" + significant(a.duration_least) + " + " +
+         significant(a.duration_gain) + " exp(-" + significant(a.duration_decay) +
+         " rise/T)), and gamma P_1 sin(2 pi t/T) with gamma = " + significant(w.impact->reduction) +
+         ": half a period keeps the impulse P_1 T/pi, where the triangle alone has no more; assumptions of ours";
+}
+
+std::string course_words(const WaveLoad& w) {
+  switch (w.table.course) {
+    case WaveCourse::church_roof:
+      return impact_words(w);
+    case WaveCourse::triangle:
+      return "a triangle of tau_0 = k(alpha*) tau_0F, eqs. (8)-(11) of Shimosako and Takahashi (1994)";
+    case WaveCourse::sine:
+      return "half a sine of T/2, as of a wave that does not break; an assumption of ours";
+    case WaveCourse::combined:
+      return "the larger of a triangle of tau_0 = k(alpha*) tau_0F and gamma_P P_1 sin(2 pi t/T), Shimosako and "
+             "Takahashi (1998)";
+  }
+  return "";
+}
+
+std::string peak_words(const WaveLoad& w) {
+  if (w.table.force == ImpactForce::impulse)
+    return "peak P_I = P_1 (1 + " + significant(w.table.impact.peak_gain) +
+           " alpha*), P_1 by alpha_1 alone; an assumption of ours";
+  return std::string("peak P by Goda's formulas with alpha* = ") +
+         (w.pressure.alpha_I > w.pressure.alpha_2 ? "alpha_I, an effective sliding force" : "alpha_2");
+}
+
+std::vector<std::string> assumptions_of(const WaveLoad& w) {
+  std::vector<std::string> list{peak_words(w), "course: " + course_words(w),
+                                "profile over the height: Goda's, the same at every time",
+                                "uplift: U = p_u B/2 by Goda's formulas, with alpha_1 alone"};
+  if (w.table.deep_water_height) list.push_back("H and H_1/3 by random breaking of the deep-water height");
+  if (!w.table.deep_water_height && !w.table.significant_height) list.push_back("H_1/3 = H/1.8");
+  return list;
+}
+
+WaveLoadSummary summary_of(const std::string& name, const WaveLoad& w) {
+  const WavePressure& p = w.pressure;
+  const double factor = w.load.factor;
+  WaveLoadSummary s;
+  s.name = name;
+  s.course = word_of(w.table.course, wave_course_words);
+  s.height = w.wave.height;
+  s.significant_height = w.wave.significant_height;
+  s.period = w.wave.period;
+  s.angle = w.table.angle;
+  s.wavelength = w.wavelength;
+  s.alpha_1 = p.alpha_1;
+  s.alpha_2 = p.alpha_2;
+  s.alpha_I = p.alpha_I;
+  s.alpha_star = p.alpha_star;
+  s.eta_star = p.eta_star;
+  s.p1 = p.p1;
+  s.p3 = p.p3;
+  s.p4 = p.p4;
+  s.pu = p.pu;
+  s.force = p.force;
+  s.force_moment = p.force_moment;
+  s.uplift = p.uplift;
+  s.peak = factor * w.peak();
+  s.peak_uplift = factor * p.uplift;
+  s.rise = w.impact ? w.impact->rise : 0.5 * (w.pulse ? w.pulse->duration : w.end);
+  s.duration = w.impact ? w.impact->duration : (w.pulse ? w.pulse->duration : w.end);
+  s.standing_force = factor * w.standing_force;
+  s.end = w.end;
+  s.impulse = factor * integral(w.history, 0., w.end);
+  s.assumptions = assumptions_of(w);
+  return s;
+}
+
+NumberedWarning effective_force(const std::string& name, const WavePressure& p) {
+  return {
+      "effective_force", p.alpha_I, p.alpha_2, "1",
+      "loads." + name + ": P of Goda's formulas with alpha_I = " + significant(p.alpha_I) +
+          " already is an effective sliding force, which the caisson's dynamics make another one of: where F_T/P is "
+          "below 1 the reduction counts twice; hold S against that of `upbead waves`, or write force = \"impulse\""};
+}
+
+NumberedWarning outside_formulas(const std::string& name, const std::vector<Warning>& found) {
+  std::string text;
+  for (const Warning& one : found) text += (text.empty() ? "" : "; ") + one.text;
+  return {"wave_outside_formulas", static_cast<double>(found.size()), 0., "1",
+          "loads." + name + ": " + text + " (docs/waves.md)"};
+}
+
+NumberedWarning cut_wave(const std::string& name, double over, double end) {
+  return {"wave_cut", over, end, "s",
+          "loads." + name + ": the wave is over at " + significant(over, 4) + " s, the run ends at " +
+              significant(end, 4) + " s: the rest of it is not felt; give a longer time.end"};
+}
+
+}  // namespace
+
+std::vector<WaveLoadSummary> wave_summaries(const Case& input) {
+  std::vector<WaveLoadSummary> list;
+  for (const auto& [name, wave] : acting_waves(input)) list.push_back(summary_of(name, *wave));
+  return list;
+}
+
+NumberedWarnings wave_warnings(const Case& input) {
+  NumberedWarnings list;
+  for (const auto& [name, wave] : acting_waves(input)) {
+    const WavePressure& p = wave->pressure;
+    if (wave->table.force == ImpactForce::goda_with_alpha_I && p.alpha_I > p.alpha_2)
+      list.push_back(effective_force(name, p));
+    if (!wave->outside.empty()) list.push_back(outside_formulas(name, wave->outside));
+    if (wave->end > input.scene.time.end) list.push_back(cut_wave(name, wave->end, input.scene.time.end));
+  }
+  return list;
+}
+
+std::string describe(const std::vector<WaveLoadSummary>& waves) {
+  std::string text;
+  for (const WaveLoadSummary& w : waves) {
+    text += "wave        " + w.name + ": H " + significant(w.height, 4) + " m, H_1/3 " +
+            significant(w.significant_height, 4) + " m, T " + significant(w.period, 4) + " s, " +
+            significant(w.angle, 4) + " degrees; L " + significant(w.wavelength, 4) + " m, alpha* " +
+            significant(w.alpha_star, 4) + " (alpha_2 " + significant(w.alpha_2, 4) + ", alpha_I " +
+            significant(w.alpha_I, 4) + ")\n";
+    text += "            P " + with_unit(w.force, "N/m") + ", M_P " + with_unit(w.force_moment, "N m/m") + ", U " +
+            with_unit(w.uplift, "N/m") + "; p1 " + with_unit(w.p1, "Pa") + ", p3 " + with_unit(w.p3, "Pa") + ", p4 " +
+            with_unit(w.p4, "Pa") + ", p_u " + with_unit(w.pu, "Pa") + ", eta* " + significant(w.eta_star, 4) + " m\n";
+    text += "            " + w.course + ": peak " + with_unit(w.peak, "N/m") + ", rise " + significant(w.rise, 4) +
+            " s, duration " + significant(w.duration, 4) + " s" +
+            (w.standing_force > 0. ? ", slow part " + with_unit(w.standing_force, "N/m") : "") + ", over at " +
+            significant(w.end, 4) + " s, impulse " + with_unit(w.impulse, "N s/m") + "\n";
+    for (const std::string& assumption : w.assumptions) text += "            " + assumption + "\n";
+  }
+  return text;
+}
+
+}  // namespace upbead

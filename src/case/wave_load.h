@@ -1,0 +1,85 @@
+// A load by a wave: Goda's pressure over the height of the wall, his uplift, and a course in time.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "case/formula_wave.h"
+#include "input/values.h"
+#include "upbead/base/numbered_warning.h"
+#include "upbead/model/scene.h"
+#include "upbead/output/summary.h"
+#include "upbead/sliding/pulse.h"
+
+namespace upbead {
+
+struct Case;
+struct Simulation;
+struct Mesh;
+
+/// How the force of a wave runs in time.
+enum class WaveCourse {
+  church_roof,  ///< an impulsive triangle beside half a standing wave: impact_wave() of expected/dynamic_law.h
+  triangle,     ///< of tau_0 = k(alpha*) tau_0F, Shimosako and Takahashi (1994)
+  sine,         ///< half a sine of T/2
+  combined,     ///< that triangle beside half a standing wave, Shimosako and Takahashi (1998)
+};
+
+/// The table [loads.NAME.wave] as written.
+struct WaveLoadTable : WaveGiven {
+  WaveCourse course = WaveCourse::church_roof;
+  ImpactForce force = ImpactForce::goda_with_alpha_I;
+  ImpactAssumptions impact;  ///< of a church roof
+};
+
+TableSchema<WaveLoadTable> wave_load_schema();
+
+/// A load of kind "wave". Its resultant P is peak() times a course that is 1 at its largest; the wave begins at t = 0.
+struct WaveLoad {
+  Load load;  ///< what is not of the wave, as written
+  WaveLoadTable table;
+  Section section;
+  DesignWave wave;
+  double wavelength = 0.;                ///< L (m)
+  WavePressure pressure;                 ///< with alpha*
+  std::optional<TriangularPulse> pulse;  ///< of the courses triangle and combined
+  std::optional<ImpactWave> impact;      ///< of a church roof
+  double standing_force = 0.;            ///< of the slow part: gamma P_1 (N/m)
+  TimeFunction history;                  ///< P(t) (N/m), without the factor
+  std::optional<double> duration;        ///< Load::duration
+  double end = 0.;                       ///< when the course is over (s)
+  std::vector<Warning> outside;          ///< where the formulas do not hold
+
+  double peak() const;
+};
+
+/// Of a sound table on a sound section.
+std::shared_ptr<const WaveLoad> wave_load(const Load& load, const WaveLoadTable& table, const Section& section,
+                                          const Water& water);
+
+/// The loads by waves that are not switched off, by name.
+std::vector<std::pair<std::string, const WaveLoad*>> acting_waves(const Case& input);
+
+/// Goda's profile over the height y, p over p_1: linear between bottom, still water and the lower of crest and eta*
+/// above it. `bottom`: y of the wall's foot (m).
+std::vector<Pair> pressure_profile(const WaveLoad& wave, double bottom);
+
+/// The scene with the profiles of its waves on the walls of the mesh. Throws InputError, at keys of the case, where
+/// [section] contradicts the mesh or the scene's water.
+Scene with_profiles(const Case& input, const Mesh& mesh);
+
+/// Throws InputError where a wave's P or M_P on the caisson as meshed is not that of Goda's formulas, or B is not its
+/// width.
+void check_waves(const Case& input, const Simulation& simulation);
+
+std::vector<WaveLoadSummary> wave_summaries(const Case& input);
+
+/// wave_outside_formulas, effective_force, wave_cut: docs/warnings.md.
+NumberedWarnings wave_warnings(const Case& input);
+
+std::string describe(const std::vector<WaveLoadSummary>& waves);
+
+}  // namespace upbead

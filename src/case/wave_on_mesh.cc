@@ -1,0 +1,152 @@
+// Loads by waves on the walls of a mesh.
+#include <algorithm>
+#include <cmath>
+
+#include "base/text.h"
+#include "case/wave_load.h"
+#include "fem/compile.h"
+#include "fem/outline.h"
+#include "upbead/case/case.h"
+#include "upbead/run/simulation.h"
+
+namespace upbead {
+
+namespace {
+
+/// What two lengths or resultants of one wall may differ by, over the wall's height or over P: a mesh is told to 1e-9.
+constexpr double same_wall = 1e-6;
+
+constexpr double same_weight = 0.01;
+
+std::string at_height(double y) {
+  return "y = " + significant(y, 6);
+}
+
+/// The wall of a load by a wave, held against the section.
+class WallCheck {
+ public:
+  WallCheck(const std::string& name, const WaveLoad& wave, const Extent& wall, Diagnostics& mistakes)
+      : path_("loads." + name), wave_(wave), wall_(wall), tolerance_(same_wall * height()), mistakes_(mistakes) {}
+
+  double height() const { return wave_.section.foundation_depth + wave_.section.crest; }
+
+  void run(const Scene& scene, const Outline& outline) const {
+    if (wall_.right - wall_.left > tolerance_)
+      mistakes_.add(at_key(path_ + ".boundary"),
+                    "'" + wave_.load.boundary + "' is not upright: it reaches from x = " + significant(wall_.left, 6) +
+                        " to " + significant(wall_.right, 6) + " m, and Goda's formulas are those of an upright wall",
+                    "name the curve of the caisson's seaward wall");
+    if (differ(wall_.highest - wall_.lowest, height()))
+      mistakes_.add(at_key("section.crest"),
+                    "foundation_depth + crest = " + significant(height(), 6) + " m, but the wall '" +
+                        wave_.load.boundary + "' is " + significant(wall_.highest - wall_.lowest, 6) +
+                        " m high, from " + at_height(wall_.lowest) + " to " + significant(wall_.highest, 6) + " m",
+                    "give the section that is meshed, or the mesh of the section");
+    if (scene.initial && scene.initial->water_level) check_level(*scene.initial->water_level, "initial.water_level");
+    for (const auto& [name, region] : scene.regions)
+      if (const auto sea = outline.surfaces.find(name); region.kind == RegionKind::water &&
+                                                        sea != outline.surfaces.end() &&
+                                                        sea->second.right <= wall_.left + tolerance_)
+        check_sea(name, sea->second);
+  }
+
+ private:
+  bool differ(double a, double b) const { return std::abs(a - b) > tolerance_; }
+
+  void check_level(double level, const std::string& of) const {
+    const double still = wall_.lowest + wave_.section.foundation_depth;
+    if (differ(level, still))
+      mistakes_.add(at_key("section.foundation_depth"),
+                    "still water stands at " + at_height(still) + " m, foundation_depth = " +
+                        significant(wave_.section.foundation_depth, 6) + " m above the foot of '" +
+                        wave_.load.boundary + "', but " + of + " at " + at_height(level) + " m",
+                    "give one water level in both");
+  }
+
+  void check_sea(const std::string& name, const Extent& sea) const {
+    check_level(sea.highest, "'" + name + "'");
+    if (differ(sea.highest - sea.lowest, wave_.section.water_depth))
+      mistakes_.add(at_key("section.water_depth"),
+                    "water_depth = " + significant(wave_.section.water_depth, 6) + " m, but the sea '" + name +
+                        "' is " + significant(sea.highest - sea.lowest, 6) + " m deep",
+                    "give one depth in both");
+  }
+
+  std::string path_;
+  const WaveLoad& wave_;
+  const Extent& wall_;
+  double tolerance_;
+  Diagnostics& mistakes_;
+};
+
+/// Of the faces of a curve; empty where there is none.
+Extent extent_of_curve(const Mesh& mesh, const std::string& curve) {
+  Extent extent;
+  for (const auto& cell : mesh.triangulation.active_cell_iterators())
+    for (const auto& face : cell->face_iterators())
+      if (mesh.curve_of(face) == curve)
+        for (unsigned v = 0; v < 2; ++v) extent.add(face->vertex(v));
+  return extent;
+}
+
+}  // namespace
+
+Scene with_profiles(const Case& input, const Mesh& mesh) {
+  Scene scene = input.scene;
+  if (input.waves.empty()) return scene;
+  const Outline outline = outline_of(mesh);
+  Diagnostics mistakes;
+  for (const auto& [name, wave] : input.waves) {
+    const Extent wall = extent_of_curve(mesh, wave->load.boundary);
+    if (wall.highest < wall.lowest) continue;  // no such curve, which the scene's checks tell
+    WallCheck(name, *wave, wall, mistakes).run(scene, outline);
+    scene.loads.at(name).shape = pressure_profile(*wave, wall.lowest);
+  }
+  mistakes.throw_if_any();
+  return scene;
+}
+
+namespace {
+
+void check_resultants(const std::string& name, const WaveLoad& wave, const LoadOnCaisson& load, Diagnostics& mistakes) {
+  const double arm = wave.pressure.force_moment / wave.pressure.force;
+  if (std::abs(load.force_x - 1.) <= same_wall && std::abs(load.moment - arm) <= same_wall * arm) return;
+  mistakes.add(at_key("loads." + name + ".boundary"),
+               "on the caisson as meshed acts " + significant(load.force_x, 6) + " of P, with " +
+                   significant(load.moment, 6) + " m of moment above its bottom in place of " + significant(arm, 6),
+               "name the curve of the caisson's seaward wall, whole, from its bottom to its crest");
+}
+
+}  // namespace
+
+void check_waves(const Case& input, const Simulation& simulation) {
+  Diagnostics mistakes;
+  for (const auto& [name, wave] : acting_waves(input)) {
+    const auto& caisson = simulation.compiled->caisson;
+    if (!caisson) {
+      mistakes.add(at_key("loads." + name + ".kind"), "a load by a wave acts on a caisson, and there is none",
+                   "name its surface 'caisson'");
+      continue;
+    }
+    if (std::abs(caisson->bottom_width - wave->section.width) > same_wall * wave->section.width)
+      mistakes.add(at_key("section.width"),
+                   "width = " + significant(wave->section.width, 6) + " m, but the caisson is " +
+                       significant(caisson->bottom_width, 6) + " m wide at its bottom",
+                   "give one width in both");
+    const double weight = caisson->body.mass * input.scene.gravity;
+    if (std::abs(weight - wave->section.weight) > same_weight * weight)
+      mistakes.add(at_key("section.weight"),
+                   "weight = " + significant(wave->section.weight, 5) + " N/m is not mass x g of the caisson, " +
+                       significant(weight, 5) + " N/m",
+                   "give one caisson in both, within 1 %");
+    if (extent_of_curve(*simulation.mesh, wave->load.boundary).left > caisson->bottom_centre[0])
+      mistakes.add(at_key("loads." + name + ".boundary"),
+                   "'" + wave->load.boundary + "' is the landward wall of the caisson",
+                   "name the seaward one: x points landward");
+    for (const LoadOnCaisson& load : simulation.compiled->loads_on_caisson)
+      if (load.name == name) check_resultants(name, *wave, load, mistakes);
+  }
+  mistakes.throw_if_any();
+}
+
+}  // namespace upbead

@@ -1,0 +1,294 @@
+// Claim: a load by a wave puts P, M_P and U of Goda's formulas on the caisson as meshed, with the course that it names,
+// and those of `waves` and `expected`; a mesh that is not the section's is refused.
+#include "case/wave_load.h"
+
+#include <cmath>
+
+#include "case/case_run.h"
+#include "case/scale.h"
+#include "expected/dynamic_law.h"
+#include "fem/caisson/readings.h"
+#include "fem/compile.h"
+#include "good_case.h"
+#include "section_case.h"
+#include "upbead/algebra/petsc_session.h"
+#include "upbead/sliding/combined.h"
+#include "upbead/waves/wave_heights.h"
+
+namespace upbead::test {
+
+namespace {
+
+const std::string section_table = R"([section]
+water_depth = 15.0
+foundation_depth = 9.0
+berm_depth = 7.5
+crest = 7.0
+width = 18.0
+berm_width = 7.0
+bed_slope = 0.01
+weight = 5.933088e6
+submerged_weight = 4.296e6
+)";
+
+const std::string sliding_table = R"([sliding]
+[sliding.uplift]
+kind = "wave"
+shape = "held"
+)";
+
+std::string wave_case(const std::string& wave, const std::string& mesh = "cells = 0.4, grading = 4") {
+  const std::string load = "pulse = { shape = \"triangle\", peak = 1e6, duration = 0.15 }";
+  return section_case({{"cells = 0.5, seabed_front = 60, seabed_back = 60", mesh},
+                       {"[loads.impulse]", "[loads.storm]"},
+                       {"kind = \"force\"", "kind = \"wave\""},
+                       {load, "wave = " + wave},
+                       {"end = 0.6", "end = 0.5\nstep = 0.01\n" + sliding_table + section_table}});
+}
+
+const Section section_of_test{15., 9., 7.5, 7., 18., 7., 0.01, 5.933088e6, 4.296e6, {}, 0.6, false, {}, {}, {}};
+const Water water_of_test{1030., 9.81};
+
+}  // namespace
+
+class WaveLoadTest : public InFolder {
+ protected:
+  WaveLoadTest() {
+    static const PetscSession petsc;  // MPI starts once in a process
+    unsetenv("UPBEAD_MESHES");
+  }
+
+  static Case read(const std::string& text, const std::vector<std::string>& overrides = {}) {
+    write("case.toml", text);
+    return read_case("case.toml", overrides);
+  }
+  static const WaveLoad& wave_of(const Case& problem) { return *problem.waves.at("storm"); }
+
+  /// P and M_P on the caisson and U are those of `pressure`.
+  static void expect_forces(const std::string& text, const WavePressure& pressure) {
+    const Case problem = read(text);
+    const Simulation simulation = simulation_of(problem);
+    const LoadOnCaisson& load = simulation.compiled->loads_on_caisson.front();
+    const double peak = extremum(simulation.scene.loads.at("storm").history, 0., 100., 1).value;
+    EXPECT_NEAR(load.force_x * peak, pressure.force, 1e-12 * pressure.force);
+    EXPECT_NEAR(load.force_y, 0., 1e-12);
+    EXPECT_NEAR(load.moment * peak, pressure.force_moment,
+                1e-9 * pressure.force_moment);  // heights as gmsh writes them
+    EXPECT_EQ(simulation.scene.sliding->uplift->kind, UpliftKind::prescribed);
+    EXPECT_EQ(*simulation.scene.sliding->uplift->peak, pressure.uplift);
+    EXPECT_NEAR(*simulation.scene.sliding->uplift->peak, 0.5 * pressure.pu * problem.section->width,
+                1e-15 * pressure.uplift);
+  }
+
+  static std::string objections(const std::string& text, const std::vector<std::string>& overrides = {}) {
+    try {
+      simulation_of(read(text, overrides));
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  }
+};
+
+TEST_F(WaveLoadTest, PutsGodasResultantsOnTheMesh) {
+  const DesignWave wave{8., 8. / 1.8, 12., 0.};
+  const WavePressure pressure = Goda(section_of_test, water_of_test, wave).at(8.);
+  EXPECT_GT(pressure.p4, 0.);
+  expect_forces(wave_case("{ height = 8.0, period = 12.0, course = \"sine\" }"), pressure);
+  // that of a sea state for `expected`
+  const SeaState state{8. / 1.8, 12., 1., 0., 0.};
+  const WavePressure expected = WaveForces({section_of_test, water_of_test, {}, {}}, state).at(8., {});
+  EXPECT_EQ(expected.force, pressure.force);
+  EXPECT_EQ(expected.uplift, pressure.uplift);
+}
+
+TEST_F(WaveLoadTest, PutsThoseOfALowObliqueWaveBeforeASea) {
+  const double beta = 20. * std::acos(-1.) / 180.;
+  const WavePressure pressure = Goda(section_of_test, water_of_test, {4., 2.5, 9., beta}).at(4.);
+  EXPECT_EQ(pressure.p4, 0.);  // eta* below the crest
+  std::string text =
+      wave_case("{ height = 4.0, significant_height = 2.5, period = 9.0, angle = 20.0, course = \"triangle\" }",
+                "cells = 0.3, grading = 4, sea_front = 3, water_depth = 15");
+  text += "[regions.sea_front]\nkind = \"water\"\n";
+  const std::string front = "front = {}";
+  text.replace(text.find(front), front.size(),
+               "front = {}\nsea_surface = { pressure = \"open\" }\nsea_left = { pressure = \"sealed\" }");
+  expect_forces(text, pressure);
+}
+
+TEST_F(WaveLoadTest, RunAnswersWithPAndU) {
+  const Case problem = read(wave_case("{ height = 8.0, period = 12.0, course = \"triangle\" }"), {"time.end=1.5"});
+  const Simulation simulation = simulation_of(problem);
+  const upbead::Run run = solve(problem, simulation, {});
+  const WavePressure pressure = Goda(section_of_test, water_of_test, {8., 8. / 1.8, 12., 0.}).at(8.);
+  EXPECT_NEAR(run.summary.response->peak_force, pressure.force, 1e-12 * pressure.force);
+  EXPECT_NEAR(*run.summary.response->arm, pressure.force_moment / pressure.force, 1e-8);
+  ASSERT_EQ(run.summary.waves.size(), 1u);
+  EXPECT_EQ(run.summary.waves[0].force, pressure.force);
+  EXPECT_EQ(run.summary.waves[0].uplift, pressure.uplift);
+  EXPECT_EQ(run.summary.sliding->submerged_weight, section_of_test.submerged_weight);
+  EXPECT_EQ(run.summary.sliding->friction, section_of_test.friction);
+  // tau_0 by the same wave
+  EXPECT_NEAR(run.summary.sliding->pulse->duration, run.summary.waves[0].duration, 1e-15);
+}
+
+TEST_F(WaveLoadTest, CoursesHaveTheirPeaksAndImpulses) {
+  const Goda goda(section_of_test, water_of_test, {8., 8. / 1.8, 12., 0.});
+  const WavePressure p = goda.at(8.);
+  const double standing = goda.at(8., PressureFormula::standing).force, half_wave = standing * 12. / std::acos(-1.);
+  const double tau_0 = DurationFactor()(p.alpha_star) * standing_duration(8., 15., 12.);
+  const std::vector<std::pair<std::string, double>> impulses{{"triangle", 0.5 * p.force * tau_0},
+                                                             {"sine", p.force * 12. / std::acos(-1.)},
+                                                             {"combined", half_wave},
+                                                             {"church_roof", half_wave}};
+  for (const auto& [course, impulse] : impulses) {
+    const Case problem = read(wave_case("{ height = 8.0, period = 12.0, course = \"" + course + "\" }"));
+    const WaveLoadSummary summary = wave_summaries(problem).front();
+    EXPECT_EQ(summary.course, course);
+    EXPECT_NEAR(summary.peak, p.force, 1e-14 * p.force) << course;
+    EXPECT_NEAR(extremum(wave_of(problem).history, 0., 6., 1).value, p.force, 1e-12 * p.force) << course;
+    // chords of the sine of combined_force are 8e-6 too low
+    EXPECT_NEAR(summary.impulse, impulse, (course == "combined" ? 1e-5 : 1e-8) * impulse) << course;
+    EXPECT_NEAR(integral(wave_of(problem).history, 0., 20.), summary.impulse, 1e-8 * impulse) << course;
+  }
+}
+
+TEST_F(WaveLoadTest, ChurchRoofOfAnImpulseIsThatOfExpected) {
+  const Breakwater breakwater{section_of_test, water_of_test, {}, {}};
+  for (const std::string height : {"4.0", "8.0", "11.0"}) {
+    const double H = std::stod(height);
+    const Case problem =
+        read(wave_case("{ height = " + height + ", significant_height = 4.0, period = 12.0, course = " +
+                       "\"church_roof\", force = \"impulse\", impact = { peak_gain = 2.0 } }"));
+    const WaveForces forces(breakwater, {4., 12., 1., 0., 0.});
+    const WavePressure standing = forces.at(H, {}, PressureFormula::standing);
+    ImpactAssumptions assumptions;
+    assumptions.peak_gain = 2.;
+    const ImpactWave wave = impact_wave(assumptions, {H, 12., standing.force, standing.alpha_star, standing.uplift},
+                                        water_of_test, section_of_test.berm_depth);
+    const double step = 0.01;
+    const int n = number_of_samples(wave, step);
+    std::vector<double> force(static_cast<std::size_t>(n));
+    sample_force(wave, step, n, force.data());
+    for (int i = 0; i < n; ++i)
+      EXPECT_NEAR(wave_of(problem).history(i * step), force[static_cast<std::size_t>(i)], 1e-11 * wave.peak) << height;
+    EXPECT_NEAR(wave_summaries(problem).front().peak, standing.force * (1. + 2. * standing.alpha_star), 1e-9);
+  }
+}
+
+TEST_F(WaveLoadTest, ChurchRoofTakesRiseAndDurationOfItsPeak) {
+  const Case problem = read(wave_case("{ height = 8.0, period = 12.0, course = \"church_roof\" }"));
+  const WaveLoadSummary s = wave_summaries(problem).front();
+  const double rise = 0.769 * std::sqrt(7.5 / 9.81) * 1030. * 9.81 * 64. / s.force;
+  EXPECT_NEAR(s.rise, rise, 1e-12 * rise);
+  EXPECT_NEAR(s.duration, rise * (2. + 8. * std::exp(-18. * rise / 12.)), 1e-12 * s.duration);
+}
+
+TEST_F(WaveLoadTest, FactorScalesPAndU) {
+  const std::string text = wave_case("{ height = 8.0, period = 12.0, course = \"sine\" }");
+  const Case once = read(text), twice = read(text, {"loads.storm.factor=2"});
+  EXPECT_EQ(extremum(twice.scene.loads.at("storm").history, 0., 6., 1).value,
+            2. * extremum(once.scene.loads.at("storm").history, 0., 6., 1).value);
+  EXPECT_EQ(*twice.scene.sliding->uplift->peak, 2. * *once.scene.sliding->uplift->peak);
+  EXPECT_EQ(wave_summaries(twice).front().peak, 2. * wave_summaries(once).front().peak);
+}
+
+TEST_F(WaveLoadTest, DeepWaterHeightBreaksAsInWaves) {
+  const Case problem = read(wave_case("{ deep_water_height = 6.3, period = 11.4, course = \"sine\" }"));
+  const DesignHeights heights = design_heights({6.3, 11.4, 15., 0.01}, 9.81);
+  EXPECT_EQ(wave_of(problem).wave.height, heights.highest);
+  EXPECT_EQ(wave_of(problem).wave.significant_height, heights.significant);
+}
+
+TEST_F(WaveLoadTest, EchoRunsAsItIs) {
+  const Case problem = read(wave_case("{ height = 8.0, period = 12.0, course = \"church_roof\" }"));
+  std::filesystem::create_directories("out");
+  const std::string echo = effective_case(problem, "out");
+  write("out/case.toml", echo);
+  const Case again = read_case("out/case.toml");
+  EXPECT_EQ(effective_case(again, "out"), echo);
+  EXPECT_EQ(wave_of(again).pressure.force, wave_of(problem).pressure.force);
+  EXPECT_EQ(*again.scene.sliding->uplift->peak, *problem.scene.sliding->uplift->peak);
+  for (const char* part :
+       {"kind = \"wave\"\n", "[loads.storm.wave]\nheight = 8.0  # m\n", "[loads.storm.wave.impact]\n", "[section]\n"})
+    EXPECT_NE(echo.find(part), std::string::npos) << part << " is missing in\n" << echo;
+  for (const char* part : {"[sliding.wave]", "[loads.storm.pulse]"})
+    EXPECT_EQ(echo.find(part), std::string::npos) << part << " stands in\n" << echo;
+}
+
+TEST_F(WaveLoadTest, ScalesByFroude) {
+  write("case.toml", wave_case("{ height = 8.0, period = 12.0, course = \"church_roof\" }"));
+  const Case problem = read_case("case.toml");
+  std::filesystem::create_directories("out");
+  write("out/case.toml", scale_case(problem, {0.05, SoilScaling::froude, {}}, "out").text);
+  const Case model = read_case("out/case.toml");
+  const WaveLoadSummary large = wave_summaries(problem).front(), small = wave_summaries(model).front();
+  EXPECT_NEAR(small.force * 400., large.force, 1e-9 * large.force);
+  EXPECT_NEAR(small.rise * std::sqrt(20.), large.rise, 1e-9);
+  EXPECT_NEAR(small.impulse * 400. * std::sqrt(20.), large.impulse, 1e-8 * large.impulse);
+}
+
+TEST_F(WaveLoadTest, MeshThatIsNotTheSectionsIsRefused) {
+  const std::string text = wave_case("{ height = 8.0, period = 12.0, course = \"sine\" }");
+  EXPECT_EQ(objections(text), "");
+  EXPECT_EQ(
+      objections(text, {"section.crest=6.5"}),
+      "--set section.crest=6.5: foundation_depth + crest = 15.5 m, but the wall 'front' is 16 m high, from y = 6 to "
+      "22 m; give the section that is meshed, or the mesh of the section");
+  EXPECT_EQ(objections(text, {"section.width=17"}),
+            "--set section.width=17: width = 17 m, but the caisson is 18 m wide at its bottom; give one width in both");
+  EXPECT_EQ(objections(text, {"initial.water_level=14.5"}),
+            "case.toml:46:1: still water stands at y = 15 m, foundation_depth = 9 m above the foot of 'front', but "
+            "initial.water_level at y = 14.5 m; give one water level in both");
+  EXPECT_EQ(objections(text, {"section.weight=5.8e6"}),
+            "--set section.weight=5.8e6: weight = 5.8e+06 N/m is not mass x g of the caisson, 5.9331e+06 N/m; give one "
+            "caisson in both, within 1 %");
+  EXPECT_NE(objections(text, {"loads.storm.boundary=back"}).find("'back' is the landward wall of the caisson"),
+            std::string::npos);
+  EXPECT_NE(objections(text, {"loads.storm.boundary=top"}).find("'top' is not upright"), std::string::npos);
+  EXPECT_NE(objections(text, {"loads.storm.boundary=left", "mesh.parameters.seabed_depth=16"}).find("acts 0 of P"),
+            std::string::npos);
+}
+
+TEST_F(WaveLoadTest, FrictionAndWeightAreTheSections) {
+  const std::string text = wave_case("{ height = 8.0, period = 12.0, course = \"sine\" }");
+  const Case problem = read(text, {"section.friction=0.5", "section.submerged_weight=4.2e6"});
+  EXPECT_EQ(problem.scene.sliding->friction, 0.5);
+  EXPECT_EQ(problem.scene.sliding->submerged_weight, 4.2e6);
+  const std::vector<std::string> contact{"section.friction=0.5", "regions.caisson.interface={kind=\"friction\"}",
+                                         "sliding.uplift={kind=\"computed\"}"};
+  EXPECT_EQ(contact_friction(read(text, contact).scene), 0.5);
+  std::string without = text;
+  without.replace(without.find(sliding_table), sliding_table.size(), "");
+  EXPECT_EQ(contact_friction(read(without, {contact[0], contact[1]}).scene), 0.5);
+  EXPECT_NE(objections(text, {"section.friction=0.5", contact[2],
+                              "regions.caisson.interface={kind=\"friction\", coefficient=0.7}"})
+                .find("friction = 0.5 is not the coefficient = 0.7 of [regions.caisson] interface"),
+            std::string::npos);
+}
+
+TEST_F(WaveLoadTest, UpliftOfTwoWavesIsRefused) {
+  const std::string text = wave_case("{ height = 8.0, period = 12.0, course = \"sine\" }");
+  const std::string other = "boundary=\"front\", kind=\"wave\", wave={height=6.0, period=9.0, course=\"sine\"}";
+  EXPECT_NE(
+      objections(text, {"loads.other={" + other + "}"}).find("which of the loads by waves is meant: other, storm"),
+      std::string::npos);
+  EXPECT_EQ(objections(text, {"loads.other={" + other + ", factor=0.0}"}), "");
+}
+
+TEST_F(WaveLoadTest, WarnsWhereFormulasDoNotHold) {
+  const auto names = [](const Case& problem) {
+    std::string text;
+    for (const NumberedWarning& warning : wave_warnings(problem)) text += warning.name + " ";
+    return text;
+  };
+  const std::string text = wave_case("{ height = 8.0, period = 12.0, course = \"church_roof\" }");
+  EXPECT_EQ(names(read(text)), "effective_force wave_outside_formulas wave_cut ");
+  EXPECT_EQ(names(read(text, {"time.end=6"})), "effective_force wave_outside_formulas ");
+  EXPECT_EQ(names(read(text, {"loads.storm.wave.force=impulse"})), "wave_outside_formulas wave_cut ");
+  EXPECT_EQ(names(read(text, {"loads.storm.factor=0", "sliding.uplift={kind=\"computed\"}"})), "");
+  const std::string low = wave_case("{ height = 4.0, period = 12.0, angle = 25.0, course = \"sine\" }");
+  EXPECT_EQ(names(read(low, {"time.end=6", "section.berm_depth=14"})), "wave_outside_formulas ");
+}
+
+}  // namespace upbead::test

@@ -1,0 +1,109 @@
+#!/usr/bin/python3
+"""One wave has one P and one U, in `waves`, `run`, `reduce` with `respond`, and `expected`; cases/design-wave is as shipped.
+
+usage: wave_loads_test.py PROGRAM CASES_FOLDER
+"""
+
+import json
+import sys
+import tomllib
+import unittest
+
+import h5py
+import numpy
+
+from program import CASES, ProgramTest, upbead
+
+CASE, DESIGN = CASES / "design-wave/composite.toml", CASES / "design-wave/section.toml"
+# coarse, as P and U do not depend on cells
+COARSE = ["--set", "mesh.parameters.cells=0.5", "--set", "mesh.parameters.sea_cells=4"]
+COURSES = ["church_roof", "triangle", "sine", "combined"]
+
+
+class WaveLoads(ProgramTest):
+    def ask(self, *arguments):
+        done = upbead(*arguments, cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return done
+
+    def by_formulas(self, *settings):
+        return json.loads(self.ask("waves", DESIGN, "--json", "--out", "formulas", *settings).stdout)["waves"]["storm"]
+
+    def assert_same(self, a, b, relative=1e-12):
+        self.assertLessEqual(abs(a - b), relative * abs(b), f"{a} is not {b}")
+
+    def test_the_case_and_the_design_have_one_section_and_wave(self):
+        case, design = (tomllib.loads(path.read_text()) for path in (CASE, DESIGN))
+        self.assertEqual(case["section"], design["section"])
+        wave = dict(case["loads"]["storm"]["wave"])
+        del wave["course"]
+        self.assertEqual(wave, design["waves"]["storm"])
+
+    def test_run_and_waves_have_one_P_and_U(self):
+        formulas = self.by_formulas()
+        for course in COURSES:
+            setting = f"loads.storm.wave.course={course}"
+            summary = json.loads(self.ask("run", CASE, "--json", "--out", course, "--set", setting, *COARSE).stdout)
+            told = summary["wave_loads"]["storm"]
+            for key in ("height", "significant_height", "period", "angle", "wavelength", "alpha_1", "alpha_2", "alpha_I",
+                        "alpha_star", "eta_star", "p1", "p3", "p4", "pu", "force", "force_moment", "uplift"):
+                self.assertEqual(told[key], formulas[key], key)
+            self.assertEqual(told["course"], course)
+            self.assert_same(told["peak"], formulas["force"])
+            with h5py.File(self.folder / course / "results.h5") as file:
+                P = file["history/force"][:]
+            self.assert_same(P.max(), formulas["force"])
+            self.assert_same(summary["response"]["arm"], formulas["force_moment"] / formulas["force"], 1e-9)
+            self.assert_same(summary["sliding"]["tau_0"], formulas["tau_0"])
+            self.assertTrue(any("course: " in words for words in told["assumptions"]))
+            if course in ("triangle", "combined"):
+                self.assert_same(told["duration"], formulas["tau_0"])
+            # held: U stays at its largest, so that F_S has the whole of it where F_T is largest
+            self.assert_same(summary["sliding"]["uplift_at_peak"], formulas["uplift"])
+
+    def test_respond_has_them_too(self):
+        formulas = self.by_formulas()
+        self.ask("reduce", CASE, "--out", "reduced", *COARSE)
+        self.ask("run", CASE, "--out", "run", *COARSE)
+        with h5py.File(self.folder / "run/results.h5") as file:
+            t, P = file["history/time"][:], file["history/force"][:]
+        numpy.savetxt(self.folder / "wave.csv", numpy.column_stack([t, P]), delimiter=",", comments="",
+                      header="time (s),force (N/m)", fmt="%.17g")
+        summary = json.loads((self.folder / "run/summary.json").read_text())
+        wave = json.loads(self.ask("respond", "reduced/reduced.h5", "wave.csv", "--json", "--out", "answers").stdout)["waves"][0]
+        self.assert_same(wave["peak_force"], formulas["force"])
+        self.assertGreater(wave["sliding"], 0.01)
+        # with U of the wave, by the law of the model; F_T as accurate as two reduced models are
+        self.assert_same(wave["sliding"], summary["sliding"]["sliding_history"], 0.01)
+
+    def test_expected_has_them_too(self):
+        """Its wave that just slides by the law of eq. (7) has P + mu U = mu W' in `waves` and as a load."""
+        (self.folder / "states.csv").write_text("significant_height (m),period (s),waves\n6.0,12.0,1000\n")
+        design = DESIGN.read_text() + '[sea]\nstates = "states.csv"\nyears = 1\n'
+        (self.folder / "expected.toml").write_text(design)
+        told = json.loads(self.ask("expected", "expected.toml", "--json", "--out", "expected").stdout)
+        threshold = told["expected"]["threshold_height"]["paper"]
+        height = [f"--set=waves.storm.height={threshold!r}", "--set=waves.storm.significant_height=6.0"]
+        formulas = self.by_formulas(*height)
+        explained = json.loads(self.ask("explain", CASE, "--json", *COARSE, "--set", f"loads.storm.wave.height={threshold!r}",
+                                        "--set", "loads.storm.wave.significant_height=6.0").stdout)["wave_loads"]["storm"]
+        self.assertEqual((explained["force"], explained["uplift"]), (formulas["force"], formulas["uplift"]))
+        self.assert_same(explained["force"] + 0.6 * explained["uplift"], 0.6 * 4.296e6, 1e-9)
+
+    def test_explain_tells_the_wave(self):
+        done = self.ask("explain", CASE)
+        for part in ("wave        storm: H 11 m", "church_roof: peak 1.931 MN/m", "U 766.", "alpha* 0.37", "assumptions of ours"):
+            self.assertIn(part, done.stdout)
+        self.assertIn("warning: effective_force: loads.storm: ", done.stderr)
+        self.assertNotIn("walls_too_near", done.stderr)
+        self.assertNotIn("wave_cut", done.stderr)
+
+    def test_a_section_of_another_caisson_is_refused(self):
+        done = upbead("explain", CASE, "--set", "section.foundation_depth=8", cwd=self.folder)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("foundation_depth + crest = 15 m, but the wall 'front' is 16 m high", done.stderr)
+        self.assertIn("still water stands at y = 14 m", done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
