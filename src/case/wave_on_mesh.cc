@@ -25,7 +25,7 @@ std::string at_height(double y) {
 /// The wall of a load by a wave, held against the section.
 class WallCheck {
  public:
-  WallCheck(const std::string& name, const WaveLoad& wave, const Extent& wall, Diagnostics& mistakes)
+  WallCheck(const std::string& name, const WaveLoad& wave, const Bounds& wall, Diagnostics& mistakes)
       : path_("loads." + name), wave_(wave), wall_(wall), tolerance_(same_wall * height()), mistakes_(mistakes) {}
 
   double height() const { return wave_.section.foundation_depth + wave_.section.crest; }
@@ -63,7 +63,7 @@ class WallCheck {
                     "give one water level in both");
   }
 
-  void check_sea(const std::string& name, const Extent& sea) const {
+  void check_sea(const std::string& name, const Bounds& sea) const {
     check_level(sea.highest, "'" + name + "'");
     if (differ(sea.highest - sea.lowest, wave_.section.water_depth))
       mistakes_.add(at_key("section.water_depth"),
@@ -74,14 +74,14 @@ class WallCheck {
 
   std::string path_;
   const WaveLoad& wave_;
-  const Extent& wall_;
+  const Bounds& wall_;
   double tolerance_;
   Diagnostics& mistakes_;
 };
 
 /// Of the faces of a curve; empty where there is none.
-Extent extent_of_curve(const Mesh& mesh, const std::string& curve) {
-  Extent extent;
+Bounds extent_of_curve(const Mesh& mesh, const std::string& curve) {
+  Bounds extent;
   for (const auto& cell : mesh.triangulation.active_cell_iterators())
     for (const auto& face : cell->face_iterators())
       if (mesh.curve_of(face) == curve)
@@ -97,7 +97,7 @@ Scene with_profiles(const Case& input, const Mesh& mesh) {
   const Outline outline = outline_of(mesh);
   Diagnostics mistakes;
   for (const auto& [name, wave] : input.waves) {
-    const Extent wall = extent_of_curve(mesh, wave->load.boundary);
+    const Bounds wall = extent_of_curve(mesh, wave->load.boundary);
     if (wall.highest < wall.lowest) continue;  // no such curve, which the scene's checks tell
     WallCheck(name, *wave, wall, mistakes).run(scene, outline);
     scene.loads.at(name).shape = pressure_profile(*wave, wall.lowest);

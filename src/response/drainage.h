@@ -19,7 +19,7 @@ struct DrainedFace {
   double consolidation = 0.;       ///< c_v = (1/b)/(1/(lambda + 2 G) + 1/Q), alpha = 1 (m2/s)
 };
 
-/// All of a mesh; open sides are none, as their pressure is imposed weakly (fem/open_sides.h). `scene` as solved.
+/// All of a mesh; open sides are none, as their pressure is imposed weakly (fem/sides.h). `scene` as solved.
 std::vector<DrainedFace> drained_faces(const Scene& scene, const Mesh& mesh);
 
 /// The shortest time (s) in which the pressure may change without oscillating from cell to cell: h^2/(6 c_v) with

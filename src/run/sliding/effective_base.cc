@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fem/caisson/base_readings.h"
+#include "fem/caisson/bottom.h"
 #include "fem/caisson/readings.h"
 #include "fem/static_stage.h"
 #include "run/sliding/uplift.h"
