@@ -111,6 +111,8 @@ std::vector<std::string> keys_of(const Map& map) {
   return keys;
 }
 
+constexpr double least_lambda_1 = 1e-3;  ///< of a wave whose P is not all but nothing
+
 /// The checks of one load.
 class LoadCheck {
  public:
@@ -187,6 +189,11 @@ class LoadCheck {
       wrong_.add("kind",
                  "a load by a wave needs the cross-section that Goda's formulas take, and there is no [section]",
                  "add [section], as in a design");
+    else if (tables_.section->lambda_1 && *tables_.section->lambda_1 < least_lambda_1)
+      report_.add(document_.place("section.lambda_1"),
+                  "[section]: lambda_1 = " + number_text(*tables_.section->lambda_1) +
+                      " leaves nothing of the standing wave, which is a part of the load [" + path_ + "]",
+                  "give at least " + number_text(least_lambda_1));
   }
 
   void check_shape() const {

@@ -67,14 +67,16 @@ ImpactWave impact_of(const WaveLoad& w, const WavePressure& standing, const Wate
                      w.section.berm_depth);
 }
 
-/// Kinks closer than that share of the rise to their neighbour before are left out.
+/// A crossing closer than that share of the rise to the peak or to an end makes no kink.
 constexpr double least_gap = 1e-3;
 
 TimeFunction history_of(const ImpactWave& wave) {
   const auto [from, to] = where_triangle_leads(wave);
-  std::vector<double> kinks{0.};
-  for (const double t : {from, wave.rise, to, 0.5 * wave.period})
-    if (t - kinks.back() > least_gap * wave.rise) kinks.push_back(t);
+  const double gap = least_gap * wave.rise, end = 0.5 * wave.period;
+  std::vector<double> kinks{0., wave.rise, end};
+  for (const double t : {from, to})
+    if (std::min({t, std::abs(t - wave.rise), end - t}) > gap) kinks.push_back(t);
+  std::sort(kinks.begin(), kinks.end());
   const auto zero = [](double) { return 0.; };
   std::vector<TimeFunction::Piece> pieces(kinks.size() + 1, [wave](double t) { return force_at(wave, t); });
   pieces.front() = pieces.back() = zero;

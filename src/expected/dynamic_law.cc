@@ -105,14 +105,15 @@ double triangle(const ImpactWave& wave, double t) {
   return t < wave.duration ? wave.peak * (wave.duration - t) / (wave.duration - wave.rise) : 0.;
 }
 
-/// Between which times the triangle is above gamma P_1 sin(omega t). Between 0 and t_r and between t_r and t_d the
-/// triangle less the sine is convex, it is 0 at 0, not negative at t_r and not positive at t_d: it changes its sign at
-/// most once on each flank.
+/// Between which times the triangle is above gamma P_1 sin(omega t); two equal ones where it never is. Between 0 and
+/// t_r and between t_r and t_d the triangle less the sine is convex, it is 0 at 0, not negative at t_r and not positive
+/// at t_d: it changes its sign at most once on each flank.
 std::array<double, 2> where_triangle_leads(const ImpactWave& wave, double gamma) {
   const double omega = 2. * pi / wave.period, peak = gamma * wave.standing_force;
   const auto excess = [&](double t) { return triangle(wave, t) - peak * std::sin(omega * t); };
   const double rise = wave.rise, end = wave.duration;
   const double early = 1e-6 * rise;
+  if (excess(rise) <= 0.) return {rise, rise};  // P_I = P_1 but for round-off: it never leads
   return {excess(early) < 0. ? root(excess, early, rise) : 0., excess(end) < 0. ? root(excess, rise, end) : end};
 }
 

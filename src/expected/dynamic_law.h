@@ -97,7 +97,7 @@ ImpactWave impact_wave(const ImpactAssumptions& assumptions, const WaveOnWall& o
 /// P(t).
 double force_at(const ImpactWave& wave, double t);
 
-/// Between which times the triangle is the larger part (s).
+/// Between which times the triangle is the larger part (s); two equal ones where it never is.
 std::array<double, 2> where_triangle_leads(const ImpactWave& wave);
 
 /// How large and steep its force is.

@@ -55,8 +55,9 @@ std::string Runner::solve(const Case& problem, const std::function<void()>& mean
   options.progress = [&meanwhile](double) { meanwhile(); };
   if (sharing_ && solution_.simulation && key == solution_key_) {
     shared = Shared::solution;
-    return to_json(
-        in_places_of(problem, [&] { return with_sliding(solution_, problem.scene, options.progress); }).summary);
+    Scene given = solution_.simulation->given;  // its loads by waves have their shapes
+    given.sliding = problem.scene.sliding;
+    return to_json(in_places_of(problem, [&] { return with_sliding(solution_, given, options.progress); }).summary);
   }
   solution_ = {};
   in_places_of(problem, [&] { check_size(problem.scene); });  // before a mesh is read

@@ -91,6 +91,9 @@ const std::vector<BadCase> rows{
             "case.toml:49:1: 'wave' does not belong in [loads.impact] (only where kind = \"wave\"); remove it"},
     BadCase{"SectionWithoutDepth", pulse, with_section("water_depth = 15.0\n", ""),
             "case.toml:51:2: 'water_depth' is missing in [section]; add water_depth, a number (m)"},
+    BadCase{"NoStandingWave", pulse, with_section("friction = 0.55", "friction = 0.55\nlambda_1 = 0.0"),
+            "case.toml:62:1: [section]: lambda_1 = 0 leaves nothing of the standing wave, which is a part of the load "
+            "[loads.impact]; give at least 0.001"},
     BadCase{
         "SectionHeavierInWater", pulse, with_section("submerged_weight = 4.3e6", "submerged_weight = 8e6"),
         "case.toml:60:1: [section]: submerged_weight = 8e+06 N/m is not below weight = 7.41e+06 N/m; give W' in still "

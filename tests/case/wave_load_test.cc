@@ -3,6 +3,7 @@
 #include "case/wave_load.h"
 
 #include <cmath>
+#include <random>
 
 #include "case/case_run.h"
 #include "case/scale.h"
@@ -182,6 +183,37 @@ TEST_F(WaveLoadTest, ChurchRoofTakesRiseAndDurationOfItsPeak) {
   const double rise = 0.769 * std::sqrt(7.5 / 9.81) * 1030. * 9.81 * 64. / s.force;
   EXPECT_NEAR(s.rise, rise, 1e-12 * rise);
   EXPECT_NEAR(s.duration, rise * (2. + 8. * std::exp(-18. * rise / 12.)), 1e-12 * s.duration);
+}
+
+/// Over the whole range that the schema allows, far beyond breakwaters.
+TEST_F(WaveLoadTest, IsFiniteAndPeaksAtPOfAnyWave) {
+  std::mt19937 draw(22);
+  const auto between = [&draw](double low, double high) {
+    return low * std::pow(high / low, std::uniform_real_distribution<double>(0., 1.)(draw));
+  };
+  for (int i = 0; i < 2000; ++i) {
+    Section section = section_of_test;
+    for (double* length : {&section.water_depth, &section.foundation_depth, &section.berm_depth, &section.crest,
+                           &section.width, &section.berm_width})
+      *length = i % 2 == 0 ? between(0.1, 100.) : between(1e-3, 1e4);
+    section.bed_slope = between(1e-4, 1.);
+    WaveLoadTable table;
+    table.height = i % 2 == 0 ? between(0.1, 20.) : between(1e-3, 1e4);
+    table.period = i % 2 == 0 ? between(1., 30.) : between(0.01, 1e4);
+    table.angle = between(1e-3, 89.9);
+    for (const WaveCourse course :
+         {WaveCourse::church_roof, WaveCourse::triangle, WaveCourse::sine, WaveCourse::combined}) {
+      table.course = course;
+      const auto wave = wave_load(Load(), table, section, water_of_test);
+      const double P = wave->pressure.force, largest = extremum(wave->history, 0., wave->end, 1).value;
+      ASSERT_TRUE(std::isfinite(P) && P > 0.) << i;
+      EXPECT_NEAR(wave->peak(), P, 1e-12 * P) << i;
+      EXPECT_NEAR(largest, P, 1e-9 * P) << i << " of course " << static_cast<int>(course);
+      const double impulse = integral(wave->history, 0., wave->end);
+      ASSERT_TRUE(std::isfinite(impulse) && impulse > 0.) << i;
+      for (const Pair& point : pressure_profile(*wave, 3.)) ASSERT_TRUE(std::isfinite(point[0] + point[1])) << i;
+    }
+  }
 }
 
 TEST_F(WaveLoadTest, FactorScalesPAndU) {

@@ -90,6 +90,23 @@ class WaveLoads(ProgramTest):
         self.assertEqual((explained["force"], explained["uplift"]), (formulas["force"], formulas["uplift"]))
         self.assert_same(explained["force"] + 0.6 * explained["uplift"], 0.6 * 4.296e6, 1e-9)
 
+    def test_a_study_that_keeps_the_solution_keeps_the_profile(self):
+        settings = ["accuracy.estimate=true", "mesh.parameters.cells=0.35"]
+        (self.folder / "study.toml").write_text(f"""case = "{CASE}"
+read = ["sliding.sliding_history", "sliding.error_estimate"]
+[set]
+"accuracy.estimate" = true
+"mesh.parameters.cells" = 0.35
+[vary."sliding.drag"]
+values = [0.0, 1e5]
+""")
+        self.assertIn("differed in [sliding] alone", self.ask("study", "study.toml", "--out", "study").stdout)
+        row = (self.folder / "study/study.csv").read_text().splitlines()[2].split(",")
+        alone = json.loads(self.ask("run", CASE, "--json", "--out", "alone", "--set", "sliding.drag=1e5",
+                                    *(f"--set={setting}" for setting in settings)).stdout)["sliding"]
+        self.assert_same(float(row[2]), alone["sliding_history"], 1e-9)
+        self.assert_same(float(row[3]), alone["error_estimate"], 1e-6)
+
     def test_explain_tells_the_wave(self):
         done = self.ask("explain", CASE)
         for part in ("wave        storm: H 11 m", "church_roof: peak 1.931 MN/m", "U 766.", "alpha* 0.37", "assumptions of ours"):

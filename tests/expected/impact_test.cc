@@ -75,6 +75,17 @@ TEST(ImpactWave, APulseOfMoreImpulseLeavesNoStandingWave) {
   EXPECT_LE(w.rise, 0.5 * w.duration);
 }
 
+/// P_I = P_1 at T/4, where the sine is as high but for round-off.
+TEST(ImpactWave, ATriangleThatNeverLeadsLeavesTheStandingWave) {
+  for (int i = 1; i <= 1000; ++i) {
+    const ImpactWave wave = impact_wave({}, {8., 0.015 * i, 1e5 + 7.3 * i, 0., 1e4}, {}, 8.5);
+    EXPECT_EQ(wave.rise, 0.25 * wave.period);
+    EXPECT_EQ(wave.reduction, 1.) << i;
+    EXPECT_NEAR(force_at(wave, wave.rise), wave.standing_force, 1e-12 * wave.peak) << i;
+    EXPECT_NEAR(force_at(wave, 0.5 * wave.rise), wave.standing_force * std::sqrt(0.5), 1e-12 * wave.peak) << i;
+  }
+}
+
 TEST(ImpactWave, UpliftIsHeldInPhaseOrSinusoidal) {
   const ImpactWave w = wave(0.5);
   const std::vector<double> held = uplift(w, ImpactUplift::held), sine = uplift(w, ImpactUplift::sinusoidal);
