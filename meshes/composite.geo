@@ -8,8 +8,10 @@
 //         /|       mound         |\                  mound_surface: slopes and berms
 //   bed  /_|____________________ |_\   bed
 //  +----+--+----+-----+-----+----+--+----+
-//  |    |  |    |     |     |    |  |    |          left, base, right: the seabed's outer sides
+//  |    |  |    |     |     |    |  |    |          left, base, right: the outer sides of the ground
 //  +----+--+----+-----+-----+----+--+----+          bottom: interior, between caisson and mound
+//  |    |  |   subsoil (on demand)  |  |    |
+//  +----+--+----+-----+-----+----+--+----+
 //
 // With a sea, on either side or on both:
 //
@@ -26,20 +28,24 @@
 // Nothing here is an absolute length: a section with all its lengths divided by 20 gets the same mesh, divided by 20.
 
 DefineConstant[
-  seabed_depth = 15,       // m: thickness of the seabed above its rigid base
+  seabed_depth = 15,       // m: thickness of the seabed, above its rigid base or the subsoil
+  subsoil_depth = 0,       // m: thickness of a second layer, from the seabed down to the base; 0: none
   seabed_front = 120,      // m: length of the seabed in front of the mound's seaward toe
   seabed_back = 120,       // m: length of the seabed behind the mound's landward toe
   mound_height = 6,        // m: height of the mound above the seabed
   mound_crest_front = 16,  // m: from the caisson's middle to the seaward edge of the mound's crest
   mound_crest_back = 16,   // m: from the caisson's middle to the landward edge of the mound's crest
   mound_slope = 2,         // -: slope of the mound's sides, horizontal per vertical
+  mound_slope_front = 0,   // -: slope of the seaward side alone; 0: mound_slope
+  mound_slope_back = 0,    // -: slope of the landward side alone; 0: mound_slope
   caisson_width = 18,      // m: width of the caisson
   caisson_height = 16,     // m: height of the caisson above the mound
   cells = 1,               // -: relative density of cells; 2 halves every cell in both directions
   grading = 12,            // -: size of the cells far from the caisson's bottom corners over that at the corners
   water_depth = 15,        // m: depth of the still water above the seabed; matters where there is a sea
-  sea_front = 0,           // -: length of the sea in front of the caisson, from its wall, over water_depth; 0: none
-  sea_back = 0,            // -: length of the sea behind the caisson, from its wall, over water_depth; 0: none
+  water_depth_back = 0,    // m: depth of the still water behind the caisson alone; 0: water_depth
+  sea_front = 0,           // -: length of the sea in front of the caisson, from its wall, over its depth; 0: none
+  sea_back = 0,            // -: length of the sea behind the caisson, from its wall, over its depth; 0: none
   sea_cells = 8            // -: cells over the depth of the water at the caisson's wall at cells = 1
 ];
 
@@ -48,6 +54,12 @@ mistakes = 0;
 Macro MustBePositive
   If (!(value > 0))
     Error(StrCat(name, " is %g; it must be greater than 0"), value);
+    mistakes = 1;
+  EndIf
+Return
+Macro MustNotBeNegative
+  If (!(value >= 0))
+    Error(StrCat(name, " is %g; it must be 0 (", meaning, ") or greater"), value);
     mistakes = 1;
   EndIf
 Return
@@ -61,6 +73,14 @@ name = "mound_height"; value = mound_height;
 Call MustBePositive;
 name = "mound_slope"; value = mound_slope;
 Call MustBePositive;
+name = "subsoil_depth"; value = subsoil_depth; meaning = "none";
+Call MustNotBeNegative;
+name = "mound_slope_front"; value = mound_slope_front; meaning = "mound_slope";
+Call MustNotBeNegative;
+name = "mound_slope_back"; value = mound_slope_back;
+Call MustNotBeNegative;
+name = "water_depth_back"; value = water_depth_back; meaning = "water_depth";
+Call MustNotBeNegative;
 name = "caisson_width"; value = caisson_width;
 Call MustBePositive;
 name = "caisson_height"; value = caisson_height;
@@ -101,28 +121,58 @@ EndIf
 // A sea meets the caisson's wall, covers the slope and ends above the seabed. What is too long only by round-off, or
 // by the digits that a message shows, ends at the seabed's side.
 has_sea = sea_front > 0 || sea_back > 0;
-is_afloat = water_depth > mound_height && water_depth < mound_height + caisson_height;
-If (has_sea && !is_afloat)
-  Error("water_depth is %g; a sea must be deeper than %g (the mound's crest) and shallower than %g (the caisson's top)",
-        water_depth, mound_height, mound_height + caisson_height);
-  mistakes = 1;
+Macro MustBeAfloat
+  is_afloat = value > mound_height && value < mound_height + caisson_height;
+  If (!is_afloat)
+    Error(StrCat(name, " is %g; a sea must be deeper than %g (the mound's crest) and shallower than %g (the caisson's top)"),
+          value, mound_height, mound_height + caisson_height);
+    mistakes = 1;
+  EndIf
+Return
+name = "water_depth"; value = water_depth; is_afloat = 0;
+If (sea_front > 0 || (sea_back > 0 && !(water_depth_back > 0)))
+  Call MustBeAfloat;
+EndIf
+afloat[] = {is_afloat, is_afloat};
+water[] = {water_depth, water_depth};
+If (water_depth_back > 0)
+  water[1] = water_depth_back;
+  name = "water_depth_back"; value = water_depth_back; is_afloat = 0;
+  If (sea_back > 0)
+    Call MustBeAfloat;
+  EndIf
+  afloat[1] = is_afloat;
+EndIf
+// Where a side has no sea, the caisson is cut at the level of the other.
+If (!(sea_front > 0))
+  water[0] = water[1];
+ElseIf (!(sea_back > 0))
+  water[1] = water[0];
+EndIf
+mean_water = (water[0] + water[1]) / 2;
+slope[] = {mound_slope, mound_slope};
+If (mound_slope_front > 0)
+  slope[0] = mound_slope_front;
+EndIf
+If (mound_slope_back > 0)
+  slope[1] = mound_slope_back;
 EndIf
 same = 1e-9;
 Macro MustEndAboveTheSeabed
-  shortest = (to_crest - caisson_width / 2 + mound_slope * mound_height) / water_depth;
-  longest = shortest + length / water_depth;
+  shortest = (to_crest - caisson_width / 2 + slope[side] * mound_height) / water[side];
+  longest = shortest + length / water[side];
   If (!(value >= 0))
     Error(StrCat(name, " is %g; it must be 0 (no sea) or greater"), value);
     mistakes = 1;
-  ElseIf (value > 0 && is_afloat && (value <= (1 + same) * shortest || value > (1 + same) * longest))
+  ElseIf (value > 0 && afloat[side] && (value <= (1 + same) * shortest || value > (1 + same) * longest))
     Error(StrCat(name, " is %g; it must be greater than %.10g (the mound's toe) and at most %.10g (the seabed's end)"),
           value, shortest, longest);
     mistakes = 1;
   EndIf
 Return
-name = "sea_front"; value = sea_front; to_crest = mound_crest_front; length = seabed_front;
+name = "sea_front"; value = sea_front; side = 0; to_crest = mound_crest_front; length = seabed_front;
 Call MustEndAboveTheSeabed;
-name = "sea_back"; value = sea_back; to_crest = mound_crest_back; length = seabed_back;
+name = "sea_back"; value = sea_back; side = 1; to_crest = mound_crest_back; length = seabed_back;
 Call MustEndAboveTheSeabed;
 If (mistakes)
   Abort;
@@ -167,6 +217,10 @@ distance = mound_height; length = seabed_depth;
 Call Grade;
 depth_count = count; depth_ratio = ratio;
 
+distance = mound_height + seabed_depth; length = subsoil_depth;
+Call Grade;
+subsoil_count = count; subsoil_ratio = ratio;
+
 // The mound's height has an upper and a lower row of blocks, because its triangular slopes are made of three blocks. The
 // upper row takes about a third of the height.
 least = 2;
@@ -185,10 +239,9 @@ Call FractionOfPart;
 middle = mound_height * (1 - fraction);
 
 // The slope's foot has an inner part under the crest's edge and a toe part, which has as many cells as the upper row.
-foot = mound_slope * mound_height;
-inner = 0.4 * foot;
-
 // Side 0 is seaward, side 1 landward.
+foot[] = {slope[0] * mound_height, slope[1] * mound_height};
+inner[] = {0.4 * foot[0], 0.4 * foot[1]};
 crest[] = {mound_crest_front, mound_crest_back};
 far[] = {seabed_front, seabed_back};
 sea[] = {sea_front, sea_back};
@@ -198,14 +251,14 @@ For side In {0 : 1}
   Call Grade;
   berm_count[side] = count; berm_ratio[side] = ratio;
 
-  distance = distance + length; length = inner;
+  distance = distance + length; length = inner[side];
   Call Grade;
   inner_count[side] = count;
 
   // The far column, from the toe on. Where a sea ends above it, it is cut there: `outer` has no sea above.
-  distance = crest[side] - caisson_width / 2 + foot; length = far[side];
+  distance = crest[side] - caisson_width / 2 + foot[side]; length = far[side];
   outer[side] = 0;
-  under_sea = sea[side] * water_depth - distance;
+  under_sea = sea[side] * water[side] - distance;
   If (under_sea > 0 && under_sea + distance < (1 - same) * (far[side] + distance))
     length = under_sea;
     outer[side] = far[side] - under_sea;
@@ -224,24 +277,24 @@ EndFor
 sea_rows = Max(2, Round(sea_cells * cells + 1e-6));
 dry_height = caisson_height;
 If (has_sea)
-  dry_height = mound_height + caisson_height - water_depth;
+  dry_height = mound_height + caisson_height - mean_water;
 EndIf
 dry_rows = Max(1, Round(4 * cells * dry_height / caisson_width + 1e-6));
 
 // ---------------------------------------------------------------------------------------------------- points
 // Column lines from left to right: side, toe, inner part of the foot, crest, caisson, middle, and back again. Blocks
 // above the mound stand on the same lines. Below the end of a sea there is one more line, if that is not the side.
-x[] = {-crest[0] - foot - far[0], -crest[0] - foot, -crest[0] - inner, -crest[0], -caisson_width / 2, 0,
-       caisson_width / 2, crest[1], crest[1] + inner, crest[1] + foot, crest[1] + foot + far[1]};
+x[] = {-crest[0] - foot[0] - far[0], -crest[0] - foot[0], -crest[0] - inner[0], -crest[0], -caisson_width / 2, 0,
+       caisson_width / 2, crest[1], crest[1] + inner[1], crest[1] + foot[1], crest[1] + foot[1] + far[1]};
 middle_line = 5;
 last_line = 10;
 If (outer[0] > 0)
-  x[] = {-crest[0] - foot - seabed_front, x[]};
+  x[] = {-crest[0] - foot[0] - seabed_front, x[]};
   middle_line = middle_line + 1;
   last_line = last_line + 1;
 EndIf
 If (outer[1] > 0)
-  x[] = {x[], crest[1] + foot + seabed_back};
+  x[] = {x[], crest[1] + foot[1] + seabed_back};
   last_line = last_line + 1;
 EndIf
 wall_line[] = {middle_line - 1, middle_line + 1};
@@ -256,12 +309,14 @@ For i In {crest_line[0] : crest_line[1]}
   at_middle[i] = newp; Point(at_middle[i]) = {x[i], middle, 0};
   at_crest[i] = newp; Point(at_crest[i]) = {x[i], mound_height, 0};
 EndFor
-// The dry part of the caisson stands on the water level where there is a sea, or else on the mound.
+// The dry part of the caisson stands on the water level where there is a sea, or else on the mound; between two levels
+// on their straight connection.
+level_at_wall[] = {water[0], mean_water, water[1]};
 For i In {wall_line[0] : wall_line[1]}
   at_top[i] = newp; Point(at_top[i]) = {x[i], mound_height + caisson_height, 0};
   at_dry[i] = at_crest[i];
   If (has_sea)
-    at_dry[i] = newp; Point(at_dry[i]) = {x[i], water_depth, 0};
+    at_dry[i] = newp; Point(at_dry[i]) = {x[i], level_at_wall[i - wall_line[0]], 0};
   EndIf
 EndFor
 
@@ -366,15 +421,16 @@ EndFor
 
 // The slopes: triangles toe - foot of the crest - edge of the crest, each of three blocks about a point `centre`. The
 // cut on the slope and the centre follow from the cuts of the other two sides (Ceva), so that the blocks keep in shape.
-toe_weight = inner / (foot - inner); top_weight = middle / (mound_height - middle);
-weights = toe_weight + 1 + top_weight;
+top_weight = middle / (mound_height - middle);
 For side In {0 : 1}
   t = toe_line[side]; m = inner_line[side]; c = crest_line[side];
   sign = 2 * side - 1;
-  cut_x[side] = x[c] + sign * foot * toe_weight / (toe_weight + top_weight);
+  toe_weight = inner[side] / (foot[side] - inner[side]);
+  weights = toe_weight + 1 + top_weight;
+  cut_x[side] = x[c] + sign * foot[side] * toe_weight / (toe_weight + top_weight);
   cut[side] = newp; Point(cut[side]) = {cut_x[side], mound_height * top_weight / (toe_weight + top_weight), 0};
   centre = newp;
-  Point(centre) = {x[c] + sign * foot * toe_weight / weights, mound_height * top_weight / weights, 0};
+  Point(centre) = {x[c] + sign * foot[side] * toe_weight / weights, mound_height * top_weight / weights, 0};
 
   slope_lower[side] = newl; Line(slope_lower[side]) = {at_bed[t], cut[side]};
   slope_upper[side] = newl; Line(slope_upper[side]) = {cut[side], at_crest[c]};
@@ -419,7 +475,7 @@ For side In {0 : 1}
     level[] = {at_dry[w]};
     upright[] = {through_wet[w]};
     For j In {0 : 3}
-      level[j + 1] = newp; Point(level[j + 1]) = {foot_x[j + 1], water_depth, 0};
+      level[j + 1] = newp; Point(level[j + 1]) = {foot_x[j + 1], water[side], 0};
       upright[j + 1] = newl; Line(upright[j + 1]) = {foot_point[j + 1], level[j + 1]};
       Transfinite Curve {upright[j + 1]} = sea_rows + 1;
       surface = newl; sea_surface[] += surface; Line(surface) = {level[j], level[j + 1]};
@@ -431,11 +487,37 @@ For side In {0 : 1}
     sea_end[side] = upright[4];
   EndIf
 EndFor
-Transfinite Surface {seabed[], caisson[]};
+
+// The subsoil continues the seabed's columns; sides and base then are those of both.
+ground_left[] = {through_seabed[0]};
+ground_right[] = {through_seabed[last_line]};
+ground_base[] = along_base[];
+subsoil[] = {};
+If (subsoil_depth > 0)
+  ground_base[] = {};
+  For i In {0 : last_line}
+    at_rock[i] = newp; Point(at_rock[i]) = {x[i], -seabed_depth - subsoil_depth, 0};
+    through_subsoil[i] = newl; Line(through_subsoil[i]) = {at_base[i], at_rock[i]};
+    Transfinite Curve {through_subsoil[i]} = subsoil_count + 1 Using Progression subsoil_ratio;
+  EndFor
+  For i In {0 : last_line - 1}
+    from = at_rock[i]; to = at_rock[i + 1];
+    Call Along;
+    ground_base[] += along;
+    loop = newll; Curve Loop(loop) = {through_subsoil[i], along, -through_subsoil[i + 1], -along_base[i]};
+    block = news; subsoil[] += block; Plane Surface(block) = {loop};
+  EndFor
+  ground_left[] += through_subsoil[0];
+  ground_right[] += through_subsoil[last_line];
+EndIf
+Transfinite Surface {seabed[], caisson[], subsoil[]};
 Recombine Surface {:};
 
 // ----------------------------------------------------------------------------------------------------- names
 Physical Surface("seabed") = seabed[];
+If (subsoil_depth > 0)
+  Physical Surface("subsoil") = subsoil[];
+EndIf
 Physical Surface("mound") = mound[];
 Physical Surface("caisson") = caisson[];
 
@@ -452,9 +534,9 @@ If (has_sea)
   front[] += through_wet[wall_line[0]];
   back[] += through_wet[wall_line[1]];
 EndIf
-Physical Curve("base") = along_base[];
-Physical Curve("left") = {through_seabed[0]};
-Physical Curve("right") = {through_seabed[last_line]};
+Physical Curve("base") = ground_base[];
+Physical Curve("left") = ground_left[];
+Physical Curve("right") = ground_right[];
 Physical Curve("bed") = {along_bed[{0 : toe_line[0] - 1}], along_bed[{toe_line[1] : last_line - 1}]};
 Physical Curve("mound_surface") = {slope_lower[], slope_upper[], along_crest[crest_line[0]], along_crest[wall_line[1]]};
 Physical Curve("front") = front[];

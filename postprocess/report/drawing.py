@@ -2,6 +2,7 @@
 
 from report import units
 from report.canvas import Canvas
+from report.geometry import floors, of_side, toes
 from report.markup import join, tag
 
 NARROW = 500  # px; below there is no room for all words
@@ -30,14 +31,9 @@ def drawing(section, case, summary, width, class_):
     return canvas.svg("section with its dimensions", class_)
 
 
-def toes(p):
-    foot = p["mound_slope"] * p["mound_height"]
-    return -p["mound_crest_front"] - foot, p["mound_crest_back"] + foot
-
-
 def near(section, p):
     """The mound and half its width beside it; the seabed goes on."""
-    left, right = toes(p)
+    left, right = toes(p).values()
     room = 0.28 * (right - left)
     _, _, low, high = section.box()
     whole = section.box()
@@ -55,7 +51,7 @@ def areas(canvas, section, case):
     order = {"water": 0, "porous": 1, "solid": 2, "rigid": 3}
     kinds = {name: case.get("regions", {}).get(name, {}).get("kind", "porous") for name in section.regions}
     for name in sorted(section.regions, key=lambda n: order.get(kinds[n], 1)):
-        class_ = FILLS.get(kinds[name]) or ("rubble" if name == "mound" else "soil")
+        class_ = FILLS.get(kinds[name]) or {"mound": "rubble", "subsoil": "subsoil"}.get(name, "soil")
         canvas.add(*(canvas.loop(loop, "area " + class_) for loop in section.regions[name]))
 
 
@@ -66,44 +62,56 @@ def metres(length):
 
 def dimensions(canvas, p):
     wall, height = p["caisson_width"] / 2, p["mound_height"]
-    left, right = toes(p)
-    top, base = height + p["caisson_height"], -p["seabed_depth"]
+    toe = toes(p)
+    left, right = toe.values()
+    top, layers = height + p["caisson_height"], floors(p)
     canvas.across(-wall, wall, top, metres(p["caisson_width"]), -10)
     canvas.upright(wall + 14 / canvas.scale, height, top, metres(p["caisson_height"]))
     canvas.upright(right + 10 / canvas.scale, 0, height, metres(height))
     far = canvas.x0 + 14 / canvas.scale
-    canvas.upright(far, base, 0, metres(p["seabed_depth"]))
-    if p.get("sea_front", 0) > 0 or p.get("sea_back", 0) > 0:
-        side = -1 if p.get("sea_front", 0) > 0 else 1
-        at = far if side < 0 else canvas.x1 - 60 / canvas.scale
-        canvas.upright(at, 0, p["water_depth"], metres(p["water_depth"]))
-        canvas.level(at + 34 / canvas.scale, p["water_depth"])
+    for high, low in zip(layers[:-1], layers[1:]):
+        canvas.upright(far, low, high, metres(high - low))
+    for side in seas(p):
+        level, at = of_side(p, "water_depth", side), far if side < 0 else canvas.x1 - 60 / canvas.scale
+        canvas.upright(at, 0, level, metres(level))
+        canvas.level(at + 34 / canvas.scale, level)
     stations = [left, -p["mound_crest_front"], -wall, wall, p["mound_crest_back"], right]
     for a, b in zip(stations[:-1], stations[1:]):
-        canvas.across(a, b, base, metres(b - a), 24)
-    sides = ((-1, -p["mound_crest_front"], left), (1, p["mound_crest_back"], right))
-    for side, edge, toe in sides if canvas.width > NARROW else ():
+        canvas.across(a, b, layers[-1], metres(b - a), 24)
+    sides = ((-1, -p["mound_crest_front"]), (1, p["mound_crest_back"]))
+    for side, edge in sides if canvas.width > NARROW else ():
         canvas.text(
-            (edge + toe) / 2,
+            (edge + toe[side]) / 2,
             height / 2,
-            f"1 : {units.plain(p['mound_slope'])}",
+            f"1 : {units.plain(of_side(p, 'mound_slope', side))}",
             anchor="end" if side < 0 else "start",
             dx=6 * side,
             dy=-6,
         )
 
 
+def wet_sides(p):
+    return [side for side, name in ((-1, "sea_front"), (1, "sea_back")) if p.get(name, 0) > 0]
+
+
+def seas(p):
+    """The sides whose still water has a dimension: both only where their levels differ."""
+    wet = wet_sides(p)
+    return wet if len({of_side(p, "water_depth", side) for side in wet}) > 1 else wet[:1]
+
+
 def ends(canvas, p):
     """Where the drawing is cut off, and how far the section goes on."""
-    left, right = toes(p)
-    base = -p["seabed_depth"]
-    for at, rest, toe, anchor in (
-        (canvas.x0, p["seabed_front"], left, "start"),
-        (canvas.x1, p["seabed_back"], right, "end"),
+    left, right = toes(p).values()
+    base = floors(p)[-1]
+    for side, at, rest, toe, anchor in (
+        (-1, canvas.x0, p["seabed_front"], left, "start"),
+        (1, canvas.x1, p["seabed_back"], right, "end"),
     ):
         if rest > abs(at - toe) * 1.001:
             px, low = canvas.at(at, base)
-            _, high = canvas.at(at, max(0.0, p["water_depth"] if p.get("sea_front", 0) > 0 else 0.0))
+            level = of_side(p, "water_depth", side) if side in wet_sides(p) else 0.0
+            _, high = canvas.at(at, level)
             step = (low - high + 2) / 12
             inward = 1 if anchor == "start" else -1
             points = [(px + inward * (6 if i % 2 else 1), high - 1 + i * step) for i in range(13)]
@@ -132,7 +140,7 @@ def names(canvas, section, case, composite):
             continue
         x0, x1, y0, y1 = section.box(name)
         x0, x1 = max(x0, canvas.x0), min(x1, canvas.x1)
-        low = composite and name == "seabed"
+        low = composite and name in ("seabed", "subsoil")
         share = 0.3 if low else 0.62 if name == "caisson" else 0.45 if composite else 0.2
         canvas.text((x0 + x1) / 2, y0 + share * (y1 - y0), name.replace("_", " "), class_="name")
 

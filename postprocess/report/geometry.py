@@ -91,22 +91,38 @@ def column(p):
     return {"soil": [[(0, 0), (p["width"], 0), (p["width"], p["height"]), (0, p["height"])]]}
 
 
+def of_side(p, name, side):
+    """A parameter of composite.geo that a side (-1 seaward, 1 landward) may have of its own; 0: it has not."""
+    return p.get(f"{name}_{'front' if side < 0 else 'back'}") or p[name]
+
+
+def toes(p):
+    """x of the mound's toes, {side: x}."""
+    crest = {-1: p["mound_crest_front"], 1: p["mound_crest_back"]}
+    return {side: side * (crest[side] + of_side(p, "mound_slope", side) * p["mound_height"]) for side in crest}
+
+
+def floors(p):
+    """Heights of the ground's layers, from the seabed's surface down."""
+    seabed, subsoil = -p["seabed_depth"], p.get("subsoil_depth") or 0
+    return [0, seabed, seabed - subsoil] if subsoil else [0, seabed]
+
+
 def composite(p):
     """The outlines of meshes/composite.geo, whose origin is the caisson's middle on the seabed's surface."""
-    height, wall = p["mound_height"], p["caisson_width"] / 2
-    foot = p["mound_slope"] * height
-    crest = {-1: p["mound_crest_front"], 1: p["mound_crest_back"]}
-    toe = {side: crest[side] + foot for side in crest}
-    left, right = -toe[-1] - p["seabed_front"], toe[1] + p["seabed_back"]
-    top = height + p["caisson_height"]
+    height, wall, toe = p["mound_height"], p["caisson_width"] / 2, toes(p)
+    crest = {-1: -p["mound_crest_front"], 1: p["mound_crest_back"]}
+    end = {-1: toe[-1] - p["seabed_front"], 1: toe[1] + p["seabed_back"]}
+    top, levels = height + p["caisson_height"], floors(p)
+    layers = zip(("seabed", "subsoil"), levels[:-1], levels[1:])
     regions = {
-        "seabed": [[(left, -p["seabed_depth"]), (right, -p["seabed_depth"]), (right, 0), (left, 0)]],
-        "mound": [[(-toe[-1], 0), (toe[1], 0), (crest[1], height), (-crest[-1], height)]],
+        **{name: [[(end[-1], low), (end[1], low), (end[1], high), (end[-1], high)]] for name, high, low in layers},
+        "mound": [[(toe[-1], 0), (toe[1], 0), (crest[1], height), (crest[-1], height)]],
         "caisson": [[(-wall, height), (wall, height), (wall, top), (-wall, top)]],
     }
     for side, name in ((-1, "sea_front"), (1, "sea_back")):
         if p[name] > 0:
-            level, far = p["water_depth"], min(wall + p[name] * p["water_depth"], -left if side < 0 else right)
-            loop = [(wall, height), (crest[side], height), (toe[side], 0), (far, 0), (far, level), (wall, level)]
-            regions[name] = [[(side * x, y) for x, y in loop]]
+            level, at = of_side(p, "water_depth", side), side * wall
+            far = side * min(wall + p[name] * level, abs(end[side]))
+            regions[name] = [[(at, height), (crest[side], height), (toe[side], 0), (far, 0), (far, level), (at, level)]]
     return regions

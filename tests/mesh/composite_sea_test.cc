@@ -55,8 +55,15 @@ TEST(CompositeSea, ImpossibleOnesAreAllSaid) {
        {"sea_cells is 101; it must be at most 100", "sea_back is -0.5; it must be 0 (no sea) or greater"}},
       {{{"sea_front", 3}, {"water_depth", 6}}, {"water_depth is 6" + depth}},
       {{{"sea_back", 3}, {"water_depth", 22}}, {"water_depth is 22" + depth}},
-      {{{"sea_back", 9.266666667}}, {}},  // as long as the message says
-      {{{"water_depth", -3}}, {}}};       // no sea
+      {{{"sea_back", 3}, {"water_depth_back", 22}}, {"water_depth_back is 22" + depth}},
+      {{{"sea_front", 3}, {"sea_back", 3}, {"water_depth", 5}, {"water_depth_back", 6}},
+       {"water_depth is 5" + depth, "water_depth_back is 6" + depth}},
+      {{{"sea_back", 1}, {"water_depth_back", 12}, {"mound_slope_back", 1}},
+       {"sea_back is 1; it must be greater than 1.083333333 (the mound's toe) and at most 11.08333333"}},
+      {{{"sea_front", 3}, {"water_depth_back", 99}}, {}},                    // no sea there
+      {{{"sea_back", 3}, {"water_depth_back", 9}, {"water_depth", 3}}, {}},  // nor here
+      {{{"sea_back", 9.266666667}}, {}},                                     // as long as the message says
+      {{{"water_depth", -3}}, {}}};                                          // no sea
   for (const auto& [parameters, expected] : all) {
     const auto said = complaints(geometry("composite", parameters));
     ASSERT_EQ(said.size(), expected.size());

@@ -11,12 +11,15 @@ namespace {
 
 using Parameters = std::map<std::string, double>;
 
-const Parameters prototype = {{"seabed_depth", 15}, {"seabed_front", 120},     {"seabed_back", 120},
-                              {"mound_height", 6},  {"mound_crest_front", 16}, {"mound_crest_back", 16},
-                              {"mound_slope", 2},   {"caisson_width", 18},     {"caisson_height", 16},
-                              {"water_depth", 15},  {"sea_front", 0},          {"sea_back", 0}};
+const Parameters prototype = {
+    {"seabed_depth", 15}, {"seabed_front", 120},     {"seabed_back", 120},     {"mound_height", 6},
+    {"mound_slope", 2},   {"mound_crest_front", 16}, {"mound_crest_back", 16}, {"caisson_width", 18},
+    {"water_depth", 15},  {"caisson_height", 16},    {"subsoil_depth", 0},     {"sea_front", 0},
+    {"sea_back", 0},      {"mound_slope_front", 0},  {"mound_slope_back", 0},  {"water_depth_back", 0}};
 
 const Parameters both_seas = {{"sea_front", 3}, {"sea_back", 3}};
+const Parameters two_of_all = {{"subsoil_depth", 12},      {"mound_slope_front", 3}, {"mound_slope_back", 1.5},
+                               {"water_depth_back", 11.5}, {"sea_front", 3},         {"sea_back", 4}};
 const Parameters to_the_sides = {{"sea_front", 139.0 / 15}, {"sea_back", 139.0 / 15}};
 
 Parameters with(Parameters changed) {
@@ -24,11 +27,21 @@ Parameters with(Parameters changed) {
   return changed;
 }
 
+/// What is given for `side` alone, or else for both.
+double of_side(const Parameters& p, const std::string& name, const std::string& side) {
+  const auto alone = p.find(name + "_" + side);
+  return alone != p.end() && alone->second > 0 ? alone->second : p.at(name);
+}
+
+double foot_of(const Parameters& p, const std::string& side) {
+  return p.at("mound_height") * of_side(p, "mound_slope", side);
+}
+
 /// The section at a scale of 1/20.
 Parameters model(Parameters changed) {
   Parameters scaled = with(changed);
   for (auto& [name, value] : scaled)
-    if (name != "mound_slope" && name != "sea_front" && name != "sea_back") value /= 20;
+    if (name.rfind("mound_slope", 0) != 0 && name.rfind("sea_", 0) != 0) value /= 20;
   return scaled;
 }
 
@@ -48,11 +61,11 @@ std::vector<dealii::Point<dim>> sorted_vertices(const Mesh& mesh, double scale) 
   return sorted(mesh.triangulation.get_vertices(), scale);
 }
 
-/// Vertices of every cell of the seabed and the mound.
+/// Vertices of every cell of the ground and the mound.
 std::vector<dealii::Point<dim>> soil_vertices(const Mesh& mesh) {
   std::vector<dealii::Point<dim>> vertices;
   for (const auto& cell : mesh.triangulation.active_cell_iterators())
-    if (mesh.surface_of(cell) == "seabed" || mesh.surface_of(cell) == "mound")
+    if (mesh.surface_of(cell).rfind("sea_", 0) != 0 && mesh.surface_of(cell) != "caisson")
       for (const unsigned int v : cell->vertex_indices()) vertices.push_back(cell->vertex(v));
   return sorted(vertices, 1.0);
 }
@@ -69,35 +82,40 @@ class Section : public testing::TestWithParam<Parameters> {};
 TEST_P(Section, AreasLengthsAndAngles) {
   const Parameters p = with(GetParam());
   const auto mesh = read_mesh(geometry("composite", GetParam()));
-  const double height = p.at("mound_height"), foot = height * p.at("mound_slope"), depth = p.at("seabed_depth");
+  const double height = p.at("mound_height"), seaward = foot_of(p, "front"), landward = foot_of(p, "back");
+  const double depth = p.at("seabed_depth"), below = p.at("subsoil_depth");
   const double crest = p.at("mound_crest_front") + p.at("mound_crest_back");
   const double ends = p.at("seabed_front") + p.at("seabed_back");
-  const double width = p.at("caisson_width");
+  const double width = p.at("caisson_width"), base = ends + crest + seaward + landward;
   const auto near = [](double value) { return testing::DoubleNear(value, 1e-9 * value); };
   const auto area = areas(*mesh), length = lengths(*mesh);
-  EXPECT_THAT(area.at("seabed"), near(depth * (ends + crest + 2 * foot)));
-  EXPECT_THAT(area.at("mound"), near(height * (crest + foot)));
+  EXPECT_THAT(area.at("seabed"), near(depth * base));
+  ASSERT_EQ(area.count("subsoil"), below > 0 ? 1u : 0u);
+  if (below > 0) {
+    EXPECT_THAT(area.at("subsoil"), near(below * base));
+  }
+  EXPECT_THAT(area.at("mound"), near(height * (crest + (seaward + landward) / 2)));
   EXPECT_THAT(area.at("caisson"), near(width * p.at("caisson_height")));
-  EXPECT_THAT(length.at("base"), near(ends + crest + 2 * foot));
-  EXPECT_THAT(length.at("left"), near(depth));
-  EXPECT_THAT(length.at("right"), near(depth));
+  EXPECT_THAT(length.at("base"), near(base));
+  EXPECT_THAT(length.at("left"), near(depth + below));
+  EXPECT_THAT(length.at("right"), near(depth + below));
   EXPECT_THAT(length.at("bed"), near(ends));
-  EXPECT_THAT(length.at("mound_surface"), near(crest - width + 2 * std::hypot(foot, height)));
+  EXPECT_THAT(length.at("mound_surface"),
+              near(crest - width + std::hypot(seaward, height) + std::hypot(landward, height)));
   EXPECT_THAT(length.at("front"), near(p.at("caisson_height")));
   EXPECT_THAT(length.at("back"), near(p.at("caisson_height")));
   EXPECT_THAT(length.at("top"), near(width));
   EXPECT_THAT(length.at("bottom"), near(width));
   EXPECT_GT(smallest_sine(*mesh), 0.3);
 
-  const double water = p.at("water_depth");
   double surface = 0;
   for (const auto& [side, end] : {std::pair<std::string, std::string>{"front", "sea_left"}, {"back", "sea_right"}}) {
-    const double sea = p.at("sea_" + side) * water;
+    const double water = of_side(p, "water_depth", side), sea = p.at("sea_" + side) * water;
     ASSERT_EQ(area.count("sea_" + side), sea > 0 ? 1u : 0u);
     ASSERT_EQ(length.count(end), sea > 0 ? 1u : 0u);
     if (sea == 0) continue;
     const double berm = p.at("mound_crest_" + side) - width / 2;
-    EXPECT_THAT(area.at("sea_" + side), near(sea * water - height * (berm + foot / 2)));
+    EXPECT_THAT(area.at("sea_" + side), near(sea * water - height * (berm + foot_of(p, side) / 2)));
     EXPECT_THAT(length.at(end), near(water));
     surface += sea;
   }
@@ -119,8 +137,9 @@ TEST_P(Section, SeaJoinsSoilAndCaisson) {
     for (const unsigned int f : cell->face_indices()) {
       const std::string curve = mesh->curve_of(cell->face(f)), surface = mesh->surface_of(cell);
       const auto at = cell->face(f)->center();
-      const double sea = p.at(at[0] < 0 ? "sea_front" : "sea_back") * p.at("water_depth");
-      const bool wet = sea > 0 && at[1] < p.at("water_depth") && std::abs(at[0]) < p.at("caisson_width") / 2 + sea;
+      const std::string side = at[0] < 0 ? "front" : "back";
+      const double water = of_side(p, "water_depth", side), sea = p.at("sea_" + side) * water;
+      const bool wet = sea > 0 && at[1] < water && std::abs(at[0]) < p.at("caisson_width") / 2 + sea;
       const bool interior = curve.empty() || curve == "bottom" || (across.count(curve) == 1 && wet);
       ASSERT_EQ(cell->at_boundary(f), !interior) << curve << " at " << at;
       if (interior && surface.rfind("sea_", 0) == 0) {
@@ -152,6 +171,17 @@ INSTANTIATE_TEST_SUITE_P(
                     Parameters{{"sea_back", 1}, {"water_depth", 21.5}, {"grading", 1}}, model(both_seas),
                     model({{"sea_back", 4}}), model(to_the_sides)));
 
+INSTANTIATE_TEST_SUITE_P(
+    TwoOfAll, Section,
+    testing::Values(two_of_all, model(two_of_all), Parameters{{"subsoil_depth", 12}},
+                    Parameters{{"subsoil_depth", 0.5}},
+                    Parameters{{"subsoil_depth", 60}, {"seabed_depth", 2}, {"sea_front", 139.0 / 15}},
+                    Parameters{{"mound_slope_back", 1.33}, {"mound_crest_back", 30}},
+                    Parameters{{"mound_slope_front", 1.5}, {"sea_front", 4}, {"water_depth_back", 11.5}},
+                    Parameters{{"mound_slope_back", 3}, {"sea_back", 4}, {"water_depth_back", 11.5}},
+                    Parameters{{"sea_front", 3}, {"sea_back", 6}, {"water_depth", 21}, {"water_depth_back", 7}},
+                    Parameters{{"sea_front", 5}, {"sea_back", 3}, {"water_depth", 8}, {"water_depth_back", 21}}));
+
 TEST(Composite, SitsAtTheOrigin) {
   const auto mesh = read_mesh(geometry("composite"));
   const std::map<std::string, std::pair<int, double>> lines = {
@@ -163,6 +193,24 @@ TEST(Composite, SitsAtTheOrigin) {
       EXPECT_NEAR(face->center()[line->second.first], line->second.second, 1e-9) << line->first;
     }
   }
+}
+
+TEST(Composite, LevelsAndLayersLieWhereTheyAreGiven) {
+  const auto mesh = section(two_of_all);
+  std::map<std::string, std::pair<double, double>> reach;
+  const auto see = [&](const std::string& name, double y) {
+    const auto [entry, is_new] = reach.try_emplace(name, y, y);
+    entry->second = {std::min(entry->second.first, y), std::max(entry->second.second, y)};
+  };
+  for (const auto& cell : mesh->triangulation.active_cell_iterators())
+    for (const unsigned int v : cell->vertex_indices()) see(mesh->surface_of(cell), cell->vertex(v)[1]);
+  for (const auto& face : mesh->triangulation.active_face_iterators()) see(mesh->curve_of(face), face->center()[1]);
+  EXPECT_EQ(reach.at("seabed"), std::make_pair(-15.0, 0.0));
+  EXPECT_EQ(reach.at("subsoil"), std::make_pair(-27.0, -15.0));
+  EXPECT_EQ(reach.at("sea_front"), std::make_pair(0.0, 15.0));
+  EXPECT_EQ(reach.at("sea_back"), std::make_pair(0.0, 11.5));
+  EXPECT_EQ(reach.at("base"), std::make_pair(-27.0, -27.0));
+  EXPECT_EQ(reach.at("sea_surface"), std::make_pair(11.5, 15.0));
 }
 
 TEST(Composite, Counts) {
@@ -183,15 +231,43 @@ TEST(Composite, TwiceTheCellsHalvesThem) {
 }
 
 TEST(Composite, ModelIsThePrototypeScaled) {
-  for (const Parameters& p : {Parameters{}, both_seas, to_the_sides})
+  for (const Parameters& p : {Parameters{}, both_seas, to_the_sides, two_of_all})
     expect_same(sorted_vertices(*section(model(p)), 20.0), sorted_vertices(*section(p), 1.0), 1e-6);
 }
 
 TEST(Composite, IsSymmetric) {
-  for (const Parameters& p : {Parameters{}, both_seas, to_the_sides}) {
-    const auto mesh = section(p);
-    expect_same(sorted_vertices(*mesh, -1.0), sorted_vertices(*mesh, 1.0), 1e-12);
+  for (Parameters p : {Parameters{}, both_seas, to_the_sides}) {
+    for (const double subsoil : {0.0, 12.0}) {
+      p["subsoil_depth"] = subsoil;
+      const auto mesh = section(p);
+      expect_same(sorted_vertices(*mesh, -1.0), sorted_vertices(*mesh, 1.0), 1e-12);
+    }
   }
+}
+
+TEST(Composite, SidesExchangedMirrorIt) {
+  const Parameters mirrored = {{"subsoil_depth", 12}, {"mound_slope_front", 1.5}, {"mound_slope_back", 3},
+                               {"water_depth", 11.5}, {"water_depth_back", 15},   {"sea_front", 4},
+                               {"sea_back", 3}};
+  expect_same(sorted_vertices(*section(two_of_all), -1.0), sorted_vertices(*section(mirrored), 1.0), 1e-12);
+}
+
+TEST(Composite, WhatIsAlikeOnBothSidesMayBeGivenEitherWay) {
+  Parameters apart = both_seas;
+  apart.insert({{"mound_slope", 7}, {"mound_slope_front", 2}, {"mound_slope_back", 2}, {"water_depth_back", 15}});
+  expect_same(sorted_vertices(*section(apart), 1.0), sorted_vertices(*section(both_seas), 1.0), 1e-15);
+}
+
+TEST(Composite, SubsoilLeavesAllAboveAsItIs) {
+  const auto soil = soil_vertices(*section({})), both = soil_vertices(*section({{"subsoil_depth", 12}}));
+  std::vector<dealii::Point<dim>> above;
+  for (const auto& vertex : both)
+    if (vertex[1] > -15 - 1e-9) above.push_back(vertex);
+  EXPECT_GT(above.size(), soil.size());  // the subsoil's own upper edge
+  above.erase(std::unique(above.begin(), above.end()), above.end());
+  auto once = soil;
+  once.erase(std::unique(once.begin(), once.end()), once.end());
+  expect_same(above, once, 1e-12);
 }
 
 TEST(Composite, SeaToTheSidesLeavesTheSoilAsItIs) {
@@ -220,6 +296,18 @@ TEST(Composite, ImpossibleShapesAreAllSaid) {
       "mound_crest_front is 16; it must be greater than half of caisson_width (20)",
       "mound_crest_back is 16; it must be greater than half of caisson_width (20)",
       "grading is 0.5; it must be 1 (all cells alike) or greater"};
+  ASSERT_EQ(said.size(), expected.size());
+  for (std::size_t i = 0; i < said.size(); ++i) EXPECT_THAT(said[i], testing::HasSubstr(expected[i]));
+}
+
+TEST(Composite, WhatHoldsForOneSideOrLayerIsZeroOrGreater) {
+  const auto said = complaints(
+      geometry("composite",
+               {{"subsoil_depth", -1}, {"mound_slope_front", -2}, {"mound_slope_back", -3}, {"water_depth_back", -4}}));
+  const std::vector<std::string> expected = {"subsoil_depth is -1; it must be 0 (none) or greater",
+                                             "mound_slope_front is -2; it must be 0 (mound_slope) or greater",
+                                             "mound_slope_back is -3; it must be 0 (mound_slope) or greater",
+                                             "water_depth_back is -4; it must be 0 (water_depth) or greater"};
   ASSERT_EQ(said.size(), expected.size());
   for (std::size_t i = 0; i < said.size(); ++i) EXPECT_THAT(said[i], testing::HasSubstr(expected[i]));
 }

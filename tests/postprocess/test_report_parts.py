@@ -13,7 +13,7 @@ import numpy as np
 SCRIPTS = Path(sys.argv[1]) if len(sys.argv) > 1 else Path(__file__).parents[2] / "postprocess"
 sys.path.insert(0, str(SCRIPTS))
 
-from report import geometry, input_tables, inputs, markup, reference, series, source_case, ticks, units  # noqa: E402
+from report import drawing, geometry, input_tables, inputs, markup, reference, series, source_case, ticks, units  # noqa: E402
 from upbead.errors import UserError  # noqa: E402
 
 ONE_CELL = """$MeshFormat
@@ -208,19 +208,51 @@ class Reference(unittest.TestCase):
         self.assertFalse(reference.find(known, ("regions", "x", "flow")).is_default("darcy"))
 
 
+def polygon(loop):
+    """Signed area, by the shoelace formula."""
+    return 0.5 * sum(a[0] * b[1] - b[0] * a[1] for a, b in zip(loop, [*loop[1:], loop[0]]))
+
+
 class Geometry(unittest.TestCase):
     def test_parameters_of_a_geometry_are_read_from_its_script(self):
         declared = geometry.declared("composite")
         self.assertEqual(declared["mound_height"], (6.0, "m", "height of the mound above the seabed"))
         self.assertEqual(geometry.declared("nothing"), {})
 
+    def test_what_a_side_or_a_layer_has_of_its_own_is_drawn(self):
+        """Areas of two layers, two slopes and two levels by hand; as on both sides alike where nothing is given."""
+        own = {"seabed_depth": 8, "subsoil_depth": 12, "seabed_front": 72, "seabed_back": 70.5, "mound_height": 5,
+               "mound_crest_front": 18, "mound_crest_back": 22, "mound_slope_front": 2, "mound_slope_back": 1.5,
+               "caisson_width": 20, "caisson_height": 17, "water_depth": 12, "water_depth_back": 11.5,
+               "sea_front": 6, "sea_back": 20 / 3}  # fmt: skip
+        outline = geometry.section({"mesh": {"geometry": "composite", "parameters": own}}, ".")
+        expected = {"seabed": 1600, "subsoil": 2400, "mound": 243.75, "caisson": 340,
+                    "sea_front": 799, "sea_back": 11.5 * 11.5 * 20 / 3 - 5 * (12 + 7.5 / 2)}  # fmt: skip
+        self.assertEqual(set(outline.regions), set(expected))
+        for name, area in expected.items():
+            self.assertAlmostEqual(abs(polygon(outline.regions[name][0])), area, places=9, msg=name)
+        self.assertEqual(outline.box(), (-100, 100, -20, 22))
+        self.assertEqual(outline.box("subsoil")[2:], (-20, -8))
+        self.assertEqual(outline.box("sea_back")[3], 11.5)
+        alike = geometry.section({"mesh": {"geometry": "composite", "parameters": {"sea_back": 3}}}, ".")
+        self.assertEqual(set(alike.regions), {"seabed", "mound", "caisson", "sea_back"})
+        self.assertEqual(alike.box("mound"), (-28, 28, 0, 6))
+
+    def test_the_drawing_names_layers_levels_and_slopes(self):
+        own = {"subsoil_depth": 13, "mound_slope_back": 1.5, "water_depth_back": 11.5, "sea_front": 6, "sea_back": 6}
+        for given, both in ((own, True), ({"sea_front": 6, "sea_back": 6}, False)):
+            outline = geometry.section({"mesh": {"geometry": "composite", "parameters": given}}, ".")
+            page = str(drawing.drawing(outline, {}, {}, 860, "wide"))
+            self.assertIn("1 : 2", page)
+            for words in ("11.5\u00a0m", "13\u00a0m", "1 : 1.5", "subsoil"):
+                self.assertEqual(words in page, both, words)
+
     def test_the_outline_of_cells(self):
         points = {1: (0, 0), 2: (1, 0), 3: (2, 0), 4: (0, 1), 5: (1, 1), 6: (2, 1)}
         for second in ([2, 3, 6, 5], [5, 6, 3, 2]):  # surfaces of a mesh may be numbered one way or the other
             (loop,) = geometry.outline([[1, 2, 5, 4], second], points)
             self.assertEqual(sorted(loop), sorted(points.values()))
-            area = 0.5 * sum(a[0] * b[1] - b[0] * a[1] for a, b in zip(loop, [*loop[1:], loop[0]]))
-            self.assertEqual(abs(area), 2.0)
+            self.assertEqual(abs(polygon(loop)), 2.0)
 
     def test_a_script_of_ones_own_is_drawn_where_gmsh_is_installed(self):
         """Instead of gmsh: a program that writes down how it was called, and copies a mesh."""
