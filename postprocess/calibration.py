@@ -11,7 +11,7 @@ of every wave by the rise of its force.
 import argparse
 from pathlib import Path
 
-from common import run, save
+from common import beside, figure_argument, run, save
 from upbead import figures
 from upbead.calibration_result import CalibrationResult
 from upbead.figures.calibration import MEASURES
@@ -22,12 +22,13 @@ def main():
     parser.add_argument("folder", metavar="RESULTS_FOLDER", type=Path)
     parser.add_argument("--measure", choices=MEASURES, default="exact", help="formula that tau_0 is found with")
     parser.add_argument("--spectrum", action="store_true", help="draw F_T/P instead of k")
-    parser.add_argument("-o", "--output", type=Path, default=Path("calibration.png"))
+    figure_argument(parser, "calibration.png")
     arguments = parser.parse_args()
     results = CalibrationResult(arguments.folder)
     spectrum = arguments.spectrum
     figure = figures.calibration_spectrum(results) if spectrum else figures.calibration(results, arguments.measure)
-    save(figure, arguments.output, arguments.folder)
+    output = arguments.output or beside(arguments.folder, "calibration.png")
+    save(figure, output, arguments.folder)
 
 
 if __name__ == "__main__":

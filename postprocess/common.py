@@ -6,7 +6,7 @@ from pathlib import Path
 from upbead.errors import UpbeadError, UserError
 from upbead.kept import keep_inputs
 
-__all__ = ["UserError", "keep_inputs", "run", "save"]
+__all__ = ["UserError", "beside", "figure_argument", "keep_inputs", "run", "save"]
 
 
 def run(main):
@@ -25,3 +25,12 @@ def save(figure, path, *inputs):
 
     figures.save(figure, path)
     print(path)
+
+
+def figure_argument(parser, name):
+    parser.add_argument("-o", "--output", type=Path, help=f"figure (.png, .pdf, .svg); default: {name}, by the results")
+
+
+def beside(results, name):
+    """A file in the folder of results, or in that of a file of theirs: never in the one where somebody stands."""
+    return (results if results.is_dir() else results.parent) / name

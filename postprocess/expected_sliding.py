@@ -10,7 +10,7 @@ beside each other.
 import argparse
 from pathlib import Path
 
-from common import run, save
+from common import beside, figure_argument, run, save
 from upbead import figures
 from upbead.expected_result import ExpectedResult
 from upbead.figures.expected import LAWS
@@ -20,10 +20,11 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("folders", metavar="RESULTS_FOLDER", type=Path, nargs="+")
     parser.add_argument("--law", choices=LAWS, action="append", help="draw this law only; may be given several times")
-    parser.add_argument("-o", "--output", type=Path, default=Path("expected.png"))
+    figure_argument(parser, "expected.png")
     arguments = parser.parse_args()
     results = [ExpectedResult(folder) for folder in arguments.folders]
-    save(figures.expected(results, arguments.law), arguments.output, *arguments.folders)
+    output = arguments.output or beside(arguments.folders[0], "expected.png")
+    save(figures.expected(results, arguments.law), output, *arguments.folders)
 
 
 if __name__ == "__main__":

@@ -10,7 +10,7 @@ import argparse
 import json
 from pathlib import Path
 
-from common import run, save
+from common import beside, figure_argument, run, save
 from upbead import figures
 from upbead.figures.model_prototype import SCALES, STUDIES
 from upbead.study_table import StudyTable
@@ -21,12 +21,13 @@ SPECTRUM = Path(__file__).resolve().parent.parent / "tests/reference/ref5_lumped
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("results", type=Path)
-    parser.add_argument("-o", "--output", type=Path, default=Path("model-prototype.png"))
+    figure_argument(parser, "model-prototype.png")
     arguments = parser.parse_args()
     folder = arguments.results
     tables = {(study, scale): StudyTable(folder / f"{study}-{scale}") for study in STUDIES for scale in SCALES}
     spectra = [s for s in json.loads(SPECTRUM.read_text())["sdof_spectrum"] if s["rise_fraction"] == 0.5]
-    save(figures.model_prototype(tables, spectra), arguments.output, SPECTRUM, *(table.folder for table in tables.values()))
+    output = arguments.output or beside(folder, "model-prototype.png")
+    save(figures.model_prototype(tables, spectra), output, SPECTRUM, *(table.folder for table in tables.values()))
 
 
 if __name__ == "__main__":

@@ -14,7 +14,7 @@ Each summary is one curve, its waves are the points. Colours tell the friction c
 import argparse
 from pathlib import Path
 
-from common import run, save
+from common import beside, figure_argument, run, save
 from upbead import figures
 from upbead.figures.sliding_safety import FORMULAS
 from upbead.waves_result import read_waves
@@ -23,14 +23,14 @@ from upbead.waves_result import read_waves
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("summaries", type=Path, nargs="+", help="folders of 'upbead waves', or their summary.json")
-    parser.add_argument("-o", "--output", type=Path, default=Path("sliding_safety.png"),
-                        help="figure (.png, .pdf, .svg); default: sliding_safety.png")
+    figure_argument(parser, "sliding_safety.png")
     parser.add_argument("--formula", choices=FORMULAS, default="paper", help="which S; default: paper, eq. (7)")
     parser.add_argument("--range", type=float, nargs=2, default=(0.6, 1.0), metavar=("LOW", "HIGH"),
                         help="of the safety factor; default: 0.6 1.0")
     arguments = parser.parse_args()
     summaries = [read_waves(path) for path in arguments.summaries]
-    save(figures.sliding_safety(summaries, arguments.formula, *arguments.range), arguments.output, *arguments.summaries)
+    output = arguments.output or beside(arguments.summaries[0], "sliding_safety.png")
+    save(figures.sliding_safety(summaries, arguments.formula, *arguments.range), output, *arguments.summaries)
 
 
 if __name__ == "__main__":

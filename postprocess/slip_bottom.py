@@ -9,7 +9,7 @@ FOLDER is that of a run with regions.caisson.interface.kind = "friction".
 import argparse
 from pathlib import Path
 
-from common import run, save
+from common import beside, figure_argument, run, save
 from upbead import figures
 from upbead.slip_result import SlipResult
 
@@ -17,10 +17,11 @@ from upbead.slip_result import SlipResult
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("folder", type=Path)
-    parser.add_argument("-o", "--output", type=Path, default=Path("slip-bottom.png"))
+    figure_argument(parser, "slip-bottom.png")
     parser.add_argument("--until", type=float, metavar="S", help="end of the time axes; default: that of the run")
     arguments = parser.parse_args()
-    save(figures.slip_bottom(SlipResult(arguments.folder), arguments.until), arguments.output, arguments.folder)
+    output = arguments.output or beside(arguments.folder, "slip-bottom.png")
+    save(figures.slip_bottom(SlipResult(arguments.folder), arguments.until), output, arguments.folder)
 
 
 if __name__ == "__main__":

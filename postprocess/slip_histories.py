@@ -9,7 +9,7 @@ SLIDES is the folder of a run with regions.caisson.interface.kind = "friction", 
 import argparse
 from pathlib import Path
 
-from common import run, save
+from common import beside, figure_argument, run, save
 from upbead import figures
 from upbead.results import Result
 from upbead.slip_result import SlipResult
@@ -19,11 +19,12 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("slides", type=Path)
     parser.add_argument("bonded", type=Path)
-    parser.add_argument("-o", "--output", type=Path, default=Path("slip-histories.png"))
+    figure_argument(parser, "slip-histories.png")
     parser.add_argument("--until", type=float, metavar="S", help="end of the time axis; default: that of the run")
     arguments = parser.parse_args()
     slides, bonded = SlipResult(arguments.slides), Result(arguments.bonded)
-    save(figures.slip_histories(slides, bonded, arguments.until), arguments.output, arguments.slides, arguments.bonded)
+    output = arguments.output or beside(arguments.slides, "slip-histories.png")
+    save(figures.slip_histories(slides, bonded, arguments.until), output, arguments.slides, arguments.bonded)
 
 
 if __name__ == "__main__":

@@ -10,7 +10,7 @@ with their rank correlation, and the distribution of the number. Several cases h
 import argparse
 from pathlib import Path
 
-from common import run, save
+from common import beside, figure_argument, run, save
 from upbead import figures
 from upbead.study_table import StudyTable
 
@@ -20,10 +20,11 @@ def main():
     parser.add_argument("folder", metavar="RESULTS_FOLDER", type=Path)
     parser.add_argument("--read", help="the number to draw (default: the first that was read)")
     parser.add_argument("--x", action="append", help="draw against this key only; may be given several times")
-    parser.add_argument("-o", "--output", type=Path, default=Path("study.png"))
+    figure_argument(parser, "study.png")
     arguments = parser.parse_args()
     table = StudyTable(arguments.folder)
-    save(figures.study(table, arguments.read, arguments.x), arguments.output, arguments.folder)
+    output = arguments.output or beside(arguments.folder, "study.png")
+    save(figures.study(table, arguments.read, arguments.x), output, arguments.folder)
 
 
 if __name__ == "__main__":

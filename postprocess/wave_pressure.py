@@ -15,7 +15,7 @@ from pathlib import Path
 
 import numpy as np
 
-from common import UserError, run, save
+from common import UserError, beside, figure_argument, run, save
 from upbead import figures
 from upbead.waves_result import read_waves
 
@@ -35,14 +35,14 @@ def main():
     parser.add_argument("summaries", type=Path, nargs="+", help="folders of 'upbead waves', or their summary.json")
     parser.add_argument("--wave", help="name of the wave; may be left out where there is only one")
     parser.add_argument("--measured", type=Path, nargs="+", metavar="CSV", help="measured pressures, a file a summary")
-    parser.add_argument("-o", "--output", type=Path, default=Path("wave_pressure.png"),
-                        help="figure (.png, .pdf, .svg); default: wave_pressure.png")
+    figure_argument(parser, "wave_pressure.png")
     arguments = parser.parse_args()
     summaries = [read_waves(path) for path in arguments.summaries]
     if arguments.measured and len(arguments.measured) != len(summaries):
         raise UserError(f"{len(summaries)} summaries, but {len(arguments.measured)} files of --measured; give as many")
     measured = [measured_points(path) for path in arguments.measured] if arguments.measured else None
-    save(figures.wave_pressure(summaries, arguments.wave, measured), arguments.output, *arguments.summaries,
+    output = arguments.output or beside(arguments.summaries[0], "wave_pressure.png")
+    save(figures.wave_pressure(summaries, arguments.wave, measured), output, *arguments.summaries,
          *(arguments.measured or ()))
 
 

@@ -36,7 +36,7 @@ def verdicts(checks):
         basis = join([tag("code", check["measure"]), prose("; " + check["assumption"]) if check.get("assumption") else ""])
         capacity = "" if check["capacity"] is None else quantity(check["capacity"], unit)
         rows.append((check["name"], "without bound" if check["demand"] is None else quantity(check["demand"], unit), capacity, margin, verdict, basis))
-    return table(("check", "demand", "capacity", "margin", "", "measure and assumption"), rows, "numbers sheet")
+    return table(("check", "demand", "capacity", "margin", "", "measure and assumption"), rows, "numbers wide sheet")
 
 
 def levels(case, outline):

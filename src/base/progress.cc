@@ -40,11 +40,17 @@ Progress::~Progress() {
 }
 
 void Progress::update(double done) {
+  done_ = std::max(done_, done);
   if (!visible_) return;
   const double now = watch_.seconds();
   if (drawn_at_ >= 0. && now - drawn_at_ < redraw_after) return;
-  std::fputs((clear + progress_line(what_, done, now)).c_str(), stderr);
+  std::fputs((clear + progress_line(what_, done_, now)).c_str(), stderr);
   drawn_at_ = now;
+}
+
+std::function<void(double)> part_of(const std::function<void(double)>& progress, double from, double to) {
+  if (!progress) return {};
+  return [progress, from, to](double done) { progress(from + (to - from) * done); };
 }
 
 namespace {

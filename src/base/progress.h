@@ -19,15 +19,20 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// `done`: 0 to 1. Draws at most ten times a second, so that it may be called at every step.
+  /// `done`: 0 to 1; where work begins anew the largest so far stays. Draws at most ten times a second, so that it may
+  /// be called at every step.
   void update(double done);
 
  private:
   std::string what_;
   bool visible_;
   Stopwatch watch_;
+  double done_ = 0.;       ///< the largest so far
   double drawn_at_ = -1.;  ///< s on the watch; negative before the first line
 };
+
+/// Tells how far the whole is from how far its part from `from` to `to` is; null of null.
+std::function<void(double)> part_of(const std::function<void(double)>& progress, double from, double to);
 
 /// "marching: 42 %, 12 s left"; no time left is said in the first second, when it would be a guess. `elapsed` in s.
 std::string progress_line(const std::string& what, double done, double elapsed);

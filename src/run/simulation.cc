@@ -1,5 +1,6 @@
 #include "upbead/run/simulation.h"
 
+#include "base/progress.h"
 #include "base/stopwatch.h"
 #include "fem/compile.h"
 #include "fem/scene_check.h"
@@ -105,17 +106,21 @@ Simulation::Simulation(Scene asked, std::shared_ptr<const Mesh> on, std::shared_
 }
 
 Run Simulation::run(const RunOptions& options) const {
-  const Simulation solved = with_converged_soil(*this, options.progress);
+  // soil is marched some ten times before the run that counts; contact after a bonded run that takes a tenth as long
+  const double soil_ends = follows_strain(given) && !soil ? 0.8 : 0.;
+  const Simulation solved = with_converged_soil(*this, part_of(options.progress, 0., soil_ends));
+  const double bonded_ends = solved.compiled->system.interface ? soil_ends + 0.1 * (1. - soil_ends) : soil_ends;
   Monitors monitors(solved);
-  ObserverFunction progress = progress_observer(options.progress);
+  ObserverFunction progress = progress_observer(part_of(options.progress, bonded_ends, 1.));
   MarchOptions marching;
   marching.observers = monitors.observers();
   marching.observers.push_back(&progress);
   if (MarchObserver* other = options.observer ? options.observer(solved) : nullptr) marching.observers.push_back(other);
   marching.stop_at_energy = given.time.stop_at_energy.value_or(0.);
   marching.checkpoints = options.checkpoints;
-  Run run = solved.compiled->system.interface ? run_contact(solved, marching, options.progress)
-                                              : run_tied(solved, marching, options.progress);
+  Run run = solved.compiled->system.interface ? run_contact(solved, marching,
+                                                            part_of(options.progress, soil_ends, bonded_ends))
+                                              : run_tied(solved, marching, part_of(options.progress, soil_ends, 1.));
   if (!run.simulation) run.simulation = std::make_shared<const Simulation>(solved);
   estimate_errors(run);
   monitors.report(run);

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
 namespace upbead {
 
 TEST(ProgressLine, TellsPercentAndTimeLeft) {
@@ -29,6 +31,16 @@ TEST(Stopwatch, Runs) {
   const double first = watch.seconds();
   EXPECT_GE(first, 0.);
   EXPECT_GE(watch.seconds(), first);
+}
+
+TEST(Progress, PartsOfTheWholeFollowEachOther) {
+  std::vector<double> seen;
+  const std::function<void(double)> whole = [&seen](double done) { seen.push_back(done); };
+  const auto first = part_of(whole, 0., 0.25), second = part_of(whole, 0.25, 1.);
+  for (const double done : {0., 0.5, 1.}) first(done);
+  for (const double done : {0., 0.5, 1.}) second(done);
+  EXPECT_EQ(seen, (std::vector<double>{0., 0.125, 0.25, 0.25, 0.625, 1.}));
+  EXPECT_FALSE(part_of({}, 0., 1.));
 }
 
 }  // namespace upbead

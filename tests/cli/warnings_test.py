@@ -358,8 +358,36 @@ class Warnings(ProgramTest):
         found, summary = self.ask("run")
         self.assertIn("strength of the soil", [item["what"] for item in summary["skipped"]])
 
+    def test_units_that_were_mistaken(self):
+        for key, value, meant in (("regions.mound.shear_modulus", 48.97, "in MPa, write 4.897e+07"),
+                                  ("fluid.density", 1.03, "in t/m3, write 1030"),
+                                  ("regions.caisson.density", 2.1, "in t/m3, write 2100"),
+                                  ("regions.seabed.hydraulic_conductivity", 100.0, "in m/day, write 0.001157")):
+            with self.subTest(key=key):
+                found, _ = self.ask("explain", *LEVEL, "--set", f"{key}={value}")
+                self.assertIn(meant, found["implausible"]["text"])
+                self.assertTrue(found["implausible"]["text"].startswith(key + " = "))
+                self.assertEqual(found["implausible"]["value"], value)
+        wrong = ["--set", "sliding={ friction = 60, submerged_weight = 4296 }"]
+        found, _ = self.ask("explain", *LEVEL, *wrong)
+        self.assertIn("in percent, write 0.6", found["implausible"]["text"])
+        self.assertIn("in kN/m, write 4.296e+06", found["submerged_weight"]["text"])
+        facts["implausible"], facts["submerged_weight"] = found["implausible"]["text"], found["submerged_weight"]["text"]
+        found, _ = self.ask("explain", *WEIGHT)
+        self.expect(found, "no_water", 4.3e6)
+
+    def test_base_pressure(self):
+        found, summary = self.ask("run", *LEVEL, *WEIGHT, "--set", "limits.base_pressure=2.4e5")
+        peak = max(summary["base"]["peak_heel_pressure"], summary["base"]["peak_toe_pressure"])
+        self.expect(found, "base_pressure", peak, 2.4e5)
+        held = {check["name"]: check["holds"] for check in summary["checks"]}
+        self.assertEqual((held["heel pressure"], held["sliding distance"], held["force against friction"]),
+                         (False, None, True))
+        with h5py.File(self.folder / "out/results.h5") as file:
+            self.assertAlmostEqual(file["history/heel_pressure"][:].max(), summary["base"]["peak_heel_pressure"])
+
     def test_would_lift(self):
-        found, _ = self.ask("run", *WEIGHT, *settings(loads__impulse__factor=8))
+        found, _ = self.ask("run", *LEVEL, *WEIGHT, *settings(loads__impulse__factor=8))
         with h5py.File(self.folder / "out/results.h5") as file:
             at = {name: file[f"history/{name}"][:]
                   for name in ("normal_force", "uplift", "base_moment", "uplift_moment")}
@@ -368,7 +396,7 @@ class Warnings(ProgramTest):
         self.expect(found, "would_lift", edge.min())
         self.assertLess(edge.min(), 0)
         tied = settings(regions__caisson__interface__kind='"friction"')
-        self.assertNotIn("would_lift", self.ask("run", *WEIGHT, *settings(loads__impulse__factor=8), *tied)[0])
+        self.assertNotIn("would_lift", self.ask("run", *LEVEL, *WEIGHT, *settings(loads__impulse__factor=8), *tied)[0])
 
     def test_shipped_cases_have_none(self):
         for case in ("fig2b-model", "fig2b-prototype", "one-soil/model", "one-soil/prototype"):
