@@ -86,6 +86,7 @@ Summary full_summary() {
   s.response.emplace();
   s.loads.push_back({"wave"});
   s.gauges.emplace_back().name = "wall";
+  s.waves.emplace_back().name = "storm";
   s.measured.push_back({"record", "force", "N/m", {}});
   s.energy.emplace();
   s.reduction.emplace().loose = {{"probes/A/pressure", 0.1}};
@@ -135,7 +136,7 @@ TEST(OutputSchema, SummaryWithNothingIsNullThere) {
   for (const char* key : {"response", "energy", "reduction", "sliding", "contact", "soil"})
     EXPECT_TRUE(json.at(key).is_null()) << key;
   for (const char* key : {"strength", "warnings", "ladder", "skipped"}) EXPECT_EQ(json.at(key), Json::array()) << key;
-  for (const char* key : {"loads", "gauges", "measured"}) EXPECT_EQ(json.at(key), Json::object()) << key;
+  for (const char* key : {"loads", "gauges", "wave_loads", "measured"}) EXPECT_EQ(json.at(key), Json::object()) << key;
 }
 
 TEST(JsonText, KeepsTheOrderAndEndsWithANewline) {
