@@ -46,6 +46,11 @@ class Sections(ProgramTest):
         self.assertAlmostEqual(waves["storm"]["significant_height"], 7.95, delta=0.01)
         self.assertAlmostEqual(waves["storm"]["height"], 10.9, delta=0.05)
 
+    def test_fifty_years_hang_on_how_high_waves_are(self):
+        for highest, S in (("breaking", 0.0), (1.8, 15.08e-3), ("none", 0.2016)):
+            found = self.solve("expected", "designer/design.toml", f"sea.highest={json.dumps(highest)}")["expected"]
+            self.assertAlmostEqual(found["distance_exact"], S, delta=1e-3 * S, msg=highest)
+
     def test_the_designers_section_is_judged(self):
         """Bonded and on coarse cells: S by eq. (4) with the uplift held is that of the fine section to 5 %."""
         found = self.solve("run", "designer/section.toml", "mesh.parameters.cells=0.5", "time.end=1.2",
