@@ -67,8 +67,14 @@ class Coupled(ProgramTest):
             with self.subTest(uplift=name):
                 if of_case:
                     self.reduce(*of_case)
-                run = self.told("run", CASE, *COARSE, *of_case, *of_run, *slide, "--json", "--out", "run")["sliding"]
+                told = self.told("run", CASE, *COARSE, *of_case, *of_run, *slide, "--json", "--out", "run")
+                run = told["sliding"]
                 wave = self.answer(self.write_wave())[0]
+                for key in ("peak_heel_pressure", "peak_toe_pressure", "least_overturning_margin"):
+                    if told["base"][key] is None:
+                        self.assertIsNone(wave[key])
+                    else:
+                        self.assertAlmostEqual(wave[key] / told["base"][key], 1, delta=0.02, msg=key)
                 self.assertGreater(run["sliding_coupled"], 1e-3)
                 self.assertGreater(abs(run["sliding_coupled"] / run["sliding_history"] - 1), 0.05)
                 self.assertAlmostEqual(wave["sliding_coupled"] / run["sliding_coupled"], 1, delta=1e-3)

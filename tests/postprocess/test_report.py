@@ -12,6 +12,7 @@ import report_results as made
 from report_results import CASES, page, run
 
 SECTIONS = [
+    "sheet",
     "section",
     "inputs",
     "response-section",
@@ -20,6 +21,7 @@ SECTIONS = [
     "fields-section",
     "measured-section",
     "quality",
+    "formulas",
     "run",
     "case",
 ]  # in the order of the page
@@ -32,7 +34,9 @@ class Report(unittest.TestCase):
         folder = Path(cls.temporary.name)
         case = CASES / "fig2b-prototype.toml"
         cls.plain = run(case, folder / "plain")
-        cls.slid = run(case, folder / "slid", "loads.impulse.factor=5", 'regions.caisson.interface.kind="friction"')
+        limits = ("limits={ sliding=0.3, base_pressure=4e5 }", 'report={ project="A <b> mole", revision="C" }')
+        friction = 'regions.caisson.interface.kind="friction"'
+        cls.slid = run(case, folder / "slid", "loads.impulse.factor=5", friction, *limits)
         fields = run(case, folder / "fields", "output.fields={ every = 0.05 }")
         cls.full = made.with_records(fields, folder / "full")
         cls.column = made.column(folder)
@@ -53,6 +57,16 @@ class Report(unittest.TestCase):
         places = [self.pages["full"].find(f'<section id="{name}"') for name in SECTIONS]
         self.assertEqual(places, sorted(places), dict(zip(SECTIONS, places)))
         self.assertNotIn(-1, places)
+
+    def test_the_sheet_has_every_check_with_its_numbers(self):
+        sheet = self.pages["slid"].partition('<section id="sheet"')[2].partition("</section>")[0]
+        for told in ("A &lt;b&gt; mole", ">C<", "does not hold", "holds", "no limit given", "mound"):
+            self.assertIn(told, sheet)
+        for check in self.summary("slid")["checks"]:
+            for value in (check["demand"], check["capacity"]):
+                if value is not None:
+                    self.assertIn(f'value="{value!r}"', sheet)
+            self.assertIn(check["measure"], sheet)
 
     def test_nothing_is_drawn_that_was_not_asked_for(self):
         for absent in ("fields-section", "measured-section", "base-pressures"):
