@@ -56,6 +56,9 @@ class Calibrate(ProgramTest):
                 self.assertEqual(fit["points"], waves["taken"])
                 self.assertFalse(fit["given_in_ellipse"], "a = 0.3, b = 2 is nowhere in the region")
                 self.assertLess(fit["quality"]["deviation"], fit["given"]["deviation"])
+            take, all_r = found["models"][model]["recommended"], self.fit(found, model, None)
+            self.assertEqual((take["measure"], take["ratio"], take["a"], take["b"]),
+                             ("exact", None, all_r["a"], all_r["b"]), "S itself, at all r")
         # The page's table.
         self.assertAlmostEqual(self.fit(found, "prototype", 1.5)["a"], 0.395, delta=0.005)
         self.assertAlmostEqual(self.fit(found, "prototype", 1.5)["b"], 1.83, delta=0.01)

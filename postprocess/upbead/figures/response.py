@@ -100,6 +100,7 @@ def draw_caisson(result):
         axes.set_ylabel(f"{symbol} ({unit})")
         mark_peak(axes, *peak_of(result, name, values, factor), unit)
         draw_measured(axes, result, name, factor)
+    draw_slip(rows[-1], result, histories[-1].scale()[0])
     forces = [axes for axes, history in zip(rows, histories) if history.unit == force.unit]
     low, high = min(a.get_ylim()[0] for a in forces), max(a.get_ylim()[1] for a in forces)
     for axes in forces:
@@ -108,6 +109,15 @@ def draw_caisson(result):
     rows[0].set_title(f"{plain(result.title)}\n{ratio_text(result, force, shear)}")
     figure.align_ylabels()
     return figure
+
+
+def draw_slip(axes, result, factor):
+    """The caisson's slip over its ground, mean over the base, where contact was followed; x_G holds it, too."""
+    if "interface/slip" not in result.file:
+        return
+    slip, length = result.dataset("/interface/slip").values, result.dataset("/interface/length").values
+    axes.plot(result.time, factor * (slip @ length) / length.sum(), color="tab:orange", lw=1.2, label="slip")
+    axes.legend(fontsize=7.5, loc="upper right")
 
 
 def ratio_text(result, force, shear):

@@ -183,6 +183,16 @@ void check_calibration(const DesignTables& tables, const Document& document, Dia
   if (sound) check_grid(tables, document, report);
 }
 
+const CalibrationFit* recommended(const CalibratedModel& model) {
+  const CalibrationFit* best = nullptr;
+  for (const CalibrationFit& found : model.fits) {
+    if (found.measure != DurationMeasure::exact || !found.fit || found.fit->doubt != FitDoubt::none) continue;
+    if (!found.ratio) return &found;
+    if (!best || found.fit->residual_deviation < best->fit->residual_deviation) best = &found;
+  }
+  return best;
+}
+
 const char* word(DurationMeasure measure) {
   switch (measure) {
     case DurationMeasure::paper:

@@ -93,6 +93,20 @@ OutputSchema<CalibrationFit> fit_outputs() {
       .key("given_in_ellipse", &C::given_in_ellipse, "", "whether the ellipse holds these");
 }
 
+OutputSchema<CalibrationFit> recommended_outputs() {
+  using C = CalibrationFit;
+  return OutputSchema<C>()
+      .key(
+          "measure", [](const C& c) { return word(c.measure); }, "", "of tau_0")
+      .key("ratio", &C::ratio, "", "r; null: all r")
+      .key(
+          "a", [](const C& c) { return c.fit->best.a; }, "", "of k(alpha*)")
+      .key(
+          "b", [](const C& c) { return c.fit->best.b; }, "", "of k(alpha*)")
+      .key(
+          "residual_deviation", [](const C& c) { return c.fit->residual_deviation; }, "", "of k");
+}
+
 OutputSchema<CalibratedModel> calibrated_model_outputs() {
   using M = CalibratedModel;
   return OutputSchema<M>()
@@ -101,6 +115,10 @@ OutputSchema<CalibratedModel> calibrated_model_outputs() {
       .key("scale", &M::scale, "", "of its lengths")
       .key("step", &M::step, "s", "of all answers")
       .key("shortest_rise", &M::shortest_rise, "s", "of all waves")
+      .object(
+          "recommended", [](const M& m) { return recommended(m); }, recommended_outputs(),
+          "the fit to take for design: of S itself, at all r; where that is doubted the one of `exact` with the least "
+          "residual that is not; null where all are")
       .list("fits[]", &M::fits, fit_outputs(), "by measure and r");
 }
 

@@ -62,7 +62,11 @@ std::string describe(const CalibratedModel& model, const DurationFactor& given) 
   text += format("  %-8s %-5s %6s  %-16s %-16s %8s %8s %s\n", "measure", "r", "waves", "a", "b", "s", "R2",
                  format("with a = %.3g, b = %.3g: s, R2", given.a, given.b).c_str());
   for (const CalibrationFit& fit : model.fits) text += row(fit);
-  return text;
+  const CalibrationFit* take = recommended(model);
+  if (!take) return text + "  for design  none: every fit of S itself is doubted\n";
+  return text +
+         format("  for design  a = %.4g, b = %.4g: tau_0 by S itself (exact), r %s; k scatters by %.2g about it\n",
+                take->fit->best.a, take->fit->best.b, name_of(take->ratio).c_str(), take->fit->residual_deviation);
 }
 
 std::string describe_waves(const Calibration& found) {

@@ -57,6 +57,10 @@ struct CalibratedModel {
   std::vector<CalibrationFit> fits;
 };
 
+/// The fit to take for design: S itself (`exact`), at all r together, as one k serves all r; where that fit is doubted
+/// the one of `exact` with the least residual that is not. Null where all are.
+const CalibrationFit* recommended(const CalibratedModel& model);
+
 struct Calibration {
   std::size_t n_grid = 0, n_waves = 0;
   std::map<std::string, std::size_t> left;  ///< waves left out, by why
