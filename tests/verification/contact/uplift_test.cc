@@ -84,20 +84,20 @@ TEST(NodeContactUplift, OnRigidGroundIsTheExactBlock) {
           {"by transducers", of_transducers(U)}}) {
       Scene scene = with_uplift(drained_section(force, 0.), uplift);
       stiffen(scene);
-      const Run run = solved(scene, mesh, end, duration / 1500.);
+      const upbead::Run found = solved(scene, mesh, end, duration / 1500.);
       History resistance = sampled(prescribed_uplift(uplift, force, end));
       for (double& value : resistance.value) value = friction * (W - value);
       const double S = slide(caisson_mass(), sampled(force), resistance).residual;
-      ASSERT_TRUE(run.summary.contact && run.summary.contact->solved);
+      ASSERT_TRUE(found.summary.contact && found.summary.contact->solved);
       record.at_most("S against that of the block, " + shape + ", uplift " + course,
-                     std::abs(run.summary.contact->solved->slip / S - 1.), 1e-3);
+                     std::abs(found.summary.contact->solved->slip / S - 1.), 1e-3);
     }
 }
 
 /// Largest difference of what the nodes press with from N' and M', over W' and W' B.
-double unbalanced(const Run& run) {
-  const EffectiveBase base = *effective_base(*run.simulation, run.response.ends);
-  const ContactHistory& nodes = *run.contact;
+double unbalanced(const upbead::Run& found) {
+  const EffectiveBase base = *effective_base(*found.simulation, found.response.ends);
+  const ContactHistory& nodes = *found.contact;
   const std::size_t n = nodes.position.size();
   double worst = 0.;
   for (std::size_t t = 0; t < base.force.size(); ++t) {
@@ -118,21 +118,21 @@ TEST(NodeContactUplift, IsWhatTheNodesNoLongerPressWith) {
   const std::shared_ptr<const Mesh> dry = breakwater_mesh(0.25), wet = breakwater_mesh(0.25, with_sea());
   double last = 0.;
   for (const double peak : {0., 0.5 * U, U}) {
-    const Run run = solved(with_uplift(drained_section(triangle(7e6, 0.15), 8.), of_peak(peak, UpliftCourse::held)),
-                           dry, 0.6, 0.15 / 32.);
+    const upbead::Run found = solved(
+        with_uplift(drained_section(triangle(7e6, 0.15), 8.), of_peak(peak, UpliftCourse::held)), dry, 0.6, 0.15 / 32.);
     const std::string at = ", U over W' " + std::to_string(peak / submerged_weight()).substr(0, 5);
-    record.at_most("nodes against N' and M', drained" + at, unbalanced(run), 1e-9);
-    record.at_most("energy that is not accounted for, drained" + at, run.summary.energy->mismatch(), 1e-9);
-    EXPECT_GT(run.summary.contact->solved->slip, last);
-    last = run.summary.contact->solved->slip;
+    record.at_most("nodes against N' and M', drained" + at, unbalanced(found), 1e-9);
+    record.at_most("energy that is not accounted for, drained" + at, found.summary.energy->mismatch(), 1e-9);
+    EXPECT_GT(found.summary.contact->solved->slip, last);
+    last = found.summary.contact->solved->slip;
   }
   for (const UpliftDistribution spread : {UpliftDistribution::triangle, UpliftDistribution::uniform}) {
     UpliftChoice uplift = of_peak(U, UpliftCourse::in_phase, 0.03);
     uplift.distribution = spread;
-    const Run run = solved(with_uplift(wet_section(triangle(7e6, 0.15), 8.), uplift), wet, 0.6, 0.15 / 32.);
+    const upbead::Run found = solved(with_uplift(wet_section(triangle(7e6, 0.15), 8.), uplift), wet, 0.6, 0.15 / 32.);
     record.at_most(std::string("nodes against N' and M', with pore water and sea, spread ") +
                        (spread == UpliftDistribution::triangle ? "as a triangle" : "evenly"),
-                   unbalanced(run), 1e-9);
+                   unbalanced(found), 1e-9);
   }
 }
 
@@ -142,14 +142,15 @@ TEST(NodeContactUplift, SlowlyPressesAsGodaSays) {
   const double W = submerged_weight(), U = 0.25 * W, P = 0.2 * W, arm = 8., B = 18.;
   Scene scene = drained_section(piecewise_linear({0., 20., 40.}, {0., P, 0.}), arm);
   scene.sliding = SlidingChoice{friction, W, {}, 0., of_peak(U, UpliftCourse::in_phase), {}};
-  const Run run = solved(scene, breakwater_mesh(0.25), 40., 0.05);
+  const upbead::Run found = solved(scene, breakwater_mesh(0.25), 40., 0.05);
   const double e = (P * arm + U * B / 6.) / (W - U), t = 0.5 * B - e;  // M_U = 2/3 U B about the heel
   const double heel = t <= B / 3. ? 2. * (W - U) / (3. * t) : 2. * (W - U) / B * (2. - 3. * t / B);
-  record.at_most("heel pressure against Goda's", std::abs(run.summary.base->peak_heel_pressure / heel - 1.), 2e-3);
+  record.at_most("heel pressure against Goda's", std::abs(*found.summary.base->peak_heel_pressure / heel - 1.), 2e-3);
   record.at_most(
       "margin against overturning, against Goda's",
-      std::abs(*run.summary.base->least_overturning_margin / ((W * 0.5 * B - U * B * 2. / 3.) / (P * arm)) - 1.), 2e-3);
-  record.at_most("eccentricity", std::abs(run.summary.base->largest_eccentricity / e - 1.), 2e-3);
+      std::abs(*found.summary.base->least_overturning_margin / ((W * 0.5 * B - U * B * 2. / 3.) / (P * arm)) - 1.),
+      2e-3);
+  record.at_most("eccentricity", std::abs(found.summary.base->largest_eccentricity / e - 1.), 2e-3);
 }
 
 }  // namespace
