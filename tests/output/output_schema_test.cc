@@ -98,6 +98,10 @@ Summary full_summary() {
   sliding.history.table = {{}};
   sliding.coupled.emplace().slip.slips = {{}};
   sliding.pulse.emplace();
+  sliding.courses.emplace();
+  s.base.emplace();
+  s.periods = {{}};
+  s.checks = {{}};
   sliding.equal_impulse.emplace();
   s.contact.emplace().solved.emplace();
   s.soil.emplace();

@@ -51,6 +51,11 @@ std::optional<RestingForces> at_rest(const Simulation& simulation) {
 
 }  // namespace
 
+std::optional<double> weight_in_water(const Simulation& simulation) {
+  const double level = water_level(simulation.scene, *simulation.mesh);
+  return std::isfinite(level) ? std::optional(submerged_weight(simulation, level).force) : std::nullopt;
+}
+
 std::optional<EffectiveBase> effective_base(const Simulation& simulation, const Series& ends) {
   if (!simulation.compiled->caisson) return std::nullopt;
   const std::optional<RestingForces> rest = at_rest(simulation);

@@ -10,6 +10,10 @@
 
 namespace upbead {
 
+/// The caisson's weight less that of the water which it displaces below still water (N/m); none where the scene tells
+/// no still water. Needs a caisson.
+std::optional<double> weight_in_water(const Simulation& simulation);
+
 /// W' is that of [sliding], or the mass less the water that the caisson displaces below still water. None without
 /// either, without a caisson, or where nothing presses at rest. `ends`: all readings of the scene over time.
 std::optional<EffectiveBase> effective_base(const Simulation& simulation, const Series& ends);

@@ -4,7 +4,8 @@
 #include <cmath>
 
 #include "base/text.h"
-#include "fem/static_stage.h"
+#include "fem/compile.h"
+#include "run/sliding/effective_base.h"
 
 namespace upbead {
 
@@ -50,7 +51,8 @@ void judge_weight(const Simulation& simulation, NumberedWarnings& list) {
   if (!sliding || !simulation.compiled->caisson) return;
   const double given = sliding->submerged_weight;
   const double in_air = simulation.compiled->caisson->body.mass * simulation.scene.gravity;
-  if (!std::isfinite(water_level(simulation.scene, *simulation.mesh))) {
+  const std::optional<double> in_water = weight_in_water(simulation);
+  if (!in_water) {
     if (given < 0.99 * in_air)
       list.push_back({"no_water", given, in_air, "N/m",
                       "sliding.submerged_weight = " + significant(given, 4) + " N/m is below the weight in air, " +
@@ -58,15 +60,14 @@ void judge_weight(const Simulation& simulation, NumberedWarnings& list) {
                           " N/m, but the scene has no still water: give regions of water, or [initial] water_level"});
     return;
   }
-  const double displaced = caisson_in_water(simulation.scene, *simulation.mesh).weight;
   constexpr double tolerable = 0.1;  // footings, rounded corners and layers of ballast make no tenth of W'
-  if (std::abs(given - displaced) <= tolerable * std::abs(displaced)) return;
+  if (std::abs(given - *in_water) <= tolerable * std::abs(*in_water)) return;
   std::string text = "sliding.submerged_weight = " + significant(given, 4) + " N/m, but the caisson less the water " +
-                     "that it displaces weighs " + significant(displaced, 4) + " N/m";
+                     "that it displaces weighs " + significant(*in_water, 4) + " N/m";
   for (const MeantUnit& unit : {MeantUnit{"kN/m", 1e3}, MeantUnit{"MN/m", 1e6}})
-    if (std::abs(given * unit.factor - displaced) <= 0.3 * displaced)
+    if (std::abs(given * unit.factor - *in_water) <= 0.3 * *in_water)
       text += "; if it was meant in " + std::string(unit.name) + ", write " + significant(given * unit.factor, 4);
-  list.push_back({"submerged_weight", given, displaced, "N/m", text});
+  list.push_back({"submerged_weight", given, *in_water, "N/m", text});
 }
 
 }  // namespace
