@@ -73,8 +73,9 @@ std::optional<ModelBase> model_base(const Simulation& simulation) {
   const std::optional<EffectiveBase> base = effective_base(simulation, none);
   if (!base) return std::nullopt;
   ModelBase told{base->width, base->weight, base->weight_moment, 0.};
-  for (const UpliftLoad& load : uplift_loads(simulation, {}, {}))
-    told.uplift_moment_per_force = load.moment / load.force;
+  const std::vector<UpliftLoad> uplift = uplift_loads(simulation, {}, {});  // of a peak, which `respond` scales, one
+  if (uplift.size() == 1 && uplift.front().force > 0.)
+    told.uplift_moment_per_force = uplift.front().moment / uplift.front().force;
   return told;
 }
 

@@ -124,7 +124,7 @@ std::string edge(double at_rest, const std::optional<double>& worst, double time
 }
 
 std::string describe(const BaseSummary& b) {
-  std::string text = "base        effective pressure, linear over what touches\n";
+  std::string text = "base        effective pressure, varying linearly over the width in contact\n";
   text += "  heel        " + edge(b.heel_pressure_at_rest, b.peak_heel_pressure, b.peak_heel_pressure_time) + "\n";
   text += "  toe         " + edge(b.toe_pressure_at_rest, b.peak_toe_pressure, b.peak_toe_pressure_time) + "\n";
   text += "  resultant   up to " + with_unit(b.largest_eccentricity, "m") + " beside the middle at " +
@@ -153,7 +153,7 @@ std::string describe(const std::vector<Check>& checks) {
   std::string text;
   for (const Check& c : checks) {
     const auto number = [&c](double value) {
-      return c.unit.empty() ? significant(value, 4) : with_unit(value, c.unit.c_str());
+      return c.unit.empty() ? significant(value, 4) : with_unit(value, c.unit);
     };
     text += (text.empty() ? "checks\n" : "") + format("  %-27s ", c.name.c_str()) +
             (c.demand ? number(*c.demand) : "without bound");

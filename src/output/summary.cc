@@ -264,10 +264,10 @@ OutputSchema<Summary> whole_outputs() {
               "with `[sliding]` in the case, else null. Eq. numbers are those of Shimosako and Takahashi (1994); F_S = "
               "F_T + mu U. Of all this only `sliding_coupled` moves the scene: elsewhere F_T is that of a caisson "
               "bonded to its mound")
-      .object(
-          "base", &S::base, base_outputs(),
-          "[what presses on the base](contact.md#base-pressure): effective, stress linear over what touches, at the "
-          "ends of the steps; null where neither `[sliding]` nor the water level tells W'")
+      .object("base", &S::base, base_outputs(),
+              "[what presses on the base](contact.md#base-pressure): effective, stress varying linearly over the width "
+              "in contact, at the "
+              "ends of the steps; null where neither `[sliding]` nor the water level tells W'")
       .object("contact", &S::contact, contact_outputs(),
               "[slip and uplift node by node](contact.md); null where the bottom is bonded")
       .object("soil", &S::soil, soil_outputs(), "of soil that follows the strain; else null")

@@ -54,7 +54,8 @@ const OutputSchema<WaveResponse>& wave_outputs() {
           .key("sliding", &W::sliding, "m",
                "S, sliding distance when the caisson has come to rest, landward; null where not asked for")
           .key("peak_heel_pressure", &W::peak_heel_pressure, "Pa",
-               "largest pressure of the landward edge of the base, stress linear over what touches; null where the "
+               "largest pressure of the landward edge of the base, stress varying linearly over the width in contact; "
+               "null where the "
                "resultant leaves the base, or the model's file does not tell W'")
           .key("peak_toe_pressure", &W::peak_toe_pressure, "Pa", "the same of the seaward edge; null likewise")
           .key("least_overturning_margin", &W::least_overturning_margin, "",

@@ -73,7 +73,7 @@ std::vector<Check> checks_of(const Scene& scene, const Summary& summary) {
                            sliding->history.resistance));
   }
   if (const auto& base = summary.base) {
-    const std::string linear = about_uplift(scene) + "; effective stress linear over what touches";
+    const std::string linear = about_uplift(scene) + "; effective stress varies linearly over the width in contact";
     list.push_back(at_most(check_of("heel pressure", "Pa", base->peak_heel_pressure, "base.peak_heel_pressure", linear),
                            scene.limits.base_pressure));
     list.push_back(at_most(check_of("toe pressure", "Pa", base->peak_toe_pressure, "base.peak_toe_pressure", linear),

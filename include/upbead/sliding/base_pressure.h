@@ -7,9 +7,10 @@
 namespace upbead {
 
 /// Effective pressures of the edges (Pa) of a bottom of width B under `force` N' (N/m) and `moment` M' about its middle
-/// (N m/m, overturning landward positive), stress linear over what touches: N'/B (1 -+ 6 e/B) where |e| = |M'/N'| <=
-/// B/6, else 0 and 2 N' / (3 t), t = B/2 - |e| (the bearing pressure p_e of Goda, Random Seas and Design of Maritime
-/// Structures, ch. 4). A bottom that stands on its edge would crush it: t >= B/1000. 0 where N' <= 0.
+/// (N m/m, overturning landward positive), stress varying linearly over the width in contact: N'/B (1 -+ 6 e/B) where
+/// |e| = |M'/N'| <= B/6, else 0 and 2 N' / (3 t), t = B/2 - |e| (the bearing pressure p_e of Goda, Random Seas and
+/// Design of Maritime Structures, ch. 4). A bottom that stands on its edge would crush it: t >= B/1000. 0 where N' <=
+/// 0.
 struct EdgePressures {
   double seaward = 0., landward = 0.;
 };
@@ -26,7 +27,8 @@ struct EffectiveBase {
   std::vector<double> moment;                 ///< M' (N m/m)
 };
 
-/// What presses on the base, effective stress linear over what touches, at rest and at the worst of the steps' ends.
+/// What presses on the base, effective stress varying linearly over the width in contact, at rest and at the worst of
+/// the steps' ends.
 struct BaseExtremes {
   double heel_pressure_at_rest = 0., toe_pressure_at_rest = 0., eccentricity_at_rest = 0.;  ///< Pa, Pa, m
   /// Of the landward and of the seaward edge (Pa); none where the resultant leaves the base there.

@@ -116,7 +116,7 @@ struct Stability {
 
 Stability stability(const Section& section, const WavePressure& pressure);
 
-/// Buoyant weight W' (N/m) that gives the safety factor against sliding that is asked for.
+/// Submerged weight W' (N/m) that gives the safety factor against sliding that is asked for.
 double submerged_weight_for(double safety_sliding, double friction, const WavePressure& pressure);
 
 /// A named warning with its numbers.

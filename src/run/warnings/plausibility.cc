@@ -34,7 +34,8 @@ const Usual friction{"1", 0.1, 1.5, 0.2, 1., {{"percent", 1e-2}}};
 
 void judge(const std::string& key, const std::optional<double>& value, const Usual& usual, NumberedWarnings& list) {
   if (!value || (*value >= usual.low && *value <= usual.high)) return;
-  std::string text = key + " = " + significant(*value, 4) + " " + (usual.unit == std::string("1") ? "" : usual.unit);
+  std::string text =
+      key + " = " + significant(*value, 4) + (usual.unit == std::string("1") ? "" : " " + std::string(usual.unit));
   text += *value < usual.low ? " is less than is ever found (" : " is more than is ever found (";
   const double limit = *value < usual.low ? usual.low : usual.high;
   text += significant(limit) + ")";
