@@ -19,7 +19,15 @@ constexpr int adapted_degree = 3;
 
 /// A force landward in the scene; its shape follows with the mesh.
 void make_wave(Case& problem, const std::string& name, const CaseTables& tables, LoadTable& table) {
-  const auto wave = wave_load(table, *table.wave, *tables.section, {tables.fluid.density, tables.gravity});
+  const Place place = problem.place(dotted("loads", name) + ".wave.height");
+  const auto wave = [&] {
+    try {
+      return wave_load(table, *table.wave, *tables.section, {tables.fluid.density, tables.gravity});
+    } catch (const NumericsError& error) {
+      throw InputError(place, error.what(),
+                       "give a lower wave, or course = \"church_roof\", which is of waves that break");
+    }
+  }();
   problem.waves[name] = wave;
   table.kind = LoadKind::force;
   table.history = wave->history;
@@ -72,7 +80,10 @@ void add_wave_sliding(Case& problem, SlidingChoice& sliding) {
   if (!sliding.uplift || sliding.uplift->kind != UpliftKind::wave) return;
   problem.uplift_by_wave = true;
   sliding.uplift->kind = UpliftKind::prescribed;
-  sliding.uplift->peak = wave.load.factor * wave.pressure.uplift;
+  if (wave.standing)
+    sliding.uplift->history = scaled(wave.standing->uplift, wave.load.factor);
+  else
+    sliding.uplift->peak = wave.load.factor * wave.pressure.uplift;
 }
 
 /// A contact by friction has the section's coefficient, where neither it nor [sliding] gives one.
@@ -199,6 +210,10 @@ Case read_case(const std::string& path, const std::vector<std::string>& override
   for (const auto& [name, table] : tables.load_tables) {
     if (table.kind == LoadKind::pressures) {
       add_gauge_loads(name, problem.gauges.at(name), tables.time.end, problem.scene);
+      continue;
+    }
+    if (const auto wave = problem.waves.find(name); wave != problem.waves.end() && wave->second->standing) {
+      add_gauge_loads(name, {table, {}, wave->second->standing->gauges}, tables.time.end, problem.scene);
       continue;
     }
     problem.scene.loads[name] = table;

@@ -184,7 +184,7 @@ class LoadCheck {
       wrong_.add("wave", "'wave' is missing, which kind = \"wave\" needs",
                  "add wave = { height = ..., period = ..., course = \"church_roof\" }");
     else
-      wrong_.add(diagnose(static_cast<const WaveGiven&>(*load_.wave)), "wave.");
+      check_wave_table(*load_.wave);
     if (!tables_.section)
       wrong_.add("kind",
                  "a load by a wave needs the cross-section that Goda's formulas take, and there is no [section]",
@@ -194,6 +194,17 @@ class LoadCheck {
                   "[section]: lambda_1 = " + number_text(*tables_.section->lambda_1) +
                       " leaves nothing of the standing wave, which is a part of the load [" + path_ + "]",
                   "give at least " + number_text(least_lambda_1));
+  }
+
+  void check_wave_table(const WaveLoadTable& wave) const {
+    wrong_.add(diagnose(static_cast<const WaveGiven&>(wave)), "wave.");
+    if (wave.course != WaveCourse::standing) return;
+    if (wave.angle != 0.)
+      wrong_.add("wave.angle", "a standing wave of finite height is one that comes straight at the wall",
+                 "give angle = 0, which is the safe side, or another course");
+    if (tables_.section && tables_.section->dissipating_blocks)
+      wrong_.add("wave.course", "wave-dissipating blocks leave no standing wave before the wall",
+                 "give another course, which Goda's factors for blocks belong to");
   }
 
   void check_shape() const {

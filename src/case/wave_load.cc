@@ -17,7 +17,8 @@ namespace {
 const Words<WaveCourse> wave_course_words{{"church_roof", WaveCourse::church_roof},
                                           {"triangle", WaveCourse::triangle},
                                           {"sine", WaveCourse::sine},
-                                          {"combined", WaveCourse::combined}};
+                                          {"combined", WaveCourse::combined},
+                                          {"standing", WaveCourse::standing}};
 
 bool has_impact(const WaveLoadTable& table) {
   return table.course == WaveCourse::church_roof;
@@ -38,7 +39,8 @@ TableSchema<WaveLoadTable> wave_load_schema() {
       .required()
       .doc(
           "how P runs in time; church_roof: an impulsive triangle beside half a standing wave, by [.impact]; triangle: "
-          "tau_0 = k(alpha*) tau_0F; sine: half a sine of T/2; combined: that triangle beside half a standing wave");
+          "tau_0 = k(alpha*) tau_0F; sine: half a sine of T/2; combined: that triangle beside half a standing wave; "
+          "standing: crest and trough of a standing wave of finite height, for waves that do not break");
   table.choice("force", &WaveLoadTable::force, impact_force_words)
       .doc(
           "peak of P; goda_with_alpha_I: as `waves` tells it, an effective sliding force; impulse: P_I of [.impact], "
@@ -52,6 +54,7 @@ TableSchema<WaveLoadTable> wave_load_schema() {
 }
 
 double WaveLoad::peak() const {
+  if (standing) return standing->extremes.landward.force;
   return impact ? impact->peak : pressure.force;
 }
 
@@ -110,6 +113,13 @@ void add_combined(const WavePressure& standing, WaveLoad& w) {
   w.duration = w.pulse->duration;
 }
 
+void add_standing(const Water& water, WaveLoad& w) {
+  w.standing = std::make_shared<const StandingLoad>(standing_load(w.wave, w.section, water));
+  w.wavelength = w.standing->wave.wavelength();
+  w.history = w.standing->force;
+  w.end = w.standing->end;
+}
+
 Pulse pulse_of(PulseShape shape, double peak, double duration) {
   Pulse pulse;
   pulse.shape = shape;
@@ -147,8 +157,17 @@ std::shared_ptr<const WaveLoad> wave_load(const Load& load, const WaveLoadTable&
     case WaveCourse::combined:
       add_combined(standing, w);
       break;
+    case WaveCourse::standing:
+      add_standing(water, w);
+      break;
   }
   return std::make_shared<const WaveLoad>(std::move(w));
+}
+
+Gauges row_on_wall(const StandingLoad& standing, double still) {
+  Gauges row = standing.gauges;
+  for (double& place : row.place) place += still;
+  return row;
 }
 
 std::vector<std::pair<std::string, const WaveLoad*>> acting_waves(const Case& input) {
@@ -189,11 +208,18 @@ std::string course_words(const WaveLoad& w) {
     case WaveCourse::combined:
       return "the larger of a triangle of tau_0 = k(alpha*) tau_0F and gamma_P P_1 sin(2 pi t/T), Shimosako and "
              "Takahashi (1998)";
+    case WaveCourse::standing:
+      return "a trough that grows within T/2, a whole period, and T/2 in which the wave dies away";
   }
   return "";
 }
 
 std::string peak_words(const WaveLoad& w) {
+  if (w.standing)
+    return "P of the standing wave that a smooth wall on a flat bed, without its mound, makes of H: 2H at the wall, "
+           "potential flow by the full equations, " +
+           std::to_string(w.standing->wave.harmonics()) + " harmonics, residual " +
+           significant(w.standing->wave.residual(), 2);
   if (w.table.force == ImpactForce::impulse)
     return "peak P_I = P_1 (1 + " + significant(w.table.impact.peak_gain) +
            " alpha*), P_1 by alpha_1 alone; an assumption of ours";
@@ -203,8 +229,12 @@ std::string peak_words(const WaveLoad& w) {
 
 std::vector<std::string> assumptions_of(const WaveLoad& w) {
   std::vector<std::string> list{peak_words(w), "course: " + course_words(w),
-                                "profile over the height: Goda's, the same at every time",
-                                "uplift: U = p_u B/2 by Goda's formulas, with alpha_1 alone"};
+                                w.standing ? "profile over the height: its own at every time; what rises above the "
+                                             "crest is spilt"
+                                           : "profile over the height: Goda's, the same at every time",
+                                w.standing ? "uplift: a triangle with the pressure at the seaward edge at every time; "
+                                             "suction would help and is left out"
+                                           : "uplift: U = p_u B/2 by Goda's formulas, with alpha_1 alone"};
   if (w.table.deep_water_height) list.push_back("H and H_1/3 by random breaking of the deep-water height");
   if (!w.table.deep_water_height && !w.table.significant_height) list.push_back("H_1/3 = H/1.8");
   return list;
@@ -234,9 +264,11 @@ WaveLoadSummary summary_of(const std::string& name, const WaveLoad& w) {
   s.force_moment = p.force_moment;
   s.uplift = p.uplift;
   s.peak = factor * w.peak();
-  s.peak_uplift = factor * p.uplift;
-  s.rise = w.impact ? w.impact->rise : 0.5 * (w.pulse ? w.pulse->duration : w.end);
-  s.duration = w.impact ? w.impact->duration : (w.pulse ? w.pulse->duration : w.end);
+  s.peak_uplift = factor * (w.standing ? w.standing->peak_uplift : p.uplift);
+  if (w.standing) s.trough_force = factor * w.standing->extremes.seaward.force;
+  const double whole = w.standing ? 0.5 * w.wave.period : w.end;
+  s.rise = w.impact ? w.impact->rise : 0.5 * (w.pulse ? w.pulse->duration : whole);
+  s.duration = w.impact ? w.impact->duration : (w.pulse ? w.pulse->duration : whole);
   s.standing_force = factor * w.standing_force;
   s.end = w.end;
   s.impulse = factor * integral(w.history, 0., w.end);
@@ -277,7 +309,7 @@ NumberedWarnings wave_warnings(const Case& input) {
   NumberedWarnings list;
   for (const auto& [name, wave] : acting_waves(input)) {
     const WavePressure& p = wave->pressure;
-    if (wave->table.force == ImpactForce::goda_with_alpha_I && p.alpha_I > p.alpha_2)
+    if (!wave->standing && wave->table.force == ImpactForce::goda_with_alpha_I && p.alpha_I > p.alpha_2)
       list.push_back(effective_force(name, p));
     if (!wave->outside.empty()) list.push_back(outside_formulas(name, wave->outside));
     if (wave->end > input.scene.time.end) list.push_back(cut_wave(name, wave->end, input.scene.time.end));
@@ -298,6 +330,7 @@ std::string describe(const std::vector<WaveLoadSummary>& waves) {
             with_unit(w.p4, "Pa") + ", p_u " + with_unit(w.pu, "Pa") + ", eta* " + significant(w.eta_star, 4) + " m\n";
     text += "            " + w.course + ": peak " + with_unit(w.peak, "N/m") + ", rise " + significant(w.rise, 4) +
             " s, duration " + significant(w.duration, 4) + " s" +
+            (w.trough_force ? ", trough " + with_unit(*w.trough_force, "N/m") : "") +
             (w.standing_force > 0. ? ", slow part " + with_unit(w.standing_force, "N/m") : "") + ", over at " +
             significant(w.end, 4) + " s, impulse " + with_unit(w.impulse, "N s/m") + "\n";
     for (const std::string& assumption : w.assumptions) text += "            " + assumption + "\n";

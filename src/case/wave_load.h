@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "case/formula_wave.h"
+#include "case/standing_load.h"
 #include "input/values.h"
 #include "upbead/base/numbered_warning.h"
 #include "upbead/model/scene.h"
@@ -26,6 +27,7 @@ enum class WaveCourse {
   triangle,     ///< of tau_0 = k(alpha*) tau_0F, Shimosako and Takahashi (1994)
   sine,         ///< half a sine of T/2
   combined,     ///< that triangle beside half a standing wave, Shimosako and Takahashi (1998)
+  standing,     ///< a standing wave of finite height, crest and trough: standing_load.h
 };
 
 /// The table [loads.NAME.wave] as written.
@@ -37,7 +39,7 @@ struct WaveLoadTable : WaveGiven {
 
 TableSchema<WaveLoadTable> wave_load_schema();
 
-/// A load of kind "wave". Its resultant P is peak() times a course that is 1 at its largest; the wave begins at t = 0.
+/// A load of kind "wave", which begins at t = 0. Its resultant P is peak() times a course that is 1 at its largest.
 struct WaveLoad {
   Load load;  ///< what is not of the wave, as written
   WaveLoadTable table;
@@ -47,18 +49,23 @@ struct WaveLoad {
   WavePressure pressure;                 ///< with alpha*
   std::optional<TriangularPulse> pulse;  ///< of the courses triangle and combined
   std::optional<ImpactWave> impact;      ///< of a church roof
-  double standing_force = 0.;            ///< of the slow part: gamma P_1 (N/m)
-  TimeFunction history;                  ///< P(t) (N/m), without the factor
-  std::optional<double> duration;        ///< Load::duration
-  double end = 0.;                       ///< when the course is over (s)
-  std::vector<Warning> outside;          ///< where the formulas do not hold
+  std::shared_ptr<const StandingLoad>
+      standing;                    ///< of the course standing, whose pressure has another profile at each time
+  double standing_force = 0.;      ///< of the slow part: gamma P_1 (N/m)
+  TimeFunction history;            ///< P(t) (N/m), without the factor
+  std::optional<double> duration;  ///< Load::duration
+  double end = 0.;                 ///< when the course is over (s)
+  std::vector<Warning> outside;    ///< where the formulas do not hold
 
   double peak() const;
 };
 
-/// Of a sound table on a sound section.
+/// Of a sound table on a sound section. Throws NumericsError where there is no standing wave of that height.
 std::shared_ptr<const WaveLoad> wave_load(const Load& load, const WaveLoadTable& table, const Section& section,
                                           const Water& water);
+
+/// The row of a standing wave on a wall whose still water is at the height `still` (m).
+Gauges row_on_wall(const StandingLoad& standing, double still);
 
 /// The loads by waves that are not switched off, by name.
 std::vector<std::pair<std::string, const WaveLoad*>> acting_waves(const Case& input);

@@ -89,6 +89,12 @@ Bounds extent_of_curve(const Mesh& mesh, const std::string& curve) {
   return extent;
 }
 
+void set_row(const std::string& name, const Gauges& row, Scene& scene) {
+  for (std::size_t i = 0; i < row.count(); ++i)
+    if (const auto load = scene.loads.find(name + "." + row.name[i]); load != scene.loads.end())
+      load->second.shape = share(row, i);
+}
+
 }  // namespace
 
 Scene with_profiles(const Case& input, const Mesh& mesh) {
@@ -100,7 +106,10 @@ Scene with_profiles(const Case& input, const Mesh& mesh) {
     const Bounds wall = extent_of_curve(mesh, wave->load.boundary);
     if (wall.highest < wall.lowest) continue;  // no such curve, which the scene's checks tell
     WallCheck(name, *wave, wall, mistakes).run(scene, outline);
-    scene.loads.at(name).shape = pressure_profile(*wave, wall.lowest);
+    if (wave->standing)
+      set_row(name, row_on_wall(*wave->standing, wall.lowest + wave->section.foundation_depth), scene);
+    else
+      scene.loads.at(name).shape = pressure_profile(*wave, wall.lowest);
   }
   mistakes.throw_if_any();
   return scene;
@@ -108,8 +117,23 @@ Scene with_profiles(const Case& input, const Mesh& mesh) {
 
 namespace {
 
-void check_resultants(const std::string& name, const WaveLoad& wave, const LoadOnCaisson& load, Diagnostics& mistakes) {
-  const double arm = wave.pressure.force_moment / wave.pressure.force;
+/// What acts on the caisson as meshed per unit of P; of a standing wave per unit of pressure, over the loaded height.
+LoadOnCaisson resultant_of(const std::string& name, const WaveLoad& wave, const CompiledScene& compiled) {
+  LoadOnCaisson sum{name};
+  const double height = wave.standing ? wave.standing->gauges.place.back() - wave.standing->gauges.place.front() : 1.;
+  for (const LoadOnCaisson& load : compiled.loads_on_caisson) {
+    if (load.name != name && !(wave.standing && load.name.rfind(name + ".", 0) == 0)) continue;
+    sum.force_x += load.force_x / height;
+    sum.moment += load.moment / height;
+  }
+  return sum;
+}
+
+void check_resultants(const std::string& name, const WaveLoad& wave, const CompiledScene& compiled,
+                      Diagnostics& mistakes) {
+  const LoadOnCaisson load = resultant_of(name, wave, compiled);
+  const double arm = wave.standing ? 0.5 * (wave.standing->gauges.place.back() - wave.standing->gauges.place.front())
+                                   : wave.pressure.force_moment / wave.pressure.force;
   if (std::abs(load.force_x - 1.) <= same_wall && std::abs(load.moment - arm) <= same_wall * arm) return;
   mistakes.add(at_key("loads." + name + ".boundary"),
                "on the caisson as meshed acts " + significant(load.force_x, 6) + " of P, with " +
@@ -143,8 +167,7 @@ void check_waves(const Case& input, const Simulation& simulation) {
       mistakes.add(at_key("loads." + name + ".boundary"),
                    "'" + wave->load.boundary + "' is the landward wall of the caisson",
                    "name the seaward one: x points landward");
-    for (const LoadOnCaisson& load : simulation.compiled->loads_on_caisson)
-      if (load.name == name) check_resultants(name, *wave, load, mistakes);
+    check_resultants(name, *wave, *simulation.compiled, mistakes);
   }
   mistakes.throw_if_any();
 }

@@ -314,7 +314,7 @@ OutputSchema<GaugeSummary> gauge_outputs() {
 OutputSchema<WaveLoadSummary> wave_load_outputs() {
   using W = WaveLoadSummary;
   return OutputSchema<W>()
-      .key("course", &W::course, "", "`church_roof`, `triangle`, `sine` or `combined`")
+      .key("course", &W::course, "", "`church_roof`, `triangle`, `sine`, `combined` or `standing`")
       .key("height", &W::height, "m", "H")
       .key("significant_height", &W::significant_height, "m", "H_1/3")
       .key("period", &W::period, "s", "T")
@@ -333,6 +333,7 @@ OutputSchema<WaveLoadSummary> wave_load_outputs() {
       .key("force_moment", &W::force_moment, "N m/m", "of P about the bottom's level")
       .key("uplift", &W::uplift, "N/m", "U, as `waves` tells it")
       .key("peak", &W::peak, "N/m", "largest P of the load, with its factor")
+      .key("trough_force", &W::trough_force, "N/m", "least P of a standing wave, seaward; null of other courses")
       .key("peak_uplift", &W::peak_uplift, "N/m",
            "largest U of `[sliding.uplift]` of kind wave, with the load's factor")
       .key("rise", &W::rise, "s", "of the impulsive part; of a sine that of the whole")

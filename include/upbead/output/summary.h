@@ -203,6 +203,7 @@ struct WaveLoadSummary {
   double p1 = 0., p3 = 0., p4 = 0., pu = 0.;          ///< Pa
   double force = 0., force_moment = 0., uplift = 0.;  ///< P, M_P about the bottom's level, U
   double peak = 0., peak_uplift = 0.;                 ///< of the load, with its factor (N/m)
+  std::optional<double> trough_force;                 ///< of a standing wave: least P, with the factor (N/m)
   double rise = 0., duration = 0.;                    ///< of the impulsive part; of a sine, of all (s)
   double standing_force = 0., impulse = 0.;           ///< peak of the slow part (N/m), integral (N s/m); with factor
   double end = 0.;                                    ///< when it is over (s)

@@ -1,0 +1,73 @@
+// The standing wave of finite height before an upright wall: what a wave that does not break presses it with, in crest
+// and in trough.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "upbead/waves/goda.h"
+
+namespace upbead {
+
+/// A wave that an upright wall sends back whole, on a flat bed.
+struct StandingWaveGiven {
+  double depth = 0.;   ///< h (m)
+  double height = 0.;  ///< H of the wave that comes in (m): at the wall the water rises and falls through 2H
+  double period = 0.;  ///< T (s)
+};
+
+struct StandingSeries;
+
+/// Potential flow by the full equations, as double Fourier series of surface and potential with unknown coefficients
+/// and unknown wave number: standing_series.h (after Vanden-Broeck and Schwartz, Phys. Fluids 24 (1981) 812-815, and
+/// Tsai and Jeng, Appl. Ocean Res. 16 (1994) 185-193). The crest stands at the wall at t = 0, the trough at T/2.
+class StandingWave {
+ public:
+  /// Throws std::invalid_argument unless all numbers are positive; NumericsError where no such wave is found: it
+  /// breaks, or the water is so shallow that the series do not end.
+  StandingWave(const StandingWaveGiven& given, const Water& water);
+
+  double wavelength() const;  ///< L (m), which depends on H
+  int harmonics() const;      ///< largest, in space and in time
+  /// Largest of what is left in both conditions at the surface, at places between those where they were asked for: a
+  /// head of water over 2H, a velocity over 2H omega. At most 1e-3.
+  double residual() const;
+  double period() const { return given_.period; }
+  double surface(double time, double x = 0.) const;  ///< eta above still water (m), x (m) seaward of the wall
+  /// What the wave adds to the pressure of still water, at the height y above still water, x (m) seaward of the wall
+  /// (Pa). Where there is no water the pressure is zero: rho g y is left below still water, and 0 above.
+  double pressure(double y, double time, double x = 0.) const;
+
+ private:
+  StandingWaveGiven given_;
+  Water water_;
+  std::shared_ptr<const StandingSeries> series_;
+};
+
+/// What a standing wave presses a caisson with: on its front from the bottom to the crest, over which it spills, and as
+/// Goda's triangle under its bottom, with the pressure at the seaward edge. Suction there would help and is left out.
+struct WallPressure {
+  double time = 0.;           ///< s
+  double surface = 0.;        ///< eta at the wall (m)
+  double force = 0.;          ///< P, landward (N/m)
+  double force_moment = 0.;   ///< M_P about the bottom's level, of the sign of P (N m/m)
+  double edge_pressure = 0.;  ///< p_u, at the bottom's seaward edge (Pa); negative where it sucks
+  double uplift = 0.;         ///< U = max(p_u, 0) B/2 (N/m)
+};
+WallPressure wall_pressure(const StandingWave& wave, const Section& section, double time);
+
+/// The worst of a period for either side.
+struct StandingExtremes {
+  WallPressure landward;           ///< P largest; of two equal crests of P the first
+  WallPressure seaward;            ///< P least
+  double crest = 0., trough = 0.;  ///< of the surface at the wall, above still water (m)
+};
+StandingExtremes standing_extremes(const StandingWave& wave, const Section& section);
+
+/// Heights above still water, ascending, from the bottom to the crest or to the wave's own, where pressures at a time
+/// are told so that the force and the moment of what is linear between them are those of wall_pressure().
+std::vector<double> wall_heights(const StandingWave& wave, const Section& section);
+/// Those pressures (Pa).
+std::vector<double> wall_pressures(const StandingWave& wave, const std::vector<double>& heights, double time);
+
+}  // namespace upbead

@@ -1,0 +1,249 @@
+#include "standing_series.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "base/numbers.h"
+
+namespace upbead {
+
+namespace {
+
+using Array = Eigen::ArrayXd;
+
+/// cosh j(y + K) / cosh jK and sinh j(y + K) / cosh jK, which do not overflow in deep water.
+struct Depths {
+  Array cosh, sinh;
+};
+Depths depths(const Array& j, double y, double K) {
+  const Array up = (j * y).exp(), down = (-j * (y + 2. * K)).exp(), both = 1. + (-2. * K * j).exp();
+  return {(up + down) / both, (up - down) / both};
+}
+
+/// Both with their products with what runs along the wave and in time.
+struct PotentialTerms {
+  Array j, cos_x, sin_x, sin_t, cos_t, cosh, sinh;
+  PotentialTerms(const StandingSeries& s, double tau, double x, double y)
+      : j(s.bj),
+        cos_x((s.bj * x).cos()),
+        sin_x((s.bj * x).sin()),
+        sin_t((s.bi * tau).sin()),
+        cos_t(s.bi * (s.bi * tau).cos()) {
+    Depths d = depths(j, y, s.K);
+    cosh = std::move(d.cosh);
+    sinh = std::move(d.sinh);
+  }
+  Array phi_tau() const { return cosh * cos_x * cos_t; }
+  Array phi_x() const { return -j * cosh * sin_x * sin_t; }
+  Array phi_y() const { return j * sinh * cos_x * sin_t; }
+};
+
+double sum(const Array& terms, const Eigen::VectorXd& of) {
+  return (terms * of.array()).sum();
+}
+
+}  // namespace
+
+double StandingSeries::frequency() const {
+  return deep_frequency / std::sqrt(K);
+}
+
+double StandingSeries::swing() const {
+  return surface(0., 0.) - surface(0., pi);
+}
+
+double StandingSeries::surface(double tau, double x) const {
+  return sum((ai * tau).cos() * (aj * x).cos(), a);
+}
+
+double StandingSeries::pressure(double tau, double x, double y) const {
+  const PotentialTerms terms(*this, tau, x, y);
+  const double u = sum(terms.phi_x(), b), v = sum(terms.phi_y(), b);
+  return c - frequency() * sum(terms.phi_tau(), b) - 0.5 * (u * u + v * v) - y;
+}
+
+double StandingSeries::crest_acceleration() const {
+  const PotentialTerms terms(*this, 0., 0., surface(0., 0.));
+  return -frequency() * sum(terms.j * terms.sinh * terms.cos_t, b);
+}
+
+SurfaceConditions surface_conditions(const StandingSeries& s, double tau, double x, Eigen::RowVectorXd* kinematic_row,
+                                     Eigen::RowVectorXd* dynamic_row) {
+  const Array at = (s.ai * tau).cos(), ax = (s.aj * x).cos(), eta_terms = at * ax;
+  const Array eta_tau_terms = -s.ai * (s.ai * tau).sin() * ax, eta_x_terms = -s.aj * at * (s.aj * x).sin();
+  const double eta = sum(eta_terms, s.a), eta_tau = sum(eta_tau_terms, s.a), eta_x = sum(eta_x_terms, s.a);
+  const PotentialTerms t(s, tau, x, eta);
+  const Array Pt = t.phi_tau(), Px = t.phi_x(), Py = t.phi_y();
+  const double w = s.frequency(), u = sum(Px, s.b), v = sum(Py, s.b), phi_tau = sum(Pt, s.b);
+  if (kinematic_row) {
+    const Array Pxy = -t.j.square() * t.sinh * t.sin_x * t.sin_t, Pyy = t.j.square() * t.cosh * t.cos_x * t.sin_t;
+    const Array Pty = t.j * t.sinh * t.cos_x * t.cos_t;
+    const double u_y = sum(Pxy, s.b), v_y = sum(Pyy, s.b), phi_tau_y = sum(Pty, s.b);
+    // by K: cosh j(y + K)/cosh jK = cosh jy + tanh jK sinh jy
+    const Array decay = (-2. * s.K * t.j).exp(), sech2 = 4. * decay / (1. + decay).square();
+    const Array C_K = t.j * (t.j * eta).sinh() * sech2, S_K = t.j * (t.j * eta).cosh() * sech2;
+    const double u_K = sum(-t.j * C_K * t.sin_x * t.sin_t, s.b), v_K = sum(t.j * S_K * t.cos_x * t.sin_t, s.b);
+    const double phi_tau_K = sum(C_K * t.cos_x * t.cos_t, s.b), w_K = -0.5 * w / s.K;
+    *kinematic_row << (w * eta_tau_terms + u * eta_x_terms + (u_y * eta_x - v_y) * eta_terms).matrix().transpose(),
+        (eta_x * Px - Py).matrix().transpose(), 0., w_K * eta_tau + u_K * eta_x - v_K;
+    *dynamic_row << ((w * phi_tau_y + u * u_y + v * v_y + 1.) * eta_terms).matrix().transpose(),
+        (w * Pt + u * Px + v * Py).matrix().transpose(), -1., w_K * phi_tau + w * phi_tau_K + u * u_K + v * v_K;
+  }
+  return {w * eta_tau + u * eta_x - v, w * phi_tau + 0.5 * (u * u + v * v) + eta - s.c};
+}
+
+namespace {
+
+constexpr int first_harmonics = 6;
+constexpr int most_iterations = 30;
+constexpr double same_coefficients = 1e-11;
+constexpr double weight_of_height = 1e3;  ///< that equation is met, the others as well as they can be
+
+/// Harmonics (i, j) up to n, i + j even, i >= i0 and j >= j0.
+void list_harmonics(int n, int i0, int j0, Array& in_time, Array& in_space) {
+  std::vector<double> I, J;
+  for (int i = i0; i <= n; ++i)
+    for (int j = j0; j <= n; ++j)
+      if ((i + j) % 2 == 0) {
+        I.push_back(i);
+        J.push_back(j);
+      }
+  const auto size = static_cast<Eigen::Index>(I.size());
+  in_time = Eigen::Map<Array>(I.data(), size);
+  in_space = Eigen::Map<Array>(J.data(), size);
+}
+
+/// The coefficients of `from` at the harmonics of another series, 0 where it has none.
+Eigen::VectorXd taken_over(const Array& i, const Array& j, const Array& from_i, const Array& from_j,
+                           const Eigen::VectorXd& from) {
+  Eigen::VectorXd to = Eigen::VectorXd::Zero(i.size());
+  for (Eigen::Index m = 0; m < i.size(); ++m)
+    for (Eigen::Index l = 0; l < from.size(); ++l)
+      if (from_i[l] == i[m] && from_j[l] == j[m]) to[m] = from[l];
+  return to;
+}
+
+StandingSeries with_harmonics(const StandingSeries& from, int n) {
+  StandingSeries to = from;
+  to.n = n;
+  list_harmonics(n, 0, 1, to.ai, to.aj);
+  list_harmonics(n, 1, 0, to.bi, to.bj);
+  to.a = taken_over(to.ai, to.aj, from.ai, from.aj, from.a);
+  to.b = taken_over(to.bi, to.bj, from.bi, from.bj, from.b);
+  return to;
+}
+
+/// A small wave: omega^2 = tanh K.
+StandingSeries small_wave(double relative_height, double K) {
+  StandingSeries s;
+  s.relative_height = relative_height;
+  s.K = K;
+  s.deep_frequency = std::sqrt(K * std::tanh(K));
+  s.ai = s.aj = s.bi = s.bj = Array::Ones(1);
+  s.a = Eigen::VectorXd::Constant(1, K * relative_height);
+  s.b = Eigen::VectorXd::Constant(1, -K * relative_height / s.frequency());
+  return s;
+}
+
+/// Places of the surface, over a quarter of the period and half the length, as the rest is their image; both conditions
+/// there are four times as many as the coefficients, with which Newton's method goes on to the steepest waves (with
+/// twice as many it does not).
+template <class Visit>
+void for_places(int n, double offset, Visit visit) {
+  const int count = n + 2;
+  for (int m = 0; m < count; ++m)
+    for (int l = 0; l < 2 * count; ++l) visit((m + offset) * 0.5 * pi / count, (l + offset) * 0.5 * pi / count);
+}
+
+/// By the normal equations, ten times faster than by reflections: what they lose in digits the next step mends.
+Eigen::VectorXd step_of(const Eigen::MatrixXd& J, const Eigen::VectorXd& R) {
+  Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(J.cols(), J.cols());
+  gram.selfadjointView<Eigen::Lower>().rankUpdate(J.transpose());
+  return gram.selfadjointView<Eigen::Lower>().ldlt().solve(-J.transpose() * R);
+}
+
+/// A step of the method of Gauss and Newton; its largest change of a coefficient.
+double improve(StandingSeries& s) {
+  const Eigen::Index na = s.a.size(), nb = s.b.size(), unknowns = na + nb + 2, places = 2 * (s.n + 2) * (s.n + 2);
+  Eigen::MatrixXd J(2 * places + 1, unknowns);
+  Eigen::VectorXd R(2 * places + 1);
+  Eigen::RowVectorXd kinematic(unknowns), dynamic(unknowns);
+  Eigen::Index row = 0;
+  for_places(s.n, 0.5, [&](double tau, double x) {
+    const SurfaceConditions left = surface_conditions(s, tau, x, &kinematic, &dynamic);
+    R[row] = left.kinematic;
+    J.row(row++) = kinematic;
+    R[row] = left.dynamic;
+    J.row(row++) = dynamic;
+  });
+  J.row(row) << (1. - (s.aj * pi).cos()).matrix().transpose(), Eigen::RowVectorXd::Zero(nb + 1),
+      -2. * s.relative_height;
+  R[row] = s.swing() - 2. * s.relative_height * s.K;
+  J.row(row) *= weight_of_height;
+  R[row] *= weight_of_height;
+  const Eigen::VectorXd step = step_of(J, R);
+  s.a += step.head(na);
+  s.b += step.segment(na, nb);
+  s.c += step[na + nb];
+  s.K += step[na + nb + 1];
+  return step.lpNorm<Eigen::Infinity>();
+}
+
+/// None where the method diverges, or does not end.
+std::optional<StandingSeries> converged(StandingSeries s) {
+  const double before = s.K;
+  for (int k = 0; k < most_iterations; ++k) {
+    const double change = improve(s);
+    if (!std::isfinite(change) || s.K < 0.3 * before || s.K > 3. * before) return std::nullopt;
+    if (change < same_coefficients * std::max(1., s.K * s.relative_height)) return s;
+  }
+  return std::nullopt;
+}
+
+/// A first guess for a wave `factor` times as high.
+StandingSeries raised(StandingSeries s, double factor) {
+  s.relative_height *= factor;
+  s.a *= factor;
+  s.b *= factor;
+  return s;
+}
+
+/// From the small wave in `parts` equal steps of its height.
+std::optional<StandingSeries> grown(const StandingSeries& small, int parts) {
+  std::optional<StandingSeries> s = with_harmonics(raised(small, 1. / parts), first_harmonics);
+  for (int part = 1; s; ++part) {
+    s = converged(*s);
+    if (part == parts) break;
+    if (s) s = raised(*s, (part + 1.) / part);
+  }
+  return s;
+}
+
+}  // namespace
+
+double standing_residual(const StandingSeries& s) {
+  double kinematic = 0., dynamic = 0.;
+  for_places(s.n, 0., [&](double tau, double x) {
+    const SurfaceConditions left = surface_conditions(s, tau, x);
+    kinematic = std::max(kinematic, std::abs(left.kinematic));
+    dynamic = std::max(dynamic, std::abs(left.dynamic));
+  });
+  return std::max(kinematic / s.frequency(), dynamic) / s.swing();
+}
+
+std::optional<StandingSeries> solve_standing(double relative_height, double small_K, double residual,
+                                             int most_harmonics) {
+  const StandingSeries small = small_wave(relative_height, small_K);
+  std::optional<StandingSeries> best;
+  for (int parts = 1; parts <= 16 && !best; parts *= 4) best = grown(small, parts);
+  while (best && best->n < most_harmonics && standing_residual(*best) > residual) {
+    const auto next = converged(with_harmonics(*best, best->n + 2));
+    if (!next || standing_residual(*next) >= standing_residual(*best)) break;
+    best = next;
+  }
+  return best;
+}
+
+}  // namespace upbead

@@ -1,0 +1,51 @@
+// The double Fourier series of a standing wave, and what makes them meet the conditions at the surface.
+//
+// Lengths in 1/k, times in 1/sqrt(g k), x seaward from the wall, y from still water, tau = omega t, K = kh:
+//   eta = sum a_ij cos(i tau) cos(j x),   phi = sum b_ij sin(i tau) cos(j x) cosh j(y + K) / cosh jK,   i + j even,
+// meet Laplace's equation, the bed, the wall, its image half a wavelength off, and keep the volume of the water. At
+// y = eta remain
+//   kinematic   omega eta_tau + phi_x eta_x - phi_y = 0
+//   dynamic     omega phi_tau + (phi_x^2 + phi_y^2)/2 + eta - c = 0
+// with omega = (2 pi/T) sqrt(h/g) / sqrt(K), and eta(0, 0) - eta(pi, 0) = 2 K H/h.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+
+#include "upbead/waves/standing_wave.h"
+
+namespace upbead {
+
+struct StandingSeries {
+  int n = 0;                      ///< largest harmonic
+  Eigen::ArrayXd ai, aj, bi, bj;  ///< harmonics in time and in space of a and of b
+  Eigen::VectorXd a, b;
+  double c = 0., K = 0.;
+  double relative_height = 0.;  ///< H/h
+  double deep_frequency = 0.;   ///< (2 pi/T) sqrt(h/g)
+
+  double frequency() const;                               ///< omega
+  double swing() const;                                   ///< eta(0, 0) - eta(pi, 0)
+  double surface(double tau, double x) const;             ///< eta
+  double pressure(double tau, double x, double y) const;  ///< below the surface, of still water's depth -y too
+  double crest_acceleration() const;                      ///< downward, over g
+};
+
+/// What is left of both conditions at a place of the surface, with its derivatives by a, b, c and K where they are
+/// asked for (a row of that many entries each).
+struct SurfaceConditions {
+  double kinematic = 0., dynamic = 0.;
+};
+SurfaceConditions surface_conditions(const StandingSeries& series, double tau, double x,
+                                     Eigen::RowVectorXd* kinematic_row = nullptr,
+                                     Eigen::RowVectorXd* dynamic_row = nullptr);
+
+/// Series of no more than most_harmonics that leave `residual` or less (standing_residual), or the least that they can;
+/// none where Newton's method finds no wave. small_K: kh of a small wave of that period.
+std::optional<StandingSeries> solve_standing(double relative_height, double small_K, double residual,
+                                             int most_harmonics);
+
+/// StandingWave::residual.
+double standing_residual(const StandingSeries& series);
+
+}  // namespace upbead

@@ -1,0 +1,161 @@
+#include "upbead/waves/standing_wave.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <boost/math/quadrature/gauss.hpp>
+#include <boost/math/tools/minima.hpp>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <stdexcept>
+
+#include "base/numbers.h"
+#include "base/text.h"
+#include "require_positive.h"
+#include "standing_series.h"
+#include "upbead/base/error.h"
+#include "upbead/waves/wave_heights.h"
+
+namespace upbead {
+
+namespace {
+
+constexpr int most_harmonics = 16;
+constexpr double residual_wanted = 1e-4, residual_allowed = 1e-3;
+
+/// Of g: crests fall no faster. The steepest wave of deep water has kH = 0.62 (Schwartz and Whitney, J. Fluid Mech. 107
+/// (1981) 147-171), and this one 0.60; the series go on to waves that there are not.
+constexpr double fastest_crest = 0.8;
+
+[[noreturn]] void refuse(const StandingWaveGiven& given) {
+  throw NumericsError("no standing wave of H = " + significant(given.height, 4) +
+                      " m and T = " + significant(given.period, 4) + " s is found in " + significant(given.depth, 4) +
+                      " m of water: it breaks, or the water is too shallow for its series");
+}
+
+}  // namespace
+
+StandingWave::StandingWave(const StandingWaveGiven& given, const Water& water) : given_(given), water_(water) {
+  const std::string whose = "a standing wave needs";
+  require_positive(given.depth, "depth", whose);
+  require_positive(given.height, "height", whose);
+  require_positive(given.period, "period", whose);
+  require_positive(water.density, "density", whose);
+  require_positive(water.gravity, "gravity", whose);
+  const auto found =
+      solve_standing(given.height / given.depth, relative_wave_number(given.period, given.depth, water.gravity),
+                     residual_wanted, most_harmonics);
+  if (!found || standing_residual(*found) > residual_allowed || found->crest_acceleration() > fastest_crest)
+    refuse(given);
+  series_ = std::make_shared<const StandingSeries>(*found);
+}
+
+double StandingWave::wavelength() const {
+  return two_pi * given_.depth / series_->K;
+}
+
+int StandingWave::harmonics() const {
+  return series_->n;
+}
+
+double StandingWave::residual() const {
+  return standing_residual(*series_);
+}
+
+double StandingWave::surface(double time, double x) const {
+  const double k = series_->K / given_.depth;
+  return series_->surface(two_pi * time / given_.period, k * x) / k;
+}
+
+double StandingWave::pressure(double y, double time, double x) const {
+  const double unit_weight = water_.density * water_.gravity, still = unit_weight * std::max(-y, 0.);
+  if (y >= surface(time, x)) return -still;
+  const double k = series_->K / given_.depth;
+  return unit_weight * series_->pressure(two_pi * time / given_.period, k * x, k * y) / k - still;
+}
+
+namespace {
+
+using Rule = boost::math::quadrature::gauss<double, 10>;
+
+/// Of a function that has kinks at still water and at the surface alone.
+double integral_over_wall(const std::function<double(double)>& f, double from, double to, double surface) {
+  std::vector<double> ends{from};
+  for (const double kink : {std::min(surface, 0.), std::max(surface, 0.)})
+    if (kink > ends.back() && kink < to) ends.push_back(kink);
+  ends.push_back(to);
+  double sum = 0.;
+  for (std::size_t i = 1; i < ends.size(); ++i) sum += Rule::integrate(f, ends[i - 1], ends[i]);
+  return sum;
+}
+
+}  // namespace
+
+WallPressure wall_pressure(const StandingWave& wave, const Section& section, double time) {
+  WallPressure at;
+  at.time = time;
+  at.surface = wave.surface(time);
+  const double bottom = -section.foundation_depth;
+  const double top = std::max(std::min(section.crest, at.surface), 0.);
+  const auto p = [&](double y) { return wave.pressure(y, time); };
+  at.force = integral_over_wall(p, bottom, top, at.surface);
+  at.force_moment = integral_over_wall([&](double y) { return p(y) * (y - bottom); }, bottom, top, at.surface);
+  at.edge_pressure = p(bottom);
+  at.uplift = 0.5 * section.width * std::max(at.edge_pressure, 0.);
+  return at;
+}
+
+namespace {
+
+/// Where f is least in a period: by samples, then between the neighbours of the least.
+double least_at(const std::function<double(double)>& f, double period) {
+  constexpr int samples = 64;
+  int least = 0;
+  // it is the same before the crest as after it
+  for (int i = 1; i <= samples / 2; ++i)
+    if (f(i * period / samples) < f(least * period / samples)) least = i;
+  const double dt = period / samples;
+  const int bits = std::numeric_limits<double>::digits / 2;
+  return boost::math::tools::brent_find_minima(f, (least - 1) * dt, (least + 1) * dt, bits).first;
+}
+
+}  // namespace
+
+StandingExtremes standing_extremes(const StandingWave& wave, const Section& section) {
+  const auto force = [&](double t) { return wall_pressure(wave, section, t).force; };
+  StandingExtremes found;
+  found.landward = wall_pressure(wave, section, least_at([&](double t) { return -force(t); }, wave.period()));
+  found.seaward = wall_pressure(wave, section, least_at(force, wave.period()));
+  found.crest = wave.surface(0.);
+  found.trough = wave.surface(0.5 * wave.period());
+  return found;
+}
+
+std::vector<double> wall_heights(const StandingWave& wave, const Section& section) {
+  constexpr int below = 8, above = 4;
+  std::vector<double> heights;
+  for (int i = 0; i <= below; ++i) heights.push_back(-section.foundation_depth * (below - i) / below);
+  const double top = std::min(section.crest, wave.surface(0.));
+  for (int i = 1; i <= above && top > 0.; ++i) heights.push_back(top * i / above);
+  return heights;
+}
+
+std::vector<double> wall_pressures(const StandingWave& wave, const std::vector<double>& heights, double time) {
+  // the projection on functions that are linear between the heights, to which 1 and y belong
+  const auto n = static_cast<Eigen::Index>(heights.size());
+  Eigen::MatrixXd mass = Eigen::MatrixXd::Zero(n, n);
+  Eigen::VectorXd load = Eigen::VectorXd::Zero(n);
+  const double surface = wave.surface(time);
+  for (Eigen::Index i = 0; i + 1 < n; ++i) {
+    const double from = heights[static_cast<std::size_t>(i)], to = heights[static_cast<std::size_t>(i) + 1];
+    const double length = to - from;
+    mass.block<2, 2>(i, i) += length / 6. * (Eigen::Matrix2d() << 2., 1., 1., 2.).finished();
+    const auto p = [&](double y) { return wave.pressure(y, time); };
+    load[i] += integral_over_wall([&](double y) { return p(y) * (to - y) / length; }, from, to, surface);
+    load[i + 1] += integral_over_wall([&](double y) { return p(y) * (y - from) / length; }, from, to, surface);
+  }
+  const Eigen::VectorXd value = mass.ldlt().solve(load);
+  return {value.begin(), value.end()};
+}
+
+}  // namespace upbead
