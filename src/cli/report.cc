@@ -204,6 +204,9 @@ std::string describe(const SlidingSummary& s) {
   text += "  F_Smax      " + with_unit(h.peak_force, "N/m") + " at " + significant(h.peak_force_time, 4) +
           " s, of it mu U " + with_unit(s.friction * h.uplift_at_peak, "N/m", h.peak_force) + "; mu W' " +
           with_unit(h.resistance, "N/m") + ", r = " + significant(h.ratio, 4) + "\n";
+  text += "  seaward     " + with_unit(std::max(h.peak_seaward, 0.), "N/m", h.peak_force) + " at " +
+          significant(h.peak_seaward_time, 4) + " s: " + significant(std::max(h.peak_seaward, 0.) / h.resistance, 4) +
+          " of mu W'\n";
   if (h.least_normal_force < 0.)
     text += "  warning     N' falls to " + with_unit(h.least_normal_force, "N/m") + ": the caisson would lift\n";
   if (h.by_history.slips.empty() && h.ratio <= 1.)

@@ -108,6 +108,9 @@ OutputSchema<WaveAnswer> sliding_outputs() {
       .key("sliding_combined", inner(&A::sliding, &SlidingDistances::combined), "m", "S with the standing wave, too")
       .object("elastic", &A::elastic, elastic_outputs(),
               "on the swaying ground; null without `[ground]` and `pulse_duration`")
+      .object("standing", inner(&A::standing, &StandingResult::answer), standing_outputs(),
+              "the standing wave of finite height before the wall; null where there is none")
+      .key("why_no_standing", inner(&A::standing, &StandingResult::why_not), "", "why; empty where there is one")
       .list("warnings[]", &A::warnings,
             OutputSchema<Warning>()
                 .key("name", &Warning::name, "", "see above")

@@ -57,6 +57,7 @@ WaveAnswer answer(const std::string& name, const WaveTable& table, const DesignT
   set_pulse(table, design, a);
   set_sliding(design, goda.at(a.wave.height, PressureFormula::standing).force, a);
   set_elastic(table, design, a);
+  a.standing = standing_answer(design.section, design.water, a.wave);
   a.warnings = warnings(design.section, design.water, a.wave, a.pressure);
   return a;
 }
@@ -124,6 +125,20 @@ std::string table(const std::string& title, Row head, const std::vector<WaveAnsw
   return "\n" + title + "\n" + aligned(rows);
 }
 
+/// Where a wave stands before the wall; where none does, why, once for all waves that it holds for.
+std::string standing_table(const std::vector<WaveAnswer>& answers) {
+  std::vector<Row> rows{standing_head()};
+  std::string none;
+  for (const WaveAnswer& a : answers) {
+    if (a.standing.answer)
+      rows.push_back(standing_row(a.name, *a.standing.answer));
+    else
+      none += a.name + ": " + a.standing.why_not + "\n";
+  }
+  const std::string title = "\nStanding wave of finite height, in crest and trough (m, kN/m, kPa)\n";
+  return title + (rows.size() > 1 ? aligned(rows) : "") + none;
+}
+
 std::string describe(const Section& s) {
   return "section     h " + short_number(s.water_depth) + " m, h' " + short_number(s.foundation_depth) + " m, d " +
          short_number(s.berm_depth) + " m, h_c " + short_number(s.crest) + " m, B " + short_number(s.width) +
@@ -150,6 +165,7 @@ std::string describe(const DesignTables& design, const std::vector<WaveAnswer>& 
                 answers, pressures);
   text += table("Safety (kN/m, MN m/m, kPa)",
                 {"wave", "P", "U", "M_P", "M_U", "S.F. sliding", "S.F. overturning", "p_e"}, answers, safety);
+  text += standing_table(answers);
   text += table("Sliding by tau_0 = k(alpha*) tau_0F (kN/m, s, m)",
                 {"wave", "F_T", "F_Smax", "r", "tau_0F", "k", "tau_0", "S eq. (7)", "S exact", "S combined"}, answers,
                 sliding);

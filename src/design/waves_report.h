@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "design.h"
+#include "design/standing_answer.h"
 #include "sliding/elastic_block.h"
 #include "upbead/sliding/pulse.h"
 #include "upbead/waves/goda.h"
@@ -36,6 +37,7 @@ struct WaveAnswer {
   double ratio = 0.;               ///< r = F_Smax / (mu W')
   SlidingDistances sliding;
   std::optional<ElasticSliding> elastic;  ///< on a ground that sways
+  StandingResult standing;                ///< where the wave does not break
   std::vector<Warning> warnings;
 };
 

@@ -22,6 +22,8 @@ OutputSchema<HistorySliding> forces_outputs() {
       .key("peak_sliding_force_time", &H::peak_force_time, "s", "when")
       .key("shear_at_peak", &H::shear_at_peak, "N/m", "F_T then")
       .key("uplift_at_peak", &H::uplift_at_peak, "N/m", "U then")
+      .key("peak_sliding_force_seaward", &H::peak_seaward, "N/m", "largest -F_T + mu U, which slides it seaward")
+      .key("peak_sliding_force_seaward_time", &H::peak_seaward_time, "s", "when")
       .key("ratio", &H::ratio, "", "r = F_Smax / (mu W')")
       .key("least_normal_force", &H::least_normal_force, "N/m",
            "least N' = W' - U + change of the normal force; below 0 the caisson would lift");

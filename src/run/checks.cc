@@ -1,6 +1,7 @@
 #include "run/checks.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace upbead {
 
@@ -16,8 +17,9 @@ DesignSliding design_sliding(const SlidingSummary& s, const std::optional<Contac
             s.coupled->error_estimate};
   const double plain = s.history.by_history.residual, moved = s.history.with_normal_force.residual;
   const std::string why = "the larger of two by F_T(t) of the bonded caisson; slip with its ground is not told: ";
-  return plain >= moved ? DesignSliding{plain, "sliding.sliding_history", why + s.why_not_coupled, s.error_estimate}
-                        : DesignSliding{moved, "sliding.sliding_normal_force", why + s.why_not_coupled, {}};
+  return std::abs(plain) >= std::abs(moved)
+             ? DesignSliding{plain, "sliding.sliding_history", why + s.why_not_coupled, s.error_estimate}
+             : DesignSliding{moved, "sliding.sliding_normal_force", why + s.why_not_coupled, {}};
 }
 
 namespace {
@@ -65,12 +67,16 @@ std::vector<Check> checks_of(const Scene& scene, const Summary& summary) {
   std::vector<Check> list;
   if (const auto& sliding = summary.sliding) {
     const std::string assumption = about_uplift(scene) + "; " + sliding->design.why;
-    list.push_back(
-        at_most(check_of("sliding distance", "m", sliding->design.value, sliding->design.measure, assumption),
-                scene.limits.sliding));
+    list.push_back(at_most(check_of("sliding distance", "m", std::abs(sliding->design.value), sliding->design.measure,
+                                    (sliding->design.value < 0. ? "seaward; " : "") + assumption),
+                           scene.limits.sliding));
     list.push_back(at_most(check_of("force against friction", "N/m", sliding->history.peak_force,
                                     "sliding.peak_sliding_force", about_uplift(scene) + "; F_T of the bonded caisson"),
                            sliding->history.resistance));
+    list.push_back(
+        at_most(check_of("force against friction, seaward", "N/m", std::max(sliding->history.peak_seaward, 0.),
+                         "sliding.peak_sliding_force_seaward", about_uplift(scene) + "; F_T of the bonded caisson"),
+                sliding->history.resistance));
   }
   if (const auto& base = summary.base) {
     const std::string linear = about_uplift(scene) + "; effective stress varies linearly over the width in contact";

@@ -72,6 +72,11 @@ History sum(const History& a, double factor, const History& b) {
   return result;
 }
 
+History negative(History history) {
+  for (double& value : history.value) value = -value;
+  return history;
+}
+
 /// factor (level + history), not below 0; exact where the line crosses 0.
 History friction_of(double factor, double level, const History& history) {
   if (history.time.empty()) return {{0.}, {factor * level}};
@@ -154,6 +159,10 @@ HistorySliding slide_history(const BottomForces& forces, const BottomResistance&
     result.peak_force_time = F_S.time[peak];
     result.uplift_at_peak = value_at(forces.uplift, result.peak_force_time);
     result.shear_at_peak = result.peak_force - bottom.friction * result.uplift_at_peak;
+    const History seaward = sum(negative(forces.shear_force), bottom.friction, forces.uplift);
+    const std::size_t least = peak_index(seaward);
+    result.peak_seaward = seaward.value[least];
+    result.peak_seaward_time = seaward.time[least];
   }
   result.ratio = result.peak_force / result.resistance;
   result.least_normal_force = bottom.submerged_weight + least(change);

@@ -13,27 +13,44 @@ namespace {
 
 using Array = Eigen::ArrayXd;
 
-/// cosh j(y + K) / cosh jK and sinh j(y + K) / cosh jK, which do not overflow in deep water.
-struct Depths {
-  Array cosh, sinh;
+/// cos and sin of an angle's multiples up to n: far fewer than there are terms.
+struct Multiples {
+  Array cos, sin;
+  Multiples(int n, double angle) {
+    const Array multiple = Array::LinSpaced(n + 1, 0., n) * angle;
+    cos = multiple.cos();
+    sin = multiple.sin();
+  }
 };
-Depths depths(const Array& j, double y, double K) {
-  const Array up = (j * y).exp(), down = (-j * (y + 2. * K)).exp(), both = 1. + (-2. * K * j).exp();
-  return {(up + down) / both, (up - down) / both};
+
+/// Of each term, by its harmonic.
+Array picked(const Array& of_harmonic, const Array& harmonic) {
+  return harmonic.unaryExpr([&](double j) { return of_harmonic[static_cast<Eigen::Index>(j)]; });
 }
 
-/// Both with their products with what runs along the wave and in time.
+/// cosh j(y + K) / cosh jK and sinh j(y + K) / cosh jK by harmonic, which do not overflow in deep water.
+struct Depths {
+  Array cosh, sinh;
+  Depths(int n, double y, double K) {
+    const Array j = Array::LinSpaced(n + 1, 0., n);
+    const Array up = (j * y).exp(), down = (-j * (y + 2. * K)).exp(), both = 1. + (-2. * K * j).exp();
+    cosh = (up + down) / both;
+    sinh = (up - down) / both;
+  }
+};
+
+/// What the terms of phi consist of; cos_t with the harmonic in time.
 struct PotentialTerms {
   Array j, cos_x, sin_x, sin_t, cos_t, cosh, sinh;
-  PotentialTerms(const StandingSeries& s, double tau, double x, double y)
-      : j(s.bj),
-        cos_x((s.bj * x).cos()),
-        sin_x((s.bj * x).sin()),
-        sin_t((s.bi * tau).sin()),
-        cos_t(s.bi * (s.bi * tau).cos()) {
-    Depths d = depths(j, y, s.K);
-    cosh = std::move(d.cosh);
-    sinh = std::move(d.sinh);
+  PotentialTerms(const StandingSeries& s, double tau, double x, double y) : j(s.bj) {
+    const Multiples of_x(s.n, x), of_t(s.n, tau);
+    const Depths of_y(s.n, y, s.K);
+    cos_x = picked(of_x.cos, s.bj);
+    sin_x = picked(of_x.sin, s.bj);
+    sin_t = picked(of_t.sin, s.bi);
+    cos_t = s.bi * picked(of_t.cos, s.bi);
+    cosh = picked(of_y.cosh, s.bj);
+    sinh = picked(of_y.sinh, s.bj);
   }
   Array phi_tau() const { return cosh * cos_x * cos_t; }
   Array phi_x() const { return -j * cosh * sin_x * sin_t; }
@@ -55,7 +72,7 @@ double StandingSeries::swing() const {
 }
 
 double StandingSeries::surface(double tau, double x) const {
-  return sum((ai * tau).cos() * (aj * x).cos(), a);
+  return sum(picked(Multiples(n, tau).cos, ai) * picked(Multiples(n, x).cos, aj), a);
 }
 
 double StandingSeries::pressure(double tau, double x, double y) const {
@@ -71,8 +88,9 @@ double StandingSeries::crest_acceleration() const {
 
 SurfaceConditions surface_conditions(const StandingSeries& s, double tau, double x, Eigen::RowVectorXd* kinematic_row,
                                      Eigen::RowVectorXd* dynamic_row) {
-  const Array at = (s.ai * tau).cos(), ax = (s.aj * x).cos(), eta_terms = at * ax;
-  const Array eta_tau_terms = -s.ai * (s.ai * tau).sin() * ax, eta_x_terms = -s.aj * at * (s.aj * x).sin();
+  const Multiples of_t(s.n, tau), of_x(s.n, x);
+  const Array at = picked(of_t.cos, s.ai), ax = picked(of_x.cos, s.aj), eta_terms = at * ax;
+  const Array eta_tau_terms = -s.ai * picked(of_t.sin, s.ai) * ax, eta_x_terms = -s.aj * at * picked(of_x.sin, s.aj);
   const double eta = sum(eta_terms, s.a), eta_tau = sum(eta_tau_terms, s.a), eta_x = sum(eta_x_terms, s.a);
   const PotentialTerms t(s, tau, x, eta);
   const Array Pt = t.phi_tau(), Px = t.phi_x(), Py = t.phi_y();
@@ -82,8 +100,9 @@ SurfaceConditions surface_conditions(const StandingSeries& s, double tau, double
     const Array Pty = t.j * t.sinh * t.cos_x * t.cos_t;
     const double u_y = sum(Pxy, s.b), v_y = sum(Pyy, s.b), phi_tau_y = sum(Pty, s.b);
     // by K: cosh j(y + K)/cosh jK = cosh jy + tanh jK sinh jy
-    const Array decay = (-2. * s.K * t.j).exp(), sech2 = 4. * decay / (1. + decay).square();
-    const Array C_K = t.j * (t.j * eta).sinh() * sech2, S_K = t.j * (t.j * eta).cosh() * sech2;
+    const Array j = Array::LinSpaced(s.n + 1, 0., s.n), decay = (-2. * s.K * j).exp();
+    const Array by_K = 4. * j * decay / (1. + decay).square();
+    const Array C_K = picked(by_K * (j * eta).sinh(), s.bj), S_K = picked(by_K * (j * eta).cosh(), s.bj);
     const double u_K = sum(-t.j * C_K * t.sin_x * t.sin_t, s.b), v_K = sum(t.j * S_K * t.cos_x * t.sin_t, s.b);
     const double phi_tau_K = sum(C_K * t.cos_x * t.cos_t, s.b), w_K = -0.5 * w / s.K;
     *kinematic_row << (w * eta_tau_terms + u * eta_x_terms + (u_y * eta_x - v_y) * eta_terms).matrix().transpose(),
@@ -98,7 +117,8 @@ namespace {
 
 constexpr int first_harmonics = 6;
 constexpr int most_iterations = 30;
-constexpr double same_coefficients = 1e-11;
+/// A step that changes them by no more leaves 1e-13: the method squares its error.
+constexpr double same_coefficients = 1e-7;
 constexpr double weight_of_height = 1e3;  ///< that equation is met, the others as well as they can be
 
 /// Harmonics (i, j) up to n, i + j even, i >= i0 and j >= j0.
@@ -141,6 +161,7 @@ StandingSeries small_wave(double relative_height, double K) {
   s.relative_height = relative_height;
   s.K = K;
   s.deep_frequency = std::sqrt(K * std::tanh(K));
+  s.n = 1;
   s.ai = s.aj = s.bi = s.bj = Array::Ones(1);
   s.a = Eigen::VectorXd::Constant(1, K * relative_height);
   s.b = Eigen::VectorXd::Constant(1, -K * relative_height / s.frequency());
@@ -239,7 +260,7 @@ std::optional<StandingSeries> solve_standing(double relative_height, double smal
   std::optional<StandingSeries> best;
   for (int parts = 1; parts <= 16 && !best; parts *= 4) best = grown(small, parts);
   while (best && best->n < most_harmonics && standing_residual(*best) > residual) {
-    const auto next = converged(with_harmonics(*best, best->n + 2));
+    const auto next = converged(with_harmonics(*best, std::min(most_harmonics, best->n + 4)));
     if (!next || standing_residual(*next) >= standing_residual(*best)) break;
     best = next;
   }

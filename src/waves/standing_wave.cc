@@ -23,6 +23,9 @@ namespace {
 constexpr int most_harmonics = 16;
 constexpr double residual_wanted = 1e-4, residual_allowed = 1e-3;
 
+/// kH over tanh kh, of small waves: a higher one breaks before it comes to the wall: 0.142 L tanh kh (Miche 1944).
+constexpr double highest_that_comes = 0.142 * two_pi;
+
 /// Of g: crests fall no faster. The steepest wave of deep water has kH = 0.62 (Schwartz and Whitney, J. Fluid Mech. 107
 /// (1981) 147-171), and this one 0.60; the series go on to waves that there are not.
 constexpr double fastest_crest = 0.8;
@@ -42,9 +45,9 @@ StandingWave::StandingWave(const StandingWaveGiven& given, const Water& water) :
   require_positive(given.period, "period", whose);
   require_positive(water.density, "density", whose);
   require_positive(water.gravity, "gravity", whose);
-  const auto found =
-      solve_standing(given.height / given.depth, relative_wave_number(given.period, given.depth, water.gravity),
-                     residual_wanted, most_harmonics);
+  const double kh = relative_wave_number(given.period, given.depth, water.gravity);
+  if (kh * given.height / given.depth > highest_that_comes * std::tanh(kh)) refuse(given);
+  const auto found = solve_standing(given.height / given.depth, kh, residual_wanted, most_harmonics);
   if (!found || standing_residual(*found) > residual_allowed || found->crest_acceleration() > fastest_crest)
     refuse(given);
   series_ = std::make_shared<const StandingSeries>(*found);

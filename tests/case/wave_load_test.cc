@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "base/numbers.h"
 #include "case/case_run.h"
 #include "case/scale.h"
 #include "expected/dynamic_law.h"
@@ -321,6 +322,105 @@ TEST_F(WaveLoadTest, WarnsWhereFormulasDoNotHold) {
   EXPECT_EQ(names(read(text, {"loads.storm.factor=0", "sliding.uplift={kind=\"computed\"}"})), "");
   const std::string low = wave_case("{ height = 4.0, period = 12.0, angle = 25.0, course = \"sine\" }");
   EXPECT_EQ(names(read(low, {"time.end=6", "section.berm_depth=14"})), "wave_outside_formulas ");
+}
+
+namespace {
+
+const std::string standing_wave = "{ height = 5.0, period = 9.0, course = \"standing\" }";
+
+}  // namespace
+
+TEST_F(WaveLoadTest, StandingWavePushesAndPullsAsOnItsWall) {
+  const Case problem = read(wave_case(standing_wave), {"time.end=18", "time.step=0.02"});
+  const Simulation simulation = simulation_of(problem);
+  const upbead::Run run = solve(problem, simulation, {});
+  const StandingExtremes worst = standing_extremes(StandingWave({15., 5., 9.}, water_of_test), section_of_test);
+  const ShearResponse& response = *run.summary.response;
+  EXPECT_NEAR(response.peak_force / worst.landward.force, 1., 1e-8);
+  EXPECT_NEAR(response.peak_force_seaward / worst.seaward.force, 1., 1e-8);
+  EXPECT_LT(response.peak_force_seaward, -0.3 * response.peak_force);
+  // so slow a wave is all but static
+  EXPECT_NEAR(*response.shear_to_force_ratio, 1., 0.1);
+  EXPECT_NEAR(response.peak_shear_seaward / worst.seaward.force, 1., 0.1);
+  const WaveLoadSummary& told = run.summary.waves.front();
+  EXPECT_NEAR(told.peak, response.peak_force, 1e-8 * told.peak);
+  EXPECT_NEAR(*told.trough_force / response.peak_force_seaward, 1., 1e-8);
+  EXPECT_NEAR(run.summary.sliding->history.peak_seaward, -response.peak_shear_seaward,
+              0.02 * run.summary.sliding->history.resistance);
+}
+
+TEST_F(WaveLoadTest, StandingWaveHasItsMomentBeforeASea) {
+  std::string text = wave_case(standing_wave, "cells = 0.3, grading = 4, sea_front = 3, water_depth = 15");
+  text += "[regions.sea_front]\nkind = \"water\"\n";
+  const std::string front = "front = {}";
+  text.replace(text.find(front), front.size(),
+               "front = {}\nsea_surface = { pressure = \"open\" }\nsea_left = { pressure = \"sealed\" }");
+  const Case problem = read(text, {"time.end=18"});
+  const StandingLoad& standing = *wave_of(problem).standing;
+  const Simulation simulation = simulation_of(problem);
+  for (const WallPressure* worst : {&standing.extremes.landward, &standing.extremes.seaward}) {
+    // in the run the crest stands at the wall a whole wave before its own end
+    double force = 0., moment = 0., nearest = infinity;
+    for (const double t : standing.gauges.time) {
+      double P = 0., M = 0.;
+      for (const LoadOnCaisson& load : simulation.compiled->loads_on_caisson) {
+        const double p = simulation.scene.loads.at(load.name).history(t);
+        P += load.force_x * p;
+        M += load.moment * p;
+      }
+      if (std::abs(P - worst->force) > nearest) continue;
+      nearest = std::abs(P - worst->force);
+      force = P;
+      moment = M;
+    }
+    EXPECT_NEAR(force / worst->force, 1., 1e-8);
+    EXPECT_NEAR(moment / worst->force_moment, 1., 1e-8);
+  }
+}
+
+TEST_F(WaveLoadTest, StandingWaveGrowsAndDiesWithoutAJump) {
+  const StandingLoad& standing = *wave_of(read(wave_case(standing_wave))).standing;
+  const double T = 9., largest = standing.extremes.landward.force;
+  EXPECT_EQ(standing.end, 2. * T);
+  for (const double t : {0., 2. * T, 2. * T + 1.}) EXPECT_NEAR(standing.force(t), 0., 1e-12 * largest) << t;
+  EXPECT_NEAR(standing.force(0.5 * T), 0., 1e-9 * largest);
+  EXPECT_NEAR(standing.force(1.5 * T), 0., 1e-9 * largest);
+  for (std::size_t i = 1; i < standing.gauges.time.size(); ++i) {
+    const double before = standing.gauges.time[i - 1], t = standing.gauges.time[i];
+    EXPECT_LT(std::abs(standing.force(t) - standing.force(before)), 0.05 * largest) << t;
+    EXPECT_GE(standing.uplift(t), 0.);
+  }
+  EXPECT_NEAR(standing.peak_uplift, extremum(standing.uplift, 0., standing.end, 1).value, 1e-12 * largest);
+}
+
+TEST_F(WaveLoadTest, StandingWaveHasItsOwnUplift) {
+  const std::string text = wave_case(standing_wave);
+  const Case once = read(text), twice = read(text, {"loads.storm.factor=2"});
+  const StandingLoad& standing = *wave_of(once).standing;
+  const UpliftChoice& uplift = *once.scene.sliding->uplift;
+  EXPECT_EQ(uplift.kind, UpliftKind::prescribed);
+  EXPECT_FALSE(uplift.peak);
+  for (const double t : {3., 5., 6.5, 11.}) {
+    EXPECT_EQ(uplift.history(t), standing.uplift(t));
+    EXPECT_EQ(twice.scene.sliding->uplift->history(t), 2. * standing.uplift(t));
+    EXPECT_EQ(twice.scene.loads.at("storm.05").history(t), 2. * once.scene.loads.at("storm.05").history(t));
+  }
+  std::filesystem::create_directories("out");
+  const std::string echo = effective_case(twice, "out");
+  write("out/case.toml", echo);
+  EXPECT_EQ(effective_case(read_case("out/case.toml"), "out"), echo);
+}
+
+TEST_F(WaveLoadTest, StandingWaveThatThereIsNotIsRefused) {
+  const auto with = [](const std::string& keys) { return wave_case("{ " + keys + ", course = \"standing\" }"); };
+  EXPECT_NE(objections(with("height = 11.0, period = 12.0"))
+                .find("no standing wave of H = 11 m and T = 12 s is found in 15 m of water: it breaks, or the water is "
+                      "too shallow for its series; give a lower wave, or course = \"church_roof\""),
+            std::string::npos);
+  EXPECT_NE(objections(with("height = 5.0, period = 9.0, angle = 15.0")).find("comes straight at the wall"),
+            std::string::npos);
+  EXPECT_NE(objections(wave_case(standing_wave), {"section.blocks=true"}).find("leave no standing wave"),
+            std::string::npos);
 }
 
 }  // namespace upbead::test

@@ -47,7 +47,9 @@ struct BottomResistance {
 struct HistorySliding {
   double peak_force = 0.;              ///< F_Smax, largest F_T + mu U (N/m)
   double peak_force_time = 0.;         ///< s
-  double shear_at_peak = 0.;           ///< F_T then (N/m)
+  double peak_seaward = 0.;            ///< largest -F_T + mu U, which slides it seaward (N/m)
+  double peak_seaward_time = 0.;       ///< s
+  double shear_at_peak = 0.;           ///< F_T at peak_force_time (N/m)
   double uplift_at_peak = 0.;          ///< U then (N/m)
   double resistance = 0.;              ///< mu W' (N/m)
   double ratio = 0.;                   ///< r = F_Smax / (mu W')

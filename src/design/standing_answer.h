@@ -1,0 +1,36 @@
+// What a standing wave of finite height asks of a section, landward and, in its trough, seaward.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "output/output_schema.h"
+#include "upbead/waves/standing_wave.h"
+
+namespace upbead {
+
+/// By the section's own W', mu and t; of the trough about the seaward edge, without the suction under the base.
+struct StandingAnswer {
+  double wavelength = 0.;  ///< L (m)
+  double residual = 0.;    ///< StandingWave::residual
+  StandingExtremes worst;
+  Stability landward, seaward;  ///< heel_pressure of `seaward` is that of the toe
+};
+
+/// Or why there is none.
+struct StandingResult {
+  std::optional<StandingAnswer> answer;
+  std::string why_not;
+};
+
+/// Of a wave that comes straight at a plain wall, on a flat bed without the mound.
+StandingResult standing_answer(const Section& section, const Water& water, const DesignWave& wave);
+
+OutputSchema<StandingAnswer> standing_outputs();
+
+/// Cells of a table, m and kN/m and kPa.
+std::vector<std::string> standing_head();
+std::vector<std::string> standing_row(const std::string& name, const StandingAnswer& answer);
+
+}  // namespace upbead
