@@ -379,7 +379,8 @@ TEST_F(WaveLoadTest, StandingWaveHasItsMomentBeforeASea) {
 }
 
 TEST_F(WaveLoadTest, StandingWaveGrowsAndDiesWithoutAJump) {
-  const StandingLoad& standing = *wave_of(read(wave_case(standing_wave))).standing;
+  const Case problem = read(wave_case(standing_wave));
+  const StandingLoad& standing = *wave_of(problem).standing;
   const double T = 9., largest = standing.extremes.landward.force;
   EXPECT_EQ(standing.end, 2. * T);
   for (const double t : {0., 2. * T, 2. * T + 1.}) EXPECT_NEAR(standing.force(t), 0., 1e-12 * largest) << t;

@@ -61,6 +61,30 @@ class WaveLoads(ProgramTest):
             # held: U stays at its largest, so that F_S has the whole of it where F_T is largest
             self.assert_same(summary["sliding"]["uplift_at_peak"], formulas["uplift"])
 
+    def test_run_and_waves_have_one_standing_wave(self):
+        case = CASES / "design-wave/standing.toml"
+        section, wave = (tomllib.loads(case.read_text())[key] for key in ("section", "loads"))
+        wave = wave["storm"]["wave"]
+        (self.folder / "deep.toml").write_text("\n".join(
+            ["[section]", *(f"{key} = {value}" for key, value in section.items()),
+             "[waves.storm]", f"height = {wave['height']}", f"period = {wave['period']}"]))
+        formulas = json.loads(self.ask("waves", "deep.toml", "--json").stdout)["waves"]["storm"]["standing"]
+        run = json.loads(self.ask("run", case, "--json", "--out", "standing", *COARSE).stdout)
+        told, response, base = run["wave_loads"]["storm"], run["response"], run["base"]
+        self.assert_same(told["peak"], formulas["force"], 1e-9)
+        self.assert_same(told["trough_force"], formulas["trough_force"], 1e-9)
+        self.assert_same(response["peak_force"], formulas["force"], 1e-8)
+        self.assert_same(response["peak_force_seaward"], formulas["trough_force"], 1e-8)
+        self.assert_same(response["arm"], formulas["force_moment"] / formulas["force"], 1e-6)
+        # so slow a wave is all but static
+        self.assert_same(response["peak_shear"], formulas["force"], 0.02)
+        self.assert_same(response["peak_shear_seaward"], formulas["trough_force"], 0.02)
+        self.assert_same(base["peak_heel_pressure"], formulas["heel_pressure"], 0.02)
+        self.assert_same(base["peak_toe_pressure"], formulas["toe_pressure"], 0.02)
+        self.assert_same(run["sliding"]["peak_sliding_force_seaward"], -response["peak_shear_seaward"], 1e-5)
+        seaward = next(check for check in run["checks"] if check["name"] == "force against friction, seaward")
+        self.assert_same(seaward["margin"], formulas["trough_safety_sliding"], 0.02)
+
     def test_respond_has_them_too(self):
         formulas = self.by_formulas()
         self.ask("reduce", CASE, "--out", "reduced", *COARSE)

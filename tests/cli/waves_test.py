@@ -35,7 +35,8 @@ KEYS = ["height", "significant_height", "period", "angle", "wavelength", "alpha_
         "alpha_star", "lambda_1", "lambda_2", "lambda_3", "eta_star", "overtopped", "p1", "p3", "p4", "pu", "force",
         "uplift", "force_moment", "uplift_moment", "without_alpha_I", "safety_sliding", "safety_overturning",
         "heel_pressure", "toe_pressure", "tau_0F", "k", "tau_0", "shear_force", "shear_force_from", "sliding_force", "ratio",
-        "sliding_paper", "sliding_paper_parts", "sliding_exact", "sliding_combined", "elastic", "warnings"]
+        "sliding_paper", "sliding_paper_parts", "sliding_exact", "sliding_combined", "elastic", "standing",
+        "why_no_standing", "warnings"]
 
 # Goda (2000), p. 140; B_M and so alpha_I are additions. W and W' by 2.1 and 2.4 t/m3 below and above still water.
 GODA = """[section]
@@ -171,6 +172,31 @@ class Waves(ProgramTest):
         self.write(DESIGN)
         wave = self.summary("design.toml", "--set", "duration.a=1", "--set", "duration.b=1")["waves"]["a_high"]
         self.assertAlmostEqual(wave["k"], 1 / (1 + wave["alpha_star"]), places=14)
+
+    def test_standing_waves_are_told_where_there_are_any(self):
+        self.write(DESIGN.replace("height = 8.0", "height = 4.0"))
+        waves = self.summary("design.toml")["waves"]
+        self.assertIsNone(waves["a_high"]["standing"])
+        self.assertIn("no standing wave of H = 12 m and T = 12 s is found in 15 m", waves["a_high"]["why_no_standing"])
+        low, mu, W = waves["b_low"]["standing"], 0.6, 3000096.2
+        self.assertEqual(waves["b_low"]["why_no_standing"], "")
+        self.assertAlmostEqual(low["crest"] - low["trough"], 8.0, places=9)
+        self.assertAlmostEqual(low["safety_sliding"], mu * (W - low["uplift"]) / low["force"], places=9)
+        self.assertAlmostEqual(low["uplift"], low["pu"] * 12.0 / 2, places=3)
+        # seaward about the toe, without the suction
+        self.assertAlmostEqual(low["trough_safety_sliding"], -mu * W / low["trough_force"], places=9)
+        self.assertAlmostEqual(low["trough_safety_overturning"], -W * 6.0 / low["trough_moment"], places=9)
+        arm = (W * 6.0 + low["trough_moment"]) / W
+        self.assertGreater(arm, 4.0)  # a trapezoid
+        self.assertAlmostEqual(low["toe_pressure"], 2 * W / 12.0 * (2 - 3 * arm / 12.0), places=3)
+        out = self.waves("design.toml").stdout
+        self.assertRegex(out, r"Standing wave of finite height, in crest and trough \(m, kN/m, kPa\)\nwave +L +crest")
+        self.assertIn("a_high: no standing wave of H = 12 m", out)
+        for key, value, why in (("angle", 10.0, "does not come straight"), ("blocks", "true", "dissipating blocks")):
+            place = f"section.{key}" if key == "blocks" else f"waves.b_low.{key}"
+            told = self.summary("design.toml", f"--set={place}={value}")["waves"]["b_low"]
+            self.assertIsNone(told["standing"])
+            self.assertIn(why, told["why_no_standing"])
 
     def test_wrong_designs_write_nothing(self):
         self.write(DESIGN)
