@@ -52,6 +52,19 @@ TableSchema<Boundary> boundary_schema() {
   return table;
 }
 
+TableSchema<Surcharge> surcharge_schema() {
+  TableSchema<Surcharge> table;
+  table.key("boundary", &Surcharge::boundary).required().doc("curve of the ground's surface that it lies on");
+  table.key("weight", &Surcharge::weight)
+      .unit("Pa")
+      .range(above(0.))
+      .required()
+      .doc("its weight in water per horizontal area: thickness times (1 - pores) (density - fluid.density) gravity");
+  table.key("from", &Surcharge::from).unit("m").fallback("the curve's end").doc("x of its seaward end");
+  table.key("to", &Surcharge::to).unit("m").fallback("the curve's end").doc("x of its landward end");
+  return table;
+}
+
 TableSchema<InitialState> initial_schema() {
   TableSchema<InitialState> table;
   table.key("water_level", &InitialState::water_level)
@@ -62,6 +75,11 @@ TableSchema<InitialState> initial_schema() {
       .range(between(0., 5.))
       .fallback("from the elastic solution")
       .doc("ratio K_0 of horizontal to vertical effective stress");
+  table.tables("surcharge", &InitialState::surcharge, surcharge_schema())
+      .doc(
+          "What lies on the ground, by name: foot-protection blocks, armour. It presses on the ground at rest "
+          "(stiffness by "
+          "stress, strength, forces of contact), and has no mass: waves do not shake it.");
   return table;
 }
 
