@@ -241,6 +241,17 @@ class Expected(ProgramTest):
         self.assertRegex(told, r"heel +mean \d+\.?\d* kPa")
         self.assertIn("above 300 kPa: 100 % of the lives", told)
 
+    def test_the_figure_says_that_nothing_slides(self):
+        sys.path.insert(0, str(CASES.parent / "postprocess"))
+        from upbead import expected_result, figures
+        self.expected(CASES / "designer/design.toml", "--out", "calm")
+        self.expected(HD10, "--out", "moving")
+        for folder, words in (("calm", ["Nothing slides: no wave is high enough."]), ("moving", [])):
+            axes = figures.expected([expected_result.ExpectedResult(self.folder / folder)]).axes
+            self.assertEqual([text.get_text() for text in axes[1].texts if "slides" in text.get_text()], words)
+            self.assertEqual(len(axes), 2 if words else 3)
+            self.assertTrue(all(panel.lines or panel.patches for panel in axes), "no empty panel")
+
     def test_a_resultant_beside_the_base_is_told(self):
         self.write_surf_zone("50,12,1000")
         light = ["--set", "section.weight=2.6e6", "--set", "section.submerged_weight=1.19e6"]
