@@ -22,6 +22,7 @@ class ExpectedResult:
                 self.distance = {law: data[:] for law, data in heights["distance"].items()}
                 self.contribution = {law: data[:] for law, data in heights["contribution"].items()}
                 self.shear = self._ratio(heights)
+                self.heel_pressure = heights["heel_pressure"][:] if "heel_pressure" in heights else None
         except (OSError, KeyError, json.JSONDecodeError) as error:
             raise UserError(f"'{folder}' holds no results of 'upbead expected': {error}") from error
 

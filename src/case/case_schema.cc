@@ -52,6 +52,19 @@ TableSchema<Boundary> boundary_schema() {
   return table;
 }
 
+TableSchema<Surcharge> surcharge_schema() {
+  TableSchema<Surcharge> table;
+  table.key("boundary", &Surcharge::boundary).required().doc("curve of the ground's surface that it lies on");
+  table.key("weight", &Surcharge::weight)
+      .unit("Pa")
+      .range(above(0.))
+      .required()
+      .doc("its weight in water per horizontal area: thickness times (1 - pores) (density - fluid.density) gravity");
+  table.key("from", &Surcharge::from).unit("m").fallback("the curve's end").doc("x of its seaward end");
+  table.key("to", &Surcharge::to).unit("m").fallback("the curve's end").doc("x of its landward end");
+  return table;
+}
+
 TableSchema<InitialState> initial_schema() {
   TableSchema<InitialState> table;
   table.key("water_level", &InitialState::water_level)
@@ -62,6 +75,11 @@ TableSchema<InitialState> initial_schema() {
       .range(between(0., 5.))
       .fallback("from the elastic solution")
       .doc("ratio K_0 of horizontal to vertical effective stress");
+  table.tables("surcharge", &InitialState::surcharge, surcharge_schema())
+      .doc(
+          "What lies on the ground, by name: foot-protection blocks, armour. It presses on the ground at rest "
+          "(stiffness by "
+          "stress, strength, forces of contact), and has no mass: waves do not shake it.");
   return table;
 }
 
@@ -101,19 +119,6 @@ TableSchema<CaseTables> accuracy_schema() {
           "peak: that alone, on fewer cells");
   table.key("estimate", &CaseTables::accuracy_estimate)
       .doc("true: tell how wrong F_T and S are where refine is a number, too: solves once more on cells half as large");
-  return table;
-}
-
-TableSchema<Limits> limits_schema() {
-  TableSchema<Limits> table;
-  table.key("sliding", &Limits::sliding).unit("m").range(above(0.)).doc("largest sliding distance S that is allowed");
-  table.key("base_pressure", &Limits::base_pressure)
-      .unit("Pa")
-      .range(above(0.))
-      .doc("largest pressure of heel and toe on the mound that is allowed; 400e3 to 600e3 in Japanese practice");
-  table.key("overturning", &Limits::overturning)
-      .range(above(0.))
-      .doc("least margin against overturning that is allowed; 1.2 in Japanese practice");
   return table;
 }
 

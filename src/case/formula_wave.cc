@@ -93,6 +93,19 @@ Diagnostic no_height() {
 
 }  // namespace
 
+TableSchema<Limits> limits_schema() {
+  TableSchema<Limits> table;
+  table.key("sliding", &Limits::sliding).unit("m").range(above(0.)).doc("largest sliding distance S that is allowed");
+  table.key("base_pressure", &Limits::base_pressure)
+      .unit("Pa")
+      .range(above(0.))
+      .doc("largest pressure of heel and toe on the mound that is allowed; 400e3 to 600e3 in Japanese practice");
+  table.key("overturning", &Limits::overturning)
+      .range(above(0.))
+      .doc("least margin against overturning that is allowed; 1.2 in Japanese practice");
+  return table;
+}
+
 TableSchema<Section> section_schema() {
   TableSchema<Section> table;
   declare_depths(table);

@@ -1,4 +1,5 @@
-// A section and a wave of Goda's formulas as tables: their keys are the same in a design and in a case.
+// A section and a wave of Goda's formulas, and what is judged, as tables: their keys are the same in a design and in a
+// case.
 #pragma once
 
 #include <optional>
@@ -9,6 +10,7 @@
 #include "expected/dynamic_law.h"
 #include "input/schema.h"
 #include "upbead/base/error.h"
+#include "upbead/model/scene.h"
 #include "upbead/waves/goda.h"
 
 namespace upbead {
@@ -33,6 +35,9 @@ inline Range formula_length() {
 
 /// [section].
 TableSchema<Section> section_schema();
+
+/// [limits].
+TableSchema<Limits> limits_schema();
 
 /// Declares the keys of WaveGiven.
 template <class T>

@@ -126,6 +126,7 @@ struct DesignTables : ExpectedTables {
   std::optional<ElasticBase> ground;
   std::map<std::string, WaveTable> waves;
   std::optional<CalibrationTable> calibration;
+  Limits limits;  ///< of `expected`
 };
 
 TableSchema<DesignTables> design_schema();

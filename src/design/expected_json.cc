@@ -33,6 +33,28 @@ std::optional<double> if_finite(double height) {
   return std::isfinite(height) ? std::optional(height) : std::nullopt;
 }
 
+OutputSchema<WorstBase> worst_base_outputs() {
+  using W = WorstBase;
+  const auto finite = [](double W::*member) { return [member](const W& w) { return if_finite(w.*member); }; };
+  return OutputSchema<W>()
+      .key("peak_heel_pressure", finite(&W::heel_pressure), "Pa",
+           "largest pressure of the landward edge of the base, stress varying linearly over the width in contact; null "
+           "where the resultant leaves the base")
+      .key("peak_toe_pressure", finite(&W::toe_pressure), "Pa", "the same of the seaward edge")
+      .key("largest_eccentricity", &W::eccentricity, "m", "of the resultant, landward of the base's middle")
+      .key("least_overturning_margin", finite(&W::overturning_margin), "",
+           "moments that hold the caisson up over those that overturn it; null where nothing overturns");
+}
+
+OutputSchema<HighestOnBase> highest_on_base_outputs() {
+  using H = HighestOnBase;
+  return OutputSchema<H>()
+      .key("height", &H::height, "m", "of that wave, or the limit")
+      .object("goda", &H::goda, worst_base_outputs(), "by Goda's formulas with alpha_I, as `waves` has it")
+      .object("dynamic", &H::dynamic, worst_base_outputs(), "by the reduced model")
+      .reason("why_not_dynamic", &H::why_not_dynamic, "why `dynamic` is null");
+}
+
 const char* limit_of(const Told& told) {
   return word(told.design->tables.highest());
 }
@@ -60,7 +82,9 @@ OutputSchema<StateAnswer> state_outputs() {
           "distance.LAW", [](const S& s) { return by_law(s.by_law, &Expectation::distance); }, "m", "expected sliding")
       .key(
           "threshold_height.LAW", [](const S& s) { return by_law(s.by_law, &Expectation::threshold); }, "m",
-          "height from which waves slide; null where nothing does");
+          "height from which waves slide; null where nothing does")
+      .object("base", &S::base, highest_on_base_outputs(),
+              "what presses on the base in the height that one of its waves exceeds");
 }
 
 OutputSchema<Told> sliding_by_law_outputs() {
@@ -83,6 +107,8 @@ OutputSchema<Told> sliding_by_law_outputs() {
       .key("waves_that_slide.LAW", of(&Expectation::sliding_waves), "", "expected number above the threshold")
       .key("threshold_height.LAW", of(&Expectation::threshold), "m",
            "height from which waves slide; null where nothing does")
+      .object("base", inner(&Told::answer, &Answer::base), highest_on_base_outputs(),
+              "what presses on the base in the highest wave of the worst sea state")
       .key("highest", inner(&Told::answer, &Answer::highest), "m", "the height that one wave exceeds, or the limit")
       .key("limit", limit_of, "", "of the heights: breaking, cut or none")
       .key("waves_limited", inner(&Told::answer, &Answer::taken), "",
@@ -94,10 +120,41 @@ OutputSchema<Told> sliding_by_law_outputs() {
       .list("states[]", inner(&Told::answer, &Answer::states), state_outputs(), "each sea state");
 }
 
-Json quantiles(const Told& told) {
+Json quantiles(const LifeStatistics& statistics) {
   Json json;
-  for (const Quantile& q : told.answer->monte_carlo->statistics.quantiles) json[significant(q.probability)] = q.value;
+  for (const Quantile& q : statistics.quantiles)
+    json[significant(q.probability)] = std::isfinite(q.value) ? Json(q.value) : Json();
   return json;
+}
+
+OutputSchema<WorstOfLives> worst_of_lives_outputs(const std::string& unit, const std::string& beyond) {
+  using W = WorstOfLives;
+  using S = LifeStatistics;
+  const auto exceeded =
+      OutputSchema<Exceeded>()
+          .key("limit", &Exceeded::limit, unit, "that `[limits]` gives")
+          .key("probability", &Exceeded::probability, "", "share of the lives that go " + beyond + " it")
+          .key("confidence_interval[]", &Exceeded::interval, "", "of that, 95 %");
+  return OutputSchema<W>()
+      .key(
+          "mean", [](const W& w) { return if_finite(w.statistics.mean); }, unit,
+          "of all lives; null where one has none")
+      .keys_of(&W::statistics, OutputSchema<S>().key("quantiles.PROBABILITY", quantiles, unit,
+                                                     "value that such a share of the lives does not exceed"))
+      .keys_of(&W::beyond, exceeded);
+}
+
+OutputSchema<BaseOfLives> base_of_lives_outputs() {
+  using B = BaseOfLives;
+  return OutputSchema<B>()
+      .object("peak_heel_pressure", &B::heel_pressure, worst_of_lives_outputs("Pa", "above"),
+              "largest pressure of the landward edge in a life")
+      .object("peak_toe_pressure", &B::toe_pressure, worst_of_lives_outputs("Pa", "above"),
+              "largest pressure of the seaward edge in a life")
+      .object("largest_eccentricity", &B::eccentricity, worst_of_lives_outputs("m", "above"),
+              "largest eccentricity of the resultant in a life, landward of the base's middle")
+      .object("least_overturning_margin", &B::overturning_margin, worst_of_lives_outputs("", "below"),
+              "least margin against overturning in a life");
 }
 
 Json probabilities(const Told& told) {
@@ -139,13 +196,19 @@ OutputSchema<Told> lives_outputs() {
       .keys_of(found, OutputSchema<M>().key("without_scatter", &M::without_scatter, "m",
                                             "expectation of a life by quadrature, nothing uncertain but the heights"))
       .keys_of(statistics, OutputSchema<S>().key("lives_that_slide", &S::sliding_lives, "", "how many"))
-      .key("quantiles.PROBABILITY", quantiles, "m", "least S that such a share of the lives does not exceed")
-      .or_left_out()
+      .keys_of(statistics, OutputSchema<S>()
+                               .key("quantiles.PROBABILITY", quantiles, "m",
+                                    "least S that such a share of the lives does not exceed")
+                               .or_left_out())
       .key("probability.LIMIT", probabilities, "", "of S above a limit (m): `value` and its 95 % `confidence_interval`")
       .or_left_out()
       .keys_of(found, OutputSchema<M>()
                           .key("waves", &M::waves, "", "in all lives")
-                          .key("waves_computed", &M::answered, "", "of them those whose S was computed"));
+                          .key("waves_computed", &M::answered, "", "of them those whose S was computed")
+                          .object("base", &M::base, base_of_lives_outputs(),
+                                  "what presses on the base at its worst in a life, by Goda's formulas with alpha_I; "
+                                  "with the law `dynamic` by the reduced model")
+                          .reason("why_no_base", &M::why_no_base, "why `base` is null"));
 }
 
 OutputSchema<Told> expected_timing_outputs() {

@@ -90,9 +90,15 @@ WaveModel read_wave_model(const std::string& path, const DynamicsTable& table, c
                  "name another one as load");
   check_mass(file.caisson_mass, section, water, place, mistakes);
   mistakes.throw_if_any();
-  return {file.title,
-          file.modes.load_name[static_cast<std::size_t>(load)],
-          {file.modes, load, file.modes.index(reading::shear_force), forces(file.modes)[load], file.caisson_mass}};
+  WaveModel model{
+      file.title,
+      file.modes.load_name[static_cast<std::size_t>(load)],
+      {file.modes, load, file.modes.index(reading::shear_force), forces(file.modes)[load], file.caisson_mass}};
+  const std::vector<const char*> base{reading::normal_force, reading::base_moment, reading::uplift,
+                                      reading::uplift_moment};
+  if (std::all_of(base.begin(), base.end(), [&file](const char* name) { return has(file.modes, name); }))
+    for (const char* name : base) model.shear.base.push_back(file.modes.index(name));
+  return model;
 }
 
 StormClimate climate_of(const StormsTable& table) {
@@ -134,6 +140,16 @@ std::unique_ptr<SlidingLaw> Laws::make(Law law, const SeaState& state) const {
 
 std::unique_ptr<DynamicLaw> Laws::dynamic(const SeaState& state) const {
   return std::make_unique<DynamicLaw>(breakwater_, state, impact_, answer_);
+}
+
+std::optional<WorstBase> Laws::base(Law law, const DrawnWave& wave) const {
+  if (law == Law::dynamic) return dynamic(wave.sea)->base(wave.height, wave.factors);
+  return WaveForces(breakwater_, wave.sea).base(wave.height, wave.factors);
+}
+
+std::string Laws::why_no_dynamic_base() const {
+  if (!answer_) return "no [dynamics] gives a reduced model";
+  return answer_->knows_base() ? "" : "the reduced model has no readings of the normal force and moment of the base";
 }
 
 std::vector<Law> Laws::known() const {

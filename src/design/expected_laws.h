@@ -12,6 +12,7 @@
 #include "design_tables.h"
 #include "expected/dynamic_law.h"
 #include "upbead/base/error.h"
+#include "upbead/expected/life.h"
 #include "upbead/expected/sliding_law.h"
 
 namespace upbead {
@@ -49,6 +50,10 @@ class Laws {
   std::unique_ptr<SlidingLaw> make(Law law, const SeaState& state) const;
   /// The law dynamic; only where there is a model.
   std::unique_ptr<DynamicLaw> dynamic(const SeaState& state) const;
+  /// At rest and in a wave, by its reduced model or by Goda's formulas; none where the model cannot tell.
+  std::optional<WorstBase> base(Law law, const DrawnWave& wave) const;
+  /// Why the law dynamic tells nothing about the base; "" where it does.
+  std::string why_no_dynamic_base() const;
   /// Those that can be made.
   std::vector<Law> known() const;
   /// The one to take where nobody says: dynamic where there is a model, else exact.

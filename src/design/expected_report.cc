@@ -62,6 +62,42 @@ std::string describe_limit(const HighestWave& highest, const ExpectedAnswer& ans
   return "  limit       Goda's highest breaker, " + range + ": " + taken + " are higher and break to it\n";
 }
 
+std::string kilopascals(double pressure) {
+  return std::isfinite(pressure) ? significant(pressure / 1e3, 4) + " kPa" : "none: the resultant leaves the base";
+}
+
+std::string margin_text(double margin) {
+  return std::isfinite(margin) ? significant(margin, 3) : "none";
+}
+
+std::string describe(const char* how, const WorstBase& base) {
+  return "  " + std::string(how) + std::string(12 - std::string(how).size(), ' ') + "heel " +
+         kilopascals(base.heel_pressure) + ", toe " + kilopascals(base.toe_pressure) + ", eccentricity " +
+         significant(base.eccentricity, 3) + " m, overturning margin " + margin_text(base.overturning_margin) + "\n";
+}
+
+/// "600 kPa: 3.2 % of the lives, 95 % between 2.5 and 4.1 %".
+std::string describe(const Exceeded& beyond, const std::string& limit) {
+  return limit + format(": %.4g %% of the lives, 95 %% between %.3g and %.3g %%\n", 100. * beyond.probability,
+                        100. * beyond.interval[0], 100. * beyond.interval[1]);
+}
+
+std::string describe(const char* what, const WorstOfLives& worst, std::string (*number)(double),
+                     const std::string& beyond) {
+  std::string text = format("  %-11s mean ", what) + number(worst.statistics.mean);
+  for (const Quantile& q : worst.statistics.quantiles)
+    text += format("  %g %%: ", 100. * q.probability) + number(q.value);
+  text += "\n";
+  if (worst.beyond) text += "    " + beyond + " " + describe(*worst.beyond, number(worst.beyond->limit));
+  return text;
+}
+
+std::string describe(const BaseOfLives& base) {
+  return describe("heel", base.heel_pressure, kilopascals, "above") +
+         describe("toe", base.toe_pressure, kilopascals, "above") +
+         describe("margin", base.overturning_margin, margin_text, "below");
+}
+
 std::string describe(const MonteCarlo& found, const LifeTable& life) {
   const LifeStatistics& s = found.statistics;
   std::string text = format("life        %d lives of %.4g years, law %s, seed %d; %s waves, S computed for %s\n",
@@ -82,7 +118,7 @@ std::string describe(const MonteCarlo& found, const LifeTable& life) {
   for (const Exceeded& e : s.exceeded)
     text += format("  S > %-4g m  %.4g %%, 95 %% between %.3g and %.3g %%\n", e.limit, 100. * e.probability,
                    100. * e.interval[0], 100. * e.interval[1]);
-  return text;
+  return text + (found.base ? describe(*found.base) : "  heel        not told: " + found.why_no_base + "\n");
 }
 
 std::string describe_record(const SeaTable& sea, const ExpectedAnswer& answer) {
@@ -98,7 +134,20 @@ std::string describe_record(const SeaTable& sea, const ExpectedAnswer& answer) {
                    found.sliding_waves) +
             (std::isfinite(found.threshold) ? format("%.2f m", found.threshold) : "none slides") +
             (found.broken > 0. ? "; " + with_unit(found.broken, "m") + " by waves at the limit\n" : "\n");
+  text += "base        in the highest wave of the worst sea state, " + significant(answer.base.height, 4) + " m\n" +
+          describe("by formulas", answer.base.goda);
+  if (answer.base.dynamic) text += describe("dynamic", *answer.base.dynamic);
   return text;
+}
+
+/// What the base may not have at all is no number there.
+Dataset some_of_base(const std::string& name, const std::string& unit, const std::string& what,
+                     std::vector<double> values) {
+  for (double& value : values)
+    if (std::isinf(value)) value = NAN;
+  Dataset data{name, unit, what + "; no number where the resultant leaves the base, or nothing overturns", values};
+  data.may_lack = true;
+  return data;
 }
 
 void add_curves(const HeightCurves& curves, std::vector<Dataset>& datasets) {
@@ -111,6 +160,8 @@ void add_curves(const HeightCurves& curves, std::vector<Dataset>& datasets) {
     datasets.push_back(
         {std::string("heights/contribution/") + word(law), "1",
          "part of the expected distance of that sea state per metre of height, without waves at the limit", values});
+  datasets.push_back(some_of_base("heights/heel_pressure", "Pa", "heel pressure of such a wave by Goda's formulas",
+                                  curves.heel_pressure));
   if (curves.peak_force.empty()) return;
   datasets.push_back({"heights/peak_force", "N/m", "largest P of the law dynamic", curves.peak_force});
   datasets.push_back({"heights/peak_shear", "N/m", "largest F_T of the law dynamic", curves.peak_shear});
@@ -128,6 +179,14 @@ std::string expected_file(const Design& design, const ExpectedAnswer& answer) {
   if (!answer.states.empty()) add_curves(answer.curves, datasets);
   if (answer.monte_carlo)
     datasets.push_back({"lives/sliding", "m", "S of each life, sum of all its waves", answer.monte_carlo->sliding});
+  if (answer.monte_carlo && answer.monte_carlo->base) {
+    const BaseOfLives& base = *answer.monte_carlo->base;
+    datasets.push_back(some_of_base("lives/heel_pressure", "Pa", "largest of each life", base.heel_pressure.values));
+    datasets.push_back(some_of_base("lives/toe_pressure", "Pa", "largest of each life", base.toe_pressure.values));
+    datasets.push_back(some_of_base("lives/eccentricity", "m", "largest of each life", base.eccentricity.values));
+    datasets.push_back(
+        some_of_base("lives/overturning_margin", "1", "least of each life", base.overturning_margin.values));
+  }
   return dataset_file(design.tables.title, datasets);
 }
 

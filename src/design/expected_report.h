@@ -18,12 +18,21 @@ struct OutputRow;
 
 inline const std::vector<Law> all_laws{Law::paper, Law::exact, Law::combined, Law::dynamic};
 
+/// What the highest wave of a sea state, or of all, presses on the base with.
+struct HighestOnBase {
+  double height = 0.;                ///< that one wave of the sea state exceeds, or the limit (m)
+  WorstBase goda;                    ///< by his formulas, with alpha*
+  std::optional<WorstBase> dynamic;  ///< by the reduced model
+  std::string why_not_dynamic;
+};
+
 /// One sea state by quadrature; the law dynamic only where there is a model.
 struct StateAnswer {
   SeaState state;
   RayleighHeights heights;  ///< as the limit leaves them
   SeaBefore before;         ///< tells where its waves break, whether they are let or not
   std::map<Law, Expectation> by_law;
+  HighestOnBase base{};
 };
 
 /// Heights of all waves, and what those of one sea state bring.
@@ -34,6 +43,7 @@ struct HeightCurves {
   std::map<Law, std::vector<double>> distance;      ///< S(H) (m)
   std::map<Law, std::vector<double>> contribution;  ///< to the expectation of that sea state (m/m)
   std::vector<double> peak_force, peak_shear;  ///< largest P and F_T of the law dynamic (N/m); empty without a model
+  std::vector<double> heel_pressure;           ///< by Goda's formulas (Pa)
 };
 
 /// Waves above a height that was asked for.
@@ -48,6 +58,17 @@ struct ModelUsed {
   double shortest_rise = 0.;  ///< of the waves that might slide (s)
 };
 
+/// The worst value of each life, and what these tell.
+struct WorstOfLives {
+  std::vector<double> values;
+  LifeStatistics statistics;       ///< of the values
+  std::optional<Exceeded> beyond;  ///< the limit, where there is one
+};
+
+struct BaseOfLives {
+  WorstOfLives heel_pressure, toe_pressure, eccentricity, overturning_margin;
+};
+
 struct MonteCarlo {
   Law law = Law::exact;
   LifeStatistics statistics;
@@ -58,6 +79,8 @@ struct MonteCarlo {
   double highest = 0.;          ///< of those whose S was computed (m)
   std::optional<double>
       without_scatter;  ///< expectation of a life by quadrature, nothing uncertain but the heights (m)
+  std::optional<BaseOfLives> base;
+  std::string why_no_base;
   double seconds = 0.;
 };
 
@@ -67,6 +90,7 @@ struct ExpectedAnswer {
   double waves = 0.;                 ///< of all sea states, without those beyond a cut
   double taken = 0.;                 ///< waves that the limit took: broken to its height, or beyond a cut
   double all = 0.;                   ///< waves of all sea states
+  HighestOnBase base;                ///< the worst of all sea states; the height of the largest heel pressure's
   double highest = 0.;               ///< the height that one wave of the record exceeds, or the limit (m)
   std::vector<Exceedance> exceedance;
   HeightCurves curves;

@@ -43,12 +43,32 @@ QuadratureChoice choice_of(Law law) {
   return law == Law::dynamic || law == Law::combined ? QuadratureChoice{1e-5, 8} : QuadratureChoice{};
 }
 
+/// Of the height that one wave of a sea state exceeds.
+HighestOnBase highest_on_base(const Laws& laws, const StateAnswer& state) {
+  const double height = state.heights.height(1. / std::max(state.state.waves, 1.));
+  const DrawnWave wave{state.state, height, {}};
+  HighestOnBase base{height, *laws.base(Law::exact, wave), {}, laws.why_no_dynamic_base()};
+  if (base.why_not_dynamic.empty()) base.dynamic = laws.base(Law::dynamic, wave);
+  return base;
+}
+
+HighestOnBase worst_base(const std::vector<StateAnswer>& states) {
+  HighestOnBase worst = states.front().base;
+  for (const StateAnswer& state : states) {
+    if (state.base.goda.heel_pressure > worst.goda.heel_pressure) worst.height = state.base.height;
+    worst.goda = worst_of(worst.goda, state.base.goda);
+    if (worst.dynamic) worst.dynamic = worst_of(*worst.dynamic, *state.base.dynamic);
+  }
+  return worst;
+}
+
 void integrate_states(const Laws& laws, std::vector<StateAnswer>& states) {
   in_parallel(states.size(), "integrating", [&](std::size_t i) {
     StateAnswer& answer = states[i];
     for (const Law law : laws.known())
       answer.by_law[law] =
           expected_distance(*laws.make(law, answer.state), answer.heights, answer.state.waves, choice_of(law));
+    answer.base = highest_on_base(laws, answer);
   });
 }
 
@@ -100,6 +120,8 @@ HeightCurves curves_of(const Laws& laws, const std::vector<StateAnswer>& states)
     }
   }
   if (laws.model()) add_peaks(*laws.dynamic(curves.state), curves);
+  for (const double height : curves.height)
+    curves.heel_pressure.push_back(laws.base(Law::exact, {curves.state, height, {}})->heel_pressure);
   return curves;
 }
 
@@ -109,6 +131,44 @@ StormSource source_of(const Design& design) {
           [climate, section = design.tables.section, water = design.tables.water](double u_height, double u_tide) {
             return storm_on(section, water, climate, u_height, u_tide);
           }};
+}
+
+/// `side` -1: what falls below the limit is beyond it.
+WorstOfLives worst_of_lives(const std::vector<WorstBase>& lives, double WorstBase::*member,
+                            const std::optional<double>& limit, double side = 1.) {
+  WorstOfLives out;
+  std::vector<double> turned;
+  for (const WorstBase& life : lives) {
+    out.values.push_back(life.*member);
+    turned.push_back(side * life.*member);
+  }
+  out.statistics = statistics(out.values, {});
+  if (limit) {
+    out.beyond = statistics(turned, {side * *limit}).exceeded.front();
+    out.beyond->limit = *limit;
+  }
+  return out;
+}
+
+/// By own dynamics of the wave of each life that has the largest heel pressure by Goda's formulas.
+void add_base(const DesignTables& tables, const Laws& laws, const std::vector<Life>& lives, MonteCarlo& out) {
+  const bool dynamic = out.law == Law::dynamic;
+  if (dynamic) out.why_no_base = laws.why_no_dynamic_base();
+  if (!out.why_no_base.empty()) return;
+  const SeaState calm{1., 10., 1., 0., 0.};
+  std::vector<WorstBase> found(lives.size());
+  in_parallel(lives.size(), "pressing on the base", [&](std::size_t i) {
+    const Life& life = lives[i];
+    if (!life.base)
+      found[i] = *laws.base(Law::exact, {calm, 0., {}});  // at rest
+    else
+      found[i] = dynamic ? *laws.base(Law::dynamic, life.most_tilting) : *life.base;
+  });
+  const Limits& limits = tables.limits;
+  out.base = {worst_of_lives(found, &WorstBase::heel_pressure, limits.base_pressure),
+              worst_of_lives(found, &WorstBase::toe_pressure, limits.base_pressure),
+              worst_of_lives(found, &WorstBase::eccentricity, {}),
+              worst_of_lives(found, &WorstBase::overturning_margin, limits.overturning, -1.)};
 }
 
 MonteCarlo simulate(const Design& design, const Laws& laws, const std::vector<SeaState>& record,
@@ -139,6 +199,7 @@ MonteCarlo simulate(const Design& design, const Laws& laws, const std::vector<Se
   std::vector<Life> lives(static_cast<std::size_t>(table.lives));
   in_parallel(lives.size(), "simulating lives",
               [&](std::size_t i) { lives[i] = simulation.life(static_cast<std::uint32_t>(i)); });
+  add_base(tables, laws, lives, out);
   out.seconds = watch.seconds();
   for (const Life& life : lives) {
     if (!std::isfinite(life.sliding)) throw NumericsError("the sliding distance of a life is not finite");
@@ -148,7 +209,10 @@ MonteCarlo simulate(const Design& design, const Laws& laws, const std::vector<Se
     out.taken += life.taken;
     out.highest = std::max(out.highest, life.highest);
   }
-  out.statistics = statistics(out.sliding);
+  std::vector<double> limits{0.1, 0.3, 1.};
+  if (tables.limits.sliding && std::find(limits.begin(), limits.end(), *tables.limits.sliding) == limits.end())
+    limits.push_back(*tables.limits.sliding);
+  out.statistics = statistics(out.sliding, limits);
   return out;
 }
 
@@ -160,6 +224,7 @@ void integrate(const Design& design, const Laws& laws, const std::vector<SeaStat
   }
   integrate_states(laws, answer.states);
   answer.total = total_of(answer.states);
+  answer.base = worst_base(answer.states);
   answer.waves = waves_above(answer.states, 0.);
   answer.highest = height_of(answer.states, 1.);
   for (const auto& [name, height] : design.tables.sea->heights)

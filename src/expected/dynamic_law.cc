@@ -90,6 +90,32 @@ DynamicWave DynamicLaw::wave(double height, const WaveFactors& factors) const {
   return out;
 }
 
+std::optional<WorstBase> DynamicLaw::base(double height, const WaveFactors& factors) const {
+  if (!answer_->knows_base()) return std::nullopt;
+  const Section s = with_factors(forces_.breakwater().section, factors);
+  const ImpactWave wave = on_wall(height, factors);
+  const double step = answer_->step(), B = s.width;
+  std::vector<double> force(static_cast<std::size_t>(number_of_samples(wave, step))), time = force;
+  const int n = static_cast<int>(force.size());
+  sample_force(wave, step, n, force.data());
+  EffectiveBase base;
+  base.width = B;
+  base.weight = s.submerged_weight;
+  base.weight_moment = s.submerged_weight * (0.5 * B - s.centroid.value_or(0.5 * B));
+  base.uplift.resize(force.size());
+  sample_uplift(wave, assumptions_.uplift, step, n, force.data(), base.uplift.data());
+  const Eigen::MatrixXd reading = answer_->base(force);
+  for (int i = 0; i < n; ++i) {
+    double& U = base.uplift[static_cast<std::size_t>(i)];
+    base.uplift_moment.push_back(U * B / 6. + reading(3, i));  // a triangle, zero at the heel
+    U += reading(2, i);
+    base.force.push_back(base.weight + reading(0, i) - U);
+    base.moment.push_back(base.weight_moment + reading(1, i) + base.uplift_moment.back());
+    time[static_cast<std::size_t>(i)] = i * step;
+  }
+  return worst_of(base_extremes(base, time));
+}
+
 namespace {
 
 template <class Function>
@@ -214,17 +240,17 @@ namespace {
 
 constexpr int windows = 400;  // widths that are looked at
 
-/// The model with one load and one reading.
-ModalModel one_path(const ShearModel& model) {
+/// The model with its load and one reading.
+ModalModel one_path(const ShearModel& model, int reading) {
   const ModalModel& all = model.modes;
   ModalModel one;
   one.pole = all.pole;
   one.load = all.load.col(model.load);
-  one.reading = all.reading.row(model.shear);
-  one.feedthrough = all.feedthrough.block(model.shear, model.load, 1, 1);
-  one.impulse = all.impulse.block(model.shear, model.load, 1, 1);
+  one.reading = all.reading.row(reading);
+  one.feedthrough = all.feedthrough.block(reading, model.load, 1, 1);
+  one.impulse = all.impulse.block(reading, model.load, 1, 1);
   one.load_name = {all.load_name[static_cast<std::size_t>(model.load)]};
-  one.reading_label = {all.reading_label[static_cast<std::size_t>(model.shear)]};
+  one.reading_label = {all.reading_label[static_cast<std::size_t>(reading)]};
   return one;
 }
 
@@ -234,8 +260,9 @@ ShearAnswer::ShearAnswer(const ShearModel& model, double step, double longest)
     : step_(step),
       mass_(model.caisson_mass),
       load_per_force_(1. / model.force_per_load),
-      batch_(one_path(model), 0, step) {
+      batch_(one_path(model, model.shear), 0, step) {
   if (model.force_per_load == 0.) throw std::invalid_argument("the load puts no horizontal force on the caisson");
+  for (const int reading : model.base) base_.emplace_back(one_path(model, reading), 0, step);
   make_bounds(static_cast<int>(std::ceil(longest / step)) + 2);
 }
 
@@ -265,6 +292,18 @@ void ShearAnswer::respond(const double* force, int n, double* shear) const {
   Eigen::RowVectorXd answer(n);
   batch_.respond(loads, answer);
   Eigen::Map<Eigen::RowVectorXd>(shear, n) = answer;
+}
+
+Eigen::MatrixXd ShearAnswer::base(const std::vector<double>& force) const {
+  const auto n = static_cast<Eigen::Index>(force.size());
+  const WaveSamples loads = load_per_force_ * Eigen::Map<const Eigen::RowVectorXd>(force.data(), n);
+  Eigen::MatrixXd answer(base_.size(), n);
+  Eigen::RowVectorXd one(n);
+  for (std::size_t r = 0; r < base_.size(); ++r) {
+    base_[r].respond(loads, one);
+    answer.row(static_cast<Eigen::Index>(r)) = one;
+  }
+  return answer;
 }
 
 /// F_T(t_n) = sum_k a_(n-k) P_k is at most the largest |P| times the sum of all |a|. Summed by parts it is also

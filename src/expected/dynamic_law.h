@@ -3,6 +3,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "dynamics/batch_response.h"
@@ -18,6 +19,8 @@ struct ShearModel {
   int shear = 0;               ///< the reading F_T
   double force_per_load = 1.;  ///< P (N/m) of a unit of that load
   double caisson_mass = 0.;    ///< W/g (kg/m)
+  /// The readings N, M, U of the pores and their moment about the bottom's middle; empty where it has none.
+  std::vector<int> base{};
 };
 
 /// What is known of a force before it is sampled: P(0) = 0 and how steep it is.
@@ -35,6 +38,10 @@ class ShearAnswer {
   ShearAnswer(const ShearModel& model, double step, double longest);
   /// F_T for P, both in n samples from t = 0, where P is 0; straight in between.
   void respond(const double* force, int n, double* shear) const;
+  /// Whether it knows what presses on the base.
+  bool knows_base() const { return !base_.empty(); }
+  /// The four readings of the base for such a P, a row each; only where it knows them.
+  Eigen::MatrixXd base(const std::vector<double>& force) const;
   /// No |F_T| among the first n samples exceeds this; infinity for longer waves than known.
   double bound(const ForceLimits& force, int n) const;
   double step() const { return step_; }
@@ -45,6 +52,7 @@ class ShearAnswer {
 
   double step_, mass_, load_per_force_;
   BatchResponse batch_;
+  std::vector<BatchResponse> base_;
   /// Of the answer a to a hat function and the answer s to a ramp of one step that stays at 1:
   std::vector<double> hat_;           ///< sum of the first |a|
   std::vector<double> late_;          ///< sum of the first |s - 1| times the step (s)
@@ -128,6 +136,10 @@ class DynamicLaw : public SlidingLaw {
   double threshold(const WaveFactors& factors) const override;
   /// Everything about one wave, also if it does not slide.
   DynamicWave wave(double height, const WaveFactors& factors = {}) const;
+  const WaveForces* forces() const override { return &forces_; }
+  /// At rest and in such a wave, by the model's N and M beside U(t) as Goda's triangle and the model's uplift of pores;
+  /// as `respond` has it. None where the model has no such readings.
+  std::optional<WorstBase> base(double height, const WaveFactors& factors = {}) const;
 
  private:
   ImpactWave on_wall(double height, const WaveFactors& factors) const;

@@ -63,6 +63,22 @@ double binomial_quantile(double n, double p, double u) {
   return quantile(boost::math::binomial_distribution<double, Up>(n, p), u);
 }
 
+/// Whether a wave cannot tilt the caisson more than another one of its storm: P, U and their moments grow with the
+/// height, and heel pressure and eccentricity with them.
+bool no_worse(double height, const WaveFactors& factors, const DrawnWave& than) {
+  return height <= than.height && factors.force <= than.factors.force && factors.uplift <= than.factors.uplift &&
+         factors.weight == than.factors.weight;
+}
+
+/// What a wave presses on the base with.
+void add_base(const SeaState& sea, const SlidingLaw& law, double height, const WaveFactors& factors, Life& life) {
+  const WaveForces* forces = law.forces();
+  if (!forces) return;
+  const WorstBase base = forces->base(height, factors);
+  if (!life.base || base.heel_pressure > life.base->heel_pressure) life.most_tilting = {sea, height, factors};
+  life.base = life.base ? worst_of(*life.base, base) : base;
+}
+
 /// `number` equal waves.
 void add_waves(double number, double distance, double height, Life& life) {
   life.sliding += number * distance;
@@ -158,13 +174,14 @@ void LifeSimulation::add_storm(Storm& storm, Life& life) const {
     storm.limit = setup_.limit(storm.sea);
   if (by_wave_ || setup_.every_wave)
     add_every_wave(storm, law, life);
-  else
-    add_sliding_waves(storm, law, life);
+  else if (const auto highest = add_sliding_waves(storm, law, life))
+    add_base(storm.sea, law, *highest, storm.drawn.factors, life);
 }
 
 void LifeSimulation::add_every_wave(const Storm& storm, const SlidingLaw& law, Life& life) const {
   const RayleighHeights heights(storm.sea.significant_height, setup_.cut);
   const auto n = static_cast<std::uint32_t>(storm.waves);
+  DrawnWave worst;
   for (std::uint32_t w = 0; w < n; ++w) {
     const double share = stream_.uniform({storm.life, storm.index, w, for_height});  // of all waves that are higher
     if (share < heights.taken()) {
@@ -176,10 +193,13 @@ void LifeSimulation::add_every_wave(const Storm& storm, const SlidingLaw& law, L
     const double height = std::min(unbroken, storm.limit);
     if (unbroken > storm.limit) life.taken += 1.;
     add_waves(1., law.distance(height, all.factors), height, life);
+    if (no_worse(height, all.factors, worst)) continue;
+    add_base(storm.sea, law, height, all.factors, life);
+    if (height * all.factors.force > worst.height * worst.factors.force) worst = {storm.sea, height, all.factors};
   }
 }
 
-void LifeSimulation::add_sliding_waves(const Storm& storm, const SlidingLaw& law, Life& life) const {
+std::optional<double> LifeSimulation::add_sliding_waves(const Storm& storm, const SlidingLaw& law, Life& life) const {
   const RayleighHeights heights(storm.sea.significant_height, setup_.cut);
   if (heights.taken() > 0.)
     life.taken +=
@@ -188,15 +208,15 @@ void LifeSimulation::add_sliding_waves(const Storm& storm, const SlidingLaw& law
   // No wave is above a height if u <= (1 - p)^N, p the share of waves above it: if the height that a share
   // 1 - u^(1/N) exceeds is below it. Most storms end here, without the threshold.
   const double rare = storm.waves > 0. ? -std::expm1(std::log(u) / storm.waves) : 1.;
-  if (rare >= heights.exceedance(0.)) return;
+  if (rare >= heights.exceedance(0.)) return std::nullopt;
   const double highest = storm.drawn.wave * heights.height(rare);
   const bool slide = law.may_slide(std::min(highest, storm.limit), storm.drawn.factors);
-  if (!slide && highest <= storm.limit) return;
+  if (!slide && highest <= storm.limit) return highest;
   // Waves that slide, or where none does, those that break.
   const double from = slide ? law.threshold(storm.drawn.factors) : storm.limit;
   const double share = heights.exceedance(from / storm.drawn.wave);
   const double number = binomial_quantile(storm.waves, share, u);
-  double broken = slide ? 0. : number;
+  double broken = slide ? 0. : number, drawn = 0.;
   for (std::uint32_t w = 0; slide && w < static_cast<std::uint32_t>(number); ++w) {
     const double part = stream_.uniform({storm.life, storm.index, w, for_height});
     const double height = storm.drawn.wave * heights.height(part * share);
@@ -204,9 +224,11 @@ void LifeSimulation::add_sliding_waves(const Storm& storm, const SlidingLaw& law
       broken += 1.;
     else
       add_waves(1., law.distance(height, storm.drawn.factors), height, life);
+    drawn = std::max(drawn, std::min(height, storm.limit));
   }
   life.taken += broken;
   if (slide && broken > 0.) add_waves(broken, law.distance(storm.limit, storm.drawn.factors), storm.limit, life);
+  return drawn > 0. ? drawn : std::min(highest, storm.limit);
 }
 
 namespace {

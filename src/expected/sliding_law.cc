@@ -21,6 +21,7 @@ class PulseLaw : public SlidingLaw {
   PulseLaw(Law law, const Breakwater& breakwater, const SeaState& state) : law_(law), forces_(breakwater, state) {}
 
   double threshold(const WaveFactors& factors) const override { return forces_.threshold(most(factors)); }
+  const WaveForces* forces() const override { return &forces_; }
 
   bool may_slide(double height, const WaveFactors& factors) const override {
     return forces_.excess(height, most(factors)) > 0.;
@@ -157,7 +158,9 @@ WaveForces::WaveForces(const Breakwater& breakwater, const SeaState& state)
 WavePressure WaveForces::at(double height, const WaveFactors& factors, PressureFormula formula) const {
   WavePressure pressure = goda_.at(height, formula);
   pressure.force *= factors.force;
+  pressure.force_moment *= factors.force;
   pressure.uplift *= factors.uplift;
+  pressure.uplift_moment *= factors.uplift;
   return pressure;
 }
 
@@ -165,6 +168,22 @@ double WaveForces::excess(double height, const WaveFactors& factors) const {
   const Section s = with_factors(breakwater_.section, factors);
   const WavePressure p = at(height, factors);
   return p.force + s.friction * (p.uplift - s.submerged_weight);
+}
+
+WorstBase WaveForces::base(double height, const WaveFactors& factors) const {
+  const Section s = with_factors(breakwater_.section, factors);
+  const WavePressure p = at(height, factors);
+  const double B = s.width, W = s.submerged_weight, W_e0 = W * (0.5 * B - s.centroid.value_or(0.5 * B));
+  const double N = W - p.uplift, M = W_e0 + p.uplift_moment - 0.5 * p.uplift * B + p.force_moment;
+  const EdgePressures rest = edge_pressures(W, W_e0, B), wave = edge_pressures(N, M, B);
+  const bool leaves = std::abs(M) >= 0.5 * B * N;
+  WorstBase worst;
+  worst.heel_pressure = leaves && M >= 0. ? WorstBase::leaves : std::max(rest.landward, wave.landward);
+  worst.toe_pressure = leaves && M <= 0. ? WorstBase::leaves : std::max(rest.seaward, wave.seaward);
+  const double e = N > 0. ? M / N : 0.;
+  worst.eccentricity = std::abs(e) > std::abs(W_e0 / W) ? e : W_e0 / W;
+  if (p.force_moment > 0.) worst.overturning_margin = (W * (0.5 * B) - W_e0 - p.uplift_moment) / p.force_moment;
+  return worst;
 }
 
 double WaveForces::threshold(const WaveFactors& factors) const {

@@ -7,6 +7,7 @@
 #include "fem/checker.h"
 #include "fem/outline.h"
 #include "fem/static_stage.h"
+#include "fem/surcharge.h"
 
 namespace upbead {
 
@@ -76,8 +77,33 @@ void check_regions(Checker& checker) {
                      "make them one surface in the mesh, or one of them solid");
 }
 
+/// A surcharge must lie on ground somewhere.
+void check_surcharge(Checker& checker, const std::string& name, const Surcharge& surcharge) {
+  const std::string key = "initial.surcharge." + name;
+  if (surcharge.from && surcharge.to && *surcharge.from >= *surcharge.to) {
+    checker.object(key + ".from",
+                   "from = " + significant(*surcharge.from, 6) + " is not below to = " + significant(*surcharge.to, 6),
+                   "give from < to");
+    return;
+  }
+  double length = 0.;
+  for (const auto& cell : checker.mesh.triangulation.active_cell_iterators())
+    for (const unsigned f : cell->face_indices()) {
+      const std::string surface = checker.mesh.surface_of(cell);
+      if (checker.mesh.curve_of(cell->face(f)) == surcharge.boundary &&
+          (checker.is(surface, RegionKind::porous) || checker.is(surface, RegionKind::solid)))
+        length += covered(surcharge, cell->face(f)->vertex(0), cell->face(f)->vertex(1));
+    }
+  if (!(length > 0.))
+    checker.object(key + ".boundary",
+                   "no soil lies under the surcharge '" + name + "' on the curve '" + surcharge.boundary + "'",
+                   "name a curve of the ground's surface, and x of its ends upon it");
+}
+
 /// Weights under water need to know where it stands.
 void check_initial(Checker& checker) {
+  if (checker.scene.initial)
+    for (const auto& [name, surcharge] : checker.scene.initial->surcharge) check_surcharge(checker, name, surcharge);
   if (!needs_static_stage(checker.scene) || std::isfinite(water_level(checker.scene, checker.mesh))) return;
   checker.object("initial", "stiffness by stress needs the level of still water, which no region of water tells",
                  "add [initial] with water_level, the height y (m)");

@@ -10,6 +10,7 @@
 #include "algebra/factorisation.h"
 #include "fem/assembly.h"
 #include "fem/faces.h"
+#include "fem/surcharge.h"
 #include "upbead/base/error.h"
 
 namespace upbead {
@@ -111,6 +112,12 @@ class Ground {
         for (const auto& [unknown, weight] : row) f[unknown] += weight * work;
       }
     }
+    if (!of_caisson_alone)
+      for_each_surcharge(scene_, space_, [&](const Cell& cell, const std::vector<double>& force) {
+        const Dofs dofs = dofs_of(cell);
+        for (std::size_t i = 0; i < dofs.size(); ++i)
+          for (const auto& [unknown, weight] : unknowns_.expansion(dofs[i])) f[unknown] += weight * force[i];
+      });
     return f;
   }
 

@@ -49,7 +49,8 @@ WeightInWater caisson_in_water(const Scene& scene, const Mesh& mesh);
 
 /// Solves div sigma' + gamma' = 0 for drained soils on their own sides, absorbing ones as rollers, with unit weights
 /// gamma' = (1 - n)(rho_s - rho_f) g below still water and (1 - n) rho_s g above it, of bodies (rho - rho_f) g and rho
-/// g; G follows the stress until it settles. Throws NumericsError where it does not, or the ground is not held.
+/// g, under the surcharges of [initial]; G follows the stress until it settles. Throws NumericsError where it does not,
+/// or the ground is not held.
 StaticStage solve_static(const Scene& scene, const Mesh& mesh);
 
 }  // namespace upbead

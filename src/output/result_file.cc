@@ -10,7 +10,11 @@ void write(detail::Hdf5Image& image, const std::string& folder, const std::vecto
   for (const Dataset& dataset : datasets) {
     std::vector<hsize_t> shape{dataset.values.size() / dataset.columns};
     if (dataset.columns > 1) shape.push_back(dataset.columns);
-    image.numbers(folder + dataset.name, shape, dataset.values.data(), {dataset.unit, dataset.description});
+    const detail::Label label{dataset.unit, dataset.description};
+    if (dataset.may_lack)
+      image.numbers_or_none(folder + dataset.name, dataset.values, label);
+    else
+      image.numbers(folder + dataset.name, shape, dataset.values.data(), label);
     if (!dataset.reading.empty()) image.attribute(folder + dataset.name, "reading", dataset.reading);
   }
 }

@@ -14,6 +14,7 @@ struct Dataset {
   std::vector<double> values;
   std::size_t columns = 1;  ///< of a table: values row by row; a list has one
   std::string reading{};    ///< attribute: the history that a measured one belongs to; "" without
+  bool may_lack = false;    ///< a list some of whose values may be no number
 };
 
 /// The bytes of an HDF5 file with the datasets /history/NAME, each with the string attributes `unit` and `description`,

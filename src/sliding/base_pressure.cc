@@ -65,4 +65,18 @@ BaseExtremes base_extremes(const EffectiveBase& base, const std::vector<double>&
   return s;
 }
 
+WorstBase worst_of(const BaseExtremes& s) {
+  const double e = std::abs(s.eccentricity_at_rest) > std::abs(s.largest_eccentricity) ? s.eccentricity_at_rest
+                                                                                       : s.largest_eccentricity;
+  return {std::max(s.heel_pressure_at_rest, s.peak_heel_pressure.value_or(WorstBase::leaves)),
+          std::max(s.toe_pressure_at_rest, s.peak_toe_pressure.value_or(WorstBase::leaves)), e,
+          s.least_overturning_margin.value_or(WorstBase::leaves)};
+}
+
+WorstBase worst_of(const WorstBase& a, const WorstBase& b) {
+  return {std::max(a.heel_pressure, b.heel_pressure), std::max(a.toe_pressure, b.toe_pressure),
+          std::abs(b.eccentricity) > std::abs(a.eccentricity) ? b.eccentricity : a.eccentricity,
+          std::min(a.overturning_margin, b.overturning_margin)};
+}
+
 }  // namespace upbead

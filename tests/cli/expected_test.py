@@ -101,6 +101,9 @@ class Expected(ProgramTest):
         self.assertEqual(found["monte_carlo"]["law"], "dynamic")
         self.assertGreater(found["expected"]["distance_dynamic"], 0)
         self.assertEqual(found["model"]["load"], "impact")
+        self.assertIsNone(found["monte_carlo"]["base"])
+        self.assertIn("no readings of the normal force", found["monte_carlo"]["why_no_base"])
+        self.assertIn("no readings of the normal force", found["expected"]["base"]["why_not_dynamic"])
 
     def test_waves_of_own_dynamics_break(self):
         write_oscillator(self.folder / "model.h5", mass=5.933088e6 / 9.81)
@@ -128,6 +131,8 @@ class Expected(ProgramTest):
         model = self.folder / "results/fig2b-prototype/reduced.h5"
         found = self.expected(PROTOTYPE, "--set", f"dynamics.model={model}")
         self.assertGreater(found["expected"]["distance_dynamic"], found["expected"]["distance_paper"])
+        base = found["expected"]["base"]
+        self.assertGreater(base["dynamic"]["peak_heel_pressure"], base["goda"]["peak_heel_pressure"])
 
     def test_mistakes_leave_nothing(self):
         done = upbead("expected", HD10, "--set", "sea.years=0", "--set", "life.simulated_lives=1", cwd=self.folder)
@@ -210,6 +215,51 @@ class Expected(ProgramTest):
         told = upbead("expected", "surf.toml", cwd=self.folder)
         self.assertRegex(told.stdout, r"the highest 10\.86 m \(the limit\)")
         self.assertRegex(told.stdout, r"limit +Goda's highest breaker, 9\.568 to 10\.86 m: 85\.14 of \S+ waves")
+
+    def test_waves_that_all_break_press_as_the_breaker_does(self):
+        """1,000 waves of H_1/3 = 50 m that break to one height: every life has the pressure of that height."""
+        self.write_surf_zone("50,12,1000")
+        limits = ["--set", "limits.base_pressure=300e3", "--set", "limits.overturning=1.2", "--set", "limits.sliding=2.5"]
+        found = self.expected("surf.toml", *limits, "--set", "life.simulated_lives=20", "--out", "out")
+        height = found["expected"]["states"][0]["highest"]
+        done = upbead("waves", "surf.toml", "--set", f"waves.same.height={height!r}", "--set", "waves.same.period=12.0",
+                      "--set", "waves.same.significant_height=50.0", "--json", cwd=self.folder)
+        wave = json.loads(done.stdout)["waves"]["same"]
+        self.assertGreater(wave["heel_pressure"], 300e3)
+        heel = found["monte_carlo"]["base"]["peak_heel_pressure"]
+        for value in (heel["mean"], *heel["quantiles"].values(), found["expected"]["base"]["goda"]["peak_heel_pressure"]):
+            self.assertAlmostEqual(value / wave["heel_pressure"], 1, delta=1e-9)
+        self.assertEqual([heel["limit"], heel["probability"], heel["confidence_interval"][1]], [300e3, 1, 1])
+        margin = found["monte_carlo"]["base"]["least_overturning_margin"]
+        self.assertAlmostEqual(margin["quantiles"]["0.5"] / wave["safety_overturning"], 1, delta=1e-9)
+        self.assertEqual(margin["probability"], float(wave["safety_overturning"] < 1.2))
+        self.assertEqual(list(found["monte_carlo"]["probability"]), ["0.1", "0.3", "1", "2.5"])
+        with h5py.File(self.folder / "out/results.h5") as file:
+            np.testing.assert_allclose(file["lives/heel_pressure"][:], wave["heel_pressure"], rtol=1e-9)
+            self.assertTrue((np.diff(file["heights/heel_pressure"][:]) >= 0).all())
+        told = upbead("expected", "surf.toml", *limits, cwd=self.folder).stdout
+        self.assertRegex(told, r"heel +mean \d+\.?\d* kPa")
+        self.assertIn("above 300 kPa: 100 % of the lives", told)
+
+    def test_the_figure_says_that_nothing_slides(self):
+        sys.path.insert(0, str(CASES.parent / "postprocess"))
+        from upbead import expected_result, figures
+        self.expected(CASES / "designer/design.toml", "--out", "calm")
+        self.expected(HD10, "--out", "moving")
+        for folder, words in (("calm", ["Nothing slides: no wave is high enough."]), ("moving", [])):
+            axes = figures.expected([expected_result.ExpectedResult(self.folder / folder)]).axes
+            self.assertEqual([text.get_text() for text in axes[1].texts if "slides" in text.get_text()], words)
+            self.assertEqual(len(axes), 2 if words else 3)
+            self.assertTrue(all(panel.lines or panel.patches for panel in axes), "no empty panel")
+
+    def test_a_resultant_beside_the_base_is_told(self):
+        self.write_surf_zone("50,12,1000")
+        light = ["--set", "section.weight=2.6e6", "--set", "section.submerged_weight=1.19e6"]
+        found = self.expected("surf.toml", *light, "--set", "life.simulated_lives=20")
+        for base in (found["expected"]["base"]["goda"], found["monte_carlo"]["base"]):
+            heel = base["peak_heel_pressure"]
+            self.assertIsNone(heel["mean"] if isinstance(heel, dict) else heel)
+        self.assertIn("none: the resultant leaves the base", upbead("expected", "surf.toml", *light, cwd=self.folder).stdout)
 
     def test_limits_by_hand_and_none(self):
         """Numbers of the program before waves broke in it."""

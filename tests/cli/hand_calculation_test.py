@@ -46,6 +46,27 @@ class HandCalculations(ProgramTest):
                     with self.subTest(section=title, symbol=symbol):
                         self.assertTrue(agree(wave[key] / SCALE.get(unit, 1.0), value), f"{wave[key]} is not {value}")
 
+    def test_expected_has_the_heel_pressure_of_waves(self):
+        """Of a record whose highest wave is that of the section: exp(2 (H/H_1/3)^2) waves, of which one is as high."""
+        for title, design, _ in self.sections():
+            with self.subTest(section=title):
+                (self.folder / "design.toml").write_text(
+                    design + '[sea]\nstates = "states.csv"\nyears = 50\nhighest = "none"\n'
+                    '[life]\nsimulated_lives = 2\n')
+                done = upbead("waves", "design.toml", "--json", cwd=self.folder)
+                wave = json.loads(done.stdout)["waves"]["design"]
+                number = math.exp(2 * (wave["height"] / wave["significant_height"]) ** 2)
+                (self.folder / "states.csv").write_text(
+                    "significant_height,period,waves,angle\n"
+                    f"{wave['significant_height']!r},{wave['period']!r},{number!r},{wave['angle']!r}\n")
+                done = upbead("expected", "design.toml", "--json", cwd=self.folder)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                found = json.loads(done.stdout)["expected"]["base"]
+                self.assertAlmostEqual(found["height"] / wave["height"], 1, delta=1e-13)
+                self.assertAlmostEqual(found["goda"]["peak_heel_pressure"] / wave["heel_pressure"], 1, delta=1e-9)
+                self.assertAlmostEqual(found["goda"]["least_overturning_margin"] / wave["safety_overturning"], 1,
+                                       delta=1e-9)
+
 
 if __name__ == "__main__":
     unittest.main(argv=["hand_calculation_test.py"])

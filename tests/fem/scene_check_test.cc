@@ -53,6 +53,21 @@ const Misfit misfits[] = {
        s.boundaries["mound_surface"].pressure.reset();
      },
      "regions.mound.kind", "touch"},
+    {"SurchargeOnNoSoil",
+     [](Scene& s) {
+       s.initial = InitialState{{}, {}, {{"blocks", {"front", 1e4, {}, {}}}}};
+     },
+     "initial.surcharge.blocks.boundary", "no soil lies under"},
+    {"SurchargeBesideItsCurve",
+     [](Scene& s) {
+       s.initial = InitialState{{}, {}, {{"blocks", {"mound_surface", 1e4, 900., {}}}}};
+     },
+     "initial.surcharge.blocks.boundary", "no soil lies under"},
+    {"SurchargeBackwards",
+     [](Scene& s) {
+       s.initial = InitialState{{}, {}, {{"blocks", {"mound_surface", 1e4, -10., -14.}}}};
+     },
+     "initial.surcharge.blocks.from", "not below"},
     {"PorousCaisson",
      [](Scene& s) {
        s.regions["caisson"] = sand();

@@ -85,6 +85,14 @@ TEST_F(Layer, HasAFloorNearItsSurface) {
   EXPECT_NEAR(least, 60e6 * std::sqrt(0.1 * mean / 98e3), 1e-4 * 60e6) << "a tenth of the mean";
 }
 
+TEST_F(Layer, CarriesASurchargeWhole) {
+  const StaticStage bare = solve_static(scene_, *mesh_);
+  scene_.initial->surcharge["blocks"] = {"top", 30e3, {}, {}};
+  const StaticStage loaded = solve_static(scene_, *mesh_);
+  for (std::size_t i = 0; i < bare.stress.vertical.size(); ++i)
+    EXPECT_NEAR(loaded.stress.vertical[i] - bare.stress.vertical[i], 30e3, 1e-9 * 30e3);
+}
+
 TEST_F(Layer, SettlesWithinFewSolves) {
   EXPECT_LE(solve_static(scene_, *mesh_).iterations, 3);
 }
@@ -126,6 +134,47 @@ class Strip : public testing::Test {
     return scene;
   }
 };
+
+/// A surcharge does what a soft strip of that weight does; its ends cut faces.
+TEST_F(Strip, ASurchargeHasTheStressesOfFlamant) {
+  const std::unique_ptr<Mesh> ground = mesh();
+  Scene loaded_scene = scene(1e-3);
+  const double from = -0.87 * b, to = 0.61 * b;
+  loaded_scene.initial->surcharge["armour"] = {"top", q, from, to};
+  const StaticStage loaded = solve_static(loaded_scene, *ground), bare = solve_static(scene(1e-3), *ground);
+  for (const auto& cell : ground->triangulation.active_cell_iterators()) {
+    const double x = cell->center()[0], z = -cell->center()[1];
+    if (z < 0.3 * b || z > 4. * b || std::abs(x) > 2. * b) continue;
+    const std::size_t i = cell->active_cell_index();
+    const double mean = (1. + nu) / 3. * 2. * q / pi * (std::atan((x - from) / z) - std::atan((x - to) / z));
+    EXPECT_NEAR(loaded.stress.mean(i, {}) - bare.stress.mean(i, {}), mean, 5e-3 * q) << x << " " << z;
+  }
+}
+
+/// Equilibrium: the ground carries what lies on it, on any level.
+TEST_F(Layer, CarriesAPartialSurchargeInSum) {
+  std::vector<double> x = even_lines(0., 40., 80), y = even_lines(0., 10., 20);
+  const std::unique_ptr<Mesh> wide = tensor_mesh(
+      x, y, [](const dealii::Point<dim>&) { return "soil"; },
+      [](const dealii::Point<dim>& p) {
+        return p[0] < 1e-9         ? "left"
+               : p[0] > 40. - 1e-9 ? "right"
+               : p[1] < 1e-9       ? "base"
+               : p[1] > 10. - 1e-9 ? "top"
+                                   : "";
+      });
+  scene_.regions["soil"].stress_law->exponent = 0.;
+  const StaticStage bare = solve_static(scene_, *wide);
+  scene_.initial->surcharge["berm"] = {"top", 30e3, 12.3, 19.45};
+  const StaticStage loaded = solve_static(scene_, *wide);
+  for (const double level : {1.25, 4.75}) {
+    double sum = 0.;
+    for (const auto& cell : wide->triangulation.active_cell_iterators())
+      if (const std::size_t i = cell->active_cell_index(); std::abs(centre_y(cell) - level) < 1e-6)
+        sum += 0.5 * (loaded.stress.vertical[i] - bare.stress.vertical[i]);
+    EXPECT_NEAR(sum, 30e3 * 7.15, 2e-4 * 30e3 * 7.15) << level;
+  }
+}
 
 TEST_F(Strip, OnAHalfPlaneIsFlamants) {
   const std::unique_ptr<Mesh> ground = mesh();

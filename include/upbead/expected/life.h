@@ -83,12 +83,22 @@ struct LifeSetup {
   bool every_wave = false;  ///< draw also the waves that cannot slide: much slower, for tests
 };
 
+/// A wave with everything that was drawn for it.
+struct DrawnWave {
+  SeaState sea;
+  double height = 0.;  ///< m
+  WaveFactors factors;
+};
+
 struct Life {
   double sliding = 0.;   ///< sum of all S (m)
   double waves = 0.;     ///< that came
   double answered = 0.;  ///< waves whose S was computed, because they might slide
   double taken = 0.;     ///< waves that broke to the limit or were beyond the cut
   double highest = 0.;   ///< of the waves whose S was computed, the highest (m)
+  /// By Goda's formulas, with all waves; none where the law knows no moment, or no wave came.
+  std::optional<WorstBase> base;
+  DrawnWave most_tilting;  ///< that with the largest pressure of the heel
 };
 
 /// A life is the record, repeated, the last time with part of its waves, or storms of a source. A storm is one sea
@@ -97,7 +107,8 @@ struct Life {
 ///
 /// Where nothing scatters from wave to wave, only waves that may slide are drawn: their number, binomial, then their
 /// heights given that they exceed the threshold of S or the limit. The distribution of S is the same as with every wave
-/// drawn. A limit holds for the height with its factor.
+/// drawn. A limit holds for the height with its factor. What presses on the base is then that of each storm's highest
+/// wave: by Goda's formulas P, U and their moments grow with the height, and so do heel pressure and eccentricity.
 class LifeSimulation {
  public:
   /// Throws std::invalid_argument where significant height, period or water level scatter from wave to wave, or a storm
@@ -113,7 +124,8 @@ class LifeSimulation {
   struct Drawn;
   void add_storm(Storm& storm, Life& life) const;
   void add_every_wave(const Storm& storm, const SlidingLaw& law, Life& life) const;
-  void add_sliding_waves(const Storm& storm, const SlidingLaw& law, Life& life) const;
+  /// Returns the highest wave that came (m); none where all were set aside.
+  std::optional<double> add_sliding_waves(const Storm& storm, const SlidingLaw& law, Life& life) const;
   SeaState sea_of(std::uint32_t life, std::uint32_t storm) const;
   Drawn drawn(Per per, const StreamPlace& place, const Drawn& before) const;
 

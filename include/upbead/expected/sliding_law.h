@@ -6,6 +6,7 @@
 #include <limits>
 #include <memory>
 
+#include "upbead/sliding/base_pressure.h"
 #include "upbead/sliding/combined.h"
 #include "upbead/waves/goda.h"
 #include "upbead/waves/wave_heights.h"
@@ -85,6 +86,9 @@ class WaveForces {
   double excess(double height, const WaveFactors& factors) const;
   /// The height where it is zero (m), from below to the last digits; infinity where no wave of 1 km gets there.
   double threshold(const WaveFactors& factors) const;
+  /// At rest and at the peak of a wave by Goda's P, M_P, U and M_U with alpha*: his p_e and safety factor against
+  /// overturning, see stability().
+  WorstBase base(double height, const WaveFactors& factors) const;
 
  private:
   Breakwater breakwater_;
@@ -112,6 +116,8 @@ class SlidingLaw {
   virtual bool may_slide(double height, const WaveFactors& factors = {}) const { return height > threshold(factors); }
   /// A height (m) below which no wave slides; infinity where none does.
   virtual double threshold(const WaveFactors& factors = {}) const = 0;
+  /// Forces and moments of its waves by formulas; null where it knows none.
+  virtual const WaveForces* forces() const { return nullptr; }
 };
 
 /// The law paper, exact or combined. Throws std::invalid_argument for the law dynamic, which needs a model, and where

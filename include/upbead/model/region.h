@@ -4,6 +4,7 @@
 
 #include <array>
 #include <limits>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -41,10 +42,18 @@ struct StrainLaw {
 double modulus_ratio(const StrainLaw& law, double strain);  ///< G/G_max
 double damping_ratio(const StrainLaw& law, double strain);
 
+/// Weight on the ground before the waves come, without mass of its own.
+struct Surcharge {
+  std::string boundary;            ///< the curve that it lies on
+  double weight = 0.;              ///< submerged, per horizontal area (Pa)
+  std::optional<double> from, to;  ///< x of its ends (m); none: those of the curve
+};
+
 /// The state before the waves.
 struct InitialState {
   std::optional<double> water_level;  ///< height y of still water (m); none: the top of the regions of water
   std::optional<double> k0;           ///< s'_x = s'_z = K_0 s'_y; none: all from the elastic solution
+  std::map<std::string, Surcharge> surcharge{};
 };
 
 enum class ContactKind {

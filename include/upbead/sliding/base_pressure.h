@@ -1,6 +1,7 @@
 // What a caisson presses on its base with, over time, and at its worst.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -44,5 +45,17 @@ struct BaseExtremes {
 
 /// At rest, and the largest and least at those times (s).
 BaseExtremes base_extremes(const EffectiveBase& base, const std::vector<double>& time);
+
+/// What presses on the base at the worst of several waves, rest between them included.
+struct WorstBase {
+  static constexpr double leaves = std::numeric_limits<double>::infinity();
+
+  double heel_pressure = 0., toe_pressure = 0.;  ///< Pa; infinity where the resultant leaves the base there
+  double eccentricity = 0.;                      ///< of largest magnitude, landward (m)
+  double overturning_margin = leaves;            ///< least; infinity where nothing overturns
+};
+WorstBase worst_of(const BaseExtremes& extremes);
+/// The worst of both, quantity by quantity.
+WorstBase worst_of(const WorstBase& a, const WorstBase& b);
 
 }  // namespace upbead

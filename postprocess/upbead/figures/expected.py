@@ -24,6 +24,8 @@ def expected(results, laws=None):
     top, middle, bottom = panels[:3]
     draw_heights(top, results)
     top.set_xlim(0, results[0].height[-1])
+    if not slides(results, laws):
+        return say_that_nothing_slides(figure, panels, results)
     draw_curves(middle, results, laws, lambda result: result.distance)
     middle.set_ylabel("S of one wave (m)")
     draw_curves(bottom, results, laws, lambda result: result.contribution, 100)
@@ -40,6 +42,31 @@ def expected(results, laws=None):
         draw_ratios(panels[3], results, last)
     for axes in panels:
         axes.set_xlabel("height of the wave (m)")
+    figure.suptitle(plain(results[0].summary["title"]) if len(results) == 1 else "", fontsize=9)
+    return figure
+
+
+def slides(results, laws):
+    return any(values.any() for result in results for law, values in result.distance.items() if law in laws)
+
+
+def say_that_nothing_slides(figure, panels, results):
+    """In place of curves that are all zero: heel pressure by height, and the words."""
+    axes, last = panels[1], max(result.height[-1] for result in results)
+    told = [result for result in results if result.heel_pressure is not None]
+    for result, style in zip(told, STYLES):
+        axes.plot(result.height, result.heel_pressure / 1e3, style, color="C4", label=plain(result.name))
+    axes.set_ylabel("heel pressure of one wave,\nby formulas (kPa)")
+    if len(told) > 1:
+        axes.legend(fontsize=7)
+    axes.annotate("Nothing slides: no wave is high enough.", (0.02, 0.92), xycoords="axes fraction", va="top")
+    axes.set_xlim(0, last)
+    axes.set_ylim(bottom=0)
+    panels[2].remove()
+    if len(panels) == 4:
+        draw_ratios(panels[3], results, last)
+    for shown in [*panels[:2], *panels[3:]]:
+        shown.set_xlabel("height of the wave (m)")
     figure.suptitle(plain(results[0].summary["title"]) if len(results) == 1 else "", fontsize=9)
     return figure
 
