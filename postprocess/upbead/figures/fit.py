@@ -43,7 +43,7 @@ def draw_modes(axes, found):
             axes.plot(mode[which]["frequency"], 100 * mode[which]["damping_ratio"], mark, color=color, ms=5, label=name)
     axes.set_xlabel("frequency (Hz)")
     axes.set_ylabel("damping (% of critical)")
-    axes.set_ylim(bottom=min(0.0, axes.get_ylim()[0]))
+    axes.set_ylim(min(0.0, axes.get_ylim()[0]), 1.3 * max(axes.get_ylim()[1], 1e-3))
     axes.legend(fontsize="small")
 
 
