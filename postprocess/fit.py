@@ -1,11 +1,12 @@
 #!/usr/bin/python3
-"""Fits keys of a case to a measured record: least squares over runs of reduced models, with confidence.
+"""Fits keys of a case to a measured record, to measured natural frequencies and damping, or to both, with confidence.
 
 usage: fit.py CASE --record lab.csv --column F_T --parameter regions.seabed.shear_modulus
               --parameter regions.seabed.damping.ratio=0.05 --tie regions.mound.shear_modulus=1.667*regions.seabed.shear_modulus
+       fit.py CASE --frequency 1.20:0.03 --damping 0.031:0.006 --parameter regions.seabed.shear_modulus
 
 A parameter begins with the case's value, with KEY=GUESS, or anywhere in KEY=LOW:HIGH; all SI units. Writes fit.json,
-fit.csv (time, record, first guess, fit) and fit.png into a folder. docs/fit.md tells what the numbers hold.
+fit.csv (time, record, first guess, fit; with a record) and fit.png into a folder. docs/fit.md tells what the numbers hold.
 """
 
 import argparse
@@ -38,6 +39,19 @@ def guess(text):
     return ends[0] if len(ends) == 1 else ends
 
 
+def mode(text):
+    """(value, standard deviation) of VALUE:STANDARD_DEVIATION, with N behind where @N is; None of "none"."""
+    if text == "none":
+        return None
+    pair, _, rank = text.partition("@")
+    try:
+        value, uncertainty = map(float, pair.split(":"))
+        return (value, uncertainty, int(rank)) if rank else (value, uncertainty)
+    except ValueError as error:
+        raise UserError(f"'{text}' is no measured mode; write VALUE:STANDARD_DEVIATION, as --frequency 1.20:0.03, and @2 behind it "
+                        "for the second mode by the first guess") from error
+
+
 def toml(text):
     """A value as --set of the program reads it; what is no TOML is a word."""
     try:
@@ -49,11 +63,15 @@ def toml(text):
 def parse():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("case", type=Path)
-    parser.add_argument("--record", required=True,
+    parser.add_argument("--record",
                         help="CSV (units in the header, .gz) or HDF5, times first; or NAME of [measured.NAME]")
     parser.add_argument("--column", help="of the record (default: the one after the time)")
     parser.add_argument("--unit", help="of the column, in place of its header")
     parser.add_argument("--reading", help="what was measured, a path below /history (default: shear_force)")
+    parser.add_argument("--frequency", action="append", default=[], metavar="HZ:SD[@N]",
+                        help="measured, with its standard deviation; of the N-th of `periods` by the first guess; repeatable")
+    parser.add_argument("--damping", action="append", default=[], metavar="RATIO:SD",
+                        help="the n-th is of the n-th frequency; none: not measured; repeatable")
     parser.add_argument("--parameter", action="append", required=True, metavar="KEY[=GUESS|=LOW:HIGH]",
                         help="key to fit; repeatable")
     parser.add_argument("--tie", action="append", default=[], metavar="KEY=FACTOR*KEY", help="goes along; repeatable")
@@ -71,9 +89,10 @@ def main():
     parameters = {text.split("=")[0]: guess(text.split("=", 1)[1]) if "=" in text else None for text in options.parameter}
     folder = options.out or Path("results") / f"{options.case.stem}-fit"
     for name in WRITTEN:
-        keep_inputs(folder / name, options.case, options.record)
+        keep_inputs(folder / name, options.case, *([options.record] if options.record else []))
     found = fit(options.case, options.record, options.reading, parameters, pairs(options.tie, "tie"), column=options.column,
                 unit=options.unit, start=options.start, zero=options.zero, noise=options.noise, jobs=options.jobs,
+                frequencies=[mode(text) for text in options.frequency], dampings=[mode(text) for text in options.damping],
                 set={key: toml(text) for key, text in pairs(options.set, "set").items()})
     print(found)
     print(" ".join(["run it with", *(f"--set {key}={value:.6g}" for key, value in found.settings.items())]))
@@ -84,13 +103,18 @@ def write(found, folder):
     try:
         folder.mkdir(parents=True, exist_ok=True)
         (folder / "fit.json").write_text(json.dumps(found.summary(), indent=2) + "\n", encoding="utf-8")
-        with open(folder / "fit.csv", "w", newline="", encoding="utf-8") as file:
-            writer = csv.writer(file)
-            writer.writerow(["time (s)", *(f"{name} ({found.record.unit})" for name in ("record", "first guess", "fit"))])
-            writer.writerows(zip(*(map(float, column) for column in (found.time, found.record, found.first, found.computed))))
+        if found.time.size:
+            write_histories(found, folder)
     except OSError as error:
         raise UserError(f"cannot write to '{folder}': {error}") from error
     save(figures.fit(found), folder / "fit.png")
+
+
+def write_histories(found, folder):
+    with open(folder / "fit.csv", "w", newline="", encoding="utf-8") as file:
+        writer = csv.writer(file)
+        writer.writerow(["time (s)", *(f"{name} ({found.record.unit})" for name in ("record", "first guess", "fit"))])
+        writer.writerows(zip(*(map(float, column) for column in (found.time, found.record, found.first, found.computed))))
 
 
 if __name__ == "__main__":

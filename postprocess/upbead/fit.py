@@ -1,6 +1,7 @@
-"""Parameters of a case fitted to a measured record, with what the record does not tell.
+"""Parameters of a case fitted to a measured record, to measured modes or to both, with what these do not tell.
 
     found = upbead.fit("case.toml", "lab.csv", parameters={"regions.seabed.shear_modulus": 30e6})
+    found = upbead.fit("case.toml", frequencies=[(1.20, 0.03)], parameters=["regions.seabed.shear_modulus"])
     print(found)
 """
 
@@ -10,20 +11,22 @@ import numpy as np
 
 from . import fit_record
 from .errors import UserError
-from .fit_directions import identifiable
+from .fit_directions import identifiable, joined
+from .fit_modes import Paired, at_small_strain, require_modes, surveyed
 from .fit_parameters import TIME_FACTOR, as_asked, parameters_of, parse_ties, value_of
 from .fit_result import Fit
 from .fit_runs import Runs
+from .fit_weights import Weights
 from .history import History
-from .least_squares import compass, least_squares, scipy_part, search
+from .least_squares import compass, search
 
 LIMIT = 0.25  # relative; what is known worse is called not fixed
-LEAST_SCALE = 1e-12  # of the record, for one that is zero throughout
 
 
-def fit(case, record, reading=None, parameters=None, ties=None, *, column=None, unit=None, start=0.0, zero=0.0,
-        noise=None, limit=LIMIT, set=None, jobs=2, program=None):
-    """Fits keys of a case to a record, by nonlinear least squares on their logarithms. Returns a Fit.
+def fit(case, record=None, reading=None, parameters=None, ties=None, *, column=None, unit=None, start=0.0, zero=0.0,
+        noise=None, frequencies=None, dampings=None, limit=LIMIT, set=None, jobs=2, program=None):
+    """Fits keys of a case to a record, to natural frequencies and damping ratios, or to both, by nonlinear least squares
+    on their logarithms. Returns a Fit.
 
     case: path of a case file. record: path of a file (`column`: default the one after the time), (times, values) in SI
     units, or the name of one of the case's own, [measured.NAME]. reading: what was measured, a path below /history
@@ -32,40 +35,70 @@ def fit(case, record, reading=None, parameters=None, ties=None, *, column=None, 
     "record.time_factor" is a key too: the record's times are multiplied with it. ties: {key: "1.667*other key"}, goes
     along. unit: of the column, in place of its header. start: time of the record that is t = 0 of the run (s). zero: so
     much of its beginning is at rest (s); the mean of that is taken off. noise: standard deviation of a sample in SI
-    units (default: by the residual). limit: relative; a combination known worse than this is not fixed. set: further
+    units (default: by the residual). frequencies: measured, [(f, standard deviation), ...] in Hz, or (f, standard
+    deviation, N) of the N-th mode of `periods` by the first guess. dampings: [(ratio, standard deviation) or None, ...],
+    the n-th of the n-th frequency. limit: relative; a combination known worse than this is not fixed. set: further
     keys of the case. jobs: runs at once. Each evaluation is an `upbead run` of a reduced model.
     Raises UserError, and what `run` raises.
     """
-    asked = as_asked(parameters)
+    asked, modes = as_asked(parameters), surveyed(frequencies, dampings)
     if noise is not None and not noise > 0:
         raise UserError(f"noise = {noise} is no standard deviation; give a positive number, or leave it out")
     runs = Runs(case, reading, parse_ties(ties, list(asked)), set, jobs, program)
+    shown, window = measured_by(runs, asked, record, modes, column, unit, start, zero)
+    parameters = parameters_of(asked, shown["case"])
+    paired = Paired(modes, runs, parameters) if modes else None
+    measured = np.concatenate([window.value, modes.values]) if modes else window.value
+    weights = Weights(window.time.size, noise, modes.uncertainty if modes else np.empty(0))
+
+    def compute(points):
+        answers = runs.at(window.time, [parameters.point(x) for x in points])
+        return [np.append(answer, paired.rows(x)) for answer, x in zip(answers, points)] if modes else answers
+
+    solution = solve(compute, measured, parameters, runs.failures, weights)
+    first = compute([np.zeros(len(asked))])[0]
+    statistics = judge(parameters, solution, measured, noise, limit, weights)
+    if modes:
+        statistics["cautions"] += paired.cautions(solution.x)
+    if runs.failures:
+        statistics["cautions"].append(f"{len(runs.failures)} runs failed and were left out; the first: {runs.failures[0]}")
+    histories = {name: History(values[: window.time.size], shown["unit"], told) for name, values, told in (
+        ("record", measured, "measured"), ("first", first, "first guess"), ("computed", solution.computed, "fit"),
+        ("residual", measured - solution.computed, "record minus fit"))}
+    return Fit(values=parameters.point(solution.x), guess=parameters.guess, n_runs=runs.n_runs + 1, reading=runs.reading,
+               time=window.time, ties=runs.ties, modes=paired.table(solution.x) if modes else [], **histories, **statistics)
+
+
+def measured_by(runs, asked, record, modes, column, unit, start, zero):
+    """What the case says, and the Record within its run; an empty one where there are modes alone."""
+    runs.wants_modes = modes is not None
+    if record is None:
+        if not modes:
+            raise UserError("give a record, or frequencies=[(1.20, 0.03)] in Hz with their standard deviations")
+        if TIME_FACTOR in asked:
+            raise UserError(f"{TIME_FACTOR} is of a record, and none is given")
+        runs.wants_history = False
+        shown, window = first_run(runs, asked), fit_record.Record(np.empty(0), np.empty(0))
+    else:
+        shown, window = with_record(runs, asked, record, column, unit, start, zero)
+        if window.time.size < len(asked) + 2:
+            raise UserError(f"{window.source}: {window.time.size} samples within the run do not tell {len(asked)} parameters")
+        runs.look_at(window.time)
+    if modes:
+        runs.small, runs.tolerance = at_small_strain(shown["case"]), value_of(shown["case"], "accuracy.tolerance")
+    return shown, window
+
+
+def with_record(runs, asked, record, column, unit, start, zero):
+    """What the case says, and the record cut to its run."""
     if isinstance(record, (str, Path)):
-        name, keys = fit_record.named(record, reading or "shear_force", column, unit, start, zero)
+        name, keys = fit_record.named(record, runs.reading or "shear_force", column, unit, start, zero)
         shown = first_run(runs, asked, name, keys)
         start, zero = (0.0, 0.0) if keys else (start, zero)  # that of files the program has seen to
     else:
         given = fit_record.of_arrays(record)  # a mistake costs no run
         shown = first_run(runs, asked) | {"record": given}
-    parameters = parameters_of(asked, shown["case"])
-    window = fit_record.cut(shown["record"], start, zero, shown["end"])
-    if window.time.size < len(asked) + 2:
-        raise UserError(f"{window.source}: {window.time.size} samples within the run do not tell {len(asked)} parameters")
-    measured = History(window.value, shown["unit"], "measured")
-    runs.look_at(window.time)
-
-    def compute(points):
-        return runs.at(window.time, [parameters.point(x) for x in points])
-
-    solution = solve(compute, measured.values, parameters, runs.failures)
-    first = compute([np.zeros(len(asked))])[0]
-    statistics = judge(parameters, solution, measured.values, noise, limit)
-    if runs.failures:
-        statistics["cautions"].append(f"{len(runs.failures)} runs failed and were left out; the first: {runs.failures[0]}")
-    return Fit(values=parameters.point(solution.x), guess=parameters.guess, n_runs=runs.n_runs + 1, reading=runs.reading,
-               time=window.time, record=measured, first=History(first, measured.unit, "first guess"),
-               computed=History(solution.computed, measured.unit, "fit"), ties=runs.ties,
-               residual=History(measured.values - solution.computed, measured.unit, "record minus fit"), **statistics)
+    return shown, fit_record.cut(shown["record"], start, zero, shown["end"])
 
 
 def first_run(runs, asked, name=None, keys=None):
@@ -78,7 +111,11 @@ def first_run(runs, asked, name=None, keys=None):
 
 
 def look(runs, result, name):
-    shown = {"case": result.case, "end": float(result.time[-1])}
+    shown = {"case": result.case, "end": float(result.time[-1]), "unit": ""}
+    if runs.wants_modes:
+        require_modes(result)
+    if not runs.wants_history:
+        return shown
     if name is not None:
         shown["record"], of = fit_record.of_run(result, name)
         runs.reading = runs.reading or of
@@ -86,30 +123,28 @@ def look(runs, result, name):
     return shown | {"unit": result[runs.reading].unit}
 
 
-def solve(compute, measured, parameters, failures=()):
+def solve(compute, measured, parameters, failures=(), weights=None):
     """The Solution: a first look around the guess or over the ranges, then least squares."""
-    low, high = parameters.low, parameters.high
+    low, high, weights = parameters.low, parameters.high, weights or Weights(len(measured))
     if parameters.searched:
-        x = search(compute, measured, low, high)
+        x = search(compute, measured, low, high, size=weights.size)
     else:
-        x = compass(compute, measured, np.zeros(len(low)), low, high)
+        x = compass(compute, measured, np.zeros(len(low)), low, high, size=weights.size)
     if not np.isfinite(compute([x])[0]).all():
         raise failures[0]
-    return least_squares(compute, measured, x, low, high, max(np.abs(measured).max(), LEAST_SCALE))
+    return weights.solve(compute, measured, x, low, high)
 
 
-def judge(parameters, solution, measured, noise, limit):
+def judge(parameters, solution, measured, noise, limit, weights=None):
     """Noise, covariance, intervals and what is identifiable, linearised at the solution.
 
-    s^2 = RSS/(n - p), covariance s^2 (J^T J)^-1, intervals by Student's t (Seber and Wild 2003, ch. 2.1.2 and 5.1).
+    s^2 = RSS/(n - p), covariance (J^T J)^-1 of J over the uncertainties, s^2 (J^T J)^-1 of a record alone, intervals by
+    Student's t (Seber and Wild 2003, ch. 2.1.2 and 5.1), by the normal distribution where uncertainties are given.
     """
-    keys, n, p = parameters.keys, len(measured), len(solution.x)
+    weights = weights or Weights(len(measured), noise)
     residual = measured - solution.computed
-    if noise is None:
-        noise, quantile = float(np.sqrt(residual @ residual / (n - p))), scipy_part("stats").t.ppf(0.975, n - p)
-    else:
-        quantile = scipy_part("stats").norm.ppf(0.975)
-    known = identifiable(keys, solution.jacobian, noise, quantile, limit, solution.doubt)
+    noise, quantile = weights.quantile(residual, solution.jacobian)
+    known = identifiable(parameters.keys, joined(weights.blocks(solution, noise)), 1.0, quantile, limit)
     covariance = known.ellipsoid() / quantile**2
     half = quantile * np.sqrt(np.diag(covariance))
     deviation = np.sqrt(np.diag(covariance))
@@ -118,10 +153,10 @@ def judge(parameters, solution, measured, noise, limit):
         confidence = {key: (float(value * np.exp(-h)), float(value * np.exp(h)))
                       for (key, value), h in zip(values.items(), half)}
     return {"noise": noise, "covariance": covariance, "correlation": covariance / np.outer(deviation, deviation),
-            "confidence": confidence, "identifiable": known, "cautions": cautions(parameters, solution, residual, noise, quantile)}
+            "confidence": confidence, "identifiable": known, "cautions": cautions(parameters, solution, residual[: weights.samples])}
 
 
-def cautions(parameters, solution, residual, noise, quantile):
+def cautions(parameters, solution, residual):
     """What speaks against the numbers, in words."""
     found = []
     if not solution.converged:
@@ -129,6 +164,8 @@ def cautions(parameters, solution, residual, noise, quantile):
     for key, x, low, high in zip(parameters.keys, solution.x, parameters.low, parameters.high):
         if min(x - low, high - x) < 1e-3:
             found.append(f"{key} went to an end of its range, {parameters.guess[key] * np.exp(x):.4g}")
+    if not len(residual):
+        return found
     correlation = residual[1:] @ residual[:-1] / max(residual @ residual, 1e-300)
     if correlation > 3.0 / np.sqrt(len(residual)):  # white noise has a standard deviation of 1/sqrt(n)
         wider = np.sqrt((1 + correlation) / max(1 - correlation, 1e-6))

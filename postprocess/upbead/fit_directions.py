@@ -62,23 +62,34 @@ class Identifiable:
 
 
 def identifiable(keys, jacobian, noise, quantile, limit, doubt=None):
-    """The Identifiable of a Jacobian d computed / d ln(parameter), a column for each key.
+    """The Identifiable of a Jacobian d computed / d ln(parameter), a column for each key; rows as many as there are data.
 
     noise: standard deviation of a sample. quantile: of Student's t, for 95 %. limit: a direction is fixed where its
     interval is within +-limit (relative). doubt: what each column may be wrong by (rms); along a direction in which the
     history changes less than that nothing is told.
     """
-    _, size, directions = np.linalg.svd(jacobian, full_matrices=False)
+    size, directions = told(jacobian, doubt)
     most = WIDEST / np.abs(directions).max(axis=1)
     with np.errstate(divide="ignore"):
         interval = np.minimum(quantile * noise / size, most)
-    if doubt is not None:
-        blind = size < np.sqrt(len(jacobian)) * np.linalg.norm(directions * doubt, axis=1)
-        interval = np.where(blind, most, interval)
     fixed = interval < np.log1p(limit)
     ordered = [Combination(words(keys, row), half, bool(known)) for row, half, known in zip(directions, interval, fixed)]
     return Identifiable(ordered, fixed_products(keys, directions, interval, fixed),
                         free_products(keys, directions[~fixed], interval[~fixed]), directions)
+
+
+def told(jacobian, doubt=None):
+    """Singular values and directions of a Jacobian, as many as it has columns; 0 where there is nothing but doubt."""
+    lacking = max(0, jacobian.shape[1] - len(jacobian))
+    _, size, directions = np.linalg.svd(np.pad(jacobian, ((0, lacking), (0, 0))), full_matrices=False)
+    if doubt is not None:
+        size = np.where(size < np.sqrt(len(jacobian)) * np.linalg.norm(directions * doubt, axis=1), 0.0, size)
+    return size, directions
+
+
+def joined(blocks):
+    """One Jacobian that tells what several do, each (jacobian, doubt) over the noise of its own data."""
+    return np.vstack([size[:, None] * directions for size, directions in (told(*block) for block in blocks)])
 
 
 def fixed_products(keys, directions, interval, fixed):

@@ -17,7 +17,8 @@ class Fit:
     values: the best. confidence: (low, high) of 95 %. covariance, correlation: of the logarithms of the values, in the
     order of `values`. residual: record minus computed, in the unit of `record`, at `time` (s). identifiable: which
     products of powers the record fixes. noise: standard deviation of a sample. n_runs: of the program. first, computed:
-    the reading by the first guess and by the fit. cautions: what speaks against the numbers.
+    the reading by the first guess and by the fit. modes: of each measured frequency, what it was paired with. cautions:
+    what speaks against the numbers. Of modes alone noise is None, and there is no history.
     """
 
     values: dict
@@ -26,15 +27,16 @@ class Fit:
     correlation: np.ndarray
     residual: History
     identifiable: Identifiable
-    noise: float
+    noise: float | None
     n_runs: int
-    reading: str
+    reading: str | None
     guess: dict
     time: np.ndarray = field(repr=False)
     record: History = field(repr=False)
     first: History = field(repr=False)
     computed: History = field(repr=False)
     ties: dict = field(default_factory=dict)
+    modes: list = field(default_factory=list)
     cautions: list = field(default_factory=list)
 
     @property
@@ -47,7 +49,8 @@ class Fit:
         """All but the histories, as JSON has it."""
         told = {"reading": self.reading, "values": self.values, "confidence": self.confidence, "guess": self.guess,
                 "settings": self.settings, "noise": self.noise, "unit": self.record.unit,
-                "rms": float(np.sqrt(np.mean(self.residual.values**2))), "samples": self.time.size, "runs": self.n_runs,
+                "rms": float(np.sqrt(np.mean(self.residual.values**2))) if self.time.size else None, "samples": self.time.size,
+                "runs": self.n_runs, "modes": self.modes,
                 "covariance_of_logarithms": self.covariance.tolist(), "correlation": self.correlation.tolist()}
         told["identifiable"] = {name: [vars(combination) for combination in getattr(self.identifiable, name)]
                                 for name in ("directions", "fixed", "free")} | {"text": str(self.identifiable)}
@@ -56,15 +59,26 @@ class Fit:
     def __str__(self):
         width = max(map(len, self.values))
         lines = [f"{key:{width}}  {value:.4g}  {interval_text(self.confidence[key])}" for key, value in self.values.items()]
-        lines += [str(self.identifiable)] + [f"caution: {text}" for text in self.cautions]
+        lines += [mode_text(mode) for mode in self.modes] + [str(self.identifiable)] + [f"caution: {text}" for text in self.cautions]
         return "\n".join(lines)
+
+
+def mode_text(mode):
+    """A measured mode and the computed one that it is paired with, in words."""
+    measured, first, now = mode["measured"], mode["first guess"], mode["fit"]
+    percent = 100 * abs(now["damping_ratio"])  # of no damping round-off is left, of either sign
+    text = f"mode of {measured['frequency']:.4g} +- {measured['frequency_uncertainty']:.2g} Hz"
+    if measured["damping_ratio"]:
+        text += f", damping {100 * measured['damping_ratio']:.3g} +- {100 * measured['damping_uncertainty']:.2g} %"
+    return (f"{text}: fitted {now['frequency']:.4g} Hz, damping {percent:.2g} %, {100 * now['share']:.2g} % of F_T; "
+            f"it is mode {first['mode']} of the first guess, of {first['frequency']:.4g} Hz, {100 * first['share']:.2g} % of F_T")
 
 
 def interval_text(ends):
     """An interval in words; one as wide as a guess may be wrong tells nothing.
 
     >>> interval_text((1.0, 2.0)), interval_text((0.1, 10.0))
-    ('(1 to 2)', '(not told by the record)')
+    ('(1 to 2)', '(not told by what was measured)')
     """
     low, high = ends
-    return f"({low:.4g} to {high:.4g})" if high < 0.95 * RANGE**2 * low else "(not told by the record)"
+    return f"({low:.4g} to {high:.4g})" if high < 0.95 * RANGE**2 * low else "(not told by what was measured)"

@@ -7,19 +7,25 @@ from pathlib import Path
 import numpy as np
 
 from .commands import run
-from .errors import CaseError, NumericsError
-from .fit_parameters import TIME_FACTOR
+from .errors import CaseError, NumericsError, UserError
+from .fit_modes import modes_of, require_modes
+from .fit_parameters import TIME_FACTOR, value_of
 
 FINEST, COARSEST = 20000, 2000  # steps of a window; between them as fine as the record
 
 
 class Runs:
-    """Histories of one reading by the values of keys: a run of the program for each point, kept."""
+    """Histories of one reading, and modes, by the values of keys: a run of the program for each point, kept.
+
+    small: keys of a run of its own for the modes, as soils that follow the strain need; {}: they are those of the run.
+    history, modes: whether they are wanted.
+    """
 
     def __init__(self, case, reading, ties, set, jobs, program):
         self.case, self.reading, self.ties, self.jobs, self.program = case, reading, ties, jobs, program
         self.set = {"time.scheme": "reduced", **(set or {})}
         self.kept, self.n_runs, self.failures = {}, 0, []
+        self.small, self.wants_history, self.wants_modes, self.tolerance = {}, True, False, None
         self.end = None  # of the window (s), once that is known
 
     def look_at(self, time):
@@ -53,23 +59,48 @@ class Runs:
             cure = '\nmarch it: set time.scheme to "sdirk4", and time.step to that of the record' if marched else ""
             raise type(error)(f"the run with {told} failed: {error}{cure}") from error
 
-    def histories(self, points):
-        """[(time, values)] of the points, {key: value}; those not known yet run side by side."""
+    def answers(self, points):
+        """[(time, values, modes)] of the points, {key: value}; those not known yet run side by side."""
         names = [tuple(point.items()) for point in points]
         missing = {name: point for name, point in zip(names, points) if name not in self.kept}
         with ThreadPoolExecutor(max(1, self.jobs)) as pool:
-            found = list(pool.map(self.history, missing.values()))
+            found = list(pool.map(self.answer, missing.values()))
         self.kept.update(zip(missing, found))
-        self.n_runs += len(found)
+        self.n_runs += len(found) * (2 if self.wants_history and self.small else 1)
         return [self.kept[name] for name in names]
 
-    def history(self, point):
+    def histories(self, points):
+        return [answer[:2] for answer in self.answers(points)]
+
+    def modes(self, points):
+        """[rows of f, damping ratio, share]; none where a run failed."""
+        return [answer[2] for answer in self.answers(points)]
+
+    def answer(self, point):
         """Nothing but nan where the case cannot be solved so; the search then keeps away from there."""
         try:
-            return self.read(point, lambda result: (result.time.values.copy(), result[self.reading].values.copy()))
+            if self.wants_history and self.small:
+                time, values, _ = self.read(point, self.look)
+                return time, values, self.read(point, modes_of, self.small)
+            return self.read(point, self.look, self.small)
         except (CaseError, NumericsError) as error:
             self.failures.append(error)
-            return np.array([0.0]), np.array([np.nan])
+            return np.array([0.0]), np.array([np.nan]), np.empty((0, 3))
+
+    def look(self, result):
+        if self.wants_modes and not self.small:
+            require_modes(result)
+        time, values = (result.time, result[self.reading]) if self.wants_history else (np.zeros(1), np.zeros(1))
+        return np.array(time), np.array(values), modes_of(result)
+
+    def finer(self, point):
+        """The modes of a point by a tenth of the tolerance; None where they cannot be had."""
+        try:
+            return self.read(point, modes_of, {**self.small, "accuracy.tolerance": self.tolerance / 10})
+        except (CaseError, NumericsError):
+            return None
+        finally:
+            self.n_runs += 1
 
     def at(self, time, points):
         """The reading at times of the record, one array for each point."""

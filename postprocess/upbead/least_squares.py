@@ -16,7 +16,7 @@ class Solution:
     x: np.ndarray
     computed: np.ndarray
     jacobian: np.ndarray  # d computed / d x
-    doubt: np.ndarray  # of each column of it, rms
+    doubt: np.ndarray  # of each number of it
     converged: bool
 
 
@@ -37,6 +37,12 @@ def differences(compute, x, low, high):
 
     The doubt (rms) is half the change of the slope from one side to the other: what is rough in the runs, and more.
     """
+    jacobian, doubt = slopes(compute, x, low, high)
+    return jacobian, np.sqrt(np.mean(doubt**2, axis=0))
+
+
+def slopes(compute, x, low, high):
+    """The same with the doubt of each number of the Jacobian."""
     ends = []
     for j in range(len(x)):
         for end in (max(low[j], x[j] - STEP), min(high[j], x[j] + STEP)):
@@ -51,11 +57,11 @@ def differences(compute, x, low, high):
         if below is None or above is None or left == x[j] or right == x[j]:
             left, below = (x[j], centre) if below is None else (left, below)
             right, above = (x[j], centre) if above is None else (right, above)
-            doubt.append(0.0)
+            doubt.append(np.zeros_like(centre))
         else:
-            doubt.append(np.sqrt(np.mean((above - 2 * centre + below) ** 2)) / (right - left))
+            doubt.append((above - 2 * centre + below) / (right - left))
         columns.append((above - below) / (right - left) if right > left else np.zeros_like(centre))
-    return np.stack(columns, axis=1), np.array(doubt)
+    return np.stack(columns, axis=1), np.stack(doubt, axis=1)
 
 
 def misfit(answers, measured):
@@ -64,40 +70,40 @@ def misfit(answers, measured):
     return np.where(np.isfinite(sums), sums, np.inf)
 
 
-def compass(compute, measured, x, low, high, rounds=6):
+def compass(compute, measured, x, low, high, rounds=6, size=misfit):
     """A better beginning than x: the best of steps along each coordinate, as long as one is better.
 
     Direct search with a step that stays (Kolda, Lewis and Torczon 2003). From a guess a period or so off, least squares
     alone first go far astray; with this the fits of docs/fit.md took 48 runs instead of 62 to 66.
     """
-    best = misfit(compute([x]), measured)[0]
+    best = size(compute([x]), measured)[0]
     for _ in range(rounds):
         points = [np.clip(x + sign * LOOK * unit, low, high) for unit in np.eye(len(x)) for sign in (-1, 1)]
-        sums = misfit(compute(points), measured)
+        sums = size(compute(points), measured)
         if not sums.min() < best:
             break
         best, x = sums.min(), points[int(np.argmin(sums))]
     return x
 
 
-def search(compute, measured, low, high, per_parameter=8):
+def search(compute, measured, low, high, per_parameter=8, size=misfit):
     """The best of some points spread evenly over the box: of Sobol's sequence, whose first is the lowest corner."""
     bits = int(np.ceil(np.log2(per_parameter * len(low))))
     unit = scipy_part("stats").qmc.Sobol(len(low), scramble=False).random_base2(bits)
     points = list(low + (high - low) * unit)
-    return points[int(np.argmin(misfit(compute(points), measured)))]
+    return points[int(np.argmin(size(compute(points), measured)))]
 
 
 def least_squares(compute, measured, begin, low, high, scale):
     """The x between low and high with the least sum of squares of (compute(x) - measured)/scale.
 
-    compute: list of points -> list of arrays, nan where that cannot be. Trust-region reflective steps (Branch, Coleman
-    and Li 1999) of scipy.optimize, of least norm, so that what the data do not fix stays near the beginning. It ends where a step
-    changes the misfit by less than 1e-4: of 1,000 samples, a step of at most a third of a standard error.
+    compute: list of points -> list of arrays, nan where that cannot be. scale: of each number. Trust-region reflective
+    steps (Branch, Coleman and Li 1999) of scipy.optimize, of least norm, so that what the data do not fix stays near the
+    beginning. It ends where a step changes the misfit by less than 1e-4: of 1,000 samples, a step of at most a third of a standard error.
     """
     found = scipy_part("optimize").least_squares(  # in x - begin: then the first step may be 1 long
         lambda z: (compute([begin + z])[0] - measured) / scale, np.zeros(len(begin)),
-        jac=lambda z: differences(compute, begin + z, low, high)[0] / scale,
+        jac=lambda z: differences(compute, begin + z, low, high)[0] / np.reshape(scale, (-1, 1)),
         bounds=(low - begin - MARGIN, high - begin + MARGIN), method="trf", ftol=1e-4, xtol=1e-5, gtol=1e-9, max_nfev=40)
     x = begin + found.x
-    return Solution(x, compute([x])[0], *differences(compute, x, low, high), found.status > 0)
+    return Solution(x, compute([x])[0], *slopes(compute, x, low, high), found.status > 0)

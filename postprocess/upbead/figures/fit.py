@@ -10,19 +10,41 @@ WIDEST = np.log(10.0)  # of the ellipse's axes, by the logarithm
 
 @styled
 def fit(found):
-    """Record, first guess and fit of a Fit, the residual, and of two parameters the ellipse that holds both with 95 %."""
-    two = len(found.values) == 2
-    figure, axes = mosaic([["record", "ellipse"], ["residual", "ellipse"]] if two else [["record"], ["residual"]],
-                          figsize=(9.5 if two else 6.5, 4.6), layout="constrained")
-    factor, unit = found.record.scale()
-    draw_record(axes["record"], found, factor, unit)
-    draw_residual(axes["residual"], found, factor, unit)
-    axes["residual"].sharex(axes["record"])
-    axes["record"].tick_params(labelbottom=False)
-    if two:
+    """Record, first guess and fit of a Fit, the residual, measured and computed modes, and of two parameters the ellipse
+    that holds both with 95 %."""
+    columns = [["record", "residual"]] * bool(found.time.size) + [["modes"] * 2] * bool(found.modes)
+    columns += [["ellipse"] * 2] * (len(found.values) == 2)
+    figure, axes = mosaic([list(row) for row in zip(*columns)], figsize=(3.0 + 3.3 * len(columns), 4.6), layout="constrained")
+    if found.time.size:
+        factor, unit = found.record.scale()
+        draw_record(axes["record"], found, factor, unit)
+        draw_residual(axes["residual"], found, factor, unit)
+        axes["residual"].sharex(axes["record"])
+        axes["record"].tick_params(labelbottom=False)
+        figure.align_ylabels([axes["record"], axes["residual"]])
+    if found.modes:
+        draw_modes(axes["modes"], found)
+    if "ellipse" in axes:
         draw_ellipse(axes["ellipse"], found)
-    figure.align_ylabels([axes["record"], axes["residual"]])
     return figure
+
+
+def draw_modes(axes, found):
+    """Frequency and damping; where the damping was not measured a line stands for the frequency."""
+    for n, mode in enumerate(found.modes):
+        measured, names = mode["measured"], ("measured", "first guess", "fit") if n == 0 else (None,) * 3
+        f, error = measured["frequency"], 2 * measured["frequency_uncertainty"]
+        if measured["damping_ratio"]:
+            axes.errorbar(f, 100 * measured["damping_ratio"], xerr=error, yerr=200 * measured["damping_uncertainty"], fmt="o",
+                          color="0.4", capsize=3, label=names[0] and "measured, 2 standard deviations")
+        else:
+            axes.axvspan(f - error, f + error, color="0.88", lw=0, label=names[0] and "measured, 2 standard deviations")
+        for which, mark, color, name in (("first guess", "x", "tab:blue", names[1]), ("fit", "D", "tab:red", names[2])):
+            axes.plot(mode[which]["frequency"], 100 * mode[which]["damping_ratio"], mark, color=color, ms=5, label=name)
+    axes.set_xlabel("frequency (Hz)")
+    axes.set_ylabel("damping (% of critical)")
+    axes.set_ylim(min(0.0, axes.get_ylim()[0]), 1.3 * max(axes.get_ylim()[1], 1e-3))
+    axes.legend(fontsize="small")
 
 
 def draw_record(axes, found, factor, unit):
@@ -46,9 +68,10 @@ def draw_residual(axes, found, factor, unit):
 
 
 def draw_ellipse(axes, found):
-    """Where x of covariance C obeys x^T C^-1 x <= 2 F(2, n - 2) in logarithms (Seber and Wild 2003, ch. 5.2)."""
-    n = found.time.size
-    radius = np.sqrt(2 * scipy_part("stats").f.ppf(0.95, 2, n - 2))
+    """Where x of covariance C obeys x^T C^-1 x <= 2 F(2, n - 2) in logarithms (Seber and Wild 2003, ch. 5.2); chi^2 where
+    all uncertainties are given."""
+    n, stats = found.time.size, scipy_part("stats")
+    radius = np.sqrt(2 * stats.f.ppf(0.95, 2, n - 2) if n else stats.chi2.ppf(0.95, 2))
     size, vectors = np.linalg.eigh(found.covariance)
     angle = np.linspace(0.0, 2 * np.pi, 401)
     edge = radius * vectors @ (np.sqrt(np.maximum(size, 0.0))[:, None] * np.array([np.cos(angle), np.sin(angle)]))
