@@ -55,7 +55,8 @@ StandingLoad standing_load(const DesignWave& given, const Section& section, cons
   gauges.beyond = {Beyond::none, Beyond::none};
   gauges.place = wall_heights(load.wave, section);
   gauges.pressure.resize(gauges.place.size());
-  for (std::size_t i = 0; i < gauges.place.size(); ++i) gauges.name.push_back((i < 9 ? "0" : "") + std::to_string(i + 1));
+  for (std::size_t i = 0; i < gauges.place.size(); ++i)
+    gauges.name.push_back((i < 9 ? "0" : "") + std::to_string(i + 1));
   gauges.time = times_of(load.extremes, zero, T);
   std::vector<double> force, uplift;
   for (const double t : gauges.time) {
