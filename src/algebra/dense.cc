@@ -24,6 +24,12 @@ Eigen::MatrixXd product_of(const Columns& A, bool transposed, const Columns& B) 
   if (inner == 0) return C.setZero();
   const double one = 1., zero = 0.;
   const auto turn = detail::blas_turn();
+  if (columns == 1) {
+    const PetscBLASInt rows_A = int_of(A.rows()), columns_A = int_of(A.cols()), next = 1;
+    BLASgemv_(transposed ? "T" : "N", &rows_A, &columns_A, &one, A.data(), &step_A, B.data(), &next, &zero, C.data(),
+              &next);
+    return C;
+  }
   BLASgemm_(transposed ? "T" : "N", "N", &rows, &columns, &inner, &one, A.data(), &step_A, B.data(), &step_B, &zero,
             C.data(), &rows);
   return C;

@@ -8,9 +8,9 @@ namespace upbead {
 /// X of A X = B, by dgesv; no numbers where A is singular.
 Eigen::MatrixXd solve_dense(Eigen::MatrixXd A, Eigen::MatrixXd B);
 
-/// A B, by dgemm.
+/// A B, by dgemm or dgemv.
 Eigen::MatrixXd product(const Eigen::Ref<const Eigen::MatrixXd>& A, const Eigen::Ref<const Eigen::MatrixXd>& B);
-/// A^T B, by dgemm.
+/// A^T B, likewise.
 Eigen::MatrixXd transposed_product(const Eigen::Ref<const Eigen::MatrixXd>& A,
                                    const Eigen::Ref<const Eigen::MatrixXd>& B);
 
