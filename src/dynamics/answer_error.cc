@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "base/numbers.h"
+#include "dynamics/lanes.h"
 #include "dynamics/phi_functions.h"
 #include "dynamics/real_fft.h"
 
@@ -28,20 +29,76 @@ Eigen::ArrayXcd contour(Eigen::Index n_fft) {
   return q;
 }
 
-/// Sampled transfer function of load k at the contour. With q = Z - 1 and g = E - 1 a pair of conjugate poles gives
-/// Re-coefficients over (q - g) (q - conj g), all without cancellation where steps are short beside the poles.
+/// Parts of a transfer function in conjugate pairs of poles, by real and imaginary part.
+struct Sums {
+  explicit Sums(Eigen::Index n) : re(Eigen::ArrayXd::Zero(n)), im(Eigen::ArrayXd::Zero(n)) {}
+  Eigen::VectorXcd complex() const { return re.matrix() + Complex(0., 1.) * im.matrix(); }
+  Eigen::ArrayXd re, im;
+};
+
+/// (a2 q^2 + a1 q + a0) / ((q - g) (q - conj g)).
+struct SampledPair {
+  double a2, a1, a0, g_re, g_im;
+};
+
+UPBEAD_CLONES void add(const SampledPair& p, Eigen::Index n, const double* q_re, const double* q_im, double* re,
+                       double* im) {
+  for (Eigen::Index j = 0; j < n; ++j) {
+    const double x = q_re[j], y = q_im[j];
+    const double c = p.a2 * x + p.a1, d = p.a2 * y, u = c * x - d * y + p.a0, v = c * y + d * x;
+    const double dx = x - p.g_re, down = y - p.g_im, up = y + p.g_im;
+    const double s = dx * dx - down * up, t = dx * (down + up), size = 1. / (s * s + t * t);
+    re[j] += (u * s + v * t) * size;
+    im[j] += (v * s - u * t) * size;
+  }
+}
+
+/// (a1 i omega + a0) / (|p|^2 - omega^2 - 2 i omega Re p).
+struct Pair {
+  double a1, a0, square, twice_real;
+};
+
+UPBEAD_CLONES void add(const Pair& p, Eigen::Index n, const double* omega, double* re, double* im) {
+  for (Eigen::Index j = 0; j < n; ++j) {
+    const double w = omega[j], u = p.a0, v = p.a1 * w, s = p.square - w * w, t = -p.twice_real * w;
+    const double size = 1. / (s * s + t * t);
+    re[j] += (u * s + v * t) * size;
+    im[j] += (v * s - u * t) * size;
+  }
+}
+
+/// Sampled transfer function of load k, what the recurrence of every mode does to lines between samples, where Z - 1 is
+/// `q`. With g = E - 1 a pair of conjugate poles gives Re-coefficients over (q - g) (q - conj g), all without
+/// cancellation where steps are short beside the poles.
 Eigen::VectorXcd sampled_transfer(const ModalModel& model, int i, int k, double h, const Eigen::ArrayXcd& q) {
-  Eigen::ArrayXcd H = Eigen::ArrayXcd::Constant(q.size(), model.feedthrough(i, k));
-  if (model.impulse(i, k) != 0.) H += model.impulse(i, k) * h * (1. + 0.5 * q) / q;
+  const Eigen::ArrayXd q_re = q.real(), q_im = q.imag();
+  Sums H(q.size());
   for (int m = 0; m < model.n_modes(); ++m) {
     const Complex residue = model.reading(i, m) * model.load(m, k);
     if (residue == 0.) continue;
     const detail::PhiFunctions phi = detail::phi_functions(model.pole[m] * h);
     const Complex g = model.pole[m] * h * phi.phi1, u = residue * h * phi.phi1, v = residue * h * phi.phi2;
-    const double a2 = v.real(), a1 = (u - v * std::conj(g)).real(), a0 = -(u * std::conj(g)).real();
-    H += ((a2 * q + a1) * q + a0) / ((q - g) * (q - std::conj(g)));
+    add({v.real(), (u - v * std::conj(g)).real(), -(u * std::conj(g)).real(), g.real(), g.imag()}, q.size(),
+        q_re.data(), q_im.data(), H.re.data(), H.im.data());
   }
-  return H;
+  Eigen::VectorXcd sum = H.complex();
+  sum.array() += model.feedthrough(i, k);
+  if (model.impulse(i, k) != 0.) sum.array() += model.impulse(i, k) * h * (1. + 0.5 * q) / q;
+  return sum;
+}
+
+/// ModalModel::transfer() at i omega, none of them zero.
+Eigen::VectorXcd transfer(const ModalModel& model, int i, int k, const Eigen::ArrayXd& omega) {
+  Sums H(omega.size());
+  for (int m = 0; m < model.n_modes(); ++m) {
+    const Complex residue = model.reading(i, m) * model.load(m, k), pole = model.pole[m];
+    if (residue == 0.) continue;
+    add({residue.real(), -(residue * std::conj(pole)).real(), std::norm(pole), 2. * pole.real()}, omega.size(),
+        omega.data(), H.re.data(), H.im.data());
+  }
+  H.im -= model.impulse(i, k) / omega;
+  H.re += model.feedthrough(i, k);
+  return H.complex();
 }
 
 }  // namespace
@@ -50,77 +107,87 @@ double ResponseDifference::bound() const {
   return safety_of_model * of_model.cwiseAbs().maxCoeff() + safety_of_middle * of_middle.cwiseAbs().maxCoeff();
 }
 
-ResponseError::ResponseError(const ModalModel& model, int reading, const NestedModels& nested, double step, int n)
-    : n_(n),
-      fft_(std::make_shared<const detail::RealFft>(static_cast<Eigen::Index>(padding * n) + 1)),
-      weight_(n),
-      of_model_(fft_->size() / 2 + 1, model.n_loads()),
-      of_middle_(of_model_.rows(), of_model_.cols()) {
-  for (Eigen::Index j = 0; j < n; ++j)
-    weight_[j] = std::exp(-wrapped * static_cast<double>(j) / static_cast<double>(fft_->size()));
-  const Eigen::ArrayXcd q = contour(fft_->size());
-  for (int k = 0; k < model.n_loads(); ++k) {
-    const Eigen::VectorXcd reference = sampled_transfer(nested.reference, 0, k, step, q);
-    of_model_.col(k) = reference - sampled_transfer(model, reading, k, step, q);
-    of_middle_.col(k) = reference - sampled_transfer(nested.middle, 0, k, step, q);
+/// By FFT or, of few waves, by the recurrences themselves: to make the transfer functions takes as long as so many.
+constexpr int few_waves = 30;
+
+struct ResponseError::ByFft {
+  ByFft(const ModalModel& model, int reading, const NestedModels& nested, double step, int n)
+      : fft(static_cast<Eigen::Index>(padding * n) + 1),
+        weight(n),
+        of_model(fft.size() / 2 + 1, model.n_loads()),
+        of_middle(of_model.rows(), of_model.cols()) {
+    for (Eigen::Index j = 0; j < n; ++j)
+      weight[j] = std::exp(-wrapped * static_cast<double>(j) / static_cast<double>(fft.size()));
+    const Eigen::ArrayXcd q = contour(fft.size());
+    for (int k = 0; k < model.n_loads(); ++k) {
+      const Eigen::VectorXcd reference = sampled_transfer(nested.reference, 0, k, step, q);
+      of_model.col(k) = reference - sampled_transfer(model, reading, k, step, q);
+      of_middle.col(k) = reference - sampled_transfer(nested.middle, 0, k, step, q);
+    }
   }
+
+  ResponseDifference of(const Eigen::Ref<const WaveSamples>& loads) const {
+    Eigen::VectorXcd model = Eigen::VectorXcd::Zero(of_model.rows()), middle = model;
+    for (Eigen::Index k = 0; k < loads.rows(); ++k) {
+      if (loads.row(k).isZero(0.)) continue;
+      const Eigen::VectorXcd F = fft.forward(loads.row(k).transpose().cwiseProduct(weight));
+      model += of_model.col(k).cwiseProduct(F);
+      middle += of_middle.col(k).cwiseProduct(F);
+    }
+    const auto in_time = [&](Eigen::VectorXcd& amplitude) -> Eigen::VectorXd {
+      return fft.backward(std::move(amplitude)).head(loads.cols()).cwiseQuotient(weight);
+    };
+    return {in_time(model), in_time(middle)};
+  }
+
+  detail::RealFft fft;
+  Eigen::VectorXd weight;                ///< exp(-sigma t) of the samples
+  Eigen::MatrixXcd of_model, of_middle;  ///< frequencies of the FFT x K
+};
+
+ResponseError::ResponseError(const ModalModel& model, int reading, const NestedModels& nested, double step, int n,
+                             int n_waves)
+    : n_loads_(model.n_loads()), n_(n) {
+  if (n_waves > few_waves)
+    by_fft_ = std::make_shared<const ByFft>(model, reading, nested, step, n);
+  else
+    models_ = {{model, reading, step}, {nested.middle, 0, step}, {nested.reference, 0, step}};
 }
 
 ResponseDifference ResponseError::of(const Eigen::Ref<const WaveSamples>& loads) const {
-  if (loads.rows() != of_model_.cols() || loads.cols() != n_)
+  if (loads.rows() != n_loads_ || loads.cols() != n_)
     throw std::invalid_argument("a wave's loads do not fit the reduced model or its check");
-  Eigen::VectorXcd model = Eigen::VectorXcd::Zero(of_model_.rows()), middle = model;
-  for (Eigen::Index k = 0; k < loads.rows(); ++k) {
-    if (loads.row(k).isZero(0.)) continue;
-    const Eigen::VectorXcd F = fft_->forward(loads.row(k).transpose().cwiseProduct(weight_));
-    model += of_model_.col(k).cwiseProduct(F);
-    middle += of_middle_.col(k).cwiseProduct(F);
-  }
-  const auto in_time = [this](Eigen::VectorXcd& amplitude) -> Eigen::VectorXd {
-    return fft_->backward(std::move(amplitude)).head(n_).cwiseQuotient(weight_);
-  };
-  return {in_time(model), in_time(middle)};
-}
-
-namespace {
-
-/// Response at the samples' times to the lines between samples exp(i omega n h), of load k: what the recurrence of
-/// every mode does to them.
-Complex sampled_transfer(const ModalModel& model, int i, int k, double omega, double h) {
-  const Complex Z = std::polar(1., omega * h);
-  const auto mode = [&](const Complex& pole) {
-    const detail::PhiFunctions phi = detail::phi_functions(pole * h);
-    return h * (phi.phi1 + (Z - 1.) * phi.phi2) / (Z - phi.exp);
-  };
-  Complex H = model.feedthrough(i, k);
-  if (model.impulse(i, k) != 0.) H += model.impulse(i, k) * mode(0.);
-  for (int m = 0; m < model.n_modes(); ++m) {
-    const Complex product = model.reading(i, m) * model.load(m, k);
-    H += 0.5 * (product * mode(model.pole[m]) + std::conj(product) * mode(std::conj(model.pole[m])));
-  }
-  return H;
+  if (by_fft_) return by_fft_->of(loads);
+  WaveSamples from_zero = WaveSamples::Zero(n_loads_, n_ + 1);  // a first sample is reached along a line, too
+  from_zero.rightCols(n_) = loads;
+  Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::RowMajor> y(3, n_ + 1);
+  for (int i = 0; i < 3; ++i) models_[static_cast<std::size_t>(i)].respond(from_zero, y.row(i));
+  return {(y.row(2) - y.row(0)).tail(n_).transpose(), (y.row(2) - y.row(1)).tail(n_).transpose()};
 }
 
 /// The part of sampled_transfer() from beyond `limit`. Lines between samples hold omega and all omega + 2 pi j / h,
 /// each with the spectrum sinc^2 of the hat that a sample makes of them, and at the samples' times all look like omega.
-/// Below the limit, what omega itself brings is taken off; the rest is what the corners of the lines bring.
-Complex transfer_beyond(const ModalModel& model, int i, int k, double omega, double h, double limit) {
-  if (omega == 0.) return 0.;  // lines between equal samples have no corners
-  const Complex all = sampled_transfer(model, i, k, omega, h);
-  if (omega > limit) return all;
-  const double half = 0.5 * omega * h, sinc = std::sin(half) / half;
-  return all - sinc * sinc * model.transfer(i, k, Complex(0., omega));
-}
-
-}  // namespace
-
+/// What those below the limit bring is taken off; the rest is what the corners of the lines bring.
 BandCheck::BandCheck(const ModalModel& model, int reading, double step, int n, double omega)
     : n_(n), fft_(std::make_shared<const detail::RealFft>(2 * n)), transfer_(fft_->size() / 2 + 1, model.n_loads()) {
-  for (Eigen::Index k = 0; k < transfer_.cols(); ++k)
-    for (Eigen::Index j = 0; j < transfer_.rows(); ++j) {
-      const double at = 2. * pi * static_cast<double>(j) / (static_cast<double>(fft_->size()) * step);
-      transfer_(j, k) = transfer_beyond(model, reading, static_cast<int>(k), at, step, omega);
+  const Eigen::Index J = transfer_.rows();
+  const double round = 2. * pi / step;
+  const Eigen::ArrayXd at = Eigen::ArrayXd::LinSpaced(J, 0., static_cast<double>(J - 1)) * round / fft_->size();
+  Eigen::ArrayXcd q(J);
+  for (Eigen::Index j = 0; j < J; ++j) q[j] = std::polar(1., at[j] * step) - 1.;
+  const int aliases = static_cast<int>(std::ceil(omega / round));
+  for (int k = 0; k < model.n_loads(); ++k) {
+    transfer_.col(k) = sampled_transfer(model, reading, k, step, q);
+    for (int a = -aliases; a <= aliases; ++a) {
+      const Eigen::ArrayXd alias = at + a * round, half = 0.5 * step * alias;
+      const auto below = alias.abs() <= omega && alias != 0.;
+      if (!below.any()) continue;
+      const Eigen::ArrayXd hat = below.select((half.sin() / half).square(), 0.);
+      const Eigen::VectorXcd H = transfer(model, reading, k, below.select(alias, omega));
+      transfer_.col(k) -= hat.matrix().cwiseProduct(H);
     }
+    transfer_(0, k) = 0.;  // lines between equal samples have no corners
+  }
 }
 
 double BandCheck::beyond(const Eigen::Ref<const WaveSamples>& loads) const {

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <vector>
 
 #include "dynamics/batch_response.h"
 #include "upbead/dynamics/nested_models.h"
@@ -31,16 +32,18 @@ struct ResponseDifference {
 /// below exp(-10) of itself.
 class ResponseError {
  public:
-  /// `reading`: index into the model's; that of the nested models is their only one.
-  ResponseError(const ModalModel& model, int reading, const NestedModels& nested, double step, int n);
+  /// `reading`: index into the model's; that of the nested models is their only one. `n_waves`: that will be asked
+  /// about; few are answered by the recurrences of all three models instead, which takes longer for each and no time
+  /// before.
+  ResponseError(const ModalModel& model, int reading, const NestedModels& nested, double step, int n, int n_waves);
   /// Throws std::invalid_argument where `loads` is not K x n.
   ResponseDifference of(const Eigen::Ref<const WaveSamples>& loads) const;
 
  private:
-  int n_;
-  std::shared_ptr<const detail::RealFft> fft_;
-  Eigen::VectorXd weight_;                 ///< exp(-sigma t) of the samples
-  Eigen::MatrixXcd of_model_, of_middle_;  ///< frequencies of the FFT x K
+  struct ByFft;
+  int n_loads_, n_;
+  std::shared_ptr<const ByFft> by_fft_;  ///< of many waves
+  std::vector<BatchResponse> models_;    ///< of few: the model, middle, reference
 };
 
 /// Tells what part of a wave's response comes from beyond the frequency to which a model has been checked. The wave is

@@ -133,7 +133,7 @@ Vector SecondOrderKrylov::vector_of(const Eigen::Ref<const Vector>& coordinates)
     Vector h = Vector::Zero(basis->n());
     for (Eigen::Index j = 0; j < h.size(); ++j)
       if (const int c = basis->coordinate[j]; c < coordinates.size()) h[j] = coordinates[c];
-    x(basis->unknown) = (basis->columns() * h).cwiseProduct(basis->unit);
+    x(basis->unknown) = Vector(product(basis->columns(), h)).cwiseProduct(basis->unit);
   }
   return x;
 }

@@ -1,6 +1,7 @@
 // Orthonormal directions of a Krylov space, one at a time.
 #pragma once
 
+#include "algebra/dense.h"
 #include "upbead/dynamics/krylov.h"
 
 namespace upbead::detail {
@@ -13,8 +14,8 @@ constexpr double round_off = 1e-11;
 inline Vector orthogonalise(const Eigen::Ref<const Eigen::MatrixXd>& Q, Vector& y) {
   Vector coordinates = Vector::Zero(Q.cols());
   for (int pass = 0; pass < 2; ++pass) {
-    const Vector h = Q.transpose() * y;
-    y.noalias() -= Q * h;
+    const Vector h = transposed_product(Q, y);
+    y -= product(Q, h);
     coordinates += h;
   }
   return coordinates;

@@ -2,12 +2,19 @@
 
 #include <stdexcept>
 
+#include "algebra/dense.h"
+
 namespace upbead {
 
 namespace {
 
 /// Row by row, so that a sparse matrix is read once for all columns.
 using Columns = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// V^T P.
+Eigen::MatrixXd gram_of(const Eigen::Ref<const Eigen::MatrixXd>& V, const Columns& P) {
+  return product(Eigen::Map<const Eigen::MatrixXd>(P.data(), P.cols(), P.rows()), V).transpose();
+}
 
 /// A(rows, columns) for ascending index lists.
 SparseMatrix block(const SparseMatrix& A, const std::vector<int>& rows, const std::vector<int>& columns) {
@@ -111,7 +118,7 @@ void Projection::project(Group& group) {
   const std::vector<int>& coordinate = group.basis.coordinate;
   const Columns added = group.basis.columns_from(group.n_projected);
   const auto fill = [&](const SparseMatrix& A, Eigen::MatrixXd& reduced) {
-    const Eigen::MatrixXd product = A * added, gram = group.basis.columns().transpose() * product;
+    const Eigen::MatrixXd gram = gram_of(group.basis.columns(), A * added);
     for (Eigen::Index i = 0; i < gram.rows(); ++i)
       for (Eigen::Index j = 0; j < gram.cols(); ++j) {
         const int row = coordinate[i];
@@ -137,9 +144,9 @@ void Projection::project_coupling() {
       }
   };
   const Columns new_u = u_.basis.columns_from(u_.n_projected), new_phi = phi_.basis.columns_from(phi_.n_projected);
-  const Eigen::MatrixXd of_new_u = C_phiu_ * new_u, of_new_phi = C_phiu_.transpose() * new_phi;
-  fill(phi_.basis.columns().transpose() * of_new_u, 0, u_.n_projected);
-  fill(of_new_phi.transpose() * u_.basis.vectors.leftCols(u_.n_projected), phi_.n_projected, 0);
+  fill(gram_of(phi_.basis.columns(), C_phiu_ * new_u), 0, u_.n_projected);
+  const Columns of_new_phi = C_phiu_.transpose() * new_phi;
+  fill(gram_of(u_.basis.vectors.leftCols(u_.n_projected), of_new_phi).transpose(), phi_.n_projected, 0);
 }
 
 void Projection::project_rows(const Group& group) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,7 @@
 #include "dynamics/answer_error.h"
 #include "fem/caisson/reading_names.h"
 #include "output/wave_response.h"
+#include "respond/answer_step.h"
 #include "respond/respond_slip.h"
 #include "respond/wave_grid.h"
 #include "upbead/base/error.h"
@@ -60,16 +62,6 @@ void set_peaks(const std::vector<double>& time, const Eigen::RowVectorXd& P, con
 
 constexpr double most_numbers = 1e8;  // of P in one file; with F_T and the file itself 5 GB of memory
 
-/// The longest step (s) that shows a peak: a twentieth of the period of the highest frequency, and a fiftieth of the
-/// case's shortest load. The latter counts where a soft ground filters that load, so that checks end at a low
-/// frequency.
-double longest_step(const ReducedModelFile& model) {
-  double step = 1. / (20. * model.highest_frequency);
-  for (const ModelLoad& load : model.loads)
-    if (load.duration > 0.) step = std::min(step, load.duration / 50.);
-  return step;
-}
-
 /// The model with one reading: what else it can tell is not asked.
 ModalModel one_reading(const ModalModel& model, const char* name) {
   ModalModel one = model;
@@ -111,20 +103,22 @@ struct WaveChecks {
 /// By number of samples and step: files with the same times share one, as it is dear to make.
 class AllWaveChecks {
  public:
-  AllWaveChecks(const ReducedModelFile& model, const ModalModel& shear) : model_(model), shear_(shear) {}
+  AllWaveChecks(const ReducedModelFile& model, const ModalModel& shear, int n_waves)
+      : model_(model), shear_(shear), n_waves_(n_waves) {}
 
   std::shared_ptr<const WaveChecks> of(const std::vector<double>& time) {
     const int n = static_cast<int>(time.size());
     std::shared_ptr<const WaveChecks>& checks = made_[{n, time[1]}];
     if (checks) return checks;
     WaveChecks made{{shear_, 0, time[1], n, 2. * pi * model_.highest_frequency}, {}};
-    if (model_.nested) made.error.emplace(shear_, 0, *model_.nested, time[1], n);
+    if (model_.nested) made.error.emplace(shear_, 0, *model_.nested, time[1], n, n_waves_);
     return checks = std::make_shared<const WaveChecks>(std::move(made));
   }
 
  private:
   const ReducedModelFile& model_;
   const ModalModel& shear_;
+  int n_waves_;  ///< of all files
   std::map<std::pair<int, double>, std::shared_ptr<const WaveChecks>> made_;
 };
 
@@ -159,10 +153,27 @@ class BaseAnswer {
   OneReading normal_, moment_, uplift_, uplift_moment_;
 };
 
+/// Of what an answer may miss between its times, over the model's tolerance.
+constexpr double of_tolerance = 0.02;
+
 /// What the waves of all files have in common.
 struct Common {
-  Common(const ReducedModelFile& reduced, const RespondOptions& asked)
-      : model(reduced), options(asked), shear(one_reading(model.modes, reading::shear_force)), checks(reduced, shear) {
+  Common(const ReducedModelFile& reduced, const RespondOptions& asked, int n_waves)
+      : model(reduced),
+        options(asked),
+        shear(one_reading(model.modes, reading::shear_force)),
+        checks(reduced, shear, n_waves) {
+    const double tolerance = of_tolerance * model.tolerance;
+    resolved = {{&shear, tolerance}};
+    if (model.nested)
+      for (const ModalModel* larger : {&model.nested->middle, &model.nested->reference})
+        resolved.push_back({larger, tolerance});
+    if (options.sliding && model.base) {
+      for (const char* name : {reading::normal_force, reading::uplift, reading::base_moment, reading::uplift_moment})
+        of_base.push_back(one_reading(model.modes, name));
+      for (std::size_t i = 0; i < of_base.size(); ++i)
+        resolved.push_back({&of_base[i], tolerance * (i < 2 ? 1. : model.base->width)});
+    }
     if (!options.sliding || !model.slip) return;
     try {
       slips.emplace(model, *options.sliding);
@@ -176,10 +187,24 @@ struct Common {
   const ReducedModelFile& model;
   const RespondOptions& options;
   ModalModel shear;
+  std::vector<ModalModel> of_base;        ///< what presses on the base, where that is asked
+  std::vector<ResolvedReading> resolved;  ///< by the times of an answer
   AllWaveChecks checks;
   std::optional<WaveSlips> slips;
   std::string why_no_slip;  ///< of all waves
 };
+
+/// The longest step (s) that shows the answers: a fiftieth of the case's shortest load, or less as LineMisses tells.
+/// A twentieth of the period of the highest frequency shows all that the model knows and is short enough.
+double longest_step(const Common& common, const WaveFile& file) {
+  double of_loads = infinity, own = 0.;
+  for (const ModelLoad& load : common.model.loads)
+    if (load.duration > 0.) of_loads = std::min(of_loads, load.duration / 50.);
+  for (std::size_t n = 1; n < file.time.size(); ++n) own = std::max(own, file.time[n] - file.time[n - 1]);
+  const double shortest = std::min(1. / (20. * common.model.highest_frequency), of_loads);
+  if (own <= shortest || !(shortest < of_loads) || of_loads == infinity) return shortest;
+  return answer_step(common.resolved, file, shortest, of_loads);
+}
 
 /// Everything that the waves of one file have in common, and their answers.
 class FileWork {
@@ -190,7 +215,7 @@ class FileWork {
         file_(file),
         options_(common.options),
         force_(model_.modes.feedthrough.row(model_.modes.index(reading::force))),
-        longest_step_(longest_step(model_)),
+        longest_step_(longest_step(common, file)),
         grid_(make_wave_grid(file.time, longest_step_, options_.end.value_or(std::max(file.time.back(), model_.end)))),
         check_time_(equal_times(grid_, longest_step_, std::max(file.time.back(), grid_.time.back()))),
         checks_(common.checks.of(check_time_)),
@@ -294,7 +319,9 @@ void require_caisson(const ModalModel& modes) {
 std::vector<WaveResponses> respond_to_waves(const ReducedModelFile& model, const std::vector<WaveFile>& files,
                                             const RespondOptions& options) {
   require_caisson(model.modes);
-  Common common(model, options);
+  const int n_waves = std::accumulate(files.begin(), files.end(), 0,
+                                      [](int sum, const WaveFile& file) { return sum + file.n_waves(); });
+  Common common(model, options, n_waves);
   std::vector<std::unique_ptr<FileWork>> work;
   std::vector<std::pair<FileWork*, int>> pieces;
   for (const WaveFile& file : files) {

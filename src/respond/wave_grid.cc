@@ -52,12 +52,14 @@ std::size_t index_of(double t, const std::vector<double>& time) {
 
 WaveGrid make_wave_grid(const std::vector<double>& time, double longest_step, double end) {
   WaveGrid grid;
-  grid.equal = equal_step(time);
-  if (grid.equal && *grid.equal > longest_step) grid.equal.reset();
-  if (grid.equal) {
-    grid.time = equal_times_until(*grid.equal, end);
-    if (grid.time.size() > time.size()) grid.last = time.size() - 1;
-    return grid;
+  if (const std::optional<double> own = equal_step(time)) {
+    const double parts = std::max(1., std::ceil(*own / longest_step * (1. - 1e-9)));
+    const double step = *own / parts, n = end / step;
+    if (parts == 1. || std::abs(n - std::round(n)) <= 1e-6) grid.equal = step;
+    const std::size_t last = (time.size() - 1) * static_cast<std::size_t>(parts);
+    if (grid.equal) grid.time = equal_times_until(step, end);
+    if (grid.equal && grid.time.size() > last + 1) grid.last = last;
+    if (grid.equal) return grid;
   }
   grid.time = {0.};
   for (const double t : time)

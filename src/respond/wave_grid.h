@@ -17,8 +17,8 @@ struct WaveGrid {
 };
 
 /// No part of the grid is longer than `longest_step` (s). Times that start at 0 with equal steps no longer than that
-/// are kept, and go on at the same step up to `end` or the first time past it. Throws InputError (without a place)
-/// where there would be more than 10,000,000 of them.
+/// are kept, and go on at the same step up to `end` or the first time past it; longer ones are cut into equal parts
+/// where that meets `end`. Throws InputError (without a place) where there would be more than 10,000,000 of them.
 WaveGrid make_wave_grid(const std::vector<double>& time, double longest_step, double end);
 
 /// A wave at the times of the grid, K rows; straight between its own times and zero outside them.

@@ -144,6 +144,18 @@ TEST(BandCheck, AKinkHasWhatItsSpectrumSays) {
   }
 }
 
+// Also where samples are further apart than the frequency asks for: what lies below it beside the samples' own band is
+// no part of what lies beyond. 2 %: the coarse samples may miss where that is largest.
+TEST(BandCheck, CoarseSamplesTellTheSame) {
+  const ModalModel model = Oscillator().model();
+  const WaveSamples fine = sampled(triangle, step, n_samples), coarse = sampled(triangle, 25. * step, n_samples / 25);
+  for (const double frequency : {7., 50., 150.}) {
+    const double expected = BandCheck(model, 2, step, n_samples, 2. * pi * frequency).beyond(fine);
+    const double found = BandCheck(model, 2, 25. * step, n_samples / 25, 2. * pi * frequency).beyond(coarse);
+    EXPECT_NEAR(found, expected, 0.02 * expected) << frequency;
+  }
+}
+
 TEST(BandCheck, AFastBurstHasAllBeyond) {
   const ModalModel model = Oscillator().model();
   const WaveSamples wave = sampled(burst, step, n_samples);

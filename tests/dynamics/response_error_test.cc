@@ -48,19 +48,36 @@ TEST(ResponseError, IsTheDifferenceOfTheModelsAnswers) {
   WaveSamples loads = WaveSamples::Random(2, n);
   loads.leftCols(1).setZero();
   loads.rightCols(n / 3).setZero();
-  const ResponseDifference found = ResponseError(model, 1, nested, step, n).of(loads);
   const Eigen::RowVectorXd reference = exact_answer(nested.reference, 0, loads);
   const Eigen::RowVectorXd of_model = reference - exact_answer(model, 1, loads),
                            of_middle = reference - exact_answer(nested.middle, 0, loads);
-  EXPECT_LT((found.of_model.transpose() - of_model).cwiseAbs().maxCoeff(), 1e-3 * of_model.cwiseAbs().maxCoeff());
-  EXPECT_LT((found.of_middle.transpose() - of_middle).cwiseAbs().maxCoeff(), 1e-3 * of_middle.cwiseAbs().maxCoeff());
+  for (const auto& [n_waves, tolerance] : {std::pair{1, 1e-12}, {1000, 1e-3}}) {
+    const ResponseDifference found = ResponseError(model, 1, nested, step, n, n_waves).of(loads);
+    EXPECT_LT((found.of_model.transpose() - of_model).cwiseAbs().maxCoeff(),
+              tolerance * of_model.cwiseAbs().maxCoeff());
+    EXPECT_LT((found.of_middle.transpose() - of_middle).cwiseAbs().maxCoeff(),
+              tolerance * of_middle.cwiseAbs().maxCoeff());
+  }
+}
+
+// A first sample that is not zero is reached along a line, both ways.
+TEST(ResponseError, OfFewWavesIsThatOfMany) {
+  const ModalModel model = random_model(12, 2, 1, step);
+  const NestedModels nested{random_model(7, 2, 1, step), random_model(9, 2, 1, step)};
+  WaveSamples loads = WaveSamples::Random(2, 300);
+  const ResponseDifference few = ResponseError(model, 0, nested, step, 300, 2).of(loads),
+                           many = ResponseError(model, 0, nested, step, 300, 1000).of(loads);
+  EXPECT_LT((few.of_model - many.of_model).cwiseAbs().maxCoeff(), 1e-3 * many.of_model.cwiseAbs().maxCoeff());
+  EXPECT_NEAR(few.bound(), many.bound(), 1e-3 * many.bound());
 }
 
 TEST(ResponseError, OfLoadsThatDoNotFit) {
   const ModalModel model = random_model(4, 2, 1, step);
-  const ResponseError error(model, 0, {model, model}, step, 10);
-  EXPECT_THROW(error.of(WaveSamples::Zero(1, 10)), std::invalid_argument);
-  EXPECT_THROW(error.of(WaveSamples::Zero(2, 9)), std::invalid_argument);
+  for (const int n_waves : {1, 1000}) {
+    const ResponseError error(model, 0, {model, model}, step, 10, n_waves);
+    EXPECT_THROW(error.of(WaveSamples::Zero(1, 10)), std::invalid_argument);
+    EXPECT_THROW(error.of(WaveSamples::Zero(2, 9)), std::invalid_argument);
+  }
 }
 
 TEST(ResponseError, BoundsTheErrorOfShorterPulsesAndLongerRecords) {
@@ -78,7 +95,7 @@ TEST(ResponseError, BoundsTheErrorOfShorterPulsesAndLongerRecords) {
       const Eigen::RowVectorXd truth = exact_answer(exact, 0, f);
       const double error = (exact_answer(model, 0, f) - truth).cwiseAbs().maxCoeff();
       const double rest = (exact_answer(nested.reference, 0, f) - truth).cwiseAbs().maxCoeff();
-      const double bound = ResponseError(model, 0, nested, step, n).of(f).bound();
+      const double bound = ResponseError(model, 0, nested, step, n, 1000).of(f).bound();
       EXPECT_GE(bound + 1e-9 * truth.cwiseAbs().maxCoeff(), error) << duration << " " << n;
       EXPECT_LE(bound, 4. * error + 1e-9 * truth.cwiseAbs().maxCoeff()) << duration << " " << n;
       if (rest < 0.5 * error) ++improved;

@@ -150,7 +150,7 @@ WaveError WaveErrors::next() {
   const Eigen::RowVectorXd coarse = marched(coarse_kernel_, force, record.cut ? last : -1).head(n);
   const WaveSamples loads = force.head(n).transpose();
   const Eigen::RowVectorXd found = answer(reduction_.model, shear_, step_, loads, record.cut ? last : -1);
-  const ResponseDifference difference = ResponseError(reduction_.model, shear_, nested_, step_, n).of(loads);
+  const ResponseDifference difference = ResponseError(reduction_.model, shear_, nested_, step_, n, 1000).of(loads);
   const double peak = truth.cwiseAbs().maxCoeff(), told = found.cwiseAbs().maxCoeff();
   return {record.kind,
           record.length / end_,

@@ -1,0 +1,17 @@
+// Dense matrices by LAPACK and BLAS, whose kernels take the widest registers that the processor has.
+#pragma once
+
+#include <Eigen/Core>
+
+namespace upbead {
+
+/// X of A X = B, by dgesv; no numbers where A is singular.
+Eigen::MatrixXd solve_dense(Eigen::MatrixXd A, Eigen::MatrixXd B);
+
+/// A B, by dgemm or dgemv.
+Eigen::MatrixXd product(const Eigen::Ref<const Eigen::MatrixXd>& A, const Eigen::Ref<const Eigen::MatrixXd>& B);
+/// A^T B, likewise.
+Eigen::MatrixXd transposed_product(const Eigen::Ref<const Eigen::MatrixXd>& A,
+                                   const Eigen::Ref<const Eigen::MatrixXd>& B);
+
+}  // namespace upbead
