@@ -9,6 +9,7 @@
 #include "case/wave_load.h"
 #include "fem/compile.h"
 #include "model/words.h"
+#include "output/summary_outputs.h"
 #include "response/time_choice.h"
 
 namespace upbead {
@@ -139,10 +140,12 @@ std::string describe(const BaseSummary& b) {
   return text;
 }
 
-/// Nothing where no reduced model tells them.
-std::string describe(const std::vector<NaturalPeriod>& periods) {
+/// Why there are none, where that is so.
+std::string describe_periods(const Summary& summary) {
   constexpr std::size_t most = 4;
-  std::string text;
+  const std::vector<NaturalPeriod>& periods = summary.periods;
+  const std::string none = why_no_periods(summary);
+  std::string text = none.empty() ? "" : "periods     not told: " + none;
   for (std::size_t i = 0; i < std::min(most, periods.size()); ++i)
     text += (i == 0 ? "periods     " : ", ") + significant(periods[i].period) + " s (share in F_T " +
             percent(periods[i].share) + ", damping " + percent(periods[i].damping_ratio) + ")";
@@ -274,7 +277,7 @@ std::string describe(const Run& run) {
   }
   if (run.summary.error) text += describe(*run.summary.error, *run.summary.history_error);
   if (run.summary.soil) text += describe(*run.summary.soil);
-  text += describe(run.summary.periods);
+  text += describe_periods(run.summary);
   if (run.summary.contact) text += describe(*run.summary.contact);
   if (run.summary.sliding) text += describe(*run.summary.sliding);
   if (run.summary.base) text += describe(*run.summary.base);

@@ -241,6 +241,10 @@ OutputSchema<LadderStep> ladder_outputs() {
 OutputSchema<Summary> whole_outputs() {
   using S = Summary;
   const auto of_caisson = [](const S& s) { return s.response ? &s : nullptr; };
+  const auto no_periods = [](const S& s) {
+    const std::string why = why_no_periods(s);
+    return why.empty() ? std::nullopt : std::make_optional(why);
+  };
   return OutputSchema<S>()
       .key("title", &S::title, "", "that of the case")
       .program()
@@ -260,6 +264,7 @@ OutputSchema<Summary> whole_outputs() {
       .list("periods[]", &S::periods, period_outputs(),
             "natural periods of ground and bonded caisson that F_T takes part in, largest share first, from 1 %; "
             "modes damped by more than 0.7 of critical do not swing; empty where no reduced model was made")
+      .key("no_periods", no_periods, "", "why `periods` is empty; null where it is not, and without a caisson")
       .object("sliding", &S::sliding, sliding_outputs(),
               "with `[sliding]` in the case, else null. Eq. numbers are those of Shimosako and Takahashi (1994); F_S = "
               "F_T + mu U. Of all this only `sliding_coupled` moves the scene: elsewhere F_T is that of a caisson "
@@ -283,6 +288,13 @@ OutputSchema<Summary> whole_outputs() {
 }
 
 }  // namespace
+
+std::string why_no_periods(const Summary& summary) {
+  if (!summary.periods.empty() || !summary.response) return "";
+  if (summary.reduction) return "no mode that swings has 1 % of F_T";
+  return "they are the poles of a reduced model, and this scene was marched; where one converges time.scheme = "
+         "\"reduced\" tells them";
+}
 
 OutputSchema<LoadOnCaisson> load_outputs() {
   using L = LoadOnCaisson;

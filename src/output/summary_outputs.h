@@ -13,6 +13,9 @@ OutputSchema<Skipped> skipped_outputs();
 OutputSchema<SlidingSummary> sliding_outputs();
 OutputSchema<ContactSummary> contact_outputs();
 
+/// Why a caisson's `periods` are none, with a cure; "" where there are some, or there is no caisson.
+std::string why_no_periods(const Summary& summary);
+
 /// Of `upbead run`.
 const OutputSchema<Summary>& summary_outputs();
 

@@ -40,6 +40,10 @@ class Reduced(ProgramTest):
         self.assertLess(reduced["discretisation"]["solves"], 60)
         self.assertIsNone(reduced["energy"])
         self.assertIsNone(marched["reduction"])
+        self.assertGreater(len(reduced["periods"]), 0)
+        self.assertIsNone(reduced["no_periods"])
+        self.assertEqual(marched["periods"], [])
+        self.assertIn("this scene was marched", marched["no_periods"])
         self.assertLess(reduced["response"]["reaction_mismatch"], 1e-8)
         peak = marched["response"]["peak_shear"]
         self.assertAlmostEqual(reduced["response"]["peak_shear"] / peak, 1, delta=1e-3)
@@ -53,6 +57,7 @@ class Reduced(ProgramTest):
             self.assertEqual(done.returncode, 0, done.stderr)
             self.assertIn("marched", done.stdout)
             self.assertIn(reason, done.stdout)
+            self.assertIn("periods     not told: they are the poles of a reduced model", done.stdout)
 
     def test_reduce_then_respond_gives_what_run_gives(self):
         told = self.summary("reduce", "--check", "--out", "model")
