@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "design/water_levels.h"
+
 namespace fs = std::filesystem;
 
 namespace upbead {
@@ -79,7 +81,7 @@ Design read_design(const std::string& path, const std::vector<std::string>& over
   Diagnostics report;
   design_schema().read(design.document.root(), "", design.tables, report);
   design.tables.water.gravity = design.tables.gravity;
-  for (const DesignCheck check : {check_section, check_waves, check_ground})
+  for (const DesignCheck check : {check_section, check_waves, check_ground, check_water_levels})
     check(design.tables, design.document, report);
   for (const DesignCheck check : further) check(design.tables, design.document, report);
   report.throw_if_any(path);

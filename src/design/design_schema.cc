@@ -87,6 +87,13 @@ TableSchema<DesignTables> design_schema() {
   TableSchema<DesignTables> table;
   table.key("title", &DesignTables::title).doc("title of the design");
   table.key("gravity", &DesignTables::gravity).unit("m/s2").range(from_to(0.1, 100.)).doc("acceleration of gravity");
+  table.key("levels", &DesignTables::levels)
+      .unit("m")
+      .range(from_to(-1e4, 1e4))
+      .doc(
+          "water levels by name, above that of the section; for `waves`, which asks every wave at each and tells the "
+          "one "
+          "that governs");
   table.table("fluid", &DesignTables::water, fluid_schema()).doc("Sea water.");
   table.table("section", &DesignTables::section, section_schema())
       .required()

@@ -124,9 +124,10 @@ struct DesignTables : ExpectedTables {
   DurationFactor duration;  ///< k(alpha*)
   CombinedModel combined;
   std::optional<ElasticBase> ground;
+  std::map<std::string, double> levels;  ///< of `waves`, above the section's still water, by name (m)
   std::map<std::string, WaveTable> waves;
   std::optional<CalibrationTable> calibration;
-  Limits limits;  ///< of `expected`
+  Limits limits;  ///< of `expected` and `waves`
 };
 
 TableSchema<DesignTables> design_schema();

@@ -197,7 +197,9 @@ void add_expected_tables(TableSchema<DesignTables>& table) {
       .doc("Storms of a life from the statistics of extreme waves in deep water, in place of [sea]; needs [life].");
   table.table("life", &DesignTables::life, life_schema()).doc("Monte Carlo over lives; not done without this table.");
   table.table("limits", &DesignTables::limits, limits_schema())
-      .doc("What lives are checked against, for `expected`: how many of them exceed it.");
+      .doc(
+          "What lives are checked against, for `expected`: how many of them exceed it. `waves` holds each wave against "
+          "base_pressure and overturning.");
   table.table("scatter", &DesignTables::scatter, scatters_schema())
       .doc("What is uncertain in Monte Carlo, each with a table [scatter.NAME]; nothing is without one.");
   table.table("dynamics", &DesignTables::dynamics, dynamics_schema())

@@ -73,13 +73,27 @@ std::vector<std::string> standing_head() {
   return {"wave", "L", "crest", "trough", "P", "U", "S.F. sliding", "p_e", "P seaward", "S.F. sliding", "p_toe"};
 }
 
-std::vector<std::string> standing_row(const std::string& name, const StandingAnswer& a) {
+std::vector<std::string> standing_row(const std::string& name, const StandingAnswer& a, const Limits& limits) {
   std::vector<std::string> row{name};
   for (const double value : {a.wavelength, a.worst.crest, a.worst.trough, a.worst.landward.force / 1e3,
                              a.worst.landward.uplift / 1e3, a.landward.safety_sliding, a.landward.heel_pressure / 1e3,
                              a.worst.seaward.force / 1e3, a.seaward.safety_sliding, a.seaward.heel_pressure / 1e3})
     row.push_back(significant(value, 4));
+  if (too_much_pressure(a.landward, limits)) row[7] += "!";
+  if (too_much_pressure(a.seaward, limits)) row.back() += "!";
   return row;
+}
+
+double severity_of_heel(const Stability& s) {
+  return s.safety_overturning > 1. && s.safety_sliding > 0. ? s.heel_pressure : HUGE_VAL;
+}
+
+bool too_much_pressure(const Stability& s, const Limits& limits) {
+  return limits.base_pressure && severity_of_heel(s) > *limits.base_pressure;
+}
+
+bool overturns_too_easily(const Stability& s, const Limits& limits) {
+  return limits.overturning && s.safety_overturning < *limits.overturning;
 }
 
 }  // namespace upbead

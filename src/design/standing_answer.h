@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "output/output_schema.h"
+#include "upbead/model/scene.h"
 #include "upbead/waves/standing_wave.h"
 
 namespace upbead {
@@ -29,8 +30,15 @@ StandingResult standing_answer(const Section& section, const Water& water, const
 
 OutputSchema<StandingAnswer> standing_outputs();
 
-/// Cells of a table, m and kN/m and kPa.
+/// Cells of a table, m and kN/m and kPa; "!" where a limit is passed.
 std::vector<std::string> standing_head();
-std::vector<std::string> standing_row(const std::string& name, const StandingAnswer& answer);
+std::vector<std::string> standing_row(const std::string& name, const StandingAnswer& answer, const Limits& limits);
+
+/// p_e, or more than any number where it says nothing, as the caisson overturns or floats (Pa).
+double severity_of_heel(const Stability& stability);
+
+/// Whether a limit is given and passed.
+bool too_much_pressure(const Stability& stability, const Limits& limits);
+bool overturns_too_easily(const Stability& stability, const Limits& limits);
 
 }  // namespace upbead

@@ -5,15 +5,9 @@ namespace upbead {
 
 namespace {
 
-/// A wave with the design that it belongs to.
-struct ToldWave {
-  const DesignTables* design;
-  const WaveAnswer* answer;
-};
-
 struct ToldWaves {
   const DesignTables* design;
-  std::vector<ToldWave> waves;
+  const std::vector<WaveAnswer>* waves;
 };
 
 OutputSchema<Section> section_outputs() {
@@ -118,28 +112,40 @@ OutputSchema<WaveAnswer> sliding_outputs() {
             "may be empty");
 }
 
-OutputSchema<ToldWave> wave_outputs() {
-  using W = ToldWave;
+/// At one level of still water.
+OutputSchema<WaveAnswer> answer_outputs() {
   using A = WaveAnswer;
   using D = DesignWave;
-  const auto pressure = inner(&W::answer, &A::pressure);
   const auto heights = OutputSchema<D>()
                            .key("height", &D::height, "m", "H")
                            .key("significant_height", &D::significant_height, "m", "H_1/3")
                            .key("period", &D::period, "s", "T");
-  return OutputSchema<W>()
-      .keys_of(inner(&W::answer, &A::wave), heights)
+  return OutputSchema<A>()
+      .keys_of(&A::wave, heights)
+      .key("angle", &A::angle, "degrees", "beta")
+      .key("wavelength", &A::wavelength, "m", "L")
+      .keys_of(&A::pressure, coefficients_outputs())
       .key(
-          "angle", [](const W& w) { return w.design->waves.at(w.answer->name).angle; }, "degrees", "beta")
-      .key("wavelength", inner(&W::answer, &A::wavelength), "m", "L")
-      .keys_of(pressure, coefficients_outputs())
-      .key(
-          "overtopped", [](const W& w) { return w.answer->pressure.eta_star > w.design->section.crest; }, "",
+          "overtopped", [](const A& a) { return a.pressure.eta_star > a.section.crest; }, "",
           "whether eta* is above h_c")
-      .keys_of(pressure, forces_outputs())
-      .object("without_alpha_I", inner(&W::answer, &A::without_alpha_I), without_outputs(), "by alpha_2 alone")
-      .keys_of(inner(&W::answer, &A::stability), stability_outputs())
-      .keys_of(&W::answer, sliding_outputs());
+      .keys_of(&A::pressure, forces_outputs())
+      .object("without_alpha_I", &A::without_alpha_I, without_outputs(), "by alpha_2 alone")
+      .keys_of(&A::stability, stability_outputs())
+      .keys_of([](const A& a) -> const A& { return a; }, sliding_outputs());
+}
+
+OutputSchema<WaveAnswer> wave_outputs() {
+  using A = WaveAnswer;
+  const auto level = OutputSchema<A>()
+                         .key("rise", &A::rise, "m", "above the section's still water")
+                         .object("section", &A::section, section_outputs(), "as it stands at that level")
+                         .keys_of([](const A& a) -> const A& { return a; }, answer_outputs());
+  return answer_outputs()
+      .named("levels.LEVEL", &A::levels, &A::level, level,
+             "the wave at each level of `[levels]`, and at that of the section as `section`")
+      .or_left_out()
+      .object("governing", &A::governing, governing_outputs(), "which of these levels is the worst for each check")
+      .or_left_out();
 }
 
 const OutputSchema<ToldWaves>& waves_outputs() {
@@ -156,8 +162,9 @@ const OutputSchema<ToldWaves>& waves_outputs() {
                                  .object("fluid", inner(&W::design, &D::water), fluid, "as used")
                                  .object("section", inner(&W::design, &D::section), section_outputs(), "as used")
                                  .object("duration", inner(&W::design, &D::duration), factor, "as used")
-                                 .named("waves.NAME", &W::waves, inner(&ToldWave::answer, &WaveAnswer::name),
-                                        wave_outputs(), "each wave of the design")
+                                 .named(
+                                     "waves.NAME", [](const W& w) -> const auto& { return *w.waves; },
+                                     &WaveAnswer::name, wave_outputs(), "each wave of the design")
                                  .versions();
   return schema;
 }
@@ -169,9 +176,7 @@ std::vector<OutputRow> rows_of_waves() {
 }
 
 std::string to_json(const DesignTables& design, const std::vector<WaveAnswer>& answers) {
-  ToldWaves told{&design, {}};
-  for (const WaveAnswer& answer : answers) told.waves.push_back({&design, &answer});
-  return waves_outputs().text(told);
+  return waves_outputs().text({&design, &answers});
 }
 
 }  // namespace upbead

@@ -48,6 +48,8 @@ void set_elastic(const WaveTable& table, const DesignTables& design, WaveAnswer&
 WaveAnswer answer(const std::string& name, const WaveTable& table, const DesignTables& design) {
   WaveAnswer a;
   a.name = name;
+  a.section = design.section;
+  a.angle = table.angle;
   a.wave = design_wave(table, design.section, design.water);
   const Goda goda(design.section, design.water, a.wave);
   a.wavelength = goda.wavelength();
@@ -59,7 +61,21 @@ WaveAnswer answer(const std::string& name, const WaveTable& table, const DesignT
   set_elastic(table, design, a);
   a.standing = standing_answer(design.section, design.water, a.wave);
   a.warnings = warnings(design.section, design.water, a.wave, a.pressure);
+  for (Warning& beyond : beyond_limits(design.limits, a)) a.warnings.push_back(std::move(beyond));
   return a;
+}
+
+/// The wave at each level: its height by random breaking, W' and the mound's depths are those of that level.
+std::vector<WaveAnswer> at_levels(const std::string& name, const WaveTable& table, const DesignTables& design) {
+  std::vector<WaveAnswer> answers;
+  for (const WaterLevel& level : water_levels(design)) {
+    DesignTables there = design;
+    there.section = at_water_level(design.section, design.water, level.rise);
+    answers.push_back(answer(name, table, there));
+    answers.back().level = level.name;
+    answers.back().rise = level.rise;
+  }
+  return answers;
 }
 
 using Row = std::vector<std::string>;
@@ -84,7 +100,7 @@ std::string short_number(double value) {
   return significant(value, 4);
 }
 
-Row pressures(const WaveAnswer& a) {
+Row pressures(const WaveAnswer& a, const Limits&) {
   const WavePressure& p = a.pressure;
   Row row{a.name};
   for (const double value : {a.wave.height, a.wave.significant_height, a.wave.period, a.wavelength, p.alpha_1,
@@ -94,18 +110,32 @@ Row pressures(const WaveAnswer& a) {
   return row;
 }
 
-Row safety(const WaveAnswer& a) {
+/// What "!" means, where there may be one.
+std::string note_on(const Limits& limits) {
+  return limits.base_pressure || limits.overturning ? ", ! beyond [limits]" : "";
+}
+
+/// With "!" where the limit is passed.
+std::string judged_heel(const Stability& s, const Limits& limits) {
+  return short_number(s.heel_pressure / 1e3) + (too_much_pressure(s, limits) ? "!" : "");
+}
+
+std::string judged_overturning(const Stability& s, const Limits& limits) {
+  return short_number(s.safety_overturning) + (overturns_too_easily(s, limits) ? "!" : "");
+}
+
+Row safety(const WaveAnswer& a, const Limits& limits) {
   return {a.name,
           short_number(a.pressure.force / 1e3),
           short_number(a.pressure.uplift / 1e3),
           short_number(a.pressure.force_moment / 1e6),
           short_number(a.pressure.uplift_moment / 1e6),
           short_number(a.stability.safety_sliding),
-          short_number(a.stability.safety_overturning),
-          short_number(a.stability.heel_pressure / 1e3)};
+          judged_overturning(a.stability, limits),
+          judged_heel(a.stability, limits)};
 }
 
-Row sliding(const WaveAnswer& a) {
+Row sliding(const WaveAnswer& a, const Limits&) {
   return {a.name,
           short_number(a.force / 1e3) + (a.measured ? " (given)" : ""),
           short_number(a.pulse.peak / 1e3),
@@ -118,24 +148,54 @@ Row sliding(const WaveAnswer& a) {
           short_number(a.sliding.combined)};
 }
 
-std::string table(const std::string& title, Row head, const std::vector<WaveAnswer>& answers,
-                  Row (*row)(const WaveAnswer&)) {
+std::string table(const std::string& title, Row head, const std::vector<WaveAnswer>& answers, const Limits& limits,
+                  Row (*row)(const WaveAnswer&, const Limits&)) {
   std::vector<Row> rows{std::move(head)};
-  for (const WaveAnswer& a : answers) rows.push_back(row(a));
+  for (const WaveAnswer& a : answers) rows.push_back(row(a, limits));
   return "\n" + title + "\n" + aligned(rows);
 }
 
+Row at_level(const WaveAnswer& a, const GoverningLevels& worst, const Limits& limits) {
+  const auto marked = [&](const std::string& cell, const GoverningLevel& which) {
+    return cell + (which.level == a.level ? "*" : "");
+  };
+  const auto& standing = a.standing.answer;
+  return {a.name + " at " + a.level,
+          short_number(a.rise),
+          short_number(a.section.water_depth),
+          short_number(a.wave.height),
+          short_number(a.pressure.alpha_star),
+          short_number(a.pressure.force / 1e3),
+          short_number(a.pressure.uplift / 1e3),
+          marked(short_number(a.stability.safety_sliding), worst.safety_sliding),
+          marked(judged_overturning(a.stability, limits), worst.safety_overturning),
+          marked(judged_heel(a.stability, limits), worst.heel_pressure),
+          short_number(a.sliding.exact),
+          standing ? short_number(standing->landward.safety_sliding) : "-",
+          standing ? marked(short_number(standing->seaward.safety_sliding), *worst.seaward) : "-"};
+}
+
+std::string levels_table(const std::vector<WaveAnswer>& answers, const Limits& limits) {
+  std::vector<Row> rows{{"wave and level", "rise", "h", "H", "alpha*", "P", "U", "S.F. sliding", "S.F. overturning",
+                         "p_e", "S exact", "standing: S.F.", "seaward"}};
+  for (const WaveAnswer& a : answers)
+    for (const WaveAnswer& level : a.levels) rows.push_back(at_level(level, *a.governing, limits));
+  if (rows.size() == 1) return "";
+  return "\nWater levels, * the one that governs" + note_on(limits) + " (m, kN/m, kPa)\n" + aligned(rows);
+}
+
 /// Where a wave stands before the wall; where none does, why, once for all waves that it holds for.
-std::string standing_table(const std::vector<WaveAnswer>& answers) {
+std::string standing_table(const std::vector<WaveAnswer>& answers, const Limits& limits) {
   std::vector<Row> rows{standing_head()};
   std::string none;
   for (const WaveAnswer& a : answers) {
     if (a.standing.answer)
-      rows.push_back(standing_row(a.name, *a.standing.answer));
+      rows.push_back(standing_row(a.name, *a.standing.answer, limits));
     else
       none += a.name + ": " + a.standing.why_not + "\n";
   }
-  const std::string title = "\nStanding wave of finite height, in crest and trough (m, kN/m, kPa)\n";
+  const std::string title =
+      "\nStanding wave of finite height, in crest and trough" + note_on(limits) + " (m, kN/m, kPa)\n";
   return title + (rows.size() > 1 ? aligned(rows) : "") + none;
 }
 
@@ -152,7 +212,11 @@ std::string describe(const Section& s) {
 
 std::vector<WaveAnswer> answer_waves(const DesignTables& design) {
   std::vector<WaveAnswer> answers;
-  for (const auto& [name, table] : design.waves) answers.push_back(answer(name, table, design));
+  for (const auto& [name, table] : design.waves) {
+    answers.push_back(answer(name, table, design));
+    answers.back().levels = at_levels(name, table, design);
+    if (!design.levels.empty()) answers.back().governing = governing(answers.back().levels);
+  }
   return answers;
 }
 
@@ -162,13 +226,15 @@ std::string describe(const DesignTables& design, const std::vector<WaveAnswer>& 
   text += table("Pressure after Goda, with alpha* = max(alpha_2, alpha_I) (m, s, kPa)",
                 {"wave", "H", "H_1/3", "T", "L", "alpha_1", "alpha_2", "alpha_3", "alpha_I", "alpha*", "eta*", "p1",
                  "p3", "p4", "pu"},
-                answers, pressures);
-  text += table("Safety (kN/m, MN m/m, kPa)",
-                {"wave", "P", "U", "M_P", "M_U", "S.F. sliding", "S.F. overturning", "p_e"}, answers, safety);
-  text += standing_table(answers);
+                answers, design.limits, pressures);
+  text += table("Safety" + note_on(design.limits) + " (kN/m, MN m/m, kPa)",
+                {"wave", "P", "U", "M_P", "M_U", "S.F. sliding", "S.F. overturning", "p_e"}, answers, design.limits,
+                safety);
+  text += standing_table(answers, design.limits);
+  text += levels_table(answers, design.limits);
   text += table("Sliding by tau_0 = k(alpha*) tau_0F (kN/m, s, m)",
                 {"wave", "F_T", "F_Smax", "r", "tau_0F", "k", "tau_0", "S eq. (7)", "S exact", "S combined"}, answers,
-                sliding);
+                design.limits, sliding);
   for (const WaveAnswer& a : answers)
     if (a.elastic)
       text += "\n" + a.name + " on the swaying ground: peak F_T " + short_number(a.elastic->peak_shear / 1e3) +
@@ -181,15 +247,21 @@ std::string warning_lines(const std::vector<WaveAnswer>& answers) {
   std::vector<std::string> order;
   std::map<std::string, std::vector<const WaveAnswer*>> waves;
   std::map<std::string, std::string> text;
-  for (const WaveAnswer& a : answers)
+  const auto collect = [&](const WaveAnswer& a) {
     for (const Warning& warning : a.warnings) {
       if (text.emplace(warning.name, warning.text).second) order.push_back(warning.name);
       waves[warning.name].push_back(&a);
     }
+  };
+  for (const WaveAnswer& a : answers) {
+    if (a.levels.empty()) collect(a);
+    for (const WaveAnswer& level : a.levels) collect(level);
+  }
   std::string lines;
   for (const std::string& name : order) {
     const std::size_t others = waves[name].size() - 1;
-    lines += "warning: wave " + waves[name].front()->name + ": " + text[name] +
+    const WaveAnswer& first = *waves[name].front();
+    lines += "warning: wave " + first.name + (first.level.empty() ? "" : " at " + first.level) + ": " + text[name] +
              (others == 0 ? "" : "; so for " + std::to_string(others) + (others == 1 ? " other" : " others")) + " [" +
              name + "]\n";
   }

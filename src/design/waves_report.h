@@ -7,6 +7,7 @@
 
 #include "design.h"
 #include "design/standing_answer.h"
+#include "design/water_levels.h"
 #include "sliding/elastic_block.h"
 #include "upbead/sliding/pulse.h"
 #include "upbead/waves/goda.h"
@@ -25,6 +26,10 @@ struct SlidingDistances {
 
 struct WaveAnswer {
   std::string name;
+  std::string level;  ///< of still water; "": the section's own, where there are no others
+  double rise = 0.;   ///< of that level (m)
+  Section section;    ///< as it stands there
+  double angle = 0.;  ///< degrees
   DesignWave wave;
   double wavelength = 0.;          ///< L (m)
   WavePressure pressure;           ///< by alpha* = max(alpha_2, alpha_I)
@@ -39,12 +44,14 @@ struct WaveAnswer {
   std::optional<ElasticSliding> elastic;  ///< on a ground that sways
   StandingResult standing;                ///< where the wave does not break
   std::vector<Warning> warnings;
+  std::vector<WaveAnswer> levels;            ///< the same wave at each level, the highest first; its own among them
+  std::optional<GoverningLevels> governing;  ///< where there are levels
 };
 
 /// All waves of a design, in the order of their names.
 std::vector<WaveAnswer> answer_waves(const DesignTables& design);
 
-/// Tables of pressures, safety and sliding, a row a wave.
+/// Tables of pressures, safety and sliding, a row a wave, and of levels, a row a wave and level.
 std::string describe(const DesignTables& design, const std::vector<WaveAnswer>& answers);
 
 /// A line for every warning, each once with the waves that it holds for.

@@ -94,7 +94,7 @@ void OutputKeys::leave_out_null() {
   auto& value = entries_.back().value;
   value = [often = value](const void* of) {
     Json json = often(of);
-    return json.is_null() ? Json(Json::value_t::discarded) : json;
+    return json.is_null() || (json.is_object() && json.empty()) ? Json(Json::value_t::discarded) : json;
   };
 }
 

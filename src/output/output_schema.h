@@ -51,7 +51,7 @@ class OutputKeys {
  protected:
   void add(const OutputRow& row, std::function<Json(const void*)> value, const OutputKeys* inside);
   void add(const Entry& entry) { entries_.push_back(entry); }
-  /// The last key is left out where it is null.
+  /// The last key is left out where it is null, or an object without keys.
   void leave_out_null();
   Json object(const void* of) const;
 
@@ -137,7 +137,7 @@ class OutputSchema : public OutputKeys {
            }});
     return *this;
   }
-  /// The last key is left out instead of being null.
+  /// The last key is left out instead of being null, or an object without keys.
   OutputSchema& or_left_out() {
     leave_out_null();
     return *this;

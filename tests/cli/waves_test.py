@@ -198,6 +198,124 @@ class Waves(ProgramTest):
             self.assertIsNone(told["standing"])
             self.assertIn(why, told["why_no_standing"])
 
+    def close(self, found, wanted, path=""):
+        """Two JSON values that differ by round-off at most, but for words with numbers of four digits."""
+        if isinstance(wanted, dict):
+            self.assertEqual(list(found), list(wanted), path)
+            for key in wanted:
+                self.close(found[key], wanted[key], f"{path}/{key}")
+        elif isinstance(wanted, list):
+            self.assertEqual(len(found), len(wanted), path)
+            for i, (one, other) in enumerate(zip(found, wanted)):
+                self.close(one, other, f"{path}/{i}")
+        elif isinstance(wanted, float):
+            self.assertAlmostEqual(found, wanted, delta=1e-13 * max(abs(wanted), 1), msg=path)
+        else:
+            self.assertEqual(found, wanted, path)
+
+    def test_a_water_level_is_the_section_shifted_by_hand(self):
+        measured = "force = 1.9e6\nuplift = 3e5\n"
+        second = DESIGN.replace("height = 8.0", "height = 4.0").replace("period = 12.0\n[", f"period = 12.0\n{measured}[")
+        for text, rises in ((GODA, (0.75, -1.5, 3.0)), (second, (1.25, -3.0))):
+            levels = {f"level {i}": rise for i, rise in enumerate(rises)}
+            self.write(text + "[levels]\n" + "".join(f'"{name}" = {rise}\n' for name, rise in levels.items()))
+            together = self.summary("design.toml")
+            own = together["section"]
+            self.write(text)
+            alone = self.summary("design.toml")
+            for name, rise in {**levels, "section": 0.0}.items():
+                shifted = {key: own[key] + sign * rise for key, sign in (("water_depth", 1), ("foundation_depth", 1),
+                                                                         ("berm_depth", 1), ("crest", -1))}
+                shifted["submerged_weight"] = own["submerged_weight"] - 1030 * 9.81 * own["width"] * rise
+                by_hand = self.summary("design.toml", *(f"--set=section.{key}={value!r}" for key, value in shifted.items()))
+                for wave in alone["waves"]:
+                    level = dict(together["waves"][wave]["levels"][name])
+                    self.assertEqual(level.pop("rise"), rise)
+                    self.close(level.pop("section"), by_hand["section"])
+                    self.close(level, by_hand["waves"][wave], f"{wave} at {name}")
+            for wave, numbers in alone["waves"].items():
+                again = together["waves"][wave]
+                self.assertEqual(list(again), KEYS + ["levels", "governing"])
+                self.assertEqual({key: again[key] for key in KEYS}, numbers, "the section's own level stays as it was")
+                heights = [level["rise"] for level in again["levels"].values()]
+                self.assertEqual(heights, sorted([*rises, 0.0], reverse=True), "the highest first")
+        depths = [level["height"] for level in self.levels_of_goda().values()]
+        self.assertEqual(depths, sorted(depths, reverse=True))
+        self.assertGreater(depths[0] - depths[-1], 0.5, "random breaking lets higher waves through where it is deeper")
+
+    def levels_of_goda(self):
+        self.write(GODA + "[levels]\nhigh = 1.0\nlow = -1.0\n", "goda.toml")
+        return self.summary("goda.toml")["waves"]["book"]["levels"]
+
+    def test_different_levels_govern_different_checks(self):
+        # On a high mound alpha_I is large at low water, P grows with the depth, W' falls with it.
+        levels = "[levels]\nhigh = 1.5\nlow = -2.0\n"
+        high_mound = {"berm_depth = 8.5": "berm_depth = 4.5", "height = 8.0": "height = 5.0"}
+        scenes = (({}, "b_low", ["high", "high", "low", "high"], "height = 8.0", "height = 6.0"),
+                  (high_mound, "b_low", ["low", "section", "low", "high"], "", ""))
+        for changes, name, wanted, old, new in scenes:
+            text = DESIGN
+            for before, after in {**changes, old: new}.items():
+                text = text.replace(before, after) if before else text
+            self.write(text + levels)
+            wave = self.summary("design.toml")["waves"][name]
+            checks = ("safety_sliding", "safety_overturning", "heel_pressure", "trough_safety_sliding")
+            governing = wave["governing"]
+            self.assertEqual([governing[check]["level"] for check in checks], wanted)
+            for check, worst in zip(checks, (min, min, max, min)):
+                found = {level: (numbers["standing"] if check[0] == "t" else numbers)[check]
+                         for level, numbers in wave["levels"].items()}
+                self.assertEqual(governing[check]["value"], worst(found.values()))
+                self.assertEqual(governing[check]["value"], found[governing[check]["level"]])
+        out = self.waves("design.toml").stdout
+        self.assertIn("\nWater levels, * the one that governs (m, kN/m, kPa)\nwave and level ", out)
+        self.assertRegex(out, r"\nb_low at high +1\.5 +16\.5 +5 [^*]* [\d.]+\*\n")
+        self.assertRegex(out, r"\nb_low at low +-2 +13 +5 .* 1\.156\* .* 804\.6\* ")
+        self.assertNotIn("!", out)
+
+    def test_where_it_overturns_no_heel_pressure_is_worse(self):
+        self.write(DESIGN.replace("height = 12.0", "height = 10.0").replace("period = 12.0\n[", "period = 15.0\n[")
+                   + "[levels]\nhigh = 1.5\nlow = -2.0\n")
+        wave = self.summary("design.toml")["waves"]["a_high"]
+        pressures = {name: level["heel_pressure"] for name, level in wave["levels"].items()}
+        self.assertLess(pressures["high"], 0)
+        self.assertGreater(pressures["low"], 1e6)
+        self.assertEqual(wave["governing"]["heel_pressure"], {"level": "high", "value": pressures["high"]})
+        self.assertIsNone(wave["governing"]["trough_safety_sliding"])
+
+    def test_waves_too_high_for_a_level_are_told_with_it(self):
+        self.write(DESIGN.split("[waves.a_high]")[0] + "[waves.one]\nheight = 8.0\nperiod = 7.0\n")
+        self.assertNotIn("breaking_limit", self.waves("design.toml").stderr)
+        done = self.waves("design.toml", "--set", "levels.ebb=-4")
+        self.assertRegex(done.stderr, r"warning: wave one at ebb: H = 8 m is above Miche's limit .*\[breaking_limit\]")
+        wave = self.summary("design.toml", "--set", "levels.ebb=-4")["waves"]["one"]
+        names = lambda told: [warning["name"] for warning in told["warnings"]]
+        self.assertIn("breaking_limit", names(wave["levels"]["ebb"]))
+        self.assertNotIn("breaking_limit", names(wave))
+
+    def test_limits_mark_what_does_not_hold(self):
+        self.write(DESIGN.replace("height = 8.0", "height = 6.0"))
+        wave = self.summary("design.toml")["waves"]["b_low"]
+        p_e, p_toe, safety = wave["heel_pressure"], wave["standing"]["toe_pressure"], wave["safety_overturning"]
+        plain = self.waves("design.toml")
+        self.assertNotIn("!", plain.stdout)
+        bearable = self.waves("design.toml", f"--set=limits.base_pressure={1.001 * p_e}",
+                              f"--set=limits.overturning={0.999 * safety}")
+        rows = lambda done: [line.rstrip() for line in done.stdout.splitlines() if line.startswith("b_low")]
+        self.assertEqual([row.split() for row in rows(bearable)], [row.split() for row in rows(plain)])
+        self.assertRegex(bearable.stdout, r"\na_high .* 0\.8\d+! .*!\n", "that one overturns")
+        limits = (f"--set=limits.base_pressure={0.999 * p_toe}", f"--set=limits.overturning={1.001 * safety}")
+        beyond = self.waves("design.toml", *limits, "--set=levels.low=-1")
+        self.assertIn("Safety, ! beyond [limits] (kN/m", beyond.stdout)
+        _, stability, standing, *levels, _ = rows(beyond)
+        self.assertRegex(stability, r" [\d.]+! +[\d.]+!$")
+        self.assertRegex(standing, r"!.* [\d.]+!$")
+        self.assertEqual([level.count("!") >= 1 for level in levels], [True, True])
+        told = {warning["name"]: warning["text"] for warning in self.summary("design.toml", *limits)["waves"]["b_low"]["warnings"]}
+        self.assertIn("the pressure under the heel is ", told["base_pressure"])
+        self.assertIn(", below limits.overturning = ", told["overturning_limit"])
+        self.assertIn("[base_pressure]\n", beyond.stderr)
+
     def test_wrong_designs_write_nothing(self):
         self.write(DESIGN)
         for change, message in (("section.berm_depth=0", "berm_depth = 0 is outside"),

@@ -60,6 +60,10 @@ damping = 4e6
 [combined]
 uplift = "sinusoidal"
 uplift_gain = 1.2
+
+[levels]
+high = 1.2
+low = -0.8
 )";
 
 struct BadDesign {
@@ -181,6 +185,23 @@ const std::vector<BadDesign> rows{
      "design.toml:46:1: [ground]: 'damping' without a 'mass' that it could slow down; add mass (kg/m)"},
     {"GainOfAnUpliftInPhase", "uplift = \"sinusoidal\"", "uplift = \"in_phase\"",
      "design.toml:51:1: 'uplift_gain' does not belong in [combined] (only where the uplift is sinusoidal); remove it"},
+    {"LevelBelowTheMound", "[levels]", "[levels]\nebb = -8.5",
+     "design.toml:54:1: [levels]: ebb = -8.5 m: still water would fall to the sea bed, the mound's armour or the "
+     "caisson's bottom; give a rise over the section's still water above -8.5 m and of at most 6 m"},
+    {"LevelAboveTheCrest", "[levels]", "[levels]\nflood = 6.01",
+     "design.toml:54:1: [levels]: flood = 6.01 m: still water would rise above the crest; give a rise over the "
+     "section's "
+     "still water above -8.5 m and of at most 6 m"},
+    {"LevelAtWhichItFloats", "submerged_weight = 3.0e6", "submerged_weight = 1.0e5",
+     "design.toml:54:1: [levels]: high = 1.2 m: the caisson would float, W' = -4.535e+04 N/m; give a lower level, or "
+     "check "
+     "submerged_weight"},
+    {"LevelThatIsNoNumber", "high = 1.2", "high = nan",
+     "design.toml:54:1: high = nan is outside [-10000, 10000]; give the water levels by name, above that of the "
+     "section "
+     "(m)"},
+    {"LevelByTheSectionsName", "high = 1.2", "section = 1.2",
+     "design.toml:54:1: [levels]: 'section' is the name of the section's own level, 0 m; give the level another name"},
     {"NumberForAWave", "[waves.design]", "[waves]\nstorm = 3\n[waves.design]",
      "design.toml:27:1: waves.storm: expected a table, found the number 3; write [waves.storm] and its keys"},
     {"NotToml", "gravity = 9.8", "gravity = ",
@@ -203,8 +224,9 @@ class Design : public InFolder {};
 TEST_F(Design, WithEveryKeyIsReadAndEchoed) {
   write("design.toml", good_design);
   const std::string echo = effective_design(read_design("design.toml", {}), ".");
-  for (const char* line : {"gravity = 9.8  # m/s2\n", "[section]\n", "berm_depth = 8.5  # m\n", "[waves.measured]\n",
-                           "shear_to_force_ratio = 0.4\n", "# lambda_2: 1; with blocks 0\n"})
+  for (const char* line :
+       {"gravity = 9.8  # m/s2\n", "[section]\n", "berm_depth = 8.5  # m\n", "[waves.measured]\n",
+        "shear_to_force_ratio = 0.4\n", "# lambda_2: 1; with blocks 0\n", "levels = { high = 1.2, low = -0.8 }  # m\n"})
     EXPECT_NE(echo.find(line), std::string::npos) << line << " is missing in\n" << echo;
   write("again.toml", echo);
   EXPECT_EQ(effective_design(read_design("again.toml", {}), "."), echo) << "what is echoed reads as the same design";

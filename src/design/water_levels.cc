@@ -1,0 +1,138 @@
+#include "design/water_levels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/text.h"
+#include "design/waves_report.h"
+
+namespace upbead {
+
+namespace {
+
+constexpr double shallowest = 1e-3;  // m, as formula_length()
+
+/// What is wrong with a level, and what to do.
+Diagnostic misfit(const WaterLevel& level, const Section& section, const Water& water) {
+  const Section there = at_water_level(section, water, level.rise);
+  const std::string what = level.name + " = " + significant(level.rise, 6) + " m: ";
+  const double depth = std::min({section.water_depth, section.foundation_depth, section.berm_depth});
+  const std::string between = "give a rise over the section's still water above " + significant(-depth, 6) +
+                              " m and of at most " + significant(section.crest, 6) + " m";
+  if (level.name == level_of_section)
+    return {{}, "'" + level.name + "' is the name of the section's own level, 0 m", "give the level another name"};
+  if (depth + level.rise < shallowest)
+    return {{}, what + "still water would fall to the sea bed, the mound's armour or the caisson's bottom", between};
+  if (there.crest < 0.) return {{}, what + "still water would rise above the crest", between};
+  if (there.submerged_weight <= 0.)
+    return {{},
+            what + "the caisson would float, W' = " + significant(there.submerged_weight, 4) + " N/m",
+            "give a lower level, or check submerged_weight"};
+  return {};
+}
+
+/// The first of the worst by `worse(a, b)`.
+template <class Worse, class Value>
+GoverningLevel worst_level(const std::vector<WaveAnswer>& levels, Worse worse, Value value) {
+  const auto most = std::min_element(levels.begin(), levels.end(), worse);
+  return {most->level, value(*most)};
+}
+
+/// The worse the less; of several that overturn the one that does so most.
+std::pair<double, double> heel_before(const Stability& s) {
+  return {-severity_of_heel(s), s.safety_overturning};
+}
+
+template <class Value>
+GoverningLevel least(const std::vector<WaveAnswer>& levels, Value value) {
+  return worst_level(
+      levels, [value](const WaveAnswer& a, const WaveAnswer& b) { return value(a) < value(b); }, value);
+}
+
+}  // namespace
+
+const char* const level_of_section = "section";
+
+std::vector<WaterLevel> water_levels(const DesignTables& design) {
+  if (design.levels.empty()) return {};
+  std::vector<WaterLevel> levels{{level_of_section, 0.}};
+  for (const auto& [name, rise] : design.levels) levels.push_back({name, rise});
+  std::stable_sort(levels.begin(), levels.end(),
+                   [](const WaterLevel& a, const WaterLevel& b) { return a.rise > b.rise; });
+  return levels;
+}
+
+void check_water_levels(const DesignTables& tables, const Document& document, Diagnostics& report) {
+  for (const char* table : {"levels", "section", "fluid", "gravity"})
+    if (!report.sound(table)) return;
+  for (const auto& [name, rise] : tables.levels)
+    if (const Diagnostic wrong = misfit({name, rise}, tables.section, tables.water); !wrong.what.empty())
+      report.add(document.place(dotted("levels", name)), "[levels]: " + wrong.what, wrong.cure);
+}
+
+GoverningLevels governing(const std::vector<WaveAnswer>& levels) {
+  GoverningLevels worst;
+  worst.safety_sliding = least(levels, [](const WaveAnswer& a) { return a.stability.safety_sliding; });
+  worst.safety_overturning = least(levels, [](const WaveAnswer& a) { return a.stability.safety_overturning; });
+  worst.heel_pressure = worst_level(
+      levels,
+      [](const WaveAnswer& a, const WaveAnswer& b) { return heel_before(a.stability) < heel_before(b.stability); },
+      [](const WaveAnswer& a) { return a.stability.heel_pressure; });
+  const GoverningLevel seaward = least(levels, [](const WaveAnswer& a) {
+    return a.standing.answer ? a.standing.answer->seaward.safety_sliding : HUGE_VAL;
+  });
+  if (std::isfinite(seaward.value)) worst.seaward = seaward;
+  return worst;
+}
+
+std::vector<Warning> beyond_limits(const Limits& limits, const WaveAnswer& a) {
+  std::vector<std::pair<std::string, Stability>> checked{{"under the heel", a.stability}};
+  if (const auto& standing = a.standing.answer) {
+    checked.emplace_back("under the heel, of the standing wave,", standing->landward);
+    checked.emplace_back("under the toe, of the standing wave's trough,", standing->seaward);
+  }
+  const auto heaviest = std::max_element(checked.begin(), checked.end(), [](const auto& x, const auto& y) {
+    return severity_of_heel(x.second) < severity_of_heel(y.second);
+  });
+  const auto loosest = std::min_element(checked.begin(), checked.end(), [](const auto& x, const auto& y) {
+    return x.second.safety_overturning < y.second.safety_overturning;
+  });
+  std::vector<Warning> list;
+  if (const Stability& s = heaviest->second; too_much_pressure(s, limits)) {
+    const double p = severity_of_heel(s);
+    list.push_back({"base_pressure",
+                    "the pressure " + heaviest->first + " is " +
+                        (std::isfinite(p) ? significant(p / 1e3, 4) + " kPa, above"
+                                          : "beyond all numbers, as the caisson overturns or floats, and so above") +
+                        " limits.base_pressure = " + significant(*limits.base_pressure / 1e3, 4) + " kPa"});
+  }
+  if (const Stability& s = loosest->second; overturns_too_easily(s, limits))
+    list.push_back({"overturning_limit", "the safety factor against overturning is " +
+                                             significant(s.safety_overturning, 4) +
+                                             (loosest == checked.begin() ? "" : " in the standing wave") +
+                                             ", below limits.overturning = " + significant(*limits.overturning, 4)});
+  return list;
+}
+
+OutputSchema<GoverningLevels> governing_outputs() {
+  using G = GoverningLevels;
+  const auto level = [](const char* which) {
+    return OutputSchema<GoverningLevel>()
+        .key("level", &GoverningLevel::level, "", "its name")
+        .key("value", &GoverningLevel::value, "", which);
+  };
+  const auto heel = OutputSchema<GoverningLevel>()
+                        .key("level", &GoverningLevel::level, "", "its name")
+                        .key("value", &GoverningLevel::value, "Pa", "p_e there");
+  return OutputSchema<G>()
+      .object("safety_sliding", &G::safety_sliding, level("the safety factor there"), "least against sliding")
+      .object("safety_overturning", &G::safety_overturning, level("the safety factor there"),
+              "least against overturning")
+      .object("heel_pressure", &G::heel_pressure, heel,
+              "largest p_e; a level at which the caisson overturns or floats goes before all others")
+      .object("trough_safety_sliding", &G::seaward, level("the safety factor there"),
+              "least of the standing wave, seaward; null where there is none at any level");
+}
+
+}  // namespace upbead
