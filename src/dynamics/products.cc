@@ -50,8 +50,10 @@ FieldGrams grams_of(const SparseMatrix& A, const VectorBlock& Z, const std::vect
   for (Gram& gram : sum) gram.setZero();
   const auto row = [&](int i) { return Eigen::Map<const Column>(Z.data() + std::ptrdiff_t{n_columns} * i); };
   for (int i = 0; i < A.rows(); ++i) {
+    SparseMatrix::InnerIterator it(A, i);
+    if (!it) continue;  // as most rows of what the sides radiate
     Column product = Column::Zero();
-    for (SparseMatrix::InnerIterator it(A, i); it; ++it) product += it.value() * row(static_cast<int>(it.col()));
+    for (; it; ++it) product += it.value() * row(static_cast<int>(it.col()));
     sum[static_cast<std::size_t>(field[i])] += row(i) * product.transpose();
   }
   return {sum[0], sum[1], -sum[2]};

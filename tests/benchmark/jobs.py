@@ -40,6 +40,9 @@ friction = 0.6
 states = "{states}"
 years = 50
 highest = 2.0
+[life]
+years = 50
+simulated_lives = 200
 [dynamics]
 model = "{model}"
 load = "wave"

@@ -75,9 +75,10 @@ const std::vector<BadCase> rows{
     BadCase{
         "NoCourse", pulse, wave_load("wave = { height = 8.0, period = 12.0 }\n"),
         "case.toml:49:1: 'course' is missing in [loads.impact.wave]; add course, one of church_roof, triangle, sine, "
-        "combined"},
+        "combined, standing"},
     BadCase{"NoSuchCourse", pulse, wave_load("wave = { height = 8.0, period = 12.0, course = \"sin\" }\n"),
-            "case.toml:49:39: course = \"sin\" is none of church_roof, triangle, sine, combined; did you mean 'sine'?"},
+            "case.toml:49:39: course = \"sin\" is none of church_roof, triangle, sine, combined, standing; did you "
+            "mean 'sine'?"},
     BadCase{
         "ImpactOfASine", pulse,
         wave_load("wave = { height = 8.0, period = 12.0, course = \"sine\", force = \"impulse\" }\n"),

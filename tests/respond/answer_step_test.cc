@@ -1,6 +1,7 @@
 // Claims: a reading leaves the lines between its values by no more than LineMisses says, whatever rings on, jumps or is
 // fast; the step that is chosen keeps that below the tolerance and is not short for nothing; peaks of answers on it are
-// those of a fine grid. Source: the exact response on fifty times as many times.
+// those of a fine grid, and S by eq. (4) is to a fifth of the model's tolerance. Source: the exact response on fifty
+// times as many times.
 #include "respond/answer_step.h"
 
 #include <gtest/gtest.h>
@@ -113,15 +114,19 @@ TEST(AnswerStep, PeaksOfAnswersAreThoseOfAFineGrid) {
     const WaveFile coarse{"w", {0., 0.05, 0.1, 0.15, 0.2}, WaveSamples::Zero(2, 5), 2, {}};
     WaveFile wave = coarse;
     wave.value.row(0) << 0., 1.6e6, 4e5, 4e5, 0.;
-    const WaveResponses found = respond_to_waves(model, {wave}, {}).front();
+    RespondOptions options;
+    options.sliding = ModelSliding{0.6, 1e6};
+    const WaveResponses found = respond_to_waves(model, {wave}, options).front();
     WaveFile fine = wave;
     fine.time.clear();
     for (int n = 0; n <= 20000; ++n) fine.time.push_back(1e-5 * n);
     fine.value = on_grid(wave, 0, fine.time);
-    const WaveResponses exact = respond_to_waves(model, {fine}, {}).front();
+    const WaveResponses exact = respond_to_waves(model, {fine}, options).front();
     const double peak = exact.waves[0].peak_shear;
     EXPECT_NEAR(found.waves[0].peak_shear, peak, 1e-5 * peak);
     EXPECT_NEAR(found.waves[0].peak_shear_seaward, exact.waves[0].peak_shear_seaward, 1e-5 * peak);
+    ASSERT_GT(*exact.waves[0].sliding, 1e-3);
+    EXPECT_NEAR(*found.waves[0].sliding, *exact.waves[0].sliding, 2e-3 * *exact.waves[0].sliding);
     EXPECT_LT(found.time.size(), exact.time.size() / 4);
   }
 }
