@@ -115,8 +115,32 @@ FieldWriter::FieldWriter(const Space& space, const Unknowns& unknowns, const Sce
                          std::function<std::string(const std::string&)> path_of)
     : space_(space), unknowns_(unknowns), scene_(scene), path_of_(std::move(path_of)) {}
 
-/// Where the caisson may part from the ground it is drawn apart: both have displacements of their own at its bottom.
+void FieldWriter::wait() const {
+  if (pending_.valid()) pending_.get();
+}
+
+const std::vector<std::pair<double, std::string>>& FieldWriter::written() const {
+  wait();
+  return written_;
+}
+
+void FieldWriter::take_over(const std::vector<std::pair<double, std::string>>& written) {
+  wait();
+  written_ = written;
+}
+
 void FieldWriter::write(const State& state) {
+  wait();
+  char name[40];
+  std::snprintf(name, sizeof name, "fields/fields_%04d.vtu", static_cast<int>(written_.size()));
+  pending_ = std::async(std::launch::async, [this, state, file = std::string(name), path = path_of_(name)] {
+    write_file(state, file, path);
+  });
+  written_.emplace_back(state.time, name);
+}
+
+/// Where the caisson may part from the ground it is drawn apart: both have displacements of their own at its bottom.
+void FieldWriter::write_file(const State& state, const std::string& name, const std::string& path) const {
   const bool apart = unknowns_.has_interface();
   DataOut<dim> out, caisson;
   const auto expanded = [&](const auto& expand) {
@@ -134,17 +158,15 @@ void FieldWriter::write(const State& state) {
   flags.print_date_and_time = false;                            // equal fields make equal files
   out.set_flags(flags);
 
-  char name[40];
-  std::snprintf(name, sizeof name, "fields/fields_%04d.vtu", static_cast<int>(written_.size()));
-  std::ofstream file(path_of_(name));
+  std::ofstream file(path);
   out.write_vtu(file);
   file.flush();
   if (!file)
     throw InputError({name}, "the fields cannot be written", "is the disk full? choose another folder with --out DIR");
-  written_.emplace_back(state.time, name);
 }
 
 void FieldWriter::finish() const {
+  wait();
   std::ostringstream record;
   DataOutBase::write_pvd_record(record, written_);
   const std::string text = record.str();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <future>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,20 +23,26 @@ class FieldWriter {
   FieldWriter(const Space& space, const Unknowns& unknowns, const Scene& scene,
               std::function<std::string(const std::string&)> path_of);
 
+  /// Returns while the file is being written, which takes longer than the steps between two: the march goes on. What
+  /// fails is thrown by the next call. Throws InputError where the disk does not take it.
   void write(const State& state);
-  /// Times and names of the files so far.
-  const std::vector<std::pair<double, std::string>>& written() const { return written_; }
+  /// Times and names of the files so far, all of them whole.
+  const std::vector<std::pair<double, std::string>>& written() const;
   /// Counts files as written that lie there already.
-  void take_over(const std::vector<std::pair<double, std::string>>& written) { written_ = written; }
+  void take_over(const std::vector<std::pair<double, std::string>>& written);
   /// Writes fields.pvd; call once, last. Throws InputError where the disk does not take it.
   void finish() const;
 
  private:
+  void write_file(const State& state, const std::string& name, const std::string& path) const;
+  void wait() const;
+
   const Space& space_;
   const Unknowns& unknowns_;
   const Scene& scene_;
   std::function<std::string(const std::string&)> path_of_;
   std::vector<std::pair<double, std::string>> written_;
+  mutable std::future<void> pending_;  ///< of the last file; the last member, as what it uses must outlive it
 };
 
 }  // namespace upbead
