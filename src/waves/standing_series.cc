@@ -212,13 +212,27 @@ double improve(StandingSeries& s) {
   return step.lpNorm<Eigen::Infinity>();
 }
 
+/// StandingWave::residual.
+double residual_of(const StandingSeries& s) {
+  double kinematic = 0., dynamic = 0.;
+  for_places(s.n, 0., [&](double tau, double x) {
+    const SurfaceConditions left = surface_conditions(s, tau, x);
+    kinematic = std::max(kinematic, std::abs(left.kinematic));
+    dynamic = std::max(dynamic, std::abs(left.dynamic));
+  });
+  return std::max(kinematic / s.frequency(), dynamic) / s.swing();
+}
+
 /// None where the method diverges, or does not end.
 std::optional<StandingSeries> converged(StandingSeries s) {
   const double before = s.K;
   for (int k = 0; k < most_iterations; ++k) {
     const double change = improve(s);
     if (!std::isfinite(change) || s.K < 0.3 * before || s.K > 3. * before) return std::nullopt;
-    if (change < same_coefficients * std::max(1., s.K * s.relative_height)) return s;
+    if (change < same_coefficients * std::max(1., s.K * s.relative_height)) {
+      s.residual = residual_of(s);
+      return s;
+    }
   }
   return std::nullopt;
 }
@@ -244,24 +258,14 @@ std::optional<StandingSeries> grown(const StandingSeries& small, int parts) {
 
 }  // namespace
 
-double standing_residual(const StandingSeries& s) {
-  double kinematic = 0., dynamic = 0.;
-  for_places(s.n, 0., [&](double tau, double x) {
-    const SurfaceConditions left = surface_conditions(s, tau, x);
-    kinematic = std::max(kinematic, std::abs(left.kinematic));
-    dynamic = std::max(dynamic, std::abs(left.dynamic));
-  });
-  return std::max(kinematic / s.frequency(), dynamic) / s.swing();
-}
-
 std::optional<StandingSeries> solve_standing(double relative_height, double small_K, double residual,
                                              int most_harmonics) {
   const StandingSeries small = small_wave(relative_height, small_K);
   std::optional<StandingSeries> best;
   for (int parts = 1; parts <= 16 && !best; parts *= 4) best = grown(small, parts);
-  while (best && best->n < most_harmonics && standing_residual(*best) > residual) {
+  while (best && best->n < most_harmonics && best->residual > residual) {
     const auto next = converged(with_harmonics(*best, std::min(most_harmonics, best->n + 4)));
-    if (!next || standing_residual(*next) >= standing_residual(*best)) break;
+    if (!next || next->residual >= best->residual) break;
     best = next;
   }
   return best;

@@ -23,6 +23,7 @@ struct StandingSeries {
   double c = 0., K = 0.;
   double relative_height = 0.;  ///< H/h
   double deep_frequency = 0.;   ///< (2 pi/T) sqrt(h/g)
+  double residual = 0.;         ///< StandingWave::residual, once the coefficients are found
 
   double frequency() const;                               ///< omega
   double swing() const;                                   ///< eta(0, 0) - eta(pi, 0)
@@ -40,12 +41,9 @@ SurfaceConditions surface_conditions(const StandingSeries& series, double tau, d
                                      Eigen::RowVectorXd* kinematic_row = nullptr,
                                      Eigen::RowVectorXd* dynamic_row = nullptr);
 
-/// Series of no more than most_harmonics that leave `residual` or less (standing_residual), or the least that they can;
+/// Series of no more than most_harmonics that leave `residual` or less, or the least that they can;
 /// none where Newton's method finds no wave. small_K: kh of a small wave of that period.
 std::optional<StandingSeries> solve_standing(double relative_height, double small_K, double residual,
                                              int most_harmonics);
-
-/// StandingWave::residual.
-double standing_residual(const StandingSeries& series);
 
 }  // namespace upbead

@@ -48,8 +48,7 @@ StandingWave::StandingWave(const StandingWaveGiven& given, const Water& water) :
   const double kh = relative_wave_number(given.period, given.depth, water.gravity);
   if (kh * given.height / given.depth > highest_that_comes * std::tanh(kh)) refuse(given);
   const auto found = solve_standing(given.height / given.depth, kh, residual_wanted, most_harmonics);
-  if (!found || standing_residual(*found) > residual_allowed || found->crest_acceleration() > fastest_crest)
-    refuse(given);
+  if (!found || found->residual > residual_allowed || found->crest_acceleration() > fastest_crest) refuse(given);
   series_ = std::make_shared<const StandingSeries>(*found);
 }
 
@@ -62,7 +61,7 @@ int StandingWave::harmonics() const {
 }
 
 double StandingWave::residual() const {
-  return standing_residual(*series_);
+  return series_->residual;
 }
 
 double StandingWave::surface(double time, double x) const {
