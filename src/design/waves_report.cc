@@ -66,12 +66,12 @@ WaveAnswer answer(const std::string& name, const WaveTable& table, const DesignT
 }
 
 /// The wave at each level: its height by random breaking, W' and the mound's depths are those of that level.
-std::vector<WaveAnswer> at_levels(const std::string& name, const WaveTable& table, const DesignTables& design) {
+std::vector<WaveAnswer> at_levels(const WaveAnswer& own, const WaveTable& table, const DesignTables& design) {
   std::vector<WaveAnswer> answers;
   for (const WaterLevel& level : water_levels(design)) {
     DesignTables there = design;
     there.section = at_water_level(design.section, design.water, level.rise);
-    answers.push_back(answer(name, table, there));
+    answers.push_back(level.rise == 0. ? own : answer(own.name, table, there));
     answers.back().level = level.name;
     answers.back().rise = level.rise;
   }
@@ -214,7 +214,7 @@ std::vector<WaveAnswer> answer_waves(const DesignTables& design) {
   std::vector<WaveAnswer> answers;
   for (const auto& [name, table] : design.waves) {
     answers.push_back(answer(name, table, design));
-    answers.back().levels = at_levels(name, table, design);
+    answers.back().levels = at_levels(answers.back(), table, design);
     if (!design.levels.empty()) answers.back().governing = governing(answers.back().levels);
   }
   return answers;
