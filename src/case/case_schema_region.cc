@@ -117,7 +117,7 @@ void declare_skeleton(TableSchema<Region>& table) {
             .doc("Rayleigh damping; without this table there is none."));
   limit(table.table("strength", &Region::strength, strength_schema())
             .doc("Mohr-Coulomb strength, which static plus dynamic stresses are held against; it changes no stress. "
-                 "Needs a march; nothing is told without this table."));
+                 "Nothing is told without this table."));
 }
 
 void declare_mass(TableSchema<Region>& table) {

@@ -73,8 +73,12 @@ MarchObserver* FieldOutput::begin(const Simulation& simulation) {
   return this;
 }
 
+bool FieldOutput::wants(double time) const {
+  return is_field_time(time, *every_);
+}
+
 void FieldOutput::see(const State& state, int, int) {
-  if (!is_field_time(state.time, *every_)) return;
+  if (!wants(state.time)) return;
   const Stopwatch watch;
   if (state.time == 0.) writer_->take_over({});  // another march, as the one before was refused
   writer_->write(state);

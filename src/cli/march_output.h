@@ -26,6 +26,7 @@ class FieldOutput : public MarchObserver {
   MarchObserver* begin(const Simulation& simulation);
   /// Writes where it is time.
   void see(const State& state, int step, int n_steps) override;
+  bool wants(double time) const override;
   void finish() const;
   double seconds() const { return seconds_; }  ///< that writing has taken
 

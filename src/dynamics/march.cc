@@ -238,9 +238,10 @@ class March {
 }  // namespace
 
 ObserverFunction progress_observer(std::function<void(double)> progress) {
-  return ObserverFunction([progress = std::move(progress)](const State&, int step, int n_steps) {
+  const auto tell = [progress = std::move(progress)](const State&, int step, int n_steps) {
     if (progress) progress(n_steps > 0 ? static_cast<double>(step) / n_steps : 1.);
-  });
+  };
+  return ObserverFunction(tell, false);
 }
 
 Response march(const System& system, Scheme& scheme, const TimeGrid& grid, const MarchOptions& options) {

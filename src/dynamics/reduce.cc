@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 
 #include "dynamics/projection.h"
 #include "dynamics/state_space.h"
@@ -75,29 +76,62 @@ ModalModel model_of(const ReduceOptions& options, const ReducedSystem& system) {
   return options.model ? options.model(system) : modal_model(state_space(system), system);
 }
 
-/// The system with the velocities of those coordinates as its last readings.
-ReducedSystem with_velocities(ReducedSystem system, const std::vector<int>& coordinate) {
-  const Eigen::Index I = system.velocity.rows(), n = static_cast<Eigen::Index>(coordinate.size());
+/// Which coordinates are kept as readings of their own, besides those of the system; -1 is one that stays 0.
+struct KeptCoordinates {
+  std::vector<int> position, velocity, acceleration;
+
+  Eigen::Index count() const {
+    return static_cast<Eigen::Index>(position.size() + velocity.size() + acceleration.size());
+  }
+};
+
+KeptCoordinates kept_coordinates(const ReduceOptions& options, const ReducedSystem& system, const FieldBasis& phi) {
+  if (options.keep_states) {
+    std::vector<int> all(static_cast<std::size_t>(system.size()));
+    std::iota(all.begin(), all.end(), 0);
+    std::vector<int> moving = all;  // x'' of phi nobody reads, and where a load prescribes x' no model has it
+    std::transform(all.begin(), all.end(), moving.begin(), [&](int i) { return system.is_phi[i] ? -1 : i; });
+    return {all, all, moving};
+  }
+  if (options.keep_pressures) return {{}, phi.coordinate, {}};
+  return {};
+}
+
+/// The system with those coordinates as its last readings.
+ReducedSystem with_coordinates(ReducedSystem system, const KeptCoordinates& kept) {
+  Eigen::Index row = system.velocity.rows();
+  const Eigen::Index n = row + kept.count();
   for (Eigen::MatrixXd* rows : {&system.position, &system.velocity, &system.acceleration, &system.feedthrough})
-    rows->conservativeResizeLike(Eigen::MatrixXd::Zero(I + n, rows->cols()));
-  for (Eigen::Index i = 0; i < n; ++i) system.velocity(I + i, coordinate[i]) = 1.;
-  system.reading_label.resize(static_cast<std::size_t>(I + n));
+    rows->conservativeResizeLike(Eigen::MatrixXd::Zero(n, rows->cols()));
+  for (const auto& [rows, coordinates] : {std::pair{&system.position, &kept.position},
+                                          {&system.velocity, &kept.velocity},
+                                          {&system.acceleration, &kept.acceleration}})
+    for (const int i : *coordinates) {
+      if (i >= 0) (*rows)(row, i) = 1.;
+      ++row;
+    }
+  system.reading_label.resize(static_cast<std::size_t>(n));
   return system;
 }
 
-/// Of the last look alone.
-PressureModel model_of_pressures(const ReduceOptions& options, const ReducedSystem& system, const FieldBasis& phi) {
-  ModalModel model = model_of(options, with_velocities(system, phi.coordinate));
-  const auto n = static_cast<Eigen::Index>(phi.coordinate.size());
-  model.reading = model.reading.bottomRows(n).eval();
-  model.feedthrough = model.feedthrough.bottomRows(n).eval();
-  model.impulse = model.impulse.bottomRows(n).eval();
-  model.reading_label.assign(phi.coordinate.size(), {});
-  return {phi, std::move(model)};
+/// The model of the last readings alone, which it loses.
+ModalModel split_last(ModalModel& model, Eigen::Index n) {
+  ModalModel last = model;
+  const Eigen::Index rest = model.reading.rows() - n;
+  const auto split = [rest, n](auto& from, auto& to) {
+    to = from.bottomRows(n).eval();
+    from.conservativeResize(rest, Eigen::NoChange);
+  };
+  split(model.reading, last.reading);
+  split(model.feedthrough, last.feedthrough);
+  split(model.impulse, last.impulse);
+  last.reading_label.assign(static_cast<std::size_t>(n), {});
+  model.reading_label.resize(static_cast<std::size_t>(rest));
+  return last;
 }
 
 bool meets(const NestedError& error, const ReduceOptions& options) {
-  return error.history <= options.tolerance && error.others <= options.tolerance_of_others;
+  return error.history <= options.tolerance && std::max(error.others, error.states) <= options.tolerance_of_others;
 }
 
 }  // namespace
@@ -127,6 +161,50 @@ Eigen::MatrixXd phi_velocities(const FieldBasis& basis, const Eigen::MatrixXd& c
   return basis.unit.asDiagonal() * (basis.columns() * coordinates);
 }
 
+namespace {
+
+/// A model of the space so far, that of the coordinates to keep, and what the first answers to the trainings.
+struct Look {
+  ModalModel model, kept;
+  std::vector<Eigen::MatrixXd> responses;
+};
+
+Look look_at(const ReduceOptions& options, const ReducedSystem& system, const FieldBasis& phi,
+             const std::vector<SampledLoads>& loads) {
+  const KeptCoordinates kept = kept_coordinates(options, system, phi);
+  Look look;
+  look.model = model_of(options, kept.count() > 0 ? with_coordinates(system, kept) : system);
+  look.kept = split_last(look.model, kept.count());
+  look.responses = responses(look.model, loads);
+  return look;
+}
+
+/// Of what is kept, the velocities of the coordinates of phi.
+ModalModel of_pressures(const ReduceOptions& options, ModalModel kept, const FieldBasis& phi) {
+  if (!options.keep_states) return kept;
+  const Eigen::Index all = kept.reading.rows() / 3;
+  std::vector<Eigen::Index> rows;
+  for (const int i : phi.coordinate) rows.push_back(all + i);
+  kept.reading = kept.reading(rows, Eigen::all).eval();
+  kept.feedthrough = kept.feedthrough(rows, Eigen::all).eval();
+  kept.impulse = kept.impulse(rows, Eigen::all).eval();
+  kept.reading_label.resize(rows.size());
+  return kept;
+}
+
+NestedError compare(const ReduceOptions& options, const ReducedSystem& system, const Look& fine, const Look& coarse) {
+  NestedError error;
+  error.of_reading = Eigen::VectorXd::Zero(fine.model.n_readings());
+  for (std::size_t i = 0; i < fine.responses.size(); ++i)
+    compare(fine.model, options.measured, fine.responses[i], coarse.responses[i], error);
+  if (options.keep_states && meets(error, options))
+    error.states = energy_distance(system, respond_in_coordinates(fine.kept, options.training),
+                                   respond_in_coordinates(coarse.kept, options.training));
+  return error;
+}
+
+}  // namespace
+
 Reduction reduce(const System& system, const ReduceOptions& options) {
   SecondOrderKrylov krylov(system, options.shift, options.exact, options.kept);
   Reduction out;
@@ -138,8 +216,7 @@ Reduction reduce(const System& system, const ReduceOptions& options) {
   const std::vector<SampledLoads> loads = trainings(options.training, options.each_load);
   const int most = options.max_vectors * out.n_independent_loads;
   Projection projection(system, krylov);
-  std::vector<Eigen::MatrixXd> before;
-  ModalModel coarse;  ///< the last smaller one
+  Look coarse, fine;
   const double usual = usual_vectors * out.n_independent_loads;
   bool exhausted = false;
   for (int target = std::min(first_look * out.n_independent_loads, most);
@@ -150,23 +227,22 @@ Reduction reduce(const System& system, const ReduceOptions& options) {
       if (options.progress) options.progress(std::min(0.95, static_cast<double>(krylov.n_vectors()) / usual));
     }
     projection.extend();
-    ModalModel model = model_of(options, projection.reduced());
-    std::vector<Eigen::MatrixXd> now = responses(model, loads);
-    if (!before.empty()) {
-      out.error = {0., 0., 0., Eigen::VectorXd::Zero(model.n_readings())};
-      for (std::size_t i = 0; i < now.size(); ++i) compare(model, options.measured, now[i], before[i], out.error);
+    coarse = std::move(fine);
+    fine = look_at(options, projection.reduced(), krylov.phi(), loads);
+    if (!coarse.responses.empty()) {
+      out.error = compare(options, projection.reduced(), fine, coarse);
       out.history.emplace_back(krylov.n_vectors(), out.error);
-      coarse = std::move(out.model);
     }
     out.converged = exhausted || (!out.history.empty() && meets(out.error, options));
-    out.model = std::move(model);
-    before = std::move(now);
   }
   if (!out.history.empty())
-    out.omega = agreed_frequency(coarse, out.model, options.measured, transfer_tolerance * options.tolerance,
+    out.omega = agreed_frequency(coarse.model, fine.model, options.measured, transfer_tolerance * options.tolerance,
                                  1. / options.training.time.back(), 100. * options.shift);
+  out.model = std::move(fine.model);
   out.system = projection.reduced();
-  if (options.keep_pressures) out.pressures = model_of_pressures(options, out.system, krylov.phi());
+  if (options.keep_pressures)
+    out.pressures = PressureModel{krylov.phi(), of_pressures(options, fine.kept, krylov.phi())};
+  if (options.keep_states) out.states = StateModel{krylov.displacements(), krylov.phi(), std::move(fine.kept)};
   out.n_vectors = krylov.n_vectors();
   out.n_solves = krylov.n_solves();
   return out;

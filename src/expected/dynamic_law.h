@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "dynamics/batch_response.h"
+#include "dynamics/truncate.h"
 #include "upbead/expected/sliding_law.h"
 #include "upbead/waves/goda.h"
 
@@ -44,6 +45,8 @@ class ShearAnswer {
   Eigen::MatrixXd base(const std::vector<double>& force) const;
   /// No |F_T| among the first n samples exceeds this; infinity for longer waves than known.
   double bound(const ForceLimits& force, int n) const;
+  /// No |F_T| for P exceeds this: the answer of few modes, and what the others may add. P as of respond().
+  double bound(const double* force, int n) const;
   double step() const { return step_; }
   double caisson_mass() const { return mass_; }
 
@@ -52,6 +55,8 @@ class ShearAnswer {
 
   double step_, mass_, load_per_force_;
   BatchResponse batch_;
+  TruncatedModel few_;
+  BatchResponse few_batch_;
   std::vector<BatchResponse> base_;
   /// Of the answer a to a hat function and the answer s to a ramp of one step that stays at 1:
   std::vector<double> hat_;           ///< sum of the first |a|

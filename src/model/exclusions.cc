@@ -55,7 +55,6 @@ struct Feature {
 const Feature fields{"fields", [](const Scene& s) { return when(s.fields_every.has_value(), "output.fields"); }};
 const Feature early_stop{"an early stop",
                          [](const Scene& s) { return when(s.time.stop_at_energy.has_value(), "time.stop_at_energy"); }};
-const Feature strength{"strength of soil", [](const Scene& s) { return in_regions(s, &Region::strength, "strength"); }};
 const Feature consolidation{"consolidation", [](const Scene& s) { return when(!s.time.inertia, "time.inertia"); }};
 const Feature contact{"contact node by node",
                       [](const Scene& s) { return when(has_frictional_contact(s), "regions.caisson.interface"); }};
@@ -94,9 +93,7 @@ struct Row {
 
 const std::vector<Row>& rows() {
   static const std::vector<Row> list{
-      {Treatment::reduced_model, fields, "it gives no fields"},
       {Treatment::reduced_model, early_stop, "it keeps no account of energy to stop by"},
-      {Treatment::reduced_model, strength, "it gives no stresses of all cells, which a strength needs"},
       {Treatment::reduced_model, consolidation, "it needs inertia"},
       {Treatment::reduced_model, contact, "it does not slip node by node"},
       {Treatment::generalised_alpha, contact, "it does not follow friction at the caisson's bottom"},

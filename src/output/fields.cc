@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <fstream>
 #include <sstream>
+#include <thread>
 
 #include "upbead/base/error.h"
 
@@ -115,8 +116,12 @@ FieldWriter::FieldWriter(const Space& space, const Unknowns& unknowns, const Sce
                          std::function<std::string(const std::string&)> path_of)
     : space_(space), unknowns_(unknowns), scene_(scene), path_of_(std::move(path_of)) {}
 
-void FieldWriter::wait() const {
-  if (pending_.valid()) pending_.get();
+void FieldWriter::wait(std::size_t most) const {
+  while (pending_.size() > most) {
+    std::future<void> oldest = std::move(pending_.front());
+    pending_.pop_front();
+    oldest.get();
+  }
 }
 
 const std::vector<std::pair<double, std::string>>& FieldWriter::written() const {
@@ -130,12 +135,12 @@ void FieldWriter::take_over(const std::vector<std::pair<double, std::string>>& w
 }
 
 void FieldWriter::write(const State& state) {
-  wait();
+  wait(std::max(1U, std::thread::hardware_concurrency()) - 1);
   char name[40];
   std::snprintf(name, sizeof name, "fields/fields_%04d.vtu", static_cast<int>(written_.size()));
-  pending_ = std::async(std::launch::async, [this, state, file = std::string(name), path = path_of_(name)] {
+  pending_.push_back(std::async(std::launch::async, [this, state, file = std::string(name), path = path_of_(name)] {
     write_file(state, file, path);
-  });
+  }));
   written_.emplace_back(state.time, name);
 }
 

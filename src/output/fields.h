@@ -1,6 +1,7 @@
 // Fields for ParaView: one VTU file per written time and a PVD file that ties them together.
 #pragma once
 
+#include <deque>
 #include <functional>
 #include <future>
 #include <string>
@@ -23,8 +24,8 @@ class FieldWriter {
   FieldWriter(const Space& space, const Unknowns& unknowns, const Scene& scene,
               std::function<std::string(const std::string&)> path_of);
 
-  /// Returns while the file is being written, which takes longer than the steps between two: the march goes on. What
-  /// fails is thrown by the next call. Throws InputError where the disk does not take it.
+  /// Returns while the file is being written, which takes longer than the steps between two: the march goes on, and
+  /// each core may write one. What fails is thrown by a later call. Throws InputError where the disk does not take it.
   void write(const State& state);
   /// Times and names of the files so far, all of them whole.
   const std::vector<std::pair<double, std::string>>& written() const;
@@ -35,14 +36,15 @@ class FieldWriter {
 
  private:
   void write_file(const State& state, const std::string& name, const std::string& path) const;
-  void wait() const;
+  /// Until no more than that many files are being written.
+  void wait(std::size_t most = 0) const;
 
   const Space& space_;
   const Unknowns& unknowns_;
   const Scene& scene_;
   std::function<std::string(const std::string&)> path_of_;
   std::vector<std::pair<double, std::string>> written_;
-  mutable std::future<void> pending_;  ///< of the last file; the last member, as what it uses must outlive it
+  mutable std::deque<std::future<void>> pending_;  ///< the last member, as what they use must outlive them
 };
 
 }  // namespace upbead

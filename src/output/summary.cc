@@ -134,6 +134,9 @@ OutputSchema<ReductionSummary> reduction_outputs() {
       .key("error_peak", &R::error_peak, "", "of its peaks")
       .key("error_of_others", &R::error_of_others, "",
            "the largest of all other readings, each over its own largest value")
+      .key("error_of_states", &R::error_of_states, "",
+           "of the states that fields and strengths are made of: the root of the energy of the difference, over that "
+           "of the largest state; null where the case asks for neither")
       .key("highest_frequency", &R::highest_frequency, "Hz", "highest frequency checked")
       .key("loose.NAME", loose, "",
            "the readings besides F_T that have not come close enough, with their error (only where the case asks for a "

@@ -7,11 +7,24 @@
 #include <cmath>
 #include <set>
 
+#include "algebra/dense.h"
 #include "fem/kernels.h"
+#include "response/reduction.h"
 
 namespace upbead {
 
 using namespace dealii;
+
+namespace {
+
+/// Those columns of a sparse matrix alone, in that order.
+SparseMatrix columns_of(const SparseMatrix& rows, const std::vector<int>& columns) {
+  SparseMatrix chosen(rows.cols(), static_cast<Eigen::Index>(columns.size()));
+  for (std::size_t j = 0; j < columns.size(); ++j) chosen.coeffRef(columns[j], static_cast<Eigen::Index>(j)) = 1.;
+  return rows * chosen;
+}
+
+}  // namespace
 
 MiddleStrains::MiddleStrains(const Space& space, const Unknowns& unknowns, const std::vector<bool>& of_interest) {
   std::vector<Eigen::Triplet<double>> xx, yy, xy, difference;
@@ -45,6 +58,13 @@ std::vector<PlaneStrain> MiddleStrains::at(const Vector& x) const {
   std::vector<PlaneStrain> strains;
   for (Eigen::Index i = 0; i < xx.size(); ++i) strains.push_back({xx[i], yy[i], xy[i]});
   return strains;
+}
+
+MiddleStrains::Series MiddleStrains::at(const FieldBasis& basis, const Eigen::MatrixXd& coordinates) const {
+  const Eigen::MatrixXd vectors = basis.unit.asDiagonal() * basis.columns(),
+                        q = coordinates(basis.coordinate, Eigen::all);
+  const auto of = [&](const SparseMatrix& rows) { return product(columns_of(rows, basis.unknown) * vectors, q); };
+  return {of(xx_), of(yy_), of(xy_)};
 }
 
 std::vector<double> MiddleStrains::shear(const Vector& x) const {
@@ -123,15 +143,31 @@ void Mobilisation::see(const State& state, int step, int) {
     std::fill(time_.begin(), time_.end(), 0.);
   }
   const std::vector<PlaneStrain> strains = strains_.at(state.x);
-  for (std::size_t c = 0; c < cells_.size(); ++c) {
-    const Soil& soil = cells_[c];
-    const PlaneStress stress = soil.law.stress(strains[c]);  // tension positive
-    const double m = soil.mobilisation(soil.middle_stress - 0.5 * (stress.xx + stress.yy),
-                                       soil.half_difference - 0.5 * (stress.xx - stress.yy), soil.shear - stress.xy);
-    if (!soil.counts || m <= largest_[c]) continue;
-    largest_[c] = m;
-    time_[c] = state.time;
-  }
+  for (std::size_t c = 0; c < cells_.size(); ++c) take(c, strains[c], state.time);
+}
+
+void Mobilisation::see(const StateModel& model, const SampledLoads& loads, double duration) {
+  has_seen_ = true;
+  const CoordinateSeries series = respond_in_coordinates(model.model, loads);
+  const std::vector<Eigen::Index> looks = looks_at(series.time, duration);
+  const MiddleStrains::Series strains = strains_.at(model.displacements, series.position(Eigen::all, looks));
+  for (std::size_t i = 0; i < looks.size(); ++i)
+    for (std::size_t c = 0; c < cells_.size(); ++c) {
+      const auto row = static_cast<Eigen::Index>(c), column = static_cast<Eigen::Index>(i);
+      take(c, {strains.xx(row, column), strains.yy(row, column), strains.xy(row, column)},
+           series.time[static_cast<std::size_t>(looks[i])]);
+    }
+}
+
+void Mobilisation::take(std::size_t cell, const PlaneStrain& strain, double time) {
+  const Soil& soil = cells_[cell];
+  if (!soil.counts) return;
+  const PlaneStress stress = soil.law.stress(strain);  // tension positive
+  const double m = soil.mobilisation(soil.middle_stress - 0.5 * (stress.xx + stress.yy),
+                                     soil.half_difference - 0.5 * (stress.xx - stress.yy), soil.shear - stress.xy);
+  if (m <= largest_[cell]) return;
+  largest_[cell] = m;
+  time_[cell] = time;
 }
 
 std::vector<MobilisedStrength> Mobilisation::found() const {
@@ -174,17 +210,6 @@ void Mobilisation::recall(const std::vector<double>& memory) {
   time_.assign(half, memory.end());
 }
 
-namespace {
-
-/// Those columns of a sparse matrix alone, in that order.
-SparseMatrix columns_of(const SparseMatrix& rows, const std::vector<int>& columns) {
-  SparseMatrix chosen(rows.cols(), static_cast<Eigen::Index>(columns.size()));
-  for (std::size_t j = 0; j < columns.size(); ++j) chosen.coeffRef(columns[j], static_cast<Eigen::Index>(j)) = 1.;
-  return rows * chosen;
-}
-
-}  // namespace
-
 LeastPressure::LeastPressure(const Space& space, const Unknowns& unknowns, const Scene& scene, double level) {
   std::vector<Eigen::Triplet<double>> entries;
   std::set<types::global_dof_index> seen;
@@ -214,10 +239,7 @@ void LeastPressure::see(const State& state, int step, int) {
 void LeastPressure::see(const PressureModel& model, const SampledLoads& loads, double duration) {
   if (!watches()) return;
   const Series series = respond(model.model, loads);
-  std::vector<Eigen::Index> looks;
-  for (std::size_t i = 0; i < series.time.size(); ++i)
-    if (looks.empty() || series.time[i] - series.time[static_cast<std::size_t>(looks.back())] > duration / 17.)
-      looks.push_back(static_cast<Eigen::Index>(i));
+  const std::vector<Eigen::Index> looks = looks_at(series.time, duration);
   const SparseMatrix of_phi = columns_of(rows_, model.basis.unknown);
   const Eigen::MatrixXd excess = of_phi * phi_velocities(model.basis, series.reading(Eigen::all, looks));
   for (std::size_t i = 0; i < looks.size(); ++i)

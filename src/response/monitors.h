@@ -20,6 +20,12 @@ class MiddleStrains {
   const std::vector<dealii::DoFHandler<dim>::active_cell_iterator>& cells() const { return cells_; }
   /// One for each of these cells.
   std::vector<PlaneStrain> at(const Vector& x) const;
+  /// Cells x columns.
+  struct Series {
+    Eigen::MatrixXd xx, yy, xy;
+  };
+  /// Of all columns of a StateModel's coordinates.
+  Series at(const FieldBasis& basis, const Eigen::MatrixXd& coordinates) const;
   /// gamma = sqrt((e_x - e_y)^2 + (2 e_xy)^2) of each, the diameter of Mohr's circle. The difference is taken in the
   /// rows: after the sums, what is left of two large strains would carry their rounding.
   std::vector<double> shear(const Vector& x) const;
@@ -51,6 +57,9 @@ class Mobilisation : public MarchObserver {
   Mobilisation(const Space& space, const Unknowns& unknowns, const EffectiveStress& rest,
                const std::optional<double>& k0);
   void see(const State& state, int step, int n_steps) override;
+  bool wants(double) const override { return false; }
+  /// Takes in what a reduced model answers to these loads, at about 16 times in `duration` (s).
+  void see(const StateModel& model, const SampledLoads& loads, double duration);
   bool has_seen() const { return has_seen_; }
   std::vector<MobilisedStrength> found() const;
 
@@ -71,6 +80,7 @@ class Mobilisation : public MarchObserver {
   };
 
   void leave_out_free_surfaces();
+  void take(std::size_t cell, const PlaneStrain& strain, double time);
 
   MiddleStrains strains_;
   std::vector<std::string> regions_;
@@ -91,6 +101,7 @@ class LeastPressure : public MarchObserver {
   bool watches() const { return !nodes_.empty(); }
   bool has_seen() const { return has_seen_; }
   void see(const State& state, int step, int n_steps) override;
+  bool wants(double) const override { return false; }
   /// Takes in what a reduced model answers to these loads, at about 16 times in `duration` (s).
   void see(const PressureModel& model, const SampledLoads& loads, double duration);
 

@@ -31,6 +31,14 @@ bool is_damped(const Scene& scene) {
   });
 }
 
+/// Ascending, each once.
+std::vector<double> in_order(std::vector<double> time, double end) {
+  std::sort(time.begin(), time.end());
+  const auto same = [end](double a, double b) { return b - a < 1e-9 * end; };
+  time.erase(std::unique(time.begin(), time.end(), same), time.end());
+  return time;
+}
+
 std::vector<double> times_of_steps(const Scene& scene, const System& system, double step) {
   const double end = scene.time.end;
   const TimeGrid grid = make_time_grid(kinks(system), end, std::min(step, end));
@@ -40,10 +48,7 @@ std::vector<double> times_of_steps(const Scene& scene, const System& system, dou
   for (const SystemLoad& load : system.loads)
     for (const double sample : load.history.samples())
       if (sample > 0. && sample < end) time.push_back(sample);
-  std::sort(time.begin(), time.end());
-  const auto same = [end](double a, double b) { return b - a < 1e-9 * end; };
-  time.erase(std::unique(time.begin(), time.end(), same), time.end());
-  return time;
+  return in_order(std::move(time), end);
 }
 
 /// Whether straight lines between the times are the loads: within a thousandth of their largest values.
@@ -78,8 +83,18 @@ std::vector<TimeFunction> load_histories(const System& system) {
   return histories;
 }
 
-SampledLoads sampled_loads(const Scene& scene, const System& system) {
-  return sample(load_histories(system), response_times(scene, system));
+SampledLoads sampled_loads(const Scene& scene, const System& system, const std::vector<double>& others) {
+  std::vector<double> time = response_times(scene, system);
+  time.insert(time.end(), others.begin(), others.end());
+  return sample(load_histories(system), in_order(std::move(time), scene.time.end));
+}
+
+std::vector<Eigen::Index> looks_at(const std::vector<double>& time, double duration) {
+  std::vector<Eigen::Index> looks;
+  for (std::size_t i = 0; i < time.size(); ++i)
+    if (looks.empty() || time[i] - time[static_cast<std::size_t>(looks.back())] > duration / 17.)
+      looks.push_back(static_cast<Eigen::Index>(i));
+  return looks;
 }
 
 double krylov_shift(const Scene& scene) {
@@ -101,6 +116,7 @@ Reduction reduce_scene(const Scene& scene, const CompiledScene& compiled, const 
   options.each_load = targets.each_load;
   if (targets.most_vectors) options.max_vectors = *targets.most_vectors;
   options.keep_pressures = targets.pressures;
+  options.keep_states = targets.states;
   options.progress = progress;
   if (compiled.caisson) {
     options.measured = {system.reading(reading::shear_force)};

@@ -19,8 +19,11 @@ std::vector<double> response_times(const Scene& scene, const System& system);
 
 std::vector<TimeFunction> load_histories(const System& system);
 
-/// The scene's own loads at those times.
-SampledLoads sampled_loads(const Scene& scene, const System& system);
+/// The scene's own loads at those times, and at others that are asked for.
+SampledLoads sampled_loads(const Scene& scene, const System& system, const std::vector<double>& others = {});
+
+/// Which of a series' times tell the extremes of what moves with the loads: about 16 in the shortest `duration` (s).
+std::vector<Eigen::Index> looks_at(const std::vector<double>& time, double duration);
 
 /// What a model is to be good for.
 struct ReductionTargets {
@@ -28,6 +31,7 @@ struct ReductionTargets {
   bool each_load = false;           ///< any history of each load, not only what they do together in the scene
   std::optional<int> most_vectors;  ///< per independent load, where the default is not meant
   bool pressures = false;           ///< to be told everywhere, not at probes alone: Reduction::pressures
+  bool states = false;              ///< all that moves is: Reduction::states
   /// The forces on an elastic caisson balance to round-off, not to the model's error: its rigid motions are kept, which
   /// takes half as many vectors more.
   bool balanced = false;

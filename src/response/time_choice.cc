@@ -213,8 +213,6 @@ SchemeChoice choose_scheme(const Scene& scene, const CompiledScene& compiled) {
   const auto march = [](const std::string& why) { return SchemeChoice{TimeScheme::sdirk4, why, {}}; };
   if (!scene.time.inertia) return march("consolidation is marched");
   if (!compiled.caisson) return march("without a caisson there is no F_T to measure a reduced model's error with");
-  if (scene.fields_every) return march("fields are asked for");
-  if (has_strength(scene)) return march("a strength needs the stresses of all cells");
   if (scene.time.stop_at_energy) return march("it shall stop early");
   const System& system = compiled.system;
   if (system.is_divided()) return march("several processes share the work");

@@ -154,7 +154,7 @@ void Monitors::report(Run& run) {
   if (summary.response) peak_time = summary.response->peak_shear_time;
   summary.warnings = warnings(simulation, peak_time);
   report_pressure(simulation, run);
-  report_strength(run);
+  report_strength(simulation, run);
   const std::optional<EffectiveBase> base = effective_base(simulation, run.response.ends);
   if (base) summary.base = base_summary(simulation, *base, run.response.ends, run.contact);
   if (summary.base) summary.base->limit = simulation.given.limits.base_pressure;
@@ -190,7 +190,10 @@ void Monitors::report_pressure(const Simulation& simulation, Run& run) {
            "after is not to be trusted, compare with fluid.bulk_modulus = 1e7 (air in the water)"});
 }
 
-void Monitors::report_strength(Run& run) const {
+void Monitors::report_strength(const Simulation& simulation, Run& run) {
+  if (run.states && strength_)
+    strength_->see(*run.states, sampled_loads(simulation.scene, simulation.compiled->system),
+                   step_of_loads(simulation.scene, 4).duration);
   if (strength_ && strength_->has_seen())
     run.summary.strength = strength_->found();
   else if (!why_no_strength_.empty() || strength_)

@@ -23,7 +23,7 @@ class Monitors {
 
  private:
   void report_pressure(const Simulation& simulation, Run& run);
-  void report_strength(Run& run) const;
+  void report_strength(const Simulation& simulation, Run& run);
 
   std::optional<LeastPressure> pressure_;
   std::optional<Mobilisation> strength_;

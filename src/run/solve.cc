@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/numbers.h"
+#include "base/progress.h"
 #include "base/stopwatch.h"
 #include "base/text.h"
 #include "fem/caisson/reading_names.h"
@@ -35,11 +36,17 @@ constexpr double contact_step = 2.;
 /// Per independent load, where nothing but a reduced model is wanted: twice as many as where a march would do as well.
 constexpr int most_vectors_by_name = 200;
 
-/// Kinks of the loads and the times at which fields are written.
-std::vector<double> times_to_meet(const Scene& scene, const System& system) {
-  std::vector<double> times = kinks(system);
+std::vector<double> times_of_fields(const Scene& scene) {
+  std::vector<double> times;
   if (scene.fields_every)
     for (int i = 1; i * *scene.fields_every < scene.time.end; ++i) times.push_back(i * *scene.fields_every);
+  return times;
+}
+
+/// Kinks of the loads and the times at which fields are written.
+std::vector<double> times_to_meet(const Scene& scene, const System& system) {
+  std::vector<double> times = kinks(system), of_fields = times_of_fields(scene);
+  times.insert(times.end(), of_fields.begin(), of_fields.end());
   std::sort(times.begin(), times.end());
   return times;
 }
@@ -92,32 +99,62 @@ struct Closest {
   }
 };
 
+/// Which of these times each observer wants to see a state at; no index twice.
+std::vector<Eigen::Index> wanted(const std::vector<double>& time, const std::vector<MarchObserver*>& observers) {
+  std::vector<Eigen::Index> list;
+  for (std::size_t i = 0; i < time.size(); ++i)
+    if (std::any_of(observers.begin(), observers.end(), [&](const MarchObserver* o) { return o->wants(time[i]); }))
+      list.push_back(static_cast<Eigen::Index>(i));
+  return list;
+}
+
+/// Shows observers the states that they want, as a march would have.
+void show(const StateModel& states, const SampledLoads& loads, const std::vector<MarchObserver*>& observers,
+          const std::function<void(double)>& progress) {
+  const std::vector<Eigen::Index> times = wanted(loads.time, observers);
+  if (times.empty()) return;
+  const int n_steps = static_cast<int>(loads.time.size()) - 1;
+  for_each_state(states, respond_in_coordinates(states.model, loads), times, [&](const State& state, Eigen::Index i) {
+    for (MarchObserver* observer : observers)
+      if (observer->wants(state.time)) observer->see(state, static_cast<int>(i), n_steps);
+    if (progress) progress(static_cast<double>(i) / n_steps);
+  });
+}
+
 /// Reduces the scene and answers its own loads. A case that asks for a reduced model gets one whose F_T meets the
 /// tolerance; readings that do not are listed in its summary. Throws NumericsError where it does not converge.
-Run run_reduced(const Simulation& simulation, const SchemeChoice& choice, const std::function<void(double)>& progress) {
+Run run_reduced(const Simulation& simulation, const SchemeChoice& choice, const std::vector<MarchObserver*>& observers,
+                const std::function<void(double)>& progress) {
   const Stopwatch watch;
+  const Scene& scene = simulation.scene;
+  const System& system = simulation.compiled->system;
+  const SampledLoads shown = sampled_loads(scene, system, times_of_fields(simulation.given));
+  const bool is_shown = !wanted(shown.time, observers).empty();
+  const bool states = is_shown || has_strength(simulation.given);
   const bool by_name = simulation.given.time.scheme == TimeScheme::reduced;
   const std::optional<int> most_vectors = by_name ? most_vectors_by_name : choice.most_vectors;
-  Reduction reduction =
-      reduce_scene(simulation.scene, *simulation.compiled, {false, false, most_vectors, true, true}, progress);
+  const double reducing_ends = is_shown ? 0.3 : 1.;  // 100 files take longer than the model
+  Reduction reduction = reduce_scene(scene, *simulation.compiled, {false, false, most_vectors, true, states, true},
+                                     part_of(progress, 0., reducing_ends));
   if (by_name)
     require_shear_converged(reduction);
   else
     require_converged(reduction);
   Run run;
-  run.response = respond(reduction, simulation.scene, simulation.compiled->system);
+  run.response = respond(reduction, scene, system);
   run.summary.timing = simulation.timing;
   run.summary.timing.factorise = reduction.factorise_seconds;
-  run.summary.timing.march = watch.seconds() - reduction.factorise_seconds;
   run.scheme_reason = choice.reason;
   run.step_reason = simulation.given.time.step ? "given in the case, or shorter where loads need it"
                                                : "a 32nd of the shortest load, for the record";
   summarise(simulation, "reduced", run);
   run.summary.reduction = summary_of(reduction);
   if (simulation.compiled->caisson)
-    run.summary.periods = natural_periods(reduction.model, reading::shear_force,
-                                          sampled_loads(simulation.scene, simulation.compiled->system));
+    run.summary.periods = natural_periods(reduction.model, reading::shear_force, sampled_loads(scene, system));
   run.pressures = std::move(reduction.pressures);
+  run.states = std::move(reduction.states);
+  if (run.states) show(*run.states, shown, observers, part_of(progress, reducing_ends, 1.));
+  run.summary.timing.march = watch.seconds() - run.summary.timing.factorise;
   return run;
 }
 
@@ -141,8 +178,8 @@ std::vector<Way> ways(const Simulation& simulation, const std::function<void(dou
   std::vector<Way> list;
   if (simulation.given.time.scheme != TimeScheme::reduced)
     list = marching_ways(simulation, {TimeScheme::sdirk4, "the reduced model was refused", {}});
-  list.insert(list.begin(), {"reduced", [&simulation, choice, reducing](const MarchOptions&) {
-                               return run_reduced(simulation, choice, reducing);
+  list.insert(list.begin(), {"reduced", [&simulation, choice, reducing](const MarchOptions& options) {
+                               return run_reduced(simulation, choice, options.observers, reducing);
                              }});
   return list;
 }
@@ -199,8 +236,17 @@ void check_size(const Scene& scene) {
 }
 
 ReductionSummary summary_of(const Reduction& r) {
-  return {r.n_vectors,    r.model.n_modes(), r.error.history,   r.error.peak,
-          r.error.others, r.omega / two_pi,  loose_readings(r), r.tolerance_of_others};
+  ReductionSummary summary;
+  summary.vectors = r.n_vectors;
+  summary.modes = r.model.n_modes();
+  summary.error = r.error.history;
+  summary.error_peak = r.error.peak;
+  summary.error_of_others = r.error.others;
+  if (r.states) summary.error_of_states = r.error.states;
+  summary.highest_frequency = r.omega / two_pi;
+  summary.loose = loose_readings(r);
+  summary.tolerance_of_others = r.tolerance_of_others;
+  return summary;
 }
 
 std::optional<Mismatch> imbalance(const Simulation& simulation, const Run& run) {

@@ -96,9 +96,9 @@ const std::vector<BadCase> rows{
             "case.toml:12:1: degree = 4 is outside [2, 3]; give the polynomial degree of the displacement"},
     BadCase{"EndNotPositive", "end = 2", "end = 0",
             "case.toml:67:1: end = 0 is outside (0, inf); give the end of the computed time (s)"},
-    BadCase{"ReducedModelHasNoFields", "scheme = \"sdirk4\"", "scheme = \"reduced\"",
-            "case.toml:69:1: scheme = \"reduced\" cannot do what the case asks for: it gives no fields, it keeps no "
-            "account of energy to stop by; write scheme = \"auto\""},
+    BadCase{"ReducedModelKeepsNoEnergy", "scheme = \"sdirk4\"", "scheme = \"reduced\"",
+            "case.toml:69:1: scheme = \"reduced\" cannot do what the case asks for: it keeps no account of "
+            "energy to stop by; write scheme = \"auto\""},
     BadCase{"EnergyNotBelowOne", "stop_at_energy = 1e-4", "stop_at_energy = 1.0",
             "case.toml:71:1: stop_at_energy = 1 is outside (0, 1); give the share of the largest energy"},
     BadCase{"ToleranceZero", "tolerance = 0.01", "tolerance = 0",

@@ -80,6 +80,41 @@ TEST(DynamicLaw, WhatIsSkippedWouldNotHaveSlid) {
   }
 }
 
+/// Masses on springs from 1 to 50 Hz side by side, each with its share of the force.
+ShearModel many_oscillators() {
+  ShearModel all = oscillator(1., 0.1);
+  constexpr int n = 40;
+  Eigen::VectorXcd pole(n), reading(n);
+  for (int i = 0; i < n; ++i) {
+    const ShearModel one = oscillator(1. + 49. * i / (n - 1.), 0.02 + 0.002 * i);
+    pole[i] = one.modes.pole[0];
+    reading[i] = one.modes.reading(0, 0) * (i % 3 == 0 ? 2. : -0.5) / 7.;
+  }
+  all.modes.pole = pole;
+  all.modes.load = Eigen::MatrixXcd::Constant(n, 1, 1e6);
+  all.modes.reading = reading.transpose();
+  return all;
+}
+
+TEST(DynamicLaw, WhatFewModesRuleOutWouldNotHaveSlid) {
+  const auto answer = std::make_shared<const ShearAnswer>(many_oscillators(), 2e-3, 10.);
+  const DynamicLaw law(medium_caisson(), storm(6.), {}, answer);
+  int ruled_out = 0;
+  double nearest = 0.;
+  for (double H = 0.5; H < 16.; H += 0.1) {
+    const DynamicWave wave = law.wave(H);
+    const double bound = answer->bound(wave.force.data(), static_cast<int>(wave.force.size()));
+    double largest = 0.;
+    for (const double F : wave.shear) largest = std::max(largest, std::abs(F));
+    EXPECT_LE(largest, bound) << H;
+    nearest = std::max(nearest, largest / bound);
+    EXPECT_EQ(law.distance(H, {}), std::max(wave.sliding, 0.)) << H;
+    ruled_out += law.may_slide(H, {}) && bound + 0.6 * wave.wave.uplift < resistance();
+  }
+  EXPECT_GT(nearest, 0.9);
+  EXPECT_GT(ruled_out, 0) << "more than the bound without an answer does";
+}
+
 TEST(DynamicLaw, TheBoundHoldsForTheWorstForce) {
   const ShearAnswer answer(oscillator(1.5, 0.02), 0.01, 10.);
   const int n = 900;

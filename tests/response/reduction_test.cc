@@ -86,7 +86,7 @@ TEST(RequireConverged, SaysHowFarItIsAndWhere) {
   Reduction reduction;
   reduction.model.reading_label = {{"good", "", ""}, {"bad", "", ""}};
   EXPECT_EQ(worst_reading(reduction), "");
-  reduction.error = {0.031, 0.02, 0.5, Eigen::Vector2d(0.031, 0.5)};
+  reduction.error = {0.031, 0.02, 0.5, 0., Eigen::Vector2d(0.031, 0.5)};
   reduction.n_vectors = 77;
   EXPECT_EQ(worst_reading(reduction), "bad");
   try {

@@ -76,10 +76,11 @@ TEST(SchemeChoice, MarchesWithoutALoad) {
   expect_march(long_run(), unloaded, "no load");
 }
 
-TEST(SchemeChoice, MarchesForFields) {
+TEST(SchemeChoice, FieldsAndStrengthsNeedNoMarch) {
   Scene scene = long_run();
   scene.fields_every = 0.1;
-  expect_march(scene, compiled().scene, "fields");
+  scene.regions.at("mound").strength.emplace();
+  EXPECT_EQ(choose_scheme(scene, compiled().scene).scheme, TimeScheme::reduced);
 }
 
 TEST(SchemeChoice, MarchesToStopEarly) {

@@ -48,6 +48,9 @@ class MarchObserver {
 
   /// At t = 0 (step 0) and after every step; n_steps is that of the whole grid.
   virtual void see(const State& state, int step, int n_steps) = 0;
+  /// Whether a reduced model, whose states cost a product each, is to make one for this time. No: it is answered
+  /// otherwise.
+  virtual bool wants(double /*time*/) const { return true; }
   /// All that a march which is resumed must know; of one size at all times. And back.
   virtual std::vector<double> memory() const { return {}; }
   virtual void recall(const std::vector<double>& /*memory*/) {}
@@ -57,11 +60,14 @@ class MarchObserver {
 class ObserverFunction : public MarchObserver {
  public:
   using Function = std::function<void(const State&, int step, int n_steps)>;
-  explicit ObserverFunction(Function function) : function_(std::move(function)) {}
+  explicit ObserverFunction(Function function, bool wants_states = true)
+      : function_(std::move(function)), wants_states_(wants_states) {}
   void see(const State& state, int step, int n_steps) override { function_(state, step, n_steps); }
+  bool wants(double) const override { return wants_states_; }
 
  private:
   Function function_;
+  bool wants_states_;
 };
 
 /// Tells `progress`, which may be none, how far a march is, by 0 to 1.

@@ -10,6 +10,7 @@
 #include "upbead/dynamics/modal_model.h"
 #include "upbead/dynamics/modal_response.h"
 #include "upbead/dynamics/reduced_system.h"
+#include "upbead/dynamics/state_model.h"
 #include "upbead/system/system.h"
 
 namespace upbead {
@@ -25,6 +26,8 @@ struct ReduceOptions {
   double tolerance_of_others = 5e-2;
   int max_vectors = 100;        ///< per independent load
   bool keep_pressures = false;  ///< see Reduction::pressures; not where `model` is given
+  /// See Reduction::states, which must meet `tolerance_of_others`, too; not where `model` is given.
+  bool keep_states = false;
   /// What nested models are compared by, where it is not modal_model(): its loads are those of the training histories.
   std::function<ModalModel(const ReducedSystem&)> model;
   std::function<void(double)> progress;  ///< called after every solve with a guess of what is done, 0 to 1; may be none
@@ -35,6 +38,7 @@ struct NestedError {
   double history = 0.;         ///< of the measured readings, see of_reading
   double peak = 0.;            ///< of their largest and least values
   double others = 0.;          ///< of all other readings, see of_reading
+  double states = 0.;          ///< see energy_distance(); only where all readings have come close enough
   Eigen::VectorXd of_reading;  ///< largest difference over time, over the reading's largest value, by reading
 };
 
@@ -59,6 +63,7 @@ struct Reduction {
   int n_vectors = 0, n_solves = 0, n_independent_loads = 0;
   double factorise_seconds = 0.;
   std::optional<PressureModel> pressures;            ///< where they are kept
+  std::optional<StateModel> states;                  ///< where they are kept
   std::vector<std::pair<int, NestedError>> history;  ///< by number of vectors, as the space grew
 };
 

@@ -154,9 +154,10 @@ struct Discretisation {
 struct ReductionSummary {
   int vectors = 0, modes = 0;
   double error = 0., error_peak = 0., error_of_others = 0.;
-  double highest_frequency = 0.;    ///< up to which the transfer function of F_T has been checked
-  std::vector<LooseReading> loose;  ///< readings that have not come close enough, besides F_T
-  double tolerance_of_others = 0.;  ///< that these were to meet
+  std::optional<double> error_of_states;  ///< where fields or strengths were asked for, see energy_distance()
+  double highest_frequency = 0.;          ///< up to which the transfer function of F_T has been checked
+  std::vector<LooseReading> loose;        ///< readings that have not come close enough, besides F_T
+  double tolerance_of_others = 0.;        ///< that these were to meet
 };
 
 /// How wrong the peak of F_T is, or its history over the largest |F_T|, by where it comes from; each is meant as a

@@ -88,6 +88,7 @@ struct Run {
   std::optional<CoupledHistoryTable> coupled;  ///< where the caisson slipped as a whole
   std::optional<ContactHistory> contact;       ///< where it was marched with a law of contact
   std::optional<PressureModel> pressures;      ///< where it was reduced
+  std::optional<StateModel> states;            ///< where it was, and fields or a strength are asked for
   std::string scheme_reason;                   ///< why it was solved as it was
   std::string step_reason;                     ///< why the steps are as long as they are
 };
