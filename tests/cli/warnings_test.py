@@ -341,7 +341,7 @@ class Warnings(ProgramTest):
     def test_strength(self):
         soil = settings(regions__mound__strength__friction_angle=40, regions__seabed__strength__friction_angle=35)
         found, summary = self.ask("run", *LEVEL, *soil, *settings(loads__impulse__factor=4))
-        self.assertEqual(summary["discretisation"]["scheme"], "sdirk4")
+        self.assertEqual(summary["discretisation"]["scheme"], "reduced")
         self.assertEqual([part["region"] for part in summary["strength"]], ["seabed", "mound"])
         for part in summary["strength"]:
             self.assertLess(part["initial"], part["largest"])
