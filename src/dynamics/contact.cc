@@ -247,6 +247,7 @@ class FrictionalContact : public SchemeBase {
   int solves_per_step() const override { return glued_.n_stages(); }
   void start(const State& state) override;
   void advance(State& state, double h) override;
+  bool leap(State& state, double h) override;
   const ContactReport* contact() const override { return &report_; }
   SchemeMemory memory() const override;
   void recall(const SchemeMemory& memory) override;
@@ -254,12 +255,14 @@ class FrictionalContact : public SchemeBase {
  private:
   bool attempt(Dirk& dirk, int n, StopAt stop, State& state, double h);
   bool settled(const State& state) const;
+  void end_step(const State& state);
   void report();
 
   Dirk glued_, moving_, impact_;
   ContactStage stage_;
   ContactReport report_;
   int fallbacks_before_ = 0;
+  int steps_at_rest_ = 0;  ///< since a node moved or a leap failed
 };
 
 const System& checked(const System& system) {
@@ -272,8 +275,8 @@ const System& checked(const System& system) {
 FrictionalContact::FrictionalContact(const System& system, const SchemeOptions& options)
     : SchemeBase(checked(system), options),
       glued_(system, sdirk4_tableau()),
-      moving_(system, friction_tableau()),
-      impact_(system, euler_tableau()),
+      moving_(glued_, friction_tableau()),
+      impact_(glued_, euler_tableau()),
       stage_(system) {
   report_.forces = stage_.now().forces;
 }
@@ -283,6 +286,7 @@ void FrictionalContact::start(const State& state) {
   stage_.start(state);
   fallbacks_before_ = stage_.n_fallbacks();
   report_ = {stage_.now().forces};
+  steps_at_rest_ = 0;
 }
 
 SchemeMemory FrictionalContact::memory() const {
@@ -322,7 +326,25 @@ void FrictionalContact::advance(State& state, double h) {
   if (!(is_settled && stage_.all_stick() && attempt(glued_, 1, StopAt::release, state, h)) &&
       !(is_settled && attempt(moving_, 1, StopAt::impact, state, h)))
     attempt(impact_, 4, StopAt::never, state, h);
+  end_step(state);
+}
+
+/// A step of order 4 needs no short ones. Where it failed, a node is about to move: not again for a while.
+bool FrictionalContact::leap(State& state, double h) {
+  constexpr int wait = 2;
+  if (steps_at_rest_ < wait) return false;
+  if (attempt(glued_, 1, StopAt::release, state, h)) {
+    end_step(state);
+    return true;
+  }
+  steps_at_rest_ = 0;
+  return false;
+}
+
+void FrictionalContact::end_step(const State& state) {
   n_solves_ = stage_.n_solves();
+  const InterfaceState& now = stage_.now();
+  steps_at_rest_ = now.slipped || now.opened ? 0 : steps_at_rest_ + 1;
   balanced_.state = state;
   balanced_.load = end_load_;
   report();
