@@ -175,6 +175,8 @@ struct Factorisation::Impl {
     for (Eigen::Index c = 0; c < B.cols(); ++c) condensation.expand(B.col(c), rest.col(c), X.col(c));
   }
 
+  Border border(const SparseMatrix& columns);
+
   std::size_t pattern;
   detail::Condensation condensation;
   Sharing sharing;  ///< among the unknowns of the Schur complement
@@ -183,6 +185,48 @@ struct Factorisation::Impl {
   SparseMatrix matrix;    ///< A, where there are any
   Eigen::MatrixXd rest;   ///< work space of a solve
 };
+
+/// Elimination touches few rows of a column that has few: those above them in the elimination tree.
+Border Factorisation::Impl::border(const SparseMatrix& columns) {
+  using Triplets = std::vector<Eigen::Triplet<double>>;
+  const Eigen::Index m = columns.cols();
+  Border border{columns, {}, {}, {}, SparseMatrix(m, columns.rows()), {}};
+  const Eigen::SparseMatrix<double> by_columns = columns;
+  Triplets halfway, in_blocks;
+  std::vector<int> place(static_cast<std::size_t>(condensation.n_rest()), -1);
+  Vector b(columns.rows()), x(columns.rows());
+  const Vector none = Vector::Zero(condensation.n_rest());
+  for (Eigen::Index first = 0; first < m; first += columns_at_once) {
+    const Eigen::Index n = std::min(columns_at_once, m - first);
+    rest.resize(condensation.n_rest(), n);
+    for (Eigen::Index c = 0; c < n; ++c) {
+      b = by_columns.col(first + c);
+      condensation.reduce(b, rest.col(c));
+      condensation.expand(b, none, x);
+      for (Eigen::Index i = 0; i < x.size(); ++i)
+        if (x[i] != 0.) in_blocks.emplace_back(first + c, i, x[i]);
+    }
+    ldlt.begin(rest);
+    const auto half = ldlt.halfway(n);
+    for (Eigen::Index c = 0; c < n; ++c)
+      for (Eigen::Index i = 0; i < half.rows(); ++i)
+        if (half(i, c) != 0.) {
+          if (place[i] < 0) {
+            place[i] = static_cast<int>(border.rows.size());
+            border.rows.push_back(static_cast<int>(i));
+          }
+          halfway.emplace_back(place[i], first + c, half(i, c));
+        }
+  }
+  border.halfway.resize(static_cast<Eigen::Index>(border.rows.size()), m);
+  border.halfway.setFromTriplets(halfway.begin(), halfway.end());
+  border.in_blocks.setFromTriplets(in_blocks.begin(), in_blocks.end());
+  border.pivot = ldlt.inverse_pivot()(border.rows).cwiseInverse();
+  const Eigen::MatrixXd dense = border.halfway;
+  border.gram = dense.transpose() * border.pivot.asDiagonal() * dense;
+  border.gram += Eigen::MatrixXd(border.in_blocks * columns);
+  return border;
+}
 
 Factorisation::Factorisation(const SparseMatrix& A, const std::vector<IndexRange>& blocks, const Sharing& sharing)
     : impl_(std::make_unique<Impl>(A, blocks, sharing)) {}
@@ -212,6 +256,33 @@ Eigen::MatrixXd Factorisation::solve_columns(const Eigen::MatrixXd& B) const {
     impl_->solve(B.middleCols(c, n), X.middleCols(c, n));
   }
   return X;
+}
+
+bool Factorisation::has_halves() const {
+  return impl_->n_refinements == 0 && !impl_->sharing.processes;
+}
+
+Border Factorisation::border(const SparseMatrix& columns) const {
+  return impl_->border(columns);
+}
+
+Vector Factorisation::begin(const Eigen::Ref<const Vector>& b, const Border& border) const {
+  impl_->rest.resize(impl_->condensation.n_rest(), 1);
+  impl_->condensation.reduce(b, impl_->rest.col(0));
+  impl_->ldlt.begin(impl_->rest);
+  const Vector reached = impl_->ldlt.halfway(1).col(0)(border.rows).cwiseProduct(border.pivot);
+  return border.halfway.transpose() * reached + border.in_blocks * b;
+}
+
+void Factorisation::finish(Eigen::Ref<Vector> b, const Border& border, const Vector& q, Eigen::Ref<Vector> x) const {
+  if (!q.isZero(0.)) {
+    auto half = impl_->ldlt.halfway(1).col(0);
+    const Vector change = border.halfway * q;
+    for (std::size_t k = 0; k < border.rows.size(); ++k) half[border.rows[k]] -= change[static_cast<Eigen::Index>(k)];
+    b -= border.columns * q;
+  }
+  impl_->ldlt.finish(impl_->rest);
+  impl_->condensation.expand(b, impl_->rest.col(0), x);
 }
 
 Inertia Factorisation::inertia() const {

@@ -15,6 +15,16 @@ struct Inertia {
   int negative = 0;
 };
 
+/// A few columns C beside a matrix A, and what a solve with A must know of them to be halted halfway.
+struct Border {
+  SparseMatrix columns;    ///< C
+  std::vector<int> rows;   ///< that the first half of the solves for C reaches, in elimination order
+  SparseMatrix halfway;    ///< in these rows, what it makes of each column
+  Vector pivot;            ///< of these rows
+  SparseMatrix in_blocks;  ///< A_bb^-1 C_b, transposed
+  Eigen::MatrixXd gram;    ///< C^T A^-1 C
+};
+
 /// Factors of a symmetric quasi-definite matrix A (n x n, both triangles stored). L D L^T exists for every ordering
 /// without pivoting (Vanderbei 1995), but only an equilibrated matrix is solved to round-off.
 /// Where negative pivots close to zero come first (incompressible water that hardly drains), elimination loses digits;
@@ -44,6 +54,14 @@ class Factorisation {
   void solve(const Eigen::Ref<const Vector>& b, Eigen::Ref<Vector> x) const;
   /// X = A^-1 B. Several right-hand sides at once read the factor once for up to 8; each gets what it gets alone.
   Eigen::MatrixXd solve_columns(const Eigen::MatrixXd& B) const;
+  /// A solve in two halves: what follows b along the columns C is known before it is decided how much of them acts.
+  /// Only where solutions are not refined and no unknown is shared.
+  bool has_halves() const;
+  Border border(const SparseMatrix& columns) const;
+  /// The first half; returns C^T A^-1 b.
+  Vector begin(const Eigen::Ref<const Vector>& b, const Border& border) const;
+  /// The second: x = A^-1 (b - C q), with the b that was begun with; then b is b - C q.
+  void finish(Eigen::Ref<Vector> b, const Border& border, const Vector& q, Eigen::Ref<Vector> x) const;
   /// Of the unknowns that this process holds, of the whole matrix.
   Inertia inertia() const;
   /// Entries of the factor L as stored, with what pads it; a solve streams through them twice. Without the blocks.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <stdexcept>
 
 #include "dynamics/contact_problem.h"
@@ -34,6 +35,13 @@ struct InterfaceState {
 /// linearly, so that its forces do as well: D is E condensed on the interface, for motions q = (slip rate / g,
 /// opening / g^2).
 class ContactStage : public StageLaw {
+  /// Of one E: the law halfway through a solve, where that can be halted, so that a stage takes one solve; else after
+  /// it, and a second one follows.
+  struct Condensed {
+    std::optional<Border> border;
+    ContactProblem problem;
+  };
+
  public:
   explicit ContactStage(const System& system);
   void start(const State& state);
@@ -50,8 +58,11 @@ class ContactStage : public StageLaw {
 
  private:
   Vector first_guess(double g, const DirkStage& stage) const;
-  ContactProblem& problem(const EffectiveMatrix& E, double g);
-  InterfaceForces forces(const EffectiveMatrix& E, const DirkStage& stage) const;
+  Condensed& condensed(const EffectiveMatrix& E, double g);
+  InterfaceForces forces(const Vector& residual) const;
+  bool decide(const EffectiveMatrix& E, double g, ContactPoint& point);
+  bool solve_whole(const EffectiveMatrix& E, double g, DirkStage& stage, ContactPoint& point);
+  bool solve_by_halves(const EffectiveMatrix& E, double g, DirkStage& stage, ContactPoint& point);
   void set_accelerations(const Vector& motion, double g, DirkStage& stage) const;
   void set_motions(const Vector& motion, double g, DirkStage& stage) const;
   void correct(const EffectiveMatrix& E, double g, const Vector& motion, DirkStage& stage);
@@ -63,7 +74,7 @@ class ContactStage : public StageLaw {
   double scale_;  ///< largest normal force at rest
   InterfaceState now_;
   StopAt stop_ = StopAt::never;
-  std::map<double, ContactProblem> problems_;  ///< by g
+  std::map<double, Condensed> condensed_;  ///< by g
   int fallbacks_of_dropped_ = 0;
   int n_solves_ = 0;
   Vector no_load_, correction_;
@@ -106,19 +117,21 @@ bool ContactStage::all_stick() const {
 
 int ContactStage::n_fallbacks() const {
   int n = fallbacks_of_dropped_;
-  for (const auto& [g, problem] : problems_) n += problem.n_fallbacks();
+  for (const auto& [g, condensed] : condensed_) n += condensed.problem.n_fallbacks();
   return n;
 }
 
-ContactProblem& ContactStage::problem(const EffectiveMatrix& E, double g) {
-  const auto found = problems_.find(g);
-  if (found != problems_.end()) return found->second;
-  if (problems_.size() == kept_problems) {
+ContactStage::Condensed& ContactStage::condensed(const EffectiveMatrix& E, double g) {
+  const auto found = condensed_.find(g);
+  if (found != condensed_.end()) return found->second;
+  if (condensed_.size() == kept_problems) {
     fallbacks_of_dropped_ = n_fallbacks();
-    problems_.clear();
+    condensed_.clear();
   }
-  n_solves_ += 2 * n_;
-  return problems_.try_emplace(g, E.condensed_on_last(2 * n_), interface_.friction).first->second;
+  std::optional<Border> border = E.border_of_last(2 * n_);
+  n_solves_ += border ? n_ : 2 * n_;  // of the halves one is done
+  ContactProblem problem(E.condensed_on_last(2 * n_, border), interface_.friction);
+  return condensed_.emplace(g, Condensed{std::move(border), std::move(problem)}).first->second;
 }
 
 /// Nodes that stuck go on so; the others move as if nothing accelerated them. So the forces of the guess are of the
@@ -148,8 +161,7 @@ void ContactStage::set_motions(const Vector& motion, double g, DirkStage& stage)
   stage.v.tail(n_) = (stage.x.tail(n_) - stage.x_explicit.tail(n_)) / g;
 }
 
-InterfaceForces ContactStage::forces(const EffectiveMatrix& E, const DirkStage& stage) const {
-  const Vector residual = E.residual_of_last(2 * n_, stage.rhs, stage.a);
+InterfaceForces ContactStage::forces(const Vector& residual) const {
   return {-residual.head(n_), interface_.normal_force + residual.tail(n_)};
 }
 
@@ -180,24 +192,45 @@ void ContactStage::correct(const EffectiveMatrix& E, double g, const Vector& mot
   stage.a.head(system_.n_free()) += correction_.head(system_.n_free());
 }
 
-bool ContactStage::solve(const EffectiveMatrix& E, double g, DirkStage& stage) {
-  const Vector guess = first_guess(g, stage);
-  set_accelerations(guess, g, stage);
-  E.solve(stage.rhs, stage.a);
-  ++n_solves_;
-  ContactPoint point{guess, forces(E, stage)};
+/// From the point of the guess to the one that obeys the law. False: the step shall not go on.
+bool ContactStage::decide(const EffectiveMatrix& E, double g, ContactPoint& point) {
   std::vector<ContactState> status(static_cast<std::size_t>(n_), ContactState::stick);
-  if (!guess.isZero(0.) || !ContactProblem::holds(point.forces, interface_.friction, scale_)) {
+  if (!point.motion.isZero(0.) || !ContactProblem::holds(point.forces, interface_.friction, scale_)) {
     if (stop_ == StopAt::release) return false;
     status = now_.status;
-    point = problem(E, g).solve(point, scale_, status);
+    point = condensed(E, g).problem.solve(point, scale_, status);
   }
-  if (!note(status)) return false;
-  if (point.motion != guess) {
-    correct(E, g, point.motion, stage);
-    point.forces = forces(E, stage);
-  }
-  now_.forces = point.forces;
+  return note(status);
+}
+
+bool ContactStage::solve_whole(const EffectiveMatrix& E, double g, DirkStage& stage, ContactPoint& point) {
+  const Vector guess = point.motion;
+  E.solve(stage.rhs, stage.a);
+  point.forces = forces(E.residual_of_last(2 * n_, stage.rhs, stage.a));
+  if (!decide(E, g, point)) return false;
+  if (point.motion != guess) correct(E, g, point.motion, stage);
+  return true;
+}
+
+bool ContactStage::solve_by_halves(const EffectiveMatrix& E, double g, DirkStage& stage, ContactPoint& point) {
+  const Border& border = *condensed(E, g).border;
+  point.forces = forces(E.begin(border, stage.rhs, stage.a));
+  if (!decide(E, g, point)) return false;
+  const Vector before = stage.a.tail(2 * n_);
+  set_accelerations(point.motion, g, stage);
+  const Vector change = stage.a.tail(2 * n_) - before;
+  stage.a.tail(2 * n_) = before;
+  E.finish(border, change, stage.rhs, stage.a);
+  return true;
+}
+
+bool ContactStage::solve(const EffectiveMatrix& E, double g, DirkStage& stage) {
+  ContactPoint point{first_guess(g, stage), {}};
+  set_accelerations(point.motion, g, stage);
+  ++n_solves_;
+  const bool halves = stop_ != StopAt::release && condensed(E, g).border;
+  if (!(halves ? solve_by_halves(E, g, stage, point) : solve_whole(E, g, stage, point))) return false;
+  now_.forces = forces(E.residual_of_last(2 * n_, stage.rhs, stage.a));
   stage.move(g);
   set_motions(point.motion, g, stage);
   return true;
@@ -214,6 +247,7 @@ class FrictionalContact : public SchemeBase {
   int solves_per_step() const override { return glued_.n_stages(); }
   void start(const State& state) override;
   void advance(State& state, double h) override;
+  bool leap(State& state, double h) override;
   const ContactReport* contact() const override { return &report_; }
   SchemeMemory memory() const override;
   void recall(const SchemeMemory& memory) override;
@@ -221,12 +255,14 @@ class FrictionalContact : public SchemeBase {
  private:
   bool attempt(Dirk& dirk, int n, StopAt stop, State& state, double h);
   bool settled(const State& state) const;
+  void end_step(const State& state);
   void report();
 
   Dirk glued_, moving_, impact_;
   ContactStage stage_;
   ContactReport report_;
   int fallbacks_before_ = 0;
+  int steps_at_rest_ = 0;  ///< since a node moved or a leap failed
 };
 
 const System& checked(const System& system) {
@@ -239,8 +275,8 @@ const System& checked(const System& system) {
 FrictionalContact::FrictionalContact(const System& system, const SchemeOptions& options)
     : SchemeBase(checked(system), options),
       glued_(system, sdirk4_tableau()),
-      moving_(system, friction_tableau()),
-      impact_(system, euler_tableau()),
+      moving_(glued_, friction_tableau()),
+      impact_(glued_, euler_tableau()),
       stage_(system) {
   report_.forces = stage_.now().forces;
 }
@@ -250,6 +286,7 @@ void FrictionalContact::start(const State& state) {
   stage_.start(state);
   fallbacks_before_ = stage_.n_fallbacks();
   report_ = {stage_.now().forces};
+  steps_at_rest_ = 0;
 }
 
 SchemeMemory FrictionalContact::memory() const {
@@ -289,7 +326,25 @@ void FrictionalContact::advance(State& state, double h) {
   if (!(is_settled && stage_.all_stick() && attempt(glued_, 1, StopAt::release, state, h)) &&
       !(is_settled && attempt(moving_, 1, StopAt::impact, state, h)))
     attempt(impact_, 4, StopAt::never, state, h);
+  end_step(state);
+}
+
+/// A step of order 4 needs no short ones. Where it failed, a node is about to move: not again for a while.
+bool FrictionalContact::leap(State& state, double h) {
+  constexpr int wait = 2;
+  if (steps_at_rest_ < wait) return false;
+  if (attempt(glued_, 1, StopAt::release, state, h)) {
+    end_step(state);
+    return true;
+  }
+  steps_at_rest_ = 0;
+  return false;
+}
+
+void FrictionalContact::end_step(const State& state) {
   n_solves_ = stage_.n_solves();
+  const InterfaceState& now = stage_.now();
+  steps_at_rest_ = now.slipped || now.opened ? 0 : steps_at_rest_ + 1;
   balanced_.state = state;
   balanced_.load = end_load_;
   report();

@@ -49,9 +49,12 @@ Tableau friction_tableau() {
 }
 
 Dirk::Dirk(const System& system, Tableau tableau)
+    : Dirk(system, std::move(tableau), std::make_shared<const SymmetricPair>(system.C, system.K)) {}
+
+Dirk::Dirk(const System& system, Tableau tableau, std::shared_ptr<const SymmetricPair> damping_and_stiffness)
     : system_(system),
       loads_(system),
-      damping_and_stiffness_(system.C, system.K),
+      damping_and_stiffness_(std::move(damping_and_stiffness)),
       tableau_(std::move(tableau)),
       b_(tableau_.b()),
       c_(tableau_.c()),
@@ -85,7 +88,7 @@ bool Dirk::step(State& state, double h, double inside, EffectiveMatrices& matric
       now_.a.tail(n_prescribed) = (now_.a.tail(n_prescribed) - now_.v_predicted.tail(n_prescribed)) / g;
     }
     now_.rhs = f_;
-    damping_and_stiffness_.subtract_products(now_.v_predicted, now_.x, now_.rhs);
+    damping_and_stiffness_->subtract_products(now_.v_predicted, now_.x, now_.rhs);
     if (law == nullptr) {
       E.solve(now_.rhs, now_.a);
       now_.move(g);

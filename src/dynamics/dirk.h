@@ -1,6 +1,8 @@
 // One step of a diagonally implicit Runge-Kutta scheme for a System.
 #pragma once
 
+#include <memory>
+#include <utility>
 #include <vector>
 
 #include "dynamics/effective_matrix.h"
@@ -73,6 +75,8 @@ Tableau friction_tableau();
 class Dirk {
  public:
   Dirk(const System& system, Tableau tableau);
+  /// Sharing what it keeps of C and K with another one of the same system.
+  Dirk(const Dirk& other, Tableau tableau) : Dirk(other.system_, std::move(tableau), other.damping_and_stiffness_) {}
 
   /// Advances `state` by h with the loads of the piece that holds the time `inside`; `meter` may be null. One solve per
   /// stage, or what `law` needs. False where the law gives up: then `state` is as before, the account is not.
@@ -83,12 +87,13 @@ class Dirk {
   const std::vector<double>& load() const { return load_; }
 
  private:
+  Dirk(const System& system, Tableau tableau, std::shared_ptr<const SymmetricPair> damping_and_stiffness);
   void predict(const State& state, double h, int stage);
   void account(double h, EnergyMeter& meter);
 
   const System& system_;
   LoadSum loads_;
-  SymmetricPair damping_and_stiffness_;
+  std::shared_ptr<const SymmetricPair> damping_and_stiffness_;
   Tableau tableau_;
   Vector b_, c_;
   Eigen::MatrixXd stability_;

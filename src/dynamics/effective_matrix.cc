@@ -78,11 +78,33 @@ Vector EffectiveMatrix::residual_of_last(int n, const Vector& rhs, const Vector&
   return prescribed_.bottomRows(n) * y - rhs.tail(n);
 }
 
-Eigen::MatrixXd EffectiveMatrix::condensed_on_last(int n) const {
-  const Eigen::MatrixXd columns = coupling_.rightCols(n);
+Eigen::MatrixXd EffectiveMatrix::condensed_on_last(int n, const std::optional<Border>& border) const {
   const Eigen::MatrixXd own = SparseMatrix(prescribed_.bottomRows(n)).rightCols(n);
-  const Eigen::MatrixXd D = own - columns.transpose() * factors_.solve_columns(columns);
+  Eigen::MatrixXd D = own;
+  if (border) {
+    D -= border->gram;
+  } else {
+    const Eigen::MatrixXd columns = coupling_.rightCols(n);
+    D -= columns.transpose() * factors_.solve_columns(columns);
+  }
   return 0.5 * (D + D.transpose());
+}
+
+std::optional<Border> EffectiveMatrix::border_of_last(int n) const {
+  if (refined_ || !factors_.has_halves()) return std::nullopt;
+  return factors_.border(coupling_.rightCols(n));
+}
+
+Vector EffectiveMatrix::begin(const Border& border, Vector& rhs, Vector& y) const {
+  const Eigen::Index n = border.columns.cols(), n_prescribed = coupling_.cols();
+  rhs.head(n_free_) -= coupling_ * y.tail(n_prescribed);
+  y.head(n_free_).setZero();
+  return factors_.begin(rhs.head(n_free_), border) + residual_of_last(static_cast<int>(n), rhs, y);
+}
+
+void EffectiveMatrix::finish(const Border& border, const Vector& change, Vector& rhs, Vector& y) const {
+  y.tail(change.size()) += change;
+  factors_.finish(rhs.head(n_free_), border, change, y.head(n_free_));
 }
 
 /// Puts the matrix of these coefficients in front.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <list>
+#include <optional>
 
 #include "algebra/factorisation.h"
 #include "upbead/system/system.h"
@@ -29,8 +30,15 @@ class EffectiveMatrix {
   void solve(Vector& rhs, Vector& y) const;
   /// Rows of the last n unknowns, prescribed ones, of E y - rhs.
   Vector residual_of_last(int n, const Vector& rhs, const Vector& y) const;
-  /// What is left of E on the last n unknowns, prescribed ones, once the free ones follow them: n x n, by n solves.
-  Eigen::MatrixXd condensed_on_last(int n) const;
+  /// What is left of E on the last n unknowns, prescribed ones, once the free ones follow them: n x n, by n solves, or
+  /// by half of each where there is a border.
+  Eigen::MatrixXd condensed_on_last(int n, const std::optional<Border>& border = {}) const;
+  /// The same solve in two halves for a law on the last n unknowns, where that is all that is to be solved (else the
+  /// border is empty). begin() takes what the law guesses and returns rows of the last n of E y - rhs; finish() takes
+  /// by how much the law changes their part of y, and ends like solve().
+  std::optional<Border> border_of_last(int n) const;
+  Vector begin(const Border& border, Vector& rhs, Vector& y) const;
+  void finish(const Border& border, const Vector& change, Vector& rhs, Vector& y) const;
   /// Takes other coefficients for the same system.
   void refactor(const System& system, const EffectiveCoefficients& coefficients);
 

@@ -5,21 +5,36 @@
 
 namespace upbead::detail {
 
+namespace {
+
+/// Of A what couples phi with u and W, or what does not.
+SparseMatrix part_of(SparseMatrix A, const System& system, bool coupling) {
+  const auto is_phi = [&](Eigen::Index i) {
+    return system.field[static_cast<std::size_t>(i)] == Field::pressure_impulse;
+  };
+  A.prune([&](Eigen::Index i, Eigen::Index j, double) { return (is_phi(i) != is_phi(j)) == coupling; });
+  return A;
+}
+
+SparseMatrix inside(const System& system) {
+  return system.radiation.nonZeros() > 0 ? SparseMatrix(system.C - system.radiation) : system.C;
+}
+
+}  // namespace
+
 EnergyMeter::EnergyMeter(const System& system)
     : system_(system),
-      dissipative_C_(system.C),
-      radiating_C_(system.radiation),
-      coupling_C_(system.C),
+      mass_(system.M, system.field),
+      stiffness_(system.K, system.field),
+      dissipative_(part_of(inside(system), system, false), system.field),
+      radiating_(part_of(system.radiation, system, false), system.field),
+      coupling_(part_of(system.C, system, true), system.field),
+      radiates_(system.radiation.nonZeros() > 0),
       prescribed_M_(system.M.bottomRows(system.n_prescribed)),
       prescribed_C_(system.C.bottomRows(system.n_prescribed)),
       prescribed_K_(system.K.bottomRows(system.n_prescribed)),
       sign_(system.size()) {
-  const auto is_phi = [&](Eigen::Index i) { return system.field[i] == Field::pressure_impulse; };
-  for (int i = 0; i < system.size(); ++i) sign_[i] = is_phi(i) ? -1. : 1.;
-  if (radiating_C_.nonZeros() > 0) dissipative_C_ -= radiating_C_;
-  dissipative_C_.prune([&](Eigen::Index i, Eigen::Index j, double) { return is_phi(i) == is_phi(j); });
-  radiating_C_.prune([&](Eigen::Index i, Eigen::Index j, double) { return is_phi(i) == is_phi(j); });
-  coupling_C_.prune([&](Eigen::Index i, Eigen::Index j, double) { return is_phi(i) != is_phi(j); });
+  for (int i = 0; i < system.size(); ++i) sign_[i] = system.field[i] == Field::pressure_impulse ? -1. : 1.;
 }
 
 void EnergyMeter::start(const State& state) {
@@ -54,8 +69,8 @@ void EnergyMeter::add_contact(double weight, const Vector& path, const Vector& r
 }
 
 Losses EnergyMeter::losses(const VectorBlock& Z) const {
-  Losses losses{grams(dissipative_C_, Z, system_.field), Eigen::MatrixXd::Zero(Z.cols(), Z.cols())};
-  if (radiating_C_.nonZeros() > 0) losses.radiated = grams(radiating_C_, Z, system_.field).total();
+  Losses losses{dissipative_.grams(Z, system_.field), Eigen::MatrixXd::Zero(Z.cols(), Z.cols())};
+  if (radiates_) losses.radiated = radiating_.grams(Z, system_.field).total();
   return losses;
 }
 

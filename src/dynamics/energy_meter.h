@@ -25,11 +25,11 @@ class EnergyMeter {
   /// Goes back to an account of before.
   void restore(const EnergyAccount& account) { account_ = account; }
 
-  FieldGrams mass(const VectorBlock& Z) const { return grams(system_.M, Z, system_.field); }
-  FieldGrams stiffness(const VectorBlock& Z) const { return grams(system_.K, Z, system_.field); }
+  FieldGrams mass(const VectorBlock& Z) const { return mass_.grams(Z, system_.field); }
+  FieldGrams stiffness(const VectorBlock& Z) const { return stiffness_.grams(Z, system_.field); }
   /// Of the part of C that takes power, and of the rest, which couples phi with u and W.
   Losses losses(const VectorBlock& Z) const;
-  FieldGrams coupling(const VectorBlock& Z) const { return grams(coupling_C_, Z, system_.field); }
+  FieldGrams coupling(const VectorBlock& Z) const { return coupling_.grams(Z, system_.field); }
 
   /// weight times the work of the load vector f along `path` (n), and of the reactions (residual of the rows of
   /// prescribed unknowns at x, v, a) along theirs. At an interface these reactions change an equilibrium: with the
@@ -45,7 +45,8 @@ class EnergyMeter {
   void add_contact(double weight, const Vector& path, const Vector& reaction, const Vector& x);
 
   const System& system_;
-  SparseMatrix dissipative_C_, radiating_C_, coupling_C_;
+  LowerTriangle mass_, stiffness_, dissipative_, radiating_, coupling_;
+  bool radiates_;
   SparseMatrix prescribed_M_, prescribed_C_, prescribed_K_;  ///< rows of the prescribed unknowns
   Vector sign_;                                              ///< diagonal of J
   EnergyAccount account_;

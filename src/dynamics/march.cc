@@ -175,14 +175,18 @@ class March {
   int n_done() const { return done_; }
   bool stopped() const { return stopped_; }
 
-  void advance(double time, double h) {
+  /// By at most n_left equal steps of h. Returns how many it was.
+  int advance(double time, double h, int n_left) {
     state_.time = time;
-    scheme_.advance(state_, h);
+    const int leap = options_.leap;
+    const int n = leap > 1 && leap <= n_left && scheme_.leap(state_, leap * h) ? leap : 1;
+    if (n == 1) scheme_.advance(state_, h);
     recorder_.add(state_);
-    ++done_;
+    done_ += n;
     if (options_.checkpoints.due && options_.checkpoints.due()) options_.checkpoints.keep(checkpoint());
     observe();
     stopped_ = done_ < n_steps_ && early_stop_.due(scheme_.energy(), state_.time, h);
+    return n;
   }
 
   Response finish() { return with_counts(recorder_.finish(state_)); }
@@ -250,8 +254,8 @@ Response march(const System& system, Scheme& scheme, const TimeGrid& grid, const
   March march(system, scheme, grid, options);
   int first = 0;  // step of the segment
   for (const TimeSegment& segment : grid.segments) {
-    for (int i = std::max(0, march.n_done() - first); i < segment.n_steps && !march.stopped(); ++i)
-      march.advance(segment.start + i * segment.step, segment.step);  // a sum of steps would drift off the kinks
+    for (int i = std::max(0, march.n_done() - first); i < segment.n_steps && !march.stopped();)  // sums of steps drift
+      i += march.advance(segment.start + i * segment.step, segment.step, segment.n_steps - i);
     first += segment.n_steps;
   }
   Response response = march.finish();

@@ -6,8 +6,16 @@
 
 namespace upbead::detail {
 
-SymmetricPair::SymmetricPair(const SparseMatrix& C, const SparseMatrix& K)
-    : begin_{0}, diagonal_C_(C.diagonal()), diagonal_K_(K.diagonal()) {
+namespace {
+
+constexpr std::array fields = {Field::displacement, Field::relative_fluid, Field::pressure_impulse};
+static_assert(static_cast<int>(fields[0]) == 0 && static_cast<int>(fields[1]) == 1 && static_cast<int>(fields[2]) == 2);
+
+}  // namespace
+
+SymmetricPair::SymmetricPair(const SparseMatrix& C, const SparseMatrix& K) : begin_{0} {
+  const Vector of_C = C.diagonal(), of_K = K.diagonal();
+  for (int i = 0; i < C.rows(); ++i) diagonal_.emplace_back(of_C[i], of_K[i]);
   const auto take = [](SparseMatrix::InnerIterator& it, int column) {
     if (!it || it.col() != column) return 0.;
     const double value = it.value();
@@ -19,63 +27,100 @@ SymmetricPair::SymmetricPair(const SparseMatrix& C, const SparseMatrix& K)
     const auto next = [i](const SparseMatrix::InnerIterator& it) { return it ? static_cast<int>(it.col()) : i; };
     for (int column = std::min(next(c), next(k)); column < i; column = std::min(next(c), next(k))) {
       column_.push_back(column);
-      entry_.push_back({take(c, column), take(k, column)});
+      const double of_c = take(c, column);
+      entry_.emplace_back(of_c, take(k, column));
     }
     begin_.push_back(static_cast<int>(column_.size()));
   }
 }
 
+/// Both matrices at once, each in a lane of its own; two sums, so that no product waits for the one before.
 void SymmetricPair::subtract_products(const Vector& v, const Vector& x, Vector& f) const {
-  for (int i = 0; i < v.size(); ++i) {
-    const double v_i = v[i], x_i = x[i];
-    double sum = diagonal_C_[i] * v_i + diagonal_K_[i] * x_i;
-    for (int q = begin_[i]; q < begin_[i + 1]; ++q) {
-      const auto [c, k] = entry_[q];
+  const auto n = static_cast<std::size_t>(v.size());
+  vectors_.resize(n);
+  products_.resize(n);
+  for (std::size_t i = 0; i < n; ++i) vectors_[i] = Pair(v[static_cast<int>(i)], x[static_cast<int>(i)]);
+  for (std::size_t i = 0; i < n; ++i) {
+    const Pair own = vectors_[i];
+    Pair even = diagonal_[i] * own, odd = Pair::Zero();
+    const auto take = [&](int q, Pair& sum) {
       const int j = column_[q];
-      sum += c * v[j] + k * x[j];
-      f[j] -= c * v_i + k * x_i;
+      sum += entry_[q] * vectors_[j];
+      products_[j] += entry_[q] * own;
+    };
+    int q = begin_[i];
+    for (; q + 1 < begin_[i + 1]; q += 2) {
+      take(q, even);
+      take(q + 1, odd);
     }
-    f[i] -= sum;
+    if (q < begin_[i + 1]) take(q, even);
+    products_[i] = even + odd;  // of the rows below nothing has come yet
   }
+  for (std::size_t i = 0; i < n; ++i) f[static_cast<int>(i)] -= products_[i].sum();
+}
+
+LowerTriangle::LowerTriangle(const SparseMatrix& A, const std::vector<Field>& field) : begin_{0} {
+  diagonal_ = A.diagonal();
+  for (int i = 0; i < A.rows(); ++i)
+    for (const Field of : fields) {
+      for (SparseMatrix::InnerIterator it(A, i); it && it.col() < i; ++it)
+        if (field[static_cast<std::size_t>(it.col())] == of && it.value() != 0.) {
+          column_.push_back(static_cast<int>(it.col()));
+          entry_.push_back(it.value());
+        }
+      begin_.push_back(static_cast<int>(column_.size()));
+    }
 }
 
 namespace {
 
-/// With the number of columns known to the compiler, a row costs little more than one product.
-template <int n_columns>
-FieldGrams grams_of(const SparseMatrix& A, const VectorBlock& Z, const std::vector<Field>& field) {
-  using Column = Eigen::Matrix<double, n_columns, 1>;
-  using Gram = Eigen::Matrix<double, n_columns, n_columns>;
+/// Rows of one field times columns of another; what lies above the diagonal is the transpose of what lies below.
+template <class Gram>
+FieldGrams mirrored(const std::array<std::array<Gram, 3>, 3>& below) {
   std::array<Gram, 3> sum;
-  for (Gram& gram : sum) gram.setZero();
-  const auto row = [&](int i) { return Eigen::Map<const Column>(Z.data() + std::ptrdiff_t{n_columns} * i); };
-  for (int i = 0; i < A.rows(); ++i) {
-    SparseMatrix::InnerIterator it(A, i);
-    if (!it) continue;  // as most rows of what the sides radiate
-    Column product = Column::Zero();
-    for (; it; ++it) product += it.value() * row(static_cast<int>(it.col()));
-    sum[static_cast<std::size_t>(field[i])] += row(i) * product.transpose();
+  for (int f = 0; f < 3; ++f) {
+    sum[f].setZero();
+    for (int g = 0; g < 3; ++g) sum[f] += below[f][g] + below[g][f].transpose();
   }
   return {sum[0], sum[1], -sum[2]};
 }
 
-static_assert(static_cast<int>(Field::displacement) == 0 && static_cast<int>(Field::relative_fluid) == 1 &&
-              static_cast<int>(Field::pressure_impulse) == 2);
-
 }  // namespace
 
-FieldGrams grams(const SparseMatrix& A, const VectorBlock& Z, const std::vector<Field>& field) {
+template <int n_columns>
+FieldGrams LowerTriangle::grams_of(const VectorBlock& Z, const std::vector<Field>& field) const {
+  using Column = Eigen::Matrix<double, n_columns, 1>;
+  using Gram = Eigen::Matrix<double, n_columns, n_columns>;
+  std::array<std::array<Gram, 3>, 3> below;
+  for (auto& grams : below)
+    for (Gram& gram : grams) gram.setZero();
+  const auto row = [&](int i) { return Eigen::Map<const Column>(Z.data() + std::ptrdiff_t{n_columns} * i); };
+  for (int i = 0; i < Z.rows(); ++i) {
+    const auto own = static_cast<std::size_t>(field[static_cast<std::size_t>(i)]);
+    const int* begin = begin_.data() + 3 * std::ptrdiff_t{i};
+    for (std::size_t of = 0; of < 3; ++of) {
+      const double half = of == own ? 0.5 * diagonal_[i] : 0.;
+      if (begin[of] == begin[of + 1] && half == 0.) continue;
+      Column product = half * row(i);
+      for (int q = begin[of]; q < begin[of + 1]; ++q) product += entry_[q] * row(column_[q]);
+      below[own][of] += row(i) * product.transpose();
+    }
+  }
+  return mirrored(below);
+}
+
+FieldGrams LowerTriangle::grams(const VectorBlock& Z, const std::vector<Field>& field) const {
   switch (Z.cols()) {
     case 1:
-      return grams_of<1>(A, Z, field);
+      return grams_of<1>(Z, field);
     case 2:
-      return grams_of<2>(A, Z, field);
+      return grams_of<2>(Z, field);
     case 3:
-      return grams_of<3>(A, Z, field);
+      return grams_of<3>(Z, field);
     case 4:
-      return grams_of<4>(A, Z, field);
+      return grams_of<4>(Z, field);
     case 6:
-      return grams_of<6>(A, Z, field);
+      return grams_of<6>(Z, field);
     default:
       throw std::logic_error("grams: not a block of 1, 2, 3, 4 or 6 vectors");
   }

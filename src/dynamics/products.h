@@ -17,13 +17,12 @@ class SymmetricPair {
   void subtract_products(const Vector& v, const Vector& x, Vector& f) const;
 
  private:
-  struct Pair {
-    double c, k;
-  };
-  std::vector<int> begin_;   ///< of each row in `column_` and `entry_`; their number at the end
-  std::vector<int> column_;  ///< left of the diagonal
+  using Pair = Eigen::Array2d;  ///< of C and v, and of K and x
+  std::vector<int> begin_;      ///< of each row in `column_` and `entry_`; their number at the end
+  std::vector<int> column_;     ///< left of the diagonal
   std::vector<Pair> entry_;
-  Vector diagonal_C_, diagonal_K_;
+  std::vector<Pair> diagonal_;
+  mutable std::vector<Pair> vectors_, products_;
 };
 
 /// A few vectors side by side, one per column, stored row by row so that a matrix is read once for all of them.
@@ -35,7 +34,21 @@ struct FieldGrams {
   Eigen::MatrixXd total() const { return displacement + relative_fluid + pressure; }
 };
 
-/// The grams of Z (n x 1, 2, 3, 4 or 6); throws std::logic_error for another number of columns.
-FieldGrams grams(const SparseMatrix& A, const VectorBlock& Z, const std::vector<Field>& field);
+/// What lies below the diagonal of a symmetric A, by the field of its columns: half of what is to be read for a gram.
+class LowerTriangle {
+ public:
+  LowerTriangle(const SparseMatrix& A, const std::vector<Field>& field);
+  /// The grams of Z (n x 1, 2, 3, 4 or 6); throws std::logic_error for another number of columns.
+  FieldGrams grams(const VectorBlock& Z, const std::vector<Field>& field) const;
+
+ private:
+  template <int n_columns>
+  FieldGrams grams_of(const VectorBlock& Z, const std::vector<Field>& field) const;
+
+  std::vector<int> begin_;   ///< of each row and field in `column_` and `entry_`; their number at the end
+  std::vector<int> column_;  ///< left of the diagonal
+  std::vector<double> entry_;
+  Vector diagonal_;
+};
 
 }  // namespace upbead::detail

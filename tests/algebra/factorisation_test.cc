@@ -125,6 +125,34 @@ TEST(Factorisation, RefactorEqualsANewOne) {
   EXPECT_THROW(factors.refactor(quasi_definite(26, false).A), std::invalid_argument);
 }
 
+// A law that decides between the halves of a solve knows C^T A^-1 b before, and gets A^-1 (b - C q).
+TEST(Factorisation, IsHaltedHalfway) {
+  const Problem p = quasi_definite(40, false);
+  const int n = static_cast<int>(p.A.rows()), m = 11;  // more than go through the factor at once
+  SparseMatrix C(n, m);
+  for (int c = 0; c < m; ++c)
+    for (const int i : {c, n / 2 + 2 * c, n - 1 - c}) C.coeffRef(i, c) += std::cos(3. * c + i);
+  C.makeCompressed();
+  const Vector b = Vector::LinSpaced(n, -1., 2.);
+  for (const auto& blocks : {std::vector<IndexRange>{}, p.blocks}) {
+    const Factorisation factors(p.A, blocks);
+    ASSERT_TRUE(factors.has_halves());
+    const Border border = factors.border(C);
+    const Eigen::MatrixXd X = factors.solve_columns(Eigen::MatrixXd(C));
+    const Eigen::MatrixXd gram = C.transpose() * X;
+    EXPECT_LT((border.gram - gram).norm(), 1e-12 * gram.norm());
+    for (const double size : {0., 1.}) {
+      const Vector q = size * Vector::LinSpaced(m, 1., -2.), whole = factors.solve(b - C * q);
+      const Vector along = C.transpose() * factors.solve(b);
+      Vector left = b, x(n);
+      EXPECT_LT((factors.begin(left, border) - along).norm(), 1e-12 * along.norm());
+      factors.finish(left, border, q, x);
+      EXPECT_LT((x - whole).norm(), 1e-12 * whole.norm());
+      EXPECT_LT((left - (b - C * q)).norm(), 1e-14 * b.norm());
+    }
+  }
+}
+
 TEST(Factorisation, RefusesWhatItCannotSolve) {
   Problem p = quasi_definite(5, false);
   const int n = static_cast<int>(p.A.rows());

@@ -256,6 +256,33 @@ TEST(FrictionalContact, StartsAnew) {
   EXPECT_EQ(make_scheme(system)->contact(), nullptr);
 }
 
+// Four steps at once where nothing moves: by order 4, so that what is found is the same to its error; no motion is
+// leapt over, no state breaks the law, and what a leap that failed had done is undone, in the account of energy as
+// well.
+TEST(FrictionalContact, LeapsWhereNothingMoves) {
+  const int n = 9;
+  for (const double arm : {0., 2.}) {
+    BlockOnNodes block = wide_block(n);
+    block.arm = arm;
+    const System system = block.system(triangle(3e6, 0.3));
+    const ContactMarch steps = march_contact(system, 3., 2e-3), leaps = march_contact(system, 3., 2e-3, 4);
+    const Vector there = steps.states.back().x.segment(slip, n), found = leaps.states.back().x.segment(slip, n);
+    EXPECT_LT(leaps.states.size(), 0.6 * steps.states.size());
+    EXPECT_LT(leaps.n_solves, 0.7 * steps.n_solves);
+    EXPECT_EQ(leaps.n_factorisations, 2);
+    EXPECT_NEAR(leaps.moving_steps.back(), steps.moving_steps.back(), 2);
+    EXPECT_LT((found - there).norm(), 2e-3 * there.norm());
+    EXPECT_LT(leaps.mismatch(), 1e-12);
+    EXPECT_GT(leaps.least_friction_step(), -1e-14);
+    for (std::size_t i = 1; i < leaps.states.size(); ++i) {
+      const InterfaceForces& forces = leaps.forces[i];
+      ASSERT_TRUE((forces.shear.array().abs() <= block.friction * forces.normal.array() + 1e-9 * block.weight).all());
+      if (leaps.states[i].time - leaps.states[i - 1].time < 4e-3) continue;
+      ASSERT_EQ(leaps.states[i].x.tail(2 * n), leaps.states[i - 1].x.tail(2 * n)) << i;
+    }
+  }
+}
+
 TEST(FrictionalContact, RefusesASystemWithoutInterface) {
   EXPECT_THROW(make_contact_scheme(oscillator(1., 0., 1., {})), std::invalid_argument);
 }

@@ -80,7 +80,7 @@ double ContactMarch::least_friction_step() const {
   return least / std::max(energy.back().largest_work, 1e-300);
 }
 
-ContactMarch march_contact(const System& system, double end, double step) {
+ContactMarch march_contact(const System& system, double end, double step, int leap) {
   const auto scheme = make_contact_scheme(system);
   ContactMarch result;
   MarchOptions options;
@@ -90,6 +90,7 @@ ContactMarch march_contact(const System& system, double end, double step) {
     result.moving_steps.push_back(scheme->contact()->slip_steps + scheme->contact()->open_steps);
   });
   options.observers = {&note};
+  options.leap = leap;
   result.energy = march(system, *scheme, make_time_grid(kinks(system), end, step), options).energy;
   result.report = *scheme->contact();
   result.n_solves = scheme->n_solves();

@@ -38,6 +38,6 @@ struct ContactMarch {
   double mismatch() const;             ///< largest of the account of energy
   double least_friction_step() const;  ///< least growth of energy().friction, over largest work
 };
-ContactMarch march_contact(const System& system, double end, double step);
+ContactMarch march_contact(const System& system, double end, double step, int leap = 1);
 
 }  // namespace upbead::test

@@ -87,6 +87,7 @@ struct MarchOptions {
   /// motion counts too. A step, a harmonic or a triangle that outlasts the march so never stop early.
   double stop_at_energy = 0.;
   Checkpointing checkpoints;
+  int leap = 1;  ///< so many equal steps of the grid at once, where the scheme can; not with checkpoints
 };
 
 /// Marches from x = x' = 0 at t = 0, where loads count as 0; a load that jumps at a step's end is recorded with its

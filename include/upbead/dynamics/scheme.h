@@ -46,6 +46,10 @@ class Scheme {
   /// singular or the system is not well posed.
   virtual void advance(State& state, double h) = 0;
 
+  /// One step of h (s) instead of several shorter ones, where the scheme takes those only to follow what does not
+  /// happen in it. False: it would, and all is as before. `state` as of advance(), which goes on from there.
+  virtual bool leap(State& /*state*/, double /*h*/) { return false; }
+
   /// Load values at the end of the last step, by that step's smooth piece; zero after start().
   virtual const std::vector<double>& end_load() const = 0;
   /// The values of the last step at which M a + C v + K x = sum_k b_k f_k holds to round-off: the end of the step for

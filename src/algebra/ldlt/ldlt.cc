@@ -36,7 +36,7 @@ std::vector<int> Ldlt::signs_of(const SparseMatrix& A) const {
   return signs;
 }
 
-void Ldlt::solve(const Eigen::Ref<const Eigen::MatrixXd>& B, Eigen::Ref<Eigen::MatrixXd> X) const {
+void Ldlt::load(const Eigen::Ref<const Eigen::MatrixXd>& B) const {
   const Eigen::Index n = B.rows(), n_columns = B.cols();
   if (n_columns > n_columns_) {
     x_ = make_big_array(static_cast<std::size_t>(n * n_columns));
@@ -45,11 +45,34 @@ void Ldlt::solve(const Eigen::Ref<const Eigen::MatrixXd>& B, Eigen::Ref<Eigen::M
   }
   for (Eigen::Index c = 0; c < n_columns; ++c)
     for (Eigen::Index k = 0; k < n; ++k) x_[c * n + k] = scale_[k] * B(nodes_.order[k], c);
-  const SumRoot sum = [this](double* root, int n_roots) { sum_root(root, n_roots); };
-  triangular_solve(view(nodes_, factor_), x_.get(), static_cast<int>(n_columns), work_.get(),
-                   is_shared() ? sum : SumRoot());
-  for (Eigen::Index c = 0; c < n_columns; ++c)
+}
+
+void Ldlt::unload(Eigen::Ref<Eigen::MatrixXd> X) const {
+  const Eigen::Index n = X.rows();
+  for (Eigen::Index c = 0; c < X.cols(); ++c)
     for (Eigen::Index k = 0; k < n; ++k) X(nodes_.order[k], c) = scale_[k] * x_[c * n + k];
+}
+
+void Ldlt::solve(const Eigen::Ref<const Eigen::MatrixXd>& B, Eigen::Ref<Eigen::MatrixXd> X) const {
+  load(B);
+  const SumRoot sum = [this](double* root, int n_roots) { sum_root(root, n_roots); };
+  triangular_solve(view(nodes_, factor_), x_.get(), static_cast<int>(B.cols()), work_.get(),
+                   is_shared() ? sum : SumRoot());
+  unload(X);
+}
+
+void Ldlt::begin(const Eigen::Ref<const Eigen::MatrixXd>& B) const {
+  load(B);
+  end_ = forward_half(view(nodes_, factor_), x_.get(), static_cast<int>(B.cols()), work_.get());
+}
+
+Eigen::Map<Eigen::MatrixXd> Ldlt::halfway(Eigen::Index n_columns) const {
+  return {x_.get(), static_cast<Eigen::Index>(nodes_.order.size()), n_columns};
+}
+
+void Ldlt::finish(Eigen::Ref<Eigen::MatrixXd> X) const {
+  backward_half(view(nodes_, factor_), end_, x_.get(), static_cast<int>(X.cols()), work_.get());
+  unload(X);
 }
 
 void Ldlt::sum_root(double* root, int n_columns) const {

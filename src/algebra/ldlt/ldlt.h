@@ -22,6 +22,13 @@ class Ldlt {
   void factorise(const SparseMatrix& A, const Vector& scale);
   /// Each column of X = A^-1 times that of B; B and X (n x columns) may be the same.
   void solve(const Eigen::Ref<const Eigen::MatrixXd>& B, Eigen::Ref<Eigen::MatrixXd> X) const;
+  /// The halves of a solve, where no unknown is shared: halfway() is then D^-1 L^-1 P S B, in elimination order and
+  /// open to change, and X = S P^T L^-T halfway().
+  void begin(const Eigen::Ref<const Eigen::MatrixXd>& B) const;
+  Eigen::Map<Eigen::MatrixXd> halfway(Eigen::Index n_columns) const;
+  void finish(Eigen::Ref<Eigen::MatrixXd> X) const;
+  /// 1 / D, in elimination order.
+  const Vector& inverse_pivot() const { return factor_.inverse_pivot; }
   Inertia inertia() const;
   /// The largest magnitude of a pivot. As the diagonal was +-1, a value g >> 1 tells that a pivot of the other sign
   /// close to zero came first, and that up to g units of round-off are lost.
@@ -32,6 +39,8 @@ class Ldlt {
 
  private:
   bool is_shared() const { return !sharing_.unknowns.empty(); }
+  void load(const Eigen::Ref<const Eigen::MatrixXd>& B) const;
+  void unload(Eigen::Ref<Eigen::MatrixXd> X) const;
   void sum_root(double* root, int n_columns) const;
   /// Of the diagonal, in elimination order; that of a row without one is negative: its unknown is a multiplier.
   std::vector<int> signs_of(const SparseMatrix& A) const;
@@ -44,7 +53,8 @@ class Ldlt {
   std::size_t work_size_;
   mutable BigArray x_, work_;  ///< of a solve of `n_columns_`
   mutable Eigen::Index n_columns_ = 0;
-  mutable std::vector<double> root_;  ///< right-hand sides of the shared unknowns, to be summed
+  mutable const double* end_ = nullptr;  ///< where the second half of a solve begins
+  mutable std::vector<double> root_;     ///< right-hand sides of the shared unknowns, to be summed
 };
 
 }  // namespace upbead::detail

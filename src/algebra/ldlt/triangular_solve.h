@@ -16,6 +16,10 @@ using SumRoot = std::function<void(double* root, int n_columns)>;
 /// through a slab while it is in the cache, each as if it were alone. `work` has triangular_solve_work(nodes) *
 /// n_columns entries. Takes the vector instructions that the processor has. `sum_root`: where the root is shared.
 void triangular_solve(const FactorView& factor, double* x, int n_columns, double* work, const SumRoot& sum_root = {});
+/// Its halves, where no root is shared: x = D^-1 L^-1 x, and then x = L^-T x, which begins at the end of the factor's
+/// entries that the first half returns.
+const double* forward_half(const FactorView& factor, double* x, int n_columns, double* work);
+void backward_half(const FactorView& factor, const double* end, double* x, int n_columns, double* work);
 int triangular_solve_work(const Supernodes& nodes);
 FactorView view(const Supernodes& nodes, const Factor& factor);
 
