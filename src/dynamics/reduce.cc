@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "dynamics/growing_model.h"
 #include "dynamics/projection.h"
 #include "dynamics/state_space.h"
 #include "upbead/base/error.h"
@@ -127,49 +128,76 @@ Eigen::MatrixXd phi_velocities(const FieldBasis& basis, const Eigen::MatrixXd& c
   return basis.unit.asDiagonal() * (basis.columns() * coordinates);
 }
 
-Reduction reduce(const System& system, const ReduceOptions& options) {
-  SecondOrderKrylov krylov(system, options.shift, options.exact, options.kept);
-  Reduction out;
-  out.tolerance = options.tolerance;
-  out.tolerance_of_others = options.tolerance_of_others;
-  out.measured = options.measured;
-  out.n_independent_loads = krylov.n_independent_loads();
-  out.factorise_seconds = krylov.factorise_seconds();
-  const std::vector<SampledLoads> loads = trainings(options.training, options.each_load);
-  const int most = options.max_vectors * out.n_independent_loads;
-  Projection projection(system, krylov);
-  std::vector<Eigen::MatrixXd> before;
-  ModalModel coarse;  ///< the last smaller one
-  const double usual = usual_vectors * out.n_independent_loads;
-  bool exhausted = false;
-  for (int target = std::min(first_look * out.n_independent_loads, most);
-       !out.converged && !exhausted && target <= most;
-       target += std::max(vectors_between_looks * out.n_independent_loads, target / 4)) {
-    while (krylov.n_vectors() < target && !exhausted) {
-      exhausted = !krylov.extend();
-      if (options.progress) options.progress(std::min(0.95, static_cast<double>(krylov.n_vectors()) / usual));
-    }
-    projection.extend();
-    ModalModel model = model_of(options, projection.reduced());
-    std::vector<Eigen::MatrixXd> now = responses(model, loads);
-    if (!before.empty()) {
-      out.error = {0., 0., 0., Eigen::VectorXd::Zero(model.n_readings())};
-      for (std::size_t i = 0; i < now.size(); ++i) compare(model, options.measured, now[i], before[i], out.error);
-      out.history.emplace_back(krylov.n_vectors(), out.error);
-      coarse = std::move(out.model);
-    }
-    out.converged = exhausted || (!out.history.empty() && meets(out.error, options));
-    out.model = std::move(model);
-    before = std::move(now);
+struct GrowingModel::Space {
+  Space(const System& system, const ReduceOptions& options)
+      : krylov(system, options.shift, options.exact, options.kept), projection(system, krylov) {}
+
+  SecondOrderKrylov krylov;
+  Projection projection;
+};
+
+GrowingModel::GrowingModel(const System& system, const ReduceOptions& options)
+    : options_(options),
+      space_(std::make_unique<Space>(system, options)),
+      loads_(trainings(options.training, options.each_load)) {
+  out_.tolerance = options.tolerance;
+  out_.tolerance_of_others = options.tolerance_of_others;
+  out_.measured = options.measured;
+  out_.n_independent_loads = space_->krylov.n_independent_loads();
+  out_.factorise_seconds = space_->krylov.factorise_seconds();
+  most_ = options.max_vectors * out_.n_independent_loads;
+  target_ = std::min(first_look * out_.n_independent_loads, most_);
+}
+
+GrowingModel::~GrowingModel() = default;
+
+const ReducedSystem& GrowingModel::system() const {
+  return space_->projection.reduced();
+}
+
+void GrowingModel::compare_looks(const ModalModel& model, const std::vector<Eigen::MatrixXd>& now) {
+  if (before_.empty()) return;
+  out_.error = {0., 0., 0., Eigen::VectorXd::Zero(model.n_readings())};
+  for (std::size_t i = 0; i < now.size(); ++i) compare(model, options_.measured, now[i], before_[i], out_.error);
+  out_.history.emplace_back(out_.n_vectors, out_.error);
+  coarse_ = std::move(out_.model);
+}
+
+bool GrowingModel::grow() {
+  if (exhausted_ || target_ > most_) return false;
+  SecondOrderKrylov& krylov = space_->krylov;
+  const double usual = usual_vectors * out_.n_independent_loads;
+  while (krylov.n_vectors() < target_ && !exhausted_) {
+    exhausted_ = !krylov.extend();
+    if (options_.progress) options_.progress(std::min(0.95, static_cast<double>(krylov.n_vectors()) / usual));
   }
-  if (!out.history.empty())
-    out.omega = agreed_frequency(coarse, out.model, options.measured, transfer_tolerance * options.tolerance,
-                                 1. / options.training.time.back(), 100. * options.shift);
-  out.system = projection.reduced();
-  if (options.keep_pressures) out.pressures = model_of_pressures(options, out.system, krylov.phi());
-  out.n_vectors = krylov.n_vectors();
-  out.n_solves = krylov.n_solves();
-  return out;
+  target_ += std::max(vectors_between_looks * out_.n_independent_loads, target_ / 4);
+  out_.n_vectors = krylov.n_vectors();
+  out_.n_solves = krylov.n_solves();
+  space_->projection.extend();
+  ModalModel model = model_of(options_, system());
+  std::vector<Eigen::MatrixXd> now = responses(model, loads_);
+  compare_looks(model, now);
+  out_.converged = exhausted_ || (!out_.history.empty() && meets(out_.error, options_));
+  out_.model = std::move(model);
+  before_ = std::move(now);
+  return true;
+}
+
+Reduction GrowingModel::finish() {
+  if (!out_.history.empty())
+    out_.omega = agreed_frequency(coarse_, out_.model, options_.measured, transfer_tolerance * options_.tolerance,
+                                  1. / options_.training.time.back(), 100. * options_.shift);
+  out_.system = system();
+  if (options_.keep_pressures) out_.pressures = model_of_pressures(options_, out_.system, space_->krylov.phi());
+  return std::move(out_);
+}
+
+Reduction reduce(const System& system, const ReduceOptions& options) {
+  GrowingModel model(system, options);
+  while (!model.reduction().converged && model.grow()) {
+  }
+  return model.finish();
 }
 
 }  // namespace upbead

@@ -98,8 +98,9 @@ Run run_reduced(const Simulation& simulation, const SchemeChoice& choice, const 
   const Stopwatch watch;
   const bool by_name = simulation.given.time.scheme == TimeScheme::reduced;
   const std::optional<int> most_vectors = by_name ? most_vectors_by_name : choice.most_vectors;
-  Reduction reduction =
-      reduce_scene(simulation.scene, *simulation.compiled, {false, false, most_vectors, true, true}, progress);
+  // a mesh for the tolerance leaves F_T alone a part of it
+  Reduction reduction = reduce_scene(simulation.scene, *simulation.compiled,
+                                     {false, false, most_vectors, true, true, simulation.given.tolerance}, progress);
   if (by_name)
     require_shear_converged(reduction);
   else
