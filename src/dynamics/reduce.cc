@@ -5,6 +5,7 @@
 #include <map>
 #include <numeric>
 
+#include "dynamics/growing_model.h"
 #include "dynamics/projection.h"
 #include "dynamics/state_space.h"
 #include "upbead/base/error.h"
@@ -163,22 +164,6 @@ Eigen::MatrixXd phi_velocities(const FieldBasis& basis, const Eigen::MatrixXd& c
 
 namespace {
 
-/// A model of the space so far, that of the coordinates to keep, and what the first answers to the trainings.
-struct Look {
-  ModalModel model, kept;
-  std::vector<Eigen::MatrixXd> responses;
-};
-
-Look look_at(const ReduceOptions& options, const ReducedSystem& system, const FieldBasis& phi,
-             const std::vector<SampledLoads>& loads) {
-  const KeptCoordinates kept = kept_coordinates(options, system, phi);
-  Look look;
-  look.model = model_of(options, kept.count() > 0 ? with_coordinates(system, kept) : system);
-  look.kept = split_last(look.model, kept.count());
-  look.responses = responses(look.model, loads);
-  return look;
-}
-
 /// Of what is kept, the velocities of the coordinates of phi.
 ModalModel of_pressures(const ReduceOptions& options, ModalModel kept, const FieldBasis& phi) {
   if (!options.keep_states) return kept;
@@ -192,60 +177,95 @@ ModalModel of_pressures(const ReduceOptions& options, ModalModel kept, const Fie
   return kept;
 }
 
-NestedError compare(const ReduceOptions& options, const ReducedSystem& system, const Look& fine, const Look& coarse) {
+NestedError compare(const ReduceOptions& options, const std::vector<Eigen::MatrixXd>& fine,
+                    const std::vector<Eigen::MatrixXd>& coarse, const ModalModel& model) {
   NestedError error;
-  error.of_reading = Eigen::VectorXd::Zero(fine.model.n_readings());
-  for (std::size_t i = 0; i < fine.responses.size(); ++i)
-    compare(fine.model, options.measured, fine.responses[i], coarse.responses[i], error);
-  if (options.keep_states && meets(error, options))
-    error.states = energy_distance(system, respond_in_coordinates(fine.kept, options.training),
-                                   respond_in_coordinates(coarse.kept, options.training));
+  error.of_reading = Eigen::VectorXd::Zero(model.n_readings());
+  for (std::size_t i = 0; i < fine.size(); ++i) compare(model, options.measured, fine[i], coarse[i], error);
   return error;
 }
 
 }  // namespace
 
-Reduction reduce(const System& system, const ReduceOptions& options) {
-  SecondOrderKrylov krylov(system, options.shift, options.exact, options.kept);
-  Reduction out;
-  out.tolerance = options.tolerance;
-  out.tolerance_of_others = options.tolerance_of_others;
-  out.measured = options.measured;
-  out.n_independent_loads = krylov.n_independent_loads();
-  out.factorise_seconds = krylov.factorise_seconds();
-  const std::vector<SampledLoads> loads = trainings(options.training, options.each_load);
-  const int most = options.max_vectors * out.n_independent_loads;
-  Projection projection(system, krylov);
-  Look coarse, fine;
-  const double usual = usual_vectors * out.n_independent_loads;
-  bool exhausted = false;
-  for (int target = std::min(first_look * out.n_independent_loads, most);
-       !out.converged && !exhausted && target <= most;
-       target += std::max(vectors_between_looks * out.n_independent_loads, target / 4)) {
-    while (krylov.n_vectors() < target && !exhausted) {
-      exhausted = !krylov.extend();
-      if (options.progress) options.progress(std::min(0.95, static_cast<double>(krylov.n_vectors()) / usual));
-    }
-    projection.extend();
-    coarse = std::move(fine);
-    fine = look_at(options, projection.reduced(), krylov.phi(), loads);
-    if (!coarse.responses.empty()) {
-      out.error = compare(options, projection.reduced(), fine, coarse);
-      out.history.emplace_back(krylov.n_vectors(), out.error);
-    }
-    out.converged = exhausted || (!out.history.empty() && meets(out.error, options));
+struct GrowingModel::Space {
+  Space(const System& system, const ReduceOptions& options)
+      : krylov(system, options.shift, options.exact, options.kept), projection(system, krylov) {}
+
+  SecondOrderKrylov krylov;
+  Projection projection;
+};
+
+GrowingModel::GrowingModel(const System& system, const ReduceOptions& options)
+    : options_(options),
+      space_(std::make_unique<Space>(system, options)),
+      loads_(trainings(options.training, options.each_load)) {
+  out_.tolerance = options.tolerance;
+  out_.tolerance_of_others = options.tolerance_of_others;
+  out_.measured = options.measured;
+  out_.n_independent_loads = space_->krylov.n_independent_loads();
+  out_.factorise_seconds = space_->krylov.factorise_seconds();
+  most_ = options.max_vectors * out_.n_independent_loads;
+  target_ = std::min(first_look * out_.n_independent_loads, most_);
+}
+
+GrowingModel::~GrowingModel() = default;
+
+const ReducedSystem& GrowingModel::system() const {
+  return space_->projection.reduced();
+}
+
+void GrowingModel::compare_looks(const ModalModel& model, const ModalModel& kept,
+                                 const std::vector<Eigen::MatrixXd>& now) {
+  if (before_.empty()) return;
+  out_.error = compare(options_, now, before_, model);
+  if (options_.keep_states && meets(out_.error, options_))
+    out_.error.states = energy_distance(system(), respond_in_coordinates(kept, options_.training),
+                                        respond_in_coordinates(kept_, options_.training));
+  out_.history.emplace_back(out_.n_vectors, out_.error);
+  coarse_ = std::move(out_.model);
+}
+
+bool GrowingModel::grow() {
+  if (exhausted_ || target_ > most_) return false;
+  SecondOrderKrylov& krylov = space_->krylov;
+  const double usual = usual_vectors * out_.n_independent_loads;
+  while (krylov.n_vectors() < target_ && !exhausted_) {
+    exhausted_ = !krylov.extend();
+    if (options_.progress) options_.progress(std::min(0.95, static_cast<double>(krylov.n_vectors()) / usual));
   }
-  if (!out.history.empty())
-    out.omega = agreed_frequency(coarse.model, fine.model, options.measured, transfer_tolerance * options.tolerance,
-                                 1. / options.training.time.back(), 100. * options.shift);
-  out.model = std::move(fine.model);
-  out.system = projection.reduced();
-  if (options.keep_pressures)
-    out.pressures = PressureModel{krylov.phi(), of_pressures(options, fine.kept, krylov.phi())};
-  if (options.keep_states) out.states = StateModel{krylov.displacements(), krylov.phi(), std::move(fine.kept)};
-  out.n_vectors = krylov.n_vectors();
-  out.n_solves = krylov.n_solves();
-  return out;
+  target_ += std::max(vectors_between_looks * out_.n_independent_loads, target_ / 4);
+  out_.n_vectors = krylov.n_vectors();
+  out_.n_solves = krylov.n_solves();
+  space_->projection.extend();
+  const KeptCoordinates coordinates = kept_coordinates(options_, system(), krylov.phi());
+  ModalModel model = model_of(options_, coordinates.count() > 0 ? with_coordinates(system(), coordinates) : system());
+  ModalModel kept = split_last(model, coordinates.count());
+  std::vector<Eigen::MatrixXd> now = responses(model, loads_);
+  compare_looks(model, kept, now);
+  out_.converged = exhausted_ || (!out_.history.empty() && meets(out_.error, options_));
+  out_.model = std::move(model);
+  kept_ = std::move(kept);
+  before_ = std::move(now);
+  return true;
+}
+
+Reduction GrowingModel::finish() {
+  if (!out_.history.empty())
+    out_.omega = agreed_frequency(coarse_, out_.model, options_.measured, transfer_tolerance * options_.tolerance,
+                                  1. / options_.training.time.back(), 100. * options_.shift);
+  out_.system = system();
+  const SecondOrderKrylov& krylov = space_->krylov;
+  if (options_.keep_pressures)
+    out_.pressures = PressureModel{krylov.phi(), of_pressures(options_, kept_, krylov.phi())};
+  if (options_.keep_states) out_.states = StateModel{krylov.displacements(), krylov.phi(), std::move(kept_)};
+  return std::move(out_);
+}
+
+Reduction reduce(const System& system, const ReduceOptions& options) {
+  GrowingModel model(system, options);
+  while (!model.reduction().converged && model.grow()) {
+  }
+  return model.finish();
 }
 
 }  // namespace upbead

@@ -101,8 +101,7 @@ double krylov_shift(const Scene& scene) {
   return (is_damped(scene) ? shift_damped : shift_undamped) * two_pi / step_of_loads(scene, order).duration;
 }
 
-Reduction reduce_scene(const Scene& scene, const CompiledScene& compiled, const ReductionTargets& targets,
-                       const std::function<void(double)>& progress) {
+ReduceOptions reduce_options(const Scene& scene, const CompiledScene& compiled, const ReductionTargets& targets) {
   const System& system = compiled.system;
   ReduceOptions options;
   const bool damped = is_damped(scene);
@@ -111,20 +110,27 @@ Reduction reduce_scene(const Scene& scene, const CompiledScene& compiled, const 
   if (targets.balanced) options.kept = compiled.caisson_motions;
   options.training = sampled_loads(scene, system);
   options.tolerance = scene.tolerance;
-  options.tolerance_of_others = (damped ? others_damped : others_undamped) * scene.tolerance;
+  options.tolerance_of_others =
+      (damped ? others_damped : others_undamped) * targets.tolerance_of_others.value_or(scene.tolerance);
   if (targets.only_shear) options.tolerance_of_others = infinity;
   options.each_load = targets.each_load;
   if (targets.most_vectors) options.max_vectors = *targets.most_vectors;
   options.keep_pressures = targets.pressures;
   options.keep_states = targets.states;
-  options.progress = progress;
   if (compiled.caisson) {
     options.measured = {system.reading(reading::shear_force)};
   } else {
     options.measured.resize(system.readings.size());
     std::iota(options.measured.begin(), options.measured.end(), 0);
   }
-  return reduce(system, options);
+  return options;
+}
+
+Reduction reduce_scene(const Scene& scene, const CompiledScene& compiled, const ReductionTargets& targets,
+                       const std::function<void(double)>& progress) {
+  ReduceOptions options = reduce_options(scene, compiled, targets);
+  options.progress = progress;
+  return reduce(compiled.system, options);
 }
 
 std::string worst_reading(const Reduction& reduction) {

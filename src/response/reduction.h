@@ -35,11 +35,16 @@ struct ReductionTargets {
   /// The forces on an elastic caisson balance to round-off, not to the model's error: its rigid motions are kept, which
   /// takes half as many vectors more.
   bool balanced = false;
+  /// That readings besides F_T are to meet 10 or 20 times of; the scene's own where none is given.
+  std::optional<double> tolerance_of_others = std::nullopt;
 };
 
 /// The shift of a scene's Krylov space (1/s): 1.25 times 2 pi over the shortest duration of its loads, 1.75 times where
 /// a soil has no material damping. Measured in docs/reduced.md.
 double krylov_shift(const Scene& scene);
+
+/// What reduce_scene() reduces a scene by.
+ReduceOptions reduce_options(const Scene& scene, const CompiledScene& compiled, const ReductionTargets& targets);
 
 /// Reduces a scene for all its loads, at krylov_shift. The history of F_T must meet the scene's tolerance, all other
 /// readings, unless only F_T is aimed at, 10 times as much, 20 times where a soil is not damped. Without a caisson all

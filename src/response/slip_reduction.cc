@@ -20,17 +20,16 @@ constexpr int most_vectors = 60;
 
 }  // namespace
 
-SlipReduction reduce_slip(const Scene& scene, const CompiledScene& compiled, UpliftKind uplift, const Series& bonded,
-                          const std::function<void(double)>& progress) {
+SlipProblem slip_problem(const Scene& scene, const CompiledScene& compiled, UpliftKind uplift, const Series& bonded) {
   if (!compiled.system.interface || !compiled.caisson)
     throw std::invalid_argument("a scene whose caisson slips needs an interface under it");
-  System system = with_rigid_slip(compiled.system);
-  const int slip = system.n_free() - 1;
-  add_slip(system, slip);
+  SlipProblem problem{with_rigid_slip(compiled.system), {}};
+  const int slip = problem.system.n_free() - 1;
+  add_slip(problem.system, slip);
   const Eigen::RowVectorXd shear = bonded.reading.row(compiled.system.reading(reading::shear_force));
   const double limit = cut_off * shear.cwiseAbs().maxCoeff();
 
-  ReduceOptions options;
+  ReduceOptions& options = problem.options;
   options.shift = krylov_shift(scene);
   options.exact = compiled.body_coordinates;
   options.exact.push_back(slip);
@@ -43,12 +42,20 @@ SlipReduction reduce_slip(const Scene& scene, const CompiledScene& compiled, Upl
   options.tolerance = scene.tolerance;
   options.max_vectors = most_vectors;
   options.tolerance_of_others = infinity;
-  options.progress = progress;
   options.model = [uplift](const ReducedSystem& reduced) {
     return stuck_and_free(reduced, slip_law(reduced, 1., uplift));
   };
-  Reduction reduction = reduce(system, options);
-  const Eigen::RowVectorXd stuck = respond(reduction.model, sample(load_histories(system), bonded.time)).reading.row(0);
+  return problem;
+}
+
+SlipReduction reduce_slip(const Scene& scene, const CompiledScene& compiled, UpliftKind uplift, const Series& bonded,
+                          const std::function<void(double)>& progress) {
+  SlipProblem problem = slip_problem(scene, compiled, uplift, bonded);
+  problem.options.progress = progress;
+  Reduction reduction = reduce(problem.system, problem.options);
+  const Eigen::RowVectorXd shear = bonded.reading.row(compiled.system.reading(reading::shear_force));
+  const Eigen::RowVectorXd stuck =
+      respond(reduction.model, sample(load_histories(problem.system), bonded.time)).reading.row(0);
   const double bonded_error = (stuck - shear).cwiseAbs().maxCoeff() / shear.cwiseAbs().maxCoeff();
   return {std::move(reduction.system), reduction.error,     bonded_error,
           reduction.converged,         reduction.n_vectors, reduction.n_solves,

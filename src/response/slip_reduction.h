@@ -21,6 +21,13 @@ struct SlipReduction {
   double factorise_seconds = 0.;
 };
 
+/// What a scene with an interface is reduced by.
+struct SlipProblem {
+  System system;  ///< as SlipReduction::system
+  ReduceOptions options;
+};
+SlipProblem slip_problem(const Scene& scene, const CompiledScene& compiled, UpliftKind uplift, const Series& bonded);
+
 /// Reduces a scene with an interface for its loads, F_T and s, at krylov_shift(), to its tolerance.
 /// - compiled: with the interface, on one process.
 /// - bonded: what the caisson's bonded twin reads, all readings of the system in their order; trains the model with F_T

@@ -6,6 +6,11 @@
 
 namespace upbead {
 
+/// Checks the scene on the mesh as it is, and decides what it leaves open; nothing is assembled. Throws InputError at
+/// keys of the scene.
+Simulation resolved_on(const Scene& given, std::shared_ptr<const Mesh> mesh,
+                       std::shared_ptr<const Processes> processes = nullptr);
+
 /// Checks the scene on the mesh as it is, and assembles it, for `processes` undivided: see compile(). Throws InputError
 /// at keys of the scene.
 Simulation on_mesh(const Scene& given, std::shared_ptr<const Mesh> mesh,

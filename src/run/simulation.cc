@@ -16,8 +16,8 @@
 
 namespace upbead {
 
-Simulation on_mesh(const Scene& given, std::shared_ptr<const Mesh> mesh, std::shared_ptr<const Processes> processes) {
-  const Stopwatch watch;
+Simulation resolved_on(const Scene& given, std::shared_ptr<const Mesh> mesh,
+                       std::shared_ptr<const Processes> processes) {
   check_scene(given, *mesh).throw_if_any();
   Simulation out;
   out.given = given;
@@ -29,7 +29,12 @@ Simulation on_mesh(const Scene& given, std::shared_ptr<const Mesh> mesh, std::sh
   out.absent = std::move(resolved.absent);
   out.soil_state = std::move(resolved.soil);
   out.with_interface = given.mesh.refine && has_frictional_contact(out.scene);
-  out = assembled(std::move(out));
+  return out;
+}
+
+Simulation on_mesh(const Scene& given, std::shared_ptr<const Mesh> mesh, std::shared_ptr<const Processes> processes) {
+  const Stopwatch watch;
+  Simulation out = assembled(resolved_on(given, std::move(mesh), std::move(processes)));
   check_sliding(out);
   check_at_rest(out);
   out.timing.compile = watch.seconds();

@@ -146,8 +146,9 @@ Run run_reduced(const Simulation& simulation, const SchemeChoice& choice, const 
   const bool by_name = simulation.given.time.scheme == TimeScheme::reduced;
   const std::optional<int> most_vectors = by_name ? most_vectors_by_name : choice.most_vectors;
   const double reducing_ends = is_shown ? 0.3 : 1.;  // 100 files take longer than the model
-  Reduction reduction = reduce_scene(scene, *simulation.compiled, {false, false, most_vectors, true, states, true},
-                                     part_of(progress, 0., reducing_ends));
+  // a mesh for the tolerance leaves F_T alone a part of it
+  const ReductionTargets targets{false, false, most_vectors, true, states, true, simulation.given.tolerance};
+  Reduction reduction = reduce_scene(scene, *simulation.compiled, targets, part_of(progress, 0., reducing_ends));
   if (by_name)
     require_shear_converged(reduction);
   else

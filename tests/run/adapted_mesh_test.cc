@@ -2,7 +2,8 @@
 // the estimates bound what F_T and S truly err by, where the refinements are given as well, a short pulse on thin mud
 // included; the history asks for more cells than the peak; a march says what its steps cost; the far sides of a narrow
 // section are felt more than those of a wide one; a symmetric scene gets a symmetric mesh; what cannot be measured is
-// refused at its key.
+// refused at its key; readings besides F_T keep the tolerance that the case gives; how far F_T moves on cells half as
+// large is told of few vectors as by models that are far better.
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +11,8 @@
 #include "case/case_run.h"
 #include "fem/compile.h"
 #include "good_case.h"
+#include "response/reduction.h"
+#include "run/accuracy/accuracy.h"
 #include "upbead/algebra/petsc_session.h"
 #include "upbead/base/error.h"
 
@@ -86,6 +89,13 @@ TEST_F(AdaptedMesh, MeetsTheTolerance) {
   }
 }
 
+/// F_T shares the tolerance with the mesh; no other reading has to.
+TEST_F(AdaptedMesh, LeavesOtherReadingsTheirTolerance) {
+  const Summary summary = solve({"time.scheme=reduced"}).summary;
+  EXPECT_LE(summary.reduction->error, 0.0025);
+  EXPECT_DOUBLE_EQ(summary.reduction->tolerance_of_others, 0.2);  // not damped: 20 times the tolerance
+}
+
 /// Largest difference of two histories of F_T at the times of the first, over the largest of the second.
 double apart(const upbead::Run& run, const upbead::Run& truth, int row) {
   const auto& time = truth.response.ends.time;
@@ -127,6 +137,31 @@ TEST_F(AdaptedMesh, BoundsTheHistoryUnderAShortPulse) {
   EXPECT_LE(run.summary.history_error->total(), 0.08);
   EXPECT_LE(error, run.summary.history_error->total());
   EXPECT_GE(6. * error, run.summary.history_error->total());  // in the median 3: docs/accuracy.md
+}
+
+/// How far F_T moves on cells half as large is known of few vectors: as between two models that are far better.
+TEST_F(AdaptedMesh, TellsTheDifferenceOfTwoMeshesEarly) {
+  const std::vector<std::string> damped = both(
+      small, {"mesh.refine=0", "mesh.parameters.cells=0.5", "regions.seabed.damping={ratio=0.05,frequencies=[1,10]}",
+              "regions.mound.damping={ratio=0.05,frequencies=[1,10]}"});
+  const std::vector<std::string> soft{"regions.seabed.shear_modulus=8e6", "loads.impulse.pulse.duration=0.3"};
+  for (const auto& scene : {damped, both(damped, {"loads.impulse.pulse.duration=0.05"}), both(damped, soft)}) {
+    const Simulation own = simulation_of(with(scene)), finer = with_halved_cells(own);
+    const auto exact = [](const Simulation& on) {
+      Scene better = on.scene;
+      better.tolerance = 2e-4;
+      ReductionTargets targets;
+      targets.only_shear = true;
+      targets.most_vectors = 300;
+      const Reduction reduction = reduce_scene(better, *on.compiled, targets);
+      require_shear_converged(reduction);
+      return shear_history(*on.compiled, respond(reduction, better, on.compiled->system));
+    };
+    const CellsCompared early = compare_cells(own);
+    ASSERT_TRUE(early.reduced.has_value());
+    const double moved = with_margin(difference(exact(own), exact(finer))).history;
+    EXPECT_NEAR(early.error.history, moved, 0.15 * moved);
+  }
 }
 
 TEST_F(AdaptedMesh, TheHistoryAsksForMoreCellsThanThePeak) {

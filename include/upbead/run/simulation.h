@@ -18,6 +18,7 @@ namespace upbead {
 class Space;
 class Unknowns;
 struct CompiledScene;
+struct CellsCompared;
 
 /// How wrong cells make F_T.
 struct ShearError {
@@ -31,7 +32,8 @@ struct MeshAccuracy {
     int unknowns = 0;
     ShearError error;
   };
-  std::vector<Level> levels;  ///< that were held against cells half as large; the last is used
+  std::vector<Level> levels;                      ///< that were held against cells half as large; the last is used
+  std::shared_ptr<const CellsCompared> compared;  ///< of the last
 };
 
 struct Run;
@@ -76,8 +78,8 @@ struct Simulation {
 
  private:
   Simulation() = default;
-  friend Simulation on_mesh(const Scene& given, std::shared_ptr<const Mesh> mesh,
-                            std::shared_ptr<const Processes> processes);
+  friend Simulation resolved_on(const Scene& given, std::shared_ptr<const Mesh> mesh,
+                                std::shared_ptr<const Processes> processes);
 };
 
 /// What was solved.
@@ -91,6 +93,7 @@ struct Run {
   std::optional<StateModel> states;            ///< where it was, and fields or a strength are asked for
   std::string scheme_reason;                   ///< why it was solved as it was
   std::string step_reason;                     ///< why the steps are as long as they are
+  std::shared_ptr<const CellsCompared> cells;  ///< where it was held against cells half as large
 };
 
 /// Throws InputError where a scene asks for more than 1,000,000 steps or 10,000 fields, at the key that drives it; of

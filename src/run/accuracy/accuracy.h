@@ -25,19 +25,40 @@ ShearError difference(const ShearHistory& answer, const ShearHistory& better);
 Simulation adapted(const Scene& given, std::shared_ptr<const Mesh> coarse);
 
 /// The scene on its mesh with every cell split into four, undivided. Soil that has followed the strain keeps what it
-/// came to in each cell; an interface stays.
+/// came to in each cell; an interface stays, or is as is said.
 Simulation with_halved_cells(const Simulation& simulation);
+Simulation with_halved_cells(const Simulation& simulation, bool with_interface);
 
 /// The same on the same cells.
 Simulation assembled_again(const Simulation& simulation);
 
-/// How wrong the cells of a scene make F_T: by so much it moves on those of `finer`, times what is measured in
-/// docs/accuracy.md. Both are solved alike, by a reduced model, or marched where one of them has not converged. Bonded.
-/// Throws NumericsError as a march does.
-ShearError error_of_cells(const Simulation& simulation, const Simulation& finer);
+/// What a scene answers on its mesh and on cells half as large, bonded.
+struct CellsCompared {
+  /// What reduced models answer: on both meshes with as many vectors, until their difference is known, and on the
+  /// scene's own until F_T is.
+  struct Reduced {
+    Response coarse, finer, own;
+  };
+
+  ShearError error;                ///< a bound, see with_margin()
+  std::optional<Reduced> reduced;  ///< none where they were marched
+};
+
+/// How wrong the cells of a scene make F_T: by so much it moves on cells half as large, times what is measured in
+/// docs/accuracy.md. Both are solved alike, by reduced models, or marched where these do not tell it. Throws
+/// NumericsError as a march does.
+CellsCompared compare_cells(const Simulation& simulation);
 
 /// A bound of the error, of what an answer moved by on cells half as large.
 ShearError with_margin(const ShearError& moved);
+
+/// A caisson that slips as a whole, on both meshes and on the scene's own until it is known (m).
+struct SlipCompared {
+  double coarse = 0., finer = 0., own = 0.;
+};
+
+/// As compare_cells() does by reduced models; `bonded`: as it is without slip. None where they do not tell it.
+std::optional<SlipCompared> compare_slip(const Simulation& simulation, const Response& bonded);
 
 /// Fills in how wrong S is by eq. (4) on F_T(t) and of the caisson that slips as a whole, with [sliding]; the errors of
 /// F_T must be there. S moves by so much on cells half as large, and where F_T, uplift and normal force are all larger

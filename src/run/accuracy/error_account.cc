@@ -61,21 +61,54 @@ struct ByForces {
   double peak = 0., history = 0.;
 };
 
-/// S as it is, on cells half as large, and in half the step (m).
-double slip_error(double slip, double finer, double shorter, const ByForces& by_forces, const Margins& margin = {}) {
-  const bool at_threshold = slip == 0. || finer == 0. || shorter == 0.;
+/// S on both meshes, solved alike, and solved better in time (m).
+struct OtherSlips {
+  double coarse = 0., finer = 0., shorter = 0.;
+};
+
+double slip_error(double slip, const OtherSlips& other, const ByForces& by_forces, const Margins& margin = {}) {
+  const bool at_threshold = slip == 0. || other.finer == 0. || other.shorter == 0.;
   const double least =
       at_threshold ? by_forces.peak : std::max(by_chance * by_forces.peak, by_chance_of_history * by_forces.history);
-  return std::max(margin.cells * std::abs(slip - finer) + margin.steps * std::abs(slip - shorter), least);
+  return std::max(margin.cells * std::abs(other.coarse - other.finer) + margin.steps * std::abs(slip - other.shorter),
+                  least);
 }
 
+double slip_by_history(const SlidingSummary& sliding) {
+  return sliding.history.by_history.residual;
+}
+
+/// By runs on cells half as large and in half the step.
 void compare(SlidingSummary& sliding, const SlidingSummary& finer, const SlidingSummary& shorter,
              const ByForces& by_forces) {
-  const auto by_history = [](const SlidingSummary& s) { return s.history.by_history.residual; };
-  sliding.error_estimate = slip_error(by_history(sliding), by_history(finer), by_history(shorter), by_forces);
+  const double by_history = slip_by_history(sliding);
+  sliding.error_estimate =
+      slip_error(by_history, {by_history, slip_by_history(finer), slip_by_history(shorter)}, by_forces);
   if (!sliding.coupled || !finer.coupled || !shorter.coupled) return;
   const auto as_whole = [](const SlidingSummary& s) { return s.coupled->slip.residual; };
-  sliding.coupled->error_estimate = slip_error(as_whole(sliding), as_whole(finer), as_whole(shorter), by_forces);
+  sliding.coupled->error_estimate =
+      slip_error(as_whole(sliding), {as_whole(sliding), as_whole(finer), as_whole(shorter)}, by_forces);
+}
+
+/// By reduced models of both meshes; false where they do not tell it.
+bool compare_reduced(Run& run, const ByForces& by_forces) {
+  const Simulation& simulation = *run.simulation;
+  SlidingSummary& sliding = *run.summary.sliding;
+  if (!run.cells || !run.cells->reduced) return false;
+  const CellsCompared::Reduced& bonded = *run.cells->reduced;
+  std::optional<SlipCompared> whole;
+  if (sliding.coupled) {
+    whole = compare_slip(simulation, bonded.own);
+    if (!whole) return false;
+    sliding.coupled->error_estimate =
+        slip_error(sliding.coupled->slip.residual, {whole->coarse, whole->finer, whole->own}, by_forces);
+  }
+  const auto slip = [&](const Response& response) {
+    return slip_by_history(*sliding_of(simulation.given, *simulation.compiled, response));
+  };
+  sliding.error_estimate =
+      slip_error(slip_by_history(sliding), {slip(bonded.coarse), slip(bonded.finer), slip(bonded.own)}, by_forces);
+  return true;
 }
 
 /// Of a run with contact node by node.
@@ -98,7 +131,7 @@ ContactError error_of_contact(Run& run) {
   constexpr double whole = 2.;  // order 1 at least: steps half as long take away half
   ContactError error{with_margin(difference(shear(run), shear(finer))),
                      {whole * by_steps.peak, whole * by_steps.history},
-                     slip_error(slip(run), slip(finer), slip(shorter), {}, of_contact)};
+                     slip_error(slip(run), {slip(run), slip(finer), slip(shorter)}, {}, of_contact)};
   if (run.summary.sliding) {
     const double slid = std::abs(run.summary.sliding->history.by_history.residual);
     compare(*run.summary.sliding, *finer.summary.sliding, *shorter.summary.sliding,
@@ -183,10 +216,10 @@ ShearError error_of_steps(const Run& run) {
   return {whole * moved.peak, whole * moved.history};
 }
 
-/// Of cells; those of a mesh that was made for the tolerance are known, unless the soil has changed since.
-ShearError error_of_mesh(const Simulation& simulation) {
-  if (simulation.accuracy && !simulation.soil) return simulation.accuracy->levels.back().error;
-  return error_of_cells(simulation, with_halved_cells(simulation));
+/// Those of a mesh that was made for the tolerance are known, unless the soil has changed since.
+std::shared_ptr<const CellsCompared> compared_cells(const Simulation& simulation) {
+  if (simulation.accuracy && !simulation.soil) return simulation.accuracy->compared;
+  return std::make_shared<const CellsCompared>(compare_cells(simulation));
 }
 
 }  // namespace
@@ -205,6 +238,7 @@ void estimate_slip_error(Run& run) {
     if (sliding.coupled) sliding.coupled->error_estimate = 0.;
     return;
   }
+  if (compare_reduced(run, by_forces)) return;
   const auto solve_on = [&](const Simulation& on, double part) {
     return run_bonded(in_steps_of(on, run, part), {}, {});
   };
@@ -236,7 +270,8 @@ void estimate_errors(Run& run) {
     time = contact.time;
     run.summary.contact->solved->error_estimate = contact.slip;
   } else {
-    mesh = error_of_mesh(simulation);
+    run.cells = compared_cells(simulation);
+    mesh = run.cells->error;
     if (!run.summary.reduction) time = error_of_steps(run);
   }
   peak.mesh = mesh.peak;

@@ -53,91 +53,6 @@ ShearError difference(const ShearHistory& answer, const ShearHistory& better) {
 
 namespace {
 
-/// What the truth lies away over what halving the cells moves. Where every halving leaves a share q of the error that
-/// is 1/(1 - q): 2 where the corners of a rigid bottom decide (stress as r^(-1/2), F_T wrong by the square of the error
-/// in energy, q = 1/2), less where waves do; the rest is for meshes that are not so fine yet. Measured:
-/// docs/accuracy.md.
-constexpr double margin_of_peak = 3.4, margin_of_history = 4.;
-/// Of what the history moves by; a change of the peak that is smaller is so by chance.
-constexpr double least_share_of_history = 0.3;
-/// Both solutions may be wrong in time by this part of the tolerance.
-constexpr double share_of_time = 0.25;
-
-/// The soil of cells that were split.
-SoilState of_children(const SoilState& soil, const Mesh& mesh, const Mesh& finer) {
-  SoilState state;
-  state.shear_modulus.reserve(finer.triangulation.n_active_cells());
-  for (const auto& cell : finer.triangulation.active_cell_iterators()) {
-    const dealii::Triangulation<dim>::cell_iterator parent(&mesh.triangulation, cell->level() - 1,
-                                                           cell->parent()->index());
-    const unsigned i = parent->active_cell_index();
-    if (!soil.shear_modulus.empty()) state.shear_modulus.push_back(soil.shear_modulus[i]);
-    if (!soil.damping_ratio.empty()) state.damping_ratio.push_back(soil.damping_ratio[i]);
-  }
-  return state;
-}
-
-/// The scene as it is solved for a comparison: more exactly in time, at times of our own.
-Scene compared(const Simulation& simulation) {
-  Scene scene = simulation.scene;
-  scene.tolerance *= share_of_time;
-  scene.time.step.reset();
-  return scene;
-}
-
-std::optional<ShearHistory> by_reduced_model(const Simulation& simulation) {
-  const Scene scene = compared(simulation);
-  ReductionTargets targets;
-  targets.only_shear = true;
-  try {
-    const Reduction reduction = reduce_scene(scene, *simulation.compiled, targets);
-    if (!reduction.converged) return std::nullopt;
-    return shear_history(*simulation.compiled, respond(reduction, scene, simulation.compiled->system));
-  } catch (const NumericsError&) {
-    return std::nullopt;
-  }
-}
-
-/// `soil`: what has followed the strain.
-Simulation like(const Simulation& simulation, const std::shared_ptr<const Mesh>& mesh, const SoilState& soil) {
-  Simulation other = on_mesh(simulation.given, mesh);
-  if (!simulation.soil && other.with_interface == simulation.with_interface) return other;
-  other.with_interface = simulation.with_interface;
-  if (simulation.soil) other.soil_state = soil;
-  return assembled(std::move(other));
-}
-
-}  // namespace
-
-Simulation with_halved_cells(const Simulation& simulation) {
-  const std::shared_ptr<const Mesh> mesh = halved(*simulation.mesh);
-  return like(simulation, mesh, of_children(simulation.soil_state, *simulation.mesh, *mesh));
-}
-
-Simulation assembled_again(const Simulation& simulation) {
-  return like(simulation, simulation.mesh, simulation.soil_state);
-}
-
-ShearError with_margin(const ShearError& moved) {
-  return {std::max(margin_of_peak * moved.peak, least_share_of_history * moved.history),
-          margin_of_history * moved.history};
-}
-
-ShearError error_of_cells(const Simulation& simulation, const Simulation& finer) {
-  const std::optional<ShearHistory> reduced = by_reduced_model(simulation);
-  if (reduced)
-    if (const auto better = by_reduced_model(finer)) return with_margin(difference(*reduced, *better));
-  const double step = choose_step(compared(simulation), *simulation.compiled, 4).largest_step;
-  check_steps(simulation.given, step, {}, "for an estimate of the mesh's error");
-  const auto by_march = [step](const Simulation& on) {
-    const TimeGrid grid = make_time_grid(kinks(on.compiled->system), on.scene.time.end, step);
-    return marched_shear(*on.compiled, SchemeKind::sdirk4, grid);
-  };
-  return with_margin(difference(by_march(simulation), by_march(finer)));
-}
-
-namespace {
-
 /// Part of the tolerance that the mesh may use up; the rest is for the reduced model or the steps.
 constexpr double share_of_mesh = 0.75, share_of_rest = 0.25;
 /// Errors of cells that are split, over what they were: measured between 0.2 and 0.6.
@@ -146,6 +61,8 @@ constexpr double error_after_split = 0.4;
 constexpr double least_part = 0.3, most_part = 0.85;
 /// Less than this part of an error is left where cells were split for as much: else cells err that were not seen to.
 constexpr double enough = 0.8;
+/// Part of the error whose cells are split then: beside all cells, a mesh of half as many unknowns.
+constexpr double stuck_part = 0.97;
 constexpr int most_unknowns = 250000;
 
 /// The cells with the largest errors, which together have a part of the sum. Mirror images, whose errors differ by
@@ -214,19 +131,21 @@ class Adaptation {
     return scene;
   }
 
-  /// Where the cells that seem to be wrong were split and the error has hardly become less, all cells are.
+  /// Where the cells that seem to be wrong were split and the error has hardly become less, nearly all are that seem to
+  /// have a part in it; where that does not help either, all cells.
   void refine() {
     const std::size_t n = accuracy_.levels.size();
     const auto error = [this, n](std::size_t back) { return driving(given_, accuracy_.levels[n - back].error); };
     const bool stuck = measured_ && n > 1 && error(1) > enough * error(2);
-    mesh_ = refined(*mesh_, stuck ? std::vector<bool>(cells_.of_cell.size(), true)
-                                  : worst_cells(cells_, part_to_split(scale_ * cells_.sum, aim_)));
+    if (measured_) n_stuck_ = stuck ? n_stuck_ + 1 : 0;
+    const double part = stuck ? stuck_part : part_to_split(scale_ * cells_.sum, aim_);
+    mesh_ = stuck && n_stuck_ > 1 ? halved(*mesh_) : refined(*mesh_, worst_cells(cells_, part));
   }
 
  private:
   void measure(Simulation& simulation, int n) {
-    const Simulation finer = with_halved_cells(simulation);
-    accuracy_.levels.push_back({n, error_of_cells(simulation, finer)});
+    accuracy_.compared = std::make_shared<const CellsCompared>(compare_cells(simulation));
+    accuracy_.levels.push_back({n, accuracy_.compared->error});
     const double error = driving(given_, accuracy_.levels.back().error);
     if (error <= aim_) simulation.accuracy = accuracy_;
     if (cells_.sum > 0.) scale_ = error / cells_.sum;
@@ -238,6 +157,7 @@ class Adaptation {
   MeshAccuracy accuracy_;
   MeshError cells_;
   bool measured_ = false;  ///< whether the mesh as it is was held against a finer one
+  int n_stuck_ = 0;        ///< measurements, one after the other, by which the error had hardly become less
   double scale_ = 0.;      ///< of the true error over what the cells' sum to, as last measured
 };
 

@@ -10,6 +10,7 @@
 #include "response/slip_law.h"
 #include "response/slip_reduction.h"
 #include "run/accuracy/accuracy.h"
+#include "run/accuracy/side_by_side.h"
 #include "run/derived.h"
 #include "run/sliding/case_sliding.h"
 #include "sliding/coupled_slip.h"
@@ -133,7 +134,54 @@ ModelSlip model_slip(const Simulation& simulation, const Reduction& bonded,
           reduction.n_solves};
 }
 
+/// S of a model as it is; throws NumericsError where it tells no distance.
+double slip_of(const Scene& scene, const ReducedSystem& system, const SampledLoads& loads) {
+  const SlidingChoice& choice = *scene.sliding;
+  const SlipModel model = slip_model(system, slip_law(system, choice.friction, slip_uplift(choice)));
+  const CoupledSliding slid = CoupledSlip(model, loads.time[1] - loads.time[0]).slide(loads);
+  require_none(why_no_distance(slid));
+  return slid.slip.residual;
+}
+
+SlipProblem problem_on(const Scene& scene, const Simulation& on, const Series& bonded) {
+  const AssembledScene sliding = assemble_scene(on.scene, *on.mesh, on.absent, on.soil_state, true);
+  return slip_problem(scene, *sliding.compiled, slip_uplift(*scene.sliding), bonded);
+}
+
+SlipProblem finer_problem(const Scene& scene, const Simulation& simulation, const Series& bonded) {
+  const Simulation finer = with_halved_cells(simulation, true);
+  return slip_problem(scene, *finer.compiled, slip_uplift(*scene.sliding), bonded);
+}
+
 }  // namespace
+
+std::optional<SlipCompared> compare_slip(const Simulation& simulation, const Response& bonded) {
+  constexpr double enough = 0.1;  // of the tolerance
+  Scene scene = simulation.scene;
+  scene.tolerance = simulation.given.tolerance;
+  const SampledLoads loads = loads_of_slip(scene, *simulation.compiled);
+  const auto slip = [&](const GrowingModel& model) { return slip_of(scene, model.system(), loads); };
+  const auto read = [&](const GrowingModel& model) -> Answers { return {Eigen::VectorXd::Constant(1, slip(model))}; };
+  try {
+    const SlipProblem problem = problem_on(scene, simulation, bonded.ends);
+    GrowingModel own(problem.system, problem.options);
+    SlipCompared compared;
+    {
+      const SlipProblem finer = finer_problem(scene, simulation, bonded.ends);
+      GrowingModel better(finer.system, finer.options);
+      const auto found = grow_side_by_side(own, better, read, enough * scene.tolerance);
+      if (!found) return std::nullopt;
+      compared.coarse = found->coarse[0][0];
+      compared.finer = found->finer[0][0];
+    }
+    while (!own.reduction().converged && own.grow()) {
+    }
+    compared.own = slip(own);
+    return compared;
+  } catch (const NumericsError&) {
+    return std::nullopt;
+  }
+}
 
 void read_sliding(const Simulation& simulation, Run& run, const std::function<void(double)>& progress) {
   run.summary.sliding = sliding_of(simulation.given, *simulation.compiled, run.response);

@@ -1,0 +1,137 @@
+#include <algorithm>
+
+#include "dynamics/growing_model.h"
+#include "fem/caisson/readings.h"
+#include "mesh/refine.h"
+#include "response/reduction.h"
+#include "response/time_choice.h"
+#include "run/accuracy/accuracy.h"
+#include "run/accuracy/side_by_side.h"
+#include "run/derived.h"
+#include "run/sliding/case_sliding.h"
+#include "run/solve.h"
+#include "upbead/base/error.h"
+
+namespace upbead {
+
+namespace {
+
+/// What the truth lies away over what halving the cells moves. Where every halving leaves a share q of the error that
+/// is 1/(1 - q): 2 where the corners of a rigid bottom decide (stress as r^(-1/2), F_T wrong by the square of the error
+/// in energy, q = 1/2), less where waves do; the rest is for meshes that are not so fine yet. Measured:
+/// docs/accuracy.md.
+constexpr double margin_of_peak = 3.4, margin_of_history = 4.;
+/// Of what the history moves by; a change of the peak that is smaller is so by chance.
+constexpr double least_share_of_history = 0.3;
+/// Both solutions may be wrong in time by this part of the tolerance.
+constexpr double share_of_time = 0.25;
+/// What the difference of reduced models may move by, over the tolerance of each.
+constexpr double share_of_difference = 0.05;
+
+/// The soil of cells that were split.
+SoilState of_children(const SoilState& soil, const Mesh& mesh, const Mesh& finer) {
+  SoilState state;
+  state.shear_modulus.reserve(finer.triangulation.n_active_cells());
+  for (const auto& cell : finer.triangulation.active_cell_iterators()) {
+    const dealii::Triangulation<dim>::cell_iterator parent(&mesh.triangulation, cell->level() - 1,
+                                                           cell->parent()->index());
+    const unsigned i = parent->active_cell_index();
+    if (!soil.shear_modulus.empty()) state.shear_modulus.push_back(soil.shear_modulus[i]);
+    if (!soil.damping_ratio.empty()) state.damping_ratio.push_back(soil.damping_ratio[i]);
+  }
+  return state;
+}
+
+/// The scene as it is solved for a comparison: more exactly in time, at times of our own.
+Scene compared(const Simulation& simulation) {
+  Scene scene = simulation.scene;
+  scene.tolerance = share_of_time * simulation.given.tolerance;
+  scene.time.step.reset();
+  return scene;
+}
+
+/// F_T over time, and S by eq. (4).
+Answers bonded_answers(const Simulation& simulation, const Response& response) {
+  const CompiledScene& compiled = *simulation.compiled;
+  Answers answers{response.ends.reading.row(compiled.system.reading(reading::shear_force)).transpose()};
+  if (const auto sliding = sliding_of(simulation.given, compiled, response))
+    answers.push_back(Eigen::VectorXd::Constant(1, sliding->history.by_history.residual));
+  return answers;
+}
+
+/// None where the models do not come close enough.
+std::optional<CellsCompared::Reduced> by_reduced_models(const Simulation& simulation, const CompiledScene& finer) {
+  const Scene scene = compared(simulation);
+  ReductionTargets targets;
+  targets.only_shear = true;
+  // both systems have the same loads
+  const auto response = [&](const GrowingModel& model) {
+    return respond(model.reduction(), scene, simulation.compiled->system);
+  };
+  const auto read = [&](const GrowingModel& model) { return bonded_answers(simulation, response(model)); };
+  try {
+    GrowingModel own(simulation.compiled->system, reduce_options(scene, *simulation.compiled, targets));
+    CellsCompared::Reduced compared;
+    {
+      GrowingModel better(finer.system, reduce_options(scene, finer, targets));
+      if (!grow_side_by_side(own, better, read, share_of_difference * scene.tolerance)) return std::nullopt;
+      compared.coarse = response(own);
+      compared.finer = response(better);
+    }
+    while (!own.reduction().converged && own.grow()) {
+    }
+    if (!own.reduction().converged) return std::nullopt;
+    compared.own = response(own);
+    return compared;
+  } catch (const NumericsError&) {
+    return std::nullopt;
+  }
+}
+
+ShearError by_march(const Simulation& simulation, const CompiledScene& finer) {
+  const double step = choose_step(compared(simulation), *simulation.compiled, 4).largest_step;
+  check_steps(simulation.given, step, {}, "for an estimate of the mesh's error");
+  const auto shear = [&](const CompiledScene& on) {
+    const TimeGrid grid = make_time_grid(kinks(on.system), simulation.scene.time.end, step);
+    return marched_shear(on, SchemeKind::sdirk4, grid);
+  };
+  return difference(shear(*simulation.compiled), shear(finer));
+}
+
+}  // namespace
+
+Simulation with_halved_cells(const Simulation& simulation, bool with_interface) {
+  const std::shared_ptr<const Mesh> mesh = halved(*simulation.mesh);
+  Simulation other = resolved_on(simulation.given, mesh);
+  other.with_interface = with_interface;
+  if (simulation.soil) other.soil_state = of_children(simulation.soil_state, *simulation.mesh, *mesh);
+  return assembled(std::move(other));
+}
+
+Simulation with_halved_cells(const Simulation& simulation) {
+  return with_halved_cells(simulation, simulation.with_interface);
+}
+
+Simulation assembled_again(const Simulation& simulation) {
+  Simulation other = resolved_on(simulation.given, simulation.mesh);
+  other.with_interface = simulation.with_interface;
+  if (simulation.soil) other.soil_state = simulation.soil_state;
+  return assembled(std::move(other));
+}
+
+ShearError with_margin(const ShearError& moved) {
+  return {std::max(margin_of_peak * moved.peak, least_share_of_history * moved.history),
+          margin_of_history * moved.history};
+}
+
+CellsCompared compare_cells(const Simulation& simulation) {
+  const std::shared_ptr<const CompiledScene> finer = with_halved_cells(simulation).compiled;
+  CellsCompared out;
+  out.reduced = by_reduced_models(simulation, *finer);
+  const auto shear = [&](const Response& response) { return shear_history(*simulation.compiled, response); };
+  out.error = with_margin(out.reduced ? difference(shear(out.reduced->coarse), shear(out.reduced->finer))
+                                      : by_march(simulation, *finer));
+  return out;
+}
+
+}  // namespace upbead

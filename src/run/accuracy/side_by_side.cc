@@ -1,0 +1,49 @@
+#include "run/accuracy/side_by_side.h"
+
+#include <algorithm>
+
+#include "upbead/base/error.h"
+
+namespace upbead {
+
+namespace {
+
+/// Part of the difference that it may move by from one look to the next.
+constexpr double settled_part = 0.05;
+
+double largest_of(const Eigen::VectorXd& values) {
+  return values.size() > 0 ? values.cwiseAbs().maxCoeff() : 0.;
+}
+
+/// Of each list, how far the difference of both models has moved since the last look is little.
+bool is_settled(const SideBySide& last, const SideBySide& now, double enough) {
+  for (std::size_t i = 0; i < now.coarse.size(); ++i) {
+    const Eigen::VectorXd before = last.finer[i] - last.coarse[i], after = now.finer[i] - now.coarse[i];
+    const double most = std::max(settled_part * largest_of(after), enough * largest_of(now.finer[i]));
+    if (!(largest_of(after - before) <= most)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::optional<SideBySide> grow_side_by_side(GrowingModel& coarse, GrowingModel& finer, const ReadModel& read,
+                                            double enough) {
+  std::optional<SideBySide> last;
+  for (;;) {
+    const bool coarse_grew = coarse.grow(), finer_grew = finer.grow();
+    if (!coarse_grew && !finer_grew) break;
+    std::optional<SideBySide> now;
+    try {
+      now = SideBySide{read(coarse), read(finer)};
+    } catch (const NumericsError&) {
+      // too few vectors to be read
+    }
+    const bool known = coarse.reduction().converged && finer.reduction().converged;
+    if (now && (known || (last && is_settled(*last, *now, enough)))) return now;
+    last = std::move(now);
+  }
+  return std::nullopt;
+}
+
+}  // namespace upbead
