@@ -65,10 +65,14 @@ std::string describe(const Ladder& ladder) {
 }
 
 std::string describe(const ReductionSummary& r) {
-  return format(
+  std::string text = format(
       "reduced     to %d modes from %d solves; the history of F_T moves by %.1e of its peak between nested\n"
       "            models, its peak by %.1e, other readings by %.1e of theirs; checked up to %.3g Hz\n",
       r.modes, r.vectors, r.error, r.error_peak, r.error_of_others, r.highest_frequency);
+  if (r.error_of_states)
+    text +=
+        format("            fields and strengths: states move by %.1e of the largest, in energy\n", *r.error_of_states);
+  return text;
 }
 
 std::string describe(const SoilSummary& s) {
