@@ -91,8 +91,9 @@ def warm_up(folder):
 
 
 def floors(program):
-    """Seconds of processes that do nothing (the program's version, imports, an empty script): no run is faster."""
-    do_nothing = {"upbead": [program, "--version"],
+    """Seconds of processes that do nothing (the solver's version, imports, an empty script): no run is faster."""
+    solver = program.with_name("upbead-solver")  # which upbead becomes where something is solved
+    do_nothing = {"upbead": [solver, "--version"],
                   "FEniCSx": [sys.executable, run.PEERS / "fenicsx.py", "--help"],
                   "FreeFEM": ["FreeFem++", "-nw", "-v", "0", run.PEERS / "empty.edp"]}
     return {name: run.timed(command, 5)[0] for name, command in do_nothing.items()}
