@@ -1,0 +1,40 @@
+// Soil that fails where shear stress exceeds friction and cohesion: perfectly plastic, on the current effective stress.
+#pragma once
+
+#include "material/law_answer.h"
+
+namespace upbead {
+
+struct MohrCoulombStrength {
+  double friction_angle = 0.;   ///< phi' (degrees), below 90
+  double cohesion = 0.;         ///< c' (Pa)
+  double dilatancy_angle = 0.;  ///< psi' (degrees), from 0 to phi'
+  double tension = 0.;          ///< largest tensile stress (Pa); never above c' / tan phi'
+};
+
+/// With principal stresses s1 >= s2 >= s3, tension positive, k = (1 + sin phi)/(1 - sin phi), m the same of psi:
+///   k s1 - s3 <= 2 c sqrt(k), flow by m s1 - s3;  s1 <= tension, flow associated.
+/// Planes in principal stresses: the return to a plane, an edge or a corner is exact (Clausen, Damkilde and Andersen
+/// 2006); which one is found by trying sets of planes. sigma_zz takes part as a principal stress.
+class MohrCoulombLaw {
+ public:
+  struct State {
+    PlaneStress stress;  ///< effective (Pa)
+    PlaneStrain strain;  ///< to which it belongs
+  };
+
+  /// Throws InputError, all mistakes at once, where an angle or a strength is out of its range.
+  MohrCoulombLaw(const ElasticLaw& elastic, const MohrCoulombStrength& strength);
+
+  /// The stress is the effective one, that at rest included. Dissipation is the stress at the end times the plastic
+  /// strain. Throws NumericsError where no set of planes takes the stress: a strain that is not finite.
+  LawAnswer update(const PlaneStrain& strain, State& state) const;
+  /// How far a stress lies outside (Pa); negative inside.
+  double excess(const PlaneStress& stress) const;
+
+ private:
+  ElasticLaw elastic_;
+  double k_, m_, strength_, tension_;  ///< strength: 2 c sqrt(k) (Pa)
+};
+
+}  // namespace upbead

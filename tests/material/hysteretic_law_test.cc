@@ -1,0 +1,179 @@
+#include "material/hysteretic_law.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "law_paths.h"
+#include "upbead/base/error.h"
+
+namespace upbead {
+namespace {
+
+using namespace testing;
+
+constexpr double G = 80e6, nu = 0.3, gamma_r = 5e-4;
+const ElasticLaw elastic = elastic_law(G, nu);
+
+double hyperbola(double gamma) {
+  return G * gamma / (1. + gamma / gamma_r);
+}
+
+HystereticLaw law_of(int n, double from = 1e-2 * gamma_r, double to = 30. * gamma_r) {
+  return HystereticLaw(elastic, backbone(
+                                    G, [](double gamma) { return 1. / (1. + gamma / gamma_r); }, from, to, n));
+}
+
+double shear(const HystereticLaw& law, double gamma, HystereticLaw::State& state) {
+  return law.update({0., 0., 0.5 * gamma}, state).stress.xy;
+}
+
+TEST(HystereticLaw, FirstShearFollowsTheBackbone) {
+  const HystereticLaw law = law_of(12);
+  HystereticLaw::State state = law.at_rest();
+  for (const BackbonePoint& point : backbone(
+           G, [](double x) { return 1. / (1. + x / gamma_r); }, 1e-2 * gamma_r, 30. * gamma_r, 12))
+    EXPECT_NEAR(shear(law, point.gamma, state), hyperbola(point.gamma), 1e-12 * G * gamma_r);
+  double sum = 0.;
+  for (const HystereticLaw::Element& element : law.elements()) sum += element.h;
+  EXPECT_NEAR(sum, G, 1e-14 * G);
+  EXPECT_NEAR(shear(law, 1., state), hyperbola(30. * gamma_r), 1e-9 * G * gamma_r) << "level beyond the last point";
+}
+
+TEST(HystereticLaw, SmallStrainsAreElastic) {
+  const HystereticLaw law = law_of(12);
+  HystereticLaw::State state = law.at_rest();
+  const PlaneStrain strain{2e-7, -1e-7, 3e-7};
+  const LawAnswer answer = law.update(strain, state);
+  const PlaneStress expected = elastic.stress(strain);
+  EXPECT_NEAR(answer.stress.xx, expected.xx, 1e-13 * G * 1e-7);
+  EXPECT_NEAR(answer.stress.zz, expected.zz, 1e-13 * G * 1e-7);
+  EXPECT_NEAR(answer.stress.xy, expected.xy, 1e-13 * G * 1e-7);
+  EXPECT_EQ(answer.dissipated, 0.);
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) EXPECT_NEAR(answer.tangent[i][j], elastic.tangent()[i][j], 1e-13 * G);
+}
+
+/// Masing (1926): tau_a - tau = 2 f((gamma_a - gamma)/2) on the way back, and the same from the other end; closed
+/// loops.
+TEST(HystereticLaw, UnloadsAndReloadsByMasing) {
+  const HystereticLaw law = law_of(12);
+  for (const double top : {0.3 * gamma_r, gamma_r, 9. * gamma_r}) {
+    const auto first = [&](double gamma) {
+      HystereticLaw::State state = law.at_rest();
+      return shear(law, gamma, state);
+    };
+    HystereticLaw::State state = law.at_rest();
+    const double tau_top = shear(law, top, state);
+    for (const double gamma : {0.7 * top, 0., -0.4 * top, -top})
+      EXPECT_NEAR(shear(law, gamma, state), tau_top - 2. * first(0.5 * (top - gamma)), 1e-12 * tau_top);
+    for (const double gamma : {-0.2 * top, 0.6 * top, top})
+      EXPECT_NEAR(shear(law, gamma, state), -tau_top + 2. * first(0.5 * (top + gamma)), 1e-12 * tau_top);
+  }
+}
+
+/// D = 4/pi (1 + 1/x)(1 - ln(1 + x)/x) - 2/pi, x = gamma/gamma_r: what Masing's rules make of a hyperbola.
+TEST(HystereticLaw, ModulusAndDampingOverStrain) {
+  const HystereticLaw law = law_of(400, 1e-4 * gamma_r, 20. * gamma_r);
+  const double pi = std::acos(-1.);
+  for (const double x : {0.1, 1., 10.}) {
+    const double top = x * gamma_r, damping = 4. / pi * (1. + 1. / x) * (1. - std::log1p(x) / x) - 2. / pi;
+    HystereticLaw::State state = law.at_rest();
+    const double tau = shear(law, top, state);
+    EXPECT_NEAR(tau / (G * top), 1. / (1. + x), 1e-4 / (1. + x));
+    double loop = 0.;
+    for (int i = 1; i <= 2000; ++i)
+      loop += law.update({0., 0., 0.5 * top * std::cos(2. * pi * i / 2000)}, state).dissipated;
+    EXPECT_NEAR(loop / (2. * pi * tau * top), damping, 1e-3 * damping) << "x = " << x;
+  }
+}
+
+/// Average stress times strain is what is stored and what is lost, step by step; no step gives energy back.
+TEST(HystereticLaw, EnergyClosesAndDissipationIsNeverNegative) {
+  const HystereticLaw law = law_of(10);
+  std::mt19937 random(24);
+  double worst = 0., least = 0.;
+  for (int path = 0; path < 1000; ++path) {
+    HystereticLaw::State state = law.at_rest();
+    PlaneStress before;
+    PlaneStrain strain;
+    for (int i = 0; i < 1000; ++i) {
+      const PlaneStrain step = random_strain(random, gamma_r * std::pow(10., -2. + 3. * (path % 10) / 9.));
+      const double stored = law.stored(state);
+      strain = plus(strain, step);
+      const LawAnswer answer = law.update(strain, state);
+      const double done = 0.5 * (work(before, step) + work(answer.stress, step));
+      const double scale = law.stored(state) + stored + answer.dissipated;
+      worst = std::max(worst, std::abs(done - answer.dissipated - law.stored(state) + stored) / scale);
+      least = std::min(least, answer.dissipated);
+      before = answer.stress;
+    }
+  }
+  EXPECT_LT(worst, 1e-11);
+  EXPECT_GE(least, 0.);
+}
+
+TEST(HystereticLaw, TangentIsThatOfDifferencesAndSymmetricAndNotAboveElastic) {
+  const HystereticLaw law = law_of(10);
+  std::mt19937 random(7);
+  int compared = 0;
+  for (int i = 0; i < 1000; ++i) {
+    HystereticLaw::State state = law.at_rest();
+    law.update(random_strain(random, gamma_r), state);
+    const PlaneStrain strain = random_strain(random, 2. * gamma_r);
+    HystereticLaw::State after = state;
+    const Tangent T = law.update(strain, after).tangent;
+    EXPECT_GT(T[2][2], 0.);
+    EXPECT_LE(T[2][2], G * (1. + 1e-12));
+    for (int j = 0; j < 3; ++j) {
+      const auto up = difference(law, strain, state, j, 1e-9), down = difference(law, strain, state, j, -1e-9);
+      for (int k = 0; k < 3; ++k) {
+        EXPECT_NEAR(T[j][k], T[k][j], 1e-12 * G);
+        if (std::abs(up[k] - down[k]) > 1e-4 * G) continue;  // an element yields in between
+        ++compared;
+        EXPECT_NEAR(T[k][j], 0.5 * (up[k] + down[k]), 1e-5 * G);
+      }
+    }
+  }
+  EXPECT_GT(compared, 8900);
+}
+
+TEST(HystereticLaw, AnswersInTurnedAxesAndInOtherUnits) {
+  const HystereticLaw law = law_of(10),
+                      in_kPa(elastic_law(1e-3 * G, nu), backbone(
+                                                            1e-3 * G, [](double x) { return 1. / (1. + x / gamma_r); },
+                                                            1e-2 * gamma_r, 30. * gamma_r, 10));
+  std::mt19937 random(3);
+  HystereticLaw::State state = law.at_rest(), turned = state, other = in_kPa.at_rest();
+  for (int i = 0; i < 100; ++i) {
+    const PlaneStrain strain = random_strain(random, gamma_r);
+    const LawAnswer answer = law.update(strain, state), kPa = in_kPa.update(strain, other);
+    const PlaneStress back = in_turned_axes(law.update(in_turned_axes(strain, 0.4), turned).stress, -0.4);
+    EXPECT_NEAR(back.xx, answer.stress.xx, 1e-11 * G * gamma_r);
+    EXPECT_NEAR(back.xy, answer.stress.xy, 1e-11 * G * gamma_r);
+    EXPECT_NEAR(1e3 * kPa.stress.xx, answer.stress.xx, 1e-11 * G * gamma_r);
+    EXPECT_NEAR(1e3 * kPa.dissipated, answer.dissipated, 1e-11 * G * gamma_r * gamma_r);
+  }
+}
+
+TEST(HystereticLaw, StrengthCutsTheBackbone) {
+  const auto points = backbone(
+      G, [](double x) { return 1. / (1. + x / gamma_r); }, 1e-2 * gamma_r, 30. * gamma_r, 10);
+  for (const double strength : {0.9 * points.back().tau, 0.5 * points.back().tau, 0.5 * points.front().tau}) {
+    const HystereticLaw law(elastic, with_strength(points, strength));
+    HystereticLaw::State state = law.at_rest();
+    EXPECT_NEAR(shear(law, 1., state), strength, 1e-9 * strength);
+  }
+  EXPECT_EQ(with_strength(points, 2. * points.back().tau).size(), points.size());
+}
+
+TEST(HystereticLaw, RefusesWhatIsNoBackbone) {
+  EXPECT_THROW(HystereticLaw(elastic, {}), InputError);
+  EXPECT_THROW(HystereticLaw(elastic, {{1e-4, 1.1e-4 * G}}), InputError) << "stiffer than G";
+  EXPECT_THROW(HystereticLaw(elastic, {{1e-4, 0.9e-4 * G}, {2e-4, 0.8e-4 * G}}), InputError) << "softens";
+  EXPECT_THROW(HystereticLaw(elastic, {{1e-4, 0.5e-4 * G}, {2e-4, 0.6e-4 * G}, {3e-4, 1.2e-4 * G}}), InputError);
+}
+
+}  // namespace
+}  // namespace upbead
