@@ -18,6 +18,10 @@ PlaneStrain difference(const PlaneStrain& a, const PlaneStrain& b) {
   return {a.xx - b.xx, a.yy - b.yy, a.xy - b.xy};
 }
 
+double bulk_modulus(const ElasticLaw& law) {
+  return law.lambda + 2. / 3. * law.G;
+}
+
 /// a : b of two deviators.
 double product(const PlaneStrain& a, const PlaneStrain& b) {
   return a.xx * b.xx + a.yy * b.yy + (a.xx + a.yy) * (b.xx + b.yy) + 2. * a.xy * b.xy;
@@ -77,7 +81,7 @@ std::vector<BackbonePoint> with_strength(const std::vector<BackbonePoint>& point
 }
 
 HystereticLaw::HystereticLaw(const ElasticLaw& small_strain, const std::vector<BackbonePoint>& points)
-    : bulk_(small_strain.lambda + 2. / 3. * small_strain.G) {
+    : elastic_(small_strain) {
   BackbonePoint last;
   double slope = small_strain.G;
   std::vector<BackbonePoint> polygon = points;
@@ -97,12 +101,12 @@ HystereticLaw::HystereticLaw(const ElasticLaw& small_strain, const std::vector<B
 
 LawAnswer HystereticLaw::update(const PlaneStrain& strain, State& state) const {
   const PlaneStrain e = deviator(strain), e_before = deviator(state.strain);
-  LawAnswer answer;
-  PlaneStrain s;
+  LawAnswer answer{elastic_.stress(strain)};
+  PlaneStress& s = answer.stress;
   for (std::size_t i = 0; i < elements_.size(); ++i) {
     const auto [h, y] = elements_[i];
     PlaneStrain& plastic = state.plastic[i];
-    PlaneStrain elastic = difference(e, plastic);
+    const PlaneStrain elastic = difference(e, plastic);
     const double length = std::sqrt(product(elastic, elastic)), most = y / (std::sqrt(2.) * h);
     if (length > most) {
       const PlaneStrain n{elastic.xx / length, elastic.yy / length, elastic.xy / length};
@@ -110,24 +114,23 @@ LawAnswer HystereticLaw::update(const PlaneStrain& strain, State& state) const {
       const double slid = length - most;
       answer.dissipated += h * slid * (most + product(before, n));
       plastic = {plastic.xx + slid * n.xx, plastic.yy + slid * n.yy, plastic.xy + slid * n.xy};
-      elastic = {most * n.xx, most * n.yy, most * n.xy};
       add_tangent(h * most / length, h * most / length, n, answer.tangent);
     } else {
       add_tangent(h, 0., {}, answer.tangent);
     }
-    s = {s.xx + 2. * h * elastic.xx, s.yy + 2. * h * elastic.yy, s.xy + 2. * h * elastic.xy};
+    s = {s.xx - 2. * h * plastic.xx, s.yy - 2. * h * plastic.yy, s.xy - 2. * h * plastic.xy,
+         s.zz + 2. * h * (plastic.xx + plastic.yy)};
   }
-  const double mean = bulk_ * (strain.xx + strain.yy);
+  const double bulk = bulk_modulus(elastic_);
   for (int i = 0; i < 2; ++i)
-    for (int j = 0; j < 2; ++j) answer.tangent[i][j] += bulk_;
-  answer.stress = {s.xx + mean, s.yy + mean, s.xy, mean - s.xx - s.yy};
+    for (int j = 0; j < 2; ++j) answer.tangent[i][j] += bulk;
   state.strain = strain;
   return answer;
 }
 
 double HystereticLaw::stored(const State& state) const {
   const double volume = state.strain.xx + state.strain.yy;
-  double sum = 0.5 * bulk_ * volume * volume;
+  double sum = 0.5 * bulk_modulus(elastic_) * volume * volume;
   for (std::size_t i = 0; i < elements_.size(); ++i) {
     const PlaneStrain elastic = difference(deviator(state.strain), state.plastic[i]);
     sum += elements_[i].h * product(elastic, elastic);

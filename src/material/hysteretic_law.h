@@ -41,15 +41,16 @@ class HystereticLaw {
   HystereticLaw(const ElasticLaw& small_strain, const std::vector<BackbonePoint>& points);
 
   State at_rest() const { return {{}, std::vector<PlaneStrain>(elements_.size())}; }
-  /// Dissipation is the average stress times the plastic strain of the step: 0 or more, and with the stored energy it
-  /// is the work of the average stress to round-off.
+  /// Below the first yield the stress is that of the elastic law to the last bit. Dissipation is the average stress
+  /// times the plastic strain of the step: 0 or more, and with the stored energy it is the work of the average stress
+  /// to round-off.
   LawAnswer update(const PlaneStrain& strain, State& state) const;
   /// Energy stored (J/m3): K eps_v^2/2 + sum h_i ||e - e_i^p||^2.
   double stored(const State& state) const;
   const std::vector<Element>& elements() const { return elements_; }
 
  private:
-  double bulk_;  ///< lambda + 2 G/3 (Pa)
+  ElasticLaw elastic_;
   std::vector<Element> elements_;
 };
 

@@ -11,6 +11,7 @@
 namespace upbead {
 
 struct ContactReport;
+struct YieldingReport;
 
 /// A state, and the load values f_k that belong to it.
 struct LoadedState {
@@ -34,7 +35,7 @@ class Scheme {
  public:
   virtual ~Scheme() = default;
 
-  /// As in the case file: "sdirk4", "generalised_alpha"; "contact".
+  /// As in the case file: "sdirk4", "generalised_alpha"; "contact", "yielding".
   virtual std::string name() const = 0;
   /// Order of convergence of x and x' in the step.
   virtual int order() const = 0;
@@ -65,6 +66,8 @@ class Scheme {
   virtual void recall(const SchemeMemory& memory) = 0;
   /// What a contact law did since start(); null where the scheme has none and keeps interfaces glued.
   virtual const ContactReport* contact() const { return nullptr; }
+  /// What soil that yields took since start(); null where nothing may yield.
+  virtual const YieldingReport* yielding() const { return nullptr; }
 
   /// Linear solves and factorisations since the scheme was made.
   virtual int n_solves() const = 0;

@@ -1,0 +1,36 @@
+// Marching a system whose soil may yield.
+#pragma once
+
+#include <memory>
+
+#include "system/internal_force.h"
+#include "upbead/dynamics/scheme.h"
+
+namespace upbead {
+
+/// What the non-linear solves of a march took.
+struct YieldingReport {
+  int stages = 0;
+  int evaluations = 0;     ///< of the internal force; one a stage in which nothing yields
+  int cut_steps = 0;       ///< steps that were halved, as a stage did not converge
+  double dissipated = 0.;  ///< by the internal force (J/m)
+};
+
+struct YieldingOptions {
+  /// Residual of the equation of motion, as a share of the internal force and the loads, over the rows that may yield.
+  double tolerance = 1e-6;
+  bool refined = false;  ///< see SchemeOptions
+};
+
+/// Scheme for a system with an internal force, "yielding": three stages of one L-stable tableau of order 2, whose times
+/// ascend within the step. Each stage is a fixed point of the internal force, by Anderson mixing on the elastic
+/// factorisation: p -> p(x(E^-1 (rhs - p))). Where nothing yields p is zero and the answer is that of the elastic
+/// system. Every stage starts from the history at the beginning of the step, which the end of the step becomes. A step
+/// in which a stage does not converge is halved, up to ten times, then NumericsError tells the time.
+/// Keeps no account of energy and no checkpoints. Its report is Scheme::yielding().
+///
+/// `force` outlives the scheme. Throws std::invalid_argument where the system is divided.
+std::unique_ptr<Scheme> make_yielding_scheme(const System& system, InternalForce& force,
+                                             const YieldingOptions& options = {});
+
+}  // namespace upbead

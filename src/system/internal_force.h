@@ -1,0 +1,25 @@
+// What soil that yields adds to a system: M x'' + C x' + K x + p(x, history) = sum_k b_k f_k(t).
+#pragma once
+
+#include <vector>
+
+#include "upbead/algebra/sparse.h"
+
+namespace upbead {
+
+/// The force p that corrects the elastic K x, and what it remembers. p is zero as long as nothing has yielded.
+class InternalForce {
+ public:
+  virtual ~InternalForce() = default;
+
+  /// Rows of the system in which p may be other than zero, ascending.
+  virtual const std::vector<int>& rows() const = 0;
+  /// p at x in these rows, from the committed history: what was evaluated since does not count.
+  virtual void evaluate(const Vector& x, Vector& p) = 0;
+  /// x becomes history. Returns the energy that was dissipated since the last commit (J/m, not negative).
+  virtual double commit(const Vector& x) = 0;
+  /// Energy that is stored, less that of the elastic K, at the committed x (J/m).
+  virtual double stored_beside_elastic() const = 0;
+};
+
+}  // namespace upbead
