@@ -11,6 +11,7 @@ PROGRAMS = {  # name: how its series begin
     "FEniCSx": ("FEniCSx",),
     "FEniCSx, uniform meshes": ("FEniCSx, uniform",),
     "FreeFEM": ("FreeFEM",),
+    "FreeFEM, adaptmesh": ("FreeFEM, adaptmesh",),
     "FreeFEM, uniform meshes": ("FreeFEM, uniform",),
 }
 

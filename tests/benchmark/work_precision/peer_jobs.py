@@ -11,6 +11,7 @@ import scenes
 GEOMETRY = scenes.ROOT / "meshes/composite.geo"
 UNIFORM, GRADED, STEEP = 1, 12, 30  # grading: largest cell over that at the caisson's corners
 CELLS = {GRADED: (0.25, 0.35, 0.5, 0.7, 1, 1.4), STEEP: (0.5, 1), UNIFORM: (0.5, 1, 2, 3.5)}
+ADAPTED = ((0.03, 6), (0.01, 4), (0.003, 3), (0.001, 2))  # err and hmax (m) of adaptmesh, from the coarsest uniform mesh
 SOLVERS = ("amd", "nd", "mumps")
 LARGEST_OF_DEGREE_3 = 0.5  # cells; beyond, degree 2 was as good
 
@@ -44,8 +45,10 @@ def make_meshes(folder, quick):
 
 def jobs(folder, quick):
     """All runs of both peers on meshes that are made here."""
-    found = []
-    for (grading, cells), path in make_meshes(folder, quick).items():
+    meshes = make_meshes(folder, quick)
+    start = max(cells for grading, cells in meshes if grading == UNIFORM)
+    found = adapted_jobs(meshes[UNIFORM, start], ADAPTED[:: 2 if quick else 1], quick)
+    for (grading, cells), path in meshes.items():
         series = ", uniform" if grading == UNIFORM else ""
         for step in steps_for(cells, grading)[:: 2 if quick else 1]:
             of_step = [fenicsx_job("FEniCSx" + series, "quads, degree 2", path, cells, step, []),
@@ -61,6 +64,17 @@ def jobs(folder, quick):
         if cells == 1 and grading == GRADED:
             found += [fenicsx_job("FEniCSx, solvers", f"quads, {solver}", path, cells, 5e-3, ["--solver", solver])
                       for solver in SOLVERS]
+    return found
+
+
+def adapted_jobs(path, all_adapted, quick):
+    """FreeFEM's own meshes, which it makes in the run; smaller errors are worth smaller steps."""
+    mesh, found = path.with_name(path.name + ".msh"), []
+    for adapt in all_adapted:
+        for step in steps_for(1, GRADED if adapt[0] > 0.002 else STEEP)[:: 2 if quick else 1]:
+            label = f"err {adapt[0]:g}, hmax {adapt[1]:g}, {1e3 * step:g} ms"
+            found.append(PeerJob("FreeFEM, adaptmesh", "FreeFEM, adaptmesh, degree 2", label,
+                                 lambda repeats, adapt=adapt, step=step: run.free_fem(mesh, 2, step, repeats, adapt)))
     return found
 
 

@@ -123,11 +123,11 @@ def fenicsx(mesh, settings, repeats):
     return History(times, values, top_of(times, values), unknowns, solves, solves, wall, found)
 
 
-def free_fem(mesh, degree, step, repeats):
+def free_fem(mesh, degree, step, repeats, adapt=(0.0, 0.0)):
     """FreeFem++ itself is timed; what it reads is written before."""
     with tempfile.TemporaryDirectory() as folder:
         numbers, output = pathlib.Path(folder) / "numbers", pathlib.Path(folder) / "out"
-        numbers.write_text(freefem.numbers(scene.read(), 1.0, step))
+        numbers.write_text(freefem.numbers(scene.read(), 1.0, step, adapt))
         wall, _ = timed(freefem.command(mesh, degree, numbers, output), repeats)
         unknowns, solves, *parts = output.read_text().split("\n", 1)[0].split()
         times, values = np.loadtxt(output, skiprows=1, unpack=True)

@@ -14,13 +14,13 @@ import scene as scenes
 FOLDER = pathlib.Path(__file__).resolve().parent
 
 
-def numbers(scene, rho, step):
-    """What freefem.edp reads."""
+def numbers(scene, rho, step, adapt=(0.0, 0.0)):
+    """What freefem.edp reads. adapt: err and hmax (m) of adaptmesh, err 0: the mesh as it is."""
     soils = list(scene.soils.values())
     af, am = (rho / (1 + rho), (2 * rho - 1) / (1 + rho)) if rho < 1 else (0.0, 0.0)
     rows = [[s.G, s.lame, s.rho, s.storage, s.mobility] for s in soils]
     rows += [[soils[0].mass_damping, soils[0].stiffness_damping, *scene.centre, scene.mass, scene.inertia, scene.peak,
-              scene.duration, scene.end, step, af, am]]
+              scene.duration, scene.end, step, af, am, *adapt]]
     return "\n".join(" ".join(map(str, row)) for row in rows) + "\n"
 
 

@@ -4,7 +4,7 @@
 usage: meshes.py GEOMETRY.geo OUTPUT [NAME=VALUE ...]
 
 Writes OUTPUT.npz: points, quads, their regions, triangles (two per quad), and edges with the names of their curves;
-and OUTPUT.msh: the same for FreeFEM, in triangles. The values replace the parameters of the geometry. The caisson is
+and OUTPUT.msh: the same for FreeFEM, in triangles, with the edges between soils, which adaptmesh must keep. The values replace the parameters of the geometry. The caisson is
 left out: it is rigid.
 """
 
@@ -16,6 +16,7 @@ import numpy as np
 
 SOILS = ["seabed", "mound"]  # regions 1 and 2 in FreeFEM
 CURVES = ["base", "left", "right", "bed", "mound_surface", "bottom"]  # labels 1 to 6 in FreeFEM
+BETWEEN_SOILS = len(CURVES) + 1  # label in FreeFEM
 LINE, QUADRILATERAL = 1, 3  # gmsh's element types
 
 
@@ -52,14 +53,27 @@ def triangles_of(points, quads):
     return pairs.reshape(-1, 3)
 
 
+def between_soils(quads, regions):
+    """Edges that quads of two regions share."""
+    first_seen, found = {}, []
+    for quad, region in zip(quads, regions):
+        for i in range(4):
+            edge = tuple(sorted((quad[i], quad[(i + 1) % 4])))
+            if first_seen.setdefault(edge, region) != region:
+                found.append(edge)
+    return np.array(found, dtype=int).reshape(-1, 2)
+
+
 def write_freefem(path, mesh):
     """FreeFEM's own format: counts; x y label; triangle region; edge label."""
     points, triangles = mesh["points"], mesh["triangles"]
+    inner = between_soils(mesh["quads"], mesh["regions"])
     with path.open("w") as file:
-        file.write(f"{len(points)} {len(triangles)} {len(mesh['edges'])}\n")
+        file.write(f"{len(points)} {len(triangles)} {len(mesh['edges']) + len(inner)}\n")
         np.savetxt(file, np.c_[points, np.zeros(len(points))], "%.17g %.17g %d")
         np.savetxt(file, np.c_[triangles + 1, np.repeat(mesh["regions"], 2) + 1], "%d")
         np.savetxt(file, np.c_[mesh["edges"] + 1, mesh["curves"] + 1], "%d")
+        np.savetxt(file, np.c_[inner + 1, np.full(len(inner), BETWEEN_SOILS)], "%d")
 
 
 def soil_mesh(geometry, parameters):
