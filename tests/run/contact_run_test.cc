@@ -88,7 +88,9 @@ TEST_F(ContactRun, SlidesByEveryMeasure) {
   const NodeContact& contact = *summary.contact->solved;
   EXPECT_NEAR(summary.contact->weight, 4.296e6, 1.);
   EXPECT_GT(contact.slip, 0.01);
-  EXPECT_EQ(contact.slip, slid.last("interface/slip"));
+  // the same terms summed with weights that are rounded elsewhere: equal to round-off, which differs from machine to
+  // machine
+  EXPECT_NEAR(contact.slip, slid.last("interface/slip"), 1e-14 * contact.slip);
   EXPECT_GE(contact.largest_slip, contact.slip);
   EXPECT_LE(std::abs(contact.least_slip), contact.slip);
   EXPECT_GT(contact.opening_seaward, 0.);
