@@ -61,7 +61,7 @@ Dirk::Dirk(const System& system, Tableau tableau, std::shared_ptr<const Symmetri
       stability_(tableau_.stability()),
       V_(system.size(), c_.size()),
       A_(system.size(), c_.size()),
-      now_{{}, {}, {}, {}, Vector::Zero(system.size()), {}} {}
+      now_{{}, {}, {}, {}, Vector::Zero(system.size()), {}, 0.} {}
 
 void Dirk::predict(const State& state, double h, int stage) {
   now_.v_predicted = state.v;
@@ -88,6 +88,7 @@ bool Dirk::step(State& state, double h, double inside, EffectiveMatrices& matric
       now_.a.tail(n_prescribed) = (now_.a.tail(n_prescribed) - now_.v_predicted.tail(n_prescribed)) / g;
     }
     now_.rhs = f_;
+    now_.weight = h * b_[i];
     damping_and_stiffness_->subtract_products(now_.v_predicted, now_.x, now_.rhs);
     if (law == nullptr) {
       E.solve(now_.rhs, now_.a);
@@ -97,7 +98,9 @@ bool Dirk::step(State& state, double h, double inside, EffectiveMatrices& matric
     }
     V_.col(i) = now_.v;
     A_.col(i) = now_.a;
-    if (meter != nullptr) meter->add_work(h * b_[i], now_.v, f_, now_.x, now_.v, now_.a);
+    if (meter == nullptr) continue;
+    const Vector* internal = law != nullptr ? law->force_on_prescribed() : nullptr;
+    meter->add_work(now_.weight, now_.v, f_, now_.x, now_.v, now_.a, internal);
   }
   state.time += h;
   state.x = now_.x;

@@ -31,11 +31,12 @@ class LoadSum {
 /// A stage on its way: with g = h gamma, v = v_predicted + g a and x = x_explicit + g v.
 struct DirkStage {
   Vector v_predicted;
-  Vector x_explicit;  ///< of the prescribed unknowns
-  Vector x;           ///< x_explicit + g v_predicted, until move()
-  Vector v;           ///< from move() on
-  Vector a;           ///< prescribed unknowns (tail): given; free ones: those of the last stage, until solved
-  Vector rhs;         ///< f - C v_predicted - K x before move(), so that E a = rhs
+  Vector x_explicit;   ///< of the prescribed unknowns
+  Vector x;            ///< x_explicit + g v_predicted, until move()
+  Vector v;            ///< from move() on
+  Vector a;            ///< prescribed unknowns (tail): given; free ones: those of the last stage, until solved
+  Vector rhs;          ///< f - C v_predicted - K x before move(), so that E a = rhs
+  double weight = 0.;  ///< of the stage in the step, h b_i (s)
 
   /// x and v that belong to a.
   void move(double g) {
@@ -50,6 +51,8 @@ class StageLaw {
   virtual ~StageLaw() = default;
   /// Solves the stage and moves it. False: the step shall not go on.
   virtual bool solve(const EffectiveMatrix& E, double g, DirkStage& stage) = 0;
+  /// What it exerts beside the loads on the prescribed unknowns of the stage that it has solved; null: nothing.
+  virtual const Vector* force_on_prescribed() const { return nullptr; }
 };
 
 /// A lower triangular tableau with one value on the diagonal, whose last row holds the weights (stiffly accurate).

@@ -47,10 +47,11 @@ void EnergyMeter::start(const State& state) {
 }
 
 void EnergyMeter::add_work(double weight, const Vector& path, const Vector& f, const Vector& x, const Vector& v,
-                           const Vector& a) {
+                           const Vector& a, const Vector* internal) {
   account_.work += weight * (path.array() * sign_.array() * f.array()).sum();
   if (const int n = system_.n_prescribed; n > 0) {
-    const Vector reaction = prescribed_M_ * a + prescribed_C_ * v + prescribed_K_ * x - f.tail(n);
+    Vector reaction = prescribed_M_ * a + prescribed_C_ * v + prescribed_K_ * x - f.tail(n);
+    if (internal != nullptr) reaction -= *internal;
     const int given = system_.interface ? n - 2 * system_.interface->n_nodes() : n;
     account_.work +=
         weight *
@@ -66,6 +67,12 @@ void EnergyMeter::add_contact(double weight, const Vector& path, const Vector& r
   account_.friction -= weight * (path.tail(2 * n).head(n).dot(reaction.tail(2 * n).head(n)) +
                                  path.tail(n).dot(at_rest + reaction.tail(n)));
   account_.lifted = at_rest.dot(x.tail(n));
+}
+
+void EnergyMeter::add_yielding(double internal_work, double dissipated, double stored_before, double stored_now) {
+  account_.plastic += dissipated;
+  account_.strain += stored_now;
+  account_.scheme -= internal_work + dissipated + stored_now - stored_before;
 }
 
 Losses EnergyMeter::losses(const VectorBlock& Z) const {

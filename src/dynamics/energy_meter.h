@@ -33,10 +33,15 @@ class EnergyMeter {
 
   /// weight times the work of the load vector f along `path` (n), and of the reactions (residual of the rows of
   /// prescribed unknowns at x, v, a) along theirs. At an interface these reactions change an equilibrium: with the
-  /// forces at rest, -(work of what acts there) goes to friction, that of the forces at rest is stored.
-  void add_work(double weight, const Vector& path, const Vector& f, const Vector& x, const Vector& v, const Vector& a);
+  /// forces at rest, -(work of what acts there) goes to friction, that of the forces at rest is stored. `internal`: of
+  /// soil that yields, on the prescribed unknowns.
+  void add_work(double weight, const Vector& path, const Vector& f, const Vector& x, const Vector& v, const Vector& a,
+                const Vector* internal = nullptr);
   /// The (column, column) entry of the losses times `time` was taken.
   void add_losses(const Losses& losses, int column, double time);
+  /// Taken by soil that yields, and stored by it beside x' K x / 2, for which set_stored() comes first. The work that
+  /// its force did is minus what both grew by; what the stages make of it besides is the scheme's.
+  void add_yielding(double internal_work, double dissipated, double stored_before, double stored_now);
   void add_scheme(double energy) { account_.scheme += energy; }
   /// What is stored now: v and x are the column `column` of the blocks whose grams these are.
   void set_stored(const FieldGrams& mass, const FieldGrams& stiffness, int column);

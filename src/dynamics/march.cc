@@ -18,11 +18,13 @@ Series empty_series(const System& system, int n) {
           Eigen::MatrixXd(static_cast<Eigen::Index>(system.loads.size()), n)};
 }
 
-void record(const System& system, const State& state, const std::vector<double>& load, Series& series) {
+void record(const System& system, const State& state, const std::vector<double>& load, const Vector* added,
+            Series& series) {
   const auto column = static_cast<Eigen::Index>(series.time.size());
   series.time.push_back(state.time);
   for (std::size_t i = 0; i < system.readings.size(); ++i)
     series.reading(static_cast<Eigen::Index>(i), column) = evaluate(system.readings[i], state, load);
+  if (added) series.reading.col(column) += *added;
   for (std::size_t k = 0; k < load.size(); ++k) series.load(static_cast<Eigen::Index>(k), column) = load[k];
 }
 
@@ -52,7 +54,7 @@ void sum_over(const Processes& processes, Response& response) {
   constexpr std::array terms = {&EnergyAccount::work,     &EnergyAccount::kinetic, &EnergyAccount::strain,
                                 &EnergyAccount::fluid,    &EnergyAccount::drag,    &EnergyAccount::damping,
                                 &EnergyAccount::radiated, &EnergyAccount::scheme,  &EnergyAccount::lifted,
-                                &EnergyAccount::friction};
+                                &EnergyAccount::friction, &EnergyAccount::plastic};
   std::vector<double> values;
   for (const EnergyAccount& account : response.energy)
     for (const auto term : terms) values.push_back(account.*term);
@@ -107,8 +109,9 @@ class Recorder {
   }
   void add(const State& state) {
     check_finite(state);
-    record(system_, state, scheme_.end_load(), response_.ends);
-    record(system_, scheme_.balanced().state, scheme_.balanced().load, response_.balanced);
+    const Vector* added = scheme_.added_to_readings();
+    record(system_, state, scheme_.end_load(), added, response_.ends);
+    record(system_, scheme_.balanced().state, scheme_.balanced().load, added, response_.balanced);
     if (scheme_.accounts_energy()) response_.energy.push_back(scheme_.energy());
   }
   void recall(const Response& so_far) {

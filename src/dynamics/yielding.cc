@@ -16,7 +16,7 @@ namespace detail {
 
 namespace {
 
-/// Solves a stage under the internal force: the rows q of p with q = p(x(E^-1 (rhs - q))), so that the residual of the
+/// Solves a stage under the internal force: the rows q of p with q = p(x(E^-1 (rhs + q))), so that the residual of the
 /// fixed point is that of the equation of motion.
 class YieldingStage : public StageLaw {
  public:
@@ -32,24 +32,33 @@ class YieldingStage : public StageLaw {
     q_.setZero();
     largest_ = 0.;
     n_stages_ = n_evaluations_ = 0;
+    work_ = 0.;
   }
   bool solve(const EffectiveMatrix& E, double g, DirkStage& stage) override;
+  const Vector* force_on_prescribed() const override { return &on_prescribed_; }
 
   const Vector& force() const { return q_; }
-  void restore(const Vector& q) { q_ = q; }
+  /// Done by the force since start() (J/m).
+  double work() const { return work_; }
+  void restore(const Vector& q, double work) {
+    q_ = q;
+    work_ = work;
+  }
   int n_stages() const { return n_stages_; }
   int n_evaluations() const { return n_evaluations_; }
 
  private:
   int n_rows() const { return static_cast<int>(force_.rows().size()); }
   void evaluate(const Vector& q, Vector& p);
+  void take_work(const DirkStage& stage);
 
   const System& system_;
   InternalForce& force_;
   double tolerance_;
   double largest_ = 0.;  ///< norm of forces so far, what the tolerance is a share of (N/m)
   Vector q_;             ///< of the last stage, which the next begins with
-  Vector x_, rhs_, solved_with_;
+  double work_ = 0.;
+  Vector x_, rhs_, solved_with_, on_prescribed_;
   const EffectiveMatrix* E_ = nullptr;
   DirkStage* stage_ = nullptr;
   double g_ = 0.;
@@ -60,7 +69,7 @@ class YieldingStage : public StageLaw {
 void YieldingStage::evaluate(const Vector& q, Vector& p) {
   rhs_ = stage_->rhs;
   const std::vector<int>& rows = force_.rows();
-  for (std::size_t i = 0; i < rows.size(); ++i) rhs_[rows[i]] -= q[static_cast<Eigen::Index>(i)];
+  for (std::size_t i = 0; i < rows.size(); ++i) rhs_[rows[i]] += q[static_cast<Eigen::Index>(i)];
   E_->solve(rhs_, stage_->a);
   solved_with_ = q;
   x_ = stage_->x + g_ * g_ * stage_->a;
@@ -81,13 +90,24 @@ bool YieldingStage::solve(const EffectiveMatrix& E, double g, DirkStage& stage) 
   if (!report.converged) return false;
   if (Vector p(n_rows()); solved_with_ != q_) evaluate(q_, p);  // the mixing may end on a q of its own
   stage.move(g);
+  take_work(stage);
   return true;
+}
+
+void YieldingStage::take_work(const DirkStage& stage) {
+  const std::vector<int>& rows = force_.rows();
+  on_prescribed_ = Vector::Zero(system_.n_prescribed);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const double force = q_[static_cast<Eigen::Index>(i)];
+    work_ += stage.weight * force * stage.v[rows[i]];
+    if (rows[i] >= system_.n_free()) on_prescribed_[rows[i] - system_.n_free()] = force;
+  }
 }
 
 class YieldingDirk : public SchemeBase {
  public:
   YieldingDirk(const System& system, InternalForce& force, const YieldingOptions& options)
-      : SchemeBase(checked(system), SchemeOptions{SchemeKind::sdirk4, 0., false, options.refined}),
+      : SchemeBase(checked(system), SchemeOptions{SchemeKind::sdirk4, 0., true, options.refined}),
         force_(force),
         dirk_(system, friction_tableau()),
         stage_(system, force, options.tolerance) {}
@@ -96,6 +116,7 @@ class YieldingDirk : public SchemeBase {
     SchemeBase::start(state);
     stage_.start();
     report_ = {};
+    stored_ = force_.stored_beside_elastic();
   }
   std::string name() const override { return "yielding"; }
   int order() const override { return 2; }
@@ -112,6 +133,7 @@ class YieldingDirk : public SchemeBase {
   }
   void recall(const SchemeMemory&) override { memory(); }
   const YieldingReport* yielding() const override { return &report_; }
+  const Vector* added_to_readings() const override { return &force_.added_to_readings(); }
 
  private:
   static const System& checked(const System& system) {
@@ -119,26 +141,35 @@ class YieldingDirk : public SchemeBase {
     return system;
   }
   void advance_halving(State& state, double h, double inside, int depth);
+  void commit(const Vector& x, double work);
 
   InternalForce& force_;
   Dirk dirk_;
   YieldingStage stage_;
   YieldingReport report_;
+  double stored_ = 0.;  ///< by the force, beside the elastic K (J/m)
 };
+
+void YieldingDirk::commit(const Vector& x, double work) {
+  const double dissipated = force_.commit(x), stored = force_.stored_beside_elastic();
+  report_.dissipated += dissipated;
+  meter()->add_yielding(work, dissipated, stored_, stored);
+  stored_ = stored;
+}
 
 void YieldingDirk::advance_halving(State& state, double h, double inside, int depth) {
   constexpr int most = 10;
   const State before = state;
   const Vector force_before = stage_.force();
-  if (dirk_.step(state, h, inside, matrices_, nullptr, &stage_)) {
-    report_.dissipated += force_.commit(state.x);
-    return;
-  }
+  const double work_before = stage_.work();
+  const EnergyAccount account_before = energy();
+  if (dirk_.step(state, h, inside, matrices_, meter(), &stage_)) return commit(state.x, stage_.work() - work_before);
   if (depth == most)
     throw NumericsError("the soil found no equilibrium at t = " + std::to_string(before.time) +
                         " s, with steps down to " + std::to_string(h) + " s: it may have failed");
   state = before;
-  stage_.restore(force_before);
+  stage_.restore(force_before, work_before);
+  meter()->restore(account_before);
   ++report_.cut_steps;
   advance_halving(state, 0.5 * h, inside, depth + 1);
   advance_halving(state, before.time + h - state.time, inside, depth + 1);

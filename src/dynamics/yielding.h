@@ -24,10 +24,10 @@ struct YieldingOptions {
 
 /// Scheme for a system with an internal force, "yielding": three stages of one L-stable tableau of order 2, whose times
 /// ascend within the step. Each stage is a fixed point of the internal force, by Anderson mixing on the elastic
-/// factorisation: p -> p(x(E^-1 (rhs - p))). Where nothing yields p is zero and the answer is that of the elastic
+/// factorisation: p -> p(x(E^-1 (rhs + p))). Where nothing yields p is zero and the answer is that of the elastic
 /// system. Every stage starts from the history at the beginning of the step, which the end of the step becomes. A step
 /// in which a stage does not converge is halved, up to ten times, then NumericsError tells the time.
-/// Keeps no account of energy and no checkpoints. Its report is Scheme::yielding().
+/// Keeps no checkpoints. Its report is Scheme::yielding().
 ///
 /// `force` outlives the scheme. Throws std::invalid_argument where the system is divided.
 std::unique_ptr<Scheme> make_yielding_scheme(const System& system, InternalForce& force,

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 #include "fem/kernels.h"
 
@@ -14,131 +15,174 @@ using namespace dealii;
 
 namespace {
 
-/// What a row of unknowns strains at a point, and for how much area the point stands.
-struct Point {
-  int first_entry;  ///< of its entries in the lists of the soil
-  int n_entries;
-  int cell;
-  double area;  ///< m2
+/// Of several numbered things the strain that each makes of a point, all points one after the other.
+struct Shapes {
+  std::vector<int> number;
+  std::vector<PlaneStrain> strain;
+
+  int size() const { return static_cast<int>(number.size()); }
+  void append(const std::map<int, PlaneStrain>& of_point) {
+    for (const auto& [i, of] : of_point) {
+      number.push_back(i);
+      strain.push_back(of);
+    }
+  }
 };
+
+/// Where the entries of a point end, and for how much area it stands.
+struct Point {
+  std::unique_ptr<SoilPoint> soil;
+  int cell;
+  double area;                       ///< m2
+  int end_of_unknowns, end_of_sums;  ///< in the lists; they begin where those of the point before end
+};
+
+void add(std::map<int, PlaneStrain>& sums, int number, double weight, const PlaneStrain& of) {
+  PlaneStrain& sum = sums[number];
+  sum = {sum.xx + weight * of.xx, sum.yy + weight * of.yy, sum.xy + weight * of.xy};
+}
+
+/// Readings in which a nodal force counts, and how much, by degree of freedom.
+std::vector<Row> readings_of_dofs(const Space& space, const std::vector<Reading>& readings) {
+  std::vector<Row> of_dof(space.dofs().n_dofs());
+  for (std::size_t r = 0; r < readings.size(); ++r)
+    for (const auto& [dof, weight] : readings[r].nodal_forces) of_dof[dof].emplace_back(static_cast<int>(r), weight);
+  return of_dof;
+}
 
 class YieldingSoil : public InternalForce {
  public:
-  YieldingSoil(const Space& space, const Unknowns& unknowns, const CellLaws& laws);
+  YieldingSoil(const Space& space, const Unknowns& unknowns, const std::vector<Reading>& readings,
+               const PointsOfCells& points);
 
   const std::vector<int>& rows() const override { return rows_; }
   void evaluate(const Vector& x, Vector& p) override;
   double commit(const Vector& x) override;
+  const Vector& added_to_readings() const override { return added_; }
   double stored_beside_elastic() const override;
 
  private:
-  void add_cell(const Space& space, const Cell& cell, const Unknowns& unknowns);
-  void add_point(const std::map<int, PlaneStrain>& strain, int cell, double area);
+  void add_point(const FEValues<dim>& values, unsigned q, const Dofs& dofs, const Unknowns& unknowns,
+                 const std::vector<Row>& readings);
   void number_rows();
-  PlaneStrain strain(const Point& point, const Vector& x) const;
+  PlaneStrain strain(std::size_t point, const Vector& x) const;
+  /// Of the elastic stress less that of the soil (N/m), at a strain.
+  PlaneStress correction(const Point& point, const PlaneStrain& strain) const;
 
-  CellLaws laws_;
   std::vector<ElasticLaw> elastic_;  ///< by active cell index
   std::vector<Point> points_;
-  std::vector<int> unknown_;                     ///< of an entry
-  std::vector<int> row_;                         ///< likewise, its place in rows_
-  std::vector<PlaneStrain> shape_;               ///< strain by this unknown
-  std::vector<HystereticLaw::State> committed_;  ///< by point
-  HystereticLaw::State scratch_;
+  Shapes unknowns_, sums_;  ///< by unknowns, and by readings: of the displacements whose nodal forces they sum up
+  std::vector<int> row_;    ///< of an entry of unknowns_, its place in rows_
   std::vector<int> rows_;
+  Vector x_;      ///< committed
+  Vector added_;  ///< to readings
 };
 
-YieldingSoil::YieldingSoil(const Space& space, const Unknowns& unknowns, const CellLaws& laws) : laws_(laws) {
+YieldingSoil::YieldingSoil(const Space& space, const Unknowns& unknowns, const std::vector<Reading>& readings,
+                           const PointsOfCells& points)
+    : x_(Vector::Zero(unknowns.size())), added_(Vector::Zero(static_cast<Eigen::Index>(readings.size()))) {
+  const std::vector<Row> of_dof = readings_of_dofs(space, readings);
   for (const Cell& cell : space.dofs().active_cell_iterators()) {
     elastic_.push_back(space.material(cell));
-    if (laws_[cell->active_cell_index()]) add_cell(space, cell, unknowns);
+    const unsigned index = cell->active_cell_index();
+    std::unique_ptr<SoilPoint> soil = points(index);
+    if (!soil) continue;
+    // as many points as the stiffness of the cell has
+    FEValues<dim> values(space.mapping(), cell->get_fe(), QGauss<dim>(static_cast<unsigned>(space.degree()) + 1),
+                         update_gradients | update_JxW_values);
+    values.reinit(typename Triangulation<dim>::cell_iterator(cell));
+    for (unsigned q = 0; q < values.n_quadrature_points; ++q) {
+      points_.push_back({soil ? std::move(soil) : points(index), static_cast<int>(index), values.JxW(q), 0, 0});
+      add_point(values, q, dofs_of(cell), unknowns, of_dof);
+    }
   }
   number_rows();
 }
 
-/// As many points as the stiffness of the same cell has.
-void YieldingSoil::add_cell(const Space& space, const Cell& cell, const Unknowns& unknowns) {
-  FEValues<dim> values(space.mapping(), cell->get_fe(), QGauss<dim>(static_cast<unsigned>(space.degree()) + 1),
-                       update_gradients | update_JxW_values);
-  values.reinit(typename Triangulation<dim>::cell_iterator(cell));
-  const Dofs dofs = dofs_of(cell);
-  for (unsigned q = 0; q < values.n_quadrature_points; ++q) {
-    std::map<int, PlaneStrain> strain;
-    for (unsigned i = 0; i < dofs.size(); ++i) {
-      const PlaneStrain of = strain_of(values, i, q);
-      if (of.xx == 0. && of.yy == 0. && of.xy == 0.) continue;
-      for (const auto& [unknown, weight] : unknowns.expansion(dofs[i])) {
-        PlaneStrain& sum = strain[unknown];
-        sum = {sum.xx + weight * of.xx, sum.yy + weight * of.yy, sum.xy + weight * of.xy};
-      }
-    }
-    add_point(strain, static_cast<int>(cell->active_cell_index()), values.JxW(q));
+void YieldingSoil::add_point(const FEValues<dim>& values, unsigned q, const Dofs& dofs, const Unknowns& unknowns,
+                             const std::vector<Row>& readings) {
+  std::map<int, PlaneStrain> by_unknown, by_reading;
+  for (unsigned i = 0; i < dofs.size(); ++i) {
+    const PlaneStrain of = strain_of(values, i, q);
+    if (of.xx == 0. && of.yy == 0. && of.xy == 0.) continue;
+    for (const auto& [unknown, weight] : unknowns.expansion(dofs[i])) add(by_unknown, unknown, weight, of);
+    for (const auto& [reading, weight] : readings[dofs[i]]) add(by_reading, reading, weight, of);
   }
-}
-
-void YieldingSoil::add_point(const std::map<int, PlaneStrain>& strain, int cell, double area) {
-  points_.push_back({static_cast<int>(unknown_.size()), static_cast<int>(strain.size()), cell, area});
-  committed_.push_back(laws_[cell]->at_rest());
-  for (const auto& [unknown, of] : strain) {
-    unknown_.push_back(unknown);
-    shape_.push_back(of);
-  }
+  unknowns_.append(by_unknown);
+  sums_.append(by_reading);
+  points_.back().end_of_unknowns = unknowns_.size();
+  points_.back().end_of_sums = sums_.size();
 }
 
 void YieldingSoil::number_rows() {
-  rows_ = unknown_;
+  rows_ = unknowns_.number;
   std::sort(rows_.begin(), rows_.end());
   rows_.erase(std::unique(rows_.begin(), rows_.end()), rows_.end());
-  for (const int unknown : unknown_)
+  for (const int unknown : unknowns_.number)
     row_.push_back(static_cast<int>(std::lower_bound(rows_.begin(), rows_.end(), unknown) - rows_.begin()));
 }
 
-PlaneStrain YieldingSoil::strain(const Point& point, const Vector& x) const {
+PlaneStrain YieldingSoil::strain(std::size_t point, const Vector& x) const {
   PlaneStrain sum;
-  for (int k = point.first_entry; k < point.first_entry + point.n_entries; ++k) {
-    const double value = x[unknown_[k]];
-    sum = {sum.xx + value * shape_[k].xx, sum.yy + value * shape_[k].yy, sum.xy + value * shape_[k].xy};
+  for (int k = point > 0 ? points_[point - 1].end_of_unknowns : 0; k < points_[point].end_of_unknowns; ++k) {
+    const double value = x[unknowns_.number[k]];
+    const PlaneStrain& of = unknowns_.strain[k];
+    sum = {sum.xx + value * of.xx, sum.yy + value * of.yy, sum.xy + value * of.xy};
   }
   return sum;
 }
 
+PlaneStress YieldingSoil::correction(const Point& point, const PlaneStrain& strain) const {
+  const PlaneStress s = point.soil->stress(strain), elastic = elastic_[point.cell].stress(strain);
+  return {point.area * (elastic.xx - s.xx), point.area * (elastic.yy - s.yy), 2. * point.area * (elastic.xy - s.xy)};
+}
+
 void YieldingSoil::evaluate(const Vector& x, Vector& p) {
   p.setZero(static_cast<Eigen::Index>(rows_.size()));
+  int k = 0;
   for (std::size_t i = 0; i < points_.size(); ++i) {
-    const Point& point = points_[i];
-    const PlaneStrain e = strain(point, x);
-    scratch_ = committed_[i];
-    const PlaneStress s = laws_[point.cell]->update(e, scratch_).stress, elastic = elastic_[point.cell].stress(e);
-    const double xx = point.area * (elastic.xx - s.xx), yy = point.area * (elastic.yy - s.yy),
-                 xy = 2. * point.area * (elastic.xy - s.xy);
-    if (xx == 0. && yy == 0. && xy == 0.) continue;
-    for (int k = point.first_entry; k < point.first_entry + point.n_entries; ++k)
-      p[row_[k]] += xx * shape_[k].xx + yy * shape_[k].yy + xy * shape_[k].xy;
+    const PlaneStress c = correction(points_[i], strain(i, x));
+    for (; k < points_[i].end_of_unknowns; ++k) {
+      const PlaneStrain& of = unknowns_.strain[k];
+      p[row_[k]] += c.xx * of.xx + c.yy * of.yy + c.xy * of.xy;
+    }
   }
 }
 
+/// A nodal force on the ground is K x - p, summed up over its cells.
 double YieldingSoil::commit(const Vector& x) {
   double dissipated = 0.;
-  for (std::size_t i = 0; i < points_.size(); ++i)
-    dissipated += points_[i].area * laws_[points_[i].cell]->update(strain(points_[i], x), committed_[i]).dissipated;
+  added_.setZero();
+  int k = 0;
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    const PlaneStrain e = strain(i, x);
+    const PlaneStress c = correction(points_[i], e);
+    for (; k < points_[i].end_of_sums; ++k) {
+      const PlaneStrain& of = sums_.strain[k];
+      added_[sums_.number[k]] -= c.xx * of.xx + c.yy * of.yy + c.xy * of.xy;
+    }
+    dissipated += points_[i].area * points_[i].soil->commit(e);
+  }
+  x_ = x;
   return dissipated;
 }
 
 double YieldingSoil::stored_beside_elastic() const {
   double sum = 0.;
   for (std::size_t i = 0; i < points_.size(); ++i) {
-    const HystereticLaw::State& state = committed_[i];
-    const PlaneStress s = elastic_[points_[i].cell].stress(state.strain);
-    const double elastic = 0.5 * (s.xx * state.strain.xx + s.yy * state.strain.yy + 2. * s.xy * state.strain.xy);
-    sum += points_[i].area * (laws_[points_[i].cell]->stored(state) - elastic);
+    const PlaneStrain e = strain(i, x_);
+    const PlaneStress s = elastic_[points_[i].cell].stress(e);
+    const double elastic = 0.5 * (s.xx * e.xx + s.yy * e.yy + 2. * s.xy * e.xy);
+    sum += points_[i].area * (points_[i].soil->stored() - elastic);
   }
   return sum;
 }
 
 }  // namespace
 
-std::unique_ptr<InternalForce> yielding_soil(const Space& space, const Unknowns& unknowns, const CellLaws& laws) {
-  return std::make_unique<YieldingSoil>(space, unknowns, laws);
+std::unique_ptr<InternalForce> yielding_soil(const Space& space, const Unknowns& unknowns,
+                                             const std::vector<Reading>& readings, const PointsOfCells& points) {
+  return std::make_unique<YieldingSoil>(space, unknowns, readings, points);
 }
 
 }  // namespace upbead

@@ -1,5 +1,6 @@
 #include "material/hysteretic_law.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -97,6 +98,35 @@ HystereticLaw::HystereticLaw(const ElasticLaw& small_strain, const std::vector<B
     last = polygon[i];
     slope = next;
   }
+}
+
+double HystereticLaw::strength() const {
+  double sum = 0.;
+  for (const Element& element : elements_) sum += element.y;
+  return sum;
+}
+
+HystereticLaw::State HystereticLaw::bearing(const PlaneStress& stress) const {
+  const double mean = (stress.xx + stress.yy + stress.zz) / 3.;
+  const PlaneStrain s{stress.xx - mean, stress.yy - mean, stress.xy};
+  State state = at_rest();
+  const double length = std::sqrt(product(s, s));
+  if (length == 0.) return state;
+  // the elements yield one after the other: gamma where the backbone has this shear stress
+  double gamma = 0., borne = 0., slope = elastic_.G;
+  const double tau = std::min(length / std::sqrt(2.), strength());
+  for (const auto& [h, y] : elements_) {
+    const double next = std::min(y / h, gamma + (tau - borne) / slope);
+    borne += slope * (next - gamma);
+    gamma = next;
+    if (gamma < y / h) break;
+    slope -= h;
+  }
+  for (std::size_t i = 0; i < elements_.size(); ++i) {
+    const double share = -std::min(gamma, elements_[i].y / elements_[i].h) / (std::sqrt(2.) * length);
+    state.plastic[i] = {share * s.xx, share * s.yy, share * s.xy};
+  }
+  return state;
 }
 
 LawAnswer HystereticLaw::update(const PlaneStrain& strain, State& state) const {

@@ -41,6 +41,11 @@ class HystereticLaw {
   HystereticLaw(const ElasticLaw& small_strain, const std::vector<BackbonePoint>& points);
 
   State at_rest() const { return {{}, std::vector<PlaneStrain>(elements_.size())}; }
+  /// The state without strain that bears a deviator as if it had been loaded by nothing else, along the backbone; of a
+  /// deviator beyond the strength its largest part. What is not a deviator does not count.
+  State bearing(const PlaneStress& stress) const;
+  /// Shear stress that it can bear (Pa).
+  double strength() const;
   /// Below the first yield the stress is that of the elastic law to the last bit. Dissipation is the average stress
   /// times the plastic strain of the step: 0 or more, and with the stored energy it is the work of the average stress
   /// to round-off.

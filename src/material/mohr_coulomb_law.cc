@@ -154,6 +154,13 @@ MohrCoulombLaw::MohrCoulombLaw(const ElasticLaw& elastic, const MohrCoulombStren
   tension_ = k_ > 1. ? std::min(s.tension, strength_ / (k_ - 1.)) : s.tension;
 }
 
+double MohrCoulombLaw::stored(const State& state) const {
+  const PlaneStress& s = state.stress;
+  const double mean = (s.xx + s.yy + s.zz) / 3., bulk = elastic_.lambda + 2. / 3. * elastic_.G;
+  const double xx = s.xx - mean, yy = s.yy - mean, zz = s.zz - mean;
+  return 0.5 * mean * mean / bulk + (xx * xx + yy * yy + zz * zz + 2. * s.xy * s.xy) / (4. * elastic_.G);
+}
+
 double MohrCoulombLaw::excess(const PlaneStress& stress) const {
   const Principal p = principal(stress);
   const double first = p.value[p.sorted[0]], last = p.value[p.sorted[2]];

@@ -29,6 +29,8 @@ class MohrCoulombLaw {
   /// The stress is the effective one, that at rest included. Dissipation is the stress at the end times the plastic
   /// strain. Throws NumericsError where no set of planes takes the stress: a strain that is not finite.
   LawAnswer update(const PlaneStrain& strain, State& state) const;
+  /// Energy stored (J/m3): sigma : D^-1 : sigma / 2.
+  double stored(const State& state) const;
   /// How far a stress lies outside (Pa); negative inside.
   double excess(const PlaneStress& stress) const;
 

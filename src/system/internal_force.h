@@ -1,4 +1,4 @@
-// What soil that yields adds to a system: M x'' + C x' + K x + p(x, history) = sum_k b_k f_k(t).
+// What soil that yields adds to a system: M x'' + C x' + K x = sum_k b_k f_k(t) + p(x, history).
 #pragma once
 
 #include <vector>
@@ -18,7 +18,10 @@ class InternalForce {
   virtual void evaluate(const Vector& x, Vector& p) = 0;
   /// x becomes history. Returns the energy that was dissipated since the last commit (J/m, not negative).
   virtual double commit(const Vector& x) = 0;
-  /// Energy that is stored, less that of the elastic K, at the committed x (J/m).
+  /// What it adds to each reading of the system at the committed x, which K x does not hold.
+  virtual const Vector& added_to_readings() const = 0;
+  /// Energy that is stored, less that of the elastic K, at the committed x (J/m). The work of p since rest is -(this +
+  /// what was dissipated), but for what the steps take.
   virtual double stored_beside_elastic() const = 0;
 };
 

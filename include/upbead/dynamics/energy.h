@@ -6,11 +6,11 @@
 namespace upbead {
 
 /// Energy (J/m) at a time of a march: work = kinetic + strain + fluid + lifted + drag + damping + radiated +
-/// scheme + friction, up to round-off. Each term comes from its own formula, none is a remainder.
+/// scheme + friction + plastic, up to round-off. Each term comes from its own formula, none is a remainder.
 struct EnergyAccount {
   double work = 0.;          ///< done by the loads so far, and by the reactions on prescribed unknowns
   double kinetic = 0.;       ///< now, of u and W, and of free water (which is x' K x of its phi)
-  double strain = 0.;        ///< now, 1/2 x' K x of u
+  double strain = 0.;        ///< now, 1/2 x' K x of u; of soil that yields what its law stores, and weights that sank
   double fluid = 0.;         ///< now, stored in compressed fluid and raised surfaces: 1/2 x'^T J M x' of phi
   double lifted = 0.;        ///< now, stored where an interface is open: forces at rest times openings
   double drag = 0.;          ///< taken so far by flow through the pores
@@ -18,6 +18,7 @@ struct EnergyAccount {
   double radiated = 0.;      ///< gone so far through absorbing sides
   double scheme = 0.;        ///< taken so far by the time scheme; negative where it fed the system
   double friction = 0.;      ///< taken so far at an interface, by friction and where nodes close
+  double plastic = 0.;       ///< taken so far by soil that yields, as its law says
   double largest_work = 0.;  ///< largest |work| so far
 
   /// Stored in the system now.
@@ -25,7 +26,7 @@ struct EnergyAccount {
   /// |work - sum of all others| / largest_work; 0 where no work was done.
   double mismatch() const {
     if (largest_work == 0.) return 0.;
-    return std::abs(work - stored() - drag - damping - radiated - scheme - friction) / largest_work;
+    return std::abs(work - stored() - drag - damping - radiated - scheme - friction - plastic) / largest_work;
   }
 };
 

@@ -60,6 +60,8 @@ class Scheme {
   /// Account of energy since start(); all zero where it is switched off.
   virtual const EnergyAccount& energy() const = 0;
   virtual bool accounts_energy() const = 0;
+  /// What an internal force adds to each reading at the end of the last step; null: nothing.
+  virtual const Vector* added_to_readings() const { return nullptr; }
   /// What the next step needs beside the state, and back: a scheme that recalls goes on as the one that remembered, to
   /// the last bit. Throws std::invalid_argument where the scheme follows contact.
   virtual SchemeMemory memory() const = 0;

@@ -60,6 +60,9 @@ struct Reading {
   Row velocity;
   Row acceleration;
   std::vector<double> feedthrough;  ///< one per load; empty means none
+  /// Numbers and weights of the nodal forces in it that soil exerts: an internal force adds its own, see
+  /// internal_force.h.
+  Row nodal_forces{};
 };
 
 /// Readings of one part of the state alone.

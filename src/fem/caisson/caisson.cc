@@ -140,6 +140,14 @@ double NodalReaction::sum(int sum, const NodalForces& forces) const {
   return total;
 }
 
+Row NodalReaction::nodal_forces(int sum) const {
+  Row row;
+  for (std::size_t dof = 0; dof < sums_.of_dof.size(); ++dof)
+    for (const auto& [k, weight] : sums_.of_dof[dof])
+      if (k == sum) row.emplace_back(static_cast<int>(dof), weight);
+  return row;
+}
+
 void NodalReaction::add(const CellMatrices& cell, const Dofs& dofs) {
   for (unsigned i = 0; i < dofs.size(); ++i)
     for (const auto& [sum, part] : sums_.of_dof[dofs[i]]) {

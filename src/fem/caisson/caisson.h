@@ -54,6 +54,8 @@ class NodalReaction {
   bool has_any(const Dofs& dofs) const;
   /// What nodal forces on the caisson's nodes amount to in one of the sums.
   double sum(int sum, const NodalForces& forces) const;
+  /// The forces at degrees of freedom that make up one of the sums.
+  Row nodal_forces(int sum) const;
   Row position(int sum) const { return to_row(K_[sum]); }
   Row velocity(int sum) const { return to_row(C_[sum]); }
   Row acceleration(int sum) const { return to_row(M_[sum]); }

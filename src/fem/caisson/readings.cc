@@ -23,6 +23,7 @@ Reading ground_force(const NodalReaction& ground, const SceneLoads& loads, int m
   r.position = scaled(ground.position(motion), sign);
   r.velocity = scaled(ground.velocity(motion), sign);
   r.acceleration = scaled(ground.acceleration(motion), sign);
+  r.nodal_forces = scaled(ground.nodal_forces(motion), sign);
   for (const NodalForces& forces : loads.on_ground) r.feedthrough.push_back(-sign * ground.sum(motion, forces));
   return r;
 }
@@ -206,7 +207,8 @@ Reading stress(const ReadingName& name, const char* description, const NodalReac
                   scaled(bottom.position(sum), factor),
                   scaled(bottom.velocity(sum), factor),
                   scaled(bottom.acceleration(sum), factor),
-                  {}};
+                  {},
+                  scaled(bottom.nodal_forces(sum), factor)};
   for (const NodalForces& forces : loads.on_ground) reading.feedthrough.push_back(-factor * bottom.sum(sum, forces));
   return reading;
 }
