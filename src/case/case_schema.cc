@@ -75,6 +75,12 @@ TableSchema<InitialState> initial_schema() {
       .range(between(0., 5.))
       .fallback("from the elastic solution")
       .doc("ratio K_0 of horizontal to vertical effective stress");
+  table.choice("start", &InitialState::start, rest_start_words)
+      .doc(
+          "what hysteretic soil bears of the stress at rest by its overlay; k0: that of level ground; virgin: nothing; "
+          "gravity: all of it, as if it had been loaded at once. Nobody knows it: the other two are bounds");
+  table.key("bounds", &InitialState::bounds)
+      .doc("whether hysteretic soil is solved from the other two starts, too, which takes three times as long");
   table.tables("surcharge", &InitialState::surcharge, surcharge_schema())
       .doc(
           "What lies on the ground, by name: foot-protection blocks, armour. It presses on the ground at rest "

@@ -65,10 +65,18 @@ TableSchema<Strength> strength_schema() {
   TableSchema<Strength> table;
   table.key("friction_angle", &Strength::friction_angle)
       .unit("degrees")
-      .range(between(0., 90.))
+      .range(from_to_below(0., 90.))
       .required()
       .doc("effective angle of friction phi'");
   table.key("cohesion", &Strength::cohesion).unit("Pa").range(at_least(0.)).doc("effective cohesion c'");
+  table.key("dilatancy_angle", &Strength::dilatancy_angle)
+      .unit("degrees")
+      .range(from_to_below(0., 90.))
+      .doc("angle of dilatancy psi' of Mohr-Coulomb soil, up to friction_angle");
+  table.key("tension", &Strength::tension)
+      .unit("Pa")
+      .range(at_least(0.))
+      .doc("largest tensile stress of Mohr-Coulomb soil, up to cohesion / tan(friction_angle)");
   return table;
 }
 
@@ -103,9 +111,13 @@ void declare_skeleton(TableSchema<Region>& table) {
             .range(above(0.))
             .doc("shear modulus G of the skeleton; or youngs_modulus; as a table, of a porous region: G = reference "
                  "(mean effective stress / pressure)^exponent"));
+  limit(table.choice("law", &Region::law, soil_law_words)
+            .doc("how stress follows strain; elastic: linear, or equivalent-linear with a table strain; hysteretic: it "
+                 "yields along the curve of strain up to its strength, and turns back by Masing's rules; mohr_coulomb: "
+                 "elastic up to its strength"));
   limit(table.table("strain", &Region::strain_law, strain_law_schema())
-            .doc("Equivalent-linear soil: G and damping by the strain of the response, iterated cell by cell; linear "
-                 "without this table."));
+            .doc("Of elastic soil: equivalent-linear, G and damping by the strain of the response, iterated cell by "
+                 "cell; linear without this table. Of hysteretic soil: its curve of G, damping comes of itself."));
   limit(table.key("youngs_modulus", &Region::youngs_modulus)
             .unit("Pa")
             .range(above(0.))
@@ -115,9 +127,10 @@ void declare_skeleton(TableSchema<Region>& table) {
             .doc("Poisson ratio of the drained skeleton; needed"));
   limit(table.table("damping", &Region::damping, damping_schema())
             .doc("Rayleigh damping; without this table there is none."));
-  limit(table.table("strength", &Region::strength, strength_schema())
-            .doc("Mohr-Coulomb strength, which static plus dynamic stresses are held against; it changes no stress. "
-                 "Nothing is told without this table."));
+  limit(
+      table.table("strength", &Region::strength, strength_schema())
+          .doc("Mohr-Coulomb strength. Stresses of elastic soil, static plus dynamic, are held against it, and change "
+               "by nothing; other laws yield by it."));
 }
 
 void declare_mass(TableSchema<Region>& table) {

@@ -83,6 +83,29 @@ std::string describe(const SoilSummary& s) {
       s.largest_strain, s.least_modulus_ratio, s.largest_damping);
 }
 
+std::string describe(const ResidualSummary& r, double largest) {
+  return with_unit(r.displacement_x, "m", largest) + " landward, " + with_unit(r.displacement_y, "m", largest) +
+         " upward, turned " + significant(r.rotation) + " rad";
+}
+
+std::string describe(const NonlinearSummary& n, const Summary& summary) {
+  std::string text =
+      format("yielding    %s of the soil that may yield lost energy, %s in all; %.3g updates of stress a stage\n",
+             percent(n.share_yielded).c_str(), with_unit(summary.energy->plastic, "J/m").c_str(),
+             static_cast<double>(n.iterations) / std::max(n.stages, 1));
+  if (n.share_beyond_at_rest > 0.)
+    text += "  warning     at rest the stress exceeds the strength in " + percent(n.share_beyond_at_rest) +
+            " of it: the excess is borne by nothing that is followed\n";
+  if (!summary.residual) return text;
+  const double largest = summary.response->peak_displacement;
+  text += "  residual    " + describe(*summary.residual, largest) + " (start: " + n.start + ")\n";
+  for (const StartBound& bound : n.bounds)
+    text += format("  %-12s", bound.start.c_str()) +
+            (bound.shear_to_force_ratio ? "F_T / P " + significant(*bound.shear_to_force_ratio, 4) + ", " : "") +
+            describe(bound.residual, largest) + "\n";
+  return text;
+}
+
 std::string describe(const MeshAccuracy& accuracy) {
   std::string text = "adapted     unknowns (error of the history of F_T, of its peak):";
   for (const auto& [unknowns, error] : accuracy.levels)
@@ -281,6 +304,7 @@ std::string describe(const Run& run) {
   }
   if (run.summary.error) text += describe(*run.summary.error, *run.summary.history_error);
   if (run.summary.soil) text += describe(*run.summary.soil);
+  if (run.summary.nonlinear) text += describe(*run.summary.nonlinear, run.summary);
   text += describe_periods(run.summary);
   if (run.summary.contact) text += describe(*run.summary.contact);
   if (run.summary.sliding) text += describe(*run.summary.sliding);

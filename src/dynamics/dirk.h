@@ -31,12 +31,13 @@ class LoadSum {
 /// A stage on its way: with g = h gamma, v = v_predicted + g a and x = x_explicit + g v.
 struct DirkStage {
   Vector v_predicted;
-  Vector x_explicit;   ///< of the prescribed unknowns
-  Vector x;            ///< x_explicit + g v_predicted, until move()
-  Vector v;            ///< from move() on
-  Vector a;            ///< prescribed unknowns (tail): given; free ones: those of the last stage, until solved
-  Vector rhs;          ///< f - C v_predicted - K x before move(), so that E a = rhs
-  double weight = 0.;  ///< of the stage in the step, h b_i (s)
+  Vector x_explicit;  ///< of the prescribed unknowns
+  Vector x;           ///< x_explicit + g v_predicted, until move()
+  Vector v;           ///< from move() on
+  Vector a;           ///< prescribed unknowns (tail): given; free ones: those of the last stage, until solved
+  Vector rhs;         ///< f - C v_predicted - K x before move(), so that E a = rhs
+  const Vector* load = nullptr;  ///< f
+  double weight = 0.;            ///< of the stage in the step, h b_i (s)
 
   /// x and v that belong to a.
   void move(double g) {

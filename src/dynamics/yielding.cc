@@ -55,7 +55,7 @@ class YieldingStage : public StageLaw {
   const System& system_;
   InternalForce& force_;
   double tolerance_;
-  double largest_ = 0.;  ///< norm of forces so far, what the tolerance is a share of (N/m)
+  double largest_ = 0.;  ///< norm of loads or of what the soil exerts, so far: the tolerance is a share of it (N/m)
   Vector q_;             ///< of the last stage, which the next begins with
   double work_ = 0.;
   Vector x_, rhs_, solved_with_, on_prescribed_;
@@ -80,10 +80,10 @@ bool YieldingStage::solve(const EffectiveMatrix& E, double g, DirkStage& stage) 
   E_ = &E;
   g_ = g;
   stage_ = &stage;
-  double sum = q_.squaredNorm();
+  double sum = 0.;
   for (int i = 0; i < system_.n_free(); ++i)
-    if (system_.field[i] == Field::displacement) sum += stage.rhs[i] * stage.rhs[i];
-  largest_ = std::max(largest_, std::sqrt(sum));
+    if (system_.field[i] == Field::displacement) sum += (*stage.load)[i] * (*stage.load)[i];
+  largest_ = std::max({largest_, std::sqrt(sum), force_.exerted()});
   const FixedPointReport report = solver_.solve(q_, tolerance_ * largest_);
   ++n_stages_;
   n_evaluations_ += report.evaluations;

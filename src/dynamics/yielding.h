@@ -17,7 +17,8 @@ struct YieldingReport {
 };
 
 struct YieldingOptions {
-  /// Residual of the equation of motion, as a share of the internal force and the loads, over the rows that may yield.
+  /// Residual of the equation of motion, as a share of what the soil exerts and of the loads, by their largest norm so
+  /// far. Not of p: where soil flows p grows without end, as K x does.
   double tolerance = 1e-6;
   bool refined = false;  ///< see SchemeOptions
 };

@@ -122,8 +122,9 @@ void add_strain_and_stress(std::vector<Reading>& list, const std::string& probe,
     if (c.strain)
       list.push_back(position_reading({"probes", probe, std::string("strain_") + c.name}, "1",
                                       std::string("strain ") + c.name + ", extension positive", rows.strain(c.strain)));
-    list.push_back(position_reading({"probes", probe, stress + "_" + c.name}, "Pa",
-                                    text + c.name + ", tension positive", rows.stress(law, c.stress)));
+    if (region.law == SoilLaw::elastic)  // else it does not follow from the strain alone
+      list.push_back(position_reading({"probes", probe, stress + "_" + c.name}, "Pa",
+                                      text + c.name + ", tension positive", rows.stress(law, c.stress)));
   }
 }
 

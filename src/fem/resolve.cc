@@ -164,10 +164,13 @@ ResolvedScene resolve(const Scene& scene, const Mesh& mesh) {
     }
   }
   for (const auto& [name, region] : resolved.scene.regions) {
-    if (region.strain_law)
+    if (region.law != SoilLaw::elastic)
+      resolved.decisions.push_back({name, "law", word_of(region.law, soil_law_words),
+                                    "as the case says; where it yields nothing is linear, so it is marched", ""});
+    else if (region.strain_law)
       resolved.decisions.push_back({name, "strain", "equivalent-linear",
                                     "stiffness and damping follow the shear strain, settled when it is run", ""});
-    else if (region.damping)
+    if (region.damping && !(region.strain_law && region.law == SoilLaw::elastic))
       resolved.decisions.push_back(tell_damping(name, *region.damping));
   }
   leave_out_idle_water(outline, mesh, resolved);

@@ -104,9 +104,20 @@ void check_surcharge(Checker& checker, const std::string& name, const Surcharge&
 void check_initial(Checker& checker) {
   if (checker.scene.initial)
     for (const auto& [name, surcharge] : checker.scene.initial->surcharge) check_surcharge(checker, name, surcharge);
-  if (!needs_static_stage(checker.scene) || std::isfinite(water_level(checker.scene, checker.mesh))) return;
-  checker.object("initial", "stiffness by stress needs the level of still water, which no region of water tells",
-                 "add [initial] with water_level, the height y (m)");
+  if ((!needs_static_stage(checker.scene) && !yields(checker.scene)) ||
+      std::isfinite(water_level(checker.scene, checker.mesh)))
+    return;
+  checker.object(
+      "initial",
+      "stiffness by stress, and soil that yields, need the level of still water, which no region of water tells",
+      "add [initial] with water_level, the height y (m)");
+}
+
+/// What stands on the ground is not ground: the base would be read on both sides.
+void check_yielding(Checker& checker) {
+  const auto caisson = checker.scene.regions.find(caisson_name);
+  if (caisson != checker.scene.regions.end() && caisson->second.law != SoilLaw::elastic)
+    checker.object("regions.caisson.law", "only soil yields", "write law = \"elastic\"");
 }
 
 /// F_T is read at the caisson's bottom: nothing else may hold it or take part of its force, but water.
@@ -167,6 +178,7 @@ Diagnostics check_scene(const Scene& scene, const Mesh& mesh) {
   Checker checker{scene, mesh, outline_of(mesh), {}};
   check_regions(checker);
   check_initial(checker);
+  check_yielding(checker);
   check_caisson(checker);
   check_contact(checker);
   check_boundaries(checker);

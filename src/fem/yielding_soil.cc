@@ -50,16 +50,18 @@ std::vector<Row> readings_of_dofs(const Space& space, const std::vector<Reading>
   return of_dof;
 }
 
-class YieldingSoil : public InternalForce {
+class SoilOfCells : public YieldingSoil {
  public:
-  YieldingSoil(const Space& space, const Unknowns& unknowns, const std::vector<Reading>& readings,
-               const PointsOfCells& points);
+  SoilOfCells(const Space& space, const Unknowns& unknowns, const std::vector<Reading>& readings,
+              const PointsOfCells& points);
 
   const std::vector<int>& rows() const override { return rows_; }
   void evaluate(const Vector& x, Vector& p) override;
   double commit(const Vector& x) override;
   const Vector& added_to_readings() const override { return added_; }
   double stored_beside_elastic() const override;
+  double exerted() const override { return exerted_.norm(); }
+  const std::vector<double>& dissipated() const override { return lost_; }
 
  private:
   void add_point(const FEValues<dim>& values, unsigned q, const Dofs& dofs, const Unknowns& unknowns,
@@ -67,25 +69,28 @@ class YieldingSoil : public InternalForce {
   void number_rows();
   PlaneStrain strain(std::size_t point, const Vector& x) const;
   /// Of the elastic stress less that of the soil (N/m), at a strain.
-  PlaneStress correction(const Point& point, const PlaneStrain& strain) const;
+  PlaneStress correction(const Point& point, const PlaneStrain& strain, const PlaneStress& s) const;
 
   std::vector<ElasticLaw> elastic_;  ///< by active cell index
   std::vector<Point> points_;
   Shapes unknowns_, sums_;  ///< by unknowns, and by readings: of the displacements whose nodal forces they sum up
   std::vector<int> row_;    ///< of an entry of unknowns_, its place in rows_
   std::vector<int> rows_;
-  Vector x_;      ///< committed
-  Vector added_;  ///< to readings
+  std::vector<double> lost_;  ///< by active cell index (J/m)
+  Vector x_;                  ///< committed
+  Vector exerted_;            ///< by the soil in its rows, at x_
+  Vector added_;              ///< to readings
 };
 
-YieldingSoil::YieldingSoil(const Space& space, const Unknowns& unknowns, const std::vector<Reading>& readings,
-                           const PointsOfCells& points)
+SoilOfCells::SoilOfCells(const Space& space, const Unknowns& unknowns, const std::vector<Reading>& readings,
+                         const PointsOfCells& points)
     : x_(Vector::Zero(unknowns.size())), added_(Vector::Zero(static_cast<Eigen::Index>(readings.size()))) {
   const std::vector<Row> of_dof = readings_of_dofs(space, readings);
   for (const Cell& cell : space.dofs().active_cell_iterators()) {
     elastic_.push_back(space.material(cell));
     const unsigned index = cell->active_cell_index();
     std::unique_ptr<SoilPoint> soil = points(index);
+    lost_.push_back(soil ? 0. : -1.);
     if (!soil) continue;
     // as many points as the stiffness of the cell has
     FEValues<dim> values(space.mapping(), cell->get_fe(), QGauss<dim>(static_cast<unsigned>(space.degree()) + 1),
@@ -99,8 +104,8 @@ YieldingSoil::YieldingSoil(const Space& space, const Unknowns& unknowns, const s
   number_rows();
 }
 
-void YieldingSoil::add_point(const FEValues<dim>& values, unsigned q, const Dofs& dofs, const Unknowns& unknowns,
-                             const std::vector<Row>& readings) {
+void SoilOfCells::add_point(const FEValues<dim>& values, unsigned q, const Dofs& dofs, const Unknowns& unknowns,
+                            const std::vector<Row>& readings) {
   std::map<int, PlaneStrain> by_unknown, by_reading;
   for (unsigned i = 0; i < dofs.size(); ++i) {
     const PlaneStrain of = strain_of(values, i, q);
@@ -114,7 +119,7 @@ void YieldingSoil::add_point(const FEValues<dim>& values, unsigned q, const Dofs
   points_.back().end_of_sums = sums_.size();
 }
 
-void YieldingSoil::number_rows() {
+void SoilOfCells::number_rows() {
   rows_ = unknowns_.number;
   std::sort(rows_.begin(), rows_.end());
   rows_.erase(std::unique(rows_.begin(), rows_.end()), rows_.end());
@@ -122,7 +127,7 @@ void YieldingSoil::number_rows() {
     row_.push_back(static_cast<int>(std::lower_bound(rows_.begin(), rows_.end(), unknown) - rows_.begin()));
 }
 
-PlaneStrain YieldingSoil::strain(std::size_t point, const Vector& x) const {
+PlaneStrain SoilOfCells::strain(std::size_t point, const Vector& x) const {
   PlaneStrain sum;
   for (int k = point > 0 ? points_[point - 1].end_of_unknowns : 0; k < points_[point].end_of_unknowns; ++k) {
     const double value = x[unknowns_.number[k]];
@@ -132,16 +137,17 @@ PlaneStrain YieldingSoil::strain(std::size_t point, const Vector& x) const {
   return sum;
 }
 
-PlaneStress YieldingSoil::correction(const Point& point, const PlaneStrain& strain) const {
-  const PlaneStress s = point.soil->stress(strain), elastic = elastic_[point.cell].stress(strain);
+PlaneStress SoilOfCells::correction(const Point& point, const PlaneStrain& strain, const PlaneStress& s) const {
+  const PlaneStress elastic = elastic_[point.cell].stress(strain);
   return {point.area * (elastic.xx - s.xx), point.area * (elastic.yy - s.yy), 2. * point.area * (elastic.xy - s.xy)};
 }
 
-void YieldingSoil::evaluate(const Vector& x, Vector& p) {
+void SoilOfCells::evaluate(const Vector& x, Vector& p) {
   p.setZero(static_cast<Eigen::Index>(rows_.size()));
   int k = 0;
   for (std::size_t i = 0; i < points_.size(); ++i) {
-    const PlaneStress c = correction(points_[i], strain(i, x));
+    const PlaneStrain e = strain(i, x);
+    const PlaneStress c = correction(points_[i], e, points_[i].soil->stress(e));
     for (; k < points_[i].end_of_unknowns; ++k) {
       const PlaneStrain& of = unknowns_.strain[k];
       p[row_[k]] += c.xx * of.xx + c.yy * of.yy + c.xy * of.xy;
@@ -150,24 +156,32 @@ void YieldingSoil::evaluate(const Vector& x, Vector& p) {
 }
 
 /// A nodal force on the ground is K x - p, summed up over its cells.
-double YieldingSoil::commit(const Vector& x) {
+double SoilOfCells::commit(const Vector& x) {
   double dissipated = 0.;
   added_.setZero();
-  int k = 0;
+  exerted_.setZero(static_cast<Eigen::Index>(rows_.size()));
+  int j = 0, k = 0;
   for (std::size_t i = 0; i < points_.size(); ++i) {
+    const double area = points_[i].area;
     const PlaneStrain e = strain(i, x);
-    const PlaneStress c = correction(points_[i], e);
+    const PlaneStress s = points_[i].soil->stress(e), c = correction(points_[i], e, s);
+    for (; j < points_[i].end_of_unknowns; ++j) {
+      const PlaneStrain& of = unknowns_.strain[j];
+      exerted_[row_[j]] += area * (s.xx * of.xx + s.yy * of.yy + 2. * s.xy * of.xy);
+    }
     for (; k < points_[i].end_of_sums; ++k) {
       const PlaneStrain& of = sums_.strain[k];
       added_[sums_.number[k]] -= c.xx * of.xx + c.yy * of.yy + c.xy * of.xy;
     }
-    dissipated += points_[i].area * points_[i].soil->commit(e);
+    const double lost = area * points_[i].soil->commit(e);
+    lost_[points_[i].cell] += lost;
+    dissipated += lost;
   }
   x_ = x;
   return dissipated;
 }
 
-double YieldingSoil::stored_beside_elastic() const {
+double SoilOfCells::stored_beside_elastic() const {
   double sum = 0.;
   for (std::size_t i = 0; i < points_.size(); ++i) {
     const PlaneStrain e = strain(i, x_);
@@ -180,9 +194,9 @@ double YieldingSoil::stored_beside_elastic() const {
 
 }  // namespace
 
-std::unique_ptr<InternalForce> yielding_soil(const Space& space, const Unknowns& unknowns,
-                                             const std::vector<Reading>& readings, const PointsOfCells& points) {
-  return std::make_unique<YieldingSoil>(space, unknowns, readings, points);
+std::unique_ptr<YieldingSoil> yielding_soil(const Space& space, const Unknowns& unknowns,
+                                            const std::vector<Reading>& readings, const PointsOfCells& points) {
+  return std::make_unique<SoilOfCells>(space, unknowns, readings, points);
 }
 
 }  // namespace upbead

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <vector>
 
 #include "fem/unknowns.h"
 #include "material/soil_point.h"
@@ -13,10 +14,17 @@ namespace upbead {
 /// Makes the soil of a point of an active cell; null of cells that stay elastic, which are skipped.
 using PointsOfCells = std::function<std::unique_ptr<SoilPoint>(unsigned cell)>;
 
+/// Soil that yields also tells where.
+class YieldingSoil : public InternalForce {
+ public:
+  /// Lost so far by active cell index (J/m); -1 of cells that stay elastic.
+  virtual const std::vector<double>& dissipated() const = 0;
+};
+
 /// p = integral of B^T (D eps - sigma) over the cells that yield, sigma their law's answer to the strain since rest and
 /// D the elastic law of the cell, whose stiffness is in K. `readings`: those of the system, see Reading::nodal_forces;
 /// `space` and `unknowns` outlive it.
-std::unique_ptr<InternalForce> yielding_soil(const Space& space, const Unknowns& unknowns,
-                                             const std::vector<Reading>& readings, const PointsOfCells& points);
+std::unique_ptr<YieldingSoil> yielding_soil(const Space& space, const Unknowns& unknowns,
+                                            const std::vector<Reading>& readings, const PointsOfCells& points);
 
 }  // namespace upbead

@@ -81,6 +81,19 @@ std::vector<BackbonePoint> with_strength(const std::vector<BackbonePoint>& point
   return kept;
 }
 
+std::vector<BackbonePoint> concave(const std::vector<BackbonePoint>& points) {
+  std::vector<BackbonePoint> kept;
+  const auto before_last = [&] { return kept.size() > 1 ? kept[kept.size() - 2] : BackbonePoint(); };
+  const auto slope = [](const BackbonePoint& a, const BackbonePoint& b) {
+    return (b.tau - a.tau) / (b.gamma - a.gamma);
+  };
+  for (const BackbonePoint& point : points) {
+    while (!kept.empty() && slope(kept.back(), point) >= slope(before_last(), kept.back())) kept.pop_back();
+    if (kept.empty() || point.tau >= kept.back().tau) kept.push_back(point);
+  }
+  return kept;
+}
+
 HystereticLaw::HystereticLaw(const ElasticLaw& small_strain, const std::vector<BackbonePoint>& points)
     : elastic_(small_strain) {
   BackbonePoint last;

@@ -20,6 +20,10 @@ std::vector<BackbonePoint> backbone(double G, const std::function<double(double)
 /// The same polygon up to the strength tau_max (Pa), where it reaches it.
 std::vector<BackbonePoint> with_strength(const std::vector<BackbonePoint>& points, double tau_max);
 
+/// The least concave polygon from the origin that has no point above it: a table of moduli that flattens out bends the
+/// other way at its points, which no overlay can follow.
+std::vector<BackbonePoint> concave(const std::vector<BackbonePoint>& points);
+
 /// The overlay of Iwan (1967) and Mroz (1967) on the deviator; elastic in volume:
 ///   s = sum_i s_i,  s_i = 2 h_i (e - e_i^p),  ||s_i|| <= sqrt(2) y_i,  flow associated, return radial and exact.
 /// In first shear it follows the polygon through the points, level beyond the last; it unloads and reloads by Masing's

@@ -60,6 +60,12 @@ const Feature contact{"contact node by node",
                       [](const Scene& s) { return when(has_frictional_contact(s), "regions.caisson.interface"); }};
 const Feature strain{"soil that follows its strain",
                      [](const Scene& s) { return in_regions(s, &Region::strain_law, "strain"); }};
+const Feature yielding{"soil that yields", [](const Scene& s) {
+                         Keys keys;
+                         for (const auto& [name, region] : s.regions)
+                           if (region.law != SoilLaw::elastic) keys.push_back("regions." + name + ".law");
+                         return keys;
+                       }};
 const Feature by_reduced{"a reduced model by name",
                          [](const Scene& s) { return when(s.time.scheme == TimeScheme::reduced, "time.scheme"); }};
 
@@ -96,18 +102,26 @@ const std::vector<Row>& rows() {
       {Treatment::reduced_model, early_stop, "it keeps no account of energy to stop by"},
       {Treatment::reduced_model, consolidation, "it needs inertia"},
       {Treatment::reduced_model, contact, "it does not slip node by node"},
+      {Treatment::reduced_model, yielding, "soil that yields has no modes"},
       {Treatment::generalised_alpha, contact, "it does not follow friction at the caisson's bottom"},
+      {Treatment::generalised_alpha, yielding, "soil that yields is marched by a scheme of its own"},
       {Treatment::adapted_mesh, consolidation, "time.inertia = false leaves nothing dynamic to tell"},
+      {Treatment::adapted_mesh, yielding, "its errors are those of linear soil"},
+      {Treatment::reduce_command, yielding, "soil that yields has no modes"},
       {Treatment::reduce_command, consolidation, "consolidation cannot be reduced: inertia = false"},
       {Treatment::several_processes, by_reduced, "no reduced model is made"},
       {Treatment::several_processes, early_stop, "no run stops early"},
       {Treatment::several_processes, fields, "no fields are written"},
       {Treatment::several_processes, contact, "no contact is solved"},
       {Treatment::several_processes, strain, "soil does not follow its strain"},
+      {Treatment::several_processes, yielding, "no soil yields"},
+      {Treatment::checkpoints, yielding, "a run with soil that yields keeps none"},
       {Treatment::checkpoints, contact, "a run with contact keeps none"},
       {Treatment::checkpoints, strain, "a run with soil that follows its strain keeps none"},
       {Treatment::contact, deforming_caisson, "a caisson that deforms cannot slip",
        "give it kind = \"rigid\", or deformation = \"rigid\""},
+      {Treatment::contact, yielding, "node by node the caisson does not slip on soil that yields",
+       "write kind = \"bonded\", or law = \"elastic\""},
       {Treatment::contact, consolidation, "friction follows the motion in time, which time.inertia = false leaves out",
        "write kind = \"bonded\" or inertia = true"},
       {Treatment::consolidation, inertial_flow, "flow = \"inertial\" contradicts time.inertia = false",

@@ -25,6 +25,7 @@ const Rules& member_rules() {
   static const Rules rules{
       {"shear_modulus", {K::solid, K::porous}, false, is_set(&R::shear_modulus)},
       {"shear_modulus.reference", {K::porous}, false, is_set(&R::stress_law)},
+      {"law", {K::solid, K::porous}, false, changed(&R::law)},
       {"strain", {K::solid, K::porous}, false, is_set(&R::strain_law)},
       {"youngs_modulus", {K::solid, K::porous}, false, is_set(&R::youngs_modulus)},
       {"poissons_ratio", {K::solid, K::porous}, true, is_set(&R::poissons_ratio)},
@@ -63,6 +64,7 @@ class Checker {
     if (region_.kind == K::solid && !region_.density) add_missing("density", whose_, list_);
     if (region_.kind == K::porous) check_porous();
     if (region_.strain_law) check_strain(*region_.strain_law);
+    check_law();
     if (region_.damping && region_.damping->frequencies[0] >= region_.damping->frequencies[1])
       add("damping", "the two frequencies of damping do not ascend", "give the lower one first, such as [1.0, 10.0]");
     return std::move(list_);
@@ -81,7 +83,7 @@ class Checker {
   }
 
   void check_strain(const StrainLaw& law) {
-    if (!region_.damping)
+    if (!region_.damping && region_.law == SoilLaw::elastic)
       add("damping", "'damping' is missing, whose frequencies strain-dependent damping needs",
           "add damping = { ratio = 0.05, frequencies = [1.0, 10.0] }");
     if (law.largest_damping < law.smallest_damping)
@@ -100,6 +102,26 @@ class Checker {
       }
     for (const auto& pair : law.damping)
       if (pair[1] >= 1.) add("strain", "a damping ratio of a table is not below 1", "give ratios, not percent");
+  }
+
+  void check_law() {
+    if (region_.law == SoilLaw::hysteretic && !region_.strain_law && !region_.strength)
+      add("law", "neither 'strain' nor 'strength' is given, one of which hysteretic soil needs",
+          "add strain = { reference_strain = 5e-4 }, or strength = { friction_angle = 35 }");
+    if (region_.law == SoilLaw::mohr_coulomb && !region_.strength)
+      add("law", "'strength' is missing, which Mohr-Coulomb soil needs",
+          "add strength = { friction_angle = 35, cohesion = 0 }");
+    if (region_.law == SoilLaw::mohr_coulomb && region_.strain_law)
+      add("strain", "Mohr-Coulomb soil is elastic up to its strength and follows no strain",
+          "remove strain, or write law = \"hysteretic\"");
+    if (!region_.strength) return;
+    if (region_.strength->dilatancy_angle > region_.strength->friction_angle)
+      add("strength", "dilatancy_angle is more than friction_angle", "give an angle from 0 to friction_angle");
+    const double apex = region_.strength->cohesion / std::tan(region_.strength->friction_angle * pi / 180.);
+    if (region_.strength->tension > apex)
+      add("strength",
+          "tension is more than the tip of the strength, cohesion / tan(friction_angle) = " + significant(apex) + " Pa",
+          "lower tension, or raise cohesion");
   }
 
   void check_porous() {

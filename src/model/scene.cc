@@ -23,12 +23,17 @@ bool has_frictional_contact(const Scene& scene) {
 
 bool follows_strain(const Scene& scene) {
   return std::any_of(scene.regions.begin(), scene.regions.end(),
-                     [](const auto& entry) { return entry.second.strain_law.has_value(); });
+                     [](const auto& entry) { return entry.second.strain_law && entry.second.law == SoilLaw::elastic; });
+}
+
+bool yields(const Scene& scene) {
+  return std::any_of(scene.regions.begin(), scene.regions.end(),
+                     [](const auto& entry) { return entry.second.law != SoilLaw::elastic; });
 }
 
 bool has_strength(const Scene& scene) {
   return std::any_of(scene.regions.begin(), scene.regions.end(),
-                     [](const auto& entry) { return entry.second.strength.has_value(); });
+                     [](const auto& entry) { return entry.second.strength && entry.second.law == SoilLaw::elastic; });
 }
 
 double contact_friction(const Scene& scene) {

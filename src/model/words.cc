@@ -9,6 +9,12 @@ const Words<RegionKind> region_kind_words{{"porous", RegionKind::porous},
 
 const Words<ContactKind> contact_kind_words{{"bonded", ContactKind::bonded}, {"friction", ContactKind::friction}};
 
+const Words<SoilLaw> soil_law_words{
+    {"elastic", SoilLaw::elastic}, {"hysteretic", SoilLaw::hysteretic}, {"mohr_coulomb", SoilLaw::mohr_coulomb}};
+
+const Words<RestStart> rest_start_words{
+    {"k0", RestStart::k0}, {"virgin", RestStart::virgin}, {"gravity", RestStart::gravity}};
+
 const Words<Flow> flow_words{
     {"auto", Flow::automatic}, {"darcy", Flow::darcy}, {"inertial", Flow::inertial}, {"drained", Flow::drained}};
 

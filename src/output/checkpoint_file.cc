@@ -16,10 +16,10 @@ namespace {
 using detail::Hdf5Image;
 using Numbers = std::vector<double>;
 
-constexpr std::array energy_terms = {&EnergyAccount::work,     &EnergyAccount::kinetic,     &EnergyAccount::strain,
-                                     &EnergyAccount::fluid,    &EnergyAccount::lifted,      &EnergyAccount::drag,
-                                     &EnergyAccount::damping,  &EnergyAccount::scheme,      &EnergyAccount::radiated,
-                                     &EnergyAccount::friction, &EnergyAccount::largest_work};
+constexpr std::array energy_terms = {&EnergyAccount::work,     &EnergyAccount::kinetic, &EnergyAccount::strain,
+                                     &EnergyAccount::fluid,    &EnergyAccount::lifted,  &EnergyAccount::drag,
+                                     &EnergyAccount::damping,  &EnergyAccount::scheme,  &EnergyAccount::radiated,
+                                     &EnergyAccount::friction, &EnergyAccount::plastic, &EnergyAccount::largest_work};
 
 Numbers packed(const std::vector<EnergyAccount>& accounts) {
   Numbers values;

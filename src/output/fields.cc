@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
+#include <limits>
 #include <sstream>
 #include <thread>
 
@@ -18,7 +19,8 @@ using namespace dealii;
 
 namespace {
 
-/// Strain and effective stress of plane strain from the gradient of u, tension positive; zero in rigid regions.
+/// Strain and effective stress of plane strain from the gradient of u, tension positive; zero in rigid regions, stress
+/// not a number in soil that yields.
 class StrainAndStress : public DataPostprocessor<dim> {
  public:
   explicit StrainAndStress(const Space& space) : space_(space) {}
@@ -39,11 +41,15 @@ class StrainAndStress : public DataPostprocessor<dim> {
 
   void evaluate_vector_field(const DataPostprocessorInputs::Vector<dim>& inputs,
                              std::vector<dealii::Vector<double>>& computed) const override {
-    const ElasticLaw& law = space_.material(inputs.template get_cell<dim>());
+    const auto cell = inputs.template get_cell<dim>();
+    const ElasticLaw& law = space_.material(cell);
+    const bool yields = space_.region(cell).law != SoilLaw::elastic;  // its stress does not follow from strain alone
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    constexpr PlaneStress no_stress{none, none, none, none};
     for (std::size_t q = 0; q < computed.size(); ++q) {
       const auto& g = inputs.solution_gradients[q];
       const PlaneStrain strain{g[0][0], g[1][1], 0.5 * (g[0][1] + g[1][0])};
-      const PlaneStress stress = law.stress(strain);
+      const PlaneStress stress = yields ? no_stress : law.stress(strain);
       const double values[] = {strain.xx, strain.yy, strain.xy, stress.xx, stress.yy, stress.xy, stress.zz};
       std::copy(std::begin(values), std::end(values), computed[q].begin());
     }

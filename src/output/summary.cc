@@ -106,7 +106,7 @@ OutputSchema<MeasuredSummary> measured_outputs() {
 OutputSchema<EnergyAccount> energy_outputs() {
   using E = EnergyAccount;
   return OutputSchema<E>()
-      .key("work", &E::work, "J/m", "done by the loads: the sum of the next nine")
+      .key("work", &E::work, "J/m", "done by the loads: the sum of the next ten")
       .key("kinetic", &E::kinetic, "J/m", "stored")
       .key("strain", &E::strain, "J/m", "stored")
       .key("fluid", &E::fluid, "J/m", "stored in compressed fluid and raised surfaces")
@@ -116,6 +116,7 @@ OutputSchema<EnergyAccount> energy_outputs() {
       .key("damping", &E::damping, "J/m", "taken by material damping")
       .key("radiated", &E::radiated, "J/m", "gone through absorbing sides")
       .key("friction", &E::friction, "J/m", "taken at the bottom, by friction and where nodes close")
+      .key("plastic", &E::plastic, "J/m", "taken by soil that yields")
       .key("scheme", &E::scheme, "J/m", "taken by the time scheme; may be negative")
       .key("mismatch", &E::mismatch, "", "`response.energy_mismatch`");
 }
@@ -211,6 +212,39 @@ OutputSchema<SoilSummary> soil_outputs() {
       .key("largest_damping", &S::largest_damping, "", "largest damping ratio");
 }
 
+OutputSchema<ResidualSummary> residual_outputs() {
+  using R = ResidualSummary;
+  return OutputSchema<R>()
+      .key("displacement_x", &R::displacement_x, "m", "of the centre of gravity, landward")
+      .key("displacement_y", &R::displacement_y, "m", "upward; settlement is negative")
+      .key("rotation", &R::rotation, "rad", "positive when the top moved landward");
+}
+
+OutputSchema<StartBound> bound_outputs() {
+  using B = StartBound;
+  return OutputSchema<B>()
+      .key("start", &B::start, "", "`virgin`, `k0` or `gravity`")
+      .key("peak_shear", &B::peak_shear, "N/m", "peak F_T from there")
+      .key("shear_to_force_ratio", &B::shear_to_force_ratio, "", "that over peak P; null where there is no P")
+      .object(
+          "residual", [](const B& b) { return &b.residual; }, residual_outputs(), "of the caisson at the end");
+}
+
+OutputSchema<NonlinearSummary> nonlinear_outputs() {
+  using N = NonlinearSummary;
+  return OutputSchema<N>()
+      .key("start", &N::start, "", "what hysteretic soil bears at rest: `initial.start`; `static` where there is none")
+      .key("stages", &N::stages, "", "solves of a stage of a step")
+      .key("iterations", &N::iterations, "", "updates of all stresses in them")
+      .key("factorisations", &N::factorisations, "", "of the elastic matrix")
+      .key("cut_steps", &N::cut_steps, "", "steps that were halved, as a stage did not converge")
+      .key("share_yielded", &N::share_yielded, "", "of the area of soil that may yield: where it lost energy")
+      .key("share_beyond_at_rest", &N::share_beyond_at_rest, "",
+           "of that area: where the stress at rest exceeds the strength; the excess is borne by nothing that is "
+           "followed")
+      .list("bounds[]", &N::bounds, bound_outputs(), "from the other starts; empty unless `initial.bounds`");
+}
+
 OutputSchema<MobilisedStrength> strength_outputs() {
   using S = MobilisedStrength;
   return OutputSchema<S>()
@@ -279,6 +313,9 @@ OutputSchema<Summary> whole_outputs() {
       .object("contact", &S::contact, contact_outputs(),
               "[slip and uplift node by node](contact.md); null where the bottom is bonded")
       .object("soil", &S::soil, soil_outputs(), "of soil that follows the strain; else null")
+      .object("nonlinear", &S::nonlinear, nonlinear_outputs(), "of [soil that yields](yielding.md); else null")
+      .object("residual", &S::residual, residual_outputs(),
+              "where the caisson came to rest at the end of the run; null where no soil yields")
       .list("checks[]", &S::checks, check_outputs(),
             "checks of the section: sliding, friction, pressure of heel and toe, overturning; empty without a caisson")
       .list("strength[]", &S::strength, strength_outputs(), "of each region with a [strength](warnings.md#strength)")

@@ -92,7 +92,8 @@ constexpr double degree = boost::math::constants::degree<double>();
 std::vector<bool> with_strength(const Space& space) {
   std::vector<bool> list;
   for (const auto& cell : space.dofs().active_cell_iterators())
-    list.push_back(space.region(cell).strength && space.region(cell).kind != RegionKind::rigid);
+    list.push_back(space.region(cell).strength && space.region(cell).law == SoilLaw::elastic &&
+                   space.region(cell).kind != RegionKind::rigid);
   return list;
 }
 

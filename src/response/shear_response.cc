@@ -324,8 +324,7 @@ double possible_work(const System& system, double end) {
 Imbalance::Imbalance(Mismatch mismatch)
     : NumericsError(mismatch.what + " by " + significant(mismatch.value)), mismatch_(std::move(mismatch)) {}
 
-void require_balance(const ShearResponse& shear, const EnergyAccount& energy) {
-  constexpr double tolerable_routes = 1e-7;
+void require_balance(const ShearResponse& shear, const EnergyAccount& energy, double tolerable_routes) {
   require_no_gain(energy, energy.largest_work);
   const double routes = shear.reaction_mismatch, off = energy.mismatch();
   const Mismatch of_forces{"both routes to the shear force differ", routes, tolerable_routes, routes,

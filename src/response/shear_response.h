@@ -54,7 +54,7 @@ class Imbalance : public NumericsError {
 /// 1e-6; NumericsError where more energy is stored than 1.1 times the largest work. The mismatch of the routes is
 /// relative to the largest |F_T|, or, where F_T vanishes by symmetry or between loads, to a millionth of the largest of
 /// |P| at any time, the change of the normal force, the uplift, and the moment over the bottom's width.
-void require_balance(const ShearResponse& shear, const EnergyAccount& energy);
+void require_balance(const ShearResponse& shear, const EnergyAccount& energy, double tolerable_routes = 1e-7);
 
 /// The same of the energy of a scene without a caisson, marched until `end` (s). Loads that do no work but round-off,
 /// as a pressure on incompressible water, have nothing to balance: below 1e-10 of what they would do on K alone. A

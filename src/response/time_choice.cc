@@ -211,6 +211,7 @@ double work(double vectors, int unknowns) {
 SchemeChoice choose_scheme(const Scene& scene, const CompiledScene& compiled) {
   if (scene.time.scheme != TimeScheme::automatic) return {scene.time.scheme, "given in the case", {}};
   const auto march = [](const std::string& why) { return SchemeChoice{TimeScheme::sdirk4, why, {}}; };
+  if (yields(scene)) return march("soil that yields is marched");
   if (!scene.time.inertia) return march("consolidation is marched");
   if (!compiled.caisson) return march("without a caisson there is no F_T to measure a reduced model's error with");
   if (scene.time.stop_at_energy) return march("it shall stop early");

@@ -226,7 +226,9 @@ std::vector<Skipped> skipped(const Simulation& simulation, bool reduced) {
     }
   if (!simulation.given.fields_every) list.push_back({"fields", "the case asks for none ([output] fields)"});
   if (!simulation.compiled->caisson) list.push_back({"shear force", "the mesh has no surface 'caisson'"});
-  if (simulation.compiled->caisson && !has_strength(simulation.given))
+  if (yields(simulation.given) && simulation.given.accuracy.estimate)
+    list.push_back({"estimate of errors", "the soil yields, and errors are estimated of linear soil alone"});
+  if (simulation.compiled->caisson && !has_strength(simulation.given) && !yields(simulation.given))
     list.push_back({"strength of the soil", "no region has a table strength"});
   if (!simulation.given.time.inertia) list.push_back({"inertia", "[time] inertia = false: consolidation"});
   return list;

@@ -10,6 +10,7 @@
 #include "run/monitors.h"
 #include "run/sliding/case_sliding.h"
 #include "run/solve.h"
+#include "run/yielding_run.h"
 #include "system/interface.h"
 #include "system/part.h"
 #include "upbead/base/error.h"
@@ -123,9 +124,10 @@ Run Simulation::run(const RunOptions& options) const {
   if (MarchObserver* other = options.observer ? options.observer(solved) : nullptr) marching.observers.push_back(other);
   marching.stop_at_energy = given.time.stop_at_energy.value_or(0.);
   marching.checkpoints = options.checkpoints;
-  Run run = solved.compiled->system.interface ? run_contact(solved, marching,
-                                                            part_of(options.progress, soil_ends, bonded_ends))
-                                              : run_tied(solved, marching, part_of(options.progress, soil_ends, 1.));
+  const auto solving = part_of(options.progress, soil_ends, solved.compiled->system.interface ? bonded_ends : 1.);
+  Run run = solved.compiled->system.interface ? run_contact(solved, marching, solving)
+            : yields(solved.scene)            ? run_yielding(solved, marching, {})
+                                              : run_tied(solved, marching, solving);
   if (!run.simulation) run.simulation = std::make_shared<const Simulation>(solved);
   estimate_errors(run);
   monitors.report(run);

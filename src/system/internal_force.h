@@ -20,6 +20,8 @@ class InternalForce {
   virtual double commit(const Vector& x) = 0;
   /// What it adds to each reading of the system at the committed x, which K x does not hold.
   virtual const Vector& added_to_readings() const = 0;
+  /// Norm of all that the soil exerts in its rows, K x - p, at the committed x: what p is to be exact for.
+  virtual double exerted() const = 0;
   /// Energy that is stored, less that of the elastic K, at the committed x (J/m). The work of p since rest is -(this +
   /// what was dissipated), but for what the steps take.
   virtual double stored_beside_elastic() const = 0;

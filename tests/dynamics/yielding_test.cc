@@ -54,6 +54,7 @@ class YieldingSprings : public InternalForce {
   }
   double stored_beside_elastic() const override { return stored_; }
   const Vector& added_to_readings() const override { return none_; }
+  double exerted() const override { return 0.; }
 
  private:
   double force(int i, double d) {
@@ -154,6 +155,7 @@ class EndForce : public InternalForce {
   double commit(const Vector&) override { return 0.; }
   double stored_beside_elastic() const override { return 0.; }
   const Vector& added_to_readings() const override { return none_; }
+  double exerted() const override { return 0.; }
 
  private:
   Vector none_ = Vector::Zero(2);

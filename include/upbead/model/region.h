@@ -42,6 +42,20 @@ struct StrainLaw {
 double modulus_ratio(const StrainLaw& law, double strain);  ///< G/G_max
 double damping_ratio(const StrainLaw& law, double strain);
 
+/// How the stress of a soil follows its strain, see docs/yielding.md.
+enum class SoilLaw {
+  elastic,       ///< linear, or equivalent-linear where a strain law is given
+  hysteretic,    ///< overlay of elastic-plastic elements along the curve of G by strain
+  mohr_coulomb,  ///< elastic and perfectly plastic
+};
+
+/// What the overlay of hysteretic soil bears of the stress at rest.
+enum class RestStart {
+  k0,       ///< that of level ground, K_0 of its vertical stress
+  virgin,   ///< nothing: as if never loaded
+  gravity,  ///< all of it, as if weights had been put on at once
+};
+
 /// Weight on the ground before the waves come, without mass of its own.
 struct Surcharge {
   std::string boundary;            ///< the curve that it lies on
@@ -54,6 +68,8 @@ struct InitialState {
   std::optional<double> water_level;  ///< height y of still water (m); none: the top of the regions of water
   std::optional<double> k0;           ///< s'_x = s'_z = K_0 s'_y; none: all from the elastic solution
   std::map<std::string, Surcharge> surcharge{};
+  RestStart start = RestStart::k0;  ///< of hysteretic soil
+  bool bounds = true;               ///< whether soil that yields is solved from both other starts, too
 };
 
 enum class ContactKind {
@@ -100,15 +116,19 @@ struct Rayleigh {
   double error() const;                     ///< largest relative deviation from `ratio` between both frequencies
 };
 
-/// Mohr-Coulomb strength of a soil, which the equations do not know: what the computed stresses are held against.
+/// Mohr-Coulomb strength of a soil. Where its law is elastic the equations do not know it: what the computed stresses
+/// are held against.
 struct Strength {
   double friction_angle = 35.;  ///< phi' (degrees)
   double cohesion = 0.;         ///< c' (Pa)
+  double dilatancy_angle = 0.;  ///< psi' (degrees), of Mohr-Coulomb soil
+  double tension = 0.;          ///< largest tensile stress (Pa), likewise
 };
 
 /// One physical surface of the mesh. Optional members belong to some kinds only; check() says which are missing.
 struct Region {
   RegionKind kind = RegionKind::porous;
+  SoilLaw law = SoilLaw::elastic;                          ///< porous, solid
   std::optional<double> shear_modulus;                     ///< G (Pa)
   std::optional<StressLaw> stress_law;                     ///< porous: G by stress, instead of G
   std::optional<StrainLaw> strain_law;                     ///< porous, solid: what strain makes of G and damping

@@ -141,7 +141,10 @@ bool has_frictional_contact(const Scene& scene);
 /// Whether some region's stiffness and damping follow the strain.
 bool follows_strain(const Scene& scene);
 
-/// Whether some region's strength is given.
+/// Whether some region's law lets it yield.
+bool yields(const Scene& scene);
+
+/// Whether some region's strength is given that its law does not know: stresses are held against it.
 bool has_strength(const Scene& scene);
 
 /// The friction coefficient of that contact: its own, that of [sliding], or 0.6.

@@ -179,6 +179,31 @@ struct SoilSummary {
   double largest_strain = 0., least_modulus_ratio = 1., largest_damping = 0.;
 };
 
+/// Where the caisson came to rest, at the end of the run.
+struct ResidualSummary {
+  double displacement_x = 0., displacement_y = 0.;  ///< of the centre of gravity, landward and upward (m)
+  double rotation = 0.;                             ///< rad
+};
+
+/// What another start of hysteretic soil would have made of it.
+struct StartBound {
+  std::string start;                           ///< virgin, k0 or gravity
+  double peak_shear = 0.;                      ///< N/m
+  std::optional<double> shear_to_force_ratio;  ///< as of ShearResponse
+  ResidualSummary residual;
+};
+
+/// What soil that yields took to solve, and how far it yielded.
+struct NonlinearSummary {
+  std::string start;
+  int stages = 0, iterations = 0;  ///< solves of a stage, and updates of all stresses in them
+  int factorisations = 0;
+  int cut_steps = 0;                 ///< steps that were halved, as a stage did not converge
+  double share_yielded = 0.;         ///< of the area of soil that yields, where it lost energy
+  double share_beyond_at_rest = 0.;  ///< of it, where the stress at rest exceeds the strength
+  std::vector<StartBound> bounds;
+};
+
 /// What transducers along a wall or a bottom measured.
 struct GaugeSummary {
   std::string name;  ///< of the load; "sliding.uplift"
@@ -245,6 +270,8 @@ struct Summary {
   std::optional<BaseSummary> base;             ///< none where what presses at rest is not known
   std::optional<ContactSummary> contact;       ///< none where the bottom is bonded
   std::optional<SoilSummary> soil;             ///< none where no soil depends on strain
+  std::optional<NonlinearSummary> nonlinear;   ///< none where no soil yields
+  std::optional<ResidualSummary> residual;     ///< with it, of a caisson
   std::vector<Check> checks;                   ///< of the section, in the order of a sheet
   std::vector<MobilisedStrength> strength;     ///< of the regions whose strength is given
   NumberedWarnings warnings;                   ///< docs/warnings.md

@@ -249,14 +249,15 @@ void estimate_slip_error(Run& run) {
 void tell_why_no_slip_error(Run& run) {
   if (!run.summary.sliding) return;
   run.summary.sliding->why_no_estimate =
-      run.simulation->given.time.inertia
+      yields(run.simulation->given) ? "the soil yields: errors are estimated of linear soil alone"
+      : run.simulation->given.time.inertia
           ? "the refinements are given: accuracy.estimate = true, or mesh.refine = \"auto\", tells it"
           : "consolidation has no dynamics";
 }
 
 void estimate_errors(Run& run) {
   const Simulation& simulation = *run.simulation;
-  if (!run.summary.response || !simulation.given.time.inertia ||
+  if (!run.summary.response || !simulation.given.time.inertia || yields(simulation.given) ||
       (!simulation.accuracy && !simulation.given.accuracy.estimate)) {
     tell_why_no_slip_error(run);
     return;

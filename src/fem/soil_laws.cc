@@ -1,0 +1,130 @@
+#include "fem/soil_laws.h"
+
+#include <algorithm>
+#include <boost/math/constants/constants.hpp>
+#include <cmath>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "fem/kernels.h"
+
+namespace upbead {
+
+namespace {
+
+constexpr double degree = boost::math::constants::degree<double>();
+/// Elements of the overlay; 8 to 12 give F_T to 0.6 %. From where the modulus has fallen by a hundredth to where the
+/// hyperbola has come to 97 % of its strength.
+constexpr int n_elements = 12;
+constexpr double first_strain = 0.01, last_strain = 30.;
+/// Share of the mean stress of a region that counts at least: strength vanishes at free surfaces.
+constexpr double least_stress = 0.1;
+
+PlaneStress at_rest(const EffectiveStress& rest, std::size_t cell, const std::optional<double>& k0) {
+  const double vertical = -rest.vertical[cell];
+  if (k0) return {*k0 * vertical, vertical, -rest.shear[cell], *k0 * vertical};
+  return {-rest.horizontal[cell], vertical, -rest.shear[cell], -rest.out_of_plane[cell]};
+}
+
+/// K_0 that is given, that of Jaky (1944) by phi', or that of the elastic soil between walls.
+double earth_pressure_at_rest(const Region& region, const std::optional<double>& given) {
+  if (given) return *given;
+  if (region.strength) return 1. - std::sin(region.strength->friction_angle * degree);
+  return *region.poissons_ratio / (1. - *region.poissons_ratio);
+}
+
+/// Laws of one scene, made cell by cell.
+class Maker {
+ public:
+  Maker(const Scene& scene, const Space& space, const EffectiveStress& rest, RestStart start)
+      : k0_(k0_of(scene)), rest_(rest), start_(start) {
+    std::map<std::string, std::pair<double, double>> sums;  // of stress times area, and of area
+    for (const Cell& cell : space.dofs().active_cell_iterators()) {
+      auto& [stress, area] = sums[space.mesh().surface_of(cell)];
+      stress += cell->measure() * std::max(rest.mean(cell->active_cell_index(), k0_), 0.);
+      area += cell->measure();
+    }
+    for (const auto& [name, sum] : sums) floor_[name] = least_stress * sum.first / sum.second;
+  }
+
+  PointsOfCells of(const Space& space, const Cell& cell, RestReport& report) const {
+    const Region& region = space.region(cell);
+    const std::size_t i = cell->active_cell_index();
+    report.area += cell->measure();
+    if (region.law == SoilLaw::hysteretic)
+      return hysteretic(region, space.material(cell), i, floor_.at(space.mesh().surface_of(cell)), cell->measure(),
+                        report);
+    const Strength& s = *region.strength;
+    const auto law = std::make_shared<const MohrCoulombLaw>(
+        space.material(cell), MohrCoulombStrength{s.friction_angle, s.cohesion, s.dilatancy_angle, s.tension});
+    const PlaneStress stress = at_rest(rest_, i, k0_);
+    if (law->excess(stress) > 0.) report.beyond += cell->measure();
+    return [law, stress](unsigned) { return soil_point(law, stress); };
+  }
+
+ private:
+  std::vector<BackbonePoint> curve(const Region& region, double G, double strength) const {
+    if (!region.strain_law)
+      return backbone(
+          G, [&](double gamma) { return 1. / (1. + G * gamma / strength); }, first_strain * strength / G,
+          last_strain * strength / G, n_elements);
+    const StrainLaw& law = *region.strain_law;
+    double from = first_strain * law.reference_strain, to = last_strain * law.reference_strain;
+    if (!law.modulus.empty()) {
+      from = law.modulus.front()[0];
+      to = law.modulus.back()[0];
+    }
+    const auto points = concave(backbone(
+        G, [&](double gamma) { return modulus_ratio(law, gamma); }, from, to, n_elements));
+    return region.strength ? with_strength(points, strength) : points;
+  }
+
+  PointsOfCells hysteretic(const Region& region, const ElasticLaw& elastic, std::size_t i, double floor, double area,
+                           RestReport& report) const {
+    double strength = 0.;
+    if (region.strength) {
+      const double phi = region.strength->friction_angle * degree, mean = rest_.mean(i, k0_);
+      strength = region.strength->cohesion * std::cos(phi) + std::max(mean, floor) * std::sin(phi);
+      if (mean < floor) report.free_surface += area;
+    }
+    const auto law = std::make_shared<const HystereticLaw>(elastic, curve(region, elastic.G, strength));
+    HystereticLaw::State state = law->at_rest();
+    if (start_ != RestStart::virgin) {
+      const double k0 = earth_pressure_at_rest(region, k0_), vertical = -rest_.vertical[i];
+      const PlaneStress stress = start_ == RestStart::gravity ? at_rest(rest_, i, k0_)
+                                                              : PlaneStress{k0 * vertical, vertical, 0., k0 * vertical};
+      state = law->bearing(stress);
+      if (shear(stress) > law->strength() * (1. + 1e-9)) report.beyond += area;
+    }
+    return [law, state](unsigned) { return soil_point(law, state); };
+  }
+
+  /// Of pure shear with as much of a deviator: sqrt(s : s / 2).
+  static double shear(const PlaneStress& s) {
+    const double mean = (s.xx + s.yy + s.zz) / 3., xx = s.xx - mean, yy = s.yy - mean, zz = s.zz - mean;
+    return std::sqrt(0.5 * (xx * xx + yy * yy + zz * zz) + s.xy * s.xy);
+  }
+
+  std::optional<double> k0_;
+  const EffectiveStress& rest_;
+  RestStart start_;
+  std::map<std::string, double> floor_;
+};
+
+}  // namespace
+
+SoilLaws soil_laws(const Scene& scene, const Space& space, const EffectiveStress& rest, RestStart start) {
+  const Maker maker(scene, space, rest, start);
+  SoilLaws laws;
+  auto of_cell = std::make_shared<std::vector<PointsOfCells>>(space.mesh().triangulation.n_active_cells());
+  for (const Cell& cell : space.dofs().active_cell_iterators())
+    if (space.has_matrices(cell) && space.region(cell).law != SoilLaw::elastic)
+      (*of_cell)[cell->active_cell_index()] = maker.of(space, cell, laws.report);
+  laws.points = [of_cell](unsigned cell) {
+    return (*of_cell)[cell] ? (*of_cell)[cell](cell) : std::unique_ptr<SoilPoint>();
+  };
+  return laws;
+}
+
+}  // namespace upbead

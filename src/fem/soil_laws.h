@@ -1,0 +1,29 @@
+// The soil of a scene that yields: which law each cell has, and what it bears at rest.
+#pragma once
+
+#include <string>
+
+#include "fem/static_stage.h"
+#include "fem/yielding_soil.h"
+
+namespace upbead {
+
+/// Rest stresses that laws cannot bear, by area.
+struct RestReport {
+  double area = 0.;          ///< of soil that yields (m2)
+  double beyond = 0.;        ///< of it where the stress at rest exceeds the strength (m2)
+  double free_surface = 0.;  ///< of it where strength counts a tenth of the region's mean stress, as there is less (m2)
+};
+
+struct SoilLaws {
+  PointsOfCells points;
+  RestReport report;
+};
+
+/// Laws of the cells of a scene whose static state is `rest`. The largest shear stress of hysteretic soil is
+/// c' cos phi' + s'_m sin phi' with the mean effective stress at rest; without a table strain its curve is the
+/// hyperbola that tends to it. Mohr-Coulomb soil starts from the stress at rest, s'_x = K_0 s'_y of it where K_0 is
+/// given. What exceeds the strength at rest is borne by nothing that is followed.
+SoilLaws soil_laws(const Scene& scene, const Space& space, const EffectiveStress& rest, RestStart start);
+
+}  // namespace upbead

@@ -1,0 +1,193 @@
+// Claims: a block on a layer that only shears slips on it as an oscillator does whose spring is the soil's law: elastic
+// and perfectly plastic (the exact slide of a rigid-plastic layer), and an overlay along the curve of G by strain. A
+// section yields the more the more its soil bears at rest; both routes to F_T and the energies agree; what cannot go
+// with it is told.
+
+#include <cmath>
+#include <vector>
+
+#include "case/case_run.h"
+#include "good_case.h"
+#include "upbead/algebra/petsc_session.h"
+
+namespace upbead::test {
+namespace {
+
+constexpr double B = 400., h = 1., mass = 4e6, G = 1e8, duration = 0.2, end = 0.8;
+
+const char* const layer_geo = R"(
+Point(1) = {-200, 0, 0}; Point(2) = {200, 0, 0}; Point(3) = {200, 1, 0}; Point(4) = {-200, 1, 0};
+Point(5) = {200, 3, 0}; Point(6) = {-200, 3, 0};
+Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1};
+Line(5) = {3, 5}; Line(6) = {5, 6}; Line(7) = {6, 4};
+Curve Loop(1) = {1, 2, 3, 4}; Plane Surface(1) = {1};
+Curve Loop(2) = {-3, 5, 6, 7}; Plane Surface(2) = {2};
+Transfinite Curve {1, 3, 6} = 41; Transfinite Curve {2, 4, 5, 7} = 2;
+Transfinite Surface {1, 2}; Recombine Surface {1, 2};
+Physical Surface("soil") = {1}; Physical Surface("caisson") = {2};
+Physical Curve("base") = {1}; Physical Curve("sides") = {2, 4}; Physical Curve("walls") = {5, 6, 7};
+)";
+
+std::string layer_case(double peak, const std::string& law, double modulus = G) {
+  return R"([mesh]
+file = "layer.geo"
+[initial]
+water_level = -1
+k0 = 1
+start = "virgin"
+bounds = false
+[regions.soil]
+kind = "solid"
+deformation = "elastic"
+density = 1e-3
+poissons_ratio = 0.3
+shear_modulus = )" +
+         std::to_string(modulus) + "\n" + law +
+         R"(
+[regions.caisson]
+kind = "rigid"
+mass = 4e6
+[boundaries]
+base = { displacement = "fixed" }
+sides = {}
+walls = {}
+[loads.impact]
+region = "caisson"
+at = [0.0, 1.0]
+pulse = { shape = "triangle", duration = 0.2, peak = )" +
+         std::to_string(peak) + R"( }
+[time]
+end = 0.8
+step = 0.0005
+)";
+}
+
+/// Shear stress of elements side by side, each sliding at a strength of its own.
+class Overlay {
+ public:
+  struct Element {
+    double h, y;
+  };
+  explicit Overlay(std::vector<Element> elements) : elements_(std::move(elements)), slid_(elements_.size(), 0.) {}
+  double stress(double gamma) {
+    double sum = 0.;
+    for (std::size_t i = 0; i < elements_.size(); ++i) {
+      const auto [h, y] = elements_[i];
+      const double trial = h * (gamma - slid_[i]), held = std::clamp(trial, -y, y);
+      slid_[i] += (trial - held) / h;
+      sum += held;
+    }
+    return sum;
+  }
+
+ private:
+  std::vector<Element> elements_;
+  std::vector<double> slid_;
+};
+
+struct Slide {
+  double largest_F_T = 0., last = 0.;
+};
+
+/// The block on its layer, explicitly in small steps.
+Slide slide(Overlay soil, double peak) {
+  constexpr double step = 2e-6;
+  double u = 0., v = 0.;
+  Slide found;
+  for (double t = 0.; t < end; t += step) {
+    const double F_T = B * soil.stress(u / h), P = t < duration ? peak * (1. - std::abs(2. * t / duration - 1.)) : 0.;
+    found.largest_F_T = std::max(found.largest_F_T, F_T);
+    v += step * (P - F_T) / mass;
+    u += step * v;
+  }
+  found.last = u;
+  return found;
+}
+
+class YieldingRun : public InFolder {
+ protected:
+  Summary run(const std::string& text) {
+    static const PetscSession petsc;  // MPI starts once in a process
+    write("layer.geo", layer_geo);
+    unsetenv("UPBEAD_MESHES");  // the shipped ones
+    write("case.toml", text);
+    const Case input = read_case("case.toml");
+    const Simulation scene = simulation_of(input);
+    return solve(input, scene, {}).summary;
+  }
+};
+
+TEST_F(YieldingRun, BlockOnARigidPlasticLayerSlidesAsFarAsItIsExact) {
+  const double strength = 5e3, peak = 5e6, stiff = 1e10;
+  const Summary found =
+      run(layer_case(peak, "law = \"mohr_coulomb\"\nstrength = { friction_angle = 0, cohesion = 5e3 }", stiff));
+  const Slide exact = slide(Overlay({{stiff, strength}}), peak);
+  EXPECT_NEAR(found.response->peak_shear, B * strength, 5e-3 * B * strength);
+  EXPECT_NEAR(found.residual->displacement_x, exact.last, 5e-3 * exact.last);
+  // rigid-plastic: m s'' = P - F until it stands still
+  double s = 0., v = 0.;
+  for (double t = 0., step = 1e-6; t < end; t += step) {
+    const double P = t < duration ? peak * (1. - std::abs(2. * t / duration - 1.)) : 0.;
+    v = std::max(0., v + step * (P - B * strength) / mass);
+    s += step * v;
+  }
+  EXPECT_NEAR(found.residual->displacement_x, s, 5e-3 * s) << "the exact slide";
+  EXPECT_NEAR(found.energy->plastic, B * strength * s, 0.01 * B * strength * s);
+  EXPECT_EQ(found.nonlinear->start, "static");
+  EXPECT_TRUE(found.nonlinear->bounds.empty());
+}
+
+TEST_F(YieldingRun, BlockOnAHystereticLayerFollowsTheOverlay) {
+  const double peak = 4e6;
+  const Summary found = run(layer_case(
+      peak, "law = \"hysteretic\"\nstrain = { modulus = [[1e-6, 1.0], [1e-5, 0.9], [1e-4, 0.6], [1e-3, 0.25]] }"));
+  // the same curve: G/G_max straight over log gamma, at 12 strains equally far from each other in it
+  std::vector<std::array<double, 2>> points;
+  for (int i = 0; i < 12; ++i) {
+    const double x = 3. * i / 11., gamma = 1e-6 * std::pow(10., x);
+    const double ratio = x < 1. ? 1. - 0.1 * x : x < 2. ? 0.9 - 0.3 * (x - 1.) : 0.6 - 0.35 * (x - 2.);
+    points.push_back({gamma, G * gamma * ratio});
+  }
+  std::vector<Overlay::Element> elements;
+  double slope = G;
+  for (int i = 0; i < 12; ++i) {
+    const double next = i < 11 ? (points[i + 1][1] - points[i][1]) / (points[i + 1][0] - points[i][0]) : 0.;
+    elements.push_back({slope - next, (slope - next) * points[i][0]});
+    slope = next;
+  }
+  const Slide exact = slide(Overlay(elements), peak);
+  EXPECT_NEAR(found.response->peak_shear, exact.largest_F_T, 5e-3 * exact.largest_F_T);
+  EXPECT_NEAR(found.residual->displacement_x, exact.last, 0.01 * exact.last);
+  EXPECT_EQ(found.nonlinear->start, "virgin");
+}
+
+TEST_F(YieldingRun, BearsLessAndMovesMoreTheMoreItBearsAtRest) {
+  std::ifstream file(UPBEAD_SECTION_CASE);
+  std::string text{std::istreambuf_iterator<char>(file), {}};
+  const auto replace = [&](const std::string& a, const std::string& b) { text.replace(text.find(a), a.size(), b); };
+  replace("[regions.seabed]",
+          "[initial]\nwater_level = 8\n[regions.seabed]\nlaw = \"hysteretic\"\n"
+          "strength = { friction_angle = 35 }");
+  replace("[regions.mound]", "[regions.mound]\nlaw = \"hysteretic\"\nstrength = { friction_angle = 40 }");
+  replace("peak = 1e6", "peak = 4e6");
+  const Summary found = run(text);
+  const NonlinearSummary& n = *found.nonlinear;
+  EXPECT_EQ(n.start, "k0");
+  ASSERT_EQ(n.bounds.size(), 2u);
+  const StartBound& virgin = n.bounds[0].start == "virgin" ? n.bounds[0] : n.bounds[1];
+  const StartBound& gravity = n.bounds[0].start == "virgin" ? n.bounds[1] : n.bounds[0];
+  EXPECT_GT(virgin.peak_shear, found.response->peak_shear);
+  EXPECT_LT(gravity.peak_shear, found.response->peak_shear);
+  EXPECT_LT(virgin.residual.displacement_x, found.residual->displacement_x);
+  EXPECT_GT(gravity.residual.displacement_x, found.residual->displacement_x);
+  EXPECT_GT(gravity.residual.rotation, virgin.residual.rotation);
+  EXPECT_LT(gravity.residual.displacement_y, found.residual->displacement_y) << "settles more";
+  EXPECT_LT(found.residual->displacement_y, 0.);
+  EXPECT_LT(found.response->reaction_mismatch, 1e-4);
+  EXPECT_LT(found.energy->mismatch(), 1e-9);
+  EXPECT_GT(found.energy->plastic, 0.2 * found.energy->largest_work);
+  EXPECT_FALSE(found.error.has_value());
+}
+
+}  // namespace
+}  // namespace upbead::test
