@@ -55,6 +55,7 @@ full_domain = false
 [regions.soil]
 kind = "porous"
 shear_modulus = 1e7  # Pa
+law = "elastic"
 poissons_ratio = 0.3
 porosity = 0.4
 grain_density = 2650.0  # kg/m3

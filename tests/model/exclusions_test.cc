@@ -43,6 +43,7 @@ TEST(Exclusions, StandInTheTable) {
   scene.time = {1., {}, TimeScheme::reduced, false, 1e-3};
   scene.regions["sand"].strain_law = StrainLaw();
   scene.regions["sand"].strength = Strength();
+  scene.regions["mound"].law = SoilLaw::mohr_coulomb;
   scene.regions["sand"].flow = Flow::inertial;
   scene.regions["sea"].kind = RegionKind::water;
   scene.regions["caisson"].kind = RegionKind::solid;

@@ -105,6 +105,8 @@ Summary full_summary() {
   sliding.equal_impulse.emplace();
   s.contact.emplace().solved.emplace();
   s.soil.emplace();
+  s.nonlinear.emplace().bounds = {{}};
+  s.residual.emplace();
   s.strength = {{}};
   s.warnings = {{}};
   s.ladder = {{}};
