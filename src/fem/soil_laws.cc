@@ -4,6 +4,7 @@
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <map>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -84,9 +85,8 @@ class Maker {
                            RestReport& report) const {
     double strength = 0.;
     if (region.strength) {
-      const double phi = region.strength->friction_angle * degree, mean = rest_.mean(i, k0_);
-      strength = region.strength->cohesion * std::cos(phi) + std::max(mean, floor) * std::sin(phi);
-      if (mean < floor) report.free_surface += area;
+      const double phi = region.strength->friction_angle * degree;
+      strength = region.strength->cohesion * std::cos(phi) + std::max(rest_.mean(i, k0_), floor) * std::sin(phi);
     }
     const auto law = std::make_shared<const HystereticLaw>(elastic, curve(region, elastic.G, strength));
     HystereticLaw::State state = law->at_rest();

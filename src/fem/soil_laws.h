@@ -1,8 +1,6 @@
 // The soil of a scene that yields: which law each cell has, and what it bears at rest.
 #pragma once
 
-#include <string>
-
 #include "fem/static_stage.h"
 #include "fem/yielding_soil.h"
 
@@ -10,9 +8,8 @@ namespace upbead {
 
 /// Rest stresses that laws cannot bear, by area.
 struct RestReport {
-  double area = 0.;          ///< of soil that yields (m2)
-  double beyond = 0.;        ///< of it where the stress at rest exceeds the strength (m2)
-  double free_surface = 0.;  ///< of it where strength counts a tenth of the region's mean stress, as there is less (m2)
+  double area = 0.;    ///< of soil that yields (m2)
+  double beyond = 0.;  ///< of it where the stress at rest exceeds the strength (m2)
 };
 
 struct SoilLaws {
