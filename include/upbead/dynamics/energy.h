@@ -6,7 +6,8 @@
 namespace upbead {
 
 /// Energy (J/m) at a time of a march: work = kinetic + strain + fluid + lifted + drag + damping + radiated +
-/// scheme + friction + plastic, up to round-off. Each term comes from its own formula, none is a remainder.
+/// scheme + friction + plastic, up to round-off. Each term comes from its own formula, none is a remainder, but for
+/// soil that yields: there `scheme` also takes what the stages' sums make of its work beside its law's own energies.
 struct EnergyAccount {
   double work = 0.;          ///< done by the loads so far, and by the reactions on prescribed unknowns
   double kinetic = 0.;       ///< now, of u and W, and of free water (which is x' K x of its phi)
