@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "base/numbers.h"
+#include "base/text.h"
 #include "model/member_rules.h"
 #include "model/words.h"
 
