@@ -57,6 +57,7 @@ class HystereticLaw {
   /// Energy stored (J/m3): K eps_v^2/2 + sum h_i ||e - e_i^p||^2.
   double stored(const State& state) const;
   const std::vector<Element>& elements() const { return elements_; }
+  const ElasticLaw& elastic() const { return elastic_; }
 
  private:
   ElasticLaw elastic_;

@@ -4,16 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
-#include <utility>
-#include <vector>
 
 #include "upbead/base/error.h"
 
 namespace upbead {
 namespace {
 
-using Eigen::Matrix2d;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
@@ -32,76 +28,14 @@ Principal principal(const PlaneStress& s) {
   return found;
 }
 
-/// A plane a . s <= limit of the sorted principal stresses, with the direction b of its flow.
-struct Plane {
-  Vector3d a, b;
-  double limit;
-};
-
-std::array<Plane, 6> planes(double k, double m, double strength, double tension) {
-  return {{{{k, 0., -1.}, {m, 0., -1.}, strength},  // the plane of shear; with one of the next two: an edge
-           {{0., k, -1.}, {0., m, -1.}, strength},
-           {{k, -1., 0.}, {m, -1., 0.}, strength},
-           {{1., 0., 0.}, {1., 0., 0.}, tension},
-           {{0., 1., 0.}, {0., 1., 0.}, tension},
-           {{0., 0., 1.}, {0., 0., 1.}, tension}}};
+Principals sorted(const Principal& p) {
+  return {p.value[p.sorted[0]], p.value[p.sorted[1]], p.value[p.sorted[2]]};
 }
 
-/// All sets of up to three of six planes, small ones first.
-const std::vector<std::vector<int>>& sets_of_planes() {
-  static const std::vector<std::vector<int>> sets = [] {
-    std::vector<std::vector<int>> found;
-    for (unsigned bits = 1; bits < 64; ++bits) {
-      std::vector<int> set;
-      for (int i = 0; i < 6; ++i)
-        if (bits & (1u << i)) set.push_back(i);
-      if (set.size() <= 3) found.push_back(std::move(set));
-    }
-    std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.size() < b.size(); });
-    return found;
-  }();
-  return sets;
-}
-
-struct Return {
-  Vector3d stress;
-  Matrix3d tangent;
-  double excess;  ///< over the worst plane, or the most negative multiplier as a stress (Pa)
-};
-
-/// The stress on all planes of a set at once (Koiter): s = trial - D B l, A (trial - D B l) = limits.
-std::optional<Return> return_to(const std::vector<int>& set, const std::array<Plane, 6>& all, const Matrix3d& D,
-                                const Vector3d& trial) {
-  const int n = static_cast<int>(set.size());
-  Eigen::Matrix<double, Eigen::Dynamic, 3, 0, 3, 3> A(n, 3), B(n, 3);
-  Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3, 1> over(n);
-  for (int i = 0; i < n; ++i) {
-    A.row(i) = all[set[i]].a;
-    B.row(i) = all[set[i]].b;
-    over[i] = all[set[i]].a.dot(trial) - all[set[i]].limit;
-  }
-  const Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 3> DB = D * B.transpose();
-  const Eigen::FullPivLU<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3, 3>> lu(A * DB);
-  if (!lu.isInvertible()) return std::nullopt;
-  const Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3, 1> l = lu.solve(over);
-  Return found{trial - DB * l, D - DB * lu.solve(A * D), 0.};
-  for (const Plane& plane : all) found.excess = std::max(found.excess, plane.a.dot(found.stress) - plane.limit);
-  found.excess = std::max(found.excess, -D(0, 0) * l.minCoeff());
-  return found;
-}
-
-/// The first set that keeps within all planes with no negative multiplier.
-Return return_of(const std::array<Plane, 6>& all, const Matrix3d& D, const Vector3d& trial) {
-  const double small = 1e-10 * (trial.cwiseAbs().maxCoeff() + std::abs(all[0].limit));
-  for (const std::vector<int>& set : sets_of_planes())
-    if (const auto found = return_to(set, all, D, trial); found && found->excess <= small) return *found;
-  throw NumericsError("no stress within the Mohr-Coulomb planes was found for a strain");
-}
-
-Matrix3d permuted(const Matrix3d& sorted, const std::array<int, 3>& order) {
+Matrix3d permuted(const std::array<Principals, 3>& sorted, const std::array<int, 3>& order) {
   Matrix3d back;
   for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) back(order[i], order[j]) = sorted(i, j);
+    for (int j = 0; j < 3; ++j) back(order[i], order[j]) = sorted[i][j];
   return back;
 }
 
@@ -145,14 +79,17 @@ void check(const MohrCoulombStrength& s) {
   wrong.throw_if_any();
 }
 
+MohrCoulombPlanes planes_of(const ElasticLaw& elastic, const MohrCoulombStrength& s) {
+  check(s);
+  const double k = ratio(s.friction_angle), strength = 2. * s.cohesion * std::sqrt(k);
+  return {elastic, k, ratio(s.dilatancy_angle), strength,
+          k > 1. ? std::min(s.tension, strength / (k - 1.)) : s.tension};
+}
+
 }  // namespace
 
 MohrCoulombLaw::MohrCoulombLaw(const ElasticLaw& elastic, const MohrCoulombStrength& s)
-    : elastic_(elastic), k_(ratio(s.friction_angle)), m_(ratio(s.dilatancy_angle)) {
-  check(s);
-  strength_ = 2. * s.cohesion * std::sqrt(k_);
-  tension_ = k_ > 1. ? std::min(s.tension, strength_ / (k_ - 1.)) : s.tension;
-}
+    : elastic_(elastic), planes_(planes_of(elastic, s)) {}
 
 double MohrCoulombLaw::stored(const State& state) const {
   const PlaneStress& s = state.stress;
@@ -164,7 +101,15 @@ double MohrCoulombLaw::stored(const State& state) const {
 double MohrCoulombLaw::excess(const PlaneStress& stress) const {
   const Principal p = principal(stress);
   const double first = p.value[p.sorted[0]], last = p.value[p.sorted[2]];
-  return std::max(k_ * first - last - strength_, first - tension_);
+  return std::max(planes_.k * first - last - planes_.strength, first - planes_.tension);
+}
+
+PlaneStress MohrCoulombLaw::returned(const PlaneStress& trial) const {
+  const Principal p = principal(trial);
+  const Principals back = planes_.from(sorted(p)).stress;
+  Vector3d value;
+  for (int i = 0; i < 3; ++i) value[p.sorted[i]] = back[i];
+  return turned(value, p.angle);
 }
 
 LawAnswer MohrCoulombLaw::update(const PlaneStrain& strain, State& state) const {
@@ -175,11 +120,8 @@ LawAnswer MohrCoulombLaw::update(const PlaneStrain& strain, State& state) const 
   LawAnswer answer{trial, elastic_.tangent()};
   if (excess(trial) <= 0.) return answer;
   const Principal p = principal(trial);
-  const Matrix3d D = Matrix3d::Constant(elastic_.lambda) + 2. * elastic_.G * Matrix3d::Identity();
-  Vector3d sorted;
-  for (int i = 0; i < 3; ++i) sorted[i] = p.value[p.sorted[i]];
-  const Return back = return_of(planes(k_, m_, strength_, tension_), D, sorted);
-  const Matrix3d tangent = permuted(back.tangent, p.sorted);
+  const MohrCoulombPlanes::Return back = planes_.from(sorted(p));
+  const Matrix3d tangent = permuted(planes_.tangent(back), p.sorted);
   Vector3d value;
   for (int i = 0; i < 3; ++i) value[p.sorted[i]] = back.stress[i];
   // The principal directions turn with the trial stress; where its circle is a point, any direction is principal.
@@ -188,8 +130,16 @@ LawAnswer MohrCoulombLaw::update(const PlaneStrain& strain, State& state) const 
                                                                      : 0.5 * (tangent(0, 0) - tangent(0, 1));
   answer.stress = state.stress = turned(value, p.angle);
   answer.tangent = in_plane(tangent, shear, p.angle);
-  answer.dissipated = back.stress.dot(D.llt().solve(sorted - back.stress));
+  const PlaneStress& s = answer.stress;
+  answer.dissipated = dissipated(s, {trial.xx - s.xx, trial.yy - s.yy, trial.xy - s.xy, trial.zz - s.zz});
   return answer;
+}
+
+/// s : D^-1 : relaxed, with D^-1 r = (r - lambda / (3 lambda + 2 G) tr r 1) / 2 G.
+double MohrCoulombLaw::dissipated(const PlaneStress& s, const PlaneStress& r) const {
+  const double G = elastic_.G, lambda = elastic_.lambda;
+  const double mean = lambda / (3. * lambda + 2. * G) * (r.xx + r.yy + r.zz) * (s.xx + s.yy + s.zz);
+  return (s.xx * r.xx + s.yy * r.yy + s.zz * r.zz + 2. * s.xy * r.xy - mean) / (2. * G);
 }
 
 }  // namespace upbead

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "material/law_answer.h"
+#include "material/mohr_coulomb_planes.h"
 
 namespace upbead {
 
@@ -33,10 +34,16 @@ class MohrCoulombLaw {
   double stored(const State& state) const;
   /// How far a stress lies outside (Pa); negative inside.
   double excess(const PlaneStress& stress) const;
+  /// The stress within the planes to which a trial stress outside returns. Throws as update does.
+  PlaneStress returned(const PlaneStress& trial) const;
+  const ElasticLaw& elastic() const { return elastic_; }
+  const MohrCoulombPlanes& planes() const { return planes_; }
 
  private:
+  double dissipated(const PlaneStress& stress, const PlaneStress& relaxed) const;
+
   ElasticLaw elastic_;
-  double k_, m_, strength_, tension_;  ///< strength: 2 c sqrt(k) (Pa)
+  MohrCoulombPlanes planes_;
 };
 
 }  // namespace upbead

@@ -1,37 +1,69 @@
 #include "material/soil_point.h"
 
+#include <type_traits>
 #include <utility>
 
 namespace upbead {
 
 namespace {
 
+/// The numbers of a state in turn.
+template <class State, class Visit>
+void visit(State& state, const Visit& of_number) {
+  const auto of_strain = [&](auto& strain) {
+    for (auto* number : {&strain.xx, &strain.yy, &strain.xy}) of_number(*number);
+  };
+  of_strain(state.strain);
+  if constexpr (std::is_same_v<std::remove_const_t<State>, HystereticLaw::State>) {
+    for (auto& plastic : state.plastic) of_strain(plastic);
+  } else {
+    of_strain(state.stress);
+    of_number(state.stress.zz);
+  }
+}
+
 template <class Law>
 class PointOf : public SoilPoint {
  public:
-  PointOf(std::shared_ptr<const Law> law, typename Law::State at_rest)
-      : law_(std::move(law)), now_(std::move(at_rest)) {
-    rest_ = law_->update({}, now_).stress;
-    stored_at_rest_ = law_->stored(now_);
+  PointOf(std::shared_ptr<const Law> law, typename Law::State at_rest) : soil_{std::move(law), std::move(at_rest), {}} {
+    soil_.rest = soil_.law->update({}, soil_.now).stress;
+    stored_at_rest_ = soil_.law->stored(soil_.now);
   }
   PlaneStress stress(const PlaneStrain& strain) override {
-    scratch_ = now_;
-    return since_rest(law_->update(strain, scratch_).stress);
+    scratch_ = soil_.now;
+    return since_rest(soil_.law->update(strain, scratch_).stress);
   }
-  double commit(const PlaneStrain& strain) override { return law_->update(strain, now_).dissipated; }
+  double commit(const PlaneStrain& strain) override { return soil_.law->update(strain, soil_.now).dissipated; }
   double stored() const override {
-    const PlaneStrain& e = now_.strain;
-    return law_->stored(now_) - stored_at_rest_ - (rest_.xx * e.xx + rest_.yy * e.yy + 2. * rest_.xy * e.xy);
+    const PlaneStrain& e = soil_.now.strain;
+    const PlaneStress& rest = soil_.rest;
+    return soil_.law->stored(soil_.now) - stored_at_rest_ - (rest.xx * e.xx + rest.yy * e.yy + 2. * rest.xy * e.xy);
   }
+  void remember(std::vector<double>& memory) const override {
+    visit(soil_.now, [&](double number) { memory.push_back(number); });
+  }
+  const double* recall(const double* memory) override {
+    visit(soil_.now, [&](double& number) { number = *memory++; });
+    return memory;
+  }
+  const HystereticSoil* hysteretic() const override { return told<HystereticLaw>(); }
+  const MohrCoulombSoil* mohr_coulomb() const override { return told<MohrCoulombLaw>(); }
 
  private:
   PlaneStress since_rest(const PlaneStress& s) const {
-    return {s.xx - rest_.xx, s.yy - rest_.yy, s.xy - rest_.xy, s.zz - rest_.zz};
+    const PlaneStress& rest = soil_.rest;
+    return {s.xx - rest.xx, s.yy - rest.yy, s.xy - rest.xy, s.zz - rest.zz};
+  }
+  template <class Other>
+  const SoilOf<Other>* told() const {
+    if constexpr (std::is_same_v<Law, Other>)
+      return &soil_;
+    else
+      return nullptr;
   }
 
-  std::shared_ptr<const Law> law_;
-  typename Law::State now_, scratch_;
-  PlaneStress rest_;
+  SoilOf<Law> soil_;
+  typename Law::State scratch_;
   double stored_at_rest_ = 0.;
 };
 

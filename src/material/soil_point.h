@@ -2,11 +2,23 @@
 #pragma once
 
 #include <memory>
+#include <stdexcept>
+#include <vector>
 
 #include "material/hysteretic_law.h"
 #include "material/mohr_coulomb_law.h"
 
 namespace upbead {
+
+/// A law, what it remembers, and what it bore at rest.
+template <class Law>
+struct SoilOf {
+  std::shared_ptr<const Law> law;
+  typename Law::State now;
+  PlaneStress rest;
+};
+using HystereticSoil = SoilOf<HystereticLaw>;
+using MohrCoulombSoil = SoilOf<MohrCoulombLaw>;
 
 /// Counts strain, stress and energy from the state at rest on.
 class SoilPoint {
@@ -18,6 +30,15 @@ class SoilPoint {
   virtual double commit(const PlaneStrain& strain) = 0;
   /// Energy stored since rest by stresses, less the work of those at rest, which weights have done (J/m3).
   virtual double stored() const = 0;
+  /// Appends all that it has committed, for checkpoints; takes it back from there, and returns what follows.
+  virtual void remember(std::vector<double>& /*memory*/) const { throw std::invalid_argument(no_memory); }
+  virtual const double* recall(const double* /*memory*/) { throw std::invalid_argument(no_memory); }
+  /// What it is, where SoilPack may follow it in lanes; else null.
+  virtual const HystereticSoil* hysteretic() const { return nullptr; }
+  virtual const MohrCoulombSoil* mohr_coulomb() const { return nullptr; }
+
+ private:
+  static constexpr const char* no_memory = "this soil keeps no checkpoints";
 };
 
 /// Of a law whose `at_rest` bears what it bears before the waves, without strain. What the soil bears at rest beyond
