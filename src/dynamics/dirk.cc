@@ -61,7 +61,7 @@ Dirk::Dirk(const System& system, Tableau tableau, std::shared_ptr<const Symmetri
       stability_(tableau_.stability()),
       V_(system.size(), c_.size()),
       A_(system.size(), c_.size()),
-      now_{{}, {}, {}, {}, Vector::Zero(system.size()), {}, nullptr, 0.} {}
+      now_{{}, {}, {}, {}, Vector::Zero(system.size()), {}, nullptr, 0., 0.} {}
 
 void Dirk::predict(const State& state, double h, int stage) {
   now_.v_predicted = state.v;
@@ -90,6 +90,7 @@ bool Dirk::step(State& state, double h, double inside, EffectiveMatrices& matric
     now_.rhs = f_;
     now_.load = &f_;
     now_.weight = h * b_[i];
+    now_.time = state.time + c_[i] * h;
     damping_and_stiffness_->subtract_products(now_.v_predicted, now_.x, now_.rhs);
     if (law == nullptr) {
       E.solve(now_.rhs, now_.a);

@@ -38,6 +38,7 @@ struct DirkStage {
   Vector rhs;         ///< f - C v_predicted - K x before move(), so that E a = rhs
   const Vector* load = nullptr;  ///< f
   double weight = 0.;            ///< of the stage in the step, h b_i (s)
+  double time = 0.;              ///< s
 
   /// x and v that belong to a.
   void move(double g) {

@@ -82,14 +82,14 @@ void GeneralisedAlpha::start(const State& state) {
 
 SchemeMemory GeneralisedAlpha::memory() const {
   SchemeMemory memory = SchemeBase::memory();
-  memory.largest_load = largest_load_;
+  memory.history = largest_load_;
   memory.last_step = last_step_;
   return memory;
 }
 
 void GeneralisedAlpha::recall(const SchemeMemory& memory) {
   SchemeBase::recall(memory);
-  largest_load_ = memory.largest_load;
+  largest_load_ = memory.history;
   last_step_ = memory.last_step;
 }
 

@@ -27,8 +27,12 @@ struct YieldingOptions {
 /// ascend within the step. Each stage is a fixed point of the internal force, by Anderson mixing on the elastic
 /// factorisation: p -> p(x(E^-1 (rhs + p))). Where nothing yields p is zero and the answer is that of the elastic
 /// system. Every stage starts from the history at the beginning of the step, which the end of the step becomes. A step
-/// in which a stage does not converge is halved, up to ten times, then NumericsError tells the time.
-/// Keeps no checkpoints. Its report is Scheme::yielding().
+/// in which a stage does not converge is halved, up to ten times, then NumericsError tells the time. Its report is
+/// Scheme::yielding().
+///
+/// Where the system has an interface, "yielding, contact": its nodes slip and open by the law of make_contact_scheme,
+/// decided for every p on the way, so that at the fixed point of a stage both laws hold. Order 2 while no node closes;
+/// four steps of order 1 where one does. Then Scheme::contact() reports as well, and no checkpoints are kept.
 ///
 /// `force` outlives the scheme. Throws std::invalid_argument where the system is divided.
 std::unique_ptr<Scheme> make_yielding_scheme(const System& system, InternalForce& force,

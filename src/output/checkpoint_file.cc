@@ -147,7 +147,7 @@ std::string checkpoint_file(const std::string& title, const CheckpointFile& chec
   out.add("/memory/balanced", memory.balanced.state);
   out.add("/memory/balanced/load", memory.balanced.load);
   out.add("/memory/end_load", memory.end_load);
-  out.add("/memory/largest_load", memory.largest_load);
+  out.add("/memory/history", memory.history);
   out.add("/memory/last_step", Numbers{memory.last_step});
   out.add("/memory/energy", packed({memory.energy}));
   out.add("/observed", checkpoint.march.observed);
@@ -180,7 +180,7 @@ CheckpointFile read_checkpoint(const std::string& path) {
   if (energy.size() != energy_terms.size()) in.damaged("/memory/energy");
   file.march.memory = {{in.state("/memory/balanced"), in.numbers("/memory/balanced/load")},
                        in.numbers("/memory/end_load"),
-                       in.numbers("/memory/largest_load"),
+                       in.numbers("/memory/history"),
                        in.number("/memory/last_step"),
                        unpacked(energy).front()};
   if (file.march.memory.balanced.state.x.size() != so_far.final_state.x.size()) in.damaged("/memory/balanced");

@@ -1,6 +1,7 @@
 // What soil that yields adds to a system: M x'' + C x' + K x = sum_k b_k f_k(t) + p(x, history).
 #pragma once
 
+#include <stdexcept>
 #include <vector>
 
 #include "upbead/algebra/sparse.h"
@@ -25,6 +26,12 @@ class InternalForce {
   /// Energy that is stored, less that of the elastic K, at the committed x (J/m). The work of p since rest is -(this +
   /// what was dissipated), but for what the steps take.
   virtual double stored_beside_elastic() const = 0;
+  /// All that it has committed, for checkpoints, and back.
+  virtual std::vector<double> memory() const { throw std::invalid_argument(no_memory); }
+  virtual void recall(const std::vector<double>& /*memory*/) { throw std::invalid_argument(no_memory); }
+
+ private:
+  static constexpr const char* no_memory = "this internal force keeps no checkpoints";
 };
 
 }  // namespace upbead

@@ -93,7 +93,7 @@ TEST_F(CheckpointFileTest, ComesBackToTheLastBit) {
   expect_same(m.balanced.state, n.balanced.state);
   EXPECT_EQ(m.balanced.load, n.balanced.load);
   EXPECT_EQ(m.end_load, n.end_load);
-  EXPECT_EQ(m.largest_load, n.largest_load);
+  EXPECT_EQ(m.history, n.history);
   EXPECT_EQ(m.last_step, n.last_step);
   EXPECT_EQ(m.energy.work, n.energy.work);
 }
@@ -101,11 +101,11 @@ TEST_F(CheckpointFileTest, ComesBackToTheLastBit) {
 TEST_F(CheckpointFileTest, ListsMayBeEmpty) {
   CheckpointFile file = sample();
   file.fields.clear();
-  file.march.memory.largest_load.clear();
+  file.march.memory.history.clear();
   file.march.so_far.energy.clear();
   const CheckpointFile back = read(checkpoint_file("title", file));
   EXPECT_TRUE(back.fields.empty());
-  EXPECT_TRUE(back.march.memory.largest_load.empty());
+  EXPECT_TRUE(back.march.memory.history.empty());
   EXPECT_TRUE(back.march.so_far.energy.empty());
 }
 

@@ -23,8 +23,10 @@ struct LoadedState {
 struct SchemeMemory {
   LoadedState balanced;
   std::vector<double> end_load;
-  std::vector<double> largest_load;  ///< |f_k| so far, of generalised-alpha; else empty
-  double last_step = 0.;             ///< of generalised-alpha (s); 0 before the first
+  /// |f_k| so far, of generalised-alpha; what the soil has committed, and what its solves begin with, of soil that
+  /// yields; else empty.
+  std::vector<double> history;
+  double last_step = 0.;  ///< of generalised-alpha (s); 0 before the first
   EnergyAccount energy;
 };
 
@@ -35,7 +37,7 @@ class Scheme {
  public:
   virtual ~Scheme() = default;
 
-  /// As in the case file: "sdirk4", "generalised_alpha"; "contact", "yielding".
+  /// As in the case file: "sdirk4", "generalised_alpha"; "contact", "yielding", "yielding, contact".
   virtual std::string name() const = 0;
   /// Order of convergence of x and x' in the step.
   virtual int order() const = 0;
