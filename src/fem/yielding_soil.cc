@@ -1,202 +1,313 @@
 #include "fem/yielding_soil.h"
 
-#include <deal.II/base/quadrature_lib.h>
-#include <deal.II/fe/fe_values.h>
-
 #include <algorithm>
+#include <array>
+#include <iterator>
 #include <map>
 #include <utility>
 
-#include "fem/kernels.h"
+#include "base/crew.h"
+#include "base/numbers.h"
+#include "fem/cell_pack.h"
+#include "upbead/base/error.h"
 
 namespace upbead {
 
-using namespace dealii;
-
 namespace {
 
-/// Of several numbered things the strain that each makes of a point, all points one after the other.
-struct Shapes {
-  std::vector<int> number;
-  std::vector<PlaneStrain> strain;
+using detail::Lanes;
 
-  int size() const { return static_cast<int>(number.size()); }
-  void append(const std::map<int, PlaneStrain>& of_point) {
-    for (const auto& [i, of] : of_point) {
-      number.push_back(i);
-      strain.push_back(of);
-    }
+/// Displacements of the nodes of soil that yields, from the unknowns, and forces on them back.
+class SoilNodes {
+ public:
+  /// The number that a degree of freedom of the space has here.
+  int number(int dof) {
+    const auto [found, is_new] = number_.emplace(dof, size());
+    if (is_new) dofs_.push_back(dof);
+    return found->second;
   }
+  int size() const { return static_cast<int>(number_.size()); }
+  /// Once all have their numbers.
+  void connect(const Unknowns& unknowns, int n_unknowns, const std::vector<Reading>& readings);
+
+  /// Rows of the unknowns on which they depend, ascending.
+  const std::vector<int>& rows() const { return rows_; }
+  /// Has one more entry than nodes, zero: where lanes without a cell look.
+  void displace(const Vector& x, Vector& u) const;
+  /// p of the rows, from nodal forces.
+  void gather(const Vector& F, Vector& p) const;
+  /// Less what nodal forces do to readings.
+  void subtract_from_readings(const Vector& F, Vector& readings) const;
+
+ private:
+  struct Entry {
+    int unknown, row;
+    double weight;
+  };
+  std::map<int, int> number_;
+  std::vector<int> dofs_;
+  std::vector<Entry> entries_;
+  std::vector<int> end_;  ///< of a node's entries, which begin where those of the node before end
+  std::vector<int> rows_;
+  std::vector<Row> of_readings_;  ///< (node, weight)
 };
 
-/// Where the entries of a point end, and for how much area it stands.
-struct Point {
-  std::unique_ptr<SoilPoint> soil;
-  int cell;
-  double area;                       ///< m2
-  int end_of_unknowns, end_of_sums;  ///< in the lists; they begin where those of the point before end
+void SoilNodes::connect(const Unknowns& unknowns, int n_unknowns, const std::vector<Reading>& readings) {
+  for (const int dof : dofs_) {
+    for (const auto& [unknown, weight] : unknowns.expansion(static_cast<unsigned>(dof))) {
+      if (unknown >= n_unknowns) continue;
+      entries_.push_back({unknown, 0, weight});
+      rows_.push_back(unknown);
+    }
+    end_.push_back(static_cast<int>(entries_.size()));
+  }
+  std::sort(rows_.begin(), rows_.end());
+  rows_.erase(std::unique(rows_.begin(), rows_.end()), rows_.end());
+  for (Entry& entry : entries_)
+    entry.row = static_cast<int>(std::lower_bound(rows_.begin(), rows_.end(), entry.unknown) - rows_.begin());
+  for (const Reading& reading : readings) {
+    Row& row = of_readings_.emplace_back();
+    for (const auto& [dof, weight] : reading.nodal_forces)
+      if (const auto found = number_.find(static_cast<int>(dof)); found != number_.end())
+        row.emplace_back(found->second, weight);
+  }
+}
+
+void SoilNodes::displace(const Vector& x, Vector& u) const {
+  u.resize(size() + 1);
+  int k = 0;
+  for (int i = 0; i < size(); ++i) {
+    double sum = 0.;
+    for (; k < end_[static_cast<std::size_t>(i)]; ++k) sum += entries_[k].weight * x[entries_[k].unknown];
+    u[i] = sum;
+  }
+  u[size()] = 0.;
+}
+
+void SoilNodes::gather(const Vector& F, Vector& p) const {
+  p.setZero(static_cast<Eigen::Index>(rows_.size()));
+  int k = 0;
+  for (int i = 0; i < size(); ++i)
+    for (; k < end_[static_cast<std::size_t>(i)]; ++k) p[entries_[k].row] += entries_[k].weight * F[i];
+}
+
+void SoilNodes::subtract_from_readings(const Vector& F, Vector& readings) const {
+  for (std::size_t r = 0; r < of_readings_.size(); ++r)
+    for (const auto& [node, weight] : of_readings_[r]) readings[static_cast<Eigen::Index>(r)] -= weight * F[node];
+}
+
+/// Cells of one kind that wait for their packs.
+struct Waiting {
+  std::vector<CellShapes> shapes;
+  std::vector<PackedCell> cells;
 };
-
-void add(std::map<int, PlaneStrain>& sums, int number, double weight, const PlaneStrain& of) {
-  PlaneStrain& sum = sums[number];
-  sum = {sum.xx + weight * of.xx, sum.yy + weight * of.yy, sum.xy + weight * of.xy};
-}
-
-/// Readings in which a nodal force counts, and how much, by degree of freedom.
-std::vector<Row> readings_of_dofs(const Space& space, const std::vector<Reading>& readings) {
-  std::vector<Row> of_dof(space.dofs().n_dofs());
-  for (std::size_t r = 0; r < readings.size(); ++r)
-    for (const auto& [dof, weight] : readings[r].nodal_forces) of_dof[dof].emplace_back(static_cast<int>(r), weight);
-  return of_dof;
-}
+/// By law, nodes and points.
+using PackKey = std::array<std::size_t, 3>;
 
 class SoilOfCells : public YieldingSoil {
  public:
   SoilOfCells(const Space& space, const Unknowns& unknowns, const std::vector<Reading>& readings,
-              const PointsOfCells& points);
+              const PointsOfCells& points, const SoilWork& work);
 
-  const std::vector<int>& rows() const override { return rows_; }
+  const std::vector<int>& rows() const override { return nodes_.rows(); }
   void evaluate(const Vector& x, Vector& p) override;
   double commit(const Vector& x) override;
   const Vector& added_to_readings() const override { return added_; }
-  double stored_beside_elastic() const override;
-  double exerted() const override { return exerted_.norm(); }
+  double stored_beside_elastic() const override { return stored_sum_; }
+  double exerted() const override { return exerted_; }
   const std::vector<double>& dissipated() const override { return lost_; }
+  std::vector<PlaneStress> stress(unsigned cell) override;
+  double share_skipped() const override { return n_updates_ > 0. ? n_skipped_ / n_updates_ : 0.; }
+  std::vector<double> memory() const override;
+  void recall(const std::vector<double>& memory) override;
 
  private:
-  void add_point(const FEValues<dim>& values, unsigned q, const Dofs& dofs, const Unknowns& unknowns,
-                 const std::vector<Row>& readings);
-  void number_rows();
-  PlaneStrain strain(std::size_t point, const Vector& x) const;
-  /// Of the elastic stress less that of the soil (N/m), at a strain.
-  PlaneStress correction(const Point& point, const PlaneStrain& strain, const PlaneStress& s) const;
+  void make_packs(std::map<PackKey, Waiting>& waiting);
+  /// Each pack, by several threads, from displacements u; then the sum of the nodal forces that they left.
+  void sum_forces(const Vector& u, const std::function<void(std::size_t)>& work, Vector& F);
+  void commit_pack(std::size_t pack);
 
-  std::vector<ElasticLaw> elastic_;  ///< by active cell index
-  std::vector<Point> points_;
-  Shapes unknowns_, sums_;  ///< by unknowns, and by readings: of the displacements whose nodal forces they sum up
-  std::vector<int> row_;    ///< of an entry of unknowns_, its place in rows_
-  std::vector<int> rows_;
-  std::vector<double> lost_;  ///< by active cell index (J/m)
-  Vector x_;                  ///< committed
-  Vector exerted_;            ///< by the soil in its rows, at x_
-  Vector added_;              ///< to readings
+  bool skips_;
+  SoilNodes nodes_;
+  std::vector<CellPack> packs_;
+  std::vector<std::pair<int, int>> place_;    ///< pack and lane by active cell index; -1 of cells that stay elastic
+  std::vector<double> lost_;                  ///< by active cell index (J/m)
+  std::vector<PackNumber> lost_of_, stored_;  ///< by pack (J/m): in the last commit; beside the elastic D
+  std::vector<char> rested_;                  ///< by pack, whether it was left out of the last evaluation
+  double n_updates_ = 0., n_skipped_ = 0.;    ///< of cells
+  Crew crew_;
+  Vector added_;  ///< to readings
+  double exerted_ = 0., stored_sum_ = 0.;
+  Vector u_, committed_, F_, elastic_F_, total_;
 };
 
 SoilOfCells::SoilOfCells(const Space& space, const Unknowns& unknowns, const std::vector<Reading>& readings,
-                         const PointsOfCells& points)
-    : x_(Vector::Zero(unknowns.size())), added_(Vector::Zero(static_cast<Eigen::Index>(readings.size()))) {
-  const std::vector<Row> of_dof = readings_of_dofs(space, readings);
+                         const PointsOfCells& points, const SoilWork& work)
+    : skips_(work.skip), crew_(work.threads), added_(Vector::Zero(static_cast<Eigen::Index>(readings.size()))) {
+  std::map<PackKey, Waiting> waiting;
   for (const Cell& cell : space.dofs().active_cell_iterators()) {
-    elastic_.push_back(space.material(cell));
     const unsigned index = cell->active_cell_index();
     std::unique_ptr<SoilPoint> soil = points(index);
     lost_.push_back(soil ? 0. : -1.);
+    place_.emplace_back(-1, -1);
     if (!soil) continue;
-    // as many points as the stiffness of the cell has
-    FEValues<dim> values(space.mapping(), cell->get_fe(), QGauss<dim>(static_cast<unsigned>(space.degree()) + 1),
-                         update_gradients | update_JxW_values);
-    values.reinit(typename Triangulation<dim>::cell_iterator(cell));
-    for (unsigned q = 0; q < values.n_quadrature_points; ++q) {
-      points_.push_back({soil ? std::move(soil) : points(index), static_cast<int>(index), values.JxW(q), 0, 0});
-      add_point(values, q, dofs_of(cell), unknowns, of_dof);
+    CellShapes shapes = shapes_of(space, cell);
+    for (auto& node : shapes.dofs)
+      for (int& dof : node) dof = nodes_.number(dof);
+    PackedCell packed{space.material(cell), {}};
+    for (std::size_t q = 0; q < shapes.area.size(); ++q)
+      packed.points.push_back(soil ? std::move(soil) : points(index));
+    const PackKind kind = work.by_points ? PackKind::points : pack_kind(packed);
+    Waiting& others = waiting[{static_cast<std::size_t>(kind), shapes.dofs.size(), shapes.area.size()}];
+    others.shapes.push_back(std::move(shapes));
+    others.cells.push_back(std::move(packed));
+  }
+  const int n_unknowns = work.n_unknowns > 0 ? work.n_unknowns : unknowns.size();
+  nodes_.connect(unknowns, n_unknowns, readings);
+  make_packs(waiting);
+  nodes_.displace(Vector::Zero(n_unknowns), committed_);
+}
+
+void SoilOfCells::make_packs(std::map<PackKey, Waiting>& waiting) {
+  for (auto& [key, all] : waiting)
+    for (std::size_t begin = 0; begin < all.cells.size(); begin += detail::lanes) {
+      const auto part = [&](auto& list) {
+        const auto first = list.begin() + static_cast<std::ptrdiff_t>(begin);
+        const auto n = std::min<std::ptrdiff_t>(detail::lanes, list.end() - first);
+        return std::vector(std::make_move_iterator(first), std::make_move_iterator(first + n));
+      };
+      const std::vector<CellShapes> shapes = part(all.shapes);
+      for (std::size_t lane = 0; lane < shapes.size(); ++lane)
+        place_[static_cast<std::size_t>(shapes[lane].cell)] = {static_cast<int>(packs_.size()), static_cast<int>(lane)};
+      packs_.emplace_back(shapes, soil_pack(static_cast<PackKind>(key[0]), part(all.cells)), nodes_.size());
     }
-  }
-  number_rows();
+  lost_of_.resize(packs_.size());
+  stored_.resize(packs_.size());
+  rested_.resize(packs_.size());
 }
 
-void SoilOfCells::add_point(const FEValues<dim>& values, unsigned q, const Dofs& dofs, const Unknowns& unknowns,
-                            const std::vector<Row>& readings) {
-  std::map<int, PlaneStrain> by_unknown, by_reading;
-  for (unsigned i = 0; i < dofs.size(); ++i) {
-    const PlaneStrain of = strain_of(values, i, q);
-    if (of.xx == 0. && of.yy == 0. && of.xy == 0.) continue;
-    for (const auto& [unknown, weight] : unknowns.expansion(dofs[i])) add(by_unknown, unknown, weight, of);
-    for (const auto& [reading, weight] : readings[dofs[i]]) add(by_reading, reading, weight, of);
-  }
-  unknowns_.append(by_unknown);
-  sums_.append(by_reading);
-  points_.back().end_of_unknowns = unknowns_.size();
-  points_.back().end_of_sums = sums_.size();
-}
-
-void SoilOfCells::number_rows() {
-  rows_ = unknowns_.number;
-  std::sort(rows_.begin(), rows_.end());
-  rows_.erase(std::unique(rows_.begin(), rows_.end()), rows_.end());
-  for (const int unknown : unknowns_.number)
-    row_.push_back(static_cast<int>(std::lower_bound(rows_.begin(), rows_.end(), unknown) - rows_.begin()));
-}
-
-PlaneStrain SoilOfCells::strain(std::size_t point, const Vector& x) const {
-  PlaneStrain sum;
-  for (int k = point > 0 ? points_[point - 1].end_of_unknowns : 0; k < points_[point].end_of_unknowns; ++k) {
-    const double value = x[unknowns_.number[k]];
-    const PlaneStrain& of = unknowns_.strain[k];
-    sum = {sum.xx + value * of.xx, sum.yy + value * of.yy, sum.xy + value * of.xy};
-  }
-  return sum;
-}
-
-PlaneStress SoilOfCells::correction(const Point& point, const PlaneStrain& strain, const PlaneStress& s) const {
-  const PlaneStress elastic = elastic_[point.cell].stress(strain);
-  return {point.area * (elastic.xx - s.xx), point.area * (elastic.yy - s.yy), 2. * point.area * (elastic.xy - s.xy)};
+void SoilOfCells::sum_forces(const Vector& u, const std::function<void(std::size_t)>& work, Vector& F) {
+  crew_.share(static_cast<int>(packs_.size()), [&](int i) {
+    const auto pack = static_cast<std::size_t>(i);
+    packs_[pack].take(u);
+    packs_[pack].clear_forces();
+    work(pack);
+  });
+  // one after the other: the sum is the same with any number of threads
+  F.setZero(nodes_.size() + 1);
+  for (const CellPack& pack : packs_) pack.give(F);
 }
 
 void SoilOfCells::evaluate(const Vector& x, Vector& p) {
-  p.setZero(static_cast<Eigen::Index>(rows_.size()));
-  int k = 0;
-  for (std::size_t i = 0; i < points_.size(); ++i) {
-    const PlaneStrain e = strain(i, x);
-    const PlaneStress c = correction(points_[i], e, points_[i].soil->stress(e));
-    for (; k < points_[i].end_of_unknowns; ++k) {
-      const PlaneStrain& of = unknowns_.strain[k];
-      p[row_[k]] += c.xx * of.xx + c.yy * of.yy + c.xy * of.xy;
+  nodes_.displace(x, u_);
+  const auto correct = [this](std::size_t i) {
+    CellPack& pack = packs_[i];
+    rested_[i] = skips_ && pack.rests();
+    if (rested_[i]) return;
+    PackStress correction;
+    for (int q = 0; q < pack.n_points(); ++q) {
+      pack.soil().correct(q, pack.strain(q), correction);
+      pack.add_force(q, correction);
     }
+  };
+  sum_forces(u_, correct, F_);
+  for (std::size_t i = 0; i < packs_.size(); ++i) {
+    n_updates_ += packs_[i].n_cells();
+    if (rested_[i]) n_skipped_ += packs_[i].n_cells();
   }
+  nodes_.gather(F_, p);
+}
+
+void SoilOfCells::commit_pack(std::size_t i) {
+  CellPack& pack = packs_[i];
+  PackStress correction;
+  Lanes &lost = lost_of_[i].value, &stored = stored_[i].value;
+  lost = stored = Lanes{};
+  PackNumber margin, least;
+  least.value += infinity;
+  for (int q = 0; q < pack.n_points(); ++q) {
+    const PackTensor strain = pack.strain(q);
+    pack.soil().correct(q, strain, correction);
+    pack.add_force(q, correction);
+    Lanes of_point{}, energy{};
+    pack.soil().commit(q, strain, of_point);
+    pack.soil().stored_beside_elastic(q, strain, energy);
+    lost += pack.area(q) * of_point;
+    stored += pack.area(q) * energy;
+    pack.soil().margin(q, strain, margin.value);
+    least.value = margin.value < least.value ? margin.value : least.value;
+  }
+  pack.settle(least);
 }
 
 /// A nodal force on the ground is K x - p, summed up over its cells.
 double SoilOfCells::commit(const Vector& x) {
-  double dissipated = 0.;
+  nodes_.displace(x, committed_);
+  const auto elastic = [this](std::size_t i) {
+    CellPack& pack = packs_[i];
+    for (int q = 0; q < pack.n_points(); ++q) pack.add_force(q, pack.elastic_stress(pack.strain(q)));
+  };
+  sum_forces(committed_, elastic, elastic_F_);
+  sum_forces(
+      committed_, [this](std::size_t i) { commit_pack(i); }, F_);
+  nodes_.gather(elastic_F_ - F_, total_);
+  exerted_ = total_.norm();
   added_.setZero();
-  exerted_.setZero(static_cast<Eigen::Index>(rows_.size()));
-  int j = 0, k = 0;
-  for (std::size_t i = 0; i < points_.size(); ++i) {
-    const double area = points_[i].area;
-    const PlaneStrain e = strain(i, x);
-    const PlaneStress s = points_[i].soil->stress(e), c = correction(points_[i], e, s);
-    for (; j < points_[i].end_of_unknowns; ++j) {
-      const PlaneStrain& of = unknowns_.strain[j];
-      exerted_[row_[j]] += area * (s.xx * of.xx + s.yy * of.yy + 2. * s.xy * of.xy);
+  nodes_.subtract_from_readings(F_, added_);
+  double dissipated = 0.;
+  stored_sum_ = 0.;
+  for (std::size_t i = 0; i < packs_.size(); ++i)
+    for (int lane = 0; lane < packs_[i].n_cells(); ++lane) {
+      lost_[static_cast<std::size_t>(packs_[i].cell(lane))] += lost_of_[i].value[lane];
+      dissipated += lost_of_[i].value[lane];
+      stored_sum_ += stored_[i].value[lane];
     }
-    for (; k < points_[i].end_of_sums; ++k) {
-      const PlaneStrain& of = sums_.strain[k];
-      added_[sums_.number[k]] -= c.xx * of.xx + c.yy * of.yy + c.xy * of.xy;
-    }
-    const double lost = area * points_[i].soil->commit(e);
-    lost_[points_[i].cell] += lost;
-    dissipated += lost;
-  }
-  x_ = x;
   return dissipated;
 }
 
-double SoilOfCells::stored_beside_elastic() const {
-  double sum = 0.;
-  for (std::size_t i = 0; i < points_.size(); ++i) {
-    const PlaneStrain e = strain(i, x_);
-    const PlaneStress s = elastic_[points_[i].cell].stress(e);
-    const double elastic = 0.5 * (s.xx * e.xx + s.yy * e.yy + 2. * s.xy * e.xy);
-    sum += points_[i].area * (points_[i].soil->stored() - elastic);
+std::vector<PlaneStress> SoilOfCells::stress(unsigned cell) {
+  std::vector<PlaneStress> found;
+  const auto [i, lane] = place_[cell];
+  if (i < 0) return found;
+  CellPack& pack = packs_[static_cast<std::size_t>(i)];
+  pack.take(committed_);
+  PackStress c;
+  for (int q = 0; q < pack.n_points(); ++q) {
+    const PackTensor strain = pack.strain(q);
+    const PackStress s = pack.elastic_stress(strain);
+    pack.soil().correct(q, strain, c);
+    found.push_back(
+        {s.xx[lane] - c.xx[lane], s.yy[lane] - c.yy[lane], s.xy[lane] - c.xy[lane], s.zz[lane] - c.zz[lane]});
   }
-  return sum;
+  return found;
+}
+
+std::vector<double> SoilOfCells::memory() const {
+  std::vector<double> memory{exerted_, stored_sum_, n_updates_, n_skipped_};
+  memory.insert(memory.end(), committed_.begin(), committed_.end());
+  memory.insert(memory.end(), lost_.begin(), lost_.end());
+  for (const CellPack& pack : packs_) {
+    pack.remember(memory);
+    pack.soil().remember(memory);
+  }
+  return memory;
+}
+
+void SoilOfCells::recall(const std::vector<double>& memory) {
+  if (memory.size() != this->memory().size()) throw NumericsError("the checkpoint does not belong to this soil");
+  const double* from = memory.data();
+  for (double* number : {&exerted_, &stored_sum_, &n_updates_, &n_skipped_}) *number = *from++;
+  for (double& number : committed_) number = *from++;
+  for (double& number : lost_) number = *from++;
+  for (CellPack& pack : packs_) from = pack.soil().recall(pack.recall(from));
 }
 
 }  // namespace
 
 std::unique_ptr<YieldingSoil> yielding_soil(const Space& space, const Unknowns& unknowns,
-                                            const std::vector<Reading>& readings, const PointsOfCells& points) {
-  return std::make_unique<SoilOfCells>(space, unknowns, readings, points);
+                                            const std::vector<Reading>& readings, const PointsOfCells& points,
+                                            const SoilWork& work) {
+  return std::make_unique<SoilOfCells>(space, unknowns, readings, points, work);
 }
 
 }  // namespace upbead

@@ -19,12 +19,28 @@ class YieldingSoil : public InternalForce {
  public:
   /// Lost so far by active cell index (J/m); -1 of cells that stay elastic.
   virtual const std::vector<double>& dissipated() const = 0;
+  /// Change of stress since rest at the points of quadrature of a cell, at the committed state (Pa); none of cells that
+  /// stay elastic.
+  virtual std::vector<PlaneStress> stress(unsigned cell) = 0;
+  /// Of all updates of a cell's stresses so far those that were left out, as no soil of it could have yielded.
+  virtual double share_skipped() const = 0;
+};
+
+/// How laws are evaluated; the answer is the same to round-off.
+struct SoilWork {
+  bool by_points = false;  ///< each point by its SoilPoint, without lanes: the reference
+  int threads = 0;         ///< see Crew; the answer is the same to the last bit with any number
+  /// Leaves out cells whose strain has changed since the last commit by less than what any of their soil needs to
+  /// yield: their part of p is then what it was, to the last bit.
+  bool skip = true;
+  int n_unknowns = 0;  ///< of the system, where it lacks the last ones of `unknowns`, those of an interface; 0: all
 };
 
 /// p = integral of B^T (D eps - sigma) over the cells that yield, sigma their law's answer to the strain since rest and
 /// D the elastic law of the cell, whose stiffness is in K. `readings`: those of the system, see Reading::nodal_forces;
 /// `space` and `unknowns` outlive it.
 std::unique_ptr<YieldingSoil> yielding_soil(const Space& space, const Unknowns& unknowns,
-                                            const std::vector<Reading>& readings, const PointsOfCells& points);
+                                            const std::vector<Reading>& readings, const PointsOfCells& points,
+                                            const SoilWork& work = {});
 
 }  // namespace upbead

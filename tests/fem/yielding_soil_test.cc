@@ -1,6 +1,6 @@
 // Claims: the internal force of yielding soil is, with a law of half the stiffness, half of K x; it is zero below
 // yield; a breakwater on soil that yields answers a small force as elastic soil does, and a large one with less F_T, a
-// residual displacement and energy lost.
+// residual displacement and energy lost. Lanes give what points do, to the last bit with any number of threads.
 
 #include "fem/yielding_soil.h"
 
@@ -19,10 +19,11 @@ namespace {
 /// By active cell index; null of cells that stay elastic.
 using CellLaws = std::vector<std::shared_ptr<const HystereticLaw>>;
 
-std::unique_ptr<InternalForce> yielding(const Compiled& compiled, const CellLaws& laws) {
-  return yielding_soil(compiled.space, compiled.unknowns, compiled.scene.system.readings, [&](unsigned cell) {
+std::unique_ptr<YieldingSoil> yielding(const Compiled& compiled, const CellLaws& laws, const SoilWork& work = {}) {
+  const auto points = [&](unsigned cell) {
     return laws[cell] ? soil_point(laws[cell], laws[cell]->at_rest()) : nullptr;
-  });
+  };
+  return yielding_soil(compiled.space, compiled.unknowns, compiled.scene.system.readings, points, work);
 }
 
 constexpr double gamma_r = 5e-4;
@@ -82,6 +83,143 @@ TEST(YieldingSoil, WhatIsNotCommittedIsForgotten) {
   EXPECT_GT(soil->commit(x), 0.);
   soil->evaluate(rest, p);
   EXPECT_GT(p.norm(), 0.) << "what yielded stays";
+}
+
+TEST(YieldingSoil, LanesAndThreadsGiveWhatPointsDo) {
+  const auto mesh = breakwater_mesh(0.5);
+  const Compiled compiled(breakwater(triangle(1., 0.1)), *mesh);
+  const CellLaws of_cells = laws(compiled.space, 1., gamma_r);
+  SoilWork by_points, by_one, by_three;
+  by_points.by_points = true;
+  by_one.threads = 1;
+  by_three.threads = 3;
+  const auto points = yielding(compiled, of_cells, by_points), one = yielding(compiled, of_cells, by_one),
+             three = yielding(compiled, of_cells, by_three);
+  Vector p, q, r;
+  for (int step = 0; step < 5; ++step) {
+    const Vector x = 1e-3 * Vector::Random(compiled.scene.system.size());
+    points->evaluate(x, p);
+    one->evaluate(x, q);
+    three->evaluate(x, r);
+    EXPECT_LT((q - p).norm(), 1e-12 * p.norm());
+    EXPECT_EQ(q, r);
+    const double lost = points->commit(x), lost_in_lanes = one->commit(x);
+    EXPECT_NEAR(lost_in_lanes, lost, 1e-12 * lost);
+    EXPECT_EQ(three->commit(x), lost_in_lanes);
+    EXPECT_NEAR(one->exerted(), points->exerted(), 1e-12 * points->exerted());
+    EXPECT_NEAR(one->stored_beside_elastic(), points->stored_beside_elastic(),
+                1e-11 * std::abs(points->stored_beside_elastic()));
+    EXPECT_LT((one->added_to_readings() - points->added_to_readings()).norm(),
+              1e-12 * points->added_to_readings().norm());
+    for (const unsigned cell : {0u, 20u, 50u}) {
+      const std::vector<PlaneStress> a = points->stress(cell), b = one->stress(cell);
+      ASSERT_EQ(a.size(), b.size());
+      for (std::size_t i = 0; i < a.size(); ++i) {
+        EXPECT_NEAR(a[i].xy, b[i].xy, 1e-10 * std::abs(a[i].xy));
+        EXPECT_NEAR(a[i].zz, b[i].zz, 1e-10 * std::abs(a[i].zz));
+      }
+    }
+  }
+}
+
+/// Strains grow, turn and shrink; little is tried about each step.
+TEST(YieldingSoil, CellsThatCannotYieldAreLeftOutWithoutATrace) {
+  const auto mesh = breakwater_mesh(0.5);
+  const Compiled compiled(breakwater(triangle(1., 0.1)), *mesh);
+  const CellLaws of_cells = laws(compiled.space, 1., gamma_r);
+  SoilWork whole;
+  whole.skip = false;
+  const auto left_out = yielding(compiled, of_cells), all = yielding(compiled, of_cells, whole);
+  const Vector shape = Vector::Random(compiled.scene.system.size());
+  Vector p, q;
+  for (int step = 0; step < 12; ++step) {
+    const Vector x = 1e-4 * std::sin(step) * shape;
+    for (const double more : {0., 1e-9, 1e-7, 1e-5, 1e-4}) {
+      const Vector tried = x + more * Vector::Random(x.size());
+      left_out->evaluate(tried, p);
+      all->evaluate(tried, q);
+      EXPECT_EQ(p, q) << step << " " << more;
+    }
+    EXPECT_EQ(left_out->commit(x), all->commit(x));
+  }
+  EXPECT_GT(left_out->share_skipped(), 0.01);
+  EXPECT_LT(left_out->share_skipped(), 0.95);
+  EXPECT_EQ(all->share_skipped(), 0.);
+}
+
+TEST(YieldingSoil, MohrCoulombCellsFarFromYieldAreLeftOutWithoutATrace) {
+  const auto mesh = breakwater_mesh(0.5);
+  const Compiled compiled(breakwater(triangle(1., 0.1)), *mesh);
+  const Space& space = compiled.space;
+  std::vector<std::shared_ptr<const MohrCoulombLaw>> of_cells;
+  for (const Cell& cell : space.dofs().active_cell_iterators())
+    of_cells.push_back(
+        space.has_matrices(cell) && space.kind(cell) != CellKind::water
+            ? std::make_shared<MohrCoulombLaw>(space.material(cell), MohrCoulombStrength{35., 5e3, 5., 0.})
+            : nullptr);
+  const PointsOfCells points = [&](unsigned cell) {
+    const double p = 1e3 * (1 + cell % 100);  // from little to much stress at rest
+    return of_cells[cell] ? soil_point(of_cells[cell], {-0.5 * p, -p, 0., -0.5 * p}) : nullptr;
+  };
+  const auto make = [&](const SoilWork& work) {
+    return yielding_soil(space, compiled.unknowns, compiled.scene.system.readings, points, work);
+  };
+  SoilWork whole, by_points;
+  whole.skip = false;
+  by_points.by_points = true;
+  const auto left_out = make({}), all = make(whole), reference = make(by_points);
+  const Vector shape = Vector::Random(compiled.scene.system.size());
+  Vector p, q, r;
+  for (int step = 0; step < 8; ++step) {
+    const Vector x = 3e-4 * std::sin(step) * shape;
+    for (const double more : {0., 1e-7, 1e-5, 1e-4}) {
+      const Vector tried = x + more * Vector::Random(x.size());
+      left_out->evaluate(tried, p);
+      all->evaluate(tried, q);
+      reference->evaluate(tried, r);
+      EXPECT_LT((p - q).norm(), 1e-13 * q.norm() + 1e-300);
+      EXPECT_LT((p - r).norm(), 1e-9 * r.norm() + 1e-6);  // points leave round-off of stresses at rest
+    }
+    const double lost = all->commit(x);
+    EXPECT_NEAR(left_out->commit(x), lost, 1e-12 * lost);
+    EXPECT_NEAR(reference->commit(x), lost, 1e-8 * lost);
+  }
+  EXPECT_GT(left_out->share_skipped(), 0.02);
+}
+
+TEST(YieldingSoil, GoesOnFromACheckpointToTheLastBit) {
+  const auto mesh = breakwater_mesh(0.5);
+  const Compiled compiled(breakwater(triangle(3e6, 0.15)), *mesh);
+  const System& system = compiled.scene.system;
+  const CellLaws of_cells = laws(compiled.space, 1., gamma_r);
+  for (const bool by_points : {false, true}) {
+    SoilWork work;
+    work.by_points = by_points;
+    const auto marched = [&](const MarchOptions& options) {
+      const auto soil = yielding(compiled, of_cells, work);
+      const auto scheme = make_yielding_scheme(system, *soil);
+      const Response response = march(system, *scheme, make_time_grid(kinks(system), 0.15, 0.015), options);
+      return std::make_pair(response, soil->dissipated());
+    };
+    std::vector<MarchCheckpoint> all;
+    MarchOptions keeps;
+    keeps.checkpoints.due = [] { return true; };
+    keeps.checkpoints.keep = [&](const MarchCheckpoint& checkpoint) { all.push_back(checkpoint); };
+    const auto whole = marched(keeps);
+    ASSERT_EQ(all.size(), 10u);
+    for (const std::size_t i : {0u, 4u, 8u}) {
+      MarchOptions resumes;
+      resumes.checkpoints.resume_from = std::make_shared<const MarchCheckpoint>(all[i]);
+      const auto again = marched(resumes);
+      EXPECT_EQ(again.first.ends.reading, whole.first.ends.reading);
+      EXPECT_EQ(again.first.final_state.a, whole.first.final_state.a);
+      EXPECT_EQ(again.first.energy.back().plastic, whole.first.energy.back().plastic);
+      EXPECT_EQ(again.first.energy.back().scheme, whole.first.energy.back().scheme);
+      EXPECT_EQ(again.first.n_solves, whole.first.n_solves);
+      EXPECT_EQ(again.second, whole.second);
+    }
+    EXPECT_GT(whole.first.energy.back().plastic, 0.);
+  }
 }
 
 struct Answer {
