@@ -24,7 +24,7 @@ namespace {
 
 /// Both routes to F_T of soil that yields may differ by what its solves leave, over the largest force that they see.
 double tolerable_of_yielding(const Scene& scene) {
-  return 1e-7 + 100. * yielding_tolerance * scene.tolerance;
+  return 1e-7 + 10. * yielding_tolerance * scene.tolerance;
 }
 
 constexpr double most_steps = 1e6, most_fields = 1e4;
@@ -340,9 +340,8 @@ Run march_by(Scheme& scheme, const Simulation& simulation, const std::string& re
   step.reason = "given in the case";
   if (!time.step) {
     step = choose_step(simulation.given, *simulation.compiled, scheme.order());
-    if (scheme.yielding()) step.largest_step *= contact_step;
-    if (scheme.contact()) {
-      step.largest_step *= contact_step;
+    if (scheme.yielding() || scheme.contact()) step.largest_step *= contact_step;
+    if (scheme.contact() && !scheme.yielding()) {
       marching.leap = contact_leap(simulation.given.tolerance);
       step.reason += ", up to " + std::to_string(marching.leap) + " at once while no node moves";
     }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/progress.h"
+#include "base/text.h"
 #include "dynamics/yielding.h"
 #include "fem/compile.h"
 #include "fem/soil_laws.h"
@@ -49,14 +50,27 @@ double share_yielded(const Space& space, const YieldingSoil& soil) {
   return all > 0. ? yielded / all : 0.;
 }
 
+/// A system whose interface is glued lacks its unknowns.
+SoilWork work_of(const System& system) {
+  SoilWork work;
+  work.n_unknowns = system.size();
+  return work;
+}
+
 Run march_from(const Simulation& simulation, RestStart start, const StaticStage& rest, const MarchOptions& marching,
-               const Care& care) {
+               const Care& care, const YieldingFollower& follower) {
   const SoilLaws laws = soil_laws(simulation.scene, *simulation.space, rest.stress, start);
   const System& system = simulation.compiled->system;
-  const auto soil = yielding_soil(*simulation.space, *simulation.unknowns, system.readings, laws.points);
+  const auto soil =
+      yielding_soil(*simulation.space, *simulation.unknowns, system.readings, laws.points, work_of(system));
   const auto scheme =
       make_yielding_scheme(system, *soil, {yielding_tolerance * simulation.given.tolerance, care.refined});
-  Run run = march_by(*scheme, simulation, "soil that yields", marching, care.part);
+  MarchOptions followed = marching;
+  if (MarchObserver* observer = follower.begin ? follower.begin(*scheme) : nullptr)
+    followed.observers.insert(followed.observers.begin(), observer);
+  Run run = march_by(*scheme, simulation, "soil that yields", followed, care.part);
+  run.scheme_reason += "; " + percent(soil->share_skipped()) +
+                       " of the updates of cells were left out, as no soil of theirs could yield";
   const YieldingReport& report = *scheme->yielding();
   NonlinearSummary& summary = run.summary.nonlinear.emplace();
   summary.start = is_hysteretic(simulation.scene) ? word_of(start, rest_start_words) : "static";
@@ -70,9 +84,10 @@ Run march_from(const Simulation& simulation, RestStart start, const StaticStage&
   return run;
 }
 
-Run climb_from(const Simulation& simulation, RestStart start, const StaticStage& rest, const MarchOptions& marching) {
+Run climb_from(const Simulation& simulation, RestStart start, const StaticStage& rest, const MarchOptions& marching,
+               const YieldingFollower& follower = {}) {
   const auto solve = [&](const MarchOptions& options, const Care& care) {
-    return march_from(simulation, start, rest, options, care);
+    return march_from(simulation, start, rest, options, care, follower);
   };
   return climb(simulation, ways_with_care(simulation.given, "yielding", solve), marching);
 }
@@ -89,11 +104,11 @@ StartBound bound_of(const Run& run) {
 }  // namespace
 
 Run run_yielding(const Simulation& simulation, const MarchOptions& marching,
-                 const std::function<void(double)>& progress) {
+                 const std::function<void(double)>& progress, const YieldingRunOptions& options) {
   const StaticStage rest = solve_static(simulation.scene, *simulation.mesh);
   const RestStart start = start_of(simulation.given);
-  Run run = climb_from(simulation, start, rest, marching);
-  if (simulation.compiled->caisson && wants_bounds(simulation.given)) {
+  Run run = climb_from(simulation, start, rest, marching, options.follower);
+  if (options.bounds && simulation.compiled->caisson && wants_bounds(simulation.given)) {
     int n = 0;
     for (const auto& [word, other] : rest_start_words) {
       if (other == start) continue;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <utility>
 
 #include "base/numbers.h"
@@ -13,6 +14,7 @@
 #include "run/derived.h"
 #include "run/sliding/uplift.h"
 #include "run/solve.h"
+#include "run/yielding_run.h"
 #include "system/interface.h"
 #include "upbead/base/error.h"
 #include "upbead/dynamics/march.h"
@@ -195,6 +197,35 @@ void remove_node_forces(int n_nodes, System& system, Response& response) {
   for (Series* series : {&response.ends, &response.balanced}) series->reading.conservativeResize(n, Eigen::NoChange);
 }
 
+/// What soil that yields adds to the forces at glued nodes, which are residuals of the rows of their slips and
+/// openings.
+void add_soil_to_node_forces(const Simulation& simulation, const System& system, System& tied) {
+  const int n_nodes = system.interface->n_nodes(), first = system.first_slip();
+  const std::size_t first_reading = tied.readings.size() - 2 * static_cast<std::size_t>(n_nodes);
+  const Unknowns& unknowns = *simulation.unknowns;
+  for (unsigned dof = 0; dof < simulation.space->dofs().n_dofs(); ++dof)
+    for (const auto& [unknown, weight] : unknowns.expansion(dof)) {
+      if (unknown < first) continue;
+      const bool is_slip = unknown < system.first_opening();
+      const auto node = static_cast<std::size_t>(unknown - (is_slip ? first : system.first_opening()));
+      Reading& reading = tied.readings[first_reading + 2 * node + (is_slip ? 0 : 1)];
+      reading.nodal_forces.emplace_back(static_cast<int>(dof), is_slip ? -weight : weight);
+    }
+}
+
+/// Of soil that yields, from all starts.
+Run march_yielding_contact(const Simulation& simulation, const MarchOptions& marching,
+                           const std::function<void(double)>& progress, ContactSummary& contact) {
+  std::optional<ContactRecorder> recorder;
+  YieldingRunOptions options;
+  options.follower.begin = [&](const Scheme& scheme) { return &recorder.emplace(simulation.compiled->system, scheme); };
+  options.follower.end = [&](Run& run) {
+    contact.solved = recorder->summary();
+    run.contact = recorder->history();
+  };
+  return run_yielding(simulation, marching, progress, options);
+}
+
 /// Also fills in what the nodes did.
 Run march_contact(const Simulation& simulation, const MarchOptions& marching, const Care& care,
                   ContactSummary& contact) {
@@ -247,7 +278,9 @@ Run run_contact(const Simulation& simulation, const MarchOptions& marching,
   ObserverFunction reported = progress_observer(progress);
   MarchOptions silent;
   silent.observers = {&reported};
-  Run run = run_bonded(bonded, silent, progress);
+  const bool soil_yields = yields(simulation.scene);
+  if (soil_yields) add_soil_to_node_forces(simulation, system, tied->system);
+  Run run = soil_yields ? run_yielding(bonded, silent, {}, {false, {}}) : run_bonded(bonded, silent, progress);
   const double margin = run.summary.reduction ? run.summary.reduction->error_of_others : 0.;
   ContactSummary contact{system.interface->friction,
                          system.interface->normal_force.sum(),
@@ -257,14 +290,16 @@ Run run_contact(const Simulation& simulation, const MarchOptions& marching,
   remove_node_forces(n_nodes, tied->system, run.response);
   run.simulation = std::make_shared<const Simulation>(bonded);
   add_loads(uplift, system);
-  if (contact.demand.reached || simulation.scene.fields_every) {
+  // from other starts of soil that yields the nodes may slip though from this one they do not
+  if (contact.demand.reached || simulation.scene.fields_every || soil_yields) {
     const auto moving = std::make_shared<const Simulation>(with_system(simulation, sliding));
     MarchOptions unkept = marching;
     unkept.checkpoints = {};
     const auto solve = [&](const MarchOptions& options, const Care& care) {
       return march_contact(*moving, options, care, contact);
     };
-    Run solved = climb(*moving, ways_with_care(simulation.given, "contact", solve), unkept);
+    Run solved = soil_yields ? march_yielding_contact(*moving, unkept, progress, contact)
+                             : climb(*moving, ways_with_care(simulation.given, "contact", solve), unkept);
     solved.simulation = moving;
     solved.summary.sliding = run.summary.sliding;
     solved.summary.periods = run.summary.periods;
