@@ -80,6 +80,24 @@ TableSchema<Strength> strength_schema() {
   return table;
 }
 
+TableSchema<Densification> densification_schema() {
+  TableSchema<Densification> table;
+  table.key("relative_density", &Densification::relative_density)
+      .range(from_to(0.2, 1.))
+      .doc("relative density D_r; tells c1 = 7600 (100 D_r)^-2.5 (Byrne 1991); or c1");
+  table.key("c1", &Densification::c1)
+      .range(above(0.))
+      .doc("volumetric strain over shear strain of the first cycle, instead of relative_density");
+  table.key("c2", &Densification::c2)
+      .range(at_least(0.))
+      .fallback("0.4 / c1")
+      .doc("how fast later cycles add less, with c1");
+  table.key("threshold", &Densification::threshold)
+      .range(at_least(0.))
+      .doc("amplitude of the shear strain up to which nothing is added; sand has about 1e-4");
+  return table;
+}
+
 TableSchema<ContactLaw> contact_schema() {
   TableSchema<ContactLaw> table;
   table.choice("kind", &ContactLaw::kind, contact_kind_words)
@@ -131,6 +149,9 @@ void declare_skeleton(TableSchema<Region>& table) {
       table.table("strength", &Region::strength, strength_schema())
           .doc("Mohr-Coulomb strength. Stresses of elastic soil, static plus dynamic, are held against it, and change "
                "by nothing; other laws yield by it."));
+  limit(table.table("densification", &Region::densification, densification_schema())
+            .doc("Sand that packs denser under cycles of shear, with law hysteretic or mohr_coulomb: pore pressure "
+                 "where its water stays, settlement where it goes. Without this table it keeps its volume."));
 }
 
 void declare_mass(TableSchema<Region>& table) {

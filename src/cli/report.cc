@@ -106,6 +106,15 @@ std::string describe(const NonlinearSummary& n, const Summary& summary) {
   return text;
 }
 
+std::string describe(const std::vector<CompactedSoil>& soils) {
+  std::string text;
+  for (const CompactedSoil& soil : soils)
+    text += (text.empty() ? "densification\n" : "") + format("  %-12s", soil.region.c_str()) + "volumetric strain " +
+            significant(soil.mean) + " in the mean, at most " + significant(soil.largest) + "; r_u at most " +
+            significant(soil.largest_pressure_ratio) + ", " + significant(soil.pressure_ratio_at_end) + " at the end\n";
+  return text;
+}
+
 std::string describe(const MeshAccuracy& accuracy) {
   std::string text = "adapted     unknowns (error of the history of F_T, of its peak):";
   for (const auto& [unknowns, error] : accuracy.levels)
@@ -305,6 +314,7 @@ std::string describe(const Run& run) {
   if (run.summary.error) text += describe(*run.summary.error, *run.summary.history_error);
   if (run.summary.soil) text += describe(*run.summary.soil);
   if (run.summary.nonlinear) text += describe(*run.summary.nonlinear, run.summary);
+  text += describe(run.summary.densification);
   text += describe_periods(run.summary);
   if (run.summary.contact) text += describe(*run.summary.contact);
   if (run.summary.sliding) text += describe(*run.summary.sliding);

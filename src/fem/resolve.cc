@@ -167,7 +167,14 @@ ResolvedScene resolve(const Scene& scene, const Mesh& mesh) {
     if (region.law != SoilLaw::elastic)
       resolved.decisions.push_back({name, "law", word_of(region.law, soil_law_words),
                                     "as the case says; where it yields nothing is linear, so it is marched", ""});
-    else if (region.strain_law)
+    if (region.densification)
+      resolved.decisions.push_back(
+          {name, "densification",
+           "C1 = " + significant(region.densification->C1()) + ", C2 = " + significant(region.densification->C2()),
+           "cycles of shear pack it denser (Byrne 1991); its strength at rest stays unless law = "
+           "\"mohr_coulomb\"",
+           ""});
+    if (region.strain_law && region.law == SoilLaw::elastic)
       resolved.decisions.push_back({name, "strain", "equivalent-linear",
                                     "stiffness and damping follow the shear strain, settled when it is run", ""});
     if (region.damping && !(region.strain_law && region.law == SoilLaw::elastic))

@@ -35,6 +35,19 @@ double earth_pressure_at_rest(const Region& region, const std::optional<double>&
   return *region.poissons_ratio / (1. - *region.poissons_ratio);
 }
 
+ShearCompaction compaction_of(const Densification& d) {
+  return {d.C1(), d.C2(), d.threshold};
+}
+
+double bulk_modulus(const ElasticLaw& law) {
+  return law.lambda + 2. / 3. * law.G;
+}
+
+std::unique_ptr<SoilPoint> kept(std::unique_ptr<CompactingPoint> point, unsigned cell, CompactingPoints& list) {
+  list.emplace_back(cell, point.get());
+  return point;
+}
+
 /// Laws of one scene, made cell by cell.
 class Maker {
  public:
@@ -54,17 +67,33 @@ class Maker {
     const std::size_t i = cell->active_cell_index();
     report.area += cell->measure();
     if (region.law == SoilLaw::hysteretic)
-      return hysteretic(region, space.material(cell), i, floor_.at(space.mesh().surface_of(cell)), cell->measure(),
-                        report);
+      return denser(region, space.material(cell), rest_.mean(i, k0_),
+                    hysteretic(region, space.material(cell), i, floor_.at(space.mesh().surface_of(cell)),
+                               cell->measure(), report));
     const Strength& s = *region.strength;
     const auto law = std::make_shared<const MohrCoulombLaw>(
         space.material(cell), MohrCoulombStrength{s.friction_angle, s.cohesion, s.dilatancy_angle, s.tension});
     const PlaneStress stress = at_rest(rest_, i, k0_);
     if (law->excess(stress) > 0.) report.beyond += cell->measure();
+    if (region.densification)
+      return [law, stress, bulk = bulk_modulus(space.material(cell)), denser = compaction_of(*region.densification),
+              list = compacting_](unsigned index) {
+        return kept(compacting_point(law, stress, bulk, denser), index, *list);
+      };
     return [law, stress](unsigned) { return soil_point(law, stress); };
   }
 
+  std::shared_ptr<CompactingPoints> compacting() const { return compacting_; }
+
  private:
+  /// The same points where the region keeps its volume.
+  PointsOfCells denser(const Region& region, const ElasticLaw& elastic, double mean,
+                       const PointsOfCells& points) const {
+    if (!region.densification) return points;
+    return [points, mean, bulk = bulk_modulus(elastic), law = compaction_of(*region.densification), list = compacting_](
+               unsigned index) { return kept(compacting_point(points(index), bulk, law, mean), index, *list); };
+  }
+
   std::vector<BackbonePoint> curve(const Region& region, double G, double strength) const {
     if (!region.strain_law)
       return backbone(
@@ -110,6 +139,7 @@ class Maker {
   const EffectiveStress& rest_;
   RestStart start_;
   std::map<std::string, double> floor_;
+  std::shared_ptr<CompactingPoints> compacting_ = std::make_shared<CompactingPoints>();
 };
 
 }  // namespace
@@ -117,6 +147,7 @@ class Maker {
 SoilLaws soil_laws(const Scene& scene, const Space& space, const EffectiveStress& rest, RestStart start) {
   const Maker maker(scene, space, rest, start);
   SoilLaws laws;
+  laws.compacting = maker.compacting();
   auto of_cell = std::make_shared<std::vector<PointsOfCells>>(space.mesh().triangulation.n_active_cells());
   for (const Cell& cell : space.dofs().active_cell_iterators())
     if (space.has_matrices(cell) && space.region(cell).law != SoilLaw::elastic)

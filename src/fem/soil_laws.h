@@ -1,8 +1,13 @@
 // The soil of a scene that yields: which law each cell has, and what it bears at rest.
 #pragma once
 
+#include <memory>
+#include <utility>
+#include <vector>
+
 #include "fem/static_stage.h"
 #include "fem/yielding_soil.h"
+#include "material/compacting_point.h"
 
 namespace upbead {
 
@@ -12,9 +17,13 @@ struct RestReport {
   double beyond = 0.;  ///< of it where the stress at rest exceeds the strength (m2)
 };
 
+/// Points of quadrature and the active cells that they lie in; whoever had them made keeps them alive.
+using CompactingPoints = std::vector<std::pair<unsigned, const CompactingPoint*>>;
+
 struct SoilLaws {
   PointsOfCells points;
   RestReport report;
+  std::shared_ptr<CompactingPoints> compacting;  ///< of the points that were made, those that pack denser
 };
 
 /// Laws of the cells of a scene whose static state is `rest`. The largest shear stress of hysteretic soil is

@@ -66,6 +66,8 @@ const Feature yielding{"soil that yields", [](const Scene& s) {
                            if (region.law != SoilLaw::elastic) keys.push_back("regions." + name + ".law");
                          return keys;
                        }};
+const Feature densification{"soil that packs denser",
+                            [](const Scene& s) { return in_regions(s, &Region::densification, "densification"); }};
 const Feature by_reduced{"a reduced model by name",
                          [](const Scene& s) { return when(s.time.scheme == TimeScheme::reduced, "time.scheme"); }};
 
@@ -115,6 +117,7 @@ const std::vector<Row>& rows() {
       {Treatment::several_processes, contact, "no contact is solved"},
       {Treatment::several_processes, strain, "soil does not follow its strain"},
       {Treatment::several_processes, yielding, "no soil yields"},
+      {Treatment::checkpoints, densification, "a run with soil that packs denser keeps none"},
       {Treatment::checkpoints, contact, "a run with contact keeps none"},
       {Treatment::checkpoints, strain, "a run with soil that follows its strain keeps none"},
       {Treatment::contact, deforming_caisson, "a caisson that deforms cannot slip",

@@ -43,6 +43,7 @@ const Rules& member_rules() {
       {"grain_bulk_modulus", {K::porous}, false, changed(&R::grain_bulk_modulus)},
       {"damping", {K::solid, K::porous}, false, is_set(&R::damping)},
       {"strength", {K::solid, K::porous}, false, is_set(&R::strength)},
+      {"densification", {K::porous}, false, is_set(&R::densification)},
       {"interface", {K::rigid, K::solid}, false, is_set(&R::interface)},
       {"deformation", {K::solid}, false, changed(&R::deformation)},
       {"compressibility", {K::water}, false, changed(&R::compressibility)},
@@ -66,6 +67,7 @@ class Checker {
     if (region_.kind == K::porous) check_porous();
     if (region_.strain_law) check_strain(*region_.strain_law);
     check_law();
+    if (region_.densification) check_densification(*region_.densification);
     if (region_.damping && region_.damping->frequencies[0] >= region_.damping->frequencies[1])
       add("damping", "the two frequencies of damping do not ascend", "give the lower one first, such as [1.0, 10.0]");
     return std::move(list_);
@@ -125,6 +127,19 @@ class Checker {
           "lower tension, or raise cohesion");
   }
 
+  void check_densification(const Densification& d) {
+    if (d.relative_density && d.c1)
+      add("densification", "both 'relative_density' and 'c1' are given", "keep one of them");
+    if (!d.relative_density && !d.c1)
+      add("densification", "neither 'relative_density' nor 'c1' is given, one of which densification needs",
+          "add relative_density = 0.5, or the measured c1");
+    if (d.c2 && !d.c1)
+      add("densification", "c2 is given without c1", "give both, or relative_density alone, which tells both");
+    if (region_.law == SoilLaw::elastic)
+      add("densification", "soil that packs denser needs a law that follows its history",
+          "add law = \"hysteretic\" or law = \"mohr_coulomb\"");
+  }
+
   void check_porous() {
     if (!region_.hydraulic_conductivity && region_.flow != Flow::drained)
       add_missing("hydraulic_conductivity", whose_, list_);
@@ -166,6 +181,14 @@ double Rayleigh::ratio_at(double frequency) const {
 double Rayleigh::error() const {
   const double s = sag(*this);
   return fit == RayleighFit::ends ? 1. - 1. / s : (s - 1.) / (s + 1.);
+}
+
+double Densification::C1() const {
+  return c1 ? *c1 : 7600. * std::pow(100. * *relative_density, -2.5);
+}
+
+double Densification::C2() const {
+  return c2.value_or(0.4 / C1());
 }
 
 bool belongs(const std::string& key, RegionKind kind) {

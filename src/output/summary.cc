@@ -245,6 +245,27 @@ OutputSchema<NonlinearSummary> nonlinear_outputs() {
       .list("bounds[]", &N::bounds, bound_outputs(), "from the other starts; empty unless `initial.bounds`");
 }
 
+OutputSchema<CompactedSoil> densification_outputs() {
+  using C = CompactedSoil;
+  return OutputSchema<C>()
+      .key("region", &C::region, "", "its name")
+      .key("mean", &C::mean, "", "volumetric strain by cycles of shear, over the area")
+      .key("largest", &C::largest, "", "the largest")
+      .key("at[]", &C::at, "m", "where that is")
+      .key("largest_amplitude", &C::largest_amplitude, "", "of shear strain in a half cycle")
+      .key("reversals", &C::reversals, "", "most of a point")
+      .key("largest_pressure_ratio", &C::largest_pressure_ratio, "",
+           "largest r_u at any time, 1 where no stress is left: mean effective stress lost over that at rest, which is "
+           "pore pressure over it where the total stress stays")
+      .key("pressure_ratio_at[]", &C::pressure_ratio_at, "m", "where that is")
+      .key("pressure_ratio_at_end", &C::pressure_ratio_at_end, "", "largest r_u at the end of the run")
+      .key("share_liquefied", &C::share_liquefied, "", "share of the area where r_u came to 0.95")
+      .key("left_out", &C::left_out, "", "share of the area that is left out of r_u: free surfaces")
+      .key("pressure_at_end", &C::pressure_at_end, "Pa",
+           "largest excess pore pressure at the end of the run; null where the region is drained")
+      .key("energy", &C::energy, "J/m", "taken by compaction, a part of `energy.plastic`");
+}
+
 OutputSchema<MobilisedStrength> strength_outputs() {
   using S = MobilisedStrength;
   return OutputSchema<S>()
@@ -316,6 +337,7 @@ OutputSchema<Summary> whole_outputs() {
       .object("nonlinear", &S::nonlinear, nonlinear_outputs(), "of [soil that yields](yielding.md); else null")
       .object("residual", &S::residual, residual_outputs(),
               "where the caisson came to rest at the end of the run; null where no soil yields")
+      .list("densification[]", &S::densification, densification_outputs(), "[denser soils](yielding.md#densification)")
       .list("checks[]", &S::checks, check_outputs(),
             "checks of the section: sliding, friction, pressure of heel and toe, overturning; empty without a caisson")
       .list("strength[]", &S::strength, strength_outputs(), "of each region with a [strength](warnings.md#strength)")

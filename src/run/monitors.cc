@@ -4,6 +4,7 @@
 
 #include "base/text.h"
 #include "fem/compile.h"
+#include "response/compaction.h"
 #include "response/reduction.h"
 #include "response/time_choice.h"
 #include "run/checks.h"
@@ -161,6 +162,7 @@ void Monitors::report(Run& run) {
   append(summary.warnings, lift_warnings(base, run));
   append(summary.warnings, pressure_warnings(summary.base));
   if (summary.sliding) append(summary.warnings, slip_warnings(*summary.sliding));
+  append(summary.warnings, compaction_warnings(summary.densification));
   append(summary.warnings, loose_warnings(summary));
   append(summary.warnings, balance_warnings(run));
   if (summary.sliding) append(summary.skipped, skipped(*summary.sliding));

@@ -8,6 +8,7 @@
 #include "fem/compile.h"
 #include "fem/soil_laws.h"
 #include "model/words.h"
+#include "response/compaction.h"
 #include "run/sliding/coupled_sliding.h"
 #include "run/solve.h"
 
@@ -80,6 +81,9 @@ Run march_from(const Simulation& simulation, RestStart start, const StaticStage&
   summary.cut_steps = report.cut_steps;
   summary.share_yielded = share_yielded(*simulation.space, *soil);
   if (laws.report.area > 0.) summary.share_beyond_at_rest = laws.report.beyond / laws.report.area;
+  if (!laws.compacting->empty())
+    run.summary.densification =
+        compacted_soils(*simulation.space, *simulation.unknowns, *laws.compacting, run.response.final_state);
   if (simulation.compiled->caisson) run.summary.residual = residual(*simulation.compiled, run.response);
   return run;
 }

@@ -44,6 +44,30 @@ const std::vector<BadCase> rows{
     BadCase{
         "StrainOfARigidRegion", "mass = 756e3", "mass = 756e3\nstrain = {}",
         "case.toml:36:1: 'strain' does not belong in [regions.caisson] (only in porous and solid regions); remove it"},
+    BadCase{"DensificationOfElasticSoil", "tortuosity = 1.2",
+            "tortuosity = 1.2\ndensification = { relative_density = 0.5 }",
+            "case.toml:23:1: [regions.rubble]: soil that packs denser needs a law that follows its history; add law = "
+            "\"hysteretic\" or law = \"mohr_coulomb\""},
+    BadCase{
+        "DensificationOfWhat", "tortuosity = 1.2",
+        "tortuosity = 1.2\nlaw = \"hysteretic\"\nstrength = { friction_angle = 35 }\ndensification = {}",
+        "case.toml:25:1: [regions.rubble]: neither 'relative_density' nor 'c1' is given, one of which densification "
+        "needs; add relative_density = 0.5, or the measured c1"},
+    BadCase{"DensificationTwice", "tortuosity = 1.2",
+            "tortuosity = 1.2\nlaw = \"hysteretic\"\nstrength = { friction_angle = 35 }\n"
+            "densification = { relative_density = 0.5, c1 = 0.4 }",
+            "case.toml:25:1: [regions.rubble]: both 'relative_density' and 'c1' are given; keep one of them"},
+    BadCase{"DensificationBySecondConstantAlone", "tortuosity = 1.2",
+            "tortuosity = 1.2\nlaw = \"hysteretic\"\nstrength = { friction_angle = 35 }\n"
+            "densification = { relative_density = 0.5, c2 = 0.4 }",
+            "case.toml:25:1: [regions.rubble]: c2 is given without c1; give both, or relative_density alone, which "
+            "tells both"},
+    BadCase{"RelativeDensityInPercent", "tortuosity = 1.2",
+            "tortuosity = 1.2\ndensification = { relative_density = 50 }",
+            "case.toml:23:19: relative_density = 50 is outside [0.2, 1]; give the relative density D_r"},
+    BadCase{"DensificationOfASolid", "youngs_modulus = 30e9",
+            "youngs_modulus = 30e9\ndensification = { relative_density = 0.5 }",
+            "case.toml:30:1: 'densification' does not belong in [regions.block] (only in porous regions); remove it"},
     BadCase{"UnknownFit", "ratio = 0.05,", "ratio = 0.05, fit = \"bnad\",",
             "case.toml:25:27: fit = \"bnad\" is none of ends, band; did you mean 'band'?"},
 };

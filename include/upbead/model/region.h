@@ -125,6 +125,15 @@ struct Strength {
   double tension = 0.;          ///< largest tensile stress (Pa), likewise
 };
 
+/// How a soil that yields packs denser under cycles of shear: Byrne (1991), see docs/yielding.md.
+struct Densification {
+  std::optional<double> relative_density;  ///< D_r, tells C1 = 7600 (100 D_r)^-2.5; or c1
+  std::optional<double> c1, c2;            ///< c2 = 0.4/c1 where it is not given
+  double threshold = 0.;                   ///< amplitude of shear strain up to which it does not
+  double C1() const;
+  double C2() const;
+};
+
 /// One physical surface of the mesh. Optional members belong to some kinds only; check() says which are missing.
 struct Region {
   RegionKind kind = RegionKind::porous;
@@ -147,6 +156,7 @@ struct Region {
   double grain_bulk_modulus = std::numeric_limits<double>::infinity();  ///< K_s (Pa)
   std::optional<Rayleigh> damping;
   std::optional<Strength> strength;                              ///< porous, solid
+  std::optional<Densification> densification;                    ///< porous
   std::optional<ContactLaw> interface;                           ///< rigid, solid: of the caisson's bottom
   Deformation deformation = Deformation::automatic;              ///< solid
   Compressibility compressibility = Compressibility::automatic;  ///< water

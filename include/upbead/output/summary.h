@@ -272,6 +272,7 @@ struct Summary {
   std::optional<SoilSummary> soil;             ///< none where no soil depends on strain
   std::optional<NonlinearSummary> nonlinear;   ///< none where no soil yields
   std::optional<ResidualSummary> residual;     ///< with it, of a caisson
+  std::vector<CompactedSoil> densification;    ///< of the regions that pack denser
   std::vector<Check> checks;                   ///< of the section, in the order of a sheet
   std::vector<MobilisedStrength> strength;     ///< of the regions whose strength is given
   NumberedWarnings warnings;                   ///< docs/warnings.md

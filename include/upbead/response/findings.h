@@ -43,6 +43,24 @@ struct Comparison {
   double phase = 0.;          ///< by which the computed one comes later: where both correlate best (s)
 };
 
+/// What cycles of shear made of a region that packs denser. The ratio of pressures is the mean effective stress that is
+/// lost over that at rest: excess pore pressure over it, where the total stress stays.
+struct CompactedSoil {
+  std::string region;
+  double mean = 0.;                                 ///< volumetric strain over the area
+  double largest = 0.;                              ///< and its largest
+  std::array<double, 2> at{0., 0.};                 ///< where that is (m)
+  double largest_amplitude = 0.;                    ///< of shear strain in a half cycle
+  int reversals = 0;                                ///< most
+  double largest_pressure_ratio = 0.;               ///< at any time, from 0 to 1
+  std::array<double, 2> pressure_ratio_at{0., 0.};  ///< where that is (m)
+  double pressure_ratio_at_end = 0.;                ///< the largest at the end of the march
+  double share_liquefied = 0.;                      ///< of the area, where it came to 0.95
+  double left_out = 0.;                   ///< of the area, as the stress at rest is below a tenth of the region's mean
+  std::optional<double> pressure_at_end;  ///< largest excess pore pressure (Pa); none where it is drained
+  double energy = 0.;                     ///< taken by compaction, a part of what soil that yields takes (J/m)
+};
+
 /// How much of a region's Mohr-Coulomb strength static plus dynamic stresses take. The mobilisation of a cell, at its
 /// middle, is r / (c cos phi + s sin phi), r the radius and s the middle of Mohr's circle of effective stresses in the
 /// plane: 1 where the circle touches the straight line of Coulomb. It ends at 10, which stands for more and for
