@@ -44,6 +44,7 @@ TEST(Exclusions, StandInTheTable) {
   scene.regions["sand"].strain_law = StrainLaw();
   scene.regions["sand"].strength = Strength();
   scene.regions["mound"].law = SoilLaw::mohr_coulomb;
+  scene.regions["mound"].densification = Densification();
   scene.regions["sand"].flow = Flow::inertial;
   scene.regions["sea"].kind = RegionKind::water;
   scene.regions["caisson"].kind = RegionKind::solid;
