@@ -81,6 +81,7 @@ Run march_from(const Simulation& simulation, RestStart start, const StaticStage&
   summary.share_yielded = share_yielded(*simulation.space, *soil);
   if (laws.report.area > 0.) summary.share_beyond_at_rest = laws.report.beyond / laws.report.area;
   if (simulation.compiled->caisson) run.summary.residual = residual(*simulation.compiled, run.response);
+  if (follower.end) follower.end(run);
   return run;
 }
 
