@@ -238,6 +238,10 @@ OutputSchema<NonlinearSummary> nonlinear_outputs() {
       .key("iterations", &N::iterations, "", "updates of all stresses in them")
       .key("factorisations", &N::factorisations, "", "of the elastic matrix")
       .key("cut_steps", &N::cut_steps, "", "steps that were halved, as a stage did not converge")
+      .key(
+          "share_skipped", &N::share_skipped, "",
+          "of the updates of cells' stresses: left out, as since the last step the strain had changed by less than any "
+          "soil of the cell needs to yield")
       .key("share_yielded", &N::share_yielded, "", "of the area of soil that may yield: where it lost energy")
       .key("share_beyond_at_rest", &N::share_beyond_at_rest, "",
            "of that area: where the stress at rest exceeds the strength; the excess is borne by nothing that is "

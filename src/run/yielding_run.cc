@@ -79,12 +79,14 @@ Run march_from(const Simulation& simulation, RestStart start, const StaticStage&
   summary.iterations = report.evaluations;
   summary.factorisations = run.summary.discretisation.factorisations;
   summary.cut_steps = report.cut_steps;
+  summary.share_skipped = soil->share_skipped();
   summary.share_yielded = share_yielded(*simulation.space, *soil);
   if (laws.report.area > 0.) summary.share_beyond_at_rest = laws.report.beyond / laws.report.area;
   if (!laws.compacting->empty())
     run.summary.densification =
         compacted_soils(*simulation.space, *simulation.unknowns, *laws.compacting, run.response.final_state);
   if (simulation.compiled->caisson) run.summary.residual = residual(*simulation.compiled, run.response);
+  if (follower.end) follower.end(run);
   return run;
 }
 

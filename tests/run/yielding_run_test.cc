@@ -161,6 +161,40 @@ TEST_F(YieldingRun, BlockOnAHystereticLayerFollowsTheOverlay) {
   EXPECT_EQ(found.nonlinear->start, "virgin");
 }
 
+std::string with_friction(std::string text, double coefficient) {
+  const std::string rigid = "kind = \"rigid\"\n";
+  return text.replace(
+      text.find(rigid), rigid.size(),
+      rigid + "interface = { kind = \"friction\", coefficient = " + std::to_string(coefficient) + " }\n");
+}
+
+TEST_F(YieldingRun, FrictionNodeByNodeAndSoilInOneStage) {
+  const double peak = 5e6;
+  const std::string strong = "law = \"mohr_coulomb\"\nstrength = { friction_angle = 0, cohesion = 1e9 }";
+  const std::string weak = "law = \"mohr_coulomb\"\nstrength = { friction_angle = 0, cohesion = 5e3 }";
+  // soil that cannot yield: contact alone
+  const Summary slides = run(with_friction(layer_case(peak, strong), 0.05)),
+                alone = run(with_friction(layer_case(peak, ""), 0.05));
+  ASSERT_TRUE(slides.contact->solved && alone.contact->solved);
+  EXPECT_GT(alone.contact->solved->slip, 5e-3);
+  EXPECT_NEAR(slides.contact->solved->slip, alone.contact->solved->slip, 1e-3 * alone.contact->solved->slip);
+  EXPECT_NEAR(slides.energy->friction, alone.energy->friction, 1e-3 * alone.energy->friction);
+  EXPECT_EQ(slides.energy->plastic, 0.);
+  // friction that holds everything: soil alone
+  const Summary holds = run(with_friction(layer_case(peak, weak), 50.)), bonded = run(layer_case(peak, weak));
+  EXPECT_NEAR(holds.residual->displacement_x, bonded.residual->displacement_x, 1e-5 * bonded.residual->displacement_x);
+  EXPECT_NEAR(holds.response->peak_shear, bonded.response->peak_shear, 1e-5 * bonded.response->peak_shear);
+  EXPECT_EQ(holds.energy->friction, 0.);
+  // both: F_T stays below the weaker one
+  const Summary both = run(with_friction(layer_case(peak, weak), 0.045));
+  EXPECT_GT(both.energy->friction, 0.);
+  EXPECT_LT(both.response->peak_shear, 1.001 * 0.045 * mass * 9.81);
+  for (const Summary& s : {slides, holds, both}) {
+    EXPECT_LT(s.response->reaction_mismatch, 1e-4);
+    EXPECT_LT(s.energy->mismatch(), 1e-8);
+  }
+}
+
 TEST_F(YieldingRun, BearsLessAndMovesMoreTheMoreItBearsAtRest) {
   std::ifstream file(UPBEAD_SECTION_CASE);
   std::string text{std::istreambuf_iterator<char>(file), {}};

@@ -199,6 +199,7 @@ struct NonlinearSummary {
   int stages = 0, iterations = 0;  ///< solves of a stage, and updates of all stresses in them
   int factorisations = 0;
   int cut_steps = 0;                 ///< steps that were halved, as a stage did not converge
+  double share_skipped = 0.;         ///< of the updates of cells, those left out as no soil of the cell could yield
   double share_yielded = 0.;         ///< of the area of soil that yields, where it lost energy
   double share_beyond_at_rest = 0.;  ///< of it, where the stress at rest exceeds the strength
   std::vector<StartBound> bounds;
