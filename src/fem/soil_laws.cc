@@ -38,8 +38,9 @@ double earth_pressure_at_rest(const Region& region, const std::optional<double>&
 /// Laws of one scene, made cell by cell.
 class Maker {
  public:
-  Maker(const Scene& scene, const Space& space, const EffectiveStress& rest, RestStart start)
-      : k0_(k0_of(scene)), rest_(rest), start_(start) {
+  Maker(const Scene& scene, const Space& space, const EffectiveStress& rest, RestStart start,
+        const PointStresses* failing)
+      : k0_(k0_of(scene)), rest_(rest), start_(start), failing_(failing) {
     std::map<std::string, std::pair<double, double>> sums;  // of stress times area, and of area
     for (const Cell& cell : space.dofs().active_cell_iterators()) {
       auto& [stress, area] = sums[space.mesh().surface_of(cell)];
@@ -59,9 +60,15 @@ class Maker {
     const Strength& s = *region.strength;
     const auto law = std::make_shared<const MohrCoulombLaw>(
         space.material(cell), MohrCoulombStrength{s.friction_angle, s.cohesion, s.dilatancy_angle, s.tension});
-    const PlaneStress stress = at_rest(rest_, i, k0_);
-    if (law->excess(stress) > 0.) report.beyond += cell->measure();
-    return [law, stress](unsigned) { return soil_point(law, stress); };
+    if (!failing_) {
+      const PlaneStress stress = at_rest(rest_, i, k0_);
+      if (law->excess(stress) > 0.) report.beyond += cell->measure();
+      return [law, stress](unsigned) { return soil_point(law, stress); };
+    }
+    // points are asked for in the order of their quadrature
+    return [law, stresses = failing_->at(i), next = std::size_t{0}](unsigned) mutable {
+      return soil_point(law, stresses[next++ % stresses.size()]);
+    };
   }
 
  private:
@@ -109,13 +116,15 @@ class Maker {
   std::optional<double> k0_;
   const EffectiveStress& rest_;
   RestStart start_;
+  const PointStresses* failing_;
   std::map<std::string, double> floor_;
 };
 
 }  // namespace
 
-SoilLaws soil_laws(const Scene& scene, const Space& space, const EffectiveStress& rest, RestStart start) {
-  const Maker maker(scene, space, rest, start);
+SoilLaws soil_laws(const Scene& scene, const Space& space, const EffectiveStress& rest, RestStart start,
+                   const PointStresses* failing) {
+  const Maker maker(scene, space, rest, start, failing);
   SoilLaws laws;
   auto of_cell = std::make_shared<std::vector<PointsOfCells>>(space.mesh().triangulation.n_active_cells());
   for (const Cell& cell : space.dofs().active_cell_iterators())

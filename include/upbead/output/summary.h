@@ -193,6 +193,19 @@ struct StartBound {
   ResidualSummary residual;
 };
 
+/// How Mohr-Coulomb soil came to rest under its weights.
+struct RestSummary {
+  int steps = 0, iterations = 0;  ///< of the weights; of Newton's method in them
+  double share_at_strength = 0.;  ///< of the area of that soil, where its strength is reached
+  double out_of_balance = 0.;     ///< forces out of balance over the weights
+};
+
+/// By which factor the strength of all soils may fall at rest.
+struct SafetySummary {
+  std::optional<double> lower, upper;  ///< it stands; it was found not to
+  std::string fails_at;                ///< where it gives way at `upper`
+};
+
 /// What soil that yields took to solve, and how far it yielded.
 struct NonlinearSummary {
   std::string start;
@@ -201,6 +214,7 @@ struct NonlinearSummary {
   int cut_steps = 0;                 ///< steps that were halved, as a stage did not converge
   double share_yielded = 0.;         ///< of the area of soil that yields, where it lost energy
   double share_beyond_at_rest = 0.;  ///< of it, where the stress at rest exceeds the strength
+  std::optional<RestSummary> rest;   ///< none without Mohr-Coulomb soil
   std::vector<StartBound> bounds;
 };
 
@@ -272,6 +286,7 @@ struct Summary {
   std::optional<SoilSummary> soil;             ///< none where no soil depends on strain
   std::optional<NonlinearSummary> nonlinear;   ///< none where no soil yields
   std::optional<ResidualSummary> residual;     ///< with it, of a caisson
+  std::optional<SafetySummary> safety;         ///< where it is asked for
   std::vector<Check> checks;                   ///< of the section, in the order of a sheet
   std::vector<MobilisedStrength> strength;     ///< of the regions whose strength is given
   NumberedWarnings warnings;                   ///< docs/warnings.md
