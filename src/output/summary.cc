@@ -329,8 +329,7 @@ OutputSchema<Summary> whole_outputs() {
               "bonded to its mound")
       .object("base", &S::base, base_outputs(),
               "[what presses on the base](contact.md#base-pressure): effective, stress varying linearly over the width "
-              "in contact, at the "
-              "ends of the steps; null where neither `[sliding]` nor the water level tells W'")
+              "in contact, at the ends of the steps; null where neither `[sliding]` nor the water level tells W'")
       .object("contact", &S::contact, contact_outputs(),
               "[slip and uplift node by node](contact.md); null where the bottom is bonded")
       .object("soil", &S::soil, soil_outputs(), "of soil that follows the strain; else null")
@@ -338,8 +337,7 @@ OutputSchema<Summary> whole_outputs() {
       .object("residual", &S::residual, residual_outputs(),
               "where the caisson came to rest at the end of the run; null where no soil yields")
       .object("safety", &S::safety, safety_outputs(),
-              "by which factor the [strength](yielding.md#strength-reduction) of all soils may fall at rest: between "
-              "both; null unless `initial.safety`")
+              "factor by which [strength may fall at rest](yielding.md#strength-reduction); null unless asked for")
       .list("checks[]", &S::checks, check_outputs(),
             "checks of the section: sliding, friction, pressure of heel and toe, overturning; empty without a caisson")
       .list("strength[]", &S::strength, strength_outputs(), "of each region with a [strength](warnings.md#strength)")
