@@ -81,6 +81,10 @@ TableSchema<InitialState> initial_schema() {
           "gravity: all of it, as if it had been loaded at once. Nobody knows it: the other two are bounds");
   table.key("bounds", &InitialState::bounds)
       .doc("whether hysteretic soil is solved from the other two starts, too, which takes three times as long");
+  table.key("safety", &InitialState::safety)
+      .doc(
+          "whether it is sought by which factor c', tan phi' and tan psi' of all soils may fall before they fail at "
+          "rest, under the weights alone");
   table.tables("surcharge", &InitialState::surcharge, surcharge_schema())
       .doc(
           "What lies on the ground, by name: foot-protection blocks, armour. It presses on the ground at rest "

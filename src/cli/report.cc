@@ -96,6 +96,9 @@ std::string describe(const NonlinearSummary& n, const Summary& summary) {
   if (n.share_beyond_at_rest > 0.)
     text += "  warning     at rest the stress exceeds the strength in " + percent(n.share_beyond_at_rest) +
             " of it: the excess is borne by nothing that is followed\n";
+  if (n.rest)
+    text += format("  at rest     %s of Mohr-Coulomb soil at its strength; weights in %d steps, %d iterations\n",
+                   percent(n.rest->share_at_strength).c_str(), n.rest->steps, n.rest->iterations);
   if (!summary.residual) return text;
   const double largest = summary.response->peak_displacement;
   text += "  residual    " + describe(*summary.residual, largest) + " (start: " + n.start + ")\n";
@@ -113,6 +116,16 @@ std::string describe(const std::vector<CompactedSoil>& soils) {
             significant(soil.mean) + " in the mean, at most " + significant(soil.largest) + "; r_u at most " +
             significant(soil.largest_pressure_ratio) + ", " + significant(soil.pressure_ratio_at_end) + " at the end\n";
   return text;
+}
+
+std::string describe(const SafetySummary& s) {
+  std::string text = "safety      at rest it stands with its strength over ";
+  if (!s.lower)
+    return "safety      at rest no equilibrium was found, nor with 16 times the strength; it gives way in " +
+           s.fails_at + "\n";
+  text += significant(*s.lower, 4);
+  if (!s.upper) return text + ", and was not asked beyond\n";
+  return text + ", not over " + significant(*s.upper, 4) + "; it gives way in " + s.fails_at + "\n";
 }
 
 std::string describe(const MeshAccuracy& accuracy) {
@@ -315,6 +328,7 @@ std::string describe(const Run& run) {
   if (run.summary.soil) text += describe(*run.summary.soil);
   if (run.summary.nonlinear) text += describe(*run.summary.nonlinear, run.summary);
   text += describe(run.summary.densification);
+  if (run.summary.safety) text += describe(*run.summary.safety);
   text += describe_periods(run.summary);
   if (run.summary.contact) text += describe(*run.summary.contact);
   if (run.summary.sliding) text += describe(*run.summary.sliding);

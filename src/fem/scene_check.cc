@@ -1,5 +1,6 @@
 #include "fem/scene_check.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/text.h"
@@ -104,12 +105,18 @@ void check_surcharge(Checker& checker, const std::string& name, const Surcharge&
 void check_initial(Checker& checker) {
   if (checker.scene.initial)
     for (const auto& [name, surcharge] : checker.scene.initial->surcharge) check_surcharge(checker, name, surcharge);
-  if ((!needs_static_stage(checker.scene) && !yields(checker.scene)) ||
+  const bool safety = checker.scene.initial && checker.scene.initial->safety;
+  const auto& regions = checker.scene.regions;
+  if (safety &&
+      std::none_of(regions.begin(), regions.end(), [](const auto& r) { return r.second.strength.has_value(); }))
+    checker.object("initial.safety", "no region has a strength that may fall",
+                   "give soils a table strength, such as strength = { friction_angle = 40 }");
+  if ((!needs_static_stage(checker.scene) && !yields(checker.scene) && !safety) ||
       std::isfinite(water_level(checker.scene, checker.mesh)))
     return;
   checker.object(
       "initial",
-      "stiffness by stress, and soil that yields, need the level of still water, which no region of water tells",
+      "stiffness by stress, soil that yields, and safety need the level of still water, which no region of water tells",
       "add [initial] with water_level, the height y (m)");
 }
 

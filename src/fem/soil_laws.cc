@@ -51,8 +51,9 @@ std::unique_ptr<SoilPoint> kept(std::unique_ptr<CompactingPoint> point, unsigned
 /// Laws of one scene, made cell by cell.
 class Maker {
  public:
-  Maker(const Scene& scene, const Space& space, const EffectiveStress& rest, RestStart start)
-      : k0_(k0_of(scene)), rest_(rest), start_(start) {
+  Maker(const Scene& scene, const Space& space, const EffectiveStress& rest, RestStart start,
+        const PointStresses* failing)
+      : k0_(k0_of(scene)), rest_(rest), start_(start), failing_(failing) {
     std::map<std::string, std::pair<double, double>> sums;  // of stress times area, and of area
     for (const Cell& cell : space.dofs().active_cell_iterators()) {
       auto& [stress, area] = sums[space.mesh().surface_of(cell)];
@@ -73,14 +74,10 @@ class Maker {
     const Strength& s = *region.strength;
     const auto law = std::make_shared<const MohrCoulombLaw>(
         space.material(cell), MohrCoulombStrength{s.friction_angle, s.cohesion, s.dilatancy_angle, s.tension});
+    if (failing_) return mohr_coulomb(region, law, space.material(cell), failing_->at(i));
     const PlaneStress stress = at_rest(rest_, i, k0_);
     if (law->excess(stress) > 0.) report.beyond += cell->measure();
-    if (region.densification)
-      return [law, stress, bulk = bulk_modulus(space.material(cell)), denser = compaction_of(*region.densification),
-              list = compacting_](unsigned index) {
-        return kept(compacting_point(law, stress, bulk, denser), index, *list);
-      };
-    return [law, stress](unsigned) { return soil_point(law, stress); };
+    return mohr_coulomb(region, law, space.material(cell), {stress});
   }
 
   std::shared_ptr<CompactingPoints> compacting() const { return compacting_; }
@@ -92,6 +89,17 @@ class Maker {
     if (!region.densification) return points;
     return [points, mean, bulk = bulk_modulus(elastic), law = compaction_of(*region.densification), list = compacting_](
                unsigned index) { return kept(compacting_point(points(index), bulk, law, mean), index, *list); };
+  }
+
+  /// Points are asked for in the order of their quadrature; one stress stands for all of a cell.
+  PointsOfCells mohr_coulomb(const Region& region, const std::shared_ptr<const MohrCoulombLaw>& law,
+                             const ElasticLaw& elastic, std::vector<PlaneStress> stresses) const {
+    auto next = [stresses = std::move(stresses), n = std::size_t{0}]() mutable {
+      return stresses[n++ % stresses.size()];
+    };
+    if (!region.densification) return [law, next](unsigned) mutable { return soil_point(law, next()); };
+    return [law, next, bulk = bulk_modulus(elastic), denser = compaction_of(*region.densification), list = compacting_](
+               unsigned index) mutable { return kept(compacting_point(law, next(), bulk, denser), index, *list); };
   }
 
   std::vector<BackbonePoint> curve(const Region& region, double G, double strength) const {
@@ -138,14 +146,16 @@ class Maker {
   std::optional<double> k0_;
   const EffectiveStress& rest_;
   RestStart start_;
+  const PointStresses* failing_;
   std::map<std::string, double> floor_;
   std::shared_ptr<CompactingPoints> compacting_ = std::make_shared<CompactingPoints>();
 };
 
 }  // namespace
 
-SoilLaws soil_laws(const Scene& scene, const Space& space, const EffectiveStress& rest, RestStart start) {
-  const Maker maker(scene, space, rest, start);
+SoilLaws soil_laws(const Scene& scene, const Space& space, const EffectiveStress& rest, RestStart start,
+                   const PointStresses* failing) {
+  const Maker maker(scene, space, rest, start, failing);
   SoilLaws laws;
   laws.compacting = maker.compacting();
   auto of_cell = std::make_shared<std::vector<PointsOfCells>>(space.mesh().triangulation.n_active_cells());

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "fem/rest_state.h"
 #include "fem/static_stage.h"
 #include "fem/yielding_soil.h"
 #include "material/compacting_point.h"
@@ -28,8 +29,10 @@ struct SoilLaws {
 
 /// Laws of the cells of a scene whose static state is `rest`. The largest shear stress of hysteretic soil is
 /// c' cos phi' + s'_m sin phi' with the mean effective stress at rest; without a table strain its curve is the
-/// hyperbola that tends to it. Mohr-Coulomb soil starts from the stress at rest, s'_x = K_0 s'_y of it where K_0 is
-/// given. What exceeds the strength at rest is borne by nothing that is followed.
-SoilLaws soil_laws(const Scene& scene, const Space& space, const EffectiveStress& rest, RestStart start);
+/// hyperbola that tends to it. Mohr-Coulomb soil starts from the stresses of its rest_state, `failing`; where that is
+/// null, as hysteretic soil does, from the stress of the elastic ground, s'_x = K_0 s'_y where K_0 is given: what
+/// exceeds the strength there is borne by nothing that is followed.
+SoilLaws soil_laws(const Scene& scene, const Space& space, const EffectiveStress& rest, RestStart start,
+                   const PointStresses* failing = nullptr);
 
 }  // namespace upbead

@@ -11,7 +11,8 @@
 
 namespace upbead {
 
-/// Makes the soil of a point of an active cell; null of cells that stay elastic, which are skipped.
+/// Makes the soil of a point of an active cell, asked once for each of its points of quadrature in their order; null of
+/// cells that stay elastic, which are skipped.
 using PointsOfCells = std::function<std::unique_ptr<SoilPoint>(unsigned cell)>;
 
 /// Soil that yields also tells where.

@@ -230,6 +230,23 @@ OutputSchema<StartBound> bound_outputs() {
           "residual", [](const B& b) { return &b.residual; }, residual_outputs(), "of the caisson at the end");
 }
 
+OutputSchema<RestSummary> rest_outputs() {
+  using R = RestSummary;
+  return OutputSchema<R>()
+      .key("steps", &R::steps, "", "in which weights were put on")
+      .key("iterations", &R::iterations, "", "of Newton's method in them, each with a factorisation")
+      .key("share_at_strength", &R::share_at_strength, "", "of the area of this soil: where its strength is reached")
+      .key("out_of_balance", &R::out_of_balance, "", "forces out of balance over the weights");
+}
+
+OutputSchema<SafetySummary> safety_outputs() {
+  using S = SafetySummary;
+  return OutputSchema<S>()
+      .key("lower", &S::lower, "", "it stands; null where no equilibrium was found with up to 16 times its strength")
+      .key("upper", &S::upper, "", "no equilibrium was found; null where it stands with a twentieth of its strength")
+      .key("fails_at", &S::fails_at, "", "where it moves most as it fails; empty where it does not");
+}
+
 OutputSchema<NonlinearSummary> nonlinear_outputs() {
   using N = NonlinearSummary;
   return OutputSchema<N>()
@@ -244,8 +261,12 @@ OutputSchema<NonlinearSummary> nonlinear_outputs() {
           "soil of the cell needs to yield")
       .key("share_yielded", &N::share_yielded, "", "of the area of soil that may yield: where it lost energy")
       .key("share_beyond_at_rest", &N::share_beyond_at_rest, "",
-           "of that area: where the stress at rest exceeds the strength; the excess is borne by nothing that is "
-           "followed")
+           "of that area: where it starts from the stress of the elastic ground and that exceeds its strength; the "
+           "excess is borne by nothing that is followed, and the soil starts at its strength")
+      .object(
+          "rest", &N::rest, rest_outputs(),
+          "how Mohr-Coulomb soil came to rest; null without any, and where no rest within its strength was found: then "
+          "it starts from the elastic stress, as hysteretic soil does")
       .list("bounds[]", &N::bounds, bound_outputs(), "from the other starts; empty unless `initial.bounds`");
 }
 
@@ -333,8 +354,7 @@ OutputSchema<Summary> whole_outputs() {
               "bonded to its mound")
       .object("base", &S::base, base_outputs(),
               "[what presses on the base](contact.md#base-pressure): effective, stress varying linearly over the width "
-              "in contact, at the "
-              "ends of the steps; null where neither `[sliding]` nor the water level tells W'")
+              "in contact, at the ends of the steps; null where neither `[sliding]` nor the water level tells W'")
       .object("contact", &S::contact, contact_outputs(),
               "[slip and uplift node by node](contact.md); null where the bottom is bonded")
       .object("soil", &S::soil, soil_outputs(), "of soil that follows the strain; else null")
@@ -342,6 +362,8 @@ OutputSchema<Summary> whole_outputs() {
       .object("residual", &S::residual, residual_outputs(),
               "where the caisson came to rest at the end of the run; null where no soil yields")
       .list("densification[]", &S::densification, densification_outputs(), "[denser soils](yielding.md#densification)")
+      .object("safety", &S::safety, safety_outputs(),
+              "factor by which [strength may fall at rest](yielding.md#strength-reduction); null unless asked for")
       .list("checks[]", &S::checks, check_outputs(),
             "checks of the section: sliding, friction, pressure of heel and toe, overturning; empty without a caisson")
       .list("strength[]", &S::strength, strength_outputs(), "of each region with a [strength](warnings.md#strength)")

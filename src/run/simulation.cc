@@ -8,6 +8,7 @@
 #include "run/contact/contact_run.h"
 #include "run/derived.h"
 #include "run/monitors.h"
+#include "run/safety.h"
 #include "run/sliding/case_sliding.h"
 #include "run/solve.h"
 #include "run/yielding_run.h"
@@ -129,6 +130,7 @@ Run Simulation::run(const RunOptions& options) const {
             : yields(solved.scene)            ? run_yielding(solved, marching, {})
                                               : run_tied(solved, marching, solving);
   if (!run.simulation) run.simulation = std::make_shared<const Simulation>(solved);
+  run.summary.safety = find_safety(solved);
   estimate_errors(run);
   monitors.report(run);
   return run;

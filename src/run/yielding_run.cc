@@ -1,11 +1,14 @@
 #include "run/yielding_run.h"
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 #include "base/progress.h"
 #include "base/text.h"
 #include "dynamics/yielding.h"
 #include "fem/compile.h"
+#include "fem/rest_state.h"
 #include "fem/soil_laws.h"
 #include "model/words.h"
 #include "response/compaction.h"
@@ -58,9 +61,20 @@ SoilWork work_of(const System& system) {
   return work;
 }
 
-Run march_from(const Simulation& simulation, RestStart start, const StaticStage& rest, const MarchOptions& marching,
+/// Before the waves.
+struct Rest {
+  StaticStage elastic;
+  std::optional<RestState> failing;  ///< of Mohr-Coulomb soil, where one was found
+};
+
+RestSummary summary_of(const RestState& rest) {
+  return {rest.report.steps, rest.report.iterations, rest.share_at_strength, rest.report.residual};
+}
+
+Run march_from(const Simulation& simulation, RestStart start, const Rest& rest, const MarchOptions& marching,
                const Care& care, const YieldingFollower& follower) {
-  const SoilLaws laws = soil_laws(simulation.scene, *simulation.space, rest.stress, start);
+  const SoilLaws laws = soil_laws(simulation.scene, *simulation.space, rest.elastic.stress, start,
+                                  rest.failing ? &rest.failing->stresses : nullptr);
   const System& system = simulation.compiled->system;
   const auto soil =
       yielding_soil(*simulation.space, *simulation.unknowns, system.readings, laws.points, work_of(system));
@@ -85,12 +99,13 @@ Run march_from(const Simulation& simulation, RestStart start, const StaticStage&
   if (!laws.compacting->empty())
     run.summary.densification =
         compacted_soils(*simulation.space, *simulation.unknowns, *laws.compacting, run.response.final_state);
+  if (rest.failing) summary.rest = summary_of(*rest.failing);
   if (simulation.compiled->caisson) run.summary.residual = residual(*simulation.compiled, run.response);
   if (follower.end) follower.end(run);
   return run;
 }
 
-Run climb_from(const Simulation& simulation, RestStart start, const StaticStage& rest, const MarchOptions& marching,
+Run climb_from(const Simulation& simulation, RestStart start, const Rest& rest, const MarchOptions& marching,
                const YieldingFollower& follower = {}) {
   const auto solve = [&](const MarchOptions& options, const Care& care) {
     return march_from(simulation, start, rest, options, care, follower);
@@ -111,7 +126,11 @@ StartBound bound_of(const Run& run) {
 
 Run run_yielding(const Simulation& simulation, const MarchOptions& marching,
                  const std::function<void(double)>& progress, const YieldingRunOptions& options) {
-  const StaticStage rest = solve_static(simulation.scene, *simulation.mesh);
+  Rest rest{solve_static(simulation.scene, *simulation.mesh), {}};
+  if (needs_rest_state(simulation.scene)) {
+    RestState found = rest_state(simulation.scene, *simulation.mesh, simulation.soil_state);
+    if (found.found) rest.failing = std::move(found);
+  }
   const RestStart start = start_of(simulation.given);
   Run run = climb_from(simulation, start, rest, marching, options.follower);
   if (options.bounds && simulation.compiled->caisson && wants_bounds(simulation.given)) {

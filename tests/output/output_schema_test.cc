@@ -106,6 +106,8 @@ Summary full_summary() {
   s.contact.emplace().solved.emplace();
   s.soil.emplace();
   s.nonlinear.emplace().bounds = {{}};
+  s.nonlinear->rest.emplace();
+  s.safety.emplace();
   s.residual.emplace();
   s.strength = {{}};
   s.warnings = {{}};

@@ -70,6 +70,7 @@ struct InitialState {
   std::map<std::string, Surcharge> surcharge{};
   RestStart start = RestStart::k0;  ///< of hysteretic soil
   bool bounds = true;               ///< whether soil that yields is solved from both other starts, too
+  bool safety = false;              ///< whether the factor is sought by which strength may fall at rest
 };
 
 enum class ContactKind {

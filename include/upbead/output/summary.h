@@ -193,6 +193,19 @@ struct StartBound {
   ResidualSummary residual;
 };
 
+/// How Mohr-Coulomb soil came to rest under its weights.
+struct RestSummary {
+  int steps = 0, iterations = 0;  ///< of the weights; of Newton's method in them
+  double share_at_strength = 0.;  ///< of the area of that soil, where its strength is reached
+  double out_of_balance = 0.;     ///< forces out of balance over the weights
+};
+
+/// By which factor the strength of all soils may fall at rest.
+struct SafetySummary {
+  std::optional<double> lower, upper;  ///< it stands; it was found not to
+  std::string fails_at;                ///< where it gives way at `upper`
+};
+
 /// What soil that yields took to solve, and how far it yielded.
 struct NonlinearSummary {
   std::string start;
@@ -202,6 +215,7 @@ struct NonlinearSummary {
   double share_skipped = 0.;         ///< of the updates of cells, those left out as no soil of the cell could yield
   double share_yielded = 0.;         ///< of the area of soil that yields, where it lost energy
   double share_beyond_at_rest = 0.;  ///< of it, where the stress at rest exceeds the strength
+  std::optional<RestSummary> rest;   ///< none without Mohr-Coulomb soil
   std::vector<StartBound> bounds;
 };
 
@@ -274,6 +288,7 @@ struct Summary {
   std::optional<NonlinearSummary> nonlinear;   ///< none where no soil yields
   std::optional<ResidualSummary> residual;     ///< with it, of a caisson
   std::vector<CompactedSoil> densification;    ///< of the regions that pack denser
+  std::optional<SafetySummary> safety;         ///< where it is asked for
   std::vector<Check> checks;                   ///< of the section, in the order of a sheet
   std::vector<MobilisedStrength> strength;     ///< of the regions whose strength is given
   NumberedWarnings warnings;                   ///< docs/warnings.md

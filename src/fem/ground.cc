@@ -1,0 +1,156 @@
+#include "fem/ground.h"
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/hp/fe_values.h>
+
+#include "algebra/factorisation.h"
+#include "fem/assembly.h"
+#include "fem/faces.h"
+#include "fem/surcharge.h"
+
+namespace upbead {
+
+using namespace dealii;
+
+namespace {
+
+std::vector<bool> water_cells(const Scene& scene, const Mesh& mesh) {
+  std::vector<bool> absent;
+  for (const auto& cell : mesh.triangulation.active_cell_iterators())
+    absent.push_back(scene.regions.at(mesh.surface_of(cell)).kind == RegionKind::water);
+  return absent;
+}
+
+/// Submerged or not (N/m3); of a rigid body from its mass, spread evenly.
+double unit_weight(const Region& region, const Scene& scene, double density, bool below_water) {
+  const double rho_f = below_water ? scene.fluid.density : 0.;
+  if (region.kind == RegionKind::porous)
+    return (1. - *region.porosity) * (*region.grain_density - rho_f) * scene.gravity;
+  return (density - rho_f) * scene.gravity;
+}
+
+bool is_cut(const Cell& cell, double level) {
+  bool above = false, below = false;
+  for (const unsigned v : cell->vertex_indices()) (cell->vertex(v)[1] > level ? above : below) = true;
+  return above && below;
+}
+
+}  // namespace
+
+Scene at_rest(Scene scene) {
+  scene.time.inertia = false;
+  scene.loads.clear();
+  scene.probes.clear();
+  for (auto& [name, region] : scene.regions) {
+    region.damping.reset();
+    if (region.kind == RegionKind::porous) region.flow = Flow::drained;
+    if (region.kind == RegionKind::solid) region.deformation = Deformation::elastic;
+    if (region.stress_law) region.shear_modulus = region.stress_law->reference;
+  }
+  for (auto& [name, boundary] : scene.boundaries)
+    if (boundary.displacement == DisplacementCondition::absorbing)
+      boundary.displacement = DisplacementCondition::roller;
+  return scene;
+}
+
+Ground::Ground(const Scene& scene, const Mesh& mesh, const SoilState& soil, bool with_interface)
+    : scene_(scene),
+      space_(mesh, scene, water_cells(scene, mesh), soil),
+      bodies_(rigid_bodies(space_)),
+      interface_(with_interface ? interface_nodes(space_) : std::vector<InterfaceNode>()),
+      unknowns_(space_, scene, bodies_, interface_) {}
+
+EffectiveStress Ground::solve(const Vector& weights) const {
+  System system;
+  system.field = unknowns_.field();
+  assemble(scene_, space_, unknowns_, bodies_, nullptr, system);
+  return stress(unknowns_.expand(Factorisation(system.K).solve(weights)));
+}
+
+Vector Ground::normal_forces(const Vector& weights) const {
+  System system;
+  system.field = unknowns_.field();
+  assemble(scene_, space_, unknowns_, bodies_, nullptr, system, {}, true, interface_);
+  const int n = unknowns_.n_free(), nodes = static_cast<int>(interface_.size());
+  const SparseMatrix rows = system.K.topRows(n);
+  const SparseMatrix K = rows.leftCols(n);
+  Vector x = Vector::Zero(unknowns_.size());
+  x.head(n) = Factorisation(K).solve(weights.head(n));
+  return (system.K * x - weights).tail(nodes);
+}
+
+WeightInWater Ground::caisson_in_water(double level) const {
+  const Vector f = weights(level, true);
+  std::size_t b = 0;
+  while (bodies_.at(b).region != caisson_name) ++b;
+  // the unit rotation moves a point by -(x - x_G) upwards
+  const double weight = -f[unknowns_.coordinate(b, motion_y)];
+  return {weight, bodies_[b].centre[0] + f[unknowns_.coordinate(b, motion_rotation)] / weight};
+}
+
+Vector Ground::weights(double level, bool of_caisson_alone) const {
+  // where the water level cuts a cell its weight jumps: many points there
+  const hp::QCollection<dim> points(QGauss<dim>(static_cast<unsigned>(space_.degree()) + 1),
+                                    QIterated<dim>(QGauss<1>(3), 16));
+  hp::FEValues<dim> hp_values(space_.dofs().get_fe_collection(), points,
+                              update_values | update_quadrature_points | update_JxW_values);
+  Vector f = Vector::Zero(unknowns_.size());
+  for (const auto& cell : space_.dofs().active_cell_iterators()) {
+    const bool of_caisson = space_.mesh().surface_of(cell) == caisson_name;
+    if (space_.kind(cell) == CellKind::absent || (of_caisson_alone && !of_caisson)) continue;
+    hp_values.reinit(cell, is_cut(cell, level) ? 1 : 0);
+    const FEValues<dim>& fe = hp_values.get_present_fe_values();
+    const Dofs dofs = dofs_of(cell);
+    for (const unsigned i : fe.dof_indices()) {
+      const double work = work_of(fe, i, cell, level);
+      const Row& row = of_caisson ? unknowns_.caisson_expansion(dofs[i]) : unknowns_.expansion(dofs[i]);
+      for (const auto& [unknown, weight] : row) f[unknown] += weight * work;
+    }
+  }
+  if (!of_caisson_alone)
+    for_each_surcharge(scene_, space_, [&](const Cell& cell, const std::vector<double>& force) {
+      const Dofs dofs = dofs_of(cell);
+      for (std::size_t i = 0; i < dofs.size(); ++i)
+        for (const auto& [unknown, weight] : unknowns_.expansion(dofs[i])) f[unknown] += weight * force[i];
+    });
+  return f;
+}
+
+double Ground::work_of(const FEValues<dim>& fe, unsigned i, const Cell& cell, double level) const {
+  const Region& region = space_.region(cell);
+  double work = 0.;
+  for (const unsigned q : fe.quadrature_point_indices())
+    if (const double v = fe[u_part].value(i, q)[1]; v != 0.)
+      work -= unit_weight(region, scene_, density(cell), fe.quadrature_point(q)[1] < level) * fe.JxW(q) * v;
+  return work;
+}
+
+double Ground::density(const Cell& cell) const {
+  for (const Body& body : bodies_)
+    if (body.region == space_.mesh().surface_of(cell)) return body.mass / body.area;
+  return space_.region(cell).density.value_or(0.);
+}
+
+EffectiveStress Ground::stress(const Vector& values) const {
+  const std::size_t n = space_.mesh().triangulation.n_active_cells();
+  const std::vector<double> none(n, 0.);
+  EffectiveStress s{none, none, none, none};
+  dealii::Vector<double> u(values.begin(), values.end());
+  const hp::QCollection<dim> middle{QMidpoint<dim>()};
+  hp::FEValues<dim> hp_values(space_.dofs().get_fe_collection(), middle, update_gradients);
+  std::vector<SymmetricTensor<2, dim>> strain(1);
+  for (const auto& cell : space_.dofs().active_cell_iterators()) {
+    if (!space_.has_matrices(cell)) continue;
+    hp_values.reinit(cell);
+    hp_values.get_present_fe_values()[u_part].get_function_symmetric_gradients(u, strain);
+    const PlaneStress stress = space_.material(cell).stress({strain[0][0][0], strain[0][1][1], strain[0][0][1]});
+    const std::size_t i = cell->active_cell_index();
+    s.horizontal[i] = -stress.xx;
+    s.vertical[i] = -stress.yy;
+    s.out_of_plane[i] = -stress.zz;
+    s.shear[i] = -stress.xy;
+  }
+  return s;
+}
+
+}  // namespace upbead

@@ -1,0 +1,44 @@
+// The ground at rest: the scene without waves, drained, and what it weighs under water.
+#pragma once
+
+#include <deal.II/fe/fe_values.h>
+
+#include <vector>
+
+#include "fem/static_stage.h"
+#include "fem/unknowns.h"
+
+namespace upbead {
+
+/// The scene at rest: no pressures, no waves, nothing that leaves.
+Scene at_rest(Scene scene);
+
+/// The deforming ground with given stiffness; free water is left out. `scene` is one at_rest, and outlives it.
+class Ground {
+ public:
+  /// `with_interface`: the caisson could part from the ground.
+  Ground(const Scene& scene, const Mesh& mesh, const SoilState& soil, bool with_interface = false);
+
+  const Space& space() const { return space_; }
+  const Unknowns& unknowns() const { return unknowns_; }
+  EffectiveStress solve(const Vector& weights) const;
+  /// Residuals of the openings of the interface.
+  Vector normal_forces(const Vector& weights) const;
+  WeightInWater caisson_in_water(double level) const;
+  /// Work of the weights in unit motions of the unknowns, of all or of the caisson alone; still water stands at
+  /// `level`.
+  Vector weights(double level, bool of_caisson_alone = false) const;
+
+ private:
+  double work_of(const dealii::FEValues<dim>& fe, unsigned i, const Cell& cell, double level) const;
+  double density(const Cell& cell) const;
+  EffectiveStress stress(const Vector& values) const;
+
+  const Scene& scene_;
+  Space space_;
+  std::vector<Body> bodies_;
+  std::vector<InterfaceNode> interface_;
+  Unknowns unknowns_;
+};
+
+}  // namespace upbead

@@ -1,0 +1,173 @@
+#include "fem/static_march.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "algebra/newton.h"
+
+namespace upbead {
+
+namespace {
+
+/// Iterations of a step after which the next may be longer, and after which none is sought.
+constexpr int quick = 8, most = 25;
+constexpr double growth = 1.5, cut = 0.5;
+
+double largest_diagonal(const SparseMatrix& pattern, const Vector& values) {
+  double largest = 0.;
+  for (int i = 0; i < pattern.rows(); ++i)
+    for (int k = pattern.outerIndexPtr()[i]; k < pattern.outerIndexPtr()[i + 1]; ++k)
+      if (pattern.innerIndexPtr()[k] == i) largest = std::max(largest, values[k]);
+  return largest;
+}
+
+/// Forces out of balance at one parameter; held unknowns move to their places as on stiff springs, which a step of
+/// Newton does exactly.
+class Balance {
+ public:
+  Balance(StaticSoil& soil, const StaticPath& path) : soil_(soil), path_(path) {
+    const SparseMatrix& pattern = soil.pattern();
+    for (const int i : path.held)
+      for (int k = pattern.outerIndexPtr()[i]; k < pattern.outerIndexPtr()[i + 1]; ++k)
+        held_entries_.emplace_back(k, pattern.innerIndexPtr()[k] == i);
+  }
+  void at(double parameter) {
+    load_ = path_.load(parameter);
+    if (!path_.held.empty()) place_ = path_.place(parameter);
+    if (path_.laws) soil_.follow(path_.laws(parameter));
+  }
+  /// The springs are as stiff as the stiffest unknown.
+  void start(double parameter, const Vector& x) {
+    at(parameter);
+    Vector r, values(soil_.pattern().nonZeros());
+    residual(x, r);
+    soil_.tangent(values);
+    spring_ = largest_diagonal(soil_.pattern(), values);
+  }
+  void residual(const Vector& x, Vector& r) {
+    if (!x.allFinite()) {
+      r = x;
+      return;
+    }
+    soil_.exert(x, force_);
+    r = force_ - load_;
+    for (std::size_t k = 0; k < path_.held.size(); ++k) r[path_.held[k]] = spring_ * (x[path_.held[k]] - place_[k]);
+  }
+  void derivative(Eigen::Ref<Vector> values) const {
+    soil_.tangent(values);
+    for (const auto& [entry, diagonal] : held_entries_) values[entry] = diagonal ? spring_ : 0.;
+  }
+  /// Of loads and of what holds.
+  double size() const {
+    double sum = load_.squaredNorm();
+    for (const int i : path_.held) sum += force_[i] * force_[i];
+    return std::sqrt(sum);
+  }
+  /// A thousandth of what it would take to move what is held there elastically: a size of the forces to come.
+  double pull(const Vector& x) const {
+    double sum = 0.;
+    for (std::size_t k = 0; k < path_.held.size(); ++k) sum += std::pow(x[path_.held[k]] - place_[k], 2);
+    return 1e-3 * spring_ * std::sqrt(sum);
+  }
+  const Vector& force() const { return force_; }
+
+ private:
+  StaticSoil& soil_;
+  const StaticPath& path_;
+  std::vector<std::pair<int, bool>> held_entries_;
+  Vector load_, force_;
+  std::vector<double> place_;
+  double spring_ = 1.;
+};
+
+/// One step after the other.
+class March {
+ public:
+  March(StaticSoil& soil, const StaticPath& path, const StaticSteps& steps, Vector& x)
+      : soil_(soil),
+        steps_(steps),
+        x_(x),
+        balance_(soil, path),
+        newton_(
+            soil.pattern(), [this](const Vector& at, Vector& r) { balance_.residual(at, r); },
+            [this](Eigen::Ref<Vector> values) { balance_.derivative(values); }, most),
+        leap_(
+            soil.pattern(), [this](const Vector& at, Vector& r) { balance_.residual(at, r); },
+            [this](Eigen::Ref<Vector> values) { balance_.derivative(values); }, 1, false),
+        rate_(Vector::Zero(x.size())) {
+    balance_.start(steps.from, x);
+    report_.reached = steps.from;
+    report_.failed = steps.to;
+    report_.moved = rate_;
+  }
+
+  StaticReport run(const StaticObserver& observer) {
+    double step = steps_.first;
+    bool failed_before = false;
+    while (report_.reached < steps_.to * (1. - 1e-12)) {
+      const double next = std::min(report_.reached + step, steps_.to), length = next - report_.reached;
+      if (!advance(next)) {
+        report_.failed = next;
+        if (length <= steps_.least * (1. + 1e-9)) break;
+        ++report_.cuts;
+        failed_before = true;
+        step = std::max(cut * length, steps_.least);
+        continue;
+      }
+      if (report_.failed <= next) report_.failed = steps_.to;
+      if (last_iterations_ <= quick && !failed_before) step = std::min(growth * step, steps_.largest);
+      failed_before = false;
+      if (observer && !observer(next, x_, balance_.force())) break;
+    }
+    report_.complete = report_.reached >= steps_.to * (1. - 1e-12);
+    balance_.at(report_.reached);
+    return report_;
+  }
+
+ private:
+  bool advance(double next) {
+    const double length = next - report_.reached;
+    balance_.at(next);
+    Vector tried = x_ + length * rate_, r;
+    balance_.residual(tried, r);
+    // where nothing has moved tangents are elastic, and no search along their step finds less out of balance
+    if (rate_.isZero(0.)) leap_.solve(tried, steps_.tolerance * std::max(balance_.size(), balance_.pull(x_)));
+    NewtonReport found = newton_.solve(tried, steps_.tolerance * std::max(balance_.size(), balance_.pull(x_)));
+    last_iterations_ = found.iterations;
+    if (found.converged) balance_.residual(tried, r);
+    if (found.converged && r.norm() > steps_.tolerance * balance_.size()) {  // of forces that were not known before
+      found = newton_.solve(tried, steps_.tolerance * balance_.size());
+      last_iterations_ += found.iterations;
+      balance_.residual(tried, r);
+    }
+    report_.iterations += last_iterations_;
+    report_.moved = tried - x_;
+    if (!found.converged) return false;
+    soil_.commit(tried);
+    rate_ = report_.moved / length;
+    x_ = tried;
+    report_.reached = next;
+    report_.residual = r.norm() / balance_.size();
+    ++report_.steps;
+    return true;
+  }
+
+  StaticSoil& soil_;
+  const StaticSteps& steps_;
+  Vector& x_;
+  Balance balance_;
+  Newton newton_, leap_;  ///< with a line search; one whole step
+  Vector rate_;           ///< of x by the parameter, in the last step
+  int last_iterations_ = 0;
+  StaticReport report_;
+};
+
+}  // namespace
+
+StaticReport march_static(StaticSoil& soil, const StaticPath& path, const StaticSteps& steps, Vector& x,
+                          const StaticObserver& observer) {
+  return March(soil, path, steps, x).run(observer);
+}
+
+}  // namespace upbead

@@ -1,0 +1,108 @@
+// Claims: strength reduction finds the factors of safety of a vertical cut in clay, between the bounds of limit
+// analysis, and of a slope of Griffiths and Lane (1999).
+
+#include <gtest/gtest.h>
+
+#include <deal.II/grid/grid_tools.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "fem/rest_state.h"
+#include "record.h"
+#include "tensor_mesh.h"
+
+namespace upbead::test {
+namespace {
+
+constexpr double H = 10., weight = 20e3;  // m, N/m3
+
+std::vector<double> lines(double from, double to, double size) {
+  return even_lines(from, to, std::max(1, static_cast<int>(std::lround((to - from) / size))));
+}
+
+std::string side(double x, double left, double right) {
+  return x < left + 1e-9 || x > right - 1e-9 ? "sides" : "";
+}
+
+/// The face stands at x = 0, the ground before it at y = 0.
+std::unique_ptr<Mesh> cut_mesh(double size) {
+  constexpr double behind = 1.5 * H, before = H, below = 0.5 * H;
+  return tensor_mesh(
+      joined(lines(-behind, 0., size), lines(0., before, size)), joined(lines(-below, 0., size), lines(0., H, size)),
+      [](const dealii::Point<dim>& p) -> std::string { return p[1] > 0. && p[0] > 0. ? "" : "soil"; },
+      [](const dealii::Point<dim>& p) -> std::string {
+        if (const std::string found = side(p[0], -behind, before); !found.empty()) return found;
+        if (p[1] < 1e-9 - below) return "base";
+        return p[1] > H - 1e-9 || (p[0] > -1e-9 && p[1] > -1e-9) ? "surface" : "";
+      });
+}
+
+/// 2:1 from the crest at x = 0 to the toe at x = 2 H, on ground of half its height; columns of cells.
+std::unique_ptr<Mesh> slope_mesh(double size) {
+  constexpr double behind = 1.2 * H, run = 2. * H, before = 1.2 * H, below = 0.5 * H;
+  const auto x = joined(joined(lines(-behind, 0., size), lines(0., run, size)), lines(run, run + before, size));
+  auto mesh = tensor_mesh(
+      x, lines(0., 1., size / (H + below)), [](const dealii::Point<dim>&) { return "soil"; },
+      [](const dealii::Point<dim>& p) -> std::string {
+        if (const std::string found = side(p[0], -behind, run + before); !found.empty()) return found;
+        return p[1] < 1e-9 ? "base" : p[1] > 1. - 1e-9 ? "surface" : "";
+      });
+  dealii::GridTools::transform(
+      [](const dealii::Point<dim>& p) {
+        const double top = H * (1. - std::clamp(p[0] / run, 0., 1.));
+        return dealii::Point<dim>(p[0], -below + p[1] * (top + below));
+      },
+      mesh->triangulation);
+  return mesh;
+}
+
+Scene slope_scene(const Strength& strength) {
+  Scene scene;
+  scene.gravity = 10.;
+  Region& soil = scene.regions["soil"];
+  soil.kind = RegionKind::solid;
+  soil.deformation = Deformation::elastic;
+  soil.density = weight / scene.gravity;
+  soil.shear_modulus = 4e7;
+  soil.poissons_ratio = 0.3;
+  soil.strength = strength;
+  soil.law = SoilLaw::mohr_coulomb;
+  scene.boundaries["base"].displacement = DisplacementCondition::fixed;
+  scene.boundaries["sides"].displacement = DisplacementCondition::roller;
+  scene.boundaries["surface"] = {};
+  scene.initial.emplace().water_level = -1e3;
+  return scene;
+}
+
+/// The middle of the bracket, which is 1 % wide at most.
+double factor_of(const SafetyFactor& F) {
+  if (!F.lower || !F.upper || *F.upper - *F.lower > 0.01 * *F.lower) return NAN;
+  return 0.5 * (*F.lower + *F.upper);
+}
+
+/// gamma H / c at collapse: 3.7752 to 3.7776 (Pastor, Thai and Francescato 2009).
+TEST(Slope, VerticalCutInClayTendsToItsCriticalHeight) {
+  Record record("slopes");
+  const Scene scene = slope_scene({0., weight * H / 3.7764, 0., 1e12});
+  std::vector<double> F;
+  for (const double size : {2.5, 1.25}) {
+    F.push_back(factor_of(safety_factor(scene, *cut_mesh(size), {})));
+    const std::string with = ", cells of H/" + std::to_string(std::lround(H / size));
+    record.at_least("vertical cut: F - 1" + with, F.back() - 1., 0.);
+  }
+  record.at_most("vertical cut: F - 1 over that of cells twice as large", (F[1] - 1.) / (F[0] - 1.), 0.6);
+  record.at_most("vertical cut: F - 1 of cells without size, by both", std::abs(2. * F[1] - F[0] - 1.), 0.015);
+}
+
+TEST(Slope, OfGriffithsAndLaneHasTheirFactor) {
+  Record record("slopes");
+  const Scene scene = slope_scene({20., 0.05 * weight * H, 0., 1e12});
+  record.at_most("slope: F over 1.4, less 1, cells of H/4 as theirs",
+                 std::abs(factor_of(safety_factor(scene, *slope_mesh(2.5), {})) / 1.4 - 1.), 0.02);
+}
+
+}  // namespace
+}  // namespace upbead::test
