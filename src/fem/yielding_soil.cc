@@ -7,6 +7,7 @@
 #include <map>
 #include <utility>
 
+#include "fem/followed_stress.h"
 #include "fem/kernels.h"
 
 namespace upbead {
@@ -53,7 +54,7 @@ std::vector<Row> readings_of_dofs(const Space& space, const std::vector<Reading>
 class SoilOfCells : public YieldingSoil {
  public:
   SoilOfCells(const Space& space, const Unknowns& unknowns, const std::vector<Reading>& readings,
-              const PointsOfCells& points);
+              const PointsOfCells& points, const std::vector<FollowedReading>& followed);
 
   const std::vector<int>& rows() const override { return rows_; }
   void evaluate(const Vector& x, Vector& p) override;
@@ -62,6 +63,7 @@ class SoilOfCells : public YieldingSoil {
   double stored_beside_elastic() const override;
   double exerted() const override { return exerted_.norm(); }
   const std::vector<double>& dissipated() const override { return lost_; }
+  std::vector<BorneStress> borne(unsigned cell) const override;
 
  private:
   void add_point(const FEValues<dim>& values, unsigned q, const Dofs& dofs, const Unknowns& unknowns,
@@ -76,31 +78,39 @@ class SoilOfCells : public YieldingSoil {
   Shapes unknowns_, sums_;  ///< by unknowns, and by readings: of the displacements whose nodal forces they sum up
   std::vector<int> row_;    ///< of an entry of unknowns_, its place in rows_
   std::vector<int> rows_;
-  std::vector<double> lost_;  ///< by active cell index (J/m)
-  Vector x_;                  ///< committed
-  Vector exerted_;            ///< by the soil in its rows, at x_
-  Vector added_;              ///< to readings
+  std::vector<double> lost_;                ///< by active cell index (J/m)
+  std::vector<dealii::Point<dim>> places_;  ///< of the points
+  std::vector<std::size_t> first_;          ///< point of each active cell, and where the last one's end
+  FollowedStress followed_;
+  Vector x_;        ///< committed
+  Vector exerted_;  ///< by the soil in its rows, at x_
+  Vector added_;    ///< to readings
 };
 
 SoilOfCells::SoilOfCells(const Space& space, const Unknowns& unknowns, const std::vector<Reading>& readings,
-                         const PointsOfCells& points)
-    : x_(Vector::Zero(unknowns.size())), added_(Vector::Zero(static_cast<Eigen::Index>(readings.size()))) {
+                         const PointsOfCells& points, const std::vector<FollowedReading>& followed)
+    : followed_(space, unknowns, readings, points, followed),
+      x_(Vector::Zero(unknowns.size())),
+      added_(Vector::Zero(static_cast<Eigen::Index>(readings.size()))) {
   const std::vector<Row> of_dof = readings_of_dofs(space, readings);
   for (const Cell& cell : space.dofs().active_cell_iterators()) {
     elastic_.push_back(space.material(cell));
     const unsigned index = cell->active_cell_index();
+    first_.push_back(points_.size());
     std::unique_ptr<SoilPoint> soil = points(index);
     lost_.push_back(soil ? 0. : -1.);
     if (!soil) continue;
     // as many points as the stiffness of the cell has
     FEValues<dim> values(space.mapping(), cell->get_fe(), QGauss<dim>(static_cast<unsigned>(space.degree()) + 1),
-                         update_gradients | update_JxW_values);
+                         update_gradients | update_quadrature_points | update_JxW_values);
     values.reinit(typename Triangulation<dim>::cell_iterator(cell));
     for (unsigned q = 0; q < values.n_quadrature_points; ++q) {
       points_.push_back({soil ? std::move(soil) : points(index), static_cast<int>(index), values.JxW(q), 0, 0});
+      places_.push_back(values.quadrature_point(q));
       add_point(values, q, dofs_of(cell), unknowns, of_dof);
     }
   }
+  first_.push_back(points_.size());
   number_rows();
 }
 
@@ -177,8 +187,16 @@ double SoilOfCells::commit(const Vector& x) {
     lost_[points_[i].cell] += lost;
     dissipated += lost;
   }
+  followed_.commit(x, added_);
   x_ = x;
   return dissipated;
+}
+
+std::vector<BorneStress> SoilOfCells::borne(unsigned cell) const {
+  std::vector<BorneStress> list;
+  for (std::size_t i = first_[cell]; i < first_[cell + 1]; ++i)
+    list.push_back({places_[i], points_[i].soil->borne(), points_[i].soil->mobilised()});
+  return list;
 }
 
 double SoilOfCells::stored_beside_elastic() const {
@@ -195,8 +213,9 @@ double SoilOfCells::stored_beside_elastic() const {
 }  // namespace
 
 std::unique_ptr<YieldingSoil> yielding_soil(const Space& space, const Unknowns& unknowns,
-                                            const std::vector<Reading>& readings, const PointsOfCells& points) {
-  return std::make_unique<SoilOfCells>(space, unknowns, readings, points);
+                                            const std::vector<Reading>& readings, const PointsOfCells& points,
+                                            const std::vector<FollowedReading>& followed) {
+  return std::make_unique<SoilOfCells>(space, unknowns, readings, points, followed);
 }
 
 }  // namespace upbead

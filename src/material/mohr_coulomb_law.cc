@@ -167,6 +167,14 @@ double MohrCoulombLaw::excess(const PlaneStress& stress) const {
   return std::max(k_ * first - last - strength_, first - tension_);
 }
 
+double MohrCoulombLaw::mobilised(const PlaneStress& stress) const {
+  const Principal p = principal(stress);
+  const double first = p.value[p.sorted[0]], last = p.value[p.sorted[2]];
+  // sin phi = (k - 1)/(k + 1), c cos phi = strength/(k + 1)
+  const double bearable = strength_ - 0.5 * (first + last) * (k_ - 1.), radius = 0.5 * (first - last) * (k_ + 1.);
+  return first >= tension_ || radius >= bearable ? 1. : radius / bearable;
+}
+
 LawAnswer MohrCoulombLaw::update(const PlaneStrain& strain, State& state) const {
   const PlaneStrain step{strain.xx - state.strain.xx, strain.yy - state.strain.yy, strain.xy - state.strain.xy};
   const PlaneStress change = elastic_.stress(step), old = state.stress;

@@ -33,6 +33,8 @@ class MohrCoulombLaw {
   double stored(const State& state) const;
   /// How far a stress lies outside (Pa); negative inside.
   double excess(const PlaneStress& stress) const;
+  /// (s1 - s3)/2 over c' cos phi' - (s1 + s3)/2 sin phi'; 1 where s1 has reached the limit of tension.
+  double mobilised(const PlaneStress& stress) const;
 
  private:
   ElasticLaw elastic_;

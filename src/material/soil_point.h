@@ -18,6 +18,10 @@ class SoilPoint {
   virtual double commit(const PlaneStrain& strain) = 0;
   /// Energy stored since rest by stresses, less the work of those at rest, which weights have done (J/m3).
   virtual double stored() const = 0;
+  /// Change of stress since rest at the committed strain (Pa).
+  virtual PlaneStress borne() const = 0;
+  /// Share of the strength that is mobilised at the committed strain, see the laws; 1 where all of it is.
+  virtual double mobilised() const = 0;
 };
 
 /// Of a law whose `at_rest` bears what it bears before the waves, without strain. What the soil bears at rest beyond

@@ -53,7 +53,8 @@ Run march_from(const Simulation& simulation, RestStart start, const StaticStage&
                const Care& care) {
   const SoilLaws laws = soil_laws(simulation.scene, *simulation.space, rest.stress, start);
   const System& system = simulation.compiled->system;
-  const auto soil = yielding_soil(*simulation.space, *simulation.unknowns, system.readings, laws.points);
+  const auto soil = yielding_soil(*simulation.space, *simulation.unknowns, system.readings, laws.points,
+                                  followed_readings(*simulation.space, simulation.scene));
   const auto scheme =
       make_yielding_scheme(system, *soil, {yielding_tolerance * simulation.given.tolerance, care.refined});
   Run run = march_by(*scheme, simulation, "soil that yields", marching, care.part);
