@@ -126,7 +126,7 @@ Run Simulation::run(const RunOptions& options) const {
   marching.checkpoints = options.checkpoints;
   const auto solving = part_of(options.progress, soil_ends, solved.compiled->system.interface ? bonded_ends : 1.);
   Run run = solved.compiled->system.interface ? run_contact(solved, marching, solving)
-            : yields(solved.scene)            ? run_yielding(solved, marching, {})
+            : yields(solved.scene)            ? run_yielding(solved, marching, options.soil, {})
                                               : run_tied(solved, marching, solving);
   if (!run.simulation) run.simulation = std::make_shared<const Simulation>(solved);
   estimate_errors(run);

@@ -9,6 +9,7 @@
 #include "model/words.h"
 #include "run/sliding/coupled_sliding.h"
 #include "run/solve.h"
+#include "run/yielding_watch.h"
 
 namespace upbead {
 
@@ -32,9 +33,11 @@ double last(const CompiledScene& compiled, const Response& response, const char*
   return ends.reading(compiled.system.reading(reading), static_cast<Eigen::Index>(ends.time.size()) - 1);
 }
 
-ResidualSummary residual(const CompiledScene& compiled, const Response& response) {
+ResidualSummary residual(const Simulation& simulation, const Response& response) {
+  const CompiledScene& compiled = *simulation.compiled;
   return {last(compiled, response, "caisson/displacement_x"), last(compiled, response, "caisson/displacement_y"),
-          last(compiled, response, "caisson/rotation")};
+          last(compiled, response, "caisson/rotation"),
+          pore_pressure_left(*simulation.space, *simulation.unknowns, response.final_state)};
 }
 
 /// Of the area of soil that yields, the cells in which it lost energy.
@@ -49,14 +52,20 @@ double share_yielded(const Space& space, const YieldingSoil& soil) {
   return all > 0. ? yielded / all : 0.;
 }
 
-Run march_from(const Simulation& simulation, RestStart start, const StaticStage& rest, const MarchOptions& marching,
-               const Care& care) {
+using SoilFollower = std::function<void(const YieldingSoil&)>;
+
+Run march_from(const Simulation& simulation, RestStart start, const StaticStage& rest, const MarchOptions& options,
+               const SoilFollower& follow, const Care& care) {
   const SoilLaws laws = soil_laws(simulation.scene, *simulation.space, rest.stress, start);
   const System& system = simulation.compiled->system;
   const auto soil = yielding_soil(*simulation.space, *simulation.unknowns, system.readings, laws.points,
                                   followed_readings(*simulation.space, simulation.scene));
   const auto scheme =
       make_yielding_scheme(system, *soil, {yielding_tolerance * simulation.given.tolerance, care.refined});
+  if (follow) follow(*soil);
+  YieldingWatch watch(*simulation.space, *simulation.unknowns, *soil);
+  MarchOptions marching = options;
+  marching.observers.push_back(&watch);
   Run run = march_by(*scheme, simulation, "soil that yields", marching, care.part);
   const YieldingReport& report = *scheme->yielding();
   NonlinearSummary& summary = run.summary.nonlinear.emplace();
@@ -67,13 +76,16 @@ Run march_from(const Simulation& simulation, RestStart start, const StaticStage&
   summary.cut_steps = report.cut_steps;
   summary.share_yielded = share_yielded(*simulation.space, *soil);
   if (laws.report.area > 0.) summary.share_beyond_at_rest = laws.report.beyond / laws.report.area;
-  if (simulation.compiled->caisson) run.summary.residual = residual(*simulation.compiled, run.response);
+  summary.peak_strain = watch.peak_strain();
+  summary.regions = watch.regions();
+  if (simulation.compiled->caisson) run.summary.residual = residual(simulation, run.response);
   return run;
 }
 
-Run climb_from(const Simulation& simulation, RestStart start, const StaticStage& rest, const MarchOptions& marching) {
+Run climb_from(const Simulation& simulation, RestStart start, const StaticStage& rest, const MarchOptions& marching,
+               const SoilFollower& follow) {
   const auto solve = [&](const MarchOptions& options, const Care& care) {
-    return march_from(simulation, start, rest, options, care);
+    return march_from(simulation, start, rest, options, follow, care);
   };
   return climb(simulation, ways_with_care(simulation.given, "yielding", solve), marching);
 }
@@ -89,11 +101,11 @@ StartBound bound_of(const Run& run) {
 
 }  // namespace
 
-Run run_yielding(const Simulation& simulation, const MarchOptions& marching,
+Run run_yielding(const Simulation& simulation, const MarchOptions& marching, const SoilFollower& follow,
                  const std::function<void(double)>& progress) {
   const StaticStage rest = solve_static(simulation.scene, *simulation.mesh);
   const RestStart start = start_of(simulation.given);
-  Run run = climb_from(simulation, start, rest, marching);
+  Run run = climb_from(simulation, start, rest, marching, follow);
   if (simulation.compiled->caisson && wants_bounds(simulation.given)) {
     int n = 0;
     for (const auto& [word, other] : rest_start_words) {
@@ -101,7 +113,7 @@ Run run_yielding(const Simulation& simulation, const MarchOptions& marching,
       ObserverFunction reported = progress_observer(part_of(progress, 0.5 * n, 0.5 * (n + 1)));
       MarchOptions silent;
       silent.observers = {&reported};
-      run.summary.nonlinear->bounds.push_back(bound_of(climb_from(simulation, other, rest, silent)));
+      run.summary.nonlinear->bounds.push_back(bound_of(climb_from(simulation, other, rest, silent, {})));
       ++n;
     }
   }

@@ -6,8 +6,8 @@
 namespace upbead {
 
 /// Marched by make_yielding_scheme, from the start that the scene asks for; then, where it wants bounds, from the other
-/// two. Throws NumericsError where the soil finds no equilibrium.
+/// two. `follow`: see RunOptions::soil. Throws NumericsError where the soil finds no equilibrium.
 Run run_yielding(const Simulation& simulation, const MarchOptions& marching,
-                 const std::function<void(double)>& progress);
+                 const std::function<void(const YieldingSoil&)>& follow, const std::function<void(double)>& progress);
 
 }  // namespace upbead

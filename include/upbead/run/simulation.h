@@ -17,6 +17,7 @@ namespace upbead {
 
 class Space;
 class Unknowns;
+class YieldingSoil;
 struct CompiledScene;
 struct CellsCompared;
 
@@ -45,6 +46,9 @@ struct RunOptions {
   /// Of what follows the march; called once, with the scene as it is marched (its soil converged), before the march.
   /// Null where nobody follows. The observer outlives the run.
   std::function<MarchObserver*(const Simulation&)> observer;
+  /// Told the soil that yields before it is marched, and another one where another way is tried: what it bears may be
+  /// read whenever the observer sees a state. It dies with the march. Null where nobody follows.
+  std::function<void(const YieldingSoil&)> soil;
   Checkpointing checkpoints;
 };
 
