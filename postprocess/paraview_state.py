@@ -1,6 +1,8 @@
-"""A state for ParaView: the fields of a run, coloured by pore pressure, warped by displacement, at all times.
+"""A state for ParaView: the fields of a run, coloured by pore pressure, warped by displacement, at all times. Where
+soil yields the colours are the share of strength that it mobilises.
 
     pvpython postprocess/paraview_state.py results/NAME PICTURE.png      # a picture of the last time
+    pvpython postprocess/paraview_state.py results/NAME PICTURE.png pressure        # or by another of COLOURED
     UPBEAD_RESULT=results/NAME paraview --script=postprocess/paraview_state.py
 
 or File > Load State with UPBEAD_RESULT set, or from within the folder of the run. The run needs [output] fields.
@@ -14,6 +16,12 @@ from pathlib import Path
 from paraview import simple
 
 DISPLACEMENT, PRESSURE = "displacement_(m)", "pore_pressure_(Pa)"
+MOBILISED, DISSIPATED = "mobilised_strength_(1)", "dissipated_energy_(J_m3)"
+COLOURED = {  # field, title, colours
+    "pressure": (PRESSURE, "pore pressure (Pa)", "Cool to Warm"),
+    "mobilised": (MOBILISED, "strength mobilised (1)", "Black-Body Radiation"),
+    "dissipated": (DISSIPATED, "energy taken by yielding (J/m3)", "Black-Body Radiation"),
+}
 SHOWN = 0.03  # the largest displacement is drawn as this part of the section's height
 SIZE, BLACK = [1600, 500], [0.0, 0.0, 0.0]
 
@@ -26,31 +34,46 @@ def result_folder():
     return record
 
 
-def largest(reader, times):
-    """The largest displacement and the largest size of the pore pressure over all times."""
-    displacement = pressure = 0.0
+def chosen(reader):
+    """What colours: the second argument, else the strength where soil yields, else the pore pressure."""
+    yields = MOBILISED in reader.PointData.keys()
+    name = sys.argv[3] if len(sys.argv) > 3 else "mobilised" if yields else "pressure"
+    if name not in COLOURED:
+        sys.exit(f"there is no '{name}'; choose of {', '.join(COLOURED)}")
+    if name != "pressure" and not yields:
+        sys.exit(f"the fields have no {COLOURED[name][0]}: no soil yields")
+    return COLOURED[name]
+
+
+def largest(reader, times, field):
+    """The largest displacement and the largest size of a field over all times."""
+    displacement = value = 0.0
     for time in times:
         simple.UpdatePipeline(time=time, proxy=reader)
         displacement = max(displacement, reader.PointData[DISPLACEMENT].GetRange(-1)[1])  # -1: the magnitude
-        pressure = max(pressure, *map(abs, reader.PointData[PRESSURE].GetRange(0)))
-    return displacement, pressure
+        value = max(value, *map(abs, reader.PointData[field].GetRange(0)))
+    return displacement, value
 
 
 def exaggeration(bounds, displacement):
     return SHOWN * (bounds[3] - bounds[2]) / displacement if displacement > 0 else 1.0
 
 
-def coloured(source, view, pressure):
-    """Shows pore pressure from -pressure to +pressure, with its scale below the section."""
+def coloured(source, view, chosen, value):
+    """Shows a field up to `value`, a pressure from its negative on, with its scale below the section."""
+    field, title, colouring = chosen
     display = simple.Show(source, view)
-    simple.ColorBy(display, ("POINTS", PRESSURE))
+    simple.ColorBy(display, ("POINTS", field))
     display.Ambient, display.Diffuse = 1.0, 0.0  # the colours of the scale, without shade
-    colours = simple.GetColorTransferFunction(PRESSURE)
-    colours.ApplyPreset("Cool to Warm", True)
-    colours.RescaleTransferFunction(-pressure, pressure)
+    colours = simple.GetColorTransferFunction(field)
+    colours.ApplyPreset(colouring, True)
+    if field != PRESSURE:
+        colours.InvertTransferFunction()
+    colours.NanColor = [0.8, 0.8, 0.8]  # elastic soil has no strength
+    colours.RescaleTransferFunction(-value if field == PRESSURE else 0.0, value or 1.0)
     display.SetScalarBarVisibility(view, True)
     scale = simple.GetScalarBar(colours, view)
-    scale.Title, scale.ComponentTitle = "pore pressure (Pa)", ""
+    scale.Title, scale.ComponentTitle = title, ""
     scale.Orientation, scale.WindowLocation, scale.ScalarBarLength = "Horizontal", "Lower Center", 0.4
     for name in ("Title", "Label"):
         setattr(scale, f"{name}FontSize", 14)
@@ -78,12 +101,14 @@ def main():
     times = list(reader.TimestepValues)
     view = simple.GetActiveViewOrCreate("RenderView")
     view.ViewSize = SIZE
-    displacement, pressure = largest(reader, times)
+    simple.UpdatePipeline(time=times[0], proxy=reader)
+    colour = chosen(reader)
+    displacement, value = largest(reader, times, colour[0])
     bounds = reader.GetDataInformation().GetBounds()
     warped = simple.WarpByVector(Input=reader)
     warped.Vectors = ["POINTS", DISPLACEMENT]
     warped.ScaleFactor = exaggeration(bounds, displacement)
-    coloured(warped, view, pressure)
+    coloured(warped, view, colour, value)
     written(f"displacements times {warped.ScaleFactor:.3g}", view)
     scene = simple.GetAnimationScene()
     scene.UpdateAnimationUsingDataTimeSteps()

@@ -17,6 +17,7 @@ from report import (
     sheet,
     sliding,
     source_case,
+    yielding,
 )
 from report.figure import of_drawing
 from report.markup import Markup, join, prose, tag
@@ -38,6 +39,7 @@ def build(result, case_file=None):
         response.section(result, measured.by_reading(result)),
         base.section(result),
         sliding.section(result),
+        yielding.section(result, near(outline)),
         animation.section(result, near(outline)),
         measured.section(result),
         quality.section(result),

@@ -13,6 +13,7 @@
 #include "output/summary_outputs.h"
 #include "output/wave_response.h"
 #include "response/time_choice.h"
+#include "run/yielding_extent.h"
 
 namespace upbead {
 
@@ -34,6 +35,7 @@ struct Explained {
   std::vector<GaugeSummary> gauges;
   std::vector<WaveLoadSummary> waves;
   std::vector<Skipped> skipped;
+  YieldingExtent yielding;
 };
 
 /// What was chosen for each region, and why.
@@ -53,6 +55,11 @@ const OutputSchema<Explained>& explained_outputs() {
           .key(
               "unknowns", [](const Simulation& s) { return s.compiled->system.n_free(); }, "", "unknowns")
           .key("degree", inner(&Simulation::space, &Space::degree), "", "degree of the displacement");
+  const auto yielding =
+      OutputSchema<YieldingExtent>()
+          .key("cells", &YieldingExtent::cells, "", "cells that may yield")
+          .key("area", &YieldingExtent::area, "m2", "of them")
+          .list("linear[]", &YieldingExtent::linear, skipped_outputs(), "each region that is linear, and why");
   static const auto schema =
       OutputSchema<E>()
           .key("title", inner(&E::input, &Case::scene, &Scene::title), "", "that of the case")
@@ -65,6 +72,7 @@ const OutputSchema<Explained>& explained_outputs() {
                  "of a load by [transducers](records.md), or `sliding.uplift`")
           .named("wave_loads.NAME", &E::waves, &WaveLoadSummary::name, wave_load_outputs(),
                  "of a load by a [wave](waves.md#a-wave-as-a-load-of-a-run)")
+          .object("yielding", &E::yielding, yielding, "[soil that yields](yielding.md)")
           .list("skipped[]", &E::skipped, skipped_outputs(), "what would be left out")
           .list("warnings[]", &E::told, warning_outputs(), "[what may be wrong](warnings.md) and needs no solution");
   return schema;
@@ -76,7 +84,8 @@ std::string explanation_json(const Case& input, const Simulation& simulation, co
                             told,
                             gauge_summaries(input, simulation),
                             wave_summaries(input),
-                            skipped(input, simulation, will_be_reduced(simulation))};
+                            skipped(input, simulation, will_be_reduced(simulation)),
+                            yielding_extent(simulation)};
   return explained_outputs().to_json(explained).dump(2) + "\n";
 }
 

@@ -73,6 +73,10 @@ MarchObserver* FieldOutput::begin(const Simulation& simulation) {
   return this;
 }
 
+void FieldOutput::follow(YieldingSoil& soil) {
+  if (writer_) writer_->follow(soil);
+}
+
 bool FieldOutput::wants(double time) const {
   return is_field_time(time, *every_);
 }

@@ -24,6 +24,8 @@ class FieldOutput : public MarchObserver {
 
   /// Of the scene that will be marched, which must outlive this.
   MarchObserver* begin(const Simulation& simulation);
+  /// Soil that yields and is about to be marched.
+  void follow(YieldingSoil& soil);
   /// Writes where it is time.
   void see(const State& state, int step, int n_steps) override;
   bool wants(double time) const override;

@@ -11,6 +11,7 @@
 #include "model/words.h"
 #include "output/summary_outputs.h"
 #include "response/time_choice.h"
+#include "run/yielding_extent.h"
 
 namespace upbead {
 
@@ -93,6 +94,11 @@ std::string describe(const NonlinearSummary& n, const Summary& summary) {
       format("yielding    %s of the soil that may yield lost energy, %s in all; %.3g updates of stress a stage\n",
              percent(n.share_yielded).c_str(), with_unit(summary.energy->plastic, "J/m").c_str(),
              static_cast<double>(n.iterations) / std::max(n.stages, 1));
+  text += "  strain      up to " + significant(100. * n.peak_strain.value) + " % in shear, at (" +
+          significant(n.peak_strain.at[0]) + ", " + significant(n.peak_strain.at[1]) + ") m\n";
+  for (const MobilisedRegion& of : n.regions)
+    text += format("  %-12s%s of the strength at most (%s at rest), all of it in %s of the area\n", of.region.c_str(),
+                   percent(of.largest).c_str(), percent(of.initial).c_str(), percent(of.share).c_str());
   if (n.share_beyond_at_rest > 0.)
     text += "  warning     at rest the stress exceeds the strength in " + percent(n.share_beyond_at_rest) +
             " of it: the excess is borne by nothing that is followed\n";
@@ -102,6 +108,9 @@ std::string describe(const NonlinearSummary& n, const Summary& summary) {
   if (!summary.residual) return text;
   const double largest = summary.response->peak_displacement;
   text += "  residual    " + describe(*summary.residual, largest) + " (start: " + n.start + ")\n";
+  if (const auto& left = summary.residual->pore_pressure)
+    text += "              excess pore pressure left: " + with_unit(left->value, "Pa") + " at (" +
+            significant(left->at[0]) + ", " + significant(left->at[1]) + ") m\n";
   for (const StartBound& bound : n.bounds)
     text += format("  %-12s", bound.start.c_str()) +
             (bound.shear_to_force_ratio ? "F_T / P " + significant(*bound.shear_to_force_ratio, 4) + ", " : "") +
@@ -126,6 +135,14 @@ std::string describe(const SafetySummary& s) {
   text += significant(*s.lower, 4);
   if (!s.upper) return text + ", and was not asked beyond\n";
   return text + ", not over " + significant(*s.upper, 4) + "; it gives way in " + s.fails_at + "\n";
+}
+
+/// What may yield, and why all else is linear; nothing where nothing may yield.
+std::string describe(const YieldingExtent& extent) {
+  if (extent.cells == 0) return "yielding    none: no region has law = \"hysteretic\" or \"mohr_coulomb\"\n";
+  std::string text = format("yielding    %d of %d cells that deform may yield\n", extent.cells, extent.of);
+  for (const Skipped& part : extent.linear) text += "  linear      " + part.what + ": " + part.why + "\n";
+  return text;
 }
 
 std::string describe(const MeshAccuracy& accuracy) {
@@ -295,6 +312,7 @@ std::string describe(const Case& input, const Simulation& simulation) {
   text += describe(gauge_summaries(input, simulation)) + describe(wave_summaries(input));
   const SchemeChoice choice = choose_scheme(simulation.scene, *simulation.compiled);
   text += "in time     " + word_of(choice.scheme, time_scheme_words) + ": " + choice.reason + "\n";
+  text += describe(yielding_extent(simulation));
   if (simulation.compiled->system.interface)
     text += "contact     friction " + significant(contact_friction(simulation.scene)) + " at " +
             std::to_string(simulation.compiled->system.interface->n_nodes()) +

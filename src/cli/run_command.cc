@@ -40,6 +40,7 @@ Run solve(const Case& input, const Simulation& simulation, const std::vector<Mea
     if (line) line->update(done);
   };
   options.observer = [&fields](const Simulation& marched) { return fields.begin(marched); };
+  options.soil = [&fields](YieldingSoil& soil) { fields.follow(soil); };
   if (checkpoints) options.checkpoints = checkpoints->begin(fields);
   return solve(input, simulation, records, options);
 }

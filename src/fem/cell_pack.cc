@@ -69,10 +69,11 @@ UPBEAD_CLONES bool is_within(const PackVector* u, const PackVector* settled, con
 CellShapes shapes_of(const Space& space, const Cell& cell) {
   const FiniteElement<dim>& fe = cell->get_fe();
   FEValues<dim> values(space.mapping(), fe, QGauss<dim>(static_cast<unsigned>(space.degree()) + 1),
-                       update_gradients | update_JxW_values);
+                       update_gradients | update_quadrature_points | update_JxW_values);
   values.reinit(typename Triangulation<dim>::cell_iterator(cell));
   const Dofs dofs = dofs_of(cell);
-  CellShapes shapes{static_cast<int>(cell->active_cell_index()), space.material(cell), {}, {}, {}};
+  CellShapes shapes{
+      static_cast<int>(cell->active_cell_index()), space.material(cell), {}, {}, {}, values.get_quadrature_points()};
   std::vector<unsigned> of_x;
   for (unsigned i = 0; i < dofs.size(); ++i) {
     const auto [component, node] = fe.system_to_component_index(i);

@@ -29,6 +29,7 @@ struct CellShapes {
   std::vector<std::array<int, 2>> dofs;                       ///< of u at each node: x, y
   std::vector<std::vector<dealii::Tensor<1, dim>>> gradient;  ///< by points, then by nodes (1/m)
   std::vector<double> area;                                   ///< for which a point stands (m2)
+  std::vector<dealii::Point<dim>> at;                         ///< of each point (m)
 };
 /// With as many points as the stiffness of the cell has.
 CellShapes shapes_of(const Space& space, const Cell& cell);

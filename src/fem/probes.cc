@@ -106,25 +106,30 @@ void add_water(std::vector<Reading>& list, const std::string& probe, const Point
                                     rows.phi_gradient(d, -1. / density)));
 }
 
+struct StressComponent {
+  const char* name;
+  double PlaneStrain::*strain;
+  double PlaneStress::*stress;
+};
+constexpr StressComponent components[] = {{"xx", &PlaneStrain::xx, &PlaneStress::xx},
+                                          {"yy", &PlaneStrain::yy, &PlaneStress::yy},
+                                          {"xy", &PlaneStrain::xy, &PlaneStress::xy},
+                                          {"zz", nullptr, &PlaneStress::zz}};
+
+std::string stress_name(const Region& region) {
+  return region.kind == RegionKind::porous ? "effective_stress" : "stress";
+}
+
 void add_strain_and_stress(std::vector<Reading>& list, const std::string& probe, const PointRows& rows,
                            const Region& region, const ElasticLaw& law) {
-  const std::string stress = region.kind == RegionKind::porous ? "effective_stress" : "stress";
+  const std::string stress = stress_name(region);
   const std::string text = region.kind == RegionKind::porous ? "effective stress " : "stress ";
-  const struct {
-    const char* name;
-    double PlaneStrain::*strain;
-    double PlaneStress::*stress;
-  } components[] = {{"xx", &PlaneStrain::xx, &PlaneStress::xx},
-                    {"yy", &PlaneStrain::yy, &PlaneStress::yy},
-                    {"xy", &PlaneStrain::xy, &PlaneStress::xy},
-                    {"zz", nullptr, &PlaneStress::zz}};
-  for (const auto& c : components) {
+  for (const StressComponent& c : components) {
     if (c.strain)
       list.push_back(position_reading({"probes", probe, std::string("strain_") + c.name}, "1",
                                       std::string("strain ") + c.name + ", extension positive", rows.strain(c.strain)));
-    if (region.law == SoilLaw::elastic)  // else it does not follow from the strain alone
-      list.push_back(position_reading({"probes", probe, stress + "_" + c.name}, "Pa",
-                                      text + c.name + ", tension positive", rows.stress(law, c.stress)));
+    list.push_back(position_reading({"probes", probe, stress + "_" + c.name}, "Pa",
+                                    text + c.name + ", tension positive", rows.stress(law, c.stress)));
   }
 }
 
@@ -144,6 +149,20 @@ std::vector<Reading> probe_readings(const Space& space, const Unknowns& unknowns
   add_motion(list, name, rows);
   if (space.has_pressure(location.cell)) add_pore_water(list, name, rows, space.kind(location.cell));
   if (region.kind != RegionKind::rigid) add_strain_and_stress(list, name, rows, region, space.material(location.cell));
+  return list;
+}
+
+std::vector<FollowedReading> followed_readings(const Space& space, const Scene& scene) {
+  std::vector<FollowedReading> list;
+  for (const auto& [name, probe] : scene.probes) {
+    const Location location = *locate(space, Point<dim>(probe.at[0], probe.at[1]));
+    const Region& region = space.region(location.cell);
+    if (region.law == SoilLaw::elastic) continue;
+    FollowedReading at{location.cell, location.unit, {}};
+    for (const StressComponent& c : components)
+      at.components.emplace_back(ReadingName("probes", name, stress_name(region) + "_" + c.name), c.stress);
+    list.push_back(std::move(at));
+  }
   return list;
 }
 

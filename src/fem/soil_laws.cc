@@ -88,18 +88,20 @@ class Maker {
                        const PointsOfCells& points) const {
     if (!region.densification) return points;
     return [points, mean, bulk = bulk_modulus(elastic), law = compaction_of(*region.densification), list = compacting_](
-               unsigned index) { return kept(compacting_point(points(index), bulk, law, mean), index, *list); };
+               unsigned index, unsigned point) {
+      return kept(compacting_point(points(index, point), bulk, law, mean), index, *list);
+    };
   }
 
-  /// Points are asked for in the order of their quadrature; one stress stands for all of a cell.
+  /// From a stress by point, or from one for all.
   PointsOfCells mohr_coulomb(const Region& region, const std::shared_ptr<const MohrCoulombLaw>& law,
                              const ElasticLaw& elastic, std::vector<PlaneStress> stresses) const {
-    auto next = [stresses = std::move(stresses), n = std::size_t{0}]() mutable {
-      return stresses[n++ % stresses.size()];
+    const auto at = [stresses = std::move(stresses)](unsigned point) { return stresses[point % stresses.size()]; };
+    if (!region.densification) return [law, at](unsigned, unsigned point) { return soil_point(law, at(point)); };
+    return [law, at, bulk = bulk_modulus(elastic), denser = compaction_of(*region.densification), list = compacting_](
+               unsigned index, unsigned point) {
+      return kept(compacting_point(law, at(point), bulk, denser), index, *list);
     };
-    if (!region.densification) return [law, next](unsigned) mutable { return soil_point(law, next()); };
-    return [law, next, bulk = bulk_modulus(elastic), denser = compaction_of(*region.densification), list = compacting_](
-               unsigned index) mutable { return kept(compacting_point(law, next(), bulk, denser), index, *list); };
   }
 
   std::vector<BackbonePoint> curve(const Region& region, double G, double strength) const {
@@ -134,7 +136,7 @@ class Maker {
       state = law->bearing(stress);
       if (shear(stress) > law->strength() * (1. + 1e-9)) report.beyond += area;
     }
-    return [law, state](unsigned) { return soil_point(law, state); };
+    return [law, state](unsigned, unsigned) { return soil_point(law, state); };
   }
 
   /// Of pure shear with as much of a deviator: sqrt(s : s / 2).
@@ -162,8 +164,8 @@ SoilLaws soil_laws(const Scene& scene, const Space& space, const EffectiveStress
   for (const Cell& cell : space.dofs().active_cell_iterators())
     if (space.has_matrices(cell) && space.region(cell).law != SoilLaw::elastic)
       (*of_cell)[cell->active_cell_index()] = maker.of(space, cell, laws.report);
-  laws.points = [of_cell](unsigned cell) {
-    return (*of_cell)[cell] ? (*of_cell)[cell](cell) : std::unique_ptr<SoilPoint>();
+  laws.points = [of_cell](unsigned cell, unsigned point) {
+    return (*of_cell)[cell] ? (*of_cell)[cell](cell, point) : std::unique_ptr<SoilPoint>();
   };
   return laws;
 }

@@ -9,6 +9,7 @@
 #include "base/crew.h"
 #include "base/numbers.h"
 #include "fem/cell_pack.h"
+#include "fem/followed_stress.h"
 #include "upbead/base/error.h"
 
 namespace upbead {
@@ -104,6 +105,10 @@ struct Waiting {
 /// By law, nodes and points.
 using PackKey = std::array<std::size_t, 3>;
 
+int n_unknowns(const Unknowns& unknowns, const SoilWork& work) {
+  return work.n_unknowns > 0 ? work.n_unknowns : unknowns.size();
+}
+
 class SoilOfCells : public YieldingSoil {
  public:
   SoilOfCells(const Space& space, const Unknowns& unknowns, const std::vector<Reading>& readings,
@@ -116,7 +121,7 @@ class SoilOfCells : public YieldingSoil {
   double stored_beside_elastic() const override { return stored_sum_; }
   double exerted() const override { return exerted_; }
   const std::vector<double>& dissipated() const override { return lost_; }
-  std::vector<PlaneStress> stress(unsigned cell) override;
+  std::vector<BorneStress> borne(unsigned cell) override;
   double share_skipped() const override { return n_updates_ > 0. ? n_skipped_ / n_updates_ : 0.; }
   std::vector<double> memory() const override;
   void recall(const std::vector<double>& memory) override;
@@ -136,6 +141,8 @@ class SoilOfCells : public YieldingSoil {
   std::vector<char> rested_;                  ///< by pack, whether it was left out of the last evaluation
   double n_updates_ = 0., n_skipped_ = 0.;    ///< of cells
   Crew crew_;
+  std::vector<std::vector<dealii::Point<dim>>> at_;  ///< points of quadrature by active cell index
+  FollowedStress followed_;
   Vector added_;  ///< to readings
   double exerted_ = 0., stored_sum_ = 0.;
   Vector u_, committed_, F_, elastic_F_, total_;
@@ -143,29 +150,34 @@ class SoilOfCells : public YieldingSoil {
 
 SoilOfCells::SoilOfCells(const Space& space, const Unknowns& unknowns, const std::vector<Reading>& readings,
                          const PointsOfCells& points, const SoilWork& work)
-    : skips_(work.skip), crew_(work.threads), added_(Vector::Zero(static_cast<Eigen::Index>(readings.size()))) {
+    : skips_(work.skip),
+      crew_(work.threads),
+      followed_(space, unknowns, n_unknowns(unknowns, work), readings, points, work.followed),
+      added_(Vector::Zero(static_cast<Eigen::Index>(readings.size()))) {
   std::map<PackKey, Waiting> waiting;
   for (const Cell& cell : space.dofs().active_cell_iterators()) {
     const unsigned index = cell->active_cell_index();
-    std::unique_ptr<SoilPoint> soil = points(index);
+    first_.push_back(points_.size());
+    std::unique_ptr<SoilPoint> soil = points(index, 0);
     lost_.push_back(soil ? 0. : -1.);
     place_.emplace_back(-1, -1);
+    at_.emplace_back();
     if (!soil) continue;
     CellShapes shapes = shapes_of(space, cell);
     for (auto& node : shapes.dofs)
       for (int& dof : node) dof = nodes_.number(dof);
     PackedCell packed{space.material(cell), {}};
     for (std::size_t q = 0; q < shapes.area.size(); ++q)
-      packed.points.push_back(soil ? std::move(soil) : points(index));
+      packed.points.push_back(soil ? std::move(soil) : points(index, static_cast<unsigned>(q)));
+    at_.back() = shapes.at;
     const PackKind kind = work.by_points ? PackKind::points : pack_kind(packed);
     Waiting& others = waiting[{static_cast<std::size_t>(kind), shapes.dofs.size(), shapes.area.size()}];
     others.shapes.push_back(std::move(shapes));
     others.cells.push_back(std::move(packed));
   }
-  const int n_unknowns = work.n_unknowns > 0 ? work.n_unknowns : unknowns.size();
-  nodes_.connect(unknowns, n_unknowns, readings);
+  nodes_.connect(unknowns, n_unknowns(unknowns, work), readings);
   make_packs(waiting);
-  nodes_.displace(Vector::Zero(n_unknowns), committed_);
+  nodes_.displace(Vector::Zero(n_unknowns(unknowns, work)), committed_);
 }
 
 void SoilOfCells::make_packs(std::map<PackKey, Waiting>& waiting) {
@@ -254,6 +266,7 @@ double SoilOfCells::commit(const Vector& x) {
   exerted_ = total_.norm();
   added_.setZero();
   nodes_.subtract_from_readings(F_, added_);
+  followed_.commit(x, added_);
   double dissipated = 0.;
   stored_sum_ = 0.;
   for (std::size_t i = 0; i < packs_.size(); ++i)
@@ -265,8 +278,8 @@ double SoilOfCells::commit(const Vector& x) {
   return dissipated;
 }
 
-std::vector<PlaneStress> SoilOfCells::stress(unsigned cell) {
-  std::vector<PlaneStress> found;
+std::vector<BorneStress> SoilOfCells::borne(unsigned cell) {
+  std::vector<BorneStress> found;
   const auto [i, lane] = place_[cell];
   if (i < 0) return found;
   CellPack& pack = packs_[static_cast<std::size_t>(i)];
@@ -276,8 +289,9 @@ std::vector<PlaneStress> SoilOfCells::stress(unsigned cell) {
     const PackTensor strain = pack.strain(q);
     const PackStress s = pack.elastic_stress(strain);
     pack.soil().correct(q, strain, c);
-    found.push_back(
-        {s.xx[lane] - c.xx[lane], s.yy[lane] - c.yy[lane], s.xy[lane] - c.xy[lane], s.zz[lane] - c.zz[lane]});
+    const PlaneStress change{s.xx[lane] - c.xx[lane], s.yy[lane] - c.yy[lane], s.xy[lane] - c.xy[lane],
+                             s.zz[lane] - c.zz[lane]};
+    found.push_back({at_[cell][static_cast<std::size_t>(q)], change, pack.soil().mobilised(q, lane, change)});
   }
   return found;
 }
@@ -290,6 +304,7 @@ std::vector<double> SoilOfCells::memory() const {
     pack.remember(memory);
     pack.soil().remember(memory);
   }
+  followed_.remember(memory);
   return memory;
 }
 
@@ -300,6 +315,7 @@ void SoilOfCells::recall(const std::vector<double>& memory) {
   for (double& number : committed_) number = *from++;
   for (double& number : lost_) number = *from++;
   for (CellPack& pack : packs_) from = pack.soil().recall(pack.recall(from));
+  followed_.recall(from);
 }
 
 }  // namespace

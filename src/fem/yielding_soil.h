@@ -5,24 +5,30 @@
 #include <memory>
 #include <vector>
 
+#include "fem/probes.h"
 #include "fem/unknowns.h"
 #include "material/soil_point.h"
 #include "system/internal_force.h"
 
 namespace upbead {
 
-/// Makes the soil of a point of an active cell, asked once for each of its points of quadrature in their order; null of
-/// cells that stay elastic, which are skipped.
-using PointsOfCells = std::function<std::unique_ptr<SoilPoint>(unsigned cell)>;
+/// Makes the soil of a point of quadrature of an active cell; null of cells that stay elastic, which are skipped.
+using PointsOfCells = std::function<std::unique_ptr<SoilPoint>(unsigned cell, unsigned point)>;
+
+/// What soil bears at a point of quadrature, as committed.
+struct BorneStress {
+  dealii::Point<dim> at;
+  PlaneStress change;     ///< of effective stress since rest (Pa)
+  double mobilised = 0.;  ///< share of the strength, see SoilPoint
+};
 
 /// Soil that yields also tells where.
 class YieldingSoil : public InternalForce {
  public:
+  /// At the points of an active cell; none of cells that stay elastic.
+  virtual std::vector<BorneStress> borne(unsigned cell) = 0;
   /// Lost so far by active cell index (J/m); -1 of cells that stay elastic.
   virtual const std::vector<double>& dissipated() const = 0;
-  /// Change of stress since rest at the points of quadrature of a cell, at the committed state (Pa); none of cells that
-  /// stay elastic.
-  virtual std::vector<PlaneStress> stress(unsigned cell) = 0;
   /// Of all updates of a cell's stresses so far those that were left out, as no soil of it could have yielded.
   virtual double share_skipped() const = 0;
 };
@@ -35,6 +41,7 @@ struct SoilWork {
   /// yield: their part of p is then what it was, to the last bit.
   bool skip = true;
   int n_unknowns = 0;  ///< of the system, where it lacks the last ones of `unknowns`, those of an interface; 0: all
+  std::vector<FollowedReading> followed{};  ///< readings that tell the law's stress
 };
 
 /// p = integral of B^T (D eps - sigma) over the cells that yield, sigma their law's answer to the strain since rest and

@@ -28,6 +28,7 @@ class CompactingOverlay : public CompactingPoint {
     return with_mean(s, std::clamp(mean_at_rest() + compression(s), 0., lost_));
   }
   double stored() const override { return inner_->stored() + stored_beside(); }
+  double mobilised(const PlaneStress& change) const override { return inner_->mobilised(change); }
 
  private:
   double commit_shear(const PlaneStrain& strain) override {
@@ -72,6 +73,7 @@ class CompactingMohrCoulomb : public CompactingPoint {
     const PlaneStrain& e = now_.strain;
     return soil_->stored(now_) - stored_at_rest_ - (rest_.xx * e.xx + rest_.yy * e.yy + 2. * rest_.xy * e.xy);
   }
+  double mobilised(const PlaneStress& change) const override { return soil_->mobilised(sum(rest_, change)); }
 
  private:
   double commit_shear(const PlaneStrain& strain) override { return soil_->update(strain, now_).dissipated; }

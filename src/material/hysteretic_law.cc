@@ -119,6 +119,12 @@ double HystereticLaw::strength() const {
   return sum;
 }
 
+double HystereticLaw::mobilised(const PlaneStress& stress) const {
+  const double mean = (stress.xx + stress.yy + stress.zz) / 3.;
+  const PlaneStrain s{stress.xx - mean, stress.yy - mean, stress.xy};
+  return std::sqrt(0.5 * product(s, s)) / strength();
+}
+
 HystereticLaw::State HystereticLaw::bearing(const PlaneStress& stress) const {
   const double mean = (stress.xx + stress.yy + stress.zz) / 3.;
   const PlaneStrain s{stress.xx - mean, stress.yy - mean, stress.xy};

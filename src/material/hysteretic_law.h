@@ -50,6 +50,8 @@ class HystereticLaw {
   State bearing(const PlaneStress& stress) const;
   /// Shear stress that it can bear (Pa).
   double strength() const;
+  /// Share of it that a stress takes: sqrt(s : s / 2) of its deviator over the strength.
+  double mobilised(const PlaneStress& stress) const;
   /// Below the first yield the stress is that of the elastic law to the last bit. Dissipation is the average stress
   /// times the plastic strain of the step: 0 or more, and with the stored energy it is the work of the average stress
   /// to round-off.

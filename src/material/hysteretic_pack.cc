@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "material/soil_pack.h"
 
@@ -177,6 +178,10 @@ class HystereticPack : public SoilPack {
   void margin(int n, const PackTensor& strain, Lanes& margin) const override {
     margin_of_point(overlay_, &slid_[at(n) * overlay_.elements.size()], strain, margin);
   }
+  double mobilised(int /*n*/, int lane, const PlaneStress& change) const override {
+    const auto& [law, rest] = law_and_rest_[at(lane)];
+    return law->mobilised(sum(rest, change));
+  }
   void remember(std::vector<double>& memory) const override {
     for (const Memory& point : memory_) {
       remember_lanes(point.strain, memory);
@@ -202,6 +207,7 @@ class HystereticPack : public SoilPack {
   void fill(const PackedCell& cell, int lane) {
     const HystereticSoil& soil = soil_of(cell);
     const ElasticLaw& own = soil.law->elastic();
+    law_and_rest_.emplace_back(soil.law, soil.rest);
     overlay_.dG[lane] = cell.elastic.G - own.G;
     overlay_.dlambda[lane] = cell.elastic.lambda - own.lambda;
     // the bulk modulus of the law is that of `own`, its shear modulus the elements' sum, which is its G to round-off
@@ -230,7 +236,8 @@ class HystereticPack : public SoilPack {
   }
 
   Overlay overlay_;
-  std::vector<Memory> memory_;    ///< of points
+  std::vector<std::pair<std::shared_ptr<const HystereticLaw>, PlaneStress>> law_and_rest_;  ///< by lane
+  std::vector<Memory> memory_;                                                              ///< of points
   std::vector<PackTensor> slid_;  ///< of elements of points, since rest
 };
 

@@ -112,6 +112,14 @@ PlaneStress MohrCoulombLaw::returned(const PlaneStress& trial) const {
   return turned(value, p.angle);
 }
 
+double MohrCoulombLaw::mobilised(const PlaneStress& stress) const {
+  const auto [first, middle, last] = sorted(principal(stress));
+  const MohrCoulombPlanes& p = planes_;
+  // sin phi = (k - 1)/(k + 1), c cos phi = strength/(k + 1)
+  const double bearable = p.strength - 0.5 * (first + last) * (p.k - 1.), radius = 0.5 * (first - last) * (p.k + 1.);
+  return first >= p.tension || radius >= bearable ? 1. : radius / bearable;
+}
+
 LawAnswer MohrCoulombLaw::update(const PlaneStrain& strain, State& state) const {
   const PlaneStrain step{strain.xx - state.strain.xx, strain.yy - state.strain.yy, strain.xy - state.strain.xy};
   const PlaneStress change = elastic_.stress(step), old = state.stress;

@@ -38,6 +38,8 @@ class MohrCoulombLaw {
   PlaneStress returned(const PlaneStress& trial) const;
   const ElasticLaw& elastic() const { return elastic_; }
   const MohrCoulombPlanes& planes() const { return planes_; }
+  /// (s1 - s3)/2 over c' cos phi' - (s1 + s3)/2 sin phi'; 1 where s1 has reached the limit of tension.
+  double mobilised(const PlaneStress& stress) const;
 
  private:
   double dissipated(const PlaneStress& stress, const PlaneStress& relaxed) const;

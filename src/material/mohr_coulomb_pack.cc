@@ -181,6 +181,10 @@ class MohrCoulombPack : public SoilPack {
   void margin(int n, const PackTensor& strain, Lanes& margin) const override {
     margin_of_flow(constants_, points_[static_cast<std::size_t>(n)], strain, margin);
   }
+  double mobilised(int n, int lane, const PlaneStress& change) const override {
+    const PlaneStress rest = in_lane(points_[static_cast<std::size_t>(n)].rest, lane);
+    return laws_[static_cast<std::size_t>(lane)]->mobilised(sum(rest, change));
+  }
   void remember(std::vector<double>& memory) const override {
     for (const Flowed& point : points_) remember_lanes(point.taken, memory);
   }

@@ -46,6 +46,9 @@ class PackOfPoints : public SoilPack {
       energy[lane] = point(lane, n).stored() -
                      elastic_energy(cells_[lane].elastic, {strain.xx[lane], strain.yy[lane], strain.xy[lane]});
   }
+  double mobilised(int n, int lane, const PlaneStress& change) const override {
+    return point(static_cast<std::size_t>(lane), n).mobilised(change);
+  }
   void remember(std::vector<double>& memory) const override {
     for (const PackedCell& cell : cells_)
       for (const auto& point : cell.points) point->remember(memory);

@@ -43,6 +43,8 @@ class SoilPack {
   virtual void margin(int /*n*/, const PackTensor& /*strain*/, detail::Lanes& margin) const {
     margin = detail::Lanes{};
   }
+  /// As of SoilPoint, of the n-th point of one cell.
+  virtual double mobilised(int n, int lane, const PlaneStress& change) const = 0;
   /// As of SoilPoint, of all points.
   virtual void remember(std::vector<double>& memory) const = 0;
   virtual const double* recall(const double* memory) = 0;

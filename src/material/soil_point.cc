@@ -39,6 +39,7 @@ class PointOf : public SoilPoint {
     const PlaneStress& rest = soil_.rest;
     return soil_.law->stored(soil_.now) - stored_at_rest_ - (rest.xx * e.xx + rest.yy * e.yy + 2. * rest.xy * e.xy);
   }
+  double mobilised(const PlaneStress& change) const override { return soil_.mobilised(change); }
   void remember(std::vector<double>& memory) const override {
     visit(soil_.now, [&](double number) { memory.push_back(number); });
   }

@@ -10,12 +10,19 @@
 
 namespace upbead {
 
+inline PlaneStress sum(const PlaneStress& a, const PlaneStress& b) {
+  return {a.xx + b.xx, a.yy + b.yy, a.xy + b.xy, a.zz + b.zz};
+}
+
 /// A law, what it remembers, and what it bore at rest.
 template <class Law>
 struct SoilOf {
   std::shared_ptr<const Law> law;
   typename Law::State now;
   PlaneStress rest;
+
+  /// As of SoilPoint.
+  double mobilised(const PlaneStress& change) const { return law->mobilised(sum(rest, change)); }
 };
 using HystereticSoil = SoilOf<HystereticLaw>;
 using MohrCoulombSoil = SoilOf<MohrCoulombLaw>;
@@ -30,6 +37,9 @@ class SoilPoint {
   virtual double commit(const PlaneStrain& strain) = 0;
   /// Energy stored since rest by stresses, less the work of those at rest, which weights have done (J/m3).
   virtual double stored() const = 0;
+  /// Share of the strength that is mobilised where the stress has changed by so much since rest, see the laws; 1 where
+  /// all of it is.
+  virtual double mobilised(const PlaneStress& change) const = 0;
   /// Appends all that it has committed, for checkpoints; takes it back from there, and returns what follows.
   virtual void remember(std::vector<double>& /*memory*/) const { throw std::invalid_argument(no_memory); }
   virtual const double* recall(const double* /*memory*/) { throw std::invalid_argument(no_memory); }

@@ -19,11 +19,18 @@ using namespace dealii;
 
 namespace {
 
-/// Strain and effective stress of plane strain from the gradient of u, tension positive; zero in rigid regions, stress
-/// not a number in soil that yields.
+/// Of these points the one next to a place.
+const BorneStress& nearest(const std::vector<BorneStress>& points, const Point<dim>& place) {
+  return *std::min_element(points.begin(), points.end(), [&](const BorneStress& a, const BorneStress& b) {
+    return a.at.distance_square(place) < b.at.distance_square(place);
+  });
+}
+
+/// Strain and effective stress of plane strain from the gradient of u, tension positive; zero in rigid regions. Stress
+/// of soil that yields is that of the next point of quadrature, as it does not follow from the strain alone.
 class StrainAndStress : public DataPostprocessor<dim> {
  public:
-  explicit StrainAndStress(const Space& space) : space_(space) {}
+  StrainAndStress(const Space& space, const SoilFields& soil) : space_(space), soil_(soil) {}
   std::vector<std::string> get_names() const override {
     return {"strain_xx_(1)",
             "strain_yy_(1)",
@@ -37,19 +44,19 @@ class StrainAndStress : public DataPostprocessor<dim> {
       const override {
     return {get_names().size(), DataComponentInterpretation::component_is_scalar};
   }
-  UpdateFlags get_needed_update_flags() const override { return update_gradients; }
+  UpdateFlags get_needed_update_flags() const override { return update_gradients | update_quadrature_points; }
 
   void evaluate_vector_field(const DataPostprocessorInputs::Vector<dim>& inputs,
                              std::vector<dealii::Vector<double>>& computed) const override {
     const auto cell = inputs.template get_cell<dim>();
     const ElasticLaw& law = space_.material(cell);
-    const bool yields = space_.region(cell).law != SoilLaw::elastic;  // its stress does not follow from strain alone
-    constexpr double none = std::numeric_limits<double>::quiet_NaN();
-    constexpr PlaneStress no_stress{none, none, none, none};
+    const std::size_t index = cell->active_cell_index();
+    const bool yields = !soil_.borne.empty() && !soil_.borne[index].empty();
     for (std::size_t q = 0; q < computed.size(); ++q) {
       const auto& g = inputs.solution_gradients[q];
       const PlaneStrain strain{g[0][0], g[1][1], 0.5 * (g[0][1] + g[1][0])};
-      const PlaneStress stress = yields ? no_stress : law.stress(strain);
+      const PlaneStress stress =
+          yields ? nearest(soil_.borne[index], inputs.evaluation_points[q]).change : law.stress(strain);
       const double values[] = {strain.xx, strain.yy, strain.xy, stress.xx, stress.yy, stress.xy, stress.zz};
       std::copy(std::begin(values), std::end(values), computed[q].begin());
     }
@@ -57,6 +64,7 @@ class StrainAndStress : public DataPostprocessor<dim> {
 
  private:
   const Space& space_;
+  const SoilFields& soil_;
 };
 
 /// The part of u of second derivatives; those of W and phi say nothing to a reader.
@@ -76,7 +84,8 @@ class Acceleration : public DataPostprocessor<dim> {
   }
 };
 
-dealii::Vector<double> to_dealii(const upbead::Vector& values) {
+template <class List>
+dealii::Vector<double> to_dealii(const List& values) {
   return dealii::Vector<double>(values.data(), values.data() + values.size());
 }
 
@@ -91,13 +100,25 @@ struct Expanded {
   dealii::Vector<double> x, v, a;
 };
 
+/// Mean of the points of each cell; not a number of cells that stay elastic.
+dealii::Vector<double> mobilised(const SoilFields& soil) {
+  dealii::Vector<double> mean(static_cast<unsigned>(soil.borne.size()));
+  for (unsigned c = 0; c < mean.size(); ++c) {
+    mean[c] = soil.borne[c].empty() ? std::numeric_limits<double>::quiet_NaN() : 0.;
+    for (const BorneStress& point : soil.borne[c])
+      mean[c] += point.mobilised / static_cast<double>(soil.borne[c].size());
+  }
+  return mean;
+}
+
 /// A state drawn on a part of the mesh; without inertia there is no acceleration.
-void fill(const Space& space, const Scene& scene, const Expanded& state, Part part, DataOut<dim>& out) {
+void fill(const Space& space, const Scene& scene, const Expanded& state, const SoilFields& soil, Part part,
+          DataOut<dim>& out) {
   using Interpretation = DataComponentInterpretation::DataComponentInterpretation;
   const Interpretation of_vector = DataComponentInterpretation::component_is_part_of_vector;
   const std::vector<Interpretation> interpretation{of_vector, of_vector, of_vector, of_vector,
                                                    DataComponentInterpretation::component_is_scalar};
-  const StrainAndStress strain_and_stress(space);
+  const StrainAndStress strain_and_stress(space, soil);
   const Acceleration acceleration;
   out.attach_dof_handler(space.dofs());
   out.add_data_vector(state.x,
@@ -107,6 +128,10 @@ void fill(const Space& space, const Scene& scene, const Expanded& state, Part pa
                       DataOut<dim>::type_dof_data, interpretation);
   if (scene.time.inertia) out.add_data_vector(state.a, acceleration);
   out.add_data_vector(state.x, strain_and_stress);
+  if (!soil.borne.empty()) {
+    out.add_data_vector(to_dealii(soil.dissipated), "dissipated_energy_(J_m3)", DataOut<dim>::type_cell_data);
+    out.add_data_vector(mobilised(soil), "mobilised_strength_(1)", DataOut<dim>::type_cell_data);
+  }
   using MeshCell = Triangulation<dim>::cell_iterator;
   const Mesh& mesh = space.mesh();
   if (part != Part::whole)
@@ -144,14 +169,25 @@ void FieldWriter::write(const State& state) {
   wait(std::max(1U, std::thread::hardware_concurrency()) - 1);
   char name[40];
   std::snprintf(name, sizeof name, "fields/fields_%04d.vtu", static_cast<int>(written_.size()));
-  pending_.push_back(std::async(std::launch::async, [this, state, file = std::string(name), path = path_of_(name)] {
-    write_file(state, file, path);
-  }));
+  pending_.push_back(std::async(std::launch::async, [this, state, soil = soil_fields(), file = std::string(name),
+                                                     path = path_of_(name)] { write_file(state, soil, file, path); }));
   written_.emplace_back(state.time, name);
 }
 
+SoilFields FieldWriter::soil_fields() const {
+  SoilFields fields;
+  if (!soil_) return fields;
+  for (const auto& cell : space_.mesh().triangulation.active_cell_iterators()) {
+    const unsigned index = cell->active_cell_index();
+    fields.borne.push_back(soil_->borne(index));
+    fields.dissipated.push_back(std::max(soil_->dissipated()[index], 0.) / cell->measure());
+  }
+  return fields;
+}
+
 /// Where the caisson may part from the ground it is drawn apart: both have displacements of their own at its bottom.
-void FieldWriter::write_file(const State& state, const std::string& name, const std::string& path) const {
+void FieldWriter::write_file(const State& state, const SoilFields& soil, const std::string& name,
+                             const std::string& path) const {
   const bool apart = unknowns_.has_interface();
   DataOut<dim> out, caisson;
   const auto expanded = [&](const auto& expand) {
@@ -159,9 +195,9 @@ void FieldWriter::write_file(const State& state, const std::string& name, const 
   };
   const auto of_ground = [&](const upbead::Vector& values) { return unknowns_.expand(values); };
   const auto of_caisson = [&](const upbead::Vector& values) { return unknowns_.expand_caisson(values); };
-  fill(space_, scene_, expanded(of_ground), apart ? Part::ground : Part::whole, out);
+  fill(space_, scene_, expanded(of_ground), soil, apart ? Part::ground : Part::whole, out);
   if (apart) {
-    fill(space_, scene_, expanded(of_caisson), Part::caisson, caisson);
+    fill(space_, scene_, expanded(of_caisson), soil, Part::caisson, caisson);
     out.merge_patches(caisson);
   }
   DataOutBase::VtkFlags flags;

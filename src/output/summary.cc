@@ -214,10 +214,15 @@ OutputSchema<SoilSummary> soil_outputs() {
 
 OutputSchema<ResidualSummary> residual_outputs() {
   using R = ResidualSummary;
+  const auto left = [](const R& r) { return r.pore_pressure ? std::optional(r.pore_pressure->value) : std::nullopt; };
+  const auto left_at = [](const R& r) { return r.pore_pressure ? std::optional(r.pore_pressure->at) : std::nullopt; };
   return OutputSchema<R>()
       .key("displacement_x", &R::displacement_x, "m", "of the centre of gravity, landward")
       .key("displacement_y", &R::displacement_y, "m", "upward; settlement is negative")
-      .key("rotation", &R::rotation, "rad", "positive when the top moved landward");
+      .key("rotation", &R::rotation, "rad", "positive when the top moved landward")
+      .key("pore_pressure", left, "Pa",
+           "excess pore pressure of largest magnitude in the soil at the end; null where no soil has pore water")
+      .key("pore_pressure_at[]", left_at, "m", "where that is; null with it");
 }
 
 OutputSchema<StartBound> bound_outputs() {
@@ -247,6 +252,31 @@ OutputSchema<SafetySummary> safety_outputs() {
       .key("fails_at", &S::fails_at, "", "where it moves most as it fails; empty where it does not");
 }
 
+OutputSchema<PeakStrain> peak_strain_outputs() {
+  using P = PeakStrain;
+  return OutputSchema<P>()
+      .key("peak_strain", &P::value, "", "largest shear strain of a cell that may yield, at its middle, at any time")
+      .key("peak_strain_at[]", &P::at, "m", "where that is")
+      .key(
+          "peak_strain_over_neighbours", &P::over_neighbours, "",
+          "that over the mean of the cells beside it: [above 3](warnings.md#soil-that-yields) a slip line is as narrow "
+          "as the cells; null where these do not yield");
+}
+
+OutputSchema<MobilisedRegion> mobilised_region_outputs() {
+  using R = MobilisedRegion;
+  return OutputSchema<R>()
+      .key("region", &R::region, "", "its name")
+      .key("law", &R::law, "", "`hysteretic` or `mohr_coulomb`")
+      .key("initial", &R::initial, "",
+           "largest share of its strength that a cell mobilises at rest, by its law; 1: all")
+      .key("initial_share", &R::initial_share, "", "share of the area that mobilises all of it at rest")
+      .key("largest", &R::largest, "", "largest share at any time")
+      .key("at[]", &R::at, "m", "where that is")
+      .key("time", &R::time, "s", "and when")
+      .key("share", &R::share, "", "share of the area that mobilises all of it at some time");
+}
+
 OutputSchema<NonlinearSummary> nonlinear_outputs() {
   using N = NonlinearSummary;
   return OutputSchema<N>()
@@ -267,6 +297,8 @@ OutputSchema<NonlinearSummary> nonlinear_outputs() {
           "rest", &N::rest, rest_outputs(),
           "how Mohr-Coulomb soil came to rest; null without any, and where no rest within its strength was found: then "
           "it starts from the elastic stress, as hysteretic soil does")
+      .keys_of(&N::peak_strain, peak_strain_outputs())
+      .list("regions[]", &N::regions, mobilised_region_outputs(), "strength that each region mobilised")
       .list("bounds[]", &N::bounds, bound_outputs(), "from the other starts; empty unless `initial.bounds`");
 }
 

@@ -42,6 +42,8 @@ class LargestStrains : public MarchObserver {
   LargestStrains(const Space& space, const Unknowns& unknowns, const std::vector<bool>& of_interest)
       : strains_(space, unknowns, of_interest), largest_(of_interest.size(), 0.) {}
   void see(const State& state, int step, int n_steps) override;
+  std::vector<double> memory() const override { return largest_; }
+  void recall(const std::vector<double>& memory) override { largest_ = memory; }
   /// By active cell index.
   const std::vector<double>& shear() const { return largest_; }
 

@@ -5,7 +5,8 @@
 
 namespace upbead {
 
-DesignSliding design_sliding(const SlidingSummary& s, const std::optional<ContactSummary>& contact) {
+DesignSliding design_sliding(const SlidingSummary& s, const std::optional<ContactSummary>& contact,
+                             const std::optional<ResidualSummary>& residual) {
   if (contact && contact->solved)
     return {contact->solved->slip, "contact.solved.slip", "friction is followed node by node",
             contact->solved->error_estimate};
@@ -16,7 +17,11 @@ DesignSliding design_sliding(const SlidingSummary& s, const std::optional<Contac
                                    : "the bonded caisson does not reach mu N'",
             s.coupled->error_estimate};
   const double plain = s.history.by_history.residual, moved = s.history.with_normal_force.residual;
-  const std::string why = "the larger of two by F_T(t) of the bonded caisson; slip with its ground is not told: ";
+  const std::string why = std::string("the larger of two by F_T(t) of the bonded caisson") +
+                          (residual ? ", its slip over the mound alone: how far the ground carried it stands beside it "
+                                      "(residual.displacement_x)"
+                                    : "") +
+                          "; slip with its ground is not told: ";
   return std::abs(plain) >= std::abs(moved)
              ? DesignSliding{plain, "sliding.sliding_history", why + s.why_not_coupled, s.error_estimate}
              : DesignSliding{moved, "sliding.sliding_normal_force", why + s.why_not_coupled, {}};

@@ -10,7 +10,8 @@ namespace upbead {
 
 /// The measure with most mechanics of those that a run has: friction node by node, else a caisson that slips as a whole
 /// on the ground that it shakes, else the larger of eq. (4) on F_T(t) with and without the vertical motion.
-DesignSliding design_sliding(const SlidingSummary& sliding, const std::optional<ContactSummary>& contact);
+DesignSliding design_sliding(const SlidingSummary& sliding, const std::optional<ContactSummary>& contact,
+                             const std::optional<ResidualSummary>& residual);
 
 /// Sliding, friction, pressure of heel and toe, overturning: those of which the summary knows the demand.
 std::vector<Check> checks_of(const Scene& scene, const Summary& summary);

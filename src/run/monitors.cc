@@ -12,6 +12,7 @@
 #include "run/sliding/coupled_sliding.h"
 #include "run/sliding/effective_base.h"
 #include "run/solve.h"
+#include "run/warnings/yielding_warnings.h"
 #include "upbead/base/error.h"
 #include "upbead/run/simulation.h"
 
@@ -165,10 +166,11 @@ void Monitors::report(Run& run) {
   append(summary.warnings, compaction_warnings(summary.densification));
   append(summary.warnings, loose_warnings(summary));
   append(summary.warnings, balance_warnings(run));
+  append(summary.warnings, yielding_warnings(summary));
   if (summary.sliding) append(summary.skipped, skipped(*summary.sliding));
   if (summary.contact && !summary.contact->solved)
     summary.skipped.push_back({"contact node by node", why_glued(*summary.contact)});
-  if (summary.sliding) summary.sliding->design = design_sliding(*summary.sliding, summary.contact);
+  if (summary.sliding) summary.sliding->design = design_sliding(*summary.sliding, summary.contact, summary.residual);
   summary.checks = checks_of(simulation.given, summary);
 }
 

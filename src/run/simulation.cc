@@ -126,8 +126,8 @@ Run Simulation::run(const RunOptions& options) const {
   marching.stop_at_energy = given.time.stop_at_energy.value_or(0.);
   marching.checkpoints = options.checkpoints;
   const auto solving = part_of(options.progress, soil_ends, solved.compiled->system.interface ? bonded_ends : 1.);
-  Run run = solved.compiled->system.interface ? run_contact(solved, marching, solving)
-            : yields(solved.scene)            ? run_yielding(solved, marching, {})
+  Run run = solved.compiled->system.interface ? run_contact(solved, marching, solving, options.soil)
+            : yields(solved.scene)            ? run_yielding(solved, marching, {}, {true, {{}, {}, options.soil}})
                                               : run_tied(solved, marching, solving);
   if (!run.simulation) run.simulation = std::make_shared<const Simulation>(solved);
   run.summary.safety = find_safety(solved);

@@ -14,6 +14,7 @@
 #include "response/compaction.h"
 #include "run/sliding/coupled_sliding.h"
 #include "run/solve.h"
+#include "run/yielding_watch.h"
 
 namespace upbead {
 
@@ -37,9 +38,11 @@ double last(const CompiledScene& compiled, const Response& response, const char*
   return ends.reading(compiled.system.reading(reading), static_cast<Eigen::Index>(ends.time.size()) - 1);
 }
 
-ResidualSummary residual(const CompiledScene& compiled, const Response& response) {
+ResidualSummary residual(const Simulation& simulation, const Response& response) {
+  const CompiledScene& compiled = *simulation.compiled;
   return {last(compiled, response, "caisson/displacement_x"), last(compiled, response, "caisson/displacement_y"),
-          last(compiled, response, "caisson/rotation")};
+          last(compiled, response, "caisson/rotation"),
+          pore_pressure_left(*simulation.space, *simulation.unknowns, response.final_state)};
 }
 
 /// Of the area of soil that yields, the cells in which it lost energy.
@@ -55,9 +58,10 @@ double share_yielded(const Space& space, const YieldingSoil& soil) {
 }
 
 /// A system whose interface is glued lacks its unknowns.
-SoilWork work_of(const System& system) {
+SoilWork work_of(const Simulation& simulation) {
   SoilWork work;
-  work.n_unknowns = system.size();
+  work.n_unknowns = simulation.compiled->system.size();
+  work.followed = followed_readings(*simulation.space, simulation.scene);
   return work;
 }
 
@@ -77,10 +81,13 @@ Run march_from(const Simulation& simulation, RestStart start, const Rest& rest, 
                                   rest.failing ? &rest.failing->stresses : nullptr);
   const System& system = simulation.compiled->system;
   const auto soil =
-      yielding_soil(*simulation.space, *simulation.unknowns, system.readings, laws.points, work_of(system));
+      yielding_soil(*simulation.space, *simulation.unknowns, system.readings, laws.points, work_of(simulation));
   const auto scheme =
       make_yielding_scheme(system, *soil, {yielding_tolerance * simulation.given.tolerance, care.refined});
+  if (follower.soil) follower.soil(*soil);
+  YieldingWatch watch(*simulation.space, *simulation.unknowns, *soil);
   MarchOptions followed = marching;
+  followed.observers.push_back(&watch);
   if (MarchObserver* observer = follower.begin ? follower.begin(*scheme) : nullptr)
     followed.observers.insert(followed.observers.begin(), observer);
   Run run = march_by(*scheme, simulation, "soil that yields", followed, care.part);
@@ -100,7 +107,9 @@ Run march_from(const Simulation& simulation, RestStart start, const Rest& rest, 
     run.summary.densification =
         compacted_soils(*simulation.space, *simulation.unknowns, *laws.compacting, run.response.final_state);
   if (rest.failing) summary.rest = summary_of(*rest.failing);
-  if (simulation.compiled->caisson) run.summary.residual = residual(*simulation.compiled, run.response);
+  summary.peak_strain = watch.peak_strain();
+  summary.regions = watch.regions();
+  if (simulation.compiled->caisson) run.summary.residual = residual(simulation, run.response);
   if (follower.end) follower.end(run);
   return run;
 }

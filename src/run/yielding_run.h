@@ -11,6 +11,7 @@ namespace upbead {
 struct YieldingFollower {
   std::function<MarchObserver*(const Scheme&)> begin;  ///< null: nothing to show
   std::function<void(Run&)> end;
+  SoilFollower soil;  ///< see RunOptions::soil
 };
 
 struct YieldingRunOptions {

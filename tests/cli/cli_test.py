@@ -155,8 +155,29 @@ class Cli(ProgramTest):
         self.assertEqual(len(os.listdir(self.folder / "results/fig2b-model/fields")), 3)
 
     def test_fields_hold_what_a_probe_reads(self):
+        self.fields_hold_what_a_probe_reads()
+
+    def test_fields_of_soil_that_yields_hold_what_a_probe_reads(self):
+        """The middle of a cell is a point of quadrature, whose stress is that of the law; and what each cell has lost."""
+        self.fields_hold_what_a_probe_reads(
+            "--set", 'regions.mound.law="hysteretic"', "--set", "regions.mound.strain.reference_strain=1e-5",
+            "--set", "initial.bounds=false")
+        result = self.folder / "results/fig2b-model"
+        names = {"mobilised_strength_(1)", "dissipated_energy_(J_m3)", "points", "types"}
+        found = vtu.arrays(vtu.times(result / "fields.pvd")[-1][1], names)
+        mobilised, lost = found["mobilised_strength_(1)"], found["dissipated_energy_(J_m3)"]
+        self.assertTrue(numpy.isnan(mobilised).any() and (lost >= 0).all())
+        self.assertTrue(((mobilised > 0) & (mobilised <= 1))[lost > 0].all())
+        corners = found["points"][vtu.corners(len(found["points"]), len(found["types"]))][..., :2].astype(float)
+        x, y = corners[..., 0], corners[..., 1]
+        area = 0.5 * abs(numpy.sum(x * numpy.roll(y, -1, 1) - y * numpy.roll(x, -1, 1), axis=1))
+        energy = json.loads((result / "summary.json").read_text())["energy"]
+        cells = lost[vtu.corners(len(lost), len(found["types"]))[:, 0]]
+        self.assertLess(abs(cells @ area / energy["plastic"] - 1), 1e-3, "at the last written time, which is the end")
+
+    def fields_hold_what_a_probe_reads(self, *settings):
         """In the middle of a cell of the mound, at every written time; to the single precision of the files."""
-        result, fields = self.folder / "results/fig2b-model", ["--set", "output.fields.every=0.025"]
+        result, fields = self.folder / "results/fig2b-model", ["--set", "output.fields.every=0.025", *settings]
         self.run_model(*fields)
         points = vtu.arrays(result / "fields/fields_0000.vtu", {"points"})["points"][:, :2].astype(float)
         middles = points.reshape(-1, 9, 2)[:, 4]  # of patches of 3 by 3 points

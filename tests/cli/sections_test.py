@@ -24,8 +24,8 @@ class Sections(ProgramTest):
     def read(self, case):
         return tomllib.loads((CASES / case).read_text())
 
-    def test_there_are_seven_and_each_declares_what_is_assumed(self):
-        self.assertEqual(len(SECTIONS), 1 + 7)
+    def test_there_are_eight_and_each_declares_what_is_assumed(self):
+        self.assertEqual(len(SECTIONS), 1 + 8)
         for case in SECTIONS:
             header = " ".join(line[1:].strip() for line in (CASES / case).read_text().split("\n\n")[0].splitlines())
             self.assertRegex(header, "are ours|Ours:|assumptions", case)

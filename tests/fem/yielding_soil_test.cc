@@ -20,7 +20,7 @@ namespace {
 using CellLaws = std::vector<std::shared_ptr<const HystereticLaw>>;
 
 std::unique_ptr<YieldingSoil> yielding(const Compiled& compiled, const CellLaws& laws, const SoilWork& work = {}) {
-  const auto points = [&](unsigned cell) {
+  const auto points = [&](unsigned cell, unsigned) {
     return laws[cell] ? soil_point(laws[cell], laws[cell]->at_rest()) : nullptr;
   };
   return yielding_soil(compiled.space, compiled.unknowns, compiled.scene.system.readings, points, work);
@@ -157,7 +157,7 @@ TEST(YieldingSoil, MohrCoulombCellsFarFromYieldAreLeftOutWithoutATrace) {
         space.has_matrices(cell) && space.kind(cell) != CellKind::water
             ? std::make_shared<MohrCoulombLaw>(space.material(cell), MohrCoulombStrength{35., 5e3, 5., 0.})
             : nullptr);
-  const PointsOfCells points = [&](unsigned cell) {
+  const PointsOfCells points = [&](unsigned cell, unsigned) {
     const double p = 1e3 * (1 + cell % 100);  // from little to much stress at rest
     return of_cells[cell] ? soil_point(of_cells[cell], {-0.5 * p, -p, 0., -0.5 * p}) : nullptr;
   };

@@ -170,6 +170,14 @@ TEST(HystereticLaw, StrengthCutsTheBackbone) {
   EXPECT_EQ(with_strength(points, 2. * points.back().tau).size(), points.size());
 }
 
+TEST(HystereticLaw, MobilisesAllOfItsStrengthWhereItFlows) {
+  const HystereticLaw law = law_of(10);
+  HystereticLaw::State state = law.at_rest();
+  const double knee = 1e-2 * gamma_r * std::pow(3000., 5. / 9.);  // where the polygon meets the hyperbola
+  EXPECT_NEAR(law.mobilised({0., 0., shear(law, knee, state), 0.}), hyperbola(knee) / hyperbola(30. * gamma_r), 1e-9);
+  EXPECT_NEAR(law.mobilised(law.update({0.3, -0.1, 0.2}, state).stress), 1., 1e-4);
+}
+
 TEST(HystereticLaw, RefusesWhatIsNoBackbone) {
   EXPECT_THROW(HystereticLaw(elastic, {}), InputError);
   EXPECT_THROW(HystereticLaw(elastic, {{1e-4, 1.1e-4 * G}}), InputError) << "stiffer than G";

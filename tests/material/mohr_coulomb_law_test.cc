@@ -156,6 +156,16 @@ TEST(MohrCoulombLaw, AnswersInTurnedAxesAndInOtherUnits) {
   }
 }
 
+TEST(MohrCoulombLaw, MobilisedShareOfStrength) {
+  const MohrCoulombLaw law(elastic, {30., 10e3, 0., 2e3});
+  const double strength = 10e3 * std::cos(pi / 6.) + 100e3 * 0.5;  // at a middle of 100 kPa
+  EXPECT_NEAR(law.mobilised({-100e3, -100e3, 0.25 * strength, -100e3}), 0.25, 1e-12);
+  EXPECT_NEAR(law.mobilised({-100e3 + 0.5 * strength, -100e3 - 0.5 * strength, 0., -100e3}), 0.5, 1e-12);
+  EXPECT_EQ(law.mobilised({2e3, -5e3, 0., -1e3}), 1.) << "at the limit of tension";
+  MohrCoulombLaw::State state{{-100e3, -100e3, 0., -100e3}, {}};
+  EXPECT_NEAR(law.mobilised(law.update({0., 0., 0.01}, state).stress), 1., 1e-9);
+}
+
 TEST(MohrCoulombLaw, RefusesAllMistakesAtOnce) {
   try {
     MohrCoulombLaw(elastic, {95., -1., 100., -2.});

@@ -199,23 +199,38 @@ class Figures(InFolder):
 
 
 class ParaView(InFolder):
-    def test_state_asks_for_the_fields_that_are_written(self):
+    def state(self, fields, *words):
         """With stand-ins for ParaView, which is not here; the names of fields are compared with the writer's."""
         (self.folder / "fields.pvd").write_text("")
         simple = mock.MagicMock()
         reader = simple.PVDReader.return_value
         reader.TimestepValues, reader.GetDataInformation().GetBounds.return_value = [0.0, 1.0], (-9, 9, 0, 10, 0, 0)
         reader.PointData.__getitem__.return_value.GetRange.return_value = (-2.0, 0.1)
+        reader.PointData.keys.return_value = fields
         modules = {"paraview": types.SimpleNamespace(simple=simple), "paraview.simple": simple}
         code = (SCRIPTS / "paraview_state.py").read_text(encoding="utf-8")
-        with mock.patch.dict(sys.modules, modules), mock.patch.object(sys, "argv", ["state", str(self.folder)]):
+        with mock.patch.dict(sys.modules, modules), mock.patch.object(sys, "argv", ["state", str(self.folder), *words]):
             exec(compile(code, "paraview_state.py", "exec"), {"__name__": "__main__"})
         warped = simple.WarpByVector.return_value
         self.assertAlmostEqual(warped.ScaleFactor * 0.1, 0.03 * 10)
-        simple.GetColorTransferFunction.return_value.RescaleTransferFunction.assert_called_once_with(-2.0, 2.0)
         asked = {warped.Vectors[1], simple.ColorBy.call_args[0][1][1]}
         writer = (SCRIPTS.parent / "src/output/fields.cc").read_text(encoding="utf-8")
         self.assertLessEqual(asked, set(re.findall(r'"([^"\n]+)"', writer)))
+        return simple
+
+    def test_state_asks_for_the_fields_that_are_written(self):
+        scale = self.state(["pore_pressure_(Pa)"]).GetColorTransferFunction
+        scale.assert_called_once_with("pore_pressure_(Pa)")
+        scale.return_value.RescaleTransferFunction.assert_called_once_with(-2.0, 2.0)
+
+    def test_where_soil_yields_its_strength_colours(self):
+        fields = ["pore_pressure_(Pa)", "mobilised_strength_(1)", "dissipated_energy_(J_m3)"]
+        scale = self.state(fields).GetColorTransferFunction
+        scale.assert_called_once_with("mobilised_strength_(1)")
+        scale.return_value.RescaleTransferFunction.assert_called_once_with(0.0, 2.0)
+        self.state(fields, "a.png", "dissipated").GetColorTransferFunction.assert_called_once_with(fields[2])
+        with self.assertRaisesRegex(SystemExit, "no soil yields"):
+            self.state(fields[:1], "a.png", "dissipated")
 
 
 class Versions(unittest.TestCase):

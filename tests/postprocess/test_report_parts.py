@@ -14,6 +14,7 @@ SCRIPTS = Path(sys.argv[1]) if len(sys.argv) > 1 else Path(__file__).parents[2] 
 sys.path.insert(0, str(SCRIPTS))
 
 from report import drawing, geometry, input_tables, inputs, markup, reference, series, source_case, ticks, units  # noqa: E402
+from report import yielding, zones  # noqa: E402
 from upbead.errors import UserError  # noqa: E402
 
 ONE_CELL = """$MeshFormat
@@ -268,6 +269,50 @@ class Geometry(unittest.TestCase):
             section = geometry.section(case, folder)
             self.assertEqual(section.box("sand"), (0.0, 2.0, 0.0, 1.0))
             self.assertIn("-setnumber width 2.5", (Path(folder) / "called").read_text())
+
+
+class Yielding(unittest.TestCase):
+    RESIDUAL = {"displacement_x": 0.0123, "displacement_y": -0.004, "rotation": 2e-4, "pore_pressure": 1500.0}
+    SUMMARY = {
+        "response": {"shear_to_force_ratio": 0.32},
+        "nonlinear": {
+            "start": "k0",
+            "bounds": [{"start": "virgin", "shear_to_force_ratio": 0.35, "residual": {**RESIDUAL, "displacement_x": 0.002}}],
+            "regions": [
+                {"region": "mound", "law": "hysteretic", "initial": 0.4, "largest": 0.97, "initial_share": 0.0, "share": 0.1}
+            ],
+        },
+        "residual": RESIDUAL,
+        "energy": {"work": 1000.0, "plastic": 400.0, "kinetic": 0.0, "mismatch": 1e-12},
+        "sliding": {"design": {"value": 0.05, "measure": "sliding.sliding_history", "why": "because"}},
+    }
+
+    def page(self, summary):
+        result = mock.Mock(summary=summary, folder=Path("/nowhere"))
+        return yielding.section(result, (-1.0, 1.0)).replace("\u00a0", " ")
+
+    def test_the_section_tells_rest_and_its_bounds_energy_and_strength(self):
+        page = self.page(self.SUMMARY)
+        for told in ("12.3 mm", "−4 mm", "start virgin", "2 mm", "1.5 kPa", "40 %", "400 J/m", "97 %", "50 mm"):
+            self.assertIn(f">{told}", page)
+        self.assertNotIn("still in motion", page)
+
+    def test_linear_soil_has_no_such_section(self):
+        self.assertEqual(self.page({"residual": None, "nonlinear": None}), "")
+
+    def test_cells_are_drawn_by_class_and_elastic_ones_in_outline(self):
+        limits = [0.25, 0.5]
+        number = zones.classes(np.array([0.1, 0.25, 0.7, np.nan]), limits)
+        self.assertEqual(number.tolist(), [0, 1, 2, -1])
+        square = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])
+        corners = np.stack([square + [i, 0.0] for i in range(4)])
+        drawn = zones.drawing(corners, number, limits, str, "cells")
+        self.assertEqual(drawn.count("<path"), 4)
+        self.assertIn('fill="none"', drawn)
+
+    def test_what_lost_nothing_is_not_drawn(self):
+        still = zones.Zones(1.0, np.zeros((1, 4, 2)), np.array([0.2]), np.array([0.0]))
+        self.assertEqual(zones.of_dissipated(still), "")
 
 
 if __name__ == "__main__":

@@ -2,6 +2,7 @@
 // src/output/summary.cc and sliding_outputs.cc, of which docs/output.md is made.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -179,10 +180,35 @@ struct SoilSummary {
   double largest_strain = 0., least_modulus_ratio = 1., largest_damping = 0.;
 };
 
+/// The excess pore pressure of largest magnitude that is left at the end of a run.
+struct PorePressureLeft {
+  double value = 0.;                 ///< Pa
+  std::array<double, 2> at{0., 0.};  ///< where (m)
+};
+
+/// The largest shear strain of a cell of soil that yields, at its middle, at any time.
+struct PeakStrain {
+  double value = 0.;
+  std::array<double, 2> at{0., 0.};       ///< where (m)
+  std::optional<double> over_neighbours;  ///< over the mean of the cells beside it; none where these are at rest
+};
+
+/// How much of its strength a region of soil that yields mobilised, by its law; of a cell the mean of its points.
+struct MobilisedRegion {
+  std::string region, law;
+  double initial = 0.;               ///< largest at rest
+  double initial_share = 0.;         ///< of the area, where all of it is mobilised at rest
+  double largest = 0.;               ///< at any time
+  std::array<double, 2> at{0., 0.};  ///< where that is (m)
+  double time = 0.;                  ///< and when (s)
+  double share = 0.;                 ///< of the area, where all of it was mobilised at some time
+};
+
 /// Where the caisson came to rest, at the end of the run.
 struct ResidualSummary {
   double displacement_x = 0., displacement_y = 0.;  ///< of the centre of gravity, landward and upward (m)
   double rotation = 0.;                             ///< rad
+  std::optional<PorePressureLeft> pore_pressure;    ///< in the soil; none where it has no pore water
 };
 
 /// What another start of hysteretic soil would have made of it.
@@ -216,6 +242,8 @@ struct NonlinearSummary {
   double share_yielded = 0.;         ///< of the area of soil that yields, where it lost energy
   double share_beyond_at_rest = 0.;  ///< of it, where the stress at rest exceeds the strength
   std::optional<RestSummary> rest;   ///< none without Mohr-Coulomb soil
+  PeakStrain peak_strain;
+  std::vector<MobilisedRegion> regions;
   std::vector<StartBound> bounds;
 };
 

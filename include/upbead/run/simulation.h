@@ -17,6 +17,7 @@ namespace upbead {
 
 class Space;
 class Unknowns;
+class YieldingSoil;
 struct CompiledScene;
 struct CellsCompared;
 
@@ -39,12 +40,17 @@ struct MeshAccuracy {
 struct Run;
 struct Simulation;
 
+using SoilFollower = std::function<void(YieldingSoil&)>;
+
 /// What a run tells while it is solved.
 struct RunOptions {
   std::function<void(double)> progress;  ///< called with 0 to 1, again and again; may throw to end the run
   /// Of what follows the march; called once, with the scene as it is marched (its soil converged), before the march.
   /// Null where nobody follows. The observer outlives the run.
   std::function<MarchObserver*(const Simulation&)> observer;
+  /// Told the soil that yields before it is marched, and another one where another way is tried: what it bears may be
+  /// read whenever the observer sees a state. It dies with the march. Null where nobody follows.
+  SoilFollower soil;
   Checkpointing checkpoints;
 };
 

@@ -1,5 +1,6 @@
 """Every figure as a function: data in, a matplotlib figure out; `save(figure, path)` writes it as the scripts do."""
 
+from .amplitudes import amplitudes
 from .base_pressures import base_pressures
 from .calibration import calibration, calibration_spectrum
 from .expected import expected
@@ -18,6 +19,6 @@ from .style import save
 from .verification import verification
 from .wave_pressure import wave_pressure
 
-__all__ = ["base_pressures", "calibration", "calibration_spectrum", "expected", "fit", "mesh", "model_prototype",
+__all__ = ["amplitudes", "base_pressures", "calibration", "calibration_spectrum", "expected", "fit", "mesh", "model_prototype",
            "model_prototype_panel", "probes", "reduced_model", "response", "save", "sliding_safety", "slip_bottom", "slip_histories",
            "slip_safety", "stability", "study", "verification", "wave_pressure"]

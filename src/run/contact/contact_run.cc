@@ -215,9 +215,11 @@ void add_soil_to_node_forces(const Simulation& simulation, const System& system,
 
 /// Of soil that yields, from all starts.
 Run march_yielding_contact(const Simulation& simulation, const MarchOptions& marching,
-                           const std::function<void(double)>& progress, ContactSummary& contact) {
+                           const std::function<void(double)>& progress, const SoilFollower& follow,
+                           ContactSummary& contact) {
   std::optional<ContactRecorder> recorder;
   YieldingRunOptions options;
+  options.follower.soil = follow;
   options.follower.begin = [&](const Scheme& scheme) { return &recorder.emplace(simulation.compiled->system, scheme); };
   options.follower.end = [&](Run& run) {
     contact.solved = recorder->summary();
@@ -265,8 +267,8 @@ std::string why_glued(const ContactSummary& contact) {
          percent(contact.demand.least_normal) + " of that at rest" + margin;
 }
 
-Run run_contact(const Simulation& simulation, const MarchOptions& marching,
-                const std::function<void(double)>& progress) {
+Run run_contact(const Simulation& simulation, const MarchOptions& marching, const std::function<void(double)>& progress,
+                const SoilFollower& follow) {
   const auto sliding = std::make_shared<CompiledScene>(*simulation.compiled);
   System& system = sliding->system;
   const int n_nodes = system.interface->n_nodes();
@@ -298,7 +300,7 @@ Run run_contact(const Simulation& simulation, const MarchOptions& marching,
     const auto solve = [&](const MarchOptions& options, const Care& care) {
       return march_contact(*moving, options, care, contact);
     };
-    Run solved = soil_yields ? march_yielding_contact(*moving, unkept, progress, contact)
+    Run solved = soil_yields ? march_yielding_contact(*moving, unkept, progress, follow, contact)
                              : climb(*moving, ways_with_care(simulation.given, "contact", solve), unkept);
     solved.simulation = moving;
     solved.summary.sliding = run.summary.sliding;

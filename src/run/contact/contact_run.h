@@ -16,8 +16,8 @@ std::string why_glued(const ContactSummary& contact);
 
 /// Solves the scene bonded first, which tells S by other measures, too. Where no node reaches its friction or pulls,
 /// that is the answer; else it is marched with the law of contact. The system must have an interface; the run's
-/// simulation is the one that its answer belongs to. Throws NumericsError.
-Run run_contact(const Simulation& simulation, const MarchOptions& marching,
-                const std::function<void(double)>& progress);
+/// simulation is the one that its answer belongs to. `follow`: see RunOptions::soil. Throws NumericsError.
+Run run_contact(const Simulation& simulation, const MarchOptions& marching, const std::function<void(double)>& progress,
+                const SoilFollower& follow = {});
 
 }  // namespace upbead

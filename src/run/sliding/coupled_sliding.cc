@@ -25,7 +25,8 @@ std::string why_no_slip(const Simulation& simulation) {
   const System& system = simulation.compiled->system;
   if (system.is_divided()) return "several processes share the work";
   if (!simulation.scene.time.inertia) return "consolidation has no dynamics";
-  if (yields(simulation.scene)) return "the soil yields";
+  if (yields(simulation.scene))
+    return "the soil yields, and slip as a whole is followed on a reduced model of linear ground alone";
   const std::string& region = simulation.compiled->caisson->body.region;
   const std::vector<Body>& bodies = simulation.compiled->bodies;
   if (std::none_of(bodies.begin(), bodies.end(), [&region](const Body& body) { return body.region == region; }))

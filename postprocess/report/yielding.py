@@ -1,0 +1,125 @@
+"""Soil that yields: where the caisson came to rest, what the soil took, where it has yielded, and how sure that is."""
+
+from report import zones
+from report.markup import Markup, join, prose, table, tag
+from report.measures import at
+from report.units import percent, quantity
+from upbead.errors import UserError
+
+MOVED = [  # key, what, unit
+    ("displacement_x", "displacement of the caisson, landward", "m"),
+    ("displacement_y", "its rise; settlement is negative", "m"),
+    ("rotation", "its tilt, landward positive", "rad"),
+    ("pore_pressure", "largest excess pore pressure left", "Pa"),
+]
+ENERGY = [
+    ("work", "work of the loads"),
+    ("plastic", "taken by soil that yields"),
+    ("drag", "taken by flow through the pores"),
+    ("damping", "taken by material damping"),
+    ("radiated", "gone through absorbing sides"),
+    ("friction", "taken by friction at the bottom"),
+    ("scheme", "taken by the time scheme"),
+    ("kinetic", "still in motion"),
+    ("strain", "stored by strain"),
+    ("fluid", "stored by compressed water"),
+    ("lifted", "stored by an open bottom"),
+]
+
+
+def section(result, window):
+    """`window`: (x0, x1) near the caisson; an empty text where no soil yields."""
+    summary = result.summary
+    if not summary.get("nonlinear"):
+        return Markup("")
+    return tag(
+        "section",
+        tag("h2", "Soil that yields"),
+        residual(summary),
+        slide(summary),
+        strength(summary),
+        energy(summary),
+        drawn(result.folder, window),
+        id="yielding",
+    )
+
+
+def residual(summary):
+    """At rest in the end, by this start and by the others."""
+    own = summary.get("residual")
+    if not own:
+        return Markup("")
+    nonlinear = summary["nonlinear"]
+    ratio = at(summary, "response.shear_to_force_ratio")
+    starts = [(nonlinear["start"], ratio, own)]
+    starts += [(b["start"], b["shear_to_force_ratio"], b["residual"]) for b in nonlinear["bounds"]]
+    head = ["at the end of the run", *(f"start {name}" for name, _, _ in starts)]
+    rows = [
+        (what, *(quantity(r.get(key), unit) for _, _, r in starts))
+        for key, what, unit in MOVED
+        if own.get(key) is not None
+    ]
+    rows.append((prose("peak F_T over peak P"), *(percent(value) for _, value, _ in starts)))
+    told = "What the soil bore before the wave is not known of hysteretic soil: the other starts are the bounds."
+    return join([table(head, rows, "numbers"), tag("p", told, class_="quiet") if len(starts) > 1 else ""])
+
+
+def slide(summary):
+    """Which S is which."""
+    design, moved = at(summary, "sliding.design"), at(summary, "residual.displacement_x")
+    if not design or moved is None:
+        return Markup("")
+    text = join(
+        [
+            "Two distances stand beside each other: the ground carries the bonded caisson ",
+            quantity(moved, "m"),
+            " landward (residual displacement), and a block on friction under this shear force slips ",
+            quantity(design["value"], "m"),
+            " over the mound (S). Neither counts in the other.",
+        ]
+    )
+    return tag("p", text)
+
+
+def strength(summary):
+    rows = [
+        (
+            row["region"],
+            row["law"].replace("_", "-"),
+            percent(row["initial"]),
+            percent(row["largest"]),
+            percent(row["initial_share"]),
+            percent(row["share"]),
+        )
+        for row in summary["nonlinear"].get("regions") or []
+    ]
+    head = ("region", "law", "mobilised at rest, at most", "at any time", "area with all of it, at rest", "at any time")
+    return join([tag("h3", "Strength mobilised"), table(head, rows, "numbers")]) if rows else Markup("")
+
+
+def energy(summary):
+    found = summary.get("energy")
+    if not found:
+        return Markup("")
+    work = found["work"]
+    rows = [
+        (what, quantity(found[key], "J/m"), percent(found[key] / work) if work else "")
+        for key, what in ENERGY
+        if found.get(key)
+    ]
+    parts = [tag("h3", "Energy at the end"), table(("", "", "of the work"), rows, "numbers")]
+    if found.get("strain", 0) < 0:
+        why = "Stored by strain is negative: stresses at rest and weights have given, so that the soil may take more than the loads."
+        parts.append(tag("p", why, class_="quiet"))
+    return join(parts)
+
+
+def drawn(folder, window):
+    pvd, asked = folder / "fields.pvd", tag("code", "[output] fields")
+    if not pvd.is_file():
+        return tag("p", "Where the soil has yielded is drawn of a run with ", asked, ".", class_="quiet")
+    try:
+        found = zones.read(pvd, window)
+    except UserError as error:
+        return tag("p", f"Not drawn: {error}.", class_="quiet")
+    return join([tag("h3", "Where it has yielded"), zones.figures(found)]) if found else Markup("")

@@ -1,0 +1,83 @@
+#include "fem/followed_stress.h"
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_values.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "fem/kernels.h"
+
+namespace upbead {
+
+using namespace dealii;
+
+namespace {
+
+/// What each unknown makes of the strain at a point of a cell.
+std::vector<std::pair<int, PlaneStrain>> strain_at(const Space& space, const Unknowns& unknowns, int n_unknowns,
+                                                   const Cell& cell, const dealii::Point<dim>& unit) {
+  FEValues<dim> values(space.mapping(), cell->get_fe(), Quadrature<dim>(unit), update_gradients);
+  values.reinit(Triangulation<dim>::cell_iterator(cell));
+  const Dofs dofs = dofs_of(cell);
+  std::vector<std::pair<int, PlaneStrain>> list;
+  for (unsigned i = 0; i < dofs.size(); ++i) {
+    const PlaneStrain of = strain_of(values, i, 0);
+    for (const auto& [unknown, weight] : unknowns.expansion(dofs[i]))
+      if (unknown < n_unknowns) list.emplace_back(unknown, PlaneStrain{weight * of.xx, weight * of.yy, weight * of.xy});
+  }
+  return list;
+}
+
+/// Of the points of quadrature that one whose rest the soil begins with.
+unsigned nearest_point(const Space& space, const dealii::Point<dim>& unit) {
+  const std::vector<dealii::Point<dim>> points = QGauss<dim>(static_cast<unsigned>(space.degree()) + 1).get_points();
+  return static_cast<unsigned>(
+      std::min_element(points.begin(), points.end(),
+                       [&](const auto& a, const auto& b) { return a.distance(unit) < b.distance(unit); }) -
+      points.begin());
+}
+
+Eigen::Index number_of(const std::vector<Reading>& readings, const ReadingName& name) {
+  const auto found = std::find_if(readings.begin(), readings.end(),
+                                  [&](const Reading& reading) { return reading.name.text() == name.text(); });
+  return found - readings.begin();
+}
+
+}  // namespace
+
+FollowedStress::FollowedStress(const Space& space, const Unknowns& unknowns, int n_unknowns,
+                               const std::vector<Reading>& readings, const PointsOfCells& points,
+                               const std::vector<FollowedReading>& points_read) {
+  for (const FollowedReading& at : points_read) {
+    std::unique_ptr<SoilPoint> soil = points(at.cell->active_cell_index(), nearest_point(space, at.unit));
+    if (!soil) continue;
+    Follower follower{
+        std::move(soil), space.material(at.cell), strain_at(space, unknowns, n_unknowns, at.cell, at.unit), {}};
+    for (const auto& [name, component] : at.components)
+      follower.readings.emplace_back(number_of(readings, name), component);
+    followers_.push_back(std::move(follower));
+  }
+}
+
+void FollowedStress::commit(const Vector& x, Vector& added) {
+  for (Follower& follower : followers_) {
+    PlaneStrain e;
+    for (const auto& [unknown, of] : follower.strain)
+      e = {e.xx + x[unknown] * of.xx, e.yy + x[unknown] * of.yy, e.xy + x[unknown] * of.xy};
+    follower.soil->commit(e);
+    const PlaneStress borne = follower.soil->stress(e), elastic = follower.elastic.stress(e);
+    for (const auto& [reading, component] : follower.readings) added[reading] += borne.*component - elastic.*component;
+  }
+}
+
+void FollowedStress::remember(std::vector<double>& memory) const {
+  for (const Follower& follower : followers_) follower.soil->remember(memory);
+}
+
+const double* FollowedStress::recall(const double* memory) {
+  for (Follower& follower : followers_) memory = follower.soil->recall(memory);
+  return memory;
+}
+
+}  // namespace upbead

@@ -1,0 +1,41 @@
+#include "run/warnings/yielding_warnings.h"
+
+#include "base/text.h"
+
+namespace upbead {
+
+namespace {
+
+/// Beyond it the geometry that the equations are written on is off by as much as they are asked for, some percent.
+constexpr double large_strain = 0.05;
+/// Over the cells beside it; elastic and hysteretic answers of the shipped cases stay below 2: docs/yielding.md.
+/// Strains that matter: below a tenth of a percent nothing that is told follows from one cell.
+constexpr double slip_line = 3., least_strain = 1e-3;
+
+std::string where(const PeakStrain& peak) {
+  return "at (" + significant(peak.at[0]) + ", " + significant(peak.at[1]) + ") m";
+}
+
+}  // namespace
+
+NumberedWarnings yielding_warnings(const Summary& summary) {
+  NumberedWarnings list;
+  if (!summary.nonlinear) return list;
+  const PeakStrain& peak = summary.nonlinear->peak_strain;
+  if (peak.value > large_strain)
+    list.push_back(
+        {"large_strain", peak.value, large_strain, "1",
+         "the soil shears by " + significant(100. * peak.value) + " % " + where(peak) +
+             ": the equations take strains as small and the ground as it was, so that residual displacements "
+             "err by some such part, and a failing slope or base may hold or flow too far"});
+  if (peak.value > least_strain && peak.over_neighbours && *peak.over_neighbours > slip_line)
+    list.push_back(
+        {"slip_line", *peak.over_neighbours, slip_line, "1",
+         "the cell " + where(peak) + " shears by " + significant(100. * peak.value) + " %, " +
+             significant(*peak.over_neighbours) +
+             " times as much as those beside it: the soil slides along a line as narrow as the cells, and its "
+             "strain is that of the mesh; see with mesh.refine = 1 whether what is asked for stays"});
+  return list;
+}
+
+}  // namespace upbead
