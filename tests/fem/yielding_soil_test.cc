@@ -112,11 +112,13 @@ TEST(YieldingSoil, LanesAndThreadsGiveWhatPointsDo) {
     EXPECT_LT((one->added_to_readings() - points->added_to_readings()).norm(),
               1e-12 * points->added_to_readings().norm());
     for (const unsigned cell : {0u, 20u, 50u}) {
-      const std::vector<PlaneStress> a = points->stress(cell), b = one->stress(cell);
+      const std::vector<BorneStress> a = points->borne(cell), b = one->borne(cell);
       ASSERT_EQ(a.size(), b.size());
       for (std::size_t i = 0; i < a.size(); ++i) {
-        EXPECT_NEAR(a[i].xy, b[i].xy, 1e-10 * std::abs(a[i].xy));
-        EXPECT_NEAR(a[i].zz, b[i].zz, 1e-10 * std::abs(a[i].zz));
+        EXPECT_NEAR(a[i].change.xy, b[i].change.xy, 1e-10 * std::abs(a[i].change.xy));
+        EXPECT_NEAR(a[i].change.zz, b[i].change.zz, 1e-10 * std::abs(a[i].change.zz));
+        EXPECT_NEAR(a[i].mobilised, b[i].mobilised, 1e-10);
+        EXPECT_EQ(a[i].at.distance(b[i].at), 0.);
       }
     }
   }
