@@ -67,7 +67,8 @@ TEST(VtuFile, DeclaresWhereArraysLie) {
   const VtuGrid grid{
       4,
       1,
-      vtu_array("points", 3, {0.F, 0.F, 0.F, 1.F, 0.F, 0.F, 1.F, 1.F, 0.F, 0.F, 1.F, 0.F}, Packing::of_grid),
+      vtu_array("points", 3, std::vector<float>{0.F, 0.F, 0.F, 1.F, 0.F, 0.F, 1.F, 1.F, 0.F, 0.F, 1.F, 0.F},
+                Packing::of_grid),
       vtu_array("connectivity", 1, std::vector<int>{0, 1, 2, 3}, Packing::of_grid),
       vtu_array("offsets", 1, std::vector<int>{4}, Packing::of_grid),
       vtu_array("types", 1, std::vector<unsigned char>{9}, Packing::of_grid)};
