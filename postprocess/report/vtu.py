@@ -1,6 +1,7 @@
-"""Reads what the report needs of fields.pvd and its .vtu files (XML, Float32, base64 of zlib blocks).
+"""Reads what the report needs of fields.pvd and its .vtu files: Float32 in zlib blocks, appended as they are, or in
+base64 within the XML, as upbead 0.1.0 wrote them until fields were appended.
 
-Format: VTK User's Guide, "XML file formats"; here as deal.II writes it: patches of (n + 1)^2 points and n^2 cells each.
+Format: VTK User's Guide, "XML file formats"; patches of (n + 1)^2 points and n^2 cells each.
 """
 
 import base64
@@ -28,12 +29,12 @@ def times(pvd):
 def arrays(path, wanted):
     """{name: array} of the wanted arrays of a .vtu; 'points' are the coordinates."""
     try:
-        root = ElementTree.parse(path).getroot()
+        text, appended = parts(Path(path).read_bytes())
         found = {}
-        for item in root.iter("DataArray"):
+        for item in ElementTree.fromstring(text).iter("DataArray"):
             name = item.get("Name") or "points"
             if name in wanted:
-                values = decoded(item)
+                values = decoded(item, appended)
                 components = int(item.get("NumberOfComponents") or 1)
                 found[name] = values.reshape(-1, components) if components > 1 else values
         return found
@@ -41,14 +42,29 @@ def arrays(path, wanted):
         raise UserError(f"cannot read the fields in '{path}': {error}") from error
 
 
-def decoded(item):
+def parts(content):
+    """The XML of a file, and the bytes that are appended to it."""
+    head, mark, rest = content.partition(b"<AppendedData")
+    if not mark:
+        return content, b""
+    return head + b"</VTKFile>", rest[rest.index(b"_") + 1 :]
+
+
+def decoded(item, appended):
     """Numbers of a DataArray: count, sizes of blocks (UInt32), then the blocks, each compressed."""
-    text = "".join(item.text.split())
-    (count,) = struct.unpack("<I", base64.b64decode(text[:8])[:4])
-    size = 4 * (3 + count)
-    coded = (size + 2) // 3 * 4
-    lengths = struct.unpack(f"<{3 + count}I", base64.b64decode(text[:coded])[:size])[3:]
-    raw, place, blocks = base64.b64decode(text[coded:]), 0, []
+    if item.get("format") == "appended":
+        place = int(item.get("offset"))
+        (count,) = struct.unpack_from("<I", appended, place)
+        lengths = struct.unpack_from(f"<{3 + count}I", appended, place)[3:]
+        raw, place = appended, place + 4 * (3 + count)
+    else:
+        text = "".join(item.text.split())
+        (count,) = struct.unpack("<I", base64.b64decode(text[:8])[:4])
+        size = 4 * (3 + count)
+        coded = (size + 2) // 3 * 4
+        lengths = struct.unpack(f"<{3 + count}I", base64.b64decode(text[:coded])[:size])[3:]
+        raw, place = base64.b64decode(text[coded:]), 0
+    blocks = []
     for length in lengths:
         blocks.append(zlib.decompress(raw[place : place + length]))
         place += length

@@ -67,7 +67,7 @@ void check_checkpoints(const Case& input) {
 
 MarchObserver* FieldOutput::begin(const Simulation& simulation) {
   if (!every_) return nullptr;
-  writer_.emplace(*simulation.space, *simulation.unknowns, simulation.scene,
+  writer_.emplace(simulation.mesh, simulation.space, simulation.unknowns, simulation.scene.time.inertia,
                   [folder = folder_](const std::string& file) { return folder->path(file); });
   writer_->take_over(taken_over_);
   return this;

@@ -4,6 +4,7 @@
 #include <iostream>
 #include <thread>
 
+#include "base/cores.h"
 #include "base/files.h"
 #include "base/interrupt.h"
 #include "case/script_trust.h"

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "base/stopwatch.h"
 #include "upbead/base/error.h"
@@ -16,14 +18,39 @@ SparseMatrix combine(const System& system, const EffectiveCoefficients& e) {
   return e.m * system.M + e.c * system.C + e.k * system.K;
 }
 
-SparseMatrix free_block(const SparseMatrix& E, int n_free) {
-  const SparseMatrix rows = E.topRows(n_free);
-  return rows.leftCols(n_free);
+/// Of the first rows the columns from `begin` on; Eigen's own blocks of rows and columns take a copy for each of both.
+SparseMatrix columns_of(const SparseMatrix& E, int n_rows, int begin, int end) {
+  SparseMatrix part(n_rows, end - begin);
+  std::vector<std::pair<int, int>> range;  // of entries, by row
+  int n = 0;
+  for (int i = 0; i < n_rows; ++i) {
+    const int *columns = E.innerIndexPtr(), *first = columns + E.outerIndexPtr()[i],
+              *last = columns + E.outerIndexPtr()[i + 1];
+    const int *from = std::lower_bound(first, last, begin), *to = std::lower_bound(from, last, end);
+    range.emplace_back(static_cast<int>(from - columns), static_cast<int>(to - columns));
+    part.outerIndexPtr()[i] = n;
+    n += static_cast<int>(to - from);
+  }
+  part.outerIndexPtr()[n_rows] = n;
+  part.resizeNonZeros(n);
+  int next = 0;
+  for (const auto& [from, to] : range)
+    for (int k = from; k < to; ++k, ++next) {
+      part.innerIndexPtr()[next] = E.innerIndexPtr()[k] - begin;
+      part.valuePtr()[next] = E.valuePtr()[k];
+    }
+  return part;
 }
 
 SparseMatrix free_rows_of_prescribed(const SparseMatrix& E, int n_free) {
-  const SparseMatrix rows = E.topRows(n_free);
-  return rows.rightCols(E.cols() - n_free);
+  return columns_of(E, n_free, n_free, static_cast<int>(E.cols()));
+}
+
+/// E itself where nothing is prescribed, else its block in `room`.
+const SparseMatrix& free_block(const SparseMatrix& E, int n_free, SparseMatrix&& room = {}) {
+  if (E.cols() == n_free) return E;
+  room = columns_of(E, n_free, 0, n_free);
+  return room;
 }
 
 bool operator==(const EffectiveCoefficients& a, const EffectiveCoefficients& b) {
@@ -49,7 +76,8 @@ void EffectiveMatrix::refactor(const System& system, const EffectiveCoefficients
   const SparseMatrix E = combine(system, coefficients);
   coupling_ = free_rows_of_prescribed(E, n_free_);
   prescribed_ = E.bottomRows(system.n_prescribed);
-  const SparseMatrix free = free_block(E, n_free_);
+  SparseMatrix room;
+  const SparseMatrix& free = free_block(E, n_free_, std::move(room));
   factors_.refactor(free);
   if (refined_) free_ = free;
   check_inertia(system);

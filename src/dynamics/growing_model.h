@@ -1,6 +1,7 @@
 // A reduced model that grows look by look: for those who do not only wait until it agrees with the last smaller one.
 #pragma once
 
+#include <functional>
 #include <memory>
 
 #include "upbead/dynamics/reduce.h"
@@ -14,6 +15,11 @@ class GrowingModel {
   GrowingModel(const System& system, const ReduceOptions& options);
   ~GrowingModel();
 
+  /// Makes the vectors of the first look, which need no training: most of the work of a model that few are enough for.
+  void prepare();
+  /// Histories instead of those of the options, before the first look, and what is called after every solve from now
+  /// on.
+  void train(const SampledLoads& training, const std::function<void(double)>& progress);
   /// Enlarges the space up to the next look; false where it is exhausted or would take more than max_vectors.
   bool grow();
   /// The model of the last look, with its error against the look before; without what only finish() makes.
@@ -25,6 +31,7 @@ class GrowingModel {
  private:
   struct Space;
 
+  void reach_target();
   void compare_looks(const ModalModel& model, const ModalModel& kept, const std::vector<Eigen::MatrixXd>& now);
 
   ReduceOptions options_;

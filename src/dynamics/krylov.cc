@@ -8,6 +8,7 @@
 #include "base/stopwatch.h"
 #include "effective_matrix.h"
 #include "orthogonalise.h"
+#include "products.h"
 #include "upbead/base/error.h"
 
 namespace upbead {
@@ -46,7 +47,8 @@ SecondOrderKrylov::SecondOrderKrylov(const System& system, double shift, const s
                                      const std::vector<Vector>& kept)
     : system_(system), shift_(shift) {
   if (!(shift > 0.)) throw std::invalid_argument("the shift of a Krylov space must be positive");
-  first_ = 2. * shift * shift * system.M + shift * system.C;
+  products_ = std::make_unique<detail::SymmetricPair>(2. * shift * shift * system.M + shift * system.C,
+                                                      shift * shift * system.M);
   const SparseMatrix T = shift * shift * system.M + shift * system.C + system.K;
   make_bases(T, exact, kept);
   const Stopwatch watch;
@@ -59,7 +61,7 @@ SecondOrderKrylov::~SecondOrderKrylov() = default;
 
 void SecondOrderKrylov::make_bases(const SparseMatrix& T, const std::vector<int>& exact,
                                    const std::vector<Vector>& kept) {
-  constexpr int room = 32;
+  constexpr int room = 128;  // what is not used costs nothing; to make room later takes a copy
   const Vector weight = norm_weight(T, system_);
   for (int i = 0; i < system_.size(); ++i) (is_phi(system_, i) ? phi_ : u_).unknown.push_back(i);
   for (FieldBasis* basis : {&u_, &phi_}) {
@@ -162,8 +164,8 @@ bool SecondOrderKrylov::extend() {
   while (n_expanded_ < n_vectors_) {
     const Vector of_x = x_.col(n_expanded_), of_previous = previous_.col(n_expanded_);
     ++n_expanded_;
-    Vector rhs = -(first_ * vector_of(of_x));
-    rhs.noalias() -= shift_ * shift_ * (system_.M * vector_of(of_previous));
+    Vector rhs = Vector::Zero(system_.size());
+    products_->subtract_products(vector_of(of_x), vector_of(of_previous), rhs);
     x.setZero();
     solve(rhs, x);
     if (append(take(x), of_x)) return true;

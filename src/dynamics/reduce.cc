@@ -225,18 +225,33 @@ void GrowingModel::compare_looks(const ModalModel& model, const ModalModel& kept
   coarse_ = std::move(out_.model);
 }
 
-bool GrowingModel::grow() {
-  if (exhausted_ || target_ > most_) return false;
+void GrowingModel::reach_target() {
   SecondOrderKrylov& krylov = space_->krylov;
   const double usual = usual_vectors * out_.n_independent_loads;
   while (krylov.n_vectors() < target_ && !exhausted_) {
     exhausted_ = !krylov.extend();
     if (options_.progress) options_.progress(std::min(0.95, static_cast<double>(krylov.n_vectors()) / usual));
   }
+  space_->projection.extend();
+}
+
+void GrowingModel::prepare() {
+  reach_target();
+}
+
+void GrowingModel::train(const SampledLoads& training, const std::function<void(double)>& progress) {
+  options_.training = training;
+  options_.progress = progress;
+  loads_ = trainings(training, options_.each_load);
+}
+
+bool GrowingModel::grow() {
+  if ((exhausted_ && out_.n_vectors > 0) || target_ > most_) return false;
+  reach_target();
+  const SecondOrderKrylov& krylov = space_->krylov;
   target_ += std::max(vectors_between_looks * out_.n_independent_loads, target_ / 4);
   out_.n_vectors = krylov.n_vectors();
   out_.n_solves = krylov.n_solves();
-  space_->projection.extend();
   const KeptCoordinates coordinates = kept_coordinates(options_, system(), krylov.phi());
   ModalModel model = model_of(options_, coordinates.count() > 0 ? with_coordinates(system(), coordinates) : system());
   ModalModel kept = split_last(model, coordinates.count());

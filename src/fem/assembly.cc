@@ -6,6 +6,7 @@
 #include <deal.II/lac/sparsity_pattern.h>
 #include <deal.II/lac/sparsity_tools.h>
 
+#include <algorithm>
 #include <functional>
 
 #include "fem/kernels.h"
@@ -68,10 +69,12 @@ void scatter(const FullMatrix<double>& local, const std::vector<const Row*>& row
 /// M, C and K of the whole system, from cells that deform, faces, and bodies that do not deform.
 class Assembly {
  public:
-  explicit Assembly(const Unknowns& unknowns) : unknowns_(unknowns) {}
+  Assembly(const Unknowns& unknowns, std::size_t n_cells) : unknowns_(unknowns), n_cells_(n_cells) {}
 
   void add(const CellMatrices& cell, const Dofs& dofs) {
     const std::vector<const Row*> rows = rows_of(dofs);
+    ++n_added_;
+    for (Triplets* triplets : {&M_, &C_, &K_}) make_room(rows.size() * rows.size(), *triplets);
     scatter(cell.M, rows, M_);
     scatter(cell.C, rows, C_);
     scatter(cell.K, rows, K_);
@@ -119,7 +122,17 @@ class Assembly {
     return rows;
   }
 
+  /// For what the cells so far let expect, so that little is copied.
+  void make_room(std::size_t n_more, Triplets& triplets) const {
+    const std::size_t wanted = triplets.size() + n_more;
+    if (wanted <= triplets.capacity()) return;
+    constexpr double more = 1.05;
+    const double expected = more * static_cast<double>(wanted * n_cells_) / static_cast<double>(n_added_);
+    triplets.reserve(std::max(3 * wanted / 2, std::min(static_cast<std::size_t>(expected), n_cells_ * n_more)));
+  }
+
   const Unknowns& unknowns_;
+  std::size_t n_cells_, n_added_ = 0;
   Triplets M_, C_, K_, radiation_;
 };
 
@@ -149,7 +162,7 @@ void assemble_cells(const Scene& scene, const Space& space, CaissonForces* force
 void assemble(const Scene& scene, const Space& space, const Unknowns& unknowns, const std::vector<Body>& bodies,
               CaissonForces* forces, System& system, const std::vector<bool>& own, bool with_bodies,
               const std::vector<InterfaceNode>& interface) {
-  Assembly assembly(unknowns);
+  Assembly assembly(unknowns, space.dofs().get_triangulation().n_active_cells());
   const auto is_own = [&](unsigned cell) { return own.empty() || own[cell]; };
   assemble_cells(scene, space, forces, is_own, assembly);
   const auto add = [&](const FaceTerms& terms) {

@@ -1,7 +1,6 @@
 #include "output/fields.h"
 
 #include <deal.II/grid/filtered_iterator.h>
-#include <deal.II/numerics/data_out.h>
 #include <deal.II/numerics/data_postprocessor.h>
 
 #include <algorithm>
@@ -11,6 +10,7 @@
 #include <sstream>
 #include <thread>
 
+#include "output/field_patches.h"
 #include "upbead/base/error.h"
 
 namespace upbead {
@@ -112,8 +112,8 @@ dealii::Vector<double> mobilised(const SoilFields& soil) {
 }
 
 /// A state drawn on a part of the mesh; without inertia there is no acceleration.
-void fill(const Space& space, const Scene& scene, const Expanded& state, const SoilFields& soil, Part part,
-          DataOut<dim>& out) {
+void fill(const Space& space, bool inertia, const Expanded& state, const SoilFields& soil, Part part,
+          FieldPatches& out) {
   using Interpretation = DataComponentInterpretation::DataComponentInterpretation;
   const Interpretation of_vector = DataComponentInterpretation::component_is_part_of_vector;
   const std::vector<Interpretation> interpretation{of_vector, of_vector, of_vector, of_vector,
@@ -126,7 +126,7 @@ void fill(const Space& space, const Scene& scene, const Expanded& state, const S
                       DataOut<dim>::type_dof_data, interpretation);
   out.add_data_vector(state.v, component_names("velocity_(m_s)", "darcy_velocity_(m_s)", "pore_pressure_(Pa)"),
                       DataOut<dim>::type_dof_data, interpretation);
-  if (scene.time.inertia) out.add_data_vector(state.a, acceleration);
+  if (inertia) out.add_data_vector(state.a, acceleration);
   out.add_data_vector(state.x, strain_and_stress);
   if (!soil.borne.empty()) {
     out.add_data_vector(to_dealii(soil.dissipated), "dissipated_energy_(J_m3)", DataOut<dim>::type_cell_data);
@@ -143,9 +143,14 @@ void fill(const Space& space, const Scene& scene, const Expanded& state, const S
 
 }  // namespace
 
-FieldWriter::FieldWriter(const Space& space, const Unknowns& unknowns, const Scene& scene,
+FieldWriter::FieldWriter(std::shared_ptr<const Mesh> mesh, std::shared_ptr<const Space> space,
+                         std::shared_ptr<const Unknowns> unknowns, bool inertia,
                          std::function<std::string(const std::string&)> path_of)
-    : space_(space), unknowns_(unknowns), scene_(scene), path_of_(std::move(path_of)) {}
+    : mesh_(std::move(mesh)),
+      space_(std::move(space)),
+      unknowns_(std::move(unknowns)),
+      inertia_(inertia),
+      path_of_(std::move(path_of)) {}
 
 void FieldWriter::wait(std::size_t most) const {
   while (pending_.size() > most) {
@@ -177,7 +182,7 @@ void FieldWriter::write(const State& state) {
 SoilFields FieldWriter::soil_fields() const {
   SoilFields fields;
   if (!soil_) return fields;
-  for (const auto& cell : space_.mesh().triangulation.active_cell_iterators()) {
+  for (const auto& cell : space_->mesh().triangulation.active_cell_iterators()) {
     const unsigned index = cell->active_cell_index();
     fields.borne.push_back(soil_->borne(index));
     fields.dissipated.push_back(std::max(soil_->dissipated()[index], 0.) / cell->measure());
@@ -188,25 +193,21 @@ SoilFields FieldWriter::soil_fields() const {
 /// Where the caisson may part from the ground it is drawn apart: both have displacements of their own at its bottom.
 void FieldWriter::write_file(const State& state, const SoilFields& soil, const std::string& name,
                              const std::string& path) const {
-  const bool apart = unknowns_.has_interface();
-  DataOut<dim> out, caisson;
+  const bool apart = unknowns_->has_interface();
+  FieldPatches out, caisson;
   const auto expanded = [&](const auto& expand) {
     return Expanded{to_dealii(expand(state.x)), to_dealii(expand(state.v)), to_dealii(expand(state.a))};
   };
-  const auto of_ground = [&](const upbead::Vector& values) { return unknowns_.expand(values); };
-  const auto of_caisson = [&](const upbead::Vector& values) { return unknowns_.expand_caisson(values); };
-  fill(space_, scene_, expanded(of_ground), soil, apart ? Part::ground : Part::whole, out);
+  const auto of_ground = [&](const upbead::Vector& values) { return unknowns_->expand(values); };
+  const auto of_caisson = [&](const upbead::Vector& values) { return unknowns_->expand_caisson(values); };
+  fill(*space_, inertia_, expanded(of_ground), soil, apart ? Part::ground : Part::whole, out);
   if (apart) {
-    fill(space_, scene_, expanded(of_caisson), soil, Part::caisson, caisson);
+    fill(*space_, inertia_, expanded(of_caisson), soil, Part::caisson, caisson);
     out.merge_patches(caisson);
   }
-  DataOutBase::VtkFlags flags;
-  flags.compression_level = DataOutBase::VtkFlags::best_speed;  // the best compression takes most of a run's time
-  flags.print_date_and_time = false;                            // equal fields make equal files
-  out.set_flags(flags);
-
-  std::ofstream file(path);
-  out.write_vtu(file);
+  std::call_once(grid_made_, [&] { grid_ = out.grid(); });
+  std::ofstream file(path, std::ios::binary);
+  write_vtu(file, grid_, out.arrays());
   file.flush();
   if (!file)
     throw InputError({name}, "the fields cannot be written", "is the disk full? choose another folder with --out DIR");

@@ -4,12 +4,15 @@
 #include <deque>
 #include <functional>
 #include <future>
+#include <memory>
+#include <mutex>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "fem/unknowns.h"
 #include "fem/yielding_soil.h"
+#include "output/vtu_file.h"
 #include "upbead/system/system.h"
 
 namespace upbead {
@@ -28,8 +31,11 @@ struct SoilFields {
 /// mobilises, by cell. VTU holds single precision: for pictures, not a record.
 class FieldWriter {
  public:
-  /// `path_of`: where to write a file of a name, such as OutputFolder::path. All arguments must outlive the writer.
-  FieldWriter(const Space& space, const Unknowns& unknowns, const Scene& scene,
+  /// `path_of`: where to write a file of a name, such as OutputFolder::path. Files may still be written when whoever
+  /// solves the scene has gone, so that the writer keeps what they are made of. Without inertia there is no
+  /// acceleration.
+  FieldWriter(std::shared_ptr<const Mesh> mesh, std::shared_ptr<const Space> space,
+              std::shared_ptr<const Unknowns> unknowns, bool inertia,
               std::function<std::string(const std::string&)> path_of);
 
   /// Soil that yields, which is asked at every file from now on.
@@ -50,12 +56,15 @@ class FieldWriter {
   /// Until no more than that many files are being written.
   void wait(std::size_t most = 0) const;
 
-  const Space& space_;
-  const Unknowns& unknowns_;
-  const Scene& scene_;
+  std::shared_ptr<const Mesh> mesh_;
+  std::shared_ptr<const Space> space_;
+  std::shared_ptr<const Unknowns> unknowns_;
+  bool inertia_;
   YieldingSoil* soil_ = nullptr;
   std::function<std::string(const std::string&)> path_of_;
   std::vector<std::pair<double, std::string>> written_;
+  mutable std::once_flag grid_made_;
+  mutable VtuGrid grid_;                           ///< of all files, made with the first
   mutable std::deque<std::future<void>> pending_;  ///< the last member, as what they use must outlive them
 };
 

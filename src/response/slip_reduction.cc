@@ -18,26 +18,17 @@ constexpr double cut_off = 0.7;
 /// Per independent load: more cost more than what they are worth, as eigenvalues take the cube of their number.
 constexpr int most_vectors = 60;
 
-}  // namespace
-
-SlipProblem slip_problem(const Scene& scene, const CompiledScene& compiled, UpliftKind uplift, const Series& bonded) {
+/// All but its training.
+SlipProblem untrained_problem(const Scene& scene, const CompiledScene& compiled, UpliftKind uplift) {
   if (!compiled.system.interface || !compiled.caisson)
     throw std::invalid_argument("a scene whose caisson slips needs an interface under it");
   SlipProblem problem{with_rigid_slip(compiled.system), {}};
   const int slip = problem.system.n_free() - 1;
   add_slip(problem.system, slip);
-  const Eigen::RowVectorXd shear = bonded.reading.row(compiled.system.reading(reading::shear_force));
-  const double limit = cut_off * shear.cwiseAbs().maxCoeff();
-
   ReduceOptions& options = problem.options;
   options.shift = krylov_shift(scene);
   options.exact = compiled.body_coordinates;
   options.exact.push_back(slip);
-  const SampledLoads loads = sampled_loads(scene, compiled.system);
-  Eigen::RowVectorXd cut(static_cast<Eigen::Index>(loads.time.size()));
-  for (std::size_t i = 0; i < loads.time.size(); ++i)
-    cut[static_cast<Eigen::Index>(i)] = std::clamp(value_at(bonded.time, shear, loads.time[i]), -limit, limit);
-  options.training = with_load(loads, cut);
   options.measured = {0, 1, 2, 3};
   options.tolerance = scene.tolerance;
   options.max_vectors = most_vectors;
@@ -48,18 +39,54 @@ SlipProblem slip_problem(const Scene& scene, const CompiledScene& compiled, Upli
   return problem;
 }
 
-SlipReduction reduce_slip(const Scene& scene, const CompiledScene& compiled, UpliftKind uplift, const Series& bonded,
-                          const std::function<void(double)>& progress) {
-  SlipProblem problem = slip_problem(scene, compiled, uplift, bonded);
-  problem.options.progress = progress;
-  Reduction reduction = reduce(problem.system, problem.options);
-  const Eigen::RowVectorXd shear = bonded.reading.row(compiled.system.reading(reading::shear_force));
+Eigen::RowVectorXd shear_of(const Series& bonded, const CompiledScene& compiled) {
+  return bonded.reading.row(compiled.system.reading(reading::shear_force));
+}
+
+/// The scene's loads, and F_T cut off.
+SampledLoads training(const Scene& scene, const CompiledScene& compiled, const Series& bonded) {
+  const Eigen::RowVectorXd shear = shear_of(bonded, compiled);
+  const double limit = cut_off * shear.cwiseAbs().maxCoeff();
+  const SampledLoads loads = sampled_loads(scene, compiled.system);
+  Eigen::RowVectorXd cut(static_cast<Eigen::Index>(loads.time.size()));
+  for (std::size_t i = 0; i < loads.time.size(); ++i)
+    cut[static_cast<Eigen::Index>(i)] = std::clamp(value_at(bonded.time, shear, loads.time[i]), -limit, limit);
+  return with_load(loads, cut);
+}
+
+}  // namespace
+
+SlipProblem slip_problem(const Scene& scene, const CompiledScene& compiled, UpliftKind uplift, const Series& bonded) {
+  SlipProblem problem = untrained_problem(scene, compiled, uplift);
+  problem.options.training = training(scene, compiled, bonded);
+  return problem;
+}
+
+SlipSpace::SlipSpace(const Scene& scene, const CompiledScene& compiled, UpliftKind uplift)
+    : scene_(scene),
+      compiled_(compiled),
+      problem_(untrained_problem(scene, compiled, uplift)),
+      model_(problem_.system, problem_.options) {
+  model_.prepare();
+}
+
+SlipReduction SlipSpace::reduce(const Series& bonded, const std::function<void(double)>& progress) {
+  model_.train(training(scene_, compiled_, bonded), progress);
+  while (!model_.reduction().converged && model_.grow()) {
+  }
+  Reduction reduction = model_.finish();
+  const Eigen::RowVectorXd shear = shear_of(bonded, compiled_);
   const Eigen::RowVectorXd stuck =
-      respond(reduction.model, sample(load_histories(problem.system), bonded.time)).reading.row(0);
+      respond(reduction.model, sample(load_histories(problem_.system), bonded.time)).reading.row(0);
   const double bonded_error = (stuck - shear).cwiseAbs().maxCoeff() / shear.cwiseAbs().maxCoeff();
   return {std::move(reduction.system), reduction.error,     bonded_error,
           reduction.converged,         reduction.n_vectors, reduction.n_solves,
           reduction.factorise_seconds};
+}
+
+SlipReduction reduce_slip(const Scene& scene, const CompiledScene& compiled, UpliftKind uplift, const Series& bonded,
+                          const std::function<void(double)>& progress) {
+  return SlipSpace(scene, compiled, uplift).reduce(bonded, progress);
 }
 
 }  // namespace upbead

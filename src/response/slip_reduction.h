@@ -3,6 +3,7 @@
 
 #include <functional>
 
+#include "dynamics/growing_model.h"
 #include "fem/compile.h"
 #include "response/slip_law.h"
 #include "upbead/dynamics/reduce.h"
@@ -27,6 +28,21 @@ struct SlipProblem {
   ReduceOptions options;
 };
 SlipProblem slip_problem(const Scene& scene, const CompiledScene& compiled, UpliftKind uplift, const Series& bonded);
+
+/// The space of such a reduction: what needs no bonded history, and may be made before there is one.
+class SlipSpace {
+ public:
+  /// Both must outlive it. Throws as reduce_slip() does.
+  SlipSpace(const Scene& scene, const CompiledScene& compiled, UpliftKind uplift);
+  /// See reduce_slip(). To be called once.
+  SlipReduction reduce(const Series& bonded, const std::function<void(double)>& progress);
+
+ private:
+  const Scene& scene_;
+  const CompiledScene& compiled_;
+  SlipProblem problem_;
+  GrowingModel model_;
+};
 
 /// Reduces a scene with an interface for its loads, F_T and s, at krylov_shift(), to its tolerance.
 /// - compiled: with the interface, on one process.

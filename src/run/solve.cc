@@ -15,6 +15,7 @@
 #include "response/time_choice.h"
 #include "run/derived.h"
 #include "run/sliding/coupled_sliding.h"
+#include "run/sliding/slip_ahead.h"
 #include "upbead/base/error.h"
 #include "upbead/run/simulation.h"
 
@@ -138,10 +139,20 @@ void show(const StateModel& states, const SampledLoads& loads, const std::vector
   });
 }
 
+/// reduce_scene(), after which the mesh is nobody else's.
+Reduction reduce_beside(const SlipAhead& ahead, const Scene& scene, const CompiledScene& compiled,
+                        const ReductionTargets& targets, const std::function<void(double)>& progress) {
+  struct AtEnd {
+    const SlipAhead& ahead;
+    ~AtEnd() { ahead.leave_mesh(); }
+  } at_end{ahead};
+  return reduce_scene(scene, compiled, targets, progress);
+}
+
 /// Reduces the scene and answers its own loads. A case that asks for a reduced model gets one whose F_T meets the
 /// tolerance; readings that do not are listed in its summary. Throws NumericsError where it does not converge.
-Run run_reduced(const Simulation& simulation, const SchemeChoice& choice, const std::vector<MarchObserver*>& observers,
-                const std::function<void(double)>& progress) {
+Run run_reduced(const Simulation& simulation, const SchemeChoice& choice, const SlipAhead& ahead,
+                const std::vector<MarchObserver*>& observers, const std::function<void(double)>& progress) {
   const Stopwatch watch;
   const Scene& scene = simulation.scene;
   const System& system = simulation.compiled->system;
@@ -153,7 +164,8 @@ Run run_reduced(const Simulation& simulation, const SchemeChoice& choice, const 
   const double reducing_ends = is_shown ? 0.3 : 1.;  // 100 files take longer than the model
   // a mesh for the tolerance leaves F_T alone a part of it
   const ReductionTargets targets{false, false, most_vectors, true, states, true, simulation.given.tolerance};
-  Reduction reduction = reduce_scene(scene, *simulation.compiled, targets, part_of(progress, 0., reducing_ends));
+  Reduction reduction =
+      reduce_beside(ahead, scene, *simulation.compiled, targets, part_of(progress, 0., reducing_ends));
   if (by_name)
     require_shear_converged(reduction);
   else
@@ -190,14 +202,14 @@ std::vector<Way> marching_ways(const Simulation& simulation, const SchemeChoice&
 
 /// The ways that a case allows: where it leaves the scheme to us a reduced model, if that is less work, then sdirk4
 /// with more and more care; else the scheme that it names.
-std::vector<Way> ways(const Simulation& simulation, const std::function<void(double)>& reducing) {
-  const SchemeChoice choice = choose_scheme(simulation.scene, *simulation.compiled);
+std::vector<Way> ways(const Simulation& simulation, const SchemeChoice& choice, const SlipAhead& ahead,
+                      const std::function<void(double)>& reducing) {
   if (choice.scheme != TimeScheme::reduced) return marching_ways(simulation, choice);
   std::vector<Way> list;
   if (simulation.given.time.scheme != TimeScheme::reduced)
     list = marching_ways(simulation, {TimeScheme::sdirk4, "the reduced model was refused", {}});
-  list.insert(list.begin(), {"reduced", [&simulation, choice, reducing](const MarchOptions& options) {
-                               return run_reduced(simulation, choice, options.observers, reducing);
+  list.insert(list.begin(), {"reduced", [&simulation, choice, &ahead, reducing](const MarchOptions& options) {
+                               return run_reduced(simulation, choice, ahead, options.observers, reducing);
                              }});
   return list;
 }
@@ -371,8 +383,14 @@ Run march_by(Scheme& scheme, const Simulation& simulation, const std::string& re
 
 Run run_bonded(const Simulation& simulation, const MarchOptions& marching,
                const std::function<void(double)>& reducing) {
-  Run run = climb(simulation, ways(simulation, reducing), marching);
-  read_sliding(simulation, run, reducing);
+  const SchemeChoice choice = choose_scheme(simulation.scene, *simulation.compiled);
+  std::optional<SlipAhead> ahead;
+  if (choice.scheme == TimeScheme::reduced)
+    ahead.emplace(simulation);
+  else
+    ahead.emplace();
+  Run run = climb(simulation, ways(simulation, choice, *ahead, reducing), marching);
+  read_sliding(simulation, *ahead, run, reducing);
   return run;
 }
 

@@ -153,7 +153,8 @@ Run run_yielding(const Simulation& simulation, const MarchOptions& marching,
       ++n;
     }
   }
-  read_sliding(simulation, run, {});
+  SlipAhead none;
+  read_sliding(simulation, none, run, {});
   return run;
 }
 

@@ -1,6 +1,5 @@
 #include "study/workers.h"
 
-#include <sched.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -57,18 +56,6 @@ constexpr double redraw_after = 0.2;        // s
 constexpr const char* clear = "\r\033[2K";  // back to the first column, erase the line
 
 }  // namespace
-
-bool is_launched() {
-  for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "PMIX_RANK"})
-    if (std::getenv(name) != nullptr) return true;
-  return false;
-}
-
-int available_cores() {
-  cpu_set_t set;
-  CPU_ZERO(&set);
-  return sched_getaffinity(0, sizeof set, &set) == 0 ? std::max(1, CPU_COUNT(&set)) : 1;
-}
 
 void launch(int processes) {
   // quiet: the program itself says what went wrong; a container may forbid to bind and to copy between processes

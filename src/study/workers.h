@@ -7,12 +7,6 @@
 
 namespace upbead {
 
-/// Whether mpirun, or a cluster's launcher, has started this process.
-bool is_launched();
-
-/// Cores that this process may use.
-int available_cores();
-
 /// Becomes `mpirun -n processes` of this very command line. Returns only where there is no mpirun.
 void launch(int processes);
 

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 
+#include "dynamics/growing_model.h"
 #include "modal_models.h"
 #include "reduction_tools.h"
 #include "spring_chain.h"
@@ -79,6 +80,28 @@ TEST(Reduce, WhatConvergedMeetsTheTolerance) {
     EXPECT_EQ(reduction.n_solves, reduction.n_vectors);
     EXPECT_EQ(reduction.n_independent_loads, 1);
   }
+}
+
+TEST(Reduce, WhatIsPreparedBeforeItsTrainingIsTheSame) {
+  const System system = chain_of_masses.system(force());
+  const ReduceOptions options = options_for(system, 2e-3);
+  ReduceOptions untrained = options;
+  untrained.training = {};
+  const Reduction straight = reduce(system, options);
+  GrowingModel model(system, untrained);
+  model.prepare();
+  int solves = 0;
+  model.train(options.training, [&solves](double) { ++solves; });
+  while (!model.reduction().converged && model.grow()) {
+  }
+  const Reduction prepared = model.finish();
+  EXPECT_TRUE(prepared.converged);
+  EXPECT_EQ(prepared.n_vectors, straight.n_vectors);
+  EXPECT_EQ(solves, straight.n_vectors - 24) << "the first look's vectors are not made again";
+  EXPECT_EQ(prepared.error.history, straight.error.history);
+  EXPECT_EQ(prepared.omega, straight.omega);
+  EXPECT_EQ(prepared.model.pole, straight.model.pole);
+  EXPECT_EQ(prepared.model.reading, straight.model.reading);
 }
 
 TEST(Reduce, OtherReadingsHaveTheirOwnTolerance) {

@@ -1,10 +1,13 @@
 """The parts of the report by themselves. Usage: test_report_parts.py FOLDER_OF_THE_SCRIPTS"""
 
+import base64
 import json
 import os
+import struct
 import sys
 import tempfile
 import unittest
+import zlib
 from pathlib import Path
 from unittest import mock
 
@@ -13,7 +16,7 @@ import numpy as np
 SCRIPTS = Path(sys.argv[1]) if len(sys.argv) > 1 else Path(__file__).parents[2] / "postprocess"
 sys.path.insert(0, str(SCRIPTS))
 
-from report import drawing, geometry, input_tables, inputs, markup, reference, series, source_case, ticks, units  # noqa: E402
+from report import drawing, geometry, input_tables, inputs, markup, reference, series, source_case, ticks, units, vtu  # noqa: E402
 from report import yielding, zones  # noqa: E402
 from upbead.errors import UserError  # noqa: E402
 
@@ -52,6 +55,41 @@ direction = [1.0, 0.0]
 history = "wave.csv"  # measured
 factor = 2.0
 """
+
+
+def blocks_of(values):
+    """An array as VTK compresses it, in two blocks: head and body."""
+    raw = values.tobytes()
+    size = len(raw) // 2 + 1
+    blocks = [zlib.compress(raw[:size]), zlib.compress(raw[size:])]
+    return struct.pack("<5I", 2, size, len(raw) - size, *map(len, blocks)), b"".join(blocks)
+
+
+class Fields(unittest.TestCase):
+    """Files with arrays appended as they are, and with arrays in base64 within the XML."""
+
+    def test_both_kinds_are_read(self):
+        points, p = np.arange(12, dtype="<f4"), np.array([1, 2, 3, 4], dtype="<f4")
+        heads, bodies = zip(*map(blocks_of, (points, p)))
+        kinds = '<DataArray type="Float32" Name="{}" NumberOfComponents="{}" format="{}"'
+        frame = '<VTKFile><Piece>{}</Piece>{}</VTKFile>'
+        inline = "".join(kinds.format(name, n, "binary") + ">" + (base64.b64encode(head) + base64.b64encode(body)).decode()
+                         + "</DataArray>" for name, n, head, body in zip(("points", "p"), (3, 1), heads, bodies))
+        offset = len(heads[0]) + len(bodies[0])
+        declared = "".join(kinds.format(name, n, "appended") + f' offset="{at}"/>'
+                           for name, n, at in (("points", 3, 0), ("p", 1, offset)))
+        appended = b'<AppendedData encoding="raw">_' + heads[0] + bodies[0] + heads[1] + bodies[1] + b"</AppendedData>"
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "a.vtu"
+            for content in (frame.format(inline, "").encode(),
+                            frame.format(declared, "@").encode().replace(b"@", appended)):
+                path.write_bytes(content)
+                found = vtu.arrays(path, {"points", "p"})
+                np.testing.assert_array_equal(found["points"], points.reshape(4, 3))
+                np.testing.assert_array_equal(found["p"], p)
+                path.write_bytes(content[: len(content) * 2 // 3])
+                with self.assertRaises(UserError):
+                    vtu.arrays(path, {"points", "p"})
 
 
 class Units(unittest.TestCase):

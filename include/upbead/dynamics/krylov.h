@@ -10,7 +10,8 @@ namespace upbead {
 
 namespace detail {
 class EffectiveMatrix;
-}
+class SymmetricPair;
+}  // namespace detail
 
 /// Orthonormal directions of one kind of unknowns: of u with W, or of phi.
 struct FieldBasis {
@@ -71,7 +72,7 @@ class SecondOrderKrylov {
   const System& system_;
   double shift_;
   double factorise_seconds_ = 0.;
-  SparseMatrix first_;  ///< s_0 (2 s_0 M + C)
+  std::unique_ptr<detail::SymmetricPair> products_;  ///< with s_0 (2 s_0 M + C), and with s_0^2 M
   std::unique_ptr<detail::EffectiveMatrix> T_;
   FieldBasis u_, phi_;
   Eigen::MatrixXd x_, previous_;  ///< coordinates of the orthonormal pairs, by column

@@ -13,6 +13,7 @@
 #include "run/accuracy/side_by_side.h"
 #include "run/derived.h"
 #include "run/sliding/case_sliding.h"
+#include "run/sliding/slip_ahead.h"
 #include "sliding/coupled_slip.h"
 #include "upbead/base/error.h"
 
@@ -20,35 +21,11 @@ namespace upbead {
 
 namespace {
 
-/// Why such a slip cannot be told of a scene with a caisson; "" where it can.
-std::string why_no_slip(const Simulation& simulation) {
-  const System& system = simulation.compiled->system;
-  if (system.is_divided()) return "several processes share the work";
-  if (!simulation.scene.time.inertia) return "consolidation has no dynamics";
-  if (yields(simulation.scene))
-    return "the soil yields, and slip as a whole is followed on a reduced model of linear ground alone";
-  const std::string& region = simulation.compiled->caisson->body.region;
-  const std::vector<Body>& bodies = simulation.compiled->bodies;
-  if (std::none_of(bodies.begin(), bodies.end(), [&region](const Body& body) { return body.region == region; }))
-    return "the caisson deforms";
-  if (!bottom_is_level(*simulation.mesh)) return "the caisson's bottom is not level";
-  return "";
-}
-
-/// What N' is without, by [sliding].
-UpliftKind slip_uplift(const SlidingChoice& choice) {
-  const bool computed = choice.uplift && choice.uplift->kind == UpliftKind::computed;
-  return computed ? UpliftKind::computed : UpliftKind::prescribed;
-}
-
 /// reduce_slip() of the scene with an interface, on one process, for the uplift of its [sliding]. Throws NumericsError
 /// where that does not come to the tolerance besides.
-SlipReduction reduce_sliding(const Simulation& simulation, const Series& bonded,
+SlipReduction reduce_sliding(const Simulation& simulation, SlipAhead& ahead, const Series& bonded,
                              const std::function<void(double)>& progress) {
-  const AssembledScene sliding =
-      assemble_scene(simulation.scene, *simulation.mesh, simulation.absent, simulation.soil_state, true);
-  SlipReduction reduction =
-      reduce_slip(simulation.scene, *sliding.compiled, slip_uplift(*simulation.scene.sliding), bonded, progress);
+  SlipReduction reduction = ahead.space(simulation)->reduce(bonded, progress);
   constexpr double tolerable = 0.02;  // of forces that S is told with: an undamped scene needs many vectors for less
   if (!reduction.converged && !(reduction.error.history <= tolerable))
     throw NumericsError("the forces of its reduced model move by " + significant(reduction.error.history) +
@@ -93,9 +70,9 @@ void require_none(const std::string& why_no_distance) {
   if (!why_no_distance.empty()) throw NumericsError(why_no_distance);
 }
 
-void slide(const Simulation& simulation, Run& run, const std::function<void(double)>& progress) {
+void slide(const Simulation& simulation, SlipAhead& ahead, Run& run, const std::function<void(double)>& progress) {
   const SlidingChoice& choice = *simulation.scene.sliding;
-  const SlipReduction reduction = reduce_sliding(simulation, run.response.ends, progress);
+  const SlipReduction reduction = reduce_sliding(simulation, ahead, run.response.ends, progress);
   const SlipLaw law = slip_law(reduction.system, choice.friction, slip_uplift(choice), {reading::displacement_x});
   const SampledLoads loads = loads_of_slip(simulation.scene, *simulation.compiled);
   CoupledHistory history;
@@ -129,7 +106,8 @@ ModelSlip model_slip(const Simulation& simulation, const Reduction& bonded,
                      const std::function<void(double)>& progress) {
   const Scene& s = simulation.scene;
   const Response response = respond(bonded, s, simulation.compiled->system);
-  SlipReduction reduction = reduce_sliding(simulation, response.ends, progress);
+  SlipAhead none;
+  SlipReduction reduction = reduce_sliding(simulation, none, response.ends, progress);
   // whether slip is well posed shows here, not to the first who asks for waves
   slip_model(reduction.system, slip_law(reduction.system, s.sliding->friction, slip_uplift(*s.sliding)));
   return {std::move(reduction.system), reduction.error.history, reduction.bonded_error, reduction.n_vectors,
@@ -185,7 +163,8 @@ std::optional<SlipCompared> compare_slip(const Simulation& simulation, const Res
   }
 }
 
-void read_sliding(const Simulation& simulation, Run& run, const std::function<void(double)>& progress) {
+void read_sliding(const Simulation& simulation, SlipAhead& ahead, Run& run,
+                  const std::function<void(double)>& progress) {
   run.summary.sliding = sliding_of(simulation.given, *simulation.compiled, run.response);
   run.coupled.reset();
   if (!run.summary.sliding) return;
@@ -201,7 +180,7 @@ void read_sliding(const Simulation& simulation, Run& run, const std::function<vo
   if (!sliding.why_not_coupled.empty()) return;
   const Stopwatch watch;
   try {
-    slide(simulation, run, progress);
+    slide(simulation, ahead, run, progress);
     run.summary.timing.march += watch.seconds();
   } catch (const NumericsError& error) {
     sliding.why_not_coupled = error.what();
@@ -214,7 +193,8 @@ Run with_sliding(const Run& run, const Scene& given, const std::function<void(do
   const auto simulation = std::make_shared<const Simulation>(with_given(*run.simulation, given));
   check_sliding(*simulation);
   other.simulation = simulation;
-  read_sliding(*simulation, other, progress);
+  SlipAhead none;
+  read_sliding(*simulation, none, other, progress);
   if (other.summary.error)
     estimate_slip_error(other);
   else

@@ -4,6 +4,7 @@
 #include <functional>
 #include <string>
 
+#include "run/sliding/slip_ahead.h"
 #include "upbead/dynamics/reduce.h"
 #include "upbead/output/model_file.h"
 #include "upbead/run/simulation.h"
@@ -12,8 +13,9 @@ namespace upbead {
 
 /// Reads the sliding of a bonded run, with [sliding]; else there is none. Where the caisson never reaches its friction
 /// the coupled S is zero without more work; else the scene is compiled with an interface and reduced, which leaves a
-/// history.
-void read_sliding(const Simulation& simulation, Run& run, const std::function<void(double)>& progress);
+/// history; `ahead` may have begun with that.
+void read_sliding(const Simulation& simulation, SlipAhead& ahead, Run& run,
+                  const std::function<void(double)>& progress);
 
 /// A run without contact of the same scene with other sliding: what was solved is kept. Throws InputError at keys of
 /// the scene.

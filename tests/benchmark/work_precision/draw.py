@@ -16,7 +16,8 @@ LABELS = {"wall": "time of the whole process (s)", "unknowns": "unknowns", "solv
 PANELS = [("damped", "wall", "history_error"), ("undamped", "wall", "history_error"),
           ("damped", "solves", "history_error"), ("inertial", "wall", "history_error"),
           ("inertial", "unknowns", "history_error"), ("darcy", "wall", "history_error"),
-          ("strip", "wall", "history_error"), ("column", "wall", "history_error")]
+          ("strip", "wall", "history_error"), ("column", "wall", "history_error"),
+          ("designer", "wall", "history_error"), ("train", "wall", "history_error")]
 PROGRAMS = {"upbead, reduced": ("upbead, reduced", "C0"), "upbead, marched": (("upbead, sdirk4", "upbead, gen"), "C1"),
             "upbead, mesh by tolerance": ("upbead, by tolerance", "C4"),
             "FEniCSx": ("FEniCSx", "C2"), "FreeFEM": ("FreeFEM", "C3")}

@@ -1,0 +1,85 @@
+#include "run/sliding/slip_ahead.h"
+
+#include <algorithm>
+
+#include "base/cores.h"
+#include "fem/caisson/bottom.h"
+#include "response/shear_response.h"
+
+namespace upbead {
+
+namespace {
+
+AssembledScene with_interface(const Simulation& simulation) {
+  return assemble_scene(simulation.scene, *simulation.mesh, simulation.absent, simulation.soil_state, true);
+}
+
+/// The largest horizontal force over the friction of the caisson's weight.
+double demand(const Simulation& simulation) {
+  const TimeFunction P = force_on_caisson(*simulation.compiled);
+  const double end = simulation.scene.time.end;
+  const SlidingChoice& sliding = *simulation.scene.sliding;
+  return std::max(extremum(P, 0., end, 1).value, -extremum(P, 0., end, -1).value) /
+         (sliding.friction * sliding.submerged_weight);
+}
+
+/// Keeps its promise when it goes, be it by an exception.
+struct Tell {
+  std::promise<void>& promise;
+  ~Tell() { promise.set_value(); }
+};
+
+bool is_worth_it(const Simulation& simulation) {
+  return has_spare_core() && simulation.scene.sliding && simulation.compiled->caisson &&
+         why_no_slip(simulation).empty() && demand(simulation) > 1.;
+}
+
+}  // namespace
+
+std::string why_no_slip(const Simulation& simulation) {
+  const System& system = simulation.compiled->system;
+  if (system.is_divided()) return "several processes share the work";
+  if (!simulation.scene.time.inertia) return "consolidation has no dynamics";
+  if (yields(simulation.scene))
+    return "the soil yields, and slip as a whole is followed on a reduced model of linear ground alone";
+  const std::string& region = simulation.compiled->caisson->body.region;
+  const std::vector<Body>& bodies = simulation.compiled->bodies;
+  if (std::none_of(bodies.begin(), bodies.end(), [&region](const Body& body) { return body.region == region; }))
+    return "the caisson deforms";
+  if (!bottom_is_level(*simulation.mesh)) return "the caisson's bottom is not level";
+  return "";
+}
+
+UpliftKind slip_uplift(const SlidingChoice& choice) {
+  const bool computed = choice.uplift && choice.uplift->kind == UpliftKind::computed;
+  return computed ? UpliftKind::computed : UpliftKind::prescribed;
+}
+
+SlidingSpace::SlidingSpace(const Simulation& simulation, AssembledScene assembled)
+    : assembled_(std::move(assembled)),
+      space_(simulation.scene, *assembled_.compiled, slip_uplift(*simulation.scene.sliding)) {}
+
+SlipAhead::SlipAhead(const Simulation& simulation) {
+  if (!is_worth_it(simulation)) return;
+  left_mesh_ = assembled_.get_future().share();
+  space_ = std::async(std::launch::async, [this, &simulation] {
+    AssembledScene assembled = [&] {
+      const Tell left{assembled_};
+      return with_interface(simulation);
+    }();
+    return std::make_unique<SlidingSpace>(simulation, std::move(assembled));
+  });
+}
+
+SlipAhead::~SlipAhead() = default;
+
+void SlipAhead::leave_mesh() const {
+  if (left_mesh_.valid()) left_mesh_.wait();
+}
+
+std::unique_ptr<SlidingSpace> SlipAhead::space(const Simulation& simulation) {
+  if (space_.valid()) return space_.get();
+  return std::make_unique<SlidingSpace>(simulation, with_interface(simulation));
+}
+
+}  // namespace upbead

@@ -1,0 +1,79 @@
+// Claims: the slip of a caisson is the same to the last bit whether it was prepared on another core or not; it is only
+// prepared where the loads are larger than friction; what is prepared and not asked for harms nobody.
+#include "run/sliding/slip_ahead.h"
+
+#include <cstdlib>
+
+#include "base/cores.h"
+#include "case/case_run.h"
+#include "good_case.h"
+#include "section_case.h"
+#include "upbead/algebra/petsc_session.h"
+
+namespace upbead::test {
+namespace {
+
+const std::string breakwater_toml =
+    section_case({{"cells = 0.5, seabed_front = 60, seabed_back = 60", "cells = 0.35"}}) +
+    "[initial]\nwater_level = 15.0\n[sliding]\nsubmerged_weight = 4.296e6\n";
+
+/// As if mpirun had started this process, or not.
+class Launched {
+ public:
+  explicit Launched(bool is) {
+    if (is) setenv(name, "2", 1);
+  }
+  ~Launched() { unsetenv(name); }
+
+ private:
+  static constexpr const char* name = "PMI_SIZE";
+};
+
+class SlipAheadRun : public InFolder {
+ protected:
+  SlipAheadRun() {
+    unsetenv("UPBEAD_MESHES");
+    write("case.toml", breakwater_toml);
+  }
+  static upbead::Run solve(const std::vector<std::string>& overrides) {
+    static const PetscSession petsc;
+    const Case problem = read_case("case.toml", overrides);
+    return upbead::solve(problem, simulation_of(problem), {});
+  }
+};
+
+TEST_F(SlipAheadRun, IsTheSameAsSlipAfterwards) {
+  for (const std::vector<std::string>& overrides :
+       {std::vector<std::string>{"loads.impulse.factor=8"},
+        std::vector<std::string>{"loads.impulse.factor=8", "output.fields={ every = 0.1 }",
+                                 "regions.mound.strength.friction_angle=40"}}) {
+    upbead::Run alone;
+    {
+      const Launched launched(true);
+      EXPECT_FALSE(has_spare_core());
+      alone = solve(overrides);
+    }
+    if (!has_spare_core()) GTEST_SKIP() << "one core";
+    const upbead::Run beside = solve(overrides);
+    ASSERT_TRUE(alone.coupled && beside.coupled);
+    EXPECT_GT(alone.summary.sliding->coupled->slip.residual, 0.01);
+    EXPECT_EQ(alone.summary.sliding->coupled->vectors, beside.summary.sliding->coupled->vectors);
+    EXPECT_EQ(alone.coupled->slip, beside.coupled->slip);
+    EXPECT_EQ(alone.coupled->normal_force, beside.coupled->normal_force);
+    EXPECT_EQ(alone.response.ends.reading, beside.response.ends.reading);
+  }
+}
+
+TEST_F(SlipAheadRun, WhatNobodyAsksForIsLeft) {
+  if (!has_spare_core()) GTEST_SKIP() << "one core";
+  const Case problem = read_case("case.toml", {"loads.impulse.factor=8"});
+  static const PetscSession petsc;
+  const Simulation simulation = simulation_of(problem);
+  const SlipAhead unused(simulation);
+  unused.leave_mesh();
+  const SlipAhead none;
+  none.leave_mesh();
+}
+
+}  // namespace
+}  // namespace upbead::test
