@@ -191,6 +191,30 @@ end = {END}
 """
 
 
+def draw(folder, picture):
+    """What the flow did to the wall: pressures over the height, and the force by `forces` and by the patch's faces."""
+    import matplotlib
+
+    matplotlib.use("Agg")
+    from matplotlib import pyplot
+
+    post = folder / "postProcessing"
+    forces = [(float(row[0]), float(row[1]) / THICK) for row in rows_of(post / "forces/0/force.dat")]
+    times = sorted((path.name for path in (post / "patch").iterdir()), key=float)
+    faces = {time: sorted((float(row[2]), float(row[3])) for row in rows_of(post / f"patch/{time}/p_wall.raw")) for time in times}
+    figure, (left, right) = pyplot.subplots(1, 2, figsize=(9, 3.6), constrained_layout=True)
+    for time in times[:: max(1, len(times) // 8)]:
+        left.plot([p / 1e3 for _, p in faces[time]], [z for z, _ in faces[time]], label=f"{float(time):.2f} s")
+    left.set(xlabel="p on the wall (kPa)", ylabel="z (m)")
+    left.legend(fontsize=7)
+    right.plot(*zip(*forces), color="black", label="forces")
+    right.plot([float(time) for time in times], [sum(p for _, p in faces[time]) * CELL for time in times], "--", label="sum of faces")
+    right.set(xlabel="t (s)", ylabel="force on the wall, with still water (N/m)")
+    right.legend()
+    picture.parent.mkdir(parents=True, exist_ok=True)
+    figure.savefig(picture, dpi=110)
+
+
 def solve(program, case, load, out):
     done = subprocess.run([program, "run", case, "--json", "--out", out, "--set", f"loads.{load}.factor=1.0"], capture_output=True,
                           text=True)
@@ -211,6 +235,7 @@ def main():
     other_layouts(folder / "flow")
     case = folder / "bore.toml"
     case.write_text(scene("flow"))
+    draw(folder / "flow", folder / "bore.png")
     print(f"{'load':<20}{'peak P (N/m)':>14}{'peak F_T (N/m)':>16}{'of forces':>11}")
     first, worst = None, 0.0
     for load in ("forces", "foundation", "foundation_porous", "plain", "patch", "probes"):
