@@ -11,6 +11,7 @@ import importlib
 
 from . import msh
 from .commands import calibrate, expected, reduce, run, study, waves
+from .cfd import read_cfd
 from .errors import CaseError, ModelError, NumericsError, UpbeadError, UserError
 from .fit import fit
 from .fit_result import Fit
@@ -23,7 +24,7 @@ from .slip_result import SlipResult
 from .study_table import StudyTable
 
 __all__ = ["CaseError", "Fit", "History", "ModelError", "NumericsError", "ReducedModel", "Result", "SlipResult", "StudyTable",
-           "UpbeadError", "UserError", "calibrate", "expected", "figures", "fit", "msh", "open", "open_model", "reduce", "run",
+           "UpbeadError", "UserError", "calibrate", "expected", "figures", "fit", "msh", "open", "open_model", "read_cfd", "reduce", "run",
            "study", "waves"]
 
 

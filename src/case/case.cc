@@ -2,6 +2,9 @@
 
 #include <filesystem>
 
+#include "case/cfd/flow_keys.h"
+#include "case/cfd/flow_record.h"
+#include "case/cfd/flow_scene.h"
 #include "case/records/load_records.h"
 #include "case_checks.h"
 #include "case_schema.h"
@@ -34,9 +37,35 @@ void make_wave(Case& problem, const std::string& name, const CaseTables& tables,
   table.duration = wave->duration;
 }
 
+/// Reads a record of CFD, and makes of it what its keys say.
+void make_flow(Case& problem, const std::string& name, const CaseTables& tables, LoadTable& table) {
+  const std::string path = dotted("loads", name);
+  FlowContext context{path, &problem.document, tables.gravity};
+  context.on_region = !table.region.empty();
+  context.beyond = {table.to_first, table.to_last};
+  context.beyond_given = {problem.document.find(path + ".to_base") != nullptr,
+                          problem.document.find(path + ".to_crest") != nullptr};
+  context.base = fs::path(problem.document.path()).parent_path().string();
+  const FlowRecord record = read_flow(problem.resolve(table.from), table.file, problem.place(path + ".from"));
+  const bool points = record.points.has_value(), says_points = table.kind == LoadKind::pressures;
+  if (points != says_points)
+    throw InputError(problem.place(path + ".kind"),
+                     std::string("the record holds ") + (points ? "pressures" : "forces") + ": " + record.layout,
+                     std::string("write kind = ") + (points ? "\"pressures\"" : "\"force\""));
+  const auto flow = std::make_shared<FlowLoad>(understand(record, table, context));
+  if (flow->force && !flow->force->moment.empty() && !table.shape.empty())
+    throw InputError(problem.place(path + ".shape"), "the record's moments tell where its force acts", "remove shape");
+  problem.flows[name] = {table, table, flow};
+  if (flow->pressure) problem.gauges[name] = {table, GaugeSource(), *flow->pressure};
+}
+
 /// Reads what a load runs by: a pulse, a history, a wave or transducers.
 void make_history(Case& problem, const std::string& name, const CaseTables& tables, LoadTable& table) {
   const std::string path = dotted("loads", name);
+  if (!table.from.empty()) {
+    make_flow(problem, name, tables, table);
+    return;
+  }
   if (table.kind == LoadKind::pressures) {
     problem.gauges[name] = {table, table, read_gauges(table, problem.resolve(table.gauges), path, problem.document)};
   } else if (table.kind == LoadKind::wave) {
@@ -120,6 +149,19 @@ void make_sliding(Case& problem, CaseTables& tables, Diagnostics& report) {
   }
 }
 
+/// Loads by records of CFD, as written.
+template <class PathText>
+void add_flow_tables(const Case& problem, PathText path_text, CaseTables& tables) {
+  for (const auto& [name, by_flow] : problem.flows) {
+    LoadTable& table = tables.load_tables[name];
+    static_cast<Load&>(table) = by_flow.load;
+    static_cast<GaugeSource&>(table) = by_flow.beyond;
+    static_cast<FlowSource&>(table) = by_flow.flow->source;
+    table.from = path_text(table.from);
+    if (!table.against.empty()) table.against = path_text(table.against);
+  }
+}
+
 /// The tables as written, with the paths of files as `path_text` tells them.
 template <class PathText>
 CaseTables tables_of(const Case& problem, PathText path_text) {
@@ -137,7 +179,9 @@ CaseTables tables_of(const Case& problem, PathText path_text) {
   tables.measured = problem.measured;
   tables.sheet = problem.sheet;
   for (auto& [name, source] : tables.measured) source.file = path_text(source.file);
+  add_flow_tables(problem, path_text, tables);
   for (const auto& [name, by_gauges] : problem.gauges) {
+    if (problem.flows.count(name) > 0) continue;
     LoadTable& table = tables.load_tables[name];
     static_cast<Load&>(table) = by_gauges.load;
     static_cast<GaugeSource&>(table) = by_gauges.source;
@@ -214,6 +258,10 @@ Case read_case(const std::string& path, const std::vector<std::string>& override
     }
     if (const auto wave = problem.waves.find(name); wave != problem.waves.end() && wave->second->standing) {
       add_gauge_loads(name, {table, {}, wave->second->standing->gauges}, tables.time.end, problem.scene);
+      continue;
+    }
+    if (!table.from.empty()) {
+      add_flow_force(name, table, *problem.flows.at(name).flow, problem.scene);
       continue;
     }
     problem.scene.loads[name] = table;

@@ -127,7 +127,9 @@ class LoadCheck {
 
   void run() const {
     exactly_one("boundary", "region");
-    if (load_.kind == LoadKind::pressures)
+    if (!load_.from.empty())
+      check_flow();
+    else if (load_.kind == LoadKind::pressures)
       check_row();
     else if (load_.kind == LoadKind::wave)
       check_wave();
@@ -156,6 +158,22 @@ class LoadCheck {
     wrong_.add(key, key + " = " + to_toml(name) + " has no table [" + dotted(kind, name) + "]",
                suggestion(name, known, kind));
     return false;
+  }
+
+  /// What of the keys belongs to a record of CFD; what is missing is known once that is read.
+  void check_flow() const {
+    for (const char* key : {"pulse", "history", "wave", "gauges", "heights", "ends", "gauge_unit", "zero",
+                            "record_start", "sampling_rate", "load_cell", "direction", "at"})
+      if (given(key))
+        wrong_.add(key, std::string("'") + key + "' does not belong to a record of CFD",
+                   std::string("remove ") + key + ", or from");
+    if (load_.kind != LoadKind::force && load_.kind != LoadKind::pressures)
+      wrong_.add("kind", "a record of CFD is a force or pressures", "write kind = \"force\" or \"pressures\"");
+    if (load_.kind == LoadKind::pressures && given("shape"))
+      wrong_.add("shape", "'shape' does not belong to pressures at points", "remove shape");
+    if (load_.to_first == Beyond::to_zero || load_.to_last == Beyond::to_zero)
+      wrong_.add(load_.to_first == Beyond::to_zero ? "to_base" : "to_crest",
+                 "'to_zero' is not known of a record of CFD", "write \"constant\" or \"none\"");
   }
 
   void check_region() const {

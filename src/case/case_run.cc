@@ -6,6 +6,7 @@
 #include "base/numbers.h"
 #include "base/stopwatch.h"
 #include "base/text.h"
+#include "case/cfd/flow_scene.h"
 #include "case/records/record_layout.h"
 #include "case/records/record_table.h"
 #include "case/wave_load.h"
@@ -97,6 +98,7 @@ void note_history(const Case& input, const std::string& file, RecordNotes& notes
 }
 
 void note_gauges(const Case& input, const GaugeSource& source, RecordNotes& notes) {
+  if (source.gauges.empty()) return;  // of a record of CFD
   const CsvTable table = read_record_head(input.resolve(source.gauges));
   RecordLayout layout = layout_of(table);
   if (source.sampling_rate) layout.time.reset();
@@ -187,6 +189,7 @@ NumberedWarnings warnings_of_files(const Case& input, const Simulation& simulati
   append(list, transducer_warnings(input, simulation));
   append(list, zero_load_warnings(input));
   append(list, wave_warnings(input));
+  append(list, flow_warnings(input));
   append(list, notes.warnings);
   return list;
 }
@@ -206,7 +209,8 @@ Simulation simulation_of(const Case& input, std::shared_ptr<const Mesh> mesh,
     const Stopwatch watch;
     if (!mesh) mesh = read_mesh(mesh_request(input));
     const double seconds = watch.seconds();
-    const Scene scene = with_profiles(input, *mesh);
+    Scene scene = with_profiles(input, *mesh);
+    place_flows(input, *mesh, scene);
     Simulation simulation(scene, std::move(mesh), std::move(processes));
     check_waves(input, simulation);
     simulation.timing.mesh += seconds;
@@ -224,6 +228,7 @@ Run solve(const Case& input, const Simulation& simulation, const std::vector<Mea
   Summary& summary = run.summary;
   const RecordNotes notes = record_notes(input);
   summary.gauges = gauge_summaries(input, *run.simulation);
+  summary.flows = flow_summaries(input);
   summary.waves = wave_summaries(input);
   append(summary.warnings, warnings_of_files(input, *run.simulation, notes));
   append(summary.skipped, left_out_of(notes));

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "case/cfd/flow_source.h"
 #include "case/wave_load.h"
 #include "input/schema.h"
 #include "upbead/case/case.h"
@@ -14,7 +15,7 @@ namespace upbead {
 
 /// A table [loads.NAME] as written; `history` of Load is made of the pulse, the file or the wave, or loads of the
 /// gauges.
-struct LoadTable : Load, GaugeSource {
+struct LoadTable : Load, GaugeSource, FlowSource {
   std::optional<Pulse> pulse;
   std::string history_file;
   std::optional<WaveLoadTable> wave;

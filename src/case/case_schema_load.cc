@@ -1,3 +1,4 @@
+#include "case/cfd/flow_keys.h"
 #include "case/records/load_records.h"
 #include "case_schema.h"
 #include "model/words.h"
@@ -12,15 +13,23 @@ bool has_rise(const Pulse& pulse) {
 }
 
 bool has_direction(const LoadTable& load) {
-  return load.kind == LoadKind::force || load.kind == LoadKind::traction;
+  return load.from.empty() && (load.kind == LoadKind::force || load.kind == LoadKind::traction);
+}
+
+bool is_by_flow(const LoadTable& load) {
+  return !load.from.empty();
 }
 
 bool is_by_wave(const LoadTable& load) {
   return load.kind == LoadKind::wave;
 }
 
-bool is_by_gauges(const LoadTable& load) {
+bool is_along_points(const LoadTable& load) {
   return load.kind == LoadKind::pressures;
+}
+
+bool is_by_gauges(const LoadTable& load) {
+  return is_along_points(load) && load.from.empty();
 }
 
 TableSchema<Pulse> pulse_schema() {
@@ -49,12 +58,20 @@ TableSchema<Pulse> pulse_schema() {
   return table;
 }
 
+void add_place_keys(TableSchema<LoadTable>& table) {
+  table.key("boundary", &LoadTable::boundary).doc("name of the curve that the load acts on; or region");
+  table.key("region", &LoadTable::region).doc("name of the rigid region that the load acts on; or boundary");
+  table.key("from", &LoadTable::from)
+      .doc(
+          "folder or file that a CFD program wrote (OpenFOAM, DualSPHysics, Proteus, SWASH: docs/cfd.md); or pulse, or "
+          "history");
+}
+
 }  // namespace
 
 TableSchema<LoadTable> load_schema() {
   TableSchema<LoadTable> table;
-  table.key("boundary", &LoadTable::boundary).doc("name of the curve that the load acts on; or region");
-  table.key("region", &LoadTable::region).doc("name of the rigid region that the load acts on; or boundary");
+  add_place_keys(table);
   table.choice("kind", &LoadTable::kind, load_kind_words)
       .doc(
           "what the history means; force: resultant (N/m); traction: Pa; pressure: Pa, total normal stress = -value, "
@@ -66,7 +83,7 @@ TableSchema<LoadTable> load_schema() {
       .required()
       .doc("point of attack (x, y)")
       .when(
-          "region", [](const LoadTable& load) { return !load.region.empty(); }, "on a region");
+          "region", [](const LoadTable& load) { return !load.region.empty() && load.from.empty(); }, "on a region");
   table.key("direction", &LoadTable::direction)
       .doc("direction (x, y); multiplies the history and is not normalised")
       .when("kind", has_direction, "for forces and tractions");
@@ -74,6 +91,11 @@ TableSchema<LoadTable> load_schema() {
       .unit_of_first("m")
       .fallback("uniform")
       .doc("pairs of height y (m) and relative intensity; linear in between, zero beyond the ends")
+      .when(
+          "region", [](const LoadTable& load) { return load.region.empty() || !load.boundary.empty(); },
+          "on a boundary");
+  table.key("over_x", &LoadTable::over_x)
+      .doc("true: the pairs of shape are of x, not of the height y, as along a bed")
       .when(
           "region", [](const LoadTable& load) { return load.region.empty() || !load.boundary.empty(); },
           "on a boundary");
@@ -85,7 +107,8 @@ TableSchema<LoadTable> load_schema() {
           "A wave, with exactly one of height and deep_water_height; its pressure over the height of the wall is "
           "Goda's.")
       .when("kind", is_by_wave, "where kind = \"wave\"");
-  add_gauge_keys<LoadTable>(table, wall_words, is_by_gauges, "where kind = \"pressures\"");
+  add_gauge_keys<LoadTable>(table, wall_words, is_by_gauges, "where kind = \"pressures\"", is_along_points);
+  add_flow_keys<LoadTable>(table, is_by_flow);
   table.key("measured_on_wall", &LoadTable::measured_on_wall)
       .doc("true: measured on the moving wall, so the modelled water does not push back on this boundary")
       .when(

@@ -3,6 +3,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "case/cfd/flow_source.h"
 #include "upbead/mesh/request.h"
 
 namespace upbead {
@@ -15,6 +16,9 @@ std::vector<InputFile> input_files(const Case& problem) {
   const MeshRequest mesh = mesh_request(problem);
   files.push_back({mesh.file, mesh.place});
   for (const auto& [name, source] : problem.sources) add(source.history, dotted("loads", name) + ".history");
+  for (const auto& [name, by] : problem.flows)
+    for (const std::string& file : by.flow->files)
+      files.push_back({file, problem.place(dotted("loads", name) + ".from")});
   for (const auto& [name, load] : problem.gauges) add(load.source.gauges, dotted("loads", name) + ".gauges");
   if (problem.uplift_gauges) add(problem.uplift_gauges->source.gauges, "sliding.uplift.gauges");
   add(problem.uplift_history, "sliding.uplift.history");

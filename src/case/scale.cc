@@ -287,6 +287,9 @@ void scale_histories(const Case& problem, double factor, CaseTables& tables, std
     return scaled_history(problem.resolve(file), problem.place(key + ".history"), factor, unit);
   };
   for (auto& [name, load] : tables.load_tables) {
+    if (!load.from.empty())
+      throw InputError(problem.place(dotted("loads", name) + ".from"), "a record of CFD is not scaled",
+                       "write it as a table by `upbead read` and load that by history or gauges");
     const std::string path = dotted("loads", name), file = name + ".csv";
     if (!load.history_file.empty())
       load.history_file = keep(file, history(load.history_file, path, history_unit(load)));

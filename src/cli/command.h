@@ -80,6 +80,8 @@ Command respond_command();
 /// waves, expected, calibrate.
 std::vector<Command> design_commands();
 Command scale_command();
+/// The output of a CFD program, as it lies and as a load.
+Command read_command();
 /// All that needs neither mesh nor solver.
 std::vector<Command> light_commands();
 

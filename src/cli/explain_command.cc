@@ -1,6 +1,7 @@
 #include <iostream>
 
 #include "case/case_run.h"
+#include "case/cfd/flow_scene.h"
 #include "case/script_trust.h"
 #include "case/wave_load.h"
 #include "cli/command.h"
@@ -33,6 +34,7 @@ struct Explained {
   const Simulation* simulation;
   NumberedWarnings told;
   std::vector<GaugeSummary> gauges;
+  std::vector<FlowSummary> flows;
   std::vector<WaveLoadSummary> waves;
   std::vector<Skipped> skipped;
   YieldingExtent yielding;
@@ -68,6 +70,7 @@ const OutputSchema<Explained>& explained_outputs() {
           .named(
               "loads.NAME", [](const E& e) -> auto& { return e.simulation->compiled->loads_on_caisson; },
               &LoadOnCaisson::name, load_outputs(), "resultant on the caisson per unit of the history")
+          .named("flows.NAME", &E::flows, &FlowSummary::name, flow_outputs(), "of a load [from a CFD program](cfd.md)")
           .named("gauges.NAME", &E::gauges, &GaugeSummary::name, gauge_outputs(),
                  "of a load by [transducers](records.md), or `sliding.uplift`")
           .named("wave_loads.NAME", &E::waves, &WaveLoadSummary::name, wave_load_outputs(),
@@ -83,6 +86,7 @@ std::string explanation_json(const Case& input, const Simulation& simulation, co
                             &simulation,
                             told,
                             gauge_summaries(input, simulation),
+                            flow_summaries(input),
                             wave_summaries(input),
                             skipped(input, simulation, will_be_reduced(simulation)),
                             yielding_extent(simulation)};

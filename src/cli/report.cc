@@ -6,6 +6,7 @@
 #include "base/format.h"
 #include "base/text.h"
 #include "case/case_run.h"
+#include "case/cfd/flow_scene.h"
 #include "case/wave_load.h"
 #include "fem/compile.h"
 #include "model/words.h"
@@ -309,7 +310,8 @@ std::string describe(const Case& input, const Simulation& simulation) {
   if (simulation.accuracy) text += describe(*simulation.accuracy);
   text += "regions\n" + describe_regions(input, simulation);
   text += "loads\n" + describe_loads(simulation);
-  text += describe(gauge_summaries(input, simulation)) + describe(wave_summaries(input));
+  text +=
+      describe(flow_summaries(input)) + describe(gauge_summaries(input, simulation)) + describe(wave_summaries(input));
   const SchemeChoice choice = choose_scheme(simulation.scene, *simulation.compiled);
   text += "in time     " + word_of(choice.scheme, time_scheme_words) + ": " + choice.reason + "\n";
   text += describe(yielding_extent(simulation));

@@ -158,34 +158,45 @@ std::string table_of(const std::string& name, const Load& load) {
   return "loads." + name.substr(0, name.size() - suffix);
 }
 
-void check_shape(Checker& checker, const std::string& table, const Load& load) {
-  const std::string key = table + (load.transducer.empty() ? ".shape" : ".heights");
-  const Bounds bounds = bounds_of(checker, load.boundary);
-  if (bounds.highest - bounds.lowest <= 1e-9 * std::max(std::abs(bounds.highest), 1.)) {
-    checker.object(
-        key,
-        "the shape runs over the height y, but '" + load.boundary + "' lies at y = " + significant(bounds.lowest, 6),
-        load.transducer.empty() ? "remove it" : "name the curve of the wall");
-    return;
-  }
-  if (load.shape.back()[0] <= bounds.lowest || load.shape.front()[0] >= bounds.highest) {
+/// The name of the key that tells where a load's shape runs.
+std::string shape_key(const std::string& table, const Load& load) {
+  return table + (load.transducer.empty() ? ".shape" : ".heights");
+}
+
+/// Whether the shape runs along the curve at all, and meets it.
+bool check_extent(Checker& checker, const std::string& table, const Load& load, double from, double to) {
+  const std::string key = shape_key(table, load), axis = load.over_x ? "x" : "y";
+  if (to - from <= 1e-9 * std::max(std::abs(to), 1.)) {
     checker.object(key,
-                   (load.transducer.empty() ? "no height of the shape lies on '"
-                                            : "transducer '" + load.transducer + "' presses on no height of '") +
-                       load.boundary + "', which reaches from y = " + significant(bounds.lowest, 6) + " to " +
-                       significant(bounds.highest, 6),
-                   "give heights in the mesh's coordinates");
-    return;
+                   "the shape runs over " + std::string(load.over_x ? "x" : "the height y") + ", but '" +
+                       load.boundary + "' lies at " + axis + " = " + significant(from, 6),
+                   load.transducer.empty() ? "remove it, or give over" : "name the curve of the wall");
+    return false;
   }
+  if (load.shape.back()[0] > from && load.shape.front()[0] < to) return true;
+  checker.object(
+      key,
+      (load.transducer.empty()
+           ? "no " + std::string(load.over_x ? "place" : "height") + " of the shape lies on '"
+           : "transducer '" + load.transducer + "' presses on no " + (load.over_x ? "place" : "height") + " of '") +
+          load.boundary + "', which reaches from " + axis + " = " + significant(from, 6) + " to " + significant(to, 6),
+      "give " + std::string(load.over_x ? "places" : "heights") + " in the mesh's coordinates");
+  return false;
+}
+
+void check_shape(Checker& checker, const std::string& table, const Load& load) {
+  const Bounds bounds = bounds_of(checker, load.boundary);
+  const double from = load.over_x ? bounds.left : bounds.lowest, to = load.over_x ? bounds.right : bounds.highest;
+  if (!check_extent(checker, table, load, from, to)) return;
   constexpr int n = 1000;
   double total = 0., size = 0.;
   for (int i = 0; i < n; ++i) {
-    const double value = intensity(load, bounds.lowest + (i + 0.5) / n * (bounds.highest - bounds.lowest));
+    const double value = intensity(load, from + (i + 0.5) / n * (to - from));
     total += value;
     size += std::abs(value);
   }
   if (load.kind == LoadKind::force && std::abs(total) <= 1e-6 * size)
-    checker.object(key, "the intensities cancel, so that no resultant force can be spread by them",
+    checker.object(shape_key(table, load), "the intensities cancel, so that no resultant force can be spread by them",
                    "use kind = \"traction\"");
 }
 

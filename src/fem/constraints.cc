@@ -151,10 +151,10 @@ void add_water_levels(Constraints& constraints, const Space& space, const Scene&
     for (unsigned i = 0; i < dofs.size(); ++i) {
       if (constraints.is_constrained(dofs[i])) continue;
       constraints.add_line(dofs[i]);
-      const double height = node_of(space, cell, cell->get_fe().face_to_cell_index(i, f)).at[1];
+      const auto at = node_of(space, cell, cell->get_fe().face_to_cell_index(i, f)).at;
       for (std::size_t l = 0; l < loads.size(); ++l)
         if (const Load& load = scene.loads.at(loads[l]); load.boundary == curve)
-          constraints.add_entry(dofs[i], first_prescribed + l, intensity(load, height));
+          constraints.add_entry(dofs[i], first_prescribed + l, intensity(load, at[0], at[1]));
     }
   });
 }

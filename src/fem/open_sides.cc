@@ -43,7 +43,7 @@ Traces traces_at(const FEFaceValues<dim>& fe, unsigned q, bool has_W, const std:
     if (has_W) traces.W[i] = fe[W_part].value(i, q) * normal;
   }
   for (std::size_t l = 0; l < prescribed.size(); ++l)
-    traces.jump[n + l] = -intensity(*prescribed[l].load, fe.quadrature_point(q)[1]);
+    traces.jump[n + l] = -intensity(*prescribed[l].load, fe.quadrature_point(q)[0], fe.quadrature_point(q)[1]);
   return traces;
 }
 

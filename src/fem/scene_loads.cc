@@ -18,8 +18,9 @@ namespace {
 /// polynomial between.
 Quadrature<1> split_quadrature(const Load& load, const Point<dim>& from, const Point<dim>& to, unsigned n_points) {
   std::vector<double> ends{0., 1.};
-  for (const auto& [height, value] : load.shape) {
-    const double at = (height - from[1]) / (to[1] - from[1]);
+  const unsigned axis = load.over_x ? 0 : 1;
+  for (const auto& [corner, value] : load.shape) {
+    const double at = (corner - from[axis]) / (to[axis] - from[axis]);
     if (at > 0. && at < 1.) ends.push_back(at);
   }
   std::sort(ends.begin(), ends.end());
@@ -58,10 +59,10 @@ void for_each_face(const Space& space, const Load& load, UpdateFlags flags, cons
 
 /// Traction at a point of the curve at f(t) = 1 (Pa): total stress times normal.
 Tensor<1, dim> traction(const Load& load, const Point<dim>& at, const Tensor<1, dim>& normal, double scale) {
-  if (load.kind == LoadKind::pressure) return -intensity(load, at[1]) * normal;
+  if (load.kind == LoadKind::pressure) return -intensity(load, at[0], at[1]) * normal;
   Tensor<1, dim> direction;
   for (unsigned d = 0; d < dim; ++d) direction[d] = load.direction[d];
-  return scale * intensity(load, at[1]) * direction;
+  return scale * intensity(load, at[0], at[1]) * direction;
 }
 
 /// Integral of the relative intensity along the curve (m).
@@ -69,7 +70,7 @@ double total_intensity(const Space& space, const Load& load) {
   double total = 0.;
   for_each_face(space, load, update_default, [&](const Cell&, const FEFaceValues<dim>& values) {
     for (unsigned q = 0; q < values.n_quadrature_points; ++q)
-      total += intensity(load, values.quadrature_point(q)[1]) * values.JxW(q);
+      total += intensity(load, values.quadrature_point(q)[0], values.quadrature_point(q)[1]) * values.JxW(q);
   });
   return total;
 }

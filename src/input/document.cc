@@ -149,11 +149,19 @@ void apply(Node& root, Node&& change, std::size_t depth) {
 
 Document::Document(const std::string& path, const std::vector<std::string>& overrides)
     : path_(path), root_(parse_toml(read_text(path), path)) {
+  change(overrides);
+}
+
+Document::Document(const std::vector<std::string>& overrides) {
+  change(overrides);
+}
+
+void Document::change(const std::vector<std::string>& overrides) {
   Diagnostics mistakes;
   for (const std::string& text : overrides) try {
-      Node change = read_override(text);
-      forget_lines(change);
-      apply(root_, std::move(change), split_dotted(text.substr(0, text.find('='))).size());
+      Node node = read_override(text);
+      forget_lines(node);
+      apply(root_, std::move(node), split_dotted(text.substr(0, text.find('='))).size());
     } catch (const InputError& error) {
       mistakes.add(error.diagnostics());
     }

@@ -10,14 +10,18 @@
 
 namespace upbead {
 
-double intensity(const Load& load, double y) {
+double intensity(const Load& load, double x, double y) {
+  return intensity(load, load.over_x ? x : y);
+}
+
+double intensity(const Load& load, double at) {
   const auto& shape = load.shape;
   if (shape.empty()) return 1.;
-  if (y < shape.front()[0] || y > shape.back()[0]) return 0.;
+  if (at < shape.front()[0] || at > shape.back()[0]) return 0.;
   for (std::size_t i = 0; i + 1 < shape.size(); ++i) {
     const auto& [low, at_low] = shape[i];
     const auto& [high, at_high] = shape[i + 1];
-    if (y <= high) return at_low + (at_high - at_low) * (y - low) / (high - low);
+    if (at <= high) return at_low + (at_high - at_low) * (at - low) / (high - low);
   }
   return shape.back()[1];
 }

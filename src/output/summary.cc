@@ -367,6 +367,7 @@ OutputSchema<Summary> whole_outputs() {
       .object("response", of_caisson, response_outputs(), "null where the mesh has no surface `caisson`")
       .named("loads.NAME", &S::loads, &LoadOnCaisson::name, load_outputs(),
              "resultant on the caisson per unit of the history")
+      .named("flows.NAME", &S::flows, &FlowSummary::name, flow_outputs(), "of a load [from a CFD program](cfd.md)")
       .named("gauges.NAME", &S::gauges, &GaugeSummary::name, gauge_outputs(),
              "of a load by [transducers](records.md), or `sliding.uplift`")
       .named("wave_loads.NAME", &S::waves, &WaveLoadSummary::name, wave_load_outputs(),
@@ -441,6 +442,25 @@ OutputSchema<GaugeSummary> gauge_outputs() {
       .key("force_error", &G::force_error, "", "of the force by interpolation, relative")
       .key("arm_error", &G::arm_error, "", "of the arm by interpolation, over the row's length")
       .key("load_cell", &G::load_cell, "N/m", "largest force by the load cell; null without");
+}
+
+OutputSchema<FlowSummary> flow_outputs() {
+  using F = FlowSummary;
+  return OutputSchema<F>()
+      .key("layout", &F::layout, "", "what was read")
+      .key("files", &F::files, "", "how many")
+      .key("samples", &F::samples, "", "how many")
+      .key("begin", &F::begin, "s", "of the record, in the run's time")
+      .key("end", &F::end, "s", "of the record, in the run's time")
+      .key("thickness", &F::thickness, "m", "that its newtons are of; null where it holds pressures")
+      .key("peak_force", &F::peak_force, "N/m",
+           "largest force over still water, landward; of pressures their sum along the line of points")
+      .key("peak_force_time", &F::peak_force_time, "s", "when")
+      .key("arm", &F::arm, "m", "of it above the centre of moments, or the lowest end of the points; null without")
+      .key("still_force", &F::still_force, "N/m", "of still water, that was taken off")
+      .key("difference", &F::difference, "",
+           "of the pressures' sum and the forces of `against`, largest over the largest force; null without")
+      .key("told", &F::told, "", "what was understood, sentences");
 }
 
 OutputSchema<WaveLoadSummary> wave_load_outputs() {

@@ -8,6 +8,7 @@ namespace upbead {
 
 OutputSchema<LoadOnCaisson> load_outputs();
 OutputSchema<GaugeSummary> gauge_outputs();
+OutputSchema<FlowSummary> flow_outputs();
 OutputSchema<WaveLoadSummary> wave_load_outputs();
 OutputSchema<Skipped> skipped_outputs();
 OutputSchema<SlidingSummary> sliding_outputs();

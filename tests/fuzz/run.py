@@ -29,6 +29,7 @@ MOST_KEPT = 60  # inputs of a target
 TARGETS = {
     "case": ("case file (TOML)", 6000, 60000),
     "design": ("design file (TOML)", 4000, 40000),
+    "flow": ("output of CFD programs: OpenFOAM, DualSPHysics, Proteus, SWASH", 1500, 30000),
     "history": ("CSV: histories, uplift, waves", 1000, 30000),
     "script": ("parameters of a .geo", 1000, 20000),
     "groups": (".msh as gmsh accepts: nodes, cells, groups and names at will", 300, 30000),
@@ -42,6 +43,9 @@ WORDS = {
     "history": ["time", "force", "impact", "slow", ",", ";", "\\x0a", "\\x0d\\x0a", "1e308", "-1e308", "4.9e-324", "nan",
                 "inf", "0,0\\x0a", "\\xef\\xbb\\xbf", "#", "+", "0.1", "1e6", "%", "\\x09", "\\x22", " (kPa)", "[ms]", "kN/m2",
                 "0,5;1,5\\x0a", "\\x1f\\x8b\\x08"],
+    "flow": ["# ", "CofR", "Time", "forces(", "moments(", "pressure", "viscous", "porous", "total_x", "Probe", "Not Found", "(", ")",
+             "FACE_DATA", "POINT_DATA", "PosX [m]:", "Press_0 [Pa]", "forcex [N]", "ForceFluid.x [N]", "Part;", "time, p [ 0 0 0]", "TABLE",
+             "NOHEADER", "WATL", "DEP", "OUTPUT", "SEC", "-1e+300", "nan", "1e308", "\\x0a", "\\x0d\\x0a", ";", ","],
     "script": ["DefineConstant[", "]", "{", "}", "Name", "Include", "//", "/*", "*/", "\\x22", ";", "=", "Str(", "\\x0a"],
     "mesh": ["$MeshFormat\\x0a", "2.2 0 8", "4.1 0 8", "$EndMeshFormat\\x0a", "$PhysicalNames\\x0a", "$Nodes\\x0a",
              "$Elements\\x0a", "$EndElements\\x0a", "$EndNodes\\x0a", "$Entities\\x0a", "$EndEntities\\x0a",

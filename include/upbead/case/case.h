@@ -48,6 +48,14 @@ struct MeasuredSource : RecordClock {
 
 struct MeshRequest;
 struct WaveLoad;
+struct FlowLoad;
+
+/// A load `from` a CFD program.
+struct FlowCase {
+  Load load;           ///< what is not of the record, as written
+  GaugeSource beyond;  ///< how pressures go on beyond its points
+  std::shared_ptr<const FlowLoad> flow;
+};
 
 /// Where a load's history comes from: exactly one of the two.
 struct LoadSource {
@@ -67,6 +75,7 @@ struct Case {
   std::string stem;                           ///< the file's name without folder and ending
   std::map<std::string, LoadSource> sources;  ///< of each load of one history, by its name
   std::map<std::string, GaugeLoad> gauges;    ///< loads by transducers; in the scene NAME.TRANSDUCER
+  std::map<std::string, FlowCase> flows;      ///< loads by CFD; in the scene NAME, NAME.PIECE or NAME.POINT
   std::optional<Section> section;             ///< of loads by waves
   std::map<std::string, std::shared_ptr<const WaveLoad>> waves;  ///< loads by waves; their shapes follow with the mesh
   bool uplift_by_wave = false, sliding_by_wave = false;  ///< [sliding] uplift and wave are those of the load by a wave

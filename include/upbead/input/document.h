@@ -15,6 +15,8 @@ class Document {
   /// `overrides`: texts KEY=VALUE with a dotted KEY and a TOML value; what is no TOML value counts as a string, so that
   /// words need no quotes. A table replaces a whole table. Throws InputError: no such file, not TOML, a wrong override.
   Document(const std::string& path, const std::vector<std::string>& overrides);
+  /// Of overrides alone, without a file.
+  explicit Document(const std::vector<std::string>& overrides);
 
   const std::string& path() const { return path_; }
   const Node& root() const { return root_; }
@@ -24,6 +26,8 @@ class Document {
   Place place(const std::string& path) const;
 
  private:
+  void change(const std::vector<std::string>& overrides);
+
   std::string path_;
   Node root_{NodeTable{}, {}};
 };

@@ -21,6 +21,7 @@ enum class Beyond {
 struct Gauges {
   std::vector<std::string> name;                                     ///< of each
   std::vector<double> place;                                         ///< of each (m)
+  bool over_x = false;                                               ///< places of a load are x, as along a bed
   std::vector<double> time;                                          ///< s, ascending; t = 0 is the run's
   std::vector<std::vector<double>> pressure;                         ///< of each over time (Pa)
   std::array<Beyond, 2> beyond{Beyond::constant, Beyond::constant};  ///< below the first, above the last

@@ -57,6 +57,7 @@ struct Load {
   LoadKind kind = LoadKind::force;
   std::array<double, 2> direction{1., 0.};
   std::vector<std::array<double, 2>> shape;  ///< (height y, relative intensity), linear between; empty: uniform
+  bool over_x = false;                       ///< the shape runs over x, as along a bed
   std::string transducer;                    ///< whose pressure it is: named "LOAD.transducer"; else empty
   bool measured_on_wall = false;             ///< the history holds the pressure of the sea on this moving wall already
   double factor = 1.;                        ///< multiplies the history; 0 switches the load off
@@ -70,7 +71,9 @@ struct Load {
 /// twentieth of its peak. Sampling does not change it, whereas kinks come from the samples.
 double sampled_duration(const std::vector<double>& time, const std::vector<double>& value, double end);
 
-/// Relative intensity at height y: linear between the pairs of `shape`, zero beyond its ends, 1 where it is empty.
-double intensity(const Load& load, double y);
+/// Relative intensity at height y, or at x where the shape runs over x: linear between the pairs of `shape`, zero
+/// beyond its ends, 1 where it is empty.
+double intensity(const Load& load, double at);
+double intensity(const Load& load, double x, double y);
 
 }  // namespace upbead

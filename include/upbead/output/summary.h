@@ -247,6 +247,22 @@ struct NonlinearSummary {
   std::vector<StartBound> bounds;
 };
 
+/// What was understood of a record of CFD.
+struct FlowSummary {
+  std::string name;  ///< of the load
+  std::string layout;
+  int files = 0, samples = 0;
+  double begin = 0., end = 0.;                   ///< of the record in the run's time (s)
+  std::optional<double> thickness;               ///< that its newtons are of (m)
+  double peak_force = 0., peak_force_time = 0.;  ///< landward, over still water (N/m; s)
+  std::optional<double> arm;                     ///< of it (m)
+  double still_force = 0.;                       ///< that was taken off (N/m)
+  std::optional<double> difference;              ///< of pressures and forces
+  std::vector<std::string> told;
+};
+
+std::string describe(const std::vector<FlowSummary>& flows);
+
 /// What transducers along a wall or a bottom measured.
 struct GaugeSummary {
   std::string name;  ///< of the load; "sliding.uplift"
@@ -302,6 +318,7 @@ struct Summary {
   std::optional<ShearResponse> response;  ///< none without a caisson
   std::vector<LoadOnCaisson> loads;
   std::vector<GaugeSummary> gauges;
+  std::vector<FlowSummary> flows;
   std::vector<WaveLoadSummary> waves;
   std::vector<MeasuredSummary> measured;
   std::optional<EnergyAccount> energy;         ///< none where no march kept an account

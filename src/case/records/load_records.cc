@@ -130,6 +130,7 @@ void add_gauge_loads(const std::string& name, const GaugeLoad& by_gauges, double
     Load load = by_gauges.load;
     load.kind = LoadKind::pressure;
     load.shape = share(gauges, i);
+    load.over_x = gauges.over_x;
     load.transducer = gauges.name[i];
     if (load.factor != 0.) {
       const std::vector<double> pressure(gauges.pressure[i].begin(), gauges.pressure[i].begin() + n);

@@ -37,23 +37,25 @@ extern const GaugeWords wall_words, bottom_words;
 
 extern const std::vector<std::pair<std::string, Beyond>> beyond_words;
 
-/// Declares the keys; they belong where `belongs` holds (see Entry::when).
+/// Declares the keys; they belong where `belongs` holds (see Entry::when), those of what is beyond the row where
+/// `beyond_belongs` does.
 template <class T>
 void add_gauge_keys(TableSchema<T>& table, const GaugeWords& words, const std::function<bool(const T&)>& belongs,
-                    const std::string& where) {
+                    const std::string& where, const std::function<bool(const T&)>& beyond_belongs) {
   const auto in = [&](const Entry<T>& entry) { return entry.when("kind", belongs, where); };
+  const auto beyond = [&](const Entry<T>& entry) { return entry.when("kind", beyond_belongs, where); };
   in(table.key("gauges", &T::gauges))
       .doc(
           "path of the transducers' record; CSV (units in the header, decimal commas, .gz) or HDF5 (/time and others)");
   in(table.key(words.places, &T::place)).unit("m").doc(words.places_doc);
   in(table.key("ends", &T::ends)).unit("m").doc(words.ends_doc);
-  in(table.choice(words.to_first, &T::to_first, beyond_words))
+  beyond(table.choice(words.to_first, &T::to_first, beyond_words))
       .fallback("required with gauges")
       .doc(
           std::string("pressure from the ") + words.first +
           " transducer outward; constant: the same; none: zero; to_zero: linearly to zero at ends; must be said, as no "
           "rule is right for all walls");
-  in(table.choice(words.to_last, &T::to_last, beyond_words))
+  beyond(table.choice(words.to_last, &T::to_last, beyond_words))
       .fallback("required with gauges")
       .doc(std::string("pressure from the ") + words.last + " transducer outward");
   in(table.key("gauge_unit", &T::gauge_unit))

@@ -1,0 +1,122 @@
+// Loads of CFD records on the boundaries of a mesh.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/text.h"
+#include "case/cfd/flow_pieces.h"
+#include "case/cfd/flow_scene.h"
+#include "fem/outline.h"
+
+namespace upbead {
+
+namespace {
+
+using Segment = std::array<dealii::Point<dim>, 2>;
+
+std::vector<Segment> faces_of(const Mesh& mesh, const std::string& curve) {
+  std::vector<Segment> faces;
+  for (const auto& cell : mesh.triangulation.active_cell_iterators())
+    for (const auto& face : cell->face_iterators())
+      if (mesh.curve_of(face) == curve) faces.push_back({face->vertex(0), face->vertex(1)});
+  return faces;
+}
+
+Bounds bounds_of_faces(const std::vector<Segment>& faces) {
+  Bounds bounds;
+  for (const Segment& face : faces)
+    for (const auto& point : face) bounds.add(point);
+  return bounds;
+}
+
+double distance_to(const std::vector<Segment>& faces, const dealii::Point<dim>& at) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& [a, b] : faces) {
+    const auto along = b - a;
+    const double s = std::clamp(((at - a) * along) / along.norm_square(), 0., 1.);
+    least = std::min(least, (a + s * along).distance(at));
+  }
+  return least;
+}
+
+/// Height of the resultant of a landward force whose intensity is `at_low` at the curve's foot and `at_high` at its
+/// crest, linear between: integral of y s over that of s, by Simpson's rule, exact for parabolas.
+double arm_of(const std::vector<Segment>& faces, const Bounds& bounds, double at_low, double at_high) {
+  double force = 0., moment = 0.;
+  for (const auto& [a, b] : faces) {
+    const double length = a.distance(b);
+    for (const auto& [s, weight] : std::array<std::array<double, 2>, 3>{{{0., 1.}, {0.5, 4.}, {1., 1.}}}) {
+      const double y = a[1] + s * (b[1] - a[1]);
+      const double share = (y - bounds.lowest) / (bounds.highest - bounds.lowest);
+      const double part = (at_low + share * (at_high - at_low)) * weight * length / 6.;
+      force += part;
+      moment += y * part;
+    }
+  }
+  return moment / force;
+}
+
+void place_pieces(const std::string& name, const FlowCase& by, const std::vector<Segment>& faces, Diagnostics& mistakes,
+                  Scene& scene) {
+  const Bounds bounds = bounds_of_faces(faces);
+  if (bounds.highest - bounds.lowest <= 1e-9 * std::max(1., std::abs(bounds.highest))) {
+    mistakes.add(at_key("loads." + name + ".boundary"),
+                 "'" + by.load.boundary + "' is level: a moment cannot be put on it by forces landward",
+                 "name the curve of the wall, or give region = \"caisson\"");
+    return;
+  }
+  if (by.flow->top && *by.flow->top > bounds.highest)
+    mistakes.add(at_key("loads." + name + ".origin"),
+                 "the water reaches y = " + significant(*by.flow->top, 6) + " m, above the wall '" + by.load.boundary +
+                     "', whose crest is at " + significant(bounds.highest, 6) + " m",
+                 "a level above the crest is not read: give a higher wall, or pressures");
+  const FlowHistory& history = *by.flow->force;
+  const FlowPieces pieces = pieces_of(history, arm_of(faces, bounds, 1., 0.), arm_of(faces, bounds, 0., 1.));
+  const auto give = [&](const std::string& piece, double at_low, double at_high, const std::vector<double>& force) {
+    Load& load = scene.loads.at(name + "." + piece);
+    load.shape = {{bounds.lowest, at_low}, {bounds.highest, at_high}};
+    give_history(history, force, scene.time.end, load);
+  };
+  give("low", 1., 0., pieces.low);
+  give("high", 0., 1., pieces.high);
+}
+
+void check_distance(const std::string& name, const FlowCase& by, const std::vector<Segment>& faces,
+                    Diagnostics& mistakes) {
+  const Bounds bounds = bounds_of_faces(faces);
+  const double size = std::max(bounds.right - bounds.left, bounds.highest - bounds.lowest);
+  const double tolerable = by.flow->source.within.value_or(0.01 * size);
+  double most = 0.;
+  dealii::Point<dim> farthest;
+  for (const auto& [x, y] : by.flow->at) {
+    const dealii::Point<dim> at(x, y);
+    const double distance = distance_to(faces, at);
+    if (distance <= most) continue;
+    most = distance;
+    farthest = at;
+  }
+  if (most > tolerable * (1. + 1e-9))
+    mistakes.add(at_key("loads." + name + ".origin"),
+                 "a point of the record lies at (" + significant(farthest[0], 6) + ", " + significant(farthest[1], 6) +
+                     ") of the scene, " + significant(most) + " m from the boundary '" + by.load.boundary + "'",
+                 "give the origin, landward and up that bring it there; or within = " + significant(most, 2) +
+                     " (m) or more where it may lie so far");
+}
+
+}  // namespace
+
+void place_flows(const Case& input, const Mesh& mesh, Scene& scene) {
+  Diagnostics mistakes;
+  for (const auto& [name, by] : input.flows) {
+    if (by.load.boundary.empty()) continue;
+    const std::vector<Segment> faces = faces_of(mesh, by.load.boundary);
+    if (faces.empty()) continue;  // which the scene's checks tell
+    if (by.flow->pressure)
+      check_distance(name, by, faces, mistakes);
+    else if (!by.flow->force->moment.empty())
+      place_pieces(name, by, faces, mistakes, scene);
+  }
+  mistakes.throw_if_any();
+}
+
+}  // namespace upbead

@@ -1,0 +1,20 @@
+// A force landward and its moment as two forces at two heights.
+#pragma once
+
+#include <vector>
+
+#include "case/cfd/flow_source.h"
+
+namespace upbead {
+
+struct FlowPieces {
+  std::vector<double> low, high;  ///< N/m
+};
+
+/// Forces at the heights `low` and `high` (m) with the history's force and its moment.
+FlowPieces pieces_of(const FlowHistory& history, double low, double high);
+
+/// Load::history and Load::duration of a force, with the load's factor, in a run until `end` (s).
+void give_history(const FlowHistory& history, const std::vector<double>& force, double end, Load& load);
+
+}  // namespace upbead

@@ -1,0 +1,59 @@
+// Lines of text with numbers in them, of files that CFD programs write.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "case/cfd/flow_rows.h"
+#include "upbead/base/error.h"
+
+namespace upbead {
+
+/// The lines of a file, without what ends them.
+class FlowLines {
+ public:
+  /// Reads the file, packed or not. Throws InputError at `place` where it cannot be read.
+  FlowLines(std::string path, const Place& place);
+  /// The next line that is not blank; false at the end. A last line without an end was not written to its end, perhaps
+  /// within a number: it is left out, and told.
+  bool next(FlowNotes& notes);
+  std::string_view line() const { return line_; }
+  /// The same line is given by next() once more.
+  void back() { again_ = true; }
+  Place place(int column = 1) const { return {path_, number_, column}; }
+  const std::string& path() const { return path_; }
+  /// About how many rows are left.
+  std::size_t rows_left() const;
+
+ private:
+  std::string path_, text_;
+  std::string_view line_, rest_;
+  int number_ = 0;
+  bool again_ = false;
+};
+
+/// A line as numbers and brackets: "1 (2 3)" has the shape "n(nn)".
+struct FlowLine {
+  std::string shape;
+  std::vector<double> numbers;
+};
+
+/// Splits at blanks and brackets. Throws InputError at the word that is no number. Numbers beyond all bounds are
+/// returned as they are.
+void read_line(const FlowLines& lines, FlowLine& line);
+
+/// The number that a word is; false where it is none.
+bool read_number(std::string_view word, double& number);
+
+/// Throws InputError where one of the numbers is not finite or larger than any quantity.
+void require_quantities(const FlowLines& lines, const FlowLine& line);
+
+/// Words between blanks and other marks.
+std::vector<std::string> words_of(std::string_view text, std::string_view marks = " \t");
+
+std::string lower_case(std::string_view text);
+
+bool starts_with(std::string_view text, std::string_view beginning);
+
+}  // namespace upbead

@@ -1,0 +1,177 @@
+// The function object `probes`: a file per field, its points in comments above the rows.
+#include <cmath>
+#include <filesystem>
+
+#include "base/numbers.h"
+#include "base/text.h"
+#include "case/cfd/flow_text.h"
+#include "case/cfd/openfoam.h"
+
+namespace fs = std::filesystem;
+
+namespace upbead {
+
+namespace {
+
+struct ProbeFile {
+  std::vector<Triple> at;
+  std::vector<bool> outside;  ///< of the mesh: a head line says so, or the values
+  FlowRows rows;
+};
+
+[[noreturn]] void bad_head(const FlowLines& lines) {
+  throw InputError(lines.place(), "this is no head line of OpenFOAM's probes that is known: " + in_quotes(lines.line()),
+                   "it is '# Probe 0 (x y z)' of each probe, by ascending numbers");
+}
+
+/// "Probe 3 (x y z)  # Not Found".
+void read_probe_line(const FlowLines& lines, std::string_view text, ProbeFile& file) {
+  const bool not_found = text.find("Not Found") != std::string_view::npos;
+  const std::size_t open = text.find('('), close = text.find(')');
+  const std::vector<std::string> name = words_of(text.substr(0, open), " \t");
+  const std::vector<std::string> place = words_of(text.substr(open + 1, close - open - 1), " \t");
+  bool sound = close != std::string_view::npos && open < close && name.size() == 2 && place.size() == 3 &&
+               name[1] == std::to_string(file.at.size());
+  Triple at{};
+  for (std::size_t i = 0; sound && i < 3; ++i) sound = read_number(place[i], at[i]) && std::abs(at[i]) < 1e50;
+  if (!sound) bad_head(lines);
+  file.at.push_back(at);
+  file.outside.push_back(not_found);
+}
+
+/// "x 0 1 2": one coordinate of all probes, in older files.
+void read_coordinate_line(const FlowLines& lines, const std::vector<std::string>& words, ProbeFile& file) {
+  const std::size_t axis = std::string("xyz").find(words[0]), n = words.size() - 1;
+  if (axis == 0) {
+    file.at.assign(n, Triple{});
+    file.outside.assign(n, false);
+  }
+  bool sound = n > 0 && n == file.at.size();
+  for (std::size_t i = 0; sound && i < n; ++i)
+    sound = read_number(words[i + 1], file.at[i][axis]) && std::abs(file.at[i][axis]) < 1e50;
+  if (!sound) bad_head(lines);
+}
+
+struct HeadState {
+  std::string coordinates;  ///< of those of older files, that were read: "xyz"
+};
+
+void read_head(const FlowLines& lines, ProbeFile& file, HeadState& state) {
+  std::string_view text = lines.line();
+  text.remove_prefix(std::min(text.find_first_not_of("# \t"), text.size()));
+  const std::vector<std::string> words = words_of(text);
+  if (words.empty()) return;
+  if (words[0] == "x" || words[0] == "y" || words[0] == "z") {
+    read_coordinate_line(lines, words, file);
+    state.coordinates += words[0];
+  } else if (words[0] == "Probe" && text.find('(') != std::string_view::npos) {
+    read_probe_line(lines, text, file);
+  } else if (words[0] != "Probe" && words[0] != "Time") {
+    bad_head(lines);
+  }
+}
+
+bool is_outside(double value) {
+  return !(value > -largest_magnitude);  // -1e300 or -1.8e307, by the version
+}
+
+void add_probe_row(const FlowLines& lines, const FlowLine& line, ProbeFile& file) {
+  if (line.shape.find('(') != std::string::npos)
+    throw InputError(lines.place(), "the field is one of vectors", "name the file of a pressure, p or p_rgh");
+  if (line.numbers.size() != file.at.size() + 1)
+    throw InputError(lines.place(),
+                     "this row has " + std::to_string(line.numbers.size()) + " numbers; a time and " +
+                         std::to_string(file.at.size()) + " probes are asked for by the head",
+                     "is a column or a line of the head lost, or the row cut?");
+  file.rows.time.push_back(line.numbers[0]);
+  for (std::size_t p = 0; p < file.at.size(); ++p) {
+    const double value = line.numbers[p + 1];
+    const bool outside = is_outside(value);
+    if (file.rows.count() == 1 && outside) file.outside[p] = true;
+    if (outside != file.outside[p])
+      throw InputError(
+          lines.place(),
+          "probe " + std::to_string(p) + " lies outside the mesh at some times only: " + significant(value),
+          "leave the probe out of the file, or place it where the mesh always is");
+    if (!outside && (is_too_large(value) || !std::isfinite(value)))
+      throw InputError(lines.place(),
+                       "the value " + significant(value) + " of probe " + std::to_string(p) +
+                           " is larger than any quantity in SI units",
+                       "did the run fail there? cut the file before");
+    file.rows.value.push_back(outside ? 0. : value);
+  }
+}
+
+ProbeFile read_probe_file(const std::string& path, const Place& place, FlowNotes& notes) {
+  FlowLines lines(path, place);
+  ProbeFile file;
+  HeadState state;
+  FlowLine line;
+  while (lines.next(notes)) {
+    if (const std::size_t first = lines.line().find_first_not_of(" \t"); lines.line()[first] == '#') {
+      read_head(lines, file, state);
+      continue;
+    }
+    if (file.rows.width == 0) {
+      if (file.at.empty() || (!state.coordinates.empty() && state.coordinates != "xyz"))
+        throw InputError(lines.place(), "the head does not tell where the probes are: no '# Probe 0 (x y z)'",
+                         "give the file whole, as OpenFOAM wrote it");
+      file.rows.width = file.at.size();
+      file.rows.time.reserve(lines.rows_left());
+      file.rows.value.reserve(lines.rows_left() * file.at.size());
+    }
+    read_line(lines, line);
+    if (!line.numbers.empty() && !std::isfinite(line.numbers[0])) require_quantities(lines, line);
+    add_probe_row(lines, line, file);
+  }
+  settle(file.rows, {path}, notes);
+  return file;
+}
+
+/// Probes in the mesh.
+void keep_inside(ProbeFile& file, FlowRows& rows, FlowRecord& record) {
+  FlowPoints& points = *record.points;
+  std::vector<std::size_t> inside;
+  for (std::size_t p = 0; p < file.at.size(); ++p) {
+    const std::string name = "probe" + std::to_string(p);
+    if (file.outside[p]) {
+      record.notes.push_back("probe " + std::to_string(p) + " at (" + significant(file.at[p][0], 6) + " " +
+                             significant(file.at[p][1], 6) + " " + significant(file.at[p][2], 6) +
+                             ") lies outside the mesh (Not Found): left out");
+      continue;
+    }
+    inside.push_back(p);
+    points.name.push_back(name);
+    points.at.push_back(file.at[p]);
+  }
+  points.rows = {inside.size(), rows.time, {}};
+  points.rows.value.reserve(inside.size() * rows.count());
+  for (std::size_t row = 0; row < rows.count(); ++row)
+    for (const std::size_t p : inside) points.rows.value.push_back(rows.at(row, p));
+}
+
+}  // namespace
+
+void read_openfoam_probes(const std::vector<FlowFolder>& folders, const std::string& file, const Place& place,
+                          FlowRecord& record) {
+  std::vector<FlowPiece> pieces;
+  ProbeFile first;
+  for (const FlowFolder& folder : folders) {
+    const std::string path = (fs::path(folder.path) / file).string();
+    ProbeFile read = read_probe_file(path, place, record.notes);
+    record.files.push_back(path);
+    if (pieces.empty()) first = read;
+    if (read.at != first.at || read.outside != first.outside)
+      throw InputError({path}, "its probes are not those of the run before", "give runs of the same probes");
+    pieces.push_back({folder.name, std::move(read.rows)});
+  }
+  record.layout = "OpenFOAM probes of " + file;
+  FlowRows rows = joined(std::move(pieces), record.notes);
+  record.points.emplace();
+  record.points->field = file;
+  keep_inside(first, rows, record);
+  if (record.points->at.empty())
+    throw InputError(place, "no probe of " + quoted_path(record.path) + " lies in the mesh", "move the probes");
+}
+
+}  // namespace upbead

@@ -1,0 +1,59 @@
+#!/usr/bin/python3
+"""Loads from CFD: the breakwater under the forces and under the sampled patch of one flow, and what is asked for.
+
+usage: flow_test.py PROGRAM CASES_FOLDER
+"""
+
+import json
+import unittest
+
+from program import CASES, ProgramTest, upbead
+
+BORE = CASES / "cfd/bore.toml"
+AXES = ["--set", "landward=x", "--set", "up=z", "--set", "origin=[-3.2, 0.0]", "--set", "still_time=[0.0, 0.3]"]
+
+
+class Flow(ProgramTest):
+    def ask(self, *arguments, code=0):
+        done = upbead(*arguments)
+        self.assertEqual(done.returncode, code, done.stderr)
+        return done.stdout if code == 0 else done.stderr
+
+    def solve(self, *settings):
+        words = [word for setting in settings for word in ("--set", setting)]
+        return json.loads(self.ask("run", BORE, "--json", "--out", self.folder / "out", *words))
+
+    def test_forces_and_patch_of_one_flow_give_the_same_shear_force(self):
+        """The patch has fewer times: both are held against each other by the largest force, which both have."""
+        forces = self.solve()
+        patch = self.solve("loads.forces.factor=0.0", "loads.patch.factor=1.0")
+        for key in ("peak_force", "peak_shear"):
+            self.assertAlmostEqual(forces["response"][key] / patch["response"][key], 1.0, delta=0.01, msg=key)
+        self.assertAlmostEqual(forces["flows"]["forces"]["peak_force"], 866.93, delta=0.02)
+        self.assertLess(forces["flows"]["patch"]["difference"], 1e-4)
+
+    def test_explain_tells_what_was_understood(self):
+        text = self.ask("explain", BORE)
+        self.assertIn("99.09 N over a thickness of 0.1 m along y: 990.9 N/m", text)
+        self.assertIn("the run from 0.8 s goes on", text)
+
+    def test_asks_for_what_the_files_do_not_tell(self):
+        text = BORE.read_text().replace("thickness = 0.1\nstill_time = [0.0, 0.3]\n", "")
+        text = text.replace('"bore/', f'"{CASES}/cfd/bore/')
+        (self.folder / "scene.toml").write_text(text)
+        said = self.ask("explain", self.folder / "scene.toml", code=1)
+        self.assertIn("'thickness' is missing", said)
+        self.assertIn("'still_time' is missing", said)
+        said = self.ask("explain", BORE, "--set", "loads.patch.origin=[4.8, 0.0]", code=1)
+        self.assertIn("8 m from the boundary 'front'", said)
+
+    def test_read_writes_a_table_that_is_a_record(self):
+        out = self.folder / "force.csv"
+        told = json.loads(self.ask("read", CASES / "cfd/bore/forces", "--json", "--out", out, *AXES, "--set", "thickness=0.1"))
+        self.assertAlmostEqual(told["load"]["peak_force"], 866.93, delta=0.02)
+        self.assertEqual(out.read_text().splitlines()[0], "time (s),force (N/m),moment (N m/m)")
+        self.assertEqual(len(out.read_text().splitlines()), 41)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=["flow_test.py"])
