@@ -157,7 +157,6 @@ SoilOfCells::SoilOfCells(const Space& space, const Unknowns& unknowns, const std
   std::map<PackKey, Waiting> waiting;
   for (const Cell& cell : space.dofs().active_cell_iterators()) {
     const unsigned index = cell->active_cell_index();
-    first_.push_back(points_.size());
     std::unique_ptr<SoilPoint> soil = points(index, 0);
     lost_.push_back(soil ? 0. : -1.);
     place_.emplace_back(-1, -1);
