@@ -353,13 +353,14 @@ OutputSchema<LadderStep> ladder_outputs() {
       .reason("refused", &LadderStep::refused, "why it was refused; null of the last one, which was taken");
 }
 
+std::optional<std::string> no_periods(const Summary& summary) {
+  const std::string why = why_no_periods(summary);
+  return why.empty() ? std::nullopt : std::make_optional(why);
+}
+
 OutputSchema<Summary> whole_outputs() {
   using S = Summary;
   const auto of_caisson = [](const S& s) { return s.response ? &s : nullptr; };
-  const auto no_periods = [](const S& s) {
-    const std::string why = why_no_periods(s);
-    return why.empty() ? std::nullopt : std::make_optional(why);
-  };
   return OutputSchema<S>()
       .key("title", &S::title, "", "that of the case")
       .program()

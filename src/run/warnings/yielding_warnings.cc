@@ -8,7 +8,7 @@ namespace {
 
 /// Beyond it the geometry that the equations are written on is off by as much as they are asked for, some percent.
 constexpr double large_strain = 0.05;
-/// Over the cells beside it; elastic and hysteretic answers of the shipped cases stay below 2: docs/yielding.md.
+/// Over the cells beside it: a choice. A strain that varies smoothly comes to 2 or 3 on coarse cells.
 /// Strains that matter: below a tenth of a percent nothing that is told follows from one cell.
 constexpr double slip_line = 3., least_strain = 1e-3;
 
