@@ -161,6 +161,7 @@ class HalfElastic : public SoilPoint {
   PlaneStress stress(const PlaneStrain& strain) override { return elastic_law(0.5 * G, 0.3).stress(strain); }
   double commit(const PlaneStrain&) override { return 2.; }
   double stored() const override { return 3.; }
+  double mobilised(const PlaneStress&) const override { return 0.5; }
 };
 
 TEST(SoilPack, LeavesOtherSoilToItsPoints) {
