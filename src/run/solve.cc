@@ -25,7 +25,7 @@ namespace {
 
 /// Both routes to F_T of soil that yields may differ by what its solves leave, over the largest force that they see.
 double tolerable_of_yielding(const Scene& scene) {
-  return 1e-7 + 10. * yielding_tolerance * scene.tolerance;
+  return 1e-7 + 100. * yielding_tolerance * scene.tolerance;
 }
 
 constexpr double most_steps = 1e6, most_fields = 1e4;

@@ -44,7 +44,7 @@ std::optional<Mismatch> imbalance(const Simulation& simulation, const Run& run);
 
 /// Residual of the equation of motion of soil that yields, over the tolerance of the scene: F_T is then wrong by less
 /// than a thousandth of what the scene allows, see docs/yielding.md.
-constexpr double yielding_tolerance = 2e-3;
+constexpr double yielding_tolerance = 2e-4;
 
 /// Throws InputError where steps of that length (s) are too many; `because` says what set a length that the case does
 /// not give.
