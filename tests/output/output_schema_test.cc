@@ -5,7 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <set>
 
 #include "output/summary_outputs.h"
@@ -87,6 +89,7 @@ Summary full_summary() {
   s.loads.push_back({"wave"});
   s.gauges.emplace_back().name = "wall";
   s.waves.emplace_back().name = "storm";
+  s.flows.emplace_back().name = "bore";
   s.measured.push_back({"record", "force", "N/m", {}});
   s.energy.emplace();
   s.reduction.emplace().loose = {{"probes/A/pressure", 0.1}};
@@ -106,9 +109,12 @@ Summary full_summary() {
   s.contact.emplace().solved.emplace();
   s.soil.emplace();
   s.nonlinear.emplace().bounds = {{}};
+  s.nonlinear->bounds.front().residual.pore_pressure.emplace();
   s.nonlinear->rest.emplace();
+  s.nonlinear->regions = {{}};
+  s.densification = {{}};
   s.safety.emplace();
-  s.residual.emplace();
+  s.residual.emplace().pore_pressure.emplace();
   s.strength = {{}};
   s.warnings = {{}};
   s.ladder = {{}};
@@ -136,7 +142,9 @@ TEST(OutputSchema, DescribesAllThatASummaryHoldsAndNothingElse) {
     EXPECT_FALSE(row.meaning.empty()) << row.path;
   }
   collect(summary_outputs().to_json(full_summary()), "", known, found);
-  EXPECT_EQ(found, known);
+  std::vector<std::string> differ;
+  std::set_symmetric_difference(found.begin(), found.end(), known.begin(), known.end(), std::back_inserter(differ));
+  EXPECT_TRUE(differ.empty()) << ::testing::PrintToString(differ);
 }
 
 TEST(OutputSchema, SummaryWithNothingIsNullThere) {
