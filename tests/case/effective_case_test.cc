@@ -73,6 +73,7 @@ boundary = "top"
 kind = "force"
 direction = [1.0, 0.0]
 # shape: uniform
+over_x = false
 measured_on_wall = false
 factor = 1.0
 
