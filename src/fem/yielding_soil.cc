@@ -121,7 +121,7 @@ class SoilOfCells : public YieldingSoil {
   double stored_beside_elastic() const override { return stored_sum_; }
   double exerted() const override { return exerted_; }
   const std::vector<double>& dissipated() const override { return lost_; }
-  std::vector<BorneStress> borne(unsigned cell) override;
+  std::vector<std::vector<BorneStress>> borne() override;
   double share_skipped() const override { return n_updates_ > 0. ? n_skipped_ / n_updates_ : 0.; }
   std::vector<double> memory() const override;
   void recall(const std::vector<double>& memory) override;
@@ -135,7 +135,6 @@ class SoilOfCells : public YieldingSoil {
   bool skips_;
   SoilNodes nodes_;
   std::vector<CellPack> packs_;
-  std::vector<std::pair<int, int>> place_;    ///< pack and lane by active cell index; -1 of cells that stay elastic
   std::vector<double> lost_;                  ///< by active cell index (J/m)
   std::vector<PackNumber> lost_of_, stored_;  ///< by pack (J/m): in the last commit; beside the elastic D
   std::vector<char> rested_;                  ///< by pack, whether it was left out of the last evaluation
@@ -159,7 +158,6 @@ SoilOfCells::SoilOfCells(const Space& space, const Unknowns& unknowns, const std
     const unsigned index = cell->active_cell_index();
     std::unique_ptr<SoilPoint> soil = points(index, 0);
     lost_.push_back(soil ? 0. : -1.);
-    place_.emplace_back(-1, -1);
     at_.emplace_back();
     if (!soil) continue;
     CellShapes shapes = shapes_of(space, cell);
@@ -188,8 +186,6 @@ void SoilOfCells::make_packs(std::map<PackKey, Waiting>& waiting) {
         return std::vector(std::make_move_iterator(first), std::make_move_iterator(first + n));
       };
       const std::vector<CellShapes> shapes = part(all.shapes);
-      for (std::size_t lane = 0; lane < shapes.size(); ++lane)
-        place_[static_cast<std::size_t>(shapes[lane].cell)] = {static_cast<int>(packs_.size()), static_cast<int>(lane)};
       packs_.emplace_back(shapes, soil_pack(static_cast<PackKind>(key[0]), part(all.cells)), nodes_.size());
     }
   lost_of_.resize(packs_.size());
@@ -277,20 +273,23 @@ double SoilOfCells::commit(const Vector& x) {
   return dissipated;
 }
 
-std::vector<BorneStress> SoilOfCells::borne(unsigned cell) {
-  std::vector<BorneStress> found;
-  const auto [i, lane] = place_[cell];
-  if (i < 0) return found;
-  CellPack& pack = packs_[static_cast<std::size_t>(i)];
-  pack.take(committed_);
+/// Pack by pack: a stress of one cell costs as much as those of eight.
+std::vector<std::vector<BorneStress>> SoilOfCells::borne() {
+  std::vector<std::vector<BorneStress>> found(at_.size());
   PackStress c;
-  for (int q = 0; q < pack.n_points(); ++q) {
-    const PackTensor strain = pack.strain(q);
-    const PackStress s = pack.elastic_stress(strain);
-    pack.soil().correct(q, strain, c);
-    const PlaneStress change{s.xx[lane] - c.xx[lane], s.yy[lane] - c.yy[lane], s.xy[lane] - c.xy[lane],
-                             s.zz[lane] - c.zz[lane]};
-    found.push_back({at_[cell][static_cast<std::size_t>(q)], change, pack.soil().mobilised(q, lane, change)});
+  for (CellPack& pack : packs_) {
+    pack.take(committed_);
+    for (int q = 0; q < pack.n_points(); ++q) {
+      const PackTensor strain = pack.strain(q);
+      const PackStress s = pack.elastic_stress(strain);
+      pack.soil().correct(q, strain, c);
+      for (int lane = 0; lane < pack.n_cells(); ++lane) {
+        const auto cell = static_cast<std::size_t>(pack.cell(lane));
+        const PlaneStress change{s.xx[lane] - c.xx[lane], s.yy[lane] - c.yy[lane], s.xy[lane] - c.xy[lane],
+                                 s.zz[lane] - c.zz[lane]};
+        found[cell].push_back({at_[cell][static_cast<std::size_t>(q)], change, pack.soil().mobilised(q, lane, change)});
+      }
+    }
   }
   return found;
 }

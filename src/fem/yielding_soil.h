@@ -25,8 +25,8 @@ struct BorneStress {
 /// Soil that yields also tells where.
 class YieldingSoil : public InternalForce {
  public:
-  /// At the points of an active cell; none of cells that stay elastic.
-  virtual std::vector<BorneStress> borne(unsigned cell) = 0;
+  /// At the points of each active cell; none of cells that stay elastic.
+  virtual std::vector<std::vector<BorneStress>> borne() = 0;
   /// Lost so far by active cell index (J/m); -1 of cells that stay elastic.
   virtual const std::vector<double>& dissipated() const = 0;
   /// Of all updates of a cell's stresses so far those that were left out, as no soil of it could have yielded.

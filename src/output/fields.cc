@@ -182,9 +182,9 @@ void FieldWriter::write(const State& state) {
 SoilFields FieldWriter::soil_fields() const {
   SoilFields fields;
   if (!soil_) return fields;
+  fields.borne = soil_->borne();
   for (const auto& cell : space_->mesh().triangulation.active_cell_iterators()) {
     const unsigned index = cell->active_cell_index();
-    fields.borne.push_back(soil_->borne(index));
     fields.dissipated.push_back(std::max(soil_->dissipated()[index], 0.) / cell->measure());
   }
   return fields;

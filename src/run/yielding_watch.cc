@@ -38,8 +38,9 @@ YieldingWatch::YieldingWatch(const Space& space, const Unknowns& unknowns, Yield
 
 void YieldingWatch::see(const State& state, int step, int n_steps) {
   strains_.see(state, step, n_steps);
+  const std::vector<std::vector<BorneStress>> borne = soil_.borne();
   for (Soil& soil : cells_) {
-    const double now = mobilised(soil_.borne(soil.cell->active_cell_index()));
+    const double now = mobilised(borne[soil.cell->active_cell_index()]);
     if (step == 0) soil.initial = soil.largest = now;
     if (step > 0 && now <= soil.largest) continue;
     soil.largest = now;

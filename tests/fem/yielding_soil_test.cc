@@ -111,8 +111,9 @@ TEST(YieldingSoil, LanesAndThreadsGiveWhatPointsDo) {
                 1e-11 * std::abs(points->stored_beside_elastic()));
     EXPECT_LT((one->added_to_readings() - points->added_to_readings()).norm(),
               1e-12 * points->added_to_readings().norm());
+    const auto borne_by_points = points->borne(), borne_in_lanes = one->borne();
     for (const unsigned cell : {0u, 20u, 50u}) {
-      const std::vector<BorneStress> a = points->borne(cell), b = one->borne(cell);
+      const std::vector<BorneStress>&a = borne_by_points[cell], &b = borne_in_lanes[cell];
       ASSERT_EQ(a.size(), b.size());
       for (std::size_t i = 0; i < a.size(); ++i) {
         EXPECT_NEAR(a[i].change.xy, b[i].change.xy, 1e-10 * std::abs(a[i].change.xy));
