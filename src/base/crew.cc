@@ -9,12 +9,14 @@
 #include <thread>
 #include <vector>
 
+#include "base/cores.h"
+
 namespace upbead {
 
 namespace {
 
 int cores() {
-  const int there = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  const int there = available_cores();
   const char* told = std::getenv("OMP_NUM_THREADS");
   const int wanted = told ? std::atoi(told) : there;
   return wanted > 0 ? std::min(wanted, there) : there;

@@ -9,7 +9,7 @@ namespace upbead {
 /// Threads wait between works.
 class Crew {
  public:
-  /// 0: as many threads as the machine has cores, or as OMP_NUM_THREADS says. With one the caller does all.
+  /// 0: as many threads as the process may use cores, or as OMP_NUM_THREADS says. With one the caller does all.
   explicit Crew(int n_threads = 0);
   ~Crew();
   Crew(const Crew&) = delete;
