@@ -42,6 +42,7 @@ void put(Parcel& parcel, const RawMesh& mesh) {
   parcel.put(mesh.edges);
   parcel.put(mesh.surfaces);
   parcel.put(mesh.curves);
+  parcel.put(std::vector<int>{mesh.n_divided});
 }
 
 /// None where its numbers do not fit together, as where the process was in the hands of the file.
@@ -54,11 +55,15 @@ std::optional<RawMesh> take_mesh(OpenParcel& parcel) {
   mesh.edges = parcel.list<RawMesh::Edge>();
   mesh.surfaces = parcel.texts();
   mesh.curves = parcel.texts();
+  const std::vector<int> divided = parcel.list<int>();
+  if (divided.size() != 1) return std::nullopt;
+  mesh.n_divided = divided.front();
   if (!fits(mesh)) return std::nullopt;
   return mesh;
 }
 
 constexpr int line_type = 1;
+constexpr int triangle_type = 2;
 constexpr int quadrilateral_type = 3;
 constexpr unsigned int unused = std::numeric_limits<unsigned int>::max();
 
@@ -165,14 +170,26 @@ void report_foreign(int type, std::size_t nodes, const std::string& surface, Mes
                "set Mesh.ElementOrder = 1; the degree of the solution is chosen elsewhere");
   else
     report.add("surface " + surface + " has " +
-                   (corners == 3 ? counted(count, "triangle") : counted(count, "cell", " of a strange kind")),
-               "make quadrilaterals only: transfinite blocks with Recombine Surface, or Mesh.SubdivisionAlgorithm = 1");
+                   counted(count, "cell", " of a strange kind"),
+               "make quadrilaterals: transfinite blocks with Recombine Surface, or Mesh.SubdivisionAlgorithm = 1");
 }
 
-void read_cells(const Nodes& nodes, RawMesh& mesh, MeshReport& report) {
+/// Elements of one kind with n corners each.
+template <class Cell>
+void append_cells(const Elements& elements, int surface, const Nodes& nodes, std::vector<Cell>& cells) {
+  constexpr std::size_t n = std::tuple_size<decltype(Cell::vertices)>::value;
+  for (std::size_t i = 0; i + n <= elements.nodes.size(); i += n) {
+    Cell cell{{}, surface};
+    for (std::size_t v = 0; v < n; ++v) cell.vertices[v] = nodes.index(elements.nodes[i + v]);
+    cells.push_back(cell);
+  }
+}
+
+std::vector<RawTriangle> read_cells(const Nodes& nodes, RawMesh& mesh, MeshReport& report) {
   const Groups groups(2, "surface", report);
   mesh.surfaces = groups.names;
   std::vector<bool> has_cells(groups.names.size(), false);
+  std::vector<RawTriangle> triangles;
   for (const Elements& elements : elements_of(2)) {
     const std::vector<int> surfaces = groups.of_entity(elements.entity);
     const int surface = surfaces.empty() ? -1 : surfaces.front();
@@ -182,18 +199,16 @@ void read_cells(const Nodes& nodes, RawMesh& mesh, MeshReport& report) {
       report.add("some cells are on two physical surfaces, " + name + " and " + quoted(groups.names[surfaces[1]]),
                  "keep every surface in one group only");
     for (const int each : surfaces) has_cells[each] = true;
-    if (elements.type != quadrilateral_type) {
+    if (elements.type == quadrilateral_type)
+      append_cells(elements, surface, nodes, mesh.cells);
+    else if (elements.type == triangle_type)
+      append_cells(elements, surface, nodes, triangles);
+    else
       report_foreign(elements.type, elements.nodes.size(), name, report);
-      continue;
-    }
-    for (std::size_t i = 0; i + 3 < elements.nodes.size(); i += 4) {
-      RawMesh::Cell cell{{}, surface};
-      for (unsigned int v = 0; v < 4; ++v) cell.vertices[v] = nodes.index(elements.nodes[i + v]);
-      mesh.cells.push_back(cell);
-    }
   }
   for (std::size_t s = 0; s < has_cells.size(); ++s)
     if (!has_cells[s]) report.add("surface " + quoted(groups.names[s]) + " has no cells", "mesh it, or drop its name");
+  return triangles;
 }
 
 void read_edges(const Nodes& nodes, RawMesh& mesh, MeshReport& report) {
@@ -237,8 +252,9 @@ RawMesh read_in(const MeshRequest& request, MeshReport& report) {
   const Nodes nodes(report);
   if (!report.empty()) return mesh;
   mesh.vertices = nodes.points;
-  read_cells(nodes, mesh, report);
+  const std::vector<RawTriangle> triangles = read_cells(nodes, mesh, report);
   read_edges(nodes, mesh, report);
+  divide_triangles(triangles, mesh);
   drop_unused(mesh);
   return mesh;
 }

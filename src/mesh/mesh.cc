@@ -50,6 +50,7 @@ std::unique_ptr<Mesh> built(const RawMesh& raw) {
   auto mesh = std::make_unique<Mesh>();
   mesh->surfaces = raw.surfaces;
   mesh->curves = raw.curves;
+  mesh->n_divided_triangles = raw.n_divided;
   mesh->triangulation.create_triangulation(raw.vertices, cells_of(raw), edges_of(raw));
   for (unsigned int curve = 0; curve < raw.curves.size(); ++curve)
     mesh->triangulation.set_manifold(curve, dealii::FlatManifold<dim>());

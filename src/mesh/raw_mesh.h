@@ -27,6 +27,7 @@ struct RawMesh {
   std::vector<Edge> edges;  ///< those on named curves only; an edge on two curves is there twice
   std::vector<std::string> surfaces;
   std::vector<std::string> curves;
+  int n_divided = 0;  ///< triangles that its cells were made of
 
   dealii::Point<2> middle(unsigned int a, unsigned int b) const {
     return vertices[a] + (vertices[b] - vertices[a]) / 2;
@@ -36,6 +37,15 @@ struct RawMesh {
            (middle(cell.vertices[1], cell.vertices[3]) - middle(cell.vertices[0], cell.vertices[2])) / 2;
   }
 };
+
+struct RawTriangle {
+  std::array<unsigned int, 3> vertices;
+  int surface;  ///< as of a cell
+};
+
+/// Makes three quadrilaterals of each triangle, beside the cells that a mesh has; these become four each and its edges
+/// two, so that all fit together.
+void divide_triangles(const std::vector<RawTriangle>& triangles, RawMesh& mesh);
 
 /// Twice the signed area between two vectors.
 inline double cross(const dealii::Tensor<1, 2>& a, const dealii::Tensor<1, 2>& b) {

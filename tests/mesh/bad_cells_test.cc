@@ -28,19 +28,6 @@ TEST(BadCells, None) {
   EXPECT_EQ(complaints(file), said("it has no cells; mesh its surfaces in quadrilaterals (gmsh -2)"));
 }
 
-TEST(BadCells, Triangles) {
-  MshFile file = unit_cell();
-  file.elements.back() = "5 2 2 1 1 1 2 3";
-  file.elements.push_back("6 2 2 1 1 1 3 4");
-  EXPECT_EQ(complaints(file), said("surface 'soil' has 2 triangles; make quadrilaterals only: transfinite blocks with "
-                                   "Recombine Surface, or Mesh.SubdivisionAlgorithm = 1"));
-}
-
-TEST(BadCells, TrianglesOfScriptAndTheirCure) {
-  EXPECT_THAT(complaints_of_script(rectangle_script("")), ElementsAre(HasSubstr("surface 'soil' has ")));
-  EXPECT_EQ(complaints_of_script(rectangle_script("Mesh.SubdivisionAlgorithm = 1;")), std::vector<std::string>{});
-}
-
 TEST(BadCells, SecondOrderIsNotKeptForTheNextMesh) {
   const std::string blocks = "Transfinite Surface {1}; Recombine Surface {1};";
   EXPECT_THAT(complaints_of_script(rectangle_script(blocks + "Mesh.ElementOrder = 2;")),

@@ -55,6 +55,33 @@ TEST(ReadMesh, ClockwiseCellsAreTurned) {
   EXPECT_NEAR(areas(*mesh).at("soil"), 1.0, 1e-12);
 }
 
+/// A quadrilateral beside two triangles: all corners and middles of sides fit together, names stay.
+TEST(ReadMesh, TrianglesBecomeQuadrilateralsThatFitTheOthers) {
+  MshFile file = unit_cell();
+  file.nodes.insert(file.nodes.end(), {"5 2 0 0", "6 2 1 0"});
+  file.elements[1] = "2 1 2 2 2 5 6";
+  file.elements.insert(file.elements.end(), {"6 2 2 1 1 2 5 6", "7 2 2 1 1 3 2 6", "8 1 2 1 1 2 5", "9 1 2 2 3 6 3"});
+  const TemporaryFolder folder;
+  const auto mesh = read_mesh(request_for(folder.write("a.msh", file.text())));
+  EXPECT_EQ(mesh->n_divided_triangles, 2);
+  EXPECT_EQ(mesh->triangulation.n_active_cells(), 4u + 2u * 3u);
+  EXPECT_EQ(mesh->triangulation.n_vertices(), 6u + 8u + 3u) << "corners, middles of sides, centres: each once";
+  EXPECT_NEAR(areas(*mesh).at("soil"), 2., 1e-12);
+  EXPECT_NEAR(lengths(*mesh).at("base"), 2., 1e-12);
+  EXPECT_NEAR(lengths(*mesh).at("rest"), 4., 1e-12);
+  EXPECT_GT(smallest_sine(*mesh), 0.3);
+}
+
+TEST(ReadMesh, TrianglesOfAScriptKeepItsAreaAndSides) {
+  const TemporaryFolder folder;
+  const auto mesh = read_mesh(request_for(folder.write("a.geo", rectangle_script("Mesh.MeshSizeMax = 0.2;"))));
+  EXPECT_GT(mesh->n_divided_triangles, 50);
+  EXPECT_EQ(mesh->triangulation.n_active_cells(), 3u * static_cast<unsigned>(mesh->n_divided_triangles));
+  EXPECT_NEAR(areas(*mesh).at("soil"), 2., 1e-12);
+  EXPECT_NEAR(lengths(*mesh).at("side"), 6., 1e-12);
+  EXPECT_EQ(read_mesh(geometry("composite"))->n_divided_triangles, 0);
+}
+
 TEST(ReadMesh, UnusedNodesAndPhysicalPointsAreIgnored) {
   MshFile file = unit_cell();
   file.nodes.insert(file.nodes.begin(), "99 5 5 0");

@@ -20,15 +20,16 @@ struct Mesh {
   dealii::Triangulation<dim> triangulation;
   std::vector<std::string> surfaces;
   std::vector<std::string> curves;
+  int n_divided_triangles = 0;  ///< of the file, of each of which three cells were made
 
   const std::string& surface_of(const dealii::Triangulation<dim>::cell_iterator& cell) const;
   /// Name of the curve that a face lies on, or "" where it lies on none.
   const std::string& curve_of(const dealii::Triangulation<dim>::face_iterator& face) const;
 };
 
-/// Reads or generates the mesh, checks it and says every mistake by the group's name (InputError): triangles, cells of
-/// second order, unnamed surfaces, an edge on two named curves, an outer edge on none, duplicate names, no cells.
-/// Clockwise cells are turned.
+/// Reads or generates the mesh, checks it and says every mistake by the group's name (InputError): cells of second
+/// order, unnamed surfaces, an edge on two named curves, an outer edge on none, duplicate names, no cells.
+/// Clockwise cells are turned; of a triangle three quadrilaterals are made, and then of each quadrilateral four.
 std::unique_ptr<Mesh> read_mesh(const MeshRequest& request);
 
 }  // namespace upbead
