@@ -6,6 +6,7 @@ from report.units import plain, quantity
 HEAD = ("project", "client", "author", "revision")
 FORMULAS = [
     ("sliding distance", "eq. (4) of Shimosako and Takahashi (1994): (W/g) x'' = F_T + mu U - mu W', x' >= 0; node by node Coulomb's law"),
+    ("displacement with the ground", "residual displacement of the caisson on soil that yields, and S where it is bonded to it"),
     ("force against friction", "F_S = F_T + mu U against mu W'; slides where it is larger"),
     ("heel and toe pressure", "Goda (2000), ch. 4: e = M'/N'; N'/B (1 + 6 e/B) for e <= B/6, else 2 N'/(3 t), t = B/2 - e"),
     ("margin against overturning", "(W' t - M_U) over the wave's moment about the edge; Goda's where nothing moves"),

@@ -75,7 +75,7 @@ def slide(summary):
             quantity(moved, "m"),
             " landward (residual displacement), and a block on friction under this shear force slips ",
             quantity(design["value"], "m"),
-            " over the mound (S). Neither counts in the other.",
+            " over the mound (S). Neither counts in the other; the check of the displacement with the ground adds them.",
         ]
     )
     return tag("p", text)

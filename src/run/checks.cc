@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/text.h"
+
 namespace upbead {
 
 DesignSliding design_sliding(const SlidingSummary& s, const std::optional<ContactSummary>& contact,
@@ -66,6 +68,27 @@ std::string about_uplift(const Scene& scene) {
   return uplift.course == UpliftCourse::held ? "uplift held at its peak" : "uplift in phase with P";
 }
 
+/// How far the caisson stands from where it stood, where soil yields: its slip over the mound is part of what it moved
+/// where friction was followed node by node, else it comes on top of how far the ground carried it bonded. Of
+/// hysteretic soil the start that carries it farthest is told.
+Check displacement_check(const Summary& summary, const std::optional<double>& limit) {
+  const bool slipped = summary.contact && summary.contact->solved;
+  const double carried = std::abs(summary.residual->displacement_x);
+  const double slip = summary.sliding && !slipped ? std::abs(summary.sliding->design.value) : 0.;
+  std::string how = slipped ? "slip node by node counts in it"
+                            : "carried by the ground, bonded, and the sliding distance over the mound";
+  const StartBound* farthest = nullptr;
+  for (const StartBound& bound : summary.nonlinear->bounds)
+    if (std::abs(bound.residual.displacement_x) > (farthest ? std::abs(farthest->residual.displacement_x) : carried))
+      farthest = &bound;
+  if (farthest)
+    how += "; from the start " + farthest->start + " carried " + with_unit(farthest->residual.displacement_x, "m");
+  return at_most(
+      check_of("displacement with the ground", "m", carried + slip,
+               slip > 0. ? "residual.displacement_x + sliding.design.value" : "residual.displacement_x", how),
+      limit);
+}
+
 }  // namespace
 
 std::vector<Check> checks_of(const Scene& scene, const Summary& summary) {
@@ -83,6 +106,7 @@ std::vector<Check> checks_of(const Scene& scene, const Summary& summary) {
                          "sliding.peak_sliding_force_seaward", about_uplift(scene) + "; F_T of the bonded caisson"),
                 sliding->history.resistance));
   }
+  if (summary.nonlinear && summary.residual) list.push_back(displacement_check(summary, scene.limits.sliding));
   if (const auto& base = summary.base) {
     const std::string linear = about_uplift(scene) + "; effective stress varies linearly over the width in contact";
     list.push_back(at_most(check_of("heel pressure", "Pa", base->peak_heel_pressure, "base.peak_heel_pressure", linear),

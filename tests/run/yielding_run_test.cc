@@ -164,6 +164,12 @@ TEST_F(YieldingRun, BlockOnAHystereticLayerFollowsTheOverlay) {
   EXPECT_EQ(found.nonlinear->start, "virgin");
 }
 
+const Check& displacement_check(const Summary& summary) {
+  for (const Check& check : summary.checks)
+    if (check.name == "displacement with the ground") return check;
+  throw std::runtime_error("the displacement with the ground is not checked");
+}
+
 std::string with_friction(std::string text, double coefficient) {
   const std::string rigid = "kind = \"rigid\"\n";
   return text.replace(
@@ -193,6 +199,7 @@ TEST_F(YieldingRun, FrictionNodeByNodeAndSoilInOneStage) {
   EXPECT_GT(both.energy->friction, 0.);
   EXPECT_LT(both.response->peak_shear, 1.001 * 0.045 * mass * 9.81);
   for (const Summary& s : {slides, holds, both}) {
+    EXPECT_EQ(*displacement_check(s).demand, std::abs(s.residual->displacement_x)) << "slip counts in it";
     EXPECT_LT(s.response->reaction_mismatch, 1e-4);
     EXPECT_LT(s.energy->mismatch(), 1e-8);
   }
@@ -207,10 +214,16 @@ TEST_F(YieldingRun, BearsLessAndMovesMoreTheMoreItBearsAtRest) {
           "strength = { friction_angle = 35 }");
   replace("[regions.mound]", "[regions.mound]\nlaw = \"hysteretic\"\nstrength = { friction_angle = 40 }");
   replace("peak = 1e6", "peak = 4e6");
+  text += "[sliding]\nsubmerged_weight = 1e6\n[limits]\nsliding = 0.01\n";
   const Summary found = run(text);
   const NonlinearSummary& n = *found.nonlinear;
   EXPECT_EQ(n.start, "k0");
   ASSERT_EQ(n.bounds.size(), 2u);
+  const Check& moved = displacement_check(found);
+  EXPECT_EQ(*moved.demand, std::abs(found.residual->displacement_x) + std::abs(found.sliding->design.value));
+  EXPECT_GT(found.sliding->design.value, 0.);
+  EXPECT_FALSE(*moved.holds);
+  EXPECT_NE(moved.assumption.find("from the start gravity"), std::string::npos) << moved.assumption;
   const StartBound& virgin = n.bounds[0].start == "virgin" ? n.bounds[0] : n.bounds[1];
   const StartBound& gravity = n.bounds[0].start == "virgin" ? n.bounds[1] : n.bounds[0];
   EXPECT_GT(virgin.peak_shear, found.response->peak_shear);
