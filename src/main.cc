@@ -26,9 +26,10 @@ bool is_solvers(const std::string& word) {
   throw upbead::InputError({}, "cannot start '" + solver + "', which meshes and solves", "install upbead again, whole");
 }
 
-/// The two tables of `explain`, which need no solver; "" where none is asked for alone.
+/// The tables of `explain`, which need no solver; "" where none is asked for alone.
 std::string table(const std::vector<std::string>& words) {
   if (words == std::vector<std::string>{"explain", "--keys"}) return upbead::case_reference();
+  if (words == std::vector<std::string>{"explain", "--schema"}) return upbead::case_json_schema();
   if (words == std::vector<std::string>{"explain", "--exclusions"}) return upbead::exclusion_table();
   return "";
 }

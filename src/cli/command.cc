@@ -74,7 +74,7 @@ int run(int argc, char** argv, const std::vector<Command>& commands) {
   program.require_subcommand(1);
   program.set_version_flag("--version", versions_text);
   program.footer(
-      "Start with the example:\n"
+      "Start with the example, or with your own section (upbead new mine.toml):\n"
       "  upbead explain cases/fig2b-model.toml     what will be solved, and what is skipped\n"
       "  upbead run cases/fig2b-model.toml         F_T(t) and its peak, into results/fig2b-model\n"
       "  postprocess/response.py results/fig2b-model\n\n"
@@ -121,7 +121,7 @@ Command solver_command(const std::string& name) {
 }
 
 std::vector<Command> light_commands() {
-  return std::vector{respond_command()} + design_commands() + std::vector{scale_command(), read_command()};
+  return std::vector{respond_command()} + design_commands() + std::vector{scale_command(), read_command(), new_command()};
 }
 
 int run_program(int argc, char** argv, const std::vector<Command>& commands) {

@@ -82,6 +82,8 @@ std::vector<Command> design_commands();
 Command scale_command();
 /// The output of a CFD program, as it lies and as a load.
 Command read_command();
+/// A commented case to begin with.
+Command new_command();
 /// All that needs neither mesh nor solver.
 std::vector<Command> light_commands();
 

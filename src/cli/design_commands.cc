@@ -82,7 +82,9 @@ Command design_command(Command command, const DesignWork& work) {
                                    "the results (default: results/NAME" + work.suffix + ", NAME as the " +
                                        (work.suffix.empty() ? "design's)" : "file's)"));
   command.texts = {
-      {"--keys", "print every key of a design file with unit, range, default and meaning", design_reference}};
+      {"--keys", "print every key of a design file with unit, range, default and meaning", design_reference},
+      {"--schema", "print them as JSON Schema, by which an editor completes and checks a design file",
+       design_json_schema}};
   command.work = [options, work, since_start = Stopwatch()] { return work_on(*options, work, since_start); };
   return command;
 }

@@ -140,10 +140,12 @@ Command explain_command() {
   const auto options = std::make_shared<ExplainOptions>();
   Command command = solver_command("explain");
   command.options = common_options(*options) + std::vector{trust_option(options->trusted)};
-  command.texts = {{"--keys", "print every key of a case file with unit, range, default and meaning", case_reference},
-                   {"--outputs", "print every key of the summaries with unit and meaning", output_reference},
-                   {"--outputs-json", "the same for programs", output_table},
-                   {"--exclusions", "print what cannot go with what", exclusion_table}};
+  command.texts = {
+      {"--keys", "print every key of a case file with unit, range, default and meaning", case_reference},
+      {"--schema", "print them as JSON Schema, by which an editor completes and checks a case file", case_json_schema},
+      {"--outputs", "print every key of the summaries with unit and meaning", output_reference},
+      {"--outputs-json", "the same for programs", output_table},
+      {"--exclusions", "print what cannot go with what", exclusion_table}};
   command.footer = explain_footer;
   command.work = [options] { return explain(*options); };
   return command;

@@ -170,7 +170,9 @@ Command study_command() {
           {"--restart", &options->restart, "forget the runs that are done"},
           {"--no-sharing", &options->no_sharing, "mesh and solve every run anew; the numbers are the same"},
           trust_option(options->trusts_scripts)};
-  command.texts = {{"--keys", "print every key of a study file with range, default and meaning", study_reference}};
+  command.texts = {{"--keys", "print every key of a study file with range, default and meaning", study_reference},
+                   {"--schema", "print them as JSON Schema, by which an editor completes and checks a study file",
+                    study_json_schema}};
   command.footer = study_footer;
   command.work = [options, since_start = Stopwatch()] {
     if (options->out.empty()) options->out = "results/" + std::filesystem::path(options->file).stem().string();

@@ -105,6 +105,10 @@ std::string design_reference() {
   return reference(design_schema());
 }
 
+std::string design_json_schema() {
+  return design_schema().json_schema("a design of upbead");
+}
+
 std::vector<InputFile> input_files(const Design& design) {
   std::vector<InputFile> files{{design.document.path(), {design.document.path()}}};
   const auto add = [&](const std::string& file, const std::string& key) {

@@ -26,6 +26,9 @@ struct NumberList {
 
 Diagnostics read_value(const Node& node, const KeyInfo& key, NumberList& value);
 std::string type_text(const KeyInfo& key, const NumberList*);
+inline ValueShape shape_of(const KeyInfo&, const NumberList*) {
+  return ValueShape::list_or_table;
+}
 /// Always as a list.
 std::string print_value(const KeyInfo& key, const NumberList& value);
 void visit_value(const KeyInfo& key, const std::string& path, NumberList& value, const NumberVisitor& visitor);
@@ -38,6 +41,9 @@ struct HighestWave {
 
 Diagnostics read_value(const Node& node, const KeyInfo& key, HighestWave& value);
 std::string type_text(const KeyInfo& key, const HighestWave*);
+inline ValueShape shape_of(const KeyInfo&, const HighestWave*) {
+  return ValueShape::anything;  // a number or a word
+}
 std::string print_value(const KeyInfo& key, const HighestWave& value);
 inline void visit_value(const KeyInfo&, const std::string&, HighestWave&, const NumberVisitor&) {}
 

@@ -1,5 +1,5 @@
 // The keys of a TOML table, each declared once. From the declaration come: reading with checks, unknown and missing
-// keys, defaults, the echo as TOML, and the reference.
+// keys, defaults, the echo as TOML, the reference, and the JSON Schema.
 //
 //   TableSchema<Fluid> table;
 //   table.key("density", &Fluid::density).unit("kg/m3").range(above(0.)).doc("density of the water");
@@ -40,7 +40,10 @@ struct Key {
 /// What every schema does, whatever it fills.
 class Table {
  public:
-  explicit Table(std::shared_ptr<const void> standard) : standard_(std::move(standard)) {}
+  /// `make`: makes an object with all defaults.
+  explicit Table(std::function<std::shared_ptr<void>()> make) : make_(std::move(make)), standard_(make_()) {}
+  const std::vector<Key>& keys() const { return keys_; }
+  std::shared_ptr<void> make() const { return make_(); }
   Key& add(const std::string& name);
   void read(const Node& node, const std::string& path, void* object, Diagnostics& report) const;
   std::string echo(const void* object, const std::string& path) const;
@@ -49,9 +52,15 @@ class Table {
   std::string reference(const std::string& path, const std::string& doc) const;
 
  private:
+  std::function<std::shared_ptr<void>()> make_;
   std::shared_ptr<const void> standard_;  ///< an object with all defaults
   std::vector<Key> keys_;
 };
+
+/// A file of this table as JSON Schema (draft 4, which editors read), for completion and checks while one types: types,
+/// units, ranges, words, missing and unknown keys, and keys that do not belong beside the word of a choice. What needs
+/// more than one other key, or a mesh, only the program can tell.
+std::string json_schema(const Table& table, const std::string& title);
 
 /// Declares more of a key. The named setters can be chained.
 template <class T>
@@ -169,6 +178,8 @@ class TableSchema {
   }
   /// As Markdown.
   std::string reference() const { return table_->reference("", ""); }
+  /// As JSON Schema.
+  std::string json_schema(const std::string& title) const { return upbead::json_schema(*table_, title); }
 
  private:
   template <class U>
@@ -205,7 +216,7 @@ class TableSchema {
     return Entry<T>(key);
   }
 
-  std::shared_ptr<Table> table_ = std::make_shared<Table>(std::make_shared<const T>());
+  std::shared_ptr<Table> table_ = std::make_shared<Table>([] { return std::make_shared<T>(); });
 };
 
 /// The reference of a schema as Markdown.

@@ -23,6 +23,10 @@ class Range {
 
   Range or_infinite() const { return {low_, low_belongs_, high_, true}; }
   bool contains(double value) const;
+  double low() const { return low_; }
+  double high() const { return high_; }
+  bool low_belongs() const { return low_belongs_; }
+  bool high_belongs() const { return high_belongs_; }
   /// "[0, 0.5)", "any finite number".
   std::string text() const;
 
@@ -130,8 +134,51 @@ void visit_value(const KeyInfo& key, const std::string& path, std::optional<V>& 
   if (value) visit_value(key, path, *value, visitor);
 }
 
+/// What a value looks like, whatever it means; `list` and `table`: of anything.
+enum class ValueShape {
+  number,
+  whole_number,
+  truth,
+  text,
+  texts,
+  pair,
+  pairs,
+  numbers,
+  list_or_table,
+  list,
+  table,
+  anything
+};
+
+inline ValueShape shape_of(const KeyInfo&, const double*) {
+  return ValueShape::number;
+}
+inline ValueShape shape_of(const KeyInfo&, const int*) {
+  return ValueShape::whole_number;
+}
+inline ValueShape shape_of(const KeyInfo&, const bool*) {
+  return ValueShape::truth;
+}
+inline ValueShape shape_of(const KeyInfo&, const std::string*) {
+  return ValueShape::text;
+}
+inline ValueShape shape_of(const KeyInfo&, const Pair*) {
+  return ValueShape::pair;
+}
+inline ValueShape shape_of(const KeyInfo&, const std::vector<Pair>*) {
+  return ValueShape::pairs;
+}
+inline ValueShape shape_of(const KeyInfo&, const std::map<std::string, double>*) {
+  return ValueShape::numbers;
+}
+template <class V>
+ValueShape shape_of(const KeyInfo& key, const std::optional<V>*) {
+  return shape_of(key, static_cast<const V*>(nullptr));
+}
+
 /// What is done with a value of some type, behind a pointer to it.
 struct ValueType {
+  ValueShape (*shape)(const KeyInfo& key);
   Diagnostics (*read)(const Node& node, const KeyInfo& key, void* value);
   std::string (*text)(const KeyInfo& key);
   std::string (*print)(const KeyInfo& key, const void* value);
@@ -141,6 +188,7 @@ struct ValueType {
 template <class V>
 const ValueType* value_type() {
   static constexpr ValueType type{
+      [](const KeyInfo& key) { return shape_of(key, static_cast<const V*>(nullptr)); },
       [](const Node& node, const KeyInfo& key, void* value) { return read_value(node, key, *static_cast<V*>(value)); },
       [](const KeyInfo& key) { return type_text(key, static_cast<const V*>(nullptr)); },
       [](const KeyInfo& key, const void* value) { return print_value(key, *static_cast<const V*>(value)); },

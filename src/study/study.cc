@@ -168,4 +168,8 @@ std::string study_reference() {
   return reference(study_schema());
 }
 
+std::string study_json_schema() {
+  return study_schema().json_schema("a study of upbead");
+}
+
 }  // namespace upbead

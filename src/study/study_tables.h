@@ -32,6 +32,18 @@ std::string type_text(const KeyInfo& key, const Literal*);
 std::string type_text(const KeyInfo& key, const std::vector<Literal>*);
 std::string type_text(const KeyInfo& key, const std::vector<std::string>*);
 std::string type_text(const KeyInfo& key, const std::map<std::string, Literal>*);
+inline ValueShape shape_of(const KeyInfo&, const Literal*) {
+  return ValueShape::anything;
+}
+inline ValueShape shape_of(const KeyInfo&, const std::vector<Literal>*) {
+  return ValueShape::list;
+}
+inline ValueShape shape_of(const KeyInfo&, const std::vector<std::string>*) {
+  return ValueShape::texts;
+}
+inline ValueShape shape_of(const KeyInfo&, const std::map<std::string, Literal>*) {
+  return ValueShape::table;
+}
 
 std::string print_value(const KeyInfo& key, const Literal& value);
 std::string print_value(const KeyInfo& key, const std::vector<Literal>& value);

@@ -1,0 +1,175 @@
+// JSON Schema, draft 4: https://json-schema.org/draft-04/json-schema-validation
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "input/schema.h"
+
+namespace upbead {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number(const char* type, const Range& range) {
+  Json json{{"type", type}};
+  if (std::isfinite(range.low())) {
+    json["minimum"] = range.low();
+    if (!range.low_belongs()) json["exclusiveMinimum"] = true;
+  }
+  if (std::isfinite(range.high())) {
+    json["maximum"] = range.high();
+    if (!range.high_belongs()) json["exclusiveMaximum"] = true;
+  }
+  return json;
+}
+
+Json list(Json items, int n) {
+  Json json{{"type", "array"}, {"items", std::move(items)}};
+  if (n > 0) json["minItems"] = json["maxItems"] = n;
+  return json;
+}
+
+Json value_of(ValueShape shape, const KeyInfo& info) {
+  const Json any = number("number", Range());
+  switch (shape) {
+    case ValueShape::number:
+      // JSON has no infinity: what may be inf may be anything that is no JSON number
+      return info.range.high_belongs() && std::isinf(info.range.high())
+                 ? Json{{"anyOf", {number("number", info.range), {{"type", "null"}}}}}
+                 : number("number", info.range);
+    case ValueShape::whole_number:
+      return number("integer", info.range);
+    case ValueShape::truth:
+      return {{"type", "boolean"}};
+    case ValueShape::text:
+      return {{"type", "string"}};
+    case ValueShape::pair:
+      return list(any, 2);
+    case ValueShape::pairs:
+      return list(list(any, 2), 0);
+    case ValueShape::texts:
+      return list({{"type", "string"}}, 0);
+    case ValueShape::list_or_table:
+      return {{"anyOf", {list(any, 0), {{"type", "object"}}}}};
+    case ValueShape::list:
+      return list(Json::object(), 0);
+    case ValueShape::table:
+      return {{"type", "object"}};
+    case ValueShape::anything:
+      return Json::object();
+    case ValueShape::numbers:
+      return {{"type", "object"}, {"additionalProperties", any}};
+  }
+  return Json::object();
+}
+
+Json words_of(const KeyInfo& info) {
+  Json words = info.words;
+  for (const auto& [former, now] : info.former_words) words.push_back(former);
+  return {{"enum", words}};
+}
+
+Json table_of(const Table& table);
+
+/// All that a key may be: a value, a word, a table, or tables by name.
+Json kinds_of(const Key& key) {
+  Json kinds = Json::array();
+  if (key.choose) kinds.push_back(words_of(key.info));
+  if (key.type) kinds.push_back(value_of(key.type->shape(key.info), key.info));
+  if (key.type && !key.info.word.empty()) kinds.push_back({{"enum", {key.info.word}}});
+  if (key.table && key.named)
+    kinds.push_back({{"type", "object"}, {"additionalProperties", table_of(*key.table)}});
+  else if (key.table)
+    kinds.push_back(table_of(*key.table));
+  return kinds;
+}
+
+std::string description_of(const KeyInfo& info) {
+  std::string text = info.doc;
+  if (!info.unit_of_first.empty()) text += " (first number: " + info.unit_of_first + ")";
+  if (!info.unit.empty()) text += " (" + info.unit + ")";
+  if (!info.condition.empty()) text += "; only " + info.condition;
+  if (!info.fallback.empty()) text += "; default: " + info.fallback;
+  return text;
+}
+
+/// The default of a value; null where there is none that JSON can tell.
+Json default_of(const Key& key, const void* standard) {
+  void* object = const_cast<void*>(standard);
+  if (key.chosen) {
+    const auto word = key.chosen(object);
+    return word ? Json(key.info.words[*word]) : Json();
+  }
+  if (!key.type || key.info.required || !key.info.fallback.empty()) return {};
+  return Json::parse(key.type->print(key.info, key.value(object)), nullptr, false);
+}
+
+Json property_of(const Key& key, const void* standard) {
+  Json kinds = kinds_of(key);
+  Json json = kinds.size() == 1 ? kinds[0] : Json{{"anyOf", kinds}};
+  json["description"] = description_of(key.info);
+  const Json fallback = default_of(key, standard);
+  if (!fallback.is_null() && !fallback.is_discarded()) json["default"] = fallback;
+  return json;
+}
+
+/// What a key's place beside the word of a choice asks; null where no word decides.
+Json condition_of(const Table& table, const Key& key) {
+  if (!key.belongs) return {};
+  const Key* decisive = nullptr;
+  for (const Key& other : table.keys())
+    if (other.info.name == key.decisive && other.choose) decisive = &other;
+  if (!decisive) return {};
+  Json with = Json::array(), without = Json::array();
+  for (std::size_t i = 0; i < decisive->info.words.size(); ++i) {
+    const std::shared_ptr<void> object = table.make();
+    decisive->choose(object.get(), i);
+    (key.belongs(object.get()) ? with : without).push_back(decisive->info.words[i]);
+  }
+  for (const auto& [former, now] : decisive->info.former_words)
+    (std::find(with.begin(), with.end(), now) != with.end() ? with : without).push_back(former);
+  if (with.empty()) return {};  // more than this word decides
+  const auto says = [&](const Json& words) {
+    return Json{{"required", {key.decisive}}, {"properties", {{key.decisive, {{"enum", words}}}}}};
+  };
+  const auto either = [](Json a, Json b) { return Json{{"anyOf", {std::move(a), std::move(b)}}}; };
+  const auto no = [](Json what) { return Json{{"not", std::move(what)}}; };
+  const bool by_default = key.belongs(table.make().get());
+  const Json given{{"required", {key.info.name}}}, told{{"required", {key.decisive}}};
+  Json rules = Json::array();
+  if (!without.empty()) rules.push_back(either(no(says(without)), no(given)));
+  if (!by_default) rules.push_back(either(told, no(given)));
+  if (key.info.required) rules.push_back(either(no(says(with)), given));
+  if (key.info.required && by_default) rules.push_back(either(told, given));
+  return rules;
+}
+
+Json table_of(const Table& table) {
+  Json json{{"type", "object"}, {"properties", Json::object()}, {"additionalProperties", false}};
+  Json required = Json::array(), rules = Json::array();
+  const std::shared_ptr<void> standard = table.make();
+  for (const Key& key : table.keys()) {
+    json["properties"][key.info.name] = property_of(key, standard.get());
+    if (!key.info.former.empty()) {
+      Json former = property_of(key, standard.get());
+      former["description"] = "older name of " + key.info.name;
+      json["properties"][key.info.former] = former;
+    }
+    if (key.info.required && !key.belongs) required.push_back(key.info.name);
+    for (const Json& rule : condition_of(table, key)) rules.push_back(rule);
+  }
+  if (!required.empty()) json["required"] = required;
+  if (!rules.empty()) json["allOf"] = rules;
+  return json;
+}
+
+}  // namespace
+
+std::string json_schema(const Table& table, const std::string& title) {
+  Json json{{"$schema", "http://json-schema.org/draft-04/schema#"}, {"title", title}};
+  json.update(table_of(table));
+  return json.dump(2) + "\n";
+}
+
+}  // namespace upbead
