@@ -66,8 +66,13 @@ void make_history(Case& problem, const std::string& name, const CaseTables& tabl
     make_flow(problem, name, tables, table);
     return;
   }
+  if (table.kind == LoadKind::train) {
+    problem.trains[name] = std::make_shared<const TrainLoad>(TrainLoad{table, *table.train});
+    return;
+  }
   if (table.kind == LoadKind::pressures) {
     problem.gauges[name] = {table, table, read_gauges(table, problem.resolve(table.gauges), path, problem.document)};
+    problem.gauges[name].gauges.over_x = table.over_x;
   } else if (table.kind == LoadKind::wave) {
     make_wave(problem, name, tables, table);
   } else if (table.pulse) {
@@ -187,6 +192,11 @@ CaseTables tables_of(const Case& problem, PathText path_text) {
     static_cast<GaugeSource&>(table) = by_gauges.source;
     table.gauges = path_text(by_gauges.source.gauges);
   }
+  for (const auto& [name, by_train] : problem.trains) {
+    LoadTable& table = tables.load_tables[name];
+    static_cast<Load&>(table) = by_train->load;
+    table.train = by_train->train;
+  }
   for (const auto& [name, wave] : problem.waves) {
     LoadTable& table = tables.load_tables[name];
     static_cast<Load&>(table) = wave->load;
@@ -256,6 +266,11 @@ Case read_case(const std::string& path, const std::vector<std::string>& override
       add_gauge_loads(name, problem.gauges.at(name), tables.time.end, problem.scene);
       continue;
     }
+    if (table.kind == LoadKind::train) {
+      add_train_loads(name, *problem.trains.at(name), problem.scene.fluid.density, problem.scene.gravity,
+                      problem.scene);
+      continue;
+    }
     if (const auto wave = problem.waves.find(name); wave != problem.waves.end() && wave->second->standing) {
       add_gauge_loads(name, {table, {}, wave->second->standing->gauges}, tables.time.end, problem.scene);
       continue;
@@ -293,6 +308,10 @@ std::string effective_case(const Case& problem, const std::string& output_folder
 
 std::string case_reference() {
   return reference(case_schema());
+}
+
+std::string case_json_schema() {
+  return case_schema().json_schema("a case of upbead");
 }
 
 }  // namespace upbead

@@ -133,6 +133,8 @@ class LoadCheck {
       check_row();
     else if (load_.kind == LoadKind::wave)
       check_wave();
+    else if (load_.kind == LoadKind::train)
+      check_train();
     else
       exactly_one("pulse", "history");
     if (given("boundary")) check_name("boundary", load_.boundary, keys_of(tables_.boundaries), "boundaries");
@@ -191,6 +193,18 @@ class LoadCheck {
         wrong_.add(key, std::string("'") + key + "' does not belong to pressures by transducers",
                    std::string("remove ") + key + ", or write kind = \"pressure\"");
     check_gauges(load_, wall_words, path_, document_, report_);
+  }
+
+  void check_train() const {
+    for (const char* key : {"pulse", "history", "shape", "over_x", "region"})
+      if (given(key))
+        wrong_.add(key, std::string("'") + key + "' does not belong to a train of waves",
+                   std::string("remove ") + key + ", or write kind = \"pressure\"");
+    if (!load_.train)
+      wrong_.add("train", "'train' is missing, which kind = \"train\" needs",
+                 "add train = { height = ..., depth = ..., period = ... }");
+    else
+      wrong_.add(diagnose(*load_.train), "train.");
   }
 
   void check_wave() const {

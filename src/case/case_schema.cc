@@ -16,6 +16,14 @@ TableSchema<Fluid> fluid_schema() {
       .unit("Pa")
       .range(above(0.).or_infinite())
       .doc("bulk modulus of the water; inf is allowed");
+  table.key("viscosity", &Fluid::viscosity)
+      .unit("Pa s")
+      .range(above(0.))
+      .doc("dynamic viscosity of the water, for regions with a permeability");
+  table.key("atmospheric_pressure", &Fluid::atmospheric_pressure)
+      .unit("Pa")
+      .range(at_least(0.))
+      .doc("pressure of the air on still water, for regions with a saturation below 1");
   return table;
 }
 

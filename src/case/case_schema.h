@@ -7,6 +7,7 @@
 
 #include "case/cfd/flow_source.h"
 #include "case/wave_load.h"
+#include "case/wave_train.h"
 #include "input/schema.h"
 #include "upbead/case/case.h"
 #include "upbead/model/scene.h"
@@ -19,6 +20,7 @@ struct LoadTable : Load, GaugeSource, FlowSource {
   std::optional<Pulse> pulse;
   std::string history_file;
   std::optional<WaveLoadTable> wave;
+  std::optional<WaveTrain> train;
 };
 
 /// The table [sliding.uplift] as written.

@@ -24,6 +24,10 @@ bool is_by_wave(const LoadTable& load) {
   return load.kind == LoadKind::wave;
 }
 
+bool is_by_train(const LoadTable& load) {
+  return load.kind == LoadKind::train;
+}
+
 bool is_along_points(const LoadTable& load) {
   return load.kind == LoadKind::pressures;
 }
@@ -77,7 +81,7 @@ TableSchema<LoadTable> load_schema() {
           "what the history means; force: resultant (N/m); traction: Pa; pressure: Pa, total normal stress = -value, "
           "and pore pressure = value where the boundary is open; pressures: by transducers (gauges), Pa; wave: of "
           "Goda's "
-          "formulas, by [.wave] and [section]");
+          "formulas, by [.wave] and [section]; train: of regular waves along the curve, by [.train], Pa");
   table.key("at", &LoadTable::at)
       .unit("m")
       .required()
@@ -95,7 +99,7 @@ TableSchema<LoadTable> load_schema() {
           "region", [](const LoadTable& load) { return load.region.empty() || !load.boundary.empty(); },
           "on a boundary");
   table.key("over_x", &LoadTable::over_x)
-      .doc("true: the pairs of shape are of x, not of the height y, as along a bed")
+      .doc("true: the pairs of shape, and the heights of transducers, are places x, not heights y, as along a bed")
       .when(
           "region", [](const LoadTable& load) { return load.region.empty() || !load.boundary.empty(); },
           "on a boundary");
@@ -107,6 +111,9 @@ TableSchema<LoadTable> load_schema() {
           "A wave, with exactly one of height and deep_water_height; its pressure over the height of the wall is "
           "Goda's.")
       .when("kind", is_by_wave, "where kind = \"wave\"");
+  table.table("train", &LoadTable::train, wave_train_schema())
+      .doc("Regular waves along the curve, such as a seabed; the pressure acts as that of kind = \"pressure\".")
+      .when("kind", is_by_train, "where kind = \"train\"");
   add_gauge_keys<LoadTable>(table, wall_words, is_by_gauges, "where kind = \"pressures\"", is_along_points);
   add_flow_keys<LoadTable>(table, is_by_flow);
   table.key("measured_on_wall", &LoadTable::measured_on_wall)

@@ -183,11 +183,21 @@ void declare_pores(TableSchema<Region>& table) {
   limit(table.key("hydraulic_conductivity", &Region::hydraulic_conductivity)
             .unit("m/s")
             .range(above(0.))
-            .doc("hydraulic conductivity k; needed unless flow is drained"));
+            .doc("hydraulic conductivity k; or permeability; needed unless flow is drained"));
+  limit(table.key("permeability", &Region::permeability)
+            .unit("m2")
+            .range(above(0.))
+            .doc("intrinsic permeability kappa; instead of k = kappa rho_f g / mu, mu = fluid.viscosity"));
+  limit(table.key("saturation", &Region::saturation)
+            .range(from_to(0.8, 1.))
+            .doc("share of water in the volume of the pores; the rest is bubbles of air, which make the water softer: "
+                 "1/K = S/K_f + (1 - S)/p, p absolute at rest in the middle of the region's height"));
   limit(table.choice("flow", &Region::flow, flow_words)
             .doc("how the pore water moves; drained: no pore pressure; auto: darcy or inertial by k omega/(g n)"));
   limit(table.key("tortuosity", &Region::tortuosity).range(at_least(1.)).doc("tortuosity of the pores"));
-  limit(table.key("biot", &Region::biot).range(from_to(0., 1.)).doc("Biot coefficient alpha; at least the porosity"));
+  limit(table.key("biot", &Region::biot)
+            .range(from_to(0., 1.))
+            .doc("Biot coefficient alpha; not below the porosity of real soils"));
   limit(table.key("grain_bulk_modulus", &Region::grain_bulk_modulus)
             .unit("Pa")
             .range(above(0.).or_infinite())

@@ -95,7 +95,10 @@ Diagnostic no_height() {
 
 TableSchema<Limits> limits_schema() {
   TableSchema<Limits> table;
-  table.key("sliding", &Limits::sliding).unit("m").range(above(0.)).doc("largest sliding distance S that is allowed");
+  table.key("sliding", &Limits::sliding)
+      .unit("m")
+      .range(above(0.))
+      .doc("largest sliding distance S that is allowed; where soil yields, of S and what the ground carries together");
   table.key("base_pressure", &Limits::base_pressure)
       .unit("Pa")
       .range(above(0.))

@@ -124,7 +124,8 @@ bool starts_with(const std::string& text, const std::string& beginning) {
 
 /// The soil's own constants, which stay with the same soil: moduli and the hydraulic conductivity.
 bool is_of_the_soil(const std::string& path, const std::string& unit) {
-  return (starts_with(path, "regions.") || starts_with(path, "fluid.")) && (unit == "Pa" || unit == "m/s");
+  return (starts_with(path, "regions.") || starts_with(path, "fluid.")) &&
+         (unit == "Pa" || unit == "m/s" || unit == "m2" || unit == "Pa s");
 }
 
 /// The unit of a number; that of a pulse's peak is told by the kind of its load.

@@ -74,6 +74,27 @@ Decision decide_compressibility(const std::string& name, Region& region, const S
           incompressible ? "compression of the water in " + name : ""};
 }
 
+/// k by the intrinsic permeability, and the modulus of pore water with air at the pressure of still water in the middle
+/// of the region's height.
+void find_pore_fluid(const std::string& name, Region& region, const Bounds& bounds, double level,
+                     ResolvedScene& resolved) {
+  const Fluid& fluid = resolved.scene.fluid;
+  if (region.permeability) {
+    region.hydraulic_conductivity = conductivity(region, fluid, resolved.scene.gravity);
+    region.permeability.reset();
+    resolved.decisions.push_back({name, "hydraulic_conductivity", significant(*region.hydraulic_conductivity) + " m/s",
+                                  "kappa rho_f g / mu of permeability and fluid.viscosity", ""});
+  }
+  if (region.saturation == 1.) return;
+  const double depth = std::max(0., level - 0.5 * (bounds.lowest + bounds.highest));
+  const double p = fluid.atmospheric_pressure + fluid.density * resolved.scene.gravity * depth;
+  region.pore_fluid_modulus = pore_fluid_modulus(fluid, region.saturation, p);
+  resolved.decisions.push_back({name, "saturation", with_unit(*region.pore_fluid_modulus, "Pa") + " for K_f",
+                                significant(100. * (1. - region.saturation)) + " % of the pores are air at " +
+                                    with_unit(p, "Pa") + " absolute, " + significant(depth) + " m below still water",
+                                ""});
+}
+
 /// Least and largest of a quantity of one region's cells.
 struct Spread {
   double least = std::numeric_limits<double>::infinity(), largest = 0.;
@@ -145,6 +166,9 @@ ResolvedScene resolve(const Scene& scene, const Mesh& mesh) {
       resolved.decisions.push_back({name, "kind", "absent", "the mesh has no such surface", name});
     }
   if (needs_static_stage(resolved.scene)) find_stiffness(mesh, resolved);
+  for (auto& [name, region] : resolved.scene.regions)
+    if (region.kind == RegionKind::porous)
+      find_pore_fluid(name, region, outline.surfaces.at(name), water_level(scene, mesh), resolved);
   for (auto& [name, region] : resolved.scene.regions) {
     const Surroundings at = surroundings_of(name, scene, mesh, outline);
     switch (region.kind) {

@@ -65,7 +65,7 @@ void choose_by_inertia(double omega, FlowChoice& choice) {
 
 FlowChoice choose_flow(const Region& region, const Surroundings& at, const Scene& scene) {
   FlowChoice choice;
-  const double omega = bandwidth(scene), k = region.hydraulic_conductivity.value_or(0.);
+  const double omega = bandwidth(scene), k = conductivity(region, scene.fluid, scene.gravity).value_or(0.);
   choice.X = k > 0. && omega > 0. ? k * omega / (scene.gravity * region.porosity.value_or(1.)) : 0.;
   if (region.flow != Flow::automatic) {
     choice.flow = region.flow;

@@ -11,6 +11,7 @@
 namespace upbead {
 
 double intensity(const Load& load, double x, double y) {
+  if (load.cosine) return std::cos(2. * pi * (x - load.cosine->origin) / load.cosine->length);
   return intensity(load, load.over_x ? x : y);
 }
 

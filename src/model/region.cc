@@ -37,6 +37,8 @@ const Rules& member_rules() {
       {"porosity", {K::porous}, true, is_set(&R::porosity)},
       {"grain_density", {K::porous}, true, is_set(&R::grain_density)},
       {"hydraulic_conductivity", {K::porous}, false, is_set(&R::hydraulic_conductivity)},
+      {"permeability", {K::porous}, false, is_set(&R::permeability)},
+      {"saturation", {K::porous}, false, changed(&R::saturation)},
       {"flow", {K::porous}, false, changed(&R::flow)},
       {"tortuosity", {K::porous}, false, changed(&R::tortuosity)},
       {"biot", {K::porous}, false, changed(&R::biot)},
@@ -141,10 +143,16 @@ class Checker {
   }
 
   void check_porous() {
-    if (!region_.hydraulic_conductivity && region_.flow != Flow::drained)
+    if (!region_.hydraulic_conductivity && !region_.permeability && region_.flow != Flow::drained)
       add_missing("hydraulic_conductivity", whose_, list_);
-    if (region_.porosity && *region_.porosity <= 1. && region_.biot < *region_.porosity)
-      add("biot", "biot is less than the porosity", "give a Biot coefficient within [porosity, 1]");
+    if (region_.hydraulic_conductivity && region_.permeability)
+      add("permeability", "both 'hydraulic_conductivity' and 'permeability' are given", "keep one of them");
+    // with rigid grains it is a measured number like any other, of which the run warns; else pores might store less
+    // than nothing
+    if (region_.porosity && *region_.porosity <= 1. && region_.biot < *region_.porosity &&
+        std::isfinite(region_.grain_bulk_modulus))
+      add("biot", "biot is less than the porosity, and the grains are compressible",
+          "give a Biot coefficient within [porosity, 1], or leave out grain_bulk_modulus");
   }
 
   const Region& region_;
@@ -201,6 +209,15 @@ Diagnostics diagnose(const Region& region) {
   return Checker(region).run();
 }
 
+std::optional<double> conductivity(const Region& region, const Fluid& fluid, double gravity) {
+  if (!region.permeability) return region.hydraulic_conductivity;
+  return *region.permeability * fluid.density * gravity / fluid.viscosity;
+}
+
+double pore_fluid_modulus(const Fluid& fluid, double saturation, double absolute_pressure) {
+  return 1. / (saturation / fluid.bulk_modulus + (1. - saturation) / absolute_pressure);
+}
+
 Material material(const Region& region, const Fluid& fluid, double gravity) {
   Material m;
   if (region.kind != K::porous) m.rho = region.density.value_or(0.);
@@ -222,9 +239,9 @@ Material material(const Region& region, const Fluid& fluid, double gravity) {
   m.rho = (1. - n) * *region.grain_density + n * fluid.density;
   m.rho_f = fluid.density;
   m.a = region.tortuosity * fluid.density / n;
-  if (region.hydraulic_conductivity) m.b = fluid.density * gravity / *region.hydraulic_conductivity;
+  if (const auto k = conductivity(region, fluid, gravity)) m.b = fluid.density * gravity / *k;
   m.alpha = region.biot;
-  m.storage = n / fluid.bulk_modulus + (m.alpha - n) / region.grain_bulk_modulus;
+  m.storage = n / region.pore_fluid_modulus.value_or(fluid.bulk_modulus) + (m.alpha - n) / region.grain_bulk_modulus;
   return m;
 }
 

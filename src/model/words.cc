@@ -41,11 +41,9 @@ const Words<PulseShape> pulse_shape_words{{"triangle", PulseShape::triangle},
                                           {"church_roof", PulseShape::church_roof},
                                           {"harmonic", PulseShape::harmonic}};
 
-const Words<LoadKind> load_kind_words{{"force", LoadKind::force},
-                                      {"traction", LoadKind::traction},
-                                      {"pressure", LoadKind::pressure},
-                                      {"pressures", LoadKind::pressures},
-                                      {"wave", LoadKind::wave}};
+const Words<LoadKind> load_kind_words{{"force", LoadKind::force},       {"traction", LoadKind::traction},
+                                      {"pressure", LoadKind::pressure}, {"pressures", LoadKind::pressures},
+                                      {"wave", LoadKind::wave},         {"train", LoadKind::train}};
 
 const Words<TimeScheme> time_scheme_words{{"auto", TimeScheme::automatic},
                                           {"generalised_alpha", TimeScheme::generalised_alpha},

@@ -11,7 +11,8 @@ TEST_P(BadRegions, IsExplained) {
 
 const std::vector<BadCase> rows{
     BadCase{"BiotBelowPorosity", "biot = 0.9", "biot = 0.3",
-            "case.toml:23:1: [regions.rubble]: biot is less than the porosity; give a Biot coefficient within "
+            "case.toml:23:1: [regions.rubble]: biot is less than the porosity, and the grains are compressible; give a "
+            "Biot coefficient within "
             "[porosity, 1]"},
     BadCase{"StepBeyondTheEnd", "step = 0.001", "step = 3",
             "case.toml:68:1: step = 3 is longer than end = 2; give a shorter step (s), or \"auto\""},

@@ -45,6 +45,8 @@ TEST_F(EffectiveCase, SpellsOutDefaults) {
 [fluid]
 density = 1030.0  # kg/m3
 bulk_modulus = 2.2e9  # Pa
+viscosity = 0.00107  # Pa s
+atmospheric_pressure = 101325.0  # Pa
 
 [mesh]
 file = "../sub/my.msh"
@@ -60,6 +62,7 @@ poissons_ratio = 0.3
 porosity = 0.4
 grain_density = 2650.0  # kg/m3
 hydraulic_conductivity = 1e-4  # m/s
+saturation = 1.0
 flow = "auto"
 tortuosity = 1.0
 biot = 1.0

@@ -368,6 +368,8 @@ class Warnings(ProgramTest):
                 self.assertIn(meant, found["implausible"]["text"])
                 self.assertTrue(found["implausible"]["text"].startswith(key + " = "))
                 self.assertEqual(found["implausible"]["value"], value)
+        found, _ = self.ask("explain", *LEVEL, "--set", "regions.mound.biot=0.3")
+        facts["biot_below_porosity"] = self.expect(found, "biot_below_porosity", 0.3, 0.4)["text"]
         wrong = ["--set", "sliding={ friction = 60, submerged_weight = 4296 }"]
         found, _ = self.ask("explain", *LEVEL, *wrong)
         self.assertIn("in percent, write 0.6", found["implausible"]["text"])

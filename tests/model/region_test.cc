@@ -107,8 +107,10 @@ TEST(RegionCheck, RefusesContradictions) {
   Region region = rubble();
   region.youngs_modulus = 1.;
   region.biot = 0.3;
+  region.grain_bulk_modulus = 36e9;
+  region.permeability = 1e-9;
   region.damping = Rayleigh{0.05, {10., 1.}};
-  EXPECT_EQ(keys_of(diagnose(region)), "youngs_modulus biot damping");
+  EXPECT_EQ(keys_of(diagnose(region)), "youngs_modulus permeability biot damping");
 }
 
 TEST(RegionWords, BelongToKinds) {

@@ -15,6 +15,8 @@
 
 namespace upbead {
 
+struct TrainLoad;
+
 struct RecordClock {
   double zero = 0.;                     ///< s from the record's beginning that it rests; its mean there is taken off
   double record_start = 0.;             ///< its time that is t = 0 of the run (s)
@@ -76,7 +78,9 @@ struct Case {
   std::map<std::string, LoadSource> sources;  ///< of each load of one history, by its name
   std::map<std::string, GaugeLoad> gauges;    ///< loads by transducers; in the scene NAME.TRANSDUCER
   std::map<std::string, FlowCase> flows;      ///< loads by CFD; in the scene NAME, NAME.PIECE or NAME.POINT
-  std::optional<Section> section;             ///< of loads by waves
+  /// Loads by regular waves; in the scene NAME.cosine and NAME.sine.
+  std::map<std::string, std::shared_ptr<const TrainLoad>> trains;
+  std::optional<Section> section;                                ///< of loads by waves
   std::map<std::string, std::shared_ptr<const WaveLoad>> waves;  ///< loads by waves; their shapes follow with the mesh
   bool uplift_by_wave = false, sliding_by_wave = false;  ///< [sliding] uplift and wave are those of the load by a wave
   std::string uplift_history;              ///< CSV file of a prescribed uplift, relative to the case; "" without
@@ -111,6 +115,9 @@ std::string effective_case(const Case& problem, const std::string& output_folder
 
 /// Every key of the case file as Markdown.
 std::string case_reference();
+
+/// They as JSON Schema (draft 4): editors complete and check a case file by it.
+std::string case_json_schema();
 
 /// The folder of shipped geometries: the environment's UPBEAD_MESHES, else that installed beside the program, else that
 /// of the source tree. Throws InputError where there is none.

@@ -47,6 +47,13 @@ enum class LoadKind {
   pressure,   ///< Pa: total normal stress = -value, and pore pressure = value where the boundary is open
   pressures,  ///< of a case only: by transducers (gauges.h), each of which becomes a pressure in the scene
   wave,       ///< of a case only: by Goda's formulas, which become a force with a shape in the scene
+  train,      ///< of a case only: by regular waves along a curve, which become two pressures in the scene
+};
+
+/// The intensity cos(2 pi (x - origin)/length) along a curve.
+struct Cosine {
+  double length = 0.;  ///< m
+  double origin = 0.;  ///< x of a crest (m)
 };
 
 /// One table [loads.NAME].
@@ -58,6 +65,7 @@ struct Load {
   std::array<double, 2> direction{1., 0.};
   std::vector<std::array<double, 2>> shape;  ///< (height y, relative intensity), linear between; empty: uniform
   bool over_x = false;                       ///< the shape runs over x, as along a bed
+  std::optional<Cosine> cosine;              ///< instead of a shape
   std::string transducer;                    ///< whose pressure it is: named "LOAD.transducer"; else empty
   bool measured_on_wall = false;             ///< the history holds the pressure of the sea on this moving wall already
   double factor = 1.;                        ///< multiplies the history; 0 switches the load off

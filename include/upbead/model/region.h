@@ -85,8 +85,10 @@ struct ContactLaw {
 
 /// Pore water and sea water.
 struct Fluid {
-  double density = 1030.;       ///< rho_f (kg/m3)
-  double bulk_modulus = 2.2e9;  ///< K_f (Pa), may be infinite
+  double density = 1030.;                 ///< rho_f (kg/m3)
+  double bulk_modulus = 2.2e9;            ///< K_f (Pa), may be infinite
+  double viscosity = 1.07e-3;             ///< mu (Pa s); sea water of 20 degrees
+  double atmospheric_pressure = 101325.;  ///< on still water, presses the air in pores (Pa)
 };
 
 enum class RegionKind { rigid, solid, porous, water };
@@ -151,6 +153,9 @@ struct Region {
   std::optional<double> porosity;                          ///< n
   std::optional<double> grain_density;                     ///< rho_s (kg/m3)
   std::optional<double> hydraulic_conductivity;            ///< k (m/s)
+  std::optional<double> permeability;                      ///< kappa (m2), instead of k = kappa rho_f g / mu
+  double saturation = 1.;                                  ///< S, water in the volume of pores; the rest is air
+  std::optional<double> pore_fluid_modulus;                ///< of water with its air (Pa); none: K_f
   Flow flow = Flow::automatic;
   double tortuosity = 1.;
   double biot = 1.;                                                     ///< alpha
@@ -173,6 +178,13 @@ struct Material : ElasticLaw {
   double storage = 0.;                               ///< 1/Q = n/K_f + (alpha - n)/K_s; of water 1/K_f (1/Pa)
   double mass_damping = 0., stiffness_damping = 0.;  ///< Rayleigh factors (1/s, s)
 };
+
+/// k (m/s) of a porous region by either of its keys; none where it has neither.
+std::optional<double> conductivity(const Region& region, const Fluid& fluid, double gravity);
+
+/// Bulk modulus (Pa) of water with bubbles of air at an absolute pressure (Pa), 1/K = S/K_f + (1 - S)/p: air by
+/// Boyle's law, no surface tension, none dissolved (Verruijt 1969).
+double pore_fluid_modulus(const Fluid& fluid, double saturation, double absolute_pressure);
 
 /// Constants of a region that has passed check(); of a rigid region only rho, if it is given. Water whose
 /// compressibility is not yet decided is compressible.

@@ -25,11 +25,13 @@ struct Usual {
   std::vector<MeantUnit> meant;
 };
 
-// From mud to steel; from light fills to steel; from clay to rock armour; fresh to heavy sea water; mu of base plates.
+// From mud to steel; from light fills to steel; from clay to rock armour, in two ways; fresh to heavy sea water; mu of
+// base plates.
 const Usual modulus{"Pa", 1e4, 1e12, 1e6, 3e11, {{"kPa", 1e3}, {"MPa", 1e6}, {"GPa", 1e9}}};
 const Usual density{"kg/m3", 500., 2e4, 1e3, 8e3, {{"t/m3", 1e3}, {"kN/m3", 1e3 / 9.81}}};
 const Usual water_density{"kg/m3", 900., 1300., 990., 1050., {{"t/m3", 1e3}, {"kN/m3", 1e3 / 9.81}}};
-const Usual conductivity{"m/s", 1e-13, 10., 1e-12, 0.5, {{"cm/s", 1e-2}, {"m/day", 1. / 86400.}, {"mm/s", 1e-3}}};
+const Usual seepage{"m/s", 1e-13, 10., 1e-12, 0.5, {{"cm/s", 1e-2}, {"m/day", 1. / 86400.}, {"mm/s", 1e-3}}};
+const Usual intrinsic{"m2", 1e-20, 1e-6, 1e-19, 5e-8, {{"darcy", 9.87e-13}, {"cm2", 1e-4}}};
 const Usual friction{"1", 0.1, 1.5, 0.2, 1., {{"percent", 1e-2}}};
 
 void judge(const std::string& key, const std::optional<double>& value, const Usual& usual, NumberedWarnings& list) {
@@ -83,9 +85,23 @@ NumberedWarnings plausibility_warnings(const Simulation& simulation) {
     judge(at + "youngs_modulus", region.youngs_modulus, modulus, list);
     judge(at + "density", region.density, density, list);
     judge(at + "grain_density", region.grain_density, density, list);
-    judge(at + "hydraulic_conductivity", region.hydraulic_conductivity, conductivity, list);
+    judge(at + "hydraulic_conductivity", region.hydraulic_conductivity, seepage, list);
+    judge(at + "permeability", region.permeability, intrinsic, list);
+    if (region.porosity && region.biot < *region.porosity)
+      list.push_back({"biot_below_porosity", region.biot, *region.porosity, "1",
+                      at + "biot = " + significant(region.biot) + " is less than the porosity, " +
+                          significant(*region.porosity) +
+                          ", which no grains that fill the skeleton alone can have: the pore pressure counts for less "
+                          "than it is"});
     if (region.interface) judge(at + "interface.coefficient", region.interface->coefficient, friction, list);
   }
+  if (const int n = simulation.mesh->n_divided_triangles; n > 0)
+    list.push_back({"triangles_divided", static_cast<double>(n), 0., "1",
+                    std::to_string(n) + " triangles of the mesh were divided into three quadrilaterals each, and its "
+                    "quadrilaterals into four: " +
+                        std::to_string(simulation.mesh->triangulation.n_active_cells()) +
+                        " cells; quadrilaterals from the start need fewer unknowns: transfinite blocks with Recombine "
+                        "Surface, or Mesh.SubdivisionAlgorithm = 1"});
   if (scene.sliding) judge("sliding.friction", scene.sliding->friction, friction, list);
   judge_weight(simulation, list);
   return list;
