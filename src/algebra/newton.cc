@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "algebra/snes.h"
+#include "algebra/step_length.h"
 
 namespace upbead {
 
@@ -17,19 +18,19 @@ struct Newton::Solver {
   Vector x, value;
   std::exception_ptr thrown;  ///< by the functions, which PETSc calls
 
-  Solver(SparseMatrix pattern, Residual given_r, Derivative given_derivative, int most, bool search);
+  Solver(SparseMatrix pattern, Residual given_r, Derivative given_derivative, int most, StepLength length);
   ~Solver() {
     VecDestroy(&at);
     VecDestroy(&residual);
     MatDestroy(&matrix);
     SNESDestroy(&snes);
   }
-  void choose_methods(int most, bool search);
+  void choose_methods(int most, StepLength length);
   static PetscErrorCode evaluate(SNES, Vec x, Vec f, void* context);
   static PetscErrorCode differentiate(SNES, Vec x, Mat, Mat, void* context);
 };
 
-Newton::Solver::Solver(SparseMatrix pattern, Residual given_r, Derivative given_derivative, int most, bool search)
+Newton::Solver::Solver(SparseMatrix pattern, Residual given_r, Derivative given_derivative, int most, StepLength length)
     : J(std::move(pattern)), r(std::move(given_r)), derivative(std::move(given_derivative)) {
   const auto size = static_cast<PetscInt>(J.rows());
   x = value = Vector::Zero(size);
@@ -40,14 +41,18 @@ Newton::Solver::Solver(SparseMatrix pattern, Residual given_r, Derivative given_
                                        &matrix));
   check_snes(SNESSetFunction(snes, residual, evaluate, this));
   check_snes(SNESSetJacobian(snes, matrix, matrix, differentiate, this));
-  choose_methods(most, search);
+  choose_methods(most, length);
 }
 
-void Newton::Solver::choose_methods(int most, bool search) {
+void Newton::Solver::choose_methods(int most, StepLength length) {
   check_snes(SNESSetType(snes, SNESNEWTONLS));
   SNESLineSearch line_search = nullptr;
   check_snes(SNESGetLineSearch(snes, &line_search));
-  check_snes(SNESLineSearchSetType(line_search, search ? SNESLINESEARCHBT : SNESLINESEARCHBASIC));
+  const bool by_potential = length == StepLength::by_potential;
+  check_snes(SNESLineSearchSetType(line_search, by_potential                        ? SNESLINESEARCHSHELL
+                                                : length == StepLength::by_residual ? SNESLINESEARCHBT
+                                                                                    : SNESLINESEARCHBASIC));
+  if (by_potential) check_snes(SNESLineSearchShellSetUserFunc(line_search, step_to_least, nullptr));
   KSP ksp = nullptr;
   PC pc = nullptr;
   check_snes(SNESGetKSP(snes, &ksp));
@@ -90,8 +95,8 @@ PetscErrorCode Newton::Solver::differentiate(SNES snes, Vec at, Mat matrix, Mat,
   return error != 0 || !self.thrown ? error : SNESSetJacobianDomainError(snes);
 }
 
-Newton::Newton(SparseMatrix pattern, Residual residual, Derivative derivative, int most, bool search)
-    : solver_(std::make_unique<Solver>(std::move(pattern), std::move(residual), std::move(derivative), most, search)) {}
+Newton::Newton(SparseMatrix pattern, Residual residual, Derivative derivative, int most, StepLength length)
+    : solver_(std::make_unique<Solver>(std::move(pattern), std::move(residual), std::move(derivative), most, length)) {}
 Newton::~Newton() = default;
 Newton::Newton(Newton&&) noexcept = default;
 

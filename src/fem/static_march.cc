@@ -10,8 +10,11 @@ namespace upbead {
 
 namespace {
 
-/// Iterations of a step after which the next may be longer, and after which none is sought.
-constexpr int quick = 8, most = 25;
+/// Iterations of a step after which the next may be longer, and after which no equilibrium is sought.
+struct Patience {
+  int quick, most;
+};
+constexpr Patience usual{8, 25}, associated{25, 60};
 constexpr double growth = 1.5, cut = 0.5;
 
 double largest_diagonal(const SparseMatrix& pattern, const Vector& values) {
@@ -87,14 +90,16 @@ class March {
   March(StaticSoil& soil, const StaticPath& path, const StaticSteps& steps, Vector& x)
       : soil_(soil),
         steps_(steps),
+        patience_(steps.associated ? associated : usual),
         x_(x),
         balance_(soil, path),
         newton_(
             soil.pattern(), [this](const Vector& at, Vector& r) { balance_.residual(at, r); },
-            [this](Eigen::Ref<Vector> values) { balance_.derivative(values); }, most),
+            [this](Eigen::Ref<Vector> values) { balance_.derivative(values); }, patience_.most,
+            steps.associated ? StepLength::by_potential : StepLength::by_residual),
         leap_(
             soil.pattern(), [this](const Vector& at, Vector& r) { balance_.residual(at, r); },
-            [this](Eigen::Ref<Vector> values) { balance_.derivative(values); }, 1, false),
+            [this](Eigen::Ref<Vector> values) { balance_.derivative(values); }, 1, StepLength::whole),
         rate_(Vector::Zero(x.size())) {
     balance_.start(steps.from, x);
     report_.reached = steps.from;
@@ -116,7 +121,7 @@ class March {
         continue;
       }
       if (report_.failed <= next) report_.failed = steps_.to;
-      if (last_iterations_ <= quick && !failed_before) step = std::min(growth * step, steps_.largest);
+      if (last_iterations_ <= patience_.quick && !failed_before) step = std::min(growth * step, steps_.largest);
       failed_before = false;
       if (observer && !observer(next, x_, balance_.force())) break;
     }
@@ -155,6 +160,7 @@ class March {
 
   StaticSoil& soil_;
   const StaticSteps& steps_;
+  Patience patience_;
   Vector& x_;
   Balance balance_;
   Newton newton_, leap_;  ///< with a line search; one whole step

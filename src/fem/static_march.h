@@ -24,6 +24,9 @@ struct StaticSteps {
   double least = 1e-3;      ///< a step that fails and is not longer ends the march
   double largest = 1.;      ///< no step is longer
   double tolerance = 1e-6;  ///< |forces out of balance| over |forces|
+  /// All flow is associated, so that forces are the slope of a convex function: Newton's method goes where this is
+  /// least, and finds equilibrium where |forces out of balance| must grow on the way to it.
+  bool associated = false;
 };
 
 struct StaticReport {

@@ -16,10 +16,6 @@ using namespace dealii;
 
 namespace {
 
-/// A tangent without stiffness, as at the apex of a cone, keeps this share of the elastic one: equilibrium is that of
-/// the stresses, and only the way to it changes.
-constexpr double least_stiffness = 1e-5;
-
 using Columns = Eigen::Matrix<double, 3, Eigen::Dynamic>;
 
 Eigen::Matrix3d matrix_of(const Tangent& tangent) {
@@ -65,6 +61,7 @@ struct StaticSoil::Impl {
   std::vector<Eigen::Matrix3d> tangents;      ///< by point, where exert was asked last
   StaticLaws laws;
   SparseMatrix pattern;
+  double least_stiffness = 1e-5;  ///< of the elastic one
 
   Impl(const Space& space, const Unknowns& unknowns);
   void add(const Space& space, const Unknowns& unknowns, const Cell& cell);
@@ -143,6 +140,10 @@ void StaticSoil::follow(StaticLaws laws) {
   impl_->laws = std::move(laws);
 }
 
+void StaticSoil::keep_stiffness(double share) {
+  impl_->least_stiffness = share;
+}
+
 void StaticSoil::start_from(const PointStresses& stresses) {
   for (const Impl::SoilCell& cell : impl_->cells) {
     const std::vector<PlaneStress>& given = stresses[cell.index];
@@ -153,6 +154,7 @@ void StaticSoil::start_from(const PointStresses& stresses) {
 
 void StaticSoil::exert(const Vector& x, Vector& force) {
   force.setZero(impl_->pattern.rows());
+  const double least = impl_->least_stiffness;
   for (const Impl::SoilCell& cell : impl_->cells) {
     const Vector local = Impl::gather(cell, x);
     Vector sum = Vector::Zero(local.size());
@@ -162,8 +164,8 @@ void StaticSoil::exert(const Vector& x, Vector& force) {
       LawAnswer answer = impl_->answer(cell, strain, state);
       if (is_still(strain, impl_->states[p].strain)) answer.tangent = cell.elastic.tangent();
       const Impl::Place& place = impl_->places[p];
-      impl_->tangents[p] = place.area * ((1. - least_stiffness) * matrix_of(answer.tangent) +
-                                         least_stiffness * matrix_of(cell.elastic.tangent()));
+      impl_->tangents[p] =
+          place.area * ((1. - least) * matrix_of(answer.tangent) + least * matrix_of(cell.elastic.tangent()));
       sum.noalias() += place.strain.transpose() *
                        (place.area * Eigen::Vector3d(answer.stress.xx, answer.stress.yy, answer.stress.xy));
     }

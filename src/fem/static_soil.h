@@ -24,6 +24,10 @@ class StaticSoil {
 
   /// Laws from now on; the committed state stays, even where they do not bear it.
   void follow(StaticLaws laws);
+  /// A tangent without stiffness, as at the apex of a cone, keeps this share of the elastic one. Equilibrium is that of
+  /// the stresses, and only the way to it changes: less is faster where much of the soil has no strength and
+  /// Newton's method lengthens its steps (StaticSteps::associated), and too little for one that does not.
+  void keep_stiffness(double share);
   /// Stresses without strain; cells without any get none.
   void start_from(const PointStresses& stresses);
 

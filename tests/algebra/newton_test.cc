@@ -91,6 +91,20 @@ TEST_F(NewtonTest, CutsStepsThatLeapAndTellsWhereThereIsNoRoot) {
   EXPECT_GE(report.residual, 1.);
 }
 
+/// r = x + 9 max(x - 1, 0) - 5 with a derivative ten thousand times too large up to x = 1: the root 1.4.
+TEST_F(NewtonTest, ByThePotentialStepsAreAlsoLengthened) {
+  Scalar s;
+  const auto residual = [&](const Vector& x, Vector& r) {
+    s.x = x[0];
+    r = Vector::Constant(1, x[0] + 9. * std::max(x[0] - 1., 0.) - 5.);
+  };
+  const auto derivative = [&](Eigen::Ref<Vector> values) { values[0] = s.x < 1. ? 1e4 : 10.; };
+  Vector lengthened = Vector::Zero(1), cut = lengthened;
+  EXPECT_TRUE(Newton(s.one, residual, derivative, 30, StepLength::by_potential).solve(lengthened, 1e-12).converged);
+  EXPECT_NEAR(lengthened[0], 1.4, 1e-12);
+  EXPECT_FALSE(Newton(s.one, residual, derivative, 30, StepLength::by_residual).solve(cut, 1e-12).converged);
+}
+
 TEST_F(NewtonTest, SingularAndNotFiniteAreNoConvergenceAndThrowsComeThrough) {
   Scalar s;
   Newton singular(

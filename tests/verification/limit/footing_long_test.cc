@@ -1,76 +1,106 @@
-// Claims: the loads of strips that are pushed into ground with friction, and aside on undrained ground, tend to those
-// of plasticity theory from above.
+// Claims: the loads of strips that are pushed into ground with friction and weight, and aside on undrained ground, tend
+// to those of plasticity theory from above.
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
 
 #include "footing.h"
-#include "record.h"
+#include "from_above.h"
 
 namespace upbead::test {
 namespace {
 
-using Cells = std::array<double, 3>;  // size at the edge (m), growth, largest (m)
+/// A friction angle, the exact factor, the ground in which it fails, and how often cells are split.
+struct Failing {
+  double degrees, exact, width, depth, settlement;
+  int times;
+  double limit;
+};
 
-std::string with(const FootingAnswer& answer) {
-  return ", " + std::to_string(answer.unknowns) + " unknowns";
+class FootingLong : public ::testing::TestWithParam<Failing> {};
+
+std::string angle(const Failing& p) {
+  return std::to_string(static_cast<int>(p.degrees)) + " degrees";
 }
 
-Footing on(const Footing& footing, const Cells& cells) {
-  Footing f = footing;
-  f.degree = 3;
-  f.edge = cells[0];
-  f.growth = cells[1];
-  f.largest = cells[2];
-  f.near = f.width;
-  f.below = f.depth;
+Footing on(const Failing& p) {
+  Footing f;
+  f.soil = {p.degrees, 0., p.degrees, 1e12};
+  f.width = p.width;
+  f.depth = p.depth;
+  f.settlement = p.settlement;
   return f;
 }
 
-/// h = 0.5: associated flow is along the normal of the exact curve there.
-TEST(FootingLong, PushedAsideFollowsGreen) {
+class Surcharged : public FootingLong {};
+
+/// N_c = (N_q - 1)/tan phi: see footing_test.cc.
+TEST_P(Surcharged, TendsToReissners) {
+  Record record("footing");
+  const Failing& p = GetParam();
+  Footing f = on(p);
+  f.surcharge = 1.;
+  f.largest = 0.75;
+  std::vector<std::pair<int, double>> of_q, of_c;
+  for (const FootingAnswer& answer : push(f, p.times)) {
+    ASSERT_TRUE(answer.report.complete);
+    of_q.emplace_back(answer.unknowns, answer.load.back() / p.exact - 1.);
+    of_c.emplace_back(answer.unknowns, (answer.load.back() - 1.) / (p.exact - 1.) - 1.);
+  }
+  tends_from_above(record, "N_q, " + angle(p), of_q, p.limit);
+  tends_from_above(record, "N_c, " + angle(p), of_c, p.limit);
+}
+INSTANTIATE_TEST_SUITE_P(Angles, Surcharged,
+                         ::testing::Values(Failing{30., 18.401, 5.25, 2.25, 0.008, 6, 0.0031},
+                                           Failing{35., 33.296, 6.75, 2.5, 0.015, 5, 0.0057},
+                                           Failing{40., 64.195, 9.5, 3., 0.04, 5, 0.0064}));
+
+class Heavy : public FootingLong {};
+
+/// gamma = B = 1.
+TEST_P(Heavy, TendsToMartins) {
+  Record record("footing");
+  const Failing& p = GetParam();
+  Footing f = on(p);
+  f.unit_weight = 1.;
+  std::vector<std::pair<int, double>> errors;
+  for (const FootingAnswer& answer : push(f, p.times)) {
+    ASSERT_TRUE(answer.report.complete);
+    errors.emplace_back(answer.unknowns, 2. * answer.load.back() / p.exact - 1.);
+  }
+  tends_from_above(record, "N_gamma, " + angle(p), errors, p.limit);
+}
+INSTANTIATE_TEST_SUITE_P(Angles, Heavy,
+                         ::testing::Values(Failing{30., 14.754, 2.75, 1.25, 0.001, 5, 0.0195},
+                                           Failing{35., 34.476, 4.25, 1.75, 0.0025, 3, 0.055},
+                                           Failing{40., 85.566, 6.75, 2.25, 0.007, 1, 0.18}));
+
+/// Pushed along (sqrt 3, -1), flow is along the normal of the exact curve at h = 0.5. A load whose part along that
+/// normal is not below the exact one lies outside the convex curve.
+TEST(FootingAside, FollowsGreen) {
   Record record("footing");
   Footing f;
   f.soil = {0., 1., 0., 1e12};
   f.shear_modulus = 1e3;
   f.width = 2.5;
-  f.depth = 1.2;
-  f.settlement = 0.03;
+  f.depth = 1.25;
+  f.settlement = 0.02;
   f.sideways = std::sqrt(3.);
-  double before = 1.;
-  for (const Cells& cells : {Cells{0.05, 1.4, 0.4}, Cells{0.02, 1.4, 0.25}}) {
-    const FootingAnswer answer = push(on(f, cells));
-    const double h = std::abs(answer.shear.back());
-    const double exact = 1. + 0.5 * std::acos(-1.) + std::acos(h) + std::sqrt(1. - h * h);
-    const double error = answer.load.back() / exact - 1.;
-    record.at_least("pushed aside: V above Green's at its H" + with(answer), error, 0.);
-    record.at_most("pushed aside: error of V" + with(answer), error, before < 1. ? 0.03 : 0.06);
-    before = error;
+  const double pi = std::acos(-1.);
+  const auto exact = [&](double h) { return 1. + 0.5 * pi + std::acos(h) + std::sqrt(1. - h * h); };
+  std::vector<std::pair<int, double>> along, of_V;
+  for (const FootingAnswer& answer : push(f, 5)) {
+    ASSERT_TRUE(answer.report.complete);
+    const double V = answer.load.back(), H = std::abs(answer.shear.back());
+    ASSERT_LT(H, 1.);
+    along.emplace_back(answer.unknowns, (V + f.sideways * H) / (exact(0.5) + f.sideways * 0.5) - 1.);
+    of_V.emplace_back(answer.unknowns, V / exact(H) - 1.);
   }
-}
-
-/// gamma = B = 1.
-TEST(FootingLong, WithWeightTendsToMartins) {
-  Record record("footing");
-  Footing f;
-  f.soil = {30., 0., 30., 1e12};
-  f.unit_weight = 1.;
-  f.shear_modulus = 1e4;
-  f.width = 2.2;
-  f.depth = 1.1;
-  f.settlement = 0.003;
-  double before = 1.;
-  for (const Cells& cells : {Cells{0.04, 1.2, 0.2}, Cells{0.02, 1.15, 0.15}}) {
-    const FootingAnswer answer = push(on(f, cells));
-    const double error = 2. * answer.load.back() / 14.754 - 1.;
-    record.at_least("N_gamma, 30 degrees: load above the exact one" + with(answer), error, 0.);
-    record.at_most("N_gamma, 30 degrees: error" + with(answer), error, before < 1. ? 0.7 * before : 0.1);
-    before = error;
-  }
+  tends_from_above(record, "pushed aside, load along the way", along, 0.0085);
+  tends_from_above(record, "pushed aside, V against Green's at its H", of_V, 0.0105);
 }
 
 }  // namespace

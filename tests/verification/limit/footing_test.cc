@@ -1,15 +1,13 @@
-// Claims: the load under a rough strip that is pushed into undrained ground tends to (2 + pi) c from above.
+// Claims: the load under a rough strip that is pushed into undrained ground, and into ground with friction under a
+// surcharge, tends to that of Prandtl and Reissner from above. Cohesion bears what a surcharge c / tan phi does.
 
 #include "footing.h"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <string>
 
-#include "record.h"
+#include "from_above.h"
 
 namespace upbead::test {
 namespace {
@@ -19,26 +17,47 @@ TEST(Footing, OnClayIsThatOfPrandtl) {
   Footing f;
   f.soil = {0., 1., 0., 1e12};
   f.shear_modulus = 1e3;
-  f.width = f.near = 2.5;
-  f.depth = f.below = 1.2;
+  f.width = 2.5;
+  f.depth = 1.25;
   f.settlement = 0.04;
-  f.degree = 3;
-  double before = 1.;
-  for (const auto& [edge, largest, growth] : {std::array{0.05, 0.4, 1.3}, std::array{0.005, 0.25, 1.35}}) {
-    f.edge = edge;
-    f.largest = largest;
-    f.growth = growth;
-    const FootingAnswer answer = push(f);
+  std::vector<std::pair<int, double>> errors;
+  for (const FootingAnswer& answer : push(f, 5)) {
     ASSERT_TRUE(answer.report.complete);
-    const double error = answer.load.back() / (2. + std::acos(-1.)) - 1.;
-    const std::string with = ", " + std::to_string(answer.unknowns) + " unknowns";
-    record.at_least("N_c: load above the exact one" + with, error, 0.);
-    if (before < 1.)
-      record.at_most("N_c: error of the load" + with, error, std::min(0.01, 0.4 * before));
-    else
-      record.measured("N_c: error of the load" + with, error);
-    before = error;
+    errors.emplace_back(answer.unknowns, answer.load.back() / (2. + std::acos(-1.)) - 1.);
   }
+  tends_from_above(record, "N_c, undrained", errors, 0.01);
+}
+
+Footing on_sand() {
+  Footing f;
+  f.soil = {30., 0., 30., 1e12};
+  f.surcharge = 1.;
+  f.width = 5.25;
+  f.depth = 2.25;
+  f.largest = 0.75;
+  f.settlement = 0.008;
+  return f;
+}
+
+TEST(Footing, WithFrictionIsThatOfReissner) {
+  Record record("footing");
+  std::vector<std::pair<int, double>> errors;
+  for (const FootingAnswer& answer : push(on_sand(), 4)) {
+    ASSERT_TRUE(answer.report.complete);
+    errors.emplace_back(answer.unknowns, answer.load.back() / 18.401 - 1.);
+  }
+  tends_from_above(record, "N_q, 30 degrees", errors, 0.01);
+}
+
+/// Stress less that of all sides, c / tan phi, is the same problem (Caquot): N_c = (N_q - 1)/tan phi on any cells.
+TEST(Footing, CohesionIsASurcharge) {
+  Record record("footing");
+  Footing f = on_sand();
+  const double N_q = push(f, 1).back().load.back(), tangent = std::tan(std::acos(-1.) / 6.);
+  f.surcharge = 0.;
+  f.soil.cohesion = tangent;
+  const double N_c = push(f, 1).back().load.back() / tangent;
+  record.at_most("N_c, 30 degrees, over (N_q - 1)/tan phi, less 1", std::abs(N_c * tangent / (N_q - 1.) - 1.), 1e-4);
 }
 
 }  // namespace
