@@ -264,6 +264,46 @@ TEST(YieldingSoil, BreakwaterIsElasticUnderLittleAndYieldsUnderMuch) {
   EXPECT_LT(std::abs(large.energy.scheme), 0.02 * large.energy.largest_work);
 }
 
+/// A probe at a point of quadrature tells what that point bears, and both what the law makes of the probe's strains.
+TEST(YieldingSoil, ProbesAndPointsTellTheStressOfTheLaw) {
+  const auto mesh = breakwater_mesh(0.5);
+  Scene scene = breakwater(triangle(3e6, 0.15));
+  const Compiled before(scene, *mesh);
+  const CellLaws all = laws(before.space, 1., gamma_r);
+  unsigned cell = 0;
+  for (const Cell& c : before.space.dofs().active_cell_iterators())
+    if (all[c->active_cell_index()] && c->point_inside({0.3, 4.7})) cell = c->active_cell_index();
+  const auto points = [&](unsigned c, unsigned) { return all[c] ? soil_point(all[c], all[c]->at_rest()) : nullptr; };
+  const dealii::Point<dim> at =
+      yielding_soil(before.space, before.unknowns, before.scene.system.readings, points)->borne()[cell].at(4).at;
+  scene.regions["seabed"].law = scene.regions["mound"].law = SoilLaw::hysteretic;  // what tells that a probe follows
+  scene.probes["inside"].at = {at[0], at[1]};
+  const Compiled compiled(scene, *mesh);
+  const System& system = compiled.scene.system;
+  SoilWork work;
+  work.followed = followed_readings(compiled.space, compiled.resolved);
+  const auto soil = yielding_soil(compiled.space, compiled.unknowns, system.readings, points, work);
+  const auto scheme = make_yielding_scheme(system, *soil);
+  const Response response = march(system, *scheme, make_time_grid(kinks(system), 0.5, 0.0075));
+  const auto row = [&](const std::string& what) { return history(compiled, response, "probes/inside/" + what); };
+  const auto xx = row("strain_xx"), yy = row("strain_yy"), xy = row("strain_xy");
+  HystereticLaw::State state = all[cell]->at_rest();
+  double largest = 0., mobilised = 0.;
+  for (Eigen::Index i = 0; i < xx.size(); ++i) {
+    const PlaneStress s = all[cell]->update({xx[i], yy[i], xy[i]}, state).stress;
+    largest = std::max(largest, std::abs(s.xy));
+    mobilised = all[cell]->mobilised(s);
+    EXPECT_NEAR(row("effective_stress_xx")[i], s.xx, 1e-9 * largest + 1e-6);
+    EXPECT_NEAR(row("effective_stress_xy")[i], s.xy, 1e-9 * largest + 1e-6);
+    EXPECT_NEAR(row("effective_stress_zz")[i], s.zz, 1e-9 * largest + 1e-6);
+  }
+  const BorneStress found = soil->borne()[cell].at(4);
+  EXPECT_NEAR(found.change.xx, row("effective_stress_xx").tail(1)[0], 1e-9 * largest);
+  EXPECT_NEAR(found.change.xy, row("effective_stress_xy").tail(1)[0], 1e-9 * largest);
+  EXPECT_NEAR(found.mobilised, mobilised, 1e-9);
+  EXPECT_GT(soil->dissipated()[cell], 0.);
+}
+
 /// A column pressed from above as a program of its own: linear elements, lumped masses, explicit steps, one strain.
 /// Under eps_yy alone the deviator is eps (-1/3, 2/3, -1/3): s_yy = 4/3 h (eps - eps_p), which slides at 2/sqrt(3) y.
 class ExplicitColumn {

@@ -12,8 +12,9 @@
 namespace upbead::test {
 
 struct YieldingMarch {
-  /// The soil's laws are those of the scene at rest.
-  YieldingMarch(const Scene& scene, const Mesh& mesh, double end, double step);
+  /// The soil's laws are those of the scene at rest; or `points`, where they are given.
+  YieldingMarch(const Scene& scene, const Mesh& mesh, double end, double step, const PointsOfCells& points = {},
+                double tolerance = 1e-9);
 
   Compiled compiled;
   std::unique_ptr<YieldingSoil> soil;
@@ -21,6 +22,11 @@ struct YieldingMarch {
 
   Eigen::RowVectorXd history(const std::string& reading) const;
   const EnergyAccount& energy() const { return response.energy.back(); }
+  /// Largest difference of both routes to F_T, over the largest |F_T|.
+  double routes() const;
 };
+
+/// Every soil of a breakwater gets a law and a strength (degrees, Pa); still water at 15 m.
+void give_law(Scene& breakwater, SoilLaw law, double friction_angle, double cohesion);
 
 }  // namespace upbead::test

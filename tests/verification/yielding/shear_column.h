@@ -1,0 +1,32 @@
+// A column of hysteretic soil in shear as a program of its own, in one dimension: linear elements, lumped masses,
+// explicit steps, and in each element springs with sliders side by side (Iwan 1967). It knows nothing of the program.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+namespace upbead::test {
+
+struct ShearSoil {
+  double G = 0.;           ///< Pa
+  double gamma_r = 0.;     ///< of the hyperbola G gamma/(1 + gamma/gamma_r)
+  double density = 0.;     ///< kg/m3
+  double height = 0.;      ///< m
+  bool absorbing = false;  ///< below it the same soil goes on, elastic; else it stands on rock
+};
+
+struct ShearHistory {
+  std::vector<double> time, displacement, velocity;  ///< of the top
+  std::vector<double> strain, stress;                ///< of a height
+};
+
+/// A polygon through n points of the hyperbola at strains from gamma_r/100 to 30 gamma_r, equally far apart in their
+/// logarithms, level beyond.
+std::vector<std::vector<double>> sliders(const ShearSoil& soil, int n);
+
+/// Under a shear stress tau(t) (Pa) at the top, to the end (s); `at`: height of strain and stress (m). Kept at n_kept
+/// equal times after t = 0.
+ShearHistory shake(const ShearSoil& soil, const std::function<double(double)>& tau, double end, double at,
+                   int n_elements, int n_sliders, int n_kept);
+
+}  // namespace upbead::test
