@@ -196,7 +196,7 @@ class LoadCheck {
   }
 
   void check_train() const {
-    for (const char* key : {"pulse", "history", "shape", "over_x", "region"})
+    for (const char* key : {"pulse", "history", "shape", "region"})
       if (given(key))
         wrong_.add(key, std::string("'") + key + "' does not belong to a train of waves",
                    std::string("remove ") + key + ", or write kind = \"pressure\"");

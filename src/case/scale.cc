@@ -1,5 +1,6 @@
 #include "case/scale.h"
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <cstdlib>
@@ -122,10 +123,20 @@ bool starts_with(const std::string& text, const std::string& beginning) {
   return text.rfind(beginning, 0) == 0;
 }
 
-/// The soil's own constants, which stay with the same soil: moduli and the hydraulic conductivity.
+/// Constants of the soil and its water, which stay with the same soil: moduli, conductivity, permeability, viscosity.
 bool is_of_the_soil(const std::string& path, const std::string& unit) {
   return (starts_with(path, "regions.") || starts_with(path, "fluid.")) &&
          (unit == "Pa" || unit == "m/s" || unit == "m2" || unit == "Pa s");
+}
+
+/// Whether a number of the water is asked for by any region.
+bool counts(const std::string& path, const CaseTables& tables) {
+  const auto any = [&](const auto& asks) {
+    return std::any_of(tables.regions.begin(), tables.regions.end(), [&](const auto& r) { return asks(r.second); });
+  };
+  if (path == "fluid.viscosity") return any([](const Region& region) { return region.permeability.has_value(); });
+  if (path == "fluid.atmospheric_pressure") return any([](const Region& region) { return region.saturation < 1.; });
+  return true;
 }
 
 /// The unit of a number; that of a pulse's peak is told by the kind of its load.
@@ -154,7 +165,7 @@ void scale_numbers(CaseTables& tables, const ScaleOptions& options, Ratios& rati
         mistakes.add(ratios.place(path), path + " = " + number_text(number) + " is outside " + key.range.text(),
                      "give another ratio");
     } else if (options.soil == SoilScaling::same && is_of_the_soil(path, unit)) {
-      if (std::isfinite(number)) kept.push_back(path);
+      if (std::isfinite(number) && counts(path, tables)) kept.push_back(path);
     } else {
       number *= std::pow(options.factor, exponent);
     }

@@ -13,7 +13,7 @@ const std::vector<BadCase> rows{
     BadCase{"BiotBelowPorosity", "biot = 0.9", "biot = 0.3",
             "case.toml:23:1: [regions.rubble]: biot is less than the porosity, and the grains are compressible; give a "
             "Biot coefficient within "
-            "[porosity, 1]"},
+            "[porosity, 1], or leave out grain_bulk_modulus"},
     BadCase{"StepBeyondTheEnd", "step = 0.001", "step = 3",
             "case.toml:68:1: step = 3 is longer than end = 2; give a shorter step (s), or \"auto\""},
     BadCase{"DescendingFrequencies", "frequencies = [1.0, 8]", "frequencies = [8, 1.0]",

@@ -1,8 +1,8 @@
 // Claim: a saturated Mohr-Coulomb soil that is squeezed in plane strain fails at its undrained strength, q = 2 (c' cos
 // phi' + p0 sin phi'), where water cannot leave and psi = 0, and at the drained one, q = (k - 1) p0 + 2 c' sqrt(k), k =
 // (1 + sin phi')/(1 - sin phi'), where it can. Undrained the volume stays, and with it the mean effective stress of the
-// plane, elastic or not. Drained it flows by psi = phi': with psi = 0 it yields under the same load, but as it flows
-// slip lines part it and bear less (Davis 1968), so that nothing exact is left to compare with.
+// plane, elastic or not. Drained it flows by psi = phi': with psi = 0 it yields under the same load, but its
+// stress is not even as it flows, so that nothing exact is left to compare with.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -98,7 +98,7 @@ TEST_P(Squeezed, FailsAtItsUndrainedAndDrainedStrength) {
     const Soil s{GetParam(), GetParam() < 20. ? 40e3 : 10e3, drained ? GetParam() : 0.};
     const double strength = drained ? drained_strength(s) : undrained_strength(s);
     const Scene scene =
-        squeezed(s, drained ? 1. : 1e-9, drained ? PressureCondition::open : PressureCondition::sealed, strength);
+        squeezed(s, drained ? 100. : 1e-9, drained ? PressureCondition::open : PressureCondition::sealed, strength);
     const Region& region = scene.regions.at("soil");
     const auto law = std::make_shared<const MohrCoulombLaw>(
         elastic_law(*region.shear_modulus, *region.poissons_ratio),
