@@ -15,9 +15,9 @@ namespace upbead::test {
 namespace {
 
 constexpr double p0 = 100e3, pi = 3.14159265358979323846;
-/// The load grows to 1.002 of the strength, and stays. What exceeds the strength is borne by inertia alone: it and what
+/// The load grows to 1.001 of the strength, and stays. What exceeds the strength is borne by inertia alone: it and what
 /// it does to the stresses, which are not even any more, is kept small.
-constexpr double top = 1.002, grown = 2., end = 3., step = 2.5e-3;
+constexpr double top = 1.001, grown = 2., end = 3.5, step = 2.5e-3;
 
 struct Soil {
   double friction_angle, cohesion, dilatancy_angle;
@@ -28,9 +28,10 @@ double undrained_strength(const Soil& s) {
   return 2. * (s.cohesion * std::cos(phi) + p0 * std::sin(phi));
 }
 
-double drained_strength(const Soil& s) {
+/// Under a horizontal stress (Pa, compression positive).
+double drained_strength(const Soil& s, double side = p0) {
   const double sine = std::sin(s.friction_angle * pi / 180.), k = (1. + sine) / (1. - sine);
-  return (k - 1.) * p0 + 2. * s.cohesion * std::sqrt(k);
+  return (k - 1.) * side + 2. * s.cohesion * std::sqrt(k);
 }
 
 std::unique_ptr<Mesh> specimen() {
@@ -70,21 +71,26 @@ double first_yield(const YieldingMarch& found, double strength) {
   return top * strength * std::min(1., t / grown);
 }
 
-void check(const YieldingMarch& found, double strength, bool drained, Record& record, const std::string& what) {
+void check(const YieldingMarch& found, const Soil& s, double strength, bool drained, Record& record,
+           const std::string& what) {
   const auto xx = found.history("probes/inside/effective_stress_xx"),
              yy = found.history("probes/inside/effective_stress_yy"),
              sinks = found.history("probes/top/displacement_y");
   record.at_most(what + "load at which it yields, relative", std::abs(first_yield(found, strength) / strength - 1.),
                  1.1 * step / grown);
-  record.at_most(what + "difference of stresses that it bears at most, relative",
-                 std::abs((xx - yy).maxCoeff() / strength - 1.), 0.005);
+  // inertia of the sides, which part, presses a little on the middle: the strength is that under the stress there
+  double most = 0.;
+  for (Eigen::Index i = 0; i < xx.size(); ++i)
+    most = std::max(most, (xx[i] - yy[i]) / (drained ? drained_strength(s, p0 - xx[i]) : strength));
+  record.at_most(what + "difference of stresses that it bears at most, over that which fails it, less 1",
+                 std::abs(most - 1.), 0.005);
   if (drained)
     record.at_most(what + "change of the horizontal effective stress, over p0", xx.cwiseAbs().maxCoeff() / p0, 0.02);
   else
     record.at_most(what + "change of the mean effective stress of the plane, over p0",
                    (xx + yy).cwiseAbs().maxCoeff() / (2. * p0), 0.01);
   const auto full = static_cast<Eigen::Index>(std::lround(grown / step));
-  record.at_least(what + "how far it sinks under 1.002 of the strength in a second, over what it sank before",
+  record.at_least(what + "how far it sinks under 1.001 of the strength in 1.5 s, over what it sank before",
                   sinks.tail(1)[0] / sinks[full] - 1., 10.);
 }
 
@@ -107,7 +113,7 @@ TEST_P(Squeezed, FailsAtItsUndrainedAndDrainedStrength) {
       return soil_point(law, PlaneStress{-p0, -p0, 0., -p0});
     };
     const YieldingMarch found(scene, *mesh, end, step, isotropic, 1e-8);
-    check(found, strength, drained, record, (drained ? "drained" : "undrained") + of_angle);
+    check(found, s, strength, drained, record, (drained ? "drained" : "undrained") + of_angle);
   }
 }
 
