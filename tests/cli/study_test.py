@@ -192,9 +192,9 @@ class Study(ProgramTest):
         return len(path.read_text().splitlines())
 
     def test_interrupted_it_says_how_to_go_on(self):
-        code, errors = self.kill_in_the_middle(40, signal.SIGINT, False, "--jobs", "1")
+        code, errors = self.kill_in_the_middle(400, signal.SIGINT, False, "--jobs", "1")
         self.assertEqual(code, 130)
-        self.assertRegex(errors, r"interrupted; \d+ of 40 runs are done, the same command goes on")
+        self.assertRegex(errors, r"interrupted; \d+ of 400 runs are done, the same command goes on")
 
     def test_interrupted_processes_leave_no_half_table(self):
         code, errors = self.kill_in_the_middle(2000, signal.SIGINT, False, "--jobs", "2")  # mpirun takes a second
