@@ -167,6 +167,30 @@ void add_flow_tables(const Case& problem, PathText path_text, CaseTables& tables
   }
 }
 
+/// What a case says of sliding, as written.
+template <class PathText>
+void add_sliding_table(const Case& problem, PathText path_text, CaseTables& tables) {
+  const auto& sliding = problem.scene.sliding;
+  if (!sliding) return;
+  static_cast<SlidingChoice&>(tables.sliding_table.emplace()) = *sliding;
+  tables.sliding_table->own_friction = sliding->friction;
+  tables.sliding_table->own_submerged_weight = sliding->submerged_weight;
+  if (problem.sliding_by_wave) tables.sliding_table->wave.reset();
+  if (sliding->uplift) {
+    UpliftTable& uplift = tables.sliding_table->uplift_table.emplace();
+    static_cast<UpliftChoice&>(uplift) = *sliding->uplift;
+    if (problem.uplift_by_wave) {
+      uplift.kind = UpliftKind::wave;
+      uplift.peak.reset();
+    }
+    if (!problem.uplift_history.empty()) uplift.history_file = path_text(problem.uplift_history);
+    if (problem.uplift_gauges) {
+      static_cast<GaugeSource&>(uplift) = problem.uplift_gauges->source;
+      uplift.gauges = path_text(uplift.gauges);
+    }
+  }
+}
+
 /// The tables as written, with the paths of files as `path_text` tells them.
 template <class PathText>
 CaseTables tables_of(const Case& problem, PathText path_text) {
@@ -203,25 +227,7 @@ CaseTables tables_of(const Case& problem, PathText path_text) {
     table.wave = wave->table;
   }
   tables.section = problem.section;
-  if (const auto& sliding = problem.scene.sliding) {
-    static_cast<SlidingChoice&>(tables.sliding_table.emplace()) = *sliding;
-    tables.sliding_table->own_friction = sliding->friction;
-    tables.sliding_table->own_submerged_weight = sliding->submerged_weight;
-    if (problem.sliding_by_wave) tables.sliding_table->wave.reset();
-    if (sliding->uplift) {
-      UpliftTable& uplift = tables.sliding_table->uplift_table.emplace();
-      static_cast<UpliftChoice&>(uplift) = *sliding->uplift;
-      if (problem.uplift_by_wave) {
-        uplift.kind = UpliftKind::wave;
-        uplift.peak.reset();
-      }
-      if (!problem.uplift_history.empty()) uplift.history_file = path_text(problem.uplift_history);
-      if (problem.uplift_gauges) {
-        static_cast<GaugeSource&>(uplift) = problem.uplift_gauges->source;
-        uplift.gauges = path_text(uplift.gauges);
-      }
-    }
-  }
+  add_sliding_table(problem, path_text, tables);
   return tables;
 }
 

@@ -121,7 +121,8 @@ Command solver_command(const std::string& name) {
 }
 
 std::vector<Command> light_commands() {
-  return std::vector{respond_command()} + design_commands() + std::vector{scale_command(), read_command(), new_command()};
+  return std::vector{respond_command()} + design_commands() +
+         std::vector{scale_command(), read_command(), new_command()};
 }
 
 int run_program(int argc, char** argv, const std::vector<Command>& commands) {

@@ -32,7 +32,8 @@ void divide(const std::array<unsigned int, n>& corners, int surface, Middles& mi
   mesh.vertices.push_back(centre);
   for (std::size_t i = 0; i < n; ++i) {
     const unsigned int v = corners[i];
-    cells.push_back({{v, middle(v, corners[(i + 1) % n]), centre_number, middle(v, corners[(i + n - 1) % n])}, surface});
+    cells.push_back(
+        {{v, middle(v, corners[(i + 1) % n]), centre_number, middle(v, corners[(i + n - 1) % n])}, surface});
   }
 }
 

@@ -169,8 +169,7 @@ void report_foreign(int type, std::size_t nodes, const std::string& surface, Mes
     report.add("surface " + surface + " has " + counted(count, "cell", " of second or higher order"),
                "set Mesh.ElementOrder = 1; the degree of the solution is chosen elsewhere");
   else
-    report.add("surface " + surface + " has " +
-                   counted(count, "cell", " of a strange kind"),
+    report.add("surface " + surface + " has " + counted(count, "cell", " of a strange kind"),
                "make quadrilaterals: transfinite blocks with Recombine Surface, or Mesh.SubdivisionAlgorithm = 1");
 }
 

@@ -97,8 +97,9 @@ NumberedWarnings plausibility_warnings(const Simulation& simulation) {
   }
   if (const int n = simulation.mesh->n_divided_triangles; n > 0)
     list.push_back({"triangles_divided", static_cast<double>(n), 0., "1",
-                    std::to_string(n) + " triangles of the mesh were divided into three quadrilaterals each, and its "
-                    "quadrilaterals into four: " +
+                    std::to_string(n) +
+                        " triangles of the mesh were divided into three quadrilaterals each, and its "
+                        "quadrilaterals into four: " +
                         std::to_string(simulation.mesh->triangulation.n_active_cells()) +
                         " cells; quadrilaterals from the start need fewer unknowns: transfinite blocks with Recombine "
                         "Surface, or Mesh.SubdivisionAlgorithm = 1"});
