@@ -50,7 +50,7 @@ def answer(program, scene, law, factor):
     with tempfile.TemporaryDirectory() as folder:
         case = pathlib.Path(folder) / "case.toml"
         case.write_text(case_text(scene, law, factor))
-        done = subprocess.run([program, "run", str(case), "--out", folder], capture_output=True, text=True, check=False)
+        done = subprocess.run([program, "run", str(case), "--out", f"{folder}/out"], capture_output=True, text=True, check=False)
         row = {"scene": scene, "law": law, "factor": factor}
         if done.returncode != 0:
             return row | {"failed": (done.stderr.strip().splitlines() or ["no word"])[-1]}

@@ -79,7 +79,10 @@ TEST(ReadMesh, TrianglesOfAScriptKeepItsAreaAndSides) {
   EXPECT_EQ(mesh->triangulation.n_active_cells(), 3u * static_cast<unsigned>(mesh->n_divided_triangles));
   EXPECT_NEAR(areas(*mesh).at("soil"), 2., 1e-12);
   EXPECT_NEAR(lengths(*mesh).at("side"), 6., 1e-12);
-  EXPECT_EQ(read_mesh(geometry("composite"))->n_divided_triangles, 0);
+  const auto divided_by_gmsh = read_mesh(
+      request_for(folder.write("b.geo", rectangle_script("Mesh.MeshSizeMax = 0.2; Mesh.SubdivisionAlgorithm = 1;"))));
+  EXPECT_EQ(divided_by_gmsh->n_divided_triangles, 0);
+  EXPECT_EQ(description(*mesh), description(*divided_by_gmsh));
 }
 
 TEST(ReadMesh, UnusedNodesAndPhysicalPointsAreIgnored) {
