@@ -2,7 +2,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-
 #include "mesh_test_tools.h"
 
 namespace upbead::test {
