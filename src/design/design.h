@@ -36,7 +36,7 @@ std::string effective_design(const Design& design, const std::string& output_fol
 /// Every key of the design file as Markdown.
 std::string design_reference();
 
-/// They as JSON Schema (draft 4): editors complete and check a design file by it.
+/// The same keys as JSON Schema (draft 4): editors complete and check a design file by it.
 std::string design_json_schema();
 
 /// The design itself and the files that it names, each with the key.

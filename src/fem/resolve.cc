@@ -166,9 +166,9 @@ ResolvedScene resolve(const Scene& scene, const Mesh& mesh) {
       resolved.decisions.push_back({name, "kind", "absent", "the mesh has no such surface", name});
     }
   if (needs_static_stage(resolved.scene)) find_stiffness(mesh, resolved);
+  const double level = water_level(scene, mesh);
   for (auto& [name, region] : resolved.scene.regions)
-    if (region.kind == RegionKind::porous)
-      find_pore_fluid(name, region, outline.surfaces.at(name), water_level(scene, mesh), resolved);
+    if (region.kind == RegionKind::porous) find_pore_fluid(name, region, outline.surfaces.at(name), level, resolved);
   for (auto& [name, region] : resolved.scene.regions) {
     const Surroundings at = surroundings_of(name, scene, mesh, outline);
     switch (region.kind) {

@@ -1,5 +1,6 @@
 // JSON Schema, draft 4: https://json-schema.org/draft-04/json-schema-validation
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 

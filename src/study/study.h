@@ -44,7 +44,7 @@ Study read_study(const std::string& path, const std::vector<std::string>& overri
 /// Every key of the study file as Markdown.
 std::string study_reference();
 
-/// They as JSON Schema (draft 4): editors complete and check a study file by it.
+/// The same keys as JSON Schema (draft 4): editors complete and check a study file by it.
 std::string study_json_schema();
 
 }  // namespace upbead

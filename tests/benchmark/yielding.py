@@ -6,7 +6,7 @@ usage: yielding.py PROGRAM [-o FOLDER] [--factors F...] [--laws LAW...]
 
 PROGRAM: upbead. Writes FOLDER/yielding.{json,md,png}; with --from the table and the figure only. The cases are those of Fig. 2b
 as they are (G calibrated for elastic ground), mound 40 and sand 35 degrees, c' = 0, the caisson bonded; the measured pulse
-times a factor. Hysteretic soil starts from k0, and tells virgin and gravity as bounds. Takes less than ten minutes of one
+times a factor. Hysteretic soil starts from k0, and tells virgin and gravity as bounds. Takes a quarter of an hour of one
 processor.
 """
 

@@ -116,7 +116,7 @@ std::string effective_case(const Case& problem, const std::string& output_folder
 /// Every key of the case file as Markdown.
 std::string case_reference();
 
-/// They as JSON Schema (draft 4): editors complete and check a case file by it.
+/// The same keys as JSON Schema (draft 4): editors complete and check a case file by it.
 std::string case_json_schema();
 
 /// The folder of shipped geometries: the environment's UPBEAD_MESHES, else that installed beside the program, else that

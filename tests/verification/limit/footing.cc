@@ -102,6 +102,15 @@ FootingAnswer push_on(const Footing& f, const Mesh& mesh) {
 
 }  // namespace
 
+Footing on_clay() {
+  Footing f;
+  f.soil = {0., 1., 0., 1e12};
+  f.shear_modulus = 1e3;
+  f.width = 2.5;
+  f.depth = 1.25;
+  return f;
+}
+
 std::vector<FootingAnswer> push(const Footing& f, int times) {
   std::unique_ptr<Mesh> mesh = ground_mesh(f);
   std::vector<FootingAnswer> answers{push_on(f, *mesh)};

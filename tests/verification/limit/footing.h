@@ -20,6 +20,9 @@ struct Footing {
   double sideways = 0.;                 ///< horizontal displacement over settlement; needs the whole footing
 };
 
+/// On undrained ground without weight, c = 1, in a piece of it that holds the mechanisms.
+Footing on_clay();
+
 struct FootingAnswer {
   std::vector<double> settlement, load, shear;  ///< by step (m); V and H over the width (Pa)
   std::vector<double> uneven;                   ///< by cell: see uneven_flow.h

@@ -82,11 +82,7 @@ INSTANTIATE_TEST_SUITE_P(Angles, Heavy,
 /// normal is not below the exact one lies outside the convex curve.
 TEST(FootingAside, FollowsGreen) {
   Record record("footing");
-  Footing f;
-  f.soil = {0., 1., 0., 1e12};
-  f.shear_modulus = 1e3;
-  f.width = 2.5;
-  f.depth = 1.25;
+  Footing f = on_clay();
   f.settlement = 0.02;
   f.sideways = std::sqrt(3.);
   const double pi = std::acos(-1.);

@@ -14,11 +14,7 @@ namespace {
 
 TEST(Footing, OnClayIsThatOfPrandtl) {
   Record record("footing");
-  Footing f;
-  f.soil = {0., 1., 0., 1e12};
-  f.shear_modulus = 1e3;
-  f.width = 2.5;
-  f.depth = 1.25;
+  Footing f = on_clay();
   f.settlement = 0.04;
   std::vector<std::pair<int, double>> errors;
   for (const FootingAnswer& answer : push(f, 5)) {
