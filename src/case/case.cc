@@ -8,6 +8,7 @@
 #include "case/records/load_records.h"
 #include "case_checks.h"
 #include "case_schema.h"
+#include "model/motion.h"
 #include "wave_load.h"
 
 namespace fs = std::filesystem;
@@ -75,6 +76,9 @@ void make_history(Case& problem, const std::string& name, const CaseTables& tabl
     problem.gauges[name].gauges.over_x = table.over_x;
   } else if (table.kind == LoadKind::wave) {
     make_wave(problem, name, tables, table);
+  } else if (table.pulse && is_motion(table.kind)) {
+    table.history = velocity(table.kind, *table.pulse);
+    table.duration = motion_duration(table.kind, *table.pulse);
   } else if (table.pulse) {
     table.history = time_function(*table.pulse);
     table.duration = duration(*table.pulse);

@@ -8,6 +8,7 @@
 #include "base/text.h"
 #include "case/records/load_records.h"
 #include "model/exclusions.h"
+#include "model/motion.h"
 #include "model/words.h"
 #include "upbead/case/case.h"
 
@@ -137,10 +138,12 @@ class LoadCheck {
       check_train();
     else
       exactly_one("pulse", "history");
+    if (is_motion(load_.kind)) check_motion();
     if (given("boundary")) check_name("boundary", load_.boundary, keys_of(tables_.boundaries), "boundaries");
     if (given("region")) check_region();
-    if ((load_.kind == LoadKind::force || load_.kind == LoadKind::traction) && load_.direction[0] == 0. &&
-        load_.direction[1] == 0.)
+    const bool has_direction = load_.kind == LoadKind::force || load_.kind == LoadKind::traction ||
+                               load_.kind == LoadKind::body_force || is_motion(load_.kind);
+    if (has_direction && load_.direction[0] == 0. && load_.direction[1] == 0.)
       wrong_.add("direction", "direction is zero", "give a direction such as [1.0, 0.0]");
     if (!load_.shape.empty()) check_shape();
     if (load_.pulse && report_.sound(path_ + ".pulse.shape")) wrong_.add(diagnose(*load_.pulse), "pulse.");
@@ -207,6 +210,22 @@ class LoadCheck {
       wrong_.add(diagnose(*load_.train), "train.");
   }
 
+  void check_motion() const {
+    if (given("region")) wrong_.add("region", "a motion is that of a boundary", "give boundary");
+    if (load_.kind == LoadKind::displacement && load_.pulse && diagnose(*load_.pulse).empty() && jumps(*load_.pulse))
+      wrong_.add("pulse", "the displacement jumps, at an infinite velocity", "give a rise between 0 and the duration");
+    const auto side = tables_.boundaries.find(load_.boundary);
+    if (side == tables_.boundaries.end()) return;
+    using D = DisplacementCondition;
+    const D condition = side->second.displacement;
+    if (condition != D::fixed && condition != D::roller && condition != D::absorbing)
+      wrong_.add("kind",
+                 "the motion of '" + load_.boundary + "' cannot be prescribed, whose displacement is \"" +
+                     word_of(condition, displacement_words) + "\"",
+                 "say displacement = \"fixed\" or \"roller\" in [" + dotted("boundaries", load_.boundary) +
+                     "], or \"absorbing\" for waves that come from below");
+  }
+
   void check_wave() const {
     for (const char* key : {"pulse", "history", "shape", "region"})
       if (given(key))
@@ -240,6 +259,8 @@ class LoadCheck {
   }
 
   void check_shape() const {
+    if (load_.over_x && load_.along_curve)
+      wrong_.add("along_curve", "over_x and along_curve are both true", "keep one of them");
     const auto& shape = load_.shape;
     bool ascending = true, all_zero = true;
     for (std::size_t i = 0; i < shape.size(); ++i) {

@@ -51,12 +51,26 @@ TableSchema<MeshChoice> mesh_schema() {
 TableSchema<Boundary> boundary_schema() {
   TableSchema<Boundary> table;
   table.choice("displacement", &Boundary::displacement, displacement_words)
-      .doc("condition on the displacement; roller: no normal motion; absorbing: waves leave");
+      .doc(
+          "condition on the displacement; roller: no normal motion; absorbing: waves leave; plate: a rigid smooth "
+          "plate "
+          "lies on a straight side, which shifts along its normal as a whole; level: no vertical motion, the side of "
+          "ground that is shaken horizontally");
   table.choice("pressure", &Boundary::pressure, pressure_words)
       .doc(
           "condition on the water, of pores or free; open: p = 0; absorbing: waves leave; surface_waves: gravity waves "
           "on a "
           "level of free water; needed where the boundary meets water");
+  table.key("spring", &Boundary::spring)
+      .unit("Pa/m")
+      .range(at_least(0.))
+      .fallback("none")
+      .doc("stress per displacement along the normal and along the tangent");
+  table.key("dashpot", &Boundary::dashpot)
+      .unit("Pa s/m")
+      .range(at_least(0.))
+      .fallback("none")
+      .doc("stress per velocity along the normal and along the tangent; takes energy as an absorbing side does");
   return table;
 }
 
@@ -112,6 +126,12 @@ TableSchema<TimeChoice> time_schema() {
   table.choice("scheme", &TimeChoice::scheme, time_scheme_words)
       .doc("how to solve in time: reduced (modes of a Krylov space, errors of nested models tell how many) or a march");
   table.key("inertia", &TimeChoice::inertia).doc("whether inertia counts; false: quasi-static (consolidation)");
+  table.key("growth", &TimeChoice::growth)
+      .range(from_to(1., 10.))
+      .doc(
+          "factor by which the steps of a consolidation grow every eighth step, once the loads keep their values, up "
+          "to a "
+          "50th of end; 1: equal steps");
   table.key("stop_at_energy", &TimeChoice::stop_at_energy)
       .range(between(0., 1.))
       .fallback("never before end")

@@ -13,7 +13,8 @@ bool has_rise(const Pulse& pulse) {
 }
 
 bool has_direction(const LoadTable& load) {
-  return load.from.empty() && (load.kind == LoadKind::force || load.kind == LoadKind::traction);
+  return load.from.empty() && (load.kind == LoadKind::force || load.kind == LoadKind::traction ||
+                               load.kind == LoadKind::body_force || is_motion(load.kind));
 }
 
 bool is_by_flow(const LoadTable& load) {
@@ -39,7 +40,10 @@ bool is_by_gauges(const LoadTable& load) {
 TableSchema<Pulse> pulse_schema() {
   TableSchema<Pulse> table;
   table.choice("shape", &Pulse::shape, pulse_shape_words).required().doc("shape of the history");
-  table.key("peak", &Pulse::peak).unit("N/m or Pa").required().doc("largest value; of a harmonic its amplitude");
+  table.key("peak", &Pulse::peak)
+      .unit("N/m or Pa")
+      .required()
+      .doc("largest value, in the unit of the load's kind; of a harmonic its amplitude");
   table.key("rise", &Pulse::rise)
       .unit("s")
       .range(at_least(0.))
@@ -79,9 +83,13 @@ TableSchema<LoadTable> load_schema() {
   table.choice("kind", &LoadTable::kind, load_kind_words)
       .doc(
           "what the history means; force: resultant (N/m); traction: Pa; pressure: Pa, total normal stress = -value, "
-          "and pore pressure = value where the boundary is open; pressures: by transducers (gauges), Pa; wave: of "
-          "Goda's "
-          "formulas, by [.wave] and [section]; train: of regular waves along the curve, by [.train], Pa");
+          "and pore pressure = value where the boundary is open; normal: Pa, pressing on the skeleton alone; "
+          "pressures: "
+          "by transducers (gauges), Pa; wave: of Goda's formulas, by [.wave] and [section]; train: of regular waves "
+          "along the curve, by [.train], Pa; displacement (m), velocity (m/s), acceleration (m/s2): how a fixed or "
+          "roller boundary moves, or, where it is absorbing, how the rock's outcrop would, of which half arrives from "
+          "below; body_force (N/m3), gravity (m/s2, downward), source (1/s, volume of water): on the volume of a "
+          "region");
   table.key("at", &LoadTable::at)
       .unit("m")
       .required()
@@ -90,7 +98,7 @@ TableSchema<LoadTable> load_schema() {
           "region", [](const LoadTable& load) { return !load.region.empty() && load.from.empty(); }, "on a region");
   table.key("direction", &LoadTable::direction)
       .doc("direction (x, y); multiplies the history and is not normalised")
-      .when("kind", has_direction, "for forces and tractions");
+      .when("kind", has_direction, "for forces, tractions, motions and body forces");
   table.key("shape", &LoadTable::shape)
       .unit_of_first("m")
       .fallback("uniform")
@@ -100,6 +108,11 @@ TableSchema<LoadTable> load_schema() {
           "on a boundary");
   table.key("over_x", &LoadTable::over_x)
       .doc("true: the pairs of shape, and the heights of transducers, are places x, not heights y, as along a bed")
+      .when(
+          "region", [](const LoadTable& load) { return load.region.empty() || !load.boundary.empty(); },
+          "on a boundary");
+  table.key("along_curve", &LoadTable::along_curve)
+      .doc("true: the pairs of shape are lengths along the curve (m), from its seaward end, not heights")
       .when(
           "region", [](const LoadTable& load) { return load.region.empty() || !load.boundary.empty(); },
           "on a boundary");

@@ -116,7 +116,7 @@ void Ratios::require_all_used() const {
 
 /// The unit of a load's history: it follows from the load's kind.
 std::string history_unit(const Load& load) {
-  return load.kind == LoadKind::force ? "N/m" : "Pa";
+  return unit_of(load.kind);
 }
 
 bool starts_with(const std::string& text, const std::string& beginning) {

@@ -10,7 +10,7 @@ namespace upbead {
 namespace {
 
 constexpr double tolerance = 1e-9;
-constexpr int steps_before_doubling = 8;
+constexpr int steps_before_growth = 8;
 
 /// 0, the kinks within (0, end) without near doubles, end.
 std::vector<double> corners(std::vector<double> kinks, double end) {
@@ -62,13 +62,14 @@ class GridBuilder {
 
   /// Blocks of equal steps from start to end; how long a step may be depends on the time since growth.after alone.
   void add_growing(double start, double end, const StepGrowth& growth) {
-    const double first_block = steps_before_doubling * step_;
+    const double first_block = steps_before_growth * step_, factor = growth.factor;
     while (true) {
-      const double doublings = std::floor(std::log2((start - growth.after) / first_block + 1.) + tolerance);
-      const double wanted = step_ * std::exp2(doublings), step = std::min(wanted, std::max(step_, growth.largest));
-      const double block = steps_before_doubling * step;
+      const double blocks = std::log1p((start - growth.after) / first_block * (factor - 1.)) / std::log(factor);
+      const double wanted = step_ * std::pow(factor, std::floor(blocks + tolerance));
+      const double step = std::min(wanted, std::max(step_, growth.largest));
+      const double block = steps_before_growth * step;
       if (step < wanted || end - start < 2. * block) return add(start, end, step);
-      grid_.segments.push_back({start, step, steps_before_doubling});
+      grid_.segments.push_back({start, step, steps_before_growth});
       start += block;
     }
   }
@@ -99,7 +100,7 @@ double estimated_steps(std::size_t n_kinks, double end, double largest_step, con
   if (!growth) return end / largest_step + kinks;
   const double grown = std::max(growth->largest, largest_step);
   return growth->after / largest_step + (end - growth->after) / grown + kinks +
-         steps_before_doubling * (1. + std::log2(grown / largest_step));
+         steps_before_growth * (1. + std::log(grown / largest_step) / std::log(growth->factor));
 }
 
 TimeGrid make_time_grid(std::vector<double> kinks, double end, double largest_step,

@@ -87,6 +87,7 @@ class Assembly {
     for (const Row& row : prescribed) rows.push_back(&row);
     scatter(face.matrices.M, rows, M_);
     scatter(face.matrices.C, rows, C_);
+    scatter(face.matrices.K, rows, K_);
   }
 
   /// Adds a face through which waves leave.
@@ -170,7 +171,8 @@ void assemble(const Scene& scene, const Space& space, const Unknowns& unknowns, 
   };
   for_each_open_face(scene, space, unknowns, add);
   for_each_surface_face(scene, space, add);
-  for_each_absorbing_face(scene, space, [&](const FaceTerms& terms) {
+  for_each_sprung_face(scene, space, add);
+  for_each_absorbing_face(scene, space, [&](const Cell&, const std::string&, const FaceTerms& terms) {
     if (is_own(terms.cell)) assembly.add_absorbing(terms);
   });
   if (!interface.empty()) for_each_gap_term(space, unknowns, interface, add);

@@ -3,11 +3,15 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "base/text.h"
 #include "fem/checker.h"
+#include "fem/curve_course.h"
 
 namespace upbead {
+
+using namespace dealii;
 
 namespace {
 
@@ -31,6 +35,34 @@ Behind behind(const Checker& checker, const OuterCurve& curve) {
   return found;
 }
 
+/// A rigid plate is plane.
+void check_straight(Checker& checker, const std::string& key) {
+  const std::string curve = key.substr(key.find('.') + 1);
+  std::optional<Tensor<1, dim>> first;
+  for (const auto& cell : checker.mesh.triangulation.active_cell_iterators())
+    for (const auto& face : cell->face_iterators()) {
+      if (!face->at_boundary() || checker.mesh.curve_of(face) != curve) continue;
+      const Tensor<1, dim> along = (face->vertex(1) - face->vertex(0)) / face->measure();
+      if (!first) first = along;
+      if (std::abs((*first)[0] * along[1] - (*first)[1] * along[0]) <= 1e-6) continue;
+      checker.object(key + ".displacement", "a rigid plate lies on a straight side, and '" + curve + "' bends",
+                     "divide the curve in the mesh, or say \"roller\" or \"free\"");
+      return;
+    }
+}
+
+/// Springs and dashpots hold what deforms.
+void check_springs(Checker& checker, const std::string& key, const Boundary& side, const Behind& at) {
+  for (const auto& [name, given] : {std::pair{"spring", side.spring}, std::pair{"dashpot", side.dashpot}}) {
+    if (!given) continue;
+    if (!at.rigid.empty())
+      checker.object(key + "." + name, "a rigid region ('" + at.rigid + "') cannot be held at a part of its side",
+                     "remove it, or make the region solid");
+    if (at.known && at.only_free_water)
+      checker.object(key + "." + name, "there is only water behind this boundary, which nothing holds", "remove it");
+  }
+}
+
 void check_displacement(Checker& checker, const std::string& key, const Boundary& side, const Behind& at) {
   using D = DisplacementCondition;
   if (side.displacement == D::free) return;
@@ -40,6 +72,7 @@ void check_displacement(Checker& checker, const std::string& key, const Boundary
   if (at.known && at.only_free_water)
     checker.object(key + ".displacement", "there is only water behind this boundary, which nothing holds",
                    "remove the key");
+  if (side.displacement == D::plate) check_straight(checker, key);
   if (side.displacement != D::absorbing) return;
   if (!checker.scene.time.inertia) checker.refuse(Treatment::consolidation, key + ".displacement");
   if (at.pore_water && std::isinf(checker.scene.fluid.bulk_modulus))
@@ -86,7 +119,8 @@ Eigen::Matrix3d held_motions(const Checker& checker) {
       const auto side = checker.scene.boundaries.find(checker.mesh.curve_of(face));
       if (!face->at_boundary() || side == checker.scene.boundaries.end()) continue;
       const D condition = side->second.displacement;
-      if ((condition != D::fixed && condition != D::roller) ||
+      const bool level = condition == D::level, sprung = side->second.spring && condition == D::free;
+      if ((condition != D::fixed && condition != D::roller && !level && !sprung) ||
           checker.is(checker.mesh.surface_of(cell), RegionKind::water))
         continue;
       const auto along = (face->vertex(1) - face->vertex(0)) / face->measure();
@@ -94,8 +128,12 @@ Eigen::Matrix3d held_motions(const Checker& checker) {
         const auto at = (face->vertex(v) - first) / face->measure();
         const Eigen::Vector3d normal(along[1], -along[0], along[1] * at[1] + along[0] * at[0]);
         const Eigen::Vector3d tangent(along[0], along[1], along[0] * at[1] - along[1] * at[0]);
-        held += normal * normal.transpose();
-        if (condition == D::fixed) held += tangent * tangent.transpose();
+        const Eigen::Vector3d vertical(0., 1., -at[0]);
+        const bool along_normal = sprung ? (*side->second.spring)[0] > 0. : !level;
+        const bool along_tangent = sprung ? (*side->second.spring)[1] > 0. : condition == D::fixed;
+        if (level) held += vertical * vertical.transpose();
+        if (along_normal) held += normal * normal.transpose();
+        if (along_tangent) held += tangent * tangent.transpose();
       }
     }
   return held;
@@ -127,6 +165,7 @@ void check_boundaries(Checker& checker) {
     if (const auto curve = outer.find(name); curve != outer.end()) {
       const Behind at = behind(checker, curve->second);
       check_displacement(checker, key, side, at);
+      check_springs(checker, key, side, at);
       check_pressure(checker, key, side, at);
       continue;
     }
@@ -184,7 +223,29 @@ bool check_extent(Checker& checker, const std::string& table, const Load& load, 
   return false;
 }
 
+/// Whether lengths along the curve mean something, and lie on it.
+void check_along(Checker& checker, const std::string& table, const Load& load) {
+  const auto course = course_of(checker.mesh, load.boundary);
+  if (course.empty()) {
+    checker.object(table + ".along_curve",
+                   "'" + load.boundary +
+                       "' is not one open line, so that it has no length to "
+                       "count along",
+                   "divide the curve in the mesh, or give heights y or places x");
+    return;
+  }
+  double length = 0.;
+  for (std::size_t i = 1; i < course.size(); ++i)
+    length += std::hypot(course[i][0] - course[i - 1][0], course[i][1] - course[i - 1][1]);
+  if (load.shape.back()[0] > 0. && load.shape.front()[0] < length) return;
+  checker.object(
+      shape_key(table, load),
+      "no length of the shape lies on '" + load.boundary + "', which is " + significant(length, 6) + " m long",
+      "give lengths from the curve's seaward end");
+}
+
 void check_shape(Checker& checker, const std::string& table, const Load& load) {
+  if (load.along_curve) return check_along(checker, table, load);
   const Bounds bounds = bounds_of(checker, load.boundary);
   const double from = load.over_x ? bounds.left : bounds.lowest, to = load.over_x ? bounds.right : bounds.highest;
   if (!check_extent(checker, table, load, from, to)) return;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "fem/faces.h"
 
@@ -38,8 +39,10 @@ Dofs face_dofs(const Cell& cell, unsigned f) {
   return dofs;
 }
 
-void constrain(Constraints& constraints, types::global_dof_index dof) {
-  if (!constraints.is_constrained(dof)) constraints.add_line(dof);
+/// Where the node of a cell's degree of freedom is.
+Point<dim> place_of(const Space& space, const Cell& cell, types::global_dof_index dof) {
+  const Dofs dofs = dofs_of(cell);
+  return node_of(space, cell, static_cast<unsigned>(std::find(dofs.begin(), dofs.end(), dof) - dofs.begin())).at;
 }
 
 /// u of every node of a rigid region follows the body's three coordinates.
@@ -68,10 +71,19 @@ void add_interface(Constraints& constraints, const std::vector<InterfaceNode>& n
   }
 }
 
-/// A node on rollers: its two degrees of freedom and the normals of the rollers that it touches.
-struct RollerNode {
+/// Motions of the scene beyond the degrees of freedom: index and weight.
+using Moves = std::vector<std::pair<types::global_dof_index, double>>;
+
+/// What holds a node along a normal: n.u = sum of weight times motion.
+struct Hold {
+  Tensor<1, dim> normal;
+  Moves moves;
+};
+
+/// A node that is held along normals: its two degrees of freedom.
+struct HeldNode {
   types::global_dof_index ux, uy;
-  std::vector<Tensor<1, dim>> normals;
+  std::vector<Hold> holds;
 };
 
 /// The degrees of freedom of u of each node on a face, as pairs.
@@ -85,51 +97,114 @@ std::map<unsigned, std::array<types::global_dof_index, 2>> nodes_on_face(const C
   return nodes;
 }
 
-/// No motion along the normal: one relation between u_x and u_y on a straight or gently curved side (by the mean
-/// normal), both fixed at a corner of more than about 6 degrees. A node of a rigid body follows the body.
-void add_rollers(Constraints& constraints, const std::map<types::global_dof_index, RollerNode>& rollers) {
-  constexpr double sine_of_corner = 0.1;
-  for (const auto& [key, node] : rollers) {
-    Tensor<1, dim> n;
-    bool corner = false;
-    for (const auto& normal : node.normals) {
-      n += normal;
-      const auto& first = node.normals.front();
-      corner = corner || std::abs(first[0] * normal[1] - first[1] * normal[0]) > sine_of_corner;
-    }
-    if (corner) {
-      constrain(constraints, node.ux);
-      constrain(constraints, node.uy);
-      continue;
-    }
-    const bool x_leads = std::abs(n[0]) >= std::abs(n[1]);  // the larger component of the normal is eliminated
-    const auto slave = x_leads ? node.ux : node.uy, master = x_leads ? node.uy : node.ux;
-    const double ratio = x_leads ? -n[1] / n[0] : -n[0] / n[1];
-    if (constraints.is_constrained(slave)) continue;
-    constraints.add_line(slave);
-    if (std::abs(ratio) > 1e-12 && !constraints.is_constrained(master)) constraints.add_entry(slave, master, ratio);
+void add_moves(Constraints& constraints, types::global_dof_index dof, const Moves& moves, double factor) {
+  for (const auto& [index, weight] : moves)
+    if (const double part = factor * weight; std::abs(part) > 1e-12) constraints.add_entry(dof, index, part);
+}
+
+double sine_between(const Hold& a, const Hold& b) {
+  return a.normal[0] * b.normal[1] - a.normal[1] * b.normal[0];
+}
+
+/// Both components of a node at a corner, by the two holds that differ most: n_a.u = a, n_b.u = b.
+void add_corner(Constraints& constraints, const HeldNode& node, const Hold& a, const Hold& b) {
+  const double sine = sine_between(a, b);
+  const double of_a[]{b.normal[1] / sine, -b.normal[0] / sine}, of_b[]{-a.normal[1] / sine, a.normal[0] / sine};
+  const types::global_dof_index dofs[]{node.ux, node.uy};
+  for (unsigned d = 0; d < dim; ++d) {
+    if (constraints.is_constrained(dofs[d])) continue;
+    constraints.add_line(dofs[d]);
+    add_moves(constraints, dofs[d], a.moves, of_a[d]);
+    add_moves(constraints, dofs[d], b.moves, of_b[d]);
   }
 }
 
-void add_supports(Constraints& constraints, const Space& space, const Scene& scene) {
-  std::map<types::global_dof_index, RollerNode> rollers;
-  for_each_outer_face(space, [&](const Cell& cell, unsigned f, const std::string& curve) {
-    const Boundary& boundary = scene.boundaries.at(curve);
-    if (boundary.displacement != DisplacementCondition::fixed && boundary.displacement != DisplacementCondition::roller)
-      return;
-    for (const auto& [index, node] : nodes_on_face(cell, f)) {
-      if (boundary.displacement == DisplacementCondition::fixed) {
-        constrain(constraints, node[0]);
-        constrain(constraints, node[1]);
-      } else {
-        RollerNode& roller = rollers[node[0]];
-        roller.ux = node[0];
-        roller.uy = node[1];
-        roller.normals.push_back(outward_normal(cell, f));
+/// One relation between u_x and u_y of a node, by the mean of its normals.
+void add_side(Constraints& constraints, const HeldNode& node) {
+  Tensor<1, dim> n;
+  for (const Hold& hold : node.holds) n += hold.normal;
+  const bool x_leads = std::abs(n[0]) >= std::abs(n[1]);  // the larger component of the normal is eliminated
+  const auto slave = x_leads ? node.ux : node.uy, master = x_leads ? node.uy : node.ux;
+  const double lead = x_leads ? n[0] : n[1], ratio = (x_leads ? -n[1] : -n[0]) / lead;
+  if (constraints.is_constrained(slave)) return;
+  constraints.add_line(slave);
+  for (const Hold& hold : node.holds) add_moves(constraints, slave, hold.moves, 1. / lead);
+  if (std::abs(ratio) > 1e-12 && !constraints.is_constrained(master)) constraints.add_entry(slave, master, ratio);
+}
+
+/// No motion along the normal but what moves there: one relation between u_x and u_y on a straight or gently curved
+/// side, both at a corner of more than about 6 degrees. A node of a rigid body follows the body.
+void add_held(Constraints& constraints, const HeldNode& node) {
+  constexpr double sine_of_corner = 0.1;
+  const Hold& first = node.holds.front();
+  const auto other = std::max_element(node.holds.begin(), node.holds.end(), [&](const Hold& a, const Hold& b) {
+    return std::abs(sine_between(first, a)) < std::abs(sine_between(first, b));
+  });
+  if (std::abs(sine_between(first, *other)) > sine_of_corner)
+    add_corner(constraints, node, first, *other);
+  else
+    add_side(constraints, node);
+}
+
+/// The motions along `normal`, or along an axis, at a point of a curve.
+Moves moves_at(const Scene& scene, const SceneMotions& motions, const std::string& curve, const Point<dim>& at,
+               const Tensor<1, dim>& along) {
+  Moves moves;
+  for (std::size_t l = 0; l < motions.loads.size(); ++l) {
+    const Load& load = scene.loads.at(motions.loads[l]);
+    if (!is_motion(load.kind) || load.boundary != curve) continue;
+    const double part = load.direction[0] * along[0] + load.direction[1] * along[1];
+    moves.emplace_back(motions.first_load + l, part * intensity(load, at[0], at[1]));
+  }
+  for (std::size_t p = 0; p < motions.plates.size(); ++p)
+    if (motions.plates[p] == curve) moves.emplace_back(motions.first_plate + p, 1.);
+  return moves;
+}
+
+/// Nodes of fixed sides: those that a load moves before those that rest, as both meet at corners.
+void add_fixed(Constraints& constraints, const Space& space, const Scene& scene, const SceneMotions& motions) {
+  for (const bool moved : {true, false})
+    for_each_outer_face(space, [&](const Cell& cell, unsigned f, const std::string& curve) {
+      if (scene.boundaries.at(curve).displacement != DisplacementCondition::fixed) return;
+      const auto& fe = cell->get_fe();
+      const Dofs dofs = face_dofs(cell, f);
+      for (unsigned i = 0; i < dofs.size(); ++i) {
+        const unsigned component = fe.face_system_to_component_index(i, f).first;
+        if (component >= dim || constraints.is_constrained(dofs[i])) continue;
+        Tensor<1, dim> axis;
+        axis[component] = 1.;
+        const auto at = node_of(space, cell, fe.face_to_cell_index(i, f)).at;
+        const Moves moves = moves_at(scene, motions, curve, at, axis);
+        if (moves.empty() == moved) continue;
+        constraints.add_line(dofs[i]);
+        add_moves(constraints, dofs[i], moves, 1.);
       }
+    });
+}
+
+/// The direction along which a side holds its nodes; zero where it does not.
+Tensor<1, dim> held_along(DisplacementCondition condition, const Cell& cell, unsigned f) {
+  using D = DisplacementCondition;
+  if (condition == D::roller || condition == D::plate) return outward_normal(cell, f);
+  Tensor<1, dim> n;
+  if (condition == D::level) n[1] = 1.;
+  return n;
+}
+
+void add_supports(Constraints& constraints, const Space& space, const Scene& scene, const SceneMotions& motions) {
+  add_fixed(constraints, space, scene, motions);
+  std::map<types::global_dof_index, HeldNode> held;
+  for_each_outer_face(space, [&](const Cell& cell, unsigned f, const std::string& curve) {
+    const Tensor<1, dim> n = held_along(scene.boundaries.at(curve).displacement, cell, f);
+    if (n.norm() == 0.) return;
+    for (const auto& [index, node] : nodes_on_face(cell, f)) {
+      HeldNode& at = held[node[0]];
+      at.ux = node[0];
+      at.uy = node[1];
+      at.holds.push_back({n, moves_at(scene, motions, curve, place_of(space, cell, node[0]), n)});
     }
   });
-  add_rollers(constraints, rollers);
+  for (const auto& [key, node] : held) add_held(constraints, node);
 }
 
 /// phi is continuous from free water into pores, but of one degree less there: between the vertices, which both share,
@@ -140,10 +215,8 @@ void add_wet_pores(Constraints& constraints, const Space& space) {
   });
 }
 
-/// Open levels of free water: p = 0, or the pressure of loads there, at their nodes. A load's unknown has the index
-/// first_prescribed + its place in `loads`.
-void add_water_levels(Constraints& constraints, const Space& space, const Scene& scene,
-                      const std::vector<std::string>& loads, types::global_dof_index first_prescribed) {
+/// Open levels of free water: p = 0, or the pressure of loads there, at their nodes.
+void add_water_levels(Constraints& constraints, const Space& space, const Scene& scene, const SceneMotions& motions) {
   for_each_outer_face(space, [&](const Cell& cell, unsigned f, const std::string& curve) {
     if (space.kind(cell) != CellKind::water) return;
     if (scene.boundaries.at(curve).pressure != PressureCondition::open) return;
@@ -152,11 +225,21 @@ void add_water_levels(Constraints& constraints, const Space& space, const Scene&
       if (constraints.is_constrained(dofs[i])) continue;
       constraints.add_line(dofs[i]);
       const auto at = node_of(space, cell, cell->get_fe().face_to_cell_index(i, f)).at;
-      for (std::size_t l = 0; l < loads.size(); ++l)
-        if (const Load& load = scene.loads.at(loads[l]); load.boundary == curve)
-          constraints.add_entry(dofs[i], first_prescribed + l, intensity(load, at[0], at[1]));
+      for (std::size_t l = 0; l < motions.loads.size(); ++l)
+        if (const Load& load = scene.loads.at(motions.loads[l]); !is_motion(load.kind) && load.boundary == curve)
+          constraints.add_entry(dofs[i], motions.first_load + l, intensity(load, at[0], at[1]));
     }
   });
+}
+
+/// Curves that a plate lies on.
+std::vector<std::string> plates(const Space& space, const Scene& scene) {
+  std::set<std::string> found;
+  for_each_outer_face(space, [&](const Cell& cell, unsigned, const std::string& curve) {
+    if (scene.boundaries.at(curve).displacement == DisplacementCondition::plate && space.kind(cell) != CellKind::water)
+      found.insert(curve);
+  });
+  return {found.begin(), found.end()};
 }
 
 }  // namespace
@@ -170,32 +253,36 @@ void add_hanging_nodes(Constraints& constraints, const Space& space) {
   }
 }
 
-std::vector<std::string> pressure_prescribing_loads(const Space& space, const Scene& scene) {
-  std::vector<std::string> names;
-  for (const auto& [name, load] : scene.loads) {
-    if (load.kind != LoadKind::pressure || load.factor == 0.) continue;
-    bool prescribes = false;
-    const std::string& boundary = load.boundary;
-    for_each_outer_face(space, [&](const Cell& cell, unsigned, const std::string& curve) {
-      const bool open = scene.boundaries.at(curve).pressure == PressureCondition::open;
-      prescribes = prescribes || (curve == boundary && open && space.has_pressure(cell));
-    });
-    if (prescribes) names.push_back(name);
-  }
-  return names;
+std::vector<std::string> prescribing_loads(const Space& space, const Scene& scene) {
+  std::set<std::string> found;
+  for_each_outer_face(space, [&](const Cell& cell, unsigned, const std::string& curve) {
+    const Boundary& side = scene.boundaries.at(curve);
+    const bool open = side.pressure == PressureCondition::open && space.has_pressure(cell);
+    const bool moves = side.displacement != DisplacementCondition::absorbing;
+    for (const auto& [name, load] : scene.loads)
+      if (load.boundary == curve && load.factor != 0. &&
+          ((load.kind == LoadKind::pressure && open) || (is_motion(load.kind) && moves)))
+        found.insert(name);
+  });
+  return {found.begin(), found.end()};
+}
+
+SceneMotions scene_motions(const Space& space, const Scene& scene, std::size_t n_bodies) {
+  SceneMotions motions{plates(space, scene), prescribing_loads(space, scene), 0, 0};
+  motions.first_plate = space.dofs().n_dofs() + n_motions * n_bodies;
+  motions.first_load = motions.first_plate + motions.plates.size();
+  return motions;
 }
 
 Constraints make_constraints(const Space& space, const Scene& scene, const std::vector<Body>& bodies,
-                             const std::vector<InterfaceNode>& interface) {
+                             const SceneMotions& motions, const std::vector<InterfaceNode>& interface) {
   Constraints constraints;
-  const std::vector<std::string> pressures = pressure_prescribing_loads(space, scene);
-  const types::global_dof_index first_pressure = space.dofs().n_dofs() + n_motions * bodies.size();
   add_rigid(constraints, space, bodies);
-  add_interface(constraints, interface, first_pressure + pressures.size());
-  add_supports(constraints, space, scene);
+  add_interface(constraints, interface, motions.first_load + motions.loads.size());
+  add_supports(constraints, space, scene, motions);
   add_wet_pores(constraints, space);
   add_hanging_nodes(constraints, space);
-  add_water_levels(constraints, space, scene, pressures, first_pressure);
+  add_water_levels(constraints, space, scene, motions);
   constraints.close();
   return constraints;
 }

@@ -13,14 +13,20 @@
 
 namespace upbead {
 
-/// Loads of kind pressure on open boundaries, which prescribe the pore pressure there.
-std::vector<std::string> pressure_prescribing_loads(const Space& space, const Scene& scene);
+/// What moves boundaries, or their pore water, beside rigid bodies: plates shift along their normals, loads prescribe
+/// motions of boundaries and pressures on open ones. By index, an unknown each.
+struct SceneMotions {
+  std::vector<std::string> plates;  ///< curves
+  std::vector<std::string> loads;   ///< names
+  dealii::types::global_dof_index first_plate, first_load;
+};
+SceneMotions scene_motions(const Space& space, const Scene& scene, std::size_t n_bodies);
 
 /// All constraints on the degrees of freedom of the space. Indices from n_dofs() on stand for the rigid bodies'
-/// coordinates (three each), then for the unknowns of pressure_prescribing_loads, then for the slips and the openings
-/// of an interface: its degrees of freedom are those of the ground, caisson less slip and opening.
+/// coordinates (three each), then for plates and loads of `motions`, then for the slips and the openings of an
+/// interface: its degrees of freedom are those of the ground, caisson less slip and opening.
 dealii::AffineConstraints<double> make_constraints(const Space& space, const Scene& scene,
-                                                   const std::vector<Body>& bodies,
+                                                   const std::vector<Body>& bodies, const SceneMotions& motions,
                                                    const std::vector<InterfaceNode>& interface = {});
 
 /// u and phi of the smaller cells follow the larger cell's shape functions on their common side. Both are of one kind:

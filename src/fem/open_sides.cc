@@ -20,7 +20,7 @@ struct Prescribed {
 std::vector<Prescribed> prescribed_on(const std::string& curve, const Scene& scene, const Unknowns& unknowns) {
   std::vector<Prescribed> found;
   for (const auto& [name, load] : scene.loads)
-    if (const int unknown = unknowns.prescribed(name); unknown >= 0 && load.boundary == curve)
+    if (const int unknown = unknowns.prescribed(name); unknown >= 0 && load.boundary == curve && !is_motion(load.kind))
       found.push_back({&load, unknown});
   return found;
 }

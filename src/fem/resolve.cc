@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "base/text.h"
+#include "fem/curve_course.h"
 #include "fem/domain_of_influence.h"
 #include "fem/outline.h"
 #include "fem/static_stage.h"
@@ -160,6 +161,7 @@ Decision tell_damping(const std::string& name, const Rayleigh& damping) {
 ResolvedScene resolve(const Scene& scene, const Mesh& mesh) {
   const Outline outline = outline_of(mesh);
   ResolvedScene resolved{scene, {}, {}, {}};
+  follow_curves(mesh, resolved.scene);
   for (const auto& [name, region] : scene.regions)
     if (!outline.surfaces.count(name)) {
       resolved.scene.regions.erase(name);

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "fem/faces.h"
+#include "fem/sides.h"
 
 namespace upbead {
 
@@ -18,9 +19,9 @@ namespace {
 /// polynomial between.
 Quadrature<1> split_quadrature(const Load& load, const Point<dim>& from, const Point<dim>& to, unsigned n_points) {
   std::vector<double> ends{0., 1.};
-  const unsigned axis = load.over_x ? 0 : 1;
+  const double begin = shape_coordinate(load, from[0], from[1]), end = shape_coordinate(load, to[0], to[1]);
   for (const auto& [corner, value] : load.shape) {
-    const double at = (corner - from[axis]) / (to[axis] - from[axis]);
+    const double at = (corner - begin) / (end - begin);
     if (at > 0. && at < 1.) ends.push_back(at);
   }
   std::sort(ends.begin(), ends.end());
@@ -59,7 +60,7 @@ void for_each_face(const Space& space, const Load& load, UpdateFlags flags, cons
 
 /// Traction at a point of the curve at f(t) = 1 (Pa): total stress times normal.
 Tensor<1, dim> traction(const Load& load, const Point<dim>& at, const Tensor<1, dim>& normal, double scale) {
-  if (load.kind == LoadKind::pressure) return -intensity(load, at[0], at[1]) * normal;
+  if (load.kind == LoadKind::pressure || load.kind == LoadKind::normal) return -intensity(load, at[0], at[1]) * normal;
   Tensor<1, dim> direction;
   for (unsigned d = 0; d < dim; ++d) direction[d] = load.direction[d];
   return scale * intensity(load, at[0], at[1]) * direction;
@@ -94,6 +95,21 @@ std::map<std::string, NodalForces> curve_forces(const Space& space, const Load& 
   return forces;
 }
 
+/// What a unit velocity of the outcrop beneath an absorbing side sends upward: the side's terms times that velocity, so
+/// that ground which moved with it would feel nothing.
+void add_arriving(const Scene& scene, const Space& space, const Unknowns& unknowns, const Load& load, Vector& vector) {
+  for_each_absorbing_face(scene, space, [&](const Cell& cell, const std::string& curve, const FaceTerms& terms) {
+    if (curve != load.boundary) return;
+    dealii::Vector<double> velocity(terms.matrices.C.n()), force(terms.matrices.C.m());
+    for (unsigned i = 0; i < terms.dofs.size(); ++i)
+      if (const auto [component, at] = node_of(space, cell, i); component < dim)
+        velocity[i] = load.direction[component] * intensity(load, at[0], at[1]);
+    terms.matrices.C.vmult(force, velocity);
+    for (unsigned i = 0; i < terms.dofs.size(); ++i)
+      for (const auto& [unknown, weight] : unknowns.expansion(terms.dofs[i])) vector[unknown] += weight * force[i];
+  });
+}
+
 /// A force at a point of a rigid region, on that body's coordinates.
 SystemLoad body_load(const std::string& name, const Load& load, const Unknowns& unknowns,
                      const std::vector<Body>& bodies) {
@@ -111,11 +127,16 @@ SystemLoad body_load(const std::string& name, const Load& load, const Unknowns& 
 /// Loads of the system and what they do to the caisson and to the ground's nodes under it.
 class LoadCompiler {
  public:
-  LoadCompiler(const Space& space, const Unknowns& unknowns, const std::vector<Body>& bodies,
+  LoadCompiler(const Scene& scene, const Space& space, const Unknowns& unknowns, const std::vector<Body>& bodies,
                const std::optional<Caisson>& caisson, const NodalReaction* ground)
-      : space_(space), unknowns_(unknowns), bodies_(bodies), caisson_(caisson), ground_(ground) {}
+      : scene_(scene), space_(space), unknowns_(unknowns), bodies_(bodies), caisson_(caisson), ground_(ground) {}
 
   void add(const std::string& name, const Load& load) {
+    if (is_motion(load.kind)) {
+      append({name, Vector::Zero(unknowns_.size()), load.history, unknowns_.prescribed(name)});
+      if (unknowns_.prescribed(name) < 0) add_arriving(scene_, space_, unknowns_, load, out.loads.back().vector);
+      return;
+    }
     if (!load.region.empty()) {
       append(body_load(name, load, unknowns_, bodies_));
       if (caisson_ && load.region == caisson_name) add_point_resultant(load);
@@ -159,6 +180,7 @@ class LoadCompiler {
     out.on_caisson.back().moment += ground_->sum(motion_rotation, nodal);
   }
 
+  const Scene& scene_;
   const Space& space_;
   const Unknowns& unknowns_;
   const std::vector<Body>& bodies_;
@@ -171,7 +193,7 @@ class LoadCompiler {
 SceneLoads compile_loads(const Scene& scene, const Space& space, const Unknowns& unknowns,
                          const std::vector<Body>& bodies, const std::optional<Caisson>& caisson,
                          const NodalReaction* ground) {
-  LoadCompiler compiler(space, unknowns, bodies, caisson, ground);
+  LoadCompiler compiler(scene, space, unknowns, bodies, caisson, ground);
   for (const auto& [name, load] : scene.loads)
     if (load.factor != 0.) compiler.add(name, load);
   return std::move(compiler.out);

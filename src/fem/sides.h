@@ -41,11 +41,16 @@ Impedance impedance(const Material& material, CellKind kind, bool open_to_waves)
 /// it, 0 in a rigid region.
 double fastest_wave(const Region& region, const Fluid& fluid, double gravity);
 
-/// Calls visit(terms) for every absorbing face:
+/// Calls visit(cell, curve, terms) for every absorbing face:
 ///   soil   uu_C  +normal (du.n)(u.n) + tangential (du.t)(u.t);  up_C  +coupling (du.n) phi and its transpose;
 ///          pp_C  -mobility dphi phi
 ///   water  pp_C  -1/(rho_f c) dphi phi, c = sqrt(K_f/rho_f); nothing where it is incompressible
-void for_each_absorbing_face(const Scene& scene, const Space& space, const VisitFace& visit);
+/// and for every face with dashpots, which add to normal and tangential.
+void for_each_absorbing_face(const Scene& scene, const Space& space,
+                             const std::function<void(const Cell&, const std::string& curve, const FaceTerms&)>& visit);
+
+/// Calls visit(terms) for every face with springs: uu_K  +spring_n (du.n)(u.n) + spring_t (du.t)(u.t).
+void for_each_sprung_face(const Scene& scene, const Space& space, const VisitFace& visit);
 
 /// Calls visit(terms) for every face of a free surface with gravity waves: pp_M -1/(rho_f g) dphi phi (linear waves,
 /// p = rho_f g eta).

@@ -42,8 +42,14 @@ Layout layout_of(const Space& space) {
 
 Unknowns::Unknowns(const Space& space, const Scene& scene, const std::vector<Body>& bodies,
                    const std::vector<InterfaceNode>& interface)
-    : prescribed_(pressure_prescribing_loads(space, scene)), n_interface_(static_cast<int>(interface.size())) {
-  number(space, make_constraints(space, scene, bodies, interface), n_motions * bodies.size());
+    : n_interface_(static_cast<int>(interface.size())) {
+  const SceneMotions motions = scene_motions(space, scene, bodies.size());
+  prescribed_ = motions.loads;
+  std::vector<Field> fields;
+  for (const std::string& load : prescribed_)
+    fields.push_back(is_motion(scene.loads.at(load).kind) ? Field::displacement : Field::pressure_impulse);
+  number(space, make_constraints(space, scene, bodies, motions, interface),
+         n_motions * bodies.size() + motions.plates.size(), fields);
   separate(interface);
 }
 
@@ -62,7 +68,8 @@ const Row& Unknowns::caisson_expansion(types::global_dof_index dof) const {
   return found == of_caisson_.end() ? expansion_[dof] : found->second;
 }
 
-void Unknowns::number(const Space& space, const AffineConstraints<double>& constraints, std::size_t n_coordinates) {
+void Unknowns::number(const Space& space, const AffineConstraints<double>& constraints, std::size_t n_coordinates,
+                      const std::vector<Field>& prescribed) {
   const auto n_dofs = space.dofs().n_dofs();
   const Layout layout = layout_of(space);
   std::vector<int> index(n_dofs + n_coordinates + prescribed_.size() + 2 * static_cast<std::size_t>(n_interface_), -1);
@@ -79,7 +86,7 @@ void Unknowns::number(const Space& space, const AffineConstraints<double>& const
     for (const auto i : block) append(i, Field::relative_fluid);
     blocks_.push_back({begin, size()});
   }
-  for (std::size_t l = 0; l < prescribed_.size(); ++l) append(n_dofs + n_coordinates + l, Field::pressure_impulse);
+  for (std::size_t l = 0; l < prescribed.size(); ++l) append(n_dofs + n_coordinates + l, prescribed[l]);
   for (auto i = n_dofs + n_coordinates + prescribed_.size(); i < index.size(); ++i) append(i, Field::displacement);
 
   expansion_.resize(n_dofs);

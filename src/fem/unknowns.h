@@ -18,8 +18,8 @@ namespace upbead {
 using NodalForces = std::map<unsigned, double>;
 
 /// Degree of freedom i of the space is sum_j weight_j x_j over its expansion; fixed ones have none. Order of the
-/// unknowns x: free u and phi, three coordinates per rigid body, W cell by cell, prescribed pressures, and, where an
-/// interface is given, slips and openings of its nodes.
+/// unknowns x: free u and phi, three coordinates per rigid body, one per plate, W cell by cell, prescribed motions and
+/// pressures, and, where an interface is given, slips and openings of its nodes.
 class Unknowns {
  public:
   Unknowns(const Space& space, const Scene& scene, const std::vector<Body>& bodies,
@@ -39,7 +39,7 @@ class Unknowns {
   int coordinate(std::size_t body, int motion) const {
     return first_coordinate_ + n_motions * static_cast<int>(body) + motion;
   }
-  /// Index of the unknown whose velocity is the pore pressure of a load, or -1 where the load prescribes none.
+  /// Index of the unknown whose velocity is the history of a load that prescribes a pore pressure or a motion, else -1.
   int prescribed(const std::string& load) const;
   /// Values at all degrees of freedom of the space, from values of the unknowns.
   Vector expand(const Vector& x) const;
@@ -50,13 +50,14 @@ class Unknowns {
   void add_to(std::map<int, double>& row, dealii::types::global_dof_index dof, double weight) const;
 
  private:
-  void number(const Space& space, const dealii::AffineConstraints<double>& constraints, std::size_t n_coordinates);
+  void number(const Space& space, const dealii::AffineConstraints<double>& constraints, std::size_t n_coordinates,
+              const std::vector<Field>& prescribed);
   void separate(const std::vector<InterfaceNode>& interface);
 
   std::vector<Row> expansion_;
   std::vector<Field> field_;
   std::vector<IndexRange> blocks_;
-  std::vector<std::string> prescribed_;                        ///< names of the loads that prescribe a pressure
+  std::vector<std::string> prescribed_;                        ///< names of the loads that prescribe
   std::map<dealii::types::global_dof_index, Row> of_caisson_;  ///< by degree of freedom of the interface
   int n_interface_ = 0;                                        ///< nodes
   int first_coordinate_ = 0;

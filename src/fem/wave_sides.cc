@@ -63,8 +63,12 @@ Impedance of_side(const Space& space, const Cell& cell, const Boundary& side) {
     if (flows) z.mobility = std::sqrt(m.storage / m.rho_f);
     return z;
   }
-  z = impedance(m, kind, flows);
+  if (moves || flows) z = impedance(m, kind, flows);
   if (!moves) z.normal = z.tangential = z.coupling = 0.;
+  if (side.dashpot) {
+    z.normal += (*side.dashpot)[0];
+    z.tangential += (*side.dashpot)[1];
+  }
   return z;
 }
 
@@ -92,14 +96,29 @@ double fastest_wave(const Region& region, const Fluid& fluid, double gravity) {
   return std::sqrt(squares.eigenvalues().maxCoeff());
 }
 
-void for_each_absorbing_face(const Scene& scene, const Space& space, const VisitFace& visit) {
+void for_each_absorbing_face(
+    const Scene& scene, const Space& space,
+    const std::function<void(const Cell&, const std::string& curve, const FaceTerms&)>& visit) {
   FaceTerms terms;
   for_each_outer_face(space, [&](const Cell& cell, unsigned f, const std::string& curve) {
     const Boundary& side = scene.boundaries.at(curve);
-    if (side.displacement != DisplacementCondition::absorbing && side.pressure != PressureCondition::absorbing) return;
+    if (side.displacement != DisplacementCondition::absorbing && side.pressure != PressureCondition::absorbing &&
+        !side.dashpot)
+      return;
     if (space.region(cell).kind == RegionKind::rigid) return;
     terms.reinit({cell});
     integrate(FaceValues(space, cell, f), of_side(space, cell, side), terms.matrices.C);
+    visit(cell, curve, terms);
+  });
+}
+
+void for_each_sprung_face(const Scene& scene, const Space& space, const VisitFace& visit) {
+  FaceTerms terms;
+  for_each_outer_face(space, [&](const Cell& cell, unsigned f, const std::string& curve) {
+    const Boundary& side = scene.boundaries.at(curve);
+    if (!side.spring || !space.has_matrices(cell) || space.kind(cell) == CellKind::water) return;
+    terms.reinit({cell});
+    integrate(FaceValues(space, cell, f), {(*side.spring)[0], (*side.spring)[1]}, terms.matrices.K);
     visit(terms);
   });
 }

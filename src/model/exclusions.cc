@@ -68,6 +68,16 @@ const Feature yielding{"soil that yields", [](const Scene& s) {
                        }};
 const Feature densification{"soil that packs denser",
                             [](const Scene& s) { return in_regions(s, &Region::densification, "densification"); }};
+const Feature motion{"a boundary whose motion is prescribed", [](const Scene& s) {
+                       Keys keys;
+                       for (const auto& [name, load] : s.loads) {
+                         Scene alone;
+                         alone.loads[name] = load;
+                         alone.boundaries = s.boundaries;
+                         if (has_prescribed_motion(alone)) keys.push_back("loads." + name + ".kind");
+                       }
+                       return keys;
+                     }};
 const Feature by_reduced{"a reduced model by name",
                          [](const Scene& s) { return when(s.time.scheme == TimeScheme::reduced, "time.scheme"); }};
 
@@ -105,10 +115,13 @@ const std::vector<Row>& rows() {
       {Treatment::reduced_model, consolidation, "it needs inertia"},
       {Treatment::reduced_model, contact, "it does not slip node by node"},
       {Treatment::reduced_model, yielding, "soil that yields has no modes"},
+      {Treatment::reduced_model, motion, "a motion that is prescribed is marched"},
       {Treatment::generalised_alpha, contact, "it does not follow friction at the caisson's bottom"},
       {Treatment::generalised_alpha, yielding, "soil that yields is marched by a scheme of its own"},
       {Treatment::adapted_mesh, consolidation, "time.inertia = false leaves nothing dynamic to tell"},
       {Treatment::adapted_mesh, yielding, "its errors are those of linear soil"},
+      {Treatment::adapted_mesh, motion, "its errors are those of forces and pressures"},
+      {Treatment::reduce_command, motion, "a motion that is prescribed is marched"},
       {Treatment::reduce_command, yielding, "soil that yields has no modes"},
       {Treatment::reduce_command, consolidation, "consolidation cannot be reduced: inertia = false"},
       {Treatment::several_processes, by_reduced, "no reduced model is made"},

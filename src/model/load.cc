@@ -10,9 +10,62 @@
 
 namespace upbead {
 
+bool is_motion(LoadKind kind) {
+  return kind == LoadKind::displacement || kind == LoadKind::velocity || kind == LoadKind::acceleration;
+}
+
+bool is_on_volume(LoadKind kind) {
+  return kind == LoadKind::body_force || kind == LoadKind::gravity || kind == LoadKind::source;
+}
+
+const char* unit_of(LoadKind kind) {
+  switch (kind) {
+    case LoadKind::force:
+      return "N/m";
+    case LoadKind::displacement:
+      return "m";
+    case LoadKind::velocity:
+      return "m/s";
+    case LoadKind::acceleration:
+    case LoadKind::gravity:
+      return "m/s2";
+    case LoadKind::body_force:
+      return "N/m3";
+    case LoadKind::source:
+      return "1/s";
+    default:
+      return "Pa";
+  }
+}
+
+namespace {
+
+/// Length along a polygon to the point of it that is nearest to (x, y).
+double length_along(const std::vector<std::array<double, 2>>& course, double x, double y) {
+  double length = 0., nearest = std::numeric_limits<double>::infinity(), along = 0.;
+  for (std::size_t i = 0; i + 1 < course.size(); ++i) {
+    const double dx = course[i + 1][0] - course[i][0], dy = course[i + 1][1] - course[i][1], l = std::hypot(dx, dy);
+    const double s = std::clamp(((x - course[i][0]) * dx + (y - course[i][1]) * dy) / l, 0., l);
+    const double away = std::hypot(x - course[i][0] - s / l * dx, y - course[i][1] - s / l * dy);
+    if (away < nearest) {
+      nearest = away;
+      along = length + s;
+    }
+    length += l;
+  }
+  return along;
+}
+
+}  // namespace
+
+double shape_coordinate(const Load& load, double x, double y) {
+  if (load.along_curve) return length_along(load.course, x, y);
+  return load.over_x ? x : y;
+}
+
 double intensity(const Load& load, double x, double y) {
   if (load.cosine) return std::cos(2. * pi * (x - load.cosine->origin) / load.cosine->length);
-  return intensity(load, load.over_x ? x : y);
+  return load.shape.empty() ? 1. : intensity(load, shape_coordinate(load, x, y));
 }
 
 double intensity(const Load& load, double at) {
@@ -50,11 +103,6 @@ const std::vector<MemberRule<Pulse, PulseShape>> pulse_rules{
     {"plateau_duration", {S::church_roof}, true, is_set(&Pulse::plateau_duration)},
     {"frequency", {S::harmonic}, true, is_set(&Pulse::frequency)},
 };
-
-double rise_of(const Pulse& pulse) {
-  if (pulse.rise) return *pulse.rise;
-  return pulse.shape == S::step ? 0. : 0.5 * *pulse.duration;
-}
 
 struct Corner {
   double time = 0.;
@@ -122,6 +170,11 @@ TimeFunction time_function(const Pulse& pulse) {
       return sine(pulse, 2. * pi * *pulse.frequency, {});
   }
   return {};
+}
+
+double rise_of(const Pulse& pulse) {
+  if (pulse.rise) return *pulse.rise;
+  return pulse.shape == S::step ? 0. : 0.5 * *pulse.duration;
 }
 
 std::optional<double> duration(const Pulse& pulse) {

@@ -17,6 +17,15 @@ const ContactLaw* contact_law(const Scene& scene) {
 
 }  // namespace
 
+bool has_prescribed_motion(const Scene& scene) {
+  return std::any_of(scene.loads.begin(), scene.loads.end(), [&](const auto& entry) {
+    const Load& load = entry.second;
+    const auto side = scene.boundaries.find(load.boundary);
+    return is_motion(load.kind) && load.factor != 0. && side != scene.boundaries.end() &&
+           side->second.displacement != DisplacementCondition::absorbing;
+  });
+}
+
 bool has_frictional_contact(const Scene& scene) {
   return contact_law(scene) != nullptr;
 }

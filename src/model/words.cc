@@ -25,10 +25,10 @@ const Words<Compressibility> compressibility_words{{"auto", Compressibility::aut
                                                    {"compressible", Compressibility::compressible},
                                                    {"incompressible", Compressibility::incompressible}};
 
-const Words<DisplacementCondition> displacement_words{{"fixed", DisplacementCondition::fixed},
-                                                      {"roller", DisplacementCondition::roller},
-                                                      {"free", DisplacementCondition::free},
-                                                      {"absorbing", DisplacementCondition::absorbing}};
+const Words<DisplacementCondition> displacement_words{
+    {"fixed", DisplacementCondition::fixed}, {"roller", DisplacementCondition::roller},
+    {"free", DisplacementCondition::free},   {"absorbing", DisplacementCondition::absorbing},
+    {"plate", DisplacementCondition::plate}, {"level", DisplacementCondition::level}};
 
 const Words<PressureCondition> pressure_words{{"sealed", PressureCondition::sealed},
                                               {"open", PressureCondition::open},
@@ -41,9 +41,13 @@ const Words<PulseShape> pulse_shape_words{{"triangle", PulseShape::triangle},
                                           {"church_roof", PulseShape::church_roof},
                                           {"harmonic", PulseShape::harmonic}};
 
-const Words<LoadKind> load_kind_words{{"force", LoadKind::force},       {"traction", LoadKind::traction},
-                                      {"pressure", LoadKind::pressure}, {"pressures", LoadKind::pressures},
-                                      {"wave", LoadKind::wave},         {"train", LoadKind::train}};
+const Words<LoadKind> load_kind_words{{"force", LoadKind::force},           {"traction", LoadKind::traction},
+                                      {"normal", LoadKind::normal},         {"pressure", LoadKind::pressure},
+                                      {"pressures", LoadKind::pressures},   {"wave", LoadKind::wave},
+                                      {"train", LoadKind::train},           {"displacement", LoadKind::displacement},
+                                      {"velocity", LoadKind::velocity},     {"acceleration", LoadKind::acceleration},
+                                      {"body_force", LoadKind::body_force}, {"gravity", LoadKind::gravity},
+                                      {"source", LoadKind::source}};
 
 const Words<TimeScheme> time_scheme_words{{"auto", TimeScheme::automatic},
                                           {"generalised_alpha", TimeScheme::generalised_alpha},

@@ -53,7 +53,8 @@ LoadDuration shortest_load(const Scene& scene) {
 /// Growth from the last kink on, if all loads keep their values from there.
 std::optional<StepGrowth> growth(const Scene& scene, double step) {
   const double end = scene.time.end;
-  StepGrowth growth{0., end / 50.};
+  if (scene.time.growth == 1.) return {};
+  StepGrowth growth{0., end / 50., scene.time.growth};
   for (const auto& [name, load] : scene.loads)
     for (double kink : load.history.kinks())
       if (kink < end) growth.after = std::max(growth.after, kink);
@@ -213,6 +214,7 @@ SchemeChoice choose_scheme(const Scene& scene, const CompiledScene& compiled) {
   const auto march = [](const std::string& why) { return SchemeChoice{TimeScheme::sdirk4, why, {}}; };
   if (yields(scene)) return march("soil that yields is marched");
   if (!scene.time.inertia) return march("consolidation is marched");
+  if (has_prescribed_motion(scene)) return march("a motion that is prescribed is marched");
   if (!compiled.caisson) return march("without a caisson there is no F_T to measure a reduced model's error with");
   if (scene.time.stop_at_energy) return march("it shall stop early");
   const System& system = compiled.system;

@@ -25,11 +25,12 @@ struct TimeGrid {
   int n_step_sizes() const;
 };
 
-/// Steps that grow once the loads keep their values: from `after` (s) on they double every 8 steps, up to `largest`
+/// Steps that grow once the loads keep their values: from `after` (s) on by `factor` every 8 steps, up to `largest`
 /// (s).
 struct StepGrowth {
   double after = 0.;
   double largest = 0.;
+  double factor = 2.;  ///< above 1
 };
 
 /// Steps of at most `largest_step` (s) that meet `end` (s) and every kink in (0, end); kinks closer than 1e-9 end

@@ -38,17 +38,34 @@ Diagnostics diagnose(const Pulse& pulse);
 
 /// The history of a pulse without objections.
 TimeFunction time_function(const Pulse& pulse);
+/// From start to peak (s), as given or by default.
+double rise_of(const Pulse& pulse);
 /// Load::duration of a pulse: set where the kinks of its history do not tell it.
 std::optional<double> duration(const Pulse& pulse);
 
 enum class LoadKind {
-  force,      ///< resultant (N/m) in `direction`
-  traction,   ///< Pa in `direction`
-  pressure,   ///< Pa: total normal stress = -value, and pore pressure = value where the boundary is open
-  pressures,  ///< of a case only: by transducers (gauges.h), each of which becomes a pressure in the scene
-  wave,       ///< of a case only: by Goda's formulas, which become a force with a shape in the scene
-  train,      ///< of a case only: by regular waves along a curve, which become two pressures in the scene
+  force,         ///< resultant (N/m) in `direction`
+  traction,      ///< Pa in `direction`
+  normal,        ///< Pa on the skeleton alone: traction = -value times the outward normal, pore water feels nothing
+  pressure,      ///< Pa: total normal stress = -value, and pore pressure = value where the boundary is open
+  pressures,     ///< of a case only: by transducers (gauges.h), each of which becomes a pressure in the scene
+  wave,          ///< of a case only: by Goda's formulas, which become a force with a shape in the scene
+  train,         ///< of a case only: by regular waves along a curve, which become two pressures in the scene
+  displacement,  ///< m, how a boundary moves in `direction`; the history of the scene is its velocity (m/s)
+  velocity,      ///< m/s, likewise
+  acceleration,  ///< m/s2, likewise
+  body_force,    ///< N/m3 in `direction` on the volume of a region
+  gravity,       ///< m/s2: acceleration of gravity downward on skeleton and water of a region, or of all
+  source,        ///< 1/s: volume of water that enters a region's pores, over volume and time
 };
+
+/// Whether a load is how a boundary moves. Where the boundary is held the motion is prescribed; where it absorbs waves
+/// it is that of the outcrop, of which half arrives: Joyner and Chen, Bull. Seismol. Soc. Am. 65 (1975) 1315.
+bool is_motion(LoadKind kind);
+/// Whether a load acts on the volume of regions.
+bool is_on_volume(LoadKind kind);
+/// SI unit of a load's history as it is written.
+const char* unit_of(LoadKind kind);
 
 /// The intensity cos(2 pi (x - origin)/length) along a curve.
 struct Cosine {
@@ -60,16 +77,18 @@ struct Cosine {
 struct Load {
   std::string boundary;              ///< curve that it acts on, or
   std::string region;                ///< a rigid region, with
-  std::array<double, 2> at{0., 0.};  ///< the point of attack (m)
+  std::array<double, 2> at{0., 0.};  ///< the point of attack (m); or any region, where it acts on the volume
   LoadKind kind = LoadKind::force;
   std::array<double, 2> direction{1., 0.};
-  std::vector<std::array<double, 2>> shape;  ///< (height y, relative intensity), linear between; empty: uniform
-  bool over_x = false;                       ///< the shape runs over x, as along a bed
-  std::optional<Cosine> cosine;              ///< instead of a shape
-  std::string transducer;                    ///< whose pressure it is: named "LOAD.transducer"; else empty
-  bool measured_on_wall = false;             ///< the history holds the pressure of the sea on this moving wall already
-  double factor = 1.;                        ///< multiplies the history; 0 switches the load off
-  TimeFunction history;                      ///< with the factor
+  std::vector<std::array<double, 2>> shape;   ///< (height y, relative intensity), linear between; empty: uniform
+  bool over_x = false;                        ///< the shape runs over x, as along a bed
+  bool along_curve = false;                   ///< or over the length along the curve, from its seaward end
+  std::vector<std::array<double, 2>> course;  ///< the curve's points (x, y) from there, known with the mesh
+  std::optional<Cosine> cosine;               ///< instead of a shape
+  std::string transducer;                     ///< whose pressure it is: named "LOAD.transducer"; else empty
+  bool measured_on_wall = false;              ///< the history holds the pressure of the sea on this moving wall already
+  double factor = 1.;                         ///< multiplies the history; 0 switches the load off
+  TimeFunction history;                       ///< with the factor
   /// Shortest time in which the history rises and falls (s); none: the kinks tell it, see shortest_duration.
   std::optional<double> duration;
 };
@@ -79,9 +98,12 @@ struct Load {
 /// twentieth of its peak. Sampling does not change it, whereas kinks come from the samples.
 double sampled_duration(const std::vector<double>& time, const std::vector<double>& value, double end);
 
-/// Relative intensity at height y, or at x where the shape runs over x: linear between the pairs of `shape`, zero
-/// beyond its ends, 1 where it is empty.
+/// Relative intensity where the shape's coordinate is `at`: linear between the pairs of `shape`, zero beyond its ends,
+/// 1 where it is empty.
 double intensity(const Load& load, double at);
+/// At a point of the curve.
 double intensity(const Load& load, double x, double y);
+/// What a load's shape runs over, at a point of its curve: height y, x, or the length along the curve (m).
+double shape_coordinate(const Load& load, double x, double y);
 
 }  // namespace upbead

@@ -80,13 +80,22 @@ struct Limits {
   std::optional<double> overturning;    ///< least margin against it
 };
 
-enum class DisplacementCondition { fixed, roller, free, absorbing };
+enum class DisplacementCondition {
+  fixed,      ///< it does not move, or as a load prescribes
+  roller,     ///< nor along its normal
+  free,       ///< nothing holds it, but for springs and dashpots
+  absorbing,  ///< waves leave
+  plate,      ///< straight; a rigid smooth plate lies on it that shifts along its normal and does not turn
+  level,      ///< no vertical motion: a side of ground that is shaken horizontally
+};
 enum class PressureCondition { sealed, open, absorbing, surface_waves };
 
 /// One table [boundaries.NAME].
 struct Boundary {
   DisplacementCondition displacement = DisplacementCondition::free;
-  std::optional<PressureCondition> pressure;  ///< needed where the boundary meets water, of pores or free
+  std::optional<PressureCondition> pressure;       ///< needed where the boundary meets water, of pores or free
+  std::optional<std::array<double, 2>> spring{};   ///< along normal and tangent: stress per displacement (Pa/m)
+  std::optional<std::array<double, 2>> dashpot{};  ///< likewise, stress per velocity (Pa s/m)
 };
 
 struct MeshChoice {
@@ -105,6 +114,8 @@ struct TimeChoice {
   std::optional<double> step;  ///< s; none: chosen from the loads
   TimeScheme scheme = TimeScheme::automatic;
   bool inertia = true;  ///< false: quasi-static (consolidation)
+  /// Factor by which steps grow every eighth step once the loads keep their values, in consolidation; 1: not at all.
+  double growth = 2.;
   /// Stop once the loads are over and the energy has fallen below this fraction of its largest.
   std::optional<double> stop_at_energy;
 };
@@ -127,6 +138,8 @@ struct Scene {
   AccuracyChoice accuracy;
   std::map<std::string, Probe> probes;
   std::optional<double> fields_every;  ///< s; none: no fields
+  std::vector<double> output_times;    ///< at which all readings are told and fields are written (s), ascending
+  std::optional<double> output_every;  ///< s between values of the histories; none: the steps' own times
   bool base_stress = false;            ///< whether stress and pore pressure along the caisson's bottom are read
   std::optional<SlidingChoice> sliding;
   Limits limits;
@@ -134,6 +147,9 @@ struct Scene {
 
 /// The region whose bottom shear is read.
 inline const std::string caisson_name = "caisson";
+
+/// Whether some load prescribes how a boundary that is held moves.
+bool has_prescribed_motion(const Scene& scene);
 
 /// Whether the caisson may slip and lift on its ground, node by node.
 bool has_frictional_contact(const Scene& scene);

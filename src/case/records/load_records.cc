@@ -5,6 +5,7 @@
 
 #include "case/case_checks.h"
 #include "case/records/record_table.h"
+#include "model/motion.h"
 #include "upbead/base/error.h"
 
 namespace upbead {
@@ -217,10 +218,21 @@ Columns read_columns(const std::string& path, const Place& place, const std::str
 }  // namespace
 
 void read_history(const std::string& path, const Place& place, double end, Load& load) {
-  const auto [table, time, value] = read_columns(path, place, load.kind == LoadKind::force ? "N/m" : "Pa");
+  const auto [table, time, value] = read_columns(path, place, unit_of(load.kind));
   if (std::all_of(value.begin(), value.end(), [](double v) { return v == 0.; }))
     throw InputError({path}, "every value of the history is zero", "give a history with a load");
-  load.history = piecewise_linear(time, value);
+  if (load.kind == LoadKind::displacement) {
+    constexpr std::size_t fewest = 4;  // of a cubic
+    if (time.size() < fewest)
+      throw InputError({path}, "a displacement of " + std::to_string(time.size()) + " rows has no smooth velocity",
+                       "give four rows or more");
+    load.history = rate_of_samples(time, value);
+    std::vector<double> moved = value;
+    for (double& v : moved) v -= value.front();
+    load.duration = sampled_duration(time, moved, time.back());
+    return;
+  }
+  load.history = load.kind == LoadKind::acceleration ? integral_of_samples(time, value) : piecewise_linear(time, value);
   load.duration = sampled_duration(time, value, end);
 }
 
