@@ -35,10 +35,26 @@ std::string describe_regions(const Case& input, const Simulation& simulation) {
   return text;
 }
 
+/// How fast a motion is, and whether the boundary moves so or waves come up through it.
+std::string describe_motion(const Load& load, const Scene& scene) {
+  const bool arrives = scene.boundaries.at(load.boundary).displacement == DisplacementCondition::absorbing;
+  const double up = extremum(load.history, 0., scene.time.end, 1).value;
+  const double down = extremum(load.history, 0., scene.time.end, -1).value;
+  const std::string what = arrives ? "waves from below '" + load.boundary + "', by the motion of its outcrop"
+                                   : "moves '" + load.boundary + "'";
+  return format("%s: at most %.4g m/s", what.c_str(),
+                std::max(up, -down) * std::hypot(load.direction[0], load.direction[1]));
+}
+
 std::string describe_loads(const Simulation& simulation) {
   std::string text;
   for (const LoadOnCaisson& load : simulation.compiled->loads_on_caisson) {
     std::string line = format("  %-12s ", load.name.c_str());
+    const auto written = simulation.given.loads.find(load.name);
+    if (written != simulation.given.loads.end() && is_motion(written->second.kind)) {
+      text += line + describe_motion(written->second, simulation.given) + "\n";
+      continue;
+    }
     const double largest = std::max(std::abs(load.force_x), std::abs(load.force_y));
     if (const auto arm = load.arm())
       line += format("arm %.4g m above the caisson's bottom, F_x = %.4g per unit, F_y = %.4g", *arm,

@@ -58,7 +58,7 @@ void take_slip_out(StateSpace& s, int slip, int reading, double& share) {
   if (of_slip > 0.) share = s.E.row(reading).dot(s.E.row(slip)) / of_slip;
   for (Eigen::MatrixXd* part : {&s.C, &s.D, &s.E, &s.F}) part->row(reading) -= share * part->row(slip);
   if (s.E.row(reading).norm() > no_slip_drift * drift)
-    throw NumericsError("a reading of a caisson that slips is held by neither strain nor slip; march this scene");
+    throw NumericsError("a reading of a caisson that slips is held by neither strain nor slip");
 }
 
 OpenLoop open_loop(const ReducedSystem& reduced, const SlipLaw& law) {
@@ -67,7 +67,7 @@ OpenLoop open_loop(const ReducedSystem& reduced, const SlipLaw& law) {
             velocity = index_of(reduced.reading_label, slip_name::velocity);
   const Eigen::Index K = s.B.cols() - 1;
   if (!s.D.row(velocity).isZero(0.))
-    throw NumericsError("the slip feels the motion that a load prescribes; march this scene");
+    throw NumericsError("the slip feels the motion that a load prescribes");
   OpenLoop o;
   o.A = s.A;
   o.B = s.B.leftCols(K);

@@ -71,8 +71,8 @@ void add_interface(Constraints& constraints, const std::vector<InterfaceNode>& n
   }
 }
 
-/// Motions of the scene beyond the degrees of freedom: index and weight.
-using Moves = std::vector<std::pair<types::global_dof_index, double>>;
+/// Motions of the scene beyond the degrees of freedom: index -> weight.
+using Moves = std::map<types::global_dof_index, double>;
 
 /// What holds a node along a normal: n.u = sum of weight times motion.
 struct Hold {
@@ -97,9 +97,14 @@ std::map<unsigned, std::array<types::global_dof_index, 2>> nodes_on_face(const C
   return nodes;
 }
 
-void add_moves(Constraints& constraints, types::global_dof_index dof, const Moves& moves, double factor) {
+/// All at once: of two entries with one index the constraints keep the first.
+void add_moves(Constraints& constraints, types::global_dof_index dof, const Moves& moves) {
   for (const auto& [index, weight] : moves)
-    if (const double part = factor * weight; std::abs(part) > 1e-12) constraints.add_entry(dof, index, part);
+    if (std::abs(weight) > 1e-12) constraints.add_entry(dof, index, weight);
+}
+
+void add_scaled(const Moves& moves, double factor, Moves& sum) {
+  for (const auto& [index, weight] : moves) sum[index] += factor * weight;
 }
 
 double sine_between(const Hold& a, const Hold& b) {
@@ -113,9 +118,11 @@ void add_corner(Constraints& constraints, const HeldNode& node, const Hold& a, c
   const types::global_dof_index dofs[]{node.ux, node.uy};
   for (unsigned d = 0; d < dim; ++d) {
     if (constraints.is_constrained(dofs[d])) continue;
+    Moves moves;
+    add_scaled(a.moves, of_a[d], moves);
+    add_scaled(b.moves, of_b[d], moves);
     constraints.add_line(dofs[d]);
-    add_moves(constraints, dofs[d], a.moves, of_a[d]);
-    add_moves(constraints, dofs[d], b.moves, of_b[d]);
+    add_moves(constraints, dofs[d], moves);
   }
 }
 
@@ -127,8 +134,10 @@ void add_side(Constraints& constraints, const HeldNode& node) {
   const auto slave = x_leads ? node.ux : node.uy, master = x_leads ? node.uy : node.ux;
   const double lead = x_leads ? n[0] : n[1], ratio = (x_leads ? -n[1] : -n[0]) / lead;
   if (constraints.is_constrained(slave)) return;
+  Moves moves;
+  for (const Hold& hold : node.holds) add_scaled(hold.moves, 1. / lead, moves);
   constraints.add_line(slave);
-  for (const Hold& hold : node.holds) add_moves(constraints, slave, hold.moves, 1. / lead);
+  add_moves(constraints, slave, moves);
   if (std::abs(ratio) > 1e-12 && !constraints.is_constrained(master)) constraints.add_entry(slave, master, ratio);
 }
 
@@ -154,10 +163,10 @@ Moves moves_at(const Scene& scene, const SceneMotions& motions, const std::strin
     const Load& load = scene.loads.at(motions.loads[l]);
     if (!is_motion(load.kind) || load.boundary != curve) continue;
     const double part = load.direction[0] * along[0] + load.direction[1] * along[1];
-    moves.emplace_back(motions.first_load + l, part * intensity(load, at[0], at[1]));
+    moves[motions.first_load + l] = part * intensity(load, at[0], at[1]);
   }
   for (std::size_t p = 0; p < motions.plates.size(); ++p)
-    if (motions.plates[p] == curve) moves.emplace_back(motions.first_plate + p, 1.);
+    if (motions.plates[p] == curve) moves[motions.first_plate + p] = 1.;
   return moves;
 }
 
@@ -177,7 +186,7 @@ void add_fixed(Constraints& constraints, const Space& space, const Scene& scene,
         const Moves moves = moves_at(scene, motions, curve, at, axis);
         if (moves.empty() == moved) continue;
         constraints.add_line(dofs[i]);
-        add_moves(constraints, dofs[i], moves, 1.);
+        add_moves(constraints, dofs[i], moves);
       }
     });
 }

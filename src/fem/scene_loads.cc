@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "fem/faces.h"
+#include "fem/moving_frame.h"
 #include "fem/sides.h"
 
 namespace upbead {
@@ -133,8 +134,7 @@ class LoadCompiler {
 
   void add(const std::string& name, const Load& load) {
     if (is_motion(load.kind)) {
-      append({name, Vector::Zero(unknowns_.size()), load.history, unknowns_.prescribed(name)});
-      if (unknowns_.prescribed(name) < 0) add_arriving(scene_, space_, unknowns_, load, out.loads.back().vector);
+      add_motion(name, load);
       return;
     }
     if (!load.region.empty()) {
@@ -155,6 +155,17 @@ class LoadCompiler {
     out.on_caisson.push_back({load.name});
     out.on_ground.push_back({});
     out.loads.push_back(std::move(load));
+  }
+
+  void add_motion(const std::string& name, const Load& load) {
+    const int p = unknowns_.prescribed(name);
+    append({name, Vector::Zero(unknowns_.size()), load.history, p});
+    if (p < 0) add_arriving(scene_, space_, unknowns_, load, out.loads.back().vector);
+    if (!moves_frame(scene_, load)) return;
+    const auto damping = damping_by_frame(space_, load);
+    if (damping.empty()) return;
+    append({name + ".damping", Vector::Zero(unknowns_.size()), load.history, -1});
+    for (const auto& [region, nodal] : damping) add_nodal(region, nodal);
   }
 
   void add_point_resultant(const Load& load) {

@@ -115,40 +115,42 @@ Json property_of(const Key& key, const void* standard) {
   return json;
 }
 
-/// What a key's place beside the word of a choice asks; null where no word decides.
-Json condition_of(const Table& table, const Key& key) {
-  if (!key.belongs) return {};
-  const Key* decisive = nullptr;
-  for (const Key& other : table.keys())
-    if (other.info.name == key.decisive && other.choose) decisive = &other;
-  if (!decisive) return {};
-  Json with = Json::array(), without = Json::array();
-  for (std::size_t i = 0; i < decisive->info.words.size(); ++i) {
+/// The words of a choice beside which a key belongs; empty where no word decides, or more than the word does.
+Json words_beside(const Table& table, const Key& key, const Key& decisive) {
+  Json with = Json::array();
+  for (std::size_t i = 0; i < decisive.info.words.size(); ++i) {
     const std::shared_ptr<void> object = table.make();
-    decisive->choose(object.get(), i);
-    (key.belongs(object.get()) ? with : without).push_back(decisive->info.words[i]);
+    decisive.choose(object.get(), i);
+    if (key.belongs(object.get())) with.push_back(decisive.info.words[i]);
   }
-  for (const auto& [former, now] : decisive->info.former_words)
-    (std::find(with.begin(), with.end(), now) != with.end() ? with : without).push_back(former);
-  if (with.empty()) return {};  // more than this word decides
-  const auto says = [&](const Json& words) {
-    return Json{{"required", {key.decisive}}, {"properties", {{key.decisive, {{"enum", words}}}}}};
-  };
-  const auto either = [](Json a, Json b) { return Json{{"anyOf", {std::move(a), std::move(b)}}}; };
-  const auto no = [](Json what) { return Json{{"not", std::move(what)}}; };
-  const bool by_default = key.belongs(table.make().get());
-  const Json given{{"required", {key.info.name}}}, told{{"required", {key.decisive}}};
-  Json rules = Json::array();
-  if (!without.empty()) rules.push_back(either(no(says(without)), no(given)));
-  if (!by_default) rules.push_back(either(told, no(given)));
-  if (key.info.required) rules.push_back(either(no(says(with)), given));
-  if (key.info.required && by_default) rules.push_back(either(told, given));
-  return rules;
+  for (const auto& [former, now] : decisive.info.former_words)
+    if (std::find(with.begin(), with.end(), now) != with.end()) with.push_back(former);
+  return with;
+}
+
+/// What a key's place beside the word of a choice asks. As `dependencies` and `not`: an editor that meets `allOf`
+/// forgets to complete the keys beside it.
+void add_condition(const Table& table, const Key& key, Json& json) {
+  if (!key.belongs) return;
+  for (const Key& decisive : table.keys()) {
+    if (decisive.info.name != key.decisive || !decisive.choose) continue;
+    const Json with = words_beside(table, key, decisive);
+    if (with.empty()) return;
+    const Json says{{"properties", {{key.decisive, {{"enum", with}}}}}};
+    Json told = says;
+    told["required"] = {key.decisive};
+    const bool by_default = key.belongs(table.make().get());
+    json["dependencies"][key.info.name] = by_default ? says : told;
+    if (!key.info.required) return;
+    Json lacks = by_default ? says : told;
+    lacks["not"] = {{"required", {key.info.name}}};
+    json["not"]["anyOf"].push_back(lacks);
+  }
 }
 
 Json table_of(const Table& table) {
   Json json{{"type", "object"}, {"properties", Json::object()}, {"additionalProperties", false}};
-  Json required = Json::array(), rules = Json::array();
+  Json required = Json::array();
   const std::shared_ptr<void> standard = table.make();
   for (const Key& key : table.keys()) {
     json["properties"][key.info.name] = property_of(key, standard.get());
@@ -158,10 +160,9 @@ Json table_of(const Table& table) {
       json["properties"][key.info.former] = former;
     }
     if (key.info.required && !key.belongs) required.push_back(key.info.name);
-    for (const Json& rule : condition_of(table, key)) rules.push_back(rule);
+    add_condition(table, key, json);
   }
   if (!required.empty()) json["required"] = required;
-  if (!rules.empty()) json["allOf"] = rules;
   return json;
 }
 

@@ -40,8 +40,8 @@ MISTAKES = [
     ("porosity = 0.4", "porosty = 0.4", "regions.sand"),
     ('kind = "rigid"', 'kind = "ridgid"', "regions.caisson.kind"),
     ('kind = "rigid"\n', "", "regions.caisson"),
-    ("density = 2100.0", "density = 2100.0\nporosity = 0.4", "regions.caisson"),
-    ('shape = "triangle"', 'shape = "half_sine", rise = 0.1', "loads.impulse.pulse"),
+    ("density = 2100.0", "density = 2100.0\nporosity = 0.4", "regions.caisson.kind"),
+    ('shape = "triangle"', 'shape = "half_sine", rise = 0.1', "loads.impulse.pulse.shape"),
     ("peak = 1e6", "peak = [1e6]", "loads.impulse.pulse.peak"),
     ("[mesh]", "[msh]\n[mesh]", ""),
     ("[mesh]", "[time]\nend = -1.0\n[mesh]", "time.end"),
@@ -131,6 +131,23 @@ class Schema(ProgramTest):
                     keys.add(f"{table}.{found[1]}".strip("."))
             self.assertGreater(len(keys), 15)
             self.assertEqual(keys - set(paths_of(self.schemas[kind])), set(), kind)
+
+    def test_editors_complete_every_key(self):
+        """The common language server of TOML forgets the keys of a table beside `allOf`, `anyOf` and `oneOf`."""
+        def tables(schema):
+            if isinstance(schema, dict):
+                if "properties" in schema and schema.get("additionalProperties") is False:
+                    yield schema
+                schema = list(schema.values())
+            if isinstance(schema, list):
+                for inner in schema:
+                    yield from tables(inner)
+
+        for schema in self.schemas.values():
+            found = list(tables(schema))
+            self.assertGreater(len(found), 2)
+            for table in found:
+                self.assertFalse({"allOf", "anyOf", "oneOf"} & set(table), list(table["properties"]))
 
     def test_mistakes_are_found_at_their_place(self):
         validator = Draft4Validator(self.schemas["case"])

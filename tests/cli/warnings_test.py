@@ -318,6 +318,18 @@ class Warnings(ProgramTest):
         found.pop("walls_too_near")
         self.expect(found, "record_too_coarse", 6)
 
+    def test_motion_stays(self):
+        base = SCENE.split("[loads.impulse]")[0]
+        tail = SCENE[SCENE.index("[time]"):]
+        for rows, left in (([(0, 0), (0.1, 2), (0.2, 0), (0.3, -1), (0.4, 0)], 0.1), ([(0, 0), (0.1, 2), (0.3, -2), (0.4, 0)], 0)):
+            (self.folder / "base.csv").write_text("t (s),a (m/s2)\n" + "".join(f"{t},{a}\n" for t, a in rows))
+            quake = '[loads.quake]\nboundary = "base"\nkind = "acceleration"\nhistory = "base.csv"\n'
+            found, _ = self.ask("explain", scene=base + quake + tail)
+            if left:
+                self.expect(found, "motion_stays", left)
+            else:
+                self.assertNotIn("motion_stays", found)
+
     def test_cavitation(self):
         strong = settings(loads__impulse__factor=20)
         for scheme in ("reduced", "sdirk4"):

@@ -94,6 +94,28 @@ NumberedWarnings jump_warnings(const Simulation& simulation) {
                " s); F_T does not feel it; write time.scheme = \"sdirk4\", or give the load a rise"}};
 }
 
+/// motion_stays: a boundary that still moves when its motion has been told to the end.
+NumberedWarnings motion_warnings(const Simulation& simulation) {
+  constexpr double at_rest = 0.05;  // of the largest velocity
+  NumberedWarnings list;
+  for (const auto& [name, load] : simulation.given.loads) {
+    if (load.kind != LoadKind::acceleration || load.factor == 0. || load.history.kinks().empty()) continue;
+    const double last = load.history.kinks().back(), end = simulation.given.time.end;
+    if (last > end) continue;
+    const double largest =
+        std::max(extremum(load.history, 0., end, 1).value, -extremum(load.history, 0., end, -1).value);
+    const double left = load.history(last);
+    if (std::abs(left) <= at_rest * largest) continue;
+    list.push_back({"motion_stays", left, at_rest * largest, "m/s",
+                    "load '" + name + "' ends with a velocity of " + significant(left) + " m/s, " +
+                        significant(100. * std::abs(left) / largest, 2) +
+                        " % of its largest, which stays: the ground goes on moving, by " +
+                        significant(left * (end - last), 2) +
+                        " m until the end; take off the record's mean, or give its velocity or displacement"});
+  }
+  return list;
+}
+
 /// mesh_too_coarse: fewer than 4 cells to a wave (response/ground_waves.h), 3 where u is of degree 3; not
 /// where the mesh was made for the tolerance.
 NumberedWarnings mesh_warnings(const Simulation& simulation) {
@@ -306,9 +328,9 @@ NumberedWarnings warnings(const Simulation& simulation, const std::optional<doub
   NumberedWarnings all;
   for (const NumberedWarnings& part :
        {plausibility_warnings(simulation), step_warnings(simulation), jump_warnings(simulation),
-        mesh_warnings(simulation), wall_warnings(simulation, peak_time), load_warnings(simulation),
-        boundary_layer_warnings(simulation), ring_warnings(simulation), slow_wave_warnings(simulation),
-        layer_warnings(simulation), thin_layer_warnings(simulation)})
+        motion_warnings(simulation), mesh_warnings(simulation), wall_warnings(simulation, peak_time),
+        load_warnings(simulation), boundary_layer_warnings(simulation), ring_warnings(simulation),
+        slow_wave_warnings(simulation), layer_warnings(simulation), thin_layer_warnings(simulation)})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }
