@@ -127,7 +127,10 @@ class LoadCheck {
         wrong_(path_, document, report) {}
 
   void run() const {
-    exactly_one("boundary", "region");
+    if (is_on_volume(load_.kind))
+      check_volume();
+    else
+      exactly_one("boundary", "region");
     if (!load_.from.empty())
       check_flow();
     else if (load_.kind == LoadKind::pressures)
@@ -139,7 +142,8 @@ class LoadCheck {
     else
       exactly_one("pulse", "history");
     if (is_motion(load_.kind)) check_motion();
-    if (given("boundary")) check_name("boundary", load_.boundary, keys_of(tables_.boundaries), "boundaries");
+    if (given("boundary") && !is_on_volume(load_.kind))
+      check_name("boundary", load_.boundary, keys_of(tables_.boundaries), "boundaries");
     if (given("region")) check_region();
     const bool has_direction = load_.kind == LoadKind::force || load_.kind == LoadKind::traction ||
                                load_.kind == LoadKind::body_force || is_motion(load_.kind);
@@ -183,11 +187,22 @@ class LoadCheck {
 
   void check_region() const {
     if (!check_name("region", load_.region, keys_of(tables_.regions), "regions")) return;
+    if (is_on_volume(load_.kind)) return;  // of which kind it must be, the mesh's checks tell
     if (report_.sound(dotted("regions", load_.region)) && tables_.regions.at(load_.region).kind != RegionKind::rigid)
       wrong_.add("region", "region = " + to_toml(load_.region) + " is not rigid",
                  "load one of its boundaries instead; only a rigid region takes a load at a point");
     if (load_.kind != LoadKind::force)
       wrong_.add("kind", "a load on a region is a force, no traction or pressure", "write kind = \"force\"");
+  }
+
+  void check_volume() const {
+    const std::string kind = word_of(load_.kind, load_kind_words);
+    if (given("boundary"))
+      wrong_.add("boundary", "kind = \"" + kind + "\" acts on the volume of a region",
+                 "remove boundary, and give region" +
+                     std::string(load_.kind == LoadKind::gravity ? ", or neither for all of them" : ""));
+    else if (!given("region") && load_.kind != LoadKind::gravity)
+      wrong_.add("region", "'region' is missing, which kind = \"" + kind + "\" needs", "add region");
   }
 
   void check_row() const {
