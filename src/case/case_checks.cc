@@ -87,6 +87,25 @@ void check_time(const CaseTables& tables, const Document& document, Diagnostics&
         "write scheme = \"auto\"");
 }
 
+void check_output(const CaseTables& tables, const Document& document, Diagnostics& report) {
+  if (!report.sound("output") || !report.sound("time")) return;
+  constexpr std::size_t most_times = 10000;
+  const std::vector<double>& times = tables.output_times;
+  const Place place = document.place("output.times");
+  if (times.size() > most_times)
+    report.add(place, std::to_string(times.size()) + " times, more than " + std::to_string(most_times),
+               "write [output] every, for histories at equal times");
+  for (std::size_t i = 0; i < times.size(); ++i)
+    if (i > 0 && times[i] <= times[i - 1])
+      return report.add(place,
+                        "times do not ascend: " + number_text(times[i]) + " follows " + number_text(times[i - 1]),
+                        "order them, each once");
+  if (!times.empty() && times.back() > tables.time.end)
+    report.add(place,
+               "times = [..., " + number_text(times.back()) + "] lies after time.end = " + number_text(tables.time.end),
+               "give times (s) up to the end, or a later end");
+}
+
 void check_probes(const CaseTables& tables, const Document& document, Diagnostics& report) {
   constexpr std::size_t most_probes = 5000;  // with 15 histories each 0.6 GB in 1,000 steps
   if (tables.probes.size() > most_probes)
