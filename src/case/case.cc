@@ -256,7 +256,7 @@ Case read_case(const std::string& path, const std::vector<std::string>& override
   Diagnostics report;
   case_schema().read(problem.document.root(), "", tables, report);
   for (const auto check :
-       {check_mesh, check_regions, check_section, check_loads, check_time, check_probes, check_sliding})
+       {check_mesh, check_regions, check_section, check_loads, check_time, check_probes, check_output, check_sliding})
     check(tables, problem.document, report);
   make_histories(problem, tables, report);
   make_sliding(problem, tables, report);

@@ -87,6 +87,25 @@ void check_time(const CaseTables& tables, const Document& document, Diagnostics&
         "write scheme = \"auto\"");
 }
 
+void check_output(const CaseTables& tables, const Document& document, Diagnostics& report) {
+  if (!report.sound("output") || !report.sound("time")) return;
+  constexpr std::size_t most_times = 10000;
+  const std::vector<double>& times = tables.output_times;
+  const Place place = document.place("output.times");
+  if (times.size() > most_times)
+    report.add(place, std::to_string(times.size()) + " times, more than " + std::to_string(most_times),
+               "write [output] every, for histories at equal times");
+  for (std::size_t i = 0; i < times.size(); ++i)
+    if (i > 0 && times[i] <= times[i - 1])
+      return report.add(place,
+                        "times do not ascend: " + number_text(times[i]) + " follows " + number_text(times[i - 1]),
+                        "order them, each once");
+  if (!times.empty() && times.back() > tables.time.end)
+    report.add(place,
+               "times = [..., " + number_text(times.back()) + "] lies after time.end = " + number_text(tables.time.end),
+               "give times (s) up to the end, or a later end");
+}
+
 void check_probes(const CaseTables& tables, const Document& document, Diagnostics& report) {
   constexpr std::size_t most_probes = 5000;  // with 15 histories each 0.6 GB in 1,000 steps
   if (tables.probes.size() > most_probes)
@@ -127,7 +146,10 @@ class LoadCheck {
         wrong_(path_, document, report) {}
 
   void run() const {
-    exactly_one("boundary", "region");
+    if (is_on_volume(load_.kind))
+      check_volume();
+    else
+      exactly_one("boundary", "region");
     if (!load_.from.empty())
       check_flow();
     else if (load_.kind == LoadKind::pressures)
@@ -139,7 +161,8 @@ class LoadCheck {
     else
       exactly_one("pulse", "history");
     if (is_motion(load_.kind)) check_motion();
-    if (given("boundary")) check_name("boundary", load_.boundary, keys_of(tables_.boundaries), "boundaries");
+    if (given("boundary") && !is_on_volume(load_.kind))
+      check_name("boundary", load_.boundary, keys_of(tables_.boundaries), "boundaries");
     if (given("region")) check_region();
     const bool has_direction = load_.kind == LoadKind::force || load_.kind == LoadKind::traction ||
                                load_.kind == LoadKind::body_force || is_motion(load_.kind);
@@ -183,11 +206,22 @@ class LoadCheck {
 
   void check_region() const {
     if (!check_name("region", load_.region, keys_of(tables_.regions), "regions")) return;
+    if (is_on_volume(load_.kind)) return;  // of which kind it must be, the mesh's checks tell
     if (report_.sound(dotted("regions", load_.region)) && tables_.regions.at(load_.region).kind != RegionKind::rigid)
       wrong_.add("region", "region = " + to_toml(load_.region) + " is not rigid",
                  "load one of its boundaries instead; only a rigid region takes a load at a point");
     if (load_.kind != LoadKind::force)
       wrong_.add("kind", "a load on a region is a force, no traction or pressure", "write kind = \"force\"");
+  }
+
+  void check_volume() const {
+    const std::string kind = word_of(load_.kind, load_kind_words);
+    if (given("boundary"))
+      wrong_.add("boundary", "kind = \"" + kind + "\" acts on the volume of a region",
+                 "remove boundary, and give region" +
+                     std::string(load_.kind == LoadKind::gravity ? ", or neither for all of them" : ""));
+    else if (!given("region") && load_.kind != LoadKind::gravity)
+      wrong_.add("region", "'region' is missing, which kind = \"" + kind + "\" needs", "add region");
   }
 
   void check_row() const {

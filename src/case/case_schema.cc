@@ -180,6 +180,20 @@ TableSchema<CaseTables> output_schema() {
   table.section("fields", fields).doc("Fields of the whole mesh; none are computed or written without this table.");
   table.key("base", &CaseTables::base_stress)
       .doc("true: stress and pore pressure along the caisson's bottom over time, in /base of results.h5");
+  table.key("times", &CaseTables::output_times)
+      .unit("s")
+      .range(above(0.))
+      .fallback("none")
+      .doc(
+          "times at which all readings are told, in times.csv and /at_times of results.h5, and, with fields, these are "
+          "written; the steps meet them");
+  table.key("every", &CaseTables::output_every)
+      .unit("s")
+      .range(above(0.))
+      .fallback("only the steps' own times")
+      .doc(
+          "time between values of smooth histories, in /dense of results.h5; between the ends of steps as accurate as "
+          "the scheme");
   return table;
 }
 

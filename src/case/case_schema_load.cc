@@ -37,6 +37,14 @@ bool is_by_gauges(const LoadTable& load) {
   return is_along_points(load) && load.from.empty();
 }
 
+bool is_at_a_point(const LoadTable& load) {
+  return !load.region.empty() && load.from.empty() && !is_on_volume(load.kind);
+}
+
+bool is_on_boundary(const LoadTable& load) {
+  return !is_on_volume(load.kind) && (load.region.empty() || !load.boundary.empty());
+}
+
 TableSchema<Pulse> pulse_schema() {
   TableSchema<Pulse> table;
   table.choice("shape", &Pulse::shape, pulse_shape_words).required().doc("shape of the history");
@@ -68,7 +76,8 @@ TableSchema<Pulse> pulse_schema() {
 
 void add_place_keys(TableSchema<LoadTable>& table) {
   table.key("boundary", &LoadTable::boundary).doc("name of the curve that the load acts on; or region");
-  table.key("region", &LoadTable::region).doc("name of the rigid region that the load acts on; or boundary");
+  table.key("region", &LoadTable::region)
+      .doc("name of the rigid region that a force acts on, or of any region for a load on its volume; or boundary");
   table.key("from", &LoadTable::from)
       .doc(
           "folder or file that a CFD program wrote (OpenFOAM, DualSPHysics, Proteus, SWASH: docs/cfd.md); or pulse, or "
@@ -88,14 +97,15 @@ TableSchema<LoadTable> load_schema() {
           "by transducers (gauges), Pa; wave: of Goda's formulas, by [.wave] and [section]; train: of regular waves "
           "along the curve, by [.train], Pa; displacement (m), velocity (m/s), acceleration (m/s2): how a fixed or "
           "roller boundary moves, or, where it is absorbing, how the rock's outcrop would, of which half arrives from "
-          "below; body_force (N/m3), gravity (m/s2, downward), source (1/s, volume of water): on the volume of a "
-          "region");
+          "below; on the volume of a region: body_force (N/m3), source (1/s: volume of water that enters the pores, "
+          "over "
+          "volume and time), gravity (m/s2, downward on skeleton and water together, history its acceleration, with "
+          "neither boundary nor region everywhere: pressures and stresses are then those with weight)");
   table.key("at", &LoadTable::at)
       .unit("m")
       .required()
       .doc("point of attack (x, y)")
-      .when(
-          "region", [](const LoadTable& load) { return !load.region.empty() && load.from.empty(); }, "on a region");
+      .when("region", is_at_a_point, "for a force on a region");
   table.key("direction", &LoadTable::direction)
       .doc("direction (x, y); multiplies the history and is not normalised")
       .when("kind", has_direction, "for forces, tractions, motions and body forces");
@@ -103,19 +113,13 @@ TableSchema<LoadTable> load_schema() {
       .unit_of_first("m")
       .fallback("uniform")
       .doc("pairs of height y (m) and relative intensity; linear in between, zero beyond the ends")
-      .when(
-          "region", [](const LoadTable& load) { return load.region.empty() || !load.boundary.empty(); },
-          "on a boundary");
+      .when("region", is_on_boundary, "on a boundary");
   table.key("over_x", &LoadTable::over_x)
       .doc("true: the pairs of shape, and the heights of transducers, are places x, not heights y, as along a bed")
-      .when(
-          "region", [](const LoadTable& load) { return load.region.empty() || !load.boundary.empty(); },
-          "on a boundary");
+      .when("region", is_on_boundary, "on a boundary");
   table.key("along_curve", &LoadTable::along_curve)
       .doc("true: the pairs of shape are lengths along the curve (m), from its seaward end, not heights")
-      .when(
-          "region", [](const LoadTable& load) { return load.region.empty() || !load.boundary.empty(); },
-          "on a boundary");
+      .when("region", is_on_boundary, "on a boundary");
   table.table("pulse", &LoadTable::pulse, pulse_schema()).doc("An idealised history; or history.");
   table.key("history", &LoadTable::history_file)
       .doc("path of a CSV file with a header line, then time (s) and value; linear in between; or pulse");
@@ -131,9 +135,7 @@ TableSchema<LoadTable> load_schema() {
   add_flow_keys<LoadTable>(table, is_by_flow);
   table.key("measured_on_wall", &LoadTable::measured_on_wall)
       .doc("true: measured on the moving wall, so the modelled water does not push back on this boundary")
-      .when(
-          "region", [](const LoadTable& load) { return load.region.empty() || !load.boundary.empty(); },
-          "on a boundary");
+      .when("region", is_on_boundary, "on a boundary");
   table.key("factor", &LoadTable::factor).doc("multiplies the history; 0 switches the load off");
   return table;
 }

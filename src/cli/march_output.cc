@@ -1,5 +1,6 @@
 #include "cli/march_output.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cmath>
 #include <filesystem>
@@ -19,8 +20,11 @@ namespace upbead {
 
 namespace {
 
-bool is_field_time(double time, double every) {
-  return std::abs(time / every - std::round(time / every)) < 1e-6;
+bool is_field_time(double time, const Scene& scene) {
+  const double ratio = time / *scene.fields_every, near = 1e-6 * *scene.fields_every;
+  const std::vector<double>& chosen = scene.output_times;
+  return std::abs(ratio - std::round(ratio)) < 1e-6 ||
+         std::any_of(chosen.begin(), chosen.end(), [&](double at) { return std::abs(time - at) < near; });
 }
 
 /// By a link, or a copy where the file system has none.
@@ -66,7 +70,7 @@ void check_checkpoints(const Case& input) {
 }  // namespace
 
 MarchObserver* FieldOutput::begin(const Simulation& simulation) {
-  if (!every_) return nullptr;
+  if (!scene_.fields_every) return nullptr;
   writer_.emplace(simulation.mesh, simulation.space, simulation.unknowns, simulation.scene.time.inertia,
                   [folder = folder_](const std::string& file) { return folder->path(file); });
   writer_->take_over(taken_over_);
@@ -78,7 +82,7 @@ void FieldOutput::follow(YieldingSoil& soil) {
 }
 
 bool FieldOutput::wants(double time) const {
-  return is_field_time(time, *every_);
+  return is_field_time(time, scene_);
 }
 
 void FieldOutput::see(const State& state, int, int) {

@@ -19,8 +19,8 @@ namespace upbead {
 
 class FieldOutput : public MarchObserver {
  public:
-  /// Nothing is written where the case asks for none, and then `folder` may be null. It must outlive this.
-  FieldOutput(const std::optional<double>& every, const OutputFolder* folder) : every_(every), folder_(folder) {}
+  /// Nothing is written where the scene asks for none, and then `folder` may be null. Both must outlive this.
+  FieldOutput(const Scene& scene, const OutputFolder* folder) : scene_(scene), folder_(folder) {}
 
   /// Of the scene that will be marched, which must outlive this.
   MarchObserver* begin(const Simulation& simulation);
@@ -40,7 +40,7 @@ class FieldOutput : public MarchObserver {
   void lay_into(const std::string& other) const;
 
  private:
-  std::optional<double> every_;
+  const Scene& scene_;
   std::optional<FieldWriter> writer_;
   std::vector<std::pair<double, std::string>> taken_over_;
   const OutputFolder* folder_;

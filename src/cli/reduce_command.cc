@@ -48,8 +48,8 @@ std::vector<ModelLoad> model_loads(const Scene& scene, const ModalModel& model) 
     const double up = extremum(load.history, 0., scene.time.end, 1).value;
     const double down = extremum(load.history, 0., scene.time.end, -1).value;
     const double duration = shortest_duration(alone);
-    list.push_back({name, load.kind == LoadKind::force ? "N/m" : "Pa", std::max(up, -down),
-                    std::isfinite(duration) ? duration : scene.time.end});
+    list.push_back(
+        {name, unit_of(load.kind), std::max(up, -down), std::isfinite(duration) ? duration : scene.time.end});
   }
   return list;
 }

@@ -54,6 +54,7 @@ std::string write(const Case& input, const std::vector<MeasuredRecord>& records,
   std::vector<Dataset> others = tables(run);
   for (Dataset& table : measured_tables(records)) others.push_back(std::move(table));
   folder.write("results.h5", result_file(input.scene.title, computed, others));
+  if (run.at_times) folder.write("times.csv", times_csv(run));
   folder.write("case.toml", effective_case(input, folder.name()));
   run.summary.timing.march -= fields.seconds();
   run.summary.timing.output = watch.seconds() + fields.seconds();
@@ -61,13 +62,15 @@ std::string write(const Case& input, const std::vector<MeasuredRecord>& records,
   std::string json = to_json(run.summary);
   folder.write("summary.json", json);
   check_interrupt();
-  folder.commit(field_files);
+  std::vector<std::string> replaced{"times.csv"};  // an older one would be another run's
+  replaced.insert(replaced.end(), field_files.begin(), field_files.end());
+  folder.commit(replaced);
   return json;
 }
 
 /// What a run writes, as patterns.
 std::vector<std::string> run_files() {
-  std::vector<std::string> files{"results.h5", "summary.json", "case.toml"};
+  std::vector<std::string> files{"results.h5", "times.csv", "summary.json", "case.toml"};
   files.insert(files.end(), field_files.begin(), field_files.end());
   return files;
 }
@@ -75,6 +78,7 @@ std::vector<std::string> run_files() {
 const char* const run_footer =
     R"(Writes into results/NAME (or --out DIR), all or nothing:
   results.h5     histories /history/{time, force, shear_force, inertia_force, caisson/..., probes/...}, SI units
+  times.csv      all readings at the times of the case's [output] times
   summary.json   peaks, ratio of peak F_T to peak P, checks, what was skipped, times
   case.toml      the case with all defaults spelled out; runs again as it is
   fields.pvd     fields for ParaView, where the case has [output] fields
@@ -143,13 +147,13 @@ void run(const RunOptionsOfCommand& options, const Stopwatch& since_start,
   const std::vector<MeasuredRecord> records = read_records(input, simulation);
   if (is_first && !options.json) std::cout << describe(input, simulation) << checkpoints->account() << std::flush;
 
-  FieldOutput fields(input.scene.fields_every, folder ? &*folder : nullptr);
+  FieldOutput fields(input.scene, folder ? &*folder : nullptr);
   Run result = solve(input, simulation, records, fields, checkpoints ? &*checkpoints : nullptr, is_first);
   if (!is_first) return;
   const std::string json = write(input, records, result, fields, since_start, *folder);
   checkpoints->remove();
-  const std::string written =
-      folder->name() + "/{results.h5, summary.json, case.toml" + (input.scene.fields_every ? ", fields.pvd}" : "}");
+  const std::string written = folder->name() + "/{results.h5, " + (result.at_times ? "times.csv, " : "") +
+                              "summary.json, case.toml" + (input.scene.fields_every ? ", fields.pvd}" : "}");
   std::cerr << describe(result.summary.warnings);
   std::cout << (options.json ? json
                              : describe(result) + describe(result.summary.measured) + "written     " + written + "\n");

@@ -283,7 +283,7 @@ void check_water(Checker& checker, const std::string& table, const Load& load, c
 
 void check_loads(Checker& checker) {
   for (const auto& [name, load] : checker.scene.loads) {
-    if (load.boundary.empty()) continue;
+    if (load.boundary.empty() || is_on_volume(load.kind)) continue;
     const std::string table = table_of(name, load);
     const auto curve = checker.outline.outer.find(load.boundary);
     const bool outer = curve != checker.outline.outer.end();

@@ -42,5 +42,6 @@ std::string list(const Names& names);
 
 void check_boundaries(Checker& checker);
 void check_loads(Checker& checker);
+void check_volume_loads(Checker& checker);
 
 }  // namespace upbead

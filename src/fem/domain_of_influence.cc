@@ -6,6 +6,7 @@
 #include <map>
 
 #include "fem/sides.h"
+#include "fem/volume_loads.h"
 
 namespace upbead {
 
@@ -57,6 +58,13 @@ bool is_loaded(const Scene& scene, const std::string& curve) {
   return false;
 }
 
+bool is_loaded_inside(const Scene& scene, const std::string& surface) {
+  return std::any_of(scene.loads.begin(), scene.loads.end(), [&](const auto& entry) {
+    const Load& load = entry.second;
+    return load.factor != 0. && is_on_volume(load.kind) && acts_on(load, surface);
+  });
+}
+
 Ends ends_of(const Scene& scene, const Mesh& mesh) {
   Ends ends;
   for (const auto& [name, probe] : scene.probes)
@@ -64,8 +72,9 @@ Ends ends_of(const Scene& scene, const Mesh& mesh) {
   for (const auto& cell : mesh.triangulation.active_cell_iterators()) {
     const std::string& surface = mesh.surface_of(cell);
     const bool rigid = scene.regions.at(surface).kind == RegionKind::rigid;
+    const bool source = rigid || is_loaded_inside(scene, surface);  // a body hands motion on at once
     for (const unsigned v : cell->vertex_indices()) {
-      if (rigid) ends.sources.add("surface " + surface, cell->vertex(v));  // it hands motion on at once
+      if (source) ends.sources.add("surface " + surface, cell->vertex(v));
       if (rigid || surface == caisson_name) ends.readers.add("surface " + surface, cell->vertex(v));
     }
     for (const auto& face : cell->face_iterators())

@@ -71,15 +71,6 @@ void integrate(const FEFaceValues<dim>& fe, bool inertial, double mobility, doub
   }
 }
 
-/// Whether pore water drains freely through a face, to the outside or into a drained region.
-bool is_open(const Scene& scene, const Space& space, const Cell& cell, unsigned f) {
-  if (cell->at_boundary(f))
-    return scene.boundaries.at(space.mesh().curve_of(cell->face(f))).pressure == PressureCondition::open;
-  if (!cell->neighbor(f)->is_active()) return false;  // smaller cells of its own surface
-  const Region& other = space.region(cell->neighbor(f));
-  return other.kind == RegionKind::porous && other.flow == Flow::drained;
-}
-
 /// An open face of a cell, and what its penalty is over h.
 struct OpenFace {
   unsigned number;
@@ -132,7 +123,7 @@ std::vector<OpenFace> open_faces(const Scene& scene, const Space& space, const C
   std::vector<OpenFace> faces;
   const bool inertial = space.kind(cell) == CellKind::inertial;
   for (const unsigned f : cell->face_indices())
-    if (is_open(scene, space, cell, f)) {
+    if (drains(scene, space, cell, f)) {
       const double h = cell->measure() / cell->face(f)->measure();
       faces.push_back({f, penalty(space.degree(), inertial) / h});
     }
@@ -141,6 +132,14 @@ std::vector<OpenFace> open_faces(const Scene& scene, const Space& space, const C
 }
 
 }  // namespace
+
+bool drains(const Scene& scene, const Space& space, const Cell& cell, unsigned f) {
+  if (cell->at_boundary(f))
+    return scene.boundaries.at(space.mesh().curve_of(cell->face(f))).pressure == PressureCondition::open;
+  if (!cell->neighbor(f)->is_active()) return false;  // smaller cells of its own surface
+  const Region& other = space.region(cell->neighbor(f));
+  return other.kind == RegionKind::porous && other.flow == Flow::drained;
+}
 
 void for_each_open_face(const Scene& scene, const Space& space, const Unknowns& unknowns, const VisitFace& visit) {
   FaceTerms terms;

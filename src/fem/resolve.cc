@@ -8,6 +8,7 @@
 #include "fem/domain_of_influence.h"
 #include "fem/outline.h"
 #include "fem/static_stage.h"
+#include "fem/volume_loads.h"
 #include "model/choices.h"
 #include "model/words.h"
 
@@ -22,6 +23,11 @@ bool has_probe_in(const Scene& scene, const Mesh& mesh, const std::string& regio
     for (const auto& cell : mesh.triangulation.active_cell_iterators())
       if (mesh.surface_of(cell) == region && unit_coordinates(cell, Point<dim>(probe.at[0], probe.at[1]))) return true;
   return false;
+}
+
+/// Whether a load keeps the pore pressure of its region up.
+bool acts_on_pores(const Load& load) {
+  return load.kind == LoadKind::gravity || load.kind == LoadKind::source;
 }
 
 Surroundings surroundings_of(const std::string& name, const Scene& scene, const Mesh& mesh, const Outline& outline) {
@@ -43,6 +49,8 @@ Surroundings surroundings_of(const std::string& name, const Scene& scene, const 
     for (const auto& [load_name, load] : scene.loads)
       at.has_load = at.has_load || (load.kind == LoadKind::pressure && load.boundary == curve && load.factor != 0.);
   }
+  for (const auto& [load_name, load] : scene.loads)
+    at.has_load = at.has_load || (load.factor != 0. && acts_on_pores(load) && acts_on(load, name));
   return at;
 }
 

@@ -190,6 +190,7 @@ Diagnostics check_scene(const Scene& scene, const Mesh& mesh) {
   check_contact(checker);
   check_boundaries(checker);
   check_loads(checker);
+  check_volume_loads(checker);
   check_probes(checker);
   return std::move(checker.found);
 }

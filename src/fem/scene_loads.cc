@@ -9,6 +9,7 @@
 #include "fem/faces.h"
 #include "fem/moving_frame.h"
 #include "fem/sides.h"
+#include "fem/volume_loads.h"
 
 namespace upbead {
 
@@ -137,9 +138,15 @@ class LoadCompiler {
       add_motion(name, load);
       return;
     }
+    if (is_on_volume(load.kind)) {
+      append({name, Vector::Zero(unknowns_.size()), load.history, -1});
+      for (const auto& [region, nodal] : volume_forces(scene_, space_, load)) add_nodal(region, nodal);
+      if (load.kind == LoadKind::gravity) add_weights(load);
+      return;
+    }
     if (!load.region.empty()) {
       append(body_load(name, load, unknowns_, bodies_));
-      if (caisson_ && load.region == caisson_name) add_point_resultant(load);
+      if (caisson_ && load.region == caisson_name) add_point_resultant(load.at, load.direction);
       return;
     }
     append({name, Vector::Zero(unknowns_.size()), load.history, -1});
@@ -168,12 +175,24 @@ class LoadCompiler {
     for (const auto& [region, nodal] : damping) add_nodal(region, nodal);
   }
 
-  void add_point_resultant(const Load& load) {
+  /// Of a force on the rigid caisson.
+  void add_point_resultant(const std::array<double, 2>& at, const std::array<double, 2>& force) {
     LoadOnCaisson& resultant = out.on_caisson.back();
-    const auto rotation = unit_motion(motion_rotation, Point<dim>(load.at[0], load.at[1]), caisson_->bottom_centre);
-    resultant.force_x = load.direction[0];
-    resultant.force_y = load.direction[1];
-    resultant.moment = rotation[0] * load.direction[0] + rotation[1] * load.direction[1];
+    const auto rotation = unit_motion(motion_rotation, Point<dim>(at[0], at[1]), caisson_->bottom_centre);
+    resultant.force_x += force[0];
+    resultant.force_y += force[1];
+    resultant.moment += rotation[0] * force[0] + rotation[1] * force[1];
+  }
+
+  /// Of rigid bodies, by their masses.
+  void add_weights(const Load& load) {
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+      const Body& body = bodies_[b];
+      if (!acts_on(load, body.region)) continue;
+      out.loads.back().vector[unknowns_.coordinate(b, motion_y)] -= body.mass;
+      if (caisson_ && body.region == caisson_name)
+        add_point_resultant({body.centre[0], body.centre[1]}, {0., -body.mass});
+    }
   }
 
   void add_nodal(const std::string& region, const NodalForces& nodal) {

@@ -12,6 +12,9 @@
 
 namespace upbead {
 
+/// Whether pore water drains freely through a face, to the outside or into a drained region.
+bool drains(const Scene& scene, const Space& space, const Cell& cell, unsigned face);
+
 /// Calls visit(terms) for every outer face where the boundary is open and the cell has pore water, and for every face
 /// between pore water and a drained porous region, where the pressure is none. With the jump
 /// [phi] = phi - sum_k intensity_k phi_k over the prescribed phi_k, the mobility 1/b, a penalty g of each flow's own

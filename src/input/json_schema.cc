@@ -45,6 +45,8 @@ Json value_of(ValueShape shape, const KeyInfo& info) {
       return {{"type", "boolean"}};
     case ValueShape::text:
       return {{"type", "string"}};
+    case ValueShape::number_list:
+      return list(number("number", info.range), 0);
     case ValueShape::pair:
       return list(any, 2);
     case ValueShape::pairs:

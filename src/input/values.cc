@@ -132,6 +132,15 @@ Diagnostics read_value(const Node& node, const KeyInfo& key, std::vector<Pair>& 
   return all;
 }
 
+Diagnostics read_value(const Node& node, const KeyInfo& key, std::vector<double>& value) {
+  const NodeArray* list = node.array();
+  if (!list) return wrong_type(node, key, &value);
+  value.clear();
+  Diagnostics all;
+  for (const Node& item : *list) all.add(read_value(item, key, value.emplace_back()));
+  return all;
+}
+
 Diagnostics read_value(const Node& node, const KeyInfo& key, std::map<std::string, double>& value) {
   if (!node.table()) return wrong_type(node, key, &value);
   Diagnostics all;
@@ -178,6 +187,9 @@ std::string type_text(const KeyInfo& key, const Pair*) {
 std::string type_text(const KeyInfo& key, const std::vector<Pair>*) {
   return with_unit("a list of pairs", key);
 }
+std::string type_text(const KeyInfo& key, const std::vector<double>*) {
+  return with_unit("a list of numbers", key);
+}
 std::string type_text(const KeyInfo& key, const std::map<std::string, double>*) {
   return with_unit("a table of numbers", key);
 }
@@ -204,6 +216,12 @@ std::string print_value(const KeyInfo& key, const std::vector<Pair>& value) {
   return pairs.empty() ? "" : "[" + join(pairs) + "]";
 }
 
+std::string print_value(const KeyInfo&, const std::vector<double>& value) {
+  std::vector<std::string> numbers;
+  for (const double number : value) numbers.push_back(to_toml(number));
+  return numbers.empty() ? "" : "[" + join(numbers) + "]";
+}
+
 std::string print_value(const KeyInfo&, const std::map<std::string, double>& value) {
   std::vector<std::string> entries;
   for (const auto& [name, number] : value) entries.push_back(dotted("", name) + " = " + to_toml(number));
@@ -225,6 +243,11 @@ void visit_value(const KeyInfo& key, const std::string& path, std::vector<Pair>&
     visitor(first, path, pair[0]);
     visitor(key, path, pair[1]);
   }
+}
+
+void visit_value(const KeyInfo& key, const std::string& path, std::vector<double>& value,
+                 const NumberVisitor& visitor) {
+  for (double& number : value) visitor(key, path, number);
 }
 
 void visit_value(const KeyInfo& key, const std::string& path, std::map<std::string, double>& value,

@@ -71,6 +71,7 @@ Diagnostics read_value(const Node& node, const KeyInfo& key, bool& value);
 Diagnostics read_value(const Node& node, const KeyInfo& key, std::string& value);
 Diagnostics read_value(const Node& node, const KeyInfo& key, Pair& value);
 Diagnostics read_value(const Node& node, const KeyInfo& key, std::vector<Pair>& value);
+Diagnostics read_value(const Node& node, const KeyInfo& key, std::vector<double>& value);
 Diagnostics read_value(const Node& node, const KeyInfo& key, std::map<std::string, double>& value);
 /// One of key.words; `index` is its place among them.
 Diagnostics read_word(const Node& node, const KeyInfo& key, std::size_t& index);
@@ -91,6 +92,7 @@ std::string type_text(const KeyInfo& key, const bool*);
 std::string type_text(const KeyInfo& key, const std::string*);
 std::string type_text(const KeyInfo& key, const Pair*);
 std::string type_text(const KeyInfo& key, const std::vector<Pair>*);
+std::string type_text(const KeyInfo& key, const std::vector<double>*);
 std::string type_text(const KeyInfo& key, const std::map<std::string, double>*);
 
 template <class V>
@@ -106,6 +108,7 @@ std::string print_value(const KeyInfo& key, bool value);
 std::string print_value(const KeyInfo& key, const std::string& value);
 std::string print_value(const KeyInfo& key, const Pair& value);
 std::string print_value(const KeyInfo& key, const std::vector<Pair>& value);
+std::string print_value(const KeyInfo& key, const std::vector<double>& value);
 std::string print_value(const KeyInfo& key, const std::map<std::string, double>& value);
 
 template <class V>
@@ -121,6 +124,7 @@ using NumberVisitor = std::function<void(const KeyInfo& key, const std::string& 
 void visit_value(const KeyInfo& key, const std::string& path, double& value, const NumberVisitor& visitor);
 void visit_value(const KeyInfo& key, const std::string& path, Pair& value, const NumberVisitor& visitor);
 void visit_value(const KeyInfo& key, const std::string& path, std::vector<Pair>& value, const NumberVisitor& visitor);
+void visit_value(const KeyInfo& key, const std::string& path, std::vector<double>& value, const NumberVisitor& visitor);
 /// Each at the path of its name below `path`.
 void visit_value(const KeyInfo& key, const std::string& path, std::map<std::string, double>& value,
                  const NumberVisitor& visitor);
@@ -143,6 +147,7 @@ enum class ValueShape {
   texts,
   pair,
   pairs,
+  number_list,
   numbers,
   list_or_table,
   list,
@@ -167,6 +172,9 @@ inline ValueShape shape_of(const KeyInfo&, const Pair*) {
 }
 inline ValueShape shape_of(const KeyInfo&, const std::vector<Pair>*) {
   return ValueShape::pairs;
+}
+inline ValueShape shape_of(const KeyInfo&, const std::vector<double>*) {
+  return ValueShape::number_list;
 }
 inline ValueShape shape_of(const KeyInfo&, const std::map<std::string, double>*) {
   return ValueShape::numbers;

@@ -15,7 +15,7 @@ struct Surroundings {
   double width = 0.;                 ///< of the region (m)
   bool has_open_side = false;        ///< of an outer side with pressure open or surface_waves
   bool is_held = false;              ///< at an outer side, fixed, on rollers or absorbing
-  bool has_load = false;             ///< of kind pressure on one of its outer sides
+  bool has_load = false;             ///< a pressure on one of its outer sides, or one on its pore water
   bool has_probe = false;            ///< or fields are asked for
   bool touches_water = false;        ///< free water
   std::vector<std::string> touches;  ///< other regions

@@ -167,7 +167,7 @@ std::vector<LooseReading> loose_readings(const Reduction& reduction) {
 
 Response respond(const Reduction& reduction, const Scene& scene, const System& system) {
   Response response;
-  response.ends = respond(reduction.model, sampled_loads(scene, system));
+  response.ends = respond(reduction.model, sampled_loads(scene, system, scene.output_times));
   response.balanced = response.ends;
   response.order = order;
   response.n_steps = static_cast<int>(response.ends.time.size()) - 1;
@@ -178,7 +178,7 @@ Response respond(const Reduction& reduction, const Scene& scene, const System& s
 
 double error_against_march(const Reduction& reduction, const Scene& scene, const CompiledScene& compiled) {
   const System& system = compiled.system;
-  const std::vector<double> time = response_times(scene, system);
+  const std::vector<double> time = sampled_loads(scene, system, scene.output_times).time;
   TimeGrid grid{{}, time.back()};
   for (std::size_t n = 1; n < time.size(); ++n) grid.segments.push_back({time[n - 1], time[n] - time[n - 1], 1});
   const auto scheme = make_scheme(system, {SchemeKind::sdirk4, 0., false});

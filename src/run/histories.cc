@@ -3,6 +3,7 @@
 #include <map>
 #include <optional>
 
+#include "base/text.h"
 #include "fem/caisson/readings.h"
 #include "fem/compile.h"
 #include "run/sliding/effective_base.h"
@@ -93,6 +94,19 @@ std::vector<Dataset> histories(const Simulation& simulation, const Series& serie
   return list;
 }
 
+std::string times_csv(const Run& run) {
+  const std::vector<Dataset> list = histories(*run.simulation, *run.at_times);
+  std::string text;
+  for (const Dataset& column : list)
+    text += (text.empty() ? "" : ",") + csv_cell(column.name + (column.unit == "1" ? "" : " (" + column.unit + ")"));
+  for (std::size_t row = 0; row < run.at_times->time.size(); ++row) {
+    text += "\n";
+    for (const Dataset& column : list)
+      text += (&column == &list.front() ? "" : ",") + significant(column.values[row], 10);
+  }
+  return text + "\n";
+}
+
 std::vector<Dataset> names_of_histories(const Simulation& simulation) {
   const System& system = simulation.compiled->system;
   const auto none = [](std::size_t n) { return Eigen::MatrixXd(static_cast<Eigen::Index>(n), 0); };
@@ -101,6 +115,15 @@ std::vector<Dataset> names_of_histories(const Simulation& simulation) {
 
 std::vector<Dataset> tables(const Run& run) {
   std::vector<Dataset> all = base_tables(*run.simulation, run.response.ends);
+  const auto add = [&](const std::optional<Series>& series, const std::string& folder) {
+    if (!series) return;
+    for (Dataset& history : histories(*run.simulation, *series)) {
+      history.name = folder + history.name;
+      all.push_back(std::move(history));
+    }
+  };
+  add(run.at_times, "at_times/");
+  add(run.dense, "dense/");
   for (auto part : {node_tables(run.contact), coupled_tables(run.coupled)})
     for (Dataset& table : part) all.push_back(std::move(table));
   return all;

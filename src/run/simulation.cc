@@ -5,6 +5,7 @@
 #include "fem/compile.h"
 #include "fem/scene_check.h"
 #include "run/accuracy/accuracy.h"
+#include "run/chosen_times.h"
 #include "run/contact/contact_run.h"
 #include "run/derived.h"
 #include "run/monitors.h"
@@ -130,6 +131,7 @@ Run Simulation::run(const RunOptions& options) const {
             : yields(solved.scene)            ? run_yielding(solved, marching, {}, {true, {{}, {}, options.soil}})
                                               : run_tied(solved, marching, solving);
   if (!run.simulation) run.simulation = std::make_shared<const Simulation>(solved);
+  read_at_chosen_times(run);
   run.summary.safety = find_safety(solved);
   estimate_errors(run);
   monitors.report(run);

@@ -7,12 +7,14 @@
 #include "base/progress.h"
 #include "base/stopwatch.h"
 #include "base/text.h"
+#include "dynamics/dense_output.h"
 #include "fem/caisson/reading_names.h"
 #include "fem/compile.h"
 #include "model/words.h"
 #include "response/natural_periods.h"
 #include "response/reduction.h"
 #include "response/time_choice.h"
+#include "run/chosen_times.h"
 #include "run/derived.h"
 #include "run/sliding/coupled_sliding.h"
 #include "run/sliding/slip_ahead.h"
@@ -28,7 +30,7 @@ double tolerable_of_yielding(const Scene& scene) {
   return 1e-7 + 100. * yielding_tolerance * scene.tolerance;
 }
 
-constexpr double most_steps = 1e6, most_fields = 1e4;
+constexpr double most_steps = 1e6, most_fields = 1e4, most_dense = 1e6;
 
 std::size_t n_kinks(const Scene& scene) {
   std::size_t n = 0;
@@ -48,17 +50,10 @@ int contact_leap(double tolerance) {
 /// Per independent load, where nothing but a reduced model is wanted: twice as many as where a march would do as well.
 constexpr int most_vectors_by_name = 200;
 
-std::vector<double> times_of_fields(const Scene& scene) {
-  std::vector<double> times;
-  if (scene.fields_every)
-    for (int i = 1; i * *scene.fields_every < scene.time.end; ++i) times.push_back(i * *scene.fields_every);
-  return times;
-}
-
-/// Kinks of the loads and the times at which fields are written.
+/// Kinks of the loads, and the times at which fields are written and readings told.
 std::vector<double> times_to_meet(const Scene& scene, const System& system) {
-  std::vector<double> times = kinks(system), of_fields = times_of_fields(scene);
-  times.insert(times.end(), of_fields.begin(), of_fields.end());
+  std::vector<double> times = kinks(system), others = times_to_look_at(scene);
+  times.insert(times.end(), others.begin(), others.end());
   std::sort(times.begin(), times.end());
   return times;
 }
@@ -172,6 +167,11 @@ Run run_reduced(const Simulation& simulation, const SchemeChoice& choice, const 
     require_converged(reduction);
   Run run;
   run.response = respond(reduction, scene, system);
+  if (scene.output_every) {
+    const std::vector<double> times = equal_times(scene);
+    const Series all = respond(reduction.model, sampled_loads(scene, system, times));
+    run.dense = at_times(all, times, time_tolerance(scene));
+  }
   run.summary.timing = simulation.timing;
   run.summary.timing.factorise = reduction.factorise_seconds;
   run.scheme_reason = choice.reason;
@@ -257,6 +257,12 @@ void check_size(const Scene& scene) {
                      "every = " + significant(*scene.fields_every) + " s until time.end = " + significant(end) +
                          " s makes about " + significant(end / *scene.fields_every) + " fields, more than " +
                          significant(most_fields),
+                     "raise every, or lower time.end");
+  if (scene.output_every && end / *scene.output_every > most_dense)
+    throw InputError(at_key("output.every"),
+                     "every = " + significant(*scene.output_every) + " s until time.end = " + significant(end) +
+                         " s makes about " + significant(end / *scene.output_every) +
+                         " values of each history, more than " + significant(most_dense),
                      "raise every, or lower time.end");
   if (scene.time.step) return check_steps(scene, *scene.time.step, {}, "");
   const LoadStep loads = step_of_loads(scene, scene.time.scheme == TimeScheme::generalised_alpha ? 2 : 4);
@@ -367,8 +373,12 @@ Run march_by(Scheme& scheme, const Simulation& simulation, const std::string& re
   const TimeGrid grid =
       make_time_grid(times_to_meet(simulation.given, system), time.end, step.largest_step, step.growth);
 
+  std::optional<DenseRecorder> dense;
+  if (simulation.given.output_every && scheme.order() >= 4 && !system.is_divided())
+    marching.observers.push_back(&dense.emplace(system, equal_times(simulation.given), time.inertia));
   const Stopwatch watch;
   run.response = march(system, scheme, grid, marching);
+  if (dense) run.dense = dense->series();
   run.summary.timing = simulation.timing;
   run.summary.timing.factorise = scheme.factorise_seconds() + step.seconds;
   run.summary.timing.march = watch.seconds() - scheme.factorise_seconds();

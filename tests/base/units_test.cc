@@ -27,6 +27,8 @@ TEST(Units, HaveTheirFactors) {
   EXPECT_DOUBLE_EQ(factor("tf/m2"), 9806.65);
   EXPECT_DOUBLE_EQ(factor("kgf/cm2"), 98066.5);
   EXPECT_DOUBLE_EQ(factor("tf/m"), 9806.65);
+  EXPECT_EQ(factor("kN/m3"), 1e3);
+  EXPECT_DOUBLE_EQ(factor("1/h"), 1. / 3600.);
   EXPECT_DOUBLE_EQ(factor("mH2O"), 9806.65);
   EXPECT_NEAR(factor("psi"), 0.45359237 * 9.80665 / (0.0254 * 0.0254), 1e-9);
   EXPECT_NEAR(180. * factor("deg"), 3.141592653589793, 1e-15);

@@ -27,9 +27,22 @@ const std::vector<BadCase> rows{
             "case.toml:64:1: [loads.gauge]: a load on a region is a force, no traction or pressure; write kind = "
             "\"force\""},
     BadCase{"PointOnABoundary", "boundary = \"front\"", "boundary = \"front\"\nat = [0.0, 1.0]",
-            "case.toml:48:1: 'at' does not belong in [loads.impact] (only on a region); remove it"},
+            "case.toml:48:1: 'at' does not belong in [loads.impact] (only for a force on a region); remove "
+            "it"},
     BadCase{"DirectionOfAPressure", "kind = \"force\"", "kind = \"pressure\"",
-            "case.toml:49:1: 'direction' does not belong in [loads.impact] (only for forces and tractions); remove it"},
+            "case.toml:49:1: 'direction' does not belong in [loads.impact] (only for forces, tractions, "
+            "motions and body forces); remove it"},
+    BadCase{
+        "GravityOnABoundary", "kind = \"force\"\ndirection = [1.0, 0.5]\nshape = [[6.0, 1.0], [26.0, 0.5]]",
+        "kind = \"gravity\"",
+        "case.toml:47:1: [loads.impact]: kind = \"gravity\" acts on the volume of a region; remove boundary, and give "
+        "region, or neither for all of them"},
+    BadCase{"SourceNowhere",
+            "boundary = \"front\"\nkind = \"force\"\ndirection = [1.0, 0.5]\nshape = [[6.0, 1.0], [26.0, 0.5]]",
+            "kind = \"source\"",
+            "case.toml:46:8: [loads.impact]: 'region' is missing, which kind = \"source\" needs; add region"},
+    BadCase{"BodyForceAtAPoint", "at = [-9.0, 16.0]", "at = [-9.0, 16.0]\nkind = \"body_force\"",
+            "case.toml:63:1: 'at' does not belong in [loads.gauge] (only for a force on a region); remove it"},
     BadCase{"DirectionZero", "direction = [1.0, 0.5]", "direction = [0, 0.0]",
             "case.toml:49:1: [loads.impact]: direction is zero; give a direction such as [1.0, 0.0]"},
     BadCase{"ShapeDescends", "[[6.0, 1.0], [26.0, 0.5]]", "[[26.0, 1.0], [6.0, 0.5]]",

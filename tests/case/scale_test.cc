@@ -65,7 +65,9 @@ TEST(Froude, PowersOfTheLength) {
                                                                                   {"N/m", 2.},
                                                                                   {"kg/m", 2.},
                                                                                   {"kg m2/m", 4.},
-                                                                                  {"N s/m2", 1.5}})
+                                                                                  {"N s/m2", 1.5},
+                                                                                  {"N/m3", 0.},
+                                                                                  {"1/s", -0.5}})
     EXPECT_DOUBLE_EQ(froude_exponent(unit), exponent) << unit;
   EXPECT_THROW(froude_exponent("furlong"), std::invalid_argument);
   EXPECT_THROW(froude_exponent("N/m or Pa"), std::invalid_argument);

@@ -92,6 +92,8 @@ struct Simulation {
 struct Run {
   std::shared_ptr<const Simulation> simulation;  ///< as solved: its soil converged, its base bonded or sliding
   Response response;
+  std::optional<Series> at_times;  ///< where [output] times asks for them: those that the run has come to
+  std::optional<Series> dense;     ///< where [output] every asks for it: at equal times
   Summary summary;
   std::optional<CoupledHistoryTable> coupled;  ///< where the caisson slipped as a whole
   std::optional<ContactHistory> contact;       ///< where it was marched with a law of contact

@@ -191,10 +191,12 @@ Ladder set_at_rest(const Simulation& simulation, Interface& interface) {
 }
 
 /// Takes the forces at the nodes out of what people read.
-void remove_node_forces(int n_nodes, System& system, Response& response) {
+void remove_node_forces(int n_nodes, System& system, Run& run) {
   const auto n = static_cast<Eigen::Index>(system.readings.size()) - 2 * n_nodes;
   system.readings.resize(static_cast<std::size_t>(n));
-  for (Series* series : {&response.ends, &response.balanced}) series->reading.conservativeResize(n, Eigen::NoChange);
+  if (run.dense) run.dense->reading.conservativeResize(n, Eigen::NoChange);
+  for (Series* series : {&run.response.ends, &run.response.balanced})
+    series->reading.conservativeResize(n, Eigen::NoChange);
 }
 
 /// What soil that yields adds to the forces at glued nodes, which are residuals of the rows of their slips and
@@ -289,7 +291,7 @@ Run run_contact(const Simulation& simulation, const MarchOptions& marching, cons
                          n_nodes,
                          contact_demand(system, uplift, run.response, margin),
                          {}};
-  remove_node_forces(n_nodes, tied->system, run.response);
+  remove_node_forces(n_nodes, tied->system, run);
   run.simulation = std::make_shared<const Simulation>(bonded);
   add_loads(uplift, system);
   // from other starts of soil that yields the nodes may slip though from this one they do not
