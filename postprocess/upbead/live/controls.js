@@ -81,15 +81,16 @@ export class Controls {
     this.pulse.hidden = this.record !== null;
     this.back.hidden = this.record === null;
   }
-  // A rise beyond the duration, or a plateau within it, moves along with what was moved.
+  // A rise beyond the duration, or a plateau within it, moves along with what was moved. A church roof would jump where
+  // its rise is as long as its impulsive part.
   moved(field) {
-    const {rise, duration, plateau_duration: plateau} = this.all, shape = this.shape.select.value;
-    if (["triangle", "church_roof"].includes(shape)) {
-      if (rise.value() > duration.value()) (field === rise ? duration : rise).set((field === rise ? rise : duration).value());
-      if (shape === "church_roof" && plateau.value() <= duration.value())
-        if (field === plateau) duration.set(0.5 * plateau.value()); else plateau.set(2 * duration.value());
-      if (rise.value() > duration.value()) rise.set(duration.value());
-    }
+    const {rise, duration, plateau_duration: plateau} = this.all, roof = this.shape.select.value === "church_roof";
+    if (roof && plateau.value() <= duration.value())
+      if (field === plateau) duration.set(0.5 * plateau.value()); else plateau.set(2 * duration.value());
+    const part = roof ? 0.9 : 1, beyond = roof ? rise.value() >= duration.value() : rise.value() > duration.value();
+    if (beyond && (roof || this.shape.select.value === "triangle"))
+      if (field === rise) duration.set(rise.value() / part); else rise.set(part * duration.value());
+    if (roof && plateau.value() <= duration.value()) plateau.set(2 * duration.value());
     this.reveal();
     this.changed();
   }

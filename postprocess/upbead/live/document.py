@@ -70,9 +70,8 @@ def as_json(data):
 
 
 def facts_of(data):
-    modes = len(data["modes"]["pole"]) * 3 // 64  # 16 bytes each, four letters for three bytes
     validity = data["validity"]
     return (
-        f"The scene as a sum of {modes} modes, exact for loads that are straight between times. F_T of the case's own loads within "
+        f"The scene as a sum of {data['modes']['count']} modes, exact for loads that are straight between times. F_T of the case's own loads within "
         f"{100 * validity['error']:.2g} %, checked up to {validity['highest_frequency']:.3g} Hz. Nothing is sent anywhere."
     )

@@ -12,6 +12,7 @@ from ..results import text_of
 # Readings by which `upbead respond` tells P, F_T, and what presses on the base.
 NEEDED = ("force", "shear_force")
 OF_BASE = ("normal_force", "base_moment", "uplift", "uplift_moment")
+UPLIFTS = ("none", "in_phase", "held", "computed", "history")
 
 
 def model_data(path):
@@ -43,8 +44,11 @@ def sliding_of(file):
     if "sliding" not in file:
         return None
     given = file["sliding"].attrs
+    uplift = text_of(given["uplift"])
+    if uplift not in UPLIFTS:
+        raise ModelError(f"the model's uplift '{uplift}' is none of {', '.join(UPLIFTS)}; make it again with 'upbead reduce'")
     numbers = {"friction": "friction", "weight": "buoyant_weight", "drag": "drag", "uplift_per_force": "uplift_per_force", "lag": "lag"}
-    return {"uplift": text_of(given["uplift"]), **{key: float(given[name]) for key, name in numbers.items()}}
+    return {"uplift": uplift, **{key: float(given[name]) for key, name in numbers.items()}}
 
 
 def base_of(file):
@@ -57,6 +61,7 @@ def base_of(file):
 def modes_of(model, names):
     at = {name: model.readings.index(name) for name in names}
     return {
+        "count": int(model.pole.size),
         "load_count": len(model.loads),
         "pole": doubles(model.pole),
         "load": doubles(model.load),

@@ -11,8 +11,7 @@ export function modesOf(data) {
     const one = data.readings[name];
     readings[name] = {weight: doubles(one.weight), feedthrough: doubles(one.feedthrough), impulse: doubles(one.impulse)};
   }
-  const pole = doubles(data.pole);
-  return {pole, load: doubles(data.load), readings, count: pole.length / 2, nLoads: data.load_count};
+  return {pole: doubles(data.pole), load: doubles(data.load), readings, count: data.count, nLoads: data.load_count};
 }
 
 // Steps that differ by round-off of the times only share their exponentials: [{from, to, step}], indices of times.

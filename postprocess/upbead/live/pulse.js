@@ -2,9 +2,10 @@
 
 const HALF_SINE_PARTS = 200; // straight lines between miss the sine by 3e-5 of its peak
 
-// A load that jumps begins with its first value: two corners at one time are one too many.
+// A load that jumps begins with its first value, and ends with its last: one of two corners at one time is left out.
 function corners(list) {
-  return list.filter(([time], i) => i + 1 === list.length || time !== list[i + 1][0]);
+  const last = list.length - 1, endsWithJump = list[last - 1][0] === list[last][0];
+  return list.filter(([time], i) => (i === 0 ? time !== list[1][0] : true) && !(i === last && endsWithJump));
 }
 
 function halfSine({start, duration, peak}) {
