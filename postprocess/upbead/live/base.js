@@ -2,12 +2,19 @@
 
 // Pressures of the edges [seaward, landward] (Pa) under N' (N/m) and M' (N m/m, overturning landward positive), stress
 // varying linearly over the width in contact.
-export function edgePressures(force, moment, width) {
+function edgePressures(force, moment, width) {
   if (!(force > 0)) return [0, 0];
   const e = moment / force;
   if (Math.abs(e) <= width / 6) return [force / width * (1 - 6 * e / width), force / width * (1 + 6 * e / width)];
   const edge = 2 * force / (3 * Math.max(0.5 * width - Math.abs(e), 1e-3 * width));
   return e > 0 ? [0, edge] : [edge, 0];
+}
+
+// Of all times: {toe, heel} (Pa).
+export function edgesOf({N, M, width}) {
+  const toe = new Float64Array(N.length), heel = new Float64Array(N.length);
+  for (let n = 0; n < N.length; ++n) [toe[n], heel[n]] = edgePressures(N[n], M[n], width);
+  return {toe, heel};
 }
 
 // About the edge landward (side 1) or seaward (-1): moments that hold over moments that overturn; null where nothing

@@ -17,11 +17,20 @@ function equalStep(time) {
   return time.every((t, n) => Math.abs(t - n * step) <= 1e-6 * step) ? step : null;
 }
 
-function appendParts(time, to, longest) {
-  const from = time[time.length - 1], n = Math.ceil((to - from) / longest * (1 - 1e-9));
+function appendParts({time, stretches}, to, longest) {
+  const from = time[time.length - 1], n = Math.max(1, Math.ceil((to - from) / longest * (1 - 1e-9)));
   requireRoom(n + time.length, longest, to);
   for (let i = 1; i < n; ++i) time.push(from + (to - from) * i / n);
   time.push(to);
+  appendStretch(stretches, from, to, n);
+}
+
+// n more steps up to `to`. Steps that end within 1e-9 of themselves where the last ones would go on are taken as equal:
+// ends are compared, not sizes, so that no number of steps drifts by more.
+function appendStretch(stretches, from, to, n) {
+  const last = stretches[stretches.length - 1];
+  if (last && Math.abs(last.start + (last.to - last.from + n) * last.step - to) <= 1e-9 * last.step) last.to += n;
+  else stretches.push({from: last ? last.to : 0, to: (last ? last.to : 0) + n, start: from, step: (to - from) / n});
 }
 
 export function equalTimesUntil(step, end) {
@@ -30,20 +39,23 @@ export function equalTimesUntil(step, end) {
   return Array.from({length: n + 1}, (_, i) => i * step);
 }
 
-// {time, equal: the step where all are equal or null, first: index of the wave's first time, last: of its last one
+// n equal steps from 0.
+export const equalStretch = (n, step) => [{from: 0, to: n, start: 0, step}];
+
+// {time, stretches: of equal steps, by indices of times, equal: the step where all are equal or null, first: index of the wave's first time, last: of its last one
 // where the grid goes on beyond, else null}
 export function waveGrid(time, longestStep, end) {
-  const own = equalStep(time), grid = {time: [0], equal: null, first: 0, last: null};
+  const own = equalStep(time), grid = {time: [0], stretches: [], equal: null, first: 0, last: null};
   if (own !== null) {
     const parts = Math.max(1, Math.ceil(own / longestStep * (1 - 1e-9))), step = own / parts, n = end / step;
     if (parts === 1 || Math.abs(n - Math.round(n)) <= 1e-6) {
       const last = (time.length - 1) * parts, all = equalTimesUntil(step, end);
-      return {time: all, equal: step, first: 0, last: all.length > last + 1 ? last : null};
+      return {time: all, stretches: equalStretch(all.length - 1, step), equal: step, first: 0, last: all.length > last + 1 ? last : null};
     }
   }
-  for (const t of time) if (t > 0 && t < end) appendParts(grid.time, t, longestStep);
+  for (const t of time) if (t > 0 && t < end) appendParts(grid, t, longestStep);
   if (time[time.length - 1] < end) grid.last = grid.time.length - 1;
-  appendParts(grid.time, end, longestStep);
+  appendParts(grid, end, longestStep);
   if (time[0] <= end) grid.first = grid.time.findIndex((t) => t >= time[0]);
   return grid;
 }

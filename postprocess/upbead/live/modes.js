@@ -14,24 +14,6 @@ export function modesOf(data) {
   return {pole: doubles(data.pole), load: doubles(data.load), readings, count: data.count, nLoads: data.load_count};
 }
 
-// Steps that differ by round-off of the times only share their exponentials: [{from, to, step}], indices of times.
-export function stretches(time) {
-  const list = [];
-  let start = 0, step = 0, equal = 0;
-  for (let n = 1; n < time.length; ++n) {
-    if (equal > 0 && Math.abs(start + (equal + 1) * step - time[n]) <= 1e-9 * step) {
-      ++equal;
-      list[list.length - 1].to = n;
-      continue;
-    }
-    start += equal * step;
-    step = time[n] - start;
-    equal = 1;
-    list.push({from: n - 1, to: n, step});
-  }
-  return list;
-}
-
 // Values of one load at the begin and at the end of every step. A wave jumps from zero to its first value, and from its
 // last value to zero.
 function steps(values, grid) {
@@ -41,39 +23,49 @@ function steps(values, grid) {
   return {begin, end};
 }
 
-const GONE = 1e-250, BLOCK = 64; // numbers that small slow a processor down
+const GONE = 1e-250, BLOCK = 256; // numbers that small slow a processor down; so many samples stay in its cache
 
-// Fills z (re, im) of one mode under one load.
-function advance(list, pole, b, {begin, end}, re, im) {
-  let u = 0, v = 0;
-  re[0] = im[0] = 0;
-  for (const {from, to, step} of list) {
-    const [e, f, p, q, r, s] = phiFunctions(pole[0] * step, pole[1] * step);
-    const wr = step * (p * b[0] - q * b[1]), wi = step * (p * b[1] + q * b[0]);
-    const rr = step * (r * b[0] - s * b[1]), ri = step * (r * b[1] + s * b[0]);
-    for (let first = from; first < to; first += BLOCK) {
-      if (Math.abs(u) < GONE) u = 0;
-      if (Math.abs(v) < GONE) v = 0;
-      for (let n = first, stop = Math.min(first + BLOCK, to); n < stop; ++n) {
-        const x = begin[n], rise = end[n] - x, next = e * u - f * v + wr * x + rr * rise;
-        v = e * v + f * u + wi * x + ri * rise;
-        u = next;
-        re[n + 1] = u;
-        im[n + 1] = v;
-      }
-    }
+// What a step of every mode is made of under one load: E, and E's parts for the load's begin and for its rise.
+function stepTable(modes, k, step) {
+  const table = new Float64Array(6 * modes.count);
+  for (let m = 0; m < modes.count; ++m) {
+    const at = 2 * (m * modes.nLoads + k), b = step * modes.load[at], c = step * modes.load[at + 1];
+    const [e, f, p, q, r, s] = phiFunctions(modes.pole[2 * m] * step, modes.pole[2 * m + 1] * step);
+    table.set([e, f, p * b - q * c, p * c + q * b, r * b - s * c, r * c + s * b], 6 * m);
   }
+  return table;
 }
 
-function addModes(modes, names, k, load, list, re, im, y) {
-  for (let m = 0; m < modes.count; ++m) {
-    const at = 2 * (m * modes.nLoads + k), b = [modes.load[at], modes.load[at + 1]];
-    if (b[0] === 0 && b[1] === 0) continue;
-    advance(list, [modes.pole[2 * m], modes.pole[2 * m + 1]], b, load, re, im);
-    names.forEach((name, i) => {
-      const c = modes.readings[name].weight[2 * m], d = modes.readings[name].weight[2 * m + 1], row = y[i];
-      for (let n = 0; n < re.length; ++n) row[n] += c * re[n] - d * im[n];
-    });
+// z of mode m through the steps from `from` to `to`: into re and im, from 0 on; its last value stays in z.
+function advance(table, m, z, {begin, end}, from, to, re, im) {
+  const e = table[6 * m], f = table[6 * m + 1], g = table[6 * m + 2], h = table[6 * m + 3], r = table[6 * m + 4], s = table[6 * m + 5];
+  let u = z[2 * m], v = z[2 * m + 1];
+  for (let n = from; n < to; ++n) {
+    const x = begin[n], rise = end[n] - x, next = e * u - f * v + (g * x + r * rise);
+    v = e * v + f * u + (h * x + s * rise);
+    u = next;
+    re[n - from] = u;
+    im[n - from] = v;
+  }
+  z[2 * m] = Math.abs(u) < GONE ? 0 : u;
+  z[2 * m + 1] = Math.abs(v) < GONE ? 0 : v;
+}
+
+function addReading(c, d, re, im, from, to, row) {
+  for (let n = from; n < to; ++n) row[n + 1] += c * re[n - from] - d * im[n - from];
+}
+
+function addModes(modes, weights, k, load, stretches, y) {
+  const z = new Float64Array(2 * modes.count), re = new Float64Array(BLOCK), im = new Float64Array(BLOCK);
+  for (const {from, to, step} of stretches) {
+    const table = stepTable(modes, k, step);
+    for (let first = from; first < to; first += BLOCK) {
+      const stop = Math.min(first + BLOCK, to);
+      for (let m = 0; m < modes.count; ++m) {
+        advance(table, m, z, load, first, stop, re, im);
+        for (let i = 0; i < y.length; ++i) addReading(weights[i][2 * m], weights[i][2 * m + 1], re, im, first, stop, y[i]);
+      }
+    }
   }
 }
 
@@ -89,12 +81,11 @@ function addDirect(reading, k, first, {begin, end}, time, row) {
 
 // Readings over the times of a grid. `smoothStart`: a first value counts at once, as in respond's batches of equal steps.
 export function answers(modes, names, loads, grid, smoothStart) {
-  const N = grid.time.length, list = stretches(grid.time), re = new Float64Array(N), im = new Float64Array(N);
-  const y = names.map(() => new Float64Array(N));
+  const y = names.map(() => new Float64Array(grid.time.length)), weights = names.map((name) => modes.readings[name].weight);
   loads.forEach((values, k) => {
     if (values.every((value) => value === 0)) return;
     const load = steps(values, grid);
-    addModes(modes, names, k, load, list, re, im, y);
+    addModes(modes, weights, k, load, grid.stretches, y);
     names.forEach((name, i) => addDirect(modes.readings[name], k, smoothStart ? values[0] : 0, load, grid.time, y[i]));
   });
   return y;

@@ -21,9 +21,9 @@ export function panelsOf(answer, friction, weight) {
   return panels;
 }
 
-// Of many points the least and the largest of each of `spans` spans, so that no peak is lost.
+// Of many points the least and the largest of each of `spans` spans, so that no peak is lost: [index ...].
 function thinned(time, y, spans) {
-  if (time.length <= 2 * spans) return Array.from(time, (_, n) => n);
+  if (time.length <= 2 * spans) return Array.from(time.keys());
   const kept = [0];
   for (let s = 0; s < spans; ++s) {
     const from = Math.floor(s * time.length / spans), to = Math.floor((s + 1) * time.length / spans);
@@ -32,9 +32,10 @@ function thinned(time, y, spans) {
       if (y[n] < y[low]) low = n;
       if (y[n] > y[high]) high = n;
     }
-    kept.push(Math.min(low, high), Math.max(low, high));
+    if (low === high) kept.push(low); else kept.push(Math.min(low, high), Math.max(low, high));
   }
-  return [...kept, time.length - 1];
+  kept.push(time.length - 1);
+  return kept;
 }
 
 function rangeOf(lines) {
@@ -48,6 +49,7 @@ function rangeOf(lines) {
   return [low - (low < 0 ? room : 0), high + room];
 }
 
+const tenths = (value) => Math.round(10 * value) / 10;
 const escaped = (text) => text.replace(/&/g, "&amp;").replace(/</g, "&lt;");
 const label = (x, y, text, attributes) => `<text x="${x.toFixed(1)}" y="${y.toFixed(1)}" ${attributes}>${escaped(text)}</text>`;
 
@@ -77,7 +79,7 @@ function panel({title, unit, lines}, time, width, top, colours) {
       label(LEFT - 6, Number(y) + 4, words, `fill="${colours.quiet}" text-anchor="end" font-size="11"`);
   }
   for (const {y, colour, dashed} of lines) {
-    const points = thinned(time, y, width).map((n) => `${X(time[n]).toFixed(1)} ${Y(y[n]).toFixed(1)}`);
+    const points = thinned(time, y, Math.ceil(width / 3)).map((n) => `${tenths(X(time[n]))} ${tenths(Y(y[n]))}`);
     text += `<path d="M${points.join("L")}" fill="none" stroke="${colours.lines[colour]}" stroke-width="1.7"${dashed ? ' stroke-dasharray="6 4"' : ""}/>`;
   }
   return text;

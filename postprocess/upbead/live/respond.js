@@ -1,5 +1,5 @@
 // What a reduced model answers to one wave: the numbers of `upbead respond`, found as src/respond has them.
-import {baseExtremes, edgePressures} from "./base.js";
+import {baseExtremes, edgesOf} from "./base.js";
 import {checkTimes, onGrid, waveGrid} from "./grid.js";
 import {answers, modesOf} from "./modes.js";
 import {slideOnFriction} from "./slide.js";
@@ -11,22 +11,23 @@ export function modelOf(data) {
   return {...data, modes: modesOf(data.modes), nested: data.nested && data.nested.map(modesOf)};
 }
 
-// {time, value}: the largest; where the history is smooth and its neighbours equally far, of the parabola through three.
-function peakOf(time, y, smooth) {
+// {time, value}: the largest of way * y; where the history is smooth and its neighbours equally far, of the parabola
+// through three.
+function peakOf(time, y, way, smooth) {
   let at = 0;
-  for (let n = 1; n < y.length; ++n) if (y[n] > y[at]) at = n;
-  const top = {time: time[at], value: y[at]};
+  for (let n = 1; n < y.length; ++n) if (way * y[n] > way * y[at]) at = n;
+  const top = {time: time[at], value: way * y[at]};
   if (!smooth || at === 0 || at + 1 === y.length) return top;
   const before = time[at] - time[at - 1], after = time[at + 1] - time[at];
-  const slope = (y[at + 1] - y[at - 1]) / 2, bend = y[at + 1] - 2 * y[at] + y[at - 1];
+  const slope = way * (y[at + 1] - y[at - 1]) / 2, bend = way * (y[at + 1] - 2 * y[at] + y[at - 1]);
   if (Math.abs(after - before) > 1e-6 * before || !(bend < 0)) return top;
   const aside = -slope / bend;
-  return {time: time[at] + aside * after, value: y[at] + 0.5 * aside * slope};
+  return {time: time[at] + aside * after, value: top.value + 0.5 * aside * slope};
 }
 
 function peaks(time, P, F, smooth) {
-  const landward = peakOf(time, F, smooth), seaward = peakOf(time, F.map((value) => -value), smooth);
-  const [most, least] = P.reduce(([high, low], value) => [Math.max(high, value), Math.min(low, value)], [-Infinity, Infinity]);
+  const landward = peakOf(time, F, 1, smooth), seaward = peakOf(time, F, -1, smooth);
+  const most = peakOf(time, P, 1, false).value, least = -peakOf(time, P, -1, false).value;
   const isSeaward = -least > most, force = isSeaward ? least : most, shear = isSeaward ? -seaward.value : landward.value;
   return {peak_force: most, peak_shear: landward.value, peak_shear_time: landward.time,
     peak_shear_seaward: -seaward.value, ratio: force === 0 ? null : shear / force};
@@ -55,18 +56,20 @@ function upliftOfForce({uplift, uplift_per_force, lag}, time, P) {
   });
 }
 
-// Grid and histories of a wave. They stay the same while only friction, W' or the uplift change.
-export function histories(model, wave, slides) {
-  const longest = longestStep(model, wave, slides), until = wave.time[wave.time.length - 1];
-  const grid = waveGrid(wave.time, longest, Math.max(until, model.end)), loads = onGrid(wave, grid.time);
+// Grid and histories of a wave. They stay the same while only friction, W' or the uplift change. mostTimes: about so many
+// times at most; fewer than `respond` takes where `rough`, each exact.
+export function histories(model, wave, slides, mostTimes = Infinity) {
+  const longest = longestStep(model, wave, slides), end = Math.max(wave.time[wave.time.length - 1], model.end);
+  const rough = end > longest * mostTimes, grid = waveGrid(wave.time, rough ? end / mostTimes : longest, end), loads = onGrid(wave, grid.time);
   const endsAtZero = grid.last === null || loads.every((values) => values[grid.last] === 0);
   const startsAtZero = loads.every((values) => values[grid.first] === 0);
   const ofBase = slides ? ["normal_force", "base_moment", "uplift", "uplift_moment"].filter((name) => name in model.modes.readings) : [];
   const names = ["shear_force", ...ofBase], y = answers(model.modes, names, loads, grid, grid.equal !== null && endsAtZero);
   const force = model.modes.readings.force.feedthrough;
-  const P = Float64Array.from(grid.time, (_, n) => loads.reduce((sum, values, k) => sum + force[k] * values[n], 0));
+  const P = new Float64Array(grid.time.length);
+  loads.forEach((values, k) => values.forEach((value, n) => { P[n] += force[k] * value; }));
   const smooth = startsAtZero && endsAtZero && model.modes.readings.shear_force.feedthrough.every((value) => value === 0);
-  return {wave, grid, longest, loads, P, smooth, F: y[0], ofBase: Object.fromEntries(ofBase.map((name, i) => [name, y[i + 1]]))};
+  return {wave, grid, rough, longest, loads, P, smooth, F: y[0], ofBase: Object.fromEntries(ofBase.map((name, i) => [name, y[i + 1]]))};
 }
 
 // N', M' and U on the base; prescribed: an uplift besides the computed one, or null.
@@ -88,9 +91,8 @@ export function answerOf(model, history, sliding) {
   answer.U = computed || prescribed;
   Object.assign(answer, slideOnFriction(sliding, model.mass, grid.time, F, answer.U));
   if (!model.base) return answer;
-  const base = onBase(model, history, prescribed), edges = Array.from(base.N, (N, n) => edgePressures(N, base.M[n], base.width));
-  return {...answer, N: base.N, M: base.M, toe: Float64Array.from(edges, (edge) => edge[0]),
-    heel: Float64Array.from(edges, (edge) => edge[1]), worst: baseExtremes(base)};
+  const base = onBase(model, history, prescribed);
+  return {...answer, N: base.N, M: base.M, ...edgesOf(base), worst: baseExtremes(base)};
 }
 
 // {beyond_band, error_estimate}, both over the largest |F_T|; the latter null where the model cannot tell.

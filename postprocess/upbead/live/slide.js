@@ -137,7 +137,8 @@ class Block {
 // drag}; U: uplift over time, or null.
 export function slideOnFriction(sliding, mass, time, F, U) {
   const {friction, weight, drag} = sliding;
-  const R = Float64Array.from(F, (_, n) => friction * (U ? Math.max(weight - U[n], 0) : weight));
+  const R = new Float64Array(F.length).fill(friction * weight);
+  if (U) U.forEach((uplift, n) => { R[n] = friction * Math.max(weight - uplift, 0); });
   let start = 0;
   while (start < F.length && Math.abs(F[start]) <= R[start]) ++start;
   if (start === F.length) return {S: 0, slips: 0};

@@ -24,6 +24,12 @@ export function rowsOf(answer, asked) {
   return rows;
 }
 
+// What stays in sight while one drags.
+export function headline(answer, asked) {
+  const told = [["largest F_T", quantity(answer.peak_shear, "N/m")], ["of largest P", answer.ratio === null ? "none" : percent(answer.ratio, 3)]];
+  return asked ? [...told, ["S", meters(answer.S)]] : told;
+}
+
 export function rowsOfTrust({beyond_band, error_estimate}) {
   return [
     ["error_estimate", "error of F_T, at most", error_estimate === null ? "not known" : percent(error_estimate), error_estimate],

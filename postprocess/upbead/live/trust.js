@@ -1,6 +1,7 @@
 // How wrong an answer may be, as src/dynamics/answer_error.cc has it: beside two larger models, and beyond the frequencies
 // up to which the model has been checked.
 import {backward, forward, goodSize} from "./fft.js";
+import {equalStretch} from "./grid.js";
 import {answers} from "./modes.js";
 import {phiFunctions} from "./phi.js";
 
@@ -11,7 +12,8 @@ const largestDifference = (a, b) => a.reduce((most, value, n) => Math.max(most, 
 
 // A bound of the error of F_T by the model (N/m). loads: of equally spaced times; a first sample is reached along a line.
 export function errorBound(model, loads, step) {
-  const time = Array.from({length: loads[0].length + 1}, (_, n) => n * step), grid = {time, equal: step, first: 0, last: null};
+  const n = loads[0].length, time = Array.from({length: n + 1}, (_, i) => i * step);
+  const grid = {time, stretches: equalStretch(n, step), equal: step, first: 0, last: null};
   const fromZero = loads.map((values) => {
     const longer = new Float64Array(values.length + 1);
     longer.set(values, 1);

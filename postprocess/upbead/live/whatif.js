@@ -1,12 +1,13 @@
 // The page that answers: from the controls to numbers, sentences and pictures, at every move.
 import {Controls} from "./controls.js";
-import {element} from "./element.js";
+import {element, symbolic} from "./element.js";
 import {drawing, panelsOf} from "./plot.js";
 import {answerOf, histories, modelOf, trustOf} from "./respond.js";
 import {historiesCsv, offer, waveCsv} from "./save.js";
-import {notesOf, rowsOf, rowsOfTrust, spoken, trustSentences} from "./told.js";
+import {headline, notesOf, rowsOf, rowsOfTrust, spoken, trustSentences} from "./told.js";
 
 const STILL = 150, SILENT = 700; // ms after the last move until the error is told, and until it is said aloud
+const WORK = 250000; // modes times times that are answered within a frame
 
 class WhatIf {
   constructor(root, data) {
@@ -21,7 +22,8 @@ class WhatIf {
     this.figure = element("figure");
     const tables = element("div", {class: "tables"}, element("table", {}, element("caption", {}, "Answer"), this.table), element("div", {}, this.trust, this.notes));
     const answer = element("div", {class: "answer"}, this.wrong, tables, this.figure, this.buttons(), this.aloud);
-    root.append(element("div", {class: "whatif-parts"}, this.controls.form, answer));
+    this.headline = element("dl", {class: "headline"});
+    root.append(this.headline, element("div", {class: "whatif-parts"}, this.controls.form, answer));
     new ResizeObserver(() => this.answer && this.draw()).observe(this.figure);
     this.update();
   }
@@ -43,7 +45,7 @@ class WhatIf {
     try {
       const mistakes = this.controls.mistakes();
       if (mistakes.length > 0) throw new Error(mistakes.join(". ") + ".");
-      this.ask();
+      this.ask(Math.ceil(WORK / this.model.modes.count));
     } catch (error) {
       this.answer = null;
       this.wrong.textContent = `No answer. ${error.message}`;
@@ -52,11 +54,11 @@ class WhatIf {
     if (!this.answer) return;
     this.wrong.textContent = "";
     this.show();
-    this.later = setTimeout(() => this.tellTrust(), STILL);
+    this.later = setTimeout(() => this.settle(), STILL);
   }
-  ask() {
+  ask(mostTimes) {
     const wave = this.controls.wave(), sliding = this.controls.sliding(), key = JSON.stringify([wave, sliding !== null]);
-    if (key !== this.key) this.history = histories(this.model, wave, sliding !== null);
+    if (key !== this.key || (this.history.rough && mostTimes === Infinity)) this.history = histories(this.model, wave, sliding !== null, mostTimes);
     this.key = key;
     this.sliding = sliding;
     this.answer = answerOf(this.model, this.history, sliding);
@@ -76,27 +78,37 @@ class WhatIf {
     return `Histories over ${this.answer.time.at(-1)} s: ${this.panels().map(({title}) => title).join("; ")}`;
   }
   showRows() {
+    this.headline.replaceChildren(...headline(this.answer, this.sliding).map(([name, text]) =>
+      element("div", {}, element("dt", {}, ...symbolic(name)), element("dd", {}, text))));
     this.table.replaceChildren(...this.rows().map(([key, name, text, value]) =>
-      element("tr", {}, element("th", {scope: "row"}, name), element("td", {}, element("data", {value: String(value), "data-key": key}, text)))));
+      element("tr", {}, element("th", {scope: "row"}, ...symbolic(name)), element("td", {}, element("data", {value: String(value), "data-key": key}, text)))));
   }
   show() {
     this.told = null;
     this.showRows();
-    this.notes.replaceChildren(...notesOf(this.model, this.answer, this.sliding).map((text) => element("li", {}, text)));
-    this.trust.replaceChildren(element("li", {class: "quiet"}, "How wrong F_T may be is told when nothing moves."));
+    this.notes.replaceChildren(...notesOf(this.model, this.answer, this.sliding).map((text) => element("li", {}, ...symbolic(text))));
+    this.trust.replaceChildren(element("li", {class: "quiet"}, ...symbolic(this.answer.rough
+      ? `While something moves, the answer is looked at ${this.answer.time.length} times, exact but for peaks between them; all times and the error of F_T follow at rest.`
+      : "How wrong F_T may be is told when nothing moves.")));
     this.draw();
   }
   draw() {
     this.figure.innerHTML = drawing(this.answer.time, this.panels(), Math.max(300, Math.floor(this.figure.clientWidth)), {alt: this.alt()});
   }
-  tellTrust() {
+  // At rest: all times of `respond`, and how wrong they may be.
+  settle() {
     try {
+      if (this.answer.rough) {
+        this.ask(Infinity);
+        this.show();
+      }
       this.told = trustOf(this.model, this.history);
     } catch (error) {
-      return this.trust.replaceChildren(element("li", {class: "warned"}, `How wrong F_T may be is not told: ${error.message}`));
+      const rough = this.answer.rough ? ` The numbers are those of ${this.answer.time.length} times.` : "";
+      return this.trust.replaceChildren(element("li", {class: "warned"}, ...symbolic(`How wrong F_T may be is not told: ${error.message}.${rough}`)));
     }
     const sentences = trustSentences(this.model, this.told);
-    this.trust.replaceChildren(...sentences.map(({text, warns}) => element("li", warns ? {class: "warned"} : {}, text)));
+    this.trust.replaceChildren(...sentences.map(({text, warns}) => element("li", warns ? {class: "warned"} : {}, ...symbolic(text))));
     this.showRows();
     this.silence = setTimeout(() => { this.aloud.textContent = spoken(this.answer, this.sliding, sentences); }, SILENT - STILL);
   }
