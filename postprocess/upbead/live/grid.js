@@ -1,13 +1,12 @@
 // The times at which a model is asked about a wave, as src/respond/wave_grid.cc has them. A wave is {time, loads}: its
 // times (s), ascending, and of each load its values; straight between them, zero before and after.
 
-export class TooMany extends Error {}
-
 const MOST_TIMES = 400000; // what a page holds and draws at ease; `upbead respond` takes more
 
-function requireRoom(n, step, end) {
+// Throws Error where that would be too many times.
+export function requireRoom(n, step, end) {
   if (n > MOST_TIMES)
-    throw new TooMany(`answers up to ${end.toPrecision(4)} s in steps of ${step.toPrecision(4)} s are ${Math.round(n)} ` +
+    throw new Error(`answers up to ${end.toPrecision(4)} s in steps of ${step.toPrecision(4)} s are ${Math.round(n)} ` +
       `times, more than the ${MOST_TIMES} that this page takes: ask upbead respond`);
 }
 

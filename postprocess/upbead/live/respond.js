@@ -1,6 +1,6 @@
 // What a reduced model answers to one wave: the numbers of `upbead respond`, found as src/respond has them.
 import {baseExtremes, edgesOf} from "./base.js";
-import {checkTimes, onGrid, waveGrid} from "./grid.js";
+import {checkTimes, onGrid, requireRoom, waveGrid} from "./grid.js";
 import {answers, modesOf} from "./modes.js";
 import {slideOnFriction} from "./slide.js";
 import {longestStep} from "./step.js";
@@ -60,6 +60,7 @@ function upliftOfForce({uplift, uplift_per_force, lag}, time, P) {
 // times at most; fewer than `respond` takes where `rough`, each exact.
 export function histories(model, wave, slides, mostTimes = Infinity) {
   const longest = longestStep(model, wave, slides), end = Math.max(wave.time[wave.time.length - 1], model.end);
+  requireRoom(end / longest, longest, end);
   const rough = end > longest * mostTimes, grid = waveGrid(wave.time, rough ? end / mostTimes : longest, end), loads = onGrid(wave, grid.time);
   const endsAtZero = grid.last === null || loads.every((values) => values[grid.last] === 0);
   const startsAtZero = loads.every((values) => values[grid.first] === 0);
