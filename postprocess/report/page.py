@@ -17,6 +17,7 @@ from report import (
     sheet,
     sliding,
     source_case,
+    whatif,
     yielding,
 )
 from report.figure import of_drawing
@@ -40,6 +41,7 @@ def build(result, case_file=None):
         base.section(result),
         sliding.section(result),
         yielding.section(result, near(outline)),
+        whatif.section(result),
         animation.section(result, near(outline)),
         measured.section(result),
         quality.section(result),

@@ -16,6 +16,7 @@ from .errors import CaseError, ModelError, NumericsError, UpbeadError, UserError
 from .fit import fit
 from .fit_result import Fit
 from .history import History
+from .live import page
 from .opening import open_model
 from .opening import open_result as open
 from .reduced_model import ReducedModel
@@ -24,7 +25,7 @@ from .slip_result import SlipResult
 from .study_table import StudyTable
 
 __all__ = ["CaseError", "Fit", "History", "ModelError", "NumericsError", "ReducedModel", "Result", "SlipResult", "StudyTable",
-           "UpbeadError", "UserError", "calibrate", "expected", "figures", "fit", "msh", "open", "open_model", "read_cfd", "reduce", "run",
+           "UpbeadError", "UserError", "calibrate", "expected", "figures", "fit", "msh", "open", "open_model", "page", "read_cfd", "reduce", "run",
            "study", "waves"]
 
 

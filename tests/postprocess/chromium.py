@@ -13,10 +13,12 @@ import time
 
 
 class Browser:
-    """One page in a Chromium of its own; `problems` are errors and warnings of its console."""
+    """One page in a Chromium of its own; `problems` are errors and warnings of its console, `requests` the addresses that it asked
+    for while the domain Network is enabled."""
 
     def __init__(self, program, options, seconds=60):
         self.seconds, self.buffer, self.count, self.problems, self.events = seconds, b"", 0, [], []
+        self.requests = []
         self.profile = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
         read_end, self.write_end = os.pipe()
         self.read_end, write_end = os.pipe()
@@ -85,7 +87,9 @@ class Browser:
     def _note(self, message):
         self.events.append(message.get("method"))
         found = message.get("params") or {}
-        if message.get("method") == "Runtime.exceptionThrown":
+        if message.get("method") == "Network.requestWillBeSent":
+            self.requests.append(found["request"]["url"])
+        elif message.get("method") == "Runtime.exceptionThrown":
             details = found["exceptionDetails"]
             self.problems.append(details.get("exception", {}).get("description") or details["text"])
         elif message.get("method") == "Runtime.consoleAPICalled" and found["type"] in ("error", "warning", "assert"):

@@ -1,0 +1,43 @@
+"""What if: the reduced model of the same scene, where it lies in the folder of the run, answers other waves in the page."""
+
+import tomllib
+
+import h5py
+
+from report.markup import Markup, tag
+from upbead import live
+from upbead.errors import ModelError
+from upbead.live.model_data import model_data
+from upbead.results import text_of
+
+SCENE = ("gravity", "fluid", "mesh", "regions", "boundaries", "initial", "sliding")
+OF_WAVE = ("pulse", "history", "factor", "wave")  # what the page asks anew
+
+
+def section(result):
+    path = result.folder / "reduced.h5"
+    if not path.is_file():
+        return Markup("")
+    try:
+        data, case = model_data(path), case_of(path)
+    except (ModelError, OSError, KeyError, ValueError) as error:
+        return told(f"The reduced model beside this run cannot be shown: {error}.")
+    if scene_of(case) != scene_of(result.case):
+        return told("The reduced model beside this run is of another scene, and is not shown.")
+    return tag("section", tag("h2", "What if"), Markup(live.section(data)), id="what-if")
+
+
+def told(text):
+    return tag("section", tag("h2", "What if"), tag("p", text, class_="quiet"), id="what-if")
+
+
+def case_of(path):
+    """The case of a model, with all defaults, as a dict."""
+    with h5py.File(path) as file:
+        return tomllib.loads(text_of(file["case"][()].flat[0]))
+
+
+def scene_of(case):
+    """All that decides how a scene answers, without the waves."""
+    loads = {name: {key: value for key, value in load.items() if key not in OF_WAVE} for name, load in case.get("loads", {}).items()}
+    return {**{key: case.get(key) for key in SCENE}, "loads": loads}

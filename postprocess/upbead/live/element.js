@@ -1,0 +1,13 @@
+// An element of the page: attributes, then children (elements or text).
+export function element(name, attributes = {}, ...children) {
+  const made = document.createElement(name);
+  for (const key in attributes) if (attributes[key] !== null) made.setAttribute(key, attributes[key]);
+  made.append(...children);
+  return made;
+}
+
+// Text with its symbols set: F_T is F in italics with the subscript T.
+export function symbolic(text) {
+  return text.split(/\b([A-Z]_[A-Z])\b/).map((part, i) => i % 2 === 0 ? part
+    : element("span", {}, element("i", {}, part[0]), element("sub", {}, part[2])));
+}

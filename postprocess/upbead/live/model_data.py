@@ -1,0 +1,83 @@
+"""The numbers of a reduced model that a page needs: JSON, arrays as doubles in base64."""
+
+import base64
+
+import h5py
+import numpy as np
+
+from ..errors import ModelError
+from ..reduced_model import ReducedModel
+from ..results import text_of
+
+# Readings by which `upbead respond` tells P, F_T, and what presses on the base.
+NEEDED = ("force", "shear_force")
+OF_BASE = ("normal_force", "base_moment", "uplift", "uplift_moment")
+UPLIFTS = ("none", "in_phase", "held", "computed", "history")
+
+
+def model_data(path):
+    """A dict of what page/respond.js takes; raises ModelError where the file is no reduced model of a caisson."""
+    model = ReducedModel(path)
+    missing = [name for name in NEEDED if name not in model.readings]
+    if missing:
+        raise ModelError(f"'{path}' has no reading '{missing[0]}': its mesh has no surface 'caisson'; reduce a case with one")
+    with h5py.File(path, "r") as file:
+        case, loads = file["case"].attrs, file["loads"]
+        names, units = ([text_of(text) for text in loads[key][()]] for key in ("name", "unit"))
+        numbers = zip(names, units, loads["peak"][()].tolist(), loads["duration"][()].tolist())
+        return {
+            "title": model.title,
+            "loads": [dict(zip(("name", "unit", "peak", "duration"), row)) for row in numbers],
+            "validity": {key: float(value) for key, value in file["validity"].attrs.items()},
+            "mass": float(case["caisson_mass"]),
+            "end": float(case["end"]),
+            "sliding": sliding_of(file),
+            "base": base_of(file),
+            "slips": "slip" in file,
+            "modes": modes_of(model, [name for name in NEEDED + OF_BASE if name in model.readings]),
+            "nested": model.nested and [modes_of(larger, ["shear_force"]) for larger in model.nested],
+        }
+
+
+def sliding_of(file):
+    """Table [sliding] of the case, or None."""
+    if "sliding" not in file:
+        return None
+    given = file["sliding"].attrs
+    uplift = text_of(given["uplift"])
+    if uplift not in UPLIFTS:
+        raise ModelError(f"the model's uplift '{uplift}' is none of {', '.join(UPLIFTS)}; make it again with 'upbead reduce'")
+    numbers = {"friction": "friction", "weight": "buoyant_weight", "drag": "drag", "uplift_per_force": "uplift_per_force", "lag": "lag"}
+    return {"uplift": uplift, **{key: float(given[name]) for key, name in numbers.items()}}
+
+
+def base_of(file):
+    """What stands on the base at rest, or None."""
+    if "base" not in file:
+        return None
+    return dict(zip(("width", "weight", "weight_moment", "uplift_moment_per_force"), file["base"][()].tolist()))
+
+
+def modes_of(model, names):
+    at = {name: model.readings.index(name) for name in names}
+    return {
+        "count": int(model.pole.size),
+        "load_count": len(model.loads),
+        "pole": doubles(model.pole),
+        "load": doubles(model.load),
+        "readings": {
+            name: {
+                "weight": doubles(model.reading[i]),
+                "feedthrough": doubles(model.feedthrough[i]),
+                "impulse": doubles(model.impulse[i]),
+            }
+            for name, i in at.items()
+        },
+    }
+
+
+def doubles(values):
+    """Complex numbers as pairs."""
+    values = np.ascontiguousarray(values)
+    kind = np.complex128 if np.iscomplexobj(values) else np.float64
+    return base64.b64encode(values.astype(kind).view(np.float64).astype("<f8").tobytes()).decode()

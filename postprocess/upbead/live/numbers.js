@@ -1,0 +1,39 @@
+// Numbers as people read them, as report/units.py has them: four digits, a prefix that suits the size.
+
+const PREFIXES = [[1e9, "G"], [1e6, "M"], [1e3, "k"], [1, ""]], PREFIXED = ["N/m", "Pa", "N m/m"];
+
+const superscript = (number) => String(number).replace(/[-\d]/g, (sign) => "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"["-0123456789".indexOf(sign)]);
+
+export function plain(value, digits = 4) {
+  if (value === 0) return "0";
+  const exponent = Math.floor(Math.log10(Math.abs(Number(value.toPrecision(digits)))));
+  if (exponent < -4 || exponent > 9) return `${(value / 10 ** exponent).toPrecision(digits)} × 10${superscript(exponent)}`.replace("-", "−");
+  const decimals = Math.max(0, digits - 1 - exponent);
+  return value.toLocaleString("en", {maximumFractionDigits: decimals}).replace("-", "−");
+}
+
+// [factor, unit] by which a value is read best; 10 times a prefix itself is needed for it: 1,600 kN/m.
+export function scaleOf(unit, size) {
+  if (PREFIXED.includes(unit))
+    for (const [prefix, name] of PREFIXES) if (size >= prefix * (prefix > 1e3 ? 10 : 1)) return [1 / prefix, name + unit];
+  if (unit === "m" && size > 0 && size < 1) return [1e3, "mm"];
+  return [1, unit];
+}
+
+export function quantity(value, unit) {
+  const [factor, name] = scaleOf(unit, Math.abs(value));
+  return `${plain(value * factor)} ${name}`.trim().replaceAll(" ", "\u00a0");
+}
+
+export const percent = (value, digits = 2) => `${plain(100 * value, digits)}\u00a0%`;
+
+// Round numbers from low to high, as report/ticks.py has them: [value, text].
+export function ticks(low, high, count) {
+  if (!(high > low)) return [];
+  const raw = (high - low) / count, power = 10 ** Math.floor(Math.log10(raw));
+  const step = power * [1, 2, 5, 10].find((factor) => factor * power >= raw * (1 - 1e-9));
+  const decimals = Math.max(0, -Math.floor(Math.log10(step) + 1e-9)), found = [];
+  for (let i = Math.ceil(low / step - 1e-9); i <= Math.floor(high / step + 1e-9); ++i)
+    found.push([i * step, (i * step + 0).toLocaleString("en", {minimumFractionDigits: decimals, maximumFractionDigits: decimals}).replace("-", "−")]);
+  return found;
+}

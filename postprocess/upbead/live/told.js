@@ -1,0 +1,71 @@
+// An answer in words and numbers: the rows of the table, and sentences about where the model holds.
+import {percent, plain, quantity} from "./numbers.js";
+
+const margin = (value) => value === null ? "nothing overturns" : plain(value, 3);
+const pressure = (value) => value === null ? "the resultant leaves the base" : quantity(value, "Pa");
+const meters = (value) => value === 0 ? "0" : quantity(value, "m");
+
+// [key of `upbead respond`, name, text, value or null]
+export function rowsOf(answer, asked) {
+  const rows = [
+    ["peak_force", "largest P", quantity(answer.peak_force, "N/m"), answer.peak_force],
+    ["peak_shear", "largest F_T", quantity(answer.peak_shear, "N/m"), answer.peak_shear],
+    ["peak_shear_time", "at", quantity(answer.peak_shear_time, "s"), answer.peak_shear_time],
+    ["ratio", "peak F_T / peak P", answer.ratio === null ? "none" : percent(answer.ratio, 3), answer.ratio],
+    ["peak_shear_seaward", "least F_T (seaward)", quantity(answer.peak_shear_seaward, "N/m"), answer.peak_shear_seaward],
+  ];
+  if (!asked) return rows;
+  rows.push(["sliding", "sliding distance S, eq. (4)", meters(answer.S), answer.S], ["slips", "slips", String(answer.slips), answer.slips]);
+  if (answer.worst) rows.push(
+    ["least_normal_force", "least N′", quantity(answer.worst.leastN, "N/m"), answer.worst.leastN],
+    ["peak_heel_pressure", "largest heel pressure", pressure(answer.worst.heel), answer.worst.heel],
+    ["peak_toe_pressure", "largest toe pressure", pressure(answer.worst.toe), answer.worst.toe],
+    ["least_overturning_margin", "least margin against overturning", margin(answer.worst.margin), answer.worst.margin]);
+  return rows;
+}
+
+// What stays in sight while one drags.
+export function headline(answer, asked) {
+  const told = [["largest F_T", quantity(answer.peak_shear, "N/m")], ["of largest P", answer.ratio === null ? "none" : percent(answer.ratio, 3)]];
+  return asked ? [...told, ["S", meters(answer.S)]] : told;
+}
+
+export function rowsOfTrust({beyond_band, error_estimate}) {
+  return [
+    ["error_estimate", "error of F_T, at most", error_estimate === null ? "not known" : percent(error_estimate), error_estimate],
+    ["beyond_band", "part of F_T beyond what was checked", percent(beyond_band), beyond_band],
+  ];
+}
+
+// [{text, warns}] of how far the numbers hold.
+export function trustSentences({validity}, {beyond_band, error_estimate}) {
+  const limit = validity.tolerance, list = [];
+  if (error_estimate === null)
+    list.push({warns: true, text: "The model holds nothing that tells how wrong its answer to a wave is: make it again with upbead reduce."});
+  else
+    list.push({warns: error_estimate > limit, text: `The history of F_T is wrong by at most ${percent(error_estimate)} of its largest value, by two larger models` +
+      (error_estimate > limit ? `: more than the model's tolerance of ${percent(limit)}. Reduce again with such a wave in the case, or march it with upbead run.` : ".")});
+  if (beyond_band > limit)
+    list.push({warns: true, text: `${percent(beyond_band)} of F_T lies beyond ${plain(validity.highest_frequency, 3)} Hz, up to which the model has been checked ` +
+      `(tolerance ${percent(limit)}): reduce again with a shorter pulse, or march it with upbead run.`});
+  return list;
+}
+
+// What the numbers stand on, as far as it depends on what is asked.
+export function notesOf(model, answer, sliding) {
+  const notes = [];
+  if (!sliding) return model.mass > 0 ? ["S and what presses on the base are told where friction and W′ are given."] : [];
+  if (answer.worst && Math.abs(sliding.weight - model.base.weight) > 1e-9 * model.base.weight)
+    notes.push(`N′, pressures and the margin are those of the case's own W′, ${quantity(model.base.weight, "N/m")}; the W′ above counts for S alone, as in upbead respond.`);
+  if (answer.S !== 0)
+    notes.push("S is of a rigid block under F_T of a caisson that sticks." + (model.slips ? " upbead respond also tells S of the caisson that slips on the ground that it shakes." : ""));
+  if (!model.base) notes.push("The model's file does not tell what stands on the base: no N′, pressures or margin.");
+  if (model.sliding && model.sliding.uplift === "history") notes.push("The case's uplift is a record of its own wave; here it is the one chosen above.");
+  return notes;
+}
+
+// For those who hear the page.
+export function spoken(answer, asked, trust) {
+  const ratio = answer.ratio === null ? "" : `, ${percent(answer.ratio, 2)} of the largest P`;
+  return `Largest F_T ${quantity(answer.peak_shear, "N/m")}${ratio}.` + (asked ? ` S ${meters(answer.S)}.` : "") + ` ${trust.map(({text}) => text).join(" ")}`;
+}

@@ -1,0 +1,254 @@
+"""The page that answers in Chromium without a window: what a reader sees, types, drops and hears.
+
+Skipped (exit code 77) where there is no Chromium; the test with axe-core where npm cannot bring it.
+
+usage: test_page_browser.py FOLDER_OF_THE_SCRIPTS UPBEAD FOLDER_OF_THE_CASES [TEST ...]
+"""
+
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+import page_models as made
+from chromium import Browser
+
+import upbead
+from report import page, pdf
+from upbead.live import document, model_data
+from upbead.results import Result
+
+LARGEST_PAGE = 1.5e6
+COARSE = "mesh.parameters.cells=2"
+NUMBER = """(key) => { const item = document.querySelector(`.whatif data[data-key="${key}"]`); return item && Number(item.value); }"""
+TYPE = """(key, text) => { const field = document.querySelector(`[data-key="${key}"]`); field.value = text;
+  field.dispatchEvent(new Event("input")); return document.querySelector(".wrong").textContent; }"""
+# Milliseconds of handling and laying out each of 120 moves of a slider.
+DRAG = """async (key) => {
+  const slider = document.querySelector(`[data-key="${key}"]`).parentNode.querySelector("input[type=range]"), took = [];
+  for (let i = 0; i < 120; ++i) {
+    slider.value = 300 + 2 * i;
+    const start = performance.now();
+    slider.dispatchEvent(new Event("input"));
+    document.body.offsetHeight;
+    took.push(performance.now() - start);
+    await new Promise((done) => requestAnimationFrame(done));
+  }
+  return took;
+}"""
+SETTLED = """(async () => { while (!document.querySelector('data[data-key="error_estimate"]'))
+  await new Promise((done) => setTimeout(done, 10)); })()"""
+
+
+class Page(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.temporary = tempfile.TemporaryDirectory()
+        cls.folder = Path(cls.temporary.name)
+        cls.model = made.reduced("fig2b-prototype.toml", cls.folder / "one", COARSE)
+        cls.two = made.reduced("fig2b-prototype.toml", cls.folder / "two", COARSE, "loads.slow.factor=1")
+        cls.pages = {"one": upbead.page(cls.model), "two": upbead.page(cls.two)}
+        cls.browser = Browser(pdf.browser(), pdf.options)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.browser.__exit__()
+        cls.temporary.cleanup()
+
+    def show(self, name="one", width=1280, **options):
+        self.browser.problems.clear()
+        self.browser.open(self.pages[name], width, **options)
+        self.browser.value(SETTLED)
+        return self.browser.value
+
+    def call(self, function, *arguments):
+        return self.browser.value(f"({function})({', '.join(map(repr, arguments))})")
+
+    def drop(self, name, text):
+        """Gives a record by the file field; what the page says of it."""
+        path = self.folder / name
+        path.write_text(text)
+        root = self.browser.call("DOM.getDocument")["root"]["nodeId"]
+        node = self.browser.call("DOM.querySelector", nodeId=root, selector="#whatif-record")["nodeId"]
+        self.browser.call("DOM.setFileInputFiles", files=[str(path)], nodeId=node)
+        said = "document.querySelector('.drop p').textContent"
+        self.browser.value(f"(async () => {{ while (!{said}) await new Promise((done) => setTimeout(done, 10)); }})()")
+        return self.browser.value(said)
+
+    def test_from_phones_to_wide_screens(self):
+        for name in self.pages:
+            for width in (360, 640, 861, 1280, 1600):
+                for dark in (False, True):
+                    value = self.show(name, width, dark=dark)
+                    where = f"{name} at {width} px, dark: {dark}"
+                    self.assertEqual(self.browser.problems, [], where)
+                    self.assertLessEqual(value("document.documentElement.scrollWidth"), width, where)
+
+    def test_asks_for_nothing(self):
+        self.browser.call("Network.enable")
+        self.browser.requests.clear()
+        self.show()
+        self.call(TYPE, "peak", "3000")
+        self.browser.value(SETTLED)
+        asked = [address for address in self.browser.requests if not address.startswith("data:")]
+        self.browser.call("Network.disable")
+        self.assertEqual(asked, [self.pages["one"].resolve().as_uri()])
+
+    def test_sizes(self):
+        data = model_data.model_data(self.model)
+        parts = {"page": self.pages["one"].read_text(), "model": document.as_json(data), "scripts": document.script()}
+        parts |= {name: document.read(name) for name in ("page.css", "whatif.css")}
+        sizes = {name: len(text.encode()) for name, text in parts.items()}
+        print("bytes: " + ", ".join(f"{name} {size}" for name, size in sizes.items()), file=sys.stderr)
+        self.assertLess(sizes["page"], LARGEST_PAGE)
+
+    def test_follows_a_slider(self):
+        self.show()
+        for key in ("peak", "duration", "friction"):
+            took = sorted(self.call(DRAG, key))
+            print(f"{key}: median {took[60]:.1f} ms, slowest {took[-1]:.1f} ms of 120 moves", file=sys.stderr)
+        self.assertEqual(self.browser.problems, [])
+
+    def test_a_slider_by_keys(self):
+        self.show()
+        before = self.call(NUMBER, "peak_shear")
+        self.browser.value("""document.querySelector('[data-key="peak"]').parentNode.querySelector("input[type=range]").focus()""")
+        for kind in ("rawKeyDown", "keyUp"):
+            self.browser.call("Input.dispatchKeyEvent", type=kind, key="PageUp", code="PageUp", windowsVirtualKeyCode=33)
+        self.assertGreater(self.call(NUMBER, "peak_shear"), 1.1 * before)
+
+    def test_what_does_not_do_is_told_and_not_answered(self):
+        value = self.show()
+        for key, text in (("duration", "0"), ("peak", "0"), ("rise", "-1"), ("start", ""), ("friction", "0"), ("weight", "-5")):
+            held = value(f"""document.querySelector('[data-key="{key}"]').value""")
+            self.assertIn("No answer", self.call(TYPE, key, text), key)
+            self.assertEqual(value(f"""document.querySelector('[data-key="{key}"]').getAttribute("aria-invalid")"""), "true")
+            self.assertEqual(value("getComputedStyle(document.querySelector('.tables')).visibility"), "hidden")
+            self.assertEqual(self.call(TYPE, key, held), "")
+        self.assertIn("more than", self.call(TYPE, "start", "100000"))
+
+    def test_says_where_the_model_no_longer_holds(self):
+        self.show()
+        self.call(TYPE, "duration", "0.005")
+        self.browser.value(SETTLED)
+        said = self.browser.value("document.querySelector('.trust').textContent")
+        self.assertIn("more than the model's tolerance", said)
+        self.assertGreater(self.call(NUMBER, "error_estimate"), 0.05)
+
+    def test_a_weight_that_is_not_the_models_is_noted(self):
+        self.show()
+        self.assertEqual(self.browser.value("document.querySelector('.notes').textContent"), "")
+        self.call(TYPE, "weight", "3000")
+        self.assertIn("those of the case's own W′", self.browser.value("document.querySelector('.notes').textContent"))
+
+    def test_a_record(self):
+        text = "zeit (ms);F (kN/m)\n13,5;0\n80;2500,5\n95;1000\n300;0\n"
+        self.show()
+        said = self.drop("record.csv", text)
+        self.assertIn("4 times up to 0.3 s", said)
+        self.browser.value(SETTLED)
+        self.same_as_respond(self.model, self.folder / "record.csv")
+
+    def test_a_record_of_two_loads(self):
+        text = "time,slow,impulse\n0,0,0\n0.1,1e5,2e6\n0.5,3e5,0\n0.9,1e5,0\n"
+        self.show("two")
+        self.drop("two.csv", text)
+        self.browser.value(SETTLED)
+        self.same_as_respond(self.two, self.folder / "two.csv")
+
+    def test_a_pulse_of_the_second_load(self):
+        self.show("two")
+        told = made.ask(self.browser, {"load": "1", "peak": "900", "duration": "0.4", "rise": "0.1"})
+        (self.folder / "second.csv").write_text(told["wave"])
+        self.same_as_respond(self.two, self.folder / "second.csv")
+
+    def same_as_respond(self, model, wave):
+        exact, _ = made.respond(model, [wave], self.folder / "out")
+        exact = exact[wave.stem]
+        for key in ("peak_force", "peak_shear", "peak_shear_seaward", "error_estimate", "beyond_band", "peak_heel_pressure"):
+            self.assertLess(abs(self.call(NUMBER, key) - exact[key]), 1e-10 * max(1.0, abs(exact[key])), key)
+
+    def test_records_that_are_not_sure_are_refused(self):
+        refused = {
+            "1,2\n3,4\n": "not the names",
+            "step,F\n1,2\n3,4\n": "not sure to be the time",
+            "time,F\n1,2\n1,4\n": "does not follow",
+            "time,F\n-1,2\n1,4\n": "starts at -1",
+            "time,F\n1,2\n2,x\n": "line 3: 'x' is not a number",
+            "time,F\n1,2\n2\n": "line 3: 1 cells",
+            "time,F (m)\n1,2\n2,3\n": "unit 'm'",
+            "time,F,G\n1,2,3\n2,3,4\n": "is no load of the model",
+            "time,F\n1,0\n2,0\n": "zero throughout",
+            "time\n1\n2\n": "without a load",
+            "": "empty file",
+        }
+        for number, (text, words) in enumerate(refused.items()):
+            self.show()
+            said = self.drop(f"refused{number}.csv", text)
+            self.assertIn(words, said)
+            self.assertIn("was not read", said)
+
+    def test_in_the_report_of_a_run(self):
+        folder = self.folder / "one"
+        made.call("run", made.CASES / "fig2b-prototype.toml", "--out", folder, "--set", COARSE)
+        for width in (400, 1600):
+            text = self.report(folder, width)
+            self.assertEqual(self.browser.problems, [])
+            self.assertLessEqual(self.browser.value("document.documentElement.scrollWidth"), width)
+        self.assertLess(len(text.encode()), LARGEST_PAGE)
+        self.browser.value(SETTLED)
+        before = self.call(NUMBER, "peak_shear")
+        self.call(TYPE, "peak", "3200")
+        self.assertAlmostEqual(self.call(NUMBER, "peak_shear") / before, 2.0, places=9)
+
+    def test_not_in_the_report_of_another_scene(self):
+        folder = self.folder / "two"
+        made.call("run", made.CASES / "fig2b-prototype.toml", "--out", folder, "--set", COARSE, "--set", "regions.mound.porosity=0.41")
+        self.assertIn("of another scene", self.report(folder, 1280))
+
+    def report(self, folder, width):
+        target = folder / "report.html"
+        target.write_text(page.build(Result(folder)))
+        self.browser.problems.clear()
+        self.browser.open(target, width)
+        return target.read_text()
+
+    def test_on_paper(self):
+        self.show()
+        target = self.folder / "page.pdf"
+        pdf.write(self.pages["one"], target)
+        self.assertTrue(target.read_bytes().startswith(b"%PDF"))
+
+    def test_for_all_readers(self):
+        source = axe(self.folder)
+        if source is None:
+            self.skipTest("npm does not bring axe-core")
+        for name in self.pages:
+            for width, dark in ((360, False), (1280, False), (1280, True)):
+                self.show(name, width, dark=dark)
+                self.browser.value(source.read_text() + "; 0")
+                value = "violations.map(({id, nodes}) => id + ': ' + nodes[0].html)"
+                found, held = self.browser.value(f"axe.run().then(({{violations, passes}}) => [{value}, passes.length])")
+                self.assertEqual(found, [], f"{name} at {width} px, dark: {dark}")
+                self.assertGreater(held, 20)
+
+
+def axe(folder):
+    """The file of axe-core, or None."""
+    npm = shutil.which("npm")
+    if npm is None:
+        return None
+    try:
+        subprocess.run([npm, "install", "--prefix", folder, "axe-core@4"], capture_output=True, check=True, timeout=120)
+    except (subprocess.CalledProcessError, subprocess.TimeoutExpired):
+        return None
+    return folder / "node_modules/axe-core/axe.min.js"
+
+
+if __name__ == "__main__":
+    if pdf.browser() is None:
+        print("no Chromium: skipped")
+        sys.exit(77)
+    unittest.main(argv=[sys.argv[0], *sys.argv[4:]])
