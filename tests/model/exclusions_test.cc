@@ -40,7 +40,11 @@ TEST(Exclusions, AreToldAtTheKeyThatAsks) {
 TEST(Exclusions, StandInTheTable) {
   Scene scene;
   scene.fields_every = 0.1;
-  scene.time = {1., {}, TimeScheme::reduced, false, 1e-3};
+  scene.time = {1., {}, TimeScheme::reduced, false, 2., 1e-3};
+  scene.output_every = 0.1;
+  scene.boundaries["base"].displacement = DisplacementCondition::fixed;
+  scene.loads["shake"].boundary = "base";
+  scene.loads["shake"].kind = LoadKind::displacement;
   scene.regions["sand"].strain_law = StrainLaw();
   scene.regions["sand"].strength = Strength();
   scene.regions["mound"].law = SoilLaw::mohr_coulomb;
