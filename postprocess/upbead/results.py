@@ -119,7 +119,7 @@ class Result(Mapping):
 
     @property
     def tables(self):
-        """Names of the groups beside /history, for `table`: interface, coupled, base, measured/NAME."""
+        """Names of the groups beside /history, for `table`: interface, coupled, base, at_times, dense, measured/NAME."""
         groups = {name: group for name, group in self.file.items() if isinstance(group, h5py.Group)}
         nested = groups.pop("measured", {})
         return [name for name in groups if name not in ("history", "fields")] + [f"measured/{name}" for name in nested]

@@ -84,6 +84,17 @@ void add_place_keys(TableSchema<LoadTable>& table) {
           "history");
 }
 
+void add_vector_keys(TableSchema<LoadTable>& table) {
+  table.key("at", &LoadTable::at)
+      .unit("m")
+      .required()
+      .doc("point of attack (x, y)")
+      .when("region", is_at_a_point, "for a force on a region");
+  table.key("direction", &LoadTable::direction)
+      .doc("direction (x, y); multiplies the history and is not normalised")
+      .when("kind", has_direction, "for forces, tractions, motions and body forces");
+}
+
 }  // namespace
 
 TableSchema<LoadTable> load_schema() {
@@ -101,14 +112,7 @@ TableSchema<LoadTable> load_schema() {
           "over "
           "volume and time), gravity (m/s2, downward on skeleton and water together, history its acceleration, with "
           "neither boundary nor region everywhere: pressures and stresses are then those with weight)");
-  table.key("at", &LoadTable::at)
-      .unit("m")
-      .required()
-      .doc("point of attack (x, y)")
-      .when("region", is_at_a_point, "for a force on a region");
-  table.key("direction", &LoadTable::direction)
-      .doc("direction (x, y); multiplies the history and is not normalised")
-      .when("kind", has_direction, "for forces, tractions, motions and body forces");
+  add_vector_keys(table);
   table.key("shape", &LoadTable::shape)
       .unit_of_first("m")
       .fallback("uniform")

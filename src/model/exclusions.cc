@@ -139,8 +139,6 @@ const std::vector<Row>& rows() {
       {Treatment::checkpoints, strain, "a run with soil that follows its strain keeps none"},
       {Treatment::contact, deforming_caisson, "a caisson that deforms cannot slip",
        "give it kind = \"rigid\", or deformation = \"rigid\""},
-      {Treatment::contact, consolidation, "friction follows the motion in time, which time.inertia = false leaves out",
-       "write kind = \"bonded\" or inertia = true"},
       {Treatment::consolidation, inertial_flow, "flow = \"inertial\" contradicts time.inertia = false",
        "write flow = \"auto\" or inertia = true"},
       {Treatment::consolidation, free_water, "free water is its own inertia, which time.inertia = false leaves out",

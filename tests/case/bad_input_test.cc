@@ -71,7 +71,8 @@ const std::vector<BadCase> rows{
     BadCase{"WordNearAnother", "kind = \"porous\"", "kind = \"porus\"",
             "case.toml:15:1: kind = \"porus\" is none of porous, solid, rigid, water; did you mean 'porous'?"},
     BadCase{"WordOutOfAList", "displacement = \"roller\"", "displacement = \"sliding\"",
-            "case.toml:40:1: displacement = \"sliding\" is none of fixed, roller, free, absorbing; choose one of them"},
+            "case.toml:40:1: displacement = \"sliding\" is none of fixed, roller, free, absorbing, plate, level; "
+            "choose one of them"},
     BadCase{"WordForAStep", "step = 0.001", "step = \"automatic\"",
             "case.toml:68:1: step: expected a number (s) or \"auto\", found a string; give the time step (s)"},
     BadCase{"OutOfRangeAtItsEnd", "poissons_ratio = 0.3", "poissons_ratio = 0.5",

@@ -11,6 +11,7 @@
 #include "contact_systems.h"
 #include "sample_system.h"
 #include "system/interface.h"
+#include "upbead/base/error.h"
 
 namespace {
 
@@ -60,6 +61,32 @@ TEST(FrictionalContact, IsSdirkOnTheGluedSystemUnlessFrictionIsReached) {
   EXPECT_TRUE(a.x.tail(14).isZero(0.));
   EXPECT_NEAR(contact->energy().work, plain->energy().work, 1e-14 * plain->energy().largest_work);
   EXPECT_EQ(contact->contact()->slip_steps + contact->contact()->open_steps, 0);
+}
+
+/// The block without mass, or with it and braked, under a force that rises in 20 s to a share of what friction bears.
+ContactMarch slowly_pushed(double share, bool inertia, double step) {
+  BlockOnNodes block = wide_block(7);
+  block.arm = -2.;
+  const double P = share * block.friction * block.weight;
+  System system = block.system(piecewise_linear({0., 20., 1e9}, {0., P, P}));
+  if (!inertia) system.M = SparseMatrix(system.M.rows(), system.M.cols());
+  return march_contact(system, 25., step);
+}
+
+TEST(FrictionalContact, WithoutInertiaIsTheSlowMotion) {
+  for (const double share : {0.6, 0.9, 0.99}) {
+    const ContactMarch quasi_static = slowly_pushed(share, false, 0.5), finer = slowly_pushed(share, false, 0.125);
+    const ContactMarch dynamic = slowly_pushed(share, true, 0.01);
+    const double S = mean_slip(quasi_static.states.back(), 7);
+    EXPECT_GT(S, 1e-5);
+    EXPECT_NEAR(S, mean_slip(dynamic.states.back(), 7), 0.02 * S) << share;
+    EXPECT_NEAR(S, mean_slip(finer.states.back(), 7), 0.01 * S) << share;
+    EXPECT_LE(quasi_static.mismatch(), 1e-12);
+  }
+}
+
+TEST(FrictionalContact, WithoutInertiaNothingStopsABlockThatSlides) {
+  EXPECT_THROW(slowly_pushed(1.05, false, 0.5), NumericsError);
 }
 
 // A constant force P > mu W for a time t, on rigid ground: S = (P - R) t^2 P / (2 m R). The stiffness of the ground,

@@ -117,9 +117,6 @@ TEST_F(ContactRun, CoupledSlipIsSkippedWhereTheCaissonSticks) {
 }
 
 TEST_F(ContactRun, RefusesWhatCannotSlip) {
-  EXPECT_NE(refusal({friction, "time.inertia=false", "regions.mound.flow=\"darcy\""})
-                .find("friction follows the motion in time"),
-            std::string::npos);
   write("case.toml", breakwater_toml + "[regions.seabed.interface]\nkind = \"tied\"\n");
   EXPECT_NE(refusal({}).find("'interface' does not belong in [regions.seabed]"), std::string::npos);
 }

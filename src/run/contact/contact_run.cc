@@ -237,7 +237,15 @@ Run march_contact(const Simulation& simulation, const MarchOptions& marching, co
   ContactRecorder recorder(simulation.compiled->system, *scheme);
   MarchOptions options = marching;
   options.observers.insert(options.observers.begin(), &recorder);
-  Run run = march_by(*scheme, simulation, "glued, the caisson would slip or lift at some node", options, care.part);
+  const std::string reason = "glued, the caisson would slip or lift at some node";
+  Run run;
+  try {
+    run = march_by(*scheme, simulation, reason, options, care.part);
+  } catch (const NumericsError& error) {
+    if (simulation.given.time.inertia) throw;
+    throw NumericsError(std::string(error.what()) +
+                        "; without inertia (time.inertia = false) nothing stops a caisson whose friction is exceeded");
+  }
   contact.solved = recorder.summary();
   run.contact = recorder.history();
   return run;
