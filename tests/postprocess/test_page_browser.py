@@ -12,6 +12,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
+import numpy as np
 import page_models as made
 from chromium import Browser
 
@@ -189,6 +190,21 @@ class Page(unittest.TestCase):
             said = self.drop(f"refused{number}.csv", text)
             self.assertIn(words, said)
             self.assertIn("was not read", said)
+
+    def test_begins_with_the_pulse_of_the_case(self):
+        pulse = {"shape": "church_roof", "peak": 2e6, "rise": 0.02, "duration": 0.07, "plateau": 0.4, "plateau_duration": 0.9, "start": 0.01}
+        case = "[loads.impulse.pulse]\n" + "\n".join(f"{key} = {value!r}" for key, value in pulse.items())
+        self.assertEqual(model_data.pulse_of({"case": np.array([case.encode()])}, "impulse"), pulse)
+        data = model_data.model_data(self.model)
+        self.assertIsNone(data["loads"][0]["pulse"])
+        data["loads"][0]["pulse"] = pulse
+        self.pages["pulse"] = self.folder / "pulse.html"
+        self.pages["pulse"].write_text(document.document(data))
+        value = self.show("pulse")
+        del self.pages["pulse"]
+        self.assertEqual(self.browser.problems, [])
+        for key, given in {**pulse, "peak": data["loads"][0]["peak"] / 1e3}.items():
+            self.assertEqual(value(f"""document.querySelector('[data-key="{key}"]').value"""), str(given).removesuffix(".0"), key)
 
     def test_in_the_report_of_a_run(self):
         folder = self.folder / "one"

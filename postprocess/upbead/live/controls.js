@@ -9,17 +9,25 @@ const NOT_NEGATIVE = {holds: (value) => value >= 0, needs: "a number that is not
 const UNITS = {"N/m": ["kN/m", 1e3], Pa: ["kPa", 1e3]};
 const UPLIFTS = {none: "none", in_phase: "in phase with P", held: "held after the peak of P", computed: "computed pore pressure"};
 
+// The case's own pulse, where it has one, to begin with.
+function firstPulse({pulse, peak, duration: known}, end, factor) {
+  const given = pulse && pulse.shape in SHAPES ? pulse : {}, duration = given.duration ?? (known || end);
+  return {shape: "triangle", rise: given.shape === "step" ? 0 : 0.5 * duration, plateau: 0.3,
+    plateau_duration: 5 * duration, start: 0, ...given, duration,
+    peak: (given.peak < 0 ? -1 : 1) * (peak || factor)};
+}
+
 function pulseSpecs(load, end) {
-  const [unit, factor] = UNITS[load.unit] || [load.unit, 1], duration = load.duration || end, peak = load.peak || factor;
+  const [unit, factor] = UNITS[load.unit] || [load.unit, 1], first = firstPulse(load, end, factor), {duration} = first, peak = Math.abs(first.peak);
   const time = {unit: "s", factor: 1, low: duration / 20, high: 20 * duration, log: true};
   return [
-    {spec: {key: "peak", name: "Peak", unit, factor, low: 0.05 * peak, high: 5 * peak, holds: (value) => value !== 0, needs: "a number that is not 0"}, value: peak},
-    {spec: {key: "rise", name: "Rise", ...time, low: 0, high: 2 * duration, log: false, ...NOT_NEGATIVE}, value: 0.5 * duration},
-    {spec: {key: "duration", name: "Duration", ...time, ...POSITIVE}, value: duration},
-    {spec: {key: "plateau", name: "Plateau over peak", unit: "", factor: 1, low: 0.01, high: 0.99, holds: (value) => value > 0 && value < 1, needs: "a number between 0 and 1"}, value: 0.3},
-    {spec: {key: "plateau_duration", name: "Plateau until", ...time, high: 100 * duration, ...POSITIVE}, value: 5 * duration},
-    {spec: {key: "start", name: "Start", unit: "s", factor: 1, low: 0, high: end, ...NOT_NEGATIVE}, value: 0},
-  ];
+    {key: "peak", name: "Peak", unit, factor, low: 0.05 * peak, high: 5 * peak, holds: (value) => value !== 0, needs: "a number that is not 0"},
+    {key: "rise", name: "Rise", ...time, low: 0, high: 2 * duration, log: false, ...NOT_NEGATIVE},
+    {key: "duration", name: "Duration", ...time, ...POSITIVE},
+    {key: "plateau", name: "Plateau over peak", unit: "", factor: 1, low: 0.01, high: 0.99, holds: (value) => value > 0 && value < 1, needs: "a number between 0 and 1"},
+    {key: "plateau_duration", name: "Plateau until", ...time, high: 100 * duration, ...POSITIVE},
+    {key: "start", name: "Start", unit: "s", factor: 1, low: 0, high: end, ...NOT_NEGATIVE},
+  ].map((spec) => ({spec, value: first[spec.key]}));
 }
 
 function slidingSpecs(known, load) {
@@ -43,7 +51,7 @@ export class Controls {
     Object.assign(this, {model, changed, record: null, recordName: ""});
     const load = model.loads[0], known = model.sliding;
     const fields = (list) => list.map(({spec, value}) => new Field(spec, value, (field) => this.moved(field)));
-    this.shape = choice("shape", "Shape", Object.fromEntries(Object.keys(SHAPES).map((key) => [key, key.replace("_", " ")])), "triangle");
+    this.shape = choice("shape", "Shape", Object.fromEntries(Object.keys(SHAPES).map((key) => [key, key.replace("_", " ")])), firstPulse(load, model.end, 1).shape);
     this.load = choice("load", "Load", Object.fromEntries(model.loads.map(({name}, k) => [k, name])), "0");
     const uplifts = Object.entries(UPLIFTS).filter(([key]) => key !== "computed" || "uplift" in model.modes.readings);
     this.uplift = choice("uplift", "Uplift", Object.fromEntries(uplifts), known && known.uplift in UPLIFTS ? known.uplift : "none");

@@ -36,7 +36,7 @@ def page(model, output=None):
 
 
 def document(data):
-    title, facts = html.escape(data["title"] or "Reduced model"), html.escape(facts_of(data))
+    title, facts = html.escape(data["title"] or "Reduced model"), html.escape(facts_of(data)).replace("F_T", "<i>F</i><sub>T</sub>")
     return (
         '<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">'
         '<meta name="viewport" content="width=device-width, initial-scale=1"><link rel="icon" href="data:,">'

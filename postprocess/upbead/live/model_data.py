@@ -1,6 +1,7 @@
 """The numbers of a reduced model that a page needs: JSON, arrays as doubles in base64."""
 
 import base64
+import tomllib
 
 import h5py
 import numpy as np
@@ -27,7 +28,7 @@ def model_data(path):
         numbers = zip(names, units, loads["peak"][()].tolist(), loads["duration"][()].tolist())
         return {
             "title": model.title,
-            "loads": [dict(zip(("name", "unit", "peak", "duration"), row)) for row in numbers],
+            "loads": [{**dict(zip(("name", "unit", "peak", "duration"), row)), "pulse": pulse_of(file, row[0])} for row in numbers],
             "validity": {key: float(value) for key, value in file["validity"].attrs.items()},
             "mass": float(case["caisson_mass"]),
             "end": float(case["end"]),
@@ -37,6 +38,12 @@ def model_data(path):
             "modes": modes_of(model, [name for name in NEEDED + OF_BASE if name in model.readings]),
             "nested": model.nested and [modes_of(larger, ["shear_force"]) for larger in model.nested],
         }
+
+
+def pulse_of(file, load):
+    """The pulse that the case has for a load, or None: it may be a record, or a wave."""
+    case = tomllib.loads(text_of(file["case"][()].flat[0]))
+    return case.get("loads", {}).get(load, {}).get("pulse")
 
 
 def sliding_of(file):

@@ -7,7 +7,7 @@ import {historiesCsv, offer, waveCsv} from "./save.js";
 import {headline, notesOf, rowsOf, rowsOfTrust, spoken, trustSentences} from "./told.js";
 
 const STILL = 150, SILENT = 700; // ms after the last move until the error is told, and until it is said aloud
-const WORK = 250000; // modes times times that are answered within a frame
+const WORK = 120000; // modes times times that are answered within a frame
 
 class WhatIf {
   constructor(root, data) {
