@@ -66,8 +66,7 @@ OpenLoop open_loop(const ReducedSystem& reduced, const SlipLaw& law) {
   const int slip = index_of(reduced.reading_label, slip_name::slip),
             velocity = index_of(reduced.reading_label, slip_name::velocity);
   const Eigen::Index K = s.B.cols() - 1;
-  if (!s.D.row(velocity).isZero(0.))
-    throw NumericsError("the slip feels the motion that a load prescribes");
+  if (!s.D.row(velocity).isZero(0.)) throw NumericsError("the slip feels the motion that a load prescribes");
   OpenLoop o;
   o.A = s.A;
   o.B = s.B.leftCols(K);

@@ -125,7 +125,8 @@ class Builder {
   /// The acceleration of what a load prescribes is f', which nobody gives us.
   void require_no_rates(const Eigen::MatrixXd& of_free, const Eigen::MatrixXd& of_prescribed) const {
     if (of_free.cwiseAbs().sum() + of_prescribed.cwiseAbs().sum() > 0.)
-      throw NumericsError("a reading needs the acceleration of what a load prescribes, which a reduced model does not have");
+      throw NumericsError(
+          "a reading needs the acceleration of what a load prescribes, which a reduced model does not have");
   }
 
   void add_drift(StateSpace& s) const {
