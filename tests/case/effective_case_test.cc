@@ -70,6 +70,8 @@ grain_bulk_modulus = inf  # Pa
 
 [boundaries.top]
 displacement = "free"
+# spring: none
+# dashpot: none
 
 [loads.step]
 boundary = "top"
@@ -77,6 +79,7 @@ kind = "force"
 direction = [1.0, 0.0]
 # shape: uniform
 over_x = false
+along_curve = false
 measured_on_wall = false
 factor = 1.0
 
@@ -91,6 +94,7 @@ end = 1.0  # s
 step = "auto"
 scheme = "auto"
 inertia = true
+growth = 2.0
 # stop_at_energy: never before end
 
 [accuracy]
@@ -100,6 +104,8 @@ estimate = false
 
 [output]
 base = false
+# times: none
+# every: only the steps' own times
 )");
 }
 
