@@ -124,9 +124,8 @@ const std::vector<BadCase> rows{
             "case.toml:80:1: 'every' is missing in [output.fields]; add every, a number (s)"},
     BadCase{"TimesOutOfOrder", "fields = { every = 0.02 }", "times = [0.2, 0.1]",
             "case.toml:80:1: times do not ascend: 0.1 follows 0.2; order them, each once"},
-    BadCase{
-        "TimesAfterTheEnd", "fields = { every = 0.02 }", "times = [0.2, 3]",
-        "case.toml:80:1: times = [..., 3] lies after time.end = 2; give times (s) up to the end, or a later end"},
+    BadCase{"TimesAfterTheEnd", "fields = { every = 0.02 }", "times = [0.2, 3]",
+            "case.toml:80:1: times = [..., 3] lies after time.end = 2; give times (s) up to the end, or a later end"},
     BadCase{"TimeZero", "fields = { every = 0.02 }", "times = [0]",
             "case.toml:80:10: times = 0 is outside (0, inf); give the times at which all readings are told, in "
             "times.csv and /at_times of results.h5, and, with fields, these are written (s)"},
