@@ -123,7 +123,10 @@ Diagnostics read_value(const Node& node, const KeyInfo& key, Pair& value) {
   return {};
 }
 
-Diagnostics read_value(const Node& node, const KeyInfo& key, std::vector<Pair>& value) {
+namespace {
+
+template <class Item>
+Diagnostics read_items(const Node& node, const KeyInfo& key, std::vector<Item>& value) {
   const NodeArray* list = node.array();
   if (!list) return wrong_type(node, key, &value);
   value.clear();
@@ -132,13 +135,14 @@ Diagnostics read_value(const Node& node, const KeyInfo& key, std::vector<Pair>& 
   return all;
 }
 
+}  // namespace
+
+Diagnostics read_value(const Node& node, const KeyInfo& key, std::vector<Pair>& value) {
+  return read_items(node, key, value);
+}
+
 Diagnostics read_value(const Node& node, const KeyInfo& key, std::vector<double>& value) {
-  const NodeArray* list = node.array();
-  if (!list) return wrong_type(node, key, &value);
-  value.clear();
-  Diagnostics all;
-  for (const Node& item : *list) all.add(read_value(item, key, value.emplace_back()));
-  return all;
+  return read_items(node, key, value);
 }
 
 Diagnostics read_value(const Node& node, const KeyInfo& key, std::map<std::string, double>& value) {
