@@ -174,6 +174,7 @@ TimeFunction time_function(const Pulse& pulse) {
 
 double rise_of(const Pulse& pulse) {
   if (pulse.rise) return *pulse.rise;
+  if (pulse.shape == S::harmonic) return 0.25 / *pulse.frequency;
   return pulse.shape == S::step ? 0. : 0.5 * *pulse.duration;
 }
 
