@@ -210,7 +210,8 @@ CaseTables tables_of(const Case& problem, PathText path_text) {
   tables.accuracy_of = problem.scene.accuracy.of;
   tables.accuracy_estimate = problem.scene.accuracy.estimate;
   tables.measured = problem.measured;
-  tables.sheet = problem.sheet;
+  tables.report = problem.report;
+  if (!tables.report.logo.empty()) tables.report.logo = path_text(tables.report.logo);
   for (auto& [name, source] : tables.measured) source.file = path_text(source.file);
   add_flow_tables(problem, path_text, tables);
   for (const auto& [name, by_gauges] : problem.gauges) {
@@ -266,7 +267,7 @@ Case read_case(const std::string& path, const std::vector<std::string>& override
   problem.scene = tables;
   problem.scene.accuracy = {tables.accuracy_of, tables.accuracy_estimate};
   problem.measured = tables.measured;
-  problem.sheet = tables.sheet;
+  problem.report = tables.report;
   problem.section = tables.section;
   if (!problem.scene.mesh.refine && !problem.document.find("mesh.degree")) problem.scene.mesh.degree = adapted_degree;
   if (tables.sliding_table && tables.sliding_table->uplift_table)

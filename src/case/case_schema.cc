@@ -1,6 +1,7 @@
 #include "case_schema.h"
 
 #include "case/records/load_records.h"
+#include "input/report_table.h"
 #include "model/words.h"
 
 namespace upbead {
@@ -160,15 +161,6 @@ TableSchema<CaseTables> accuracy_schema() {
   return table;
 }
 
-TableSchema<SheetHead> sheet_schema() {
-  TableSchema<SheetHead> table;
-  table.key("project", &SheetHead::project).doc("project");
-  table.key("client", &SheetHead::client).doc("client");
-  table.key("author", &SheetHead::author).doc("author, who answers for the numbers");
-  table.key("revision", &SheetHead::revision).doc("revision, such as \"B, 2026-05-04\"");
-  return table;
-}
-
 TableSchema<CaseTables> output_schema() {
   TableSchema<CaseTables> fields;
   fields.key("every", &CaseTables::fields_every)
@@ -229,7 +221,7 @@ TableSchema<CaseTables> case_schema() {
       .doc("How far the caisson slides, Shimosako and Takahashi (1994); not asked without this table.");
   table.table("limits", &CaseTables::limits, limits_schema())
       .doc("What the section is checked against; what is not given is told, but not judged.");
-  table.table("report", &CaseTables::sheet, sheet_schema()).doc("The head of the report's sheet.");
+  table.table("report", &CaseTables::report, report_table()).doc(report_table_doc);
   return table;
 }
 

@@ -40,7 +40,7 @@ struct CaseTables : Scene {
   std::map<std::string, LoadTable> load_tables;
   std::optional<Section> section;
   std::map<std::string, MeasuredSource> measured;
-  SheetHead sheet;
+  ReportHead report;
   AccuracyOf accuracy_of = AccuracyChoice().of;
   bool accuracy_estimate = AccuracyChoice().estimate;
 };

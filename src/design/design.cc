@@ -94,6 +94,7 @@ std::string effective_design(const Design& design, const std::string& output_fol
   const auto look_from_folder = [&](std::string& path) {
     if (!path.empty()) path = fs::relative(fs::absolute(design.resolve(path)), folder).string();
   };
+  look_from_folder(tables.report.logo);
   if (tables.sea) look_from_folder(tables.sea->states);
   if (tables.dynamics) look_from_folder(tables.dynamics->model);
   if (tables.calibration)

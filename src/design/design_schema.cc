@@ -1,4 +1,5 @@
 #include "design/design_tables.h"
+#include "input/report_table.h"
 
 namespace upbead {
 
@@ -109,6 +110,7 @@ TableSchema<DesignTables> design_schema() {
   add_expected_tables(table);
   table.table("calibration", &DesignTables::calibration, calibration_schema())
       .doc("For `calibrate`: waves and mounds, every value with every other, and reduced models.");
+  table.table("report", &DesignTables::report, report_table()).doc(report_table_doc);
   return table;
 }
 

@@ -14,6 +14,7 @@
 #include "upbead/expected/distribution.h"
 #include "upbead/expected/life.h"
 #include "upbead/expected/sliding_law.h"
+#include "upbead/input/report_head.h"
 #include "upbead/sliding/combined.h"
 #include "upbead/waves/goda.h"
 
@@ -124,6 +125,7 @@ struct WaveTable : WaveGiven {
 /// The whole file as written.
 struct DesignTables : ExpectedTables {
   std::string title;
+  ReportHead report;
   double gravity = Water().gravity;  ///< top-level key; `water` takes it over once read (m/s2)
   Water water;
   Section section;

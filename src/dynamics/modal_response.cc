@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "phi_functions.h"
 
@@ -31,21 +32,31 @@ class Modes {
  private:
   /// Equal steps differ in their last digits where they are differences of times, yet their exponentials cost more than
   /// all else. So a step that ends within 1e-9 of itself where the latest step size would end is taken as equal. Ends
-  /// are compared, not sizes, so that no number of steps drifts by more.
+  /// are compared, not sizes, so that no number of steps drifts by more; where they have drifted, the step is stretched.
   void prepare(double time) {
     if (n_equal_ > 0 && std::abs(segment_start_ + (n_equal_ + 1) * step_ - time) <= 1e-9 * step_) {
       ++n_equal_;
       return;
     }
     segment_start_ += n_equal_ * step_;
-    step_ = time - segment_start_;
+    const double before = std::exchange(step_, time - segment_start_);
     n_equal_ = 1;
+    if (std::abs(step_ - before) <= 1e-8 * before) return stretch(before);
     for (Eigen::Index m = 0; m < z_.size(); ++m) {
       const detail::PhiFunctions phi = detail::phi_functions(model_.pole[m] * step_);
       E_[m] = phi.exp;
       whole_[m] = step_ * phi.phi1;
       rise_[m] = step_ * phi.phi2;
     }
+  }
+
+  /// From a step of `before` to one of step_, which differs so little that the square of the change is round-off: with
+  /// h phi1 = (e^(p h) - 1) / p and h phi2 = (h phi1 - h) / (p h), d(h phi1)/dh = e^(p h), d(h phi2)/dh = phi1 - phi2.
+  void stretch(double before) {
+    const double longer = step_ - before;
+    rise_.array() += (whole_.array() - rise_.array()) * (longer / before);
+    whole_.array() += E_.array() * longer;
+    E_.array() += model_.pole.array() * E_.array() * longer;
   }
 
   const ModalModel& model_;

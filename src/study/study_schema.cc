@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "base/text.h"
+#include "input/report_table.h"
 #include "study_tables.h"
 
 namespace upbead {
@@ -208,6 +209,7 @@ TableSchema<StudyTables> study_schema() {
           "one of values, from and distribution; distribution only where sample = random, from only elsewhere.");
   table.tables("follow", &StudyTables::follow, follow_schema())
       .doc("Keys that go along with a varied one, their dotted paths in quotes.");
+  table.table("report", &StudyTables::report, report_table()).doc(report_table_doc);
   return table;
 }
 

@@ -10,6 +10,7 @@
 #include "input/schema.h"
 #include "input/values.h"
 #include "upbead/input/document.h"
+#include "upbead/input/report_head.h"
 
 namespace upbead {
 
@@ -83,6 +84,7 @@ struct FollowTable {
 
 struct StudyTables {
   std::string title;
+  ReportHead report;
   std::string one_case;
   std::vector<std::string> cases;
   Sampling sample = Sampling::grid;

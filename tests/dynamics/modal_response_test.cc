@@ -177,6 +177,19 @@ TEST(ModalResponse, NearlyEqualStepsDoNotDrift) {
   }
 }
 
+// Steps that grow by less than 1e-8 of themselves are stretched, one after the other, instead of made anew.
+TEST(ModalResponse, StretchedStepsAreExact) {
+  Oscillator oscillator;
+  oscillator.c = 0.;
+  std::vector<double> time{0.};
+  for (double step = 0.01; time.size() <= 5000; step *= 1. + 5e-9) time.push_back(time.back() + step);
+  const Series series = respond(oscillator.model(), sample({constant_from(0., 1.)}, time));
+  double error = 0.;
+  for (std::size_t n = 0; n < time.size(); ++n)
+    error = std::max(error, std::abs(series.reading(0, n) - oscillator.step_response(time[n])));
+  EXPECT_LT(error * oscillator.k, 1e-10);
+}
+
 // 1e6 s without damping: 3e6 periods at 20 rad/s. The phase is good to 1e-9 at best, the amplitude stays.
 TEST(ModalResponse, FreeVibrationLasts) {
   Oscillator oscillator;

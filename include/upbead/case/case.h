@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "upbead/input/document.h"
+#include "upbead/input/report_head.h"
 #include "upbead/model/gauges.h"
 #include "upbead/model/scene.h"
 #include "upbead/waves/goda.h"
@@ -65,11 +66,6 @@ struct LoadSource {
   std::string history;  ///< CSV file, relative to the case; "" where there is a pulse
 };
 
-/// What heads the sheet of a section; "" where it is not told.
-struct SheetHead {
-  std::string project, client, author, revision;
-};
-
 struct Case {
   Scene scene;                                ///< checked as far as it can be without a mesh; paths as written
   Document document;                          ///< what was written, for places
@@ -86,7 +82,7 @@ struct Case {
   std::string uplift_history;              ///< CSV file of a prescribed uplift, relative to the case; "" without
   std::optional<GaugeLoad> uplift_gauges;  ///< of an uplift by transducers
   std::map<std::string, MeasuredSource> measured;  ///< records to hold the run against
-  SheetHead sheet;
+  ReportHead report;
 
   /// Where a dotted key such as "regions.sand.porosity" was written; of the nearest table around it where it was not.
   Place place(const std::string& key) const { return document.place(key); }
