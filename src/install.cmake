@@ -4,7 +4,7 @@ include(CMakePackageConfigHelpers)
 
 # some of PETSc's, MPI's and HDF5's libraries lie in folders of their own
 set_target_properties(upbead upbead-solver PROPERTIES INSTALL_RPATH_USE_LINK_PATH ON)
-install(TARGETS upbead upbead-solver RUNTIME DESTINATION bin)
+install(TARGETS upbead upbead-solver RUNTIME DESTINATION bin COMPONENT program)
 
 # for programs of others
 get_property(layers GLOBAL PROPERTY UPBEAD_LAYERS)
@@ -24,9 +24,9 @@ install(FILES ${CMAKE_CURRENT_BINARY_DIR}/upbeadConfig.cmake ${CMAKE_CURRENT_BIN
 
 # meshes, cases, scripts and pages stand to each other as in the source tree, so that links between them hold
 foreach(folder meshes cases postprocess docs)
-  install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder} DESTINATION ${upbead_share} USE_SOURCE_PERMISSIONS
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder} DESTINATION ${upbead_share} COMPONENT program USE_SOURCE_PERMISSIONS
     PATTERN __pycache__ EXCLUDE)
 endforeach()
-install(FILES ${PROJECT_SOURCE_DIR}/README.md DESTINATION ${upbead_share})
+install(FILES ${PROJECT_SOURCE_DIR}/README.md DESTINATION ${upbead_share} COMPONENT program)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/CITATION.cff ${PROJECT_SOURCE_DIR}/CHANGELOG.md
   DESTINATION share/doc/upbead)

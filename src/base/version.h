@@ -7,7 +7,7 @@
 
 namespace upbead {
 
-/// "upbead 0.1.0".
+/// "upbead 0.9.0".
 const char* program_version();
 
 /// Names and versions, such as {"PETSc", "3.18.5"}.

@@ -10,13 +10,13 @@ namespace upbead {
 /// The program, its compiler and every library that numbers go through.
 const Versions& versions();
 
-/// "upbead 0.1.0; compiler g++ 12.2.0; ...": the attribute `versions` of HDF5 files.
+/// "upbead 0.9.0; compiler g++ 12.2.0; ...": the attribute `versions` of HDF5 files.
 std::string versions_line();
 
-/// "upbead 0.1.0", and a line for each of the others.
+/// "upbead 0.9.0", and a line for each of the others.
 std::string versions_text();
 
-/// {"upbead": "0.1.0", ...}: the key `versions` of summaries.
+/// {"upbead": "0.9.0", ...}: the key `versions` of summaries.
 nlohmann::ordered_json versions_object();
 
 }  // namespace upbead

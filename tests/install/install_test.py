@@ -75,6 +75,17 @@ class Installed(unittest.TestCase):
         self.assertIn('id="run"', page)
         self.assertIn("share of the pores in the volume", page)  # a meaning of a key, from the installed docs/case.md
 
+    def test_manual_pages_and_completion(self):
+        page = (self.prefix / "share/man/man1/upbead-run.1").read_text()
+        self.assertIn("\\-\\-checkpoint SECONDS", page)
+        self.assertNotIn(str(self.folder), page)
+        completion = self.prefix / "share/bash-completion/completions/upbead"
+        for words, completed in (("re", "reduce respond read"), ("run --ch", "--checkpoint"), ("run fi", "")):
+            typed = ["upbead", *words.split()]
+            script = (f"source {completion}; COMP_WORDS=({' '.join(typed)}); COMP_CWORD={len(typed) - 1}; _upbead; "
+                      "echo ${COMPREPLY[@]}")
+            self.assertEqual(call("bash", "-c", script).strip(), completed)
+
     def test_versions(self):
         told = dict(line.split(maxsplit=1) for line in call(self.program, "--version").splitlines())
         self.assertEqual(self.summary["versions"], told)

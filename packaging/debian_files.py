@@ -1,0 +1,59 @@
+#!/usr/bin/python3
+"""Lays down what a Debian package has beside the program: changelog, copyright, commands for the scripts, and the Python package.
+
+usage: debian_files.py SOURCE PAGES PREFIX
+"""
+
+import gzip
+import pathlib
+import shutil
+import sys
+
+COPYRIGHT = """Format: https://www.debian.org/doc/packaging-manuals/copyright-format/1.0/
+Upstream-Name: upbead
+
+Files: *
+Copyright: 2026 The upbead authors
+License: BSD-3-Clause
+"""
+COMMANDS = {"upbead-report": "report.py", "upbead-page": "page.py", "upbead-fit": "fit.py"}
+WHAT = {"upbead-report": "one HTML page of a run", "upbead-page": "one HTML page that answers other waves",
+        "upbead-fit": "fits soils to records"}
+
+
+def packed(text, file):
+    """As gzip -9n does it: the same bytes at every build."""
+    file.parent.mkdir(parents=True, exist_ok=True)
+    file.write_bytes(gzip.compress(text.encode(), 9, mtime=0))
+
+
+def link(file, target):
+    file.parent.mkdir(parents=True, exist_ok=True)
+    file.unlink(missing_ok=True)
+    file.symlink_to(target)
+
+
+def licence(text):
+    """As a field of the copyright file: lines begin with a blank, empty ones are a dot."""
+    return "".join(f" {line}\n" if line.strip() else " .\n" for line in text.splitlines())
+
+
+def main():
+    source, pages, prefix = map(pathlib.Path, sys.argv[1:])
+    doc = prefix / "share/doc/upbead"
+    packed((source / "CHANGELOG.md").read_text(), doc / "changelog.gz")
+    (doc / "copyright").write_text(COPYRIGHT + licence((source / "LICENSE").read_text()))
+    shutil.rmtree(prefix / "share/man", ignore_errors=True)
+    for page in sorted((pages / "man1").glob("*.1")):
+        packed(page.read_text(), prefix / "share/man/man1" / (page.name + ".gz"))
+    link(prefix / "share/man/man1/upbead-solver.1.gz", "upbead.1.gz")
+    for command, script in COMMANDS.items():
+        link(prefix / "bin" / command, "../share/upbead/postprocess/" + script)
+        packed(f'.TH {command.upper()} 1 "" "upbead" "User Commands"\n.SH NAME\n{command} \\- {WHAT[command]}\n'
+               f".SH DESCRIPTION\n{command} \\-\\-help tells how.\n.SH SEE ALSO\nupbead(1)\n",
+               prefix / "share/man/man1" / (command + ".1.gz"))
+    link(prefix / "lib/python3/dist-packages/upbead", "../../../share/upbead/postprocess/upbead")
+
+
+if __name__ == "__main__":
+    main()
