@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Lays down what a Debian package has beside the program: changelog, copyright, commands for the scripts, and the Python package.
 
-usage: debian_files.py SOURCE PAGES PREFIX
+usage: debian_files.py SOURCE PAGES VERSION PREFIX
 """
 
 import gzip
@@ -15,6 +15,12 @@ Upstream-Name: upbead
 Files: *
 Copyright: 2026 The upbead authors
 License: BSD-3-Clause
+"""
+CHANGELOG = """upbead ({version}) unstable; urgency=medium
+
+  * What is new: /usr/share/upbead/CHANGELOG.md.
+
+ -- The upbead authors <upbead@localhost>  Wed, 25 Nov 2026 00:00:00 +0000
 """
 COMMANDS = {"upbead-report": "report.py", "upbead-page": "page.py", "upbead-fit": "fit.py"}
 WHAT = {"upbead-report": "one HTML page of a run", "upbead-page": "one HTML page that answers other waves",
@@ -39,9 +45,9 @@ def licence(text):
 
 
 def main():
-    source, pages, prefix = map(pathlib.Path, sys.argv[1:])
+    source, pages, prefix = (pathlib.Path(sys.argv[i]) for i in (1, 2, 4))
     doc = prefix / "share/doc/upbead"
-    packed((source / "CHANGELOG.md").read_text(), doc / "changelog.gz")
+    packed(CHANGELOG.format(version=sys.argv[3]), doc / "changelog.gz")
     (doc / "copyright").write_text(COPYRIGHT + licence((source / "LICENSE").read_text()))
     shutil.rmtree(prefix / "share/man", ignore_errors=True)
     for page in sorted((pages / "man1").glob("*.1")):

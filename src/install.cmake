@@ -27,6 +27,6 @@ foreach(folder meshes cases postprocess docs)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder} DESTINATION ${upbead_share} COMPONENT program USE_SOURCE_PERMISSIONS
     PATTERN __pycache__ EXCLUDE)
 endforeach()
-install(FILES ${PROJECT_SOURCE_DIR}/README.md DESTINATION ${upbead_share} COMPONENT program)
+install(FILES ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CHANGELOG.md DESTINATION ${upbead_share} COMPONENT program)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/CITATION.cff ${PROJECT_SOURCE_DIR}/CHANGELOG.md
   DESTINATION share/doc/upbead)
