@@ -3,6 +3,7 @@
 import tomllib
 
 import h5py
+import numpy as np
 
 from ..results import text_of
 
@@ -13,7 +14,12 @@ OF_WAVE = ("pulse", "history", "factor", "wave")  # what a page asks anew
 def case_of(path):
     """The case of a model, with all defaults, as a dict."""
     with h5py.File(path) as file:
-        return tomllib.loads(text_of(file["case"][()].flat[0]))
+        return case_in(file)
+
+
+def case_in(file):
+    """The same of an open file; empty in those of lumped models."""
+    return tomllib.loads(text_of(np.asarray(file["case"][()]).flat[0]))
 
 
 def scene_of(case):

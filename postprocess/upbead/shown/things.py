@@ -6,6 +6,7 @@ from .. import figures, outputs
 from ..calibration_result import CalibrationResult
 from ..errors import UserError
 from ..expected_result import ExpectedResult
+from ..figures.expected import LAWS
 from ..fit_result import Fit, interval_text
 from ..live.document import document
 from ..live.model_data import model_data
@@ -93,7 +94,7 @@ def _(summary: WavesSummary):
 def _(result: ExpectedResult):
     told = result.summary["expected"]
     threshold, sliding = (told.get(key) or {} for key in ("threshold_height", "waves_that_slide"))
-    rows = ((law, quantity(told.get(f"distance_{law}"), "m"), quantity(sliding.get(law)), quantity(threshold.get(law), "m")) for law in result.distance)
+    rows = ((LAWS.get(law, law), quantity(told.get(f"distance_{law}"), "m"), quantity(sliding.get(law)), quantity(threshold.get(law), "m")) for law in result.distance)
     head = ("law of S", f"expected sliding in {told['years']:g} years", "waves that slide", "from a height of")
     return block(result.summary["title"], table(head, rows), picture(lambda: figures.expected([result]), "waves, S and expected sliding by height"))
 
