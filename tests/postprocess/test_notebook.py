@@ -27,6 +27,7 @@ sys.path.insert(0, str(SCRIPTS))
 import upbead  # noqa: E402
 from chromium import Browser  # noqa: E402
 from report import pdf  # noqa: E402
+from upbead.fit_directions import Identifiable  # noqa: E402
 from upbead.lumped_model import Source, write_lumped  # noqa: E402
 from upbead.shown import parts  # noqa: E402
 
@@ -88,11 +89,46 @@ class Shown(unittest.TestCase):
         self.assertEqual(write_lumped(self.folder / "lumped.h5", source), (source.frequency, source.damping))
         self.assertIn("<iframe ", self.shown(upbead.open_model(self.folder / "lumped.h5")))
 
-    def test_waves_and_expected_sliding(self):
+    def test_waves(self):
         waves = upbead.waves(CASES / "designer/design.toml", out=self.folder / "waves")
         self.assertEqual(json.loads(json.dumps(waves)), dict(waves))
         text = self.shown(waves)
         self.assertEqual((text.count("<tr>"), text.count("<img ")), (1 + len(waves["waves"]), 1))
+
+    def test_expected_sliding(self):
+        folder = self.folder / "expected"
+        folder.mkdir()
+        told = {"years": 50.0, "distance_paper": 0.004, "waves_that_slide": {"paper": 1.5}, "threshold_height": {"paper": 3.0}}
+        summary = {"title": TITLE, "expected": told, "exceedance": {}}
+        (folder / "summary.json").write_text(json.dumps(summary))
+        with h5py.File(folder / "results.h5", "w") as file:
+            for name in ("height", "waves", "distance/paper", "contribution/paper"):
+                file[f"heights/{name}"] = np.linspace(0.0, 5.0, 11)
+        text = self.shown(upbead.open(folder))
+        self.assertIn(">eq. (7)</th><td>4 mm</td><td>1.5</td><td>3 m</td>", text)
+        self.assertEqual(text.count("<img "), 1)
+
+    def test_a_calibration(self):
+        folder = self.folder / "calibration"
+        folder.mkdir()
+        fit = {"measure": "exact", "ratio": 1.2, "points": 3, "a": 0.4, "b": 1.1, "covariance": None}
+        model = {"title": TITLE, "scale": 1.0, "recommended": {"a": 0.4, "b": 1.1, "residual_deviation": 0.2}, "fits": [fit]}
+        (folder / "summary.json").write_text(json.dumps({"title": TITLE, "given": {"a": 0.3, "b": 2.0}, "models": {TITLE: model}}))
+        with h5py.File(folder / "results.h5", "w") as file:
+            file["model"] = [TITLE.encode()] * 3
+            for name in ("ratio", "k_exact", "alpha_star", "period"):
+                file[name] = [1.2, 1.2, 1.2] if name == "ratio" else [0.5, 0.6, 0.7]
+        text = self.shown(upbead.open(folder))
+        self.assertIn("<td>0.4</td><td>1.1</td><td>0.2</td>", text)
+
+    def test_a_fit(self):
+        time = np.linspace(0.0, 1.0, 5)
+        record = upbead.History(time, "N/m")
+        found = upbead.Fit({"a.b": 2e6}, {"a.b": (1e6, 3e6)}, np.eye(1), np.eye(1), record, Identifiable([], [], [], np.eye(1)), 0.1, 7,
+                           "shear_force", {"a.b": 1e6}, time, record, record, record, cautions=["<b>"])
+        text = self.shown(found)
+        self.assertIn(">a.b</th><td>2e+06</td><td>(1e+06 to 3e+06)</td><td>1e+06</td>", text)
+        self.assertIn("Caution: &lt;b&gt;", text)
 
     def test_a_study_leaves_out_rows_of_its_middle(self):
         folder = self.folder / "study"
