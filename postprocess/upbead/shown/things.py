@@ -87,7 +87,8 @@ def _(summary: WavesSummary):
     head = ["wave", *(outputs.label(f"waves.NAME.{key}", "waves") or key for key in told)]
     rows = ([name, *(quantity(wave.get(key), outputs.unit(f"waves.NAME.{key}", "waves")) for key in told)] for name, wave in waves.items())
     highest = max(waves, key=lambda name: waves[name].get("force") or 0.0)
-    return block(summary.get("title") or "Waves", table(head, rows), picture(lambda: figures.wave_pressure([summary], highest), f"pressure of the wave {highest} over the wall"))
+    drawn = picture(lambda: figures.wave_pressure([summary], highest), f"pressure of the wave {highest} over the wall")
+    return block(summary.get("title") or "Waves", table(head, rows), drawn)
 
 
 @html_of.register
@@ -117,5 +118,10 @@ def _(found: Fit):
 
 @html_of.register
 def _(source: Source):
-    rows = [("load", source.load), ("natural frequency", quantity(source.frequency, "Hz")), ("of critical damping", f"{100 * source.damping:.3g} %"), ("mass", quantity(source.case["caisson_mass"], "kg/m"))]
+    rows = [
+        ("load", source.load),
+        ("natural frequency", quantity(source.frequency, "Hz")),
+        ("of critical damping", f"{100 * source.damping:.3g} %"),
+        ("mass", quantity(source.case["caisson_mass"], "kg/m")),
+    ]
     return block(f"One mass on a spring and a dashpot for: {source.title}", table(None, rows))
