@@ -5,7 +5,8 @@ soil yields the colours are the share of strength that it mobilises.
     pvpython postprocess/paraview_state.py results/NAME PICTURE.png pressure        # or by another of COLOURED
     UPBEAD_RESULT=results/NAME paraview --script=postprocess/paraview_state.py
 
-or File > Load State with UPBEAD_RESULT set, or from within the folder of the run. The run needs [output] fields.
+or File > Load State with UPBEAD_RESULT set, or from within the folder of the run. The run needs [output] fields: fields.pvd
+and its .vtu files are all that the program writes for ParaView, and COLOURED has every field of theirs.
 Tried with pvpython of ParaView 5.11 (Debian 12), not in its window.
 """
 
@@ -17,10 +18,19 @@ from paraview import simple
 
 DISPLACEMENT, PRESSURE = "displacement_(m)", "pore_pressure_(Pa)"
 MOBILISED, DISSIPATED = "mobilised_strength_(1)", "dissipated_energy_(J_m3)"
+SIGNED, SIZED = "Cool to Warm", "Black-Body Radiation"  # colours of what has two signs, and of sizes of vectors too
 COLOURED = {  # field, title, colours
-    "pressure": (PRESSURE, "pore pressure (Pa)", "Cool to Warm"),
-    "mobilised": (MOBILISED, "strength mobilised (1)", "Black-Body Radiation"),
-    "dissipated": (DISSIPATED, "energy taken by yielding (J/m3)", "Black-Body Radiation"),
+    "pressure": (PRESSURE, "pore pressure (Pa)", SIGNED),
+    "mobilised": (MOBILISED, "strength mobilised (1)", SIZED),
+    "dissipated": (DISSIPATED, "energy taken by yielding (J/m3)", SIZED),
+    "displacement": (DISPLACEMENT, "displacement (m)", SIZED),
+    "velocity": ("velocity_(m_s)", "velocity (m/s)", SIZED),
+    "acceleration": ("acceleration_(m_s2)", "acceleration (m/s2)", SIZED),
+    "fluid": ("relative_fluid_displacement_(m)", "displacement of the water over the soil (m)", SIZED),
+    "darcy": ("darcy_velocity_(m_s)", "Darcy velocity (m/s)", SIZED),
+    "impulse": ("pressure_impulse_(Pa_s)", "impulse of the pore pressure (Pa s)", SIGNED),
+    **{f"strain_{ij}": (f"strain_{ij}_(1)", f"strain {ij} (1)", SIGNED) for ij in ("xx", "yy", "xy")},
+    **{f"stress_{ij}": (f"effective_stress_{ij}_(Pa)", f"effective stress {ij}, change (Pa)", SIGNED) for ij in ("xx", "yy", "xy", "zz")},
 }
 SHOWN = 0.03  # the largest displacement is drawn as this part of the section's height
 SIZE, BLACK = [1600, 500], [0.0, 0.0, 0.0]
@@ -40,18 +50,20 @@ def chosen(reader):
     name = sys.argv[3] if len(sys.argv) > 3 else "mobilised" if yields else "pressure"
     if name not in COLOURED:
         sys.exit(f"there is no '{name}'; choose of {', '.join(COLOURED)}")
-    if name != "pressure" and not yields:
-        sys.exit(f"the fields have no {COLOURED[name][0]}: no soil yields")
+    if COLOURED[name][0] not in reader.PointData.keys():
+        why = ": no soil yields" if name in ("mobilised", "dissipated") else ""
+        sys.exit(f"the fields have no {COLOURED[name][0]}{why}")
     return COLOURED[name]
 
 
 def largest(reader, times, field):
-    """The largest displacement and the largest size of a field over all times."""
+    """The largest displacement and the largest size of a field, of a vector its length, over all times."""
+    vector = reader.PointData[field].GetNumberOfComponents() > 1
     displacement = value = 0.0
     for time in times:
         simple.UpdatePipeline(time=time, proxy=reader)
         displacement = max(displacement, reader.PointData[DISPLACEMENT].GetRange(-1)[1])  # -1: the magnitude
-        value = max(value, *map(abs, reader.PointData[field].GetRange(0)))
+        value = max(value, *map(abs, reader.PointData[field].GetRange(-1 if vector else 0)))
     return displacement, value
 
 
@@ -60,17 +72,17 @@ def exaggeration(bounds, displacement):
 
 
 def coloured(source, view, chosen, value):
-    """Shows a field up to `value`, a pressure from its negative on, with its scale below the section."""
+    """Shows a field, of a vector its length, up to `value`, what has two signs from its negative on; its scale is below."""
     field, title, colouring = chosen
     display = simple.Show(source, view)
     simple.ColorBy(display, ("POINTS", field))
     display.Ambient, display.Diffuse = 1.0, 0.0  # the colours of the scale, without shade
     colours = simple.GetColorTransferFunction(field)
     colours.ApplyPreset(colouring, True)
-    if field != PRESSURE:
+    if colouring == SIZED:
         colours.InvertTransferFunction()
     colours.NanColor = [0.8, 0.8, 0.8]  # elastic soil has no strength
-    colours.RescaleTransferFunction(-value if field == PRESSURE else 0.0, value or 1.0)
+    colours.RescaleTransferFunction(-value if colouring == SIGNED else 0.0, value or 1.0)
     display.SetScalarBarVisibility(view, True)
     scale = simple.GetScalarBar(colours, view)
     scale.Title, scale.ComponentTitle = title, ""

@@ -1,19 +1,25 @@
-"""The deformed section and its pore pressure in time: data for the script, and a still picture of one moment."""
+"""The deformed section in time: pore pressure or strength in colour, the bottom's contact, and the histories to scrub it by."""
 
 import base64
 import math
 
 import numpy as np
 
+from report import bottom, figure, moment, strength, ticks, units
 from report import frames as fields
-from report import geometry, ticks, units
 from report.figure import words
-from report.markup import Markup, data, join, tag
+from report.markup import Markup, data, tag
+from report.plot import Line, Panel, Plot
 from upbead.errors import UserError
 
 SHARE = 0.04  # of the width, that the largest displacement is drawn as
-COLOURS = [(33, 102, 172), (146, 197, 222), (247, 247, 247), (244, 165, 130), (178, 24, 43)]  # suction to pressure
-WIDTH = 860
+HISTORIES = [  # history, symbol, colour, panel; those that a run has
+    ("force", "P", 0, "force"),
+    ("shear_force", "F_T", 2, "force"),
+    ("caisson/displacement_x", "x_G", 3, "displacement"),
+    ("interface/slip", "mean slip", 1, "displacement"),
+    ("interface/opened_width", "opened width", 4, "width"),
+]
 
 
 def section(result, window):
@@ -24,51 +30,100 @@ def section(result, window):
     title = tag("h2", "Deformation and pore pressure")
     try:
         frames = fields.read(pvd, window)
+        told = summary(frames, result)
     except UserError as error:
         return tag("section", title, tag("p", f"Not shown: {error}.", class_="quiet"), id="fields-section")
-    told = summary(frames)
     peak = (result.summary.get("response") or {}).get("peak_shear_time", float(frames.times[len(frames.times) // 2]))
     told["start"] = index = int(np.argmin(np.abs(frames.times - peak)))
-    caption = words(
-        f"Displacements drawn {units.plain(told['magnify'])} times too large; excess pore pressure in colour, ",
-        f"{told['scale']['text'][0]} to {told['scale']['text'][1]} (beyond: the end colours). ",
-        tag("span", f"On paper: the moment {frames.times[index]:.4g} s.", class_="onpaper"),
-    )
-    figure = tag(
+    moving = tag(
         "figure",
-        still(frames, told, index),
+        moment.draw(frames, told, index),
         data(told, "fields"),
-        legend(told),
-        tag("figcaption", caption),
+        moment.legends(told),
+        tag("figcaption", caption(told, frames.times[index])),
         id="fields",
         class_="animation",
     )
-    return tag("section", title, figure, id="fields-section")
+    return tag("section", title, moving, scrubbed(result), id="fields-section")
 
 
-def summary(frames):
-    """The frames for JSON: integers of 16 bits in base64, each with what one of them stands for."""
+def caption(told, time):
+    parts = [
+        f"Displacements drawn {units.plain(told['magnify'])} times too large; excess pore pressure in colour, ",
+        f"{told['scale']['text'][0]} to {told['scale']['text'][1]} (beyond: the end colours). ",
+    ]
+    if told["bottom"]:
+        parts.append("Slip and gap under the caisson are drawn as many times too large. ")
+    if told["slip"]:
+        parts.append(
+            "Dotted: the caisson that slips as a whole, by its slip beside where the fields, which know none, have it; as many times too large. "
+        )
+    if told["strength"]:
+        parts.append(f"Dark line: around soil that mobilises {100 * strength.ZONE:.0f} % of its strength or more. ")
+    if told["fails"]:
+        parts.append(f"Cross: {told['fails']['text']}. ")
+    return words(*parts, tag("span", f"On paper: the moment {time:.4g} s.", class_="onpaper"))
+
+
+def scrubbed(result):
+    """Histories below the section: a drag in them moves it through time. Nothing without a caisson."""
+    panels, time = {}, np.asarray(result.time)
+    for name, symbol, colour, panel in HISTORIES:
+        if f"/history/{name}" in result.file:
+            history = result.history(name)
+            line = Line(symbol, time, np.asarray(history), colour)
+            panels.setdefault(panel, Panel(history.unit, [], height=80)).lines.append(line)
+    if "displacement" in panels and "coupled/slip" in result.file and "interface/slip" not in result.file:
+        course = (result.file[f"coupled/{name}"][()] for name in ("time", "slip"))
+        panels["displacement"].lines.append(Line("slip as a whole", *course, 5))
+    if not panels:
+        return Markup("")
+    told = "The same time in histories: drag across them, or click in any plot over time of this page, to move the section above."
+    return figure.of_plot(Plot("fields-histories", list(panels.values())), told, "plot scrubbed")
+
+
+def summary(frames, result):
+    """The frames for JSON: integers of 16 bits in base64, with what one of them stands for, and colours of 8 bits."""
+    scale = pressure_scale(frames)
+    slip = bottom.as_a_whole(result, frames)
     largest = float(np.max(np.linalg.norm(frames.displacement, axis=2), initial=0.0))
+    largest = max(largest, float(np.max(np.abs(slip), initial=0.0)) if slip is not None else 0.0)
     box = [float(edge) for edge in (*extent(frames.points[:, 0]), *extent(frames.points[:, 1]))]
     magnify = SHARE * (box[1] - box[0]) / largest if largest > 0 else 1.0
     magnify = ticks.step_for(magnify, 1) / 2 if magnify > 2 else 1.0
-    pressure = float(np.quantile(np.abs(frames.pressure), 0.998))
-    limit = ticks.step_for(pressure, 4) * math.ceil(pressure / ticks.step_for(pressure, 4)) if pressure > 0 else 1.0
-    text = [
-        units.plain(value * units.scale("Pa", limit)[0]) + " " + units.scale("Pa", limit)[1]
-        for value in (-limit, limit)
-    ]
     return {
         "times": [float(f"{time:.6g}") for time in frames.times],
         "box": box,
         "magnify": magnify,
-        "scale": {"limit": limit, "text": text, "colours": COLOURS},
+        "scale": scale,
         "points": coded(frames.points.T),
         "cells": base64.b64encode(frames.cells.astype("<u4").tobytes()).decode(),
         "kinds": frames.kinds.tolist(),
         "displacement": coded(frames.displacement),
-        "pressure": coded(frames.pressure),
+        "pressure": shades(frames.pressure / scale["limit"]),
+        "strength": strength.summary(frames),
+        "fails": failing(result),
+        "bottom": bottom.contact(result, frames),
+        "slip": None if slip is None else [float(f"{value:.5g}") for value in slip],
     }
+
+
+def pressure_scale(frames):
+    pressure = float(np.quantile(np.abs(frames.pressure), 0.998))
+    limit = ticks.step_for(pressure, 4) * math.ceil(pressure / ticks.step_for(pressure, 4)) if pressure > 0 else 1.0
+    factor, unit = units.scale("Pa", limit)
+    return {"limit": limit, "text": [f"{units.plain(value * factor)} {unit}" for value in (-limit, limit)], "colours": moment.COLOURS}
+
+
+def failing(result):
+    """Where the ground moves most as its strength is reduced, with the words for it."""
+    found = strength.failing(result.summary)
+    if found is None:
+        return None
+    at, lower, upper = found
+    least, most = (units.plain(value) if value else "" for value in (lower, upper))
+    by = f"{least} to {most}" if least and most else f"{least or most}"
+    return {"at": at, "text": f"where the ground moves most as it fails at rest, its strength divided by {by}"}
 
 
 def extent(values):
@@ -82,53 +137,6 @@ def coded(values):
     return {"step": step, "data": base64.b64encode(np.round(values / step).astype("<i2").tobytes()).decode()}
 
 
-def colour(share):
-    """The colour of a share of the limit, from -1 to 1."""
-    place = (min(1.0, max(-1.0, share)) + 1.0) / 2.0 * (len(COLOURS) - 1)
-    low = min(int(place), len(COLOURS) - 2)
-    mixed = (round(a + (place - low) * (b - a)) for a, b in zip(COLOURS[low], COLOURS[low + 1]))
-    return "#" + "".join(f"{part:02x}" for part in mixed)
-
-
-def still(frames, told, index):
-    """One frame as an SVG: water first, as it stays where it is."""
-    x0, x1, y0, y1 = told["box"]
-    scale = WIDTH / (x1 - x0)
-    place = frames.points + told["magnify"] * frames.displacement[index]
-    pixels = np.column_stack([(place[:, 0] - x0) * scale, (y1 - place[:, 1]) * scale + 20])
-    parts = []
-    for kind in (fields.WATER, fields.GROUND, fields.RIGID):
-        for cell in frames.cells[frames.kinds == kind]:
-            fill = (
-                colour(frames.pressure[index, cell].mean() / told["scale"]["limit"])
-                if kind != fields.RIGID
-                else "#c9ccd4"
-            )
-            points = " ".join(f"{x:.1f},{y:.1f}" for x, y in pixels[cell])
-            parts.append(tag("polygon", points=points, fill=fill, stroke=fill))  # the stroke closes seams between cells
-        parts += [edge(loop) for loop in geometry.outline(frames.cells[frames.kinds == kind].tolist(), pixels.tolist())]
-    return tag(
-        "svg",
-        *parts,
-        class_="still",
-        viewBox=f"0 0 {WIDTH} {(y1 - y0) * scale + 24:.0f}",
-        role="img",
-        aria_label="deformed section",
-    )
-
-
-def edge(loop):
-    return tag("polygon", points=" ".join(f"{x:.1f},{y:.1f}" for x, y in loop), class_="edge")
-
-
-def legend(told):
-    """A bar of the colours with its ends."""
-    steps = (tag("i", style=f"background:{colour(i / 10 - 1)}") for i in range(21))
-    low, high = told["scale"]["text"]
-    return tag(
-        "div",
-        tag("span", low),
-        tag("span", *steps, class_="bar"),
-        tag("span", join([high, " pore pressure"])),
-        class_="colours",
-    )
+def shades(share):
+    """A byte for each share of the limit, -1 to 1, beyond which colours are the same."""
+    return base64.b64encode(np.round(127.5 * (1.0 + np.clip(share, -1.0, 1.0))).astype("u1").tobytes()).decode()

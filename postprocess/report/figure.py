@@ -4,12 +4,12 @@ from report import still
 from report.markup import data, join, symbol, tag
 
 
-def of_plot(plot, caption):
+def of_plot(plot, caption, class_="plot"):
     """An HTML figure; the script replaces the still picture on screen, paper shows it."""
     told = plot.data()
     words = tag("figcaption", caption)
     return tag(
-        "figure", still.draw(told, plot.name.replace("-", " ")), data(told, "plot"), words, id=plot.name, class_="plot"
+        "figure", still.draw(told, plot.name.replace("-", " ")), data(told, "plot"), words, id=plot.name, class_=class_
     )
 
 

@@ -1,4 +1,4 @@
-"""The fields of a run as frames of an animation: corners of cells near the caisson, displacement and pore pressure."""
+"""The fields of a run as frames of an animation: corners of cells near the caisson, displacement, pore pressure, strength."""
 
 from dataclasses import dataclass
 
@@ -7,8 +7,9 @@ import numpy as np
 from report import vtu
 from upbead.errors import UserError
 
-DISPLACEMENT, PRESSURE = "displacement_(m)", "pore_pressure_(Pa)"
-NUMBERS = 360_000  # of all frames together, 2 bytes each: 1 MB in the page
+DISPLACEMENT, PRESSURE, MOBILISED = "displacement_(m)", "pore_pressure_(Pa)", "mobilised_strength_(1)"
+BYTES = 600_000  # of all frames together: 0.8 MB in the page, which stays below 1.5 MB
+OF_CELL = 5.5  # bytes in a frame: five for each node, of which there are a tenth more than cells
 FEWEST = 12  # frames; with fewer there is no motion to see
 GROUND, WATER, RIGID = 0, 1, 2
 
@@ -23,6 +24,7 @@ class Frames:
     kinds: np.ndarray
     displacement: np.ndarray  # frame, node, direction (m)
     pressure: np.ndarray  # frame, node (Pa)
+    mobilised: np.ndarray | None  # frame, cell: share of the strength, nan where elastic; None where no soil yields
 
 
 def read(pvd, window):
@@ -30,35 +32,38 @@ def read(pvd, window):
     steps = vtu.times(pvd)
     if not steps:
         raise UserError(f"'{pvd}' names no fields")
-    first = vtu.arrays(steps[0][1], ("points", "types"))
+    first = vtu.arrays(steps[0][1], ("points", "types", MOBILISED))
     points = first["points"][:, :2].astype(float)
     patches = vtu.corners(len(points), len(first["types"]))
     middle = points[patches].mean(axis=1)
     patches = patches[(middle[:, 0] >= window[0]) & (middle[:, 0] <= window[1])]
     if not len(patches):
         raise UserError("no cell of the fields lies near the caisson")
-    chosen = thinned(len(steps), len(patches))
-    used = patches.ravel()
-    moved, pressed = [], []
-    for index in chosen:
-        found = vtu.arrays(steps[index][1], (DISPLACEMENT, PRESSURE))
-        if DISPLACEMENT not in found or len(found[DISPLACEMENT]) != len(points):
-            raise UserError(f"'{steps[index][1]}' has no field {DISPLACEMENT} on the mesh of the first one")
-        moved.append(found[DISPLACEMENT][used, :2])
-        pressed.append(found[PRESSURE][used] if PRESSURE in found else np.zeros(len(used)))
-    times = np.array([steps[index][0] for index in chosen])
-    return merged(times, points[used], np.array(moved), np.array(pressed))
+    chosen = [steps[index] for index in thinned(len(steps), len(patches), MOBILISED in first)]
+    times, fields = np.array([time for time, _ in chosen]), [of_file(path, patches, len(points)) for _, path in chosen]
+    moved, pressed, mobilised = (None if part[0] is None else np.array(part) for part in zip(*fields))
+    return merged(times, points[patches.ravel()], moved, pressed, mobilised)
 
 
-def thinned(frames, cells):
-    """Which frames are kept, evenly, so that the page stays small; about one node and three numbers for a cell."""
-    most = NUMBERS // (3 * cells)
+def of_file(path, patches, points):
+    """Displacement and pressure at the corners of the patches, and the strength that each mobilises (None: no soil yields)."""
+    found, used = vtu.arrays(path, (DISPLACEMENT, PRESSURE, MOBILISED)), patches.ravel()
+    if DISPLACEMENT not in found or len(found[DISPLACEMENT]) != points:
+        raise UserError(f"'{path}' has no field {DISPLACEMENT} on the mesh of the first one")
+    pressed = found[PRESSURE][used] if PRESSURE in found else np.zeros(len(used))
+    mobilised = found[MOBILISED][patches[:, 0]] if MOBILISED in found else None  # one value at all points of a cell
+    return found[DISPLACEMENT][used, :2], pressed, mobilised
+
+
+def thinned(frames, cells, yields=False):
+    """Which frames are kept, evenly, so that the page stays small; a byte more for each cell where soil yields."""
+    most = int(BYTES / (cells * (OF_CELL + yields)))
     if most < FEWEST:
         raise UserError(f"{cells} cells near the caisson are too many for a page; ParaView opens fields.pvd")
     return np.unique(np.linspace(0, frames - 1, min(frames, most)).round().astype(int))
 
 
-def merged(times, points, moved, pressed):
+def merged(times, points, moved, pressed, mobilised=None):
     """Corners at one place become one node, apart for ground, water and rigid bodies, whose fields differ there."""
     count = len(points) // 4
     still = ~np.any(moved.reshape(len(times), count, -1), axis=(0, 2))
@@ -67,4 +72,4 @@ def merged(times, points, moved, pressed):
     size = max(np.ptp(points[:, 0]), np.ptp(points[:, 1]))
     key = np.column_stack([np.round(points / (1e-6 * size)), np.repeat(kinds, 4)])
     _, first, node = np.unique(key, axis=0, return_index=True, return_inverse=True)
-    return Frames(times, points[first], node.reshape(count, 4), kinds, moved[:, first], pressed[:, first])
+    return Frames(times, points[first], node.reshape(count, 4), kinds, moved[:, first], pressed[:, first], mobilised)

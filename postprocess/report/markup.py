@@ -9,7 +9,7 @@ class Markup(str):
     """Text that is HTML already."""
 
 
-EMPTY = {"br", "meta", "link", "input", "circle", "line", "path", "rect", "polygon", "col"}
+EMPTY = {"br", "meta", "link", "input", "circle", "line", "path", "rect", "polygon", "polyline", "col"}
 
 
 def text(part):

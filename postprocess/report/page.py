@@ -25,6 +25,7 @@ from report.markup import Markup, join, prose, tag
 from upbead.errors import UserError
 
 HERE = Path(__file__).parent
+SCRIPTS = ("clock.js", "plot.js", "raster.js", "deformed.js", "animation.js")
 
 
 def build(result, case_file=None):
@@ -54,7 +55,7 @@ def build(result, case_file=None):
 
 def document(title, body):
     style = tag("style", Markup((HERE / "page.css").read_text(encoding="utf-8")))
-    scripts = (tag("script", Markup((HERE / name).read_text(encoding="utf-8"))) for name in ("plot.js", "animation.js"))
+    scripts = (tag("script", Markup((HERE / name).read_text(encoding="utf-8"))) for name in SCRIPTS)
     meta = (
         tag("meta", charset="utf-8"),
         tag("meta", name="viewport", content="width=device-width, initial-scale=1"),

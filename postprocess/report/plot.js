@@ -5,6 +5,7 @@
   const HINT = matchMedia("(pointer: coarse)").matches
     ? "Drag across to zoom, pinch, double tap to reset; tap to read off."
     : "Drag to zoom, double click to reset; after a click the wheel zooms and arrow keys move. Point to read off.";
+  const SCRUBBED = "Drag or arrow keys: move through time.";
   const namespace = (document.querySelector("svg") || {}).namespaceURI;
 
   const element = (name, attributes, parent) => {
@@ -56,15 +57,23 @@
       this.data = JSON.parse(figure.querySelector("script.plot").textContent);
       this.view = this.data.window.slice();
       this.pointers = new Map();
+      this.ofTime = this.data.symbol[0] === "time";
+      this.scrubbed = this.ofTime && figure.classList.contains("scrubbed") && !!document.querySelector("figure.animation");
       this.host = document.createElement("div");
       this.host.className = "live";
       this.host.tabIndex = 0;
-      this.host.setAttribute("aria-label", figure.id.replaceAll("-", " ") + ": plot that can be zoomed");
+      this.host.setAttribute("role", "group");
+      this.host.setAttribute("aria-label", figure.id.replaceAll("-", " ") + (this.scrubbed ? ": plot; arrow keys move through time" : ": plot that can be zoomed"));
       this.svg = element("svg", {}, this.host);
       figure.insertBefore(this.host, figure.firstChild);
       this.addTools(figure);
       this.listen();
       new ResizeObserver(() => this.draw()).observe(this.host);
+      new IntersectionObserver((seen) => {
+        this.seen = seen.at(-1).isIntersecting;
+        if (this.seen) this.tell();
+      }).observe(this.host);
+      if (this.ofTime) clock.readers.push((time, begins) => this.follow(time, begins));
       this.draw();
     }
 
@@ -85,7 +94,8 @@
       this.reset = button("reset", () => this.show(...this.data.window));
       const [low, high] = this.data.extent;
       if (low < this.data.window[0] || high > this.data.window[1]) button("show all", () => this.show(low, high));
-      if (!document.querySelector(".hint")) tools.append(hint);
+      if (this.scrubbed) hint.textContent = SCRUBBED;
+      if (this.scrubbed || !document.querySelector(".hint")) tools.append(hint);
       figure.insertBefore(tools, this.host.nextSibling);
     }
 
@@ -153,8 +163,10 @@
       });
       this.drawAxis(bottom);
       this.cursor = element("line", {class: "cursor", y1: HEAD, y2: bottom, visibility: "hidden"}, this.svg);
+      this.line = element("line", {class: "now", y1: HEAD, y2: bottom, visibility: "hidden"});
+      this.svg.prepend(this.line);  // below the words
       this.shade = element("rect", {class: "shade", y: HEAD, height: bottom - HEAD, visibility: "hidden"}, this.svg);
-      if (this.at !== undefined) this.read(this.at);
+      this.tell();
     }
 
     drawPanel(panel, limits, top) {
@@ -252,13 +264,32 @@
     }
 
     // ------------------------------------------------------------------------------------------- reading off
-    read(x) {
+    point(x) {
       this.at = x;
+      this.tell();
+    }
+
+    // The time of the section's frame, which is read off where nobody points; what is out of sight is told when it is seen.
+    follow(time, begins) {
+      if (begins && !this.scrubbed) return;
+      this.now = time;
+      if (this.seen) this.tell();
+    }
+
+    tell() {
+      const shown = this.now !== undefined && this.now >= this.view[0] && this.now <= this.view[1];
+      this.line.setAttribute("visibility", shown ? "visible" : "hidden");
+      for (const end of shown ? ["x1", "x2"] : []) this.line.setAttribute(end, this.xOf(this.now));
+      const at = this.at ?? this.now;
+      if (at !== undefined) this.read(at);
+    }
+
+    read(x) {
       const [name, unit] = this.data.symbol, px = this.xOf(x);
       const inside = x >= this.view[0] && x <= this.view[1];
       this.cursor.setAttribute("x1", px);
       this.cursor.setAttribute("x2", px);
-      this.cursor.setAttribute("visibility", inside ? "visible" : "hidden");
+      this.cursor.setAttribute("visibility", inside && x !== this.now ? "visible" : "hidden");
       this.label.textContent = `${name} ${minus(x.toPrecision(4))} ${unit}`;
       for (const {panel, yOf, legend, dots} of this.drawn) {
         panel.lines.forEach((line, i) => {
@@ -302,9 +333,16 @@
       if (event.pointerType === "mouse" && event.button !== 0) return;
       this.host.setPointerCapture(event.pointerId);
       this.pointers.set(event.pointerId, event.clientX);
+      if (this.scrubbed && this.pointers.size === 1) return this.scrub(event);
       if (this.pointers.size === 1) this.from = this.valueOf(event);
       else this.pinch = {span: this.spread(), about: this.valueOf(event)};
-      this.read(this.valueOf(event));
+      this.point(this.valueOf(event));
+    }
+
+    // The frame next to where one drags is shown, and its time read off.
+    scrub(event) {
+      this.at = undefined;
+      clock.move(this.valueOf(event));
     }
 
     spread() {
@@ -321,7 +359,8 @@
         this.pinch.span = span;
         return;
       }
-      this.read(x);
+      if (this.scrubbed && this.pointers.size === 1) return this.scrub(event);
+      this.point(x);
       if (this.from === undefined) return;
       const [a, b] = [this.xOf(this.from), this.xOf(x)].sort((p, q) => p - q);
       this.shade.setAttribute("x", a);
@@ -337,6 +376,7 @@
       this.shade.setAttribute("visibility", "hidden");
       if (from === undefined || pinched) return;
       if (Math.abs(this.xOf(from) - this.xOf(to)) > 12) this.show(Math.min(from, to), Math.max(from, to));
+      else if (this.ofTime && clock.move) clock.move(to);
     }
 
     // Without a click before, the wheel moves the page.
@@ -348,9 +388,10 @@
 
     key(event) {
       const [low, high] = this.view, span = high - low;
+      const along = (way) => (this.scrubbed ? clock.step(way) : this.show(low + way * span / 5, high + way * span / 5));
       const action = {
-        ArrowLeft: () => this.show(low - span / 5, high - span / 5),
-        ArrowRight: () => this.show(low + span / 5, high + span / 5),
+        ArrowLeft: () => along(-1),
+        ArrowRight: () => along(1),
         "+": () => this.zoom((low + high) / 2, 0.7),
         "-": () => this.zoom((low + high) / 2, 1 / 0.7),
         Escape: () => this.show(...this.data.window),

@@ -1,17 +1,10 @@
 """What if: the reduced model of the same scene, where it lies in the folder of the run, answers other waves in the page."""
 
-import tomllib
-
-import h5py
-
 from report.markup import Markup, tag
 from upbead import live
 from upbead.errors import ModelError
 from upbead.live.model_data import model_data
-from upbead.results import text_of
-
-SCENE = ("gravity", "fluid", "mesh", "regions", "boundaries", "initial", "sliding")
-OF_WAVE = ("pulse", "history", "factor", "wave")  # what the page asks anew
+from upbead.live.scene import case_of, scene_of
 
 
 def section(result):
@@ -29,15 +22,3 @@ def section(result):
 
 def told(text):
     return tag("section", tag("h2", "What if"), tag("p", text, class_="quiet"), id="what-if")
-
-
-def case_of(path):
-    """The case of a model, with all defaults, as a dict."""
-    with h5py.File(path) as file:
-        return tomllib.loads(text_of(file["case"][()].flat[0]))
-
-
-def scene_of(case):
-    """All that decides how a scene answers, without the waves."""
-    loads = {name: {key: value for key, value in load.items() if key not in OF_WAVE} for name, load in case.get("loads", {}).items()}
-    return {**{key: case.get(key) for key in SCENE}, "loads": loads}

@@ -10,6 +10,7 @@ from upbead.errors import UserError
 
 MOBILISED, DISSIPATED = "mobilised_strength_(1)", "dissipated_energy_(J_m3)"
 COLOURS = ["#f2f2f2", "#fee6b0", "#fdc26a", "#f5923e", "#de5a2a", "#a82014", "#5c0a12"]
+LIMITS = [0.25, 0.5, 0.7, 0.85, 0.95, 0.999]  # of the classes of strength
 WIDTH, HEIGHT = 860, 300  # px; the height at most
 
 
@@ -79,9 +80,8 @@ def scale_parts(limits, told, top):
 
 
 def of_mobilised(zones):
-    limits = [0.25, 0.5, 0.7, 0.85, 0.95, 0.999]
-    number = classes(zones.mobilised, limits)
-    return drawing(zones.corners, number, limits, lambda v: f"{100 * v:g} %", "share of strength mobilised by cell")
+    number = classes(zones.mobilised, LIMITS)
+    return drawing(zones.corners, number, LIMITS, lambda v: f"{100 * v:g} %", "share of strength mobilised by cell")
 
 
 def of_dissipated(zones):

@@ -7,9 +7,10 @@ import h5py
 import numpy as np
 
 from .errors import UserError
+from .shown import Shown
 
 
-class CalibrationResult:
+class CalibrationResult(Shown):
     """Its summary, and the waves by column: `columns["alpha_star"]`, ..."""
 
     def __init__(self, folder):

@@ -6,9 +6,10 @@ from pathlib import Path
 import h5py
 
 from .errors import UserError
+from .shown import Shown
 
 
-class ExpectedResult:
+class ExpectedResult(Shown):
     """Over the height of the waves (m): waves a metre, S of one wave and expected sliding a metre, by law."""
 
     def __init__(self, folder):

@@ -8,10 +8,11 @@ import numpy as np
 from .fit_directions import Identifiable
 from .fit_parameters import RANGE, TIME_FACTOR
 from .history import History
+from .shown import Shown
 
 
 @dataclass
-class Fit:
+class Fit(Shown):
     """Parameters by key, in SI units. docs/fit.md tells what the intervals hold, and what not.
 
     values: the best. confidence: (low, high) of 95 %. covariance, correlation: of the logarithms of the values, in the
@@ -55,6 +56,9 @@ class Fit:
         told["identifiable"] = {name: [vars(combination) for combination in getattr(self.identifiable, name)]
                                 for name in ("directions", "fixed", "free")} | {"text": str(self.identifiable)}
         return json.loads(json.dumps(told | {"cautions": self.cautions}))
+
+    def __repr__(self):
+        return f"<Fit of {self.reading or 'modes'}: {', '.join(f'{key} {value:.4g}' for key, value in self.values.items())}; {self.n_runs} runs>"
 
     def __str__(self):
         width = max(map(len, self.values))

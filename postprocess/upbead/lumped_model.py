@@ -5,6 +5,7 @@ import numpy as np
 
 from .errors import UserError
 from .results import text_of
+from .shown import Shown
 
 
 def complex_numbers(dataset):
@@ -16,7 +17,7 @@ def pairs(values):
     return np.stack([values.real, values.imag], axis=-1)
 
 
-class Source:
+class Source(Shown):
     """What is taken from the reduced model: the mode that carries most of F_T under a load."""
 
     def __init__(self, path, load):
@@ -39,6 +40,19 @@ class Source:
         swings = np.abs(pole.imag) > 0
         share = np.where(swings, np.abs(answer / pole), 0)  # of a lasting force
         self.pole = pole[share.argmax()]
+
+    def __repr__(self):
+        return f"<Source '{self.title}': {self.frequency:.3g} Hz, damping {100 * self.damping:.3g} %, load {self.load}>"
+
+    @property
+    def frequency(self):
+        """Of the undamped swing (Hz)."""
+        return abs(self.pole) / (2 * np.pi)
+
+    @property
+    def damping(self):
+        """Of critical."""
+        return -self.pole.real / abs(self.pole)
 
 
 def write_lumped(path, source):

@@ -6,12 +6,15 @@
     print(answer["shear_force"].max() / answer["force"].max())
 """
 
+from pathlib import Path
+
 import h5py
 import numpy as np
 
 from .errors import ModelError
 from .history import History
 from .results import text_of
+from .shown import Shown
 from .wave_table import read_wave
 
 __all__ = ["ModelError", "ReducedModel", "fine", "phi_functions", "read_wave"]
@@ -38,13 +41,14 @@ def _texts(dataset):
     return [text_of(text) for text in dataset[()]]
 
 
-class ReducedModel:
+class ReducedModel(Shown):
     """A sum of modes; docs/output.md has the layout of the file.
 
     z_m' = pole_m z_m + sum_k load_mk f_k,  y_i = Re sum_m reading_im z_m + feedthrough_ik f_k + impulse_ik int f_k dt
     """
 
     def __init__(self, path):
+        self.path = Path(path)
         try:
             with h5py.File(path, "r") as file:
                 self._read(file, path)

@@ -11,6 +11,7 @@ import numpy as np
 
 from .errors import UserError
 from .history import History
+from .shown import Shown
 
 
 def text_of(value):
@@ -39,7 +40,7 @@ def read_case(folder):
         raise UserError(f"'{path}' is no TOML: {error}") from error
 
 
-class Result(Mapping):
+class Result(Shown, Mapping):
     """The histories and tables of one run; a mapping of the histories by their paths below /history.
 
     `result["shear_force"]`, `result["caisson/displacement_x"]` are `History`: numpy arrays with `unit` and

@@ -9,9 +9,10 @@ import numpy as np
 
 from .errors import UserError
 from .results import read_summary, text_of
+from .shown import Shown
 
 
-class StudyTable:
+class StudyTable(Shown):
     """The runs that were done, a row each; `table["response.peak_shear"]` is a column as an array."""
 
     def __init__(self, folder):

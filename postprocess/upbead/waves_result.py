@@ -4,6 +4,16 @@ import json
 from pathlib import Path
 
 from .errors import UserError
+from .shown import Shown
+
+
+class WavesSummary(Shown, dict):
+    """The summary as a dict, which a notebook shows as a table with a figure."""
+
+    def __repr__(self):
+        names = list(self["waves"])
+        told = ", ".join(names[:3]) + (f" and {len(names) - 3} more" if len(names) > 3 else "")
+        return f"<WavesSummary '{self.get('title', '')}': waves {told}>"
 
 
 def read_waves(path):
@@ -18,4 +28,4 @@ def read_waves(path):
         raise UserError(f"'{file}' is no JSON: {error}") from error
     if not isinstance(summary, dict) or not summary.get("waves") or "section" not in summary:
         raise UserError(f"'{file}' holds no waves; give the summary.json of 'upbead waves'")
-    return summary
+    return WavesSummary(summary)

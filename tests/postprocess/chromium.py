@@ -112,12 +112,23 @@ class Browser:
         if scripts:
             self.value("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done(0))))")
 
-    def value(self, script):
-        """What an expression gives; promises are waited for."""
-        answer = self.call("Runtime.evaluate", expression=script, returnByValue=True, awaitPromise=True)
+    def value(self, script, session=None):
+        """What an expression gives, in the page or in the session of a frame; promises are waited for."""
+        asked = {"expression": script, "returnByValue": True, "awaitPromise": True}
+        answer = self._send("Runtime.evaluate", asked, session or self.session)
         if "exceptionDetails" in answer:
             raise RuntimeError(answer["exceptionDetails"]["exception"].get("description"))
         return answer["result"].get("value")
+
+    def frame(self):
+        """The session of the page's frame, which has a process of its own: those of a sandbox have."""
+        until = time.monotonic() + self.seconds
+        while time.monotonic() < until:
+            frames = [target for target in self._send("Target.getTargets", {})["targetInfos"] if target["type"] == "iframe"]
+            if frames:
+                return self._send("Target.attachToTarget", {"targetId": frames[0]["targetId"], "flatten": True})["sessionId"]
+            time.sleep(0.05)
+        raise TimeoutError(f"no frame of its own process after {self.seconds} s")
 
     def mouse(self, kind, x, y, **more):
         self.call(

@@ -207,6 +207,7 @@ class ParaView(InFolder):
         reader.TimestepValues, reader.GetDataInformation().GetBounds.return_value = [0.0, 1.0], (-9, 9, 0, 10, 0, 0)
         reader.PointData.__getitem__.return_value.GetRange.return_value = (-2.0, 0.1)
         reader.PointData.keys.return_value = fields
+        reader.PointData.__getitem__.return_value.GetNumberOfComponents.return_value = 1
         modules = {"paraview": types.SimpleNamespace(simple=simple), "paraview.simple": simple}
         code = (SCRIPTS / "paraview_state.py").read_text(encoding="utf-8")
         with mock.patch.dict(sys.modules, modules), mock.patch.object(sys, "argv", ["state", str(self.folder), *words]):
@@ -217,6 +218,21 @@ class ParaView(InFolder):
         writer = (SCRIPTS.parent / "src/output/fields.cc").read_text(encoding="utf-8")
         self.assertLessEqual(asked, set(re.findall(r'"([^"\n]+)"', writer)))
         return simple
+
+    def test_every_field_that_is_written_can_colour(self):
+        writer = (SCRIPTS.parent / "src/output/fields.cc").read_text(encoding="utf-8")
+        written = sorted(set(re.findall(r'"(\w+_\((?:1|m|m_s|m_s2|Pa|Pa_s|J_m3)\))"', writer)))
+        self.assertEqual(len(written), 16)
+        state = (SCRIPTS / "paraview_state.py").read_text(encoding="utf-8")
+        names = re.search(r"^DISPLACEMENT.*?^}\n", state, re.MULTILINE | re.DOTALL)[0]
+        known = {}
+        exec(compile(names, "paraview_state.py", "exec"), known)
+        self.assertEqual(sorted(field for field, _, _ in known["COLOURED"].values()), written)
+        for name, (field, _, colours) in known["COLOURED"].items():
+            simple = self.state(written, "a.png", name)
+            self.assertEqual(simple.ColorBy.call_args[0][1][1], field)
+            low = -2.0 if colours == known["SIGNED"] else 0.0
+            simple.GetColorTransferFunction.return_value.RescaleTransferFunction.assert_called_once_with(low, 2.0)
 
     def test_state_asks_for_the_fields_that_are_written(self):
         scale = self.state(["pore_pressure_(Pa)"]).GetColorTransferFunction

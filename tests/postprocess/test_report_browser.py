@@ -49,7 +49,8 @@ class Reading(unittest.TestCase):
         cls.temporary = tempfile.TemporaryDirectory()
         folder = Path(cls.temporary.name)
         case = CASES / "fig2b-prototype.toml"
-        slid = run(case, folder / "slid", "loads.impulse.factor=5", 'regions.caisson.interface.kind="friction"')
+        friction = 'regions.caisson.interface.kind="friction"'
+        slid = run(case, folder / "slid", "loads.impulse.factor=5", friction, "output.fields={ every = 0.05 }")
         fields = run(case, folder / "fields", "output.fields={ every = 0.05 }")
         results = {"slid": slid, "full": made.with_records(fields, folder / "full"), "column": made.column(folder)}
         cls.pages = {name: path / "page.html" for name, path in results.items()}
@@ -95,7 +96,8 @@ class Reading(unittest.TestCase):
 
     def test_a_plot_is_zoomed_and_reset(self):
         value = self.show("slid", 1600)
-        ticks = "[...document.querySelectorAll('#response .live .tick')].map((text) => text.textContent)"
+        ticks = """[...document.querySelectorAll('#response .live .tick')].map((text) => text.textContent)
+          .filter((text) => !text.startsWith('time'))"""  # the time that is read off, which clicks move
         before = value(ticks)
         x, y, width = self.place(value, "#response .live")
         for kind, share in (("mousePressed", 0.3), ("mouseMoved", 0.5), ("mouseReleased", 0.5)):
@@ -128,6 +130,44 @@ class Reading(unittest.TestCase):
         self.assertNotEqual(value(picture), shown)
         value("new Promise((done) => setTimeout(done, 900))")
         self.assertEqual(value(frame), stopped)
+
+    def test_section_and_histories_share_one_time(self):
+        value = self.show("slid", 1600)
+        frame, picture = "+document.querySelector('#fields input').value", "document.querySelector('#fields canvas').toDataURL()"
+        times = value("JSON.parse(document.querySelector('#fields script').textContent).times")
+        before, told = value(picture), "document.querySelector('#fields .told').textContent"
+        x, y, width = self.place(value, "#fields-histories .live")
+        for kind, share in (("mousePressed", 0.2), ("mouseMoved", 0.5), ("mouseMoved", 0.7), ("mouseReleased", 0.7)):
+            self.browser.mouse(kind, x + share * width, y + 60, clickCount=1, buttons=0 if kind == "mouseReleased" else 1)
+        wanted = (0.7 * width - 62) / (width - 62 - 12) * times[-1]
+        self.assertEqual(value(frame), int(np.argmin(np.abs(np.array(times) - wanted))))
+        self.assertNotEqual(value(picture), before)
+        self.assertRegex(value(told), r"^bottom: .*; mean slip [\d.]+ mm$")
+        value("document.querySelector('#fields-histories .live').focus()")
+        self.key("ArrowLeft")
+        index = value(frame)
+        self.assertEqual(index, int(np.argmin(np.abs(np.array(times) - wanted))) - 1)
+        self.assertIn(value(told), value("document.querySelector('#fields input').getAttribute('aria-valuetext')"))
+        self.assert_read_off(value, "#response", times[index])
+        x, y, width = self.place(value, "#response .live")
+        for kind in ("mousePressed", "mouseReleased"):
+            self.browser.mouse(kind, x + 62 + 0.01 * width, y + 60, clickCount=1)
+        self.assertLessEqual(value(frame), 1)
+        self.assertEqual(self.browser.problems, [])
+
+    def assert_read_off(self, value, plot, time):
+        """What a plot tells beside its lines, where nobody points, is the time of the section."""
+        self.place(value, plot)
+        value("new Promise((done) => setTimeout(done, 300))")  # until it is seen to be on the screen
+        told = value(f"[...document.querySelectorAll('{plot} .reading')].map((item) => item.textContent)")
+        panels = value(f"JSON.parse(document.querySelector('{plot} script').textContent).panels")
+        for text, line in zip(told, [line for panel in panels for line in panel["lines"]], strict=True):
+            wanted, reach = np.interp(time, line["x"], line["y"]), 1e-3 * max(map(abs, line["y"]))
+            self.assertAlmostEqual(float(text.strip().replace("−", "-")), wanted, delta=reach)
+
+    def key(self, name):
+        for kind in ("keyDown", "keyUp"):
+            self.browser.call("Input.dispatchKeyEvent", type=kind, key=name, code=name)
 
     def test_still_pictures_stand_without_scripts(self):
         value = self.show("full", 1600, scripts=False)

@@ -1,7 +1,6 @@
 """The numbers of a reduced model that a page needs: JSON, arrays as doubles in base64."""
 
 import base64
-import tomllib
 
 import h5py
 import numpy as np
@@ -9,6 +8,7 @@ import numpy as np
 from ..errors import ModelError
 from ..reduced_model import ReducedModel
 from ..results import text_of
+from .scene import case_in
 
 # Readings by which `upbead respond` tells P, F_T, and what presses on the base.
 NEEDED = ("force", "shear_force")
@@ -42,8 +42,7 @@ def model_data(path):
 
 def pulse_of(file, load):
     """The pulse that the case has for a load, or None: it may be a record, or a wave."""
-    case = tomllib.loads(text_of(file["case"][()].flat[0]))
-    return case.get("loads", {}).get(load, {}).get("pulse")
+    return case_in(file).get("loads", {}).get(load, {}).get("pulse")
 
 
 def sliding_of(file):

@@ -1,0 +1,70 @@
+"""The caisson's bottom in each frame of the animation: its nodes that stick, slip or are open, and where it has slipped to."""
+
+import numpy as np
+
+from report import units
+from report.frames import GROUND, RIGID
+from upbead.slip_result import SlipResult
+
+STICKS, SLIPS, OPEN = 0, 1, 2
+STATES = [("sticks", "#39424e"), ("slips", "#d95f02"), ("is open", "#1f78b4")]
+
+
+def contact(result, frames):
+    """For JSON: the state of each node in each frame, and between which nodes of the frames it lies; None where no node is told."""
+    if "interface/slip" not in result.file:
+        return None
+    pairs = facing(frames)
+    if len(pairs) < 2:
+        return None
+    with SlipResult(result.folder) as slip:
+        rows = np.abs(frames.times[:, None] - slip.time.values).argmin(axis=1)
+        states = np.where(slip.is_open(), OPEN, np.where(slip.slips(), SLIPS, STICKS))[rows]
+        place = np.interp(slip.position, frames.points[pairs[:, 0], 0], np.arange(len(pairs)))
+        told = [words(state, slip.length, slip.opening[row], slip.slip[row]) for state, row in zip(states, rows)]
+    return {
+        "pairs": pairs.tolist(),
+        "place": [round(float(p), 4) for p in place],
+        "states": ["".join(map(str, state)) for state in states],
+        "told": told,
+        "names": [name for name, _ in STATES],
+        "colours": [colour for _, colour in STATES],
+    }
+
+
+def facing(frames):
+    """[node of the caisson, node of the ground] at the same place, from the sea landward: the lowest at each x."""
+    size = np.ptp(frames.points, axis=0).max()
+    keys = [tuple(key) for key in np.round(frames.points / (1e-6 * size)).astype(int)]
+    of_kind = {kind: np.unique(frames.cells[frames.kinds == kind]) for kind in (GROUND, RIGID)}
+    ground = {keys[node]: node for node in of_kind[GROUND]}
+    lowest = {}
+    for node in of_kind[RIGID]:
+        x, y = keys[node]
+        if (x, y) in ground and y < lowest.get(x, (np.inf,))[0]:
+            lowest[x] = y, node, ground[x, y]
+    return np.array([lowest[x][1:] for x in sorted(lowest)]).reshape(-1, 2)
+
+
+def words(state, length, opening, slip):
+    """What one frame shows, for those who do not see it."""
+    shares = [float(length[state == kind].sum() / length.sum()) for kind in (STICKS, SLIPS, OPEN)]
+    parts = [f"{100 * share:.0f} % {name}" for share, (name, _) in zip(shares, STATES) if share > 0]
+    gap = float(opening.max())
+    parts += [f"gap up to {length_of(gap)}"] if shares[OPEN] > 0 else []
+    return "bottom: " + ", ".join(parts) + f"; mean slip {length_of(float(np.average(slip, weights=length)))}"
+
+
+def length_of(metres):
+    """To a tenth of a millimetre below a metre: what changes from frame to frame is not worth more."""
+    factor, unit = units.scale("m", metres)
+    return f"{units.plain(round(metres * factor, 1 if unit == 'mm' else 3))} {unit}"
+
+
+def as_a_whole(result, frames):
+    """Slip (m) in each frame of a caisson that slips as a whole, which the fields do not have; None where it is not told."""
+    if "interface/slip" in result.file or "coupled/slip" not in result.file:
+        return None
+    time, slip = (result.file[f"coupled/{name}"][()] for name in ("time", "slip"))
+    found = np.interp(frames.times, time, slip)
+    return found if np.any(found) else None

@@ -1,0 +1,35 @@
+"""Whether a reduced model is of the scene of a run: all that decides how it answers, without the waves."""
+
+import tomllib
+
+import h5py
+import numpy as np
+
+from ..results import text_of
+
+SCENE = ("gravity", "fluid", "mesh", "regions", "boundaries", "initial", "sliding")
+OF_WAVE = ("pulse", "history", "factor", "wave")  # what a page asks anew
+
+
+def case_of(path):
+    """The case of a model, with all defaults, as a dict."""
+    with h5py.File(path) as file:
+        return case_in(file)
+
+
+def case_in(file):
+    """The same of an open file; empty in those of lumped models."""
+    return tomllib.loads(text_of(np.asarray(file["case"][()]).flat[0]))
+
+
+def scene_of(case):
+    loads = {name: {key: value for key, value in load.items() if key not in OF_WAVE} for name, load in case.get("loads", {}).items()}
+    return {**{key: case.get(key) for key in SCENE}, "loads": loads}
+
+
+def of_same_scene(path, case):
+    """False, too, of a file that is no reduced model."""
+    try:
+        return scene_of(case_of(path)) == scene_of(case)
+    except (OSError, KeyError, ValueError, AttributeError):
+        return False

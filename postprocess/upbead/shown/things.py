@@ -1,0 +1,127 @@
+"""What each kind of result shows in a notebook: what was asked and found as a table, a figure, and the page that answers."""
+
+from functools import singledispatch
+
+from .. import figures, outputs
+from ..calibration_result import CalibrationResult
+from ..errors import UserError
+from ..expected_result import ExpectedResult
+from ..figures.expected import LAWS
+from ..fit_result import Fit, interval_text
+from ..live.document import document
+from ..live.model_data import model_data
+from ..live.scene import of_same_scene
+from ..lumped_model import Source
+from ..reduced_model import ReducedModel
+from ..results import Result
+from ..slip_result import SlipResult
+from ..study_table import StudyTable
+from ..waves_result import WavesSummary
+from .parts import block, element, page, picture, quantity, quiet, table
+
+READ = ("peak_force", "peak_force_time", "peak_shear", "peak_shear_time", "shear_to_force_ratio", "peak_displacement", "error_estimate")
+FIGURE = ("force", "inertia_force", "shear_force", "caisson/displacement_x")  # what figures.response draws
+OF_WAVE = ("height", "period", "alpha_star", "force", "uplift", "safety_sliding", "sliding_paper", "sliding_exact")
+
+
+@singledispatch
+def html_of(thing):
+    raise TypeError(f"{type(thing).__name__} has no picture of itself")
+
+
+@html_of.register
+def _(result: Result):
+    response = result.summary.get("response") or {}
+    rows = [(outputs.label(f"response.{key}"), quantity(response[key], outputs.unit(f"response.{key}"))) for key in READ if response.get(key) is not None]
+    slip = ((result.summary.get("sliding") or {}).get("design") or {}).get("value")
+    rows += [("sliding distance S", quantity(slip, "m"))] if slip is not None else []
+    rows += [("warning", warning.get("text", "")) for warning in result.summary.get("warnings") or []]
+    draw = figures.response if all(name in result for name in FIGURE) else figures.probes if result.probes() else None
+    drawn = [picture(lambda: draw(result), f"histories of {result.title}")] if draw else []
+    if isinstance(result, SlipResult):
+        drawn.append(picture(lambda: figures.slip_bottom(result), f"the caisson's bottom over time, {result.title}"))
+    return block(result.title, table(None, rows) if rows else "", *drawn, what_if(result))
+
+
+def what_if(result):
+    """The page of the reduced model of the same scene, where it lies beside the run."""
+    path = result.folder / "reduced.h5"
+    if not path.is_file() or not of_same_scene(path, result.case):
+        return ""
+    return element("div", element("h5", "What if"), of_model(path, result.title))
+
+
+def of_model(path, title):
+    try:
+        return page(document(model_data(path)), f"what if: {title}")
+    except (UserError, OSError, KeyError, ValueError) as error:
+        return quiet(f"The page that answers cannot be made: {error}.")
+
+
+@html_of.register
+def _(model: ReducedModel):
+    return block(model.title or "Reduced model", of_model(model.path, model.title))
+
+
+@html_of.register
+def _(study: StudyTable):
+    names = [*study.keys, *study.reads]
+    head = [f"{name} ({unit})" if (unit := study.units.get(name) or outputs.unit(name)) else name for name in names]
+    failed = quiet(f"{len(study.failed)} more runs failed: " + "; ".join(row["message"] for row in study.failed[:3])) if study.failed else ""
+    rows = ([short(row[name]) for name in names] for row in study.rows)
+    return block(f"{study.name}: {len(study)} runs", table(head, rows), failed, picture(lambda: figures.study(study), f"{study.reads[0]} by what was varied"))
+
+
+def short(cell):
+    """A cell of study.csv to four digits, words as they are."""
+    try:
+        return f"{float(cell):.4g}"
+    except ValueError:
+        return cell
+
+
+@html_of.register
+def _(summary: WavesSummary):
+    waves = summary["waves"]
+    told = [key for key in OF_WAVE if any(wave.get(key) is not None for wave in waves.values())]
+    head = ["wave", *(outputs.label(f"waves.NAME.{key}", "waves") or key for key in told)]
+    rows = ([name, *(quantity(wave.get(key), outputs.unit(f"waves.NAME.{key}", "waves")) for key in told)] for name, wave in waves.items())
+    highest = max(waves, key=lambda name: waves[name].get("force") or 0.0)
+    drawn = picture(lambda: figures.wave_pressure([summary], highest), f"pressure of the wave {highest} over the wall")
+    return block(summary.get("title") or "Waves", table(head, rows), drawn)
+
+
+@html_of.register
+def _(result: ExpectedResult):
+    told = result.summary["expected"]
+    threshold, sliding = (told.get(key) or {} for key in ("threshold_height", "waves_that_slide"))
+    rows = ((LAWS.get(law, law), quantity(told.get(f"distance_{law}"), "m"), quantity(sliding.get(law)), quantity(threshold.get(law), "m")) for law in result.distance)
+    head = ("law of S", f"expected sliding in {told['years']:g} years", "waves that slide", "from a height of")
+    return block(result.summary["title"], table(head, rows), picture(lambda: figures.expected([result]), "waves, S and expected sliding by height"))
+
+
+@html_of.register
+def _(result: CalibrationResult):
+    found = ((name, *(quantity((model.get("recommended") or {}).get(key)) for key in ("a", "b", "residual_deviation"))) for name, model in result.models.items())
+    given = ("given", quantity(result.given["a"]), quantity(result.given["b"]), "")
+    head = ("k = (alpha*^a + 1)^-b", "a", "b", "deviation of k from it")
+    return block(result.summary["title"], table(head, [given, *found]), picture(lambda: figures.calibration(result), "k by alpha*, and the fits"))
+
+
+@html_of.register
+def _(found: Fit):
+    rows = ((key, quantity(value), interval_text(found.confidence[key]), quantity(found.guess.get(key))) for key, value in found.values.items())
+    cautions = [quiet(f"Caution: {words}") for words in found.cautions]
+    head = ("key", "fitted", "95 %", "first guess")
+    return block(f"Fit by {found.n_runs} runs", table(head, rows), *cautions, picture(lambda: figures.fit(found), "record and fit"))
+
+
+@html_of.register
+def _(source: Source):
+    rows = [
+        ("load", source.load),
+        ("natural frequency", quantity(source.frequency, "Hz")),
+        ("of critical damping", f"{100 * source.damping:.3g} %"),
+        ("mass", quantity(source.case["caisson_mass"], "kg/m")),
+    ]
+    return block(f"One mass on a spring and a dashpot for: {source.title}", table(None, rows))
