@@ -84,8 +84,8 @@ std::string describe(const Ladder& ladder) {
 
 std::string describe(const ReductionSummary& r) {
   std::string text = format(
-      "reduced     to %d modes from %d solves; the history of F_T moves by %.1e of its peak between nested\n"
-      "            models, its peak by %.1e, other readings by %.1e of theirs; checked up to %.3g Hz\n",
+      "reduced     to %d modes from %d solves; between nested models the history of F_T differs by %.1e of its peak,\n"
+      "            its peak by %.1e, other readings by up to %.1e of their own largest value; checked up to %.3g Hz\n",
       r.modes, r.vectors, r.error, r.error_peak, r.error_of_others, r.highest_frequency);
   if (r.error_of_states)
     text +=

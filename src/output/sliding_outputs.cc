@@ -129,9 +129,10 @@ OutputSchema<NodeContact> solved_outputs() {
       .key("error_estimate", &C::error_estimate, "m",
            "upper bound of the error of `slip` by cells and steps; null where `response.error_estimate` is")
       .key("largest_slip", &C::largest_slip, "m", "largest slip on the way: mean over the bottom")
-      .key("least_slip", &C::least_slip, "m",
-           "of the node that slipped least, in the end: so far the whole bottom has gone; the rest is local slip of "
-           "edges that lift")
+      .key(
+          "least_slip", &C::least_slip, "m",
+          "final slip of the node that slipped least: the bottom as a whole slid this far; slip beyond it is local, at "
+          "edges that lift")
       .key("opening_seaward", &C::opening_seaward, "m", "largest opening of the seaward end")
       .key("opening_landward", &C::opening_landward, "m", "largest opening of the landward end")
       .key("least_contact", &C::least_contact, "", "least share of the bottom that touches: of its width")

@@ -59,10 +59,11 @@ OutputSchema<ShearResponse> forces_on_caisson_outputs() {
 OutputSchema<ErrorEstimate> error_outputs() {
   using E = ErrorEstimate;
   return OutputSchema<E>()
-      .key("mesh", &E::mesh, "", "cells too large")
-      .key("time", &E::time, "", "steps of the march")
-      .key("reduced_model", &E::reduced_model, "", "vectors of the reduced model too few")
-      .key("far_boundary", &E::far_boundary, "", "what the far sides send back");
+      .key("mesh", &E::mesh, "", "part from the size of the cells")
+      .key("time", &E::time, "", "part from the time steps of the march; 0 where a reduced model answers")
+      .key("reduced_model", &E::reduced_model, "",
+           "part from the limited number of vectors of the reduced model; 0 where it was marched")
+      .key("far_boundary", &E::far_boundary, "", "part from waves that the far sides reflect");
 }
 
 OutputSchema<Summary> response_outputs() {
@@ -74,8 +75,9 @@ OutputSchema<Summary> response_outputs() {
   return OutputSchema<S>()
       .keys_of(&S::response, forces_on_caisson_outputs())
       .key("energy_mismatch", mismatch, "",
-           "work minus all that it became, over the largest work; round-off; above 1e-6 the next way is tried; null "
-           "where a reduced model answered")
+           "work of the loads minus the sum of all energies stored and taken (the entries of `energy`), over the "
+           "largest "
+           "work; round-off; above 1e-6 the next way is tried; null where a reduced model answered")
       .key(
           "error_estimate", [total](const S& s) { return total(s.error); }, "",
           "how wrong `peak_shear` is, relative: the sum of `error_sources`, meant as an upper bound; null unless "

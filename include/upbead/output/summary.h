@@ -164,10 +164,10 @@ struct ReductionSummary {
 /// How wrong the peak of F_T is, or its history over the largest |F_T|, by where it comes from; each is meant as a
 /// bound: how often it held is measured in docs/accuracy.md.
 struct ErrorEstimate {
-  double mesh = 0.;           ///< cells too large
+  double mesh = 0.;           ///< from the size of the cells
   double time = 0.;           ///< steps too long; 0 where a reduced model answers in time exactly
   double reduced_model = 0.;  ///< vectors too few; 0 where it was marched
-  double far_boundary = 0.;   ///< what the far sides send back; of the history 0: walls_too_near tells
+  double far_boundary = 0.;   ///< from waves that the far sides reflect; 0 for the history: walls_too_near warns
   double total() const { return mesh + time + reduced_model + far_boundary; }
 };
 
