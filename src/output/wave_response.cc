@@ -31,7 +31,7 @@ OutputSchema<CoupledWave> coupled_wave_outputs() {
       .key("largest", &C::largest, "m", "slip of largest magnitude on the way, landward")
       .key("slips", &C::slips, "", "number of slips")
       .key("dissipated", &C::dissipated, "J/m", "taken by friction")
-      .key("lifted_time", &C::lifted_time, "s", "for so long N' would have been negative");
+      .key("lifted_time", &C::lifted_time, "s", "time in which N' would have been negative");
 }
 
 /// The datasets of responses.h5 take unit and meaning from here.

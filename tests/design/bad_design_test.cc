@@ -135,7 +135,7 @@ const std::vector<BadDesign> rows{
      "design.toml:10:1: berm_depth = nan is outside [0.001, 10000]; give the depth d of the top of the mound's armour "
      "below still water (m)"},
     {"SlopeAsCotangent", "bed_slope = 0.01", "bed_slope = 100",
-     "design.toml:14:1: bed_slope = 100 is outside [0, 1]; give the slope tan(theta) of the sea bed in front"},
+     "design.toml:14:1: bed_slope = 100 is outside [0, 1]; give the slope tan(theta) of the seabed in front"},
     {"FrictionOfNone", "friction = 0.6", "friction = 0",
      "design.toml:18:1: friction = 0 is outside [0.01, 10]; give the friction coefficient mu between the caisson and "
      "the mound"},

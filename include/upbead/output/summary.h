@@ -44,7 +44,7 @@ struct NodeContact {
   double dissipated = 0.;
   int slip_steps = 0, open_steps = 0;  ///< steps in which a node slipped, was open
   int impacts = 0;                     ///< how often a node closed
-  int fallbacks = 0;                   ///< contact problems that took the slow way
+  int fallbacks = 0;                   ///< contact problems that were solved by the slower method
 };
 
 struct ContactSummary {
@@ -268,7 +268,7 @@ struct GaugeSummary {
   std::string name;  ///< of the load; "sliding.uplift"
   int gauges = 0, samples = 0;
   double interval = 0.;                          ///< between samples, mean (s)
-  std::string peak_gauge;                        ///< that saw the largest pressure
+  std::string peak_gauge;                        ///< transducer with the largest pressure
   double peak_pressure = 0., peak_at = 0.;       ///< it, and where (Pa, m)
   double peak_pressure_time = 0.;                ///< s
   double peak_force = 0., peak_force_time = 0.;  ///< largest magnitude of their resultant (N/m, s)
