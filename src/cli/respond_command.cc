@@ -114,7 +114,7 @@ std::string slip_warning(const std::vector<WaveResponses>& files) {
   const auto untold = [](const Named& row) { return !row.wave->why_not_coupled.empty(); };
   const auto first = std::find_if(waves.begin(), waves.end(), untold);
   if (first == waves.end()) return "";
-  return "warning: how far the caisson slips as a whole is not told for " +
+  return "warning: the distance that the caisson slips as a whole could not be computed for " +
          std::to_string(std::count_if(waves.begin(), waves.end(), untold)) + " of " + std::to_string(waves.size()) +
          " waves, such as " + first->name + ": " + first->wave->why_not_coupled + "\n";
 }

@@ -216,7 +216,7 @@ class Undamped(ProgramTest):
         (self.folder / "weak.csv").write_text("time,impulse\n0,0\n0.25,10\n0.5,0\n")
         done = upbead("respond", "model/reduced.h5", "wave.csv", "weak.csv", "--out", "answer", cwd=self.folder)
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertIn("is not told for 1 of 2 waves, such as wave: N' falls to ", done.stderr)
+        self.assertIn("could not be computed for 1 of 2 waves, such as wave: N' falls to ", done.stderr)
         waves = json.loads((self.folder / "answer/summary.json").read_text())["waves"]
         self.assertEqual([wave["sliding_coupled"] for wave in waves], [None, 0])
         self.assertEqual([wave["why_not_coupled"] is None for wave in waves], [False, True])
