@@ -186,7 +186,7 @@ const std::vector<BadDesign> rows{
     {"GainOfAnUpliftInPhase", "uplift = \"sinusoidal\"", "uplift = \"in_phase\"",
      "design.toml:51:1: 'uplift_gain' does not belong in [combined] (only where the uplift is sinusoidal); remove it"},
     {"LevelBelowTheMound", "[levels]", "[levels]\nebb = -8.5",
-     "design.toml:54:1: [levels]: ebb = -8.5 m: still water would fall to the sea bed, the mound's armour or the "
+     "design.toml:54:1: [levels]: ebb = -8.5 m: still water would fall to the seabed, the mound's armour or the "
      "caisson's bottom; give a rise over the section's still water above -8.5 m and of at most 6 m"},
     {"LevelAboveTheCrest", "[levels]", "[levels]\nflood = 6.01",
      "design.toml:54:1: [levels]: flood = 6.01 m: still water would rise above the crest; give a rise over the "
