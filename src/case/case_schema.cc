@@ -177,7 +177,8 @@ TableSchema<CaseTables> output_schema() {
       .range(above(0.))
       .fallback("none")
       .doc(
-          "times at which all readings are told, in times.csv and /at_times of results.h5, and, with fields, these are "
+          "times at which all readings are written to times.csv and /at_times of results.h5, and, with fields, these "
+          "are "
           "written; the steps meet them");
   table.key("every", &CaseTables::output_every)
       .unit("s")
@@ -220,7 +221,7 @@ TableSchema<CaseTables> case_schema() {
   table.table("sliding", &CaseTables::sliding_table, sliding_schema())
       .doc("How far the caisson slides, Shimosako and Takahashi (1994); not asked without this table.");
   table.table("limits", &CaseTables::limits, limits_schema())
-      .doc("What the section is checked against; what is not given is told, but not judged.");
+      .doc("What the section is checked against; a quantity without a limit is reported, but not judged.");
   table.table("report", &CaseTables::report, report_table()).doc(report_table_doc);
   return table;
 }

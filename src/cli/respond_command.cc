@@ -100,7 +100,7 @@ std::string overview(const std::vector<Named>& waves) {
   if (std::none_of(waves.begin(), waves.end(), is_asked)) return text;
   std::vector<Named> told;
   std::copy_if(waves.begin(), waves.end(), std::back_inserter(told), [](const Named& a) { return a.wave->coupled; });
-  if (told.empty()) return text + "S, coupled  of none of them is told\n";
+  if (told.empty()) return text + "S, coupled  could be computed for none of them\n";
   text += sliding_overview(told, "S, coupled  ", [](const WaveResponse& w) { return w.coupled->sliding; });
   const auto n =
       std::count_if(told.begin(), told.end(), [](const Named& a) { return a.wave->coupled->lifted_time > 0.; });

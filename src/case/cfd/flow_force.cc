@@ -113,7 +113,7 @@ void understand_forces(const FlowRecord& record, const FlowContext& context, Flo
     load.told.push_back(share + (source.vertical == FlowVertical::apply ? ", and is applied" : ", and is left out"));
   }
   if (source.vertical == FlowVertical::apply && (!context.on_region || !source.up))
-    questions.object("vertical", "a vertical force is applied on a rigid region alone, and with up told",
+    questions.object("vertical", "a vertical force is applied on a rigid region alone, and only where up is given",
                      "give region = \"caisson\" in place of the boundary, or vertical = \"leave_out\"");
   questions.answer();
   if (source.vertical != FlowVertical::apply) history.up.assign(history.time.size(), 0.);

@@ -294,7 +294,7 @@ void require_datum_below(const FlowPoints& points, const FlowSource& source, con
     if (dot(frame.up, at) <= *source.datum) {
       questions.object("datum",
                        "a point at " + significant(dot(frame.up, at), 6) +
-                           " m is not above the datum: by p_rgh it could not be told when it falls dry",
+                           " m is not above the datum: p_rgh does not show when it falls dry",
                        "write p in the CFD run");
       return;
     }
