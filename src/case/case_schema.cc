@@ -125,7 +125,9 @@ TableSchema<TimeChoice> time_schema() {
       .or_word("auto")
       .doc("time step; auto: chosen from the loads and the tolerance");
   table.choice("scheme", &TimeChoice::scheme, time_scheme_words)
-      .doc("how to solve in time: reduced (modes of a Krylov space, errors of nested models tell how many) or a march");
+      .doc(
+          "how to solve in time: reduced (modes of a Krylov space, errors of nested models decide how many) or a "
+          "march");
   table.key("inertia", &TimeChoice::inertia).doc("whether inertia counts; false: quasi-static (consolidation)");
   table.key("growth", &TimeChoice::growth)
       .range(from_to(1., 10.))
@@ -157,7 +159,9 @@ TableSchema<CaseTables> accuracy_schema() {
           "peak; "
           "peak: that alone, on fewer cells");
   table.key("estimate", &CaseTables::accuracy_estimate)
-      .doc("true: tell how wrong F_T and S are where refine is a number, too: solves once more on cells half as large");
+      .doc(
+          "true: estimate the errors of F_T and S where refine is a number, too: solves once more on cells half as "
+          "large");
   return table;
 }
 

@@ -153,7 +153,8 @@ std::string band_warning(const ReducedModelFile& model, const std::vector<WaveRe
 NumberedWarnings error_warnings(const ReducedModelFile& model, const std::vector<WaveResponses>& files) {
   if (!model.nested)
     return {{"no_error_estimate", 0., model.tolerance, "1",
-             "the model holds nothing that tells how wrong its answer to a wave is, so error_estimate is null; make it "
+             "the model holds nothing from which the error of its answer to a wave follows, so error_estimate is null; "
+             "make it "
              "again with 'upbead reduce'"}};
   const std::vector<Named> waves = all_waves(files);
   const auto estimate = [](const Named& row) { return row.wave->error_estimate.value_or(0.); };
@@ -213,10 +214,10 @@ std::optional<ModelSliding> sliding_of(const Arguments& arguments, const Reduced
   sliding.submerged_weight = arguments.submerged_weight.value_or(sliding.submerged_weight);
   Diagnostics mistakes;
   if (sliding.friction == 0.)
-    mistakes.add(Place(), "--buoyant-weight alone tells no resistance mu W', and the model's case has no [sliding]",
+    mistakes.add(Place(), "--buoyant-weight alone gives no resistance mu W', and the model's case has no [sliding]",
                  "give --friction too, such as 0.6");
   if (sliding.submerged_weight == 0.)
-    mistakes.add(Place(), "--friction alone tells no resistance mu W', and the model's case has no [sliding]",
+    mistakes.add(Place(), "--friction alone gives no resistance mu W', and the model's case has no [sliding]",
                  "give --buoyant-weight too (N/m)");
   if (model.caisson_mass == 0.)
     mistakes.add({arguments.model}, "the model has no mass of a caisson, so nothing can slide",

@@ -393,7 +393,7 @@ OutputSchema<Summary> whole_outputs() {
               "that of a caisson bonded to its mound")
       .object("base", &S::base, base_outputs(),
               "[what presses on the base](contact.md#base-pressure): effective, stress varying linearly over the width "
-              "in contact, at the ends of the steps; null where neither `[sliding]` nor the water level tells W'")
+              "in contact, at the ends of the steps; null where neither `[sliding]` nor the water level gives W'")
       .object("contact", &S::contact, contact_outputs(),
               "[slip and uplift node by node](contact.md); null where the bottom is bonded")
       .object("soil", &S::soil, soil_outputs(), "of soil that follows the strain; else null")
@@ -492,9 +492,9 @@ OutputSchema<WaveLoadSummary> wave_load_outputs() {
       .key("p3", &W::p3, "Pa", "p_3, with alpha*")
       .key("p4", &W::p4, "Pa", "p_4, with alpha*")
       .key("pu", &W::pu, "Pa", "p_u")
-      .key("force", &W::force, "N/m", "P, with alpha*, as `waves` tells it")
+      .key("force", &W::force, "N/m", "P, with alpha*, as `waves` gives it")
       .key("force_moment", &W::force_moment, "N m/m", "of P about the bottom's level")
-      .key("uplift", &W::uplift, "N/m", "U, as `waves` tells it")
+      .key("uplift", &W::uplift, "N/m", "U, as `waves` gives it")
       .key("peak", &W::peak, "N/m", "largest P of the load, with its factor")
       .key("trough_force", &W::trough_force, "N/m", "least P of a standing wave, seaward; null of other courses")
       .key("peak_uplift", &W::peak_uplift, "N/m",
