@@ -52,7 +52,7 @@ def facts(rows, kind):
 
 
 def table(rows):
-    lines = ["| | scenes | bounded | share | median of told / error | 5 %, 95 % | truth not sure to a fifth |", "|---|---:|---:|---:|---:|---:|---:|"]
+    lines = ["| | scenes | bounded | share | median of estimate / error | 5 %, 95 % | truth not sure to a fifth |", "|---|---:|---:|---:|---:|---:|---:|"]
     for kind in KINDS:
         f = facts(rows, kind)
         if not f["told"]:

@@ -32,5 +32,5 @@ def figure_argument(parser, name):
 
 
 def beside(results, name):
-    """A file in the folder of results, or in that of a file of theirs: never in the one where somebody stands."""
+    """A file in the folder of results, or in the folder of a file of results: never in the working folder."""
     return (results if results.is_dir() else results.parent) / name

@@ -20,7 +20,7 @@ KNOWN = [  # best first: key, short, what
     (
         "contact.solved.least_slip",
         "of the node that slipped least",
-        "The same, of the node that slipped least: so far the whole bottom has gone.",
+        "The same, of the node that slipped least: the bottom as a whole slid this far.",
     ),
     (
         "sliding.sliding_coupled",

@@ -110,7 +110,7 @@ def input_section(case, source, folder):
     if source is None:
         told = tag(
             "p",
-            "The case as its author wrote it was not found: what was given is told from the defaults, and what is "
+            "The case as its author wrote it was not found: what was given is distinguished from the defaults by comparison, and what is "
             "assumed or calibrated is not known. Give it by ",
             tag("code", "--case"),
             ".",

@@ -59,7 +59,7 @@ def errors(summary):
         ]
     for key, what, about in (
         ("reaction_mismatch", "both routes to the shear force", "force balance and ground's reaction; round-off"),
-        ("energy_mismatch", "energy", "work of the loads less all that it became; round-off"),
+        ("energy_mismatch", "energy", "work of the loads minus all energies stored and taken; round-off"),
     ):
         if response.get(key) is not None:
             rows.append((what, quantity(response[key]), about))

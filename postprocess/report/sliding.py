@@ -32,7 +32,7 @@ def section(result):
         table(("measure", "S", "in summary.json"), rows, "numbers keys"),
     ]
     if sliding and sliding.get("why_not_coupled"):
-        why = "Slip as a whole on the shaken ground is not told: " + sliding["why_not_coupled"] + "."
+        why = "Slip as a whole on the shaken ground could not be computed: " + sliding["why_not_coupled"] + "."
         parts.append(tag("p", prose(why)))
     if sliding:
         parts += [

@@ -125,7 +125,9 @@ TableSchema<TimeChoice> time_schema() {
       .or_word("auto")
       .doc("time step; auto: chosen from the loads and the tolerance");
   table.choice("scheme", &TimeChoice::scheme, time_scheme_words)
-      .doc("how to solve in time: reduced (modes of a Krylov space, errors of nested models tell how many) or a march");
+      .doc(
+          "how to solve in time: reduced (modes of a Krylov space, errors of nested models decide how many) or a "
+          "march");
   table.key("inertia", &TimeChoice::inertia).doc("whether inertia counts; false: quasi-static (consolidation)");
   table.key("growth", &TimeChoice::growth)
       .range(from_to(1., 10.))
@@ -157,7 +159,9 @@ TableSchema<CaseTables> accuracy_schema() {
           "peak; "
           "peak: that alone, on fewer cells");
   table.key("estimate", &CaseTables::accuracy_estimate)
-      .doc("true: tell how wrong F_T and S are where refine is a number, too: solves once more on cells half as large");
+      .doc(
+          "true: estimate the errors of F_T and S where refine is a number, too: solves once more on cells half as "
+          "large");
   return table;
 }
 
@@ -177,7 +181,8 @@ TableSchema<CaseTables> output_schema() {
       .range(above(0.))
       .fallback("none")
       .doc(
-          "times at which all readings are told, in times.csv and /at_times of results.h5, and, with fields, these are "
+          "times at which all readings are written to times.csv and /at_times of results.h5, and, with fields, these "
+          "are "
           "written; the steps meet them");
   table.key("every", &CaseTables::output_every)
       .unit("s")
@@ -220,7 +225,7 @@ TableSchema<CaseTables> case_schema() {
   table.table("sliding", &CaseTables::sliding_table, sliding_schema())
       .doc("How far the caisson slides, Shimosako and Takahashi (1994); not asked without this table.");
   table.table("limits", &CaseTables::limits, limits_schema())
-      .doc("What the section is checked against; what is not given is told, but not judged.");
+      .doc("What the section is checked against; a quantity without a limit is reported, but not judged.");
   table.table("report", &CaseTables::report, report_table()).doc(report_table_doc);
   return table;
 }

@@ -84,7 +84,7 @@ TableSchema<Densification> densification_schema() {
   TableSchema<Densification> table;
   table.key("relative_density", &Densification::relative_density)
       .range(from_to(0.2, 1.))
-      .doc("relative density D_r; tells c1 = 7600 (100 D_r)^-2.5 (Byrne 1991); or c1");
+      .doc("relative density D_r; gives c1 = 7600 (100 D_r)^-2.5 (Byrne 1991); or c1");
   table.key("c1", &Densification::c1)
       .range(above(0.))
       .doc("volumetric strain over shear strain of the first cycle, instead of relative_density");

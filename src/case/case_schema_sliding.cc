@@ -57,7 +57,7 @@ TableSchema<SlidingWave> wave_schema() {
   table.key("alpha_star", &SlidingWave::alpha_star)
       .range(from_to(0., 2.))
       .required()
-      .doc("pressure coefficient alpha* = max(alpha_I, alpha_2), as upbead waves tells it");
+      .doc("pressure coefficient alpha* = max(alpha_I, alpha_2), as upbead waves gives it");
   return table;
 }
 

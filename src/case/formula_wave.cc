@@ -41,7 +41,7 @@ void declare_depths(TableSchema<Section>& table) {
   table.key("bed_slope", &Section::bed_slope)
       .range(from_to(0., 1.))
       .required()
-      .doc("slope tan(theta) of the sea bed in front");
+      .doc("slope tan(theta) of the seabed in front");
 }
 
 void declare_weights(TableSchema<Section>& table) {

@@ -50,7 +50,7 @@ void declare_wave(TableSchema<T>& table) {
       .unit("m")
       .range(formula_length())
       .fallback("height / 1.8, or by random breaking")
-      .doc("significant height H_1/3; tells where h_b is taken");
+      .doc("significant height H_1/3; sets where h_b is taken");
   table.key("deep_water_height", &T::deep_water_height)
       .unit("m")
       .range(formula_length())

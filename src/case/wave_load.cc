@@ -43,7 +43,7 @@ TableSchema<WaveLoadTable> wave_load_schema() {
           "standing: crest and trough of a standing wave of finite height, for waves that do not break");
   table.choice("force", &WaveLoadTable::force, impact_force_words)
       .doc(
-          "peak of P; goda_with_alpha_I: as `waves` tells it, an effective sliding force; impulse: P_I of [.impact], "
+          "peak of P; goda_with_alpha_I: as `waves` gives it, an effective sliding force; impulse: P_I of [.impact], "
           "as "
           "`expected` has it")
       .when("course", has_impact, "where course = \"church_roof\"");

@@ -59,7 +59,7 @@ Diagnostics diagnose(const WaveTrain& train) {
   if (!train.depth && train.height)
     list.add(at_key("depth"), "'depth' is missing, which 'height' needs", "add depth (m)");
   if (!train.depth && !train.length && !train.height)
-    list.add(at_key("length"), "neither 'length' nor 'depth' is given, one of which tells the length of the waves",
+    list.add(at_key("length"), "neither 'length' nor 'depth' is given, one of which sets the length of the waves",
              "add length (m) or depth (m)");
   return list;
 }

@@ -142,7 +142,7 @@ int read(const ReadOptions& options) {
 const char* const read_footer =
     R"(Tells what a file or a folder of OpenFOAM (forces, probes, raw patches), DualSPHysics, Proteus or SWASH holds, in its
 own axes and units. With keys of a load `from` (docs/cfd.md), what it is as a load: per metre, over still water, landward.
-What the record does not tell is asked for.
+What the record does not say is asked for.
 
 Examples:
   upbead read postProcessing/wallForce
@@ -154,7 +154,7 @@ Examples:
 
 Command read_command() {
   const auto options = std::make_shared<ReadOptions>();
-  Command command{"read", "tell what the output of a CFD program holds, and write it as a table"};
+  Command command{"read", "print what the output of a CFD program holds, and write it as a table"};
   command.options = {{"PATH", &options->path, "the folder or the file", "", true},
                      {"--json", &options->json, "print what was understood as JSON on stdout and nothing else"},
                      {"--out", &options->out, "write the columns, as CSV or HDF5 (.h5)", "FILE"},

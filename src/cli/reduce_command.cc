@@ -214,7 +214,7 @@ std::string describe(const Reduced& made) {
   for (const ModelLoad& load : m.loads) text += " " + load.name + " (" + load.unit + ")";
   text += "\nerror       history of F_T " + significant(m.error, 2) + " of its peak, its peak " +
           significant(m.error_peak, 2) + ", other readings up to " + significant(r.error.others, 2) +
-          " of theirs (nested models)\n";
+          " of their own largest value (by nested models)\n";
   if (m.error_march) text += "            history of F_T " + significant(*m.error_march, 2) + " against a march\n";
   text += describe(made.nested);
   text += "checked     up to " + significant(m.highest_frequency) + " Hz\n" + describe(made.slip);
@@ -312,7 +312,7 @@ Command reduce_command() {
           trust_option(options->trusts_script),
           {"--all-readings", &options->all_readings,
            "go on until all readings, not F_T alone, move by less than ten times the tolerance"},
-          {"--check", &options->check, "march the case as well and tell the error against that; takes longer"}};
+          {"--check", &options->check, "march the case as well and print the error against that march; takes longer"}};
   command.footer = reduce_footer;
   command.work = [options, since_start = Stopwatch()] { return reduce(*options, since_start); };
   return command;

@@ -84,8 +84,8 @@ std::string describe(const Ladder& ladder) {
 
 std::string describe(const ReductionSummary& r) {
   std::string text = format(
-      "reduced     to %d modes from %d solves; the history of F_T moves by %.1e of its peak between nested\n"
-      "            models, its peak by %.1e, other readings by %.1e of theirs; checked up to %.3g Hz\n",
+      "reduced     to %d modes from %d solves; between nested models the history of F_T differs by %.1e of its peak,\n"
+      "            its peak by %.1e, other readings by up to %.1e of their own largest value; checked up to %.3g Hz\n",
       r.modes, r.vectors, r.error, r.error_peak, r.error_of_others, r.highest_frequency);
   if (r.error_of_states)
     text +=
@@ -118,7 +118,7 @@ std::string describe(const NonlinearSummary& n, const Summary& summary) {
                    percent(of.largest).c_str(), percent(of.initial).c_str(), percent(of.share).c_str());
   if (n.share_beyond_at_rest > 0.)
     text += "  warning     at rest the stress exceeds the strength in " + percent(n.share_beyond_at_rest) +
-            " of it: the excess is borne by nothing that is followed\n";
+            " of it: nothing in the model bears the excess\n";
   if (n.rest)
     text += format("  at rest     %s of Mohr-Coulomb soil at its strength; weights in %d steps, %d iterations\n",
                    percent(n.rest->share_at_strength).c_str(), n.rest->steps, n.rest->iterations);
@@ -150,7 +150,7 @@ std::string describe(const SafetySummary& s) {
     return "safety      at rest no equilibrium was found, nor with 16 times the strength; it gives way in " +
            s.fails_at + "\n";
   text += significant(*s.lower, 4);
-  if (!s.upper) return text + ", and was not asked beyond\n";
+  if (!s.upper) return text + ", and no larger factor was tried\n";
   return text + ", not over " + significant(*s.upper, 4) + "; it gives way in " + s.fails_at + "\n";
 }
 
@@ -189,7 +189,7 @@ std::string describe(const ContactSummary& contact) {
   text += "  slip        " + with_unit(c.slip, "m", c.largest_slip) +
           (c.error_estimate ? " (wrong by up to " + with_unit(*c.error_estimate, "m") + ")" : "") +
           " in the end, at most " + with_unit(c.largest_slip, "m") +
-          " on the way, mean over the bottom; the whole of it " + with_unit(c.least_slip, "m", c.largest_slip) +
+          " on the way, mean over the bottom; the bottom as a whole " + with_unit(c.least_slip, "m", c.largest_slip) +
           "; nodes slip " + since(c.first_slip) + "\n";
   text += "  opening     seaward end " + with_unit(c.opening_seaward, "m") + ", landward end " +
           with_unit(c.opening_landward, "m") + "; nodes open " + since(c.first_open) + "; at least " +
@@ -228,7 +228,7 @@ std::string describe_periods(const Summary& summary) {
   constexpr std::size_t most = 4;
   const std::vector<NaturalPeriod>& periods = summary.periods;
   const std::string none = why_no_periods(summary);
-  std::string text = none.empty() ? "" : "periods     not told: " + none;
+  std::string text = none.empty() ? "" : "periods     none: " + none;
   for (std::size_t i = 0; i < std::min(most, periods.size()); ++i)
     text += (i == 0 ? "periods     " : ", ") + significant(periods[i].period) + " s (share in F_T " +
             percent(periods[i].share) + ", damping " + percent(periods[i].damping_ratio) + ")";
@@ -272,7 +272,7 @@ std::string distances(const SlidingSummary& s) {
             " slipping as a whole on its ground; F_T up to " + with_unit(s.coupled->peak_shear, "N/m") +
             ", N' down to " + with_unit(s.coupled->least_normal, "N/m") + "\n";
   else if (!s.why_not_coupled.empty())
-    text += "  S, coupled  not told: " + s.why_not_coupled + "\n";
+    text += "  S, coupled  no value: " + s.why_not_coupled + "\n";
   if (s.pulse)
     text += "  S_CAL       " + with_unit(s.pulse->paper, "m") +
             " by eq. (7) with tau_0 = " + seconds(s.pulse->duration) + " (k = " + significant(s.pulse->factor) +
@@ -334,7 +334,7 @@ std::string describe(const Case& input, const Simulation& simulation) {
   if (simulation.compiled->system.interface)
     text += "contact     friction " + significant(contact_friction(simulation.scene)) + " at " +
             std::to_string(simulation.compiled->system.interface->n_nodes()) +
-            " nodes; followed where the glued caisson would slip or lift at one of them\n";
+            " nodes; followed where the bonded caisson would slip or lift at one of them\n";
   text += "skipped\n";
   for (const Skipped& item : skipped(input, simulation, choice.scheme == TimeScheme::reduced))
     text += "  " + item.what + ": " + item.why + "\n";

@@ -100,7 +100,7 @@ std::string overview(const std::vector<Named>& waves) {
   if (std::none_of(waves.begin(), waves.end(), is_asked)) return text;
   std::vector<Named> told;
   std::copy_if(waves.begin(), waves.end(), std::back_inserter(told), [](const Named& a) { return a.wave->coupled; });
-  if (told.empty()) return text + "S, coupled  of none of them is told\n";
+  if (told.empty()) return text + "S, coupled  could be computed for none of them\n";
   text += sliding_overview(told, "S, coupled  ", [](const WaveResponse& w) { return w.coupled->sliding; });
   const auto n =
       std::count_if(told.begin(), told.end(), [](const Named& a) { return a.wave->coupled->lifted_time > 0.; });
@@ -114,7 +114,7 @@ std::string slip_warning(const std::vector<WaveResponses>& files) {
   const auto untold = [](const Named& row) { return !row.wave->why_not_coupled.empty(); };
   const auto first = std::find_if(waves.begin(), waves.end(), untold);
   if (first == waves.end()) return "";
-  return "warning: how far the caisson slips as a whole is not told for " +
+  return "warning: the distance that the caisson slips as a whole could not be computed for " +
          std::to_string(std::count_if(waves.begin(), waves.end(), untold)) + " of " + std::to_string(waves.size()) +
          " waves, such as " + first->name + ": " + first->wave->why_not_coupled + "\n";
 }
@@ -153,7 +153,8 @@ std::string band_warning(const ReducedModelFile& model, const std::vector<WaveRe
 NumberedWarnings error_warnings(const ReducedModelFile& model, const std::vector<WaveResponses>& files) {
   if (!model.nested)
     return {{"no_error_estimate", 0., model.tolerance, "1",
-             "the model holds nothing that tells how wrong its answer to a wave is, so error_estimate is null; make it "
+             "the model holds nothing from which the error of its answer to a wave follows, so error_estimate is null; "
+             "make it "
              "again with 'upbead reduce'"}};
   const std::vector<Named> waves = all_waves(files);
   const auto estimate = [](const Named& row) { return row.wave->error_estimate.value_or(0.); };
@@ -213,10 +214,10 @@ std::optional<ModelSliding> sliding_of(const Arguments& arguments, const Reduced
   sliding.submerged_weight = arguments.submerged_weight.value_or(sliding.submerged_weight);
   Diagnostics mistakes;
   if (sliding.friction == 0.)
-    mistakes.add(Place(), "--buoyant-weight alone tells no resistance mu W', and the model's case has no [sliding]",
+    mistakes.add(Place(), "--buoyant-weight alone gives no resistance mu W', and the model's case has no [sliding]",
                  "give --friction too, such as 0.6");
   if (sliding.submerged_weight == 0.)
-    mistakes.add(Place(), "--friction alone tells no resistance mu W', and the model's case has no [sliding]",
+    mistakes.add(Place(), "--friction alone gives no resistance mu W', and the model's case has no [sliding]",
                  "give --buoyant-weight too (N/m)");
   if (model.caisson_mass == 0.)
     mistakes.add({arguments.model}, "the model has no mass of a caisson, so nothing can slide",

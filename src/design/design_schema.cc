@@ -92,9 +92,8 @@ TableSchema<DesignTables> design_schema() {
       .unit("m")
       .range(from_to(-1e4, 1e4))
       .doc(
-          "water levels by name, above that of the section; for `waves`, which asks every wave at each and tells the "
-          "one "
-          "that governs");
+          "water levels by name, above that of the section; for `waves`, which checks every wave at each and names the "
+          "one that governs");
   table.table("fluid", &DesignTables::water, fluid_schema()).doc("Sea water.");
   table.table("section", &DesignTables::section, section_schema())
       .required()

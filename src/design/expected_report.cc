@@ -118,7 +118,7 @@ std::string describe(const MonteCarlo& found, const LifeTable& life) {
   for (const Exceeded& e : s.exceeded)
     text += format("  S > %-4g m  %.4g %%, 95 %% between %.3g and %.3g %%\n", e.limit, 100. * e.probability,
                    100. * e.interval[0], 100. * e.interval[1]);
-  return text + (found.base ? describe(*found.base) : "  heel        not told: " + found.why_no_base + "\n");
+  return text + (found.base ? describe(*found.base) : "  heel        no value: " + found.why_no_base + "\n");
 }
 
 std::string describe_record(const SeaTable& sea, const ExpectedAnswer& answer) {

@@ -23,7 +23,7 @@ Diagnostic misfit(const WaterLevel& level, const Section& section, const Water& 
   if (level.name == level_of_section)
     return {{}, "'" + level.name + "' is the name of the section's own level, 0 m", "give the level another name"};
   if (depth + level.rise < shallowest)
-    return {{}, what + "still water would fall to the sea bed, the mound's armour or the caisson's bottom", between};
+    return {{}, what + "still water would fall to the seabed, the mound's armour or the caisson's bottom", between};
   if (there.crest < 0.) return {{}, what + "still water would rise above the crest", between};
   if (there.submerged_weight <= 0.)
     return {{},

@@ -87,7 +87,7 @@ Diagnostics diagnose_moments(const Scatter& scatter, double mean) {
   else if (!scatter.cov && !scatter.deviation)
     list.add(at_key("deviation"), "neither 'cov' nor 'deviation' is given", "add one of them");
   else if (scatter.cov && mean == 0.)
-    list.add(at_key("cov"), "'cov' tells nothing about a mean of 0", "give deviation instead");
+    list.add(at_key("cov"), "'cov' means nothing with a mean of 0", "give deviation instead");
   if (scatter.kind == ScatterKind::lognormal && mean <= 0.)
     list.add(at_key("mean"), "the mean of a lognormal distribution, " + significant(mean, 6) + ", is not above 0",
              "give a mean above 0, or kind = \"normal\"");

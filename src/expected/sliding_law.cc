@@ -33,7 +33,7 @@ class PulseLaw : public SlidingLaw {
     const double resistance = section.friction * section.submerged_weight;
     if (pressure.force + section.friction * uplift_gain() * pressure.uplift <= resistance)
       return 0.;  // most waves: spared the rest
-    if (resistance <= 0.) throw std::invalid_argument("the caisson floats: its buoyant weight is not above 0");
+    if (resistance <= 0.) throw std::invalid_argument("the caisson floats: its submerged weight is not above 0");
     const SlidingLoad load =
         sliding_load(section, forces_.breakwater().water, pressure, height, forces_.period(), forces_.breakwater().k);
     if (law_ == Law::paper) return sliding_distance_paper(load.mass, load.resistance, load.pulse);

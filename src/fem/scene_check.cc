@@ -116,7 +116,7 @@ void check_initial(Checker& checker) {
     return;
   checker.object(
       "initial",
-      "stiffness by stress, soil that yields, and safety need the level of still water, which no region of water tells",
+      "stiffness by stress, soil that yields, and safety need the level of still water, which no region of water gives",
       "add [initial] with water_level, the height y (m)");
 }
 

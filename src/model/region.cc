@@ -136,7 +136,7 @@ class Checker {
       add("densification", "neither 'relative_density' nor 'c1' is given, one of which densification needs",
           "add relative_density = 0.5, or the measured c1");
     if (d.c2 && !d.c1)
-      add("densification", "c2 is given without c1", "give both, or relative_density alone, which tells both");
+      add("densification", "c2 is given without c1", "give both, or relative_density alone, which gives both");
     if (region_.law == SoilLaw::elastic)
       add("densification", "soil that packs denser needs a law that follows its history",
           "add law = \"hysteretic\" or law = \"mohr_coulomb\"");

@@ -44,7 +44,8 @@ OutputSchema<DesignSliding> design_outputs() {
   using D = DesignSliding;
   return OutputSchema<D>()
       .key("value", &D::value, "m", "S to design by")
-      .key("measure", &D::measure, "", "the key that has it: the measure with most mechanics that the scene allows")
+      .key("measure", &D::measure, "",
+           "key of this S: the measure that models most of the mechanics, among those that the scene allows")
       .key("why", &D::why, "", "why this one")
       .key("error_estimate", &D::error_estimate, "m", "its own; null where there is none");
 }
@@ -64,15 +65,15 @@ OutputSchema<CoupledSummary> coupled_outputs() {
       .key("dissipated", &C::dissipated, "J/m", "energy taken by friction")
       .key("peak_shear", &C::peak_shear, "N/m", "F_T of largest magnitude")
       .key("least_normal", &C::least_normal, "N/m", "least N'")
-      .key("lifted_time", &C::lifted_time, "s", "for so long N' would have been negative")
+      .key("lifted_time", &C::lifted_time, "s", "time in which N' would have been negative")
       .key("vectors", &C::vectors, "", "of its reduced model; 0 where the bonded caisson does not reach mu N'")
-      .key("error", &C::error, "", "of the forces between nested models, over their largest values")
-      .key("glued_error", &C::glued_error, "", "of F_T while it sticks, over its peak")
+      .key("error", &C::error, "", "difference of the forces between nested models, over their largest values")
+      .key("glued_error", &C::glued_error, "", "error of F_T while the caisson sticks, over its peak")
       .key("growth", &C::growth, "1/s",
            "of the fastest vibration that friction feeds ([flutter](contact.md#flutter)); 0: none")
       .key("damping_time", &C::damping_time, "s",
-           "of what holds vibrations far above the load: the ratio of their damping is omega/2 times that")
-      .key("damping_effect", &C::damping_effect, "m", "what twice that damping moves S by")
+           "beta of the damping beta K that was added against flutter: its damping ratio is omega beta/2")
+      .key("damping_effect", &C::damping_effect, "m", "change of S where that damping is doubled")
       .key("error_estimate", &C::error_estimate, "m",
            "of S by cells and errors of F_T; null where that of `sliding` is");
 }
@@ -118,7 +119,7 @@ OutputSchema<GluedDemand> demand_outputs() {
   return OutputSchema<D>()
       .key("slip", slip, "", "largest abs(T) / (mu N); null where a node pulls")
       .key("least_normal", &D::least_normal, "", "least N over that at rest")
-      .key("margin", &D::margin, "", "of both, for errors of a reduced model")
+      .key("margin", &D::margin, "", "margin of both, for errors of a reduced model")
       .key("reached", &D::reached, "", "whether one of them comes to its limit within the margin");
 }
 
@@ -129,9 +130,10 @@ OutputSchema<NodeContact> solved_outputs() {
       .key("error_estimate", &C::error_estimate, "m",
            "upper bound of the error of `slip` by cells and steps; null where `response.error_estimate` is")
       .key("largest_slip", &C::largest_slip, "m", "largest slip on the way: mean over the bottom")
-      .key("least_slip", &C::least_slip, "m",
-           "of the node that slipped least, in the end: so far the whole bottom has gone; the rest is local slip of "
-           "edges that lift")
+      .key(
+          "least_slip", &C::least_slip, "m",
+          "final slip of the node that slipped least: the bottom as a whole slid this far; slip beyond it is local, at "
+          "edges that lift")
       .key("opening_seaward", &C::opening_seaward, "m", "largest opening of the seaward end")
       .key("opening_landward", &C::opening_landward, "m", "largest opening of the landward end")
       .key("least_contact", &C::least_contact, "", "least share of the bottom that touches: of its width")
@@ -142,7 +144,7 @@ OutputSchema<NodeContact> solved_outputs() {
       .key("slip_steps", &C::slip_steps, "", "steps in which a node slipped")
       .key("open_steps", &C::open_steps, "", "steps in which a node was open")
       .key("impacts", &C::impacts, "", "how often a node closed")
-      .key("fallbacks", &C::fallbacks, "", "contact problems that took the slow way");
+      .key("fallbacks", &C::fallbacks, "", "contact problems that were solved by the slower method");
 }
 
 }  // namespace
@@ -159,7 +161,8 @@ OutputSchema<SlidingSummary> sliding_outputs() {
       .key("buoyant_weight", &S::submerged_weight, "N/m", "the same, by its older name")
       .key("drag", &S::drag, "N s/m2", "F_D over the velocity")
       .key("uplift", &S::uplift, "", "`none`, `prescribed` or `computed`")
-      .object("design", &S::design, design_outputs(), "the one S to design by; the others tell how much it depends on")
+      .object("design", &S::design, design_outputs(),
+              "the S to design by; the other measures show how much S depends on what is modelled")
       .keys_of(&S::history, forces_outputs())
       .keys_of(&S::history, distances_outputs())
       .key("error_estimate", &S::error_estimate, "m",
@@ -167,12 +170,12 @@ OutputSchema<SlidingSummary> sliding_outputs() {
       .reason("why_no_error_estimate", &S::why_no_estimate, "why `error_estimate` is null; else null")
       .key("sliding_coupled", coupled_slip, "m",
            "S of a caisson that slips as a whole on the ground that it shakes, in the end; 0 where the bonded caisson "
-           "does not reach mu N'; null where it cannot be told")
+           "does not reach mu N'; null where it cannot be computed")
       .reason("why_not_coupled", &S::why_not_coupled, "why `sliding_coupled` is null; null where it is not")
-      .object("coupled", &S::coupled, coupled_outputs(), "of `sliding_coupled`; null with it")
+      .object("coupled", &S::coupled, coupled_outputs(), "details of `sliding_coupled`; null with it")
       .object("uplift_courses", &S::courses, course_outputs(),
-              "`sliding_history` by the course of U(t): how much the assumption decides; null but for a prescribed "
-              "peak")
+              "`sliding_history` under two assumed courses of U(t), which shows how much the assumption matters; null "
+              "unless the uplift is prescribed by its peak")
       .keys_of(&S::pulse, pulse_outputs())
       .object("equal_impulse", &S::equal_impulse, impulse_outputs(),
               "the triangular pulse of the same peak and impulse as F_S; null where F_S is nowhere landward")
@@ -189,9 +192,9 @@ OutputSchema<ContactSummary> contact_outputs() {
       .key("friction", &C::friction, "", "mu")
       .key("weight", &C::weight, "N/m", "sum of N at rest")
       .key("nodes", &C::nodes, "", "nodes of the bottom")
-      .object("glued", &C::demand, demand_outputs(), "how near the glued caisson comes to moving at any node")
+      .object("glued", &C::demand, demand_outputs(), "how near the bonded caisson comes to slip or opening at any node")
       .object("solved", &C::solved, solved_outputs(),
-              "what the bottom did; null where the glued caisson obeys the law of contact");
+              "slip and opening of the bottom; null where the bonded caisson slips and opens at no node");
 }
 
 }  // namespace upbead

@@ -59,10 +59,11 @@ OutputSchema<ShearResponse> forces_on_caisson_outputs() {
 OutputSchema<ErrorEstimate> error_outputs() {
   using E = ErrorEstimate;
   return OutputSchema<E>()
-      .key("mesh", &E::mesh, "", "cells too large")
-      .key("time", &E::time, "", "steps of the march")
-      .key("reduced_model", &E::reduced_model, "", "vectors of the reduced model too few")
-      .key("far_boundary", &E::far_boundary, "", "what the far sides send back");
+      .key("mesh", &E::mesh, "", "part from the size of the cells")
+      .key("time", &E::time, "", "part from the time steps of the march; 0 where a reduced model answers")
+      .key("reduced_model", &E::reduced_model, "",
+           "part from the limited number of vectors of the reduced model; 0 where it was marched")
+      .key("far_boundary", &E::far_boundary, "", "part from waves that the far sides reflect");
 }
 
 OutputSchema<Summary> response_outputs() {
@@ -74,17 +75,18 @@ OutputSchema<Summary> response_outputs() {
   return OutputSchema<S>()
       .keys_of(&S::response, forces_on_caisson_outputs())
       .key("energy_mismatch", mismatch, "",
-           "work minus all that it became, over the largest work; round-off; above 1e-6 the next way is tried; null "
-           "where a reduced model answered")
+           "work of the loads minus the sum of all energies stored and taken (the entries of `energy`), over the "
+           "largest "
+           "work; round-off; above 1e-6 the next way is tried; null where a reduced model answered")
       .key(
           "error_estimate", [total](const S& s) { return total(s.error); }, "",
-          "how wrong `peak_shear` is, relative: the sum of `error_sources`, meant as an upper bound; null unless "
+          "relative error of `peak_shear`: the sum of `error_sources`, meant as an upper bound; null unless "
           "`mesh.refine = \"auto\"` or `accuracy.estimate = true` ([how it is found, how good it is](accuracy.md))")
       .object("error_sources", &S::error, error_outputs(), "where it comes from; null with it")
       .key(
           "history_error_estimate", [total](const S& s) { return total(s.history_error); }, "",
-          "the same of F_T at any time, over its largest magnitude, for the far sides as they are (`far_boundary` is "
-          "0: [`walls_too_near`](warnings.md#far-sides) tells); null with `error_estimate`")
+          "the same of F_T at any time, over its largest magnitude; the far sides are taken as given (`far_boundary` "
+          "is 0; [`walls_too_near`](warnings.md#far-sides) warns of them); null with `error_estimate`")
       .object("history_error_sources", &S::history_error, error_outputs(), "where it comes from; null with it");
 }
 
@@ -100,7 +102,7 @@ OutputSchema<MeasuredSummary> measured_outputs() {
                    .key("peak_ratio", &C::peak_ratio, "", "computed over measured")
                    .key("rms", &C::rms, "", "root of the mean square of the difference, in that unit")
                    .key("rms_relative", &C::rms_relative, "", "that over the root of the mean square of the record")
-                   .key("phase", &C::phase, "s", "by which the computed history comes later"));
+                   .key("phase", &C::phase, "s", "time by which the computed history lags the record"));
 }
 
 OutputSchema<EnergyAccount> energy_outputs() {
@@ -179,14 +181,15 @@ OutputSchema<Check> check_outputs() {
   return OutputSchema<C>()
       .key("name", &C::name, "", "what is checked")
       .key("unit", &C::unit, "", "of demand and capacity")
-      .key("demand", &C::demand, "", "what comes, in that unit; null: more than can be told")
-      .key("capacity", &C::capacity, "", "what is bearable: mu W', or a limit of `[limits]`; null where none is given")
+      .key("demand", &C::demand, "", "what the wave demands, in that unit; null: without bound")
+      .key("capacity", &C::capacity, "",
+           "what the section bears: mu W', or a limit of `[limits]`; null where none is given")
       .key("margin", &C::margin, "",
            "above 1 where it holds: capacity over demand, or demand over capacity of what must not fall below; null "
            "without a capacity, or where nothing is demanded")
       .key("holds", &C::holds, "", "whether it holds; null without a capacity")
       .key("measure", &C::measure, "", "the key of the summary with the demand")
-      .reason("assumption", &C::assumption, "what it rests on; null for nothing worth telling");
+      .reason("assumption", &C::assumption, "assumption that the check rests on; null where there is none");
 }
 
 OutputSchema<NaturalPeriod> period_outputs() {
@@ -247,8 +250,10 @@ OutputSchema<RestSummary> rest_outputs() {
 OutputSchema<SafetySummary> safety_outputs() {
   using S = SafetySummary;
   return OutputSchema<S>()
-      .key("lower", &S::lower, "", "it stands; null where no equilibrium was found with up to 16 times its strength")
-      .key("upper", &S::upper, "", "no equilibrium was found; null where it stands with a twentieth of its strength")
+      .key("lower", &S::lower, "",
+           "largest factor at which it stands; null where no equilibrium was found with up to 16 times its strength")
+      .key("upper", &S::upper, "",
+           "smallest factor at which no equilibrium was found; null where it stands with a twentieth of its strength")
       .key("fails_at", &S::fails_at, "", "where it moves most as it fails; empty where it does not");
 }
 
@@ -291,8 +296,8 @@ OutputSchema<NonlinearSummary> nonlinear_outputs() {
           "soil of the cell needs to yield")
       .key("share_yielded", &N::share_yielded, "", "of the area of soil that may yield: where it lost energy")
       .key("share_beyond_at_rest", &N::share_beyond_at_rest, "",
-           "of that area: where it starts from the stress of the elastic ground and that exceeds its strength; the "
-           "excess is borne by nothing that is followed, and the soil starts at its strength")
+           "of that area: where it starts from the stress of the elastic ground and that exceeds its strength; nothing "
+           "in the model bears the excess, and the soil starts at its strength")
       .object(
           "rest", &N::rest, rest_outputs(),
           "how Mohr-Coulomb soil came to rest; null without any, and where no rest within its strength was found: then "
@@ -384,11 +389,11 @@ OutputSchema<Summary> whole_outputs() {
       .key("no_periods", no_periods, "", "why `periods` is empty; null where it is not, and without a caisson")
       .object("sliding", &S::sliding, sliding_outputs(),
               "with `[sliding]` in the case, else null. Eq. numbers are those of Shimosako and Takahashi (1994); F_S = "
-              "F_T + mu U. Of all this only `sliding_coupled` moves the scene: elsewhere F_T is that of a caisson "
-              "bonded to its mound")
+              "F_T + mu U. In `sliding_coupled` alone the slip acts back on the scene; for all other numbers F_T is "
+              "that of a caisson bonded to its mound")
       .object("base", &S::base, base_outputs(),
               "[what presses on the base](contact.md#base-pressure): effective, stress varying linearly over the width "
-              "in contact, at the ends of the steps; null where neither `[sliding]` nor the water level tells W'")
+              "in contact, at the ends of the steps; null where neither `[sliding]` nor the water level gives W'")
       .object("contact", &S::contact, contact_outputs(),
               "[slip and uplift node by node](contact.md); null where the bottom is bonded")
       .object("soil", &S::soil, soil_outputs(), "of soil that follows the strain; else null")
@@ -433,15 +438,16 @@ OutputSchema<GaugeSummary> gauge_outputs() {
       .key("gauges", &G::gauges, "", "how many")
       .key("samples", &G::samples, "", "how many")
       .key("interval", &G::interval, "s", "between samples, mean")
-      .key("peak_gauge", &G::peak_gauge, "", "that saw the largest pressure")
+      .key("peak_gauge", &G::peak_gauge, "", "transducer with the largest pressure")
       .key("peak_pressure", &G::peak_pressure, "Pa", "largest pressure")
       .key("peak_pressure_time", &G::peak_pressure_time, "s", "when")
       .key("peak_pressure_at", &G::peak_at, "m", "where")
       .key("peak_force", &G::peak_force, "N/m", "largest force")
       .key("peak_force_time", &G::peak_force_time, "s", "when")
-      .key("arm", &G::arm, "m", "of it above the bottom; of an uplift landward of the bottom's middle")
-      .key("force_error", &G::force_error, "", "of the force by interpolation, relative")
-      .key("arm_error", &G::arm_error, "", "of the arm by interpolation, over the row's length")
+      .key("arm", &G::arm, "m",
+           "height of the largest force above the bottom; for an uplift its distance landward of the bottom's middle")
+      .key("force_error", &G::force_error, "", "relative error of the force by interpolation")
+      .key("arm_error", &G::arm_error, "", "error of the arm by interpolation, over the row's length")
       .key("load_cell", &G::load_cell, "N/m", "largest force by the load cell; null without");
 }
 
@@ -453,15 +459,19 @@ OutputSchema<FlowSummary> flow_outputs() {
       .key("samples", &F::samples, "", "how many")
       .key("begin", &F::begin, "s", "of the record, in the run's time")
       .key("end", &F::end, "s", "of the record, in the run's time")
-      .key("thickness", &F::thickness, "m", "that its newtons are of; null where it holds pressures")
+      .key("thickness", &F::thickness, "m",
+           "length of breakwater that its forces belong to; null where it holds pressures")
       .key("peak_force", &F::peak_force, "N/m",
            "largest force over still water, landward; of pressures their sum along the line of points")
       .key("peak_force_time", &F::peak_force_time, "s", "when")
-      .key("arm", &F::arm, "m", "of it above the centre of moments, or the lowest end of the points; null without")
-      .key("still_force", &F::still_force, "N/m", "of still water, that was taken off")
+      .key("arm", &F::arm, "m",
+           "height of the largest force above the centre of moments, or above the lowest end of the points; null "
+           "without either")
+      .key("still_force", &F::still_force, "N/m", "force of still water, which was subtracted")
       .key("difference", &F::difference, "",
-           "of the pressures' sum and the forces of `against`, largest over the largest force; null without")
-      .key("told", &F::told, "", "what was understood, sentences");
+           "largest difference of the sum of the pressures and the forces of `against`, over the largest force; null "
+           "without `against`")
+      .key("told", &F::told, "", "how the files were understood, in sentences");
 }
 
 OutputSchema<WaveLoadSummary> wave_load_outputs() {
@@ -482,9 +492,9 @@ OutputSchema<WaveLoadSummary> wave_load_outputs() {
       .key("p3", &W::p3, "Pa", "p_3, with alpha*")
       .key("p4", &W::p4, "Pa", "p_4, with alpha*")
       .key("pu", &W::pu, "Pa", "p_u")
-      .key("force", &W::force, "N/m", "P, with alpha*, as `waves` tells it")
+      .key("force", &W::force, "N/m", "P, with alpha*, as `waves` gives it")
       .key("force_moment", &W::force_moment, "N m/m", "of P about the bottom's level")
-      .key("uplift", &W::uplift, "N/m", "U, as `waves` tells it")
+      .key("uplift", &W::uplift, "N/m", "U, as `waves` gives it")
       .key("peak", &W::peak, "N/m", "largest P of the load, with its factor")
       .key("trough_force", &W::trough_force, "N/m", "least P of a standing wave, seaward; null of other courses")
       .key("peak_uplift", &W::peak_uplift, "N/m",

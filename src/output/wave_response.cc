@@ -31,7 +31,7 @@ OutputSchema<CoupledWave> coupled_wave_outputs() {
       .key("largest", &C::largest, "m", "slip of largest magnitude on the way, landward")
       .key("slips", &C::slips, "", "number of slips")
       .key("dissipated", &C::dissipated, "J/m", "taken by friction")
-      .key("lifted_time", &C::lifted_time, "s", "for so long N' would have been negative");
+      .key("lifted_time", &C::lifted_time, "s", "time in which N' would have been negative");
 }
 
 /// The datasets of responses.h5 take unit and meaning from here.
@@ -56,13 +56,13 @@ const OutputSchema<WaveResponse>& wave_outputs() {
           .key("peak_heel_pressure", &W::peak_heel_pressure, "Pa",
                "largest pressure of the landward edge of the base, stress varying linearly over the width in contact; "
                "null where the "
-               "resultant leaves the base, or the model's file does not tell W'")
+               "resultant leaves the base, or the model's file does not contain W'")
           .key("peak_toe_pressure", &W::peak_toe_pressure, "Pa", "the same of the seaward edge; null likewise")
           .key("least_overturning_margin", &W::least_overturning_margin, "",
-               "least margin against overturning; null where nothing overturns, or the file does not tell W'")
+               "least margin against overturning; null where nothing overturns, or the file does not contain W'")
           .key("sliding_coupled", slip, "m",
                "S where the caisson slips as a whole on the ground that it shakes, landward; null where not asked for, "
-               "and where the model cannot tell")
+               "and where the model cannot compute it")
           .reason("why_not_coupled", &W::why_not_coupled, "the reason, where it is this wave's; else null")
           .object("coupled", &W::coupled, coupled_wave_outputs(), "of that slip; null with it");
   return schema;

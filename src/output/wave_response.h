@@ -19,7 +19,7 @@ struct CoupledWave {
   double largest = 0.;      ///< of largest magnitude on the way (m)
   int slips = 0;            ///< one ends where it stops or turns
   double dissipated = 0.;   ///< by friction (J/m)
-  double lifted_time = 0.;  ///< for so long N' would have been negative (s)
+  double lifted_time = 0.;  ///< time in which N' would have been negative (s)
 };
 
 /// One wave. Landward positive, as in a run.

@@ -143,9 +143,9 @@ std::string worst_reading(const Reduction& reduction) {
 void require_converged(const Reduction& reduction) {
   if (reduction.converged) return;
   throw NumericsError("the reduced model has not converged after " + std::to_string(reduction.n_vectors) +
-                      " vectors: F_T still moves by " + significant(reduction.error.history) +
-                      " of its peak, other readings by up to " + significant(reduction.error.others) + " (" +
-                      worst_reading(reduction) + ")");
+                      " vectors: between nested models F_T still differs by " + significant(reduction.error.history) +
+                      " of its peak, other readings by up to " + significant(reduction.error.others) +
+                      " of their own largest value (" + worst_reading(reduction) + ")");
 }
 
 void require_shear_converged(const Reduction& reduction) {

@@ -302,7 +302,7 @@ void require_no_gain(const EnergyAccount& energy, double work) {
 }
 
 constexpr double tolerable_energy = 1e-6;
-const std::string energies_differ = "the work of the loads and what became of it differ";
+const std::string energies_differ = "the work of the loads and the sum of all energies differ";
 
 /// 1/2 sum of (peak b_i)^2 / K_ii, a measure of the work that the loads could do at rest if they acted alone; b of
 /// a load that prescribes a pressure is that pressure's push.

@@ -50,8 +50,8 @@ class Imbalance : public NumericsError {
   Mismatch mismatch_;
 };
 
-/// Throws Imbalance where both routes to F_T differ by more than 1e-7, or the work and what it became by more than
-/// 1e-6; NumericsError where more energy is stored than 1.1 times the largest work. The mismatch of the routes is
+/// Throws Imbalance where both routes to F_T differ by more than 1e-7, or the work and the sum of all energies by more
+/// than 1e-6; NumericsError where more energy is stored than 1.1 times the largest work. The mismatch of the routes is
 /// relative to the largest |F_T|, or, where F_T vanishes by symmetry or between loads, to a millionth of the largest of
 /// |P| at any time, the change of the normal force, the uplift, and the moment over the bottom's width.
 void require_balance(const ShearResponse& shear, const EnergyAccount& energy, double tolerable_routes = 1e-7);

@@ -32,7 +32,7 @@ double shear_at(const std::vector<std::complex<double>>& s, const std::vector<st
 /// What cells have of the error of F_T, relative to its size: tells one cell from another, not how large the error is.
 struct MeshError {
   std::vector<double> of_cell;  ///< by active cell index
-  double sum = 0.;              ///< of all cells, as if none offset another
+  double sum = 0.;              ///< of the absolute errors of all cells: no cell cancels another
 };
 
 /// Of the scene's own loads, at frequencies from one half-wave in the run to four in the shortest load, each

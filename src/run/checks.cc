@@ -23,7 +23,7 @@ DesignSliding design_sliding(const SlidingSummary& s, const std::optional<Contac
                           (residual ? ", its slip over the mound alone: how far the ground carried it stands beside it "
                                       "(residual.displacement_x)"
                                     : "") +
-                          "; slip with its ground is not told: ";
+                          "; slip with its ground could not be computed: ";
   return std::abs(plain) >= std::abs(moved)
              ? DesignSliding{plain, "sliding.sliding_history", why + s.why_not_coupled, s.error_estimate}
              : DesignSliding{moved, "sliding.sliding_normal_force", why + s.why_not_coupled, {}};

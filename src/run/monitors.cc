@@ -51,12 +51,12 @@ NumberedWarnings lift_warnings(const std::optional<EffectiveBase>& base, const R
   const std::string which = least.force < 0.    ? "the whole caisson"
                             : least.moment > 0. ? "its seaward edge"
                                                 : "its landward edge";
-  return {{"would_lift", least.stress, 0., "Pa",
-           which + " would pull at the ground with " + with_unit(-least.stress, "Pa") + " at " +
-               significant(least.time) + " s (N' = " + with_unit(least.force, "N/m") + ", moment " +
-               with_unit(least.moment, "N m/m") +
-               "), which a bonded base holds and a real one does not: write [regions.caisson.interface] kind = "
-               "\"friction\""}};
+  return {
+      {"would_lift", least.stress, 0., "Pa",
+       which + " would pull at the ground with " + with_unit(-least.stress, "Pa") + " at " + significant(least.time) +
+           " s (N' = " + with_unit(least.force, "N/m") + ", moment " + with_unit(least.moment, "N m/m") +
+           "), a tension that a bonded base bears and a real one does not: write [regions.caisson.interface] kind = "
+           "\"friction\""}};
 }
 
 /// base_pressure: an edge presses harder than the case allows.
@@ -75,8 +75,9 @@ NumberedWarnings pressure_warnings(const std::optional<BaseSummary>& base) {
 NumberedWarnings slip_warnings(const SlidingSummary& sliding) {
   if (!sliding.coupled_failed) return {};
   return {{"no_coupled_slip", sliding.history.ratio, 1., "1",
-           "the bonded caisson reaches its friction, but how far it slips as a whole on its ground is not told: " +
-               sliding.why_not_coupled + "; sliding_history, and contact node by node (kind = \"friction\"), tell S"}};
+           "the bonded caisson reaches its friction, but the distance that it slips as a whole on its ground could not "
+           "be computed: " +
+               sliding.why_not_coupled + "; sliding_history, and contact node by node (kind = \"friction\"), give S"}};
 }
 
 /// Why there was nothing to compute, where that is so.
@@ -84,7 +85,7 @@ std::vector<Skipped> skipped(const SlidingSummary& sliding) {
   const std::string what = "slip of the caisson with its ground";
   if (!sliding.why_not_coupled.empty()) return {{what, sliding.why_not_coupled}};
   if (sliding.coupled && sliding.coupled->vectors == 0)
-    return {{what, "|F_T| stays below mu N' at all times: the glued caisson does not slip"}};
+    return {{what, "|F_T| stays below mu N' at all times: the bonded caisson does not slip"}};
   return {};
 }
 

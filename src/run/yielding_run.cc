@@ -92,7 +92,7 @@ Run march_from(const Simulation& simulation, RestStart start, const Rest& rest, 
     followed.observers.insert(followed.observers.begin(), observer);
   Run run = march_by(*scheme, simulation, "soil that yields", followed, care.part);
   run.scheme_reason += "; " + percent(soil->share_skipped()) +
-                       " of the updates of cells were left out, as no soil of theirs could yield";
+                       " of the updates of cells were left out, as no soil in those cells could yield";
   const YieldingReport& report = *scheme->yielding();
   NonlinearSummary& summary = run.summary.nonlinear.emplace();
   summary.start = is_hysteretic(simulation.scene) ? word_of(start, rest_start_words) : "static";

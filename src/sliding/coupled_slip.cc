@@ -400,7 +400,8 @@ std::string why_no_distance(const CoupledSliding& s) {
            significant(s.lifted_time) +
            " s in all: the bottom would part from the ground, which here pulls at it with " +
            significant(100. * s.pulled / std::max(s.pressed, 1e-300)) +
-           " % of the impulse that it presses with; contact node by node tells what happens then (kind = \"friction\")";
+           " % of the impulse that it presses with; contact node by node computes what happens then (kind = "
+           "\"friction\")";
   return "";
 }
 

@@ -127,7 +127,7 @@ const std::vector<BadCase> rows{
     BadCase{"TimesAfterTheEnd", "fields = { every = 0.02 }", "times = [0.2, 3]",
             "case.toml:80:1: times = [..., 3] lies after time.end = 2; give times (s) up to the end, or a later end"},
     BadCase{"TimeZero", "fields = { every = 0.02 }", "times = [0]",
-            "case.toml:80:10: times = 0 is outside (0, inf); give the times at which all readings are told, in "
+            "case.toml:80:10: times = 0 is outside (0, inf); give the times at which all readings are written to "
             "times.csv and /at_times of results.h5, and, with fields, these are written (s)"},
     BadCase{"NotToml", "gravity = 9.8", "gravity = ",
             "case.toml:2:11: not TOML: Error while parsing key-value pair: expected value, saw '\\n'; see "

@@ -22,7 +22,7 @@ const std::vector<BadCase> rows{
             "water, W less the weight of the water that the caisson displaces"},
     BadCase{"AlphaStarTooLarge", "alpha_star = 0.5", "alpha_star = 2.5",
             "case.toml:87:51: alpha_star = 2.5 is outside [0, 2]; give the pressure coefficient alpha* = max(alpha_I, "
-            "alpha_2), as upbead waves tells it"},
+            "alpha_2), as upbead waves gives it"},
     BadCase{"WaveWithoutPeriod", ", period = 13.6", "",
             "case.toml:87:1: 'period' is missing in [sliding.wave]; add period, a number (s)"},
     BadCase{"UpliftWithoutKind", "kind = \"prescribed\"\n", "",

@@ -61,7 +61,7 @@ const std::vector<BadCase> rows{
             "tortuosity = 1.2\nlaw = \"hysteretic\"\nstrength = { friction_angle = 35 }\n"
             "densification = { relative_density = 0.5, c2 = 0.4 }",
             "case.toml:25:1: [regions.rubble]: c2 is given without c1; give both, or relative_density alone, which "
-            "tells both"},
+            "gives both"},
     BadCase{"RelativeDensityInPercent", "tortuosity = 1.2",
             "tortuosity = 1.2\ndensification = { relative_density = 50 }",
             "case.toml:23:19: relative_density = 50 is outside [0.2, 1]; give the relative density D_r"},

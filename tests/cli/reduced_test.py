@@ -56,7 +56,7 @@ class Reduced(ProgramTest):
             self.assertEqual(done.returncode, 0, done.stderr)
             self.assertIn("marched", done.stdout)
             self.assertIn(reason, done.stdout)
-            self.assertIn("periods     not told: they are the poles of a reduced model", done.stdout)
+            self.assertIn("periods     none: they are the poles of a reduced model", done.stdout)
 
     def test_reduce_then_respond_gives_what_run_gives(self):
         told = self.summary("reduce", "--check", "--out", "model")

@@ -135,7 +135,7 @@ const std::vector<BadDesign> rows{
      "design.toml:10:1: berm_depth = nan is outside [0.001, 10000]; give the depth d of the top of the mound's armour "
      "below still water (m)"},
     {"SlopeAsCotangent", "bed_slope = 0.01", "bed_slope = 100",
-     "design.toml:14:1: bed_slope = 100 is outside [0, 1]; give the slope tan(theta) of the sea bed in front"},
+     "design.toml:14:1: bed_slope = 100 is outside [0, 1]; give the slope tan(theta) of the seabed in front"},
     {"FrictionOfNone", "friction = 0.6", "friction = 0",
      "design.toml:18:1: friction = 0 is outside [0.01, 10]; give the friction coefficient mu between the caisson and "
      "the mound"},
@@ -186,7 +186,7 @@ const std::vector<BadDesign> rows{
     {"GainOfAnUpliftInPhase", "uplift = \"sinusoidal\"", "uplift = \"in_phase\"",
      "design.toml:51:1: 'uplift_gain' does not belong in [combined] (only where the uplift is sinusoidal); remove it"},
     {"LevelBelowTheMound", "[levels]", "[levels]\nebb = -8.5",
-     "design.toml:54:1: [levels]: ebb = -8.5 m: still water would fall to the sea bed, the mound's armour or the "
+     "design.toml:54:1: [levels]: ebb = -8.5 m: still water would fall to the seabed, the mound's armour or the "
      "caisson's bottom; give a rise over the section's still water above -8.5 m and of at most 6 m"},
     {"LevelAboveTheCrest", "[levels]", "[levels]\nflood = 6.01",
      "design.toml:54:1: [levels]: flood = 6.01 m: still water would rise above the crest; give a rise over the "

@@ -157,7 +157,7 @@ const std::vector<BadExpected> rows{
     {"LowAboveHigh", "low = -1.0", "low = 3.0",
      "design.toml:37:1: [scatter.water_level]: low = 3 is not below high = 1; give low < high"},
     {"CovOfALevel", "kind = \"uniform\"\nlow = -1.0\nhigh = 1.0", "cov = 0.1",
-     "design.toml:36:1: [scatter.water_level]: 'cov' tells nothing about a mean of 0; give deviation instead"},
+     "design.toml:36:1: [scatter.water_level]: 'cov' means nothing with a mean of 0; give deviation instead"},
     {"MeanOfAUniform", "kind = \"uniform\"", "kind = \"uniform\"\nmean = 0.1",
      "design.toml:37:1: 'mean' does not belong in [scatter.water_level] (only in normal and lognormal); remove it"},
     {"LevelFromWaveToWave", "high = 1.0\n", "high = 1.0\nper = \"wave\"\n",

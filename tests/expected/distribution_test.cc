@@ -95,7 +95,7 @@ TEST(Distribution, ContradictionsAreTold) {
   s.cov = 0.1;
   EXPECT_EQ(first_fault(s), "cov: both 'cov' and 'deviation' are given");
   s.deviation.reset();
-  EXPECT_EQ(first_fault(s), "cov: 'cov' tells nothing about a mean of 0");
+  EXPECT_EQ(first_fault(s), "cov: 'cov' means nothing with a mean of 0");
   EXPECT_EQ(first_fault(scatter(ScatterKind::lognormal, -1., 0.1)),
             "mean: the mean of a lognormal distribution, -1, is not above 0");
   s = scatter(ScatterKind::normal, 1., 0.1);

@@ -47,7 +47,7 @@ void add_long(SchemeKind kind, bool wet, int steps, Findings& findings) {
   std::ostringstream tried;
   tried << name_of(kind) << ", " << (wet ? "wet sand" : "dry sand without damping") << ", " << steps << " steps, "
         << static_cast<long>(found.periods) << " periods";
-  findings.add("work less what became of it, over the largest work", tried.str(), found.energy, 0., 1e-9);
+  findings.add("work minus all energies, over the largest work", tried.str(), found.energy, 0., 1e-9);
   findings.add("mean displacement less the static one, over that", tried.str(), found.drift, 0.,
                wet ? 1e-9 : bound_of_mean(found.periods));
   findings.add("kinetic energy in the last tenth over that in the first", tried.str(),

@@ -44,7 +44,7 @@ struct NodeContact {
   double dissipated = 0.;
   int slip_steps = 0, open_steps = 0;  ///< steps in which a node slipped, was open
   int impacts = 0;                     ///< how often a node closed
-  int fallbacks = 0;                   ///< contact problems that took the slow way
+  int fallbacks = 0;                   ///< contact problems that were solved by the slower method
 };
 
 struct ContactSummary {
@@ -164,10 +164,10 @@ struct ReductionSummary {
 /// How wrong the peak of F_T is, or its history over the largest |F_T|, by where it comes from; each is meant as a
 /// bound: how often it held is measured in docs/accuracy.md.
 struct ErrorEstimate {
-  double mesh = 0.;           ///< cells too large
+  double mesh = 0.;           ///< from the size of the cells
   double time = 0.;           ///< steps too long; 0 where a reduced model answers in time exactly
   double reduced_model = 0.;  ///< vectors too few; 0 where it was marched
-  double far_boundary = 0.;   ///< what the far sides send back; of the history 0: walls_too_near tells
+  double far_boundary = 0.;   ///< from waves that the far sides reflect; 0 for the history: walls_too_near warns
   double total() const { return mesh + time + reduced_model + far_boundary; }
 };
 
@@ -268,7 +268,7 @@ struct GaugeSummary {
   std::string name;  ///< of the load; "sliding.uplift"
   int gauges = 0, samples = 0;
   double interval = 0.;                          ///< between samples, mean (s)
-  std::string peak_gauge;                        ///< that saw the largest pressure
+  std::string peak_gauge;                        ///< transducer with the largest pressure
   double peak_pressure = 0., peak_at = 0.;       ///< it, and where (Pa, m)
   double peak_pressure_time = 0.;                ///< s
   double peak_force = 0., peak_force_time = 0.;  ///< largest magnitude of their resultant (N/m, s)

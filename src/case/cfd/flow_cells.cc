@@ -75,7 +75,7 @@ std::vector<double> CellRows::in_si(std::size_t c, const std::string& si, bool m
   if (!unit || unit->si != si)
     throw InputError({lines.path()},
                      heading[c].unit.empty()
-                         ? "the header does not tell the unit of column " + in_quotes(heading[c].name)
+                         ? "the header does not give the unit of column " + in_quotes(heading[c].name)
                          : "the unit " + in_quotes(heading[c].unit) + " of column " + in_quotes(heading[c].name) +
                                " is none of " + si,
                      "write one of " + units_like(si) + " behind its name, in [ ]");

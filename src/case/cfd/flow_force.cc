@@ -81,10 +81,10 @@ void understand_forces(const FlowRecord& record, const FlowContext& context, Flo
   const bool moments = !forces.moment.empty();
   const FlowFrame frame = frame_of(source, moments, questions);
   if (moments && !forces.centre)
-    questions.object("from", "the record has moments, but its head does not tell about which point: no '# CofR'",
+    questions.object("from", "the record has moments, but its head does not say about which point: no '# CofR'",
                      "give the file whole, or without its moments");
   questions.need(source.thickness.has_value(), "thickness",
-                 "the record's newtons are of the thickness that was computed, and it does not tell it",
+                 "the record's newtons are of the thickness that was computed, and it does not give that",
                  "add thickness = ... (m), the cells' extent across; 1 where they are of one metre");
   if (source.quantity)
     questions.object("quantity", "'quantity' belongs to pressures, and the record holds forces", "remove it");
@@ -113,7 +113,7 @@ void understand_forces(const FlowRecord& record, const FlowContext& context, Flo
     load.told.push_back(share + (source.vertical == FlowVertical::apply ? ", and is applied" : ", and is left out"));
   }
   if (source.vertical == FlowVertical::apply && (!context.on_region || !source.up))
-    questions.object("vertical", "a vertical force is applied on a rigid region alone, and with up told",
+    questions.object("vertical", "a vertical force is applied on a rigid region alone, and only where up is given",
                      "give region = \"caisson\" in place of the boundary, or vertical = \"leave_out\"");
   questions.answer();
   if (source.vertical != FlowVertical::apply) history.up.assign(history.time.size(), 0.);
@@ -128,9 +128,9 @@ void understand_level(const FlowRecord& record, const FlowContext& context, Flow
   questions.need(source.quantity == FlowQuantity::hydrostatic, "quantity",
                  "the record has the level of the water, no pressure",
                  "write quantity = \"hydrostatic\" where rho g times the depth is good enough: impacts are not in it");
-  questions.need(source.flow_density.has_value(), "flow_density", "the record does not tell the density of its water",
+  questions.need(source.flow_density.has_value(), "flow_density", "the record does not say the density of its water",
                  "add flow_density = ... (kg/m3)");
-  questions.need(source.origin.has_value(), "origin", "the record does not tell where its datum is in the scene",
+  questions.need(source.origin.has_value(), "origin", "the record does not say where its datum is in the scene",
                  "add origin = [x, y] (m): y of the datum of its levels");
   for (const char* key : {"still_time", "still_force", "still_level"})
     if (questions.given(key))

@@ -47,14 +47,14 @@ void FlowQuestions::object(const std::string& key, const std::string& what, cons
 
 FlowFrame frame_of(const FlowSource& source, bool places, FlowQuestions& questions) {
   FlowFrame frame;
-  questions.need(source.landward.has_value(), "landward", "the record does not tell which of its axes points landward",
+  questions.need(source.landward.has_value(), "landward", "the record does not say which of its axes points landward",
                  std::string("add landward = ") + axes_text);
   if (source.landward) frame.landward = unit_vector(*source.landward);
   if (places) {
-    questions.need(source.up.has_value(), "up", "the record does not tell which of its axes points up",
+    questions.need(source.up.has_value(), "up", "the record does not say which of its axes points up",
                    std::string("add up = ") + axes_text + "; OpenFOAM: usually \"z\", of plane runs \"y\"");
     questions.need(source.origin.has_value(), "origin",
-                   "the record does not tell where the origin of its axes is in the scene", "add origin = [x, y] (m)");
+                   "the record does not say where the origin of its axes is in the scene", "add origin = [x, y] (m)");
   }
   if (source.up) frame.up = unit_vector(*source.up);
   if (source.origin) frame.origin = *source.origin;

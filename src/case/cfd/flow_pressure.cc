@@ -29,7 +29,7 @@ std::optional<Q> ask_quantity(const FlowPoints& points, const FlowSource& source
       questions.object("quantity", "the record's pressures are in Pa, with the weight of the water", "remove it");
     return Q::pressure;
   }
-  questions.need(source.quantity.has_value(), "quantity", "the record does not tell what '" + points.field + "' is",
+  questions.need(source.quantity.has_value(), "quantity", "the record does not say what '" + points.field + "' is",
                  "add quantity = \"p\" (Pa, with the weight of the water), \"p_rgh\" (Pa, without), \"p/rho\" or "
                  "\"p_rgh/rho\" (m2/s2, of incompressible solvers)");
   if (!source.quantity) return {};
@@ -48,7 +48,7 @@ void ask_weight(const FlowSource& source, Q quantity, FlowQuestions& questions) 
                            : "the weight of the water needs the density of the CFD run's water",
                  "add flow_density = ... (kg/m3)");
   questions.need(source.datum.has_value() || !less, "datum",
-                 "p_rgh becomes p by the height where both are one, and the record does not tell it",
+                 "p_rgh becomes p by the height where both are one, and the record does not say it",
                  "add datum = ... (m), along up in its axes: hRef of the run, 0 where there is none");
   if (source.still_time && source.still_level)
     questions.object("still_level", "both 'still_time' and 'still_level' are given", "keep one of them");
@@ -100,7 +100,7 @@ Line line_of(const std::vector<std::array<double, 2>>& at, FlowQuestions& questi
     line.place.push_back(at[i][d]);
   }
   if (line.place.size() < 2)
-    questions.object("from", "fewer than two places of points tell no pressure along a line",
+    questions.object("from", "fewer than two places of points give no pressure along a line",
                      "give a record with more points, or use a load of kind \"pressure\" with its history");
   return line;
 }
@@ -211,7 +211,7 @@ void compare(const FlowSource& source, const FlowContext& context, const FlowFra
              FlowLoad& load) {
   FlowQuestions questions(context);
   questions.need(source.thickness.has_value(), "thickness",
-                 "the newtons of 'against' are of the thickness that was computed, and it does not tell it",
+                 "the newtons of 'against' are of the thickness that was computed, and it does not give that",
                  "add thickness = ... (m), the cells' extent across");
   const Place place = context.document->place(context.path + ".against");
   const std::string path = (std::filesystem::path(context.base) / source.against).lexically_normal().string();
@@ -294,7 +294,7 @@ void require_datum_below(const FlowPoints& points, const FlowSource& source, con
     if (dot(frame.up, at) <= *source.datum) {
       questions.object("datum",
                        "a point at " + significant(dot(frame.up, at), 6) +
-                           " m is not above the datum: by p_rgh it could not be told when it falls dry",
+                           " m is not above the datum: p_rgh does not show when it falls dry",
                        "write p in the CFD run");
       return;
     }

@@ -142,7 +142,7 @@ ForceFile read_force_file(const std::string& path, const std::string& quantity, 
       continue;
     }
     if (!header.known())
-      throw InputError(lines.place(), "there is no header '# Time ...' above the numbers, which tells what they are",
+      throw InputError(lines.place(), "there is no header '# Time ...' above the numbers, which says what they are",
                        "give the file whole, as OpenFOAM wrote it");
     if (shape.empty()) {
       shape = header.shape();

@@ -114,7 +114,7 @@ ProbeFile read_probe_file(const std::string& path, const Place& place, FlowNotes
     }
     if (file.rows.width == 0) {
       if (file.at.empty() || (!state.coordinates.empty() && state.coordinates != "xyz"))
-        throw InputError(lines.place(), "the head does not tell where the probes are: no '# Probe 0 (x y z)'",
+        throw InputError(lines.place(), "the head does not say where the probes are: no '# Probe 0 (x y z)'",
                          "give the file whole, as OpenFOAM wrote it");
       file.rows.width = file.at.size();
       file.rows.time.reserve(lines.rows_left());

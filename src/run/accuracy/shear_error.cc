@@ -91,7 +91,7 @@ double part_to_split(double error, double aim) {
 void require_measurable(const Simulation& simulation) {
   const std::string cure = "give a number of uniform refinements";
   std::string why;
-  if (!simulation.compiled->caisson) why = "the mesh has no surface 'caisson' whose F_T would tell";
+  if (!simulation.compiled->caisson) why = "the mesh has no surface 'caisson' whose F_T would show it";
   for (const Exclusion& reason : excluded(simulation.given, Treatment::adapted_mesh)) why = reason.why;
   if (simulation.compiled->loads_on_caisson.empty()) why = "no load acts";
   if (!why.empty()) throw InputError(at_key("mesh.refine"), "refine = \"auto\": " + why, cure);

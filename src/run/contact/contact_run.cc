@@ -237,7 +237,7 @@ Run march_contact(const Simulation& simulation, const MarchOptions& marching, co
   ContactRecorder recorder(simulation.compiled->system, *scheme);
   MarchOptions options = marching;
   options.observers.insert(options.observers.begin(), &recorder);
-  const std::string reason = "glued, the caisson would slip or lift at some node";
+  const std::string reason = "bonded, the caisson would slip or lift at some node";
   Run run;
   try {
     run = march_by(*scheme, simulation, reason, options, care.part);

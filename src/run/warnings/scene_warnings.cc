@@ -91,7 +91,7 @@ NumberedWarnings jump_warnings(const Simulation& simulation) {
            "a load jumps, after which generalised_alpha without inertia keeps a false pressure of about a third of a "
            "percent of the largest, however short the step (" +
                significant(step) +
-               " s); F_T does not feel it; write time.scheme = \"sdirk4\", or give the load a rise"}};
+               " s); F_T is not affected; write time.scheme = \"sdirk4\", or give the load a rise"}};
 }
 
 /// motion_stays: a boundary that still moves when its motion has been told to the end.
@@ -109,9 +109,9 @@ NumberedWarnings motion_warnings(const Simulation& simulation) {
     list.push_back({"motion_stays", left, at_rest * largest, "m/s",
                     "load '" + name + "' ends with a velocity of " + significant(left) + " m/s, " +
                         significant(100. * std::abs(left) / largest, 2) +
-                        " % of its largest, which stays: the ground goes on moving, by " +
+                        " % of its largest, and keeps it: the ground goes on moving, by " +
                         significant(left * (end - last), 2) +
-                        " m until the end; take off the record's mean, or give its velocity or displacement"});
+                        " m until the end; subtract the record's mean, or give its velocity or displacement"});
   }
   return list;
 }
@@ -150,7 +150,7 @@ double delay(double widths) {
 std::string cure(const BoundaryReflection& reflection, double end, double peak_in_it) {
   const std::string from = significant(reflection.time()) + " s on";
   const std::string hit = peak_in_it > 0. ? ", its peak at " + significant(peak_in_it) + " s with it" : "";
-  return ": from " + from + " F_T(t) holds its echo" + hit + "; move it to " +
+  return ": from " + from + " F_T(t) contains its echo" + hit + "; move it to " +
          significant(0.5 * reflection.speed * end) + " m" +
          (reflection.absorbing ? " (saturated ground absorbs little)" : ", or end the run before");
 }
@@ -265,7 +265,7 @@ NumberedWarnings boundary_layer_warnings(const Simulation& simulation) {
             significant(time) + " s, less than " + formula + " = " + significant(limit) + " s of its cells of " +
             significant(face.cell, 2) + " m: it overshoots by up to " +
             significant(100. * overshoot(face, degree, time), 2) +
-            " % from cell to cell there; take cells half as high there, or mesh.degree = 3; F_T does not feel it"};
+            " % from cell to cell there; take cells half as high there, or mesh.degree = 3; F_T is not affected"};
   }
   NumberedWarnings list;
   for (const auto& [soil, warning] : worst) list.push_back(warning);
@@ -301,9 +301,9 @@ NumberedWarnings layer_warnings(const Simulation& simulation) {
   return {{"drained_layer", error, largest_layer_error, "1",
            "water leaves a skin of " + significant(layer->skin, 2) + " m of '" + layer->region + "' into '" +
                layer->into + "' within " + significant(0.5 * duration) + " s, but cells of " +
-               significant(layer->cell, 2) + " m drain more, which makes " +
+               significant(layer->cell, 2) + " m drain a thicker one, which makes " +
                std::to_string(std::lround(100. * layer->share())) +
-               " % of what the ground under the caisson yields by" + ": F_T may err by up to " +
+               " % of the compliance of the ground under the caisson" + ": F_T may err by up to " +
                std::to_string(std::lround(100. * error)) + " %; " + cure(*layer, simulation.space->degree())}};
 }
 

@@ -26,15 +26,15 @@ NumberedWarnings yielding_warnings(const Summary& summary) {
     list.push_back(
         {"large_strain", peak.value, large_strain, "1",
          "the soil shears by " + significant(100. * peak.value) + " % " + where(peak) +
-             ": the equations take strains as small and the ground as it was, so that residual displacements "
-             "err by some such part, and a failing slope or base may hold or flow too far"});
+             ": the equations assume small strains and undeformed ground, so that residual displacements may err by "
+             "about that percentage, and a slope or base that fails may seem to hold or move too far"});
   if (peak.value > least_strain && peak.over_neighbours && *peak.over_neighbours > slip_line)
     list.push_back(
         {"slip_line", *peak.over_neighbours, slip_line, "1",
          "the cell " + where(peak) + " shears by " + significant(100. * peak.value) + " %, " +
              significant(*peak.over_neighbours) +
-             " times as much as those beside it: the soil slides along a line as narrow as the cells, and its "
-             "strain is that of the mesh; see with mesh.refine = 1 whether what is asked for stays"});
+             " times as much as those beside it: the soil slides along a line as narrow as the cells, and this strain "
+             "depends on their size; run with mesh.refine = 1 and see whether the numbers that you need change"});
   return list;
 }
 

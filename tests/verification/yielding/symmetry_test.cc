@@ -83,7 +83,8 @@ TEST_P(YieldingScenes, BothRoutesAgreeAndEnergyCloses) {
   const YieldingMarch found(scene, *mesh, given.end, step);
   Record record("yielding_identities");
   record.at_most(what + "both routes to F_T, over its largest", found.routes(), 1e-6);
-  record.at_most(what + "energy, work less all that it became, over the largest work", found.energy().mismatch(), 1e-8);
+  record.at_most(what + "energy, work minus all energies stored and taken, over the largest work",
+                 found.energy().mismatch(), 1e-8);
   record.at_most(what + "energy taken by the scheme, over the largest work",
                  std::abs(found.energy().scheme) / found.energy().largest_work, 0.01);
   record.at_least(what + "energy taken by the soil, over the largest work",

@@ -1,0 +1,81 @@
+#!/usr/bin/python3
+"""Words that docs/glossary.md bans do not come back: in its table "Not written", each row has the words and what is written
+instead. Looked at are README, CONTRIBUTING, docs, READMEs of cases and meshes (code left out), and the sentences in strings of
+src and postprocess (a string without a space is a key).
+
+    words.py FOLDER_OF_THE_PROJECT
+"""
+
+import io
+import pathlib
+import re
+import sys
+import tokenize
+
+HEADING = "## Not written"
+LITERAL = re.compile(r'"((?:[^"\\\n]|\\.)*)"')
+CODE = re.compile(r"^(```.*?^```|    .*?$)|`[^`\n]+`|\]\([^)\n]*\)|<!--.*?-->", re.DOTALL | re.MULTILINE)
+
+
+def banned(glossary):
+    """{pattern: what is written instead}"""
+    rows = re.findall(r"^\| (.+?) \| (.+?) \|$", glossary.split(HEADING, 1)[1], flags=re.MULTILINE)[1:]
+    listed = {re.compile(r"\b" + r"\s+".join(map(re.escape, words.split())) + r"\b", re.IGNORECASE): instead
+              for phrases, instead in rows for words in phrases.split("; ")}
+    assert len(listed) > 10, f"{HEADING} of the glossary has no table"
+    return listed
+
+
+def blank(match):
+    return re.sub(r"[^\n]", " ", match[0])
+
+
+def prose_of_page(text):
+    return [(1, CODE.sub(blank, text))]
+
+
+def prose_of_cpp(text):
+    """Adjacent literals are one sentence, at the line where it begins."""
+    text = re.sub(r'#include "[^"\n]*"|^[ \t]*//.*$', "", text, flags=re.MULTILINE)
+    text = re.sub(r'"(\s*\n\s*)"', lambda match: "\0" * match[1].count("\n"), text)
+    for match in LITERAL.finditer(text):
+        if " " in match[1]:
+            line = 1 + sum(text.count(mark, 0, match.start()) for mark in "\n\0")
+            yield line, re.sub(r"`[^`]+`", " ", match[1].replace("\0", "").replace("\\n", " "))
+
+
+def prose_of_python(text):
+    for token in tokenize.generate_tokens(io.StringIO(text).readline):
+        if token.type == tokenize.STRING and " " in token.string:
+            yield token.start[0], re.sub(r"`[^`]+`", " ", token.string)
+
+
+def sources(root):
+    pages = [root / "README.md", root / "CONTRIBUTING.md", *root.glob("docs/**/*.md"), *root.glob("cases/**/*.md"), *root.glob("meshes/*.md")]
+    for path in pages:
+        if path != root / "docs/glossary.md":
+            yield path, prose_of_page
+    for path in sorted(root.glob("src/**/*")):
+        if path.suffix in (".cc", ".h"):
+            yield path, prose_of_cpp
+    for path in sorted(root.glob("postprocess/**/*.py")):
+        yield path, prose_of_python
+
+
+def main():
+    root = pathlib.Path(sys.argv[1])
+    words = banned((root / "docs/glossary.md").read_text(encoding="utf-8"))
+    found, n = [], 0
+    for path, prose in sources(root):
+        n += 1
+        for line, text in prose(path.read_text(encoding="utf-8")):
+            for pattern, instead in words.items():
+                for match in pattern.finditer(text):
+                    at = line + text.count("\n", 0, match.start())
+                    found.append(f"{path.relative_to(root)}:{at}: '{match[0]}': write {instead}")
+    print("\n".join(found) or f"words: {n} files without any of {len(words)} banned phrases")
+    return bool(found)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
