@@ -9,6 +9,7 @@ from pathlib import Path
 
 from common import keep_inputs, run
 from report import page, pdf
+from report.language import LANGUAGES
 from upbead.errors import UserError
 from upbead.results import Result
 
@@ -21,6 +22,7 @@ def main():
     parser.add_argument(
         "-o", "--output", type=Path, metavar="FILE", help="the page (.html); default: report.html in the folder"
     )
+    parser.add_argument("--language", choices=LANGUAGES, help="of the document; default: that of the case, else English")
     parser.add_argument("--pdf", type=Path, metavar="FILE", help="print the page to this file too; needs Chromium")
     parser.add_argument(
         "--case",
@@ -32,7 +34,7 @@ def main():
     output = arguments.output or arguments.folder / "report.html"
     for file in filter(None, (output, arguments.pdf)):
         keep_inputs(file, arguments.folder, *filter(None, (arguments.case,)))
-    text = page.build(Result(arguments.folder), arguments.case)
+    text = page.build(Result(arguments.folder), arguments.case, arguments.language)
     try:
         output.write_text(text, encoding="utf-8")
     except OSError as error:

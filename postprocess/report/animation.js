@@ -4,6 +4,7 @@
   const figure = document.querySelector("figure.animation");
   if (!figure) return;
   const WATER = 1, RIGID = 2, SECONDS = 8;  // a whole run is played in so many seconds
+  const WORDS = JSON.parse(document.querySelector("script.words").textContent);
   const data = JSON.parse(figure.querySelector("script.fields").textContent);
 
   const bytes = (text) => Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0)).buffer;
@@ -31,7 +32,7 @@
   const clock = document.createElement("output");
   play.type = "button";
   Object.assign(slider, {type: "range", min: 0, max: data.times.length - 1, step: 1, value: 0});
-  slider.setAttribute("aria-label", "time");
+  slider.setAttribute("aria-label", WORDS.time);
   tools.append(play, slider, clock);
   figure.insertBefore(host, figure.firstChild);
   figure.insertBefore(tools, host.nextSibling);
@@ -136,12 +137,12 @@
   function stop() {
     clearInterval(timer);
     timer = null;
-    play.textContent = "play";
+    play.textContent = WORDS.play;
   }
 
   function start() {
     if (+slider.value === data.times.length - 1) slider.value = 0;
-    play.textContent = "pause";
+    play.textContent = WORDS.pause;
     timer = setInterval(() => {
       slider.value = (+slider.value + 1) % data.times.length;
       draw();

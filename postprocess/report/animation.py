@@ -7,8 +7,8 @@ import numpy as np
 
 from report import frames as fields
 from report import geometry, ticks, units
-from report.figure import words
-from report.markup import Markup, data, join, tag
+from report.language import phrase, say
+from report.markup import Markup, data, tag
 from upbead.errors import UserError
 
 SHARE = 0.04  # of the width, that the largest displacement is drawn as
@@ -21,18 +21,22 @@ def section(result, window):
     pvd = result.folder / "fields.pvd"
     if not pvd.is_file():
         return Markup("")
-    title = tag("h2", "Deformation and pore pressure")
+    title = tag("h2", say("Deformation and pore pressure"))
     try:
         frames = fields.read(pvd, window)
     except UserError as error:
-        return tag("section", title, tag("p", f"Not shown: {error}.", class_="quiet"), id="fields-section")
+        return tag("section", title, tag("p", say("Not shown: {why}.", why=error), class_="quiet"), id="fields-section")
     told = summary(frames)
     peak = (result.summary.get("response") or {}).get("peak_shear_time", float(frames.times[len(frames.times) // 2]))
     told["start"] = index = int(np.argmin(np.abs(frames.times - peak)))
-    caption = words(
-        f"Displacements drawn {units.plain(told['magnify'])} times too large; excess pore pressure in colour, ",
-        f"{told['scale']['text'][0]} to {told['scale']['text'][1]} (beyond: the end colours). ",
-        tag("span", f"On paper: the moment {frames.times[index]:.4g} s.", class_="onpaper"),
+    low, high = told["scale"]["text"]
+    caption = phrase(
+        "Displacements drawn {magnify} times too large; excess pore pressure in colour, {low} to {high} "
+        "(beyond: the end colours). {moment}",
+        magnify=units.plain(told["magnify"]),
+        low=low,
+        high=high,
+        moment=tag("span", say("On paper: the moment {time} s.", time=f"{frames.times[index]:.4g}"), class_="onpaper"),
     )
     figure = tag(
         "figure",
@@ -113,7 +117,7 @@ def still(frames, told, index):
         class_="still",
         viewBox=f"0 0 {WIDTH} {(y1 - y0) * scale + 24:.0f}",
         role="img",
-        aria_label="deformed section",
+        aria_label=say("deformed section"),
     )
 
 
@@ -129,6 +133,6 @@ def legend(told):
         "div",
         tag("span", low),
         tag("span", *steps, class_="bar"),
-        tag("span", join([high, " pore pressure"])),
+        tag("span", say("{high} pore pressure", high=high)),
         class_="colours",
     )

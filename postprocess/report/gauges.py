@@ -1,5 +1,6 @@
 """What transducers along the wall or the bottom saw, and how well their number and places give the force."""
 
+from report.language import heads, say
 from report.markup import Markup, fold, table
 from report.units import percent, quantity
 
@@ -34,4 +35,4 @@ def records(summary):
         )
         for name, row in (summary.get("gauges") or {}).items()
     ]
-    return fold("Records of transducers", table(HEAD, rows, "numbers"), open_=True) if rows else Markup("")
+    return fold(say("Records of transducers"), table(heads(*HEAD), rows, "numbers"), open_=True) if rows else Markup("")

@@ -1,7 +1,8 @@
 """The inputs of a case as tables, group by group: regions, loads, boundaries and the rest."""
 
 from report.inputs import written_as
-from report.markup import Markup, fold, join, tag
+from report.language import listed, named, say, told
+from report.markup import Markup, fold, join, prose, tag
 from report.source_case import PATHS
 
 TITLES = {
@@ -15,7 +16,7 @@ TITLES = {
     "sliding": "Sliding",
     "initial": "State before the waves",
 }
-KINDS = {"regions": "", "loads": "Load ", "probes": "", "boundaries": ""}
+KINDS = ("regions", "loads", "probes", "boundaries")
 ORDER = [
     "mesh.parameters",
     "regions",
@@ -50,16 +51,16 @@ def title_of(group, members):
     """A group's name; a region's kind and a load that is off stand beside it."""
     own = {row.path[-1]: row.value for row in members if len(row.path) == 3}
     if group[0] == "regions" and "kind" in own:
-        return f"{group[1].replace('_', ' ')}, {own['kind']}"
+        return f"{named(group[1])}, {told(own['kind'])}"
     if group[0] == "loads" and own.get("factor") == 0:
-        return f"Load {group[1].replace('_', ' ')}, switched off"
+        return say("Load {name}, switched off", name=named(group[1]))
     if group[0] == "boundaries":
-        return "Boundaries"
+        return say("Boundaries")
     if group[0] == "probes":
-        return "Points read"
+        return say("Points read")
     if len(group) == 2:
-        return KINDS[group[0]] + group[1].replace("_", " ")
-    return TITLES.get(group[0], group[0].replace("_", " "))
+        return say("Load {name}", name=named(group[1])) if group[0] == "loads" else named(group[1])
+    return told(TITLES.get(group[0], group[0].replace("_", " ")))
 
 
 def grouped(found):
@@ -73,14 +74,14 @@ def label_of(row):
     """The meaning and the key, and the author's remark below."""
     inner = row.path[2:-1] if row.path[0] in KINDS else row.path[1:-1] if row.path[:2] != ("mesh", "parameters") else ()
     key = tag("code", ".".join([*inner, row.path[-1]]))
-    return join([row.what, " ", key, tag("div", row.remark, class_="remark") if row.remark else ""])
+    return join([prose(told(row.what)), " ", key, tag("div", row.remark, class_="remark") if row.remark else ""])
 
 
 def tables(found):
     """Given values, group by group, then the defaults in a fold."""
     given = [row for row in found if row.mark != "default"]
     taken = [row for row in found if row.mark == "default"]
-    return join([columns(given), fold(f"{len(taken)} defaults", columns(taken)) if taken else Markup("")])
+    return join([columns(given), fold(say("{count} defaults", count=len(taken)), columns(taken)) if taken else Markup("")])
 
 
 def columns(found):
@@ -101,7 +102,7 @@ def value_rows(members):
     shown = [row for row in members if row.path[0] != "regions" or row.path[2:] != ("kind",)] or members
     return [
         tag(
-            "tr", tag("th", label_of(row), scope="row"), value_cell(row), tag("td", row.mark, class_="mark-" + row.mark)
+            "tr", tag("th", label_of(row), scope="row"), value_cell(row), mark_cell(row.mark)
         )
         for row in shown
     ]
@@ -112,6 +113,10 @@ def value_cell(row):
     return tag("td", show(row), class_="text" if isinstance(row.value, str) and len(row.value) > 12 else "number")
 
 
+def mark_cell(mark):
+    return tag("td", told(mark), class_="mark-" + mark)
+
+
 def boundary_rows(members):
     """One row for each boundary: both of its conditions."""
     found = {}
@@ -120,12 +125,15 @@ def boundary_rows(members):
     return [
         tag(
             "tr",
-            tag("th", name.replace("_", " "), scope="row"),
+            tag("th", named(name), scope="row"),
             tag(
                 "td",
-                ", ".join(f"{row.value}" + (" for water" if row.path[-1] == "pressure" else "") for row in conditions),
+                listed(
+                    say("{condition} for water", condition=told(row.value)) if row.path[-1] == "pressure" else told(row.value)
+                    for row in conditions
+                ),
             ),
-            tag("td", conditions[0].mark, class_="mark-" + conditions[0].mark),
+            mark_cell(conditions[0].mark),
         )
         for name, conditions in found.items()
     ]
@@ -135,9 +143,9 @@ def point_rows(members):
     return [
         tag(
             "tr",
-            tag("th", row.path[1].replace("_", " "), scope="row"),
+            tag("th", named(row.path[1]), scope="row"),
             value_cell(row),
-            tag("td", row.mark, class_="mark-" + row.mark),
+            mark_cell(row.mark),
         )
         for row in members
     ]

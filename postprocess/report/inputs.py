@@ -4,6 +4,7 @@ import math
 from dataclasses import dataclass
 
 from report import geometry, reference
+from report.language import say
 from report.source_case import PATHS
 from report.units import plain, pretty, scale
 
@@ -42,7 +43,7 @@ def rows(case, source, units=None):
             unit = "N/m" if case["loads"][path[1]].get("kind", "force") == "force" else "Pa"
         mark, remark = status(path, value, key, source)
         found.append(Row(path, what or " ".join(path[2:]).replace("_", " "), value, unit, mark, remark))
-    return [row for row in found if row.path != ("title",)]
+    return [row for row in found if row.path != ("title",) and row.path[0] != "report"]
 
 
 def leaves(table_, path=()):
@@ -60,10 +61,10 @@ def status(path, value, key, source):
         return ("default" if is_default else "given"), ""
     written = source.value(path)
     if written is None:
-        return ("default", "") if is_default else ("changed", "set for this run")
+        return ("default", "") if is_default else ("changed", say("set for this run"))
     same = written == value or path[-1] in PATHS  # a path is rewritten for the result's folder
     if not same:
-        return "changed", f"set for this run; the case file has {written_as(written, key.unit if key else '')}"
+        return "changed", say("set for this run; the case file has {value}", value=written_as(written, key.unit if key else ""))
     is_number = isinstance(value, (int, float, list)) and not isinstance(value, bool)
     mark, remark = source.mark(path, is_number, path[0] in PHYSICAL and path[-1] not in SWITCHES)
     return mark or "given", remark

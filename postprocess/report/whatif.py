@@ -4,6 +4,7 @@ import tomllib
 
 import h5py
 
+from report.language import say, spoken
 from report.markup import Markup, tag
 from upbead import live
 from upbead.errors import ModelError
@@ -21,14 +22,19 @@ def section(result):
     try:
         data, case = model_data(path), case_of(path)
     except (ModelError, OSError, KeyError, ValueError) as error:
-        return told(f"The reduced model beside this run cannot be shown: {error}.")
+        return note(say("The reduced model beside this run cannot be shown: {why}.", why=error))
     if scene_of(case) != scene_of(result.case):
-        return told("The reduced model beside this run is of another scene, and is not shown.")
-    return tag("section", tag("h2", "What if"), Markup(live.section(data)), id="what-if")
+        return note(say("The reduced model beside this run is of another scene, and is not shown."))
+    return tag("section", tag("h2", say("What if")), english(), Markup(live.section(data)), id="what-if")
 
 
-def told(text):
-    return tag("section", tag("h2", "What if"), tag("p", text, class_="quiet"), id="what-if")
+def english():
+    """The calculator speaks English alone."""
+    return tag("p", say("What follows is in English."), class_="quiet") if spoken() != "en" else Markup("")
+
+
+def note(text):
+    return tag("section", tag("h2", say("What if")), tag("p", text, class_="quiet"), id="what-if")
 
 
 def case_of(path):
