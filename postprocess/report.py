@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Makes one self-contained HTML page of a run: for those who ask for the numbers, not for the program.
+"""Makes one self-contained HTML page of a run, study, life, calibration or waves: for those who ask for the numbers, not for the program.
 
 The page needs no network and no other file; it can be mailed. It prints on A4, and --pdf does that by Chromium.
 """
@@ -8,16 +8,15 @@ import argparse
 from pathlib import Path
 
 from common import keep_inputs, run
-from report import page, pdf
+from report import kinds, pdf
 from report.language import LANGUAGES
 from upbead.errors import UserError
-from upbead.results import Result
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument(
-        "folder", type=Path, help="folder of a finished run, with results.h5, summary.json and case.toml"
+        "folder", type=Path, help="folder that run, study, expected, calibrate or waves wrote"
     )
     parser.add_argument(
         "-o", "--output", type=Path, metavar="FILE", help="the page (.html); default: report.html in the folder"
@@ -34,7 +33,7 @@ def main():
     output = arguments.output or arguments.folder / "report.html"
     for file in filter(None, (output, arguments.pdf)):
         keep_inputs(file, arguments.folder, *filter(None, (arguments.case,)))
-    text = page.build(Result(arguments.folder), arguments.case, arguments.language)
+    text = kinds.build(arguments.folder, arguments.case, arguments.language)
     try:
         output.write_text(text, encoding="utf-8")
     except OSError as error:

@@ -8,8 +8,13 @@ import numpy as np
 
 def slip(mass, time, force, resistance):
     """Where the block comes to rest (m, landward)."""
+    moving = np.flatnonzero(np.abs(force) > resistance)
+    if not moving.size:
+        return 0.0
     place = speed = 0.0
-    for n in range(len(time) - 1):
+    for n in range(max(int(moving[0]) - 1, 0), len(time) - 1):
+        if speed == 0.0 and n >= moving[-1] + 1:
+            break
         place, speed = through(mass, place, speed, time[n + 1] - time[n], force[n : n + 2], resistance[n : n + 2])
     return float(place + np.sign(speed) * mass * speed**2 / (2.0 * resistance[-1]))
 
@@ -52,9 +57,15 @@ def start(lines, length, left):
 
 
 def stop(speed, a, jerk):
-    """The least t > 0 with speed + a t + jerk t^2/2 = 0; infinity where there is none."""
-    if speed == 0 and a >= 0 and jerk >= 0:
+    """The least t > 0 with speed + a t + jerk t^2/2 = 0; infinity where there is none.
+
+    Roots without cancellation, after Press et al., Numerical Recipes, section 5.6.
+    """
+    if speed == 0:
+        return -2.0 * a / jerk if jerk < 0 else np.inf  # it has just started: a >= 0
+    square = a * a - 2.0 * jerk * speed
+    if square < 0:
         return np.inf
-    roots = np.roots([jerk / 2, a, speed]) if jerk else np.array([-speed / a]) if a else np.array([])
-    real = [root.real for root in np.atleast_1d(roots) if abs(root.imag) < 1e-12 and root.real > 1e-12]
-    return min(real, default=np.inf)
+    q = -(a + (-1.0 if a < 0 else 1.0) * np.sqrt(square))
+    roots = [number / under for number, under in ((q, jerk), (2.0 * speed, q)) if under]
+    return min((root for root in roots if root > 0), default=np.inf)

@@ -15,6 +15,15 @@ TITLES = {
     "output": "Output",
     "sliding": "Sliding",
     "initial": "State before the waves",
+    "section": "Section",
+    "waves": "Waves",
+    "sea": "Sea",
+    "duration": "Duration of the pulse",
+    "combined": "Pulse beside a standing wave",
+    "impact": "Course of impulsive forces",
+    "calibration": "Calibration",
+    "life": "Lives",
+    "limits": "Limits",
 }
 KINDS = ("regions", "loads", "probes", "boundaries")
 ORDER = [

@@ -22,12 +22,13 @@ class Row:
     remark: str
 
 
-def rows(case, source, units=None):
+def rows(case, source, units=None, known=None):
     """Every value of the effective case as a Row.
 
-    `source` is None where the author's file is not known. `units` by path come before those of the reference.
+    `source` is None where the author's file is not known. `units` by path come before those of the reference,
+    which is that of cases where `known` gives no other.
     """
-    known = reference.read()
+    known = reference.read() if known is None else known
     declared = geometry.declared(case.get("mesh", {}).get("geometry", ""))
     found = []
     order = list(declared)
@@ -62,7 +63,8 @@ def status(path, value, key, source):
     written = source.value(path)
     if written is None:
         return ("default", "") if is_default else ("changed", say("set for this run"))
-    same = written == value or path[-1] in PATHS  # a path is rewritten for the result's folder
+    # a path is rewritten for the result's folder, a range is spelled out
+    same = written == value or path[-1] in PATHS or isinstance(written, dict)
     if not same:
         return "changed", say("set for this run; the case file has {value}", value=written_as(written, key.unit if key else ""))
     is_number = isinstance(value, (int, float, list)) and not isinstance(value, bool)

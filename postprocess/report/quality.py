@@ -25,8 +25,12 @@ def warnings(summary):
     items = (
         tag("li", tag("strong", named(warning["name"])), ": ", prose(warning["text"])) for warning in found
     )
-    note = tag("p", say("The texts of the program are in English."), class_="quiet") if spoken() != "en" else ""
-    return join([tag("h3", say("Warnings")), note, tag("ul", *items, class_="warnings")])
+    return join([tag("h3", say("Warnings")), in_english(), tag("ul", *items, class_="warnings")])
+
+
+def in_english():
+    """The program's own texts are not translated."""
+    return tag("p", say("The texts of the program are in English."), class_="quiet") if spoken() != "en" else Markup("")
 
 
 def errors(summary):

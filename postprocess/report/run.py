@@ -5,7 +5,7 @@ import platform
 import h5py
 import numpy as np
 
-from report.language import say, told
+from report.language import named, say, told
 from report.markup import Markup, fold, join, table, tag
 from report.units import quantity
 from upbead import outputs
@@ -14,7 +14,10 @@ SIZES = ("cells", "degree", "unknowns", "scheme", "time_step", "steps", "solves"
 
 
 def section(result):
-    summary = result.summary
+    return section_of(result.summary)
+
+
+def section_of(summary):
     parts = [tag("h2", say("The run")), tag("div", sizes(summary), times(summary), versions(summary), class_="side")]
     return tag("section", *parts, id="run")
 
@@ -30,7 +33,8 @@ def sizes(summary):
 
 
 def times(summary):
-    rows = [(told(what), quantity(float(value), "s")) for what, value in (summary.get("timing") or {}).items()]
+    rows = [(named(what), quantity(float(value), "s")) for what, value in (summary.get("timing") or {}).items()
+            if value is not None and what != "processes"]
     return tag("div", tag("h3", say("Wall time")), table(None, rows, "numbers")) if rows else Markup("")
 
 

@@ -54,12 +54,12 @@ def pretty(unit):
     return "" if unit in ("1", "-") else unit.replace("m2", "m²").replace("m3", "m³").replace("s2", "s²")
 
 
-def quantity(value, unit="", room=10.0):
+def quantity(value, unit="", room=10.0, digits=4):
     """Markup of a number with its unit; the exact SI value stands in the attribute `value`."""
     if value is None:
         return Markup(say("none"))
     factor, name = scale(unit, value, room) if math.isfinite(value) else (1.0, unit)
-    text = f"{plain(value * factor if factor != 1.0 else value)} {pretty(name)}".strip()
+    text = f"{plain(value * factor if factor != 1.0 else value, digits)} {pretty(name)}".strip()
     return tag("data", text.replace(" ", "\u00a0"), value=repr(value))
 
 

@@ -50,7 +50,7 @@ def slides(result):
             )
         return say("By this run the caisson has not moved over its mound in the end.")
     way = say("landward") if measure.value > 0 else say("seaward")
-    return phrase("By this run the caisson slides {distance} {way}.", distance=quantity(abs(measure.value), "m"), way=way)
+    return phrase("By this run the caisson slides about {distance} {way}.", distance=rounded(measure.value, "m"), way=way)
 
 
 def shear(result):
@@ -59,13 +59,18 @@ def shear(result):
     if not result.has_caisson or response.get("peak_shear") is None:
         return "" if not result.has_caisson else say("The run tells no shear force.")
     key, _, force = larger_way(response)
-    peak = phrase("The peak shear force at its bottom is $F_T$ = {peak}", peak=quantity(abs(response[key]), "N/m"))
+    peak = phrase("The peak shear force at its bottom is about $F_T$ = {peak}", peak=rounded(response[key], "N/m"))
     ratio = response.get("shear_to_force_ratio")
     if ratio is None:
         return phrase("{peak}; its ratio to the wave's force is not told, as there is no such force.", peak=peak)
     share = tag("data", f"{ratio:.3f}", value=repr(ratio))
     return phrase("{peak}, {ratio} of the wave's peak force $P$ = {force}.", peak=peak, ratio=share,
-                  force=quantity(abs(response[force]), "N/m"))  # fmt: skip
+                  force=rounded(response[force], "N/m"))  # fmt: skip
+
+
+def rounded(value, unit):
+    """Its size in three digits: a sentence is not surer than the run."""
+    return quantity(abs(value), unit, digits=3)
 
 
 def larger_way(response):
