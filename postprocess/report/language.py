@@ -1,4 +1,5 @@
-"""What the document says, in English or in Japanese: the code holds the English, words.toml the Japanese beside it.
+"""What the document says, in English or in Japanese: the code holds the English, the table in words/ the Japanese
+beside it.
 
 In a phrase `$F_T$` is a symbol, `` `case` `` is code, and `{name}` is a value.
 """
@@ -34,7 +35,8 @@ def spoken():
 @cache
 def table():
     """{English: Japanese}."""
-    return tomllib.loads(Path(__file__).with_name("words.toml").read_text(encoding="utf-8"))
+    files = sorted((Path(__file__).parent / "words").glob("*.toml"))
+    return {english: word for file in files for english, word in tomllib.loads(file.read_text(encoding="utf-8")).items()}
 
 
 def say(english, **values):
