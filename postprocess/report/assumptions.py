@@ -13,13 +13,12 @@ DECIDING = (
     ("saturation",),
     ("law",),
     ("measured_on_wall",),
-    ("gravity",),
 )
 
 
 def section(summary, rows, source, of_run=True):
     """`rows` are those of the inputs; `source` is the author's file, or None."""
-    parts = [head(source), chosen(rows), stands_on(summary)]
+    parts = [head(source), chosen(rows, source), stands_on(summary)]
     inside = [part for part in parts if part]
     return tag("section", tag("h2", say("Assumptions")), *inside, id="assumptions") if inside and of_run else Markup("")
 
@@ -38,14 +37,13 @@ def head(source):
     return tag("blockquote", prose(" ".join(source.head.split())), foot)
 
 
-def chosen(rows):
+def chosen(rows, source):
     marked = [row for row in rows if row.mark in MARKS]
     defaults = [row for row in rows if row.mark == "default" and any(row.path[-len(end) :] == end for end in DECIDING)]
-    if not marked and not defaults:
-        return Markup("")
     note = say("Values that were assumed, calibrated or derived, and defaults that may decide. All values stand in the appendix.")
-    none = say("No value of this case is marked as assumed or calibrated.") if not marked else ""
-    return join([tag("p", note), tag("p", none) if none else "", input_tables.columns([*marked, *defaults])])
+    none = say("No value of this case is marked as assumed or calibrated.") if source and rows and not marked else ""
+    shown = input_tables.columns([*marked, *defaults]) if marked or defaults else ""
+    return join([tag("p", note) if shown else "", tag("p", none) if none else "", shown])
 
 
 def stands_on(summary):

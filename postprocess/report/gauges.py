@@ -1,6 +1,6 @@
 """What transducers along the wall or the bottom saw, and how well their number and places give the force."""
 
-from report.language import heads, say
+from report.language import heads, say, spaced
 from report.markup import Markup, fold, table
 from report.units import percent, quantity
 
@@ -22,7 +22,7 @@ def records(summary):
     """A fold with one row for each record; nothing where there are none."""
     rows = [
         (
-            name.replace("_", " "),
+            spaced(name),
             quantity(row.get("gauges")),
             quantity(row.get("samples")),
             quantity(row.get("peak_pressure"), "Pa"),

@@ -1,7 +1,7 @@
 """The inputs of a case as tables, group by group: regions, loads, boundaries and the rest."""
 
 from report.inputs import written_as
-from report.language import listed, named, say, told
+from report.language import listed, named, say, spaced, told
 from report.markup import Markup, fold, join, prose, tag
 from report.source_case import PATHS
 
@@ -45,7 +45,9 @@ ORDER = [
 
 def show(row):
     """A row's value; of a path its last part, as folders tell a client nothing."""
-    return row.value.replace("\\", "/").rpartition("/")[2] if row.path[-1] in PATHS else written_as(row.value, row.unit)
+    if row.path[-1] in PATHS:
+        return row.value.replace("\\", "/").rpartition("/")[2]
+    return told(row.value) if isinstance(row.value, str) else written_as(row.value, row.unit)
 
 
 def group_of(path):
@@ -62,13 +64,13 @@ def title_of(group, members):
     if group[0] == "regions" and "kind" in own:
         return f"{named(group[1])}, {told(own['kind'])}"
     if group[0] == "loads" and own.get("factor") == 0:
-        return say("Load {name}, switched off", name=named(group[1]))
+        return say("Load {name}, switched off", name=spaced(group[1]))
     if group[0] == "boundaries":
         return say("Boundaries")
     if group[0] == "probes":
         return say("Points read")
     if len(group) == 2:
-        return say("Load {name}", name=named(group[1])) if group[0] == "loads" else named(group[1])
+        return say("Load {name}", name=spaced(group[1])) if group[0] == "loads" else named(group[1])
     return told(TITLES.get(group[0], group[0].replace("_", " ")))
 
 

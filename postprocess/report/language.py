@@ -67,8 +67,13 @@ def listed(parts):
 
 
 def named(name):
-    """A name of the case or of the program's output: words of the program are translated, others only spaced."""
-    return told(name.replace("_", " "))
+    """A name that the program gives or knows: a region, a side, a check."""
+    return told(spaced(name))
+
+
+def spaced(name):
+    """A name that the author gives: a load, a wave, a record."""
+    return name.replace("_", " ")
 
 
 def sentences(parts):

@@ -2,7 +2,7 @@
 
 from report import gauges, waves
 from report.drawing import acting
-from report.language import heads, listed, named, phrase, say, told
+from report.language import heads, listed, named, phrase, say, spaced, told
 from report.markup import Markup, prose, table, tag
 from report.measures import at
 from report.units import quantity
@@ -24,7 +24,7 @@ def row(name, load, result):
     arm = (at(result.summary, "loads") or {}).get(name, {}).get("arm")
     height = quantity(arm, "m") if arm is not None else ""
     where = load.get("boundary") or load.get("region") or ""
-    return named(name), named(where), named(load.get("kind", "force")), course(load), height
+    return spaced(name), named(where), named(load.get("kind", "force")), course(load), height
 
 
 def course(load):

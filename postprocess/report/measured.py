@@ -3,7 +3,7 @@
 import numpy as np
 
 from report import figure
-from report.language import heads, named, phrase, say
+from report.language import heads, phrase, say, spaced
 from report.markup import Markup, table, tag
 from report.plot import Line, Panel, Plot
 from report.units import percent, quantity
@@ -57,10 +57,10 @@ def section(result):
             history = result.history(reading)
             unit = unit or history.unit
             lines.append(Line(say("computed"), np.asarray(result.time), np.asarray(history), 2))
-        panels.append(Panel(unit, lines, title=named(name)))
+        panels.append(Panel(unit, lines, title=spaced(name)))
     start, end = float(result.time[0]), float(result.time[-1])
     plot = Plot("measured", panels, window=(start, end))
-    described = " ".join(f"{named(name)}: {description.rstrip('.')}." for name, *_, description in found if description)
+    described = " ".join(f"{spaced(name)}: {description.rstrip('.')}." for name, *_, description in found if description)
     caption = phrase("Measured records and what was computed. {described}", described=described)
     return tag(
         "section",
@@ -77,7 +77,7 @@ def compared(result, found):
         unit = units.get(name, "")
         rows.append(
             (
-                named(name),
+                spaced(name),
                 tag("code", numbers.get("reading", "")),
                 quantity(numbers.get("peak_measured"), unit),
                 quantity(numbers.get("peak_computed"), unit),

@@ -4,7 +4,7 @@ from pathlib import Path
 
 from report import assumptions, author, head, input_tables, inputs, page, quality, reference, run, source_case
 from report.document import document
-from report.language import named, say, sentences, speaking
+from report.language import named, say, sentences, spaced, speaking
 from report.markup import Markup, join, prose, tag
 from upbead.results import read_case, read_summary
 
@@ -65,7 +65,7 @@ def warning_section(found):
         nothing = tag("p", say("The program found nothing to warn of."))
         return tag("section", tag("h2", say("How far to trust these numbers")), nothing, id="quality")
     items = [
-        tag("li", f"{named(of)}: " if of else "", tag("strong", named(name), class_=None), ": ", prose(text))
+        tag("li", f"{spaced(of)}: " if of else "", tag("strong", named(name), class_=None), ": ", prose(text))
         for of, name, text in found
     ]
     parts = tag("h3", say("Warnings")), quality.in_english(), tag("ul", *items, class_="warnings")

@@ -5,8 +5,8 @@ from report.drawing import metres
 from report.figure import of_drawing
 from report.head import card
 from report.kinds.frame import result_section
-from report.language import heads, named, phrase, say
-from report.markup import Markup, join, table, tag
+from report.language import heads, phrase, say, spaced
+from report.markup import Markup, join, table, tag, text
 from report.units import plain, quantity
 
 KIND = "Report of wave forces by upbead"
@@ -23,13 +23,13 @@ def verdict(summary):
     worst = max(waves, key=lambda name: waves[name]["sliding_exact"] or 0.0)
     distance = waves[worst]["sliding_exact"]
     if distance:
-        words.append(phrase("The wave {name} slides it about {distance} by eqs. (4) and (6).", name=named(worst), distance=quantity(distance, "m", digits=3)))
+        words.append(phrase("The wave {name} slides it about {distance} by eqs. (4) and (6).", name=spaced(worst), distance=quantity(distance, "m", digits=3)))
     words.append(say("These are formulas: neither the ground nor the course of a measured wave is in them."))
     largest = max(waves, key=lambda name: waves[name]["force"])
     cards = [
-        card(phrase("largest force $P$"), quantity(waves[largest]["force"], "N/m"), named(largest)),
-        card(say("least safety against sliding"), quantity(waves[sliding]["safety_sliding"], digits=3), named(sliding)),
-        card(say("least safety against overturning"), quantity(waves[turning]["safety_overturning"], digits=3), named(turning)),
+        card(phrase("largest force $P$"), quantity(waves[largest]["force"], "N/m"), spaced(largest)),
+        card(say("least safety against sliding"), quantity(waves[sliding]["safety_sliding"], digits=3), spaced(sliding)),
+        card(say("least safety against overturning"), quantity(waves[turning]["safety_overturning"], digits=3), spaced(turning)),
     ]
     return words, cards
 
@@ -41,7 +41,7 @@ def verdict_of(what, name, safety):
         ("overturning", True): "It holds against overturning: the least safety factor is {safety}, in the wave {name}.",
         ("overturning", False): "It does not hold against overturning: the safety factor is {safety} in the wave {name}.",
     }
-    told = phrase(words[what, safety >= 1], safety=quantity(safety, digits=3), name=named(name))
+    told = phrase(words[what, safety >= 1], safety=quantity(safety, digits=3), name=spaced(name))
     return told if safety >= 1 else tag("strong", told, class_="fails")
 
 
@@ -55,20 +55,29 @@ def sections(summary):
 
 
 def pressures(waves):
-    keys = (("height", "m"), ("period", "s"), ("alpha_star", ""), ("p1", "Pa"), ("p3", "Pa"), ("p4", "Pa"), ("pu", "Pa"), ("force", "N/m"),
-            ("force_moment", "N m/m"), ("uplift", "N/m"))  # fmt: skip
-    rows = [(named(name), *(quantity(wave[key], unit) for key, unit in keys)) for name, wave in waves.items()]
-    return table(heads("wave", "H", "T", "alpha*", "$p_1$", "$p_3$", "$p_4$", "$p_u$", "P", "$M_P$", "U"), rows, "numbers")
+    keys = (("H", "height", "m"), ("T", "period", "s"), ("alpha*", "alpha_star", ""), ("$p_1$", "p1", "Pa"), ("$p_3$", "p3", "Pa"),
+            ("$p_4$", "p4", "Pa"), ("$p_u$", "pu", "Pa"), ("P", "force", "N/m"), ("$M_P$", "force_moment", "N m/m"), ("U", "uplift", "N/m"))  # fmt: skip
+    return beside({phrase(sign): [quantity(wave[key], unit) for wave in waves.values()] for sign, key, unit in keys}, waves)
 
 
 def checks(waves):
-    rows = [
-        (named(name), quantity(wave["safety_sliding"], digits=3), quantity(wave["safety_overturning"], digits=3), heel(wave["heel_pressure"]),
-         *(quantity(wave[key], unit) for key, unit in (("tau_0", "s"), ("sliding_paper", "m"), ("sliding_exact", "m"), ("sliding_combined", "m"))))
-        for name, wave in waves.items()
-    ]  # fmt: skip
-    head = heads("wave", "safety, sliding", "safety, overturning", "heel pressure", "$τ_0$", "$S$, eq. (7)", "$S$, eqs. (4), (6)", "$S$, combined (1998)")
-    return table(head, rows, "numbers")
+    rows = {
+        say("safety, sliding"): [quantity(wave["safety_sliding"], digits=3) for wave in waves.values()],
+        say("safety, overturning"): [quantity(wave["safety_overturning"], digits=3) for wave in waves.values()],
+        say("heel pressure"): [heel(wave["heel_pressure"]) for wave in waves.values()],
+    }
+    for sign, key, unit in (("$τ_0$", "tau_0", "s"), ("$S$, eq. (7)", "sliding_paper", "m"), ("$S$, eqs. (4), (6)", "sliding_exact", "m"),
+                            ("$S$, combined (1998)", "sliding_combined", "m")):  # fmt: skip
+        rows[phrase(sign)] = [quantity(wave[key], unit) for wave in waves.values()]
+    return beside(rows, waves)
+
+
+def beside(rows, waves):
+    """A column for each wave; where there are many, a row for each."""
+    names = [Markup(text(spaced(name))) for name in waves]
+    if len(names) <= MOST_DRAWN:
+        return table(heads("quantity", *names), [(name, *cells) for name, cells in rows.items()], "numbers")
+    return table(heads("wave", *map(Markup, rows)), list(zip(names, *rows.values())), "numbers")
 
 
 def heel(value):
@@ -80,7 +89,7 @@ def drawn(section, name, wave):
     caption = phrase(
         "{name}: $H$ = {height}, $T$ = {period}, α* = {alpha}. Pressures on the wall and under the bottom; dashed: without $α_I$. The slopes of the "
         "mound are drawn 1 : 2, as the formulas do not know them.",
-        name=named(name),
+        name=spaced(name),
         height=quantity(wave["height"], "m", digits=3),
         period=quantity(wave["period"], "s", digits=3),
         alpha=quantity(wave["alpha_star"], digits=3),
@@ -95,7 +104,7 @@ def drawing(section, wave, width, class_):
     reach = 0.7 * (base + crest) / max(wave["p1"], wave["p3"], wave["p4"], wave["pu"])  # m per Pa
     front, back = section["berm_width"], 0.5 * B
     toe = -front - SLOPE * (h - berm)
-    canvas = Canvas((min(toe, -0.9 * (base + crest)) - 1, B + back + SLOPE * (h - base) + 1, -h, crest), width, (8, 8, 30, 12))
+    canvas = Canvas((min(toe, -0.9 * (base + crest)) - 1, B + back + SLOPE * (h - base) + 1, min(-h, -base - reach * wave["pu"]), crest), width, (8, 8, 30, 12))
     canvas.add(canvas.loop([(canvas.x0, -h), (canvas.x0, 0), (0, 0), (0, -h)], "area water"))
     mound = [(toe, -h), (-front, -berm), (0, -berm), (0, -base), (B, -base), (B + back, -base), (B + back + SLOPE * (h - base), -h)]
     canvas.add(canvas.loop(mound, "area rubble"), canvas.loop([(0, -base), (0, crest), (B, crest), (B, -base)], "area rigid"))
@@ -122,6 +131,6 @@ def values(canvas, wave, top, base, reach, crest):
     for sign, key, y, dy in (("p₄", "p4", top, -5), ("p₁", "p1", 0.0, -5), ("p₃", "p3", -base, 12)):
         words = f"{sign} = {plain(wave[key] / 1e3, 3)} kPa"
         canvas.text(-reach * wave[key], y, words, anchor="end", dx=-4, dy=dy)
-    canvas.text(0.0, -base - reach * wave["pu"], f"pᵤ = {plain(wave['pu'] / 1e3, 3)} kPa", anchor="start", dx=6, dy=0)
+    canvas.text(0.0, -base - reach * wave["pu"], f"pᵤ = {plain(wave['pu'] / 1e3, 3)} kPa", anchor="end", dx=-6, dy=0)
     if top < wave["eta_star"] and crest == top:
         canvas.text(0.0, top, say("overtopped"), anchor="start", dx=6, dy=14, class_="note small")
