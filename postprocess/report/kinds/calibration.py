@@ -127,7 +127,7 @@ def table_of(result, name):
                 "" if fit["doubt"] == "none" else fit["doubt"].replace("_", " "),
             )
         )
-    head = heads("measure", "$r$", "$a$", "$b$", "deviation, calibrated", "$R^2$", "deviation, given", "doubt")
+    head = heads("measure", "$r$", "$a$", "$b$", "deviation, calibrated", "R²", "deviation, given", "doubt")
     return table(head, rows, "numbers")
 
 

@@ -123,19 +123,19 @@ def by_height(result):
     """Waves, S of one wave and expected sliding over the height, from where waves begin to slide."""
     sets = (("waves a metre of height", "1/m", {"": result.waves}), ("sliding distance of one wave", "m", result.distance),
             ("expected sliding a metre of height", "", result.contribution))  # fmt: skip
-    panels = []
+    thresholds, panels = result.thresholds(), []
+    shown = result.height >= 0.85 * min(thresholds, default=0.0)
     for title, unit, found in sets:
         lines = [
-            Line(say(law) if law else " ", result.height, np.asarray(values, dtype=float), COLOURS.get(law, 3))
+            Line(say(law) if law else " ", result.height[shown], np.asarray(values, dtype=float)[shown], COLOURS.get(law, 3))
             for law, values in found.items()
-            if np.any(values)
+            if np.any(values[shown])
         ]
         if lines:
             panels.append(Panel(unit, lines, height=140, title=say(title)))
-    thresholds = result.thresholds()
-    begin = 0.85 * min(thresholds) if thresholds else float(result.height[0])
-    end = float(result.height[-1])
-    plot = Plot("heights", panels, axis=(say("wave height"), "m"), window=(begin, end) if begin < end else None)
+    if not panels:
+        return ""
+    plot = Plot("heights", panels, axis=("wave height", "m"))
     return figure.of_plot(plot, say("Over the height of the waves: how many come, how far one slides the caisson, and which heights bring the sliding."))
 
 

@@ -48,21 +48,24 @@ def verdict_section(told, warnings):
     if warnings:
         words = [*words, say("The program warns of what stands below; all numbers here stand under these warnings.")]
     boxes = tag("div", *cards, class_="cards") if cards else ""
-    return tag("section", tag("h2", say("Verdict")), tag("p", sentences(words)), boxes, head.trust(len(warnings)), id="verdict")
+    return tag("section", tag("h2", say("Verdict")), tag("p", sentences(words)), boxes, head.trust(None if warnings is None else len(warnings)), id="verdict")
 
 
 def warnings_of(summary):
-    """[(of what, name, text)] of the summary and of each of its waves."""
-    found = [("", warning["name"], warning["text"]) for warning in summary.get("warnings") or []]
-    for name, wave in (summary.get("waves") or {}).items():
-        if isinstance(wave, dict):
-            found += [(name, warning["name"], warning["text"]) for warning in wave.get("warnings") or []]
-    return found
+    """[(of what, name, text)] of the summary and of each of its waves; None where these results keep none."""
+    waves = {name: wave for name, wave in (summary.get("waves") or {}).items() if isinstance(wave, dict)}
+    kept = [(name, found["warnings"]) for name, found in {"": summary, **waves}.items() if "warnings" in found]
+    if not kept:
+        return None
+    return [(name, warning["name"], warning["text"]) for name, warnings in kept for warning in warnings or []]
 
 
 def warning_section(found):
     if not found:
-        nothing = tag("p", say("The program found nothing to warn of."))
+        words = "The program found nothing to warn of."
+        if found is None:
+            words = "These results keep no warnings: what the program warned of stood on the terminal alone."
+        nothing = tag("p", say(words))
         return tag("section", tag("h2", say("How far to trust these numbers")), nothing, id="quality")
     items = [
         tag("li", f"{spaced(of)}: " if of else "", tag("strong", named(name), class_=None), ": ", prose(text))

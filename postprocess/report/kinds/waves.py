@@ -112,7 +112,7 @@ def drawing(section, wave, width, class_):
     canvas.add(outline(canvas, wall(wave, top, base, reach), "pressure"))
     canvas.add(outline(canvas, wall(wave["without_alpha_I"], top, base, reach), "pressure other"))
     canvas.add(outline(canvas, [(0, -base), (B, -base), (0, -base - reach * wave["pu"])], "pressure"))
-    values(canvas, wave, top, base, reach, crest)
+    values(canvas, wave, top, base, reach, crest, B)
     canvas.across(0, B, crest, metres(B), -10)
     canvas.upright(B + 0.6, -base, crest, metres(base + crest))
     return canvas.svg(say("pressures of the wave on the section"), class_)
@@ -126,11 +126,16 @@ def outline(canvas, points, class_):
     return tag("polygon", points=" ".join("{:.1f},{:.1f}".format(*canvas.at(*point)) for point in points), class_=class_)
 
 
-def values(canvas, wave, top, base, reach, crest):
+def named_value(key, wave):
+    """p1 as p with the subscript 1, and its number."""
+    number = f" = {plain(wave[key] / 1e3, 3)} kPa"
+    return tag("tspan", key[0], class_="i"), tag("tspan", key[1], class_="sub", dy=3), tag("tspan", number, dy=-3)
+
+
+def values(canvas, wave, top, base, reach, crest, section_width):
     """The numbers at the corners of the diagram."""
-    for sign, key, y, dy in (("p₄", "p4", top, -5), ("p₁", "p1", 0.0, -5), ("p₃", "p3", -base, 12)):
-        words = f"{sign} = {plain(wave[key] / 1e3, 3)} kPa"
-        canvas.text(-reach * wave[key], y, words, anchor="end", dx=-4, dy=dy)
-    canvas.text(0.0, -base - reach * wave["pu"], f"pᵤ = {plain(wave['pu'] / 1e3, 3)} kPa", anchor="end", dx=-6, dy=0)
+    for key, y, dy in (("p4", top, -5), ("p1", 0.0, -5), ("p3", -base, 12)):
+        canvas.text(-reach * wave[key], y, *named_value(key, wave), anchor="end", dx=-4, dy=dy)
+    canvas.text(section_width / 2, -base - reach * wave["pu"] / 2, *named_value("pu", wave), anchor="start", dx=6, dy=14)
     if top < wave["eta_star"] and crest == top:
         canvas.text(0.0, top, say("overtopped"), anchor="start", dx=6, dy=14, class_="note small")
