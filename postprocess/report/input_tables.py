@@ -121,7 +121,9 @@ def value_rows(members):
 
 def value_cell(row):
     """Numbers keep to one line, words may break."""
-    return tag("td", show(row), class_="text" if isinstance(row.value, str) and len(row.value) > 12 else "number")
+    shown = show(row)
+    breaks = isinstance(row.value, (str, list)) and len(shown) > 24 or isinstance(row.value, str) and len(row.value) > 12
+    return tag("td", shown, class_="text" if breaks else "number")
 
 
 def mark_cell(mark):
