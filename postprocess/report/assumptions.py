@@ -16,11 +16,11 @@ DECIDING = (
 )
 
 
-def section(summary, rows, source, of_run=True):
+def section(summary, rows, source):
     """`rows` are those of the inputs; `source` is the author's file, or None."""
     parts = [head(source), chosen(rows, source), stands_on(summary)]
-    inside = [part for part in parts if part]
-    return tag("section", tag("h2", say("Assumptions")), *inside, id="assumptions") if inside and of_run else Markup("")
+    inside = [part for part in parts if part] or [tag("p", say("These results hold no inputs: what they assume stands in the cases that were run."))]
+    return tag("section", tag("h2", say("Assumptions")), *inside, id="assumptions")
 
 
 def head(source):

@@ -109,4 +109,4 @@ def skipped(summary):
     rows = [(named(entry["what"]), prose(entry["why"])) for entry in summary.get("skipped") or []]
     if not rows:
         return Markup("")
-    return tag("section", tag("h2", say("Left out, and why")), table(heads("what", "why"), rows, "words"), id="skipped")
+    return tag("section", tag("h2", say("Left out, and why")), in_english(), table(heads("what", "why"), rows, "words"), id="skipped")

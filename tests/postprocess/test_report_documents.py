@@ -44,6 +44,7 @@ def command(name, case, folder, *settings, jobs=None):
 def english_left(text, names):
     """Fixed words of a Japanese page that are still English, apart from names of the case."""
     found = []
+    text = re.sub(r'<section id="(skipped|what-if)".*?</section>', "", text, flags=re.DOTALL)  # of the program, as they say
     for match in PLACES.finditer(text.partition("<main>")[2]):
         inside = match[3] if match[3] is not None else match[4]
         inside = re.sub(r"<(code|data|script|svg)\b.*?</\1>", "", inside, flags=re.DOTALL)
