@@ -34,7 +34,7 @@ def sizes(summary):
 
 def times(summary):
     rows = [(named(what), quantity(float(value), "s")) for what, value in (summary.get("timing") or {}).items()
-            if value is not None and what != "processes"]
+            if value is not None and what != "processes" and not what.endswith("_per_second")]
     return tag("div", tag("h3", say("Wall time")), table(None, rows, "numbers")) if rows else Markup("")
 
 
