@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Makes one self-contained HTML page of a run: for those who ask for the numbers, not for the program.
+"""Makes one self-contained HTML page of a run, study, life, calibration or waves: for those who ask for the numbers, not for the program.
 
 The page needs no network and no other file; it can be mailed. It prints on A4, and --pdf does that by Chromium.
 """
@@ -8,19 +8,20 @@ import argparse
 from pathlib import Path
 
 from common import keep_inputs, run
-from report import page, pdf
+from report import kinds, pdf
+from report.language import LANGUAGES
 from upbead.errors import UserError
-from upbead.results import Result
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument(
-        "folder", type=Path, help="folder of a finished run, with results.h5, summary.json and case.toml"
+        "folder", type=Path, help="folder that run, study, expected, calibrate or waves wrote"
     )
     parser.add_argument(
         "-o", "--output", type=Path, metavar="FILE", help="the page (.html); default: report.html in the folder"
     )
+    parser.add_argument("--language", choices=LANGUAGES, help="of the document; default: that of the case, else English")
     parser.add_argument("--pdf", type=Path, metavar="FILE", help="print the page to this file too; needs Chromium")
     parser.add_argument(
         "--case",
@@ -32,7 +33,7 @@ def main():
     output = arguments.output or arguments.folder / "report.html"
     for file in filter(None, (output, arguments.pdf)):
         keep_inputs(file, arguments.folder, *filter(None, (arguments.case,)))
-    text = page.build(Result(arguments.folder), arguments.case)
+    text = kinds.build(arguments.folder, arguments.case, arguments.language)
     try:
         output.write_text(text, encoding="utf-8")
     except OSError as error:

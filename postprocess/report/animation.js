@@ -3,6 +3,7 @@
 (() => {
   const figure = document.querySelector("figure.animation");
   if (!figure) return;
+  const WORDS = JSON.parse(document.querySelector("script.words").textContent);
   const SECONDS = 8;  // a whole run is played in so many
   const data = JSON.parse(figure.querySelector("script.fields").textContent), last = data.times.length - 1;
 
@@ -11,7 +12,7 @@
   const canvas = made("canvas"), play = made("button", {type: "button"}), clockFace = made("output"), told = made("p", {className: "told"});
   const slider = made("input", {type: "range", min: 0, max: last, step: 1, value: data.start});
   canvas.setAttribute("role", "img");
-  slider.setAttribute("aria-label", "time");
+  slider.setAttribute("aria-label", WORDS.time);
   clockFace.setAttribute("aria-live", "off");  // the slider tells the same
   host.append(canvas);
   tools.append(play, slider, clockFace);
@@ -23,8 +24,8 @@
   if (data.strength) addChoice();
 
   function addChoice() {
-    const label = made("label", {textContent: "colour "}), choice = made("select");
-    choice.append(...[["pressure", "pore pressure"], ["strength", "strength mobilised"]].map(([value, text]) => made("option", {value, text})));
+    const label = made("label", {textContent: WORDS.colour + " "}), choice = made("select");
+    choice.append(...[["pressure", WORDS["pore pressure"]], ["strength", WORDS["strength mobilised"]]].map(([value, text]) => made("option", {value, text})));
     choice.addEventListener("change", () => {
       what = choice.value;
       for (const name of ["pressure", "strength"]) figure.querySelector(`.of-${name}`).hidden = name !== what;
@@ -44,7 +45,7 @@
     told.hidden = !parts.length;
     if (playing !== null) return;  // nobody reads along
     slider.setAttribute("aria-valuetext", words);
-    canvas.setAttribute("aria-label", "deformed section at " + words);
+    canvas.setAttribute("aria-label", WORDS["deformed section"] + ": " + words);
   }
 
   function go(frame) {
@@ -55,13 +56,13 @@
   function stop() {
     cancelAnimationFrame(playing);
     playing = null;
-    play.textContent = "play";
+    play.textContent = WORDS.play;
     show(+slider.value);
   }
 
   function start() {
     const from = +slider.value === last ? 0 : +slider.value, begun = performance.now();
-    play.textContent = "pause";
+    play.textContent = WORDS.pause;
     const next = () => {
       playing = requestAnimationFrame(next);
       const frame = (from + Math.floor((performance.now() - begun) / (1000 * SECONDS) * (last + 1))) % (last + 1);

@@ -7,7 +7,7 @@ import numpy as np
 
 from report import bottom, figure, moment, strength, ticks, units
 from report import frames as fields
-from report.figure import words
+from report.language import phrase, say, sentences
 from report.markup import Markup, data, tag
 from report.plot import Line, Panel, Plot
 from upbead.errors import UserError
@@ -27,12 +27,12 @@ def section(result, window):
     pvd = result.folder / "fields.pvd"
     if not pvd.is_file():
         return Markup("")
-    title = tag("h2", "Deformation and pore pressure")
+    title = tag("h2", say("Deformation and pore pressure"))
     try:
         frames = fields.read(pvd, window)
         told = summary(frames, result)
     except UserError as error:
-        return tag("section", title, tag("p", f"Not shown: {error}.", class_="quiet"), id="fields-section")
+        return tag("section", title, tag("p", say("Not shown: {why}.", why=error), class_="quiet"), id="fields-section")
     peak = (result.summary.get("response") or {}).get("peak_shear_time", float(frames.times[len(frames.times) // 2]))
     told["start"] = index = int(np.argmin(np.abs(frames.times - peak)))
     moving = tag(
@@ -48,21 +48,29 @@ def section(result, window):
 
 
 def caption(told, time):
-    parts = [
-        f"Displacements drawn {units.plain(told['magnify'])} times too large; excess pore pressure in colour, ",
-        f"{told['scale']['text'][0]} to {told['scale']['text'][1]} (beyond: the end colours). ",
-    ]
-    if told["bottom"]:
-        parts.append("Slip and gap under the caisson are drawn as many times too large. ")
-    if told["slip"]:
-        parts.append(
-            "Dotted: the caisson that slips as a whole, by its slip beside where the fields, which know none, have it; as many times too large. "
+    low, high = told["scale"]["text"]
+    rest = [
+        say("Slip and gap under the caisson are drawn as many times too large.") if told["bottom"] else "",
+        say(
+            "Dotted: the caisson that slips as a whole, by its slip beside where the fields, which know none, have it; "
+            "as many times too large."
         )
-    if told["strength"]:
-        parts.append(f"Dark line: around soil that mobilises {100 * strength.ZONE:.0f} % of its strength or more. ")
-    if told["fails"]:
-        parts.append(f"Cross: {told['fails']['text']}. ")
-    return words(*parts, tag("span", f"On paper: the moment {time:.4g} s.", class_="onpaper"))
+        if told["slip"]
+        else "",
+        say("Dark line: around soil that mobilises {share} % of its strength or more.", share=f"{100 * strength.ZONE:.0f}")
+        if told["strength"]
+        else "",
+        say("Cross: {where}.", where=told["fails"]["text"]) if told["fails"] else "",
+        tag("span", say("On paper: the moment {time} s.", time=f"{time:.4g}"), class_="onpaper"),
+    ]
+    return phrase(
+        "Displacements drawn {magnify} times too large; excess pore pressure in colour, {low} to {high} "
+        "(beyond: the end colours). {moment}",
+        magnify=units.plain(told["magnify"]),
+        low=low,
+        high=high,
+        moment=sentences(rest),
+    )
 
 
 def scrubbed(result):
@@ -71,14 +79,14 @@ def scrubbed(result):
     for name, symbol, colour, panel in HISTORIES:
         if f"/history/{name}" in result.file:
             history = result.history(name)
-            line = Line(symbol, time, np.asarray(history), colour)
+            line = Line(say(symbol), time, np.asarray(history), colour)
             panels.setdefault(panel, Panel(history.unit, [], height=80)).lines.append(line)
     if "displacement" in panels and "coupled/slip" in result.file and "interface/slip" not in result.file:
         course = (result.file[f"coupled/{name}"][()] for name in ("time", "slip"))
-        panels["displacement"].lines.append(Line("slip as a whole", *course, 5))
+        panels["displacement"].lines.append(Line(say("slip as a whole"), *course, 5))
     if not panels:
         return Markup("")
-    told = "The same time in histories: drag across them, or click in any plot over time of this page, to move the section above."
+    told = say("The same time in histories: drag across them, or click in any plot over time of this page, to move the section above.")
     return figure.of_plot(Plot("fields-histories", list(panels.values())), told, "plot scrubbed")
 
 
@@ -122,8 +130,8 @@ def failing(result):
         return None
     at, lower, upper = found
     least, most = (units.plain(value) if value else "" for value in (lower, upper))
-    by = f"{least} to {most}" if least and most else f"{least or most}"
-    return {"at": at, "text": f"where the ground moves most as it fails at rest, its strength divided by {by}"}
+    by = say("{least} to {most}", least=least, most=most) if least and most else least or most
+    return {"at": at, "text": say("where the ground moves most as it fails at rest, its strength divided by {factor}", factor=by)}
 
 
 def extent(values):

@@ -5,8 +5,8 @@ import re
 import numpy as np
 
 from report import figure
-from report.figure import words
-from report.markup import Markup, tag
+from report.language import listed, phrase, say, told
+from report.markup import Markup, join, prose, symbol, tag
 from report.plot import Line, Panel, Plot
 from report.series import largest
 
@@ -34,23 +34,12 @@ PROFILES = [
 def section(result):
     if not result.has_caisson:
         return Markup("")
-    parts = [tag("h2", "Pressures and forces at the base")]
+    parts = [tag("h2", say("Pressures and forces at the base"))]
     over_width = profiles(result)
     if over_width:
-        moments = [part for name, time in instants(result) for part in ((name,), f" is largest at {time:.4g} s", ", ")]
-        parts.append(
-            figure.of_plot(
-                over_width,
-                words(
-                    "Under the caisson over its width, the sea on the left, compression positive, at chosen moments: ",
-                    *moments[:-1],
-                    f". Stresses are drawn over the inner {INNER:.0%} of the width: under the edges of a rigid caisson they ",
-                    "are singular, and what is computed there depends on the cells.",
-                ),
-            )
-        )
+        parts.append(figure.of_plot(over_width, width_caption(result)))
     else:
-        parts.append(tag("p", "This run has no pressures over the base (/base in results.h5).", class_="quiet"))
+        parts.append(tag("p", say("This run has no pressures over the base (/base in results.h5)."), class_="quiet"))
     over_time = forces(result)
     if over_time:
         parts.append(figure.of_plot(over_time, explained(result)))
@@ -73,14 +62,28 @@ def forces(result):
     return Plot("base", list(panels.values())) if panels else None
 
 
+def width_caption(result):
+    moments = listed(
+        phrase("{what} is largest at {time} s", what=symbol(name), time=f"{time:.4g}") for name, time in instants(result)
+    )
+    return phrase(
+        "Under the caisson over its width, the sea on the left, compression positive, at chosen moments: {moments}. "
+        "Stresses are drawn over the inner {share} of the width: under the edges of a rigid caisson they are singular, "
+        "and what is computed there depends on the cells.",
+        moments=moments,
+        share=f"{INNER:.0%}",
+    )
+
+
 def explained(result):
-    parts = ["At the bottom, over time"]
-    for name, symbol, _, _ in FORCES:
+    found = []
+    for name, sign, _, _ in FORCES:
         if f"/history/{name}" in result.file:
             history = result.history(name)
-            about = SYMBOL_BEFORE.sub("", history.description)
-            parts += ["; ", (symbol,), f": {about}" + (", zero here" if is_zero(result, history) else "")]
-    return words(*parts, ".")
+            about = prose(told(SYMBOL_BEFORE.sub("", history.description)))
+            zero = say(", zero here") if is_zero(result, history) else ""
+            found.append(join([symbol(sign), ": ", about, zero]))
+    return phrase("At the bottom, over time: {quantities}.", quantities=join(found, "; "))
 
 
 def instants(result):
@@ -107,6 +110,6 @@ def profiles(result):
         drawn = order[inner[order]] if name.endswith("stress") else order
         for colour, (what, time) in enumerate(instants(result)):
             row = int(np.searchsorted(np.asarray(result.time), time))
-            lines.append(Line(f"{what} largest", position[drawn], np.asarray(values[row], dtype=float)[drawn], colour))
-        panels.append(Panel("Pa", lines, height=120, title=title))
-    return Plot("base-pressures", panels, axis=("position", "m")) if panels else None
+            lines.append(Line(say("{what} largest", what=what), position[drawn], np.asarray(values[row], dtype=float)[drawn], colour))
+        panels.append(Panel("Pa", lines, height=120, title=say(title)))
+    return Plot("base-pressures", panels, axis=(say("position"), "m")) if panels else None

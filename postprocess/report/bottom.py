@@ -4,6 +4,7 @@ import numpy as np
 
 from report import units
 from report.frames import GROUND, RIGID
+from report.language import say, spoken
 from upbead.slip_result import SlipResult
 
 STICKS, SLIPS, OPEN = 0, 1, 2
@@ -27,7 +28,7 @@ def contact(result, frames):
         "place": [round(float(p), 4) for p in place],
         "states": ["".join(map(str, state)) for state in states],
         "told": told,
-        "names": [name for name, _ in STATES],
+        "names": [say(name) for name, _ in STATES],
         "colours": [colour for _, colour in STATES],
     }
 
@@ -49,10 +50,10 @@ def facing(frames):
 def words(state, length, opening, slip):
     """What one frame shows, for those who do not see it."""
     shares = [float(length[state == kind].sum() / length.sum()) for kind in (STICKS, SLIPS, OPEN)]
-    parts = [f"{100 * share:.0f} % {name}" for share, (name, _) in zip(shares, STATES) if share > 0]
-    gap = float(opening.max())
-    parts += [f"gap up to {length_of(gap)}"] if shares[OPEN] > 0 else []
-    return "bottom: " + ", ".join(parts) + f"; mean slip {length_of(float(np.average(slip, weights=length)))}"
+    parts = [f"{100 * share:.0f} % {say(name)}" for share, (name, _) in zip(shares, STATES) if share > 0]
+    parts += [say("gap up to {gap}", gap=length_of(float(opening.max())))] if shares[OPEN] > 0 else []
+    mean = length_of(float(np.average(slip, weights=length)))
+    return say("bottom: {states}; mean slip {slip}", states=("、" if spoken() == "ja" else ", ").join(parts), slip=mean)
 
 
 def length_of(metres):

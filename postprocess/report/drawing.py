@@ -3,6 +3,7 @@
 from report import units
 from report.canvas import Canvas
 from report.geometry import floors, of_side, toes
+from report.language import named, say
 from report.markup import join, tag
 
 NARROW = 500  # px; below there is no room for all words
@@ -28,7 +29,7 @@ def drawing(section, case, summary, width, class_):
     names(canvas, section, case, composite)
     probes(canvas, case)
     loads(canvas, section, case, summary)
-    return canvas.svg("section with its dimensions", class_)
+    return canvas.svg(say("section with its dimensions"), class_)
 
 
 def near(section, p):
@@ -119,8 +120,8 @@ def ends(canvas, p):
             canvas.add(tag("polygon", points=" ".join(f"{x:.1f},{y:.1f}" for x, y in hidden), class_="cut"))
             for a, b in zip(points[:-1], points[1:]):
                 canvas.line(a, b)
-            arrow = "⟵ " if anchor == "start" else ""
-            words = f"{arrow}{metres(rest)} beyond the toe{' ⟶' if anchor == 'end' else ''}"
+            words = say("{length} beyond the toe", length=metres(rest))
+            words = f"⟵ {words}" if anchor == "start" else f"{words} ⟶"
             canvas.text(at, base, words, anchor=anchor, dx=12 * inward, dy=-6, class_="note small")
 
 
@@ -142,7 +143,7 @@ def names(canvas, section, case, composite):
         x0, x1 = max(x0, canvas.x0), min(x1, canvas.x1)
         low = composite and name in ("seabed", "subsoil")
         share = 0.3 if low else 0.62 if name == "caisson" else 0.45 if composite else 0.2
-        canvas.text((x0 + x1) / 2, y0 + share * (y1 - y0), name.replace("_", " "), class_="name")
+        canvas.text((x0 + x1) / 2, y0 + share * (y1 - y0), named(name), class_="name")
 
 
 def probes(canvas, case):

@@ -1,5 +1,6 @@
 """What transducers along the wall or the bottom saw, and how well their number and places give the force."""
 
+from report.language import heads, say, spaced
 from report.markup import Markup, fold, table
 from report.units import percent, quantity
 
@@ -21,7 +22,7 @@ def records(summary):
     """A fold with one row for each record; nothing where there are none."""
     rows = [
         (
-            name.replace("_", " "),
+            spaced(name),
             quantity(row.get("gauges")),
             quantity(row.get("samples")),
             quantity(row.get("peak_pressure"), "Pa"),
@@ -34,4 +35,4 @@ def records(summary):
         )
         for name, row in (summary.get("gauges") or {}).items()
     ]
-    return fold("Records of transducers", table(HEAD, rows, "numbers"), open_=True) if rows else Markup("")
+    return fold(say("Records of transducers"), table(heads(*HEAD), rows, "numbers"), open_=True) if rows else Markup("")

@@ -1,7 +1,8 @@
 """The inputs of a case as tables, group by group: regions, loads, boundaries and the rest."""
 
 from report.inputs import written_as
-from report.markup import Markup, fold, join, tag
+from report.language import listed, named, say, spaced, told
+from report.markup import Markup, fold, join, prose, tag
 from report.source_case import PATHS
 
 TITLES = {
@@ -14,8 +15,17 @@ TITLES = {
     "output": "Output",
     "sliding": "Sliding",
     "initial": "State before the waves",
+    "section": "Section",
+    "waves": "Waves",
+    "sea": "Sea",
+    "duration": "Duration of the pulse",
+    "combined": "Pulse beside a standing wave",
+    "impact": "Course of impulsive forces",
+    "calibration": "Calibration",
+    "life": "Lives",
+    "limits": "Limits",
 }
-KINDS = {"regions": "", "loads": "Load ", "probes": "", "boundaries": ""}
+KINDS = ("regions", "loads", "probes", "boundaries")
 ORDER = [
     "mesh.parameters",
     "regions",
@@ -35,7 +45,9 @@ ORDER = [
 
 def show(row):
     """A row's value; of a path its last part, as folders tell a client nothing."""
-    return row.value.replace("\\", "/").rpartition("/")[2] if row.path[-1] in PATHS else written_as(row.value, row.unit)
+    if row.path[-1] in PATHS:
+        return row.value.replace("\\", "/").rpartition("/")[2]
+    return told(row.value) if isinstance(row.value, str) else written_as(row.value, row.unit)
 
 
 def group_of(path):
@@ -50,16 +62,16 @@ def title_of(group, members):
     """A group's name; a region's kind and a load that is off stand beside it."""
     own = {row.path[-1]: row.value for row in members if len(row.path) == 3}
     if group[0] == "regions" and "kind" in own:
-        return f"{group[1].replace('_', ' ')}, {own['kind']}"
+        return f"{named(group[1])}, {told(own['kind'])}"
     if group[0] == "loads" and own.get("factor") == 0:
-        return f"Load {group[1].replace('_', ' ')}, switched off"
+        return say("Load {name}, switched off", name=spaced(group[1]))
     if group[0] == "boundaries":
-        return "Boundaries"
+        return say("Boundaries")
     if group[0] == "probes":
-        return "Points read"
+        return say("Points read")
     if len(group) == 2:
-        return KINDS[group[0]] + group[1].replace("_", " ")
-    return TITLES.get(group[0], group[0].replace("_", " "))
+        return say("Load {name}", name=spaced(group[1])) if group[0] == "loads" else named(group[1])
+    return told(TITLES.get(group[0], group[0].replace("_", " ")))
 
 
 def grouped(found):
@@ -73,14 +85,14 @@ def label_of(row):
     """The meaning and the key, and the author's remark below."""
     inner = row.path[2:-1] if row.path[0] in KINDS else row.path[1:-1] if row.path[:2] != ("mesh", "parameters") else ()
     key = tag("code", ".".join([*inner, row.path[-1]]))
-    return join([row.what, " ", key, tag("div", row.remark, class_="remark") if row.remark else ""])
+    return join([prose(told(row.what)), " ", key, tag("div", row.remark, class_="remark") if row.remark else ""])
 
 
 def tables(found):
     """Given values, group by group, then the defaults in a fold."""
     given = [row for row in found if row.mark != "default"]
     taken = [row for row in found if row.mark == "default"]
-    return join([columns(given), fold(f"{len(taken)} defaults", columns(taken)) if taken else Markup("")])
+    return join([columns(given), fold(say("{count} defaults", count=len(taken)), columns(taken)) if taken else Markup("")])
 
 
 def columns(found):
@@ -101,7 +113,7 @@ def value_rows(members):
     shown = [row for row in members if row.path[0] != "regions" or row.path[2:] != ("kind",)] or members
     return [
         tag(
-            "tr", tag("th", label_of(row), scope="row"), value_cell(row), tag("td", row.mark, class_="mark-" + row.mark)
+            "tr", tag("th", label_of(row), scope="row"), value_cell(row), mark_cell(row.mark)
         )
         for row in shown
     ]
@@ -109,7 +121,13 @@ def value_rows(members):
 
 def value_cell(row):
     """Numbers keep to one line, words may break."""
-    return tag("td", show(row), class_="text" if isinstance(row.value, str) and len(row.value) > 12 else "number")
+    shown = show(row)
+    breaks = isinstance(row.value, (str, list)) and len(shown) > 24 or isinstance(row.value, str) and len(row.value) > 12
+    return tag("td", shown, class_="text" if breaks else "number")
+
+
+def mark_cell(mark):
+    return tag("td", told(mark), class_="mark-" + mark)
 
 
 def boundary_rows(members):
@@ -120,12 +138,15 @@ def boundary_rows(members):
     return [
         tag(
             "tr",
-            tag("th", name.replace("_", " "), scope="row"),
+            tag("th", named(name), scope="row"),
             tag(
                 "td",
-                ", ".join(f"{row.value}" + (" for water" if row.path[-1] == "pressure" else "") for row in conditions),
+                listed(
+                    say("{condition} for water", condition=told(row.value)) if row.path[-1] == "pressure" else told(row.value)
+                    for row in conditions
+                ),
             ),
-            tag("td", conditions[0].mark, class_="mark-" + conditions[0].mark),
+            mark_cell(conditions[0].mark),
         )
         for name, conditions in found.items()
     ]
@@ -135,9 +156,9 @@ def point_rows(members):
     return [
         tag(
             "tr",
-            tag("th", row.path[1].replace("_", " "), scope="row"),
+            tag("th", named(row.path[1]), scope="row"),
             value_cell(row),
-            tag("td", row.mark, class_="mark-" + row.mark),
+            mark_cell(row.mark),
         )
         for row in members
     ]

@@ -4,6 +4,7 @@ import math
 from dataclasses import dataclass
 
 from report import geometry, reference
+from report.language import say
 from report.source_case import PATHS
 from report.units import plain, pretty, scale
 
@@ -21,12 +22,13 @@ class Row:
     remark: str
 
 
-def rows(case, source, units=None):
+def rows(case, source, units=None, known=None):
     """Every value of the effective case as a Row.
 
-    `source` is None where the author's file is not known. `units` by path come before those of the reference.
+    `source` is None where the author's file is not known. `units` by path come before those of the reference,
+    which is that of cases where `known` gives no other.
     """
-    known = reference.read()
+    known = reference.read() if known is None else known
     declared = geometry.declared(case.get("mesh", {}).get("geometry", ""))
     found = []
     order = list(declared)
@@ -42,7 +44,7 @@ def rows(case, source, units=None):
             unit = "N/m" if case["loads"][path[1]].get("kind", "force") == "force" else "Pa"
         mark, remark = status(path, value, key, source)
         found.append(Row(path, what or " ".join(path[2:]).replace("_", " "), value, unit, mark, remark))
-    return [row for row in found if row.path != ("title",)]
+    return [row for row in found if row.path != ("title",) and row.path[0] != "report"]
 
 
 def leaves(table_, path=()):
@@ -60,10 +62,11 @@ def status(path, value, key, source):
         return ("default" if is_default else "given"), ""
     written = source.value(path)
     if written is None:
-        return ("default", "") if is_default else ("changed", "set for this run")
-    same = written == value or path[-1] in PATHS  # a path is rewritten for the result's folder
+        return ("default", "") if is_default else ("changed", say("set for this run"))
+    # a path is rewritten for the result's folder, a range is spelled out
+    same = written == value or path[-1] in PATHS or isinstance(written, dict)
     if not same:
-        return "changed", f"set for this run; the case file has {written_as(written, key.unit if key else '')}"
+        return "changed", say("set for this run; the case file has {value}", value=written_as(written, key.unit if key else ""))
     is_number = isinstance(value, (int, float, list)) and not isinstance(value, bool)
     mark, remark = source.mark(path, is_number, path[0] in PHYSICAL and path[-1] not in SWITCHES)
     return mark or "given", remark

@@ -51,14 +51,15 @@ def data(value, class_):
 def runs(symbol):
     """[(text, style)] of a symbol: F_T is F in italics with the subscript T; longer words are upright."""
     words = [word.partition("_") for word in symbol.split(" ")]
-    are_symbols, found = all(len(name) <= 2 for name, _, _ in words), []
+    are_symbols, found = all(len(name) <= 2 and name < "\u3000" for name, _, _ in words), []
     for number, (name, _, below) in enumerate(words):
         found.append(((" " if number else "") + name, "i" if below or are_symbols else ""))
         found += [(below, "sub")] if below else []
     return found
 
 
-SYMBOL = re.compile(r"\b([A-Za-zτ])_([A-Za-z0-9]{1,3})\b")
+# Not within a longer Latin word; Japanese follows a symbol without a space.
+SYMBOL = re.compile(r"(?<![A-Za-z0-9_])([A-Za-zτ])_([A-Za-z0-9]{1,3})(?![A-Za-z0-9_])")
 
 
 def prose(words):

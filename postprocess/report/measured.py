@@ -3,6 +3,7 @@
 import numpy as np
 
 from report import figure
+from report.language import heads, phrase, say, spaced
 from report.markup import Markup, table, tag
 from report.plot import Line, Panel, Plot
 from report.units import percent, quantity
@@ -51,20 +52,19 @@ def section(result):
         return Markup("")
     panels = []
     for name, reading, time, value, unit, _ in found:
-        lines = [Line("measured", time, value, 4)]
+        lines = [Line(say("measured"), time, value, 4)]
         if f"/history/{reading}" in result.file:
             history = result.history(reading)
             unit = unit or history.unit
-            lines.append(Line("computed", np.asarray(result.time), np.asarray(history), 2))
-        panels.append(Panel(unit, lines, title=name.replace("_", " ")))
+            lines.append(Line(say("computed"), np.asarray(result.time), np.asarray(history), 2))
+        panels.append(Panel(unit, lines, title=spaced(name)))
     start, end = float(result.time[0]), float(result.time[-1])
     plot = Plot("measured", panels, window=(start, end))
-    caption = "Measured records and what was computed. " + " ".join(
-        f"{name.replace('_', ' ')}: {description.rstrip('.')}." for name, *_, description in found if description
-    )
+    described = " ".join(f"{spaced(name)}: {description.rstrip('.')}." for name, *_, description in found if description)
+    caption = phrase("Measured records and what was computed. {described}", described=described)
     return tag(
         "section",
-        tag("h2", "Measured and computed"),
+        tag("h2", say("Measured and computed")),
         figure.of_plot(plot, caption),
         compared(result, found),
         id="measured-section",
@@ -77,7 +77,7 @@ def compared(result, found):
         unit = units.get(name, "")
         rows.append(
             (
-                name.replace("_", " "),
+                spaced(name),
                 tag("code", numbers.get("reading", "")),
                 quantity(numbers.get("peak_measured"), unit),
                 quantity(numbers.get("peak_computed"), unit),
@@ -87,7 +87,7 @@ def compared(result, found):
                 quantity(numbers.get("phase"), "s"),
             )
         )
-    head = (
+    head = heads(
         "record",
         "compared with",
         "peak measured",

@@ -2,6 +2,8 @@
 
 from dataclasses import dataclass
 
+from report.language import told
+
 
 @dataclass
 class Measure:
@@ -63,7 +65,7 @@ def at(summary, key):
 
 
 def measures(summary):
-    return [Measure(key, at(summary, key), short, what) for key, short, what in KNOWN if at(summary, key) is not None]
+    return [Measure(key, at(summary, key), told(short), told(what)) for key, short, what in KNOWN if at(summary, key) is not None]
 
 
 def best(summary):
@@ -72,5 +74,5 @@ def best(summary):
     design = at(summary, "sliding.design")
     if design:
         short = next((short for key, short, _ in KNOWN if key == design["measure"]), design["why"])
-        return Measure(design["measure"], design["value"], short, design["why"])
+        return Measure(design["measure"], design["value"], told(short), told(design["why"]))
     return found[0] if found else None

@@ -4,6 +4,7 @@ import numpy as np
 
 from report import bottom, geometry, strength
 from report import frames as fields
+from report.language import say
 from report.markup import join, tag
 
 COLOURS = [(33, 102, 172), (146, 197, 222), (247, 247, 247), (244, 165, 130), (178, 24, 43)]  # suction to pressure
@@ -44,7 +45,7 @@ def draw(frames, told, index):
     if told["fails"]:
         parts.append(cross(*pixels(np.array([told["fails"]["at"]]))[0]))
     box = f"0 0 {WIDTH} {(y1 - y0) * scale + AIR + 4:.0f}"
-    label = "deformed section" + (f"; {told['bottom']['told'][index]}" if told["bottom"] else "")
+    label = say("deformed section") + (f"; {told['bottom']['told'][index]}" if told["bottom"] else "")
     return tag("svg", *parts, class_="still", viewBox=box, role="img", aria_label=label)
 
 
@@ -100,15 +101,15 @@ def legends(told):
     """Bars of the colours with their ends; the script shows that of the strength in place of the other where it is asked for."""
     steps = (tag("i", style=f"background:{colour(i / 10 - 1)}") for i in range(21))
     low, high = told["scale"]["text"]
-    parts = [legend("pressure", low, steps, join([high, " pore pressure"]))]
+    parts = [legend("pressure", low, steps, say("{high} pore pressure", high=high))]
     if told["strength"]:
         steps = (tag("i", style=f"background:{shade}") for shade in told["strength"]["colours"])
         limits = ", ".join(f"{100 * limit:g}" for limit in told["strength"]["limits"])
-        parts.append(legend("strength", "0 %", steps, f"100 % of the strength mobilised; steps at {limits} %", hidden="hidden"))
+        parts.append(legend("strength", "0 %", steps, say("100 % of the strength mobilised; steps at {limits} %", limits=limits), hidden="hidden"))
     if told["bottom"]:
         names = zip(told["bottom"]["names"], told["bottom"]["colours"])
         keys = (tag("span", tag("i", class_=f"key{state}", style=f"border-color:{shade}"), f" {name}") for state, (name, shade) in enumerate(names))
-        parts.append(tag("div", tag("span", "the caisson's bottom:"), *keys, class_="colours contact"))
+        parts.append(tag("div", tag("span", say("the caisson's bottom:")), *keys, class_="colours contact"))
     return join(parts)
 
 

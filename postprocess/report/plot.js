@@ -2,10 +2,11 @@
 "use strict";
 (() => {
   const LEFT = 62, RIGHT = 12, HEAD = 20, TITLE = 17, GAP = 10, FOOT = 38;
+  const WORDS = JSON.parse(document.querySelector("script.words").textContent);
   const HINT = matchMedia("(pointer: coarse)").matches
-    ? "Drag across to zoom, pinch, double tap to reset; tap to read off."
-    : "Drag to zoom, double click to reset; after a click the wheel zooms and arrow keys move. Point to read off.";
-  const SCRUBBED = "Drag or arrow keys: move through time.";
+    ? WORDS["Drag across to zoom, pinch, double tap to reset; tap to read off."]
+    : WORDS["Drag to zoom, double click to reset; after a click the wheel zooms and arrow keys move. Point to read off."];
+  const SCRUBBED = WORDS["Drag or arrow keys: move through time."];
   const namespace = (document.querySelector("svg") || {}).namespaceURI;
 
   const element = (name, attributes, parent) => {
@@ -63,7 +64,7 @@
       this.host.className = "live";
       this.host.tabIndex = 0;
       this.host.setAttribute("role", "group");
-      this.host.setAttribute("aria-label", figure.id.replaceAll("-", " ") + (this.scrubbed ? ": plot; arrow keys move through time" : ": plot that can be zoomed"));
+      this.host.setAttribute("aria-label", figure.id.replaceAll("-", " ") + ": " + WORDS[this.scrubbed ? "plot; arrow keys move through time" : "plot that can be zoomed"]);
       this.svg = element("svg", {}, this.host);
       figure.insertBefore(this.host, figure.firstChild);
       this.addTools(figure);
@@ -91,9 +92,9 @@
         tools.append(made);
         return made;
       };
-      this.reset = button("reset", () => this.show(...this.data.window));
+      this.reset = button(WORDS.reset, () => this.show(...this.data.window));
       const [low, high] = this.data.extent;
-      if (low < this.data.window[0] || high > this.data.window[1]) button("show all", () => this.show(low, high));
+      if (low < this.data.window[0] || high > this.data.window[1]) button(WORDS["show all"], () => this.show(low, high));
       if (this.scrubbed) hint.textContent = SCRUBBED;
       if (this.scrubbed || !document.querySelector(".hint")) tools.append(hint);
       figure.insertBefore(tools, this.host.nextSibling);

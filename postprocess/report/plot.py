@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from report import units
+from report.language import told
 from report.markup import runs
 from report.series import largest, rounded, thinned
 
@@ -62,12 +63,13 @@ class Plot:
 
     def data(self):
         """The plot for JSON: thinned, rounded, in the units in which it is drawn."""
+        name = told(self.axis[0])
         factor = units.scale(self.axis[1], self.extent()[1] - self.extent()[0])
         extent = [end * factor[0] for end in self.extent()]
         window = [end * factor[0] for end in self.window] if self.window else extent
         return {
-            "axis": f"{self.axis[0]} ({units.pretty(factor[1])})",
-            "symbol": [self.axis[0], units.pretty(factor[1])],
+            "axis": f"{name} ({units.pretty(factor[1])})" if units.pretty(factor[1]) else name,
+            "symbol": [name, units.pretty(factor[1])],
             "extent": extent,
             "window": window,
             "panels": [self._panel(panel, factor[0]) for panel in self.panels],

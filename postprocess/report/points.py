@@ -5,6 +5,7 @@ import re
 import numpy as np
 
 from report import figure
+from report.language import named, say, told
 from report.plot import Line, Panel, Plot
 from report.series import largest
 
@@ -30,9 +31,13 @@ def of_quantity(result, what, parts):
         if peaks[name] > ROUND_OFF * max(peaks.values()):
             panels.append(panel(result, probes, component[1] if component else ""))
         else:
-            zero.append(component[1] if component else "it")
-    words = what.replace("_", " ") if COMPONENT.search(next(iter(parts))) else described(parts)
-    caption = f"{words.capitalize()} at the points read" + (f"; zero here: {', '.join(zero)}." if zero else ".")
+            zero.append(component[1] if component else say("it"))
+    words = named(what) if COMPONENT.search(next(iter(parts))) else told(described(parts))
+    words = words[:1].upper() + words[1:]
+    if zero:
+        caption = say("{what} at the points read; zero here: {zero}.", what=words, zero=", ".join(zero))
+    else:
+        caption = say("{what} at the points read.", what=words)
     return figure.of_plot(Plot(f"probe-{what}", panels), caption) if panels else ""
 
 

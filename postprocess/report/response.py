@@ -2,9 +2,10 @@
 
 import numpy as np
 
-from report import figure, gauges, points, waves
-from report.figure import words
+from report import figure, points
+from report.language import heads, named, phrase, say, told
 from report.markup import Markup, join, prose, table, tag
+from report.markup import symbol as symbol_of
 from report.plot import Line, Panel, Plot
 from report.series import largest
 from report.units import percent, quantity
@@ -60,39 +61,30 @@ def array(result, name):
 def section(result, measured):
     """`measured` are records by the history that they are compared with: [(name, time, values)]."""
     if not result.has_caisson:
-        told = points.figures(result) or [
-            tag("p", "No point was read: add [probes.NAME] to the case to see how the section responds.")
+        read = points.figures(result) or [
+            tag("p", say("No point was read: add [probes.NAME] to the case to see how the section responds."))
         ]
-        return tag("section", tag("h2", "Response"), *told, id="response-section")
+        return tag("section", tag("h2", say("Response")), *read, id="response-section")
     time = np.asarray(result.time)
     panels, shown = [], []
     for name, symbol, colour, group in PANELS:
         values = array(result, name)
         shown.append(values)
         lines = [Line(symbol, time, values, colour)]
-        lines += [Line("measured: " + what.replace("_", " "), t, y, 4, "--") for what, t, y in measured.get(name, [])]
+        lines += [Line(say("measured: {name}", name=named(what)), t, y, 4, "--") for what, t, y in measured.get(name, [])]
         unit = result.history(name).unit
         panels.append(Panel(unit, lines, [peak_of(result, name, values)], group))
     plot = Plot("response", panels, window=window(time, shown))
-    caption = words(
-        "Wave force ",
-        ("P",),
-        ", inertia force ",
-        ("m ẍ_G",),
-        ", shear force at the bottom ",
-        ("F_T",),
-        " and displacement of the centre of gravity ",
-        ("x_G",),
-        " over time, landward positive, as in Fig. 2b of Shimosako and Takahashi (1994). Dots mark the peaks.",
+    caption = phrase(
+        "Wave force $P$, inertia force $m ẍ_G$, shear force at the bottom $F_T$ and displacement of the centre of gravity "
+        "$x_G$ over time, landward positive, as in Fig. 2b of Shimosako and Takahashi (1994). Dots mark the peaks."
     )
     return tag(
         "section",
-        tag("h2", "Response"),
+        tag("h2", say("Response")),
         figure.of_plot(plot, caption),
         peaks(result),
         periods(result.summary),
-        waves.records(result.summary),
-        gauges.records(result.summary),
         *points.figures(result, ("pressure",)),
         id="response-section",
     )
@@ -105,7 +97,7 @@ def periods(summary):
     ]
     if not rows:
         return Markup("")
-    return join([tag("h3", "Natural periods"), table(("period", "share in F_T", "of critical damping"), rows, "numbers")])
+    return join([tag("h3", say("Natural periods")), table(heads("period", "share in $F_T$", "of critical damping"), rows, "numbers")])
 
 
 def peaks(result):
@@ -116,5 +108,5 @@ def peaks(result):
             ratio, path = key == "shear_to_force_ratio", f"response.{key}"
             value = percent(response[key]) if ratio else quantity(response[key], outputs.unit(path))
             at = quantity(response[when], "s") if when else ""
-            rows.append((prose(outputs.label(path)), words((symbol,)), value, at))
-    return table(("quantity", "symbol", "value", "at"), rows, "numbers")
+            rows.append((prose(told(outputs.label(path))), symbol_of(symbol), value, at))
+    return table(heads("quantity", "symbol", "value", "at"), rows, "numbers")

@@ -5,6 +5,7 @@ import platform
 import h5py
 import numpy as np
 
+from report.language import named, say, told
 from report.markup import Markup, fold, join, table, tag
 from report.units import quantity
 from upbead import outputs
@@ -13,31 +14,35 @@ SIZES = ("cells", "degree", "unknowns", "scheme", "time_step", "steps", "solves"
 
 
 def section(result):
-    summary = result.summary
-    parts = [tag("h2", "The run"), tag("div", sizes(summary), times(summary), versions(summary), class_="side")]
+    return section_of(result.summary)
+
+
+def section_of(summary):
+    parts = [tag("h2", say("The run")), tag("div", sizes(summary), times(summary), versions(summary), class_="side")]
     return tag("section", *parts, id="run")
 
 
 def sizes(summary):
     found = summary.get("discretisation") or {}
     rows = [
-        (outputs.label(path), found[key] if isinstance(found[key], str) else quantity(found[key], outputs.unit(path)))
+        (told(outputs.label(path)), told(found[key]) if isinstance(found[key], str) else quantity(found[key], outputs.unit(path)))
         for key, path in ((key, f"discretisation.{key}") for key in SIZES)
         if found.get(key) is not None
     ]
-    return tag("div", tag("h3", "Discretisation"), table(None, rows, "numbers")) if rows else Markup("")
+    return tag("div", tag("h3", say("Discretisation")), table(None, rows, "numbers")) if rows else Markup("")
 
 
 def times(summary):
-    rows = [(what, quantity(float(value), "s")) for what, value in (summary.get("timing") or {}).items()]
-    return tag("div", tag("h3", "Wall time"), table(None, rows, "numbers")) if rows else Markup("")
+    rows = [(named(what), quantity(float(value), "s")) for what, value in (summary.get("timing") or {}).items()
+            if value is not None and what != "processes" and not what.endswith("_per_second")]
+    return tag("div", tag("h3", say("Wall time")), table(None, rows, "numbers")) if rows else Markup("")
 
 
 def versions(summary):
-    found = summary.get("versions") or {"program": summary.get("program", "not told")}  # older results name it alone
+    found = summary.get("versions") or {"program": summary.get("program", say("not told"))}  # older results name it alone
     rows = [(name, str(version)) for name, version in found.items()]
-    rows.append(("this page", f"Python {platform.python_version()}, h5py {h5py.__version__}, numpy {np.__version__}"))
-    return tag("div", tag("h3", "Versions"), table(None, rows, "words"))
+    rows.append((say("this page"), f"Python {platform.python_version()}, h5py {h5py.__version__}, numpy {np.__version__}"))
+    return tag("div", tag("h3", say("Versions")), table(None, rows, "words"))
 
 
 def case_text(folder, source):
@@ -46,8 +51,8 @@ def case_text(folder, source):
     path = folder / "case.toml"
     if source is not None:
         parts.append(
-            fold(f"The case as written: {source.path.name}", tag("pre", source.path.read_text(encoding="utf-8")))
+            fold(say("The case as written: {file}", file=source.path.name), tag("pre", source.path.read_text(encoding="utf-8")))
         )
     if path.is_file():
-        parts.append(fold("The case with every default: case.toml", tag("pre", path.read_text(encoding="utf-8"))))
-    return tag("section", tag("h2", "The case"), join(parts), id="case") if parts else Markup("")
+        parts.append(fold(say("The case with every default: {file}", file="case.toml"), tag("pre", path.read_text(encoding="utf-8"))))
+    return tag("section", tag("h2", say("The case")), join(parts), id="case") if parts else Markup("")

@@ -1,9 +1,9 @@
-"""The sheet: each check of the section with demand, capacity and margin, and what it stands on."""
+"""Each check of the section with demand, capacity and margin, and what it stands on; its levels and layers."""
 
+from report.language import heads, named, phrase, say, told
 from report.markup import Markup, join, prose, table, tag
 from report.units import plain, quantity
 
-HEAD = ("project", "client", "author", "revision")
 FORMULAS = [
     ("sliding distance", "eq. (4) of Shimosako and Takahashi (1994): (W/g) x'' = F_T + mu U - mu W', x' >= 0; node by node Coulomb's law"),
     ("displacement with the ground", "residual displacement of the caisson on soil that yields, and S where it is bonded to it"),
@@ -13,31 +13,25 @@ FORMULAS = [
 ]
 
 
-def section(result, outline):
-    checks = result.summary.get("checks") or []
-    parts = [head(result.case.get("report") or {})]
-    if checks:
-        parts.append(verdicts(checks))
-    parts.append(levels(result.case, outline))
-    inside = [part for part in parts if part]
-    return tag("section", tag("h2", "Verdict"), *inside, id="sheet") if inside else Markup("")
-
-
-def head(told):
-    rows = [(name, told[name]) for name in HEAD if told.get(name)]
-    return table(None, rows, "words") if rows else Markup("")
+def section(summary):
+    checks = summary.get("checks") or []
+    return tag("section", tag("h2", say("Checks")), verdicts(checks), id="sheet") if checks else Markup("")
 
 
 def verdicts(checks):
     rows = []
     for check in checks:
         unit, holds = check["unit"], check["holds"]
-        verdict = "no limit given" if holds is None else "holds" if holds else tag("strong", "does not hold", class_="fails")
+        fails = tag("strong", say("does not hold"), class_="fails")
+        verdict = say("no limit given") if holds is None else say("holds") if holds else fails
         margin = "" if check["margin"] is None else plain(check["margin"], 3)
-        basis = join([tag("code", check["measure"]), prose("; " + check["assumption"]) if check.get("assumption") else ""])
+        stands_on = "; ".join(map(told, (check.get("assumption") or "").split("; ")))
+        basis = join([tag("code", check["measure"]), prose("; " + stands_on) if stands_on else ""])
         capacity = "" if check["capacity"] is None else quantity(check["capacity"], unit)
-        rows.append((check["name"], "without bound" if check["demand"] is None else quantity(check["demand"], unit), capacity, margin, verdict, basis))
-    return table(("check", "demand", "capacity", "margin", "", "measure and assumption"), rows, "numbers wide sheet")
+        demand = say("without bound") if check["demand"] is None else quantity(check["demand"], unit)
+        rows.append((named(check["name"]), demand, capacity, margin, verdict, basis))
+    head = heads("check", "demand", "capacity", "margin", "result", "measure and assumption")
+    return table(head, rows, "numbers wide sheet")
 
 
 def levels(case, outline):
@@ -45,22 +39,24 @@ def levels(case, outline):
     rows = []
     level = (case.get("initial") or {}).get("water_level")
     if level is not None:
-        rows.append(("still water", quantity(float(level), "m"), ""))
+        rows.append((say("still water"), quantity(float(level), "m"), ""))
     if outline is not None:
         for name in sorted(outline.regions, key=lambda name: -outline.box(name)[3]):
             low, high = outline.box(name)[2:]
             region = (case.get("regions") or {}).get(name) or {}
-            rows.append((name.replace("_", " "), join([quantity(low, "m"), " to ", quantity(high, "m")]), soil(region)))
-    return join([tag("h3", "Levels and layers"), table(("", "height", ""), rows, "words")]) if rows else Markup("")
+            between = phrase("{low} to {high}", low=quantity(low, "m"), high=quantity(high, "m"))
+            rows.append((named(name), between, soil(region)))
+    head = heads("layer", "height", "what it is")
+    return join([tag("h3", say("Levels and layers")), table(head, rows, "words")]) if rows else Markup("")
 
 
 def soil(region):
     """What decides of a region, in a few words."""
-    told = [region.get("kind", "")]
+    parts = [told(region.get("kind", ""))]
     for key, symbol in (("shear_modulus", "G"), ("hydraulic_conductivity", "k"), ("density", "ρ")):
         if isinstance(region.get(key), (int, float)):
-            told.append(join([symbol, " ", quantity(float(region[key]), unit_of(key))]))
-    return join([part for part in told if part], ", ")
+            parts.append(join([symbol, " ", quantity(float(region[key]), unit_of(key))]))
+    return join([part for part in parts if part], ", ")
 
 
 def unit_of(key):
@@ -71,6 +67,5 @@ def formulas(result):
     """For the appendix."""
     if not result.summary.get("checks"):
         return Markup("")
-    rows = [(name, prose(what)) for name, what in FORMULAS]
-    return tag("section", tag("h2", "Formulas of the checks"), table(None, rows, "words"), id="formulas")
-
+    rows = [(say(name), prose(say(what))) for name, what in FORMULAS]
+    return tag("section", tag("h2", say("Formulas of the checks")), table(None, rows, "words"), id="formulas")

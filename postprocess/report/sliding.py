@@ -3,7 +3,7 @@
 import numpy as np
 
 from report import figure, sliding_tables
-from report.figure import words
+from report.language import heads, phrase, say, told
 from report.markup import Markup, join, prose, table, tag
 from report.measures import at, measures
 from report.plot import Line, Panel, Plot
@@ -16,7 +16,7 @@ def section(result):
     if not found:
         return Markup("")
     rows = [(prose(measure.what), quantity(measure.value, "m"), tag("code", measure.key)) for measure in found]
-    parts = [tag("h2", "Sliding")]
+    parts = [tag("h2", say("Sliding"))]
     if sliding:
         parts += [tag("p", balance(sliding)), figure.of_plot(forces(result, sliding), force_caption(result))]
     course = slip_course(result, sliding or {})
@@ -24,16 +24,16 @@ def section(result):
         parts.append(
             figure.of_plot(
                 course,
-                words("Slip of the caisson over its ground, landward positive. Dots mark the largest slip on the way."),
+                say("Slip of the caisson over its ground, landward positive. Dots mark the largest slip on the way."),
             )
         )
     parts += [
-        tag("h3", "Sliding distance by every measure"),
-        table(("measure", "S", "in summary.json"), rows, "numbers keys"),
+        tag("h3", say("Sliding distance by every measure")),
+        table(heads("measure", "$S$", "in summary.json"), rows, "numbers keys"),
     ]
     if sliding and sliding.get("why_not_coupled"):
-        why = "Slip as a whole on the shaken ground could not be computed: " + sliding["why_not_coupled"] + "."
-        parts.append(tag("p", prose(why)))
+        why = phrase("Slip as a whole on the shaken ground could not be computed: {why}.", why=prose(told(sliding["why_not_coupled"])))
+        parts.append(tag("p", why))
     if sliding:
         parts += [
             sliding_tables.contact(result.summary),
@@ -45,30 +45,17 @@ def section(result):
 
 def balance(sliding):
     """One sentence: how near the caisson comes to sliding."""
-    resistance, ratio = sliding["resistance"], sliding["ratio"]
-    text = words(
-        "The largest sliding force of the bonded caisson, ",
-        quantity(sliding["peak_sliding_force"], "N/m"),
-        " (",
-        ("F_S",),
-        " = ",
-        ("F_T",),
-        " + ",
-        ("μ U",),
-        "), is ",
-        percent(ratio),
-        " of the resistance ",
-        ("μ W′",),
-        " = ",
-        quantity(sliding["friction"]),
-        " × ",
-        quantity(sliding["buoyant_weight"], "N/m"),
-        " = ",
-        quantity(resistance, "N/m"),
-        ".",
+    text = phrase(
+        "The largest sliding force of the bonded caisson, {force} ($F_S$ = $F_T$ + $μ U$), is {ratio} of the resistance "
+        "$μ W′$ = {friction} × {weight} = {resistance}.",
+        force=quantity(sliding["peak_sliding_force"], "N/m"),
+        ratio=percent(sliding["ratio"]),
+        friction=quantity(sliding["friction"]),
+        weight=quantity(sliding["buoyant_weight"], "N/m"),
+        resistance=quantity(sliding["resistance"], "N/m"),
     )
-    if ratio is not None and ratio <= 1:
-        return join([text, " So the caisson does not slide as a rigid block."])
+    if sliding["ratio"] is not None and sliding["ratio"] <= 1:
+        return join([text, " ", say("So the caisson does not slide as a rigid block.")])
     return text
 
 
@@ -79,7 +66,7 @@ def forces(result, sliding):
     lines = [Line("F_T", time, np.asarray(result.history("shear_force")), 2)]
     coupled = slipped(result)
     if coupled:
-        lines.append(Line("F_T coupled", coupled["time"], coupled["shear_force"], 5))
+        lines.append(Line(say("F_T coupled"), coupled["time"], coupled["shear_force"], 5))
     limits = [
         Line("μ W′", ends, np.full(2, resistance), 3, "--"),
         Line("−μ W′", ends, np.full(2, -resistance), 3, "--"),
@@ -88,21 +75,15 @@ def forces(result, sliding):
 
 
 def force_caption(result):
-    bonded = (
-        "of this run"
-        if result.summary.get("contact") and at(result.summary, "contact.solved")
-        else "of the bonded caisson"
+    solved = result.summary.get("contact") and at(result.summary, "contact.solved")
+    caption = (
+        "Shear force at the bottom $F_T$ of this run against the friction that holds it, $μ W′$ on either side. {coupled}"
+        if solved
+        else "Shear force at the bottom $F_T$ of the bonded caisson against the friction that holds it, $μ W′$ on either side. "
+        "{coupled}"
     )
-    parts = [
-        "Shear force at the bottom ",
-        ("F_T",),
-        f" {bonded} against the friction that holds it, ",
-        ("μ W′",),
-        " on either side.",
-    ]
-    if slipped(result):
-        parts += [" “Coupled” is the caisson that slips as a whole."]
-    return words(*parts)
+    coupled = say("“Coupled” is the caisson that slips as a whole.") if slipped(result) else ""
+    return phrase(caption, coupled=coupled)
 
 
 def slipped(result):
@@ -117,10 +98,10 @@ def slip_course(result, sliding):
     lines, marks = [], []
     coupled = slipped(result)
     if coupled:
-        lines.append(Line("as a whole", coupled["time"], coupled["slip"], 5))
+        lines.append(Line(say("as a whole"), coupled["time"], coupled["slip"], 5))
     if "/history/interface/slip" in result.file:
         lines.append(
-            Line("node by node, mean", np.asarray(result.time), np.asarray(result.history("interface/slip")), 0)
+            Line(say("node by node, mean"), np.asarray(result.time), np.asarray(result.history("interface/slip")), 0)
         )
     for line in lines:
         largest = int(np.argmax(np.abs(line.values)))
@@ -130,7 +111,7 @@ def slip_course(result, sliding):
         stop, end = rest[-1]["stop"], float(result.time[-1])
         lines.append(
             Line(
-                "eq. (4), where it rests",
+                say("eq. (4), where it rests"),
                 np.array([min(stop, end), max(stop, end)]),
                 np.full(2, sliding["sliding_history"]),
                 3,

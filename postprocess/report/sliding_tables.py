@@ -1,5 +1,6 @@
 """What is told of a slip besides its distance: contact node by node, slips one by one, equivalent durations."""
 
+from report.language import heads, say, told
 from report.markup import Markup, fold, join, table, tag
 from report.measures import at
 from report.units import percent, quantity
@@ -11,18 +12,18 @@ def contact(summary):
     if not solved:
         return Markup("")
     keys = ("largest_slip", "opening_seaward", "opening_landward", "least_contact", "least_normal_force", "dissipated")
-    rows = [(outputs.label(path), percent(solved[key]) if key == "least_contact" else quantity(solved[key], outputs.unit(path)))
+    rows = [(told(outputs.label(path)), percent(solved[key]) if key == "least_contact" else quantity(solved[key], outputs.unit(path)))
             for key, path in ((key, f"contact.solved.{key}") for key in keys)]
-    return join([tag("h3", "Contact node by node"), table(("quantity", "value"), rows, "numbers")])
+    return join([tag("h3", say("Contact node by node")), table(heads("quantity", "value"), rows, "numbers")])
 
 
 def slips(sliding):
     rows = []
-    for name, found in (("eq. (4)", sliding.get("slips")), ("as a whole", (sliding.get("coupled") or {}).get("slips"))):
+    for name, found in ((say("eq. (4)"), sliding.get("slips")), (say("as a whole"), (sliding.get("coupled") or {}).get("slips"))):
         for number, slip in enumerate(found or [], 1):
             rows.append(
                 (
-                    f"{name}, slip {number}",
+                    say("{name}, slip {number}", name=name, number=number),
                     quantity(slip["start"], "s"),
                     quantity(slip["stop"], "s"),
                     quantity(slip["distance"], "m"),
@@ -31,8 +32,8 @@ def slips(sliding):
             )
     return (
         fold(
-            f"{len(rows)} slips one by one",
-            table(("slip", "from", "until", "distance", "largest velocity"), rows, "numbers"),
+            say("{count} slips one by one", count=len(rows)),
+            table(heads("slip", "from", "until", "distance", "largest velocity"), rows, "numbers"),
         )
         if rows
         else Markup("")
@@ -50,10 +51,12 @@ def durations(sliding):
     ]
     if not rows:
         return Markup("")
-    head = ("F_S / μW′", "S", "τ₀ by eq. (7)", "integrated", "by time above μW′", "by impulse")
+    head = heads("$F_S$ / μW′", "S", "τ₀ by eq. (7)", "integrated", "by time above μW′", "by impulse")
     about = tag(
         "p",
-        "Duration of the triangular pulse of equal peak that slides as far as this history, were the resistance "
-        "less or more than it is.",
+        say(
+            "Duration of the triangular pulse of equal peak that slides as far as this history, were the resistance "
+            "less or more than it is."
+        ),
     )
-    return fold("Equivalent duration of this history, for other resistances", about, table(head, rows, "numbers"))
+    return fold(say("Equivalent duration of this history, for other resistances"), about, table(head, rows, "numbers"))

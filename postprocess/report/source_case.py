@@ -113,12 +113,17 @@ def find(case, folder):
     beside = {(folder / name).resolve().parent for name in named if name}
     beside |= {inner for place in beside if place.is_dir() for inner in place.iterdir() if inner.is_dir()}
     near = {place for parent in folder.resolve().parents[:2] for place in (parent, parent / "cases")}
+    near |= {inner for parent in folder.resolve().parents[:2] for inner in folders(parent / "cases")}
     for places in (beside, near):
         found = sorted(candidates(case, places), key=lambda source: agreement(source.values, case), reverse=True)
         best = [source for source in found if agreement(source.values, case) == agreement(found[0].values, case)]
         if found:
             return best[0] if all(source.values == best[0].values for source in best) else None
     return None
+
+
+def folders(place):
+    return [inner for inner in place.iterdir() if inner.is_dir()] if place.is_dir() else []
 
 
 def candidates(case, folders):

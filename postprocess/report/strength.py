@@ -5,6 +5,7 @@ import re
 
 import numpy as np
 
+from report.language import say
 from report.zones import COLOURS
 from report.zones import LIMITS as CLASSES
 
@@ -25,7 +26,10 @@ def summary(frames):
         "zone": ZONE,
         "limits": CLASSES,
         "colours": COLOURS,
-        "told": [f"{100 * part:.1f} % of the soil in this picture mobilises {100 * ZONE:.0f} % of its strength or more" for part in shares(frames)],
+        "told": [
+            say("{part} % of the soil in this picture mobilises {zone} % of its strength or more", part=f"{100 * part:.1f}", zone=f"{100 * ZONE:.0f}")
+            for part in shares(frames)
+        ],
     }
 
 

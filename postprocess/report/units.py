@@ -2,6 +2,7 @@
 
 import math
 
+from report.language import say
 from report.markup import Markup, tag
 
 # From 10,000 on the next prefix is taken where results are compared at a glance: P = 1,600 kN/m and F_T = 634.6 kN/m.
@@ -29,11 +30,11 @@ def scale(unit, peak, room=1.0):
 def plain(value, digits=4):
     """A number of four digits: 634.6, 1,600, 1.7 x 10^-13."""
     if isinstance(value, bool):
-        return "yes" if value else "no"
+        return say("yes") if value else say("no")
     if isinstance(value, int):
         return f"{value:,}"
     if not math.isfinite(value):
-        return "infinite" if value > 0 else "minus infinite" if value < 0 else "not a number"
+        return say("infinite") if value > 0 else say("minus infinite") if value < 0 else say("not a number")
     if value == 0:
         return "0"
     exponent = math.floor(math.log10(abs(float(f"{value:.{digits}g}"))))
@@ -53,14 +54,14 @@ def pretty(unit):
     return "" if unit in ("1", "-") else unit.replace("m2", "m²").replace("m3", "m³").replace("s2", "s²")
 
 
-def quantity(value, unit="", room=10.0):
+def quantity(value, unit="", room=10.0, digits=4):
     """Markup of a number with its unit; the exact SI value stands in the attribute `value`."""
     if value is None:
-        return Markup("none")
+        return Markup(say("none"))
     factor, name = scale(unit, value, room) if math.isfinite(value) else (1.0, unit)
-    text = f"{plain(value * factor if factor != 1.0 else value)} {pretty(name)}".strip()
+    text = f"{plain(value * factor if factor != 1.0 else value, digits)} {pretty(name)}".strip()
     return tag("data", text.replace(" ", "\u00a0"), value=repr(value))
 
 
 def percent(value):
-    return Markup("none") if value is None else tag("data", f"{plain(100 * value, 3)}\u00a0%", value=repr(value))
+    return Markup(say("none")) if value is None else tag("data", f"{plain(100 * value, 3)}\u00a0%", value=repr(value))

@@ -1,5 +1,6 @@
 """Loads by waves: P and U of Goda's formulas, the course in time, and what all that rests on."""
 
+from report.language import heads, named, say, spaced
 from report.markup import Markup, fold, join, prose, table, tag
 from report.units import quantity
 
@@ -11,7 +12,7 @@ def records(summary):
     waves = summary.get("wave_loads") or {}
     rows = [
         (
-            name.replace("_", " "),
+            spaced(name),
             quantity(wave["height"], "m"),
             quantity(wave["period"], "s"),
             quantity(wave["alpha_star"]),
@@ -19,7 +20,7 @@ def records(summary):
             quantity(wave["force"], "N/m"),
             quantity(wave["force_moment"], "N m/m"),
             quantity(wave["uplift"], "N/m"),
-            wave["course"].replace("_", " "),
+            named(wave["course"]),
             quantity(wave["peak"], "N/m"),
             quantity(wave["rise"], "s"),
             quantity(wave["duration"], "s"),
@@ -30,7 +31,7 @@ def records(summary):
     if not rows:
         return Markup("")
     lists = [
-        tag("p", prose(name.replace("_", " ") + ": " + "; ".join(wave["assumptions"]) + "."))
+        tag("p", prose(spaced(name) + ": " + "; ".join(wave["assumptions"]) + "."))
         for name, wave in waves.items()
     ]
-    return fold("Loads by waves", table(HEAD, rows, "numbers"), join(lists), open_=True)
+    return fold(say("Loads by waves"), table(heads(*HEAD), rows, "numbers"), join(lists), open_=True)

@@ -1,5 +1,6 @@
 """What if: the reduced model of the same scene, where it lies in the folder of the run, answers other waves in the page."""
 
+from report.language import say, spoken
 from report.markup import Markup, tag
 from upbead import live
 from upbead.errors import ModelError
@@ -14,11 +15,16 @@ def section(result):
     try:
         data, case = model_data(path), case_of(path)
     except (ModelError, OSError, KeyError, ValueError) as error:
-        return told(f"The reduced model beside this run cannot be shown: {error}.")
+        return note(say("The reduced model beside this run cannot be shown: {why}.", why=error))
     if scene_of(case) != scene_of(result.case):
-        return told("The reduced model beside this run is of another scene, and is not shown.")
-    return tag("section", tag("h2", "What if"), Markup(live.section(data)), id="what-if")
+        return note(say("The reduced model beside this run is of another scene, and is not shown."))
+    return tag("section", tag("h2", say("What if")), english(), Markup(live.section(data)), id="what-if")
 
 
-def told(text):
-    return tag("section", tag("h2", "What if"), tag("p", text, class_="quiet"), id="what-if")
+def english():
+    """The calculator speaks English alone."""
+    return tag("p", say("What follows is in English."), class_="quiet") if spoken() != "en" else Markup("")
+
+
+def note(text):
+    return tag("section", tag("h2", say("What if")), tag("p", text, class_="quiet"), id="what-if")

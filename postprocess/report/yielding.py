@@ -1,7 +1,8 @@
 """Soil that yields: where the caisson came to rest, what the soil took, where it has yielded, and how sure that is."""
 
 from report import zones
-from report.markup import Markup, join, prose, table, tag
+from report.language import heads, phrase, say, told
+from report.markup import Markup, join, table, tag
 from report.measures import at
 from report.units import percent, quantity
 from upbead.errors import UserError
@@ -34,7 +35,7 @@ def section(result, window):
         return Markup("")
     return tag(
         "section",
-        tag("h2", "Soil that yields"),
+        tag("h2", say("Soil that yields")),
         residual(summary),
         slide(summary),
         strength(summary),
@@ -53,15 +54,15 @@ def residual(summary):
     ratio = at(summary, "response.shear_to_force_ratio")
     starts = [(nonlinear["start"], ratio, own)]
     starts += [(b["start"], b["shear_to_force_ratio"], b["residual"]) for b in nonlinear["bounds"]]
-    head = ["at the end of the run", *(f"start {name}" for name, _, _ in starts)]
+    head = [say("at the end of the run"), *(say("start {name}", name=name) for name, _, _ in starts)]
     rows = [
-        (what, *(quantity(r.get(key), unit) for _, _, r in starts))
+        (say(what), *(quantity(r.get(key), unit) for _, _, r in starts))
         for key, what, unit in MOVED
         if own.get(key) is not None
     ]
-    rows.append((prose("peak F_T over peak P"), *(percent(value) for _, value, _ in starts)))
-    told = "What the soil bore before the wave is not known of hysteretic soil: the other starts are the bounds."
-    return join([table(head, rows, "numbers"), tag("p", told, class_="quiet") if len(starts) > 1 else ""])
+    rows.append((phrase("peak $F_T$ over peak $P$"), *(percent(value) for _, value, _ in starts)))
+    note = say("What the soil bore before the wave is not known of hysteretic soil: the other starts are the bounds.")
+    return join([table(head, rows, "numbers"), tag("p", note, class_="quiet") if len(starts) > 1 else ""])
 
 
 def slide(summary):
@@ -69,14 +70,12 @@ def slide(summary):
     design, moved = at(summary, "sliding.design"), at(summary, "residual.displacement_x")
     if not design or moved is None:
         return Markup("")
-    text = join(
-        [
-            "Two distances stand beside each other: the ground carries the bonded caisson ",
-            quantity(moved, "m"),
-            " landward (residual displacement), and a block on friction under this shear force slips ",
-            quantity(design["value"], "m"),
-            " over the mound (S). Neither counts in the other; the check of the displacement with the ground adds them.",
-        ]
+    text = phrase(
+        "Two distances stand beside each other: the ground carries the bonded caisson {moved} landward (residual "
+        "displacement), and a block on friction under this shear force slips {slip} over the mound ($S$). Neither counts "
+        "in the other; the check of the displacement with the ground adds them.",
+        moved=quantity(moved, "m"),
+        slip=quantity(design["value"], "m"),
     )
     return tag("p", text)
 
@@ -85,7 +84,7 @@ def strength(summary):
     rows = [
         (
             row["region"],
-            row["law"].replace("_", "-"),
+            told(row["law"].replace("_", "-")),
             percent(row["initial"]),
             percent(row["largest"]),
             percent(row["initial_share"]),
@@ -93,8 +92,8 @@ def strength(summary):
         )
         for row in summary["nonlinear"].get("regions") or []
     ]
-    head = ("region", "law", "mobilised at rest, at most", "at any time", "area with all of it, at rest", "at any time")
-    return join([tag("h3", "Strength mobilised"), table(head, rows, "numbers")]) if rows else Markup("")
+    head = heads("region", "law", "mobilised at rest, at most", "at any time", "area with all of it, at rest", "at any time")
+    return join([tag("h3", say("Strength mobilised")), table(head, rows, "numbers")]) if rows else Markup("")
 
 
 def energy(summary):
@@ -103,23 +102,23 @@ def energy(summary):
         return Markup("")
     work = found["work"]
     rows = [
-        (what, quantity(found[key], "J/m"), percent(found[key] / work) if work else "")
+        (say(what), quantity(found[key], "J/m"), percent(found[key] / work) if work else "")
         for key, what in ENERGY
         if found.get(key)
     ]
-    parts = [tag("h3", "Energy at the end"), table(("", "", "of the work"), rows, "numbers")]
+    parts = [tag("h3", say("Energy at the end")), table(heads("", "", "of the work"), rows, "numbers")]
     if found.get("strain", 0) < 0:
-        why = "Stored by strain is negative: stresses at rest and weights have given, so that the soil may take more than the loads."
+        why = say("Stored by strain is negative: stresses at rest and weights have given, so that the soil may take more than the loads.")
         parts.append(tag("p", why, class_="quiet"))
     return join(parts)
 
 
 def drawn(folder, window):
-    pvd, asked = folder / "fields.pvd", tag("code", "[output] fields")
+    pvd = folder / "fields.pvd"
     if not pvd.is_file():
-        return tag("p", "Where the soil has yielded is drawn of a run with ", asked, ".", class_="quiet")
+        return tag("p", phrase("Where the soil has yielded is drawn of a run with `[output] fields`."), class_="quiet")
     try:
         found = zones.read(pvd, window)
     except UserError as error:
-        return tag("p", f"Not drawn: {error}.", class_="quiet")
-    return join([tag("h3", "Where it has yielded"), zones.figures(found)]) if found else Markup("")
+        return tag("p", say("Not drawn: {why}.", why=error), class_="quiet")
+    return join([tag("h3", say("Where it has yielded")), zones.figures(found)]) if found else Markup("")

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from report import vtu
+from report.language import say
 from report.markup import Markup, join, tag
 from upbead.errors import UserError
 
@@ -81,7 +82,7 @@ def scale_parts(limits, told, top):
 
 def of_mobilised(zones):
     number = classes(zones.mobilised, LIMITS)
-    return drawing(zones.corners, number, LIMITS, lambda v: f"{100 * v:g} %", "share of strength mobilised by cell")
+    return drawing(zones.corners, number, LIMITS, lambda v: f"{100 * v:g} %", say("share of strength mobilised by cell"))
 
 
 def of_dissipated(zones):
@@ -93,7 +94,7 @@ def of_dissipated(zones):
     top = 10.0 ** np.floor(np.log10(largest))
     limits = [top * factor for factor in (1e-4, 1e-3, 1e-2, 0.1, 0.3, 1.0)]
     number = classes(values, limits)
-    return drawing(zones.corners, number, limits, lambda v: f"{v:.2g}", "energy taken by the soil by cell, J/m³")
+    return drawing(zones.corners, number, limits, lambda v: f"{v:.2g}", say("energy taken by the soil by cell, J/m³"))
 
 
 def figures(zones):
@@ -103,7 +104,7 @@ def figures(zones):
         ("dissipated", of_dissipated(zones), "Energy that each cell has taken by yielding, J/m³"),
     )
     return join(
-        tag("figure", drawn, tag("figcaption", f"{what}, at {zones.time:.4g} s. Outlined: what stays elastic, and what is rigid."), id=name, class_="zones")
+        tag("figure", drawn, tag("figcaption", say("{what}, at {time} s. Outlined: what stays elastic, and what is rigid.", what=say(what), time=f"{zones.time:.4g}")), id=name, class_="zones")
         for name, drawn, what in both
         if drawn
     )

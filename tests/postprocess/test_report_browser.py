@@ -56,6 +56,8 @@ class Reading(unittest.TestCase):
         cls.pages = {name: path / "page.html" for name, path in results.items()}
         for path in results.values():
             page(path)
+        cls.pages["japanese"] = slid / "japanese.html"
+        page(slid, "--language", "ja", "-o", cls.pages["japanese"])
         cls.browser = Browser(pdf.browser(), pdf.options)
 
     @classmethod
@@ -70,7 +72,7 @@ class Reading(unittest.TestCase):
 
     def test_narrow_and_wide_dark_and_light(self):
         for name in self.pages:
-            for width in (400, 1600):
+            for width in (360, 1600):
                 for dark in (False, True):
                     value = self.show(name, width, dark=dark)
                     where = f"{name} at {width} px, dark: {dark}"

@@ -1,0 +1,20 @@
+"""Documents of what other commands than `run` wrote: study, expected, calibrate and waves, on the same page."""
+
+from report import page
+from report.kinds import calibration, expected, frame, study, waves
+from upbead.calibration_result import CalibrationResult
+from upbead.expected_result import ExpectedResult
+from upbead.opening import open_result
+from upbead.results import Result
+from upbead.study_table import StudyTable
+
+DOCUMENTS = ((StudyTable, study), (ExpectedResult, expected), (CalibrationResult, calibration), (dict, waves))
+
+
+def build(folder, case_file=None, language=None):
+    """The HTML of a folder of results, whichever command wrote it."""
+    found = open_result(folder)
+    if isinstance(found, Result):
+        return page.build(found, case_file, language)
+    document = next(document for kind, document in DOCUMENTS if isinstance(found, kind))
+    return frame.build(folder, found, document, case_file, language)
