@@ -6,7 +6,7 @@ soil yields the colours are the share of strength that it mobilises.
     UPBEAD_RESULT=results/NAME paraview --script=postprocess/paraview_state.py
 
 or File > Load State with UPBEAD_RESULT set, or from within the folder of the run. The run needs [output] fields: fields.pvd
-and its .vtu files are all that the program writes for ParaView, and COLOURED has every field of theirs.
+and its .vtu files are all that the program writes for ParaView, and COLOURED has all of their fields.
 Tried with pvpython of ParaView 5.11 (Debian 12), not in its window.
 """
 

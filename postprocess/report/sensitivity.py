@@ -1,4 +1,4 @@
-"""What the answer hangs on, as far as the run itself tells: S by eq. (4) for other friction and weight, other uplift."""
+"""What the answer depends on, as far as the run itself tells: S by eq. (4) for other friction and weight, other uplift."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""The document of a study: how a number hangs on the keys that were varied."""
+"""The document of a study: how a number depends on the keys that were varied."""
 
 import numpy as np
 
