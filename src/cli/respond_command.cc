@@ -291,7 +291,7 @@ int respond(const Arguments& arguments, const Stopwatch& since_start) {
 }
 
 const char* const respond_footer =
-    R"(A wave is straight between its times, and zero before and after them; times need not be equally spaced.
+    R"(A wave is linear between its times, and zero before and after them; times need not be equally spaced.
   waves.csv   time (s), then columns named like the loads of the case (any name where there is one load)
   waves.h5    /time (N) and /LOAD of shape N, or waves x N for thousands of waves at once
 
