@@ -34,7 +34,7 @@ def times(summary):
 
 
 def versions(summary):
-    found = summary.get("versions") or {"program": summary.get("program", "not told")}  # older results name it alone
+    found = summary.get("versions") or {"program": summary.get("program", "not known")}  # older results name it alone
     rows = [(name, str(version)) for name, version in found.items()]
     rows.append(("this page", f"Python {platform.python_version()}, h5py {h5py.__version__}, numpy {np.__version__}"))
     return tag("div", tag("h3", "Versions"), table(None, rows, "words"))

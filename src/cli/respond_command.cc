@@ -64,7 +64,7 @@ std::string table(const std::vector<Named>& waves) {
             padded(with_unit(w.peak_shear, "N/m", w.peak_force), 15) + padded(ratio_text(w), 10);
     text += sliding ? padded(error, 15) : error;
     if (sliding) text += coupled ? padded(with_unit(*w.sliding, "m"), 15) : with_unit(*w.sliding, "m");
-    if (coupled) text += w.coupled ? with_unit(w.coupled->sliding, "m") : "not told";
+    if (coupled) text += w.coupled ? with_unit(w.coupled->sliding, "m") : "no value";
     text += "\n";
   }
   return text;
