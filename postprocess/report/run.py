@@ -39,7 +39,7 @@ def times(summary):
 
 
 def versions(summary):
-    found = summary.get("versions") or {"program": summary.get("program", say("not told"))}  # older results name it alone
+    found = summary.get("versions") or {"program": summary.get("program", say("not known"))}  # older results name it alone
     rows = [(name, str(version)) for name, version in found.items()]
     rows.append((say("this page"), f"Python {platform.python_version()}, h5py {h5py.__version__}, numpy {np.__version__}"))
     return tag("div", tag("h3", say("Versions")), table(None, rows, "words"))

@@ -82,7 +82,7 @@ def interval_text(ends):
     """An interval in words; one as wide as a guess may be wrong tells nothing.
 
     >>> interval_text((1.0, 2.0)), interval_text((0.1, 10.0))
-    ('(1 to 2)', '(not told by what was measured)')
+    ('(1 to 2)', '(not determined by the measurement)')
     """
     low, high = ends
-    return f"({low:.4g} to {high:.4g})" if high < 0.95 * RANGE**2 * low else "(not told by what was measured)"
+    return f"({low:.4g} to {high:.4g})" if high < 0.95 * RANGE**2 * low else "(not determined by the measurement)"

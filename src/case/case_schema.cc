@@ -220,7 +220,7 @@ TableSchema<CaseTables> case_schema() {
   table.section("accuracy", accuracy_schema());
   table.tables("probes", &CaseTables::probes, probe_schema()).doc("Point readings by name.");
   table.tables("measured", &CaseTables::measured, measured_schema())
-      .doc("Records by name that the run is held against; drawn beside it, with their differences in the summary.");
+      .doc("Records by name that the run is compared with; drawn beside it, with their differences in the summary.");
   table.section("output", output_schema());
   table.table("sliding", &CaseTables::sliding_table, sliding_schema())
       .doc("How far the caisson slides, Shimosako and Takahashi (1994); not asked without this table.");

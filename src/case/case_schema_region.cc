@@ -135,7 +135,7 @@ void declare_skeleton(TableSchema<Region>& table) {
                  "elastic up to its strength"));
   limit(table.table("strain", &Region::strain_law, strain_law_schema())
             .doc("Of elastic soil: equivalent-linear, G and damping by the strain of the response, iterated cell by "
-                 "cell; linear without this table. Of hysteretic soil: its curve of G, damping comes of itself."));
+                 "cell; linear without this table. Of hysteretic soil: its curve of G, from which damping follows."));
   limit(table.key("youngs_modulus", &Region::youngs_modulus)
             .unit("Pa")
             .range(above(0.))
@@ -145,10 +145,9 @@ void declare_skeleton(TableSchema<Region>& table) {
             .doc("Poisson ratio of the drained skeleton; needed"));
   limit(table.table("damping", &Region::damping, damping_schema())
             .doc("Rayleigh damping; without this table there is none."));
-  limit(
-      table.table("strength", &Region::strength, strength_schema())
-          .doc("Mohr-Coulomb strength. Stresses of elastic soil, static plus dynamic, are held against it, and change "
-               "by nothing; other laws yield by it."));
+  limit(table.table("strength", &Region::strength, strength_schema())
+            .doc("Mohr-Coulomb strength. Stresses of elastic soil, static plus dynamic, are compared with it and do "
+                 "not change; other laws yield at it."));
   limit(table.table("densification", &Region::densification, densification_schema())
             .doc("Sand that packs denser under cycles of shear, with law hysteretic or mohr_coulomb: pore pressure "
                  "where its water stays, settlement where it goes. Without this table it keeps its volume."));

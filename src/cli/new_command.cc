@@ -44,7 +44,7 @@ int write(const NewOptions& options) {
 
 const char* const new_footer =
     R"(Writes FILE, a commented case: a caisson on a rubble mound in the sea under one design wave. Soils, slopes and limits
-are assumed, which their comments tell. Beside it lies the JSON Schema of cases, by which an editor with a TOML language
+are assumed, as their comments say. Beside it lies the JSON Schema of cases, by which an editor with a TOML language
 server (taplo, in VS Code "Even Better TOML") completes keys and underlines mistakes. Nothing that exists is replaced.
 
 Examples:

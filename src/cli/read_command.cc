@@ -140,7 +140,7 @@ int read(const ReadOptions& options) {
 }
 
 const char* const read_footer =
-    R"(Tells what a file or a folder of OpenFOAM (forces, probes, raw patches), DualSPHysics, Proteus or SWASH holds, in its
+    R"(Prints what a file or folder of OpenFOAM (forces, probes, raw patches), DualSPHysics, Proteus or SWASH holds, in its
 own axes and units. With keys of a load `from` (docs/cfd.md), what it is as a load: per metre, over still water, landward.
 What the record does not say is asked for.
 

@@ -311,7 +311,8 @@ Command reduce_command() {
       std::vector<Option>{
           trust_option(options->trusts_script),
           {"--all-readings", &options->all_readings,
-           "go on until all readings, not F_T alone, move by less than ten times the tolerance"},
+           "add vectors until all readings, not F_T alone, differ between nested models by less than ten times the "
+           "tolerance"},
           {"--check", &options->check, "march the case as well and print the error against that march; takes longer"}};
   command.footer = reduce_footer;
   command.work = [options, since_start = Stopwatch()] { return reduce(*options, since_start); };

@@ -64,7 +64,7 @@ std::string table(const std::vector<Named>& waves) {
             padded(with_unit(w.peak_shear, "N/m", w.peak_force), 15) + padded(ratio_text(w), 10);
     text += sliding ? padded(error, 15) : error;
     if (sliding) text += coupled ? padded(with_unit(*w.sliding, "m"), 15) : with_unit(*w.sliding, "m");
-    if (coupled) text += w.coupled ? with_unit(w.coupled->sliding, "m") : "not told";
+    if (coupled) text += w.coupled ? with_unit(w.coupled->sliding, "m") : "no value";
     text += "\n";
   }
   return text;
@@ -291,7 +291,7 @@ int respond(const Arguments& arguments, const Stopwatch& since_start) {
 }
 
 const char* const respond_footer =
-    R"(A wave is straight between its times, and zero before and after them; times need not be equally spaced.
+    R"(A wave is linear between its times, and zero before and after them; times need not be equally spaced.
   waves.csv   time (s), then columns named like the loads of the case (any name where there is one load)
   waves.h5    /time (N) and /LOAD of shape N, or waves x N for thousands of waves at once
 

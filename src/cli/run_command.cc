@@ -83,9 +83,9 @@ const char* const run_footer =
   case.toml      the case with all defaults spelled out; runs again as it is
   fields.pvd     fields for ParaView, where the case has [output] fields
 
-A run that may take long can be killed and go on, to the last bit the same (not with contact, soil that follows
+A long run can be stopped and resumed, with the same result to the last bit (not with contact, soil that follows
 its strain, or several processes):
-  upbead run CASE --checkpoint 600      keeps where it stands every 600 s, and where it is interrupted
+  upbead run CASE --checkpoint 600      writes a checkpoint every 600 s, and where it is interrupted
   upbead run CASE --checkpoint 600 --resume
 
 On several processes (mpirun -n 2 upbead run CASE) the mesh is divided among them; the answer is the same up to

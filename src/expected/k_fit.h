@@ -27,7 +27,7 @@ struct FitQuality {
 enum class FitDoubt {
   none,
   edge,             ///< the best a or b runs to an end of its range, [0.001, 10] and [0.001, 100]
-  ill_conditioned,  ///< a and b cannot be told apart: condition number above 1e4
+  ill_conditioned,  ///< a and b cannot be distinguished: condition number above 1e4
   reaches_zero,     ///< the confidence ellipse reaches a = 0 or b = 0
 };
 

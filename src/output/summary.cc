@@ -94,7 +94,7 @@ OutputSchema<MeasuredSummary> measured_outputs() {
   using M = MeasuredSummary;
   using C = Comparison;
   return OutputSchema<M>()
-      .key("reading", &M::reading, "", "the history that it is held against")
+      .key("reading", &M::reading, "", "the history that it is compared with")
       .keys_of(&M::comparison,
                OutputSchema<C>()
                    .key("peak_measured", &C::peak_measured, "", "of largest magnitude, in the unit of the record")

@@ -13,7 +13,7 @@ import sys
 import tokenize
 
 HEADING = "## Not written"
-LITERAL = re.compile(r'"((?:[^"\\\n]|\\.)*)"')
+LITERAL = re.compile(r'R"\((.*?)\)"|"((?:[^"\\\n]|\\.)*)"', re.DOTALL)
 CODE = re.compile(r"^(```.*?^```|    .*?$)|`[^`\n]+`|\]\([^)\n]*\)|<!--.*?-->", re.DOTALL | re.MULTILINE)
 
 
@@ -39,9 +39,10 @@ def prose_of_cpp(text):
     text = re.sub(r'#include "[^"\n]*"|^[ \t]*//.*$', "", text, flags=re.MULTILINE)
     text = re.sub(r'"(\s*\n\s*)"', lambda match: "\0" * match[1].count("\n"), text)
     for match in LITERAL.finditer(text):
-        if " " in match[1]:
+        sentence = match[1] or match[2] or ""
+        if " " in sentence:
             line = 1 + sum(text.count(mark, 0, match.start()) for mark in "\n\0")
-            yield line, re.sub(r"`[^`]+`", " ", match[1].replace("\0", "").replace("\\n", " "))
+            yield line, re.sub(r"`[^`]+`", " ", sentence.replace("\0", "").replace("\\n", " "))
 
 
 def prose_of_python(text):

@@ -21,19 +21,19 @@ class YieldingSoil;
 struct CompiledScene;
 struct CellsCompared;
 
-/// How wrong cells make F_T.
+/// Error of F_T by the size of the cells.
 struct ShearError {
   double peak = 0.;     ///< of the peak, relative
   double history = 0.;  ///< of the largest |F_T|, at any time
 };
 
-/// How a mesh came about that was refined for a tolerance.
+/// How a mesh was refined for a tolerance.
 struct MeshAccuracy {
   struct Level {
     int unknowns = 0;
     ShearError error;
   };
-  std::vector<Level> levels;                      ///< that were held against cells half as large; the last is used
+  std::vector<Level> levels;  ///< meshes that were compared with cells half as large; the last is used
   std::shared_ptr<const CellsCompared> compared;  ///< of the last
 };
 
@@ -42,7 +42,7 @@ struct Simulation;
 
 using SoilFollower = std::function<void(YieldingSoil&)>;
 
-/// What a run tells while it is solved.
+/// What a run reports while it is solved.
 struct RunOptions {
   std::function<void(double)> progress;  ///< called with 0 to 1, again and again; may throw to end the run
   /// Of what follows the march; called once, with the scene as it is marched (its soil converged), before the march.
@@ -101,11 +101,11 @@ struct Run {
   std::optional<StateModel> states;            ///< where it was, and fields or a strength are asked for
   std::string scheme_reason;                   ///< why it was solved as it was
   std::string step_reason;                     ///< why the steps are as long as they are
-  std::shared_ptr<const CellsCompared> cells;  ///< where it was held against cells half as large
+  std::shared_ptr<const CellsCompared> cells;  ///< where it was compared with cells half as large
 };
 
 /// Throws InputError where a scene asks for more than 1,000,000 steps or 10,000 fields, at the key that drives it; of
-/// automatic steps as far as the loads alone tell. Needs no mesh.
+/// automatic steps as far as the loads alone show. Needs no mesh.
 void check_size(const Scene& scene);
 
 /// The same scene, its soil converged with the strain of its response: marched with the stiffness and damping of every
@@ -118,7 +118,7 @@ Simulation with_converged_soil(const Simulation& simulation, const std::function
 /// The same scene with its caisson bonded to the ground, where it may slip and lift.
 Simulation bonded(const Simulation& simulation);
 
-/// What may be wrong with the numbers of a scene, as far as that can be told without solving: docs/warnings.md.
+/// What may be wrong with the numbers of a scene, as far as that is known without solving: docs/warnings.md.
 /// `peak_time`: of F_T, where it is known.
 NumberedWarnings warnings(const Simulation& simulation, const std::optional<double>& peak_time = {});
 

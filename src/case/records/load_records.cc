@@ -167,7 +167,7 @@ TableSchema<MeasuredSource> measured_schema() {
   table.key("reading", &MeasuredSource::reading)
       .required()
       .doc(
-          "history of the results that it is held against; \"shear_force\", \"caisson/displacement_x\", "
+          "history of the results that it is compared with; \"shear_force\", \"caisson/displacement_x\", "
           "\"probes/A/pressure\"");
   table.key("column", &MeasuredSource::column).fallback("the one after the time").doc("name of its column");
   table.key("unit", &MeasuredSource::unit).fallback("that of the header, else SI").doc("unit of the values");

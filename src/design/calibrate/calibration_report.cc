@@ -30,7 +30,7 @@ std::string remark(const CalibrationFit& found) {
     case FitDoubt::edge:
       return "not identifiable: runs to the end of its range";
     case FitDoubt::ill_conditioned:
-      return "not identifiable: a and b cannot be told apart";
+      return "not identifiable: a and b cannot be distinguished";
     case FitDoubt::reaches_zero:
       return "the ellipse reaches 0";
     case FitDoubt::none:
