@@ -37,3 +37,13 @@ export function ticks(low, high, count) {
     found.push([i * step, (i * step + 0).toLocaleString("en", {minimumFractionDigits: decimals, maximumFractionDigits: decimals}).replace("-", "−")]);
   return found;
 }
+
+// As the program writes numbers in its sentences (significant() of src/base/text.cc): "0.05", "1e-05".
+export function significantDigits(value, digits = 3) {
+  if (!Number.isFinite(value)) return Number.isNaN(value) ? "nan" : value > 0 ? "inf" : "-inf";
+  if (value === 0) return "0";
+  const [mantissa, power] = value.toExponential(digits - 1).split("e"), exponent = Number(power);
+  const short = (text) => text.includes(".") ? text.replace(/\.?0+$/, "") : text;
+  if (exponent >= -4 && exponent < digits) return short(value.toFixed(digits - 1 - exponent));
+  return `${short(mantissa)}e${exponent < 0 ? "-" : "+"}${String(Math.abs(exponent)).padStart(2, "0")}`;
+}
