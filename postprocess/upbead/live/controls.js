@@ -1,4 +1,5 @@
 // What one may ask: the shape of the wave, a record, friction, W' and uplift.
+import {choiceOf} from "./choice.js";
 import {element} from "./element.js";
 import {Field} from "./field.js";
 import {SHAPES, waveOf} from "./pulse.js";
@@ -40,21 +41,15 @@ function slidingSpecs(known, load) {
   ];
 }
 
-function choice(key, name, words, chosen) {
-  const options = Object.entries(words).map(([value, text]) => element("option", {value, selected: value === chosen ? "" : null}, text));
-  const select = element("select", {id: `whatif-${key}`, "data-key": key}, ...options);
-  return {select, row: element("div", {class: "field"}, element("label", {for: `whatif-${key}`}, name), select)};
-}
-
 export class Controls {
   constructor(model, changed) {
     Object.assign(this, {model, changed, record: null, recordName: ""});
     const load = model.loads[0], known = model.sliding;
     const fields = (list) => list.map(({spec, value}) => new Field(spec, value, (field) => this.moved(field)));
-    this.shape = choice("shape", "Shape", Object.fromEntries(Object.keys(SHAPES).map((key) => [key, key.replace("_", " ")])), firstPulse(load, model.end, 1).shape);
-    this.load = choice("load", "Load", Object.fromEntries(model.loads.map(({name}, k) => [k, name])), "0");
+    this.shape = choiceOf("shape", "Shape", Object.fromEntries(Object.keys(SHAPES).map((key) => [key, key.replace("_", " ")])), firstPulse(load, model.end, 1).shape);
+    this.load = choiceOf("load", "Load", Object.fromEntries(model.loads.map(({name}, k) => [k, name])), "0");
     const uplifts = Object.entries(UPLIFTS).filter(([key]) => key !== "computed" || "uplift" in model.modes.readings);
-    this.uplift = choice("uplift", "Uplift", Object.fromEntries(uplifts), known && known.uplift in UPLIFTS ? known.uplift : "none");
+    this.uplift = choiceOf("uplift", "Uplift", Object.fromEntries(uplifts), known && known.uplift in UPLIFTS ? known.uplift : "none");
     this.ofPulse = fields(pulseSpecs(load, model.end));
     this.ofSliding = fields(slidingSpecs(known, load));
     this.all = Object.fromEntries([...this.ofPulse, ...this.ofSliding].map((field) => [field.key, field]));

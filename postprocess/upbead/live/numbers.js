@@ -39,11 +39,11 @@ export function ticks(low, high, count) {
 }
 
 // As the program writes numbers in its sentences (significant() of src/base/text.cc): "0.05", "1e-05".
-export function significantDigits(value, digits = 3) {
+export function digits(value, count = 3) {
   if (!Number.isFinite(value)) return Number.isNaN(value) ? "nan" : value > 0 ? "inf" : "-inf";
   if (value === 0) return "0";
-  const [mantissa, power] = value.toExponential(digits - 1).split("e"), exponent = Number(power);
+  const [mantissa, power] = value.toExponential(count - 1).split("e"), exponent = Number(power);
   const short = (text) => text.includes(".") ? text.replace(/\.?0+$/, "") : text;
-  if (exponent >= -4 && exponent < digits) return short(value.toFixed(digits - 1 - exponent));
+  if (exponent >= -4 && exponent < count) return short(value.toFixed(count - 1 - exponent));
   return `${short(mantissa)}e${exponent < 0 ? "-" : "+"}${String(Math.abs(exponent)).padStart(2, "0")}`;
 }

@@ -2,7 +2,7 @@
 // src/waves/validity.cc, src/waves/goda.cc and src/design/water_levels.cc.
 import {atLevel, stabilityOf} from "./goda.js";
 import {deepWavelength} from "./heights.js";
-import {significantDigits as digits} from "./numbers.js";
+import {digits} from "./numbers.js";
 
 const metresOf = (value) => `${digits(value, 4)} m`;
 const SHALLOWEST = 1e-3; // m
@@ -77,8 +77,6 @@ export function contradictions(section, water, rise) {
   const list = [];
   if (section.submerged_weight >= section.weight)
     list.push(`W′ = ${digits(section.submerged_weight, 6)} N/m is not below W = ${digits(section.weight, 6)} N/m; give W′ in still water, W less the weight of the displaced water`);
-  if (section.centroid !== undefined && section.centroid >= section.width)
-    list.push(`centroid = ${digits(section.centroid, 6)} m lies outside the caisson, B = ${digits(section.width, 6)} m; give a wider caisson`);
   if (depth + rise < SHALLOWEST) list.push(`${what}still water would fall to the sea bed, the mound's armour or the caisson's bottom${between}`);
   else if (there.crest < 0) list.push(`${what}still water would rise above the crest${between}`);
   else if (there.submerged_weight <= 0) list.push(`${what}the caisson would float, W' = ${digits(there.submerged_weight, 4)} N/m; give a lower level, or check W′`);

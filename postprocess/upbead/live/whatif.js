@@ -114,5 +114,5 @@ class WhatIf {
   }
 }
 
-for (const root of document.querySelectorAll(".whatif"))
-  new WhatIf(root, JSON.parse(root.querySelector("script.whatif-model").textContent));
+for (const script of document.querySelectorAll("script.whatif-model"))
+  new WhatIf(script.parentNode, JSON.parse(script.textContent));
