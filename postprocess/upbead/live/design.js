@@ -23,7 +23,11 @@ class DesignPage {
     this.notes = element("ul", {class: "notes"});
     const answer = element("div", {class: "answer"}, this.wrong, this.figure, this.warnings, this.tables, this.notes, this.buttons(), this.aloud);
     root.append(this.headline, element("div", {class: "whatif-parts"}, this.controls.form, answer));
-    new ResizeObserver(() => this.answer && this.draw()).observe(this.figure);
+    new ResizeObserver(([{contentRect}]) => {
+      this.width = Math.max(280, Math.floor(contentRect.width)); // kept: to ask for it after every move lays the page out once more
+      if (this.answer) this.draw();
+    }).observe(this.figure);
+    this.width = Math.max(280, Math.floor(this.figure.clientWidth));
     this.update();
   }
   buttons() {
@@ -70,16 +74,28 @@ class DesignPage {
   }
   show() {
     this.headline.replaceChildren(...headlineOfDesign(this.answer).map(([name, text]) => element("div", {}, element("dt", {}, ...symbolic(name)), element("dd", {}, text))));
-    this.tables.replaceChildren(...tablesOfDesign(this.answer).map(([caption, rows]) => element("table", {}, element("caption", {}, caption), element("tbody", {}, ...rows.map(([key, name, text, value]) =>
-      element("tr", {}, element("th", {scope: "row"}, ...symbolic(name)), element("td", {}, element("data", {value: String(value), "data-key": key}, text))))))));
+    this.showTables();
     const {warnings} = this.answer;
     this.warnings.replaceChildren(...(warnings.length === 0 ? [element("li", {class: "quiet"}, "No warning: wave and section are within what the formulas were made for.")]
       : warnings.map(({name, text}) => element("li", {class: "warned", "data-warning": name}, ...symbolic(text)))));
     this.notes.replaceChildren(...notesOfDesign(this.answer, {...this.asked, own: this.design.section}, this.design.notes).map((text) => element("li", {}, ...symbolic(text))));
     this.draw();
   }
+  // The rows stay, their numbers change.
+  showTables() {
+    const told = tablesOfDesign(this.answer);
+    if (!this.cells) {
+      this.cells = told.map(([, rows]) => rows.map(([key]) => element("data", {"data-key": key})));
+      this.tables.append(...told.map(([caption, rows], t) => element("table", {}, element("caption", {}, caption), element("tbody", {}, ...rows.map(([, name], i) =>
+        element("tr", {}, element("th", {scope: "row"}, ...symbolic(name)), element("td", {}, this.cells[t][i])))))));
+    }
+    told.forEach(([, rows], t) => rows.forEach(([, , text, value], i) => {
+      this.cells[t][i].value = String(value);
+      this.cells[t][i].textContent = text;
+    }));
+  }
   draw() {
-    this.figure.innerHTML = profileDrawing(this.answer, Math.max(280, Math.floor(this.figure.clientWidth)), {alt: this.alt()});
+    this.figure.innerHTML = profileDrawing(this.answer, this.width, {alt: this.alt()});
   }
 }
 

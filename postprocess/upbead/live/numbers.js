@@ -4,12 +4,14 @@ const PREFIXES = [[1e9, "G"], [1e6, "M"], [1e3, "k"], [1, ""]], PREFIXED = ["N/m
 
 const superscript = (number) => String(number).replace(/[-\d]/g, (sign) => "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"["-0123456789".indexOf(sign)]);
 
+const FORMATS = {}; // by decimals: to make one takes longer than to use it a hundred times
+
 export function plain(value, digits = 4) {
   if (value === 0) return "0";
   const exponent = Math.floor(Math.log10(Math.abs(Number(value.toPrecision(digits)))));
   if (exponent < -4 || exponent > 9) return `${(value / 10 ** exponent).toPrecision(digits)} × 10${superscript(exponent)}`.replace("-", "−");
   const decimals = Math.max(0, digits - 1 - exponent);
-  return value.toLocaleString("en", {maximumFractionDigits: decimals}).replace("-", "−");
+  return (FORMATS[decimals] ??= new Intl.NumberFormat("en", {maximumFractionDigits: decimals})).format(value).replace("-", "−");
 }
 
 // [factor, unit] by which a value is read best; 10 times a prefix itself is needed for it: 1,600 kN/m.
