@@ -7,6 +7,7 @@ from pathlib import Path
 
 from ..errors import UserError
 from ..kept import keep_inputs
+from .case_wave import of_design
 from .design_data import design_data, effective, is_design
 from .model_data import model_data
 
@@ -14,7 +15,7 @@ HERE = Path(__file__).parent
 # Each after those that it imports: in one script nothing needs to be imported.
 SHARED = ("phi", "grid", "modes", "step", "slide", "numbers", "plot", "element", "field", "choice", "save")
 OF_FORMULAS = ("root", "heights", "goda", "distance", "combined", "validity", "formulas")
-OF_MODEL = ("fft", "trust", "base", "respond", "pulse", "record", "controls", "told", "whatif")
+OF_MODEL = ("fft", "trust", "base", "respond", "pulse", "impact", "course", "goda_wave", "record", "controls", "told", "whatif")
 OF_DESIGN = ("profile", "design_fields", "design_controls", "design_told", "design_save", "design")
 IMPORT = re.compile(r"^import .*;\n", re.MULTILINE)
 
@@ -33,7 +34,7 @@ def page(model, output=None, design=None, program=None):
         model = given / "reduced.h5" if given.is_dir() else given
     output = Path(output) if output else default_output(given, model)
     keep_inputs(output, *(path for path in (model, design) if path))
-    text = document(model and model_data(model), design and data_of_design(design, program))
+    text = document(*data_of(model, design, program))
     try:
         output.parent.mkdir(parents=True, exist_ok=True)
         output.write_text(text, encoding="utf-8")
@@ -48,9 +49,12 @@ def default_output(given, model):
     return given / "page.html" if given.is_dir() else Path("results") / given.stem / "page.html"
 
 
-def data_of_design(path, program):
-    design, _ = effective(path, program)
-    return design_data(design, path)
+def data_of(model, design, program):
+    """(numbers of the model, numbers of the design), each None where it is not given."""
+    model, design = model and model_data(model), design and design_data(effective(design, program)[0], design)
+    if model and design and not model["wave"]:
+        model["wave"] = of_design(design, next(iter(design["waves"].values())), 0)
+    return model, design
 
 
 def document(model=None, design=None):
@@ -97,7 +101,7 @@ def element(name, kind, data):
 
 def script(model=None, design=None):
     """The modules that these need, as one."""
-    names = SHARED + (OF_FORMULAS if design else ()) + (OF_MODEL if model else ()) + (OF_DESIGN if design else ())
+    names = SHARED + OF_FORMULAS + (OF_MODEL if model else ()) + (OF_DESIGN if design else ())
     return "".join(IMPORT.sub("", read(f"{name}.js")).replace("\nexport ", "\n") for name in names)
 
 

@@ -9,6 +9,7 @@ import numpy as np
 from ..errors import ModelError
 from ..reduced_model import ReducedModel
 from ..results import text_of
+from .case_wave import case_wave
 
 # Readings by which `upbead respond` tells P, F_T, and what presses on the base.
 NEEDED = ("force", "shear_force")
@@ -35,6 +36,7 @@ def model_data(path):
             "sliding": sliding_of(file),
             "base": base_of(file),
             "slips": "slip" in file,
+            "wave": case_wave(case_of(file), names),
             "modes": modes_of(model, [name for name in NEEDED + OF_BASE if name in model.readings]),
             "nested": model.nested and [modes_of(larger, ["shear_force"]) for larger in model.nested],
         }
@@ -42,8 +44,12 @@ def model_data(path):
 
 def pulse_of(file, load):
     """The pulse that the case has for a load, or None: it may be a record, or a wave."""
-    case = tomllib.loads(text_of(file["case"][()].flat[0]))
-    return case.get("loads", {}).get(load, {}).get("pulse")
+    return case_of(file).get("loads", {}).get(load, {}).get("pulse")
+
+
+def case_of(file):
+    """The case of a model, with all defaults."""
+    return tomllib.loads(text_of(file["case"][()].flat[0]))
 
 
 def sliding_of(file):
