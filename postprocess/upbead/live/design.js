@@ -4,6 +4,7 @@ import {designToml, numbersCsv} from "./design_save.js";
 import {headlineOfDesign, notesOfDesign, spokenDesign, tablesOfDesign} from "./design_told.js";
 import {element, symbolic} from "./element.js";
 import {formulaAnswer} from "./formulas.js";
+import {Life} from "./life.js";
 import {profileDrawing} from "./profile.js";
 import {offer} from "./save.js";
 import {contradictions} from "./validity.js";
@@ -22,7 +23,8 @@ class DesignPage {
     this.warnings = element("ul", {class: "trust"});
     this.notes = element("ul", {class: "notes"});
     const answer = element("div", {class: "answer"}, this.wrong, this.figure, this.warnings, this.tables, this.notes, this.buttons(), this.aloud);
-    root.append(this.headline, element("div", {class: "whatif-parts"}, this.controls.form, answer));
+    this.life = design.life ? new Life(design.life) : null;
+    root.append(this.headline, element("div", {class: "whatif-parts"}, this.controls.form, answer), ...(this.life ? [this.life.element] : []));
     new ResizeObserver(([{contentRect}]) => {
       this.width = Math.max(280, Math.floor(contentRect.width)); // kept: to ask for it after every move lays the page out once more
       if (this.answer) this.draw();
@@ -55,6 +57,7 @@ class DesignPage {
     if (!this.answer) return;
     this.wrong.textContent = "";
     this.show();
+    if (this.life) this.life.follow(this.asked.section);
     this.silence = setTimeout(() => { this.aloud.textContent = spokenDesign(this.answer); }, QUIET);
   }
   ask() {

@@ -29,7 +29,7 @@ export function specsOfCaisson({width, weight, submerged_weight, friction}) {
   return [
     {spec: metres("design-width", "Width B", 0.5 * width, 2 * width), value: width},
     {spec: {key: "design-weight", name: "Weight in air W", low: 0.4 * weight, high: 2 * weight, ...WEIGHT}, value: weight},
-    {spec: {key: "design-submerged_weight", name: "Weight in water W′", low: 0.4 * submerged_weight, high: 2 * submerged_weight, ...WEIGHT}, value: submerged_weight},
+    {spec: {key: "design-submerged_weight", name: "W′ at the section's level", low: 0.4 * submerged_weight, high: 2 * submerged_weight, ...WEIGHT}, value: submerged_weight},
     {spec: {key: "design-friction", name: "Friction μ", unit: "", factor: 1, low: 0.3, high: 1, holds: within(0.01, 10), needs: "a number from 0.01 to 10"}, value: friction},
   ];
 }

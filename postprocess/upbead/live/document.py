@@ -9,6 +9,7 @@ from ..errors import UserError
 from ..kept import keep_inputs
 from .case_wave import of_design
 from .design_data import design_data, effective, is_design
+from .life_data import with_life
 from .model_data import model_data
 
 HERE = Path(__file__).parent
@@ -16,7 +17,7 @@ HERE = Path(__file__).parent
 SHARED = ("phi", "grid", "modes", "step", "slide", "numbers", "plot", "element", "field", "choice", "save")
 OF_FORMULAS = ("root", "heights", "goda", "distance", "combined", "validity", "formulas")
 OF_MODEL = ("fft", "trust", "base", "respond", "pulse", "impact", "course", "goda_wave", "record", "controls", "told", "whatif")
-OF_DESIGN = ("profile", "design_fields", "design_controls", "design_told", "design_save", "design")
+OF_DESIGN = ("profile", "design_fields", "design_controls", "design_told", "design_save", "life", "design")
 IMPORT = re.compile(r"^import .*;\n", re.MULTILINE)
 
 
@@ -51,10 +52,15 @@ def default_output(given, model):
 
 def data_of(model, design, program):
     """(numbers of the model, numbers of the design), each None where it is not given."""
-    model, design = model and model_data(model), design and design_data(effective(design, program)[0], design)
+    model, design = model and model_data(model), design and data_of_design(design, program)
     if model and design and not model["wave"]:
         model["wave"] = of_design(design, next(iter(design["waves"].values())), 0)
     return model, design
+
+
+def data_of_design(path, program):
+    design, folder = effective(path, program)
+    return with_life(design_data(design, path), design, folder, program)
 
 
 def document(model=None, design=None):
