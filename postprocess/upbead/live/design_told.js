@@ -1,7 +1,7 @@
 // The answer of the formulas in words and numbers.
 import {plain, quantity} from "./numbers.js";
 
-const metresOrZero = (value) => value === 0 ? "0" : quantity(value, "m");
+const metresOrZero = (value) => value < 1e-9 ? "0" : quantity(value, "m"); // less than a nanometre is round-off
 
 function heelText({stability: s, pressure, section}) {
   if (pressure.uplift >= section.submerged_weight) return "none: it floats up";

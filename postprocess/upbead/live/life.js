@@ -25,25 +25,37 @@ function linesOf({laws, lives}) {
   return lives ? [...lines, {name: `lives, ${lives.law}`, values: lives.mean, colour: 3, dashed: true}] : lines;
 }
 
-function curves(life, width, at) {
-  const lines = linesOf(life), most = Math.max(...lines.flatMap(({values}) => values), 1e-3), [factor, unit] = scaleOf("m", most), bottom = LIFE_TOP + LIFE_HEIGHT;
-  const low = life.widths[0], high = life.widths.at(-1), X = (b) => LIFE_LEFT + (b - low) / (high - low) * (width - LIFE_LEFT - LIFE_RIGHT), Y = (s) => bottom - s / (1.05 * most) * LIFE_HEIGHT;
-  let text = label(0, 12, `E(S) (${unit}) over B (m)`, `fill="${SCREEN.ink}" font-weight="600"`);
-  for (const [value, words] of ticks(0, 1.05 * most * factor, 4))
-    text += `<path d="M${LIFE_LEFT} ${tenths(Y(value / factor))}H${width - LIFE_RIGHT}" stroke="${SCREEN.rule}"/>` + label(LIFE_LEFT - 6, Y(value / factor) + 4, words, `fill="${SCREEN.quiet}" text-anchor="end" font-size="11"`);
-  for (const [value, words] of ticks(low, high, width < 560 ? 4 : 8)) text += label(X(value), bottom + 16, words, `fill="${SCREEN.quiet}" text-anchor="middle" font-size="11"`);
-  lines.forEach(({name, values, colour, dashed}, i) => {
-    const stroke = `stroke="${SCREEN.lines[colour]}" stroke-width="1.8" fill="none"${dashed ? ' stroke-dasharray="6 4"' : ""}`;
-    text += `<path d="M${values.map((value, n) => `${tenths(X(life.widths[n]))} ${tenths(Y(value))}`).join("L")}" ${stroke}/>` +
-      values.map((value, n) => `<circle cx="${tenths(X(life.widths[n]))}" cy="${tenths(Y(value))}" r="3" fill="${SCREEN.lines[colour]}"/>`).join("") +
-      `<path d="M${width - 150} ${LIFE_TOP + 8 + 18 * i}h22" ${stroke}/>` + label(width - 122, LIFE_TOP + 12 + 18 * i, name, `fill="${SCREEN.ink}"`);
-  });
-  const here = at >= low && at <= high ? `<path d="M${tenths(X(at))} ${LIFE_TOP}V${bottom}" stroke="${SCREEN.ink}" stroke-dasharray="2 3"/>` + label(X(at) + 4, bottom - 6, `B ${plain(at)}`, `fill="${SCREEN.ink}" font-size="11"`) : "";
-  return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${width} ${bottom + LIFE_FOOT}" role="img" aria-label="Expected sliding over the width; the table has its numbers" font-family="system-ui, DejaVu Sans, sans-serif" font-size="12">${text}${here}</svg>`;
+// From S to pixels, with its ticks [value, text]: by powers of ten where the classes are far from each other.
+function axisOf(values, bottom) {
+  const most = Math.max(...values, 1e-3), least = Math.max(Math.min(...values.filter((value) => value > 0), most), 1e-6 * most), [factor, unit] = scaleOf("m", most);
+  if (most < 30 * least)
+    return {Y: (s) => bottom - s / (1.05 * most) * LIFE_HEIGHT, ticks: ticks(0, 1.05 * most * factor, 4).map(([value, words]) => [value / factor, words]), unit, shown: () => true};
+  const low = Math.floor(Math.log10(least)), high = Math.log10(1.3 * most), marks = Array.from({length: Math.floor(high) - low + 1}, (_, i) => 10 ** (low + i));
+  return {Y: (s) => bottom - (Math.log10(s) - low) / (high - low) * LIFE_HEIGHT, ticks: marks.map((value) => [value, quantity(value, "m")]), unit: "", shown: (s) => s >= 10 ** low};
 }
 
+function curves(life, width, at) {
+  const lines = linesOf(life), bottom = LIFE_TOP + LIFE_HEIGHT, {Y, unit, shown, ...axis} = axisOf(lines.flatMap(({values}) => values), bottom);
+  const low = life.widths[0], high = life.widths.at(-1), X = (b) => LIFE_LEFT + (b - low) / (high - low) * (width - LIFE_LEFT - LIFE_RIGHT);
+  let text = label(0, 12, `E(S)${unit && ` (${unit})`} over B (m)`, `fill="${SCREEN.ink}" font-weight="600"`);
+  for (const [value, words] of axis.ticks)
+    text += `<path d="M${LIFE_LEFT} ${tenths(Y(value))}H${width - LIFE_RIGHT}" stroke="${SCREEN.rule}"/>` + label(LIFE_LEFT - 6, Y(value) + 4, words, `fill="${SCREEN.quiet}" text-anchor="end" font-size="11"`);
+  for (const [value, words] of ticks(low, high, width < 560 ? 4 : 8)) text += label(X(value), bottom + 16, words, `fill="${SCREEN.quiet}" text-anchor="middle" font-size="11"`);
+  lines.forEach(({name, values, colour, dashed}, i) => {
+    const stroke = `stroke="${SCREEN.lines[colour]}" stroke-width="1.8" fill="none"${dashed ? ' stroke-dasharray="6 4"' : ""}`, points = values.map((value, n) => [X(life.widths[n]), value]).filter(([, value]) => shown(value));
+    text += (points.length > 1 ? `<path d="M${points.map(([x, value]) => `${tenths(x)} ${tenths(Y(value))}`).join("L")}" ${stroke}/>` : "") +
+      points.map(([x, value]) => `<circle cx="${tenths(x)}" cy="${tenths(Y(value))}" r="3" fill="${SCREEN.lines[colour]}"/>`).join("") +
+      `<path d="M${width - 150} ${LIFE_TOP + 8 + 18 * i}h22" ${stroke}/>` + label(width - 122, LIFE_TOP + 12 + 18 * i, name, `fill="${SCREEN.ink}"`);
+  });
+  return svgOf(text + (at >= low && at <= high ? markOf(X(at), at, bottom) : ""), width, bottom + LIFE_FOOT);
+}
+
+const markOf = (x, width, bottom) => `<path d="M${tenths(x)} ${LIFE_TOP}V${bottom}" stroke="${SCREEN.ink}" stroke-dasharray="2 3"/>` + label(x + 4, bottom - 6, `B ${plain(width)}`, `fill="${SCREEN.ink}" font-size="11"`);
+const svgOf = (inside, width, height) => `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${width} ${height}" role="img" aria-label="Expected sliding over the width; the table has its numbers" ` +
+  `font-family="system-ui, DejaVu Sans, sans-serif" font-size="12">${inside}</svg>`;
+
 function tableOfClasses(life) {
-  const lines = linesOf(life), cell = (value) => element("td", {}, value === 0 ? "0" : quantity(value, "m"));
+  const lines = linesOf(life), cell = (value) => element("td", {}, value < 1e-9 ? "0" : quantity(value, "m"));
   const head = element("tr", {}, element("th", {scope: "col"}, "B"), ...lines.map(({name}) => element("th", {scope: "col"}, name)));
   return element("table", {}, element("caption", {}, "E(S) of each class"), element("thead", {}, head), element("tbody", {}, ...life.widths.map((width, n) =>
     element("tr", {}, element("th", {scope: "row"}, quantity(width, "m")), ...lines.map(({values}) => cell(values[n]))))));

@@ -8,7 +8,7 @@ from ..commands import written
 from ..errors import UserError
 from ..program import toml_value
 
-FACTORS = (0.6, 0.7, 0.8, 0.9, 1.0, 1.1, 1.25)  # of the design's own width
+FACTORS = (0.7, 0.8, 0.9, 1.0, 1.1, 1.2)  # of the design's own width
 LAWS = ("paper", "exact", "combined")
 # A model is that of one width; waves, levels and the report say nothing to lives.
 LEFT_OUT = ("dynamics", "calibration", "report", "levels", "ground")
