@@ -20,7 +20,7 @@ import upbead
 from report import pdf
 
 EQUAL, SETTINGS = 1e-10, 12
-SMALL = ("mesh.parameters.seabed_front=60", "mesh.parameters.seabed_back=60")
+SMALL = [f"mesh.parameters.{key}" for key in ("seabed_front=60", "seabed_back=60", "sea_front=4", "sea_back=4")]
 COURSES = ("church_roof", "triangle", "sine", "combined")
 SAME = ("peak_force", "peak_shear", "peak_shear_seaward")
 
@@ -108,6 +108,16 @@ class Waves(unittest.TestCase):
         self.browser.value(f"{type_above}('width', '22')")
         self.assertIn("22 m, the model's caisson is 18 m wide", self.browser.value("document.querySelector('.whatif:not(.formulas)').textContent"))
         self.assertEqual(self.browser.problems, [])
+
+    def test_for_phones_wide_screens_and_all_readers(self):
+        source = made.axe(self.folder)
+        for width in (360, 1600):
+            self.browser.problems.clear()
+            self.browser.open(self.both, width)
+            self.assertEqual(self.browser.problems, [])
+            self.assertLessEqual(self.browser.value("document.documentElement.scrollWidth"), width)
+            if source:
+                self.assertEqual(made.violations(self.browser, source), [])
 
 
 if __name__ == "__main__":

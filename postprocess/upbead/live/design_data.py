@@ -30,6 +30,11 @@ def effective(path, program=None):
     return design, path.parent
 
 
+def states_of(design, folder):
+    """The file of its sea states, as a list of one or none."""
+    return [Path(folder) / design["sea"]["states"]] if "sea" in design else []
+
+
 def parsed(file):
     try:
         return tomllib.loads(file.read_text(encoding="utf-8"))
@@ -43,7 +48,7 @@ def design_data(design, name):
     """A dict of what live/design.js takes; raises UserError where there is no section or no wave."""
     waves = design.get("waves")
     if "section" not in design or not waves or "duration" not in design:
-        raise UserError(f"'{name}' is no design with a section and a wave, as 'upbead waves' reads it")
+        raise UserError(f"'{name}' is no design with a section and a wave, as 'upbead waves' reads it; give one, the folder of 'upbead waves', or a reduced model")
     return {
         "title": design.get("title") or "Design",
         "water": {"density": design["fluid"]["density"], "gravity": design["gravity"]},

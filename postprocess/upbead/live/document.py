@@ -8,7 +8,7 @@ from pathlib import Path
 from ..errors import UserError
 from ..kept import keep_inputs
 from .case_wave import of_design
-from .design_data import design_data, effective, is_design
+from .design_data import design_data, effective, is_design, states_of
 from .life_data import with_life
 from .model_data import model_data
 
@@ -34,8 +34,9 @@ def page(model, output=None, design=None, program=None):
     else:
         model = given / "reduced.h5" if given.is_dir() else given
     output = Path(output) if output else default_output(given, model)
-    keep_inputs(output, *(path for path in (model, design) if path))
-    text = document(*data_of(model, design, program))
+    known = effective(design, program) if design else None
+    keep_inputs(output, *(path for path in (model, design) if path), *(states_of(*known) if known else ()))
+    text = document(*data_of(model, known and with_life(design_data(known[0], design), *known, program)))
     try:
         output.parent.mkdir(parents=True, exist_ok=True)
         output.write_text(text, encoding="utf-8")
@@ -50,17 +51,13 @@ def default_output(given, model):
     return given / "page.html" if given.is_dir() else Path("results") / given.stem / "page.html"
 
 
-def data_of(model, design, program):
-    """(numbers of the model, numbers of the design), each None where it is not given."""
-    model, design = model and model_data(model), design and data_of_design(design, program)
+def data_of(model, design):
+    """(numbers of a model's file, numbers of the design), each None where it is not given."""
+    model = model and model_data(model)
     if model and design and not model["wave"]:
-        model["wave"] = of_design(design, next(iter(design["waves"].values())), 0)
+        used = {key: design[key] for key in ("water", "section", "duration", "combined", "limits")}
+        model["wave"] = of_design(used, next(iter(design["waves"].values())), 0)
     return model, design
-
-
-def data_of_design(path, program):
-    design, folder = effective(path, program)
-    return with_life(design_data(design, path), design, folder, program)
 
 
 def document(model=None, design=None):

@@ -74,12 +74,13 @@ export class GodaWave {
   }
   // The load's spread over the wall is that of the model.
   notes() {
-    const {answer: {pressure: p, rise, design}, course} = this.last, arm = p.force_moment / p.force, list = ["P, U and their course are those of a load by a wave of upbead run; it begins at 0 s."];
+    const {answer: {pressure: p, rise}, course} = this.last, arm = p.force_moment / p.force, list = ["P, U and their course are those of a load by a wave of upbead run; it begins at 0 s."];
     if (this.arm && Math.abs(this.arm / arm - 1) > 1e-3) list.push(`The load keeps its spread over the wall, whose M_P is ${plain(100 * Math.abs(this.arm / arm - 1), 2)} % ${this.arm < arm ? "below" : "above"} that of Goda's formulas for this wave: so are the parts of N′, pressures and margin that come of it.`);
     if (!this.arm) list.push("How the load is spread over the wall is the case's, not Goda's: N′, pressures and margin come of that.");
     if (rise !== 0) list.push("The level moves Goda's pressures and W′; the water of the model's sea and ground stays at its own level.");
     if (course === "church_roof" || course === "sine") list.push(`${course === "sine" ? "Half a sine of T/2" : "The church roof"} is an assumption of ours (docs/waves.md).`);
     if (this.table.course === "standing") list.push("The case's own course, a standing wave, is not among these: upbead run has it.");
+    if (!this.above) list.push(`H_1/3 is ${plain(this.significant, 3)} H.`);
     if (this.above) list.push("The wave, μ and W′ are those asked above, by formulas.");
     return list;
   }
