@@ -16,7 +16,8 @@ const ofCorners = (corners) => ({time: corners.map(([time]) => time), force: cor
 // With P of Goda's formulas for the peak, e is what makes P_1 (1 + e alpha*) of it.
 function churchRoof(answer, {force, impact}, water) {
   const {wave, pressure: p, standing_force: standingForce} = answer, own = p.alpha_star > 0 ? (p.force / standingForce - 1) / p.alpha_star : 0;
-  const made = impactWave(force === "impulse" ? impact : {...impact, peak_gain: own}, {height: wave.height, period: wave.period, standingForce, alphaStar: p.alpha_star}, water, answer.section.berm_depth);
+  const made = impactWave(force === "impulse" ? impact : {...impact, peak_gain: own},
+    {height: wave.height, period: wave.period, standingForce, alphaStar: p.alpha_star}, water, answer.section.berm_depth);
   const times = [...impactKinks(made), ...Array.from({length: PARTS + 1}, (_, i) => 0.5 * wave.period * i / PARTS)].sort((a, b) => a - b);
   const time = times.filter((t, i) => i === 0 || t - times[i - 1] > 1e-9 * wave.period);
   return {time, force: time.map((t) => impactForce(made, t))};
@@ -27,5 +28,6 @@ export const COURSES = {
   church_roof: churchRoof,
   triangle: (answer) => ofCorners(SHAPES.triangle.corners({start: 0, rise: 0.5 * tauOf(answer), duration: tauOf(answer), peak: answer.pressure.force})),
   sine: ({wave, pressure}) => ofCorners(SHAPES.half_sine.corners({start: 0, duration: 0.5 * wave.period, peak: pressure.force})),
-  combined: (answer) => combinedForce({period: answer.wave.period, standingForce: answer.standing_force, peak: answer.pressure.force, duration: tauOf(answer), uplift: answer.pressure.uplift}),
+  combined: (answer) => combinedForce({period: answer.wave.period, standingForce: answer.standing_force, peak: answer.pressure.force, duration: tauOf(answer),
+    uplift: answer.pressure.uplift}),
 };

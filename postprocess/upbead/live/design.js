@@ -81,7 +81,8 @@ class DesignPage {
     const {warnings} = this.answer;
     this.warnings.replaceChildren(...(warnings.length === 0 ? [element("li", {class: "quiet"}, "No warning: wave and section are within what the formulas were made for.")]
       : warnings.map(({name, text}) => element("li", {class: "warned", "data-warning": name}, ...symbolic(text)))));
-    this.notes.replaceChildren(...notesOfDesign(this.answer, {...this.asked, own: this.design.section}, this.design.notes).map((text) => element("li", {}, ...symbolic(text))));
+    this.notes.replaceChildren(...notesOfDesign(this.answer, {...this.asked, own: this.design.section},
+      this.design.notes).map((text) => element("li", {}, ...symbolic(text))));
     this.draw();
   }
   // The rows stay, their numbers change.

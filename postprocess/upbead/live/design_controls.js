@@ -20,7 +20,8 @@ export class DesignControls {
     this.wave = choiceOf("design-wave", "Wave of the design", Object.fromEntries(this.waves.map(([name], i) => [i, name])), "0");
     this.by = choiceOf("design-by", "Given by", BY, "height");
     const levels = Object.entries(design.levels);
-    this.named = choiceOf("design-level", "Level of the design", Object.fromEntries([["0", "section, 0 m"], ...levels.map(([name, rise], i) => [i + 1, `${name}, ${rise} m`])]), "0");
+    this.named = choiceOf("design-level", "Level of the design", Object.fromEntries([["0", "section, 0 m"],
+      ...levels.map(([name, rise], i) => [i + 1, `${name}, ${rise} m`])]), "0");
     this.wave.select.addEventListener("input", () => this.takeWave());
     this.by.select.addEventListener("input", () => this.moved(null));
     this.named.select.addEventListener("input", () => {

@@ -14,7 +14,8 @@ export function specsOfWave(waves) {
     {spec: metres("design-height", "Highest wave H", 0.1 * largest, 1.6 * largest), value: first.height ?? height},
     {spec: {...metres("design-significant_height", "H 1/3 (empty: H/1.8)", 0.05 * largest, largest), optional: true}, value: first.significant_height ?? null},
     {spec: metres("design-deep_water_height", "Deep-water height H₀′", 0.1 * largest, 1.6 * largest), value: first.deep_water_height ?? height},
-    {spec: {key: "design-period", name: "Period T", unit: "s", factor: 1, low: 0.3 * longest, high: 1.6 * longest, holds: within(0.01, 1e4), needs: "a period from 0.01 to 10,000 s"}, value: first.period},
+    {spec: {key: "design-period", name: "Period T", unit: "s", factor: 1, low: 0.3 * longest, high: 1.6 * longest, holds: within(0.01, 1e4),
+      needs: "a period from 0.01 to 10,000 s"}, value: first.period},
     {spec: {key: "design-angle", name: "Angle β to the wall's normal", unit: "°", factor: 1, low: 0, high: 75, holds: (value) => value >= 0 && value < 90,
       needs: "an angle from 0 to below 90 degrees"}, value: first.angle},
   ];
@@ -22,7 +23,8 @@ export function specsOfWave(waves) {
 
 export function specOfLevel({water_depth: h, foundation_depth, berm_depth, crest}) {
   const most = Math.min(h, foundation_depth, berm_depth);
-  return {spec: {...metres("design-rise", "Water level above the section's", -0.6 * most, crest), holds: within(-1e4, 1e4), needs: "a rise from -10,000 to 10,000 m"}, value: 0};
+  return {spec: {...metres("design-rise", "Water level above the section's", -0.6 * most, crest), holds: within(-1e4, 1e4),
+    needs: "a rise from -10,000 to 10,000 m"}, value: 0};
 }
 
 export function specsOfCaisson({width, weight, submerged_weight, friction}) {
@@ -30,7 +32,8 @@ export function specsOfCaisson({width, weight, submerged_weight, friction}) {
     {spec: metres("design-width", "Width B", 0.5 * width, 2 * width), value: width},
     {spec: {key: "design-weight", name: "Weight in air W", low: 0.4 * weight, high: 2 * weight, ...WEIGHT}, value: weight},
     {spec: {key: "design-submerged_weight", name: "W′ at the section's level", low: 0.4 * submerged_weight, high: 2 * submerged_weight, ...WEIGHT}, value: submerged_weight},
-    {spec: {key: "design-friction", name: "Friction μ", unit: "", factor: 1, low: 0.3, high: 1, holds: within(0.01, 10), needs: "a number from 0.01 to 10"}, value: friction},
+    {spec: {key: "design-friction", name: "Friction μ", unit: "", factor: 1, low: 0.3, high: 1, holds: within(0.01, 10), needs: "a number from 0.01 to 10"},
+      value: friction},
   ];
 }
 
@@ -41,6 +44,7 @@ export function specsOfDepths({water_depth: h, foundation_depth, berm_depth, cre
     {spec: metres("design-berm_depth", "Depth of the armour d", 0.5 * berm_depth, 2 * berm_depth), value: berm_depth},
     {spec: metres("design-crest", "Crest above still water h_c", 0, 2 * crest || 10, NOT_BELOW_0), value: crest},
     {spec: metres("design-berm_width", "Width of the berm B_M", 0, 3 * berm_width || 20, NOT_BELOW_0), value: berm_width},
-    {spec: {key: "design-bed_slope", name: "Slope of the bed tan θ", unit: "", factor: 1, low: 0, high: 0.1, holds: within(0, 1), needs: "a slope from 0 to 1"}, value: bed_slope},
+    {spec: {key: "design-bed_slope", name: "Slope of the bed tan θ", unit: "", factor: 1, low: 0, high: 0.1, holds: within(0, 1), needs: "a slope from 0 to 1"},
+      value: bed_slope},
   ];
 }

@@ -11,7 +11,8 @@ const tableText = (name, values) => `[${name}]\n${Object.entries(values).filter(
 
 // given: keys of [waves.NAME]; a level besides the section's own is [levels] page.
 export function designToml({title, water, section, duration, combined, limits}, given, rise) {
-  return [`title = ${toml(title)}\ngravity = ${toml(water.gravity)}\n`, ...(rise === 0 ? [] : [tableText("levels", {page: rise})]), tableText("fluid", {density: water.density}),
+  return [`title = ${toml(title)}\ngravity = ${toml(water.gravity)}\n`, ...(rise === 0 ? [] : [tableText("levels", {page: rise})]),
+    tableText("fluid", {density: water.density}),
     tableText("section", section), tableText("duration", duration), tableText("combined", combined),
     ...(Object.keys(limits).length === 0 ? [] : [tableText("limits", limits)]), tableText("waves.page", given)].join("\n");
 }

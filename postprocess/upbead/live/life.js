@@ -29,9 +29,11 @@ function linesOf({laws, lives}) {
 function axisOf(values, bottom) {
   const most = Math.max(...values, 1e-3), least = Math.max(Math.min(...values.filter((value) => value > 0), most), 1e-6 * most), [factor, unit] = scaleOf("m", most);
   if (most < 30 * least)
-    return {Y: (s) => bottom - s / (1.05 * most) * LIFE_HEIGHT, ticks: ticks(0, 1.05 * most * factor, 4).map(([value, words]) => [value / factor, words]), unit, shown: () => true};
+    return {Y: (s) => bottom - s / (1.05 * most) * LIFE_HEIGHT, ticks: ticks(0, 1.05 * most * factor, 4).map(([value, words]) => [value / factor, words]), unit,
+      shown: () => true};
   const low = Math.floor(Math.log10(least)), high = Math.log10(1.3 * most), marks = Array.from({length: Math.floor(high) - low + 1}, (_, i) => 10 ** (low + i));
-  return {Y: (s) => bottom - (Math.log10(s) - low) / (high - low) * LIFE_HEIGHT, ticks: marks.map((value) => [value, quantity(value, "m")]), unit: "", shown: (s) => s >= 10 ** low};
+  return {Y: (s) => bottom - (Math.log10(s) - low) / (high - low) * LIFE_HEIGHT, ticks: marks.map((value) => [value, quantity(value, "m")]), unit: "",
+    shown: (s) => s >= 10 ** low};
 }
 
 function curves(life, width, at) {
@@ -39,10 +41,13 @@ function curves(life, width, at) {
   const low = life.widths[0], high = life.widths.at(-1), X = (b) => LIFE_LEFT + (b - low) / (high - low) * (width - LIFE_LEFT - LIFE_RIGHT);
   let text = label(0, 12, `E(S)${unit && ` (${unit})`} over B (m)`, `fill="${SCREEN.ink}" font-weight="600"`);
   for (const [value, words] of axis.ticks)
-    text += `<path d="M${LIFE_LEFT} ${tenths(Y(value))}H${width - LIFE_RIGHT}" stroke="${SCREEN.rule}"/>` + label(LIFE_LEFT - 6, Y(value) + 4, words, `fill="${SCREEN.quiet}" text-anchor="end" font-size="11"`);
-  for (const [value, words] of ticks(low, high, width < 560 ? 4 : 8)) text += label(X(value), bottom + 16, words, `fill="${SCREEN.quiet}" text-anchor="middle" font-size="11"`);
+    text += `<path d="M${LIFE_LEFT} ${tenths(Y(value))}H${width - LIFE_RIGHT}" stroke="${SCREEN.rule}"/>` +
+      label(LIFE_LEFT - 6, Y(value) + 4, words, `fill="${SCREEN.quiet}" text-anchor="end" font-size="11"`);
+  for (const [value, words] of ticks(low, high, width < 560 ? 4 : 8)) text += label(X(value), bottom + 16, words,
+    `fill="${SCREEN.quiet}" text-anchor="middle" font-size="11"`);
   lines.forEach(({name, values, colour, dashed}, i) => {
-    const stroke = `stroke="${SCREEN.lines[colour]}" stroke-width="1.8" fill="none"${dashed ? ' stroke-dasharray="6 4"' : ""}`, points = values.map((value, n) => [X(life.widths[n]), value]).filter(([, value]) => shown(value));
+    const stroke = `stroke="${SCREEN.lines[colour]}" stroke-width="1.8" fill="none"${dashed ? ' stroke-dasharray="6 4"' : ""}`,
+      points = values.map((value, n) => [X(life.widths[n]), value]).filter(([, value]) => shown(value));
     text += (points.length > 1 ? `<path d="M${points.map(([x, value]) => `${tenths(x)} ${tenths(Y(value))}`).join("L")}" ${stroke}/>` : "") +
       points.map(([x, value]) => `<circle cx="${tenths(x)}" cy="${tenths(Y(value))}" r="3" fill="${SCREEN.lines[colour]}"/>`).join("") +
       `<path d="M${width - 150} ${LIFE_TOP + 8 + 18 * i}h22" ${stroke}/>` + label(width - 122, LIFE_TOP + 12 + 18 * i, name, `fill="${SCREEN.ink}"`);
@@ -50,7 +55,8 @@ function curves(life, width, at) {
   return svgOf(text + (at >= low && at <= high ? markOf(X(at), at, bottom) : ""), width, bottom + LIFE_FOOT);
 }
 
-const markOf = (x, width, bottom) => `<path d="M${tenths(x)} ${LIFE_TOP}V${bottom}" stroke="${SCREEN.ink}" stroke-dasharray="2 3"/>` + label(x + 4, bottom - 6, `B ${plain(width)}`, `fill="${SCREEN.ink}" font-size="11"`);
+const markOf = (x, width, bottom) => `<path d="M${tenths(x)} ${LIFE_TOP}V${bottom}" stroke="${SCREEN.ink}" stroke-dasharray="2 3"/>` +
+  label(x + 4, bottom - 6, `B ${plain(width)}`, `fill="${SCREEN.ink}" font-size="11"`);
 const svgOf = (inside, width, height) => `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${width} ${height}" role="img" aria-label="Expected sliding over the width; the table has its numbers" ` +
   `font-family="system-ui, DejaVu Sans, sans-serif" font-size="12">${inside}</svg>`;
 
@@ -61,17 +67,24 @@ function tableOfClasses(life) {
     element("tr", {}, element("th", {scope: "row"}, quantity(width, "m")), ...lines.map(({values}) => cell(values[n]))))));
 }
 
+function wordsOfLives(lives, scatter) {
+  if (!lives) return "";
+  const scattered = scatter.length === 0 ? "nothing scatters" : `scatter of ${scatter.join(", ").replaceAll("_", " ")}`;
+  return ` Mean of ${lives.lives} lives of ${plain(lives.years)} years, ${scattered}.`;
+}
+
 export class Life {
   constructor(life) {
     Object.assign(this, {life, asked: life.section});
     const {title, years, waves, limit, lives, scatter, program} = life;
     this.figure = element("figure");
     this.reason = element("p", {class: "warned", role: "status"});
-    const told = `Computed beforehand by ${program} (upbead expected) for “${title}”: ${life.widths.length} widths, W, W′ and t in proportion to B. E(S) of ${plain(waves)} waves in ${plain(years)} years, highest waves: ${limit}.` +
-      (lives ? ` Mean of ${lives.lives} lives of ${plain(lives.years)} years${scatter.length === 0 ? ", nothing scatters" : `, scatter of ${scatter.join(", ").replaceAll("_", " ")}`}.` : "") +
+    const told = `Computed beforehand by ${program} (upbead expected) for “${title}”: ${life.widths.length} widths, W, W′ and t in proportion to B. ` +
+      `E(S) of ${plain(waves)} waves in ${plain(years)} years, highest waves: ${limit}.` + wordsOfLives(lives, scatter) +
       " The waves are those of the design's sea: H, T, level and angle above change nothing here.";
     this.body = element("div", {class: "life-body"}, this.figure, tableOfClasses(life));
-    this.element = element("section", {class: "life", "aria-label": "Storm and life"}, element("h2", {}, "Storm and life"), element("p", {class: "quiet"}, told), this.reason, this.body);
+    this.element = element("section", {class: "life", "aria-label": "Storm and life"}, element("h2", {}, "Storm and life"), element("p", {class: "quiet"}, told),
+      this.reason, this.body);
     new ResizeObserver(([{contentRect}]) => this.draw(Math.max(280, Math.floor(contentRect.width)))).observe(this.figure);
   }
   follow(asked) {

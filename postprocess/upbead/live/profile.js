@@ -48,7 +48,8 @@ function pressures(at, {section, pressure: p}, colours) {
     over(left(p.p1) - 5, Y(0) - 4, told("p₁", p.p1), colours) + over(left(p.p3) - 5, Y(-bottom) + 4, told("p₃", p.p3), colours) +
     (p.p4 > 0 ? over(left(p.p4) - 5, Y(top) + 4, told("p₄", p.p4), colours) : "") +
     over(front + 4, Y(-bottom) + p.pu / pascal + 13, told("pᵤ", p.pu), colours, "start") +
-    arrow(front - 46, Y(-bottom + arm), front - 4, Y(-bottom + arm), colours.lines[0]) + over(front + 6, Y(-bottom + arm) + 4, `P ${quantity(p.force, "N/m")}`, colours, "start") +
+    arrow(front - 46, Y(-bottom + arm), front - 4, Y(-bottom + arm), colours.lines[0]) +
+      over(front + 6, Y(-bottom + arm) + 4, `P ${quantity(p.force, "N/m")}`, colours, "start") +
     arrow(X(B / 3), Y(-bottom) + 34, X(B / 3), Y(-bottom) + 3, colours.lines[2]) + over(X(B / 3) + 8, Y(-bottom) + 26, `U ${quantity(p.uplift, "N/m")}`, colours, "start");
 }
 
@@ -60,15 +61,18 @@ function arrow(x1, y1, x2, y2, colour) {
 
 function water({Y, front}, {rise, pressure}, own, colours) {
   const still = line(0, Y(0), front, Y(0), `stroke="${colours.lines[0]}" stroke-width="1.2"`);
-  const before = rise === 0 ? "" : line(0, Y(-rise), front, Y(-rise), `stroke="${colours.quiet}" stroke-dasharray="3 4"`) + over(4, Y(-rise) + (rise > 0 ? 13 : -4), own, colours, "start");
+  const before = rise === 0 ? "" : line(0, Y(-rise), front, Y(-rise), `stroke="${colours.quiet}" stroke-dasharray="3 4"`) +
+    over(4, Y(-rise) + (rise > 0 ? 13 : -4), own, colours, "start");
   return still + before + line(front - 30, Y(pressure.eta_star), front, Y(pressure.eta_star), `stroke="${colours.quiet}" stroke-dasharray="6 4"`) +
     over(front - 34, Y(pressure.eta_star) + 4, `η* ${plain(pressure.eta_star, 3)} m`, colours);
 }
 
 // A round number of metres and of pascals, as lengths.
 function scales(at, width, colours) {
-  const y = at.height - 14, metres = [1, 2, 5, 10, 20, 50, 100].find((value) => value * at.pixel >= 40) ?? 200, pascals = 50 * at.pascal, [factor, unit] = scaleOf("Pa", 10 * pascals);
-  const bar = (x, length, text, colour) => line(x, y, x + length, y, `stroke="${colour}" stroke-width="3"`) + label(x, y - 7, text, `fill="${colours.quiet}" font-size="11"`);
+  const y = at.height - 14, metres = [1, 2, 5, 10, 20, 50, 100].find((value) => value * at.pixel >= 40) ?? 200, pascals = 50 * at.pascal,
+    [factor, unit] = scaleOf("Pa", 10 * pascals);
+  const bar = (x, length, text, colour) => line(x, y, x + length, y, `stroke="${colour}" stroke-width="3"`) +
+    label(x, y - 7, text, `fill="${colours.quiet}" font-size="11"`);
   return bar(MARGIN, metres * at.pixel, `${metres} m`, colours.ink) + bar(MARGIN + metres * at.pixel + 40, 50, `${plain(pascals * factor, 3)} ${unit}`, colours.lines[0]);
 }
 
@@ -77,7 +81,8 @@ export function profileDrawing(answer, width, {forFile = false, alt = ""} = {}) 
   const colours = forFile ? {...PAPER, paper: "#fff"} : {...SCREEN, paper: "var(--paper)"}, at = placed(answer, width), {section} = answer, {X, Y} = at;
   const caisson = `<rect x="${tenths(X(0))}" y="${tenths(Y(section.crest))}" width="${tenths(section.width * at.pixel)}" height="${tenths((section.crest + section.foundation_depth) * at.pixel)}" ` +
     `fill="${colours.paper}" stroke="${colours.ink}" stroke-width="1.6"/>`;
-  const inside = ground(at, section, width, colours) + water(at, answer, "level of the section", colours) + caisson + pressures(at, answer, colours) + scales(at, width, colours);
+  const inside = ground(at, section, width, colours) + water(at, answer, "level of the section", colours) + caisson + pressures(at, answer, colours) +
+    scales(at, width, colours);
   return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${width} ${Math.ceil(at.height)}" role="img" aria-label="${escaped(alt).replace(/"/g, "&quot;")}" ` +
     `font-family="system-ui, DejaVu Sans, sans-serif" font-size="12">${forFile ? '<rect width="100%" height="100%" fill="#fff"/>' : ""}${inside}</svg>`;
 }
