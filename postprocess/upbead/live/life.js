@@ -3,6 +3,7 @@
 import {element} from "./element.js";
 import {plain, quantity, scaleOf, ticks} from "./numbers.js";
 import {label, SCREEN, tenths} from "./plot.js";
+import {offer} from "./save.js";
 
 const LAWS = {paper: "eq. (7)", exact: "exact", combined: "combined"};
 const SAME = ["water_depth", "foundation_depth", "berm_depth", "crest", "berm_width", "bed_slope", "friction"];
@@ -67,6 +68,11 @@ function tableOfClasses(life) {
     element("tr", {}, element("th", {scope: "row"}, quantity(width, "m")), ...lines.map(({values}) => cell(values[n]))))));
 }
 
+function classesCsv(life) {
+  const lines = linesOf(life), head = ["B (m)", ...lines.map(({name}) => `E(S) (m) ${name.replace(",", "")}`)].join(",");
+  return [`# ${life.title}, computed by ${life.program}`, head, ...life.widths.map((width, n) => [width, ...lines.map(({values}) => values[n])].join(","))].join("\n") + "\n";
+}
+
 function wordsOfLives(lives, scatter) {
   if (!lives) return "";
   const scattered = scatter.length === 0 ? "nothing scatters" : `scatter of ${scatter.join(", ").replaceAll("_", " ")}`;
@@ -83,8 +89,10 @@ export class Life {
       `E(S) of ${plain(waves)} waves in ${plain(years)} years, highest waves: ${limit}.` + wordsOfLives(lives, scatter) +
       " The waves are those of the design's sea: H, T, level and angle above change nothing here.";
     this.body = element("div", {class: "life-body"}, this.figure, tableOfClasses(life));
+    const save = element("button", {type: "button"}, "Classes (CSV)");
+    save.addEventListener("click", () => offer("expected.csv", classesCsv(life), "text/csv"));
     this.element = element("section", {class: "life", "aria-label": "Storm and life"}, element("h2", {}, "Storm and life"), element("p", {class: "quiet"}, told),
-      this.reason, this.body);
+      this.reason, this.body, element("div", {class: "saves"}, save));
     new ResizeObserver(([{contentRect}]) => this.draw(Math.max(280, Math.floor(contentRect.width)))).observe(this.figure);
   }
   follow(asked) {
