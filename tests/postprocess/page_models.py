@@ -1,6 +1,7 @@
 """Models, pages and answers that the tests of the page work on."""
 
 import json
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -64,3 +65,25 @@ def respond(model, waves, out, *options):
 
 def ask(browser, settings):
     return browser.value(f"({ASK})({json.dumps(settings)})")
+
+
+def axe(folder):
+    """The file of axe-core, or None where npm cannot bring it."""
+    npm = shutil.which("npm")
+    if npm is None:
+        return None
+    try:
+        subprocess.run([npm, "install", "--prefix", folder, "axe-core@4"], capture_output=True, check=True, timeout=120)
+    except (subprocess.CalledProcessError, subprocess.TimeoutExpired):
+        return None
+    return folder / "node_modules/axe-core/axe.min.js"
+
+
+def violations(browser, source):
+    """What axe-core finds in the page that is open: rules, each with its first element."""
+    browser.value(source.read_text() + "; 0")
+    value = "violations.map(({id, nodes}) => id + ': ' + nodes[0].html)"
+    found, held = browser.value(f"axe.run().then(({{violations, passes}}) => [{value}, passes.length])")
+    if held <= 20:
+        raise AssertionError(f"only {held} rules were looked at")
+    return found

@@ -5,8 +5,6 @@ Skipped (exit code 77) where there is no Chromium; the test with axe-core where 
 usage: test_page_browser.py FOLDER_OF_THE_SCRIPTS UPBEAD FOLDER_OF_THE_CASES [TEST ...]
 """
 
-import shutil
-import subprocess
 import sys
 import tempfile
 import unittest
@@ -99,7 +97,7 @@ class Page(unittest.TestCase):
 
     def test_sizes(self):
         data = model_data.model_data(self.model)
-        parts = {"page": self.pages["one"].read_text(), "model": document.as_json(data), "scripts": document.script()}
+        parts = {"page": self.pages["one"].read_text(), "model": document.as_json(data), "scripts": document.script(data)}
         parts |= {name: document.read(name) for name in ("page.css", "whatif.css")}
         sizes = {name: len(text.encode()) for name, text in parts.items()}
         print("bytes: " + ", ".join(f"{name} {size}" for name, size in sizes.items()), file=sys.stderr)
@@ -238,29 +236,13 @@ class Page(unittest.TestCase):
         self.assertTrue(target.read_bytes().startswith(b"%PDF"))
 
     def test_for_all_readers(self):
-        source = axe(self.folder)
+        source = made.axe(self.folder)
         if source is None:
             self.skipTest("npm does not bring axe-core")
         for name in self.pages:
             for width, dark in ((360, False), (1280, False), (1280, True)):
                 self.show(name, width, dark=dark)
-                self.browser.value(source.read_text() + "; 0")
-                value = "violations.map(({id, nodes}) => id + ': ' + nodes[0].html)"
-                found, held = self.browser.value(f"axe.run().then(({{violations, passes}}) => [{value}, passes.length])")
-                self.assertEqual(found, [], f"{name} at {width} px, dark: {dark}")
-                self.assertGreater(held, 20)
-
-
-def axe(folder):
-    """The file of axe-core, or None."""
-    npm = shutil.which("npm")
-    if npm is None:
-        return None
-    try:
-        subprocess.run([npm, "install", "--prefix", folder, "axe-core@4"], capture_output=True, check=True, timeout=120)
-    except (subprocess.CalledProcessError, subprocess.TimeoutExpired):
-        return None
-    return folder / "node_modules/axe-core/axe.min.js"
+                self.assertEqual(made.violations(self.browser, source), [], f"{name} at {width} px, dark: {dark}")
 
 
 if __name__ == "__main__":

@@ -1,6 +1,9 @@
 // What one may ask: the shape of the wave, a record, friction, W' and uplift.
+import {choiceOf} from "./choice.js";
 import {element} from "./element.js";
+import {COURSES} from "./course.js";
 import {Field} from "./field.js";
+import {GODA, GodaWave} from "./goda_wave.js";
 import {SHAPES, waveOf} from "./pulse.js";
 import {readRecord} from "./record.js";
 
@@ -40,10 +43,15 @@ function slidingSpecs(known, load) {
   ];
 }
 
-function choice(key, name, words, chosen) {
-  const options = Object.entries(words).map(([value, text]) => element("option", {value, selected: value === chosen ? "" : null}, text));
-  const select = element("select", {id: `whatif-${key}`, "data-key": key}, ...options);
-  return {select, row: element("div", {class: "field"}, element("label", {for: `whatif-${key}`}, name), select)};
+function shapesOf(model) {
+  const pulses = Object.keys(SHAPES).map((key) => [key, key.replace("_", " ")]);
+  return Object.fromEntries([...pulses, ...(model.wave ? Object.keys(COURSES).map((key) => [GODA + key, `by Goda: ${key.replace("_", " ")}`]) : [])]);
+}
+
+// A wave of the case by Goda's formulas, or of a design above, comes before a pulse.
+function firstShape({wave}, pulse) {
+  if (!wave || !(wave.profile || document.querySelector(".formulas"))) return pulse;
+  return GODA + (wave.course in COURSES ? wave.course : "church_roof");
 }
 
 export class Controls {
@@ -51,13 +59,15 @@ export class Controls {
     Object.assign(this, {model, changed, record: null, recordName: ""});
     const load = model.loads[0], known = model.sliding;
     const fields = (list) => list.map(({spec, value}) => new Field(spec, value, (field) => this.moved(field)));
-    this.shape = choice("shape", "Shape", Object.fromEntries(Object.keys(SHAPES).map((key) => [key, key.replace("_", " ")])), firstPulse(load, model.end, 1).shape);
-    this.load = choice("load", "Load", Object.fromEntries(model.loads.map(({name}, k) => [k, name])), "0");
+    this.goda = model.wave ? new GodaWave(model, (field) => this.follow(field)) : null;
+    this.shape = choiceOf("shape", "Shape", shapesOf(model), firstShape(model, firstPulse(load, model.end, 1).shape));
+    this.load = choiceOf("load", "Load", Object.fromEntries(model.loads.map(({name}, k) => [k, name])), String(model.wave ? model.wave.load : 0));
     const uplifts = Object.entries(UPLIFTS).filter(([key]) => key !== "computed" || "uplift" in model.modes.readings);
-    this.uplift = choice("uplift", "Uplift", Object.fromEntries(uplifts), known && known.uplift in UPLIFTS ? known.uplift : "none");
+    this.uplift = choiceOf("uplift", "Uplift", Object.fromEntries(uplifts), known && known.uplift in UPLIFTS ? known.uplift : "none");
     this.ofPulse = fields(pulseSpecs(load, model.end));
     this.ofSliding = fields(slidingSpecs(known, load));
-    this.all = Object.fromEntries([...this.ofPulse, ...this.ofSliding].map((field) => [field.key, field]));
+    this.all = Object.fromEntries([...this.ofPulse, ...this.ofGoda(), ...this.ofSliding].map((field) => [field.key, field]));
+    this.shape.select.addEventListener("input", () => this.setWeight(null));
     for (const {select} of [this.shape, this.load, this.uplift]) select.addEventListener("input", () => this.moved(null));
     this.arrange();
   }
@@ -74,7 +84,7 @@ export class Controls {
       event.preventDefault();
       if (event.dataTransfer.files[0]) this.read(event.dataTransfer.files[0]);
     });
-    this.pulse = element("div", {}, this.shape.row, ...(this.model.loads.length > 1 ? [this.load.row] : []), ...this.ofPulse.map(({row}) => row));
+    this.pulse = element("div", {}, this.shape.row, ...(this.model.loads.length > 1 ? [this.load.row] : []), ...[...this.ofPulse, ...this.ofGoda()].map(({row}) => row));
     const wave = element("fieldset", {}, element("legend", {}, "Wave"), this.pulse, record);
     const sliding = element("fieldset", {}, element("legend", {}, "Sliding"), this.ofSliding[0].row, this.ofSliding[1].row, this.uplift.row, this.ofSliding[2].row, this.ofSliding[3].row);
     this.form = element("form", {class: "controls", "aria-label": "What if"}, wave, ...(this.model.mass > 0 ? [sliding] : []));
@@ -83,11 +93,37 @@ export class Controls {
   }
   // Shows what the shape and the uplift ask for.
   reveal() {
-    const keys = SHAPES[this.shape.select.value].keys, follows = ["in_phase", "held"].includes(this.uplift.select.value);
-    for (const field of this.ofPulse) field.row.hidden = !keys.includes(field.key);
-    for (const key of ["uplift_per_force", "lag"]) this.all[key].row.hidden = !follows;
+    const keys = this.course() ? this.goda.keys() : SHAPES[this.shape.select.value]?.keys ?? [], follows = ["in_phase", "held"].includes(this.uplift.select.value);
+    for (const field of [...this.ofPulse, ...this.ofGoda()]) field.row.hidden = !keys.includes(field.key);
+    this.all.lag.row.hidden = !follows;
+    this.all.uplift_per_force.row.hidden = !follows || this.course() !== null;
     this.pulse.hidden = this.record !== null;
     this.back.hidden = this.record === null;
+  }
+  ofGoda() {
+    return this.goda ? this.goda.fields : [];
+  }
+  // That of the wave by Goda's formulas; null where another wave is asked.
+  course() {
+    const shape = this.shape.select.value;
+    return this.record === null && shape.startsWith(GODA) ? shape.slice(GODA.length) : null;
+  }
+  // Something of the wave by Goda's formulas has moved.
+  follow(field) {
+    if (this.course() === null) return;
+    this.setWeight(field);
+    this.moved(field);
+  }
+  // W' is that of the level, and of the design where one is above: so is mu.
+  setWeight(field) {
+    if (this.course() === null || (field !== null && field.key !== "wave_rise")) return;
+    try {
+      const {section} = this.goda.answer();
+      this.all.weight.set(section.submerged_weight);
+      if (this.goda.above) this.all.friction.set(section.friction);
+    } catch {
+      return; // the answer tells why there is none
+    }
   }
   // A rise beyond the duration, or a plateau within it, moves along with what was moved. A church roof would jump where
   // its rise is as long as its impulsive part.
@@ -118,11 +154,12 @@ export class Controls {
   }
   // What is wrong with what is asked, as sentences.
   mistakes() {
-    return Object.values(this.all).filter((field) => !field.row.hidden && !(this.record && this.ofPulse.includes(field)) && Number.isNaN(field.value()))
+    return Object.values(this.all).filter((field) => !field.row.hidden && !(this.record && !this.ofSliding.includes(field)) && Number.isNaN(field.value()))
       .map(({spec}) => `${spec.name}: give ${spec.needs}`);
   }
   wave() {
     if (this.record) return this.record;
+    if (this.course()) return this.goda.made(this.course(), Number(this.load.select.value), this.model.loads.length);
     const pulse = {shape: this.shape.select.value};
     for (const field of this.ofPulse) pulse[field.key] = field.value();
     return waveOf(pulse, Number(this.load.select.value), this.model.loads.length, this.model.end);
@@ -132,6 +169,6 @@ export class Controls {
     const {friction, weight, uplift_per_force, lag} = this.all;
     if (!(this.model.mass > 0) || friction.value() === null || weight.value() === null) return null;
     return {friction: friction.value(), weight: weight.value(), drag: this.model.sliding ? this.model.sliding.drag : 0,
-      uplift: this.uplift.select.value, uplift_per_force: uplift_per_force.value(), lag: lag.value()};
+      uplift: this.uplift.select.value, uplift_per_force: this.course() ? this.goda.last.upliftPerForce : uplift_per_force.value(), lag: lag.value()};
   }
 }

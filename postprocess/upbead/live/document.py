@@ -1,4 +1,4 @@
-"""One HTML file: the model's numbers, the modules that answer, and how they look."""
+"""One HTML file: numbers of a model, of a design or of both, the modules that answer, and how they look."""
 
 import html
 import json
@@ -7,57 +7,105 @@ from pathlib import Path
 
 from ..errors import UserError
 from ..kept import keep_inputs
+from .case_wave import of_design
+from .design_data import design_data, effective, is_design, states_of
+from .life_data import with_life
 from .model_data import model_data
 
 HERE = Path(__file__).parent
 # Each after those that it imports: in one script nothing needs to be imported.
-MODULES = (
-    "phi", "grid", "modes", "step", "slide", "fft", "trust", "base", "respond", "pulse", "record", "numbers", "plot",
-    "element", "field", "controls", "told", "save", "whatif",
-)  # fmt: skip
+SHARED = ("phi", "grid", "modes", "step", "slide", "numbers", "plot", "element", "field", "choice", "save")
+OF_FORMULAS = ("root", "heights", "goda", "distance", "combined", "validity", "formulas")
+OF_MODEL = ("fft", "trust", "base", "respond", "pulse", "impact", "course", "goda_wave", "record", "controls", "told", "whatif")
+OF_DESIGN = ("profile", "design_fields", "design_controls", "design_told", "design_save", "life", "design")
 IMPORT = re.compile(r"^import .*;\n", re.MULTILINE)
 
 
-def page(model, output=None):
-    """Writes the page of a reduced model (reduced.h5 of `upbead reduce`, or its folder); returns its path.
+def page(model, output=None, design=None, program=None):
+    """Writes the page of a reduced model, of a design, or of both; returns its path.
 
-    output: the page; default: page.html beside the model. It holds all that it shows, and needs no network.
+    model: reduced.h5 of `upbead reduce`, or its folder; or a design file, or the folder of `upbead waves`. output: the page; default:
+    page.html beside the model, or in the folder of the results (results/NAME of a design file). design: a design beside the model.
+    program: path of the program, which reads design files. The page holds all that it shows, and needs no network.
     """
-    model = Path(model)
-    model = model / "reduced.h5" if model.is_dir() else model
-    output = Path(output) if output else model.parent / "page.html"
-    keep_inputs(output, model)
-    text = document(model_data(model))
+    given = Path(model)
+    if is_design(given):
+        model, design = None, design or given
+    else:
+        model = given / "reduced.h5" if given.is_dir() else given
+    output = Path(output) if output else default_output(given, model)
+    known = effective(design, program) if design else None
+    keep_inputs(output, *(path for path in (model, design) if path), *(states_of(*known) if known else ()))
+    text = document(*data_of(model, known and with_life(design_data(known[0], design), *known, program)))
     try:
+        output.parent.mkdir(parents=True, exist_ok=True)
         output.write_text(text, encoding="utf-8")
     except OSError as error:
         raise UserError(f"cannot write '{output}': {error.strerror}") from error
     return output
 
 
-def document(data):
-    title, facts = html.escape(data["title"] or "Reduced model"), html.escape(facts_of(data)).replace("F_T", "<i>F</i><sub>T</sub>")
+def default_output(given, model):
+    if model:
+        return model.parent / "page.html"
+    return given / "page.html" if given.is_dir() else Path("results") / given.stem / "page.html"
+
+
+def data_of(model, design):
+    """(numbers of a model's file, numbers of the design), each None where it is not given."""
+    model = model and model_data(model)
+    if model and design and not model["wave"]:
+        used = {key: design[key] for key in ("water", "section", "duration", "combined", "limits")}
+        model["wave"] = of_design(used, next(iter(design["waves"].values())), 0)
+    return model, design
+
+
+def document(model=None, design=None):
+    title = html.escape((design or model)["title"] or "Reduced model")
+    parts = ([formulas(design)] if design else []) + ([of_model(model)] if model else [])
+    several = len(parts) > 1
+    inside = "".join((f"<h2>{name}</h2>\n" if several else "") + f'<p class="quiet">{facts}</p>\n{text}' for name, facts, text in parts)
     return (
         '<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">'
         '<meta name="viewport" content="width=device-width, initial-scale=1"><link rel="icon" href="data:,">'
-        f"<title>{title}: what if</title><style>{read('page.css')}</style></head>\n"
-        f'<body><main><h1>{title}</h1><p class="quiet">{facts}</p>\n{section(data)}</main></body></html>\n'
+        f"<title>{title}: what if</title><style>{read('page.css')}</style><style>{read('whatif.css')}</style></head>\n"
+        f'<body><main><h1>{title}</h1>{inside}</main><script type="module">\n{script(model, design)}</script>\n</body></html>\n'
     )
+
+
+def of_model(data):
+    facts = html.escape(facts_of(data)).replace("F_T", "<i>F</i><sub>T</sub>")
+    return "By the reduced model", facts, element("What if", "whatif-model", data)
+
+
+def formulas(data):
+    facts = (
+        "Pressures after Goda (2000) with the impulsive coefficient of Takahashi, Tanimoto and Shimosako (1994), sliding after Shimosako and "
+        "Takahashi (1994): the formulas and numbers of upbead waves. Nothing is sent anywhere."
+    )
+    return "By formulas", facts, element("What if, by formulas", "design-model", data)
 
 
 def section(data):
     """What answers, for any page that has the colours of page.css."""
     return (
-        f"<style>{read('whatif.css')}</style>\n"
-        f'<section class="whatif" aria-label="What if"><noscript><p>This page answers by a script, and scripts are off.</p></noscript>'
-        f'<script type="application/json" class="whatif-model">{as_json(data)}</script></section>\n'
-        f'<script type="module">\n{script()}</script>\n'
+        f"<style>{read('whatif.css')}</style>\n" + element("What if", "whatif-model", data) + f'<script type="module">\n{script(data)}</script>\n'
     )
 
 
-def script():
-    """All modules as one."""
-    return "".join(IMPORT.sub("", read(f"{name}.js")).replace("\nexport ", "\n") for name in MODULES)
+def element(name, kind, data):
+    """Where a module finds its numbers and puts what it shows."""
+    classes = "whatif formulas" if kind == "design-model" else "whatif"
+    return (
+        f'<section class="{classes}" aria-label="{name}"><noscript><p>This page answers by a script, and scripts are off.</p></noscript>'
+        f'<script type="application/json" class="{kind}">{as_json(data)}</script></section>\n'
+    )
+
+
+def script(model=None, design=None):
+    """The modules that these need, as one."""
+    names = SHARED + OF_FORMULAS + (OF_MODEL if model else ()) + (OF_DESIGN if design else ())
+    return "".join(IMPORT.sub("", read(f"{name}.js")).replace("\nexport ", "\n") for name in names)
 
 
 def read(name):

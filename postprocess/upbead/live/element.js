@@ -8,6 +8,6 @@ export function element(name, attributes = {}, ...children) {
 
 // Text with its symbols set: F_T is F in italics with the subscript T.
 export function symbolic(text) {
-  return text.split(/\b([A-Z]_[A-Z])\b/).map((part, i) => i % 2 === 0 ? part
-    : element("span", {}, element("i", {}, part[0]), element("sub", {}, part[2])));
+  return text.split(/(?<![A-Za-z_])([A-Za-zα-ω]_(?:1\/3|[A-Za-z0-9]+))/).map((part, i) => i % 2 === 0 ? part
+    : element("span", {}, element("i", {}, part[0]), element("sub", {}, part.slice(2))));
 }

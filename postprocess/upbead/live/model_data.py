@@ -8,6 +8,7 @@ import numpy as np
 from ..errors import ModelError
 from ..reduced_model import ReducedModel
 from ..results import text_of
+from .case_wave import case_wave
 from .scene import case_in
 
 # Readings by which `upbead respond` tells P, F_T, and what presses on the base.
@@ -35,6 +36,7 @@ def model_data(path):
             "sliding": sliding_of(file),
             "base": base_of(file),
             "slips": "slip" in file,
+            "wave": case_wave(case_in(file), names),
             "modes": modes_of(model, [name for name in NEEDED + OF_BASE if name in model.readings]),
             "nested": model.nested and [modes_of(larger, ["shear_force"]) for larger in model.nested],
         }

@@ -2,8 +2,8 @@
 import {scaleOf, ticks} from "./numbers.js";
 
 const LEFT = 64, RIGHT = 10, HEAD = 24, GAP = 16, FOOT = 40, HEIGHT = 190;
-const SCREEN = {ink: "var(--ink)", quiet: "var(--quiet)", rule: "var(--rule)", lines: [0, 1, 2, 3].map((i) => `var(--c${i})`)};
-const PAPER = {ink: "#1c2430", quiet: "#5c6773", rule: "#d8dde3", lines: ["#0b62a4", "#2a7f3f", "#c0392b", "#1c2430"]};
+export const SCREEN = {ink: "var(--ink)", quiet: "var(--quiet)", rule: "var(--rule)", lines: [0, 1, 2, 3].map((i) => `var(--c${i})`)};
+export const PAPER = {ink: "#1c2430", quiet: "#5c6773", rule: "#d8dde3", lines: ["#0b62a4", "#2a7f3f", "#c0392b", "#1c2430"]};
 
 // [{title, unit, lines: [{name, y, colour, dashed}]}] of what an answer has.
 export function panelsOf(answer, friction, weight) {
@@ -49,9 +49,9 @@ function rangeOf(lines) {
   return [low - (low < 0 ? room : 0), high + room];
 }
 
-const tenths = (value) => Math.round(10 * value) / 10;
-const escaped = (text) => text.replace(/&/g, "&amp;").replace(/</g, "&lt;");
-const label = (x, y, text, attributes) => `<text x="${x.toFixed(1)}" y="${y.toFixed(1)}" ${attributes}>${escaped(text)}</text>`;
+export const tenths = (value) => Math.round(10 * value) / 10;
+export const escaped = (text) => text.replace(/&/g, "&amp;").replace(/</g, "&lt;");
+export const label = (x, y, text, attributes) => `<text x="${x.toFixed(1)}" y="${y.toFixed(1)}" ${attributes}>${escaped(text)}</text>`;
 
 // F_T with its subscript.
 const name = (text) => escaped(text).replace(/^([A-Z])_([A-Z])$/, '<tspan font-style="italic">$1</tspan><tspan dy="3" font-size="9">$2</tspan>');

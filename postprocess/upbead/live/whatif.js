@@ -17,10 +17,11 @@ class WhatIf {
     this.table = element("tbody");
     this.trust = element("ul", {class: "trust"});
     this.notes = element("ul", {class: "notes"});
+    this.outside = element("ul", {class: "trust"});
     this.wrong = element("p", {class: "wrong", role: "alert"});
     this.aloud = element("p", {class: "aloud", role: "status"});
     this.figure = element("figure");
-    const tables = element("div", {class: "tables"}, element("table", {}, element("caption", {}, "Answer"), this.table), element("div", {}, this.trust, this.notes));
+    const tables = element("div", {class: "tables"}, element("table", {}, element("caption", {}, "Answer"), this.table), element("div", {}, this.trust, this.outside, this.notes));
     const answer = element("div", {class: "answer"}, this.wrong, tables, this.figure, this.buttons(), this.aloud);
     this.headline = element("dl", {class: "headline"});
     root.append(this.headline, element("div", {class: "whatif-parts"}, this.controls.form, answer));
@@ -69,7 +70,11 @@ class WhatIf {
     }
   }
   rows() {
-    return [...rowsOf(this.answer, this.sliding), ...(this.told ? rowsOfTrust(this.told) : [])];
+    return [...rowsOf(this.answer, this.sliding), ...this.ofGoda("rows"), ...(this.told ? rowsOfTrust(this.told) : [])];
+  }
+  // What the wave by Goda's formulas tells, where it is asked.
+  ofGoda(what) {
+    return this.controls.course() ? this.controls.goda[what]() : [];
   }
   panels() {
     return panelsOf(this.answer, this.sliding && this.sliding.friction, this.sliding && this.sliding.weight);
@@ -86,7 +91,8 @@ class WhatIf {
   show() {
     this.told = null;
     this.showRows();
-    this.notes.replaceChildren(...notesOf(this.model, this.answer, this.sliding).map((text) => element("li", {}, ...symbolic(text))));
+    this.outside.replaceChildren(...this.ofGoda("warnings").map((text) => element("li", {class: "warned"}, ...symbolic(text))));
+    this.notes.replaceChildren(...[...this.ofGoda("notes"), ...notesOf(this.model, this.answer, this.sliding)].map((text) => element("li", {}, ...symbolic(text))));
     this.trust.replaceChildren(element("li", {class: "quiet"}, ...symbolic(this.answer.rough
       ? `While something moves, the answer is looked at ${this.answer.time.length} times, exact but for peaks between them; all times and the error of F_T follow at rest.`
       : "How wrong F_T may be is told when nothing moves.")));
@@ -114,5 +120,5 @@ class WhatIf {
   }
 }
 
-for (const root of document.querySelectorAll(".whatif"))
-  new WhatIf(root, JSON.parse(root.querySelector("script.whatif-model").textContent));
+for (const script of document.querySelectorAll("script.whatif-model"))
+  new WhatIf(script.parentNode, JSON.parse(script.textContent));
