@@ -63,7 +63,7 @@ def length_of(metres):
 
 
 def as_a_whole(result, frames):
-    """Slip (m) in each frame of a caisson that slips as a whole, which the fields do not have; None where it is not told."""
+    """Slip (m) in each frame of a caisson that slips as a whole, which the fields do not have; None where nothing slips so."""
     if "interface/slip" in result.file or "coupled/slip" not in result.file:
         return None
     time, slip = (result.file[f"coupled/{name}"][()] for name in ("time", "slip"))

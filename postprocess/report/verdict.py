@@ -62,7 +62,7 @@ def shear(result):
     peak = phrase("The peak shear force at its bottom is about $F_T$ = {peak}", peak=rounded(response[key], "N/m"))
     ratio = response.get("shear_to_force_ratio")
     if ratio is None:
-        return phrase("{peak}; its ratio to the wave's force is not told, as there is no such force.", peak=peak)
+        return phrase("{peak}; it has no ratio to the wave's force, as there is no such force.", peak=peak)
     share = tag("data", f"{ratio:.3f}", value=repr(ratio))
     return phrase("{peak}, {ratio} of the wave's peak force $P$ = {force}.", peak=peak, ratio=share,
                   force=rounded(response[force], "N/m"))  # fmt: skip

@@ -32,7 +32,8 @@ class Modes {
  private:
   /// Equal steps differ in their last digits where they are differences of times, yet their exponentials cost more than
   /// all else. So a step that ends within 1e-9 of itself where the latest step size would end is taken as equal. Ends
-  /// are compared, not sizes, so that no number of steps drifts by more; where they have drifted, the step is stretched.
+  /// are compared, not sizes, so that no number of steps drifts by more; where they have drifted, the step is
+  /// stretched.
   void prepare(double time) {
     if (n_equal_ > 0 && std::abs(segment_start_ + (n_equal_ + 1) * step_ - time) <= 1e-9 * step_) {
       ++n_equal_;
