@@ -1,9 +1,10 @@
 #!/usr/bin/python3
-"""The commands of the README, in their order, as someone in a fresh clone runs them.
+"""The commands of the README and of the tutorials, in their order, as someone in a fresh clone runs them.
 
 usage: readme_test.py PROGRAM CASES_FOLDER
 """
 
+import re
 import shlex
 import shutil
 import subprocess
@@ -20,6 +21,15 @@ def commands():
     return [shlex.split(line, comments=True) for line in block.splitlines() if line.strip()]
 
 
+def tutorial(name):
+    """Of all its blocks, but those that build; without paper where nothing prints."""
+    blocks = re.findall(r"^```sh\n(.*?)^```", (ROOT / "docs" / name).read_text(), flags=re.DOTALL | re.MULTILINE)
+    lines = [shlex.split(line, comments=True) for block in blocks for line in block.splitlines()]
+    if not shutil.which("chromium"):
+        lines = [line[: line.index("--pdf")] if "--pdf" in line else line for line in lines]
+    return [line for line in lines if line and line[0] != "./bootstrap"]
+
+
 class Readme(ProgramTest):
     def setUp(self):
         super().setUp()
@@ -30,7 +40,15 @@ class Readme(ProgramTest):
 
     def test_every_command_works(self):
         self.assertGreater(len(commands()), 10)
-        for command in commands():
+        self.run_all(commands())
+
+    def test_every_command_of_the_tutorials_works(self):
+        for name in ("tutorial-fig2b.md", "tutorial-own-breakwater.md"):
+            self.assertGreater(len(tutorial(name)), 5)
+            self.run_all(tutorial(name))
+
+    def run_all(self, lines):
+        for command in lines:
             with self.subTest(" ".join(command)):
                 done = subprocess.run(command, cwd=self.folder, capture_output=True, text=True, timeout=600)
                 self.assertEqual(done.returncode, 0, done.stderr)
