@@ -1,16 +1,15 @@
 #!/usr/bin/python3
-"""The picture of the layers in docs/architecture.md, made of what the code includes.
+"""The picture of the layers, docs/figures/architecture.svg, made of what the code includes.
 
-usage: architecture.py ROOT [--write]     without --write it fails where the page shows another picture
+usage: architecture.py ROOT [--write]     without --write it fails where that is another picture
 """
 
 import pathlib
-import re
 import sys
 
 from layers import ALLOWED, INCLUDE
 
-BLOCK = re.compile(r"```mermaid\n.*?```\n", re.DOTALL)
+WIDE, HIGH, ACROSS, DOWN, AIR = 92, 30, 132, 54, 14  # px: a box, from box to box, round them
 
 
 def included(root):
@@ -31,24 +30,48 @@ def reached(graph, layer):
     return below.union(*(reached(graph, other) for other in below)) if below else below
 
 
+def direct(graph):
+    """Without arrows that follow from others."""
+    return {layer: sorted(others - set().union(*(reached(graph, other) for other in others))) for layer, others in graph.items()}
+
+
+def places(graph):
+    """Every layer as far right as those that include it leave it, so that lines are short; `base` at the left."""
+    column, rows = {}, {}
+    for layer in reversed(graph):  # in an order in which what a layer includes comes after it
+        column[layer] = min((column[user] - 1 for user in graph if layer in graph[user]), default=0)
+    least = min(column.values())
+    for layer in graph:
+        rows.setdefault(column[layer] - least, []).append(layer)
+    most = max(map(len, rows.values()))
+    return {layer: (AIR + ACROSS * x, AIR + DOWN * (i + (most - len(row)) / 2)) for x, row in rows.items() for i, layer in enumerate(row)}
+
+
 def picture(graph):
-    """Arrows that follow from others are left out."""
-    lines = ["```mermaid", "flowchart RL"]
-    for layer, others in graph.items():
-        indirect = set().union(*(reached(graph, other) for other in others)) if others else set()
-        lines += [f"  {layer} --> {other}" for other in sorted(others - indirect)]
-    return "\n".join([*lines, "```", ""])
+    at = places(graph)
+    width, height = (max(place[i] for place in at.values()) + size + AIR for i, size in ((0, WIDE), (1, HIGH)))
+    lines = [f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height:g}" font-family="sans-serif" font-size="14">',
+             "<title>The layers of the code: each includes what its lines lead to on its left</title>",
+             f'<rect width="{width}" height="{height:g}" fill="#ffffff"/>']
+    for layer, others in direct(graph).items():
+        for other in others:
+            (x, y), (x1, y1) = at[layer], at[other]
+            a, b = x1 + WIDE, y1 + HIGH / 2
+            lines.append(f'<path d="M{x} {y + HIGH / 2:g}C{x - 20} {y + HIGH / 2:g} {a + 20} {b:g} {a} {b:g}" '
+                         'fill="none" stroke="#6b7684" stroke-width="1.5"/>')
+    for layer, (x, y) in at.items():
+        lines += [f'<rect x="{x}" y="{y:g}" width="{WIDE}" height="{HIGH}" rx="5" fill="#eaf1f8" stroke="#39424e"/>',
+                  f'<text x="{x + WIDE / 2:g}" y="{y + 20:g}" text-anchor="middle" fill="#1b2430">{layer}</text>']
+    return "\n".join([*lines, "</svg>", ""])
 
 
 def main():
     root = pathlib.Path(sys.argv[1])
-    page = root / "docs/architecture.md"
-    text = page.read_text()
-    made = BLOCK.sub(lambda _: picture(included(root)), text)
+    file, made = root / "docs/figures/architecture.svg", picture(included(root))
     if "--write" in sys.argv:
-        page.write_text(made)
-    elif made != text:
-        sys.exit(f"{page}:1: the code includes other layers than the picture shows; run {sys.argv[0]} {root} --write")
+        file.write_text(made)
+    elif made != file.read_text():
+        sys.exit(f"{file}:1: the code includes other layers than the picture shows; run {sys.argv[0]} {root} --write")
 
 
 if __name__ == "__main__":
