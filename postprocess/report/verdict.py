@@ -109,7 +109,7 @@ def checked(summary):
     if not failed:
         return say("Of {asked} checks with a limit all hold.", asked=len(asked))
     names = listed(named(check["name"]) for check in failed)
-    words = phrase("Of {asked} checks with a limit {failed} do not hold: {names}.", asked=len(asked), failed=len(failed), names=names)
+    words = phrase("Checks beyond their limit, {failed} of {asked}: {names}.", asked=len(asked), failed=len(failed), names=names)
     return tag("strong", words, class_="fails")
 
 

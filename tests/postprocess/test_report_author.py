@@ -137,7 +137,7 @@ class Answer(unittest.TestCase):
         warnings = [{"name": "walls_too_near", "text": "x"}]
         checks = [{"name": "heel pressure", "holds": False}, {"name": "toe pressure", "holds": True}, {"name": "sliding distance", "holds": None}]
         told = self.told({"response": self.RESPONSE, "sliding": sliding, "warnings": warnings, "checks": checks})
-        for words in ("could not be told: the bottom lifts", "warns of: walls too near", "Of 2 checks with a limit 1 do not hold: heel pressure"):
+        for words in ("could not be told: the bottom lifts", "warns of: walls too near", "Checks beyond their limit, 1 of 2: heel pressure"):
             self.assertIn(words, told)
         self.assertIn("in the end", self.told({"response": self.RESPONSE, "sliding": {"sliding_history": 0.0, "ratio": 1.1}}))
 
