@@ -50,6 +50,7 @@ def listed_words():
     yield from (key.replace("_", " ") for key, _ in loads.PULSE)
     yield from (outputs.label(f"response.{key}") for key, _, _ in response.ROWS)
     yield from (outputs.label(f"discretisation.{key}") for key in run.SIZES)
+    yield from (outputs.label(f"response.error_sources.{key}") for key in ("mesh", "time", "reduced_model", "far_boundary"))
 
 
 class Words(unittest.TestCase):
