@@ -6,7 +6,7 @@ import {element, symbolic} from "./element.js";
 import {formulaAnswer} from "./formulas.js";
 import {Life} from "./life.js";
 import {profileDrawing} from "./profile.js";
-import {offer} from "./save.js";
+import {saveButton} from "./save.js";
 import {contradictions} from "./validity.js";
 
 const QUIET = 700; // ms after the last move until the answer is said aloud
@@ -33,11 +33,7 @@ class DesignPage {
     this.update();
   }
   buttons() {
-    const save = (text, make) => {
-      const button = element("button", {type: "button"}, text);
-      button.addEventListener("click", () => this.answer && offer(...make()));
-      return button;
-    };
+    const save = (text, make) => saveButton(text, () => this.answer && make());
     return element("div", {class: "saves"},
       save("Numbers (CSV)", () => ["numbers.csv", numbersCsv(this.design.title, this.asked, this.answer, tablesOfDesign(this.answer)), "text/csv"]),
       save("Design (TOML)", () => ["design.toml", designToml(this.asked, this.controls.given(), this.answer.rise), "text/plain"]),

@@ -3,7 +3,7 @@
 import {element} from "./element.js";
 import {plain, quantity, scaleOf, ticks} from "./numbers.js";
 import {label, SCREEN, tenths} from "./plot.js";
-import {offer} from "./save.js";
+import {saveButton} from "./save.js";
 
 const LAWS = {paper: "eq. (7)", exact: "exact", combined: "combined"};
 const SAME = ["water_depth", "foundation_depth", "berm_depth", "crest", "berm_width", "bed_slope", "friction"];
@@ -89,8 +89,7 @@ export class Life {
       `E(S) of ${plain(waves)} waves in ${plain(years)} years, highest waves: ${limit}.` + wordsOfLives(lives, scatter) +
       " The waves are those of the design's sea: H, T, level and angle above change nothing here.";
     this.body = element("div", {class: "life-body"}, this.figure, tableOfClasses(life));
-    const save = element("button", {type: "button"}, "Classes (CSV)");
-    save.addEventListener("click", () => offer("expected.csv", classesCsv(life), "text/csv"));
+    const save = saveButton("Classes (CSV)", () => ["expected.csv", classesCsv(life), "text/csv"]);
     this.element = element("section", {class: "life", "aria-label": "Storm and life"}, element("h2", {}, "Storm and life"), element("p", {class: "quiet"}, told),
       this.reason, this.body, element("div", {class: "saves"}, save));
     new ResizeObserver(([{contentRect}]) => this.draw(Math.max(280, Math.floor(contentRect.width)))).observe(this.figure);

@@ -17,7 +17,17 @@ export function waveCsv(wave, loads) {
   return [["time (s)", ...loads.map(({name, unit}) => `${name} (${unit})`)].join(","), ...lines].join("\n") + "\n";
 }
 
-export function offer(name, text, type) {
+// A button that offers the file that make() returns as [name, text, type], or nothing where that is null.
+export function saveButton(label, make) {
+  const button = element("button", {type: "button"}, label);
+  button.addEventListener("click", () => {
+    const file = make();
+    if (file) offer(...file);
+  });
+  return button;
+}
+
+function offer(name, text, type) {
   const address = URL.createObjectURL(new Blob([text], {type}));
   element("a", {href: address, download: name}).click();
   setTimeout(() => URL.revokeObjectURL(address), 10000);

@@ -3,7 +3,7 @@ import {Controls} from "./controls.js";
 import {element, symbolic} from "./element.js";
 import {drawing, panelsOf} from "./plot.js";
 import {answerOf, histories, modelOf, trustOf} from "./respond.js";
-import {historiesCsv, offer, waveCsv} from "./save.js";
+import {historiesCsv, saveButton, waveCsv} from "./save.js";
 import {headline, notesOf, rowsOf, rowsOfTrust, spoken, trustSentences} from "./told.js";
 
 const STILL = 150, SILENT = 700; // ms after the last move until the error is told, and until it is said aloud
@@ -29,11 +29,7 @@ class WhatIf {
     this.update();
   }
   buttons() {
-    const save = (text, make) => {
-      const button = element("button", {type: "button"}, text);
-      button.addEventListener("click", () => this.answer && offer(...make()));
-      return button;
-    };
+    const save = (text, make) => saveButton(text, () => this.answer && make());
     return this.saves = element("div", {class: "saves"},
       save("Histories (CSV)", () => ["histories.csv", historiesCsv(this.model.title, this.answer, this.rows()), "text/csv"]),
       save("Wave (CSV)", () => ["wave.csv", waveCsv(this.answer.wave, this.model.loads), "text/csv"]),
