@@ -6,9 +6,11 @@
 #include <deal.II/lac/sparsity_pattern.h>
 #include <deal.II/lac/sparsity_tools.h>
 
-#include <algorithm>
 #include <functional>
+#include <map>
+#include <optional>
 
+#include "algebra/pattern_sums.h"
 #include "fem/kernels.h"
 #include "fem/sides.h"
 
@@ -54,87 +56,99 @@ std::vector<bool> own_cells(const Space& space, const Processes& processes) {
 
 namespace {
 
-using Triplets = std::vector<Eigen::Triplet<double>>;
+using Rows = std::vector<const Row*>;
 
-/// Adds a local matrix, each of its rows and columns spread over the unknowns of its expansion.
-void scatter(const FullMatrix<double>& local, const std::vector<const Row*>& rows, Triplets& triplets) {
-  for (unsigned i = 0; i < rows.size(); ++i)
-    for (unsigned j = 0; j < rows.size(); ++j) {
-      if (local(i, j) == 0.) continue;
-      for (const auto& [row, a] : *rows[i])
-        for (const auto& [column, b] : *rows[j]) triplets.emplace_back(row, column, a * b * local(i, j));
-    }
-}
+/// Which of the matrices a sum is.
+enum Sum : int { sum_M, sum_C, sum_K, n_sums };
 
-/// M, C and K of the whole system, from cells that deform, faces, and bodies that do not deform.
+/// M, C and K of the whole system, from cells that deform, faces, and bodies that do not deform. First all that will be
+/// added says which unknowns it couples.
 class Assembly {
  public:
-  Assembly(const Unknowns& unknowns, std::size_t n_cells) : unknowns_(unknowns), n_cells_(n_cells) {}
+  explicit Assembly(const Unknowns& unknowns) : unknowns_(unknowns) {}
 
-  void add(const CellMatrices& cell, const Dofs& dofs) {
-    const std::vector<const Row*> rows = rows_of(dofs);
-    ++n_added_;
-    for (Triplets* triplets : {&M_, &C_, &K_}) make_room(rows.size() * rows.size(), *triplets);
-    scatter(cell.M, rows, M_);
-    scatter(cell.C, rows, C_);
-    scatter(cell.K, rows, K_);
+  void expect(const Dofs& dofs) { expect(rows_of(dofs)); }
+  void expect(const FaceTerms& face) { expect(rows_of(face)); }
+  void expect(const std::vector<Body>& bodies) {
+    for (std::size_t b = 0; b < bodies.size(); ++b)
+      for (int m = 0; m < n_motions; ++m) groups_.push_back({unknowns_.coordinate(b, m)});
+  }
+  /// Nothing more is expected; from here on it is added.
+  void begin() {
+    sums_.emplace(unknowns_.size(), n_sums, groups_);
+    groups_.clear();
   }
 
-  void add(const FaceTerms& face) {
-    std::vector<const Row*> rows = rows_of(face.dofs, face.of_caisson);
-    std::vector<Row> prescribed;
-    for (const int unknown : face.prescribed) prescribed.push_back({{unknown, 1.}});
-    for (const Row& row : prescribed) rows.push_back(&row);
-    scatter(face.matrices.M, rows, M_);
-    scatter(face.matrices.C, rows, C_);
-    scatter(face.matrices.K, rows, K_);
-  }
-
+  void add(const CellMatrices& cell, const Dofs& dofs) { scatter(cell, rows_of(dofs)); }
+  void add(const FaceTerms& face) { scatter(face.matrices, rows_of(face)); }
   /// Adds a face through which waves leave.
   void add_absorbing(const FaceTerms& face) {
     add(face);
-    scatter(face.matrices.C, rows_of(face.dofs), radiation_);
+    const Rows rows = rows_of(face.dofs);
+    for (unsigned i = 0; i < rows.size(); ++i)
+      for (unsigned j = 0; j < rows.size(); ++j)
+        for (const auto& [row, a] : *rows[i])
+          for (const auto& [column, b] : *rows[j])
+            if (face.matrices.C(i, j) != 0.) radiation_.emplace_back(row, column, a * b * face.matrices.C(i, j));
   }
 
   void add(const std::vector<Body>& bodies) {
     for (std::size_t b = 0; b < bodies.size(); ++b)
       for (int m = 0; m < n_motions; ++m) {
         const int i = unknowns_.coordinate(b, m);
-        M_.emplace_back(i, i, m == motion_rotation ? bodies[b].moment_of_inertia : bodies[b].mass);
+        sums_->begin_row(i);
+        sums_->add(sum_M, i, m == motion_rotation ? bodies[b].moment_of_inertia : bodies[b].mass);
       }
   }
 
   void write(System& system) const {
-    const auto build = [&](SparseMatrix& matrix, const Triplets& triplets) {
-      matrix.resize(unknowns_.size(), unknowns_.size());
-      matrix.setFromTriplets(triplets.begin(), triplets.end());
-    };
-    build(system.M, M_);
-    build(system.C, C_);
-    build(system.K, K_);
-    build(system.radiation, radiation_);
+    system.M = sums_->matrix(sum_M);
+    system.C = sums_->matrix(sum_C);
+    system.K = sums_->matrix(sum_K);
+    system.radiation.resize(unknowns_.size(), unknowns_.size());
+    system.radiation.setFromTriplets(radiation_.begin(), radiation_.end());
   }
 
  private:
-  std::vector<const Row*> rows_of(const Dofs& dofs, bool of_caisson = false) const {
-    std::vector<const Row*> rows;
+  Rows rows_of(const Dofs& dofs, bool of_caisson = false) const {
+    Rows rows;
     for (const auto dof : dofs)
       rows.push_back(of_caisson ? &unknowns_.caisson_expansion(dof) : &unknowns_.expansion(dof));
     return rows;
   }
 
-  /// For what the cells so far let expect, so that little is copied.
-  void make_room(std::size_t n_more, Triplets& triplets) const {
-    const std::size_t wanted = triplets.size() + n_more;
-    if (wanted <= triplets.capacity()) return;
-    constexpr double more = 1.05;
-    const double expected = more * static_cast<double>(wanted * n_cells_) / static_cast<double>(n_added_);
-    triplets.reserve(std::max(3 * wanted / 2, std::min(static_cast<std::size_t>(expected), n_cells_ * n_more)));
+  Rows rows_of(const FaceTerms& face) {
+    Rows rows = rows_of(face.dofs, face.of_caisson);
+    for (const int unknown : face.prescribed) rows.push_back(&(prescribed_[unknown] = {{unknown, 1.}}));
+    return rows;
+  }
+
+  void expect(const Rows& rows) {
+    std::vector<int> group;
+    for (const Row* row : rows)
+      for (const auto& entry : *row) group.push_back(entry.first);
+    groups_.push_back(std::move(group));
+  }
+
+  /// Adds local matrices, each of their rows and columns spread over the unknowns of its expansion.
+  void scatter(const CellMatrices& local, const Rows& rows) {
+    for (unsigned i = 0; i < rows.size(); ++i)
+      for (const auto& [row, a] : *rows[i]) {
+        sums_->begin_row(row);
+        for (unsigned j = 0; j < rows.size(); ++j)
+          for (const auto& [column, b] : *rows[j]) {
+            sums_->add(sum_M, column, a * b * local.M(i, j));
+            sums_->add(sum_C, column, a * b * local.C(i, j));
+            sums_->add(sum_K, column, a * b * local.K(i, j));
+          }
+      }
   }
 
   const Unknowns& unknowns_;
-  std::size_t n_cells_, n_added_ = 0;
-  Triplets M_, C_, K_, radiation_;
+  std::vector<std::vector<int>> groups_;
+  std::map<int, Row> prescribed_;
+  std::optional<detail::PatternSums> sums_;
+  std::vector<Eigen::Triplet<double>> radiation_;
 };
 
 /// Own cells, and for `forces` those that touch the caisson.
@@ -158,29 +172,54 @@ void assemble_cells(const Scene& scene, const Space& space, CaissonForces* force
   }
 }
 
+/// Faces where regions or the outside meet. `add` takes all of them but those through which waves leave.
+struct VisitFaces {
+  VisitFace add, add_absorbing;
+  std::function<void(const WetFace&, const FaceTerms&)> see_wet;
+};
+
+void for_each_face(const Scene& scene, const Space& space, const Unknowns& unknowns,
+                   const std::vector<InterfaceNode>& interface, const VisitFaces& visit) {
+  for_each_open_face(scene, space, unknowns, visit.add);
+  for_each_surface_face(scene, space, visit.add);
+  for_each_sprung_face(scene, space, visit.add);
+  for_each_absorbing_face(scene, space,
+                          [&](const Cell&, const std::string&, const FaceTerms& terms) { visit.add_absorbing(terms); });
+  if (!interface.empty()) for_each_gap_term(space, unknowns, interface, visit.add);
+  for_each_wet_face_term(scene, space, [&](const WetFace& face, const FaceTerms& terms) {
+    visit.add(terms);
+    visit.see_wet(face, terms);
+  });
+}
+
 }  // namespace
 
 void assemble(const Scene& scene, const Space& space, const Unknowns& unknowns, const std::vector<Body>& bodies,
               CaissonForces* forces, System& system, const std::vector<bool>& own, bool with_bodies,
               const std::vector<InterfaceNode>& interface) {
-  Assembly assembly(unknowns, space.dofs().get_triangulation().n_active_cells());
+  Assembly assembly(unknowns);
   const auto is_own = [&](unsigned cell) { return own.empty() || own[cell]; };
-  assemble_cells(scene, space, forces, is_own, assembly);
-  const auto add = [&](const FaceTerms& terms) {
-    if (is_own(terms.cell)) assembly.add(terms);
+  const auto if_own = [&](auto&& action) {
+    return [&is_own, action](const FaceTerms& terms) {
+      if (is_own(terms.cell)) action(terms);
+    };
   };
-  for_each_open_face(scene, space, unknowns, add);
-  for_each_surface_face(scene, space, add);
-  for_each_sprung_face(scene, space, add);
-  for_each_absorbing_face(scene, space, [&](const Cell&, const std::string&, const FaceTerms& terms) {
-    if (is_own(terms.cell)) assembly.add_absorbing(terms);
-  });
-  if (!interface.empty()) for_each_gap_term(space, unknowns, interface, add);
-  for_each_wet_face_term(scene, space, [&](const WetFace& face, const FaceTerms& terms) {
-    add(terms);
-    if (forces) forces->add(face, space, terms);
-  });
-  if (scene.time.inertia && with_bodies) assembly.add(bodies);
+  const bool adds_bodies = scene.time.inertia && with_bodies;
+  const VisitFace expect = if_own([&](const FaceTerms& terms) { assembly.expect(terms); });
+  for (const auto& cell : space.dofs().active_cell_iterators())
+    if (space.has_matrices(cell) && is_own(cell->active_cell_index())) assembly.expect(dofs_of(cell));
+  for_each_face(scene, space, unknowns, interface, {expect, expect, [](const WetFace&, const FaceTerms&) {}});
+  if (adds_bodies) assembly.expect(bodies);
+
+  assembly.begin();
+  assemble_cells(scene, space, forces, is_own, assembly);
+  for_each_face(scene, space, unknowns, interface,
+                {if_own([&](const FaceTerms& terms) { assembly.add(terms); }),
+                 if_own([&](const FaceTerms& terms) { assembly.add_absorbing(terms); }),
+                 [&](const WetFace& face, const FaceTerms& terms) {
+                   if (forces) forces->add(face, space, terms);
+                 }});
+  if (adds_bodies) assembly.add(bodies);
   assembly.write(system);
 }
 
