@@ -31,8 +31,8 @@ struct ReduceOptions {
   /// Makes the models that are compared, where these are not of modal_model(); their loads are those of the training
   /// histories.
   std::function<ModalModel(const ReducedSystem&)> model;
-  std::function<void(double)>
-      progress;  ///< called after every solve with an estimate of the part done, 0 to 1; may be empty
+  /// Called after every solve with an estimate of the part done, 0 to 1; may be empty.
+  std::function<void(double)> progress;
 };
 
 /// How far two nested models lie apart.

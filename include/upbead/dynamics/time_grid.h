@@ -47,8 +47,7 @@ double estimated_steps(std::size_t n_kinks, double end, double largest_step,
                        const std::optional<StepGrowth>& growth = {});
 
 /// Whether f keeps its value from t on, judged by samples up to 7.1 h later. It is exact for a constant. The distances
-/// of the samples are no multiples of a period of a harmonic that steps of h resolve, so no such harmonic passes for a
-/// constant.
+/// of the samples are not all multiples of a period that steps of h resolve, so no harmonic passes for a constant.
 bool keeps_value(const TimeFunction& f, double t, double h);
 
 /// The kinks of all loads of a system, ascending.

@@ -30,7 +30,7 @@ struct GluedDemand {
   double slip = 0.;          ///< largest |T_i| / (mu N_i); infinite (null in the file) where a node pulls
   double least_normal = 0.;  ///< least N_i over N_i at rest; below 0 where a node pulls
   double margin = 0.;        ///< of both, allowing for errors of the forces; 0 where it was marched
-  bool reached = false;      ///< whether one of both reaches its limit within the margin
+  bool reached = false;      ///< whether one of the two reaches its limit within the margin
 };
 
 /// What the bottom did, node by node.
@@ -167,8 +167,7 @@ struct ErrorEstimate {
   double mesh = 0.;           ///< from the size of the cells
   double time = 0.;           ///< from the length of the steps; 0 where a reduced model is exact in time
   double reduced_model = 0.;  ///< from the number of vectors; 0 where it was marched
-  double far_boundary =
-      0.;  ///< from waves that the far sides reflect; 0 for the history, of which walls_too_near warns
+  double far_boundary = 0.;   ///< from waves that the far sides reflect; 0 for the history: walls_too_near warns
   double total() const { return mesh + time + reduced_model + far_boundary; }
 };
 
@@ -177,8 +176,8 @@ struct SoilSummary {
   int iterations = 0;      ///< of linear solutions after the first
   bool converged = false;  ///< whether the last change was below 1 %
   double change = 1.;      ///< of the peak of |F_T| in the last iteration, relative
-  double linear = 0.,
-         settled = 0.;  ///< peak |F_T| at vanishing strain and in the last iteration; strains without a caisson
+  /// Peak |F_T| at vanishing strain and in the last iteration; without a caisson, strains.
+  double linear = 0., settled = 0.;
   double largest_strain = 0., least_modulus_ratio = 1., largest_damping = 0.;
 };
 

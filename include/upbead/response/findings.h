@@ -73,8 +73,7 @@ struct MobilisedStrength {
   std::array<double, 2> at{0., 0.};  ///< where that is (m)
   double time = 0.;                  ///< and when (s)
   double share = 0.;                 ///< share of the area where it exceeded 1 at some time
-  double left_out =
-      0.;  ///< share of the area where s at rest is below a tenth of the region's mean (near free surfaces)
+  double left_out = 0.;  ///< share of the area where s at rest is below a tenth of the region's mean: free surfaces
 };
 
 /// A reading that does not meet its tolerance, and the difference of the nested models in it, over its peak.

@@ -34,8 +34,7 @@ struct BaseExtremes {
   double heel_pressure_at_rest = 0., toe_pressure_at_rest = 0., eccentricity_at_rest = 0.;  ///< Pa, Pa, m
   /// Of the landward and of the seaward edge (Pa); none where the resultant leaves the base there.
   std::optional<double> peak_heel_pressure = 0., peak_toe_pressure = 0.;
-  double peak_heel_pressure_time = 0.,
-         peak_toe_pressure_time = 0.;  ///< when, or when the resultant first leaves the base (s)
+  double peak_heel_pressure_time = 0., peak_toe_pressure_time = 0.;  ///< when, or when the resultant first leaves (s)
   double largest_eccentricity = 0., largest_eccentricity_time = 0.;  ///< of largest magnitude, landward (m)
   double least_normal_force = 0., least_normal_force_time = 0.;      ///< N' (N/m)
   /// Least ratio of the moments that hold the caisson up to those that overturn it, about either edge; none where

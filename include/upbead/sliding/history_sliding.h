@@ -17,8 +17,8 @@ struct HistoryDuration {
   std::optional<double> by_paper;   ///< the pulse slides as far by eq. (7)
   std::optional<double> by_exact;   ///< the pulse slides as far by eqs. (4) and (6)
   std::optional<double> by_excess;  ///< F_S exceeds mu W' for as long: that time / (1 - 1/r)
-  std::optional<double>
-      by_impulse;  ///< same impulse: twice the impulse of the part above 0 around the peak, over the peak
+  /// Same impulse: twice the impulse of the lobe with the peak (the part above 0 around it), over the peak.
+  std::optional<double> by_impulse;
 };
 
 /// tau_0 of the history with a resistance mu W' = F_Smax / r. Throws as slide() does, and std::invalid_argument where r
