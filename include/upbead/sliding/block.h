@@ -33,9 +33,10 @@ struct Sliding {
 /// - force: F_S, zero before and after its points.
 /// - resistance: R >= 0, with its first value before its points and its last value after them. Uplift that changes
 ///   with time may be part of F_S (exact while the block slides landward) or taken off R (exact both ways).
-/// - drag: F_D = drag x' of eq. (2) (N s/m2 per metre); the paper neglects it. Throws std::invalid_argument where the
-///   mass is not positive, a history has not as many values as times, is not finite or goes back in time, resistance or
-///   drag is negative or has no value, or no resistance is left at the end to stop the block.
+/// - drag: F_D = drag x' of eq. (2) (N s/m2 per metre); the paper neglects it.
+/// Throws std::invalid_argument where the mass is not positive, a history has not as many values as times, is not
+/// finite or goes back in time, resistance or drag is negative or has no value, or no resistance is left at the end to
+/// stop the block.
 Sliding slide(double mass, const History& force, const History& resistance, double drag = 0.);
 /// The same with a constant resistance.
 Sliding slide(double mass, const History& force, double resistance, double drag = 0.);
