@@ -30,7 +30,7 @@ enum class UpliftKind {
 /// The course in time of a prescribed uplift without a history of its own.
 enum class UpliftCourse {
   in_phase,  ///< proportional to P(t) while that is landward
-  held,      ///< in_phase up to the largest P, then constant: on the safe side where F_T peaks after P
+  held,      ///< in_phase up to the largest P, then at its peak: on the safe side where F_T comes after P
 };
 
 /// The distribution over the bottom of a prescribed uplift of which only the force U is known.
@@ -82,7 +82,7 @@ struct Limits {
 
 enum class DisplacementCondition {
   fixed,      ///< no motion, or the motion that a load prescribes
-  roller,     ///< no motion along its normal
+  roller,     ///< no motion along its normal, or the motion that a load prescribes
   free,       ///< held by nothing but springs and dashpots, if any
   absorbing,  ///< waves leave
   plate,      ///< stays straight under a rigid smooth plate, which moves along its normal and does not turn

@@ -50,7 +50,7 @@ struct DesignWave {
 Diagnostics diagnose(const Section& section);
 
 /// The section when the still water stands `rise` higher (m; negative: lower): h, h', d and h_c change with it, and W'
-/// by rho g B times the height by which the caisson's walls are more or less under water.
+/// falls by rho g B for each metre of the caisson's walls that comes under water.
 Section at_water_level(const Section& section, const Water& water, double rise);
 
 /// The coefficient that is added to alpha_1 in p_1.
