@@ -91,7 +91,7 @@ def draw(rows, path):
         ax.axvline(statistics.median(ratios), color="k", lw=1, ls=":")
         ax.set_xscale("log")
         ax.set_title(KINDS[kind].replace("F_T", "$F_T$").replace(" of the caisson that slips", ", slipping"), fontsize=9)
-        ax.set_xlabel("told / error")
+        ax.set_xlabel("estimate / error")
     figure.tight_layout()
     figure.savefig(path, dpi=110)
 

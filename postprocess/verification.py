@@ -15,16 +15,17 @@ from upbead import figures
 PROBLEMS = Path(__file__).parent.parent / "tests/verification/problems.toml"
 HEAD = """# Verification
 
-Whether the program solves its equations right, by everything that is known exactly. Made from the results of the tests by
+Does the program solve its equations correctly? This page compares it with all exact solutions that we have. It is made from
+the results of the tests by
 
     ctest -C long -L verification -E page
     /usr/bin/python3 postprocess/verification.py build/verification docs
 
-so every number below is checked, against the limit beside it, whenever the tests run. Errors are the largest over all
-points and times that are compared. `full` is the full equations of Biot (`flow = "inertial"`), `upB` the u-p equations
-without the fluid's own inertia (`flow = "darcy"`). The tables of exact solutions are in tests/reference; none was made
-with this program. What the equations are: [theory](theory.md). Whether they describe a breakwater is another question
-(validation), which this page does not answer.
+so every number below is compared with the limit beside it whenever the tests run. An error is the largest over all points
+and times. `full` is the full equations of Biot (`flow = "inertial"`), `upB` the u-p equations without the fluid's own
+inertia (`flow = "darcy"`). The tables of exact solutions are in tests/reference; none was made with this program. The
+equations are in [theory](theory.md). Whether they describe a breakwater is another question (validation), which this page
+does not answer.
 """
 
 

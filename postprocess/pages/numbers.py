@@ -46,8 +46,8 @@ def digits(value):
 
 
 def of_run(summaries):
-    rows = [("peak P", "response.peak_force"), ("time of it", "response.peak_force_time"),
-            ("peak F_T", "response.peak_shear"), ("time of it", "response.peak_shear_time"),
+    rows = [("peak P", "response.peak_force"), ("time of peak P", "response.peak_force_time"),
+            ("peak F_T", "response.peak_shear"), ("time of peak F_T", "response.peak_shear_time"),
             ("peak F_T / peak P", "response.shear_to_force_ratio"), ("largest x_G", "response.peak_displacement"),
             ("arm of P above the bottom", "response.arm"), ("largest base moment", "response.peak_base_moment"),
             ("peak F_S / (mu W')", "sliding.ratio"), ("S by eq. (4)", "sliding.sliding_history"),
@@ -80,7 +80,7 @@ def of_expected(summaries):
     for law, name in LAWS.items():
         if any(f[f"distance_{law}"] is not None for f in found):
             rows.append([f"expected sliding, {name}", *(number(f[f"distance_{law}"], "m") for f in found)])
-            rows.append([f"a wave slides the caisson from, {name}",
+            rows.append([f"least height that slides the caisson, {name}",
                          *(number(f["threshold_height"][law], "m") for f in found)])
     return rows
 

@@ -13,12 +13,12 @@ from . import numbers, text
 LARGEST = 60_000  # bytes of a figure
 HEAD = """# Gallery
 
-Every shipped case: what it is, what it shows, its numbers. Made by
+Every shipped case: what it is, what it shows, its numbers. The page is made by
 
     /usr/bin/python3 postprocess/gallery.py build/upbead docs
 
-which solves them all. Forces and moments are per metre of breakwater. Of a number that a study has read, the least, the
-median and the largest of all its runs are given. What is assumed and what is calibrated: [cases](../cases/README.md).
+which solves every case. Forces and moments are per metre of breakwater. A row of a study has the least, the median and the
+largest value over all its runs. What is assumed and what is calibrated: [cases](../cases/README.md).
 """
 
 

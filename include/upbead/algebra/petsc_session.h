@@ -1,12 +1,12 @@
-// PETSc for as long as an object lives.
+// PETSc runs for as long as an object lives.
 #pragma once
 
 namespace upbead {
 
-/// Starts PETSc (and MPI, where nobody did) for this process and ends it again; main makes one before anything is
-/// factorised. Without a launcher (no OMPI_COMM_WORLD_SIZE in the environment) Open MPI is told to start as a lone
-/// process, which takes 0.02 s instead of 0.4 s. PETSc installs no signal handler, and its errors come back as error
-/// codes, not as prints. Throws NumericsError where PETSc does not start. Where PETSc runs already, does nothing.
+/// Starts PETSc for this process, and MPI where it does not run yet; ends them again. main makes one before anything is
+/// factorised. Without a launcher (no OMPI_COMM_WORLD_SIZE in the environment) Open MPI starts as a lone process, which
+/// takes 0.02 s instead of 0.4 s. PETSc installs no signal handler, and its errors come back as error codes, not as
+/// prints. Throws NumericsError where PETSc does not start. Where PETSc runs already, does nothing.
 class PetscSession {
  public:
   PetscSession();

@@ -18,12 +18,12 @@ class Processes {
   [[noreturn]] virtual void end_all(int exit_code) const = 0;
 };
 
-/// Those that mpirun, or a cluster's launcher, has started; null where this process is alone. MPI must run
+/// The processes that mpirun, or a cluster's launcher, has started; null where this process is alone. MPI must run
 /// (PetscSession).
 std::shared_ptr<const Processes> started_processes();
 
-/// The unknowns that several processes hold, of a matrix that is the sum of what each of them has of it. Every process
-/// holds all of them, in the same order.
+/// The unknowns that several processes share. Each process has a part of the matrix, and the matrix is the sum of the
+/// parts. Every process lists all shared unknowns, in the same order.
 struct Sharing {
   std::shared_ptr<const Processes> processes;  ///< null: nothing is shared
   std::vector<int> unknowns;                   ///< their indices here, ascending

@@ -1,5 +1,5 @@
-// What can go wrong, in three kinds: the input is wrong (the user mends it), the numerics failed (we say why), a bug
-// (any other exception). Diagnostics of the input are collected and reported all at once.
+// Three kinds of errors: the input is wrong (the user corrects it), the numerics failed (the message says why), or the
+// program has a bug (any other exception). Diagnostics of the input are collected and reported all at once.
 #pragma once
 
 #include <initializer_list>
@@ -15,17 +15,17 @@ struct Place {
   std::string file;
   int line = 0;
   int column = 0;
-  std::string key = {};  ///< "time.step": all there is of a scene that was not read from a file, or not yet
+  std::string key = {};  ///< "time.step"; the only place where a scene was not read from a file
 };
 
-/// The place of a key: of a scene or, by its name alone, of a part of one; `place`: where it stands in a file, if
-/// known.
+/// The place of a key: dotted for a scene, the name alone for a part of a scene. `place`: where the key stands in a
+/// file, if known.
 inline Place at_key(std::string key, Place place = {}) {
   place.key = std::move(key);
   return place;
 }
 
-/// One mistake of the user: where it is, what is wrong, how to mend it.
+/// One mistake of the user: where it is, what is wrong, how to correct it.
 struct Diagnostic {
   Place place;
   std::string what;
@@ -35,8 +35,8 @@ struct Diagnostic {
 /// "file:line:column: what; cure", leaving out what is not known.
 std::string to_string(const Diagnostic& diagnostic);
 
-/// Collects diagnostics, so that a person sees all of them in one go, and knows which keys are free of them: checks
-/// across keys look at sound ones only, so that one slip is not reported twice.
+/// Collects diagnostics, so that a person sees all of them at once. Knows which keys have none: a check that compares
+/// several keys uses only these, so that no mistake is reported twice.
 class Diagnostics {
  public:
   Diagnostics() = default;
@@ -44,9 +44,9 @@ class Diagnostics {
   void add(Diagnostic diagnostic);
   void add(Place place, std::string what, std::string cure = "");
   void add(const Diagnostics& more);
-  /// What came of reading the value of a key.
+  /// Adds the mistakes found while the value of a key was read.
   void add_at(const std::string& key, const Diagnostics& more);
-  /// What is no mistake, but should be known.
+  /// Adds a remark that is no mistake but that the user should know.
   void note(Place place, std::string what) { notes_.push_back({std::move(place), std::move(what), ""}); }
   const std::vector<Diagnostic>& notes() const { return notes_; }
   bool empty() const { return list_.empty(); }
@@ -55,9 +55,10 @@ class Diagnostics {
   auto end() const { return list_.end(); }
   /// Nothing is wrong at or below a dotted key ("" for everything).
   bool sound(const std::string& key) const;
-  /// Throws InputError if there is any.
+  /// Throws InputError if there is any diagnostic.
   void throw_if_any() const;
-  /// Likewise, in the order of that file; those of other files follow as they were found.
+  /// Likewise. Diagnostics of that file come first, in the order of its lines; those of other files follow in the order
+  /// in which they were found.
   void throw_if_any(const std::string& file) const;
 
  private:
@@ -65,7 +66,7 @@ class Diagnostics {
   std::set<std::string> keys_;
 };
 
-/// The input is wrong (exit code 1). Carries all that was found.
+/// The input is wrong (exit code 1). Holds all diagnostics.
 class InputError : public std::runtime_error {
  public:
   explicit InputError(Diagnostics diagnostics);

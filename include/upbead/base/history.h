@@ -1,4 +1,4 @@
-// A history that is known by its values at times.
+// A history given by its values at some times.
 #pragma once
 
 #include <algorithm>
@@ -6,13 +6,14 @@
 
 namespace upbead {
 
-/// Straight between its points; two points at one time make a jump.
+/// Linear between its points; two points at one time make a jump.
 struct History {
   std::vector<double> time;  ///< s, ascending
   std::vector<double> value;
 };
 
-/// One of values at ascending times, straight between; the ends are kept beyond.
+/// The value at t of values given at ascending times: linear between them, the first value before them and the last one
+/// after them.
 template <class Values>
 double value_at(const std::vector<double>& time, const Values& value, double t) {
   const auto next = std::upper_bound(time.begin(), time.end(), t) - time.begin();

@@ -7,16 +7,16 @@
 namespace upbead {
 
 /// A function of time f(t), smooth between its kinks (a jump or a change of slope). At a kink each piece has its own
-/// limit, so that an integrator whose steps meet the kinks only ever sees a smooth load. A measured record may be rough
-/// between its kinks: its samples are then known to integral() and extremum(), not to the integrator.
+/// limit. An integrator whose steps end at the kinks therefore sees a smooth load in every step. A measured record may
+/// be rough between its kinks: integral() and extremum() then use its samples, the integrator does not.
 class TimeFunction {
  public:
   using Piece = std::function<double(double)>;
 
   /// The zero function.
   TimeFunction();
-  /// pieces[i] holds between kinks[i - 1] and kinks[i]; `kinks` ascending, one piece more than kinks.
-  /// `samples`: ascending times between which the pieces are straight; none where they are smooth anyway.
+  /// pieces[i] holds between kinks[i - 1] and kinks[i]; `kinks` ascending; there is one piece more than kinks.
+  /// `samples`: ascending times between which the pieces are linear; empty where the pieces are smooth.
   TimeFunction(std::vector<double> kinks, std::vector<Piece> pieces, std::vector<double> samples = {});
 
   /// f(t) from the right at a kink.
@@ -35,13 +35,13 @@ class TimeFunction {
 };
 
 /// Linear between (time[i], value[i]); zero before the first and after the last sample. `time` ascending, at least two.
-/// Kinks are the ends and those samples where the slope changes by more than a twentieth of the largest slope; a finely
-/// sampled smooth record so stays smooth for the integrator. A record with more than 50 such corners is taken as
-/// measured: its ends are its only kinks, and the integrator sees a load that is rough but continuous, because to meet
-/// every corner would cost a step and a factorisation each.
+/// Kinks are the ends and those samples where the slope changes by more than a twentieth of the largest slope; thus a
+/// finely sampled smooth record stays smooth for the integrator. A record with more than 50 such corners is taken as
+/// measured: its ends are its only kinks, and the integrator sees a rough but continuous load. A step that ends at a
+/// corner costs a factorisation, too many for such a record.
 TimeFunction piecewise_linear(const std::vector<double>& time, const std::vector<double>& value);
 
-/// Whether f has more corners between its kinks than piecewise_linear makes kinks of: a measured, noisy record.
+/// Whether f is a measured, noisy record: it has more corners between its kinks than piecewise_linear turns into kinks.
 bool is_rough(const TimeFunction& f);
 
 /// The sum a + b, with the kinks of both.

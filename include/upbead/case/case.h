@@ -19,8 +19,8 @@ namespace upbead {
 struct TrainLoad;
 
 struct RecordClock {
-  double zero = 0.;                     ///< s from the record's beginning that it rests; its mean there is taken off
-  double record_start = 0.;             ///< its time that is t = 0 of the run (s)
+  double zero = 0.;          ///< s from the record's beginning; its mean over this time of rest is subtracted
+  double record_start = 0.;  ///< the record's time at t = 0 of the run (s)
   std::optional<double> sampling_rate;  ///< Hz; none: the first column is the time
 };
 
@@ -34,7 +34,7 @@ struct GaugeSource : RecordClock {
   std::string load_cell;   ///< name of a column; "" where there is none
 };
 
-/// A load by transducers, which become a load each in the scene.
+/// A load by transducers; in the scene each transducer becomes a load.
 struct GaugeLoad {
   Load load;           ///< what the transducers have in common, as written
   GaugeSource source;  ///< paths as written
@@ -55,8 +55,8 @@ struct FlowLoad;
 
 /// A load `from` a CFD program.
 struct FlowCase {
-  Load load;           ///< what is not of the record, as written
-  GaugeSource beyond;  ///< how pressures go on beyond its points
+  Load load;           ///< as written, without what the record gives
+  GaugeSource beyond;  ///< how the pressure continues beyond the record's points
   std::shared_ptr<const FlowLoad> flow;
 };
 
@@ -69,7 +69,7 @@ struct LoadSource {
 struct Case {
   Scene scene;                                ///< checked as far as it can be without a mesh; paths as written
   Document document;                          ///< what was written, for places
-  std::vector<Diagnostic> notes;              ///< what is no mistake but should be known: keys by older names
+  std::vector<Diagnostic> notes;              ///< remarks that are no mistakes: keys by older names
   std::string stem;                           ///< the file's name without folder and ending
   std::map<std::string, LoadSource> sources;  ///< of each load of one history, by its name
   std::map<std::string, GaugeLoad> gauges;    ///< loads by transducers; in the scene NAME.TRANSDUCER
@@ -81,32 +81,33 @@ struct Case {
   bool uplift_by_wave = false, sliding_by_wave = false;  ///< [sliding] uplift and wave are those of the load by a wave
   std::string uplift_history;              ///< CSV file of a prescribed uplift, relative to the case; "" without
   std::optional<GaugeLoad> uplift_gauges;  ///< of an uplift by transducers
-  std::map<std::string, MeasuredSource> measured;  ///< records to hold the run against
+  std::map<std::string, MeasuredSource> measured;  ///< records that the run is compared with
   ReportHead report;
 
-  /// Where a dotted key such as "regions.sand.porosity" was written; of the nearest table around it where it was not.
+  /// Where a dotted key such as "regions.sand.porosity" was written. For a key that was not written: the place of the
+  /// nearest table that would hold it.
   Place place(const std::string& key) const { return document.place(key); }
-  /// The same mistakes, those at keys of the scene at their places in the file.
+  /// The same mistakes; those at keys of the scene get the key's place in the file.
   InputError placed(const InputError& error) const;
   /// A path of the case (relative to its file) as seen from the working folder.
   std::string resolve(const std::string& path) const;
 };
 
-/// Reads the case file with overrides KEY=VALUE and checks all that needs no mesh. Throws InputError with every
-/// mistake.
+/// Reads the case file with overrides KEY=VALUE and makes all checks that need no mesh. Throws one InputError with
+/// every mistake.
 Case read_case(const std::string& path, const std::vector<std::string>& overrides = {});
 
-/// Its notes for people, a line each.
+/// The notes of the case as text, a line each.
 std::string notes_on(const Case& problem);
 
-/// Throws InputError where the case has no load; not an error as long as nothing is computed.
+/// Throws InputError where the case has no load. Call it only before a computation: without one, a case needs no load.
 void require_loads(const Case& problem);
 
 /// What the mesh layer needs: file, parameters and where each was asked for.
 MeshRequest mesh_request(const Case& problem);
 
-/// The case as TOML with every default spelled out, and with paths as seen from `output_folder`: it runs as it is
-/// there.
+/// The case as TOML with every default spelled out, and with paths as seen from `output_folder`, where it can be run
+/// unchanged.
 std::string effective_case(const Case& problem, const std::string& output_folder);
 
 /// Every key of the case file as Markdown.
@@ -115,8 +116,8 @@ std::string case_reference();
 /// The same keys as JSON Schema (draft 4): editors complete and check a case file by it.
 std::string case_json_schema();
 
-/// The folder of shipped geometries: the environment's UPBEAD_MESHES, else that installed beside the program, else that
-/// of the source tree. Throws InputError where there is none.
+/// The folder of shipped geometries: that of the environment variable UPBEAD_MESHES, else the one installed beside the
+/// program, else the one of the source tree. Throws InputError where there is none.
 std::string geometry_folder();
 
 /// Names of the shipped geometries, sorted.

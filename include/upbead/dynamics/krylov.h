@@ -16,8 +16,8 @@ class SymmetricPair;
 /// Orthonormal directions of one kind of unknowns: of u with W, or of phi.
 struct FieldBasis {
   std::vector<int> unknown;     ///< indices in the system, ascending
-  Vector unit;                  ///< of each unknown, in which the norm is the plain one; 1 where it is prescribed
-  Eigen::MatrixXd vectors;      ///< by column; those beyond n() are room to grow
+  Vector unit;                  ///< unit of each unknown, in which the norm is Euclidean; 1 where it is prescribed
+  Eigen::MatrixXd vectors;      ///< by column; columns from n() on are reserved
   std::vector<int> coordinate;  ///< by column: index among the coordinates of both kinds
 
   Eigen::Index n() const { return static_cast<Eigen::Index>(coordinate.size()); }
@@ -31,11 +31,12 @@ struct FieldBasis {
 ///
 ///     T(s_0) r_j = -s_0 (2 s_0 M + C) r_{j-1} - s_0^2 M r_{j-2}.
 ///
-/// An Arnoldi process makes the pairs (r_j, r_{j-1}) orthonormal in terms of their coordinates in orthonormal bases
-/// [Lu, Su and Bai 2016, the two-level process TOAR], of u with W and of phi apart. A load that prescribes an unknown
-/// starts with that unknown's unit motion instead of b. One factorisation, one solve a vector. Prescribed unknowns, and
-/// others that are to be kept exactly, are coordinates of their own; so are directions that are kept, up to those
-/// before them. The System must outlive the object.
+/// An Arnoldi process makes the pairs (r_j, r_{j-1}) orthonormal. It works on their coordinates in two orthonormal
+/// bases, one of u with W and one of phi [Lu, Su and Bai 2016, the two-level process TOAR]. A load that prescribes an
+/// unknown starts with that unknown's unit motion instead of b. The cost is one factorisation, and one solve per
+/// vector. Each prescribed unknown, and each other unknown that is to be kept exactly, is a coordinate of its own. So
+/// is each direction to keep, after the part along the directions before it is removed. The System must outlive the
+/// object.
 class SecondOrderKrylov {
  public:
   /// `exact`: unknowns to keep; `kept`: directions of displacements to keep. Throws NumericsError where T(s_0) is
@@ -52,7 +53,7 @@ class SecondOrderKrylov {
   double shift() const { return shift_; }
   int n_vectors() const { return n_vectors_; }
   int n_coordinates() const { return n_coordinates_; }
-  /// Loads that are no sums of others.
+  /// Number of linearly independent loads.
   int n_independent_loads() const { return n_starts_; }
   int n_solves() const { return n_solves_; }
   /// Wall time of the factorisation (s).
@@ -61,11 +62,11 @@ class SecondOrderKrylov {
  private:
   void make_bases(const SparseMatrix& T, const std::vector<int>& exact, const std::vector<Vector>& kept);
   void start();
-  /// Coordinates of x in both bases, which it enlarges by what of x is new.
+  /// Coordinates of x in both bases; first adds to the bases the part of x that they do not span.
   Vector take(const Vector& x);
   void take(FieldBasis& basis, const Vector& x, double least, Vector& coordinates);
   Vector vector_of(const Eigen::Ref<const Vector>& coordinates) const;
-  /// Appends a pair, given by both vectors' coordinates, unless it lies in the span of those that are there.
+  /// Appends a pair, given by the coordinates of both vectors, unless it lies in the span of the pairs so far.
   bool append(const Vector& x, const Eigen::Ref<const Vector>& previous);
   void solve(Vector& rhs, Vector& x);
 

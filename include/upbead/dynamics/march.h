@@ -30,15 +30,16 @@ struct Response {
   bool stopped_early = false;
 };
 
-/// A march that stands still after some of its steps, with all that it needs to go on as if it never had.
+/// A march interrupted after some of its steps, with everything needed to continue it as if it had not been
+/// interrupted.
 struct MarchCheckpoint {
-  Response so_far;  ///< with the state that the march stands at, and the steps done
+  Response so_far;  ///< with the state that the march has reached, and the steps done
   SchemeMemory memory;
   std::vector<double> observed;  ///< memories of the observers, one after the other
 };
 
-/// Follows the states of a march, and remembers what it needs of them. A march that is begun anew, as the one before
-/// was refused, begins with step 0: then nothing that was seen counts.
+/// Sees every state of a march, and remembers what it needs of them. Step 0 begins a march. Where a march was refused
+/// and another one begins, the observer must forget what it saw before.
 class MarchObserver {
  public:
   MarchObserver() = default;
@@ -48,10 +49,10 @@ class MarchObserver {
 
   /// At t = 0 (step 0) and after every step; n_steps is that of the whole grid.
   virtual void see(const State& state, int step, int n_steps) = 0;
-  /// Whether a reduced model, whose states cost a product each, is to make one for this time. No: it is answered
-  /// otherwise.
+  /// Whether a reduced model is to compute the state at this time, which costs a product. False: the observer is
+  /// answered without states.
   virtual bool wants(double /*time*/) const { return true; }
-  /// All that a march which is resumed must know; of one size at all times. And back.
+  /// What this observer must keep for a march that is resumed; its size never changes. recall() takes it back.
   virtual std::vector<double> memory() const { return {}; }
   virtual void recall(const std::vector<double>& /*memory*/) {}
 };
@@ -70,32 +71,33 @@ class ObserverFunction : public MarchObserver {
   bool wants_states_;
 };
 
-/// Tells `progress`, which may be none, how far a march is, by 0 to 1.
+/// Calls `progress`, which may be empty, with the part of the march that is done, 0 to 1.
 ObserverFunction progress_observer(std::function<void(double)> progress);
 
 /// Checkpoints of a march.
 struct Checkpointing {
   std::function<bool()> due;                           ///< asked after every step; none: never
-  std::function<void(const MarchCheckpoint&)> keep;    ///< takes one, before observers see that step
+  std::function<void(const MarchCheckpoint&)> keep;    ///< takes a checkpoint, before observers see that step
   std::shared_ptr<const MarchCheckpoint> resume_from;  ///< of the same system, scheme and grid; null: from rest
 };
 
 struct MarchOptions {
   std::vector<MarchObserver*> observers;  ///< in this order; they outlive the march
   /// Stop once the loads are over and the stored energy has fallen below this fraction of its largest; 0: never. Loads
-  /// are over past the last kink before the end where all are zero and keep that (keeps_value); what prescribes a
-  /// motion counts too. A step, a harmonic or a triangle that outlasts the march so never stop early.
+  /// are over past the last kink before the end where all are zero and stay zero (keeps_value); prescribed motions
+  /// count as loads. A march with a step, a harmonic, or a triangle that outlasts the march therefore never stops
+  /// early.
   double stop_at_energy = 0.;
   Checkpointing checkpoints;
-  int leap = 1;  ///< so many equal steps of the grid at once, where the scheme can; not with checkpoints
+  int leap = 1;  ///< number of equal steps taken as one, where the scheme can; not with checkpoints
 };
 
-/// Marches from x = x' = 0 at t = 0, where loads count as 0; a load that jumps at a step's end is recorded with its
-/// value before the jump. Of a divided system, readings and energies are those of the whole, on every process; an
-/// observer sees this process's states. A march that is resumed gives what it would have given, to the last bit, but
-/// for the number of factorisations; its observer sees the state that it begins at. Throws NumericsError where a value
-/// is not finite, std::invalid_argument where stop_at_energy is asked of a scheme that keeps no account of energy, or
-/// of a divided system, or checkpoints of a divided system or of contact.
+/// Marches from x = x' = 0 at t = 0, where loads count as 0. A load that jumps at the end of a step is recorded with
+/// its value before the jump. Of a divided system, every process gets the readings and energies of the whole; an
+/// observer sees the states of its process. A resumed march gives the same result as an uninterrupted one, to the last
+/// bit, but for the number of factorisations; its observer sees the state that it resumes from. Throws NumericsError
+/// where a value is not finite, std::invalid_argument where stop_at_energy is asked of a scheme that keeps no account
+/// of energy, or of a divided system, or checkpoints of a divided system or of contact.
 Response march(const System& system, Scheme& scheme, const TimeGrid& grid, const MarchOptions& options = {});
 
 }  // namespace upbead

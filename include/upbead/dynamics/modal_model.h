@@ -1,4 +1,4 @@
-// A scene as a sum of modes: what is left of it once it has been solved for all waves.
+// A scene as a sum of modes: what answers all waves once the scene has been solved.
 #pragma once
 
 #include <Eigen/Core>
@@ -38,7 +38,7 @@ struct ModalModel {
   int n_readings() const { return static_cast<int>(reading.rows()); }
   /// See index_of().
   int index(const std::string& name) const { return index_of(reading_label, name); }
-  /// Makes one load of two that always have the same history.
+  /// Adds the load `joined` to the load `kept`, which always has the same history.
   void join_loads(int kept, int joined);
   /// H(s) = Y_i / F_k; s (1/s) is no pole, and not zero where there is an impulse term.
   std::complex<double> transfer(int i, int k, std::complex<double> s) const;

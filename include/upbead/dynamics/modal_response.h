@@ -1,4 +1,4 @@
-// What a reduced model answers to a wave: exact for loads that are straight between their samples, no time steps.
+// The response of a reduced model to a wave: without time steps, exact for loads that are linear between their samples.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace upbead {
 
-/// K loads, straight lines between ascending times (s), of which there are N + 1, the first of them 0. They may jump at
-/// a time: then end(k, n - 1) differs from begin(k, n).
+/// K loads, linear between N + 1 ascending times (s), the first of which is 0. A load may jump at a time: then end(k, n
+/// - 1) differs from begin(k, n).
 struct SampledLoads {
   std::vector<double> time;
   Eigen::MatrixXd begin;  ///< K x N: f_k at time[n] from the right
@@ -19,8 +19,9 @@ struct SampledLoads {
 /// Samples of the functions at those times.
 SampledLoads sample(const std::vector<TimeFunction>& loads, const std::vector<double>& time);
 
-/// All readings at the times of the loads, from rest at t = 0, by the exact recurrence of every mode; where a load
-/// jumps, of the value before the jump, and at t = 0 of no load. The steps may all differ.
+/// All readings at the times of the loads, from rest at t = 0, by the exact recurrence of every mode. Where a load
+/// jumps, a reading belongs to the load's value before the jump; at t = 0, to no load. The times need not be equally
+/// spaced.
 Series respond(const ModalModel& model, const SampledLoads& loads);
 
 }  // namespace upbead

@@ -17,10 +17,10 @@ namespace upbead {
 
 struct ReduceOptions {
   double shift = 0.;          ///< s_0 of the Krylov space (1/s); see reduce_scene
-  std::vector<int> exact;     ///< unknowns that are kept as they are
+  std::vector<int> exact;     ///< unknowns that are coordinates themselves
   std::vector<Vector> kept;   ///< directions of displacements that are kept, see SecondOrderKrylov
-  bool each_load = true;      ///< measure with each load alone, too
-  SampledLoads training;      ///< histories that the error is measured with
+  bool each_load = true;      ///< measure the error under each load alone, too
+  SampledLoads training;      ///< histories under which the error is measured
   std::vector<int> measured;  ///< readings that must meet `tolerance`; the others `tolerance_of_others`
   double tolerance = 1e-3;    ///< of a reading's history, over its largest value
   double tolerance_of_others = 5e-2;
@@ -28,9 +28,11 @@ struct ReduceOptions {
   bool keep_pressures = false;  ///< see Reduction::pressures; not where `model` is given
   /// See Reduction::states, which must meet `tolerance_of_others`, too; not where `model` is given.
   bool keep_states = false;
-  /// What nested models are compared by, where it is not modal_model(): its loads are those of the training histories.
+  /// Makes the models that are compared, where these are not of modal_model(); their loads are those of the training
+  /// histories.
   std::function<ModalModel(const ReducedSystem&)> model;
-  std::function<void(double)> progress;  ///< called after every solve with a guess of what is done, 0 to 1; may be none
+  /// Called after every solve with an estimate of the part done, 0 to 1; may be empty.
+  std::function<void(double)> progress;
 };
 
 /// How far two nested models lie apart.
@@ -38,28 +40,29 @@ struct NestedError {
   double history = 0.;         ///< of the measured readings, see of_reading
   double peak = 0.;            ///< of their largest and least values
   double others = 0.;          ///< of all other readings, see of_reading
-  double states = 0.;          ///< see energy_distance(); only where all readings have come close enough
+  double states = 0.;          ///< see energy_distance(); only where all readings meet their tolerance
   Eigen::VectorXd of_reading;  ///< largest difference over time, over the reading's largest value, by reading
 };
 
-/// The pressures of a reduced scene, not at points that were asked for but everywhere.
+/// The pressures of a reduced scene everywhere, not only at the points that were asked for.
 struct PressureModel {
   FieldBasis basis;  ///< of phi
-  ModalModel model;  ///< its readings are the velocities of the basis's coordinates, column by column, before its units
+  ModalModel model;  ///< readings: the velocity of each coordinate of the basis, without its units
 };
 
 /// A model, and what is known of its error.
 struct Reduction {
   ModalModel model;
-  ReducedSystem system;  ///< that it is made of
-  /// That the error of a reading was to meet: of the measured ones, and of the others.
+  ReducedSystem system;  ///< that the model is made of
+  /// For the error of the measured readings, and of the others.
   double tolerance = 0., tolerance_of_others = 0.;
   std::vector<int> measured;
-  NestedError error;  ///< against the last smaller model: about the error of that one, more than this one's
-  /// Up to here (rad/s) H(1/T + i omega) of all measured readings, T the end of the training histories, moved by less
-  /// than 4 times `tolerance` of its largest value. A history of length T cannot tell resonances narrower than 1/T.
+  NestedError error;  ///< difference from the last smaller model: about that one's error, above this one's
+  /// The frequency (rad/s) up to which H(1/T + i omega) of all measured readings changed by less than 4 times
+  /// `tolerance` of its largest value; T is the end of the training histories. A history of length T cannot resolve
+  /// resonances narrower than 1/T.
   double omega = 0.;
-  bool converged = false;  ///< also where the space is exhausted: then it is exact
+  bool converged = false;  ///< also where the space is exhausted: then the model is exact
   int n_vectors = 0, n_solves = 0, n_independent_loads = 0;
   double factorise_seconds = 0.;
   std::optional<PressureModel> pressures;            ///< where they are kept
@@ -67,16 +70,17 @@ struct Reduction {
   std::vector<std::pair<int, NestedError>> history;  ///< by number of vectors, as the space grew
 };
 
-/// Grows a Krylov space until two nested models agree on the training histories: all loads together, and, where it is
-/// asked for, each alone. Stops unconverged where the next look needs more than max_vectors. Held-out real shifts would
-/// tell nothing: there the models agree long before their histories do. Throws NumericsError as SecondOrderKrylov and
-/// modal_model do.
+/// Grows a Krylov space until two nested models agree on the training histories: under all loads together and, where
+/// asked for, under each alone. Stops unconverged where the next comparison would need more than max_vectors. Transfer
+/// functions at other real shifts are no substitute: there the models agree long before their histories do. Throws
+/// NumericsError as SecondOrderKrylov and modal_model do.
 Reduction reduce(const System& system, const ReduceOptions& options);
 
-/// The velocities of all unknowns of phi at the times of a series that its model gave: basis.unknown by column in time.
+/// The velocities of all unknowns of phi, from a series of the model: a row per basis.unknown, a column per time.
 Eigen::MatrixXd phi_velocities(const FieldBasis& basis, const Eigen::MatrixXd& coordinates);
 
-/// The frequency (rad/s), at most `largest`, up to which H(decay + i omega) of both agree, see Reduction::omega.
+/// The frequency (rad/s), at most `largest`, up to which H(decay + i omega) of both models agrees, see
+/// Reduction::omega.
 double agreed_frequency(const ModalModel& coarse, const ModalModel& fine, const std::vector<int>& readings,
                         double tolerance, double decay, double largest);
 

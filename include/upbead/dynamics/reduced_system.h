@@ -10,10 +10,11 @@
 namespace upbead {
 
 /// M q'' + C q' + K q = sum_k load_k f_k(t) for R coordinates, with readings y = position q + velocity q' +
-/// acceleration q'' + feedthrough f. Symmetric as the System is, and with the rows of phi multiplied by -1: M >= 0,
-/// sym(C) >= 0, K >= 0, because displacements and phi are projected apart, each on vectors of its own.
+/// acceleration q'' + feedthrough f. It is symmetric as the System is. With the rows of phi multiplied by -1, M >= 0,
+/// sym(C) >= 0 and K >= 0, because displacements and phi are each projected on vectors of their own.
 ///
-/// The first n_prescribed coordinates are the prescribed unknowns: their rows are no equations, q'_p = f_k.
+/// The first n_prescribed coordinates are the prescribed unknowns: q'_p = f_k replaces their rows, which are no
+/// equations.
 struct ReducedSystem {
   Eigen::MatrixXd M, C, K;                           ///< R x R
   Eigen::MatrixXd load;                              ///< R x K

@@ -1,4 +1,4 @@
-// Steps in time that meet every kink of the loads.
+// Steps in time, one of which ends at every kink of the loads.
 #pragma once
 
 #include <optional>
@@ -21,32 +21,33 @@ struct TimeGrid {
   double end = 0.;
 
   int n_steps() const;
-  /// Number of step sizes that differ: of matrices to factorise.
+  /// Number of different step sizes, which is the number of matrices to factorise.
   int n_step_sizes() const;
 };
 
-/// Steps that grow once the loads keep their values: from `after` (s) on by `factor` every 8 steps, up to `largest`
-/// (s).
+/// Growth of the steps once the loads keep their values: from `after` (s) on, by `factor` every 8 steps, up to
+/// `largest` (s).
 struct StepGrowth {
   double after = 0.;
   double largest = 0.;
   double factor = 2.;  ///< above 1
 };
 
-/// Steps of at most `largest_step` (s) that meet `end` (s) and every kink in (0, end); kinks closer than 1e-9 end
-/// merge. Where there is a common step in [largest_step / 2, largest_step] that divides every distance between kinks
-/// (to 1e-9 relative), it is used throughout, so that one factorisation does; else each segment has its own, equal ones
-/// made bitwise equal. Where they grow, they do so after `growth->after`, a kink. Throws std::invalid_argument where
-/// end or largest_step is not positive or the steps are too many for an int.
+/// Steps of at most `largest_step` (s) with step ends at `end` (s) and at every kink in (0, end); kinks closer than
+/// 1e-9 end merge. Where one step in [largest_step / 2, largest_step] divides every distance between kinks (to 1e-9
+/// relative), it is used throughout, so that one factorisation is enough. Else each segment has a step of its own;
+/// equal ones are made bitwise equal. Steps grow only after `growth->after`, which is a kink. Throws
+/// std::invalid_argument where end or largest_step is not positive or the steps are too many for an int.
 TimeGrid make_time_grid(std::vector<double> kinks, double end, double largest_step,
                         const std::optional<StepGrowth>& growth = {});
 
-/// About how many steps such a grid has (at most twice as many, where a common step is found), without making it.
+/// Estimate of the steps of such a grid, without making it. Where a common step is found the grid has at most twice as
+/// many.
 double estimated_steps(std::size_t n_kinks, double end, double largest_step,
                        const std::optional<StepGrowth>& growth = {});
 
-/// Whether f keeps its value from t on, as far as samples up to 7.1 h later tell: exact for what is constant, and no
-/// period of a harmonic that steps of h resolve divides the distances of the samples.
+/// Whether f keeps its value from t on, judged by samples up to 7.1 h later. It is exact for a constant. The distances
+/// of the samples are not all multiples of a period that steps of h resolve, so no harmonic passes for a constant.
 bool keeps_value(const TimeFunction& f, double t, double h);
 
 /// The kinks of all loads of a system, ascending.

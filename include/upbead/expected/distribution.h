@@ -1,4 +1,4 @@
-// How an uncertain quantity scatters, and random numbers to draw it by.
+// The distribution of an uncertain quantity, and the random numbers that it is drawn with.
 #pragma once
 
 #include <array>
@@ -11,11 +11,11 @@
 
 namespace upbead {
 
-/// A place of a random number: which life, storm and wave, and what for.
+/// The place of a random number in the simulation: its life, storm, wave and purpose.
 using StreamPlace = std::array<std::uint32_t, 4>;
 
-/// Philox4x32-10 (Salmon et al. 2011, by their library Random123): the seed is its key, the place its counter. The same
-/// seed gives the same number at the same place, on any number of threads and on any machine.
+/// Philox4x32-10 (Salmon et al. 2011, from their library Random123): the seed is the key, the place the counter. The
+/// same seed gives the same number at the same place, on any number of threads and on any machine.
 class Stream {
  public:
   explicit Stream(std::uint64_t seed);
@@ -30,28 +30,29 @@ class Stream {
 
 enum class ScatterKind { normal, lognormal, uniform, triangular };
 
-/// How long a draw holds.
+/// What a value is drawn once for.
 enum class Per { life, storm, wave };
 
-/// What a person tells of it. Mean and deviation are those of the whole distribution, before its ends are cut.
+/// A distribution as the user gives it. Mean and deviation are those of the whole distribution, before its ends are
+/// cut.
 struct Scatter {
   ScatterKind kind = ScatterKind::normal;
-  std::optional<double> mean;       ///< of normal and lognormal; none: as of where it is used
-  std::optional<double> cov;        ///< deviation over mean, of normal and lognormal; or deviation
+  std::optional<double> mean;       ///< of normal and lognormal; none: the default where it is used
+  std::optional<double> cov;        ///< deviation over mean, of normal and lognormal; instead of deviation
   std::optional<double> deviation;  ///< standard deviation, of normal and lognormal
   std::optional<double> mode;       ///< most likely value, of triangular
   std::optional<double> low, high;  ///< ends of uniform and triangular; where normal and lognormal are cut
   Per per = Per::storm;
 };
 
-/// Everything that contradicts itself in a scatter. `mean`: where it gives none.
+/// Every contradiction in a scatter. `mean`: used where the scatter gives none.
 Diagnostics diagnose(const Scatter& scatter, double mean);
 
-/// One value for each u in (0, 1), by the inverse of the distribution function; cut ends are left out and the rest is
-/// scaled up.
+/// One value for each u in (0, 1), by the inverse of the distribution function. Where the ends are cut, the density
+/// between them is scaled up.
 class Distribution {
  public:
-  /// Throws std::invalid_argument where something contradicts itself.
+  /// Throws std::invalid_argument where diagnose() finds a contradiction.
   Distribution(const Scatter& scatter, double mean);
   double quantile(double u) const { return quantile_(u); }
   Per per() const { return per_; }

@@ -14,12 +14,12 @@ struct Node;
 using NodeTable = std::vector<std::pair<std::string, Node>>;
 using NodeArray = std::vector<Node>;
 
-/// TOML's dates and times: no key of ours is one, but a message has to say what was found.
+/// A date or time of TOML. No key has such a value, but a message must be able to say what was found.
 struct NodeDate {};
 
 struct Node {
   std::variant<bool, std::int64_t, double, std::string, NodeDate, NodeArray, NodeTable> value;
-  Place place;  ///< of the key; of the value itself within an array
+  Place place;  ///< of the key; within an array, of the value
 
   const NodeTable* table() const { return std::get_if<NodeTable>(&value); }
   const NodeArray* array() const { return std::get_if<NodeArray>(&value); }
@@ -28,10 +28,10 @@ struct Node {
   const Node* find(const std::string& key) const;
 };
 
-/// What a person would call it: "a string", "the number 2.5", "a list of 3".
+/// The value described for a message: "a string", "the number 2.5", "a list of 3".
 std::string found(const Node& node);
 
-/// "regions.sand" and "porosity" make "regions.sand.porosity"; a name that TOML wants quoted is quoted.
+/// "regions.sand" and "porosity" make "regions.sand.porosity"; a name that TOML requires to be quoted is quoted.
 std::string dotted(const std::string& path, const std::string& key);
 /// The keys of a dotted path, quotes removed.
 std::vector<std::string> split_dotted(const std::string& path);
@@ -42,7 +42,7 @@ std::string to_toml(int value);
 std::string to_toml(bool value);
 std::string to_toml(const std::string& value);
 
-/// A number as in a message: like to_toml, but 40 and not 40.0.
+/// A number for a message: like to_toml, but 40 instead of 40.0.
 std::string number_text(double value);
 
 }  // namespace upbead

@@ -1,4 +1,4 @@
-// What the author of a case, a study or a design says in its report: the table [report] of every such file.
+// The table [report] of a case, a study or a design: what its author writes in the report.
 #pragma once
 
 #include <optional>
@@ -8,7 +8,7 @@ namespace upbead {
 
 enum class ReportLanguage { english, japanese };
 
-/// "" where it is not told. The program reads none of it; the report does.
+/// "" where it is not given. Only the report uses it; no computation does.
 struct ReportHead {
   std::string project, client, author, revision;
   std::string question, text;              ///< what was asked, and what the author has to say, in Markdown

@@ -1,4 +1,5 @@
-// The linear elastic law in plane strain. A law of stress has a file of its own here; none knows regions or elements.
+// The linear elastic law in plane strain. Each law of stress has a file of its own in this folder, and knows neither
+// regions nor elements.
 #pragma once
 
 #include <array>
@@ -27,7 +28,7 @@ struct ElasticLaw {
   }
   /// D: (sigma_xx, sigma_yy, sigma_xy) by (eps_xx, eps_yy, gamma).
   std::array<std::array<double, 3>, 3> tangent() const;
-  /// Of strain in one direction alone: lambda + 2 G (Pa).
+  /// Stress over strain where there is strain in one direction alone: lambda + 2 G (Pa).
   double constrained_modulus() const { return lambda + 2. * G; }
   /// The same Poisson's ratio with another G.
   ElasticLaw with_shear_modulus(double other) const { return {other, lambda * (other / G)}; }
@@ -35,7 +36,7 @@ struct ElasticLaw {
 
 ElasticLaw elastic_law(double shear_modulus, double poissons_ratio);
 
-/// A root of D: the values that it makes of a strain have eps : D : eps as the sum of their squares.
+/// A root of D: makes values of a strain, whose sum of squares is eps : D : eps.
 class ElasticRoot {
  public:
   explicit ElasticRoot(const ElasticLaw& law)

@@ -20,16 +20,17 @@ struct Mesh {
   dealii::Triangulation<dim> triangulation;
   std::vector<std::string> surfaces;
   std::vector<std::string> curves;
-  int n_divided_triangles = 0;  ///< of the file, of each of which three cells were made
+  int n_divided_triangles = 0;  ///< triangles of the file, each divided into three cells
 
   const std::string& surface_of(const dealii::Triangulation<dim>::cell_iterator& cell) const;
   /// Name of the curve that a face lies on, or "" where it lies on none.
   const std::string& curve_of(const dealii::Triangulation<dim>::face_iterator& face) const;
 };
 
-/// Reads or generates the mesh, checks it and says every mistake by the group's name (InputError): cells of second
-/// order, unnamed surfaces, an edge on two named curves, an outer edge on none, duplicate names, no cells.
-/// Clockwise cells are turned; of a triangle three quadrilaterals are made, and then of each quadrilateral four.
+/// Reads or generates the mesh and checks it. Throws InputError with every mistake and the name of its group: cells of
+/// second order, unnamed surfaces, an edge on two named curves, an outer edge on no named curve, duplicate names, no
+/// cells. Clockwise cells are turned. Where there are triangles, each is divided into three quadrilaterals and each
+/// quadrilateral into four.
 std::unique_ptr<Mesh> read_mesh(const MeshRequest& request);
 
 }  // namespace upbead

@@ -8,7 +8,7 @@
 
 namespace upbead {
 
-/// Each value has the place in the case that asked for it, for messages.
+/// Each value has its place in the case, for messages.
 struct MeshRequest {
   std::string file;                          ///< .geo (gmsh script) or .msh (2.2 or 4.1)
   Place place;                               ///< of the key that names the file

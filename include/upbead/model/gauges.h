@@ -10,28 +10,29 @@
 
 namespace upbead {
 
-/// How the pressure runs on beyond the first and the last transducer.
+/// How the pressure continues beyond the first and the last transducer.
 enum class Beyond {
-  constant,  ///< as at the transducer, to the end of the wall
-  none,      ///< there is none
+  constant,  ///< the transducer's pressure, to the end of the wall
+  none,      ///< no pressure
   to_zero,   ///< linearly to zero at a stated place
 };
 
 /// Pressures at places that ascend (heights y of a wall, x of a bottom), linear between them and in time.
 struct Gauges {
-  std::vector<std::string> name;                                     ///< of each
-  std::vector<double> place;                                         ///< of each (m)
-  bool over_x = false;                                               ///< places of a load are x, as along a bed
-  std::vector<double> time;                                          ///< s, ascending; t = 0 is the run's
-  std::vector<std::vector<double>> pressure;                         ///< of each over time (Pa)
+  std::vector<std::string> name;              ///< of each
+  std::vector<double> place;                  ///< of each (m)
+  bool over_x = false;                        ///< whether the places of a load are x, as along a bed
+  std::vector<double> time;                   ///< s, ascending; t = 0 is the run's
+  std::vector<std::vector<double>> pressure;  ///< of each over time (Pa)
   std::array<Beyond, 2> beyond{Beyond::constant, Beyond::constant};  ///< below the first, above the last
-  std::array<double, 2> zero_at{0., 0.};                             ///< m, where that is to_zero
+  std::array<double, 2> zero_at{0., 0.};                             ///< where the pressure is zero (m), for to_zero
   std::vector<double> load_cell;                                     ///< force over time (N/m); may be empty
 
   std::size_t count() const { return place.size(); }
 };
 
-/// The share of transducer i in the pressure at every place, as Load::shape: 1 at its own place, 0 at its neighbours.
+/// The share of transducer i in the pressure at every place, as a Load::shape: 1 at its place, 0 at those of its
+/// neighbours.
 std::vector<std::array<double, 2>> share(const Gauges& gauges, std::size_t i);
 
 /// Force and its moment about place 0 over time.
@@ -43,17 +44,17 @@ struct Resultant {
 /// Integrals of the pressure from place `from` to `to` (m).
 Resultant resultant(const Gauges& gauges, double from, double to);
 
-/// How wrong the force and its arm may be when they are largest because the pressure is known at some places only: a
-/// third of what leaving out every other transducer changes (Richardson's rule for the trapezoids between them), of
-/// the force relative, of the arm over the length of the row. Three transducers or more; 0 for fewer.
+/// Estimated errors of the force and of its arm, when the force is largest: the pressure is known at some places only.
+/// Each is a third of the change that leaving out every other transducer makes (Richardson's rule for the trapezoids
+/// between them). `force` is relative, `arm` is over the length of the row. 0 for fewer than three transducers.
 struct InterpolationError {
   double force = 0., arm = 0.;
   double time = 0.;  ///< of the largest force (s)
 };
 InterpolationError interpolation_error(const Gauges& gauges);
 
-/// Warnings of each transducer's record (record.h), of several that are sampled too coarsely only that of
-/// the steepest rise, of exchanged ones, and
+/// Warnings of each transducer's record (record.h), of several that are sampled too coarsely only the one with the
+/// steepest rise; warnings of transducers that look exchanged; and
 ///   gauges_too_sparse   the interpolation error of the force exceeds 5 %
 ///   load_cell_differs   the largest force by the load cell and that of `total` differ by more than 10 %
 /// `name`: of the load; `total`: force by the transducers over time (N/m).

@@ -28,14 +28,14 @@ struct StressLaw {
 /// G (Pa) at a mean effective stress (Pa), not below the floor.
 double shear_modulus(const StressLaw& law, double stress, double floor);
 
-/// Secant stiffness and damping by the amplitude gamma of the shear strain. Without tables, of Hardin and Drnevich
-/// (1972): G/G_max = 1/(1 + gamma/gamma_r), damping = smallest + (largest - smallest) (1 - G/G_max).
+/// Secant stiffness and damping as functions of the amplitude gamma of the shear strain. Without tables, by Hardin and
+/// Drnevich (1972): G/G_max = 1/(1 + gamma/gamma_r), damping = smallest + (largest - smallest) (1 - G/G_max).
 struct StrainLaw {
   double reference_strain = 1e-3;  ///< gamma_r, where G is half of G_max
   double smallest_damping = 0.02;  ///< ratio at vanishing strain
   double largest_damping = 0.20;   ///< ratio at large strain
   double effective = 0.65;         ///< effective over largest shear strain; Schnabel, Lysmer and Seed (1972)
-  std::vector<std::array<double, 2>> modulus;  ///< (gamma, G/G_max), straight over log gamma; instead of the formula
+  std::vector<std::array<double, 2>> modulus;  ///< (gamma, G/G_max), linear in log gamma; instead of the formula
   std::vector<std::array<double, 2>> damping;  ///< (gamma, ratio), likewise
 };
 
@@ -45,18 +45,18 @@ double damping_ratio(const StrainLaw& law, double strain);
 /// How the stress of a soil follows its strain, see docs/yielding.md.
 enum class SoilLaw {
   elastic,       ///< linear, or equivalent-linear where a strain law is given
-  hysteretic,    ///< overlay of elastic-plastic elements along the curve of G by strain
+  hysteretic,    ///< overlay of elastic-plastic elements, fitted to the curve of G over strain
   mohr_coulomb,  ///< elastic and perfectly plastic
 };
 
-/// What the overlay of hysteretic soil bears of the stress at rest.
+/// The part of the stress at rest that the overlay of hysteretic soil bears at the start.
 enum class RestStart {
-  k0,       ///< that of level ground, K_0 of its vertical stress
-  virgin,   ///< nothing: as if never loaded
-  gravity,  ///< all of it, as if weights had been put on at once
+  k0,       ///< the stress of level ground, with horizontal stress K_0 times vertical
+  virgin,   ///< none, as if the soil had never been loaded
+  gravity,  ///< all, as if all weights had been put on at once
 };
 
-/// Weight on the ground before the waves come, without mass of its own.
+/// Weight on the ground before the waves arrive. It has no mass.
 struct Surcharge {
   std::string boundary;            ///< the curve that it lies on
   double weight = 0.;              ///< submerged, per horizontal area (Pa)
@@ -66,11 +66,11 @@ struct Surcharge {
 /// The state before the waves.
 struct InitialState {
   std::optional<double> water_level;  ///< height y of still water (m); none: the top of the regions of water
-  std::optional<double> k0;           ///< s'_x = s'_z = K_0 s'_y; none: all from the elastic solution
+  std::optional<double> k0;           ///< s'_x = s'_z = K_0 s'_y; none: all stresses from the elastic solution
   std::map<std::string, Surcharge> surcharge{};
   RestStart start = RestStart::k0;  ///< of hysteretic soil
-  bool bounds = true;               ///< whether soil that yields is solved from both other starts, too
-  bool safety = false;              ///< whether the factor is sought by which strength may fall at rest
+  bool bounds = true;               ///< whether soil that yields is solved also from the two other starts
+  bool safety = false;              ///< whether to find the factor by which strength may fall at rest
 };
 
 enum class ContactKind {
@@ -88,7 +88,7 @@ struct Fluid {
   double density = 1030.;                 ///< rho_f (kg/m3)
   double bulk_modulus = 2.2e9;            ///< K_f (Pa), may be infinite
   double viscosity = 1.07e-3;             ///< mu (Pa s); sea water of 20 degrees
-  double atmospheric_pressure = 101325.;  ///< on still water, presses the air in pores (Pa)
+  double atmospheric_pressure = 101325.;  ///< on still water; compresses the air in pores (Pa)
 };
 
 enum class RegionKind { rigid, solid, porous, water };
@@ -102,10 +102,10 @@ enum class Deformation { automatic, elastic, rigid };
 /// Whether free water stores volume under pressure. `automatic` is resolved by choose_compressibility.
 enum class Compressibility { automatic, compressible, incompressible };
 
-/// Where Rayleigh damping has its ratio.
+/// Where Rayleigh damping has the ratio that is asked for.
 enum class RayleighFit {
   ends,  ///< at both frequencies; less between them
-  band,  ///< on the whole band between them as well as it can: as much above it at the ends as below in the middle
+  band,  ///< as near as possible on the band between them: as far above at the ends as below in the middle
 };
 
 /// Rayleigh damping that gives `ratio` at, or between, two frequencies: C = mass_factor M + stiffness_factor K.
@@ -113,14 +113,14 @@ struct Rayleigh {
   double ratio = 0.;                           ///< zeta
   std::array<double, 2> frequencies{1., 10.};  ///< Hz
   RayleighFit fit = RayleighFit::ends;
-  double mass_factor() const;               ///< 2 zeta w1 w2 / (w1 + w2) (1/s), zeta that at the ends
+  double mass_factor() const;               ///< 2 zeta w1 w2 / (w1 + w2) (1/s), zeta the ratio at the ends
   double stiffness_factor() const;          ///< 2 zeta / (w1 + w2) (s)
   double ratio_at(double frequency) const;  ///< zeta at a frequency (Hz)
   double error() const;                     ///< largest relative deviation from `ratio` between both frequencies
 };
 
-/// Mohr-Coulomb strength of a soil. Where its law is elastic the equations do not know it: what the computed stresses
-/// are held against.
+/// Mohr-Coulomb strength of a soil. Where the soil's law is elastic, the strength is not in the equations: the computed
+/// stresses are compared with it.
 struct Strength {
   double friction_angle = 35.;  ///< phi' (degrees)
   double cohesion = 0.;         ///< c' (Pa)
@@ -130,25 +130,25 @@ struct Strength {
 
 /// How a soil that yields packs denser under cycles of shear: Byrne (1991), see docs/yielding.md.
 struct Densification {
-  std::optional<double> relative_density;  ///< D_r, tells C1 = 7600 (100 D_r)^-2.5; or c1
+  std::optional<double> relative_density;  ///< D_r, gives C1 = 7600 (100 D_r)^-2.5; or c1
   std::optional<double> c1, c2;            ///< c2 = 0.4/c1 where it is not given
-  double threshold = 0.;                   ///< amplitude of shear strain up to which it does not
+  double threshold = 0.;                   ///< amplitude of shear strain up to which it does not pack denser
   double C1() const;
   double C2() const;
 };
 
-/// One physical surface of the mesh. Optional members belong to some kinds only; check() says which are missing.
+/// One physical surface of the mesh. Optional members belong to some kinds only; diagnose() says which are missing.
 struct Region {
   RegionKind kind = RegionKind::porous;
   SoilLaw law = SoilLaw::elastic;                          ///< porous, solid
   std::optional<double> shear_modulus;                     ///< G (Pa)
   std::optional<StressLaw> stress_law;                     ///< porous: G by stress, instead of G
-  std::optional<StrainLaw> strain_law;                     ///< porous, solid: what strain makes of G and damping
+  std::optional<StrainLaw> strain_law;                     ///< porous, solid: G and damping as functions of strain
   std::optional<double> youngs_modulus;                    ///< E (Pa), instead of G
   std::optional<double> poissons_ratio;                    ///< nu of the drained skeleton
   std::optional<double> density;                           ///< rigid, solid (kg/m3)
   std::optional<double> mass;                              ///< rigid, instead of density (kg/m)
-  std::optional<std::array<double, 2>> centre_of_gravity;  ///< rigid (m); default: of the area
+  std::optional<std::array<double, 2>> centre_of_gravity;  ///< rigid (m); default: centroid of the area
   std::optional<double> moment_of_inertia;                 ///< rigid, about the centre of gravity (kg m2/m)
   std::optional<double> porosity;                          ///< n
   std::optional<double> grain_density;                     ///< rho_s (kg/m3)
@@ -179,21 +179,21 @@ struct Material : ElasticLaw {
   double mass_damping = 0., stiffness_damping = 0.;  ///< Rayleigh factors (1/s, s)
 };
 
-/// k (m/s) of a porous region by either of its keys; none where it has neither.
+/// k (m/s) of a porous region, from whichever key it has, conductivity or permeability; none where it has neither.
 std::optional<double> conductivity(const Region& region, const Fluid& fluid, double gravity);
 
-/// Bulk modulus (Pa) of water with bubbles of air at an absolute pressure (Pa), 1/K = S/K_f + (1 - S)/p: air by
-/// Boyle's law, no surface tension, none dissolved (Verruijt 1969).
+/// Bulk modulus (Pa) of water with bubbles of air at an absolute pressure (Pa), 1/K = S/K_f + (1 - S)/p: the air obeys
+/// Boyle's law, without surface tension, and none dissolves (Verruijt 1969).
 double pore_fluid_modulus(const Fluid& fluid, double saturation, double absolute_pressure);
 
-/// Constants of a region that has passed check(); of a rigid region only rho, if it is given. Water whose
+/// Constants of a region that has passed diagnose(); of a rigid region only rho, where it is given. Water whose
 /// compressibility is not yet decided is compressible.
 Material material(const Region& region, const Fluid& fluid, double gravity);
 
 /// Whether a region of that kind takes the member named `key`.
 bool belongs(const std::string& key, RegionKind kind);
 
-/// Everything that is missing, superfluous or contradictory in a region.
+/// Everything that is missing, unneeded or contradictory in a region.
 Diagnostics diagnose(const Region& region);
 
 }  // namespace upbead

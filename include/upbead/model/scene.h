@@ -13,34 +13,34 @@
 
 namespace upbead {
 
-/// What the tolerance is asked of: the peak of F_T alone, or F_T at every time, which bounds the peak as well.
+/// What must meet the tolerance: the peak of F_T alone, or F_T at every time, which includes the peak.
 enum class AccuracyOf { peak, history };
 
 struct AccuracyChoice {
   AccuracyOf of = AccuracyOf::history;
-  bool estimate = false;  ///< solve once more on cells half as large, where the case gives the refinements
+  bool estimate = false;  ///< where the case sets the refinement: solve once more on cells half as large
 };
 
 enum class UpliftKind {
   prescribed,  ///< given by the user, from a measurement or a formula
   computed,    ///< the scene's own excess pore pressure on the bottom
-  wave,        ///< of a case only: that of the load by a wave, prescribed in the scene
+  wave,        ///< of a case only: the uplift of the load by a wave, prescribed in the scene
 };
 
-/// How a prescribed uplift without a history of its own runs in time.
+/// The course in time of a prescribed uplift without a history of its own.
 enum class UpliftCourse {
   in_phase,  ///< proportional to P(t) while that is landward
-  held,      ///< so up to the largest P, and from then on at its peak: on the safe side where F_T comes after P
+  held,      ///< in_phase up to the largest P, then at its peak: on the safe side where F_T comes after P
 };
 
-/// How a prescribed uplift that is known by its force U alone presses on the base.
+/// The distribution over the bottom of a prescribed uplift of which only the force U is known.
 enum class UpliftDistribution {
   triangle,  ///< 2 U/B at the seaward edge, zero at the heel, after Goda (2000)
   uniform,   ///< U/B everywhere
 };
 
-/// A part of the uplift pressure p_u(x, t) = sum shape(x) pressure(t), straight between the points of its shape and
-/// zero beyond.
+/// A part of the uplift pressure p_u(x, t) = sum shape(x) pressure(t), linear between the points of its shape and zero
+/// beyond.
 struct UpliftPart {
   std::vector<std::array<double, 2>> shape;  ///< x (m), and the pressure per unit of the history
   TimeFunction pressure;
@@ -52,11 +52,11 @@ struct UpliftChoice {
   UpliftCourse course = UpliftCourse::held;
   double lag = 0.;                                                 ///< by which U comes after P (s)
   TimeFunction history;                                            ///< prescribed, without a peak: U(t) (N/m)
-  std::vector<UpliftPart> parts;                                   ///< of a history by transducers: their own pressures
+  std::vector<UpliftPart> parts;                                   ///< of a history by transducers: their pressures
   UpliftDistribution distribution = UpliftDistribution::triangle;  ///< where there are no parts
 };
 
-/// The wave that tau_0 of Shimosako and Takahashi (1994), eqs. (8)-(11), is asked of.
+/// The wave for which tau_0 of Shimosako and Takahashi (1994), eqs. (8)-(11), is computed.
 struct SlidingWave {
   double height = 0.;      ///< H (m)
   double depth = 0.;       ///< h (m)
@@ -73,7 +73,7 @@ struct SlidingChoice {
   std::optional<SlidingWave> wave;
 };
 
-/// What is still good enough; what is not given is not judged.
+/// Limits of the checks; without a limit there is no check.
 struct Limits {
   std::optional<double> sliding;        ///< S (m)
   std::optional<double> base_pressure;  ///< of the heel and of the toe (Pa)
@@ -81,11 +81,11 @@ struct Limits {
 };
 
 enum class DisplacementCondition {
-  fixed,      ///< it does not move, or as a load prescribes
-  roller,     ///< nor along its normal
-  free,       ///< nothing holds it, but for springs and dashpots
+  fixed,      ///< no motion, or the motion that a load prescribes
+  roller,     ///< no motion along its normal, or the motion that a load prescribes
+  free,       ///< held by nothing but springs and dashpots, if any
   absorbing,  ///< waves leave
-  plate,      ///< straight; a rigid smooth plate lies on it that shifts along its normal and does not turn
+  plate,      ///< stays straight under a rigid smooth plate, which moves along its normal and does not turn
   level,      ///< no vertical motion: a side of ground that is shaken horizontally
 };
 enum class PressureCondition { sealed, open, absorbing, surface_waves };
@@ -93,7 +93,7 @@ enum class PressureCondition { sealed, open, absorbing, surface_waves };
 /// One table [boundaries.NAME].
 struct Boundary {
   DisplacementCondition displacement = DisplacementCondition::free;
-  std::optional<PressureCondition> pressure;       ///< needed where the boundary meets water, of pores or free
+  std::optional<PressureCondition> pressure;       ///< needed where the boundary meets pore water or free water
   std::optional<std::array<double, 2>> spring{};   ///< along normal and tangent: stress per displacement (Pa/m)
   std::optional<std::array<double, 2>> dashpot{};  ///< likewise, stress per velocity (Pa s/m)
 };
@@ -102,9 +102,9 @@ struct MeshChoice {
   std::optional<std::string> geometry;       ///< name of a shipped geometry: composite, column
   std::optional<std::string> file;           ///< or a path
   std::map<std::string, double> parameters;  ///< overrides of the .geo's own parameters
-  std::optional<int> refine = 0;             ///< uniform refinements; none: the cells that the tolerance asks for
+  std::optional<int> refine = 0;             ///< uniform refinements; none: as the tolerance asks
   int degree = 2;                            ///< of u; phi has degree - 1
-  bool full_domain = false;                  ///< solve also where no wave can come from and be read of before the end
+  bool full_domain = false;                  ///< keep also cells too far away to change a reading before the end
 };
 
 enum class TimeScheme { automatic, generalised_alpha, sdirk4, reduced };
@@ -114,7 +114,7 @@ struct TimeChoice {
   std::optional<double> step;  ///< s; none: chosen from the loads
   TimeScheme scheme = TimeScheme::automatic;
   bool inertia = true;  ///< false: quasi-static (consolidation)
-  /// Factor by which steps grow every eighth step once the loads keep their values, in consolidation; 1: not at all.
+  /// In consolidation, the factor by which steps grow every eighth step once the loads keep their values; 1: no growth.
   double growth = 2.;
   /// Stop once the loads are over and the energy has fallen below this fraction of its largest.
   std::optional<double> stop_at_energy;
@@ -134,18 +134,18 @@ struct Scene {
   std::map<std::string, Load> loads;
   TimeChoice time;
   std::optional<InitialState> initial;  ///< for stiffness that depends on stress
-  double tolerance = 0.005;             ///< relative, on what `accuracy` says
+  double tolerance = 0.005;             ///< relative, of what `accuracy` names
   AccuracyChoice accuracy;
   std::map<std::string, Probe> probes;
   std::optional<double> fields_every;  ///< s; none: no fields
-  std::vector<double> output_times;    ///< at which all readings are told and fields are written (s), ascending
+  std::vector<double> output_times;    ///< at which all readings and fields are written (s), ascending
   std::optional<double> output_every;  ///< s between values of the histories; none: the steps' own times
   bool base_stress = false;            ///< whether stress and pore pressure along the caisson's bottom are read
   std::optional<SlidingChoice> sliding;
   Limits limits;
 };
 
-/// The region whose bottom shear is read.
+/// The region whose shear force at the bottom is read.
 inline const std::string caisson_name = "caisson";
 
 /// Whether some load prescribes how a boundary that is held moves.
@@ -160,14 +160,14 @@ bool follows_strain(const Scene& scene);
 /// Whether some region's law lets it yield.
 bool yields(const Scene& scene);
 
-/// Whether some region's strength is given that its law does not know: stresses are held against it.
+/// Whether some region has a strength that is not part of its law: stresses are compared with it.
 bool has_strength(const Scene& scene);
 
 /// The friction coefficient of that contact: its own, that of [sliding], or 0.6.
 double contact_friction(const Scene& scene);
 
 /// The shortest time in which a load rises and falls (s): Load::duration where it is set (a sine: half its period),
-/// else twice the least distance of two kinks; 0 where a load jumps, infinity where no load has any.
+/// else twice the least distance of two kinks; 0 where a load jumps, infinity where no load has a kink.
 double shortest_duration(const Scene& scene);
 
 /// The frequency (rad/s) beyond which the spectrum |F(omega)| of no load exceeds a hundredth of the integral of |f|,

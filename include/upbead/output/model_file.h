@@ -12,12 +12,12 @@
 
 namespace upbead {
 
-/// What a load was in the case that the model was built from.
+/// A load of the case that the model was made from.
 struct ModelLoad {
   std::string name;
   std::string unit;      ///< of f_k: N/m or Pa
   double peak = 0.;      ///< largest |f_k| of the case
-  double duration = 0.;  ///< shortest time in which it rises and falls there (s)
+  double duration = 0.;  ///< shortest time in which it rises and falls in the case (s)
 };
 
 /// The table [sliding] of the case.
@@ -40,9 +40,9 @@ struct ModelBase {
 
 /// The scene with a caisson that slips on its ground as a whole.
 struct ModelSlip {
-  ReducedSystem system;     ///< of reduce_slip(): its last load is F_T, its last readings s and s'
+  ReducedSystem system;     ///< of reduce_slip(): its last load is F_T, its last readings are s and s'
   double error = 0.;        ///< of its forces between nested models, over their largest values
-  double glued_error = 0.;  ///< of F_T while it sticks, against the glued model, over its peak
+  double glued_error = 0.;  ///< of F_T without slip: difference from the bonded model, over its peak
   int vectors = 0, solves = 0;
 };
 
@@ -62,15 +62,15 @@ struct ReducedModelFile {
   std::optional<NestedModels> nested;
   std::optional<double> error_march;    ///< of the history, against a march, where one was made
   std::optional<ModelSliding> sliding;  ///< none where the case has no such table
-  std::optional<ModelBase> base;        ///< none where W' is not known, or of an older version
-  std::optional<ModelSlip> slip;        ///< none without `sliding`, or where it cannot be told
+  std::optional<ModelBase> base;        ///< none where W' is not known, or the file is of an older version
+  std::optional<ModelSlip> slip;        ///< none without `sliding`, or where it could not be computed
   int unknowns = 0, solves = 0, factorisations = 0;
 };
 
 /// The bytes of the file. Throws NumericsError where a number is not finite.
 std::string model_file(const ReducedModelFile& model);
 
-/// Reads such a file. Throws InputError where it cannot be read, is not a reduced model, or is not whole.
+/// Reads such a file. Throws InputError where it cannot be read, is not a reduced model, or is incomplete.
 ReducedModelFile read_model_file(const std::string& path);
 
 }  // namespace upbead

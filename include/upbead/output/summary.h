@@ -1,5 +1,5 @@
-// summary.json: what a run found, in SI numbers. Units and meanings of most are with their keys in
-// src/output/summary.cc and sliding_outputs.cc, of which docs/output.md is made.
+// summary.json: what a run found, in SI numbers. Units and meanings of most numbers stand with their keys in
+// src/output/summary.cc and sliding_outputs.cc; docs/output.md is made from these.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@
 
 namespace upbead {
 
-/// One way, and why its answer was not taken.
+/// One way of solving, and why it was refused, if it was.
 struct LadderStep {
   std::string way;      ///< for people: "reduced", "sdirk4", "sdirk4, steps of 0.001 s"
   std::string refused;  ///< the reason with its numbers; "" where it was taken
@@ -25,18 +25,18 @@ struct LadderStep {
 /// In the order in which they were tried; the last one was taken.
 using Ladder = std::vector<LadderStep>;
 
-/// How near the glued caisson comes to slipping or lifting, at the node where it comes nearest.
+/// How near the bonded caisson comes to slipping or lifting, at the node where it comes nearest.
 struct GluedDemand {
-  double slip = 0.;          ///< largest |T_i| / (mu N_i); infinite (told as null) where a node pulls
-  double least_normal = 0.;  ///< least N_i over N_i at rest; below 0 a node pulls
-  double margin = 0.;        ///< of both, for errors of the forces: 0 where it was marched
-  bool reached = false;      ///< whether one of them comes to its limit within the margin
+  double slip = 0.;          ///< largest |T_i| / (mu N_i); infinite (null in the file) where a node pulls
+  double least_normal = 0.;  ///< least N_i over N_i at rest; below 0 where a node pulls
+  double margin = 0.;        ///< of both, allowing for errors of the forces; 0 where it was marched
+  bool reached = false;      ///< whether one of the two reaches its limit within the margin
 };
 
 /// What the bottom did, node by node.
 struct NodeContact {
   double slip = 0.;                      ///< S
-  std::optional<double> error_estimate;  ///< none where the case does not ask for one
+  std::optional<double> error_estimate;  ///< none where the case asks for none
   double largest_slip = 0., least_slip = 0.;
   double opening_seaward = 0., opening_landward = 0.;
   double least_contact = 1., least_normal_force = 0.;
@@ -52,7 +52,7 @@ struct ContactSummary {
   double weight = 0.;    ///< sum of N_i at rest (N/m)
   int nodes = 0;
   GluedDemand demand;
-  std::optional<NodeContact> solved;  ///< none where the glued solution obeys the law
+  std::optional<NodeContact> solved;  ///< none where the bonded solution obeys the law of contact
 };
 
 /// At the ends of the steps; N by step and node, row by row.
@@ -71,12 +71,12 @@ struct PulseSliding {
   double exact = 0.;                                          ///< by integrating eqs. (4) and (6) (m)
 };
 
-/// S of a caisson that slips as a whole on the soil, mound and water of the scene, which it shakes.
+/// S of a caisson that slips as a whole, together with the motion of soil, mound and water of the scene.
 struct CoupledSummary {
   Sliding slip;  ///< over the mound
   double dissipated = 0., peak_shear = 0., least_normal = 0., lifted_time = 0.;
-  int vectors = 0;                      ///< 0 where the glued caisson does not reach its friction
-  double error = 0., glued_error = 0.;  ///< between nested models, and against the glued solution
+  int vectors = 0;                      ///< 0 where the bonded caisson does not reach its friction
+  double error = 0., glued_error = 0.;  ///< between nested models, and from the bonded solution
   double growth = 0.;                   ///< of the fastest vibration that friction feeds
   double damping_time = 0., damping_effect = 0.;
   std::optional<double> error_estimate;
@@ -95,7 +95,7 @@ struct EqualImpulse {
   double duration = 0., paper = 0., exact = 0.;  ///< as of PulseSliding
 };
 
-/// S by eq. (4) on F_T(t) (m), by the course that a prescribed peak of U is taken to have.
+/// S by eq. (4) on F_T(t) (m), for each course that a prescribed peak of U may take.
 struct UpliftCourses {
   double held = 0., in_phase = 0.;
 };
@@ -103,8 +103,8 @@ struct UpliftCourses {
 /// The S to design by.
 struct DesignSliding {
   double value = 0.;                     ///< m
-  std::string measure;                   ///< the key of the summary that has it
-  std::string why;                       ///< this one
+  std::string measure;                   ///< the key of the summary that gives it
+  std::string why;                       ///< this measure was chosen
   std::optional<double> error_estimate;  ///< m
 };
 
@@ -116,32 +116,32 @@ struct SlidingSummary {
   std::optional<UpliftCourses> courses;       ///< where a peak of U is prescribed without its course
   std::optional<PulseSliding> pulse;          ///< where the case names a wave
   std::optional<EqualImpulse> equal_impulse;  ///< where F_S has a landward peak
-  std::optional<CoupledSummary> coupled;      ///< where it can be told
+  std::optional<CoupledSummary> coupled;      ///< where it could be computed
   std::string why_not_coupled;                ///< else
-  bool coupled_failed = false;                ///< for the numerics, not for what the scene is
+  bool coupled_failed = false;                ///< whether the numerics failed; false: the scene does not allow it
   std::optional<double> error_estimate;       ///< of S by eq. (4) on F_T(t) (m)
   std::string why_no_estimate;                ///< else
 };
 
 /// What presses on the base.
 struct BaseSummary : BaseExtremes {
-  std::optional<double> peak_computed_pressure;  ///< of a node of the base (Pa); none where these are not read
+  std::optional<double> peak_computed_pressure;  ///< largest at a node of the bottom (Pa); none where it is not read
   double peak_computed_pressure_at = 0., peak_computed_pressure_time = 0.;  ///< where (m) and when
   std::optional<double> limit;                                              ///< of heel and toe pressure (Pa)
 };
 
-/// One check of a section: what is asked of it, and what it can bear.
+/// One check of a section: demand against capacity.
 struct Check {
   std::string name;                ///< "sliding", "heel pressure"
   std::string unit;                ///< of demand and capacity
-  std::optional<double> demand;    ///< what comes; none: more than can be told
-  std::optional<double> capacity;  ///< what is bearable; none: not given
-  /// Above 1 where it holds: capacity over demand, or of what must not fall below a limit demand over capacity; none
-  /// without a capacity, or where nothing is demanded.
+  std::optional<double> demand;    ///< none: beyond what can be computed
+  std::optional<double> capacity;  ///< none: not given
+  /// Above 1 where the check holds: capacity over demand, or, for a quantity that must not fall below its limit, demand
+  /// over capacity. None without a capacity, or where there is no demand.
   std::optional<double> margin;
   std::optional<bool> holds;  ///< none without a capacity
   std::string measure;        ///< the key of the summary, and what it means
-  std::string assumption;     ///< that it rests on; "" for none worth telling
+  std::string assumption;     ///< that the check relies on; "" where there is none to mention
 };
 
 struct Discretisation {
@@ -151,32 +151,33 @@ struct Discretisation {
   int steps = 0, solves = 0, factorisations = 0, processes = 1;
 };
 
-/// How good a reduced model is: the differences of two nested ones, which the larger one undercuts.
+/// Errors of a reduced model: the differences of two nested models. The larger one is used, and its errors are smaller.
 struct ReductionSummary {
   int vectors = 0, modes = 0;
   double error = 0., error_peak = 0., error_of_others = 0.;
   std::optional<double> error_of_states;  ///< where fields or strengths were asked for, see energy_distance()
   double highest_frequency = 0.;          ///< up to which the transfer function of F_T has been checked
-  std::vector<LooseReading> loose;        ///< readings that have not come close enough, besides F_T
-  double tolerance_of_others = 0.;        ///< that these were to meet
+  std::vector<LooseReading> loose;        ///< readings other than F_T that do not meet their tolerance
+  double tolerance_of_others = 0.;        ///< of these readings
 };
 
-/// How wrong the peak of F_T is, or its history over the largest |F_T|, by where it comes from; each is meant as a
-/// bound: how often it held is measured in docs/accuracy.md.
+/// Estimated errors of the peak of F_T, or of its history over the largest |F_T|, one for each source of error. Each
+/// estimate is meant as a bound; docs/accuracy.md has how often it held.
 struct ErrorEstimate {
   double mesh = 0.;           ///< from the size of the cells
-  double time = 0.;           ///< steps too long; 0 where a reduced model answers in time exactly
-  double reduced_model = 0.;  ///< vectors too few; 0 where it was marched
+  double time = 0.;           ///< from the length of the steps; 0 where a reduced model is exact in time
+  double reduced_model = 0.;  ///< from the number of vectors; 0 where it was marched
   double far_boundary = 0.;   ///< from waves that the far sides reflect; 0 for the history: walls_too_near warns
   double total() const { return mesh + time + reduced_model + far_boundary; }
 };
 
-/// What the strain of the response made of the soil.
+/// Soil whose stiffness and damping follow the strain of the response.
 struct SoilSummary {
-  int iterations = 0;                ///< of linear solutions after the first
-  bool converged = false;            ///< whether the last change was below 1 %
-  double change = 1.;                ///< of the peak of |F_T| in the last one, relative
-  double linear = 0., settled = 0.;  ///< peak |F_T| at vanishing strain and in the last one; without a caisson strains
+  int iterations = 0;      ///< of linear solutions after the first
+  bool converged = false;  ///< whether the last change was below 1 %
+  double change = 1.;      ///< of the peak of |F_T| in the last iteration, relative
+  /// Peak |F_T| at vanishing strain and in the last iteration; without a caisson, strains.
+  double linear = 0., settled = 0.;
   double largest_strain = 0., least_modulus_ratio = 1., largest_damping = 0.;
 };
 
@@ -193,15 +194,16 @@ struct PeakStrain {
   std::optional<double> over_neighbours;  ///< over the mean of the cells beside it; none where these are at rest
 };
 
-/// How much of its strength a region of soil that yields mobilised, by its law; of a cell the mean of its points.
+/// How much of its strength, by its law, a region of soil that yields mobilised. The value of a cell is the mean of its
+/// points.
 struct MobilisedRegion {
   std::string region, law;
   double initial = 0.;               ///< largest at rest
-  double initial_share = 0.;         ///< of the area, where all of it is mobilised at rest
+  double initial_share = 0.;         ///< share of the area where all strength is mobilised at rest
   double largest = 0.;               ///< at any time
   std::array<double, 2> at{0., 0.};  ///< where that is (m)
   double time = 0.;                  ///< and when (s)
-  double share = 0.;                 ///< of the area, where all of it was mobilised at some time
+  double share = 0.;                 ///< share of the area where all strength was mobilised at some time
 };
 
 /// Where the caisson came to rest, at the end of the run.
@@ -211,7 +213,7 @@ struct ResidualSummary {
   std::optional<PorePressureLeft> pore_pressure;    ///< in the soil; none where it has no pore water
 };
 
-/// What another start of hysteretic soil would have made of it.
+/// The result with another start of hysteretic soil.
 struct StartBound {
   std::string start;                           ///< virgin, k0 or gravity
   double peak_shear = 0.;                      ///< N/m
@@ -221,42 +223,42 @@ struct StartBound {
 
 /// How Mohr-Coulomb soil came to rest under its weights.
 struct RestSummary {
-  int steps = 0, iterations = 0;  ///< of the weights; of Newton's method in them
-  double share_at_strength = 0.;  ///< of the area of that soil, where its strength is reached
+  int steps = 0, iterations = 0;  ///< steps of the weights; iterations of Newton's method in them
+  double share_at_strength = 0.;  ///< share of that soil's area where its strength is reached
   double out_of_balance = 0.;     ///< forces out of balance over the weights
 };
 
-/// By which factor the strength of all soils may fall at rest.
+/// Bounds of the factor by which the strength of all soils may fall at rest.
 struct SafetySummary {
-  std::optional<double> lower, upper;  ///< it stands; it was found not to
+  std::optional<double> lower, upper;  ///< it stands at `lower`, it does not at `upper`
   std::string fails_at;                ///< where it gives way at `upper`
 };
 
-/// What soil that yields took to solve, and how far it yielded.
+/// What it cost to solve soil that yields, and how far it yielded.
 struct NonlinearSummary {
   std::string start;
-  int stages = 0, iterations = 0;  ///< solves of a stage, and updates of all stresses in them
+  int stages = 0, iterations = 0;  ///< stages solved, and updates of all stresses in them
   int factorisations = 0;
-  int cut_steps = 0;                 ///< steps that were halved, as a stage did not converge
-  double share_skipped = 0.;         ///< of the updates of cells, those left out as no soil of the cell could yield
-  double share_yielded = 0.;         ///< of the area of soil that yields, where it lost energy
-  double share_beyond_at_rest = 0.;  ///< of it, where the stress at rest exceeds the strength
+  int cut_steps = 0;                 ///< steps that were halved because a stage did not converge
+  double share_skipped = 0.;         ///< share of the updates of cells left out because the cell could not yield
+  double share_yielded = 0.;         ///< share of the area of soil that yields, where it lost energy
+  double share_beyond_at_rest = 0.;  ///< share of this area where the stress at rest exceeds the strength
   std::optional<RestSummary> rest;   ///< none without Mohr-Coulomb soil
   PeakStrain peak_strain;
   std::vector<MobilisedRegion> regions;
   std::vector<StartBound> bounds;
 };
 
-/// What was understood of a record of CFD.
+/// How the program read a record of a CFD program.
 struct FlowSummary {
   std::string name;  ///< of the load
   std::string layout;
   int files = 0, samples = 0;
   double begin = 0., end = 0.;                   ///< of the record in the run's time (s)
-  std::optional<double> thickness;               ///< that its newtons are of (m)
+  std::optional<double> thickness;               ///< of the domain, by which its forces were divided (m)
   double peak_force = 0., peak_force_time = 0.;  ///< landward, over still water (N/m; s)
   std::optional<double> arm;                     ///< of it (m)
-  double still_force = 0.;                       ///< that was taken off (N/m)
+  double still_force = 0.;                       ///< of still water, subtracted (N/m)
   std::optional<double> difference;              ///< of pressures and forces
   std::vector<std::string> told;
 };
@@ -269,16 +271,16 @@ struct GaugeSummary {
   int gauges = 0, samples = 0;
   double interval = 0.;                          ///< between samples, mean (s)
   std::string peak_gauge;                        ///< transducer with the largest pressure
-  double peak_pressure = 0., peak_at = 0.;       ///< it, and where (Pa, m)
+  double peak_pressure = 0., peak_at = 0.;       ///< that pressure, and where (Pa, m)
   double peak_pressure_time = 0.;                ///< s
   double peak_force = 0., peak_force_time = 0.;  ///< largest magnitude of their resultant (N/m, s)
-  std::optional<double> arm;  ///< of it, above the bottom; of an uplift landward of the bottom's middle (m)
+  std::optional<double> arm;  ///< of that force above the bottom; of an uplift, landward of the bottom's middle (m)
   double force_error = 0.,
          arm_error = 0.;            ///< by interpolation: of the force, relative; of the arm, over the row's length
   std::optional<double> load_cell;  ///< largest force by the load cell (N/m)
 };
 
-/// A load by a wave, by Goda's formulas; forces without the load's factor, unless it is said.
+/// A load by a wave, by Goda's formulas; forces do not include the load's factor unless a comment says so.
 struct WaveLoadSummary {
   std::string name, course;
   double height = 0., significant_height = 0., period = 0., angle = 0.;  ///< H, H_1/3 (m), T (s), beta (degrees)
@@ -289,13 +291,13 @@ struct WaveLoadSummary {
   double force = 0., force_moment = 0., uplift = 0.;  ///< P, M_P about the bottom's level, U
   double peak = 0., peak_uplift = 0.;                 ///< of the load, with its factor (N/m)
   std::optional<double> trough_force;                 ///< of a standing wave: least P, with the factor (N/m)
-  double rise = 0., duration = 0.;                    ///< of the impulsive part; of a sine, of all (s)
+  double rise = 0., duration = 0.;                    ///< of the impulsive part; of a sine, of the whole (s)
   double standing_force = 0., impulse = 0.;           ///< peak of the slow part (N/m), integral (N s/m); with factor
-  double end = 0.;                                    ///< when it is over (s)
+  double end = 0.;                                    ///< when the load ends (s)
   std::vector<std::string> assumptions;
 };
 
-/// A measured history against the computed one.
+/// A measured history, compared with the computed one.
 struct MeasuredSummary {
   std::string name, reading, unit;
   Comparison comparison;
@@ -324,14 +326,14 @@ struct Summary {
   std::optional<EnergyAccount> energy;         ///< none where no march kept an account
   std::optional<ReductionSummary> reduction;   ///< none where it was marched
   std::vector<NaturalPeriod> periods;          ///< of F_T; none where no reduced model was made
-  std::optional<ErrorEstimate> error;          ///< of the peak; none where the mesh was not made for the tolerance
+  std::optional<ErrorEstimate> error;          ///< of the peak; none where the mesh error was not estimated
   std::optional<ErrorEstimate> history_error;  ///< of the whole history; with it
   std::optional<SlidingSummary> sliding;       ///< none without [sliding]
-  std::optional<BaseSummary> base;             ///< none where what presses at rest is not known
+  std::optional<BaseSummary> base;             ///< none where the forces on the base at rest are not known
   std::optional<ContactSummary> contact;       ///< none where the bottom is bonded
   std::optional<SoilSummary> soil;             ///< none where no soil depends on strain
   std::optional<NonlinearSummary> nonlinear;   ///< none where no soil yields
-  std::optional<ResidualSummary> residual;     ///< with it, of a caisson
+  std::optional<ResidualSummary> residual;     ///< where soil yields, of a caisson
   std::vector<CompactedSoil> densification;    ///< of the regions that pack denser
   std::optional<SafetySummary> safety;         ///< where it is asked for
   std::vector<Check> checks;                   ///< of the section, in the order of a sheet

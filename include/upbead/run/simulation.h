@@ -21,7 +21,7 @@ class YieldingSoil;
 struct CompiledScene;
 struct CellsCompared;
 
-/// Error of F_T by the size of the cells.
+/// Error of F_T caused by the size of the cells.
 struct ShearError {
   double peak = 0.;     ///< of the peak, relative
   double history = 0.;  ///< of the largest |F_T|, at any time
@@ -44,40 +44,40 @@ using SoilFollower = std::function<void(YieldingSoil&)>;
 
 /// What a run reports while it is solved.
 struct RunOptions {
-  std::function<void(double)> progress;  ///< called with 0 to 1, again and again; may throw to end the run
-  /// Of what follows the march; called once, with the scene as it is marched (its soil converged), before the march.
-  /// Null where nobody follows. The observer outlives the run.
+  std::function<void(double)> progress;  ///< called repeatedly with the part done, 0 to 1; may throw to end the run
+  /// Makes the observer of the march, or null for none. Called once before the march, with the scene as it is marched
+  /// (its soil converged). The observer must outlive the run.
   std::function<MarchObserver*(const Simulation&)> observer;
-  /// Told the soil that yields before it is marched, and another one where another way is tried: what it bears may be
-  /// read whenever the observer sees a state. It dies with the march. Null where nobody follows.
+  /// Called with the soil that yields before the march, and again where another way is tried. Its stresses may be read
+  /// whenever the observer sees a state. The soil is destroyed with the march. May be null.
   SoilFollower soil;
   Checkpointing checkpoints;
 };
 
-/// A scene on its mesh, assembled: a value that nothing changes. What other soil, cells or contact make of it is
-/// another one; copies share all that is large.
+/// A scene on its mesh, assembled: a value that never changes. Other soil, cells or contact make another Simulation;
+/// copies share all large members.
 struct Simulation {
-  /// Checks the scene on the mesh, decides what it leaves open, and assembles. Where scene.mesh.refine has no number
-  /// the cells are split as the tolerance asks, from this mesh on. `among`: processes, who all call this, to divide the
-  /// system among. Throws InputError whose places are keys of the scene, such as "boundaries.left".
+  /// Checks the scene on the mesh, decides what it leaves open, and assembles. Where scene.mesh.refine has no number,
+  /// the cells of this mesh are split as the tolerance asks. `among`: the processes among which the system is divided;
+  /// all of them make this call. Throws InputError whose places are keys of the scene, such as "boundaries.left".
   Simulation(Scene asked, std::shared_ptr<const Mesh> on, std::shared_ptr<const Processes> among = nullptr);
 
-  /// Lets soil come to the strain of its response, and solves in time. Where a way to solve it is refused the next one
+  /// Lets the soil converge with the strain of its response, and solves in time. Where a way is refused, the next one
   /// is tried. Throws NumericsError where no answer balances (require_balance of response/shear_response.h).
   Run run(const RunOptions& options = {}) const;
 
   Scene given;                                 ///< as it was asked for
-  Scene scene;                                 ///< as solved: with everything decided that it leaves open
+  Scene scene;                                 ///< as solved: everything that it left open is decided
   std::vector<Decision> decisions;             ///< about its regions
-  std::shared_ptr<const Processes> processes;  ///< that the system is divided among; null: whole
-  std::shared_ptr<const Mesh> given_mesh;      ///< that the refinement for the tolerance started from; else `mesh`
+  std::shared_ptr<const Processes> processes;  ///< among which the system is divided; null: not divided
+  std::shared_ptr<const Mesh> given_mesh;      ///< from which the refinement for the tolerance started; else `mesh`
   std::shared_ptr<const Mesh> mesh;
   std::shared_ptr<const Space> space;
   std::shared_ptr<const Unknowns> unknowns;
   std::shared_ptr<const CompiledScene> compiled;
-  std::vector<bool> absent;              ///< cells left out
-  SoilState soil_state;                  ///< what differs from cell to cell
-  bool with_interface = false;           ///< the caisson may slip and lift; a mesh for the tolerance is made without
+  std::vector<bool> absent;     ///< cells left out
+  SoilState soil_state;         ///< what differs from cell to cell
+  bool with_interface = false;  ///< the caisson may slip and lift; the mesh for the tolerance is made with it bonded
   std::optional<SoilSummary> soil;       ///< where the soil has converged with the strain of the response
   std::optional<MeshAccuracy> accuracy;  ///< where the mesh was made for the tolerance
   Timing timing;
@@ -90,36 +90,35 @@ struct Simulation {
 
 /// What was solved.
 struct Run {
-  std::shared_ptr<const Simulation> simulation;  ///< as solved: its soil converged, its base bonded or sliding
+  std::shared_ptr<const Simulation> simulation;  ///< as solved: its soil converged, its bottom bonded or not
   Response response;
-  std::optional<Series> at_times;  ///< where [output] times asks for them: those that the run has come to
+  std::optional<Series> at_times;  ///< where [output] times asks for them: the times that the run reached
   std::optional<Series> dense;     ///< where [output] every asks for it: at equal times
   Summary summary;
   std::optional<CoupledHistoryTable> coupled;  ///< where the caisson slipped as a whole
   std::optional<ContactHistory> contact;       ///< where it was marched with a law of contact
   std::optional<PressureModel> pressures;      ///< where it was reduced
-  std::optional<StateModel> states;            ///< where it was, and fields or a strength are asked for
-  std::string scheme_reason;                   ///< why it was solved as it was
+  std::optional<StateModel> states;            ///< where it was reduced, and fields or a strength are asked for
+  std::string scheme_reason;                   ///< why this way of solving was taken
   std::string step_reason;                     ///< why the steps are as long as they are
-  std::shared_ptr<const CellsCompared> cells;  ///< where it was compared with cells half as large
+  std::shared_ptr<const CellsCompared> cells;  ///< where the mesh was compared with cells half as large
 };
 
-/// Throws InputError where a scene asks for more than 1,000,000 steps or 10,000 fields, at the key that drives it; of
-/// automatic steps as far as the loads alone show. Needs no mesh.
+/// Throws InputError where a scene asks for more than 1,000,000 steps or 10,000 fields, at the key that causes it.
+/// Automatic steps are counted as far as they follow from the loads. Needs no mesh.
 void check_size(const Scene& scene);
 
-/// The same scene, its soil converged with the strain of its response: marched with the stiffness and damping of every
-/// cell, whose largest shear strains tell, by their effective part, the stiffness and damping to begin anew with, until
-/// the peak of F_T (without a caisson: the largest strain) changes by less than 1 %, or 15 times. Seed and Idriss
-/// (1969); Schnabel, Lysmer and Seed (1972). As it is where no region has a strain law, or where it has been done.
-/// Throws NumericsError.
+/// The same scene, its soil converged with the strain of its response. Each iteration marches the scene with the
+/// stiffness and damping of every cell; the effective part of a cell's largest shear strain then gives its stiffness
+/// and damping for the next iteration. It ends when the peak of F_T (without a caisson: the largest strain) changes by
+/// less than 1 %, or after 15 iterations. Seed and Idriss (1969); Schnabel, Lysmer and Seed (1972). Unchanged where no
+/// region has a strain law, or where the soil has converged already. Throws NumericsError.
 Simulation with_converged_soil(const Simulation& simulation, const std::function<void(double)>& progress = {});
 
 /// The same scene with its caisson bonded to the ground, where it may slip and lift.
 Simulation bonded(const Simulation& simulation);
 
-/// What may be wrong with the numbers of a scene, as far as that is known without solving: docs/warnings.md.
-/// `peak_time`: of F_T, where it is known.
+/// The warnings of a scene that are known without solving it: docs/warnings.md. `peak_time`: of F_T, where it is known.
 NumberedWarnings warnings(const Simulation& simulation, const std::optional<double>& peak_time = {});
 
 /// What is skipped in a scene and why, with the numbers; `reduced`: whether a reduced model solves it.

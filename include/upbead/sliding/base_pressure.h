@@ -1,4 +1,4 @@
-// What a caisson presses on its base with, over time, and at its worst.
+// Pressures of a caisson on its base: over time, and the worst.
 #pragma once
 
 #include <limits>
@@ -10,16 +10,16 @@ namespace upbead {
 /// Effective pressures of the edges (Pa) of a bottom of width B under `force` N' (N/m) and `moment` M' about its middle
 /// (N m/m, overturning landward positive), stress varying linearly over the width in contact: N'/B (1 -+ 6 e/B) where
 /// |e| = |M'/N'| <= B/6, else 0 and 2 N' / (3 t), t = B/2 - |e| (the bearing pressure p_e of Goda, Random Seas and
-/// Design of Maritime Structures, ch. 4). A bottom that stands on its edge would crush it: t >= B/1000. 0 where N' <=
-/// 0.
+/// Design of Maritime Structures, ch. 4). t is at least B/1000, as a bottom that stood on its edge alone would crush
+/// it. Both are 0 where N' <= 0.
 struct EdgePressures {
   double seaward = 0., landward = 0.;
 };
 EdgePressures edge_pressures(double force, double moment, double width);
 
 /// Over time. N' = W' + change of the normal force - U, M' = W' e_0 + base moment + M_U about the bottom's middle,
-/// overturning landward positive; U the modelled pore pressure's and a prescribed one; e_0 how far W' acts landward of
-/// the middle.
+/// overturning landward positive; U is the uplift of the computed pore pressure and a prescribed one; e_0 is the
+/// distance by which W' acts landward of the middle.
 struct EffectiveBase {
   double width = 0.;                          ///< B (m)
   double weight = 0., weight_moment = 0.;     ///< W' (N/m), W' e_0 (N m/m)
@@ -28,13 +28,13 @@ struct EffectiveBase {
   std::vector<double> moment;                 ///< M' (N m/m)
 };
 
-/// What presses on the base, effective stress varying linearly over the width in contact, at rest and at the worst of
-/// the steps' ends.
+/// Pressures on the base at rest, and the worst at the ends of the steps; effective stress varies linearly over the
+/// width in contact.
 struct BaseExtremes {
   double heel_pressure_at_rest = 0., toe_pressure_at_rest = 0., eccentricity_at_rest = 0.;  ///< Pa, Pa, m
   /// Of the landward and of the seaward edge (Pa); none where the resultant leaves the base there.
   std::optional<double> peak_heel_pressure = 0., peak_toe_pressure = 0.;
-  double peak_heel_pressure_time = 0., peak_toe_pressure_time = 0.;  ///< when, or when it first leaves (s)
+  double peak_heel_pressure_time = 0., peak_toe_pressure_time = 0.;  ///< when, or when the resultant first leaves (s)
   double largest_eccentricity = 0., largest_eccentricity_time = 0.;  ///< of largest magnitude, landward (m)
   double least_normal_force = 0., least_normal_force_time = 0.;      ///< N' (N/m)
   /// Least ratio of the moments that hold the caisson up to those that overturn it, about either edge; none where
@@ -43,10 +43,10 @@ struct BaseExtremes {
   double least_overturning_margin_time = 0.;
 };
 
-/// At rest, and the largest and least at those times (s).
+/// At rest, and the largest and least at the given times (s).
 BaseExtremes base_extremes(const EffectiveBase& base, const std::vector<double>& time);
 
-/// What presses on the base at the worst of several waves, rest between them included.
+/// The worst pressures on the base under several waves, and at rest between them.
 struct WorstBase {
   static constexpr double leaves = std::numeric_limits<double>::infinity();
 

@@ -6,13 +6,13 @@
 
 namespace upbead {
 
-/// How the uplift of a wave runs in time.
+/// The course in time of the uplift of a wave.
 enum class UpliftShape {
   in_phase,    ///< U_max P(t) / P_2max: proportional to the force
   sinusoidal,  ///< gamma_U U_max sin(2 pi t / T) for 0 <= t <= T/2
 };
 
-/// What the sources at hand do not settle, with our defaults.
+/// Choices that the sources at hand leave open, with our defaults.
 struct CombinedModel {
   double added_mass_factor = 1.0855;  ///< M_a / (rho h'^2); 2 x 0.5428, water on both sides of a wall
   UpliftShape uplift = UpliftShape::in_phase;
@@ -27,11 +27,12 @@ struct CombinedWave {
   double uplift = 0.;          ///< U_max (N/m)
 };
 
-/// gamma_P in [0, 1]: with it P_1 and P_2 together have the impulse of half a standing wave, P_1max T / pi; 0 where P_2
-/// alone has more.
+/// gamma_P in [0, 1], chosen so that P(t) has the impulse of half a standing wave, P_1max T / pi; 0 where P_2 alone has
+/// more.
 double standing_reduction(const CombinedWave& wave);
 
-/// P(t) and U(t), straight between 400 points of the half period, the kinks of P_2 and those where P_1 and P_2 cross.
+/// P(t) and U(t), linear between 400 points of the half period, the kinks of P_2 and the points where P_1 and P_2
+/// cross.
 History combined_force(const CombinedWave& wave);
 History combined_uplift(const CombinedWave& wave, const CombinedModel& model = {});
 

@@ -1,4 +1,4 @@
-// How far one wave slides the caisson, by everything that is known of it.
+// How far one wave slides the caisson, by several measures.
 #pragma once
 
 #include <optional>
@@ -9,19 +9,20 @@
 
 namespace upbead {
 
-/// tau_0 (s) of one history F_S(t) at one r = F_Smax / (mu W'), by several measures; none where there is no answer. It
-/// is no property of the history alone: always state r and the formula with it.
+/// tau_0 (s) of one history F_S(t) at one r = F_Smax / (mu W'), by several measures; none where there is no answer.
+/// tau_0 is not a property of the history alone: always state r and the formula with it.
 struct HistoryDuration {
-  double ratio = 0.;                 ///< r
-  double sliding = 0.;               ///< S of the history, eq. (4) (m)
-  std::optional<double> by_paper;    ///< the pulse slides as far by eq. (7)
-  std::optional<double> by_exact;    ///< the pulse slides as far by eqs. (4) and (6)
-  std::optional<double> by_excess;   ///< F_S exceeds mu W' for as long: that time / (1 - 1/r)
-  std::optional<double> by_impulse;  ///< same impulse: twice that of the lobe with the peak, over the peak
+  double ratio = 0.;                ///< r
+  double sliding = 0.;              ///< S of the history, eq. (4) (m)
+  std::optional<double> by_paper;   ///< the pulse slides as far by eq. (7)
+  std::optional<double> by_exact;   ///< the pulse slides as far by eqs. (4) and (6)
+  std::optional<double> by_excess;  ///< F_S exceeds mu W' for as long: that time / (1 - 1/r)
+  /// Same impulse: twice the impulse of the lobe with the peak (the part above 0 around it), over the peak.
+  std::optional<double> by_impulse;
 };
 
-/// The history against a resistance mu W' = F_Smax / r. Throws as slide() does, and std::invalid_argument where r <= 0
-/// or F_S is nowhere above 0.
+/// tau_0 of the history with a resistance mu W' = F_Smax / r. Throws as slide() does, and std::invalid_argument where r
+/// <= 0 or F_S is nowhere above 0.
 /// - mass: W/g (kg/m)
 /// - force: F_S, landward positive (N/m)
 HistoryDuration history_duration(double mass, const History& force, double ratio);
@@ -33,10 +34,10 @@ std::size_t peak_index(const History& force);
 struct BottomForces {
   History shear_force;    ///< F_T (N/m)
   History uplift;         ///< U, never below 0; without points there is none (N/m)
-  History normal_change;  ///< N' - (W' - U) of the caisson's vertical motion and loads (N/m)
+  History normal_change;  ///< N' - (W' - U), from the caisson's vertical motion and loads (N/m)
 };
 
-/// What resists.
+/// What resists sliding.
 struct BottomResistance {
   double mass = 0.;              ///< W/g (kg/m)
   double friction = 0.;          ///< mu
@@ -50,12 +51,12 @@ struct HistorySliding {
   double peak_seaward = 0.;            ///< largest -F_T + mu U, which slides it seaward (N/m)
   double peak_seaward_time = 0.;       ///< s
   double shear_at_peak = 0.;           ///< F_T at peak_force_time (N/m)
-  double uplift_at_peak = 0.;          ///< U then (N/m)
+  double uplift_at_peak = 0.;          ///< U at peak_force_time (N/m)
   double resistance = 0.;              ///< mu W' (N/m)
   double ratio = 0.;                   ///< r = F_Smax / (mu W')
   double least_normal_force = 0.;      ///< least N' = W' - U + change; below 0 the caisson would lift (N/m)
   Sliding by_history;                  ///< eq. (4) with N' = W' - U
-  Sliding with_normal_force;           ///< eq. (4) with N' of the caisson's vertical motion too
+  Sliding with_normal_force;           ///< eq. (4) with N' = W' - U + change
   std::optional<HistoryDuration> own;  ///< tau_0 at its own r; none where F_S is nowhere landward
   std::vector<HistoryDuration> table;  ///< tau_0 at r = 1.05 to 2
 };

@@ -12,17 +12,17 @@ struct TriangularPulse {
   double duration = 0.;  ///< tau_0 (s)
 };
 
-/// Its points.
+/// The points of the pulse.
 History history(const TriangularPulse& pulse);
 
 /// S by eq. (7), g tau_0^2 (F_Smax - mu W')^3 (F_Smax + mu W') / (8 mu W' W F_Smax^2), in m; zero for F_Smax <= mu W'.
-/// It takes F_S for zero from the moment when F_S falls below mu W', and so gives less than eqs. (4) and (6) do.
-/// mass: W/g in air (kg/m); resistance: mu W' (N/m). Throws std::invalid_argument where one is not positive or the
-/// duration is negative.
+/// It assumes F_S = 0 from the moment when F_S falls below mu W', and therefore gives less than eqs. (4) and (6). mass:
+/// W/g in air (kg/m); resistance: mu W' (N/m). Throws std::invalid_argument where one is not positive or the duration
+/// is negative.
 double sliding_distance_paper(double mass, double resistance, const TriangularPulse& pulse);
 
-/// The two parts of eq. (7): S_1 = g tau_0^2 (F_Smax - mu W')^3 / (4 W F_Smax^2) until F_S has fallen to mu W', S_2 by
-/// braking without F_S after it (m).
+/// The two parts of eq. (7): S_1 = g tau_0^2 (F_Smax - mu W')^3 / (4 W F_Smax^2) until F_S has fallen to mu W', and S_2
+/// while the block brakes without F_S (m).
 struct PaperParts {
   double accelerating = 0., braking = 0.;
 };

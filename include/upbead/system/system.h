@@ -1,5 +1,5 @@
 // The seam of the program: a scene compiled into M x'' + C x' + K x = sum_k b_k f_k(t), with readings y of x, x', x''.
-// What stands left of it knows nothing of time marching, what stands right of it nothing of caissons.
+// What makes the system knows nothing of time marching; what marches it knows nothing of caissons.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@
 
 namespace upbead {
 
-/// What an unknown is; decides its sign in the energy and where its power goes.
+/// The kind of an unknown; decides its sign in the energy, and the term of the energy account for its power.
 enum class Field : char {
   displacement,      ///< u of the skeleton, or a rigid body's coordinate (m, rad)
   relative_fluid,    ///< W, relative fluid displacement (m)
@@ -31,7 +31,7 @@ struct SystemLoad {
 /// Entries (unknown, weight) of a sparse row.
 using Row = std::vector<std::pair<int, double>>;
 
-/// What a reading is called.
+/// The name of a reading.
 struct ReadingName {
   ReadingName() = default;
   ReadingName(const char* of) : quantity(of) {}
@@ -43,8 +43,8 @@ struct ReadingName {
       : group(std::move(whose)), node(of_node), quantity(std::move(of)) {}
 
   std::string group;  ///< "caisson", "probes", "base", "interface"; "" of the forces on the caisson
-  std::string probe;  ///< whose it is, of several
-  int node = -1;      ///< or where, by number
+  std::string probe;  ///< name of the probe, where there are several
+  int node = -1;      ///< or the number of the node
   std::string quantity;
 
   /// As in files: "shear_force", "caisson/velocity_x", "probes/A/pressure", "base/3/normal_stress".
@@ -60,24 +60,24 @@ struct Reading {
   Row velocity;
   Row acceleration;
   std::vector<double> feedthrough;  ///< one per load; empty means none
-  /// Numbers and weights of the nodal forces in it that soil exerts: an internal force adds its own, see
-  /// internal_force.h.
+  /// Numbers and weights of the soil's nodal forces that the reading contains: an internal force adds its own values,
+  /// see internal_force.h.
   Row nodal_forces{};
 };
 
-/// Readings of one part of the state alone.
+/// Readings of position, velocity or acceleration alone.
 Reading position_reading(ReadingName name, std::string unit, std::string description, Row row);
 Reading velocity_reading(ReadingName name, std::string unit, std::string description, Row row);
 Reading acceleration_reading(ReadingName name, std::string unit, std::string description, Row row);
 
-/// Where two bodies touch and may slip and part, node by node. Its unknowns are motions of the upper body relative to
-/// the lower one: slip (m, landward) of all nodes, then opening (m, apart) of all nodes. They are the last unknowns of
-/// the system and count as prescribed: kept at zero they glue the bodies; a contact law may move them. With them the
-/// residual M x'' + C x' + K x - f of a row of slip is -T_i, T_i the shear force on the lower body (N/m), and that of a
-/// row of opening the change of the effective normal force N_i (N/m, compression positive).
+/// The interface where two bodies touch and may slip and open, node by node. Its unknowns are motions of the upper body
+/// relative to the lower one: slip (m, landward) of all nodes, then opening (m, apart) of all nodes. They are the last
+/// unknowns of the system and count as prescribed: kept at zero, they bond the bodies; a contact law may move them.
+/// With them the residual M x'' + C x' + K x - f of a row of slip is -T_i, T_i the shear force on the lower body (N/m),
+/// and that of a row of opening the change of the effective normal force N_i (N/m, compression positive).
 struct Interface {
   std::vector<double> position;  ///< of each node along the contact (m), ascending
-  std::vector<double> length;    ///< that each node stands for (m): a force over it is a stress
+  std::vector<double> length;    ///< of the contact at each node (m): force over length is stress
   Vector normal_force;           ///< N_i at rest (N/m)
   double friction = 0.;          ///< mu
 
@@ -95,15 +95,15 @@ struct System {
   std::vector<IndexRange> blocks;  ///< unknowns that couple inside one cell only (W), eliminated before factorising
   int n_prescribed = 0;
   std::optional<Interface> interface;  ///< its unknowns are the last of the prescribed ones
-  Sharing sharing;  ///< of the free unknowns with other processes; see part.h for what is then a sum over them
+  Sharing sharing;  ///< of the free unknowns with other processes; part.h says what is then a sum over processes
 
   bool is_divided() const { return sharing.processes != nullptr; }
   int size() const { return static_cast<int>(field.size()); }
   int n_free() const { return size() - n_prescribed; }
-  /// Of an interface: the first unknown of slip, and of opening.
+  /// With an interface: the first unknown of slip, and the first one of opening.
   int first_slip() const { return size() - 2 * interface->n_nodes(); }
   int first_opening() const { return size() - interface->n_nodes(); }
-  /// Index of the reading of that text; throws std::out_of_range where there is none.
+  /// Index of the reading with that name; throws std::out_of_range where there is none.
   int reading(const std::string& name) const;
 };
 

@@ -24,8 +24,8 @@ struct Section {
   std::optional<double> centroid;   ///< t, from the landward heel to the line of W' (m); none: B/2
   double friction = 0.6;            ///< mu
   bool dissipating_blocks = false;  ///< whether wave-dissipating blocks cover the wall
-  /// Factors of p_1, of the part of p_1 beside alpha_1, and of p_u; none: 1, or what `dissipating_blocks` makes of
-  /// them.
+  /// Factors of alpha_1 in p_1, of the other coefficient in p_1, and of p_u; none: 1, or the value for
+  /// `dissipating_blocks`.
   std::optional<double> lambda_1, lambda_2, lambda_3;
 };
 
@@ -40,20 +40,20 @@ constexpr double highest_over_significant = 1.8;  ///< H_max / H_1/3 outside the
 /// One design wave, or the highest of a sea state.
 struct DesignWave {
   double height = 0.;              ///< H_D (m)
-  double significant_height = 0.;  ///< H_1/3, tells where h_b is taken (m)
+  double significant_height = 0.;  ///< H_1/3 (m); h_b is the depth 5 H_1/3 seaward
   double period = 0.;              ///< T, the significant one (s)
   double angle = 0.;               ///< beta between wave and the wall's normal, already turned towards it (rad)
 };
 
-/// Everything that contradicts itself in a section: W' not below W, a centroid outside B. What is merely outside the
-/// formulas' validity is told by warnings().
+/// Every contradiction in a section: W' not below W, a centroid outside B. warnings() names what is only outside the
+/// range of the formulas.
 Diagnostics diagnose(const Section& section);
 
-/// The section when the still water stands `rise` higher (m; negative: lower): h, h', d and h_c follow, and W' loses or
-/// gains rho g B rise where the caisson's walls are under water.
+/// The section when the still water stands `rise` higher (m; negative: lower): h, h', d and h_c change with it, and W'
+/// falls by rho g B for each metre of the caisson's walls that comes under water.
 Section at_water_level(const Section& section, const Water& water, double rise);
 
-/// Which coefficient stands beside alpha_1 in p_1.
+/// The coefficient that is added to alpha_1 in p_1.
 enum class PressureFormula {
   goda,      ///< alpha_2, after Goda
   extended,  ///< alpha* = max(alpha_2, alpha_I), after Takahashi, Tanimoto and Shimosako (1994)
@@ -64,7 +64,7 @@ enum class PressureFormula {
 struct WavePressure {
   double alpha_1 = 0., alpha_2 = 0., alpha_3 = 0.;
   double alpha_I = 0.;     ///< as its formula says; may be negative
-  double alpha_star = 0.;  ///< max(alpha_2, alpha_I), never below 0; also the alpha* of k(alpha*), whatever the formula
+  double alpha_star = 0.;  ///< max(alpha_2, alpha_I), at least 0; with every formula also the alpha* of k(alpha*)
   double lambda_1 = 1., lambda_2 = 1., lambda_3 = 1.;
   double eta_star = 0.;       ///< height of the pressure above still water (m)
   double p1 = 0.;             ///< at still water
@@ -77,8 +77,9 @@ struct WavePressure {
   double uplift_moment = 0.;  ///< M_U, about the heel (N m/m)
 };
 
-/// Goda's formulas for all heights of one sea state: what does not depend on H is found once, so that a wave costs some
-/// hundred operations. Where h_b <= d alpha_2 would be negative and is 0; likewise alpha_3 where h' is far above h.
+/// Goda's formulas for all heights of one sea state: what does not depend on H is computed once, so that a wave costs
+/// some hundred operations. alpha_2 is 0 where it would be negative, which is where h_b <= d; likewise alpha_3, where
+/// h' is far above h.
 class Goda {
  public:
   /// `wave.height` is not used. Throws std::invalid_argument where a depth, the period or the significant height is
@@ -98,8 +99,8 @@ class Goda {
   double alpha_1_, alpha_3_, alpha_I1_;
 };
 
-/// alpha_I1, of the mound's shape alone: its largest value 1 is at B_M/L = 0.12 and (h - d)/h = 0.6; below 0 on low
-/// mounds (delta_22 < -0.3206), where no impulsive pressure is to be expected.
+/// alpha_I1, which depends on the shape of the mound alone. It is largest, 1, at B_M/L = 0.12 and (h - d)/h = 0.6, and
+/// below 0 on low mounds (delta_22 < -0.3206), where no impulsive pressure is expected.
 double alpha_I1(double berm_width_over_wavelength, double mound_height_over_depth);
 
 /// alpha_I0 = min(H/d, 2).
@@ -108,7 +109,7 @@ double alpha_I0(double height, double berm_depth);
 struct Stability {
   double safety_sliding = 0.;      ///< mu (W' - U) / P
   double safety_overturning = 0.;  ///< (W' t - M_U) / M_P
-  double heel_pressure = 0.;       ///< p_e, largest pressure under the landward edge (Pa); negative where it overturns
+  double heel_pressure = 0.;       ///< p_e, largest pressure under the heel (Pa); negative where the caisson overturns
   double sliding_force = 0.;       ///< F_Smax = P + mu U (N/m)
   double resistance = 0.;          ///< mu W' (N/m)
   double ratio = 0.;               ///< r = F_Smax / (mu W'); not 1/S.F. unless U = 0
@@ -116,7 +117,7 @@ struct Stability {
 
 Stability stability(const Section& section, const WavePressure& pressure);
 
-/// Submerged weight W' (N/m) that gives the safety factor against sliding that is asked for.
+/// Submerged weight W' (N/m) for which the safety factor against sliding is `safety_sliding`.
 double submerged_weight_for(double safety_sliding, double friction, const WavePressure& pressure);
 
 /// A named warning with its numbers.
@@ -125,18 +126,18 @@ struct Warning {
   std::string text;
 };
 
-/// All that hold for a wave on a section.
+/// All warnings for a wave on a section.
 std::vector<Warning> warnings(const Section& section, const Water& water, const DesignWave& wave,
                               const WavePressure& pressure);
 
-/// tau_0F = (1/2 - H/(8 h)) T (s), eq. (11), stated for 0 <= H/h <= 0.8; kept at its last value 0.4 T beyond
-/// (our extension; it keeps tau_0F continuous).
+/// tau_0F = (1/2 - H/(8 h)) T (s), eq. (11), stated for 0 <= H/h <= 0.8; beyond H/h = 0.8 it keeps its last value 0.4 T
+/// (our extension, which makes tau_0F continuous).
 double standing_duration(double height, double depth, double period);
 
 /// k(alpha*) of eqs. (8)-(9): tau_0 = k tau_0F. Committees calibrate a and b.
 struct DurationFactor {
   double a = 0.3, b = 2.;
-  /// k = 1 / (alpha*^a + 1)^b; alpha* is taken for 0 where it is negative.
+  /// k = 1 / (alpha*^a + 1)^b; a negative alpha* counts as 0.
   double operator()(double alpha_star) const;
 };
 

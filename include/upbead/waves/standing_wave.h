@@ -1,5 +1,5 @@
-// The standing wave of finite height before an upright wall: what a wave that does not break presses it with, in crest
-// and in trough.
+// The standing wave of finite height before an upright wall, and the pressures of its crest and trough on the wall; for
+// waves that do not break.
 #pragma once
 
 #include <memory>
@@ -9,10 +9,10 @@
 
 namespace upbead {
 
-/// A wave that an upright wall sends back whole, on a flat bed.
+/// A wave that an upright wall reflects completely, on a flat bed.
 struct StandingWaveGiven {
   double depth = 0.;   ///< h (m)
-  double height = 0.;  ///< H of the wave that comes in (m): at the wall the water rises and falls through 2H
+  double height = 0.;  ///< H of the incident wave (m): at the wall, crest and trough differ by 2H
   double period = 0.;  ///< T (s)
 };
 
@@ -24,18 +24,18 @@ struct StandingSeries;
 class StandingWave {
  public:
   /// Throws std::invalid_argument unless all numbers are positive; NumericsError where no such wave is found: it
-  /// breaks, or the water is so shallow that the series do not end.
+  /// breaks, or the water is so shallow that the series do not converge.
   StandingWave(const StandingWaveGiven& given, const Water& water);
 
   double wavelength() const;  ///< L (m), which depends on H
   int harmonics() const;      ///< largest, in space and in time
-  /// Largest of what is left in both conditions at the surface, at places between those where they were asked for: a
-  /// head of water over 2H, a velocity over 2H omega. At most 1e-3.
+  /// Largest residual of the two conditions at the surface, between the points where they are satisfied: a head of
+  /// water over 2H, a velocity over 2H omega. At most 1e-3.
   double residual() const;
   double period() const { return given_.period; }
   double surface(double time, double x = 0.) const;  ///< eta above still water (m), x (m) seaward of the wall
-  /// What the wave adds to the pressure of still water, at the height y above still water, x (m) seaward of the wall
-  /// (Pa). Where there is no water the pressure is zero: rho g y is left below still water, and 0 above.
+  /// Change from the pressure in still water (Pa), at the height y above still water, x (m) seaward of the wall. Where
+  /// there is no water the pressure is zero, and this change is rho g y below still water and 0 above.
   double pressure(double y, double time, double x = 0.) const;
 
  private:
@@ -44,30 +44,31 @@ class StandingWave {
   std::shared_ptr<const StandingSeries> series_;
 };
 
-/// What a standing wave presses a caisson with: on its front from the bottom to the crest, over which it spills, and as
-/// Goda's triangle under its bottom, with the pressure at the seaward edge. Suction there would help and is left out.
+/// Pressures of a standing wave on a caisson. They act on its front from the bottom to the crest, which higher water
+/// overtops, and on its bottom as Goda's triangle with the pressure at the toe. Suction under the bottom would help and
+/// is left out.
 struct WallPressure {
   double time = 0.;           ///< s
   double surface = 0.;        ///< eta at the wall (m)
   double force = 0.;          ///< P, landward (N/m)
   double force_moment = 0.;   ///< M_P about the bottom's level, of the sign of P (N m/m)
-  double edge_pressure = 0.;  ///< p_u, at the bottom's seaward edge (Pa); negative where it sucks
+  double edge_pressure = 0.;  ///< p_u, at the bottom's seaward edge (Pa); negative: suction
   double uplift = 0.;         ///< U = max(p_u, 0) B/2 (N/m)
 };
 WallPressure wall_pressure(const StandingWave& wave, const Section& section, double time);
 
-/// The worst of a period for either side.
+/// The largest and the least P of a period.
 struct StandingExtremes {
-  WallPressure landward;           ///< P largest; of two equal crests of P the first
+  WallPressure landward;           ///< P largest; of two equal maxima the first
   WallPressure seaward;            ///< P least
   double crest = 0., trough = 0.;  ///< of the surface at the wall, above still water (m)
 };
 StandingExtremes standing_extremes(const StandingWave& wave, const Section& section);
 
-/// Heights above still water, ascending, from the bottom to the crest or to the wave's own, where pressures at a time
-/// are told so that the force and the moment of what is linear between them are those of wall_pressure().
+/// Heights above still water, ascending, from the bottom to the crest of the caisson or of the wave. Pressures at these
+/// heights, linear between them, have the force and the moment of wall_pressure().
 std::vector<double> wall_heights(const StandingWave& wave, const Section& section);
-/// Those pressures (Pa).
+/// The pressures at wall_heights() (Pa).
 std::vector<double> wall_pressures(const StandingWave& wave, const std::vector<double>& heights, double time);
 
 }  // namespace upbead

@@ -15,11 +15,11 @@ double wavelength(double period, double depth, double gravity);
 /// L_0 = g T^2 / (2 pi) (m).
 double deep_water_wavelength(double period, double gravity);
 
-/// A sea state in deep water and the place that it runs to.
+/// A sea state in deep water, and the place to which it propagates.
 struct Approach {
   double deep_water_height = 0.;  ///< H_0', equivalent deep-water significant height (m)
   double period = 0.;             ///< T_1/3 (s)
-  double depth = 0.;              ///< h where the heights are asked for (m)
+  double depth = 0.;              ///< h at that place (m)
   double bed_slope = 0.;          ///< tan(theta)
 };
 
@@ -29,19 +29,19 @@ double shoaling(const Approach& approach, double gravity);
 struct DesignHeights {
   double significant = 0.;  ///< H_1/3 (m)
   double highest = 0.;      ///< H_max (m)
-  /// beta_0* H_0' + beta_1* h_b, the highest random breaker that the depth lets through (m): H_max where no other
-  /// branch of its formula is lower. Infinity from h/L_0 = 0.2 on, where the formulas know no breaking.
+  /// beta_0* H_0' + beta_1* h_b, the highest random breaker that the depth admits (m). It is H_max unless another
+  /// branch of the formula is lower. Infinity from h/L_0 = 0.2 on, where the formulas have no breaking.
   double breaker = std::numeric_limits<double>::infinity();
 };
 
-/// Both at the depth of `approach`, with the highest of random breakers h_b deep, 5 H_1/3 seaward.
+/// H_1/3 and H_max at the depth of `approach`; H_max of random breakers with the depth h_b, 5 H_1/3 seaward.
 DesignHeights design_heights(const Approach& approach, double gravity);
 
-/// The sea in deep water that makes a H_1/3 at a depth.
+/// The sea in deep water that becomes a given H_1/3 at a depth.
 struct SeaBefore {
   double deep_water_height = 0.;  ///< H_0' (m)
-  bool reaches = true;            ///< false: even the steepest sea, which this is, comes with a lower H_1/3
-  DesignHeights heights;          ///< of this sea at the depth
+  bool reaches = true;            ///< false: this is the steepest sea, and even it gives a lower H_1/3
+  DesignHeights heights;          ///< of this sea, at the depth
 };
 
 /// design_heights() inverted: its H_1/3 grows with H_0'. The steepest sea has H_max = 1.8 H_0' at Miche's (1944) limit

@@ -69,7 +69,7 @@ TEST_P(Section, MirroredPulsesMakeMirroredSlips) {
   const ContactMarch there(scene(7e6), *section, friction, 0.6, 0.15 / 32.),
       back(scene(-7e6), *section, friction, 0.6, 0.15 / 32.);
   record.at_most("S of a pulse and of its mirror image, " + name(), std::abs(there.S() + back.S()) / there.S(), 1e-6);
-  record.at_most("openings of both, " + name(),
+  record.at_most("openings of a pulse and of its mirror image, " + name(),
                  (there.opening - back.opening.colwise().reverse()).cwiseAbs().maxCoeff() / there.opening.maxCoeff(),
                  1e-6);
 }
@@ -95,7 +95,7 @@ TEST_P(Section, LargerWavesSlideFarther) {
     fall = std::max(fall, last - slip);
     last = std::max(last, slip);
   }
-  record.at_most("fall of the largest slip as the peak grows, over its largest, " + name(), fall / last, 0.);
+  record.at_most("decrease of the largest slip as the peak grows, over its largest, " + name(), fall / last, 0.);
 }
 
 INSTANTIATE_TEST_SUITE_P(Flow, Section, testing::Bool(),

@@ -121,7 +121,7 @@ TEST(NodeContactUplift, IsWhatTheNodesNoLongerPressWith) {
     const upbead::Run found = solved(
         with_uplift(drained_section(triangle(7e6, 0.15), 8.), of_peak(peak, UpliftCourse::held)), dry, 0.6, 0.15 / 32.);
     const std::string at = ", U over W' " + std::to_string(peak / submerged_weight()).substr(0, 5);
-    record.at_most("nodes against N' and M', drained" + at, unbalanced(found), 1e-12);
+    record.at_most("forces of the nodes against N' and M', drained" + at, unbalanced(found), 1e-12);
     record.at_most("energy that is not accounted for, drained" + at, found.summary.energy->mismatch(), 1e-12);
     EXPECT_GT(found.summary.contact->solved->slip, last);
     last = found.summary.contact->solved->slip;
@@ -130,7 +130,7 @@ TEST(NodeContactUplift, IsWhatTheNodesNoLongerPressWith) {
     UpliftChoice uplift = of_peak(U, UpliftCourse::in_phase, 0.03);
     uplift.distribution = spread;
     const upbead::Run found = solved(with_uplift(wet_section(triangle(7e6, 0.15), 8.), uplift), wet, 0.6, 0.15 / 32.);
-    record.at_most(std::string("nodes against N' and M', with pore water and sea, spread ") +
+    record.at_most(std::string("forces of the nodes against N' and M', with pore water and sea, spread ") +
                        (spread == UpliftDistribution::triangle ? "as a triangle" : "evenly"),
                    unbalanced(found), 1e-12);
   }

@@ -67,7 +67,7 @@ TEST(TimeReversal, ReturnsToTheStart) {
   EXPECT_GT(moved, 0.1);
   Record("identities")
       .at_most(
-          "undamped, generalised_alpha with rho_inf = 1: 1 s forth and back, distance from the start over its size",
+          "undamped, generalised_alpha with rho_inf = 1: 1 s forward and back, distance from the start over its size",
           (state.x - start.x).norm() / start.x.norm(), tolerance);
 }
 

@@ -144,7 +144,7 @@ TEST(ReducedMarch, EveryLoadAlone) {
   for (std::size_t k = 0; k < system.loads.size(); ++k)
     write_down(record, "three loads, " + system.loads[k].name + " alone",
                error_against(reduction.model, alone(system, k), scene.time.end, duration / 64.), asked_for);
-  record.measured("three loads: vectors a load", reduction.n_vectors / 3.);
+  record.measured("three loads: vectors per load", reduction.n_vectors / 3.);
 }
 
 }  // namespace

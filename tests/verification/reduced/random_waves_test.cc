@@ -49,7 +49,7 @@ TEST(ReducedWaves, OfThePrototype) {
     std::sort(list.begin(), list.end());
     record.at_most(kind + ": F_T over time, of its peak, largest of " + std::to_string(list.size()), list.back(),
                    0.005);
-    record.measured(kind + ": the same, median", list[list.size() / 2]);
+    record.measured(kind + ": F_T over time, of its peak, median", list[list.size() / 2]);
   }
 }
 

@@ -53,7 +53,8 @@ void compare(Record& record, const std::string& what, const Scene& scene, const 
   if (step == 0.) step = shortest_duration(scene) / 64.;
   write_down(record, what, error_against(reduction.model, compiled.scene.system, scene.time.end, step), limits);
   record.measured(what + ": error that the model states", reduction.error.history);
-  record.measured(what + ": vectors a load", reduction.n_vectors / static_cast<double>(reduction.n_independent_loads));
+  record.measured(what + ": vectors per load",
+                  reduction.n_vectors / static_cast<double>(reduction.n_independent_loads));
 }
 
 Case prototype(const std::vector<std::string>& overrides) {

@@ -26,10 +26,10 @@ std::string decided(const Solved& solved, const std::string& region, const std::
 }
 
 void compare(Record& record, const std::string& what, const Solved& without, const Solved& with) {
-  record.at_most(what + ": peak F_T moves by, relative",
+  record.at_most(what + ": change of peak F_T, relative",
                  std::abs(without.shear.peak_shear / with.shear.peak_shear - 1.), 1e-3);
-  record.measured(what + ": unknowns without", without.unknowns);
-  record.measured(what + ": unknowns with", with.unknowns);
+  record.measured(what + ": unknowns without what is left out", without.unknowns);
+  record.measured(what + ": unknowns with it", with.unknowns);
 }
 
 }  // namespace upbead::test

@@ -119,8 +119,8 @@ TEST(StiffnessContrast, BlockBecomesRigid) {
   }
   Record record("stress_contrast");
   for (std::size_t i = 0; i < 3; ++i) compare_component(record, names[i], deviation[i]);
-  record.at_most("residual of the program's solver at E_block = 10^8 E_soil, coarse mesh, over |K| |x|", residual,
-                 1e-10);
+  record.at_most("residual of the program's solver at E_block = 10^8 E_soil, coarse mesh, over norm(K) norm(x)",
+                 residual, 1e-10);
 }
 
 // On a fine mesh round-off is amplified more: written down, as nothing but the residual is asked of it.
@@ -130,8 +130,8 @@ TEST(StiffnessContrast, RoundOffOnAFineMesh) {
   double worst = 0.;
   for (int i = 0; i < 3; ++i) worst = std::max(worst, std::abs(1. - solved.K(i, i) / limit(i, i)));
   Record record("stress_contrast");
-  record.at_most("residual of the program's solver at E_block = 10^8 E_soil, fine mesh, over |K| |x|", solved.residual,
-                 1e-10);
+  record.at_most("residual of the program's solver at E_block = 10^8 E_soil, fine mesh, over norm(K) norm(x)",
+                 solved.residual, 1e-10);
   record.measured("difference from the rigid limit at E_block = 10^8 E_soil, fine mesh, over K", worst);
 }
 

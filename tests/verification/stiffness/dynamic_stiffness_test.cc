@@ -32,15 +32,16 @@ TEST(DynamicStiffness, RingsReflectLittle) {
     const Stiffness K = computed_stiffness(soil, cells, a0);
     cells.calm *= 2.;
     cells.damping *= 0.75;
-    record.at_most(name_of(soil) + ", a0 = " + Json(a0).dump() + ": change of K with the rings moved and weakened",
-                   stiffness_error(computed_stiffness(soil, cells, a0), K), 1e-3);
+    record.at_most(
+        name_of(soil) + ", a0 = " + Json(a0).dump() + ": change of K with the absorbing rings moved and weakened",
+        stiffness_error(computed_stiffness(soil, cells, a0), K), 1e-3);
   }
   const ElasticSoil layer{0.3, 1.5};
   StiffnessCells cells = cells_for(layer, 2.);  // 2 % above the cut-off frequency of pressure waves
   const Stiffness K = computed_stiffness(layer, cells, 2.);
   cells.rings *= 0.75;
   cells.damping *= 1.5;
-  record.at_most(name_of(layer) + ", a0 = 2: change of K with rings shorter by a quarter",
+  record.at_most(name_of(layer) + ", a0 = 2: change of K with absorbing rings shorter by a quarter",
                  stiffness_error(computed_stiffness(layer, cells, 2.), K), 1e-3);
 }
 

@@ -52,7 +52,8 @@ TEST_P(Incompressible, IsTheLimit) {
   // The softest two fluids are far from the limit.
   const double rate =
       order({compressibility.begin() + 2, compressibility.end()}, {distance.begin() + 2, distance.end()});
-  record.at_most("order in 1/K_f of the distance from K_f = inf, " + model + ": off 1 by", std::abs(rate - 1.), 0.1);
+  record.at_most("order in 1/K_f of the distance from K_f = inf, " + model + ": difference from 1", std::abs(rate - 1.),
+                 0.1);
 }
 
 INSTANTIATE_TEST_SUITE_P(Models, Incompressible, ::testing::Values("full", "upB"));

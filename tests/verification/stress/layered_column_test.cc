@@ -97,7 +97,7 @@ TEST_P(Layered, PressureDoesNotOscillateInTheSand) {
     }
   ASSERT_GT(on_fine.size(), 30u);
   Record("stress_layers")
-      .at_most(GetParam() + ": p at the sand's nodes at 0.05 s, against half the size of cells, over its largest value",
+      .at_most(GetParam() + ": p at the sand's nodes at 0.05 s, against cells half as large, over its largest value",
                largest_error(on_coarse, on_fine), 1e-2);
 }
 

@@ -112,8 +112,9 @@ TEST(EveryKind, MatricesAreSymmetric) {
     const System& system = compiled.scene.system;
     for (const auto& [name, matrix] : {std::pair{"M", &system.M}, {"C", &system.C}, {"K", &system.K}}) {
       const std::string title = "degree " + std::to_string(degree) + ", " + name;
-      record.at_most(title + ": largest |a_ij - a_ji| over the largest entry", asymmetry(*matrix), 1e-13);
-      record.at_most(title + ": the same over the largest entries of rows i and j", scaled_asymmetry(*matrix), 1e-12);
+      record.at_most(title + ": largest abs(a_ij - a_ji) over the largest entry", asymmetry(*matrix), 1e-13);
+      record.at_most(title + ": largest abs(a_ij - a_ji) over sqrt(s_i s_j), s_i the largest entry of row i",
+                     scaled_asymmetry(*matrix), 1e-12);
     }
   }
 }
@@ -130,10 +131,10 @@ TEST_P(EveryKind, BothRoutesToShearForceAndTheEnergyBalance) {
   const EnergyAccount& energy = response.energy.back();
   const std::string title = std::string(scheme == SchemeKind::sdirk4 ? "SDIRK4, " : "generalised-alpha, ") +
                             (compressibility == Compressibility::compressible ? "" : "in") + "compressible water";
-  record.at_most(title + ": difference of both routes to F_T", shear.reaction_mismatch, 1e-8);
+  record.at_most(title + ": difference between the two routes to F_T", shear.reaction_mismatch, 1e-8);
   record.at_most(title + ": energy that is not accounted for", energy.mismatch(), 1e-8);
-  record.at_least(title + ": energy gone through absorbing sides, over the work", energy.radiated / energy.largest_work,
-                  1e-3);
+  record.at_least(title + ": energy that leaves through absorbing sides, over the work",
+                  energy.radiated / energy.largest_work, 1e-3);
   EXPECT_GT(shear.peak_shear, 0.1e6);
 }
 

@@ -67,9 +67,9 @@ void check_uniform_pressure(Record& record, const std::string& title, const Scen
       others.insert(i);
       dry += std::abs(force[i]);  // nothing where the bed is wet
     }
-  record.at_most(title + ": largest force on any unknown of the ground off the bed, over p h",
+  record.at_most(title + ": largest force on any unknown of the ground that is not on the bed, over p h",
                  largest_beside(force, others) / depth, 1e-12);
-  record.at_most(title + ": forces on the bed, which has them beyond the sea only, against p times its length there",
+  record.at_most(title + ": sum of forces on the bed against p times its length beyond the sea",
                  std::abs(dry / dry_bed - 1.), 1e-12);
 }
 
