@@ -7,7 +7,7 @@
 #include <Eigen/Dense>
 #include <cmath>
 
-namespace {
+namespace dense_test {
 
 using namespace upbead;
 
@@ -39,4 +39,4 @@ TEST(Dense, ASingularMatrixGivesNoNumbers) {
   EXPECT_TRUE(std::isnan(solve_dense(Eigen::MatrixXd::Zero(3, 3), Eigen::MatrixXd::Ones(3, 1))(0, 0)));
 }
 
-}  // namespace
+}  // namespace dense_test

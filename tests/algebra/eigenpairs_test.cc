@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace {
+namespace eigenpairs_test {
 
 using namespace upbead;
 using Complex = std::complex<double>;
@@ -60,4 +60,4 @@ TEST(Eigenpairs, ConjugatesStandSideBySide) {
   EXPECT_EQ(n_pairs, 2);
 }
 
-}  // namespace
+}  // namespace eigenpairs_test

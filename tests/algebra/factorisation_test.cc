@@ -14,7 +14,7 @@
 
 #include "upbead/base/error.h"
 
-namespace {
+namespace factorisation_test {
 
 using namespace upbead;
 
@@ -173,4 +173,4 @@ TEST(Factorisation, RefusesWhatItCannotSolve) {
   EXPECT_THROW(Factorisation{p.A}, NumericsError);
 }
 
-}  // namespace
+}  // namespace factorisation_test

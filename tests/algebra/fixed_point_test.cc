@@ -9,7 +9,7 @@
 #include "upbead/algebra/petsc_session.h"
 
 namespace upbead {
-namespace {
+namespace fixed_point_test {
 
 class FixedPointTest : public ::testing::Test {
  protected:
@@ -74,5 +74,5 @@ TEST_F(FixedPointTest, PassesOnWhatTheMapThrows) {
   EXPECT_THROW(solver.solve(q, 1e-12), std::runtime_error);
 }
 
-}  // namespace
+}  // namespace fixed_point_test
 }  // namespace upbead

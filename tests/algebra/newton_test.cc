@@ -11,7 +11,7 @@
 #include "upbead/algebra/petsc_session.h"
 
 namespace upbead {
-namespace {
+namespace newton_test {
 
 class NewtonTest : public ::testing::Test {
  protected:
@@ -122,5 +122,5 @@ TEST_F(NewtonTest, SingularAndNotFiniteAreNoConvergenceAndThrowsComeThrough) {
   EXPECT_THROW(broken.solve(x, 1e-12), std::runtime_error);
 }
 
-}  // namespace
+}  // namespace newton_test
 }  // namespace upbead

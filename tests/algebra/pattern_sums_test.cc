@@ -6,7 +6,7 @@
 #include <random>
 
 namespace upbead::detail {
-namespace {
+namespace pattern_sums_test {
 
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
@@ -65,5 +65,5 @@ TEST(PatternSums, KeepWhatCancelsAndNoZeros) {
   EXPECT_EQ(A.coeff(2, 2), -5.);
 }
 
-}  // namespace
+}  // namespace pattern_sums_test
 }  // namespace upbead::detail

@@ -9,7 +9,7 @@
 #include "quasi_definite.h"
 
 namespace upbead {
-namespace {
+namespace sharing_test {
 
 using Eigen::MatrixXd;
 
@@ -86,5 +86,5 @@ TEST(Sharing, RefusesBlocksWithSharedUnknowns) {
   });
 }
 
-}  // namespace
+}  // namespace sharing_test
 }  // namespace upbead

@@ -12,7 +12,7 @@
 
 #include "quasi_definite.h"
 
-namespace {
+namespace signed_cholesky_test {
 
 using namespace upbead;
 using Eigen::MatrixXd;
@@ -95,4 +95,4 @@ TEST(SignedCholesky, ReportsANumberThatIsNotFinite) {
   }
 }
 
-}  // namespace
+}  // namespace signed_cholesky_test

@@ -11,7 +11,7 @@
 #include "quasi_definite.h"
 #include "upbead/base/error.h"
 
-namespace {
+namespace supernodal_test {
 
 using namespace upbead;
 using Eigen::MatrixXd;
@@ -101,4 +101,4 @@ TEST(SupernodalFactorisation, ReadsTheLowerTriangle) {
   EXPECT_EQ(Factorisation(one_sided).solve(b), Factorisation(A).solve(b));
 }
 
-}  // namespace
+}  // namespace supernodal_test

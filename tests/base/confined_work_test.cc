@@ -25,7 +25,7 @@
 #include "upbead/base/error.h"
 
 namespace upbead {
-namespace {
+namespace confined_work_test {
 
 namespace fs = std::filesystem;
 using testing::ElementsAre;
@@ -279,5 +279,5 @@ TEST(Parcel, IsNotBelievedWhereItIsTooShort) {
   }
 }
 
-}  // namespace
+}  // namespace confined_work_test
 }  // namespace upbead

@@ -10,7 +10,7 @@
 #include <vector>
 
 namespace upbead {
-namespace {
+namespace crew_test {
 
 TEST(Crew, DoesEveryPieceOnce) {
   for (const int threads : {1, 2, 5}) {
@@ -43,5 +43,5 @@ TEST(Crew, IsAsLargeAsIsAllowed) {
   EXPECT_EQ(Crew().size(), 1);
 }
 
-}  // namespace
+}  // namespace crew_test
 }  // namespace upbead

@@ -9,6 +9,7 @@
 #include <fstream>
 
 namespace upbead {
+namespace csv_test {
 
 class Csv : public testing::Test {
  protected:
@@ -175,4 +176,5 @@ TEST_F(Csv, TellsAMissingFileWhereItWasNamed) {
     }
 }
 
+}  // namespace csv_test
 }  // namespace upbead

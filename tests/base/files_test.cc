@@ -16,6 +16,7 @@
 namespace fs = std::filesystem;
 
 namespace upbead {
+namespace files_test {
 
 class OutputFolderTest : public testing::Test {
  protected:
@@ -204,4 +205,5 @@ TEST_F(OutputFolderTest, KnowsMissingRightsAtOnce) {
   EXPECT_THROW(OutputFolder((root_ / "locked").string()), InputError);
 }
 
+}  // namespace files_test
 }  // namespace upbead

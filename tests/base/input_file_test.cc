@@ -13,6 +13,7 @@
 #include <fstream>
 
 namespace upbead {
+namespace input_file_test {
 
 namespace fs = std::filesystem;
 
@@ -79,4 +80,5 @@ TEST_F(InputFiles, APackedFileThatIsAllAlikeEndsEarly) {
   EXPECT_EQ(read_text(path("small.gz"), 1'000'000'000, {}).size(), 60'000'000U);
 }
 
+}  // namespace input_file_test
 }  // namespace upbead

@@ -8,6 +8,7 @@
 #include <fstream>
 
 namespace upbead {
+namespace inputs_kept_test {
 
 namespace fs = std::filesystem;
 
@@ -64,4 +65,5 @@ TEST_F(InputsKept, Patterns) {
   EXPECT_EQ(refusal("out", "fields/other_*.vtu", "case.toml"), "");
 }
 
+}  // namespace inputs_kept_test
 }  // namespace upbead

@@ -6,6 +6,7 @@
 #include <vector>
 
 namespace upbead {
+namespace progress_test {
 
 TEST(ProgressLine, TellsPercentAndTimeLeft) {
   EXPECT_EQ(progress_line("marching", 0., 0.), "marching: 0 %");
@@ -43,4 +44,5 @@ TEST(Progress, PartsOfTheWholeFollowEachOther) {
   EXPECT_FALSE(part_of({}, 0., 1.));
 }
 
+}  // namespace progress_test
 }  // namespace upbead

@@ -7,6 +7,7 @@
 #include "upbead/base/error.h"
 
 namespace upbead {
+namespace quoted_test {
 
 TEST(Quoted, ShortTextIsWhole) {
   EXPECT_EQ(in_quotes("porosity"), "'porosity'");
@@ -57,4 +58,5 @@ TEST(Quoted, SuggestionsLookAtWordsNotAtBooks) {
   EXPECT_LE(suggestion("colour", std::vector<std::string>(100'000, std::string(1000, 'k')), "keys").size(), 3000U);
 }
 
+}  // namespace quoted_test
 }  // namespace upbead

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace upbead {
+namespace suggest_test {
 
 const std::vector<std::string> keys{"porosity", "poissons_ratio", "shear_modulus", "end"};
 
@@ -31,4 +32,5 @@ TEST(Suggestion, NamesTheNearestOrAll) {
   EXPECT_EQ(suggestion("colour", {}, "boundaries"), "there are no boundaries");
 }
 
+}  // namespace suggest_test
 }  // namespace upbead

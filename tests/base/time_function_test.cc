@@ -6,6 +6,7 @@
 #include <cmath>
 
 namespace upbead {
+namespace time_function_test {
 
 const TimeFunction ramp({0., 1.}, {[](double) { return 0.; }, [](double t) { return t; }, [](double) { return 5.; }});
 
@@ -108,4 +109,5 @@ TEST(IsRough, TellsANoisyRecordFromADrawnOrSmoothOne) {
   EXPECT_FALSE(is_rough(TimeFunction()));
 }
 
+}  // namespace time_function_test
 }  // namespace upbead

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace upbead {
+namespace units_test {
 
 TEST(Units, AreReadHoweverTheyAreWritten) {
   for (const char* text : {"kN/m2", "kN/m^2", "kN/m²", "kN / m2", "kPa"}) {
@@ -40,4 +41,5 @@ TEST(Units, AreListedByQuantity) {
   EXPECT_EQ(units_like("lux"), "");
 }
 
+}  // namespace units_test
 }  // namespace upbead

@@ -3,6 +3,7 @@
 #include "bad_case.h"
 
 namespace upbead::test {
+namespace bad_contact_test {
 
 class BadContact : public BadCaseTest {};
 
@@ -64,4 +65,5 @@ TEST_F(BadScheme, CoefficientIsThatOfTheSliding) {
   EXPECT_DOUBLE_EQ(problem.scene.sliding->friction, 0.7);
 }
 
+}  // namespace bad_contact_test
 }  // namespace upbead::test

@@ -6,6 +6,7 @@
 #include "upbead/case/case.h"
 
 namespace upbead::test {
+namespace bad_history_test {
 
 struct BadHistory {
   std::string name;
@@ -72,4 +73,5 @@ const std::vector<BadHistory> rows{
 
 INSTANTIATE_TEST_SUITE_P(, BadHistories, testing::ValuesIn(rows), [](const auto& test) { return test.param.name; });
 
+}  // namespace bad_history_test
 }  // namespace upbead::test

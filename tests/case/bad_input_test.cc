@@ -3,6 +3,7 @@
 #include "bad_case.h"
 
 namespace upbead::test {
+namespace bad_input_test {
 
 class BadInput : public BadCaseTest {};
 
@@ -145,4 +146,5 @@ const std::vector<BadCase> rows{
 
 INSTANTIATE_TEST_SUITE_P(, BadInput, testing::ValuesIn(rows), name_of);
 
+}  // namespace bad_input_test
 }  // namespace upbead::test

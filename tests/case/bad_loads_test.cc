@@ -2,6 +2,7 @@
 #include "bad_case.h"
 
 namespace upbead::test {
+namespace bad_loads_test {
 
 class BadLoads : public BadCaseTest {};
 
@@ -90,4 +91,5 @@ const std::vector<BadCase> rows{
 
 INSTANTIATE_TEST_SUITE_P(, BadLoads, testing::ValuesIn(rows), name_of);
 
+}  // namespace bad_loads_test
 }  // namespace upbead::test

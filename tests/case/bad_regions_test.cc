@@ -2,6 +2,7 @@
 #include "bad_case.h"
 
 namespace upbead::test {
+namespace bad_regions_test {
 
 class BadRegions : public BadCaseTest {};
 
@@ -70,4 +71,5 @@ const std::vector<BadCase> rows{
 
 INSTANTIATE_TEST_SUITE_P(, BadRegions, testing::ValuesIn(rows), name_of);
 
+}  // namespace bad_regions_test
 }  // namespace upbead::test

@@ -2,6 +2,7 @@
 #include "bad_case.h"
 
 namespace upbead::test {
+namespace bad_sliding_test {
 
 class BadSliding : public BadCaseTest {};
 
@@ -67,4 +68,5 @@ TEST_F(BadUplift, BelowZeroIsExplained) {
   }
 }
 
+}  // namespace bad_sliding_test
 }  // namespace upbead::test

@@ -2,6 +2,7 @@
 #include "bad_case.h"
 
 namespace upbead::test {
+namespace bad_soil_test {
 
 class BadSoil : public BadCaseTest {};
 
@@ -97,4 +98,5 @@ TEST_F(SoilEcho, KeepsLawsAndInitialState) {
   EXPECT_FALSE(again.scene.regions.at("rubble").shear_modulus);
 }
 
+}  // namespace bad_soil_test
 }  // namespace upbead::test

@@ -3,7 +3,7 @@
 
 namespace upbead::test {
 
-namespace {
+namespace bad_waves_test {
 
 const std::string pulse = R"(kind = "force"
 direction = [1.0, 0.5]
@@ -45,8 +45,6 @@ std::string with_section(const std::string& before, const std::string& after) {
   std::string section = section_table;
   return wave_load(good_wave, section.replace(section.find(before), before.size(), after));
 }
-
-}  // namespace
 
 class BadWaves : public BadCaseTest {};
 
@@ -124,4 +122,5 @@ const std::vector<BadCase> rows{
 
 INSTANTIATE_TEST_SUITE_P(, BadWaves, testing::ValuesIn(rows), name_of);
 
+}  // namespace bad_waves_test
 }  // namespace upbead::test

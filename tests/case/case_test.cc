@@ -7,7 +7,7 @@
 
 namespace upbead::test {
 
-namespace {
+namespace case_test {
 
 const std::string small_case = "[mesh]\ngeometry = \"column\"\n[regions.soil]\nkind = \"rigid\"\nmass = 1\n";
 
@@ -19,8 +19,6 @@ std::string refusal(const std::string& path, const std::vector<std::string>& ove
   }
   return "";
 }
-
-}  // namespace
 
 class CaseTest : public InFolder {
  protected:
@@ -180,4 +178,5 @@ TEST_F(CaseTest, NeedsALoadToRunOnly) {
   EXPECT_NO_THROW(require_loads(read(good_case)));
 }
 
+}  // namespace case_test
 }  // namespace upbead::test

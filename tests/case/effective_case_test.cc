@@ -5,6 +5,7 @@
 #include "upbead/mesh/mesh.h"
 
 namespace upbead::test {
+namespace effective_case_test {
 
 class EffectiveCase : public InFolder {};
 
@@ -141,4 +142,5 @@ TEST(CaseReference, TellsEveryKey) {
   EXPECT_NE(text.find("| `step` | a number (s) or \"auto\" | (0, inf) | `\"auto\"` |"), std::string::npos);
 }
 
+}  // namespace effective_case_test
 }  // namespace upbead::test

@@ -17,7 +17,7 @@
 
 namespace upbead::test {
 
-namespace {
+namespace flow_mutations_test {
 
 namespace fs = std::filesystem;
 
@@ -199,8 +199,6 @@ void expect_right(const Numbers& whole, const Numbers& read, double factor, cons
   }
 }
 
-}  // namespace
-
 TEST(FlowMutations, EachIsReadRightOrRefusedWithItsPlace) {
   fs::create_directories("mutated");
   Mutator mutator(25);
@@ -252,4 +250,5 @@ TEST(FlowMutations, EachIsReadRightOrRefusedWithItsPlace) {
   std::cout << read << " read right, " << refused << " refused\n";
 }
 
+}  // namespace flow_mutations_test
 }  // namespace upbead::test

@@ -12,7 +12,7 @@
 
 namespace upbead::test {
 
-namespace {
+namespace flow_test {
 
 const std::string samples = UPBEAD_FLOWS, bore = UPBEAD_BORE;
 
@@ -57,8 +57,6 @@ std::string refusal(const std::string& path, const FlowSource& source, const std
   }
   return "";
 }
-
-}  // namespace
 
 TEST(Flow, ForcesOfTheBoreAreThoseOfItsCheckNumbers) {
   const FlowRecord record = read_flow(bore + "/forces", "", {});
@@ -218,4 +216,5 @@ TEST(Flow, AnyAxesGiveTheSameLoad) {
   std::filesystem::remove_all("turned");
 }
 
+}  // namespace flow_test
 }  // namespace upbead::test

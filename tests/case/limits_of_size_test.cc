@@ -4,6 +4,7 @@
 #include "good_case.h"
 
 namespace upbead::test {
+namespace limits_of_size_test {
 
 class LimitsOfSize : public InFolder {
  protected:
@@ -49,4 +50,5 @@ TEST_F(LimitsOfSize, ConsolidationOfDaysPasses) {
             "");
 }
 
+}  // namespace limits_of_size_test
 }  // namespace upbead::test

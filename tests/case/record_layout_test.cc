@@ -7,7 +7,7 @@
 
 namespace upbead::test {
 
-namespace {
+namespace record_layout_test {
 
 struct Row {
   std::string header, rows;
@@ -26,8 +26,6 @@ std::string refusal(const std::string& text) {
   }
   return "";
 }
-
-}  // namespace
 
 class RecordLayouts : public InFolder {};
 
@@ -122,4 +120,5 @@ TEST(HeaderWords, SayWhatAColumnIs) {
   EXPECT_EQ(header_says(std::string(1'000'000, 't'), ""), HeaderSays::nothing);
 }
 
+}  // namespace record_layout_test
 }  // namespace upbead::test

@@ -8,6 +8,7 @@
 #include "upbead/algebra/petsc_session.h"
 
 namespace upbead::test {
+namespace scale_response_test {
 
 const std::string small_case =
     section_case({{"cells = 0.5, seabed_front = 60, seabed_back = 60", "cells = 0.4, grading = 4"},
@@ -70,4 +71,5 @@ TEST_P(ScaledResponse, DiffersWithTheSameSoil) {
 
 INSTANTIATE_TEST_SUITE_P(, ScaledResponse, testing::Values("generalised_alpha", "sdirk4", "reduced"));
 
+}  // namespace scale_response_test
 }  // namespace upbead::test

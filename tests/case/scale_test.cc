@@ -9,6 +9,7 @@
 #include "good_case.h"
 
 namespace upbead::test {
+namespace scale_test {
 
 const std::string geometry =
     "DefineConstant[\n"
@@ -224,4 +225,5 @@ TEST_F(Scale, TellsWhatIsMissingInAGeometry) {
             "case.toml:9:1: a finished mesh (.msh) cannot be scaled; name the .geo that made it");
 }
 
+}  // namespace scale_test
 }  // namespace upbead::test

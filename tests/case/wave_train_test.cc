@@ -14,7 +14,7 @@
 #include "upbead/waves/wave_heights.h"
 
 namespace upbead::test {
-namespace {
+namespace wave_train_test {
 
 double pressure(const Scene& scene, double x, double t) {
   double p = 0.;
@@ -117,5 +117,5 @@ TEST_F(WaveTrainCase, MistakesAreTold) {
             std::string::npos);
 }
 
-}  // namespace
+}  // namespace wave_train_test
 }  // namespace upbead::test

@@ -9,7 +9,7 @@
 
 namespace upbead::test {
 
-namespace {
+namespace bad_calibration_test {
 
 const std::string good_design = R"([section]
 water_depth = 15.0
@@ -131,8 +131,6 @@ const std::vector<BadCalibration> rows{
      "is taken\ndesign.toml:18:1: steepness: expected a pair of numbers, found a list of 1; give the least and "
      "largest steepness H/L"}};
 
-}  // namespace
-
 TEST_F(CalibrationTest, AGoodDesignIsReadWithoutAMessage) {
   write("design.toml", good_design);
   EXPECT_NO_THROW(read_design("design.toml", {}, {check_calibration}));
@@ -154,4 +152,5 @@ TEST_P(BadCalibrationTest, IsExplained) {
 INSTANTIATE_TEST_SUITE_P(Rows, BadCalibrationTest, testing::ValuesIn(rows),
                          [](const testing::TestParamInfo<BadCalibration>& row) { return row.param.name; });
 
+}  // namespace bad_calibration_test
 }  // namespace upbead::test

@@ -7,7 +7,7 @@
 #include "upbead/base/error.h"
 
 namespace upbead::test {
-namespace {
+namespace bad_design_test {
 
 const std::string good_design = R"(title = "breakwater"
 gravity = 9.8
@@ -239,5 +239,5 @@ TEST_F(Design, ReferenceNamesEveryKeyOfTheGoodDesign) {
     EXPECT_NE(text.find("| `" + std::string(key) + "` |"), std::string::npos) << key;
 }
 
-}  // namespace
+}  // namespace bad_design_test
 }  // namespace upbead::test

@@ -10,7 +10,7 @@
 
 namespace upbead::test {
 
-namespace {
+namespace bad_expected_test {
 
 const std::string good_design = R"(title = "expected"
 
@@ -224,8 +224,6 @@ const std::vector<BadExpected> rows{
      "design.toml:21:1: years = 0 is outside [0.001, 1e5]; give the life of the structure (years)\ndesign.toml:22:1: "
      "simulated_lives: expected a whole number, found the number 1.5; give the number of lives to simulate"}};
 
-}  // namespace
-
 TEST_F(ExpectedTest, AGoodDesignIsReadWithoutAMessage) {
   write("design.toml", good_design);
   EXPECT_NO_THROW(read_design("design.toml", {}, {check_expected}));
@@ -246,4 +244,5 @@ TEST_P(BadExpectedTest, IsExplained) {
 INSTANTIATE_TEST_SUITE_P(Rows, BadExpectedTest, testing::ValuesIn(rows),
                          [](const testing::TestParamInfo<BadExpected>& row) { return row.param.name; });
 
+}  // namespace bad_expected_test
 }  // namespace upbead::test

@@ -11,7 +11,7 @@
 
 namespace upbead::test {
 
-namespace {
+namespace calibrate_test {
 
 const std::string design_text = R"([section]
 water_depth = 15.0
@@ -81,8 +81,6 @@ const CalibrationFit& fit_of(const CalibratedModel& model, DurationMeasure measu
   return *std::find_if(model.fits.begin(), model.fits.end(),
                        [&](const CalibrationFit& fit) { return fit.measure == measure && fit.ratio == ratio; });
 }
-
-}  // namespace
 
 TEST_F(CalibrateTest, FindsTheDurationOfATriangleOnAStiffGround) {
   write_models(stiff());
@@ -184,4 +182,5 @@ TEST_F(CalibrateTest, AWaveThatNothingPushesLandwardHasNoDuration) {
   for (const CalibrationFit& fit : found.models[0].fits) EXPECT_FALSE(fit.fit);
 }
 
+}  // namespace calibrate_test
 }  // namespace upbead::test

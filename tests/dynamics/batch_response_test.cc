@@ -14,7 +14,7 @@
 #include "modal_models.h"
 #include "upbead/dynamics/modal_response.h"
 
-namespace {
+namespace batch_response_test {
 
 using namespace upbead;
 using namespace upbead::test;
@@ -181,4 +181,4 @@ TEST(BandCheck, BeyondZeroIsTheWholeResponse) {
   EXPECT_NEAR(BandCheck(model, 0, 0.01, 900, 1e-6).beyond(wave), peak, 1e-9 * peak);
 }
 
-}  // namespace
+}  // namespace batch_response_test

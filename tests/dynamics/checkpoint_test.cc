@@ -7,7 +7,7 @@
 #include "sample_system.h"
 #include "upbead/base/error.h"
 
-namespace {
+namespace checkpoint_test {
 
 using namespace upbead;
 using namespace upbead::test;
@@ -107,4 +107,4 @@ TEST_P(Checkpoint, OfAnotherSystemIsRefused) {
   refused([](MarchCheckpoint& other) { other.memory.end_load.clear(); });
 }
 
-}  // namespace
+}  // namespace checkpoint_test

@@ -8,7 +8,7 @@
 
 #include <random>
 
-namespace {
+namespace contact_problem_test {
 
 using namespace upbead;
 using namespace upbead::detail;
@@ -193,4 +193,4 @@ TEST(ContactProblem, SaysWhetherStickingObeysTheLaw) {
   EXPECT_TRUE(holds(0., 0.));
 }
 
-}  // namespace
+}  // namespace contact_problem_test

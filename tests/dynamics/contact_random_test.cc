@@ -8,7 +8,7 @@
 
 #include "contact_systems.h"
 
-namespace {
+namespace contact_random_test {
 
 using namespace upbead;
 using namespace upbead::test;
@@ -96,4 +96,4 @@ TEST(FrictionalContact, ObeysTheLawInAThousandRandomCases) {
   EXPECT_LE(fallbacks, 5) << "the active set finds nearly all by itself; measured: 0";
 }
 
-}  // namespace
+}  // namespace contact_random_test

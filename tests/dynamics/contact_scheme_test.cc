@@ -13,7 +13,7 @@
 #include "system/interface.h"
 #include "upbead/base/error.h"
 
-namespace {
+namespace contact_scheme_test {
 
 using namespace upbead;
 using namespace upbead::test;
@@ -314,4 +314,4 @@ TEST(FrictionalContact, RefusesASystemWithoutInterface) {
   EXPECT_THROW(make_contact_scheme(oscillator(1., 0., 1., {})), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace contact_scheme_test

@@ -7,7 +7,7 @@
 
 #include "../../src/dynamics/dirk.h"
 
-namespace {
+namespace contact_tableau_test {
 
 using namespace upbead;
 using Complex = std::complex<double>;
@@ -38,4 +38,4 @@ TEST(FrictionTableau, IsLStable) {
   }
 }
 
-}  // namespace
+}  // namespace contact_tableau_test

@@ -11,7 +11,7 @@
 #include "sample_system.h"
 
 namespace upbead::test {
-namespace {
+namespace dense_output_test {
 
 constexpr double end = 4.;
 
@@ -151,5 +151,5 @@ TEST(DenseOutput, StraightLinesAndTimesThatAreThere) {
   EXPECT_EQ(at_times(series, {0.5, 1. + 1e-12, 3.}, 1e-9).reading, (Eigen::MatrixXd(1, 2) << 2., 6.5).finished());
 }
 
-}  // namespace
+}  // namespace dense_output_test
 }  // namespace upbead::test

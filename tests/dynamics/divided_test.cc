@@ -8,7 +8,7 @@
 #include "system/part.h"
 #include "upbead/base/error.h"
 
-namespace {
+namespace divided_test {
 
 using namespace upbead;
 using namespace upbead::test;
@@ -149,4 +149,4 @@ TEST(Division, DoesNotStopEarly) {
   });
 }
 
-}  // namespace
+}  // namespace divided_test

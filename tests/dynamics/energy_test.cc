@@ -10,7 +10,7 @@
 
 #include "sample_system.h"
 
-namespace {
+namespace energy_test {
 
 using namespace upbead;
 using namespace upbead::test;
@@ -93,4 +93,4 @@ TEST(Energy, AccountChangesNothingAndMayBeSwitchedOff) {
   }
 }
 
-}  // namespace
+}  // namespace energy_test

@@ -11,7 +11,7 @@
 #include "upbead/algebra/petsc_session.h"
 
 namespace upbead::test {
-namespace {
+namespace frequency_response_test {
 
 using Complex = std::complex<double>;
 
@@ -75,5 +75,5 @@ TEST(FrequencyResponse, OfAFullSpaceIsThatOfTheSystem) {
   EXPECT_LE((X - exact).norm(), 1e-12 * exact.norm());
 }
 
-}  // namespace
+}  // namespace frequency_response_test
 }  // namespace upbead::test

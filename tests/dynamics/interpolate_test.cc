@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace {
+namespace interpolate_test {
 
 using namespace upbead;
 
@@ -33,4 +33,4 @@ TEST(QuinticHermite, ErrorFallsWithTheSixthPower) {
   EXPECT_NEAR(std::log2(error(0.4) / error(0.2)), 6., 0.2);
 }
 
-}  // namespace
+}  // namespace interpolate_test

@@ -10,7 +10,7 @@
 
 #include "sample_system.h"
 
-namespace {
+namespace kernel_test {
 
 using namespace upbead;
 using namespace upbead::test;
@@ -128,4 +128,4 @@ TEST(Kernel, ReachesToTheEnd) {
   EXPECT_LT((y.col(30) - kernel.left.col(0)).cwiseAbs().maxCoeff(), 1e-14 * peak);
 }
 
-}  // namespace
+}  // namespace kernel_test

@@ -13,7 +13,7 @@
 #include "reduction_tools.h"
 #include "upbead/base/error.h"
 
-namespace {
+namespace krylov_test {
 
 using namespace upbead;
 using namespace upbead::test;
@@ -118,4 +118,4 @@ TEST(Krylov, RefusesWhatItCannotReduce) {
   EXPECT_THROW(SecondOrderKrylov(oscillator(0., 0., 0., hat()), shift), NumericsError);
 }
 
-}  // namespace
+}  // namespace krylov_test

@@ -11,7 +11,7 @@
 #include "sample_system.h"
 #include "upbead/base/error.h"
 
-namespace {
+namespace march_test {
 
 using namespace upbead;
 using namespace upbead::test;
@@ -149,4 +149,4 @@ TEST(March, RefusesASystemThatIsNotWellPosed) {
   EXPECT_THROW(make_scheme(system, {SchemeKind::generalised_alpha, 1.5}), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace march_test

@@ -8,7 +8,7 @@
 #include "modal_models.h"
 #include "reduction_tools.h"
 
-namespace {
+namespace modal_model_test {
 
 using namespace upbead;
 using namespace upbead::test;
@@ -49,4 +49,4 @@ TEST(ModalModel, FindsReadingsByName) {
   EXPECT_THROW(model.index("c"), std::out_of_range);
 }
 
-}  // namespace
+}  // namespace modal_model_test

@@ -13,7 +13,7 @@
 
 #include "modal_models.h"
 
-namespace {
+namespace modal_response_test {
 
 using namespace upbead;
 using namespace upbead::test;
@@ -221,4 +221,4 @@ TEST(ModalResponse, RefusesWhatDoesNotFit) {
   EXPECT_THROW(respond(single_mode(0.), short_of_time), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace modal_response_test

@@ -9,7 +9,7 @@
 
 #include "sample_system.h"
 
-namespace {
+namespace order_test {
 
 using namespace upbead;
 using namespace upbead::test;
@@ -106,4 +106,4 @@ TEST(Balance, HoldsWhereTheSchemeSaysSo) {
   }
 }
 
-}  // namespace
+}  // namespace order_test

@@ -8,7 +8,7 @@
 
 #include "sample_system.h"
 
-namespace {
+namespace prescribed_test {
 
 using namespace upbead;
 using namespace upbead::test;
@@ -101,4 +101,4 @@ TEST_P(Prescribed, MayJump) {
 INSTANTIATE_TEST_SUITE_P(Unknown, Prescribed, testing::Bool(),
                          [](const auto& test) { return test.param ? "pressure" : "displacement"; });
 
-}  // namespace
+}  // namespace prescribed_test

@@ -11,7 +11,7 @@
 
 #include "reduction_tools.h"
 
-namespace {
+namespace projection_test {
 
 using namespace upbead;
 using namespace upbead::test;
@@ -102,4 +102,4 @@ TEST(Projection, RefusesStiffnessBetweenPhiAndDisplacements) {
   EXPECT_THROW(Projection(system, krylov), std::logic_error);
 }
 
-}  // namespace
+}  // namespace projection_test

@@ -14,7 +14,7 @@
 #include "reduction_tools.h"
 #include "spring_chain.h"
 
-namespace {
+namespace reduce_test {
 
 using namespace upbead;
 using namespace upbead::test;
@@ -220,4 +220,4 @@ TEST(AgreedFrequency, IsTheLargestOrNone) {
   EXPECT_EQ(agreed_frequency(other, model, {0}, 1e-9, 0.05, 77.), 0.);
 }
 
-}  // namespace
+}  // namespace reduce_test

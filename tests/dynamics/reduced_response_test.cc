@@ -8,7 +8,7 @@
 
 #include "reduction_tools.h"
 
-namespace {
+namespace reduced_response_test {
 
 using namespace upbead;
 using namespace upbead::test;
@@ -80,4 +80,4 @@ TEST(ReducedResponse, OfAMassOnADashpot) {
   }
 }
 
-}  // namespace
+}  // namespace reduced_response_test

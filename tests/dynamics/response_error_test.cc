@@ -13,7 +13,7 @@
 #include "spring_chain.h"
 
 namespace upbead::test {
-namespace {
+namespace response_error_test {
 
 constexpr double step = 0.5;
 
@@ -103,5 +103,5 @@ TEST(ResponseError, BoundsTheErrorOfShorterPulsesAndLongerRecords) {
   EXPECT_GE(improved, 9) << "of 12";
 }
 
-}  // namespace
+}  // namespace response_error_test
 }  // namespace upbead::test

@@ -7,7 +7,7 @@
 
 #include "../../src/dynamics/dirk.h"
 
-namespace {
+namespace sdirk4_test {
 
 using namespace upbead;
 
@@ -49,4 +49,4 @@ TEST(Sdirk4, EverythingOnTheDiagonalIsOneQuarter) {
   EXPECT_TRUE(a.isLowerTriangular());
 }
 
-}  // namespace
+}  // namespace sdirk4_test

@@ -15,7 +15,7 @@
 #include "reduction_tools.h"
 #include "upbead/base/error.h"
 
-namespace {
+namespace slip_model_test {
 
 using namespace upbead;
 using namespace upbead::test;
@@ -178,4 +178,4 @@ TEST(SlipModel, RefusesASlipThatFeelsWhatIsPrescribed) {
   EXPECT_THROW(slip_model(whole(system, shift), {friction, {}, {}}), NumericsError);
 }
 
-}  // namespace
+}  // namespace slip_model_test

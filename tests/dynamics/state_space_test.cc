@@ -13,7 +13,7 @@
 #include "reduction_tools.h"
 #include "upbead/base/error.h"
 
-namespace {
+namespace state_space_test {
 
 using namespace upbead;
 using namespace upbead::test;
@@ -139,4 +139,4 @@ TEST(StateSpace, MassesThatNothingHoldsAreFollowed) {
   EXPECT_LT(followed(pair), 1e-6);
 }
 
-}  // namespace
+}  // namespace state_space_test

@@ -8,7 +8,7 @@
 
 #include "sample_system.h"
 
-namespace {
+namespace symmetric_pair_test {
 
 using namespace upbead;
 
@@ -46,4 +46,4 @@ TEST(LowerTriangle, HasTheGramsOfTheWhole) {
                std::logic_error);
 }
 
-}  // namespace
+}  // namespace symmetric_pair_test

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace {
+namespace time_grid_test {
 
 using namespace upbead;
 
@@ -106,4 +106,4 @@ TEST(TimeGrid, RefusesNonsense) {
   EXPECT_THROW(make_time_grid({}, std::nan(""), 0.1), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace time_grid_test

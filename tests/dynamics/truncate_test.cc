@@ -11,7 +11,7 @@
 #include "modal_models.h"
 
 namespace upbead::test {
-namespace {
+namespace truncate_test {
 
 constexpr double step = 0.01;
 constexpr int n_samples = 600;
@@ -77,5 +77,5 @@ TEST(Truncated, KeepsPolesAtZero) {
   EXPECT_EQ(none.left_out, 0.);
 }
 
-}  // namespace
+}  // namespace truncate_test
 }  // namespace upbead::test

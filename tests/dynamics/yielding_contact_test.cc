@@ -13,7 +13,7 @@
 #include "system/interface.h"
 
 namespace upbead::test {
-namespace {
+namespace yielding_contact_test {
 
 /// The horizontal springs under the nodes of a block slide at a strength of their own.
 class YieldingGround : public InternalForce {
@@ -170,5 +170,5 @@ TEST(YieldingContact, EachKeepsItsLawAndTheEnergyCloses) {
   EXPECT_LT(std::abs(both.energy.scheme), 0.05 * both.energy.largest_work);
 }
 
-}  // namespace
+}  // namespace yielding_contact_test
 }  // namespace upbead::test

@@ -10,7 +10,7 @@
 #include "upbead/base/error.h"
 
 namespace upbead {
-namespace {
+namespace yielding_test {
 
 using test::smooth;
 using test::SpringChain;
@@ -173,5 +173,5 @@ TEST_F(Yielding, StepsThatDoNotConvergeAreHalvedThenTold) {
   EXPECT_THROW(marched(system_, *failing, 60), NumericsError);
 }
 
-}  // namespace
+}  // namespace yielding_test
 }  // namespace upbead

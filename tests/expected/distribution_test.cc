@@ -8,7 +8,7 @@
 
 namespace upbead::test {
 
-namespace {
+namespace distribution_test {
 
 Scatter scatter(ScatterKind kind, double mean, double deviation) {
   Scatter s;
@@ -35,8 +35,6 @@ std::string first_fault(const Scatter& s, double mean = 1.) {
   const std::vector<Diagnostic> list = diagnose(s, mean).list();
   return list.empty() ? "" : list.front().place.key + ": " + list.front().what;
 }
-
-}  // namespace
 
 TEST(Distribution, NormalAndLognormalHaveTheirMeanAndDeviation) {
   for (const ScatterKind kind : {ScatterKind::normal, ScatterKind::lognormal}) {
@@ -112,4 +110,5 @@ TEST(Distribution, ContradictionsAreTold) {
   EXPECT_THROW(Distribution(s, 1.), std::invalid_argument);
 }
 
+}  // namespace distribution_test
 }  // namespace upbead::test

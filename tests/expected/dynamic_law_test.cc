@@ -12,7 +12,7 @@
 
 namespace upbead::test {
 
-namespace {
+namespace dynamic_law_test {
 
 /// A mass on a spring and a dashpot under the load `impact` in MN/m: F_T = c x' + k x.
 ShearModel oscillator(double frequency, double ratio) {
@@ -41,8 +41,6 @@ DynamicLaw law(double frequency, double ratio, double step = 2e-3, const ImpactA
 double resistance() {
   return 0.6 * medium_caisson().section.submerged_weight;
 }
-
-}  // namespace
 
 TEST(DynamicLaw, AStiffCaissonPassesTheForceOn) {
   const DynamicLaw stiff = law(200., 0.7);
@@ -174,4 +172,5 @@ TEST(DynamicLaw, TheExpectationIsThatOfASumOverHeights) {
   }
 }
 
+}  // namespace dynamic_law_test
 }  // namespace upbead::test

@@ -10,7 +10,7 @@
 
 namespace upbead::test {
 
-namespace {
+namespace expectation_test {
 
 /// Of 600 waves cut at 12 m.
 Expectation of_storm(Law law, double significant_height) {
@@ -46,8 +46,6 @@ double wave_by_wave(const SlidingLaw& law, double significant_height, double lim
     sum += law.distance(std::min(significant_height * std::sqrt(-0.5 * std::log((i + 0.5) / n)), limit), {}) / n;
   return sum;
 }
-
-}  // namespace
 
 TEST(Expectation, OfWavesThatBreakIsThatOfASumOverWaves) {
   const auto exact = formula_law(Law::exact, medium_caisson(), storm(6.));
@@ -127,4 +125,5 @@ TEST(Expectation, GrowsWithTheNumberOfWaves) {
   EXPECT_NEAR(expected_distance(*law, RayleighHeights(6.), 600.).distance, 600. * one, 1e-12);
 }
 
+}  // namespace expectation_test
 }  // namespace upbead::test

@@ -9,7 +9,7 @@
 
 namespace upbead::test {
 
-namespace {
+namespace impact_test {
 
 constexpr double step = 1e-4;
 
@@ -37,8 +37,6 @@ double impulse(const std::vector<double>& P) {
 }
 
 const double half_wave = 1.2e6 * 12. / std::acos(-1.);
-
-}  // namespace
 
 TEST(ImpactWave, PeakRiseAndDurationAreTheDeclaredFormulas) {
   const ImpactWave w = wave(0.5);
@@ -98,4 +96,5 @@ TEST(ImpactWave, UpliftIsHeldInPhaseOrSinusoidal) {
   for (const double t : {0.1, 1., 4.}) EXPECT_NEAR(in_phase[at(t)], 4e5 * P[at(t)] / w.peak, 1e-6);
 }
 
+}  // namespace impact_test
 }  // namespace upbead::test

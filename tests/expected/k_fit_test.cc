@@ -10,7 +10,7 @@
 
 namespace upbead::test {
 
-namespace {
+namespace k_fit_test {
 
 using Points = std::vector<DurationPoint>;
 
@@ -28,8 +28,6 @@ Points with_noise(Points points, double deviation, std::mt19937& generator) {
   for (DurationPoint& point : points) point.k += noise(generator);
   return points;
 }
-
-}  // namespace
 
 TEST(DurationFit, FindsPlantedParameters) {
   for (const DurationFactor& planted : {DurationFactor{0.3, 2.}, {0.8, 0.5}, {1.7, 3.}, {0.1, 4.}, {3., 0.2}}) {
@@ -121,4 +119,5 @@ TEST(DurationFit, QualityTellsBiasAndSpread) {
   EXPECT_NEAR(found.r_squared, 1. - 0.02 / (2 * 0.275 * 0.275), 1e-12);
 }
 
+}  // namespace k_fit_test
 }  // namespace upbead::test

@@ -13,7 +13,7 @@
 
 namespace upbead::test {
 
-namespace {
+namespace life_test {
 
 LawMaker exact() {
   return [](const SeaState& sea) { return formula_law(Law::exact, medium_caisson(), sea); };
@@ -74,8 +74,6 @@ double kolmogorov(std::vector<double> a, std::vector<double> b) {
   }
   return most;
 }
-
-}  // namespace
 
 TEST(LifeSimulation, AgreesWithQuadratureInItsOwnInterval) {
   const double expected = quadrature();
@@ -273,4 +271,5 @@ TEST(LifeSimulation, SeaStatesCannotScatterFromWaveToWave) {
   EXPECT_THROW(LifeSimulation{s}, std::invalid_argument);
 }
 
+}  // namespace life_test
 }  // namespace upbead::test

@@ -11,11 +11,9 @@
 
 namespace upbead::test {
 
-namespace {
+namespace rayleigh_test {
 
 const RayleighHeights limited(6., RayleighHeights::no_cut, 11.7);
-
-}  // namespace
 
 TEST(RayleighHeights, ExceedanceIsThatOfLonguetHiggins) {
   const RayleighHeights heights(6.);
@@ -104,4 +102,5 @@ TEST(RayleighHeights, RefuseWhatIsNoSea) {
   EXPECT_THROW(RayleighHeights(6., 2., 0.), std::invalid_argument);
 }
 
+}  // namespace rayleigh_test
 }  // namespace upbead::test

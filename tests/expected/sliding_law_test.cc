@@ -11,13 +11,11 @@
 
 namespace upbead::test {
 
-namespace {
+namespace sliding_law_test {
 
 double distance(Law law, double height, const WaveFactors& factors = {}) {
   return formula_law(law, medium_caisson(), storm(12. / 1.8))->distance(height, factors);
 }
-
-}  // namespace
 
 TEST(FormulaLaw, IsTheFormulaOfASingleWave) {
   EXPECT_NEAR(distance(Law::paper, 12.), 0.07562, 5e-6);
@@ -99,4 +97,5 @@ TEST(FormulaLaw, TheWaterLevelChangesDepthsAndBuoyancy) {
   EXPECT_LT(raised.section.submerged_weight, medium_caisson().section.submerged_weight);
 }
 
+}  // namespace sliding_law_test
 }  // namespace upbead::test

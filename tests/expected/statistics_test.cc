@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 namespace upbead::test {
+namespace statistics_test {
 
 TEST(LifeStatistics, OfFiveLives) {
   const LifeStatistics s = statistics({0., 0.4, 0.2, 0., 1.4});
@@ -39,4 +40,5 @@ TEST(LifeStatistics, NeedTwoLives) {
   EXPECT_THROW(statistics({1.}), std::invalid_argument);
 }
 
+}  // namespace statistics_test
 }  // namespace upbead::test

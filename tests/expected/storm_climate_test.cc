@@ -13,7 +13,7 @@
 
 namespace upbead::test {
 
-namespace {
+namespace storm_climate_test {
 
 StormClimate climate() {
   StormClimate c;
@@ -55,8 +55,6 @@ LifeSetup lives_of(const StormClimate& c) {
                   }};
   return setup;
 }
-
-}  // namespace
 
 TEST(StormClimate, HeightsAreWeibullOrGumbel) {
   StormClimate c = climate();
@@ -128,4 +126,5 @@ TEST(StormClimate, LivesHaveTheExpectationOfNestedQuadrature) {
   }
 }
 
+}  // namespace storm_climate_test
 }  // namespace upbead::test

@@ -7,6 +7,7 @@
 #include <vector>
 
 namespace upbead::test {
+namespace stream_test {
 
 TEST(Stream, GivesTheKnownAnswersOfPhilox) {  // from the file kat_vectors of Random123
   using Words = std::array<std::uint32_t, 4>;
@@ -48,4 +49,5 @@ TEST(Stream, IsUniformBetweenZeroAndOne) {
   for (const int c : count) EXPECT_NEAR(c, n / parts, 5. * std::sqrt(n / parts));
 }
 
+}  // namespace stream_test
 }  // namespace upbead::test

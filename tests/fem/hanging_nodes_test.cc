@@ -11,7 +11,7 @@
 #include "scenes.h"
 
 namespace upbead::test {
-namespace {
+namespace hanging_nodes_test {
 
 /// Splits the cells within `distance` of the caisson's bottom corners, `levels` times.
 std::unique_ptr<Mesh> refined_breakwater(int levels, double distance, std::map<std::string, double> parameters = {}) {
@@ -104,5 +104,5 @@ TEST(HangingNodes, AColumnSettlesEvenly) {
         << probe;
 }
 
-}  // namespace
+}  // namespace hanging_nodes_test
 }  // namespace upbead::test

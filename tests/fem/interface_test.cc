@@ -12,7 +12,7 @@
 #include "system/interface.h"
 
 namespace upbead::test {
-namespace {
+namespace interface_test {
 
 constexpr double round_off = 1e-12;
 
@@ -171,5 +171,5 @@ TEST_P(Bottom, ForcesAtRestCarryTheWeightInWater) {
 
 INSTANTIATE_TEST_SUITE_P(Levels, Bottom, testing::Values(0, 2));
 
-}  // namespace
+}  // namespace interface_test
 }  // namespace upbead::test

@@ -7,7 +7,7 @@
 #include "scenes.h"
 
 namespace upbead::test {
-namespace {
+namespace loads_test {
 
 /// The front of the default caisson reaches from y = 6 to y = 22 m.
 LoadOnCaisson resultant(const Load& load) {
@@ -75,5 +75,5 @@ TEST(Loads, FaceAndPointLoadsOfEqualResultantAreTheSameRightHandSide) {
   EXPECT_LE((loads[0].vector - loads[1].vector).cwiseAbs().maxCoeff(), 1e-12);
 }
 
-}  // namespace
+}  // namespace loads_test
 }  // namespace upbead::test

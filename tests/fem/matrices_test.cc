@@ -9,7 +9,7 @@
 #include "scenes.h"
 
 namespace upbead::test {
-namespace {
+namespace matrices_test {
 
 constexpr double round_off = 1e-13;
 
@@ -55,5 +55,5 @@ TEST_P(Matrices, HaveTheSignsOfTheEnergyLaw) {
 
 INSTANTIATE_TEST_SUITE_P(Flows, Matrices, ::testing::Values(Flow::darcy, Flow::inertial, Flow::drained));
 
-}  // namespace
+}  // namespace matrices_test
 }  // namespace upbead::test

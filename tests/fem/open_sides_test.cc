@@ -8,7 +8,7 @@
 #include "scenes.h"
 
 namespace upbead::test {
-namespace {
+namespace open_sides_test {
 
 class OpenSides : public ::testing::TestWithParam<std::tuple<Flow, int>> {};
 
@@ -51,5 +51,5 @@ TEST(OpenSides, IncompressibleWaterIsWellPosed) {
     }
 }
 
-}  // namespace
+}  // namespace open_sides_test
 }  // namespace upbead::test

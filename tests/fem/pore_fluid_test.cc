@@ -8,7 +8,7 @@
 #include "upbead/fem/resolve.h"
 
 namespace upbead::test {
-namespace {
+namespace pore_fluid_test {
 
 TEST(PoreFluid, PermeabilityIsAConductivity) {
   const auto mesh = breakwater_mesh(0.5);
@@ -56,5 +56,5 @@ TEST(PoreFluid, AirMakesItSofterTheLessTheDeeper) {
   EXPECT_LT(stored(30.), stored(15.));
 }
 
-}  // namespace
+}  // namespace pore_fluid_test
 }  // namespace upbead::test

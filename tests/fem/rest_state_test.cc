@@ -12,7 +12,7 @@
 #include "scenes.h"
 
 namespace upbead::test {
-namespace {
+namespace rest_state_test {
 
 Scene failing_breakwater(double mound_angle, double cohesion) {
   Scene scene = breakwater(triangle(1., 0.1));
@@ -109,5 +109,5 @@ TEST(RestState, TellsWhatCannotStand) {
   EXPECT_EQ(rest.gives_way.rfind("region 'mound' at ", 0), 0u) << rest.gives_way;
 }
 
-}  // namespace
+}  // namespace rest_state_test
 }  // namespace upbead::test

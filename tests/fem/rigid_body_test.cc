@@ -6,7 +6,7 @@
 #include "scenes.h"
 
 namespace upbead::test {
-namespace {
+namespace rigid_body_test {
 
 Body caisson_of(const Scene& scene) {
   const auto mesh = breakwater_mesh(0.5);
@@ -35,5 +35,5 @@ TEST(RigidBody, TakesMassCentreAndInertiaFromTheScene) {
   EXPECT_EQ(body.moment_of_inertia, 3e7);
 }
 
-}  // namespace
+}  // namespace rigid_body_test
 }  // namespace upbead::test

@@ -10,7 +10,7 @@
 #include "scenes.h"
 
 namespace upbead::test {
-namespace {
+namespace scene_check_test {
 
 struct Misfit {
   const char* name;
@@ -114,5 +114,5 @@ TEST(SceneCheckOfAGoodScene, IsSilent) {
   EXPECT_TRUE(check_scene(breakwater(triangle(1., 0.1)), *mesh).empty());
 }
 
-}  // namespace
+}  // namespace scene_check_test
 }  // namespace upbead::test

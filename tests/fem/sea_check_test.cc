@@ -8,7 +8,7 @@
 #include "scenes.h"
 
 namespace upbead::test {
-namespace {
+namespace sea_check_test {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -138,5 +138,5 @@ TEST(AForceMeasuredOnTheWall, SwitchesOffTheSeaThereOnly) {
   EXPECT_EQ(row_of("water_force"), both / 2);
 }
 
-}  // namespace
+}  // namespace sea_check_test
 }  // namespace upbead::test

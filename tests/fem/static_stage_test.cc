@@ -15,7 +15,7 @@
 #include "upbead/base/error.h"
 
 namespace upbead::test {
-namespace {
+namespace static_stage_test {
 
 constexpr double pi = boost::math::constants::pi<double>();
 constexpr double nu = 0.33, unit_weight = 0.6 * (2650. - 1030.) * 9.81;
@@ -223,5 +223,5 @@ TEST(StaticStage, IsNotNeededWhereStiffnessIsGiven) {
   EXPECT_FALSE(needs_static_stage(breakwater(triangle(1., 0.1))));
 }
 
-}  // namespace
+}  // namespace static_stage_test
 }  // namespace upbead::test

@@ -8,7 +8,7 @@
 #include "scenes.h"
 
 namespace upbead::test {
-namespace {
+namespace statics_test {
 
 TEST(Statics, ColumnSettlesByTheOedometricModulus) {
   Region soil = sand();
@@ -41,5 +41,5 @@ TEST(Uplift, OfAUniformPressureIsThatTimesTheWidth) {
   EXPECT_NEAR(value("uplift_moment"), 0., 1e-9);
 }
 
-}  // namespace
+}  // namespace statics_test
 }  // namespace upbead::test

@@ -16,7 +16,7 @@
 #include "tensor_mesh.h"
 
 namespace upbead::test {
-namespace {
+namespace volume_loads_test {
 
 constexpr double height = 10., g = 9.81, rho_f = 1030.;
 
@@ -313,5 +313,5 @@ TEST(Gravity, IsRefusedBesideFreeWater) {
   for (const auto& found : wrong) EXPECT_NE(found.what.find("does not feel gravity"), std::string::npos) << found.what;
 }
 
-}  // namespace
+}  // namespace volume_loads_test
 }  // namespace upbead::test

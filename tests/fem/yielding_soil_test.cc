@@ -14,7 +14,7 @@
 #include "upbead/dynamics/march.h"
 
 namespace upbead::test {
-namespace {
+namespace yielding_soil_test {
 
 /// By active cell index; null of cells that stay elastic.
 using CellLaws = std::vector<std::shared_ptr<const HystereticLaw>>;
@@ -381,5 +381,5 @@ TEST(YieldingSoil, ColumnUnderAStrongWaveIsThatOfAProgramInOneDimension) {
   EXPECT_LT(error.back(), 0.1 * error.front());
 }
 
-}  // namespace
+}  // namespace yielding_soil_test
 }  // namespace upbead::test

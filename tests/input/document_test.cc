@@ -8,6 +8,7 @@
 #include <fstream>
 
 namespace upbead {
+namespace document_test {
 
 class DocumentTest : public testing::Test {
  protected:
@@ -106,4 +107,5 @@ TEST_F(DocumentTest, TellsWhereTomlBreaks) {
   EXPECT_EQ(refusal(""), "");
 }
 
+}  // namespace document_test
 }  // namespace upbead

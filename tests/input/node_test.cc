@@ -8,6 +8,7 @@
 #include "input/values.h"
 
 namespace upbead {
+namespace node_test {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -54,4 +55,5 @@ TEST(RangeTest, HoldsItsEndsWhereStated) {
   EXPECT_FALSE(between(2., 3.).contains(2.));
 }
 
+}  // namespace node_test
 }  // namespace upbead

@@ -5,7 +5,7 @@
 
 namespace upbead {
 
-namespace {
+namespace schema_test {
 
 enum class Colour { red, green };
 
@@ -72,8 +72,6 @@ std::string refusal(const NodeTable& entries) {
   }
   return "";
 }
-
-}  // namespace
 
 TEST(Schema, ReadsWhatItEchoes) {
   Thing thing;
@@ -237,4 +235,5 @@ The part.
   EXPECT_EQ(reference(thing_schema()).substr(0, expected.size()), expected);
 }
 
+}  // namespace schema_test
 }  // namespace upbead

@@ -14,7 +14,7 @@
 #include "material/compacting_point.h"
 
 namespace upbead {
-namespace {
+namespace densification_test {
 
 using testing::in_turned_axes;
 using testing::random_strain;
@@ -260,5 +260,5 @@ TEST(CompactingPoint, EnergyClosesAndNothingIsGivenBack) {
   EXPECT_GT(least, -1e-12) << "rounding, of some J/m3";
 }
 
-}  // namespace
+}  // namespace densification_test
 }  // namespace upbead

@@ -5,7 +5,7 @@
 #include <initializer_list>
 
 namespace upbead {
-namespace {
+namespace elastic_law_test {
 
 constexpr double E = 30e6, nu = 0.2;
 const ElasticLaw law = elastic_law(E / (2. * (1. + nu)), nu);
@@ -48,5 +48,5 @@ TEST(ElasticLaw, KeepsPoissonsRatioWithAnotherModulus) {
   EXPECT_NEAR(softer.lambda, direct.lambda, 1e-13 * direct.lambda);
 }
 
-}  // namespace
+}  // namespace elastic_law_test
 }  // namespace upbead

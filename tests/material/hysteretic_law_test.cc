@@ -9,7 +9,7 @@
 #include "upbead/base/error.h"
 
 namespace upbead {
-namespace {
+namespace hysteretic_law_test {
 
 using namespace testing;
 
@@ -185,5 +185,5 @@ TEST(HystereticLaw, RefusesWhatIsNoBackbone) {
   EXPECT_THROW(HystereticLaw(elastic, {{1e-4, 0.5e-4 * G}, {2e-4, 0.6e-4 * G}, {3e-4, 1.2e-4 * G}}), InputError);
 }
 
-}  // namespace
+}  // namespace hysteretic_law_test
 }  // namespace upbead

@@ -9,7 +9,7 @@
 #include "upbead/base/error.h"
 
 namespace upbead {
-namespace {
+namespace mohr_coulomb_law_test {
 
 using namespace testing;
 
@@ -175,5 +175,5 @@ TEST(MohrCoulombLaw, RefusesAllMistakesAtOnce) {
   }
 }
 
-}  // namespace
+}  // namespace mohr_coulomb_law_test
 }  // namespace upbead

@@ -14,7 +14,7 @@
 #include "law_paths.h"
 
 namespace upbead {
-namespace {
+namespace soil_pack_test {
 
 using testing::random_strain;
 
@@ -182,5 +182,5 @@ TEST(SoilPack, LeavesOtherSoilToItsPoints) {
   EXPECT_EQ(lost[0], 2.);
 }
 
-}  // namespace
+}  // namespace soil_pack_test
 }  // namespace upbead

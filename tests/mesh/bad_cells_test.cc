@@ -5,7 +5,7 @@
 #include "mesh_test_tools.h"
 
 namespace upbead::test {
-namespace {
+namespace bad_cells_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -92,5 +92,5 @@ TEST(BadCells, AllMistakesAtOnce) {
                                             HasSubstr("physical curve 3 has no name of its own")));
 }
 
-}  // namespace
+}  // namespace bad_cells_test
 }  // namespace upbead::test

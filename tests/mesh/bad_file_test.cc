@@ -5,7 +5,7 @@
 #include "mesh_test_tools.h"
 
 namespace upbead::test {
-namespace {
+namespace bad_file_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -122,5 +122,5 @@ TEST(BadFile, NegativeRefinement) {
   EXPECT_THAT(complaints(request), ElementsAre(HasSubstr("cannot be refined a negative number of times")));
 }
 
-}  // namespace
+}  // namespace bad_file_test
 }  // namespace upbead::test

@@ -5,7 +5,7 @@
 #include "mesh_test_tools.h"
 
 namespace upbead::test {
-namespace {
+namespace bad_groups_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -85,5 +85,5 @@ TEST(BadGroups, CurveAwayFromCells) {
             said("curve 'diagonal' lies on no side of a cell; draw it as a side of a surface, or drop it"));
 }
 
-}  // namespace
+}  // namespace bad_groups_test
 }  // namespace upbead::test

@@ -3,7 +3,7 @@
 #include "mesh_test_tools.h"
 
 namespace upbead::test {
-namespace {
+namespace column_test {
 
 TEST(Column, Defaults) {
   const auto mesh = read_mesh(geometry("column"));
@@ -43,5 +43,5 @@ TEST(Column, ParametersAreForgottenBetweenMeshes) {
   EXPECT_NEAR(areas(*read_mesh(geometry("column"))).at("soil"), 10.0, 1e-12);
 }
 
-}  // namespace
+}  // namespace column_test
 }  // namespace upbead::test

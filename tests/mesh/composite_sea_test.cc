@@ -5,7 +5,7 @@
 #include "mesh_test_tools.h"
 
 namespace upbead::test {
-namespace {
+namespace composite_sea_test {
 
 using Parameters = std::map<std::string, double>;
 
@@ -71,5 +71,5 @@ TEST(CompositeSea, ImpossibleOnesAreAllSaid) {
   }
 }
 
-}  // namespace
+}  // namespace composite_sea_test
 }  // namespace upbead::test

@@ -5,7 +5,7 @@
 #include "mesh_test_tools.h"
 
 namespace upbead::test {
-namespace {
+namespace composite_test {
 
 using Parameters = std::map<std::string, double>;
 
@@ -310,5 +310,5 @@ TEST(Composite, WhatHoldsForOneSideOrLayerIsZeroOrGreater) {
   for (std::size_t i = 0; i < said.size(); ++i) EXPECT_THAT(said[i], testing::HasSubstr(expected[i]));
 }
 
-}  // namespace
+}  // namespace composite_test
 }  // namespace upbead::test

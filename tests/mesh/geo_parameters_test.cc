@@ -5,7 +5,7 @@
 #include "mesh_test_tools.h"
 
 namespace upbead::test {
-namespace {
+namespace geo_parameters_test {
 
 /// "name|default|description"
 std::vector<std::string> lines_of(const std::string& file) {
@@ -64,5 +64,5 @@ TEST(GeoParameters, TheProgramsOwnAreAllDescribed) {
   }
 }
 
-}  // namespace
+}  // namespace geo_parameters_test
 }  // namespace upbead::test

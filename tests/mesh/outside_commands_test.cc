@@ -8,7 +8,7 @@
 #include "mesh_test_tools.h"
 
 namespace upbead::test {
-namespace {
+namespace outside_commands_test {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
@@ -94,5 +94,5 @@ TEST(OutsideCommands, OfNoFile) {
   EXPECT_THAT(outside_commands("/no/where.geo"), IsEmpty());
 }
 
-}  // namespace
+}  // namespace outside_commands_test
 }  // namespace upbead::test

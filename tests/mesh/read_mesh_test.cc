@@ -6,7 +6,7 @@
 #include "mirror.h"
 
 namespace upbead::test {
-namespace {
+namespace read_mesh_test {
 
 /// Cells and named faces, by their middles, in a comparable form.
 std::vector<std::string> description(const Mesh& mesh) {
@@ -139,5 +139,5 @@ TEST(ReadMesh, MirrorKeepsNamesAndAreas) {
     }
 }
 
-}  // namespace
+}  // namespace read_mesh_test
 }  // namespace upbead::test

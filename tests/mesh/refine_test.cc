@@ -9,7 +9,7 @@
 #include "mesh_test_tools.h"
 
 namespace upbead::test {
-namespace {
+namespace refine_test {
 
 std::unique_ptr<Mesh> section() {
   return read_mesh(geometry("composite", {{"cells", 0.35}, {"grading", 3}, {"sea_front", 4}, {"sea_back", 4}}));
@@ -90,5 +90,5 @@ TEST(Halved, SplitsEveryCellOfACopy) {
   }
 }
 
-}  // namespace
+}  // namespace refine_test
 }  // namespace upbead::test

@@ -8,7 +8,7 @@
 #include "mesh_test_tools.h"
 
 namespace upbead::test {
-namespace {
+namespace strangers_file_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -169,5 +169,5 @@ TEST_F(StrangersFile, SeveralThreadsMayRead) {
   EXPECT_THAT(cells, ElementsAre(10, 12, 14, 16));
 }
 
-}  // namespace
+}  // namespace strangers_file_test
 }  // namespace upbead::test

@@ -7,7 +7,7 @@
 #include <algorithm>
 
 namespace upbead::test {
-namespace {
+namespace exclusions_test {
 
 constexpr Treatment ways[] = {Treatment::reduced_model,  Treatment::generalised_alpha, Treatment::adapted_mesh,
                               Treatment::reduce_command, Treatment::several_processes, Treatment::checkpoints,
@@ -65,5 +65,5 @@ TEST(Exclusions, StandInTheTable) {
   EXPECT_EQ(static_cast<std::size_t>(std::count(table.begin(), table.end(), '\n')), told + 2);
 }
 
-}  // namespace
+}  // namespace exclusions_test
 }  // namespace upbead::test

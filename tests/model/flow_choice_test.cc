@@ -8,7 +8,7 @@
 
 namespace upbead {
 
-namespace {
+namespace flow_choice_test {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -32,8 +32,6 @@ Region porous(double conductivity) {
   region.hydraulic_conductivity = conductivity;
   return region;
 }
-
-}  // namespace
 
 TEST(ShortestDuration, IsThatOfTheFastestLoad) {
   Scene scene = scene_with(triangle(0.1));
@@ -118,4 +116,5 @@ TEST(FlowChoiceTest, KeepsWhatIsStated) {
   EXPECT_EQ(choose_flow(region, {}, Scene{}).reason, "stated in the case");
 }
 
+}  // namespace flow_choice_test
 }  // namespace upbead

@@ -7,7 +7,7 @@
 #include <cmath>
 
 namespace upbead {
-namespace {
+namespace gauges_test {
 
 constexpr double pi = 3.14159265358979323846;
 
@@ -119,5 +119,5 @@ TEST(Gauges, TellExchangedHeightsByName) {
   EXPECT_NE(told.text.find("'wall.p2' and 'wall.p5'"), std::string::npos) << told.text;
 }
 
-}  // namespace
+}  // namespace gauges_test
 }  // namespace upbead

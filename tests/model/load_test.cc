@@ -7,6 +7,7 @@
 #include <limits>
 
 namespace upbead {
+namespace load_test {
 
 TEST(Intensity, IsLinearBetweenAndZeroBeyond) {
   Load load;
@@ -43,4 +44,5 @@ TEST(SampledDuration, IsZeroWhereTheRecordJumps) {
   EXPECT_EQ(sampled_duration({0., 1.}, {0., 0.}, 1.), std::numeric_limits<double>::infinity());
 }
 
+}  // namespace load_test
 }  // namespace upbead

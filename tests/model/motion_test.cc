@@ -5,7 +5,7 @@
 #include <cmath>
 
 namespace upbead {
-namespace {
+namespace motion_test {
 
 const double pi = std::acos(-1.);
 
@@ -110,5 +110,5 @@ TEST(Intensity, RunsAlongACurve) {
   EXPECT_DOUBLE_EQ(intensity(load, 3., 9.), 0.) << "beyond the shape";
 }
 
-}  // namespace
+}  // namespace motion_test
 }  // namespace upbead

@@ -9,7 +9,7 @@
 #include <cmath>
 
 namespace upbead {
-namespace {
+namespace plane_waves_test {
 
 using Complex = std::complex<double>;
 
@@ -77,5 +77,5 @@ TEST(PlaneWaves, WithMuchDragAreTheUndrainedWaveAndDiffusion) {
   EXPECT_EQ(dry.slow, Complex(0.));
 }
 
-}  // namespace
+}  // namespace plane_waves_test
 }  // namespace upbead

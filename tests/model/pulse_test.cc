@@ -8,7 +8,7 @@
 
 namespace upbead {
 
-namespace {
+namespace pulse_test {
 
 Pulse make(PulseShape shape, double peak, double start) {
   Pulse pulse;
@@ -29,8 +29,6 @@ void expect_peak_and_impulse(const TimeFunction& f, double peak, double time, do
   EXPECT_NEAR(top.time, time, 1e-6);
   EXPECT_NEAR(integral(f, 0., 10.), impulse, 1e-8 * std::abs(impulse));
 }
-
-}  // namespace
 
 TEST(PulseTest, Triangle) {
   Pulse pulse = make(PulseShape::triangle, 2e6, 0.5);
@@ -125,4 +123,5 @@ TEST(PulseTest, ObjectsToWhatItsShapeDoesNotKnow) {
   EXPECT_EQ(list[2].what, "'frequency' is missing, which shape harmonic needs");
 }
 
+}  // namespace pulse_test
 }  // namespace upbead

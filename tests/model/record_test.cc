@@ -10,7 +10,7 @@
 #include <functional>
 
 namespace upbead {
-namespace {
+namespace record_test {
 
 constexpr double interval = 1e-3;  // s
 
@@ -140,5 +140,5 @@ TEST(Records, SwappedTransducersAreNamed) {
   EXPECT_LT(list[0].value, list[0].limit);
 }
 
-}  // namespace
+}  // namespace record_test
 }  // namespace upbead

@@ -10,7 +10,7 @@
 
 namespace upbead {
 
-namespace {
+namespace region_test {
 
 Region rubble() {
   Region region;
@@ -27,8 +27,6 @@ std::string keys_of(const Diagnostics& list) {
   for (const Diagnostic& found : list) keys += (keys.empty() ? "" : " ") + found.place.key;
   return keys;
 }
-
-}  // namespace
 
 TEST(RegionMaterial, OfPorousSoil) {
   Region region = rubble();
@@ -120,4 +118,5 @@ TEST(RegionWords, BelongToKinds) {
   EXPECT_EQ(word_of(RegionKind::solid, region_kind_words), "solid");
 }
 
+}  // namespace region_test
 }  // namespace upbead

@@ -8,7 +8,7 @@
 #include <cmath>
 
 namespace upbead {
-namespace {
+namespace soil_test {
 
 TEST(StressLaw, IsAPowerOfTheStressAboveItsFloor) {
   const StressLaw law{180e6, 98e3, 0.5, {}};
@@ -60,5 +60,5 @@ TEST(Rayleigh, IsExactAtOneFrequency) {
   EXPECT_NEAR((Rayleigh{0.05, {3., 3.}, RayleighFit::band}).error(), 0., 1e-15);
 }
 
-}  // namespace
+}  // namespace soil_test
 }  // namespace upbead

@@ -13,7 +13,7 @@
 #include "output/result_file.h"
 #include "upbead/base/error.h"
 
-namespace {
+namespace checkpoint_file_test {
 
 using namespace upbead;
 using Eigen::MatrixXd;
@@ -132,4 +132,4 @@ TEST_F(CheckpointFileTest, RefusesWhatIsNotWhole) {
   EXPECT_NE(refusal(result_file("title", {})).find("the checkpoint is damaged at /fingerprint"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace checkpoint_file_test

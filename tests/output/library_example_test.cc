@@ -7,6 +7,7 @@
 #include "upbead/dynamics/modal_response.h"
 
 namespace upbead::test {
+namespace library_example_test {
 
 TEST(LibraryExample, LoadsAModelAndEvaluatesAWave) {
   ReducedModelFile made = oscillator();
@@ -31,4 +32,5 @@ TEST(LibraryExample, LoadsAModelAndEvaluatesAWave) {
   EXPECT_NEAR(share, 1. - std::exp(-a * top) * (std::cos(b * top) - a / b * std::sin(b * top)), 1e-4);
 }
 
+}  // namespace library_example_test
 }  // namespace upbead::test

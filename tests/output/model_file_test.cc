@@ -12,7 +12,7 @@
 
 namespace upbead::test {
 
-namespace {
+namespace model_file_test {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
@@ -64,8 +64,6 @@ void put_attribute(hid_t file, const char* path, const char* name, double value)
   H5Aclose(attribute);
   H5Oclose(object);
 }
-
-}  // namespace
 
 TEST(ModelFile, ComesBackBitByBit) {
   const ReducedModelFile made = oscillator();
@@ -305,4 +303,5 @@ TEST(ModelFile, RefusesAModeThatGrows) {
             "m: mode 1 grows: Re of its pole is 0.1 1/s, and must not be above 0; make it again with 'upbead reduce'");
 }
 
+}  // namespace model_file_test
 }  // namespace upbead::test

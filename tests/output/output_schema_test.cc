@@ -14,7 +14,7 @@
 #include "upbead/base/error.h"
 
 namespace upbead {
-namespace {
+namespace output_schema_test {
 
 struct Point {
   std::string name;
@@ -169,5 +169,5 @@ TEST(JsonText, RefusesWhatIsNotFinite) {
     }
 }
 
-}  // namespace
+}  // namespace output_schema_test
 }  // namespace upbead

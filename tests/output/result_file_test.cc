@@ -9,6 +9,7 @@
 #include "sample_model.h"
 
 namespace upbead::test {
+namespace result_file_test {
 
 TEST(ResultFile, HoldsHistories) {
   const TemporaryFile file(
@@ -31,4 +32,5 @@ TEST(ResultFile, RefusesWhatIsNotFinite) {
   }
 }
 
+}  // namespace result_file_test
 }  // namespace upbead::test

@@ -12,7 +12,7 @@
 #include <sstream>
 
 namespace upbead::test {
-namespace {
+namespace vtu_file_test {
 
 constexpr std::size_t block = std::size_t{1} << 20;  // bytes
 
@@ -87,5 +87,5 @@ TEST(VtuFile, DeclaresWhereArraysLie) {
   EXPECT_NE(text.find("NumberOfPoints=\"4\" NumberOfCells=\"1\""), std::string::npos);
 }
 
-}  // namespace
+}  // namespace vtu_file_test
 }  // namespace upbead::test

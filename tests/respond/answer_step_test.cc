@@ -17,7 +17,7 @@
 
 namespace upbead::test {
 
-namespace {
+namespace answer_step_test {
 
 constexpr int parts = 50;
 
@@ -131,6 +131,6 @@ TEST(AnswerStep, PeaksOfAnswersAreThoseOfAFineGrid) {
   }
 }
 
-}  // namespace
+}  // namespace answer_step_test
 
 }  // namespace upbead::test

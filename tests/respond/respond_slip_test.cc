@@ -13,7 +13,7 @@
 
 namespace upbead::test {
 
-namespace {
+namespace respond_slip_test {
 
 const double friction = 0.6, weight = 1.1e6;  // W' in N/m
 
@@ -64,8 +64,6 @@ void expect_equal(const CoupledWave& found, const ElasticSliding& expected, doub
   EXPECT_EQ(found.slips, static_cast<int>(expected.slip.slips.size()));
   EXPECT_NEAR(found.dissipated, friction * weight * expected.slip.path, tolerance * found.dissipated);
 }
-
-}  // namespace
 
 TEST(RespondSlip, IsThatOfTwoMasses) {
   for (const double peak : {2e6, 3e6, -3e6}) {
@@ -214,4 +212,5 @@ TEST(RespondSlip, APorePressureFollowsItsLoad) {
   EXPECT_NEAR(respond_to_waves(model, {file}, options)[0].waves[0].coupled->sliding, slid(file).sliding, 1e-9);
 }
 
+}  // namespace respond_slip_test
 }  // namespace upbead::test

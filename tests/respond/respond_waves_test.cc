@@ -12,7 +12,7 @@
 
 namespace upbead::test {
 
-namespace {
+namespace respond_waves_test {
 
 using Times = std::vector<double>;
 
@@ -42,8 +42,6 @@ double error(const WaveResponses& found, const TimeFunction& impact) {
   const auto exact = respond(model, sample({impact, TimeFunction()}, found.time)).reading.row(1).eval();
   return (found.shear_force.row(0) - exact).cwiseAbs().maxCoeff() / exact.cwiseAbs().maxCoeff();
 }
-
-}  // namespace
 
 TEST(RespondWaves, SpacingOfTimesDoesNotMatter) {
   const TimeFunction exact = piecewise_linear({0., 0.075, 0.15}, {0., 1.6e6, 0.});
@@ -221,4 +219,5 @@ TEST(RespondWaves, AModelWithoutACaissonIsRefused) {
   }
 }
 
+}  // namespace respond_waves_test
 }  // namespace upbead::test

@@ -10,7 +10,7 @@
 
 namespace upbead::test {
 
-namespace {
+namespace wave_files_test {
 
 struct Dataset {
   std::string name;
@@ -40,8 +40,6 @@ std::string refusal(const std::vector<std::string>& paths, const std::vector<std
   }
   return "";
 }
-
-}  // namespace
 
 class WaveFiles : public InFolder {
  protected:
@@ -156,4 +154,5 @@ TEST_F(WaveFiles, TellsTheMistakesOfAllFiles) {
             "text.h5: no HDF5 file; give a file with the datasets time and impact or slow");
 }
 
+}  // namespace wave_files_test
 }  // namespace upbead::test

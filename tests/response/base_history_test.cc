@@ -10,7 +10,7 @@
 #include "scenes.h"
 
 namespace upbead::test {
-namespace {
+namespace base_history_test {
 
 constexpr double duration = 0.15, end = 0.45;
 
@@ -64,5 +64,5 @@ TEST_F(BaseHistoryTest, WithoutInertiaHasTheEndsOfSteps) {
   EXPECT_EQ(read_base_history(compiled.scene, response, false).shear_force.time, response.ends.time);
 }
 
-}  // namespace
+}  // namespace base_history_test
 }  // namespace upbead::test

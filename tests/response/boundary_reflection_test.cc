@@ -9,7 +9,7 @@
 #include "scenes.h"
 
 namespace upbead::test {
-namespace {
+namespace boundary_reflection_test {
 
 const double speed = std::sqrt(32.647e6 / (0.6 * 2650. + 0.4 * 1030.));
 
@@ -56,5 +56,5 @@ TEST(BoundaryReflection, ColumnHasNone) {
   EXPECT_FALSE(reflection_of(column(sand(), triangle(1e5, 0.1)), *mesh));
 }
 
-}  // namespace
+}  // namespace boundary_reflection_test
 }  // namespace upbead::test

@@ -14,7 +14,7 @@
 #include "scenes.h"
 
 namespace upbead::test {
-namespace {
+namespace carried_pulse_test {
 
 using Complex = std::complex<double>;
 
@@ -119,5 +119,5 @@ INSTANTIATE_TEST_SUITE_P(Columns, CarriedError,
                                          ColumnOf{0., 3, 8., 0.125}, ColumnOf{1e3, 2, 4., 0.}, ColumnOf{1e3, 3, 4., 0.},
                                          ColumnOf{0.3, 2, 4., 0.}));
 
-}  // namespace
+}  // namespace carried_pulse_test
 }  // namespace upbead::test

@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 namespace upbead {
-namespace {
+namespace comparison_test {
 
 struct Sampled : History {
   Sampled(double begin, double end, int n, const std::function<double(double)>& f) {
@@ -61,5 +61,5 @@ TEST(Comparison, NeedsSomethingInCommon) {
   EXPECT_THROW(of(zero, early), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace comparison_test
 }  // namespace upbead

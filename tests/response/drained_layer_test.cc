@@ -9,7 +9,7 @@
 #include "scenes.h"
 
 namespace upbead::test {
-namespace {
+namespace drained_layer_test {
 
 constexpr double width = 18., depth = 0.2, mound = 6.;  // m
 constexpr double time = 0.075;                          // s
@@ -56,5 +56,5 @@ TEST(DrainedLayer, IsNoneWhereNothingDrains) {
   EXPECT_FALSE(layer_of(scene));
 }
 
-}  // namespace
+}  // namespace drained_layer_test
 }  // namespace upbead::test

@@ -11,7 +11,7 @@
 #include "tensor_mesh.h"
 
 namespace upbead::test {
-namespace {
+namespace drained_skin_test {
 
 constexpr double thickness = 10., above = 5., cell = 0.5;  // m
 constexpr double q = 1e5;                                  // Pa
@@ -96,5 +96,5 @@ TEST(DrainedFaces, OpenSideIsNone) {
   EXPECT_TRUE(drained_faces(column(sand(), triangle(q, 1.)), *mesh).empty());
 }
 
-}  // namespace
+}  // namespace drained_skin_test
 }  // namespace upbead::test

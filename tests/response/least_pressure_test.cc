@@ -13,7 +13,7 @@
 #include "scenes.h"
 
 namespace upbead::test {
-namespace {
+namespace least_pressure_test {
 
 TEST(LeastPressure, IsThatOfAllNodesAndSteps) {
   constexpr double height = 10., level = 9.;
@@ -78,5 +78,5 @@ TEST(LeastPressure, OfAReducedModelIsThatOfTheMarch) {
   EXPECT_FALSE(reduce_scene(compiled.resolved, compiled.scene, {}).pressures);
 }
 
-}  // namespace
+}  // namespace least_pressure_test
 }  // namespace upbead::test

@@ -7,7 +7,7 @@
 #include "scenes.h"
 
 namespace upbead::test {
-namespace {
+namespace loaded_ground_test {
 
 Scene probed_column() {
   Scene scene = column(sand(), triangle(1e3, 0.1));
@@ -63,5 +63,5 @@ TEST(LoadedGround, IsNotUnderARigidCaisson) {
   EXPECT_FALSE(loaded_grounds(scene, *mesh).at(0).is_plane);
 }
 
-}  // namespace
+}  // namespace loaded_ground_test
 }  // namespace upbead::test

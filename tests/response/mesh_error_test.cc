@@ -11,7 +11,7 @@
 #include "scenes.h"
 
 namespace upbead::test {
-namespace {
+namespace mesh_error_test {
 
 MeshError error_of(const Compiled& compiled) {
   return mesh_error(compiled.resolved, compiled.space, compiled.unknowns, compiled.scene);
@@ -62,5 +62,5 @@ TEST(Spectrum, GivesTheDifferenceOfTwoResponses) {
     EXPECT_NEAR(shear_at(of_a.s, difference, i * step), marched[i], 0.1 * largest) << i * step;
 }
 
-}  // namespace
+}  // namespace mesh_error_test
 }  // namespace upbead::test

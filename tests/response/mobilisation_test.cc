@@ -11,7 +11,7 @@
 #include "scenes.h"
 
 namespace upbead::test {
-namespace {
+namespace mobilisation_test {
 
 constexpr double height = 10., nu = 0.33, angle = 35.;
 constexpr int cells = 20;
@@ -68,5 +68,5 @@ TEST(Mobilisation, OfAPullEndsAtTen) {
   EXPECT_EQ(found[0].initial_share, 0.);
 }
 
-}  // namespace
+}  // namespace mobilisation_test
 }  // namespace upbead::test

@@ -9,7 +9,7 @@
 #include "base/numbers.h"
 
 namespace upbead::test {
-namespace {
+namespace natural_periods_test {
 
 /// x'' + 2 zeta w x' + w^2 x = f as one mode: its pole, and the rows by which y = factor w^2 x.
 void add_oscillator(ModalModel& model, double omega, double zeta, double factor) {
@@ -64,5 +64,5 @@ TEST(NaturalPeriods, LeaveOutWhatDoesNotSwingOrDoesNotCount) {
   EXPECT_NEAR(found[0].damping_ratio, 0.05, 1e-14);
 }
 
-}  // namespace
+}  // namespace natural_periods_test
 }  // namespace upbead::test

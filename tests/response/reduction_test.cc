@@ -12,7 +12,7 @@
 #include "upbead/base/error.h"
 
 namespace upbead::test {
-namespace {
+namespace reduction_test {
 
 constexpr double duration = 0.15, end = 0.5;
 
@@ -120,5 +120,5 @@ TEST(ReduceScene, ErrsByLessThanAskedFor) {
   EXPECT_EQ(few.n_vectors, 24) << "the last look that fits";
 }
 
-}  // namespace
+}  // namespace reduction_test
 }  // namespace upbead::test

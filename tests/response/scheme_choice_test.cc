@@ -7,7 +7,7 @@
 #include "scenes.h"
 
 namespace upbead::test {
-namespace {
+namespace scheme_choice_test {
 
 /// Long enough for a reduced model to pay.
 Scene long_run() {
@@ -98,5 +98,5 @@ TEST(SchemeChoice, MarchesFewSteps) {
   expect_march(scene, compiled().scene, "solves; a reduced model would cost");
 }
 
-}  // namespace
+}  // namespace scheme_choice_test
 }  // namespace upbead::test

@@ -13,7 +13,7 @@
 #include "sliding/coupled_slip.h"
 
 namespace upbead::test {
-namespace {
+namespace slip_reduction_test {
 
 constexpr double duration = 0.15, end = 0.6, friction = 0.6;
 
@@ -82,5 +82,5 @@ TEST(SlipReduction, NeedsAnInterface) {
                std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace slip_reduction_test
 }  // namespace upbead::test

@@ -7,7 +7,7 @@
 #include "scenes.h"
 
 namespace upbead::test {
-namespace {
+namespace thin_layers_test {
 
 std::vector<ThinLayer> layers(double depth, double modulus, double cells) {
   Scene scene = breakwater(triangle(1e6, 0.15));
@@ -32,5 +32,5 @@ TEST(ThinLayers, AreNeitherThickNorStiff) {
   EXPECT_TRUE(layers(0.2, 1e8, 1.).empty());
 }
 
-}  // namespace
+}  // namespace thin_layers_test
 }  // namespace upbead::test

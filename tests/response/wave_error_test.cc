@@ -8,7 +8,7 @@
 #include "wave_errors.h"
 
 namespace upbead::test {
-namespace {
+namespace wave_error_test {
 
 TEST(WaveErrors, AreBoundedOnScenesThatDidNotSetTheSafety) {
   int n = 0, held = 0, beyond = 0;
@@ -29,5 +29,5 @@ TEST(WaveErrors, AreBoundedOnScenesThatDidNotSetTheSafety) {
   EXPECT_LE(ratio[ratio.size() / 2], 3.);
 }
 
-}  // namespace
+}  // namespace wave_error_test
 }  // namespace upbead::test

@@ -9,7 +9,7 @@
 #include "scenes.h"
 
 namespace upbead::test {
-namespace {
+namespace wave_resolution_test {
 
 constexpr double duration = 0.15, width = 18.;  // s, m
 
@@ -36,5 +36,5 @@ TEST(WaveResolution, FollowsTheMesh) {
   EXPECT_NEAR(ratio, 2., 0.2);
 }
 
-}  // namespace
+}  // namespace wave_resolution_test
 }  // namespace upbead::test

@@ -17,7 +17,7 @@
 #include "upbead/base/error.h"
 
 namespace upbead::test {
-namespace {
+namespace adapted_mesh_test {
 
 const std::string breakwater_toml = R"(
 [mesh]
@@ -250,5 +250,5 @@ TEST_F(AdaptedMesh, RefusesWhatCannotBeMeasured) {
             std::string::npos);
 }
 
-}  // namespace
+}  // namespace adapted_mesh_test
 }  // namespace upbead::test

@@ -6,7 +6,7 @@
 #include <cmath>
 
 namespace upbead {
-namespace {
+namespace base_pressure_test {
 
 constexpr double B = 18., N = 4e6;
 
@@ -37,5 +37,5 @@ TEST(EdgePressures, AreFiniteWhereTheCaissonFalls) {
   EXPECT_EQ(edge_pressures(0., 5., B).seaward, 0.);
 }
 
-}  // namespace
+}  // namespace base_pressure_test
 }  // namespace upbead

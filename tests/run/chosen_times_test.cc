@@ -14,7 +14,7 @@
 #include "upbead/algebra/petsc_session.h"
 
 namespace upbead::test {
-namespace {
+namespace chosen_times_test {
 
 class ChosenTimes : public InFolder {
  protected:
@@ -102,5 +102,5 @@ TEST_F(ChosenTimes, GrowthOfStepsIsTheCases) {
   EXPECT_FALSE(step_of_loads(equal.scene, 4).growth);
 }
 
-}  // namespace
+}  // namespace chosen_times_test
 }  // namespace upbead::test

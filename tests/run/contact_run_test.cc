@@ -13,7 +13,7 @@
 #include "upbead/base/error.h"
 
 namespace upbead::test {
-namespace {
+namespace contact_run_test {
 
 const std::string breakwater_toml = section_case({{"cells = 0.5, seabed_front = 60, seabed_back = 60", "cells = 0.35"},
                                                   {"damping = { ratio = 0.05, frequencies = [1, 10] }\n", ""}}) +
@@ -121,5 +121,5 @@ TEST_F(ContactRun, RefusesWhatCannotSlip) {
   EXPECT_NE(refusal({}).find("'interface' does not belong in [regions.seabed]"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace contact_run_test
 }  // namespace upbead::test

@@ -15,7 +15,7 @@
 #include "upbead/algebra/petsc_session.h"
 
 namespace upbead::test {
-namespace {
+namespace densification_run_test {
 
 using Answer = upbead::Run;  // testing::Test has a member of that name
 
@@ -297,5 +297,5 @@ TEST_F(DensificationRun, SectionSettlesMoreAndKeepsPressureInItsSand) {
   EXPECT_LT(std::abs(found.summary.energy->scheme), 0.02 * found.summary.energy->largest_work);
 }
 
-}  // namespace
+}  // namespace densification_run_test
 }  // namespace upbead::test

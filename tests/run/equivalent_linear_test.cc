@@ -10,7 +10,7 @@
 #include "upbead/algebra/petsc_session.h"
 
 namespace upbead::test {
-namespace {
+namespace equivalent_linear_test {
 
 constexpr double B = 400., h = 1., mass = 4e6, G_max = 1e6, duration = 0.2;
 
@@ -138,5 +138,5 @@ TEST_F(EquivalentLinear, IsNothingWithoutAStrainLaw) {
   EXPECT_FALSE(follows_strain(Scene()));
 }
 
-}  // namespace
+}  // namespace equivalent_linear_test
 }  // namespace upbead::test

@@ -12,7 +12,7 @@
 #include "upbead/algebra/petsc_session.h"
 
 namespace upbead::test {
-namespace {
+namespace reduced_states_test {
 
 constexpr double every = 0.05;
 const std::string fields = "output.fields={ every = 0.05 }";
@@ -126,5 +126,5 @@ INSTANTIATE_TEST_SUITE_P(
                     OtherScene{"SlowAndSeaward", {"loads.impulse.factor=-0.5", "loads.impulse.pulse.duration=0.4"}}),
     [](const auto& scene) { return scene.param.name; });
 
-}  // namespace
+}  // namespace reduced_states_test
 }  // namespace upbead::test

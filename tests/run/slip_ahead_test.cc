@@ -11,7 +11,7 @@
 #include "upbead/algebra/petsc_session.h"
 
 namespace upbead::test {
-namespace {
+namespace slip_ahead_test {
 
 const std::string breakwater_toml =
     section_case({{"cells = 0.5, seabed_front = 60, seabed_back = 60", "cells = 0.35"}}) +
@@ -75,5 +75,5 @@ TEST_F(SlipAheadRun, WhatNobodyAsksForIsLeft) {
   none.leave_mesh();
 }
 
-}  // namespace
+}  // namespace slip_ahead_test
 }  // namespace upbead::test

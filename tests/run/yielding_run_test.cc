@@ -11,7 +11,7 @@
 #include "upbead/algebra/petsc_session.h"
 
 namespace upbead::test {
-namespace {
+namespace yielding_run_test {
 
 constexpr double B = 400., h = 1., mass = 4e6, G = 1e8, duration = 0.2, end = 0.8;
 
@@ -239,5 +239,5 @@ TEST_F(YieldingRun, BearsLessAndMovesMoreTheMoreItBearsAtRest) {
   EXPECT_FALSE(found.error.has_value());
 }
 
-}  // namespace
+}  // namespace yielding_run_test
 }  // namespace upbead::test

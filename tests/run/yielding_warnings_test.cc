@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace upbead {
-namespace {
+namespace yielding_warnings_test {
 
 std::vector<std::string> told(double strain, std::optional<double> over_neighbours) {
   Summary summary;
@@ -29,5 +29,5 @@ TEST(YieldingWarnings, TellSlipLinesAndLargeStrains) {
   EXPECT_TRUE(yielding_warnings(Summary()).empty());
 }
 
-}  // namespace
+}  // namespace yielding_warnings_test
 }  // namespace upbead

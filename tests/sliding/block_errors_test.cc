@@ -9,7 +9,7 @@
 #include "upbead/sliding/block.h"
 
 namespace upbead {
-namespace {
+namespace block_errors_test {
 
 struct Refused {
   double mass;
@@ -47,5 +47,5 @@ TEST(Block, StaysWhereNothingPushesIt) {
   EXPECT_TRUE(slide(1., {{0.}, {5.}}, 1.).slips.empty());  // one point has no duration
 }
 
-}  // namespace
+}  // namespace block_errors_test
 }  // namespace upbead

@@ -10,7 +10,7 @@
 #include <random>
 
 namespace upbead {
-namespace {
+namespace block_test {
 
 History scaled(History history, double time, double value) {
   for (double& t : history.time) t *= time;
@@ -175,5 +175,5 @@ TEST(Block, ForceThatOnlyTouchesTheResistance) {
   }
 }
 
-}  // namespace
+}  // namespace block_test
 }  // namespace upbead

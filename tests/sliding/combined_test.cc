@@ -10,7 +10,7 @@
 #include <stdexcept>
 
 namespace upbead {
-namespace {
+namespace combined_test {
 
 constexpr double pi = boost::math::constants::pi<double>();
 const CombinedWave wave{12., 1.2e6, {2.5e6, 1.5}, 0.4e6};
@@ -104,5 +104,5 @@ TEST(CombinedSliding, RefusesAPulseLongerThanHalfTheWave) {
   EXPECT_THROW(combined_force(w), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace combined_test
 }  // namespace upbead

@@ -16,7 +16,7 @@
 #include "upbead/sliding/pulse.h"
 
 namespace upbead::test {
-namespace {
+namespace coupled_flutter_test {
 
 constexpr double mass = 6e5, weight = 3.2e6, friction = 0.6, shift = 30.;
 const TriangularPulse pulse{4e6, 0.3};
@@ -222,5 +222,5 @@ TEST(SlipWithinStep, StaysPositiveIsTheLeastOfAParabola) {
   }
 }
 
-}  // namespace
+}  // namespace coupled_flutter_test
 }  // namespace upbead::test

@@ -15,7 +15,7 @@
 #include "upbead/sliding/pulse.h"
 
 namespace upbead::test {
-namespace {
+namespace coupled_laws_test {
 
 constexpr double mass = 6e5, weight = 3.2e6, friction = 0.6, shift = 30.;
 const ElasticBase base{2e5, 6e8, 4e6};
@@ -178,5 +178,5 @@ TEST(CoupledLaws, RandomWavesLoseEnergyAndRest) {
   EXPECT_GT(lifted, 20);
 }
 
-}  // namespace
+}  // namespace coupled_laws_test
 }  // namespace upbead::test

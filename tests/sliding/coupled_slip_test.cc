@@ -17,7 +17,7 @@
 #include "upbead/sliding/pulse.h"
 
 namespace upbead::test {
-namespace {
+namespace coupled_slip_test {
 
 using Json = nlohmann::json;
 
@@ -162,5 +162,5 @@ TEST(CoupledSlip, FollowsASlipBeyondTheLastSample) {
   EXPECT_THROW(slip.slide(loads.topRows(1)), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace coupled_slip_test
 }  // namespace upbead::test

@@ -9,7 +9,7 @@
 #include "upbead/sliding/pulse.h"
 
 namespace upbead {
-namespace {
+namespace drag_test {
 
 constexpr double mass = 6e5, resistance = 1.9e6;
 const History loads{{0., 0.1, 0.2, 0.35, 0.5, 0.9, 1.2}, {0., 3.5e6, 1e6, 3e6, -2.5e6, -3e6, 0.}};
@@ -78,5 +78,5 @@ TEST(Drag, IsNeverNegative) {
   EXPECT_THROW(slide(mass, loads, resistance, -1.), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace drag_test
 }  // namespace upbead

@@ -10,7 +10,7 @@
 #include "upbead/sliding/pulse.h"
 
 namespace upbead {
-namespace {
+namespace duration_test {
 
 constexpr double mass = 6e5;
 
@@ -61,5 +61,5 @@ TEST(HistoryDuration, HasNoAnswerWhereNothingSlides) {
   EXPECT_THROW(history_duration(mass, history({3e6, 0.4}), 0.), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace duration_test
 }  // namespace upbead

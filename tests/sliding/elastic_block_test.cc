@@ -13,7 +13,7 @@
 #include "upbead/sliding/pulse.h"
 
 namespace upbead {
-namespace {
+namespace elastic_block_test {
 
 using Json = nlohmann::json;
 
@@ -78,5 +78,5 @@ TEST(ElasticBlock, RefusesADashpotWithoutAMass) {
   EXPECT_THROW(slide_on_base(6e5, {0., 0., 0.}, history({3e6, 0.1}), 1e6), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace elastic_block_test
 }  // namespace upbead

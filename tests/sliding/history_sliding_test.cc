@@ -8,7 +8,7 @@
 #include <cmath>
 
 namespace upbead {
-namespace {
+namespace history_sliding_test {
 
 const BottomResistance bottom{6e5, 0.6, 3.5e6, 0.};
 constexpr double R = 0.6 * 3.5e6;
@@ -89,5 +89,5 @@ TEST(HistorySliding, DragTakesSomeOfIt) {
             0.95 * slide_history({history(pulse), {}, {}}, bottom).by_history.residual);
 }
 
-}  // namespace
+}  // namespace history_sliding_test
 }  // namespace upbead

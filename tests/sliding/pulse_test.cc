@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 namespace upbead {
-namespace {
+namespace pulse_test {
 
 constexpr double mass = 6e5, resistance = 1.9e6, duration = 0.2;
 
@@ -67,5 +67,5 @@ TEST(Pulse, RefusesWhatIsNotPositive) {
   }
 }
 
-}  // namespace
+}  // namespace pulse_test
 }  // namespace upbead

@@ -12,7 +12,7 @@
 #include "upbead/waves/wave_heights.h"
 
 namespace upbead::test {
-namespace {
+namespace wave_sliding_test {
 
 const Water water;
 
@@ -87,5 +87,5 @@ TEST(WaveSliding, ImpulsiveWavesSlideLessFarAtEqualSafetyFactor) {
     }
 }
 
-}  // namespace
+}  // namespace wave_sliding_test
 }  // namespace upbead::test

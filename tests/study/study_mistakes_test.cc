@@ -3,6 +3,7 @@
 #include "study/study.h"
 
 namespace upbead::test {
+namespace study_mistakes_test {
 
 const std::string good_study = R"(title = "stiffness"
 case = "case.toml"
@@ -168,4 +169,5 @@ const std::vector<BadDraw> draws{
 
 INSTANTIATE_TEST_SUITE_P(, DrawMistakes, testing::ValuesIn(draws), [](const auto& row) { return row.param.name; });
 
+}  // namespace study_mistakes_test
 }  // namespace upbead::test

@@ -7,6 +7,7 @@
 #include "study/study.h"
 
 namespace upbead::test {
+namespace study_test {
 
 class StudyFile : public InFolder {
  protected:
@@ -151,4 +152,5 @@ TEST(StudyReference, TellsEveryTable) {
     EXPECT_NE(study_reference().find("## `" + table + "`"), std::string::npos) << table;
 }
 
+}  // namespace study_test
 }  // namespace upbead::test

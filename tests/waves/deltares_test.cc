@@ -11,7 +11,7 @@
 #include "upbead/waves/goda.h"
 
 namespace upbead::test {
-namespace {
+namespace deltares_test {
 
 /// Units of the tests: m, s, deg, kg/m3.
 struct Input {
@@ -129,5 +129,5 @@ TEST_P(Deltares, IsReproduced) {
 
 INSTANTIATE_TEST_SUITE_P(, Deltares, testing::ValuesIn(rows), name_of);
 
-}  // namespace
+}  // namespace deltares_test
 }  // namespace upbead::test

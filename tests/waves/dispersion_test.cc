@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 namespace upbead {
-namespace {
+namespace dispersion_test {
 
 constexpr double pi = 3.14159265358979323846;
 
@@ -39,5 +39,5 @@ TEST(Dispersion, RefusesWhatIsNotPositive) {
   }
 }
 
-}  // namespace
+}  // namespace dispersion_test
 }  // namespace upbead

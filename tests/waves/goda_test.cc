@@ -12,7 +12,7 @@
 #include "upbead/waves/wave_heights.h"
 
 namespace upbead::test {
-namespace {
+namespace goda_test {
 
 const Water water;
 
@@ -186,5 +186,5 @@ TEST(Goda, RefusesWhatIsNotPositive) {
   wrong([](Section&, DesignWave& w) { w.significant_height = 0.; });
 }
 
-}  // namespace
+}  // namespace goda_test
 }  // namespace upbead::test

@@ -8,7 +8,7 @@
 #include <array>
 
 namespace upbead {
-namespace {
+namespace impulsive_test {
 
 TEST(AlphaI1, HasTheValuesOfTheTable) {
   constexpr std::array<double, 6> berm{0., 0.05, 0.10, 0.12, 0.20, 0.30};
@@ -54,5 +54,5 @@ TEST(AlphaI0, EndsAtTwo) {
   EXPECT_EQ(alpha_I0(9., 4.), 2.);
 }
 
-}  // namespace
+}  // namespace impulsive_test
 }  // namespace upbead

@@ -9,7 +9,7 @@
 #include <stdexcept>
 
 namespace upbead {
-namespace {
+namespace random_breaking_test {
 
 TEST(RandomBreaking, GivesGodasExample) {
   const DesignHeights heights = design_heights({6.3, 11.4, 10.1, 0.01}, 9.81);
@@ -115,5 +115,5 @@ TEST(SeaBefore, OfAHeightThatNoSeaBringsIsTheSteepest) {
   EXPECT_THROW(sea_before(0., {0., 12., 12., 0.02}, 9.81), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace random_breaking_test
 }  // namespace upbead

@@ -8,7 +8,7 @@
 #include "upbead/waves/goda.h"
 
 namespace upbead::test {
-namespace {
+namespace regression_test {
 
 struct Row {
   double H, alpha_2, alpha_I, alpha_star, tau_0F, k, tau_0;
@@ -44,5 +44,5 @@ TEST(Regression, HoldsRowByRow) {
   }
 }
 
-}  // namespace
+}  // namespace regression_test
 }  // namespace upbead::test

@@ -7,7 +7,7 @@
 #include "sections.h"
 
 namespace upbead::test {
-namespace {
+namespace section_test {
 
 TEST(Section, SoundOnesHaveNoFaults) {
   EXPECT_TRUE(diagnose(goda_section()).empty());
@@ -42,5 +42,5 @@ TEST(Section, DisplacesNoMoreThanItself) {
   EXPECT_DOUBLE_EQ(at_water_level(s, Water(), -9.).submerged_weight, s.submerged_weight + 1030. * 9.81 * 15. * 7.1);
 }
 
-}  // namespace
+}  // namespace section_test
 }  // namespace upbead::test

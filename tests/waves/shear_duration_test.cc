@@ -7,7 +7,7 @@
 #include <utility>
 
 namespace upbead {
-namespace {
+namespace shear_duration_test {
 
 TEST(DurationFactor, HasItsValues) {
   const DurationFactor k;
@@ -44,5 +44,5 @@ TEST(StandingDuration, CannotBeAsShortAsThePaperSays) {
   EXPECT_NEAR(DurationFactor()(2.) * standing_duration(1., 1., 3.04), 0.244, 5e-4);
 }
 
-}  // namespace
+}  // namespace shear_duration_test
 }  // namespace upbead

@@ -8,7 +8,7 @@
 #include "sections.h"
 
 namespace upbead::test {
-namespace {
+namespace stability_test {
 
 WavePressure pressure(PressureFormula formula) {
   return Goda(goda_section(), Water(), goda_wave()).at(goda_wave().height, formula);
@@ -78,5 +78,5 @@ TEST(Stability, NothingPressesOnTheMoundWhereUpliftLifts) {
   EXPECT_LT(stability(s, pressure(PressureFormula::goda)).safety_sliding, 0.);
 }
 
-}  // namespace
+}  // namespace stability_test
 }  // namespace upbead::test

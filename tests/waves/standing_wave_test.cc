@@ -16,7 +16,7 @@
 #include "upbead/waves/wave_heights.h"
 
 namespace upbead {
-namespace {
+namespace standing_wave_test {
 
 constexpr double pi = 3.14159265358979323846;
 const Water water{1000., 9.81};
@@ -252,5 +252,5 @@ TEST(StandingWave, PullsInDeepWaterMoreThanItPushes) {
   EXPECT_GT(pull_over_push(2.5, 0.15), 1.);
 }
 
-}  // namespace
+}  // namespace standing_wave_test
 }  // namespace upbead

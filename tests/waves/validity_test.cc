@@ -8,7 +8,7 @@
 #include "upbead/waves/wave_heights.h"
 
 namespace upbead::test {
-namespace {
+namespace validity_test {
 
 std::vector<std::string> names(const Section& section, const DesignWave& wave) {
   const WavePressure pressure = Goda(section, Water(), wave).at(wave.height);
@@ -121,5 +121,5 @@ TEST(Warnings, TellOfOddWaves) {
   EXPECT_EQ(names(ordinary(), wave), Names{"long_period"});
 }
 
-}  // namespace
+}  // namespace validity_test
 }  // namespace upbead::test

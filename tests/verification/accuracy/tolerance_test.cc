@@ -10,7 +10,7 @@
 #include "record.h"
 
 namespace upbead::test {
-namespace {
+namespace tolerance_test {
 
 using Overrides = std::vector<std::string>;
 
@@ -70,5 +70,5 @@ TEST(Tolerance, IsKept) {
   record.at_least("scenes where the estimate is less than 5 times the true error", within, 8);
 }
 
-}  // namespace
+}  // namespace tolerance_test
 }  // namespace upbead::test

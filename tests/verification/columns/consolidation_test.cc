@@ -12,7 +12,7 @@
 #include "unknowns_on.h"
 
 namespace upbead::test {
-namespace {
+namespace consolidation_test {
 
 Region consolidating(const Json& entry) {
   Region region = soil(entry.at("mat"), Flow::darcy);
@@ -130,5 +130,5 @@ TEST_P(Mandel, Consolidates) {
 
 INSTANTIATE_TEST_SUITE_P(Cases, Mandel, ::testing::Values(0u, 1u));
 
-}  // namespace
+}  // namespace consolidation_test
 }  // namespace upbead::test

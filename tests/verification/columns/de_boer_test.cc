@@ -13,7 +13,7 @@
 #include "column_case.h"
 
 namespace upbead::test {
-namespace {
+namespace de_boer_test {
 
 constexpr double depth = 30.;            // m
 constexpr double deepest = 5.;           // m, of the tables
@@ -119,5 +119,5 @@ INSTANTIATE_TEST_SUITE_P(Cases, DeBoer,
                            return std::to_string(std::get<0>(p.param)) + "_" + std::to_string(std::get<1>(p.param));
                          });
 
-}  // namespace
+}  // namespace de_boer_test
 }  // namespace upbead::test

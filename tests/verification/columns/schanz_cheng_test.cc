@@ -12,7 +12,7 @@
 #include "column_case.h"
 
 namespace upbead::test {
-namespace {
+namespace schanz_cheng_test {
 
 TimeFunction load_of(const Json& load, double q) {
   if (load.at("kind") == "tri") return triangle(q, load.at("td"));
@@ -100,5 +100,5 @@ INSTANTIATE_TEST_SUITE_P(Cases, SchanzCheng,
                            return std::to_string(std::get<0>(p.param)) + "_" + std::get<1>(p.param);
                          });
 
-}  // namespace
+}  // namespace schanz_cheng_test
 }  // namespace upbead::test

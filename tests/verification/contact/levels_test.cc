@@ -8,7 +8,7 @@
 #include "sliding/coupled_slip.h"
 
 namespace upbead::test {
-namespace {
+namespace levels_test {
 
 std::string two_digits(double value) {
   return std::to_string(value).substr(0, 4);
@@ -101,5 +101,5 @@ TEST_P(Levels, DifferOnSoftGround) {
 INSTANTIATE_TEST_SUITE_P(Flow, Levels, testing::Bool(),
                          [](const auto& flow) { return flow.param ? "Wet" : "Drained"; });
 
-}  // namespace
+}  // namespace levels_test
 }  // namespace upbead::test

@@ -6,7 +6,7 @@
 #include "contact_case.h"
 
 namespace upbead::test {
-namespace {
+namespace node_contact_test {
 
 TEST(NodeContact, OnRigidGroundIsTheExactBlock) {
   Record record("contact_block");
@@ -101,5 +101,5 @@ TEST_P(Section, LargerWavesSlideFarther) {
 INSTANTIATE_TEST_SUITE_P(Flow, Section, testing::Bool(),
                          [](const auto& flow) { return flow.param ? "Wet" : "Drained"; });
 
-}  // namespace
+}  // namespace node_contact_test
 }  // namespace upbead::test

@@ -12,7 +12,7 @@
 #include "upbead/run/simulation.h"
 
 namespace upbead::test {
-namespace {
+namespace uplift_test {
 
 constexpr double duration = 3., end = 6.;
 
@@ -153,5 +153,5 @@ TEST(NodeContactUplift, SlowlyPressesAsGodaSays) {
   record.at_most("eccentricity", std::abs(found.summary.base->largest_eccentricity / e - 1.), 2e-3);
 }
 
-}  // namespace
+}  // namespace uplift_test
 }  // namespace upbead::test

@@ -11,7 +11,7 @@
 #include "scenes.h"
 
 namespace upbead::test {
-namespace {
+namespace agreement_test {
 
 double largest_difference(const Eigen::RowVectorXd& a, const Eigen::RowVectorXd& b) {
   return (a - b).cwiseAbs().maxCoeff() / a.cwiseAbs().maxCoeff();
@@ -67,5 +67,5 @@ TEST(JumpingLoad, BothSchemesAgree) {
   EXPECT_NEAR(x.tail<1>()[0], y.tail<1>()[0], 1e-3 * x.cwiseAbs().maxCoeff());
 }
 
-}  // namespace
+}  // namespace agreement_test
 }  // namespace upbead::test

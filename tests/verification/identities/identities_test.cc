@@ -9,7 +9,7 @@
 #include "upbead/base/error.h"
 
 namespace upbead::test {
-namespace {
+namespace identities_test {
 
 class Identities : public ::testing::TestWithParam<std::tuple<SchemeKind, RegionKind>> {};
 
@@ -93,5 +93,5 @@ TEST(SlowForce, PassesThroughTheCaisson) {
   EXPECT_NEAR(*read_shear_response(compiled.scene, response, true).shear_to_force_ratio, 1., 0.03);
 }
 
-}  // namespace
+}  // namespace identities_test
 }  // namespace upbead::test

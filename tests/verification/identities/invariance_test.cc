@@ -9,7 +9,7 @@
 #include "scenes.h"
 
 namespace upbead::test {
-namespace {
+namespace invariance_test {
 
 constexpr double tolerance = 1e-10;
 
@@ -102,5 +102,5 @@ TEST_P(Schemes, LoadsSuperpose) {
 
 INSTANTIATE_TEST_SUITE_P(Both, Schemes, ::testing::Values(SchemeKind::sdirk4, SchemeKind::generalised_alpha));
 
-}  // namespace
+}  // namespace invariance_test
 }  // namespace upbead::test

@@ -15,7 +15,7 @@
 #include "unknowns_on.h"
 
 namespace upbead::test {
-namespace {
+namespace reciprocity_test {
 
 constexpr double tolerance = 1e-10;
 
@@ -130,5 +130,5 @@ TEST(Refinement, KeepsAnAffineSolution) {
                  std::abs(history(a, on_coarse, "probes/top/displacement_y").tail<1>()[0] / exact - 1.), tolerance);
 }
 
-}  // namespace
+}  // namespace reciprocity_test
 }  // namespace upbead::test

@@ -9,7 +9,7 @@
 #include "scenes.h"
 
 namespace upbead::test {
-namespace {
+namespace same_material_test {
 
 Eigen::RowVectorXd shear_force(const Scene& scene, const Mesh& mesh) {
   const Compiled compiled(scene, mesh);
@@ -92,5 +92,5 @@ TEST(SameMaterial, StiffSolidCaissonIsRigid) {
                    largest_difference(history(rigid, a, reading), history(solid, b, reading)), 1e-5);
 }
 
-}  // namespace
+}  // namespace same_material_test
 }  // namespace upbead::test

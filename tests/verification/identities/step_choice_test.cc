@@ -11,7 +11,7 @@
 #include "scenes.h"
 
 namespace upbead::test {
-namespace {
+namespace step_choice_test {
 
 TimeFunction step_load(double peak, double rise = 0.) {
   Pulse pulse;
@@ -158,5 +158,5 @@ TEST(ConsolidationSteps, DaysTakeFewStepsAndAgreeWithFineOnes) {
   EXPECT_NEAR(grown / fine, 1., 1e-4);
 }
 
-}  // namespace
+}  // namespace step_choice_test
 }  // namespace upbead::test

@@ -11,7 +11,7 @@
 #include "from_above.h"
 
 namespace upbead::test {
-namespace {
+namespace footing_long_test {
 
 /// A friction angle, the exact factor, the ground in which it fails, and how often cells are split.
 struct Failing {
@@ -99,5 +99,5 @@ TEST(FootingAside, FollowsGreen) {
   tends_from_above(record, "pushed aside, V against Green's at its H", of_V, 0.0105);
 }
 
-}  // namespace
+}  // namespace footing_long_test
 }  // namespace upbead::test

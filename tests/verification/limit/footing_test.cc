@@ -10,7 +10,7 @@
 #include "from_above.h"
 
 namespace upbead::test {
-namespace {
+namespace footing_test {
 
 TEST(Footing, OnClayIsThatOfPrandtl) {
   Record record("footing");
@@ -56,5 +56,5 @@ TEST(Footing, CohesionIsASurcharge) {
   record.at_most("N_c, 30 degrees, over (N_q - 1)/tan phi, less 1", std::abs(N_c * tangent / (N_q - 1.) - 1.), 1e-4);
 }
 
-}  // namespace
+}  // namespace footing_test
 }  // namespace upbead::test

@@ -12,7 +12,7 @@
 #include "tensor_mesh.h"
 
 namespace upbead::test {
-namespace {
+namespace ring_test {
 
 constexpr double a = 1., b = 2., G = 1e7, nu = 0.3, k = 1e4;  // k: strength in shear
 
@@ -119,5 +119,5 @@ TEST(Ring, YieldsAndBurstsAsHillFound) {
   record.at_most("from above", std::abs(report.failed / burst - 1.), 3e-3);
 }
 
-}  // namespace
+}  // namespace ring_test
 }  // namespace upbead::test

@@ -15,7 +15,7 @@
 #include "tensor_mesh.h"
 
 namespace upbead::test {
-namespace {
+namespace slope_test {
 
 constexpr double H = 10., weight = 20e3;  // m, N/m3
 
@@ -104,5 +104,5 @@ TEST(Slope, OfGriffithsAndLaneHasTheirFactor) {
                  std::abs(factor_of(safety_factor(scene, *slope_mesh(2.5), {})) / 1.4 - 1.), 0.02);
 }
 
-}  // namespace
+}  // namespace slope_test
 }  // namespace upbead::test

@@ -15,7 +15,7 @@
 #include "upbead/sliding/pulse.h"
 
 namespace upbead::test {
-namespace {
+namespace block_test {
 
 struct Motion {
   double distance = 0., peak_velocity = 0., stop = 0.;
@@ -86,5 +86,5 @@ TEST(Block, SlidesUnderTheTriangularPulse) {
   record.curve(curve);
 }
 
-}  // namespace
+}  // namespace block_test
 }  // namespace upbead::test

@@ -17,7 +17,7 @@
 #include "reference.h"
 
 namespace upbead::test {
-namespace {
+namespace one_degree_test {
 
 /// Steps a period: enough for 1e-6, of the largest and least values and of histories. The former need less, as they do
 /// not suffer from an error of phase.
@@ -155,5 +155,5 @@ std::string name_of(const ::testing::TestParamInfo<SchemeKind>& test) {
 }
 INSTANTIATE_TEST_SUITE_P(, OneDegree, ::testing::Values(SchemeKind::sdirk4, SchemeKind::generalised_alpha), name_of);
 
-}  // namespace
+}  // namespace one_degree_test
 }  // namespace upbead::test

@@ -13,7 +13,7 @@
 #include "reference.h"
 
 namespace upbead::test {
-namespace {
+namespace two_degrees_test {
 
 SwayAndRotation caisson(const Json& entry) {
   const Json& p = entry.at("par");
@@ -96,5 +96,5 @@ TEST(TwoDegrees, GeneralisedAlpha) {
   compare(SchemeKind::generalised_alpha);
 }
 
-}  // namespace
+}  // namespace two_degrees_test
 }  // namespace upbead::test

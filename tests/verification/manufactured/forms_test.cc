@@ -15,7 +15,7 @@
 #include "sources.h"
 
 namespace upbead::test {
-namespace {
+namespace forms_test {
 
 struct Solution {
   std::string file, kind;
@@ -96,5 +96,5 @@ TEST(ManufacturedForms, Inertial) {
   check("manufactured_inertial", inertial);
 }
 
-}  // namespace
+}  // namespace forms_test
 }  // namespace upbead::test

@@ -15,7 +15,7 @@
 #include "sources.h"
 
 namespace upbead::test {
-namespace {
+namespace patch_test {
 
 /// Largest |difference| over the largest |exact| among the unknowns of one field.
 double nodal_error(const System& system, Field field, const Vector& computed, const Vector& exact) {
@@ -66,5 +66,5 @@ TEST(ManufacturedPatch, Degree3) {
   patch(3);
 }
 
-}  // namespace
+}  // namespace patch_test
 }  // namespace upbead::test

@@ -20,7 +20,7 @@
 #include "scenes.h"
 
 namespace upbead::test {
-namespace {
+namespace shear_order_test {
 
 constexpr double end = 0.4, finest = 0.125e-3;  // s
 
@@ -132,5 +132,5 @@ TEST(OrderInTime, TriangleOnABreakwater) {
   record_orders(record, "breakwater, triangle of 0.1 s, 5 % damping", {triangle(1e6, 0.1), true}, false);
 }
 
-}  // namespace
+}  // namespace shear_order_test
 }  // namespace upbead::test

@@ -24,7 +24,7 @@
 #include "record.h"
 
 namespace upbead::test {
-namespace {
+namespace space_test {
 
 struct Study {
   std::string name;   ///< of the test
@@ -110,5 +110,5 @@ INSTANTIATE_TEST_SUITE_P(
                     Study{"InertialDampedDegree3", water, "mms_inertial", "inertial", 1, 3, 200, false}),
     [](const auto& each) { return each.param.name; });
 
-}  // namespace
+}  // namespace space_test
 }  // namespace upbead::test

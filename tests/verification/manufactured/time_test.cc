@@ -17,7 +17,7 @@
 #include "record.h"
 
 namespace upbead::test {
-namespace {
+namespace time_test {
 
 /// Errors after so many steps each.
 struct Halving {
@@ -72,5 +72,5 @@ TEST(OrderInTime, OfTheSchemes) {
   }
 }
 
-}  // namespace
+}  // namespace time_test
 }  // namespace upbead::test

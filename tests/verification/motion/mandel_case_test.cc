@@ -14,7 +14,7 @@
 #include "upbead/run/simulation.h"
 
 namespace upbead::test {
-namespace {
+namespace mandel_case_test {
 
 const std::string specimen = R"(title = "Mandel's problem"
 [mesh]
@@ -88,5 +88,5 @@ TEST(MandelByACaseFile, Consolidates) {
                  largest_error(read("probes/plate/displacement_y"), part("uy_per_height")), 1e-3);
 }
 
-}  // namespace
+}  // namespace mandel_case_test
 }  // namespace upbead::test

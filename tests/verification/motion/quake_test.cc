@@ -11,7 +11,7 @@
 #include "upbead/run/simulation.h"
 
 namespace upbead::test {
-namespace {
+namespace quake_test {
 
 const double pi = std::acos(-1.);
 
@@ -99,5 +99,5 @@ INSTANTIATE_TEST_SUITE_P(
                              DisplacementCondition::fixed},
                       Ground{"waves from below, damped, sea", true, true, false, DisplacementCondition::absorbing}));
 
-}  // namespace
+}  // namespace quake_test
 }  // namespace upbead::test

@@ -13,7 +13,7 @@
 #include "upbead/model/region.h"
 
 namespace upbead::test {
-namespace {
+namespace shaken_layer_test {
 
 const double pi = std::acos(-1.);
 constexpr double limit = 1e-3;
@@ -144,5 +144,5 @@ INSTANTIATE_TEST_SUITE_P(
                       Transfer{"undamped on rock, compression, 1.7 times its own frequency", undamped_on_rock(true),
                                1.7}));
 
-}  // namespace
+}  // namespace shaken_layer_test
 }  // namespace upbead::test

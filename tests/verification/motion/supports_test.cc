@@ -11,7 +11,7 @@
 #include "upbead/model/region.h"
 
 namespace upbead::test {
-namespace {
+namespace supports_test {
 
 /// A scene of one solid that fills the unit square, or more, with the sides "left", "right", "base" and "top".
 std::unique_ptr<Mesh> square(double width, double height, int n) {
@@ -202,5 +202,5 @@ TEST(ShapesAlongACurve, AreThoseOverXAndHeight) {
   }
 }
 
-}  // namespace
+}  // namespace supports_test
 }  // namespace upbead::test

@@ -15,7 +15,7 @@
 #include "record.h"
 
 namespace upbead::test {
-namespace {
+namespace kernel_cases_test {
 
 std::vector<std::string> shipped_cases() {
   std::vector<std::string> paths;
@@ -89,5 +89,5 @@ TEST(Reduced, KernelOfEveryShippedCase) {
   for (const std::string& path : paths) compare(record, path);
 }
 
-}  // namespace
+}  // namespace kernel_cases_test
 }  // namespace upbead::test

@@ -14,7 +14,7 @@
 #include "upbead/base/error.h"
 
 namespace upbead::test {
-namespace {
+namespace march_cases_test {
 
 constexpr double duration = 0.15, density_of_cells = 0.5;
 constexpr Limits asked_for{0.005, 0.005};
@@ -147,5 +147,5 @@ TEST(ReducedMarch, EveryLoadAlone) {
   record.measured("three loads: vectors per load", reduction.n_vectors / 3.);
 }
 
-}  // namespace
+}  // namespace march_cases_test
 }  // namespace upbead::test

@@ -14,7 +14,7 @@
 #include "reduced_case.h"
 
 namespace upbead::test {
-namespace {
+namespace prototype_test {
 
 constexpr double duration = 0.15, pi = 3.14159265358979323846;
 constexpr Limits asked_for{0.003, 0.001};
@@ -98,5 +98,5 @@ TEST(ReducedStability, Prototype) {
   }
 }
 
-}  // namespace
+}  // namespace prototype_test
 }  // namespace upbead::test

@@ -15,7 +15,7 @@
 #include "reduced_case.h"
 
 namespace upbead::test {
-namespace {
+namespace random_waves_test {
 
 constexpr double step = 0.002;
 constexpr int n = 501;
@@ -53,5 +53,5 @@ TEST(ReducedWaves, OfThePrototype) {
   }
 }
 
-}  // namespace
+}  // namespace random_waves_test
 }  // namespace upbead::test

@@ -17,7 +17,7 @@
 #include "tensor_mesh.h"
 
 namespace upbead::test {
-namespace {
+namespace harmonic_layer_test {
 
 /// A model of the table and what makes it of a scene.
 struct Model {
@@ -147,5 +147,5 @@ TEST(HarmonicLayer, AmplitudesAt25PointsOfTheMap) {
   }
 }
 
-}  // namespace
+}  // namespace harmonic_layer_test
 }  // namespace upbead::test

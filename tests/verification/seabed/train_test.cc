@@ -15,7 +15,7 @@
 #include "wave_seabed.h"
 
 namespace upbead::test {
-namespace {
+namespace train_test {
 
 using Profile = std::vector<Complex>;
 
@@ -125,5 +125,5 @@ TEST(WaveTrainOnSeabed, RunsAndStandsAsExact) {
   }
 }
 
-}  // namespace
+}  // namespace train_test
 }  // namespace upbead::test

@@ -18,7 +18,7 @@
 #include "wave_seabed.h"
 
 namespace upbead::test {
-namespace {
+namespace waves_test {
 
 using Profile = std::vector<Complex>;
 
@@ -172,5 +172,5 @@ TEST(WaveSeabed, YamamotosHalfSpace) {
   }
 }
 
-}  // namespace
+}  // namespace waves_test
 }  // namespace upbead::test

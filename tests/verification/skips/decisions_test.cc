@@ -7,7 +7,7 @@
 #include "skip_case.h"
 
 namespace upbead::test {
-namespace {
+namespace decisions_test {
 
 Solved with_flow(Scene scene, const Mesh& mesh, const std::string& region, Flow flow, double duration) {
   scene.regions[region].flow = flow;
@@ -100,5 +100,5 @@ TEST(Kept, WhereTheNumbersAskForIt) {
   EXPECT_EQ(resolved.scene.regions.at("caisson").kind, RegionKind::solid);
 }
 
-}  // namespace
+}  // namespace decisions_test
 }  // namespace upbead::test

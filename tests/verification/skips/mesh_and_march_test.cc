@@ -8,7 +8,7 @@
 #include "tensor_mesh.h"
 
 namespace upbead::test {
-namespace {
+namespace mesh_and_march_test {
 
 /// Without pore water waves are slow: 240 m/s in the sand.
 Scene dry_scene(double end) {
@@ -117,5 +117,5 @@ TEST(Skips, FactorisationsOfAStepSizeItHas) {
   }
 }
 
-}  // namespace
+}  // namespace mesh_and_march_test
 }  // namespace upbead::test

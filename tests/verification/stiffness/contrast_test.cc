@@ -22,7 +22,7 @@
 #include "tensor_mesh.h"
 
 namespace upbead::test {
-namespace {
+namespace contrast_test {
 
 const ElasticSoil ground{0.3, 1.5};
 constexpr double rigid = std::numeric_limits<double>::infinity();
@@ -135,5 +135,5 @@ TEST(StiffnessContrast, RoundOffOnAFineMesh) {
   record.measured("difference from the rigid limit at E_block = 10^8 E_soil, fine mesh, over K", worst);
 }
 
-}  // namespace
+}  // namespace contrast_test
 }  // namespace upbead::test

@@ -15,7 +15,7 @@ void PrintTo(const ElasticSoil& soil, std::ostream* out) {
     if (std::isalnum(static_cast<unsigned char>(c))) *out << c;
 }
 
-namespace {
+namespace dynamic_stiffness_long_test {
 
 class DynamicStiffnessOf : public ::testing::TestWithParam<ElasticSoil> {};
 
@@ -30,5 +30,5 @@ INSTANTIATE_TEST_SUITE_P(Layers, DynamicStiffnessOf,
                                            ElasticSoil{0.3, 3.}, ElasticSoil{0.45, 3.}),
                          ::testing::PrintToStringParamName());
 
-}  // namespace
+}  // namespace dynamic_stiffness_long_test
 }  // namespace upbead::test

@@ -12,7 +12,7 @@
 #include "dynamic_stiffness.h"
 
 namespace upbead::test {
-namespace {
+namespace dynamic_stiffness_test {
 
 TEST(DynamicStiffness, HalfPlane) {
   compare_dynamic_stiffness({0.3}, true);
@@ -45,5 +45,5 @@ TEST(DynamicStiffness, RingsReflectLittle) {
                  stiffness_error(computed_stiffness(layer, cells, 2.), K), 1e-3);
 }
 
-}  // namespace
+}  // namespace dynamic_stiffness_test
 }  // namespace upbead::test

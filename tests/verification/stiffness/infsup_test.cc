@@ -23,7 +23,7 @@
 #include "tensor_mesh.h"
 
 namespace upbead::test {
-namespace {
+namespace infsup_test {
 
 const std::vector<int> levels{2, 4, 8};  ///< cells over half the load's width
 
@@ -184,5 +184,5 @@ TEST(InfSup, NumberTendsToAConstant) {
   }
 }
 
-}  // namespace
+}  // namespace infsup_test
 }  // namespace upbead::test

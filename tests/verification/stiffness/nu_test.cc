@@ -15,7 +15,7 @@
 #include "record.h"
 
 namespace upbead::test {
-namespace {
+namespace nu_test {
 
 const std::vector<double> points{0., 0.5, 2.};  ///< x / b
 const std::vector<int> levels{2, 4, 8};         ///< cells over half the load's width
@@ -93,5 +93,5 @@ TEST_P(NuToHalf, SettlementsDoNotLock) {
 
 INSTANTIATE_TEST_SUITE_P(Degrees, NuToHalf, ::testing::Values(2, 3));
 
-}  // namespace
+}  // namespace nu_test
 }  // namespace upbead::test

@@ -7,15 +7,14 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
+
+#include "base/numbers.h"
 
 #include "dynamic_stiffness.h"
 
 namespace upbead::test {
-namespace {
-
-constexpr double pi = boost::math::constants::pi<double>();
+namespace static_stiffness_test {
 
 TEST(StaticStiffness, Layers) {
   Record record("strip_stiffness");
@@ -47,5 +46,5 @@ TEST(StaticStiffness, RotationOnTheHalfPlane) {
   }
 }
 
-}  // namespace
+}  // namespace static_stiffness_test
 }  // namespace upbead::test

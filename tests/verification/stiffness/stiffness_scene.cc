@@ -2,8 +2,9 @@
 
 #include <Eigen/LU>
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
+
+#include "base/numbers.h"
 
 #include "frequency_response.h"
 #include "tensor_mesh.h"
@@ -12,7 +13,6 @@ namespace upbead::test {
 
 namespace {
 
-constexpr double pi = boost::math::constants::pi<double>();
 const std::string ring_name = "ring";
 
 /// Lines at growing distance from the strip: those of the undamped soil, then those of the rings.

@@ -14,7 +14,7 @@
 #include "record.h"
 
 namespace upbead::test {
-namespace {
+namespace strip_consolidation_test {
 
 /// Steps that grow tenfold from one segment to the next up to the first time of the table, then 10 between its times.
 TimeGrid steps_through(const std::vector<double>& times) {
@@ -84,5 +84,5 @@ TEST_P(StripConsolidation, PressuresAndSettlements) {
 
 INSTANTIATE_TEST_SUITE_P(Cases, StripConsolidation, ::testing::Values(0u, 1u));
 
-}  // namespace
+}  // namespace strip_consolidation_test
 }  // namespace upbead::test

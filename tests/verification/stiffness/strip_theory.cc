@@ -2,11 +2,12 @@
 
 #include <Eigen/LU>
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <boost/math/quadrature/gauss.hpp>
 #include <boost/math/special_functions/bessel.hpp>
 #include <functional>
 #include <vector>
+
+#include "base/numbers.h"
 
 namespace upbead::test {
 
@@ -15,7 +16,6 @@ namespace {
 using Complex = std::complex<double>;
 using Matrix = Eigen::MatrixXcd;
 
-constexpr double pi = boost::math::constants::pi<double>();
 constexpr int n_terms = 24;     ///< of each parity
 constexpr double k_end = 150.;  ///< the kernels' remainders beyond their asymptotes fall as k^-3
 

@@ -8,7 +8,7 @@
 #include "stress_column.h"
 
 namespace upbead::test {
-namespace {
+namespace conductivity_test {
 
 class Conductivity : public ::testing::TestWithParam<unsigned> {};
 
@@ -31,5 +31,5 @@ TEST_P(Conductivity, Column) {
 
 INSTANTIATE_TEST_SUITE_P(Rows, Conductivity, ::testing::Range(0u, 9u));
 
-}  // namespace
+}  // namespace conductivity_test
 }  // namespace upbead::test

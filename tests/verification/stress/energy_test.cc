@@ -11,7 +11,7 @@
 #include "stress_column.h"
 
 namespace upbead::test {
-namespace {
+namespace energy_test {
 
 double largest_mismatch(const Response& response) {
   double largest = 0.;
@@ -71,5 +71,5 @@ TEST(LongRun, NothingGrowsInAHundredThousandSteps) {
   record.at_most("1e5 steps: balance at any step over the work", largest_mismatch(run.response()), 1e-9);
 }
 
-}  // namespace
+}  // namespace energy_test
 }  // namespace upbead::test

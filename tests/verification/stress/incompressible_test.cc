@@ -11,7 +11,7 @@
 #include "stress_column.h"
 
 namespace upbead::test {
-namespace {
+namespace incompressible_test {
 
 struct Found {
   double settlement = 0., u_at_end = 0., p_at_peak = 0.;
@@ -58,5 +58,5 @@ TEST_P(Incompressible, IsTheLimit) {
 
 INSTANTIATE_TEST_SUITE_P(Models, Incompressible, ::testing::Values("full", "upB"));
 
-}  // namespace
+}  // namespace incompressible_test
 }  // namespace upbead::test

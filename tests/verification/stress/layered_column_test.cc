@@ -11,7 +11,7 @@
 #include "stress_column.h"
 
 namespace upbead::test {
-namespace {
+namespace layered_column_test {
 
 constexpr double rubble_thickness = 5., sand_thickness = 10.;  // m
 constexpr double height = rubble_thickness + sand_thickness;
@@ -103,5 +103,5 @@ TEST_P(Layered, PressureDoesNotOscillateInTheSand) {
 
 INSTANTIATE_TEST_SUITE_P(Models, Layered, ::testing::Values("full", "upB"));
 
-}  // namespace
+}  // namespace layered_column_test
 }  // namespace upbead::test

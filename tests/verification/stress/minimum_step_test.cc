@@ -11,7 +11,7 @@
 #include "stress_column.h"
 
 namespace upbead::test {
-namespace {
+namespace minimum_step_test {
 
 constexpr double height = 10.;  // m
 constexpr int cells = 40;
@@ -80,5 +80,5 @@ INSTANTIATE_TEST_SUITE_P(Cases, MinimumStep,
                          ::testing::Combine(::testing::Values(2, 3),
                                             ::testing::Values(SchemeKind::sdirk4, SchemeKind::generalised_alpha)));
 
-}  // namespace
+}  // namespace minimum_step_test
 }  // namespace upbead::test

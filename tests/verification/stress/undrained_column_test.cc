@@ -10,7 +10,7 @@
 #include "stress_column.h"
 
 namespace upbead::test {
-namespace {
+namespace undrained_column_test {
 
 /// Rises within T so smoothly (three zero derivatives at both ends) that a column with periods below T/20 does not
 /// ring.
@@ -51,5 +51,5 @@ INSTANTIATE_TEST_SUITE_P(Cases, Undrained,
                          ::testing::Values(std::make_tuple("upB", 2, true), std::make_tuple("upB", 3, true),
                                            std::make_tuple("full", 2, true), std::make_tuple("upB", 2, false)));
 
-}  // namespace
+}  // namespace undrained_column_test
 }  // namespace upbead::test

@@ -15,7 +15,7 @@
 #include "strip_scene.h"
 
 namespace upbead::test {
-namespace {
+namespace elastic_strip_test {
 
 constexpr double end_on_half_plane = 0.5;  // s: until a P wave (281 m/s) comes back from 70 m
 
@@ -82,5 +82,5 @@ INSTANTIATE_TEST_SUITE_P(Cases, ElasticStrip,
                                             ::testing::Values("sway", "sway+rocking"),
                                             ::testing::Values(1., 2., 4., 8.)));
 
-}  // namespace
+}  // namespace elastic_strip_test
 }  // namespace upbead::test

@@ -19,7 +19,7 @@
 #include "strip_scene.h"
 
 namespace upbead::test {
-namespace {
+namespace poro_strip_test {
 
 constexpr double shortest = 0.02;  // s
 
@@ -116,5 +116,5 @@ INSTANTIATE_TEST_SUITE_P(Soils, PoroStrip,
                            return name;
                          });
 
-}  // namespace
+}  // namespace poro_strip_test
 }  // namespace upbead::test

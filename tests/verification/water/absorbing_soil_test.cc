@@ -12,7 +12,7 @@
 #include "without.h"
 
 namespace upbead::test {
-namespace {
+namespace absorbing_soil_test {
 
 enum class Wave { pressure, shear };
 
@@ -163,5 +163,5 @@ TEST(AbsorbingSide, LetsAllWavesOfDragFreeRubbleOut) {
       }
 }
 
-}  // namespace
+}  // namespace absorbing_soil_test
 }  // namespace upbead::test

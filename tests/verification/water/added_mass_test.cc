@@ -12,7 +12,7 @@
 #include "reservoir.h"
 
 namespace upbead::test {
-namespace {
+namespace added_mass_test {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -108,5 +108,5 @@ TEST(AddedMass, ClosingTheSeaThreeDepthsOffCostsLittle) {
   record.at_most("closed at 4 h: the change, over that of 3 h", std::abs(four / three), 0.1);
 }
 
-}  // namespace
+}  // namespace added_mass_test
 }  // namespace upbead::test

@@ -12,7 +12,7 @@
 #include "tensor_mesh.h"
 
 namespace upbead::test {
-namespace {
+namespace every_kind_test {
 
 constexpr double left = -40., right = 40., base = -12., level = 14., top = 20.;
 
@@ -143,5 +143,5 @@ INSTANTIATE_TEST_SUITE_P(SchemesAndWaters, EveryKind,
                                             ::testing::Values(Compressibility::compressible,
                                                               Compressibility::incompressible)));
 
-}  // namespace
+}  // namespace every_kind_test
 }  // namespace upbead::test

@@ -12,7 +12,7 @@
 #include "reservoir.h"
 
 namespace upbead::test {
-namespace {
+namespace harmonic_test {
 
 using Complex = std::complex<double>;
 
@@ -95,5 +95,5 @@ TEST(HarmonicWall, RadiatesThroughTheAbsorbingEnd) {
   }
 }
 
-}  // namespace
+}  // namespace harmonic_test
 }  // namespace upbead::test

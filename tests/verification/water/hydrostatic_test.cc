@@ -14,7 +14,7 @@
 #include "unknowns_on.h"
 
 namespace upbead::test {
-namespace {
+namespace hydrostatic_test {
 
 /// The shipped section with a sea on both sides, sealed everywhere, so that a uniform pressure can stand.
 std::unique_ptr<Mesh> section_with_seas() {
@@ -83,5 +83,5 @@ TEST(UniformPressure, PushesTheCaissonToNoSideAndTheGroundNowhere) {
   }
 }
 
-}  // namespace
+}  // namespace hydrostatic_test
 }  // namespace upbead::test

@@ -12,7 +12,7 @@
 #include "reservoir.h"
 
 namespace upbead::test {
-namespace {
+namespace surface_waves_test {
 
 /// Squares of the circular frequencies, ascending, without the first: a uniform rise costs no force. M holds the level
 /// only, so K phi = omega^2 M phi is turned about: M phi = mu (K + s M) phi.
@@ -46,5 +46,5 @@ TEST(SurfaceWaves, StandInAClosedBasinAtTheExactFrequencies) {
   }
 }
 
-}  // namespace
+}  // namespace surface_waves_test
 }  // namespace upbead::test

@@ -14,7 +14,7 @@
 #include "upbead/dynamics/time_grid.h"
 
 namespace upbead::test {
-namespace {
+namespace transient_test {
 
 Response marched(const System& system, double end, double step) {
   SchemeOptions options;
@@ -110,5 +110,5 @@ TEST(WallOnSpring, MovesWithIncompressibleWater) {
   for (const Json& entry : entries) compare(record, entry, "incompressible");
 }
 
-}  // namespace
+}  // namespace transient_test
 }  // namespace upbead::test

@@ -11,7 +11,7 @@
 #include "record.h"
 
 namespace upbead::test {
-namespace {
+namespace laws_test {
 
 constexpr double G = 60e6, gamma_r = 5e-4, pi = 3.14159265358979323846;
 const ElasticLaw small_strain = elastic_law(G, 0.3);
@@ -200,5 +200,5 @@ TEST(Laws, TangentsAreThoseOfDifferences) {
   record.at_least("Mohr-Coulomb: share of 27,000 entries compared", compared / 27000., 0.98);
 }
 
-}  // namespace
+}  // namespace laws_test
 }  // namespace upbead::test

@@ -12,7 +12,7 @@
 #include "yielding_march.h"
 
 namespace upbead::test {
-namespace {
+namespace limits_test {
 
 constexpr double p0 = 100e3, pi = 3.14159265358979323846;
 /// The load grows to 1.001 of the strength, and stays. What exceeds the strength is borne by inertia alone: it and what
@@ -119,5 +119,5 @@ TEST_P(Squeezed, FailsAtItsUndrainedAndDrainedStrength) {
 
 INSTANTIATE_TEST_SUITE_P(Angles, Squeezed, ::testing::Values(0., 15., 35.));
 
-}  // namespace
+}  // namespace limits_test
 }  // namespace upbead::test

@@ -11,7 +11,7 @@
 #include "yielding_march.h"
 
 namespace upbead::test {
-namespace {
+namespace shear_column_test {
 
 constexpr double height = 12., half_width = 80., end = 0.28;
 constexpr double middle = 2.328125;  // of an element of the program in one dimension (m)
@@ -134,5 +134,5 @@ TEST_P(ShearColumn, MovesAsAProgramInOneDimension) {
 
 INSTANTIATE_TEST_SUITE_P(Bases, ShearColumn, ::testing::Bool());
 
-}  // namespace
+}  // namespace shear_column_test
 }  // namespace upbead::test

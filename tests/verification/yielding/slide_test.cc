@@ -11,7 +11,7 @@
 #include "yielding_march.h"
 
 namespace upbead::test {
-namespace {
+namespace slide_test {
 
 constexpr double B = 400., h = 1., mass = 4e6, G = 1e10;
 
@@ -110,5 +110,5 @@ TEST(RigidPlasticLayer, BlockSlidesAsFarAsItIsExact) {
   }
 }
 
-}  // namespace
+}  // namespace slide_test
 }  // namespace upbead::test

@@ -8,7 +8,7 @@
 #include "yielding_march.h"
 
 namespace upbead::test {
-namespace {
+namespace small_loads_test {
 
 constexpr double end = 0.6;
 
@@ -120,5 +120,5 @@ TEST_P(SmallLoads, AreAnsweredAsByLinearSoil) {
 
 INSTANTIATE_TEST_SUITE_P(Both, SmallLoads, ::testing::Bool());
 
-}  // namespace
+}  // namespace small_loads_test
 }  // namespace upbead::test

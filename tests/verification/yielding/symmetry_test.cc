@@ -9,7 +9,7 @@
 #include "yielding_march.h"
 
 namespace upbead::test {
-namespace {
+namespace symmetry_test {
 
 struct Given {
   const char* name;
@@ -126,5 +126,5 @@ TEST_P(YieldingScenes, OtherUnitsAndSizesGiveTheSameAnswer) {
 
 INSTANTIATE_TEST_SUITE_P(Both, YieldingScenes, ::testing::Values(0, 1));
 
-}  // namespace
+}  // namespace symmetry_test
 }  // namespace upbead::test
