@@ -98,6 +98,33 @@ TEST(CombinedSliding, AddsTheWaterOnBothSides) {
   EXPECT_DOUBLE_EQ(added_mass(1000., 10.), 1.0855e5);
 }
 
+TEST(CombinedSliding, UpliftsInPhaseWithTheForceOrAsASine) {
+  const History F = combined_force(wave), in_phase = combined_uplift(wave, {});
+  CombinedModel model;
+  model.uplift = UpliftShape::sinusoidal;
+  model.uplift_gain = 1.3;
+  const History sine = combined_uplift(wave, model);
+  for (std::size_t i = 0; i < F.time.size(); ++i) {
+    EXPECT_NEAR(in_phase.value[i], 0.4e6 * F.value[i] / 2.5e6, 1e-9 * 0.4e6) << F.time[i];
+    EXPECT_NEAR(sine.value[i], 1.3 * 0.4e6 * std::sin(2. * pi * F.time[i] / 12.), 1e-9 * 0.4e6) << F.time[i];
+  }
+}
+
+TEST(CombinedSliding, RefusesWhatIsNoWave) {
+  const auto refuses = [](auto change) {
+    CombinedWave w = wave;
+    change(w);
+    EXPECT_THROW(combined_force(w), std::invalid_argument);
+  };
+  for (const double bad : {0., -1., std::nan("")}) {
+    refuses([&](CombinedWave& w) { w.period = bad; });
+    refuses([&](CombinedWave& w) { w.impulsive.peak = bad; });
+    refuses([&](CombinedWave& w) { w.impulsive.duration = bad; });
+  }
+  refuses([](CombinedWave& w) { w.standing_force = -1.; });
+  refuses([](CombinedWave& w) { w.uplift = -1.; });
+}
+
 TEST(CombinedSliding, RefusesAPulseLongerThanHalfTheWave) {
   CombinedWave w = wave;
   w.impulsive.duration = 6.1;
