@@ -2,7 +2,7 @@
 """Mutation testing: does a layer's test program notice small mistakes in the layer's formulas?
 
     tests/mutation/mutate.py sliding waves --count 100 --seed 1    a random sample of each layer's mutants
-    tests/mutation/mutate.py sliding --again                       those of the last sample that survived, after new tests
+    tests/mutation/mutate.py sliding --again                       those of the last sample that nobody has explained
 
 Each mutant is a change of one place (operators.py). Its file alone is compiled and linked before the layers of
 build-mutation (preset `mutation`), and the layer's own tests run until the first fails. A mutant that survives needs a test,
@@ -130,7 +130,8 @@ def sample(layer, options, path):
     everything = layer.all()
     if options.again:
         state = json.loads(path.read_text())
-        due = [one for one in state["mutants"] if one["verdict"] == "survived"]
+        reasons = explained()
+        due = [one for one in state["mutants"] if one["verdict"] == "survived" and key(one) not in reasons]
         places = {(one["file"], one["number"], one["becomes"]) for one in due}
         chosen = [(m, text) for m, text in everything if (m.file, m.told(text)[0], m.told(text)[2]) in places]
         if len(chosen) != len(due):
@@ -167,7 +168,7 @@ def main():
     parser.add_argument("--count", type=int, default=100, help="mutants of a layer")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--jobs", type=int, default=2)
-    parser.add_argument("--again", action="store_true", help="only what survived in the last sample")
+    parser.add_argument("--again", action="store_true", help="only what survived in the last sample without a reason")
     options = parser.parse_args()
     subprocess.run(["cmake", "--preset", "mutation"], cwd=ROOT, check=True, stdout=subprocess.DEVNULL)
     rows = {one["what"]: one for one in json.loads(FACTS.read_text())["rows"]} if FACTS.exists() else {}
