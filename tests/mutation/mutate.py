@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Mutation testing: does a layer's test program notice small mistakes in the layer's formulas?
 
-    tests/mutation/mutate.py sliding waves --count 100 --seed 1    a random sample of each layer's mutants
+    tests/mutation/mutate.py sliding waves --count 60 --seed 1    a random sample of each layer's mutants
     tests/mutation/mutate.py sliding --again                       those of the last sample that nobody has explained
 
 Each mutant is a change of one place (operators.py). Its file alone is compiled and linked before the layers of
@@ -165,7 +165,7 @@ def row(name, state):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("layers", nargs="+")
-    parser.add_argument("--count", type=int, default=100, help="mutants of a layer")
+    parser.add_argument("--count", type=int, default=60, help="mutants of a layer")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--again", action="store_true", help="only what survived in the last sample without a reason")
@@ -182,7 +182,7 @@ def main():
                         "condition negated, a statement left out), and the layer's own unit tests must fail. Verification "
                         "and command-line tests, which see more, did not run. Why a survivor is equivalent stands in "
                         "tests/mutation/equivalent.toml.",
-                "command": "tests/mutation/mutate.py waves sliding material response", "figure": None,
+                "command": " ".join(["tests/mutation/mutate.py", *sorted(rows)]), "figure": None,
                 "rows": sorted(rows.values(), key=lambda one: one["what"])}
         FACTS.write_text(json.dumps(page, indent=1, ensure_ascii=False) + "\n")
     return unexplained > 0
