@@ -73,7 +73,8 @@ def main():
     order = [*(layer for layer in LAYERS if layer in rows), *sorted(set(rows) - set(LAYERS))]
     page = {"title": "Coverage",
             "text": "Lines and branches of each layer that the unit tests of that layer alone reach, by gcc's counts. A branch "
-                    "that only an exception takes is not counted. A line reached is not a line tested: see mutation testing.",
+                    "that only an exception takes is not counted, nor is what runs in a confined process, which leaves no "
+                    "counts. A line reached is not a line tested: see mutation testing.",
             "command": "tests/checks/coverage.py", "figure": None, "rows": [rows[layer] for layer in order]}
     FACTS.write_text(json.dumps(page, indent=1, ensure_ascii=False) + "\n")
 

@@ -23,11 +23,13 @@ double impulse(const History& h) {
 }
 
 TEST(CombinedSliding, KeepsTheImpulseOfHalfAStandingWave) {
-  for (const double duration : {0.1, 0.8, 1.5, 2.2}) {
+  // the last one is so slow that the standing wave rises before it
+  for (const TriangularPulse& pulse :
+       {TriangularPulse{2.5e6, 0.1}, {2.5e6, 0.8}, {2.5e6, 1.5}, {2.5e6, 2.2}, {1.35e6, 5.}}) {
     CombinedWave w = wave;
-    w.impulsive.duration = duration;
+    w.impulsive = pulse;
     EXPECT_NEAR(impulse(combined_force(w)), w.standing_force * w.period / pi, 3e-5 * w.standing_force * w.period)
-        << duration;
+        << pulse.duration;
     EXPECT_GT(standing_reduction(w), 0.);
     EXPECT_LE(standing_reduction(w), 1.);
   }
