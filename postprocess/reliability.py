@@ -18,7 +18,8 @@ What was tried to make the program fail, how often, and what came out. Made by
 from docs/reliability/*.json, which the programs and scripts named below have written. Whether the equations are solved right
 is another page, [verification](verification.md); what the program says where its own assumptions fail, [warnings](warnings.md).
 """
-ORDER = ["stability", "ladder", "long_time", "warnings", "faults", "property", "fuzzing", "sanitizers", "static_analysis"]
+ORDER = ["stability", "ladder", "long_time", "warnings", "faults", "property", "fuzzing", "sanitizers", "static_analysis",
+         "coverage", "mutation"]
 KEYS = {"title", "text", "command", "figure", "rows"}
 
 

@@ -52,6 +52,14 @@ TEST(Stability, FindsTheWeightForASafetyFactor) {
   EXPECT_NEAR(stability(s, p).safety_sliding, 1.2, 1e-14);
 }
 
+TEST(Stability, NothingPressesOnTheMoundWhereTheUpliftBearsTheWeight) {
+  WavePressure p = pressure(PressureFormula::goda);
+  for (const double share : {1., 1.5}) {
+    p.uplift = share * goda_section().submerged_weight;
+    EXPECT_EQ(stability(goda_section(), p).heel_pressure, 0.) << "U/W' " << share;
+  }
+}
+
 TEST(Stability, ToePressureIsContinuousWhereTheSeawardEdgeOpens) {
   const WavePressure p = pressure(PressureFormula::goda);
   Section s = goda_section();

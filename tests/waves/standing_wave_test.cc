@@ -237,6 +237,7 @@ TEST(StandingWave, IsWorstWhereNoTimeIsWorse) {
     EXPECT_GE(P, worst.seaward.force * (1. + 1e-12));
   }
   EXPECT_GT(worst.crest, -worst.trough);
+  EXPECT_NEAR(worst.crest - worst.trough, 2. * 4.5, 1e-9);
 }
 
 TEST(StandingWave, PullsInDeepWaterMoreThanItPushes) {
