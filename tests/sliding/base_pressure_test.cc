@@ -8,7 +8,7 @@
 #include <cmath>
 
 namespace upbead {
-namespace {
+namespace base_pressure_test {
 
 TEST(EdgePressures, BalanceForceAndMomentOverTheWholeWidth) {
   for (const double e : {0., 0.7, -1.3, 2., -2.}) {
@@ -155,5 +155,5 @@ TEST(WorstBase, CountsRestAndTheWorstOfBothQuantityByQuantity) {
   }
 }
 
-}  // namespace
+}  // namespace base_pressure_test
 }  // namespace upbead

@@ -9,7 +9,7 @@
 #include <cmath>
 
 namespace upbead {
-namespace {
+namespace standing_series_test {
 
 constexpr double pi = 3.14159265358979323846;
 
@@ -32,5 +32,5 @@ TEST(StandingSeries, LeavesOfTheWorseConditionWhatItSays) {
   }
 }
 
-}  // namespace
+}  // namespace standing_series_test
 }  // namespace upbead
