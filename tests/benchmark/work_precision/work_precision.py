@@ -91,14 +91,18 @@ def main():
         run.clock = run.processor_time
     os.environ.setdefault("UPBEAD_MESHES", str(scenes.ROOT / "meshes"))
     wanted = [study for study in scenes.upbead_alone() if arguments.only is None or study.name in arguments.only]
-    results = {"studies": [run_study(program, study, arguments.quick)[0] for study in wanted]}
+    results = {"studies": []}
+    for study in wanted:  # each is kept at once: the last of them take minutes
+        results["studies"].append(run_study(program, study, arguments.quick)[0])
+        front.mark(results["studies"][-1]["rows"])
+        write(results, arguments.output)
     if arguments.peers:
         study, results["floors"], results["fenicsx_forms"] = run_peers(program, arguments.quick)
         results["studies"].append(study)
         results["comparison"] = compare.comparison(study["rows"], results["floors"])
-    for study in results["studies"]:
         front.mark(study["rows"])
-    write(results, arguments.output)
+        write(results, arguments.output)
+    print(table.page(results))
 
 
 def write(results, folder):
@@ -110,7 +114,6 @@ def write(results, folder):
         draw.draw_studies(alone, folder / "work_precision.png")
     if "comparison" in results:
         draw.draw_peers(results["studies"][-1], results["floors"], folder / "peers.png")
-    print(table.page(results))
 
 
 if __name__ == "__main__":
