@@ -1,6 +1,6 @@
 #!/bin/sh
 # Types and runs the commands of the recording in README. To make it anew, with Debian's termtosvg:
-#   termtosvg docs/figures/terminal.svg -c 'sh docs/figures/terminal.sh build' -g 132x44 -t window_frame -m 40 -M 2500 -D 4000
+#   sleep 60 | termtosvg docs/figures/terminal.svg -c 'sh docs/figures/terminal.sh build' -g 132x44 -t window_frame -m 40 -M 2500 -D 4000
 # Its argument is the folder of the program.
 set -eu
 program=$(cd "$1" && pwd)
@@ -10,7 +10,7 @@ trap 'rm -rf "$folder"' EXIT
 cd "$folder"
 
 run() { # types a command, letter by letter, and runs it
-  printf '\033[1;32m$\033[0m '
+  printf '\033[32m$\033[0m '
   left=$1
   while [ -n "$left" ]; do
     rest=${left#?}
