@@ -58,7 +58,9 @@ def panel(ax, study, x, y):
 def draw_studies(studies, path):
     by_name = {study["name"]: study for study in studies}
     panels = [(by_name[name], x, y) for name, x, y in PANELS if name in by_name]
-    figure, axes = plt.subplots(-(-len(panels) // 2), 2, figsize=(10, 3.6 * -(-len(panels) // 2)), squeeze=False)
+    columns = min(2, len(panels))
+    rows = -(-len(panels) // columns)
+    figure, axes = plt.subplots(rows, columns, figsize=(5 * columns, 3.6 * rows), squeeze=False)
     for ax in axes.flat[len(panels):]:
         ax.remove()
     for ax, (study, x, y) in zip(axes.flat, panels):
