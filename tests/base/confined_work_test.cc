@@ -236,8 +236,8 @@ TEST_F(ConfinedWork, TakesNoMoreMemoryThanItMay) {
       limits);
   EXPECT_EQ(outcome.end, "asks for more than 200 MB of memory");
 }
-#endif
 
+// The sanitizer's allocator, unlike glibc's, leaves its locks in the copy as other threads hold them: it waits for ever.
 TEST_F(ConfinedWork, SeveralThreadsMayAsk) {
   std::vector<std::thread> threads;
   std::vector<std::string> results(4);
@@ -249,6 +249,7 @@ TEST_F(ConfinedWork, SeveralThreadsMayAsk) {
   for (std::thread& thread : threads) thread.join();
   for (const std::string& result : results) EXPECT_EQ(result, "yyyyyyyyyy");
 }
+#endif
 
 TEST(Parcel, GivesBackWhatWasPut) {
   Parcel parcel;
