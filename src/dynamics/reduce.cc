@@ -132,7 +132,8 @@ ModalModel split_last(ModalModel& model, Eigen::Index n) {
 }
 
 bool meets(const NestedError& error, const ReduceOptions& options) {
-  return error.history <= options.tolerance && std::max(error.others, error.states) <= options.tolerance_of_others;
+  return error.history <= options.tolerance && error.others <= options.tolerance_of_others &&
+         error.states <= options.tolerance_of_states;
 }
 
 }  // namespace

@@ -24,6 +24,15 @@ SparseMatrix columns_of(const SparseMatrix& rows, const std::vector<int>& column
   return rows * chosen;
 }
 
+/// What rows over the unknowns read, of all columns of a StateModel's coordinates: rows x columns.
+Eigen::MatrixXd values(const SparseMatrix& rows, const FieldBasis& basis, const Eigen::MatrixXd& coordinates) {
+  const Eigen::MatrixXd vectors = basis.unit.asDiagonal() * basis.columns();
+  return product(columns_of(rows, basis.unknown) * vectors, coordinates(basis.coordinate, Eigen::all));
+}
+
+/// States at so many times are looked at together: memory for cells x 500 numbers, however long the history is.
+constexpr std::size_t at_once = 500;
+
 }  // namespace
 
 MiddleStrains::MiddleStrains(const Space& space, const Unknowns& unknowns, const std::vector<bool>& of_interest) {
@@ -61,10 +70,13 @@ std::vector<PlaneStrain> MiddleStrains::at(const Vector& x) const {
 }
 
 MiddleStrains::Series MiddleStrains::at(const FieldBasis& basis, const Eigen::MatrixXd& coordinates) const {
-  const Eigen::MatrixXd vectors = basis.unit.asDiagonal() * basis.columns(),
-                        q = coordinates(basis.coordinate, Eigen::all);
-  const auto of = [&](const SparseMatrix& rows) { return product(columns_of(rows, basis.unknown) * vectors, q); };
-  return {of(xx_), of(yy_), of(xy_)};
+  return {values(xx_, basis, coordinates), values(yy_, basis, coordinates), values(xy_, basis, coordinates)};
+}
+
+Eigen::MatrixXd MiddleStrains::shear(const FieldBasis& basis, const Eigen::MatrixXd& coordinates) const {
+  return (values(difference_, basis, coordinates).array().square() +
+          4. * values(xy_, basis, coordinates).array().square())
+      .sqrt();
 }
 
 std::vector<double> MiddleStrains::shear(const Vector& x) const {
@@ -80,6 +92,21 @@ void LargestStrains::see(const State& state, int step, int) {
   for (std::size_t c = 0; c < shear.size(); ++c) {
     double& largest = largest_[strains_.cells()[c]->active_cell_index()];
     largest = std::max(largest, shear[c]);
+  }
+}
+
+void LargestStrains::see(const StateModel& model, const SampledLoads& loads) {
+  std::fill(largest_.begin(), largest_.end(), 0.);
+  const CoordinateSeries series = respond_in_coordinates(model.model, loads);
+  const auto n = static_cast<std::size_t>(series.position.cols());
+  for (std::size_t first = 0; first < n; first += at_once) {
+    const auto columns = series.position.middleCols(static_cast<Eigen::Index>(first),
+                                                    static_cast<Eigen::Index>(std::min(at_once, n - first)));
+    const Eigen::VectorXd shear = strains_.shear(model.displacements, columns).rowwise().maxCoeff();
+    for (std::size_t c = 0; c < strains_.cells().size(); ++c) {
+      double& largest = largest_[strains_.cells()[c]->active_cell_index()];
+      largest = std::max(largest, shear[static_cast<Eigen::Index>(c)]);
+    }
   }
 }
 
@@ -151,13 +178,18 @@ void Mobilisation::see(const StateModel& model, const SampledLoads& loads, doubl
   has_seen_ = true;
   const CoordinateSeries series = respond_in_coordinates(model.model, loads);
   const std::vector<Eigen::Index> looks = looks_at(series.time, duration);
-  const MiddleStrains::Series strains = strains_.at(model.displacements, series.position(Eigen::all, looks));
-  for (std::size_t i = 0; i < looks.size(); ++i)
-    for (std::size_t c = 0; c < cells_.size(); ++c) {
-      const auto row = static_cast<Eigen::Index>(c), column = static_cast<Eigen::Index>(i);
-      take(c, {strains.xx(row, column), strains.yy(row, column), strains.xy(row, column)},
-           series.time[static_cast<std::size_t>(looks[i])]);
-    }
+  for (std::size_t first = 0; first < looks.size(); first += at_once) {
+    const std::vector<Eigen::Index> some(
+        looks.begin() + static_cast<std::ptrdiff_t>(first),
+        looks.begin() + static_cast<std::ptrdiff_t>(std::min(first + at_once, looks.size())));
+    const MiddleStrains::Series strains = strains_.at(model.displacements, series.position(Eigen::all, some));
+    for (std::size_t i = 0; i < some.size(); ++i)
+      for (std::size_t c = 0; c < cells_.size(); ++c) {
+        const auto row = static_cast<Eigen::Index>(c), column = static_cast<Eigen::Index>(i);
+        take(c, {strains.xx(row, column), strains.yy(row, column), strains.xy(row, column)},
+             series.time[static_cast<std::size_t>(some[i])]);
+      }
+  }
 }
 
 void Mobilisation::take(std::size_t cell, const PlaneStrain& strain, double time) {

@@ -29,6 +29,8 @@ class MiddleStrains {
   /// gamma = sqrt((e_x - e_y)^2 + (2 e_xy)^2) of each, the diameter of Mohr's circle. The difference is taken in the
   /// rows: after the sums, what is left of two large strains would carry their rounding.
   std::vector<double> shear(const Vector& x) const;
+  /// The same of all columns of a StateModel's coordinates: cells x columns.
+  Eigen::MatrixXd shear(const FieldBasis& basis, const Eigen::MatrixXd& coordinates) const;
 
  private:
   std::vector<dealii::DoFHandler<dim>::active_cell_iterator> cells_;
@@ -42,6 +44,8 @@ class LargestStrains : public MarchObserver {
   LargestStrains(const Space& space, const Unknowns& unknowns, const std::vector<bool>& of_interest)
       : strains_(space, unknowns, of_interest), largest_(of_interest.size(), 0.) {}
   void see(const State& state, int step, int n_steps) override;
+  /// Takes in what a reduced model answers to these loads, at all their times.
+  void see(const StateModel& model, const SampledLoads& loads);
   std::vector<double> memory() const override { return largest_; }
   void recall(const std::vector<double>& memory) override { largest_ = memory; }
   /// By active cell index.

@@ -112,6 +112,7 @@ ReduceOptions reduce_options(const Scene& scene, const CompiledScene& compiled, 
   options.tolerance = scene.tolerance;
   options.tolerance_of_others =
       (damped ? others_damped : others_undamped) * targets.tolerance_of_others.value_or(scene.tolerance);
+  options.tolerance_of_states = options.tolerance_of_others;
   if (targets.only_shear) options.tolerance_of_others = infinity;
   options.each_load = targets.each_load;
   if (targets.most_vectors) options.max_vectors = *targets.most_vectors;

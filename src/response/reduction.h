@@ -27,7 +27,7 @@ std::vector<Eigen::Index> looks_at(const std::vector<double>& time, double durat
 
 /// What a model is to be good for.
 struct ReductionTargets {
-  bool only_shear = false;          ///< F_T alone, not all readings
+  bool only_shear = false;          ///< F_T, and `states` where they are asked for, not all readings
   bool each_load = false;           ///< any history of each load, not only what they do together in the scene
   std::optional<int> most_vectors;  ///< per independent load, where the default is not meant
   bool pressures = false;           ///< to be told everywhere, not at probes alone: Reduction::pressures

@@ -6,7 +6,10 @@
 
 #include "fem/compile.h"
 #include "response/monitors.h"
+#include "response/reduction.h"
+#include "response/time_choice.h"
 #include "run/solve.h"
+#include "upbead/base/error.h"
 
 namespace upbead {
 
@@ -66,19 +69,47 @@ class Soil {
 struct LinearAnswer {
   std::vector<double> strain;  ///< largest shear strain of each cell
   double measure = 0.;         ///< that converges: the largest |F_T| (N/m), or strain
-  double step = 0.;            ///< of the march (s)
+  double step = 0.;            ///< of the march (s); 0 of a reduced model
 };
 
 /// The same in steps of the first march: softer soil answers more slowly, and to find how slowly takes factorisations.
 Simulation in_first_steps(const LinearAnswer& first, const Simulation& simulation) {
-  if (!simulation.given.time.inertia) return simulation;  // its steps grow
+  if (first.step == 0. || !simulation.given.time.inertia) return simulation;  // in quasi-statics its steps grow
   Scene scene = simulation.given;
   scene.time.step = first.step * (1. + 1e-9);
   return with_given(simulation, scene);
 }
 
-LinearAnswer solve_linear(const Simulation& simulation, const std::vector<bool>& follows,
-                          const std::function<void(double)>& progress) {
+double largest_shear(const ShearResponse& response) {
+  return std::max(response.peak_shear, -response.peak_shear_seaward);
+}
+
+/// By a reduced model, where one would answer the scene itself and has converged.
+std::optional<LinearAnswer> reduced_answer(const Simulation& simulation, const std::vector<bool>& follows,
+                                           const std::function<void(double)>& progress) {
+  const Scene& scene = simulation.scene;
+  const CompiledScene& compiled = *simulation.compiled;
+  const SchemeChoice choice = choose_scheme(scene, compiled);
+  if (choice.scheme != TimeScheme::reduced || !compiled.caisson) return std::nullopt;
+  ReductionTargets targets;
+  targets.most_vectors = choice.most_vectors;
+  targets.only_shear = true;
+  targets.states = true;
+  try {
+    const Reduction reduction = reduce_scene(scene, compiled, targets, progress);
+    if (!reduction.converged) return std::nullopt;
+    LargestStrains strains(*simulation.space, *simulation.unknowns, follows);
+    strains.see(*reduction.states, sampled_loads(scene, compiled.system));
+    const ShearResponse response =
+        read_shear_response(compiled, respond(reduction, scene, compiled.system), scene.time.inertia);
+    return LinearAnswer{strains.shear(), largest_shear(response), 0.};
+  } catch (const NumericsError&) {
+    return std::nullopt;
+  }
+}
+
+LinearAnswer marched_answer(const Simulation& simulation, const std::vector<bool>& follows,
+                            const std::function<void(double)>& progress) {
   LargestStrains strains(*simulation.space, *simulation.unknowns, follows);
   ObserverFunction reported = progress_observer(progress);
   MarchOptions options;
@@ -92,7 +123,15 @@ LinearAnswer solve_linear(const Simulation& simulation, const std::vector<bool>&
   const double largest = *std::max_element(strains.shear().begin(), strains.shear().end());
   const double step = run.summary.discretisation.time_step;
   if (!run.summary.response) return {strains.shear(), largest, step};
-  return {strains.shear(), std::max(run.summary.response->peak_shear, -run.summary.response->peak_shear_seaward), step};
+  return {strains.shear(), largest_shear(*run.summary.response), step};
+}
+
+/// As the first answer was found.
+LinearAnswer next_answer(const LinearAnswer& first, const Simulation& simulation, const std::vector<bool>& follows,
+                         const std::function<void(double)>& progress) {
+  if (first.step == 0.)
+    if (const auto reduced = reduced_answer(simulation, follows, progress)) return *reduced;
+  return marched_answer(in_first_steps(first, simulation), follows, progress);
 }
 
 }  // namespace
@@ -103,12 +142,12 @@ Simulation with_converged_soil(const Simulation& simulation, const std::function
   const SoilState first = soil.at(std::vector<double>(soil.follows().size(), 0.));
   SoilSummary summary;
   Simulation latest = with_soil(simulation, first);
-  const LinearAnswer linear = solve_linear(latest, soil.follows(), progress);
+  const LinearAnswer linear = next_answer({}, latest, soil.follows(), progress);
   LinearAnswer last = linear;
   summary.linear = linear.measure;
   while (!summary.converged && summary.iterations < most_iterations) {
     latest = with_soil(simulation, soil.at(last.strain));
-    const LinearAnswer next = solve_linear(in_first_steps(linear, latest), soil.follows(), progress);
+    const LinearAnswer next = next_answer(linear, latest, soil.follows(), progress);
     ++summary.iterations;
     summary.change = std::abs(next.measure - last.measure) / std::max(next.measure, 1e-300);
     summary.converged = summary.change < converged;

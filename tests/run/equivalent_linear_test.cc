@@ -27,7 +27,7 @@ Physical Surface("soil") = {1}; Physical Surface("caisson") = {2};
 Physical Curve("base") = {1}; Physical Curve("sides") = {2, 4}; Physical Curve("walls") = {5, 6, 7};
 )";
 
-std::string layer_case(double peak, const std::string& strain) {
+std::string layer_case(double peak, const std::string& strain, const std::string& time) {
   return R"([mesh]
 file = "layer.geo"
 [regions.soil]
@@ -54,8 +54,7 @@ pulse = { shape = "triangle", duration = 0.2, peak = )" +
          std::to_string(peak) + R"( }
 [time]
 end = 1.5
-step = 0.005
-)";
+)" + time;
 }
 
 struct Peaks {
@@ -83,10 +82,10 @@ Peaks oscillate(double G, double stiffness_damping, double peak) {
 
 class EquivalentLinear : public InFolder {
  protected:
-  SoilSummary settle(double peak, const std::string& strain) {
+  SoilSummary settle(double peak, const std::string& strain, const std::string& time = "step = 0.005\n") {
     static const PetscSession petsc;  // MPI starts once in a process
     write("layer.geo", layer_geo);
-    write("case.toml", layer_case(peak, strain));
+    write("case.toml", layer_case(peak, strain, time));
     const Case input = read_case("case.toml");
     const Simulation scene = simulation_of(input);
     return *solve(input, scene, {}).summary.soil;
@@ -132,6 +131,22 @@ TEST_F(EquivalentLinear, TakesDampingFromTheStrainToo) {
   EXPECT_NEAR(found.settled, peaks.F_T, 3e-3 * peaks.F_T);
   EXPECT_LT(found.settled, 0.97 * found.linear);
   EXPECT_EQ(found.least_modulus_ratio, 1.);
+}
+
+TEST_F(EquivalentLinear, SettlesAlikeByReducedModelsAndMarches) {
+  for (const std::string damping : {"0.0", "0.1"}) {
+    SCOPED_TRACE(damping);
+    const std::string strain =
+        "{ reference_strain = 1e-3, smallest_damping = " + damping + ", largest_damping = " + damping + " }";
+    const SoilSummary reduced = settle(2e6, strain, "scheme = \"reduced\"\n");
+    const SoilSummary marched = settle(2e6, strain, "scheme = \"sdirk4\"\nstep = 0.0025\n");
+    EXPECT_EQ(reduced.iterations, marched.iterations);
+    EXPECT_NE(reduced.settled, marched.settled) << "both were marched";
+    EXPECT_NEAR(reduced.linear, marched.linear, 5e-3 * marched.linear);
+    EXPECT_NEAR(reduced.settled, marched.settled, 5e-3 * marched.settled);
+    EXPECT_NEAR(reduced.largest_strain, marched.largest_strain, 0.01 * marched.largest_strain);
+    EXPECT_NEAR(reduced.least_modulus_ratio, marched.least_modulus_ratio, 0.01 * marched.least_modulus_ratio);
+  }
 }
 
 TEST_F(EquivalentLinear, IsNothingWithoutAStrainLaw) {
