@@ -1,5 +1,6 @@
 #include "study/workers.h"
 
+#include <mpi.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -76,31 +77,35 @@ void launch(int processes) {
   execvpe("mpirun", pointers(command).data(), pointers(variables).data());
 }
 
-Pool::Pool() {
+struct Pool::Window {
+  MPI_Win of_mpi = MPI_WIN_NULL;
+};
+
+Pool::Pool() : window_(std::make_unique<Window>()) {
   MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
   MPI_Comm_size(MPI_COMM_WORLD, &size_);
   int* counters = nullptr;
   const MPI_Aint bytes = rank_ == 0 ? n_counters * sizeof(int) : 0;
-  MPI_Win_allocate(bytes, sizeof(int), MPI_INFO_NULL, MPI_COMM_WORLD, &counters, &window_);
-  MPI_Win_lock_all(0, window_);
+  MPI_Win_allocate(bytes, sizeof(int), MPI_INFO_NULL, MPI_COMM_WORLD, &counters, &window_->of_mpi);
+  MPI_Win_lock_all(0, window_->of_mpi);
   if (rank_ == 0)
     for (int i = 0; i < n_counters; ++i) {
       const int zero = 0;
-      MPI_Put(&zero, 1, MPI_INT, 0, i, 1, MPI_INT, window_);
+      MPI_Put(&zero, 1, MPI_INT, 0, i, 1, MPI_INT, window_->of_mpi);
     }
-  MPI_Win_flush_all(window_);
+  MPI_Win_flush_all(window_->of_mpi);
   meet();
 }
 
 Pool::~Pool() {
-  MPI_Win_unlock_all(window_);
-  MPI_Win_free(&window_);
+  MPI_Win_unlock_all(window_->of_mpi);
+  MPI_Win_free(&window_->of_mpi);
 }
 
 int Pool::add(Counter counter, int by) {
   int before = 0;
-  MPI_Fetch_and_op(&by, &before, MPI_INT, 0, counter, MPI_SUM, window_);
-  MPI_Win_flush(0, window_);
+  MPI_Fetch_and_op(&by, &before, MPI_INT, 0, counter, MPI_SUM, window_->of_mpi);
+  MPI_Win_flush(0, window_->of_mpi);
   return before;
 }
 

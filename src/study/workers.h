@@ -1,7 +1,7 @@
 // The processes that share a study's runs: those that mpirun, or a cluster's launcher, has started.
 #pragma once
 
-#include <mpi.h>
+#include <memory>
 
 #include "base/stopwatch.h"
 
@@ -33,11 +33,12 @@ class Pool {
 
  private:
   enum Counter { taken, finished, failures, n_counters };
+  struct Window;  // that who includes this needs no MPI
   /// Adds to a counter; what it was before.
   int add(Counter counter, int by);
 
   int rank_ = 0, size_ = 1;
-  MPI_Win window_ = MPI_WIN_NULL;
+  std::unique_ptr<Window> window_;
 };
 
 /// Only for a person at a terminal. Several processes work, so that each line is asked of what all of them have done.
