@@ -42,8 +42,8 @@ double shortest_duration(const Scene& scene) {
 
 namespace {
 
-/// c_v / (omega l^2): how far pressure drains in the time of the fastest change, with c_v = (k / rho_f g) (lambda + 2
-/// G) and l the longest path of the water out of the region (m); 0 where something keeps the pressure up.
+/// c_v / (omega l^2): how far pressure drains in the time of the fastest change, c_v = (k / rho_f g) (lambda + 2 G), l
+/// the longest path of the water out of the region (m); 0 where something keeps the pressure up.
 double drainage(const Region& region, const Surroundings& at, const Scene& scene, double omega) {
   if (!at.has_open_side || at.has_load || at.touches_water) return 0.;
   const Material m = material(region, scene.fluid, scene.gravity);
