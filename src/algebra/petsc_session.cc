@@ -25,8 +25,8 @@ void start_as_lone_process() {
 }
 
 /// OpenBLAS retries for ever if it finds no memory for the buffer that it allocates at its first matrix product and
-/// then keeps. Here there is memory, or std::bad_alloc; later a case may have taken all of it, and could not be told
-/// so.
+/// then keeps. Here there is memory, or std::bad_alloc; later a case may have taken all of it, and
+/// would hang.
 void let_blas_take_its_buffer() {
   constexpr std::size_t more_than_the_buffer = 160 << 20;
   ::operator delete(::operator new(more_than_the_buffer));  // the compiler might leave out a new-expression
