@@ -21,7 +21,7 @@ std::vector<bool> water_cells(const Scene& scene, const Mesh& mesh) {
   return absent;
 }
 
-/// Submerged or total (N/m3); for a rigid body from its mass, spread evenly.
+/// Submerged or in air (N/m3); for a rigid body from its mass, spread evenly.
 double unit_weight(const Region& region, const Scene& scene, double density, bool below_water) {
   const double rho_f = below_water ? scene.fluid.density : 0.;
   if (region.kind == RegionKind::porous)

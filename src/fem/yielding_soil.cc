@@ -136,7 +136,7 @@ class SoilOfCells : public YieldingSoil {
   SoilNodes nodes_;
   std::vector<CellPack> packs_;
   std::vector<double> lost_;                  ///< by active cell index (J/m)
-  std::vector<PackNumber> lost_of_, stored_;  ///< by pack (J/m): in the last commit; less that of D
+  std::vector<PackNumber> lost_of_, stored_;  ///< by pack (J/m): dissipated in the last commit; stored, less that of D
   std::vector<char> rested_;                  ///< by pack, whether the last evaluation skipped it
   double n_updates_ = 0., n_skipped_ = 0.;    ///< of cells
   Crew crew_;

@@ -41,7 +41,7 @@ class HystereticLaw {
     std::vector<PlaneStrain> plastic;
   };
 
-  /// Throws InputError unless the slope of tau falls with gamma, from less than G.
+  /// Throws InputError unless tau grows with gamma at slopes that fall, and is not above G gamma.
   HystereticLaw(const ElasticLaw& small_strain, const std::vector<BackbonePoint>& points);
 
   State at_rest() const { return {{}, std::vector<PlaneStrain>(elements_.size())}; }
