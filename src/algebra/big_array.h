@@ -25,7 +25,7 @@ inline BigArray make_big_array(std::size_t n) {
   void* data = std::aligned_alloc(unit, bytes);
   if (data == nullptr) throw std::bad_alloc();
 #ifdef MADV_HUGEPAGE
-  if (unit == huge_page) madvise(data, bytes, MADV_HUGEPAGE);  // a wish; without it all works as well
+  if (unit == huge_page) madvise(data, bytes, MADV_HUGEPAGE);  // only a hint to the system
 #endif
   return BigArray(static_cast<double*>(data));
 }

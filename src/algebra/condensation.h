@@ -10,8 +10,8 @@
 namespace upbead::detail {
 
 /// With unknowns split into blocks (b) and the rest (r): S = A_rr - A_rb A_bb^-1 A_br, block by block. What a solve
-/// needs of a block, the inverse A_bb^-1 and the weights W = A_bb^-1 A_br, lies in one array, in the order of use. A
-/// positive definite block needs no equilibration: Cholesky's error does not depend on diagonal scaling.
+/// needs from a block, the inverse A_bb^-1 and the weights W = A_bb^-1 A_br, lies in one array, in the order of use.
+/// A positive definite block needs no equilibration: Cholesky's error does not depend on diagonal scaling.
 class Condensation {
  public:
   /// Finds the patterns. Throws std::invalid_argument where blocks overlap or couple.
@@ -36,8 +36,8 @@ class Condensation {
  private:
   struct Block {
     IndexRange range;
-    int rest_begin = 0, rest_end = 0;  ///< the rest unknowns that it couples to, in `block_rest_`
-    std::size_t values = 0;            ///< where its inverse and its weights begin, in `values_`
+    int rest_begin = 0, rest_end = 0;  ///< the rest unknowns that the block couples to, in `block_rest_`
+    std::size_t values = 0;            ///< where the block's inverse and weights begin, in `values_`
     int n_rest() const { return rest_end - rest_begin; }
   };
   using DenseMap = Eigen::Map<Eigen::MatrixXd>;
@@ -62,7 +62,7 @@ class Condensation {
   std::vector<int> block_of_;                               ///< per unknown: its block, or -1
   std::vector<int> rest_index_;                             ///< per unknown: its row in S, or -1
   std::vector<int> rest_unknown_;                           ///< per row of S: its unknown
-  std::vector<std::vector<std::pair<int, int>>> touching_;  ///< per row of S: (block, column of it)
+  std::vector<std::vector<std::pair<int, int>>> touching_;  ///< per row of S: (block, column in that block)
   SparseMatrix schur_;
 };
 

@@ -1,11 +1,11 @@
-// Dense matrices by LAPACK and BLAS, whose kernels take the widest registers that the processor has.
+// Dense matrices by LAPACK and BLAS, which use the widest vector registers of the processor.
 #pragma once
 
 #include <Eigen/Core>
 
 namespace upbead {
 
-/// X of A X = B, by dgesv; no numbers where A is singular.
+/// X of A X = B, by dgesv; not finite where A is singular.
 Eigen::MatrixXd solve_dense(Eigen::MatrixXd A, Eigen::MatrixXd B);
 
 /// A B, by dgemm or dgemv.

@@ -22,7 +22,7 @@ Eigenpairs eigenpairs(Eigen::MatrixXd A) {
                 &info);
   };
   const auto turn = detail::blas_turn();
-  call(&best_size);  // asks how much room it wants
+  call(&best_size);  // asks for the size of the work space
   size = static_cast<PetscBLASInt>(best_size);
   std::vector<double> work(static_cast<std::size_t>(size));
   call(work.data());

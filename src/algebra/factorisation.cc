@@ -13,10 +13,10 @@ namespace upbead {
 
 namespace {
 
-/// So many right-hand sides go through the factor together: their fronts and a slab still fit in the nearest caches.
+/// Number of right-hand sides solved together: their fronts and a slab still fit in the nearest caches.
 constexpr Eigen::Index columns_at_once = 8;
 
-/// Of every row the diagonal, and its largest entry by size.
+/// Of each row, the diagonal entry and the largest magnitude.
 struct RowSizes {
   Vector diagonal, largest;
 };
@@ -31,7 +31,8 @@ RowSizes row_sizes(const SparseMatrix& A) {
   return sizes;
 }
 
-/// All processes must scale a shared unknown alike. The sum of the largest entries will do for their largest.
+/// All processes must scale a shared unknown alike. The sum of the processes' largest entries serves in place of
+/// their maximum.
 void sum_shared(const Sharing& sharing, RowSizes& sizes) {
   std::vector<double> values;
   for (const Vector* part : {&sizes.diagonal, &sizes.largest})
@@ -42,7 +43,7 @@ void sum_shared(const Sharing& sharing, RowSizes& sizes) {
     for (const int i : sharing.unknowns) (*part)[i] = *next++;
 }
 
-/// 1 / sqrt|a_ii|, or where a_ii = 0 the largest entry of the row in its place.
+/// 1 / sqrt|a_ii|; where a_ii = 0, with the largest magnitude of the row in its place.
 Vector equilibration(const SparseMatrix& A, const Sharing& sharing) {
   RowSizes sizes = row_sizes(A);
   if (!sharing.unknowns.empty()) sum_shared(sharing, sizes);
@@ -55,7 +56,7 @@ Vector equilibration(const SparseMatrix& A, const Sharing& sharing) {
   return scale;
 }
 
-/// The sharing among the unknowns that are left once the blocks are condensed.
+/// The sharing, with the numbers of the unknowns that are left once the blocks are condensed.
 Sharing condensed(const detail::Condensation& condensation, Sharing sharing) {
   for (int& i : sharing.unknowns) {
     i = condensation.rest_index(i);
@@ -69,7 +70,7 @@ void check_finite(const SparseMatrix& A) {
   if (!values.isFinite().all()) throw NumericsError("the matrix holds a number that is not finite");
 }
 
-/// FNV-1a of the pattern, to notice that a matrix is not the one that was analysed.
+/// FNV-1a hash of the pattern, to notice a matrix with another pattern than the one analysed.
 std::size_t fingerprint(const SparseMatrix& A) {
   std::size_t hash = 14695981039346656037ULL;
   const auto add = [&](int value) { hash = (hash ^ static_cast<std::size_t>(value)) * 1099511628211ULL; };
@@ -78,16 +79,18 @@ std::size_t fingerprint(const SparseMatrix& A) {
   return hash;
 }
 
-/// Steps of iterative refinement (Higham, Accuracy and Stability of Numerical Algorithms, 2002, ch. 12) that bring a
-/// residual of `growth` units of round-off back to a hundred or so; none up to a thousand of them.
+/// Number of steps of iterative refinement (Higham, Accuracy and Stability of Numerical Algorithms, 2002, ch. 12)
+/// that reduce a residual of `growth` units of round-off to about a hundred units; 0 where growth is at most a
+/// thousand.
 int refinements(double growth) {
   constexpr double tolerable = 1e3, largest = 1e13, epsilon = std::numeric_limits<double>::epsilon();
   if (growth <= tolerable) return 0;
   return static_cast<int>(std::ceil(std::log(100. * epsilon) / std::log(std::min(growth, largest) * epsilon))) - 1;
 }
 
-/// How much larger the diagonal of the Schur complement S is than that of A: of pressures, what they keep over what
-/// flows within a step. Where all flows away but in a closed box, digits of what it keeps are lost in S.
+/// How much larger the diagonal of the Schur complement S is than that of A. For a pressure, A holds its storage, and
+/// S also the flow within a step: where the flow is far larger, S loses digits of the storage, which matter in a
+/// closed box.
 double lost_in(const SparseMatrix& S, const SparseMatrix& A, const detail::Condensation& condensation) {
   double largest = 1.;
   for (int i = 0; condensation.n_local() > 0 && i < A.rows(); ++i)
@@ -96,7 +99,7 @@ double lost_in(const SparseMatrix& S, const SparseMatrix& A, const detail::Conde
   return largest;
 }
 
-/// All processes must refine alike.
+/// The sum is the same on all processes, so that all refine alike.
 double sum_of(double value, const Sharing& sharing) {
   if (sharing.processes) sharing.processes->sum(&value, 1);
   return value;
@@ -130,8 +133,8 @@ struct Factorisation::Impl {
     if (stands_in) refine_until_exact();
   }
 
-  /// With pivots that others stand for: as many refinements as a vector without any order needs. It has a part of all
-  /// that a singular matrix cannot give, and that part stays.
+  /// After zero pivots were replaced: finds how many refinements an irregular right-hand side needs. If the matrix is
+  /// singular, such a right-hand side has a part that no solution can give, and the residual stays.
   void refine_until_exact() {
     constexpr int most = 20;
     constexpr double exact = 1e-13, shrinking = 0.5;
@@ -181,12 +184,12 @@ struct Factorisation::Impl {
   detail::Condensation condensation;
   Sharing sharing;  ///< among the unknowns of the Schur complement
   detail::Ldlt ldlt;
-  int n_refinements = 0;  ///< of each solution
-  SparseMatrix matrix;    ///< A, where there are any
+  int n_refinements = 0;  ///< refinement steps of each solution
+  SparseMatrix matrix;    ///< A, kept where solutions are refined
   Eigen::MatrixXd rest;   ///< work space of a solve
 };
 
-/// Elimination touches few rows of a column that has few: those above them in the elimination tree.
+/// Elimination fills few rows of a column with few entries: those above the entries in the elimination tree.
 Border Factorisation::Impl::border(const SparseMatrix& columns) {
   using Triplets = std::vector<Eigen::Triplet<double>>;
   const Eigen::Index m = columns.cols();

@@ -10,7 +10,7 @@ namespace upbead {
 
 namespace {
 
-constexpr const char* prefix = "upbead_fixed_point_";  // of its options in PETSc's table
+constexpr const char* prefix = "upbead_fixed_point_";  // of this solver's options in PETSc's table
 
 }  // namespace
 
@@ -20,7 +20,7 @@ struct FixedPoint::Solver {
   Map map;
   Vector q, value;
   int evaluations = 0;
-  std::exception_ptr thrown;  ///< by the map, which PETSc calls
+  std::exception_ptr thrown;  ///< exception of the map, which PETSc calls
 
   Solver(int size, Map given, int most);
   ~Solver() {
@@ -43,7 +43,7 @@ FixedPoint::Solver::Solver(int size, Map given, int most) : map(std::move(given)
   check_snes(SNESSetTolerances(snes, 0., 0., 0., most, most));
 }
 
-/// F(q) = q - map(q). What the map throws may not pass through PETSc, and is kept.
+/// F(q) = q - map(q). An exception of the map must not pass through PETSc: it is kept.
 PetscErrorCode FixedPoint::Solver::evaluate(SNES snes, Vec x, Vec f, void* context) {
   Solver& self = *static_cast<Solver*>(context);
   if (const PetscErrorCode error = copy(x, self.q); error != 0) return error;

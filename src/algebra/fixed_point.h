@@ -1,4 +1,4 @@
-// q = map(q) for maps whose values are dear and whose derivative is unknown.
+// Solves q = map(q) for maps that are costly to evaluate and whose derivative is unknown.
 #pragma once
 
 #include <functional>
@@ -8,7 +8,7 @@
 
 namespace upbead {
 
-/// What a solution took.
+/// Effort and result of a solution.
 struct FixedPointReport {
   int evaluations = 0;   ///< of the map
   double residual = 0.;  ///< |map(q) - q| at the end
@@ -16,7 +16,7 @@ struct FixedPointReport {
 };
 
 /// Anderson mixing (Anderson, J. ACM 12 (1965) 547) by PETSc's SNES, with the last five iterates. Keeps its vectors
-/// from solution to solution. One thread at a time, while a PetscSession lives.
+/// for the next solution. One thread at a time, while a PetscSession lives.
 class FixedPoint {
  public:
   using Map = std::function<void(const Vector& q, Vector& value)>;
@@ -26,8 +26,8 @@ class FixedPoint {
   ~FixedPoint();
   FixedPoint(FixedPoint&&) noexcept;
 
-  /// From the q that is given until |map(q) - q| <= tolerance. Not converged where it gave up, or the map is not
-  /// finite. Throws what the map throws; NumericsError where PETSc fails otherwise.
+  /// Iterates from the given q until |map(q) - q| <= tolerance. Not converged after `most` evaluations, or where the
+  /// map is not finite. Throws what the map throws; NumericsError where PETSc fails otherwise.
   FixedPointReport solve(Vector& q, double tolerance);
 
  private:

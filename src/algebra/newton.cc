@@ -11,12 +11,12 @@ namespace upbead {
 struct Newton::Solver {
   SNES snes = nullptr;
   Vec at = nullptr, residual = nullptr;
-  Mat matrix = nullptr;  // stands on the arrays of J
+  Mat matrix = nullptr;  // uses the arrays of J
   SparseMatrix J;
   Residual r;
   Derivative derivative;
   Vector x, value;
-  std::exception_ptr thrown;  ///< by the functions, which PETSc calls
+  std::exception_ptr thrown;  ///< exception of the functions, which PETSc calls
 
   Solver(SparseMatrix pattern, Residual given_r, Derivative given_derivative, int most, StepLength length);
   ~Solver() {
@@ -63,7 +63,7 @@ void Newton::Solver::choose_methods(int most, StepLength length) {
   check_snes(SNESSetTolerances(snes, 0., 0., 0., most, 50 * most));
 }
 
-/// What the functions throw may not pass through PETSc, and is kept.
+/// An exception of the functions must not pass through PETSc: it is kept.
 PetscErrorCode Newton::Solver::evaluate(SNES snes, Vec at, Vec f, void* context) {
   Solver& self = *static_cast<Solver*>(context);
   if (const PetscErrorCode error = copy(at, self.x); error != 0) return error;
@@ -76,7 +76,7 @@ PetscErrorCode Newton::Solver::evaluate(SNES snes, Vec at, Vec f, void* context)
   return copy(self.value, f);
 }
 
-/// The residual was asked for last where the derivative is, unless the line search went on from there.
+/// The residual is evaluated anew only if its last evaluation, in the line search, was at another point.
 PetscErrorCode Newton::Solver::differentiate(SNES snes, Vec at, Mat matrix, Mat, void* context) {
   Solver& self = *static_cast<Solver*>(context);
   const Vector last = self.x;

@@ -7,7 +7,7 @@ namespace upbead::detail {
 
 namespace {
 
-/// Nothing was added yet: -0 + x = x, and no sum of other numbers is -0.
+/// Marks an entry to which nothing was added: -0 + x = x, and no sum of other numbers is -0.
 constexpr double untouched = -0.;
 
 bool is_touched(double value) {

@@ -13,8 +13,8 @@ namespace upbead {
 
 namespace {
 
-/// Without these Open MPI looks for a launcher's daemon and for network devices, and makes a folder in /tmp that all
-/// lone processes of a user share: one that ends removes it while another starts, which then fails.
+/// Without these settings, Open MPI looks for a launcher's daemon and for network devices, and makes a folder in /tmp
+/// that all lone processes of a user share: a process that ends removes it while another starts, which then fails.
 void start_as_lone_process() {
   if (std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr) return;
   setenv("OMPI_MCA_btl", "self", 0);
@@ -24,11 +24,12 @@ void start_as_lone_process() {
   setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
 }
 
-/// OpenBLAS tries for ever where it finds no memory for the buffer that it takes at its first matrix product and then
-/// keeps. Here there is memory, or std::bad_alloc; later a case may have taken all of it, and must be told so.
+/// OpenBLAS retries for ever if it finds no memory for the buffer that it allocates at its first matrix product and
+/// then keeps. Here there is memory, or std::bad_alloc; later a case may have taken all of it, and
+/// would hang.
 void let_blas_take_its_buffer() {
   constexpr std::size_t more_than_the_buffer = 160 << 20;
-  ::operator delete(::operator new(more_than_the_buffer));  // a new-expression the compiler might leave out
+  ::operator delete(::operator new(more_than_the_buffer));  // the compiler might leave out a new-expression
   const PetscBLASInt n = 128;
   const std::vector<double> A(n * n, 1.);
   std::vector<double> C(n * n);

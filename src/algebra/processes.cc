@@ -17,7 +17,7 @@ class MpiProcesses : public Processes {
   int rank() const override { return rank_; }
   int count() const override { return count_; }
 
-  /// MPI_Allreduce may add up in another order on each process.
+  /// Not by MPI_Allreduce, which may sum in a different order on each process.
   void sum(double* values, int n) const override {
     MPI_Reduce(rank_ == 0 ? MPI_IN_PLACE : values, values, n, MPI_DOUBLE, MPI_SUM, 0, MPI_COMM_WORLD);
     MPI_Bcast(values, n, MPI_DOUBLE, 0, MPI_COMM_WORLD);

@@ -1,4 +1,4 @@
-// What every non-linear solver of PETSc is asked in the same way.
+// What all non-linear solvers by PETSc share.
 #pragma once
 
 #include <petscsnes.h>
@@ -12,7 +12,7 @@ namespace upbead {
 /// Throws NumericsError where PETSc reports an error.
 void check_snes(PetscErrorCode error);
 
-/// Between vectors of one length. Return PETSc's errors, so that functions that PETSc calls can hand them on.
+/// Copies between vectors of one length. Returns PETSc's errors, so that functions called by PETSc can pass them on.
 PetscErrorCode copy(Vec from, Vector& to);
 PetscErrorCode copy(const Vector& from, Vec to);
 
@@ -21,8 +21,8 @@ struct SnesReport {
   bool converged = false;
 };
 
-/// From x on until |F(x)| <= tolerance; `at` is the solver's own vector. `thrown`: where its functions keep what they
-/// throw, which may not pass through PETSc; it is thrown here. Throws NumericsError where PETSc fails otherwise.
+/// Iterates from x until |F(x)| <= tolerance; `at` is the solver's own vector. `thrown`: an exception of the solver's
+/// functions, which must not pass through PETSc; it is thrown here. Throws NumericsError where PETSc fails otherwise.
 SnesReport solve_snes(SNES snes, Vec at, Vector& x, double tolerance, std::exception_ptr& thrown);
 
 }  // namespace upbead

@@ -7,18 +7,18 @@ namespace upbead {
 
 namespace {
 
-/// A slope is little if it is this share of that at the start; tries after which the last length is taken; a length
-/// beyond which none is tried.
+/// The search ends at a slope of at most `little` times that at the start, or with the last length after
+/// `most_tries`. No length beyond `farthest` is tried.
 constexpr double little = 0.3, farthest = 1e3;
 constexpr int most_tries = 12;
 
-/// Lengths before and behind the least value, with their slopes; none is known behind it as long as `far_slope` is 0.
+/// Lengths before and behind the least value, with their slopes; `far_slope_` is 0 until a length behind it is known.
 class Bracket {
  public:
   explicit Bracket(double slope) : start_(slope), near_slope_(slope) {}
 
-  /// The length to be tried next. First ever longer ones, by secants; between two, regula falsi, in which the slope of
-  /// an end that stays is halved (Illinois).
+  /// The length to be tried next. Until a length behind the least value is known, longer ones, by secants; then
+  /// regula falsi, in which the slope of an end that stays is halved (Illinois).
   double after(double length, double slope) {
     if (slope > 0.) {
       near_ = length;

@@ -17,7 +17,7 @@ std::string dotted(int first, int second, int third) {
   return std::to_string(first) + "." + std::to_string(second) + "." + std::to_string(third);
 }
 
-/// As the program was built with: asking the libraries would load them all.
+/// The version at compile time: asking the libraries would load them all.
 std::string mpi() {
 #ifdef OMPI_MAJOR_VERSION
   return "Open MPI v" + dotted(OMPI_MAJOR_VERSION, OMPI_MINOR_VERSION, OMPI_RELEASE_VERSION);
@@ -26,8 +26,8 @@ std::string mpi() {
 #endif
 }
 
-/// Debian chooses a BLAS at run time by a link, so no header knows: the file that dgemm comes from, or, where that is
-/// OpenBLAS, what it says of itself.
+/// Debian chooses a BLAS at run time by a link, so that no header knows it. Returns the file that dgemm comes from;
+/// for OpenBLAS, the description that the library gives.
 std::string blas() {
   Dl_info found;
   void* dgemm = dlsym(RTLD_DEFAULT, "dgemm_");

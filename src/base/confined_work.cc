@@ -33,13 +33,13 @@ using detail::RefusedCalls;
 
 enum class Kind { result, input_error, exception, no_memory };
 
-/// Behind the bytes that a confined process hands back: whether they are whole, and what they are.
+/// Follows the bytes that a confined process returns: tells whether they are complete, and of which kind they are.
 struct Trailer {
   std::size_t size;
   Kind kind;
 };
 
-constexpr int way_back = 3;  ///< the only open file of a confined process beside 0 to 2
+constexpr int way_back = 3;  ///< file descriptor of the pipe; a confined process has no other open file but 0 to 2
 constexpr int ended_by_exit = 77;
 
 /// Memory that both processes see.
@@ -71,7 +71,7 @@ void set_limit(decltype(RLIMIT_CPU) what, rlim_t most) {
   rlimit limit{};
   getrlimit(what, &limit);
   limit.rlim_cur = std::min(most, limit.rlim_max);
-  // the hard one above: SIGXCPU can be told from SIGKILL
+  // a hard limit above the soft one, so that SIGXCPU (time) differs from SIGKILL
   limit.rlim_max = std::min(limit.rlim_max, what == RLIMIT_CPU ? most + 2 : most);
   setrlimit(what, &limit);
 }
@@ -79,7 +79,7 @@ void set_limit(decltype(RLIMIT_CPU) what, rlim_t most) {
 void limit(const ConfinedLimits& limits) {
   set_limit(RLIMIT_CPU, static_cast<rlim_t>(std::ceil(limits.seconds)));
   set_limit(RLIMIT_CORE, 0);
-#ifndef UPBEAD_ASAN  // which reserves terabytes of addresses
+#ifndef UPBEAD_ASAN  // its runtime reserves terabytes of addresses
   rlim_t pages = 0;
   if (std::ifstream("/proc/self/statm") >> pages)
     set_limit(RLIMIT_AS, pages * static_cast<rlim_t>(sysconf(_SC_PAGESIZE)) + limits.memory);
@@ -120,13 +120,13 @@ void hand_back_work(const std::function<std::string()>& work) {
     std::signal(signal, SIG_DFL);
   close_other_files(pipe);
   limit(limits);
-  std::atexit([] { _exit(ended_by_exit); });  // nothing of ours is done twice
+  std::atexit([] { _exit(ended_by_exit); });  // an exit() of the work skips the handlers of the parent process
   detail::confine(notes, limits.hidden_ending);
   hand_back_work(work);
   _exit(0);
 }
 
-/// The process that works, which ends with this at the latest.
+/// The process that works. The destructor ends it.
 class Worker {
  public:
   Worker(const std::function<std::string()>& work, const ConfinedLimits& limits, RefusedCalls& notes) {
@@ -150,7 +150,7 @@ class Worker {
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
 
-  /// All that it hands back; what came until it was `stuck`.
+  /// All bytes that the process returns; "" where it is `stuck`.
   std::string received() {
     constexpr int second = 1000, patience = 60;
     std::string bytes;
@@ -178,7 +178,7 @@ class Worker {
   bool stuck = false;
 
  private:
-  /// False at the end.
+  /// False at the end of the pipe.
   bool receive(std::string& bytes) const {
     constexpr std::size_t piece = 1 << 20;
     const std::size_t old = bytes.size();
@@ -187,7 +187,7 @@ class Worker {
     bytes.resize(old + static_cast<std::size_t>(std::max<ssize_t>(n, 0)));
     return n > 0 || (n < 0 && errno == EINTR);
   }
-  /// Its time of computing so far (s).
+  /// CPU time of the process so far (s).
   double computed() const {
     clockid_t clock{};
     timespec time{};
@@ -199,7 +199,7 @@ class Worker {
   int from_ = -1;
 };
 
-/// Takes the trailer off; false where the bytes are not whole.
+/// Removes the trailer; false where the bytes are not complete.
 bool is_whole(std::string& bytes, Kind& kind) {
   Trailer trailer{};
   if (bytes.size() < sizeof trailer) return false;
@@ -238,7 +238,7 @@ ConfinedOutcome work_confined(const std::function<std::string()>& work, const Co
   Kind kind{};
   if (!is_whole(bytes, kind)) {
     outcome.end = end_of(status, worker.stuck, limits);
-    // with all signals blocked, as glibc does it for system(), fork() and their kin alone
+    // glibc blocks all signals only while system(), fork() and the like start a process
     if (WIFSIGNALED(status) && WTERMSIG(status) == SIGSYS) outcome.refused.emplace_back("start a program");
   } else if (kind == Kind::result) {
     outcome.result = std::move(bytes);

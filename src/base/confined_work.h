@@ -1,4 +1,4 @@
-// Work on files of strangers, in a process of its own that can compute and hand back what it found, and nothing else.
+// Work on files from unknown sources, in a separate process that can compute and return its result, and nothing else.
 #pragma once
 
 #include <cstddef>
@@ -12,8 +12,8 @@ namespace upbead {
 /// What a confined process may use, and how.
 struct ConfinedLimits {
   double seconds = 60.;                       ///< of computing
-  std::size_t memory = std::size_t{1} << 30;  ///< beyond what this process has when it begins (bytes); not under ASan
-  /// Files whose names end so are not seen by whoever looks whether they exist; "": none.
+  std::size_t memory = std::size_t{1} << 30;  ///< beyond the use of this process at its start (bytes); not under ASan
+  /// A confined process does not see that files with this ending exist; "": all are seen.
   std::string hidden_ending;
 };
 
@@ -25,23 +25,24 @@ struct ConfinedOutcome {
   bool confined = false;              ///< by seccomp or Landlock
 };
 
-/// Does `work` in a copy of this process. It cannot start programs, open connections, write, make, rename or remove
-/// files, nor send signals: such calls fail with EPERM and are told in `refused` (or end it, while signals are
-/// blocked). It sees no standard input, its output is lost, and it has no other open files of ours. An InputError of
-/// `work` is thrown here too; other exceptions, signals, exit(), too much time or memory, and a wait for what does not
-/// come (1 minute without computing) are the `end`.
-/// Needs the Linux kernel's seccomp (actions TRAP and ERRNO) or Landlock; without both only crashes are kept off.
+/// Does `work` in a copy of this process. The copy cannot start programs, open connections, write, make, rename or
+/// remove files, nor send signals: such calls fail with EPERM and are listed in `refused` (while signals are blocked,
+/// they end the copy). The copy has no standard input, its output is lost, and no other file of this process is open
+/// in it. An InputError of `work` is thrown here too; other exceptions, signals, exit(), too much time or memory, and
+/// a minute without computing are described in `end`.
+/// Needs the Linux kernel's seccomp (actions TRAP and ERRNO) or Landlock; without both, this process is safe from
+/// crashes only.
 /// Sources: man 2 seccomp, man 7 landlock, man 3 seccomp_rule_add.
 ConfinedOutcome work_confined(const std::function<std::string()>& work, const ConfinedLimits& limits);
 
-/// Within such work: what was refused so far is not told, as it was a library's own beginning, which has seen no file
-/// of a stranger.
+/// Call within such work, after a library has started and before it reads the file: calls refused so far are not
+/// listed.
 void forget_refused();
 
 /// Whether this kernel has seccomp or Landlock.
 bool can_confine();
 
-/// Enough to read a file: 5 s and 1 s per megabyte; 1 GB and 64 times its size.
+/// Limits that suffice to read a file: 5 s and 1 s per megabyte; 1 GB and 64 times its size.
 ConfinedLimits limits_for_file(const std::string& file);
 
 }  // namespace upbead

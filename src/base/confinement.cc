@@ -25,14 +25,14 @@ namespace upbead::detail {
 
 namespace {
 
-/// Names and paths of this process alone; there is one filter and one handler of its signal.
+/// `refused` and `hidden_ending` of confine(). Global, as a process has one filter and one handler of SIGSYS.
 RefusedCalls* noted = nullptr;
 char hidden[16] = "";
 
-/// A sixth number that newfstatat does not have: the handler's own calls pass the filter by it.
+/// Value of a sixth argument, which newfstatat does not have: the filter lets the handler's own calls pass by it.
 constexpr scmp_datum_t own_call = 0x7570626561640001;
 
-/// Calls that tell what a file was after, and which of their arguments is a path (-1: none).
+/// Calls that show what a file was meant to do, and which argument of the call is a path (-1: none).
 struct Telling {
   int number;
   int path;
@@ -88,8 +88,8 @@ const Telling* telling_of(int number) {
   return found == std::end(telling) ? nullptr : found;
 }
 
-/// What computing, memory and reading files need (memfd_create makes memory look like a file); numbers that an
-/// architecture has not are left out by libseccomp.
+/// Calls needed to compute, to use memory and to read files (memfd_create makes memory look like a file). libseccomp
+/// skips calls that an architecture does not have.
 constexpr const char* harmless =
     "read pread64 readv preadv write writev lseek _llseek close fstat fstat64 statx access faccessat faccessat2 "
     "readlink readlinkat getdents64 getcwd fadvise64 readahead statfs fstatfs flock dup dup2 dup3 poll ppoll "
@@ -102,7 +102,7 @@ constexpr const char* harmless =
 #endif
     ;
 
-/// The arguments of the call that raised SIGSYS, where we know the machine.
+/// Argument n of the call that raised SIGSYS; known for some machines only.
 unsigned long argument(const ucontext_t& context, int n) {
 #if defined(__x86_64__)
   constexpr int registers[] = {REG_RDI, REG_RSI, REG_RDX, REG_R10};
@@ -121,7 +121,7 @@ void answer(ucontext_t& context, long result) {
 #elif defined(__aarch64__)
   context.uc_mcontext.regs[0] = static_cast<unsigned long>(result);
 #else
-  (void)context, (void)result;  // the number that is there is no success of any of these calls
+  (void)context, (void)result;  // the value in the register is no success of any of these calls
 #endif
 }
 
@@ -130,7 +130,7 @@ bool is_hidden(const char* path) {
   return !ending.empty() && name.size() >= ending.size() && name.substr(name.size() - ending.size()) == ending;
 }
 
-/// Looks for a file in the place of whoever was stopped doing so.
+/// Does the refused newfstatat for the caller, unless the file is hidden.
 long look(const ucontext_t& context) {
   const auto* const path = reinterpret_cast<const char*>(argument(context, 1));
   if (path == nullptr || is_hidden(path)) return -ENOENT;
@@ -154,7 +154,7 @@ void note(const Telling& call, const ucontext_t& context) {
   if (path != nullptr) std::strncpy(kept.path, path, sizeof kept.path - 1);
 }
 
-/// A call that the filter stops comes here, and fails.
+/// Handler of SIGSYS, which the filter raises for each call that it does not allow.
 void stopped(int, siginfo_t* signal, void* context_of_call) {
   auto& context = *static_cast<ucontext_t*>(context_of_call);
 #ifdef SYS_newfstatat
@@ -165,7 +165,7 @@ void stopped(int, siginfo_t* signal, void* context_of_call) {
   answer(context, call != nullptr ? -EPERM : -ENOSYS);
 }
 
-/// Calls that are harmless with some arguments only. Arguments that do not matter keep no rule.
+/// Calls that are harmless with some arguments only. An argument without a rule may have any value.
 void allow_by_arguments(scmp_filter_ctx filter) {
   const auto allow = [filter](int number, std::initializer_list<scmp_arg_cmp> arguments) {
     seccomp_rule_add_array(filter, SCMP_ACT_ALLOW, number, static_cast<unsigned>(arguments.size()), arguments.begin());
@@ -194,7 +194,7 @@ bool filter_calls() {
   std::istringstream names(harmless);
   for (std::string name; names >> name;)
     seccomp_rule_add(filter, SCMP_ACT_ALLOW, seccomp_syscall_resolve_name(name.c_str()), 0);
-  // glibc asks with all signals blocked, when a trap would end the process, and knows another way
+  // glibc calls clone3 with all signals blocked, where a trap would end the process; after ENOSYS it calls clone
   seccomp_rule_add(filter, SCMP_ACT_ERRNO(ENOSYS), SCMP_SYS(clone3), 0);
   allow_by_arguments(filter);
   struct sigaction action = {};
@@ -212,9 +212,9 @@ constexpr long version_flag = 1;
 constexpr std::uint64_t read_file = 1U << 2U, read_folder = 1U << 3U;
 
 struct Ruleset {
-  std::uint64_t files;   ///< rights that are taken
+  std::uint64_t files;   ///< rights that are removed
   std::uint64_t net;     ///< since version 4: bind and connect by TCP
-  std::uint64_t scoped;  ///< since version 6: abstract sockets and signals of others
+  std::uint64_t scoped;  ///< since version 6: abstract sockets and signals of other processes
 };
 
 #ifdef SYS_landlock_create_ruleset

@@ -1,4 +1,4 @@
-// Cores that a process has for itself.
+// Processor cores that a process may use.
 #pragma once
 
 namespace upbead {
@@ -9,7 +9,7 @@ bool is_launched();
 /// Cores that this process may use.
 int available_cores();
 
-/// Whether a second thread has a core for itself: not beside other processes of the same work.
+/// Whether a second thread has a core of its own: not where mpirun or a launcher has started other processes too.
 bool has_spare_core();
 
 }  // namespace upbead

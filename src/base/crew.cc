@@ -48,7 +48,7 @@ struct Crew::Threads {
       if (--busy == 0) done.notify_one();
     }
   }
-  /// Pieces, as long as there are some.
+  /// Works on pieces until none is left.
   void take() {
     try {
       for (int begin = next.fetch_add(piece); begin < n; begin = next.fetch_add(piece))
@@ -64,7 +64,7 @@ struct Crew::Threads {
   std::vector<std::thread> others;
   std::mutex mutex;
   std::condition_variable called, done;
-  long call = 0;  ///< of share(), counted
+  long call = 0;  ///< number of calls of share()
   int busy = 0, n = 0, piece = 1;
   std::atomic<int> next{0};
   bool ends = false;

@@ -1,4 +1,4 @@
-// A few threads that share work again and again, each time a short piece of it.
+// A few threads that share many short pieces of work.
 #pragma once
 
 #include <functional>
@@ -6,18 +6,19 @@
 
 namespace upbead {
 
-/// Threads wait between works.
+/// The threads wait between two calls of share().
 class Crew {
  public:
-  /// 0: as many threads as the process may use cores, or as OMP_NUM_THREADS says. With one the caller does all.
+  /// 0: as many threads as the process may use cores, or OMP_NUM_THREADS where that is less. With one, the caller
+  /// does all.
   explicit Crew(int n_threads = 0);
   ~Crew();
   Crew(const Crew&) = delete;
   Crew& operator=(const Crew&) = delete;
 
   int size() const;
-  /// Calls work(i) once for every i < n, in no order, and waits for all. Throws the first exception of one. One caller
-  /// at a time.
+  /// Calls work(i) once for every i < n, in no order, and waits for all. Throws the first exception of a call. Only
+  /// one thread may call it at a time.
   void share(int n, const std::function<void(int)>& work);
 
  private:

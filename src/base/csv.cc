@@ -37,7 +37,7 @@ std::string_view trimmed(std::string_view text) {
   return first == std::string_view::npos ? std::string_view() : text.substr(first, last - first + 1);
 }
 
-/// As from_chars, which knows neither a leading plus nor decimal commas.
+/// Like from_chars, which reads neither a leading plus nor decimal commas.
 std::from_chars_result parse(std::string_view text, Dialect dialect, double& number) {
   const char *begin = text.data(), *end = begin + text.size();
   if (text.size() > 1 && *begin == '+') ++begin;
@@ -48,10 +48,11 @@ std::from_chars_result parse(std::string_view text, Dialect dialect, double& num
   return {begin + (stop - with_point.data()), error};
 }
 
-/// Where the slash is behind which a unit follows, as ISO 80000-1 has it: "t / s", "p1/kPa", "F/kN/m"; npos without.
+/// Place of the slash before a unit, as ISO 80000-1 writes it: "t / s", "p1/kPa", "F/kN/m"; npos where there is none.
 std::size_t slash_before_unit(std::string_view text) {
   constexpr std::size_t longest_unit = 20;
-  if (text.size() <= longest_unit && unit_of(std::string(text))) return std::string_view::npos;  // "kN/m" alone
+  // a unit alone, such as "kN/m"
+  if (text.size() <= longest_unit && unit_of(std::string(text))) return std::string_view::npos;
   for (std::size_t at = text.find('/', 1); at != std::string_view::npos; at = text.find('/', at + 1)) {
     const std::string_view behind = trimmed(text.substr(at + 1));
     if (behind.size() > longest_unit) continue;
@@ -60,7 +61,7 @@ std::size_t slash_before_unit(std::string_view text) {
   return std::string_view::npos;
 }
 
-/// Semicolons where the line has one, else tabs, else commas.
+/// Separator: a semicolon where the line has one, else a tab, else a comma.
 Dialect dialect_of(std::string_view header) {
   for (const char separator : {';', '\t'})
     if (header.find(separator) != std::string_view::npos &&
@@ -81,7 +82,7 @@ std::vector<Cell> cells_of(std::string_view line, Dialect dialect) {
   return cells;
 }
 
-/// What is wrong with a cell as a number, "" if nothing. A magnitude below smallest_magnitude becomes zero.
+/// Why a cell is not a number, "" if it is one. A magnitude below smallest_magnitude becomes zero.
 std::string read_number(std::string_view cell, Dialect dialect, double& number) {
   const std::string text(cell);
   const auto [stop, error] = parse(text, dialect, number);
@@ -90,11 +91,11 @@ std::string read_number(std::string_view cell, Dialect dialect, double& number) 
   if (error != std::errc() || stop != text.data() + text.size()) return in_quotes(text) + " is not a number";
   if (!std::isfinite(number)) return in_quotes(text) + " is not finite";
   if (is_too_large(number)) return in_quotes(text) + " is larger than any quantity in SI units";
-  if (is_too_small(number)) number = 0.;  // what is left of a number that decays in some program
+  if (is_too_small(number)) number = 0.;  // programs that write a decaying quantity end with such numbers
   return "";
 }
 
-/// Fills `row` from a line that holds as many sound numbers; false where it does not.
+/// Fills `row` from a line of row.size() valid numbers; false where the line is anything else.
 bool read_row(std::string_view line, Dialect dialect, std::vector<double>& row) {
   std::size_t at = 0;
   for (std::size_t c = 0; c < row.size(); ++c) {
@@ -131,7 +132,7 @@ Heading heading(std::string_view cell) {
 constexpr std::uintmax_t most_bytes = 1'000'000'000;  // some 4e7 samples
 constexpr std::size_t most_columns = 10'000;          // channels of one record
 constexpr std::size_t most_numbers = 100'000'000;     // 0.8 GB of memory
-constexpr std::size_t n_listed = 10;                  // mistakes of one file that help; a thousand do not
+constexpr std::size_t n_listed = 10;                  // number of mistakes listed for one file
 
 class Reader {
  public:
@@ -169,7 +170,7 @@ class Reader {
     if (begins_with_numbers) read_line(line, line_number);
   }
 
-  /// `rows`, but no more than so many characters can hold.
+  /// Reserves memory for `rows`, but not for more rows than that many characters can hold.
   void reserve(std::size_t rows, std::size_t characters) {
     rows = std::min({rows, characters / (2 * table_.columns.size()) + 1, most_numbers / table_.columns.size() + 1});
     table_.lines.reserve(rows);
@@ -207,7 +208,7 @@ class Reader {
     });
   }
 
-  /// The row cell by cell, telling what is wrong with it; false where it gives no numbers.
+  /// Reads the row cell by cell and reports what is wrong with it; false where it gives no numbers.
   bool read_cells(std::string_view line, int line_number) {
     if (const std::size_t n = n_cells(line, dialect_); n != table_.names.size()) {
       add(1, line_number,
@@ -229,7 +230,7 @@ class Reader {
     return true;
   }
 
-  /// Right below the names, where those have none.
+  /// Whether this is a row of units: right below the names, where the names have none.
   bool is_row_of_units(const std::vector<Cell>& cells) const {
     const auto is_unit = [](const Cell& cell) {
       return unit_of(bare(cell.text)).has_value() && bare(cell.text) != "1";
@@ -295,7 +296,7 @@ CsvTable read_csv_head(const std::string& path, std::size_t bytes) {
   try {
     return read_table(text, path);
   } catch (const InputError&) {
-    return read_csv(path, {});  // its header is longer than that
+    return read_csv(path, {});  // the header is longer than `bytes`
   }
 }
 

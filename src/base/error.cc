@@ -8,10 +8,10 @@
 namespace upbead {
 
 namespace {
-constexpr std::size_t longest_sentence = 4000;  // whatever was quoted in it
-constexpr std::size_t n_told = 1000;            // mistakes that a person mends in one go
+constexpr std::size_t longest_sentence = 4000;  // limit of one sentence (bytes), however much it quotes
+constexpr std::size_t n_told = 1000;            // number of mistakes listed: more than a person corrects at once
 
-/// As it is, also several lines, where it is no longer than a message may be.
+/// The text unchanged, also of several lines, unless it is longer than `most`.
 std::string bounded(const std::string& text, std::size_t most) {
   return text.size() > most ? excerpt(text, most) : text;
 }

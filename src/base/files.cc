@@ -37,7 +37,7 @@ std::error_code last_error() {
 }
 
 bool is_there(const fs::path& path) {
-  std::error_code ignored;  // what may not be looked at is met again when it is written to
+  std::error_code ignored;  // a folder without permission fails later, when it is written to
   return fs::exists(path, ignored);
 }
 
@@ -54,7 +54,7 @@ std::vector<fs::path> files_below(const fs::path& from) {
   return files;
 }
 
-/// Refuses what a move would trip over: a folder where a file goes, a file where a folder goes.
+/// Refuses a move that would fail: a folder where a file goes, a file where a folder goes.
 void check_room(const fs::path& target, const fs::path& file) {
   if (is_folder(target / file)) fail("'" + (target / file).string() + "' is a folder, not a file");
   for (fs::path folder = file.parent_path(); !folder.empty(); folder = folder.parent_path())
@@ -68,7 +68,7 @@ bool matches(const fs::path& file, const std::string& pattern) {
          fnmatch(fs::path(pattern).filename().c_str(), file.filename().c_str(), 0) == 0;
 }
 
-/// Folders of the files, and of files that match the patterns; relative, without the outermost.
+/// Folders of `files` and of the patterns `replaced`; relative, without the outermost folder.
 std::set<fs::path> own_folders(const std::vector<fs::path>& files, const std::vector<std::string>& replaced) {
   std::set<fs::path> folders;
   const auto add = [&folders](fs::path folder) {
@@ -79,7 +79,7 @@ std::set<fs::path> own_folders(const std::vector<fs::path>& files, const std::ve
   return folders;
 }
 
-/// Whether this process works in the folder or below it: a shell would find itself nowhere.
+/// Whether this process works in the folder or below it: a shell there would lose its working folder by an exchange.
 bool is_worked_in(const fs::path& folder) {
   std::error_code code;
   const fs::path here = fs::current_path(code);
@@ -88,7 +88,7 @@ bool is_worked_in(const fs::path& folder) {
   return end == folder.end();
 }
 
-/// Links what is kept into `fresh`; false where that is not possible.
+/// Links the files of `old` that are kept into `fresh`; false where that is not possible.
 bool link_kept(const fs::path& fresh, const fs::path& old, const std::vector<fs::path>& files,
                const std::vector<std::string>& replaced) {
   const std::set<fs::path> folders = own_folders(files, replaced);
@@ -110,10 +110,10 @@ bool link_kept(const fs::path& fresh, const fs::path& old, const std::vector<fs:
   return !code;
 }
 
-/// Puts the folder `fresh` in the place of `old`, and the reverse: whoever looks sees the one or the other as a whole,
-/// whenever this process is killed. What else stands in `old` but `files` (those of `fresh`, relative to it) and what
-/// matches `replaced` is kept, by hard links in `fresh`. False, with `old` as it was, where that is not possible or not
-/// wanted: the file system cannot, `old` holds folders of others, or this process works in it.
+/// Exchanges the folders `fresh` and `old` in one step: everybody sees either folder whole, even if this process is
+/// killed. Other files in `old` are kept, by hard links in `fresh`: all but `files` (those of `fresh`, relative to
+/// it) and those that match `replaced`. False, with `old` unchanged, where the file system cannot exchange, `old`
+/// holds other folders, or this process works in it.
 bool exchange(const fs::path& fresh, const fs::path& old, const std::vector<fs::path>& files,
               const std::vector<std::string>& replaced) {
   if (is_worked_in(old) || !link_kept(fresh, old, files, replaced)) return false;
@@ -124,11 +124,11 @@ bool exchange(const fs::path& fresh, const fs::path& old, const std::vector<fs::
 
 }  // namespace
 
-/// flock(2) on the folder itself: no file is left behind, and it goes with the process however that ends. File systems
-/// without such locks (some networks') count as not held.
+/// flock(2) on the folder itself: it leaves no file behind, and ends with the process, even a killed one. On file
+/// systems without such locks (some network file systems) held() is false.
 class FolderLock {
  public:
-  /// `waiting`: LOCK_NB, or 0 to wait for others.
+  /// `waiting`: LOCK_NB, or 0 to wait until others release the lock.
   FolderLock(const fs::path& folder, int waiting)
       : descriptor_(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)),
         held_(descriptor_ >= 0 && flock(descriptor_, LOCK_EX | waiting) == 0) {}
@@ -159,13 +159,13 @@ OutputFolder::OutputFolder(const std::string& path) : name_(path) {
 }
 
 OutputFolder::~OutputFolder() {
-  std::error_code ignored;  // a destructor has nobody to tell
+  std::error_code ignored;  // a destructor cannot report errors
   if (!partial_.empty()) fs::remove_all(partial_, ignored);
   remove_parents();
 }
 
 void OutputFolder::remove_parents() {
-  std::error_code ignored;  // a parent that somebody else has filled meanwhile stays
+  std::error_code ignored;  // a parent folder stays if somebody else has written into it meanwhile
   for (auto parent = made_parents_.rbegin(); parent != made_parents_.rend(); ++parent) fs::remove(*parent, ignored);
   made_parents_.clear();
 }
@@ -189,7 +189,7 @@ void OutputFolder::check_rights() const {
     fail("cannot write into the output folder '" + name_ + "'", last_error());
 }
 
-/// Beside the wanted folder; inside it where that is a file system of its own.
+/// Where the hidden folder is made: beside the wanted folder, or inside it where that is a file system of its own.
 fs::path OutputFolder::home() const {
   struct stat folder, parent;
   const bool is_mount = stat(target_.c_str(), &folder) == 0 && stat(target_.parent_path().c_str(), &parent) == 0 &&
@@ -201,7 +201,7 @@ std::string OutputFolder::stem() const {
   return "." + target_.filename().string() + ".partial-";
 }
 
-/// A folder that a killed process has left is locked by nobody. One that has only just been made may be about to be.
+/// Nobody locks a folder that a killed process has left. A folder younger than a minute may be about to be locked.
 void OutputFolder::remove_abandoned() const {
   std::error_code code;
   const auto old = fs::file_time_type::clock::now() - std::chrono::minutes(1);
@@ -268,11 +268,11 @@ void OutputFolder::remove_older(const std::string& pattern, const std::vector<fs
   for (const fs::path& file : older)
     if (!fs::remove(target_ / file, code) && code)
       fail("cannot remove the older '" + (fs::path(name_) / file).string() + "'", code);
-  if (!older.empty() && !parent.empty()) fs::remove(target_ / parent, code);  // where nothing else is left in it
+  if (!older.empty() && !parent.empty()) fs::remove(target_ / parent, code);  // removes the folder only if it is empty
 }
 
 void OutputFolder::put_into_place(const std::vector<std::string>& replaced) const {
-  const FolderLock turn(target_.parent_path(), 0);  // two runs into one folder: one after the other
+  const FolderLock turn(target_.parent_path(), 0);  // two runs that write into one folder do so one after the other
   std::error_code code;
   if (!is_there(target_)) {
     fs::rename(partial_, target_, code);
@@ -296,7 +296,7 @@ void OutputFolder::commit(const std::vector<std::string>& replaced) {
 
 namespace {
 
-/// Files that are there and would be replaced.
+/// Existing files that would be replaced.
 std::vector<fs::path> replaced_files(const fs::path& folder, const std::vector<std::string>& outputs) {
   std::vector<fs::path> files;
   for (const std::string& output : outputs) {

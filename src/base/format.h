@@ -1,4 +1,4 @@
-// Sentences with numbers, as printf writes them.
+// Sentences with numbers in the format of printf.
 #pragma once
 
 #include <cstdarg>

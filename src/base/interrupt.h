@@ -1,4 +1,4 @@
-// Ctrl-C and kill end a run in an orderly way: by an exception, so that nothing half-made stays on the disk.
+// Ctrl-C and kill end a run by an exception, so that no incomplete file stays on the disk.
 #pragma once
 
 #include <exception>
@@ -16,7 +16,8 @@ class Interrupted : public std::exception {
   int signal_;
 };
 
-/// From now on SIGINT and SIGTERM are only noted, each once: a second one ends the program at once.
+/// From now on the first SIGINT and the first SIGTERM are only noted; a second one of either ends the program at
+/// once.
 void note_interrupts();
 
 /// Whether a signal has been noted.

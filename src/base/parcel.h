@@ -1,4 +1,4 @@
-// Values as bytes, between this process and a confined one, see confined_work.h. No format to be kept.
+// Values as bytes, between this process and a confined one, see confined_work.h. The format may change at any time.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 
 namespace upbead {
 
-/// Packs values one behind the other.
+/// Packs values one after another.
 class Parcel {
  public:
   template <class T, class = std::enable_if_t<std::is_trivially_copyable_v<T>>>
@@ -26,7 +26,7 @@ class Parcel {
   }
   void put(const std::vector<std::string>& texts);
   void put(const Diagnostics& mistakes);
-  /// Leaves the parcel empty.
+  /// Returns the bytes and leaves the parcel empty.
   std::string take() { return std::move(bytes_); }
 
  private:
@@ -39,8 +39,8 @@ class Parcel {
   std::string bytes_;
 };
 
-/// Unpacks them in the same order; the bytes must outlive it. Throws std::runtime_error where they do not fit: the
-/// other process may be in the hands of a file.
+/// Unpacks values in the same order; the bytes must outlive it. Throws std::runtime_error where the bytes do not fit:
+/// a malicious file may control the other process.
 class OpenParcel {
  public:
   explicit OpenParcel(std::string_view bytes) : rest_(bytes) {}
@@ -64,7 +64,7 @@ class OpenParcel {
   Diagnostics diagnostics();
 
  private:
-  /// In bytes, of a list that comes next.
+  /// Number of elements of the list that comes next, checked against the bytes left.
   template <class T>
   std::size_t size_of() {
     const auto n = value<std::size_t>();

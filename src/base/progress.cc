@@ -55,12 +55,13 @@ std::function<void(double)> part_of(const std::function<void(double)>& progress,
 
 namespace {
 
-/// The pieces that nobody has taken yet, and the first thing that went wrong.
+/// The pieces that no thread has taken yet, and the first exception.
 class Pieces {
  public:
   Pieces(std::size_t n, const std::function<void(std::size_t)>& work) : n_(n), work_(work) {}
 
-  /// Works until no piece is left. `after` is called after every piece of this thread with the part that is taken.
+  /// Works until no piece is left. After each piece of this thread, `after` is called with the share of pieces taken
+  /// so far.
   void take(const std::function<void(double)>& after) {
     try {
       for (std::size_t i = next_++; i < n_; i = next_++) {
@@ -94,7 +95,7 @@ void in_parallel(std::size_t n, const std::string& what, const std::function<voi
   const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
   for (std::size_t i = 1; i < std::min(n, cores); ++i) others.emplace_back([&pieces] { pieces.take([](double) {}); });
   Progress progress(what);
-  pieces.take([&progress](double done) {  // this thread alone talks to the person
+  pieces.take([&progress](double done) {  // only the calling thread draws the line
     check_interrupt();
     progress.update(done);
   });

@@ -6,7 +6,8 @@
 
 namespace upbead {
 
-/// The last bracket of a root of f, whose signs differ at `from` and `to`: to so many bits, by 100 evaluations at most.
+/// The last bracket of a root of f, whose signs at `from` and `to` differ: to `bits` bits, by 100 evaluations at
+/// most.
 template <class Function>
 std::pair<double, double> root_bracket(const Function& f, double from, double to, int bits) {
   boost::uintmax_t most = 100;

@@ -37,7 +37,7 @@ bool is_word_character(char c) {
 
 namespace {
 
-/// Bytes 10xxxxxx of UTF-8 go on with a character.
+/// In UTF-8, bytes 10xxxxxx continue a character.
 bool goes_on(char c) {
   return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
 }
@@ -69,7 +69,7 @@ std::string quoted_path(std::string_view path) {
 
 namespace {
 
-/// Words that differ in this form only are the same to a person.
+/// A person takes words with the same folded form as equal.
 std::string folded(const std::string& word) {
   std::string text = word;
   for (char& c : text) c = c == '-' || c == ' ' ? '_' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
@@ -90,8 +90,9 @@ std::size_t distance(const std::string& a, const std::string& b) {
   return d[a.size()][b.size()];
 }
 
-constexpr std::size_t longest_word = 200;  // a slip of the hand is one of a word; the distance takes its square
-constexpr std::size_t n_suggested = 40;    // words that a person looks through
+// longer words are not compared: the work grows with the square of the length
+constexpr std::size_t longest_word = 200;
+constexpr std::size_t n_suggested = 40;  // number of words that a person reads through
 
 std::string list_of(const std::vector<std::string>& words) {
   std::vector<std::string> shown;

@@ -14,11 +14,12 @@ namespace upbead {
 
 std::string read_text(const std::string& path, std::uintmax_t most, const Place& place, std::uintmax_t enough) {
   require_readable(path, most, place);
-  // what is not packed comes out as it is
+  // gzread passes on the bytes of a file that is not packed
   const std::unique_ptr<gzFile_s, int (*)(gzFile)> file(gzopen(path.c_str(), "rb"), gzclose);
   if (!file) throw InputError(place, "cannot read " + quoted_path(path), "check the path and the rights");
   constexpr unsigned piece = 1U << 20U;
-  constexpr std::size_t harmless = 64'000'000, most_unpacked = 100;  // of tables of numbers 2 to 20; a bomb has 1000
+  // tables of numbers shrink 2 to 20 times, a zip bomb 1000 times
+  constexpr std::size_t harmless = 64'000'000, most_unpacked = 100;
   gzbuffer(file.get(), piece);
   std::string text;
   std::error_code ignored;
@@ -48,7 +49,7 @@ std::string read_text(const std::string& path, std::uintmax_t most, const Place&
 
 namespace {
 
-/// What is no file, and how to mend that; nothing of a file, or of what is not there.
+/// Names what is no file, and the cure; empty for a file, or where nothing is there.
 Diagnostic not_a_file(fs::file_type type) {
   switch (type) {
     case fs::file_type::directory:
@@ -70,7 +71,7 @@ Diagnostic not_a_file(fs::file_type type) {
 }  // namespace
 
 void require_readable(const std::string& path, std::uintmax_t most, const Place& place) {
-  std::error_code ignored;  // what may not be looked at cannot be opened either
+  std::error_code ignored;  // what cannot be looked at cannot be opened either, which is checked later
   const fs::file_type type = fs::status(path, ignored).type();
   if (const Diagnostic found = not_a_file(type); !found.what.empty())
     throw InputError(place, quoted_path(path) + " " + found.what, found.cure);

@@ -1,4 +1,4 @@
-// Files of text that people give to be read, packed by gzip or not.
+// Text files given as input, packed by gzip or not.
 #pragma once
 
 #include <cstdint>
@@ -9,15 +9,15 @@
 
 namespace upbead {
 
-/// Throws InputError at `place` where there is no file to be read, or what is there is a folder, a device, a socket or
-/// a pipe, whose end may never come; and where a file holds more than `most` bytes: a wrong one named by mistake, which
-/// would fill the memory.
+/// Throws InputError at `place` where there is no file, or a folder, a device, a socket or a pipe, whose end may
+/// never come; and where a file holds more than `most` bytes, as the wrong file, named by mistake, would fill the
+/// memory.
 void require_readable(const std::string& path, std::uintmax_t most, const Place& place);
 
-/// The whole text. Throws InputError at `place` as require_readable does (input_file.h), and where a packed file is
-/// damaged, holds more than `most` bytes once it is unpacked, or more than 64 MB that are 100 times its size: while it
-/// is unpacked, so that neither time nor memory goes into the rest.
-/// `enough`: no more than about so many bytes are wanted of its beginning.
+/// The whole text. Throws InputError at `place` as require_readable does, and where a packed file is damaged, holds
+/// more than `most` bytes once it is unpacked, or more than 64 MB that are 100 times its size. It stops unpacking
+/// there, to save time and memory.
+/// `enough`: only about so many bytes of its beginning are wanted.
 std::string read_text(const std::string& path, std::uintmax_t most, const Place& place,
                       std::uintmax_t enough = std::numeric_limits<std::uintmax_t>::max());
 

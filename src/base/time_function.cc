@@ -33,9 +33,9 @@ double TimeFunction::operator()(double t, double inside) const {
 
 namespace {
 
-constexpr std::size_t max_corners = 50;  // a drawn record has a few; a measured one is cornered nearly everywhere
+constexpr std::size_t max_corners = 50;  // a drawn record has a few corners; a measured one has them nearly everywhere
 
-/// Straight lines between samples; shared, because the pieces of sums and multiples all need the whole record.
+/// Straight lines between samples. Shared, because the pieces of sums and multiples all need the whole record.
 struct Record {
   std::vector<double> time, value;
 
@@ -47,7 +47,7 @@ struct Record {
   double slope(std::size_t i) const { return (value[i + 1] - value[i]) / (time[i + 1] - time[i]); }
 };
 
-/// Times between which the record is smooth or, with too many corners, its ends.
+/// Times between which the record is smooth, or only its ends if it has too many corners.
 std::vector<double> kinks_of(const Record& record) {
   const std::size_t n = record.time.size();
   double largest = 0.;
@@ -68,7 +68,7 @@ std::vector<double> united(const std::vector<double>& a, const std::vector<doubl
   return both;
 }
 
-/// A time inside the i-th of the pieces that `kinks` separate.
+/// A time inside the i-th piece between the `kinks`.
 double inside_piece(const std::vector<double>& kinks, std::size_t i) {
   if (kinks.empty()) return 0.;
   if (i == 0) return kinks.front() - 1.;
@@ -83,7 +83,7 @@ TimeFunction piecewise_linear(const std::vector<double>& time, const std::vector
   const TimeFunction::Piece zero = [](double) { return 0.; };
   std::vector<TimeFunction::Piece> pieces{zero};
   for (std::size_t i = 0; i + 1 < kinks.size(); ++i) {
-    // Just beyond a kink, round-off must not take the straight line of the neighbouring piece.
+    // Just beyond a kink, round-off must not select the straight line of the neighbouring piece.
     const double begin = kinks[i], end = kinks[i + 1];
     pieces.push_back([record, begin, end](double at) { return (*record)(std::clamp(at, begin, end)); });
   }
@@ -110,7 +110,7 @@ TimeFunction scaled(const TimeFunction& f, double scale) {
 
 namespace {
 
-/// t0, those of the ascending `times` strictly between, t1.
+/// t0, those of the ascending `times` that lie between t0 and t1, and t1.
 std::vector<double> divided(const std::vector<double>& times, double t0, double t1) {
   std::vector<double> ends{t0};
   const auto first = std::upper_bound(times.begin(), times.end(), t0), last = std::lower_bound(first, times.end(), t1);

@@ -13,7 +13,7 @@ constexpr double g = 9.80665;
 
 struct Row {
   std::string_view text;
-  double factor;  ///< SI units of one
+  double factor;  ///< 1 of this unit in SI units
 };
 
 struct Quantity {
@@ -21,7 +21,7 @@ struct Quantity {
   std::vector<Row> units;
 };
 
-/// Without blanks, ^ and *.
+/// Names are without blanks, ^ and *.
 const std::vector<Quantity>& quantities() {
   static const std::vector<Quantity> list{
       {"s",

@@ -1,4 +1,4 @@
-// Who wrote a result.
+// Versions of the program and of its libraries.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ const char* program_version();
 /// Names and versions, such as {"PETSc", "3.18.5"}.
 using Versions = std::vector<std::pair<std::string, std::string>>;
 
-/// Of upbead and of the compiler that made it.
+/// Versions of upbead and of the compiler that built it.
 Versions base_versions();
 
 }  // namespace upbead

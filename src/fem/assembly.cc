@@ -20,12 +20,13 @@ using namespace dealii;
 
 namespace {
 
-/// Degrees of freedom that a cell has to be solved for.
+/// Number of degrees of freedom of a cell that deforms; 0 for a rigid or absent cell, which is not solved for.
 unsigned weight(const Space& space, const DoFHandler<dim>::active_cell_iterator& cell) {
   return space.region(cell).kind == RegionKind::rigid ? 0 : cell->get_fe().n_dofs_per_cell();
 }
 
-/// Cells with a common face that a cut between them would cost something; of a face between cells of two sizes, once.
+/// Pairs of cells with a common face, where a cut between processes would cost something. A face between cells of two
+/// sizes counts once.
 SparsityPattern neighbours(const Space& space, const std::vector<unsigned>& weights) {
   DynamicSparsityPattern pattern(static_cast<unsigned>(weights.size()));
   for (const auto& cell : space.dofs().active_cell_iterators())
@@ -58,11 +59,11 @@ namespace {
 
 using Rows = std::vector<const Row*>;
 
-/// Which of the matrices a sum is.
+/// Number of each matrix in PatternSums.
 enum Sum : int { sum_M, sum_C, sum_K, n_sums };
 
-/// M, C and K of the whole system, from cells that deform, faces, and bodies that do not deform. First all that will be
-/// added says which unknowns it couples.
+/// M, C and K of the whole system, from cells that deform, faces, and rigid bodies. First expect() tells for each of
+/// them which unknowns it couples.
 class Assembly {
  public:
   explicit Assembly(const Unknowns& unknowns) : unknowns_(unknowns) {}
@@ -73,7 +74,7 @@ class Assembly {
     for (std::size_t b = 0; b < bodies.size(); ++b)
       for (int m = 0; m < n_motions; ++m) groups_.push_back({unknowns_.coordinate(b, m)});
   }
-  /// Nothing more is expected; from here on it is added.
+  /// Call between the last expect() and the first add().
   void begin() {
     sums_.emplace(unknowns_.size(), n_sums, groups_);
     groups_.clear();
@@ -81,7 +82,7 @@ class Assembly {
 
   void add(const CellMatrices& cell, const Dofs& dofs) { scatter(cell, rows_of(dofs)); }
   void add(const FaceTerms& face) { scatter(face.matrices, rows_of(face)); }
-  /// Adds a face through which waves leave.
+  /// Adds an absorbing face, to the radiation too.
   void add_absorbing(const FaceTerms& face) {
     add(face);
     const Rows rows = rows_of(face.dofs);
@@ -130,7 +131,7 @@ class Assembly {
     groups_.push_back(std::move(group));
   }
 
-  /// Adds local matrices, each of their rows and columns spread over the unknowns of its expansion.
+  /// Adds local matrices: each row and column is distributed to the unknowns of its expansion.
   void scatter(const CellMatrices& local, const Rows& rows) {
     for (unsigned i = 0; i < rows.size(); ++i)
       for (const auto& [row, a] : *rows[i]) {
@@ -151,7 +152,7 @@ class Assembly {
   std::vector<Eigen::Triplet<double>> radiation_;
 };
 
-/// Own cells, and for `forces` those that touch the caisson.
+/// Assembles own cells; for `forces` also the cells that touch the caisson, whoever owns them.
 void assemble_cells(const Scene& scene, const Space& space, CaissonForces* forces,
                     const std::function<bool(unsigned)>& is_own, Assembly& assembly) {
   const hp::QCollection<dim> quadrature(QGauss<dim>(static_cast<unsigned>(space.degree()) + 1));
@@ -172,7 +173,7 @@ void assemble_cells(const Scene& scene, const Space& space, CaissonForces* force
   }
 }
 
-/// Faces where regions or the outside meet. `add` takes all of them but those through which waves leave.
+/// Visits faces between regions or at the outside. `add` takes all of them but absorbing faces.
 struct VisitFaces {
   VisitFace add, add_absorbing;
   std::function<void(const WetFace&, const FaceTerms&)> see_wet;

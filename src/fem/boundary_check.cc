@@ -1,4 +1,4 @@
-// Do the conditions on boundaries, and the loads, fit the regions behind them?
+// Checks that the conditions on boundaries, and the loads, suit the regions behind them.
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -15,10 +15,10 @@ using namespace dealii;
 
 namespace {
 
-/// What lies behind an outer curve.
+/// What kinds of region lie behind an outer curve.
 struct Behind {
   bool known = true, soil = false, pore_water = false, free_water = false, only_free_water = true;
-  std::string rigid;  ///< a rigid region; "" where there is none
+  std::string rigid;  ///< name of a rigid region; "" where there is none
 };
 
 Behind behind(const Checker& checker, const OuterCurve& curve) {
@@ -35,7 +35,7 @@ Behind behind(const Checker& checker, const OuterCurve& curve) {
   return found;
 }
 
-/// A rigid plate is plane.
+/// A rigid plate must be straight.
 void check_straight(Checker& checker, const std::string& key) {
   const std::string curve = key.substr(key.find('.') + 1);
   std::optional<Tensor<1, dim>> first;
@@ -51,7 +51,7 @@ void check_straight(Checker& checker, const std::string& key) {
     }
 }
 
-/// Springs and dashpots hold what deforms.
+/// Springs and dashpots need a region that deforms.
 void check_springs(Checker& checker, const std::string& key, const Boundary& side, const Behind& at) {
   for (const auto& [name, given] : {std::pair{"spring", side.spring}, std::pair{"dashpot", side.dashpot}}) {
     if (!given) continue;
@@ -108,8 +108,8 @@ void check_pressure(Checker& checker, const std::string& key, const Boundary& si
                    "say \"sealed\", and let the water reach three depths away");
 }
 
-/// What supports hold of the three motions as one body: the sum of c c^T over the directions d that they hold at points
-/// (x, y), c the parts of the unit motions along d.
+/// How supports hold the three rigid-body motions of the scene: the sum of c c^T over the directions d that they hold
+/// at points (x, y); c holds the components of the unit motions along d.
 Eigen::Matrix3d held_motions(const Checker& checker) {
   using D = DisplacementCondition;
   Eigen::Matrix3d held = Eigen::Matrix3d::Zero();
@@ -139,7 +139,7 @@ Eigen::Matrix3d held_motions(const Checker& checker) {
   return held;
 }
 
-/// Without inertia a scene that may move as one body has no answer.
+/// Without inertia, a scene that can move as a rigid body has no solution.
 void check_held(Checker& checker) {
   if (checker.scene.time.inertia) return;
   const Eigen::Vector3d held = held_motions(checker).selfadjointView<Eigen::Lower>().eigenvalues();
@@ -181,7 +181,7 @@ void check_boundaries(Checker& checker) {
 
 namespace {
 
-/// Bounds in height of the faces that a load on this curve acts on (m).
+/// Extent of the faces that a load on this curve acts on (m).
 Bounds bounds_of(const Checker& checker, const std::string& curve) {
   Bounds bounds;
   for (const auto& cell : checker.mesh.triangulation.active_cell_iterators())
@@ -191,18 +191,18 @@ Bounds bounds_of(const Checker& checker, const std::string& curve) {
   return bounds;
 }
 
-/// The table of a case that the load of that name comes from.
+/// The table of the case that defines the load of that name.
 std::string table_of(const std::string& name, const Load& load) {
   const std::size_t suffix = load.transducer.empty() ? 0 : load.transducer.size() + 1;
   return "loads." + name.substr(0, name.size() - suffix);
 }
 
-/// The name of the key that tells where a load's shape runs.
+/// The key that defines where a load's shape begins and ends.
 std::string shape_key(const std::string& table, const Load& load) {
   return table + (load.transducer.empty() ? ".shape" : ".heights");
 }
 
-/// Whether the shape runs along the curve at all, and meets it.
+/// Whether the curve has an extent along the shape's axis, and the shape covers a part of it.
 bool check_extent(Checker& checker, const std::string& table, const Load& load, double from, double to) {
   const std::string key = shape_key(table, load), axis = load.over_x ? "x" : "y";
   if (to - from <= 1e-9 * std::max(std::abs(to), 1.)) {
@@ -223,7 +223,7 @@ bool check_extent(Checker& checker, const std::string& table, const Load& load, 
   return false;
 }
 
-/// Whether lengths along the curve mean something, and lie on it.
+/// Whether lengths along the curve are defined, and those given lie on it.
 void check_along(Checker& checker, const std::string& table, const Load& load) {
   const auto course = course_of(checker.mesh, load.boundary);
   if (course.empty()) {
@@ -261,7 +261,7 @@ void check_shape(Checker& checker, const std::string& table, const Load& load) {
                    "use kind = \"traction\"");
 }
 
-/// Free water takes a pressure at an open level, and hands it on to what lies under it by itself.
+/// Free water takes a pressure only at an open level; it passes the pressure on to the surfaces below by itself.
 void check_water(Checker& checker, const std::string& table, const Load& load, const Names& behind) {
   for (const std::string& surface : checker.under_water(load.boundary))
     if (load.kind == LoadKind::pressure && checker.is(surface, RegionKind::porous))

@@ -43,8 +43,8 @@ UPBEAD_CLONES void elastic_of(const Lanes& G, const Lanes& lambda, const PackTen
   stress.zz = mean;
 }
 
-/// The norm of a change of strain is at most the sum of those of its nodes' gradients times displacements, to which one
-/// displacement of all may be added.
+/// Bounds the norm of the change of strain: it is at most the sum over the nodes of the norm of the gradient times
+/// the displacement, where one displacement may be subtracted from all (here the mean).
 UPBEAD_CLONES bool is_within(const PackVector* u, const PackVector* settled, const PackNumber* steepest,
                              std::size_t n_nodes, const Lanes& margin) {
   Lanes mean_x{}, mean_y{}, most{};
@@ -98,7 +98,7 @@ CellPack::CellPack(const std::vector<CellShapes>& cells, std::unique_ptr<SoilPac
   area_.resize(n_points);
   for (auto* nodes : {&u_, &force_, &settled_u_, &settled_force_}) nodes->resize(n_nodes);
   steepest_.resize(n_nodes);
-  margin_.value += std::numeric_limits<double>::max();  // of lanes without a cell
+  margin_.value += std::numeric_limits<double>::max();  // lanes without a cell are always at rest
   for (std::size_t lane = 0; lane < cells.size(); ++lane) {
     const CellShapes& shapes = cells[lane];
     cell_.push_back(shapes.cell);

@@ -1,4 +1,4 @@
-// Eight cells with soil that yields side by side: their strains, and the nodal forces of what their soil exerts.
+// Eight cells with soil that yields, side by side: their strains, and the nodal forces of their soil's stresses.
 #pragma once
 
 #include <deal.II/fe/fe_values.h>
@@ -22,22 +22,22 @@ struct PackNumber {
   detail::Lanes value{};
 };
 
-/// Where a cell's displacements stand, and what its shape functions make of them.
+/// A cell's degrees of freedom, and its shape functions at its points of quadrature.
 struct CellShapes {
   int cell;                                                   ///< active cell index
   ElasticLaw elastic;                                         ///< D
   std::vector<std::array<int, 2>> dofs;                       ///< of u at each node: x, y
   std::vector<std::vector<dealii::Tensor<1, dim>>> gradient;  ///< by points, then by nodes (1/m)
-  std::vector<double> area;                                   ///< for which a point stands (m2)
-  std::vector<dealii::Point<dim>> at;                         ///< of each point (m)
+  std::vector<double> area;                                   ///< area of each point, its weight of quadrature (m2)
+  std::vector<dealii::Point<dim>> at;                         ///< position of each point (m)
 };
-/// With as many points as the stiffness of the cell has.
+/// At the points of quadrature of the cell's stiffness.
 CellShapes shapes_of(const Space& space, const Cell& cell);
 
-/// Lanes without a cell have shapes of zero, and take the displacement `nowhere`.
+/// Lanes without a cell have zero shape functions, and take their displacement from entry `nowhere`.
 class CellPack {
  public:
-  /// Cells with as many nodes and points each.
+  /// All cells have the same number of nodes, and of points.
   CellPack(const std::vector<CellShapes>& cells, std::unique_ptr<SoilPack> soil, int nowhere);
 
   int n_cells() const { return static_cast<int>(cell_.size()); }
@@ -52,18 +52,19 @@ class CellPack {
   PackTensor strain(int point) const;
   /// D strain.
   PackStress elastic_stress(const PackTensor& strain) const;
-  /// The nodal forces of a stress at a point, over its area; they count from clear_forces() on.
+  /// Adds the nodal forces of a stress at a point over its area; clear_forces() sets the forces to zero.
   void clear_forces();
   void add_force(int point, const PackStress& stress);
-  /// Adds them to F, where u was taken.
+  /// Adds the nodal forces to F, at the places from which u was taken.
   void give(Vector& F) const;
 
-  /// The present displacements and forces become those of the last commit; as long as the norm of the strain changes by
-  /// less than `margin` in each cell, the forces stay.
+  /// Call at a commit: stores the present displacements and forces. As long as the norm of the strain changes by less
+  /// than `margin` in each cell, the forces stay the same.
   void settle(const PackNumber& margin);
-  /// Whether that is sure of the present displacements; then the forces are those of the last commit.
+  /// Whether the present displacements are surely within that margin; if so, sets the forces to those of the last
+  /// commit.
   bool rests();
-  /// What settle() keeps, for checkpoints, as of SoilPoint.
+  /// For checkpoints: writes and reads what settle() stores, as SoilPoint does.
   void remember(std::vector<double>& memory) const;
   const double* recall(const double* memory);
 

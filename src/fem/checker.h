@@ -1,4 +1,4 @@
-// What the checks of a scene against its mesh share.
+// Data and functions that the checks of a scene against its mesh share.
 #pragma once
 
 #include <string>
@@ -10,23 +10,23 @@
 
 namespace upbead {
 
-/// A scene, its mesh, and what is wrong so far.
+/// A scene, its mesh, and the mistakes found so far.
 struct Checker {
   const Scene& scene;
   const Mesh& mesh;
   Outline outline;
   Diagnostics found;
 
-  /// Once: the loads of several transducers may have the same mistake.
+  /// Reports a mistake, each once: the loads of several transducers may have the same one.
   void object(std::string key, std::string what, std::string cure);
-  /// What a way that the scene takes cannot do, told at the key that asks for it.
+  /// Reports that a way which the scene takes cannot do what `key` asks for.
   void refuse(Treatment way, const std::string& key);
-  /// Whether the region of that surface is of that kind; false where the case says nothing of it.
+  /// Whether the region of that surface is of that kind; false where the case has no such region.
   bool is(const std::string& surface, RegionKind kind) const;
   bool has_pore_water(const std::string& surface) const;
-  /// Surfaces of a curve's faces that lie under free water, without the water's; empty where none do.
+  /// Surfaces at a curve's faces that lie under free water, without the water itself; empty where there are none.
   Names under_water(const std::string& curve) const;
-  /// Whether the case has a water region that the mesh has no surface for: a sea that is not there.
+  /// Whether the case has a water region without a surface in the mesh: a sea that is not modelled.
   bool lacks_a_sea() const;
 };
 

@@ -1,4 +1,4 @@
-// The compiler of a scene: Scene on a mesh -> System. The only place that knows both.
+// Compiles a scene: Scene on a mesh -> System. No other code knows both.
 #pragma once
 
 #include <memory>
@@ -19,20 +19,21 @@ struct CompiledScene {
   std::vector<Body> bodies;
   std::vector<int> body_coordinates;  ///< unknowns of the system that are coordinates of rigid bodies
   std::optional<Caisson> caisson;
-  /// Of a caisson that deforms, its motions as a rigid body, over the unknowns. What is projected on them keeps the
-  /// balance of forces on the caisson; empty where its coordinates are unknowns, and where the system is divided.
+  /// The rigid-body motions of a caisson that deforms, as vectors of unknowns: a projection on a space with these
+  /// keeps the balance of forces on the caisson. Empty where the caisson's coordinates are unknowns, and where the
+  /// system is divided.
   std::vector<Vector> caisson_motions;
   std::vector<LoadOnCaisson> loads_on_caisson;  ///< one per system load
 };
 
-/// Assembles M, C, K, the loads and all readings. The scene must have passed check_scene on this mesh. With `processes`
-/// the matrices are those of this process's cells (own_cells), which the system is yet to be divided by. With the
-/// nodes of an interface, which `unknowns` must have been made with, the system has that interface, without forces at
-/// rest or friction.
+/// Assembles M, C, K, the loads and all readings. The scene must have passed check_scene on this mesh. With
+/// `processes` the matrices are those of this process's cells (own_cells), and the system must still be divided. With
+/// the nodes of an interface, which `unknowns` must have been made with, the system has that interface, without
+/// friction or forces at rest.
 CompiledScene compile(const Scene& scene, const Space& space, const Unknowns& unknowns, const std::vector<Body>& bodies,
                       const Processes* processes = nullptr, const std::vector<InterfaceNode>& interface = {});
 
-/// What the equations of a scene stand on; copies share it.
+/// The system of a scene and the data that its equations need; copies share the data.
 struct AssembledScene {
   std::shared_ptr<const Space> space;
   std::shared_ptr<const Unknowns> unknowns;

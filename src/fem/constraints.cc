@@ -14,8 +14,8 @@ using Constraints = AffineConstraints<double>;
 
 namespace {
 
-/// The degrees of freedom on a face of a cell that the cell on its other side does not have follow that one's shape
-/// functions.
+/// Degrees of freedom on a face of a cell that the cell on the other side lacks: they follow the shape functions of
+/// that other cell.
 void follow(Constraints& constraints, const Space& space, const Cell& cell, unsigned face, const Cell& other) {
   const auto& fe = cell->get_fe();
   const Dofs of_cell = dofs_of(cell), of_other = dofs_of(other);
@@ -39,7 +39,7 @@ Dofs face_dofs(const Cell& cell, unsigned f) {
   return dofs;
 }
 
-/// Where the node of a cell's degree of freedom is.
+/// The point of a degree of freedom's node in a cell.
 Point<dim> place_of(const Space& space, const Cell& cell, types::global_dof_index dof) {
   const Dofs dofs = dofs_of(cell);
   return node_of(space, cell, static_cast<unsigned>(std::find(dofs.begin(), dofs.end(), dof) - dofs.begin())).at;
@@ -63,7 +63,8 @@ void add_rigid(Constraints& constraints, const Space& space, const std::vector<B
     }
 }
 
-/// The ground's nodes leave the caisson by slip (x) and opening (y); `first`: index of the first slip.
+/// The displacement of the ground's nodes is that of the caisson less slip (x) and opening (y); `first`: index of the
+/// first slip.
 void add_interface(Constraints& constraints, const std::vector<InterfaceNode>& nodes, types::global_dof_index first) {
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     constraints.add_entry(nodes[i].ux, first + i, -1.);
@@ -71,16 +72,16 @@ void add_interface(Constraints& constraints, const std::vector<InterfaceNode>& n
   }
 }
 
-/// Motions of the scene beyond the degrees of freedom: index -> weight.
+/// Prescribed or free motions, with indices after the degrees of freedom of the space: index -> weight.
 using Moves = std::map<types::global_dof_index, double>;
 
-/// What holds a node along a normal: n.u = sum of weight times motion.
+/// A condition on a node along a normal: n.u = sum of weight times motion.
 struct Hold {
   Tensor<1, dim> normal;
   Moves moves;
 };
 
-/// A node that is held along normals: its two degrees of freedom.
+/// The two degrees of freedom of a node with conditions along normals.
 struct HeldNode {
   types::global_dof_index ux, uy;
   std::vector<Hold> holds;
@@ -97,7 +98,8 @@ std::map<unsigned, std::array<types::global_dof_index, 2>> nodes_on_face(const C
   return nodes;
 }
 
-/// All at once: of two entries with one index the constraints keep the first.
+/// Adds all entries of a line: of two entries with one index the constraints keep only the first, so indices must
+/// differ.
 void add_moves(Constraints& constraints, types::global_dof_index dof, const Moves& moves) {
   for (const auto& [index, weight] : moves)
     if (std::abs(weight) > 1e-12) constraints.add_entry(dof, index, weight);
@@ -111,7 +113,7 @@ double sine_between(const Hold& a, const Hold& b) {
   return a.normal[0] * b.normal[1] - a.normal[1] * b.normal[0];
 }
 
-/// Both components of a node at a corner, by the two holds that differ most: n_a.u = a, n_b.u = b.
+/// Fixes both components of a node at a corner by the two conditions that differ most: n_a.u = a, n_b.u = b.
 void add_corner(Constraints& constraints, const HeldNode& node, const Hold& a, const Hold& b) {
   const double sine = sine_between(a, b);
   const double of_a[]{b.normal[1] / sine, -b.normal[0] / sine}, of_b[]{-a.normal[1] / sine, a.normal[0] / sine};
@@ -126,7 +128,7 @@ void add_corner(Constraints& constraints, const HeldNode& node, const Hold& a, c
   }
 }
 
-/// One relation between u_x and u_y of a node, by the mean of its normals.
+/// One relation between u_x and u_y of a node, with the mean of its normals.
 void add_side(Constraints& constraints, const HeldNode& node) {
   Tensor<1, dim> n;
   for (const Hold& hold : node.holds) n += hold.normal;
@@ -141,8 +143,8 @@ void add_side(Constraints& constraints, const HeldNode& node) {
   if (std::abs(ratio) > 1e-12 && !constraints.is_constrained(master)) constraints.add_entry(slave, master, ratio);
 }
 
-/// No motion along the normal but what moves there: one relation between u_x and u_y on a straight or gently curved
-/// side, both at a corner of more than about 6 degrees. A node of a rigid body follows the body.
+/// Prescribes the motion along the normals: by one relation between u_x and u_y on a straight or gently curved side,
+/// for both at a corner of more than about 6 degrees. A node of a rigid body follows the body.
 void add_held(Constraints& constraints, const HeldNode& node) {
   constexpr double sine_of_corner = 0.1;
   const Hold& first = node.holds.front();
@@ -155,7 +157,7 @@ void add_held(Constraints& constraints, const HeldNode& node) {
     add_side(constraints, node);
 }
 
-/// The motions along `normal`, or along an axis, at a point of a curve.
+/// The motions of a curve, at a point of it, along the unit vector `along`.
 Moves moves_at(const Scene& scene, const SceneMotions& motions, const std::string& curve, const Point<dim>& at,
                const Tensor<1, dim>& along) {
   Moves moves;
@@ -170,7 +172,7 @@ Moves moves_at(const Scene& scene, const SceneMotions& motions, const std::strin
   return moves;
 }
 
-/// Nodes of fixed sides: those that a load moves before those that rest, as both meet at corners.
+/// Nodes of fixed sides. Sides that a load moves come before sides at rest, as a node at a corner belongs to both.
 void add_fixed(Constraints& constraints, const Space& space, const Scene& scene, const SceneMotions& motions) {
   for (const bool moved : {true, false})
     for_each_outer_face(space, [&](const Cell& cell, unsigned f, const std::string& curve) {
@@ -191,7 +193,7 @@ void add_fixed(Constraints& constraints, const Space& space, const Scene& scene,
     });
 }
 
-/// The direction along which a side holds its nodes; zero where it does not.
+/// The direction along which a side prescribes the motion of its nodes; zero where there is none.
 Tensor<1, dim> held_along(DisplacementCondition condition, const Cell& cell, unsigned f) {
   using D = DisplacementCondition;
   if (condition == D::roller || condition == D::plate) return outward_normal(cell, f);
@@ -216,15 +218,16 @@ void add_supports(Constraints& constraints, const Space& space, const Scene& sce
   for (const auto& [key, node] : held) add_held(constraints, node);
 }
 
-/// phi is continuous from free water into pores, but of one degree less there: between the vertices, which both share,
-/// the water's nodes follow the soil's shape functions. (Both sides are of one level of refinement: see mesh/refine.h.)
+/// phi is continuous between free water and pores, but has one degree less in pores. So at nodes between the vertices
+/// the water's phi follows the soil's shape functions. (Both sides have the same level of refinement: see
+/// mesh/refine.h.)
 void add_wet_pores(Constraints& constraints, const Space& space) {
   for_each_wet_face(space, [&](const WetFace& face) {
     if (space.has_pores(face.solid)) follow(constraints, space, face.water, face.water_face, face.solid);
   });
 }
 
-/// Open levels of free water: p = 0, or the pressure of loads there, at their nodes.
+/// Open levels of free water: p = 0 at their nodes, or the pressure of loads there.
 void add_water_levels(Constraints& constraints, const Space& space, const Scene& scene, const SceneMotions& motions) {
   for_each_outer_face(space, [&](const Cell& cell, unsigned f, const std::string& curve) {
     if (space.kind(cell) != CellKind::water) return;

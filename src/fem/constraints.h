@@ -1,5 +1,5 @@
-// Essential conditions: rigid regions, fixed and roller sides, levels of free water and where it meets pores, hanging
-// nodes.
+// Essential conditions: rigid regions, fixed and roller sides, levels of free water, contact of water with pores, and
+// hanging nodes.
 #pragma once
 
 #include <deal.II/lac/affine_constraints.h>
@@ -13,8 +13,9 @@
 
 namespace upbead {
 
-/// What moves boundaries, or their pore water, beside rigid bodies: plates shift along their normals, loads prescribe
-/// motions of boundaries and pressures on open ones. By index, an unknown each.
+/// Additional unknowns that move boundaries, or their pore water, beside rigid bodies: plates shift along their
+/// normals, loads prescribe motions of boundaries and pressures on open ones. One unknown each, from first_plate and
+/// first_load on.
 struct SceneMotions {
   std::vector<std::string> plates;  ///< curves
   std::vector<std::string> loads;   ///< names
@@ -24,13 +25,14 @@ SceneMotions scene_motions(const Space& space, const Scene& scene, std::size_t n
 
 /// All constraints on the degrees of freedom of the space. Indices from n_dofs() on stand for the rigid bodies'
 /// coordinates (three each), then for plates and loads of `motions`, then for the slips and the openings of an
-/// interface: its degrees of freedom are those of the ground, caisson less slip and opening.
+/// interface: the degrees of freedom at an interface are those of the ground, which are the caisson's less slip and
+/// opening.
 dealii::AffineConstraints<double> make_constraints(const Space& space, const Scene& scene,
                                                    const std::vector<Body>& bodies, const SceneMotions& motions,
                                                    const std::vector<InterfaceNode>& interface = {});
 
-/// u and phi of the smaller cells follow the larger cell's shape functions on their common side. Both are of one kind:
-/// surfaces meet without hanging nodes (see mesh/refine.h).
+/// u and phi of smaller cells follow the larger cell's shape functions on the common side. Both cells are of one
+/// kind: surfaces meet without hanging nodes (see mesh/refine.h).
 void add_hanging_nodes(dealii::AffineConstraints<double>& constraints, const Space& space);
 
 }  // namespace upbead

@@ -38,7 +38,7 @@ std::vector<std::array<double, 2>> course_of(const Mesh& mesh, const std::string
   for (std::set<unsigned> seen{at}; seen.size() < next.size();) {
     const auto& others = next.at(at);
     const auto onward = std::find_if(others.begin(), others.end(), [&](unsigned v) { return !seen.count(v); });
-    if (onward == others.end()) return {};  // a closed line lies beside the open one
+    if (onward == others.end()) return {};  // the curve also has a closed line
     at = *onward;
     seen.insert(at);
     course.push_back(place(at));

@@ -1,4 +1,4 @@
-// The course of a curve through its points.
+// The points of a curve in order.
 #pragma once
 
 #include <array>
@@ -10,11 +10,11 @@
 
 namespace upbead {
 
-/// Points (x, y) of a curve of the mesh from its seaward end (of two as far seaward the lower one) to the other; empty
-/// where it is not one open line.
+/// Points (x, y) of a curve of the mesh, from its seaward end (if both ends have the same x, the lower one) to the
+/// other end; empty where the curve is not one open line.
 std::vector<std::array<double, 2>> course_of(const Mesh& mesh, const std::string& curve);
 
-/// Tells the loads whose shapes run along a curve where that runs.
+/// Gives the loads whose shapes follow a curve the points of that curve.
 void follow_curves(const Mesh& mesh, Scene& scene);
 
 }  // namespace upbead

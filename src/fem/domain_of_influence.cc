@@ -14,8 +14,9 @@ using namespace dealii;
 
 namespace {
 
-/// What waves start from or are read at: surfaces, curves and points, each by the box around it. Boxes are no farther
-/// away than what is in them, so that no cell is left out for them; and there are few, however many cells there are.
+/// Sources of waves, or places of readings: surfaces, curves and points, each with its bounding box. A box is never
+/// farther away than its contents, so that no cell is left out wrongly; and boxes are few, however many cells there
+/// are.
 class Boxes {
  public:
   void add(const std::string& name, const Point<dim>& point) {
@@ -27,7 +28,7 @@ class Boxes {
     }
   }
   bool empty() const { return boxes_.empty(); }
-  /// To the nearest one; 0 inside.
+  /// Distance to the nearest box; 0 inside.
   double distance(const Point<dim>& from) const {
     double nearest = std::numeric_limits<double>::infinity();
     for (const auto& [name, box] : boxes_) {
@@ -72,7 +73,7 @@ Ends ends_of(const Scene& scene, const Mesh& mesh) {
   for (const auto& cell : mesh.triangulation.active_cell_iterators()) {
     const std::string& surface = mesh.surface_of(cell);
     const bool rigid = scene.regions.at(surface).kind == RegionKind::rigid;
-    const bool source = rigid || is_loaded_inside(scene, surface);  // a body hands motion on at once
+    const bool source = rigid || is_loaded_inside(scene, surface);  // a rigid body passes motion on at once
     for (const unsigned v : cell->vertex_indices()) {
       if (source) ends.sources.add("surface " + surface, cell->vertex(v));
       if (rigid || surface == caisson_name) ends.readers.add("surface " + surface, cell->vertex(v));

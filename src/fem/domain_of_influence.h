@@ -1,4 +1,4 @@
-// What of a mesh the response cannot feel before the end of the run.
+// The cells of a mesh that cannot influence the response before the end of the run.
 #pragma once
 
 #include <string>
@@ -15,10 +15,10 @@ struct DomainOfInfluence {
   double speed = 0.;  ///< of the fastest wave (m/s)
 };
 
-/// A cell is outside where the way from the nearest load or rigid body (by the boxes around them) to it, and on to
-/// the nearest reading (a rigid body, the caisson, a probe), is longer than the fastest wave of the whole scene runs
-/// until the end. Nothing is where there are fields to write, or waves of infinite speed (incompressible water, no
-/// inertia). `scene` is resolved.
+/// A cell is outside if the path from the nearest load or rigid body (from its bounding box) to the cell and on to
+/// the nearest reading (a rigid body, the caisson, a probe) is longer than the distance that the fastest wave of the
+/// scene travels until the end. No cell is outside where fields are written, or where waves have infinite speed
+/// (incompressible water, no inertia). `scene` is resolved.
 DomainOfInfluence domain_of_influence(const Scene& scene, const Mesh& mesh);
 
 }  // namespace upbead

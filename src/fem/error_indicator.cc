@@ -24,7 +24,7 @@ Dense dense(const FullMatrix<double>& A) {
   return B;
 }
 
-/// From the nodes of `element` to themselves: the L2 projection to degree `low` on the unit cell; 0 below degree 0.
+/// L2 projection to degree `low` on the unit cell, from nodal values of `element` to nodal values; 0 below degree 0.
 Dense projection(const FiniteElement<dim>& element, int low) {
   const unsigned n = element.n_dofs_per_cell();
   if (low < 0) return Dense::Zero(n, n);
@@ -35,20 +35,20 @@ Dense projection(const FiniteElement<dim>& element, int low) {
   return dense(up) * dense(down);
 }
 
-/// The fields u, W and phi: first component and the one after the last, and the sign of their part of the energy.
+/// A field (u, W, phi): its first component, the one after its last, and the sign of its part of the energy.
 struct FieldRange {
   unsigned first, last;
   double sign;
 };
 constexpr std::array<FieldRange, 3> fields{{{0, dim, 1.}, {dim, 2 * dim, 1.}, {2 * dim, n_components, -1.}}};
 
-/// One field on cells of one kind.
+/// One field on cells of one kind. The matrices take nodal values to nodal values.
 struct Part {
-  std::vector<unsigned> dofs;  ///< of the cell; empty where the field is absent
+  std::vector<unsigned> dofs;  ///< of the field in a cell; empty where the field is absent
   int degree = 0;
   double sign = 1.;  ///< of its part of the energy
-  Dense highest;     ///< from these degrees of freedom to themselves: what the highest degree alone can hold
-  Dense next;        ///< the same of the next lower degree
+  Dense highest;     ///< the part that only the highest degree can hold
+  Dense next;        ///< the same part for the next lower degree
 };
 using Parts = std::array<Part, fields.size()>;
 
@@ -96,7 +96,7 @@ struct FieldMatrices {
   Dense M, C, K;
 };
 
-/// Energies of the columns of D at the sizes |s|; real and imaginary parts of a solution stand side by side.
+/// Energies of the columns of D for each |s|; the real and imaginary parts of a solution are adjacent columns.
 Eigen::ArrayXd energies(const FieldMatrices& cell, const Dense& D, const Eigen::ArrayXd& size) {
   const auto form = [&](const Dense& A) -> Eigen::ArrayXd {
     const Eigen::ArrayXd of_column = (D.array() * (A * D).array()).colwise().sum();
@@ -105,7 +105,7 @@ Eigen::ArrayXd energies(const FieldMatrices& cell, const Dense& D, const Eigen::
   return size.square() * form(cell.M) + size * form(cell.C) + form(cell.K);
 }
 
-/// Squares of the errors of all solutions on one cell, whose real and imaginary parts are the columns of X.
+/// Squares of the errors of all solutions on one cell; the columns of X are their real and imaginary parts.
 Eigen::ArrayXd squares_of_errors(const Parts& parts, const CellMatrices& cell, const Dense& X,
                                  const Eigen::ArrayXd& size) {
   Eigen::ArrayXd sum = Eigen::ArrayXd::Zero(size.size()), decay = Eigen::ArrayXd::Ones(size.size());

@@ -1,4 +1,4 @@
-// Walks over the faces of a mesh, and what a face adds to the system.
+// Loops over the faces of a mesh, and the terms that a face adds to the system.
 #pragma once
 
 #include <deal.II/fe/fe_values.h>
@@ -19,7 +19,7 @@ void for_each_outer_face(const Space& space,
 /// Outward normal of a straight face.
 dealii::Tensor<1, dim> outward_normal(const Cell& cell, unsigned face);
 
-/// A face between free water and a cell that moves, seen from the latter.
+/// A face between free water and a cell that moves; `face` and normal are those of the latter, `solid`.
 struct WetFace {
   Cell solid;
   unsigned face = 0;
@@ -28,20 +28,20 @@ struct WetFace {
 };
 void for_each_wet_face(const Space& space, const std::function<void(const WetFace&)>& visit);
 
-/// What one face adds to M and C, over the degrees of freedom of its cells and, after them, prescribed unknowns.
+/// Terms of one face in M and C, over the degrees of freedom of its cells and, after these, prescribed unknowns.
 struct FaceTerms {
-  unsigned cell = 0;  ///< active index of the cell that it counts to: of a wet face, the water's
+  unsigned cell = 0;  ///< active index of the cell whose part it is: of a wet face, the water's
   CellMatrices matrices;
   Dofs dofs;
   std::vector<int> prescribed;
-  bool of_caisson = false;  ///< its displacements are those of the caisson, not of the ground under it
+  bool of_caisson = false;  ///< its displacements are those of the caisson, not of the ground below
 
-  /// Zero matrices over the degrees of freedom of these cells and over these unknowns.
+  /// Makes zero matrices over the degrees of freedom of these cells and over these unknowns.
   void reinit(const std::vector<Cell>& cells, const std::vector<int>& prescribed_unknowns = {});
 };
 using VisitFace = std::function<void(const FaceTerms&)>;
 
-/// Values on one face, with gradients, normals and weights; integrates products of shape functions exactly.
+/// Shape functions on one face, with gradients, normals and weights; products of them are integrated exactly.
 struct FaceValues : dealii::FEFaceValues<dim> {
   FaceValues(const Space& space, const Cell& cell, unsigned face);
 };

@@ -14,7 +14,7 @@ using namespace dealii;
 
 namespace {
 
-/// What each unknown makes of the strain at a point of a cell.
+/// Strain at a point of a cell per unit of each unknown.
 std::vector<std::pair<int, PlaneStrain>> strain_at(const Space& space, const Unknowns& unknowns, int n_unknowns,
                                                    const Cell& cell, const dealii::Point<dim>& unit) {
   FEValues<dim> values(space.mapping(), cell->get_fe(), Quadrature<dim>(unit), update_gradients);
@@ -29,7 +29,7 @@ std::vector<std::pair<int, PlaneStrain>> strain_at(const Space& space, const Unk
   return list;
 }
 
-/// Of the points of quadrature that one whose rest the soil begins with.
+/// The point of quadrature nearest to `unit`: the soil starts from the state at rest of that point.
 unsigned nearest_point(const Space& space, const dealii::Point<dim>& unit) {
   const std::vector<dealii::Point<dim>> points = QGauss<dim>(static_cast<unsigned>(space.degree()) + 1).get_points();
   return static_cast<unsigned>(

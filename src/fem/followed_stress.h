@@ -1,4 +1,4 @@
-// Stresses of soil that yields where readings tell them.
+// Stresses of soil that yields, at points where they are read.
 #pragma once
 
 #include <memory>
@@ -10,15 +10,18 @@
 
 namespace upbead {
 
-/// At every such point the law of its cell follows the strain there, from rest on. It takes no part in any force.
+/// At each such point, the law of its cell follows the strain at the point, from rest on. These stresses take no part
+/// in any force.
 class FollowedStress {
  public:
-  /// `readings`: those of the system, which `points_read` names; of the unknowns it has the first `n_unknowns`.
+  /// `readings`: the system's readings, among them those of `points_read`. The system has the first `n_unknowns`
+  /// unknowns only.
   FollowedStress(const Space& space, const Unknowns& unknowns, int n_unknowns, const std::vector<Reading>& readings,
                  const PointsOfCells& points, const std::vector<FollowedReading>& points_read);
-  /// x becomes history. To each of these readings is added what the law answers beside the elastic stress of its rows.
+  /// Commits x. Adds to each reading of these points the stress of the law less the elastic stress, which its rows
+  /// give.
   void commit(const Vector& x, Vector& added);
-  /// As of SoilPoint.
+  /// As in SoilPoint.
   void remember(std::vector<double>& memory) const;
   const double* recall(const double* memory);
 
@@ -27,7 +30,7 @@ class FollowedStress {
     std::unique_ptr<SoilPoint> soil;
     ElasticLaw elastic;
     std::vector<std::pair<int, PlaneStrain>> strain;                       ///< by unknown
-    std::vector<std::pair<Eigen::Index, double PlaneStress::*>> readings;  ///< and the component of each
+    std::vector<std::pair<Eigen::Index, double PlaneStress::*>> readings;  ///< by number, with the component of each
   };
   std::vector<Follower> followers_;
 };

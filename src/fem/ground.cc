@@ -21,7 +21,7 @@ std::vector<bool> water_cells(const Scene& scene, const Mesh& mesh) {
   return absent;
 }
 
-/// Submerged or not (N/m3); of a rigid body from its mass, spread evenly.
+/// Submerged or in air (N/m3); for a rigid body from its mass, spread evenly.
 double unit_weight(const Region& region, const Scene& scene, double density, bool below_water) {
   const double rho_f = below_water ? scene.fluid.density : 0.;
   if (region.kind == RegionKind::porous)
@@ -83,13 +83,13 @@ WeightInWater Ground::caisson_in_water(double level) const {
   const Vector f = weights(level, true);
   std::size_t b = 0;
   while (bodies_.at(b).region != caisson_name) ++b;
-  // the unit rotation moves a point by -(x - x_G) upwards
+  // a unit rotation moves a point upwards by -(x - x_G)
   const double weight = -f[unknowns_.coordinate(b, motion_y)];
   return {weight, bodies_[b].centre[0] + f[unknowns_.coordinate(b, motion_rotation)] / weight};
 }
 
 Vector Ground::weights(double level, bool of_caisson_alone) const {
-  // where the water level cuts a cell its weight jumps: many points there
+  // the unit weight jumps where the water level cuts a cell: many points of quadrature there
   const hp::QCollection<dim> points(QGauss<dim>(static_cast<unsigned>(space_.degree()) + 1),
                                     QIterated<dim>(QGauss<1>(3), 16));
   hp::FEValues<dim> hp_values(space_.dofs().get_fe_collection(), points,

@@ -1,4 +1,4 @@
-// The ground at rest: the scene without waves, drained, and what it weighs under water.
+// The ground at rest: the scene without waves, drained, with its weights in still water.
 #pragma once
 
 #include <deal.II/fe/fe_values.h>
@@ -10,23 +10,24 @@
 
 namespace upbead {
 
-/// The scene at rest: no pressures, no waves, nothing that leaves.
+/// The scene at rest: no pressures, no waves, no absorbing sides.
 Scene at_rest(Scene scene);
 
-/// The deforming ground with given stiffness; free water is left out. `scene` is one at_rest, and outlives it.
+/// The ground that deforms, with given stiffness; without free water. `scene` is the result of at_rest(), and
+/// outlives it.
 class Ground {
  public:
-  /// `with_interface`: the caisson could part from the ground.
+  /// `with_interface`: the caisson may open from the ground.
   Ground(const Scene& scene, const Mesh& mesh, const SoilState& soil, bool with_interface = false);
 
   const Space& space() const { return space_; }
   const Unknowns& unknowns() const { return unknowns_; }
   EffectiveStress solve(const Vector& weights) const;
-  /// Residuals of the openings of the interface.
+  /// Residuals of the interface's openings: the normal forces at its nodes.
   Vector normal_forces(const Vector& weights) const;
   WeightInWater caisson_in_water(double level) const;
-  /// Work of the weights in unit motions of the unknowns, of all or of the caisson alone; still water stands at
-  /// `level`.
+  /// Work of the weights in unit motions of the unknowns: of all weights, or of the caisson's alone. Still water
+  /// stands at `level`.
   Vector weights(double level, bool of_caisson_alone = false) const;
 
  private:

@@ -15,7 +15,7 @@ PlaneStrain strain_of(const FEValues<dim>& fe, unsigned i, unsigned q) {
 
 namespace {
 
-/// Local degrees of freedom of one part (u, W or phi).
+/// Local degrees of freedom of one field (u, W or phi).
 template <typename Extractor>
 std::vector<unsigned> part_dofs(const FEValues<dim>& fe, const Extractor& part) {
   std::vector<unsigned> list;
@@ -25,11 +25,12 @@ std::vector<unsigned> part_dofs(const FEValues<dim>& fe, const Extractor& part) 
   return list;
 }
 
-/// What is integrated of each degree of freedom: one row each, `n_values` columns per quadrature point, every value
-/// times the root of the point's weight. The integral of a product of two such is the product of their tables.
+/// Values of each degree of freedom to be integrated: one row each, `n_values` columns per quadrature point, each
+/// value times the square root of the point's weight. So the integral of a product of two is the product of their
+/// tables.
 using Table = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// `values(i, q, out)` writes the values of the degree of freedom i at the point q.
+/// `values(i, q, out)` writes the values of degree of freedom i at point q.
 template <typename Values>
 Table tabulate(const FEValues<dim>& fe, const std::vector<unsigned>& dofs, unsigned n_values, const Values& values) {
   Table table(dofs.size(), n_values * fe.n_quadrature_points);
@@ -66,7 +67,7 @@ Table gradients_of_phi(const FEValues<dim>& fe) {
   });
 }
 
-/// Adds factor * table table^T, symmetric to the last bit.
+/// Adds factor * table table^T, made exactly symmetric.
 void add_square(const std::vector<unsigned>& dofs, double factor, const Table& table, FullMatrix<double>& matrix) {
   const Eigen::MatrixXd product = table * table.transpose();
   for (unsigned i = 0; i < dofs.size(); ++i)

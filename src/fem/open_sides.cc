@@ -11,7 +11,7 @@ using namespace dealii;
 
 namespace {
 
-/// A load that prescribes the pressure on a face, and the unknown that does it.
+/// A load that prescribes the pressure on a face, and its unknown.
 struct Prescribed {
   const Load* load;
   int unknown;
@@ -25,7 +25,7 @@ std::vector<Prescribed> prescribed_on(const std::string& curve, const Scene& sce
   return found;
 }
 
-/// Values at one point of a face of all rows: the cell's degrees of freedom, then the prescribed pressures.
+/// Values at one point of a face, for all rows: the cell's degrees of freedom, then the prescribed pressures.
 struct Traces {
   std::vector<double> jump;  ///< [phi]
   std::vector<double> flux;  ///< grad phi . n
@@ -47,10 +47,10 @@ Traces traces_at(const FEFaceValues<dim>& fe, unsigned q, bool has_W, const std:
   return traces;
 }
 
-/// The penalty g of degree k of phi. Darcy: it must exceed k^2, the constant of the trace inequality of grad phi on a
-/// rectangle. Inertial: where drag rules, W = -(1/b) (grad phi - r) with r the function of W's space whose integral
-/// against W is that of W.n [phi] over the side; eliminating W brings (k + 1)^2/h [phi]^2 by itself. What is added
-/// makes both flows drain alike.
+/// The penalty g for degree k of phi. Darcy: g must exceed k^2, the constant of the trace inequality of grad phi on a
+/// rectangle. Inertial: where drag dominates, W = -(1/b) (grad phi - r), with r the function of W's space whose
+/// integral against W is that of W.n [phi] over the side; elimination of W then gives a term (k + 1)^2/h [phi]^2. The
+/// penalty is reduced by that, so that both flows drain alike.
 double penalty(int degree_of_u, bool inertial) {
   const double k = degree_of_u - 1, darcy = 2. * k * (k + 1.);
   return inertial ? darcy - (k + 1.) * (k + 1.) : darcy;
@@ -71,14 +71,15 @@ void integrate(const FEFaceValues<dim>& fe, bool inertial, double mobility, doub
   }
 }
 
-/// An open face of a cell, and what its penalty is over h.
+/// An open face of a cell, and its penalty over h.
 struct OpenFace {
   unsigned number;
   double penalty_over_h;
 };
 
-/// Gradients of phi, whose first value is kept at zero as a constant has none, times their component along the normals
-/// of a face, or both components: one row for each degree of freedom, the squares of the rows integrate.
+/// Gradients of phi times the root of the point's weight: their component along the normals of a face, or both
+/// components. One row for each degree of freedom but the first, as a constant phi has no gradient; the squares of
+/// the rows are integrals.
 template <class Values>
 Eigen::MatrixXd gradients(const Values& fe, const std::vector<unsigned>& phi, bool normal_only) {
   const unsigned n = normal_only ? 1 : dim;
@@ -92,12 +93,12 @@ Eigen::MatrixXd gradients(const Values& fe, const std::vector<unsigned>& phi, bo
   return table;
 }
 
-/// Raises the penalties of a cell of Darcy flow, all alike, where it is so bent that
+/// Raises the penalties of a cell of Darcy flow, all by one factor, where the cell is so distorted that
 ///
 ///     sum over its open faces of (h/g) |grad phi.n|^2 <= share |grad phi|^2,  share < 1,
 ///
-/// does not hold, without which C would not be definite. The largest ratio of both sides is an eigenvalue of the cell
-/// (Embar, Dolbow and Harari, Int. J. Numer. Methods Eng. 83 (2010) 877); on rectangles it is below the share.
+/// does not hold; C would not be definite then. The largest ratio of both sides is an eigenvalue of the cell (Embar,
+/// Dolbow and Harari, Int. J. Numer. Methods Eng. 83 (2010) 877); on rectangles it is below `share`.
 void make_definite(const Space& space, const Cell& cell, std::vector<OpenFace>& faces) {
   constexpr double share = 0.75;
   std::vector<unsigned> phi;
@@ -136,7 +137,7 @@ std::vector<OpenFace> open_faces(const Scene& scene, const Space& space, const C
 bool drains(const Scene& scene, const Space& space, const Cell& cell, unsigned f) {
   if (cell->at_boundary(f))
     return scene.boundaries.at(space.mesh().curve_of(cell->face(f))).pressure == PressureCondition::open;
-  if (!cell->neighbor(f)->is_active()) return false;  // smaller cells of its own surface
+  if (!cell->neighbor(f)->is_active()) return false;  // smaller cells of the same surface
   const Region& other = space.region(cell->neighbor(f));
   return other.kind == RegionKind::porous && other.flow == Flow::drained;
 }

@@ -14,13 +14,13 @@ using namespace dealii;
 
 namespace {
 
-/// A point of the mesh: its cell and the coordinates in it.
+/// A point of the mesh: its cell, and its coordinates in the unit cell.
 struct Location {
   Cell cell;
   Point<dim> unit;
 };
 
-/// The cell that holds a point; of several, one with pore water. None outside the mesh.
+/// The cell that holds a point; if there are several, one with pore water. None outside the mesh.
 std::optional<Location> locate(const Space& space, const Point<dim>& point) {
   std::optional<Location> found;
   for (const auto& cell : space.dofs().active_cell_iterators()) {
@@ -83,7 +83,7 @@ void add_motion(std::vector<Reading>& list, const std::string& probe, const Poin
   }
 }
 
-/// Pore pressure p = phi'; where the fluid has inertia, Darcy velocity w = W'.
+/// Pore pressure p = phi'; with inertial flow also the Darcy velocity w = W'.
 void add_pore_water(std::vector<Reading>& list, const std::string& probe, const PointRows& rows, CellKind kind) {
   list.push_back(
       velocity_reading({"probes", probe, "pressure"}, "Pa", "excess pore pressure", rows.value(phi_component)));
@@ -94,7 +94,7 @@ void add_pore_water(std::vector<Reading>& list, const std::string& probe, const 
                                   rows.value(dim + 1)));
 }
 
-/// Pressure of free water, and its velocity -grad phi / rho_f.
+/// Pressure of free water, and its velocity u' = -grad phi / rho_f.
 void add_water(std::vector<Reading>& list, const std::string& probe, const PointRows& rows, double density) {
   list.push_back(velocity_reading({"probes", probe, "pressure"}, "Pa", "change of the water's pressure",
                                   rows.value(phi_component)));

@@ -1,4 +1,4 @@
-// Readings at points: everything that can be measured there.
+// Readings at points: all quantities that exist there.
 #pragma once
 
 #include <string>
@@ -9,20 +9,21 @@
 
 namespace upbead {
 
-/// Displacement, velocity and acceleration; where there is pore water, pressure, and with inertial flow Darcy velocity;
-/// where there is a skeleton or solid that deforms, strain and effective stress (tension positive; without the viscous
-/// part of the damping), the elastic one: see followed_readings(). Their group is "probes".
+/// Displacement, velocity and acceleration; where there is pore water, pressure, and with inertial flow Darcy
+/// velocity; where there is a skeleton or solid that deforms, strain and effective stress (tension positive; without
+/// the viscous part of the damping). The stress is the elastic one; for soil that yields see followed_readings(). The
+/// group of these readings is "probes".
 std::vector<Reading> probe_readings(const Space& space, const Unknowns& unknowns, const Scene& scene,
                                     const std::string& name);
 
-/// Readings of stress at a point of soil that yields, where their rows tell the elastic stress alone.
+/// Readings of stress at a point of soil that yields; their rows give only the elastic stress.
 struct FollowedReading {
   Cell cell;
-  dealii::Point<dim> unit;                                                  ///< coordinates in it
-  std::vector<std::pair<ReadingName, double PlaneStress::*>> components{};  ///< the reading of each
+  dealii::Point<dim> unit;                                                  ///< coordinates in the unit cell
+  std::vector<std::pair<ReadingName, double PlaneStress::*>> components{};  ///< each reading with its component
 };
 
-/// Those of the probes of a scene that lie in soil that yields.
+/// Such readings for the probes of a scene that lie in soil that yields.
 std::vector<FollowedReading> followed_readings(const Space& space, const Scene& scene);
 
 }  // namespace upbead

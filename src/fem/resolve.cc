@@ -25,7 +25,7 @@ bool has_probe_in(const Scene& scene, const Mesh& mesh, const std::string& regio
   return false;
 }
 
-/// Whether a load keeps the pore pressure of its region up.
+/// Whether a load maintains the pore pressure in its region.
 bool acts_on_pores(const Load& load) {
   return load.kind == LoadKind::gravity || load.kind == LoadKind::source;
 }
@@ -83,8 +83,8 @@ Decision decide_compressibility(const std::string& name, Region& region, const S
           incompressible ? "compression of the water in " + name : ""};
 }
 
-/// k by the intrinsic permeability, and the modulus of pore water with air at the pressure of still water in the middle
-/// of the region's height.
+/// Finds k from the intrinsic permeability, and the modulus of pore water that contains air, at the pressure of still
+/// water at the middle of the region's height.
 void find_pore_fluid(const std::string& name, Region& region, const Bounds& bounds, double level,
                      ResolvedScene& resolved) {
   const Fluid& fluid = resolved.scene.fluid;
@@ -104,14 +104,14 @@ void find_pore_fluid(const std::string& name, Region& region, const Bounds& boun
                                 ""});
 }
 
-/// Least and largest of a quantity of one region's cells.
+/// Least and largest value of a quantity over one region's cells.
 struct Spread {
   double least = std::numeric_limits<double>::infinity(), largest = 0.;
   void add(double value) { least = std::min(least, value), largest = std::max(largest, value); }
   std::string text(double unit) const { return significant(least / unit) + " to " + significant(largest / unit); }
 };
 
-/// G of every cell by its static stress; of a region, for all that asks for one value, the largest.
+/// Finds G of every cell from its static stress; the largest value stands for the region where only one is needed.
 void find_stiffness(const Mesh& mesh, ResolvedScene& resolved) {
   const StaticStage stage = solve_static(resolved.scene, mesh);
   resolved.soil.shear_modulus = stage.shear_modulus;
@@ -129,7 +129,7 @@ void find_stiffness(const Mesh& mesh, ResolvedScene& resolved) {
   }
 }
 
-/// Water that touches nothing moves nothing.
+/// Leaves out water that touches no other region: it cannot move anything.
 void leave_out_idle_water(const Outline& outline, const Mesh& mesh, ResolvedScene& resolved) {
   for (const auto& [name, region] : resolved.scene.regions) {
     if (region.kind != RegionKind::water || !outline.touching(name).empty()) continue;

@@ -14,7 +14,7 @@ namespace upbead {
 namespace {
 
 constexpr double rad = boost::math::constants::degree<double>();
-/// Between which factors of strength it is sought when it stands, and to which share.
+/// F is sought between 1/most_reduction and most_reduction, with a relative error of `closeness`.
 constexpr double most_reduction = 20., closeness = 0.01;
 
 /// c/F, tan phi/F, tan psi/F.
@@ -44,9 +44,9 @@ class FailingGround {
         soil_(ground_.space(), ground_.unknowns()),
         x_(Vector::Zero(ground_.unknowns().size())) {}
 
-  /// All weights, with the strength over F: the elastic stress is brought back to the strength, and what of the weights
-  /// that does not bear is put on in steps. Without cohesion steps from no stress at all would be as hard as one:
-  /// stresses would only be of another size.
+  /// Applies all weights, with the strength divided by F: the elastic stress is returned to the strength, and the
+  /// weights that it then does not bear are applied in steps. Steps from zero stress would be no easier without
+  /// cohesion: stresses would only scale.
   StaticReport bear_weights(double F) {
     associated_ = false;
     const StaticReport own = bear_by_flow(F);
@@ -55,7 +55,7 @@ class FailingGround {
     return bear_by_flow(F);
   }
 
-  /// The strength over ever larger factors, from where it stands.
+  /// Reduces the strength by growing factors F, from a factor at which the ground stands.
   StaticReport lose_strength(double from) {
     StaticPath path;
     path.load = [&](double) { return weights_; };
@@ -69,7 +69,7 @@ class FailingGround {
     return march(path, steps);
   }
 
-  /// Where it moved most in the last step.
+  /// Where the last step moved the ground most.
   std::string where_it_moves() const {
     const Vector u = ground_.unknowns().expand(moved_);
     double fastest = 0.;

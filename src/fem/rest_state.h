@@ -1,4 +1,4 @@
-// The rest of soil that fails: weights that it bears within its strength, and how much less strength would do.
+// The state at rest of soil that fails: it bears the weights within its strength; and its factor of safety.
 #pragma once
 
 #include <optional>
@@ -14,31 +14,32 @@ namespace upbead {
 struct RestState {
   bool found = false;
   PointStresses stresses;         ///< effective, within the strength and in equilibrium
-  double share_at_strength = 0.;  ///< of the area of soil with a law of strength
+  double share_at_strength = 0.;  ///< share of the area of soil with a law of strength that is at its strength
   StaticReport report;
-  std::string gives_way;  ///< where none is found: "region 'mound' at (3.2, 1.5) m"
+  std::string gives_way;  ///< where it fails, if none is found: "region 'mound' at (3.2, 1.5) m"
 };
 
-/// Whether a region's law is Mohr-Coulomb's, which starts from such a state.
+/// Whether a region has the Mohr-Coulomb law, which starts from such a state.
 bool needs_rest_state(const Scene& scene);
 
-/// Gravity, buoyancy, surcharges and the caisson's weight on ground whose Mohr-Coulomb regions fail and whose others
-/// are elastic. The stress of the elastic ground, where K_0 is given with s'_x = s'_z = K_0 s'_y, is brought back to
-/// the strength, and what of the weights that does not bear is put on in steps. By the soil's own flow; where that
-/// finds no equilibrium, by associated flow, which changes which of the stresses that are in equilibrium and within the
-/// strength is found. `soil`: stiffness as in the dynamic system.
+/// Gravity, buoyancy, surcharges and the caisson's weight on ground whose Mohr-Coulomb regions may fail and whose
+/// other regions are elastic. The stress of the elastic ground (where K_0 is given, with s'_x = s'_z = K_0 s'_y) is
+/// returned to the strength, and the weights that it then does not bear are applied in steps. With the soil's own
+/// flow rule; where that finds no equilibrium, with associated flow: this selects another of the stress states that
+/// are in equilibrium and within the strength. `soil`: stiffness as in the dynamic system.
 RestState rest_state(const Scene& scene, const Mesh& mesh, const SoilState& soil);
 
-/// By which factor c', tan phi' and tan psi' of all regions with a strength may fall: it stands at `lower`, and no
-/// equilibrium was found at `upper`.
+/// Factor by which c', tan phi' and tan psi' of all regions with a strength may be divided: the ground stands at
+/// `lower`, and no equilibrium was found at `upper`.
 struct SafetyFactor {
-  std::optional<double> lower;  ///< none: no equilibrium was found with 16 times its strength either
-  std::optional<double> upper;  ///< none: it stands with a twentieth of its strength, too
-  std::string fails_at;         ///< where: "region 'mound' at (3.2, 1.5)"; empty where it stands
+  std::optional<double> lower;  ///< none: no equilibrium was found even with 16 times the strength
+  std::optional<double> upper;  ///< none: the ground stands even with a twentieth of its strength
+  std::string fails_at;         ///< where it fails: "region 'mound' at (3.2, 1.5)"; empty where it stands
 };
 
-/// Strength reduction (Zienkiewicz, Humpheson and Lewis 1975; Griffiths and Lane 1999): c'/F, tan phi'/F, tan psi'/F
-/// with F in steps from a state that stands, to 1 %. Soil with a strength is Mohr-Coulomb's whatever its law in waves.
+/// Strength reduction (Zienkiewicz, Humpheson and Lewis 1975; Griffiths and Lane 1999): c'/F, tan phi'/F, tan psi'/F,
+/// with F in steps from a state in equilibrium, to 1 %. All soil with a strength follows Mohr-Coulomb here, whatever
+/// its law in waves.
 SafetyFactor safety_factor(const Scene& scene, const Mesh& mesh, const SoilState& soil);
 
 }  // namespace upbead

@@ -78,7 +78,7 @@ void check_regions(Checker& checker) {
                      "make them one surface in the mesh, or one of them solid");
 }
 
-/// A surcharge must lie on ground somewhere.
+/// A surcharge must lie on ground at some place.
 void check_surcharge(Checker& checker, const std::string& name, const Surcharge& surcharge) {
   const std::string key = "initial.surcharge." + name;
   if (surcharge.from && surcharge.to && *surcharge.from >= *surcharge.to) {
@@ -101,7 +101,7 @@ void check_surcharge(Checker& checker, const std::string& name, const Surcharge&
                    "name a curve of the ground's surface, and x of its ends upon it");
 }
 
-/// Weights under water need to know where it stands.
+/// Weights in still water need a water level.
 void check_initial(Checker& checker) {
   if (checker.scene.initial)
     for (const auto& [name, surcharge] : checker.scene.initial->surcharge) check_surcharge(checker, name, surcharge);
@@ -120,14 +120,15 @@ void check_initial(Checker& checker) {
       "add [initial] with water_level, the height y (m)");
 }
 
-/// What stands on the ground is not ground: the base would be read on both sides.
+/// The caisson may not be soil that yields: readings along its bottom would belong to both sides.
 void check_yielding(Checker& checker) {
   const auto caisson = checker.scene.regions.find(caisson_name);
   if (caisson != checker.scene.regions.end() && caisson->second.law != SoilLaw::elastic)
     checker.object("regions.caisson.law", "only soil yields", "write law = \"elastic\"");
 }
 
-/// F_T is read at the caisson's bottom: nothing else may hold it or take part of its force, but water.
+/// F_T is read at the caisson's bottom: so nothing but water may hold the caisson elsewhere or take a part of its
+/// force.
 void check_caisson(Checker& checker) {
   const auto caisson = checker.scene.regions.find(caisson_name);
   if (caisson == checker.scene.regions.end()) return;
@@ -153,7 +154,7 @@ void check_caisson(Checker& checker) {
                      "a support of the caisson would take part of the shear force", "say \"free\"");
 }
 
-/// Only a rigid caisson on a level bottom may slip, and it slips in time.
+/// Only a rigid caisson on a level bottom may slip, and only in a march in time.
 void check_contact(Checker& checker) {
   for (const auto& [name, region] : checker.scene.regions)
     if (region.interface && name != caisson_name)

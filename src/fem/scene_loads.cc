@@ -17,8 +17,8 @@ using namespace dealii;
 
 namespace {
 
-/// Gauss points on a face, split where the load's table of intensities has a corner, so that the integrand is a
-/// polynomial between.
+/// Gauss points on a face that is split at the corners of the load's table of intensities, so that the integrand is a
+/// polynomial on each part.
 Quadrature<1> split_quadrature(const Load& load, const Point<dim>& from, const Point<dim>& to, unsigned n_points) {
   std::vector<double> ends{0., 1.};
   const double begin = shape_coordinate(load, from[0], from[1]), end = shape_coordinate(load, to[0], to[1]);
@@ -38,10 +38,10 @@ Quadrature<1> split_quadrature(const Load& load, const Point<dim>& from, const P
   return Quadrature<1>(points, weights);
 }
 
-/// Whether a load acts on a face of its curve: an outer one, or one of a solid under free water.
+/// Whether a load acts on a face of its curve: on an outer face, or on a face of a solid under free water.
 bool acts_on(const Space& space, const Cell& cell, unsigned f) {
   if (cell->at_boundary(f)) return true;
-  if (!cell->neighbor(f)->is_active()) return false;  // smaller cells of its own surface
+  if (!cell->neighbor(f)->is_active()) return false;  // smaller cells of the same surface
   return space.kind(cell) != CellKind::water && space.kind(cell->neighbor(f)) == CellKind::water;
 }
 
@@ -60,7 +60,7 @@ void for_each_face(const Space& space, const Load& load, UpdateFlags flags, cons
     }
 }
 
-/// Traction at a point of the curve at f(t) = 1 (Pa): total stress times normal.
+/// Traction (total stress times normal) at a point of the curve, at f(t) = 1 (Pa).
 Tensor<1, dim> traction(const Load& load, const Point<dim>& at, const Tensor<1, dim>& normal, double scale) {
   if (load.kind == LoadKind::pressure || load.kind == LoadKind::normal) return -intensity(load, at[0], at[1]) * normal;
   Tensor<1, dim> direction;
@@ -78,9 +78,9 @@ double total_intensity(const Space& space, const Load& load) {
   return total;
 }
 
-/// Nodal forces of a load on a curve at f(t) = 1, by the region that the faces belong to. The relative intensity is
-/// integrated exactly: faces are split at the heights of its table. Of a load of kind force the resultant is value
-/// times direction.
+/// Nodal forces of a load on a curve at f(t) = 1, by the region of the faces. The relative intensity is integrated
+/// exactly: faces are split at the corners of its table. For a load of kind force the resultant is value times
+/// direction.
 std::map<std::string, NodalForces> curve_forces(const Space& space, const Load& load) {
   std::map<std::string, NodalForces> forces;
   const double scale = load.kind == LoadKind::force ? 1. / total_intensity(space, load) : 1.;
@@ -97,8 +97,8 @@ std::map<std::string, NodalForces> curve_forces(const Space& space, const Load& 
   return forces;
 }
 
-/// What a unit velocity of the outcrop beneath an absorbing side sends upward: the side's terms times that velocity, so
-/// that ground which moved with it would feel nothing.
+/// The wave that a unit velocity of the outcrop below an absorbing side sends upward: the side's terms times that
+/// velocity. Ground that moved with the outcrop would feel no force.
 void add_arriving(const Scene& scene, const Space& space, const Unknowns& unknowns, const Load& load, Vector& vector) {
   for_each_absorbing_face(scene, space, [&](const Cell& cell, const std::string& curve, const FaceTerms& terms) {
     if (curve != load.boundary) return;
@@ -112,7 +112,7 @@ void add_arriving(const Scene& scene, const Space& space, const Unknowns& unknow
   });
 }
 
-/// A force at a point of a rigid region, on that body's coordinates.
+/// A force at a point of a rigid region, as loads on the body's coordinates.
 SystemLoad body_load(const std::string& name, const Load& load, const Unknowns& unknowns,
                      const std::vector<Body>& bodies) {
   SystemLoad out{name, Vector::Zero(unknowns.size()), load.history, -1};
@@ -126,7 +126,7 @@ SystemLoad body_load(const std::string& name, const Load& load, const Unknowns& 
   return out;
 }
 
-/// Loads of the system and what they do to the caisson and to the ground's nodes under it.
+/// Makes the system's loads, and their forces on the caisson and on the ground's nodes under it.
 class LoadCompiler {
  public:
   LoadCompiler(const Scene& scene, const Space& space, const Unknowns& unknowns, const std::vector<Body>& bodies,
@@ -175,7 +175,7 @@ class LoadCompiler {
     for (const auto& [region, nodal] : damping) add_nodal(region, nodal);
   }
 
-  /// Of a force on the rigid caisson.
+  /// Adds the resultant of a force on the rigid caisson.
   void add_point_resultant(const std::array<double, 2>& at, const std::array<double, 2>& force) {
     LoadOnCaisson& resultant = out.on_caisson.back();
     const auto rotation = unit_motion(motion_rotation, Point<dim>(at[0], at[1]), caisson_->bottom_centre);
@@ -184,7 +184,7 @@ class LoadCompiler {
     resultant.moment += rotation[0] * force[0] + rotation[1] * force[1];
   }
 
-  /// Of rigid bodies, by their masses.
+  /// Adds the weights of rigid bodies, by their masses.
   void add_weights(const Load& load) {
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
       const Body& body = bodies_[b];

@@ -1,4 +1,4 @@
-// The loads of a scene as right-hand sides of the system, and what they do to the caisson.
+// The loads of a scene as right-hand sides of the system, and their resultants on the caisson.
 #pragma once
 
 #include <optional>
@@ -12,15 +12,15 @@
 
 namespace upbead {
 
-/// All loads; the three lists run in parallel.
+/// All loads; entry i of each list belongs to load i.
 struct SceneLoads {
   std::vector<SystemLoad> loads;
   std::vector<LoadOnCaisson> on_caisson;
-  /// Forces on the ground's cells; at nodes that the caisson shares they belong to the ground, not to P.
+  /// Forces on the ground's cells; at nodes shared with the caisson they count for the ground, not for P.
   std::vector<NodalForces> on_ground;
 };
 
-/// One load of the system per load of the scene whose factor is not 0, and one more where it prescribes a pore
+/// One system load for each load of the scene whose factor is not 0, and one more if that load prescribes a pore
 /// pressure. `ground` is needed where there is a caisson.
 SceneLoads compile_loads(const Scene& scene, const Space& space, const Unknowns& unknowns,
                          const std::vector<Body>& bodies, const std::optional<Caisson>& caisson,

@@ -1,10 +1,10 @@
-// What faces on sides add to the system: open sides, where pores drain; absorbing ones, which let waves out; the free
-// surface of water, which carries them; and where water meets something that moves.
+// Terms that faces on sides add to the system: open sides, where pores drain; absorbing sides, which let waves out;
+// the free surface of water, with its waves; and faces where water meets something that moves.
 //
-// With phi fixed at the nodes of an open side, soil that hardly drains within a step would have to build a skin far
-// thinner than its cells: the pressure overshoots by a quarter from cell to cell, and a whole row of cells is drained
-// that should not be (Vermeer and Verruijt 1981). Imposed weakly, the side drains as much as the cells resolve: not at
-// all where the skin is much thinner than a cell, fully where it is thicker.
+// If phi were fixed at the nodes of an open side, soil that hardly drains within a step would need a boundary layer
+// far thinner than its cells: the pressure would overshoot by a quarter from cell to cell, and a whole row of cells
+// would drain that should not (Vermeer and Verruijt 1981). Imposed weakly, the side drains as much as the cells
+// resolve: not at all where the layer is much thinner than a cell, fully where it is thicker.
 #pragma once
 
 #include "fem/faces.h"
@@ -16,9 +16,9 @@ namespace upbead {
 bool drains(const Scene& scene, const Space& space, const Cell& cell, unsigned face);
 
 /// Calls visit(terms) for every outer face where the boundary is open and the cell has pore water, and for every face
-/// between pore water and a drained porous region, where the pressure is none. With the jump
-/// [phi] = phi - sum_k intensity_k phi_k over the prescribed phi_k, the mobility 1/b, a penalty g of each flow's own
-/// and the cell's size h across the face:
+/// between pore water and a drained porous region, where the pressure is zero. With the jump
+/// [phi] = phi - sum_k intensity_k phi_k over the prescribed phi_k, the mobility 1/b, a penalty g for each kind of
+/// flow, and the cell's size h across the face:
 ///
 /// Darcy flow, Nitsche (1971): C gets
 ///   pp  -1/b ( g/h [dphi][phi] - [dphi] grad phi.n - grad dphi.n [phi] )
@@ -59,12 +59,12 @@ void for_each_sprung_face(const Scene& scene, const Space& space, const VisitFac
 /// p = rho_f g eta).
 void for_each_surface_face(const Scene& scene, const Space& space, const VisitFace& visit);
 
-/// Calls visit(face, terms) for every wet face but those of walls on which the force was measured while they moved
-/// (Load::measured_on_wall): there the history holds the sea's answer already, and the water stands before a wall at
-/// rest. The water presses on the solid with p = phi', and what the solid moves by the water gives way: with the normal
-/// n out of the solid
+/// Calls visit(face, terms) for every wet face, except on walls where the force was measured while the wall moved
+/// (Load::measured_on_wall): such a history includes the water's reaction already, and the water stands before a wall
+/// at rest. The water presses on the solid with p = phi', and gives way to the motion of the solid; with the normal n
+/// out of the solid
 ///   up_C  +(du.n) phi  and its transpose.
-/// Where the solid has pores, phi is one field through both and water flows through the face.
+/// Where the solid has pores, phi is one field through both, and water flows through the face.
 void for_each_wet_face_term(const Scene& scene, const Space& space,
                             const std::function<void(const WetFace&, const FaceTerms&)>& visit);
 

@@ -15,11 +15,11 @@ namespace upbead {
 namespace {
 
 constexpr double degree = boost::math::constants::degree<double>();
-/// Elements of the overlay; 8 to 12 give F_T to 0.6 %. From where the modulus has fallen by a hundredth to where the
-/// hyperbola has come to 97 % of its strength.
+/// Number of elements of the overlay (8 to 12 give F_T to 0.6 %), and their range of strain, over the reference
+/// strain: from a modulus reduced by one hundredth to 97 % of the strength of the hyperbola.
 constexpr int n_elements = 12;
 constexpr double first_strain = 0.01, last_strain = 30.;
-/// Share of the mean stress of a region that counts at least: strength vanishes at free surfaces.
+/// Least mean stress for the strength, over the mean of the region: strength would vanish at free surfaces.
 constexpr double least_stress = 0.1;
 
 PlaneStress at_rest(const EffectiveStress& rest, std::size_t cell, const std::optional<double>& k0) {
@@ -28,7 +28,7 @@ PlaneStress at_rest(const EffectiveStress& rest, std::size_t cell, const std::op
   return {-rest.horizontal[cell], vertical, -rest.shear[cell], -rest.out_of_plane[cell]};
 }
 
-/// K_0 that is given, that of Jaky (1944) by phi', or that of the elastic soil between walls.
+/// The given K_0, or that of Jaky (1944) with phi', or that of elastic soil without lateral strain.
 double earth_pressure_at_rest(const Region& region, const std::optional<double>& given) {
   if (given) return *given;
   if (region.strength) return 1. - std::sin(region.strength->friction_angle * degree);
@@ -48,13 +48,13 @@ std::unique_ptr<SoilPoint> kept(std::unique_ptr<CompactingPoint> point, unsigned
   return point;
 }
 
-/// Laws of one scene, made cell by cell.
+/// Makes the laws of a scene, cell by cell.
 class Maker {
  public:
   Maker(const Scene& scene, const Space& space, const EffectiveStress& rest, RestStart start,
         const PointStresses* failing)
       : k0_(k0_of(scene)), rest_(rest), start_(start), failing_(failing) {
-    std::map<std::string, std::pair<double, double>> sums;  // of stress times area, and of area
+    std::map<std::string, std::pair<double, double>> sums;  // sum of stress times area, and of area
     for (const Cell& cell : space.dofs().active_cell_iterators()) {
       auto& [stress, area] = sums[space.mesh().surface_of(cell)];
       stress += cell->measure() * std::max(rest.mean(cell->active_cell_index(), k0_), 0.);
@@ -83,7 +83,7 @@ class Maker {
   std::shared_ptr<CompactingPoints> compacting() const { return compacting_; }
 
  private:
-  /// The same points where the region keeps its volume.
+  /// Points that compact where the region has densification; else the given points.
   PointsOfCells denser(const Region& region, const ElasticLaw& elastic, double mean,
                        const PointsOfCells& points) const {
     if (!region.densification) return points;
@@ -93,7 +93,7 @@ class Maker {
     };
   }
 
-  /// From a stress by point, or from one for all.
+  /// From one stress for each point, or one for all points.
   PointsOfCells mohr_coulomb(const Region& region, const std::shared_ptr<const MohrCoulombLaw>& law,
                              const ElasticLaw& elastic, std::vector<PlaneStress> stresses) const {
     const auto at = [stresses = std::move(stresses)](unsigned point) { return stresses[point % stresses.size()]; };
@@ -139,7 +139,7 @@ class Maker {
     return [law, state](unsigned, unsigned) { return soil_point(law, state); };
   }
 
-  /// Of pure shear with as much of a deviator: sqrt(s : s / 2).
+  /// Shear stress of pure shear with the same norm of the deviator: sqrt(s : s / 2).
   static double shear(const PlaneStress& s) {
     const double mean = (s.xx + s.yy + s.zz) / 3., xx = s.xx - mean, yy = s.yy - mean, zz = s.zz - mean;
     return std::sqrt(0.5 * (xx * xx + yy * yy + zz * zz) + s.xy * s.xy);

@@ -25,12 +25,12 @@ hp::FECollection<dim> make_elements(unsigned k) {
   elements.push_back(FESystem<dim>(u, dim, none, dim, none, 1));
   elements.push_back(FESystem<dim>(u, dim, none, dim, phi, 1));
   elements.push_back(FESystem<dim>(u, dim, W, dim, phi, 1));
-  elements.push_back(FESystem<dim>(none, dim, none, dim, u, 1));  // phi of degree k: the added mass needs it
+  elements.push_back(FESystem<dim>(none, dim, none, dim, u, 1));  // phi of degree k, which the added mass needs
   elements.push_back(FESystem<dim>(none, dim, none, dim, none, 1));
   return elements;
 }
 
-/// A region with what the soil is in one of its cells.
+/// A copy of the region with the soil's stiffness and damping in one of its cells.
 Region in_cell(Region region, const SoilState& soil, std::size_t cell) {
   if (!soil.shear_modulus.empty() && soil.shear_modulus[cell] > 0.) region.shear_modulus = soil.shear_modulus[cell];
   if (!soil.damping_ratio.empty() && region.damping && soil.damping_ratio[cell] >= 0.)

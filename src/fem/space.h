@@ -1,4 +1,4 @@
-// The finite-element space of a scene: which unknowns live on which cells.
+// The finite-element space of a scene: the unknowns of each cell.
 #pragma once
 
 #include <deal.II/dofs/dof_handler.h>
@@ -28,17 +28,17 @@ using Dofs = std::vector<dealii::types::global_dof_index>;
 /// All degrees of freedom of a cell, in its own order.
 Dofs dofs_of(const Cell& cell);
 
-/// What a cell carries; also its index into the collection of elements.
+/// The fields on a cell; also its index into the collection of elements.
 enum class CellKind : unsigned { solid = 0, darcy = 1, inertial = 2, water = 3, absent = 4 };
 
 /// u in Q(k) where something moves, phi in Q(k-1) where there is pore water and in Q(k) in free water, W in DGQ(k-1)
-/// where the pore water has inertia; absent unknowns are FE_Nothing. Inf-sup stable (Taylor and Hood); measured orders
-/// in docs/theory.md.
+/// where the pore water has inertia; absent fields are FE_Nothing. Inf-sup stable (Taylor and Hood); measured orders
+/// of convergence in docs/theory.md.
 class Space {
  public:
-  /// Nothing in the scene's regions may be left to be chosen. Cells that are `absent` (by active cell index; none where
-  /// that is empty) carry nothing, and the mesh ends at their sides. What `soil` says of a cell stands in its
-  /// material. The mesh must outlive the space.
+  /// All choices in the scene's regions must be made. Cells that are `absent` (by active cell index; empty: none)
+  /// have no unknowns, and the mesh ends at their sides. The values of `soil` for a cell are in its material. The
+  /// mesh must outlive the space.
   Space(const Mesh& mesh, const Scene& scene, const std::vector<bool>& absent = {}, const SoilState& soil = {});
 
   const Mesh& mesh() const { return *mesh_; }
@@ -47,32 +47,32 @@ class Space {
   int degree() const { return degree_; }
   using MeshCell = dealii::Triangulation<dim>::cell_iterator;
   const Region& region(const MeshCell& cell) const { return regions_[cell->material_id()]; }
-  /// Constants of a cell, with its own stiffness and damping.
+  /// Material of a cell, with its own stiffness and damping.
   const Material& material(const MeshCell& cell) const {
     return materials_[by_cell_ ? cell->active_cell_index() : cell->material_id()];
   }
   CellKind kind(const Cell& cell) const { return static_cast<CellKind>(cell->active_fe_index()); }
-  /// Whether the cell has matrices of its own: it is there, and not of a rigid body.
+  /// Whether the cell has matrices of its own: neither absent nor part of a rigid body.
   bool has_matrices(const Cell& cell) const {
     return region(cell).kind != RegionKind::rigid && kind(cell) != CellKind::absent;
   }
-  /// Whether there is phi, of pore water or of free water.
+  /// Whether the cell has phi, of pore water or of free water.
   bool has_pressure(const Cell& cell) const { return has_pores(cell) || kind(cell) == CellKind::water; }
-  /// Whether there is pore water.
+  /// Whether the cell has pore water.
   bool has_pores(const Cell& cell) const { return kind(cell) == CellKind::darcy || kind(cell) == CellKind::inertial; }
 
  private:
   const Mesh* mesh_;
   int degree_;
   std::vector<Region> regions_;      ///< by material_id
-  std::vector<Material> materials_;  ///< likewise; by active cell index where the soil differs from cell to cell
+  std::vector<Material> materials_;  ///< by material_id; by active cell index where soil differs by cell
   bool by_cell_;
   dealii::MappingQ1<dim> mapping_;
   dealii::hp::FECollection<dim> elements_;
   dealii::DoFHandler<dim> dofs_;
 };
 
-/// The component and the place of the node that the i-th degree of freedom of a cell stands for.
+/// The component of a cell's i-th degree of freedom, and the point of its node.
 struct DofNode {
   unsigned component;
   dealii::Point<dim> at;

@@ -10,7 +10,7 @@ namespace upbead {
 
 namespace {
 
-/// Iterations of a step after which the next may be longer, and after which no equilibrium is sought.
+/// Up to `quick` iterations the next step may be longer; after `most` a step has failed.
 struct Patience {
   int quick, most;
 };
@@ -25,8 +25,8 @@ double largest_diagonal(const SparseMatrix& pattern, const Vector& values) {
   return largest;
 }
 
-/// Forces out of balance at one parameter; held unknowns move to their places as on stiff springs, which a step of
-/// Newton does exactly.
+/// Forces out of balance at one parameter. Held unknowns are moved by stiff springs, which one Newton step does
+/// exactly.
 class Balance {
  public:
   Balance(StaticSoil& soil, const StaticPath& path) : soil_(soil), path_(path) {
@@ -40,7 +40,7 @@ class Balance {
     if (!path_.held.empty()) place_ = path_.place(parameter);
     if (path_.laws) soil_.follow(path_.laws(parameter));
   }
-  /// The springs are as stiff as the stiffest unknown.
+  /// The springs' stiffness is the largest of the diagonal.
   void start(double parameter, const Vector& x) {
     at(parameter);
     Vector r, values(soil_.pattern().nonZeros());
@@ -61,13 +61,13 @@ class Balance {
     soil_.tangent(values);
     for (const auto& [entry, diagonal] : held_entries_) values[entry] = diagonal ? spring_ : 0.;
   }
-  /// Of loads and of what holds.
+  /// Norm of the loads and of the reactions at held unknowns.
   double size() const {
     double sum = load_.squaredNorm();
     for (const int i : path_.held) sum += force_[i] * force_[i];
     return std::sqrt(sum);
   }
-  /// A thousandth of what it would take to move what is held there elastically: a size of the forces to come.
+  /// A thousandth of the elastic force that moves held unknowns to their places: an estimate of the reactions.
   double pull(const Vector& x) const {
     double sum = 0.;
     for (std::size_t k = 0; k < path_.held.size(); ++k) sum += std::pow(x[path_.held[k]] - place_[k], 2);
@@ -84,7 +84,7 @@ class Balance {
   double spring_ = 1.;
 };
 
-/// One step after the other.
+/// The march, step by step.
 class March {
  public:
   March(StaticSoil& soil, const StaticPath& path, const StaticSteps& steps, Vector& x)
@@ -136,12 +136,12 @@ class March {
     balance_.at(next);
     Vector tried = x_ + length * rate_, r;
     balance_.residual(tried, r);
-    // where nothing has moved tangents are elastic, and no search along their step finds less out of balance
+    // before the first motion tangents are elastic, and a line search along their step may find no smaller residual
     if (rate_.isZero(0.)) leap_.solve(tried, steps_.tolerance * std::max(balance_.size(), balance_.pull(x_)));
     NewtonReport found = newton_.solve(tried, steps_.tolerance * std::max(balance_.size(), balance_.pull(x_)));
     last_iterations_ = found.iterations;
     if (found.converged) balance_.residual(tried, r);
-    if (found.converged && r.norm() > steps_.tolerance * balance_.size()) {  // of forces that were not known before
+    if (found.converged && r.norm() > steps_.tolerance * balance_.size()) {  // reactions are known only now
       found = newton_.solve(tried, steps_.tolerance * balance_.size());
       last_iterations_ += found.iterations;
       balance_.residual(tried, r);
@@ -163,8 +163,8 @@ class March {
   Patience patience_;
   Vector& x_;
   Balance balance_;
-  Newton newton_, leap_;  ///< with a line search; one whole step
-  Vector rate_;           ///< of x by the parameter, in the last step
+  Newton newton_, leap_;  ///< with a line search; with one whole step
+  Vector rate_;           ///< derivative of x by the parameter, in the last step
   int last_iterations_ = 0;
   StaticReport report_;
 };

@@ -33,7 +33,7 @@ LawAnswer elastic_answer(const ElasticLaw& law, const PlaneStrain& strain, MohrC
   return {state.stress, law.tangent()};
 }
 
-/// Whether a point at its strength has not moved: which way it will go, and so its tangent, is not known.
+/// Whether a point at its strength has not moved: then the direction of its flow, and so its tangent, is not known.
 bool is_still(const PlaneStrain& now, const PlaneStrain& before) {
   return now.xx == before.xx && now.yy == before.yy && now.xy == before.xy;
 }
@@ -58,10 +58,10 @@ struct StaticSoil::Impl {
   std::vector<SoilCell> cells;
   std::vector<Place> places;
   std::vector<MohrCoulombLaw::State> states;  ///< committed, by point
-  std::vector<Eigen::Matrix3d> tangents;      ///< by point, where exert was asked last
+  std::vector<Eigen::Matrix3d> tangents;      ///< by point, of the last exert()
   StaticLaws laws;
   SparseMatrix pattern;
-  double least_stiffness = 1e-5;  ///< of the elastic one
+  double least_stiffness = 1e-5;  ///< over the elastic one
 
   Impl(const Space& space, const Unknowns& unknowns);
   void add(const Space& space, const Unknowns& unknowns, const Cell& cell);

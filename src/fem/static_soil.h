@@ -1,5 +1,5 @@
-// Soil of a mesh in static equilibrium: stresses by law at the points of quadrature, their nodal forces and the
-// tangent of these.
+// Soil of a mesh in static equilibrium: stresses by the laws at the points of quadrature, their nodal forces, and the
+// tangent.
 #pragma once
 
 #include <memory>
@@ -15,35 +15,36 @@ using StaticLaws = std::vector<std::shared_ptr<const MohrCoulombLaw>>;
 /// Effective stresses by active cell index and point of quadrature, those of the stiffness (QGauss(degree + 1)).
 using PointStresses = std::vector<std::vector<PlaneStress>>;
 
-/// What it exerts is counted from the committed state: strains of the last equilibrium, and the stresses that belong
-/// to them. `space` and `unknowns` outlive it.
+/// Stresses start from the committed state: the strains of the last equilibrium, and the stresses there. `space` and
+/// `unknowns` outlive it.
 class StaticSoil {
  public:
   StaticSoil(const Space& space, const Unknowns& unknowns);
   ~StaticSoil();
 
-  /// Laws from now on; the committed state stays, even where they do not bear it.
+  /// Sets the laws from now on; the committed state stays, even where the new laws do not bear it.
   void follow(StaticLaws laws);
-  /// A tangent without stiffness, as at the apex of a cone, keeps this share of the elastic one. Equilibrium is that of
-  /// the stresses, and only the way to it changes: less is faster where much of the soil has no strength and
-  /// Newton's method lengthens its steps (StaticSteps::associated), and too little for one that does not.
+  /// Where the tangent loses its stiffness, as at the apex of a cone, it keeps this share of the elastic one. The
+  /// equilibrium does not change, as it depends on stresses alone; only the iterations do. A smaller share is faster
+  /// where much of the soil has no strength and Newton's method lengthens its steps (StaticSteps::associated), and
+  /// too small without that.
   void keep_stiffness(double share);
-  /// Stresses without strain; cells without any get none.
+  /// Sets stresses at zero strain; cells without given stresses get none.
   void start_from(const PointStresses& stresses);
 
   /// Nodal forces, integral of B^T sigma, at x.
   void exert(const Vector& x, Vector& force);
   /// Compressed; every unknown has its diagonal.
   const SparseMatrix& pattern() const;
-  /// d force / dx where `exert` was asked last, in the order of the pattern.
+  /// d force / dx at the x of the last `exert`, in the order of the pattern.
   void tangent(Eigen::Ref<Vector> values) const;
-  /// x becomes history.
+  /// Commits x.
   void commit(const Vector& x);
 
   PointStresses stresses() const;
-  /// Largest excess of a committed stress over its law's strength (Pa); 0 or less where all is borne.
+  /// Largest excess of a committed stress over the strength of its law (Pa); 0 or less where all stresses are borne.
   double largest_excess() const;
-  /// Of the area that may yield, cells with a point at its strength to 1e-6 of its stress.
+  /// Share of the area of soil with a law whose cells have a point at its strength, to 1e-6 of its stress.
   double share_at_strength() const;
 
  private:

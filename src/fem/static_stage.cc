@@ -14,7 +14,7 @@ namespace {
 constexpr int most_iterations = 50;
 constexpr double settled = 1e-3;
 
-/// The least stress that counts in each region, by its material id.
+/// The lower bound of the mean stress in each region, by its material id.
 std::vector<double> floors(const Scene& scene, const Mesh& mesh, const EffectiveStress& stress) {
   std::vector<double> sum(mesh.surfaces.size(), 0.), area(mesh.surfaces.size(), 0.);
   for (const auto& cell : mesh.triangulation.active_cell_iterators()) {
@@ -51,7 +51,7 @@ double largest_change(const std::vector<double>& before, const std::vector<doubl
   return change;
 }
 
-/// Moves log G towards the new one, by so many times the way.
+/// Moves log G towards log `next`, by `times` times their difference.
 void step(std::vector<double>& G, const std::vector<double>& next, double times) {
   for (std::size_t i = 0; i < G.size(); ++i)
     if (next[i] > 0.) G[i] *= std::pow(next[i] / G[i], times);
@@ -93,8 +93,8 @@ WeightInWater caisson_in_water(const Scene& scene, const Mesh& mesh) {
   return Ground(rest, mesh, {}).caisson_in_water(water_level(scene, mesh));
 }
 
-/// What stiffens draws load, which stiffens it more: changes of log G shrink by a factor from solve to solve, and all
-/// that are still to come are taken in one (Aitken) after every second plain one.
+/// Stiffer soil attracts load, which stiffens it more: changes of log G shrink by a factor from solve to solve. After
+/// every second plain step, one step takes all changes still to come (Aitken).
 StaticStage solve_static(const Scene& scene, const Mesh& mesh) {
   const Scene rest = at_rest(scene);
   const Vector weights = Ground(rest, mesh, {}).weights(water_level(scene, mesh));

@@ -1,4 +1,4 @@
-// The static state before the waves: what the soils weigh under water, with the caisson on them.
+// The static state before the waves: soils under their submerged weight, with the caisson on them.
 #pragma once
 
 #include <optional>
@@ -15,7 +15,7 @@ namespace upbead {
 struct EffectiveStress {
   std::vector<double> horizontal, vertical, out_of_plane;
   std::vector<double> shear;  ///< -sigma_xy
-  /// (s'_x + s'_y + s'_z) / 3 of a cell; with K_0 (1 + 2 K_0)/3 s'_y.
+  /// (s'_x + s'_y + s'_z) / 3 of a cell; (1 + 2 K_0)/3 s'_y if K_0 is given.
   double mean(std::size_t cell, const std::optional<double>& k0) const;
 };
 
@@ -28,29 +28,30 @@ struct StaticStage {
 /// Whether a region's stiffness depends on stress.
 bool needs_static_stage(const Scene& scene);
 
-/// [initial] k0.
+/// The key k0 of [initial].
 std::optional<double> k0_of(const Scene& scene);
 
-/// Height of still water (m): [initial] water_level, else the top of the regions of water, else -infinity.
+/// Height of still water (m): [initial] water_level, else the top of the water regions, else -infinity.
 double water_level(const Scene& scene, const Mesh& mesh);
 
-/// Normal forces N_i of the static state at the interface_nodes under a rigid caisson (N/m, compression positive), of
-/// soils in that state; glued, as the shear stress that goes with it is taken to have crept away. Their sum is the
-/// weight of the caisson in still water. The caisson stood there when the soils settled under their own weight, or,
-/// where the ground `has_settled`, is set down after that. Throws NumericsError where the ground is not held.
+/// Normal forces N_i of the static state at the interface_nodes under a rigid caisson (N/m, compression positive),
+/// with the soils' stiffness in that state. The bottom is bonded; its shear stress is taken to have crept away. The
+/// sum of N_i is the weight of the caisson in still water. The caisson stood there when the soils settled under their
+/// own weight, or, where the ground `has_settled`, was set down after that. Throws NumericsError where the ground is
+/// not held.
 Vector static_normal_forces(const Scene& scene, const Mesh& mesh, const SoilState& soil, bool has_settled = false);
 
-/// Weight of a rigid caisson in still water (N/m), and where it acts (m, along x).
+/// Weight of a rigid caisson in still water (N/m), and the point where it acts (m, along x).
 struct WeightInWater {
   double weight = 0.;
   double x = 0.;
 };
 WeightInWater caisson_in_water(const Scene& scene, const Mesh& mesh);
 
-/// Solves div sigma' + gamma' = 0 for drained soils on their own sides, absorbing ones as rollers, with unit weights
-/// gamma' = (1 - n)(rho_s - rho_f) g below still water and (1 - n) rho_s g above it, of bodies (rho - rho_f) g and rho
-/// g, under the surcharges of [initial]; G follows the stress until it settles. Throws NumericsError where it does not,
-/// or the ground is not held.
+/// Solves div sigma' + gamma' = 0 for drained soils on the scene's own supports, with absorbing sides as rollers.
+/// Unit weights: gamma' = (1 - n)(rho_s - rho_f) g below still water and (1 - n) rho_s g above it; for bodies
+/// (rho - rho_f) g and rho g. With the surcharges of [initial]. G follows the stress until it settles. Throws
+/// NumericsError where it does not, or the ground is not held.
 StaticStage solve_static(const Scene& scene, const Mesh& mesh);
 
 }  // namespace upbead

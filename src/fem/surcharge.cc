@@ -13,7 +13,7 @@ using namespace dealii;
 
 namespace {
 
-/// Between which shares of the way from a to b a surcharge lies; two equal ones where it does not.
+/// Shares of the way from a to b between which a surcharge lies; two equal ones where it does not lie there.
 std::array<double, 2> part(const Surcharge& surcharge, double a, double b) {
   const double left = std::max(surcharge.from.value_or(-HUGE_VAL), std::min(a, b));
   const double right = std::min(surcharge.to.value_or(HUGE_VAL), std::max(a, b));

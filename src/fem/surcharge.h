@@ -1,4 +1,4 @@
-// What lies on the ground at rest and moves no mass: foot-protection blocks, armour on a berm.
+// Weights on the ground at rest that have no mass in the dynamics: foot-protection blocks, armour on a berm.
 #pragma once
 
 #include <functional>

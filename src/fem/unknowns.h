@@ -17,9 +17,9 @@ namespace upbead {
 /// Nodal forces on some cells: degree of freedom -> force (N/m).
 using NodalForces = std::map<unsigned, double>;
 
-/// Degree of freedom i of the space is sum_j weight_j x_j over its expansion; fixed ones have none. Order of the
-/// unknowns x: free u and phi, three coordinates per rigid body, one per plate, W cell by cell, prescribed motions and
-/// pressures, and, where an interface is given, slips and openings of its nodes.
+/// Degree of freedom i of the space is sum_j weight_j x_j over its expansion; fixed ones have an empty expansion.
+/// Order of the unknowns x: free u and phi, three coordinates per rigid body, one per plate, W cell by cell,
+/// prescribed motions and pressures, and, where an interface is given, slips and openings of its nodes.
 class Unknowns {
  public:
   Unknowns(const Space& space, const Scene& scene, const std::vector<Body>& bodies,
@@ -28,7 +28,7 @@ class Unknowns {
   int size() const { return static_cast<int>(field_.size()); }
   int n_free() const { return size() - n_prescribed(); }
   const Row& expansion(dealii::types::global_dof_index dof) const { return expansion_[dof]; }
-  /// Of the caisson's own node where it may part from the ground's.
+  /// Expansion for the caisson's own node, where it may open from the ground's.
   const Row& caisson_expansion(dealii::types::global_dof_index dof) const;
   const std::vector<Field>& field() const { return field_; }
   const std::vector<IndexRange>& blocks() const { return blocks_; }
@@ -39,11 +39,12 @@ class Unknowns {
   int coordinate(std::size_t body, int motion) const {
     return first_coordinate_ + n_motions * static_cast<int>(body) + motion;
   }
-  /// Index of the unknown whose velocity is the history of a load that prescribes a pore pressure or a motion, else -1.
+  /// Index of the unknown whose velocity is the history of a load that prescribes a pore pressure or a motion; -1 for
+  /// other loads.
   int prescribed(const std::string& load) const;
   /// Values at all degrees of freedom of the space, from values of the unknowns.
   Vector expand(const Vector& x) const;
-  /// The same, at the nodes of an interface those of the caisson instead of the ground's.
+  /// The same, but at the nodes of an interface with the displacements of the caisson instead of the ground's.
   Vector expand_caisson(const Vector& x) const;
   bool has_interface() const { return n_interface_ > 0; }
   /// Adds weight * (value of a degree of freedom) to a row over the unknowns, given as a map.

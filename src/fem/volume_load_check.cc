@@ -6,7 +6,7 @@ namespace upbead {
 
 namespace {
 
-/// One load on volumes, whose mistakes are told at its keys.
+/// Checks one load on volumes, and reports mistakes at its keys.
 class VolumeLoadCheck {
  public:
   VolumeLoadCheck(Checker& checker, const std::string& name, const Load& load)
@@ -54,7 +54,7 @@ class VolumeLoadCheck {
                                                        side->second.pressure == PressureCondition::absorbing);
   }
 
-  /// What knows the weights already as those of the state at rest.
+  /// Weights must not act twice: some parts of a scene take them from the state at rest.
   void check_weights_at_rest() {
     const Scene& scene = checker_.scene;
     const auto twice = [&](const std::string& by) {

@@ -11,7 +11,7 @@ using namespace dealii;
 
 namespace {
 
-/// What a load does, at one point, with the degree of freedom i.
+/// Work of a load at one point in a unit of the degree of freedom i.
 class Density {
  public:
   Density(const Load& load, const Space& space, const Cell& cell)
@@ -34,7 +34,7 @@ class Density {
   bool pores_;
 };
 
-/// Water that its weight drives out through the open sides of a cell with Darcy flow.
+/// The flow of water that its own weight drives through the open sides of a cell with Darcy flow.
 void add_open_sides(const Scene& scene, const Space& space, const Cell& cell, NodalForces& nodal) {
   const Material& material = space.material(cell);
   const Dofs dofs = dofs_of(cell);

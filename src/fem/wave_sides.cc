@@ -11,7 +11,7 @@ using namespace dealii;
 
 namespace {
 
-/// M x'' = A d2x/dn2 for x = (u_n, W_n): plane waves in a porous soil without drag.
+/// Plane waves in a porous soil without drag: M x'' = A d2x/dn2 for x = (u_n, W_n).
 struct DragFree {
   explicit DragFree(const Material& m) {
     const double E = m.constrained_modulus(), Q = 1. / m.storage;
@@ -52,7 +52,7 @@ void integrate(const FEFaceValues<dim>& fe, const Impedance& z, FullMatrix<doubl
   }
 }
 
-/// What of an impedance a side with these conditions lets out.
+/// The part of the impedance that applies to a side with these conditions.
 Impedance of_side(const Space& space, const Cell& cell, const Boundary& side) {
   const Material& m = space.material(cell);
   const CellKind kind = space.kind(cell);
@@ -141,7 +141,7 @@ void for_each_surface_face(const Scene& scene, const Space& space, const VisitFa
 
 namespace {
 
-/// Curves on which a load was measured while the wall moved.
+/// Curves of loads that were measured while the wall moved.
 std::set<std::string> measured_walls(const Scene& scene) {
   std::set<std::string> walls;
   for (const auto& [name, load] : scene.loads)

@@ -18,26 +18,26 @@ namespace {
 
 using detail::Lanes;
 
-/// Displacements of the nodes of soil that yields, from the unknowns, and forces on them back.
+/// Maps unknowns to displacements of the nodes of soil that yields, and nodal forces back to rows of unknowns.
 class SoilNodes {
  public:
-  /// The number that a degree of freedom of the space has here.
+  /// The local number of a degree of freedom of the space.
   int number(int dof) {
     const auto [found, is_new] = number_.emplace(dof, size());
     if (is_new) dofs_.push_back(dof);
     return found->second;
   }
   int size() const { return static_cast<int>(number_.size()); }
-  /// Once all have their numbers.
+  /// Call after all degrees of freedom have their numbers.
   void connect(const Unknowns& unknowns, int n_unknowns, const std::vector<Reading>& readings);
 
-  /// Rows of the unknowns on which they depend, ascending.
+  /// Unknowns on which the displacements depend, ascending.
   const std::vector<int>& rows() const { return rows_; }
-  /// Has one more entry than nodes, zero: where lanes without a cell look.
+  /// u has one more entry than nodes, which is zero: lanes without a cell take it.
   void displace(const Vector& x, Vector& u) const;
   /// p of the rows, from nodal forces.
   void gather(const Vector& F, Vector& p) const;
-  /// Less what nodal forces do to readings.
+  /// Subtracts from readings the contribution of nodal forces.
   void subtract_from_readings(const Vector& F, Vector& readings) const;
 
  private:
@@ -48,7 +48,7 @@ class SoilNodes {
   std::map<int, int> number_;
   std::vector<int> dofs_;
   std::vector<Entry> entries_;
-  std::vector<int> end_;  ///< of a node's entries, which begin where those of the node before end
+  std::vector<int> end_;  ///< end of each node's entries, which begin where those of the node before end
   std::vector<int> rows_;
   std::vector<Row> of_readings_;  ///< (node, weight)
 };
@@ -97,12 +97,12 @@ void SoilNodes::subtract_from_readings(const Vector& F, Vector& readings) const 
     for (const auto& [node, weight] : of_readings_[r]) readings[static_cast<Eigen::Index>(r)] -= weight * F[node];
 }
 
-/// Cells of one kind that wait for their packs.
+/// Cells of one kind, to be grouped into packs.
 struct Waiting {
   std::vector<CellShapes> shapes;
   std::vector<PackedCell> cells;
 };
-/// By law, nodes and points.
+/// Kind, number of nodes and of points.
 using PackKey = std::array<std::size_t, 3>;
 
 int n_unknowns(const Unknowns& unknowns, const SoilWork& work) {
@@ -128,7 +128,7 @@ class SoilOfCells : public YieldingSoil {
 
  private:
   void make_packs(std::map<PackKey, Waiting>& waiting);
-  /// Each pack, by several threads, from displacements u; then the sum of the nodal forces that they left.
+  /// Calls `work` for each pack, on several threads, with displacements u; then sums the packs' nodal forces.
   void sum_forces(const Vector& u, const std::function<void(std::size_t)>& work, Vector& F);
   void commit_pack(std::size_t pack);
 
@@ -136,13 +136,13 @@ class SoilOfCells : public YieldingSoil {
   SoilNodes nodes_;
   std::vector<CellPack> packs_;
   std::vector<double> lost_;                  ///< by active cell index (J/m)
-  std::vector<PackNumber> lost_of_, stored_;  ///< by pack (J/m): in the last commit; beside the elastic D
-  std::vector<char> rested_;                  ///< by pack, whether it was left out of the last evaluation
+  std::vector<PackNumber> lost_of_, stored_;  ///< by pack (J/m): dissipated in the last commit; stored, less that of D
+  std::vector<char> rested_;                  ///< by pack, whether the last evaluation skipped it
   double n_updates_ = 0., n_skipped_ = 0.;    ///< of cells
   Crew crew_;
   std::vector<std::vector<dealii::Point<dim>>> at_;  ///< points of quadrature by active cell index
   FollowedStress followed_;
-  Vector added_;  ///< to readings
+  Vector added_;  ///< contributions to readings
   double exerted_ = 0., stored_sum_ = 0.;
   Vector u_, committed_, F_, elastic_F_, total_;
 };
@@ -200,7 +200,7 @@ void SoilOfCells::sum_forces(const Vector& u, const std::function<void(std::size
     packs_[pack].clear_forces();
     work(pack);
   });
-  // one after the other: the sum is the same with any number of threads
+  // one pack after another, so that the sum does not depend on the number of threads
   F.setZero(nodes_.size() + 1);
   for (const CellPack& pack : packs_) pack.give(F);
 }
@@ -247,7 +247,7 @@ void SoilOfCells::commit_pack(std::size_t i) {
   pack.settle(least);
 }
 
-/// A nodal force on the ground is K x - p, summed up over its cells.
+/// The nodal force of the ground is K x - p, summed over its cells.
 double SoilOfCells::commit(const Vector& x) {
   nodes_.displace(x, committed_);
   const auto elastic = [this](std::size_t i) {
@@ -273,7 +273,7 @@ double SoilOfCells::commit(const Vector& x) {
   return dissipated;
 }
 
-/// Pack by pack: a stress of one cell costs as much as those of eight.
+/// By packs: the stress of one cell costs as much as those of eight.
 std::vector<std::vector<BorneStress>> SoilOfCells::borne() {
   std::vector<std::vector<BorneStress>> found(at_.size());
   PackStress c;

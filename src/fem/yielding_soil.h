@@ -1,4 +1,4 @@
-// Soil of a mesh that yields: a law of stress at every point of quadrature, and the internal force that comes of it.
+// Soil of a mesh that yields: a law of stress at every point of quadrature, and the internal force of these stresses.
 #pragma once
 
 #include <functional>
@@ -12,41 +12,41 @@
 
 namespace upbead {
 
-/// Makes the soil of a point of quadrature of an active cell; null of cells that stay elastic, which are skipped.
+/// Makes the soil at a point of quadrature of an active cell; null for cells that stay elastic, which are skipped.
 using PointsOfCells = std::function<std::unique_ptr<SoilPoint>(unsigned cell, unsigned point)>;
 
-/// What soil bears at a point of quadrature, as committed.
+/// Stress at a point of quadrature, at the last commit.
 struct BorneStress {
   dealii::Point<dim> at;
   PlaneStress change;     ///< of effective stress since rest (Pa)
   double mobilised = 0.;  ///< share of the strength, see SoilPoint
 };
 
-/// Soil that yields also tells where.
+/// Soil that yields also reports its stresses and losses.
 class YieldingSoil : public InternalForce {
  public:
-  /// At the points of each active cell; none of cells that stay elastic.
+  /// Stresses at the points of each active cell; empty for cells that stay elastic.
   virtual std::vector<std::vector<BorneStress>> borne() = 0;
-  /// Lost so far by active cell index (J/m); -1 of cells that stay elastic.
+  /// Energy dissipated so far by active cell index (J/m); -1 for cells that stay elastic.
   virtual const std::vector<double>& dissipated() const = 0;
-  /// Of all updates of a cell's stresses so far those that were left out, as no soil of it could have yielded.
+  /// Share of all updates of a cell's stresses that were skipped, as none of the cell's soil could have yielded.
   virtual double share_skipped() const = 0;
 };
 
-/// How laws are evaluated; the answer is the same to round-off.
+/// How laws are evaluated; the options change the result by round-off at most.
 struct SoilWork {
   bool by_points = false;  ///< each point by its SoilPoint, without lanes: the reference
-  int threads = 0;         ///< see Crew; the answer is the same to the last bit with any number
-  /// Leaves out cells whose strain has changed since the last commit by less than what any of their soil needs to
-  /// yield: their part of p is then what it was, to the last bit.
+  int threads = 0;         ///< see Crew; the result is bitwise the same with any number
+  /// Skips cells whose strain has changed since the last commit by less than any of their soil needs to yield: their
+  /// part of p is bitwise what it was.
   bool skip = true;
   int n_unknowns = 0;  ///< of the system, where it lacks the last ones of `unknowns`, those of an interface; 0: all
-  std::vector<FollowedReading> followed{};  ///< readings that tell the law's stress
+  std::vector<FollowedReading> followed{};  ///< readings that take the law's stress
 };
 
-/// p = integral of B^T (D eps - sigma) over the cells that yield, sigma their law's answer to the strain since rest and
-/// D the elastic law of the cell, whose stiffness is in K. `readings`: those of the system, see Reading::nodal_forces;
-/// `space` and `unknowns` outlive it.
+/// p = integral of B^T (D eps - sigma) over the cells that yield, with sigma the law's stress for the strain since
+/// rest, and D the elastic law of the cell, whose stiffness is in K. `readings`: those of the system, see
+/// Reading::nodal_forces; `space` and `unknowns` outlive it.
 std::unique_ptr<YieldingSoil> yielding_soil(const Space& space, const Unknowns& unknowns,
                                             const std::vector<Reading>& readings, const PointsOfCells& points,
                                             const SoilWork& work = {});

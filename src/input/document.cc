@@ -17,7 +17,7 @@ Place place_of(const toml::source_region& source, const std::string& file) {
   return {file, static_cast<int>(source.begin.line), static_cast<int>(source.begin.column)};
 }
 
-constexpr std::size_t longest_key = 500;  // every message about it tells its whole path
+constexpr std::size_t longest_key = 500;  // a message about a key quotes its whole path
 
 Node convert(const toml::node& node, const Place& place);
 
@@ -31,7 +31,7 @@ Node convert_table(const toml::table& table, const Place& place) {
                        "give it a shorter name");
     entries.emplace_back(std::string(key.str()), convert(value, place_of(key.source(), place.file)));
   }
-  // the library sorts by name, a person by place
+  // the library sorts entries by name; they are read in the order of the file
   std::stable_sort(entries.begin(), entries.end(), [](const auto& a, const auto& b) {
     return std::pair(a.second.place.line, a.second.place.column) <
            std::pair(b.second.place.line, b.second.place.column);
@@ -53,8 +53,8 @@ Node convert(const toml::node& node, const Place& place) {
   return {NodeDate{}, place};
 }
 
-/// toml++ goes down into a dotted key part by part, and beyond some ten thousand parts the stack ends. Between two
-/// marks that no key holds outside quotes there are as many parts as dots.
+/// toml++ descends into a dotted key part by part, and overflows the stack at some ten thousand parts. The marks = ,
+/// [ ] { } stand in no key outside quotes: between two of them, a key has as many parts as there are dots.
 void refuse_endless_keys(const std::string& text, const std::string& file) {
   constexpr int most = 1000;
   int dots = 0, line = 1;
@@ -85,7 +85,7 @@ Node parse_toml(const std::string& text, const std::string& file) {
   }
 }
 
-constexpr std::size_t longest_override = 300;      // of one that a message quotes
+constexpr std::size_t longest_override = 300;      // of one override that a message quotes
 constexpr std::uintmax_t most_bytes = 10'000'000;  // a case has some kilobytes
 
 std::string read_text(const std::string& path) {
@@ -96,7 +96,7 @@ std::string read_text(const std::string& path) {
   return text.str();
 }
 
-/// The tree that one override stands for: tables of one entry each, down to its value.
+/// The tree that one override stands for: nested tables with one entry each, and the value at the end.
 Node read_override(const std::string& text) {
   const std::string place = "--set " + excerpt(text, longest_override);
   const std::size_t equals = text.find('=');
@@ -111,7 +111,7 @@ Node read_override(const std::string& text) {
   try {
     return parse_toml(key + " = " + value, place);
   } catch (const InputError&) {
-    // what opens like a TOML value but is none is a slip; anything else is a word
+    // a value that begins like a TOML list, table or string is meant as one; any other is a word without quotes
     if (std::string("[{\"'").find(value[first]) != std::string::npos) throw fail("the value is not TOML");
   }
   try {
@@ -121,7 +121,7 @@ Node read_override(const std::string& text) {
   }
 }
 
-/// Lines within an override say nothing; its whole text is the place.
+/// Line numbers within an override tell nothing; its whole text is the place.
 void forget_lines(Node& node) {
   node.place.line = node.place.column = 0;
   if (auto* table = std::get_if<NodeTable>(&node.value))

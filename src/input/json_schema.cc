@@ -35,7 +35,7 @@ Json value_of(ValueShape shape, const KeyInfo& info) {
   const Json any = number("number", Range());
   switch (shape) {
     case ValueShape::number:
-      // JSON has no infinity: what may be inf may be anything that is no JSON number
+      // JSON has no infinity: where inf is allowed, the schema allows null too, as a stand-in for it
       return info.range.high_belongs() && std::isinf(info.range.high())
                  ? Json{{"anyOf", {number("number", info.range), {{"type", "null"}}}}}
                  : number("number", info.range);
@@ -75,7 +75,7 @@ Json words_of(const KeyInfo& info) {
 
 Json table_of(const Table& table);
 
-/// All that a key may be: a value, a word, a table, or tables by name.
+/// All kinds of value that a key may have: a value, a word, a table, or tables by name.
 Json kinds_of(const Key& key) {
   Json kinds = Json::array();
   if (key.choose) kinds.push_back(words_of(key.info));
@@ -97,7 +97,7 @@ std::string description_of(const KeyInfo& info) {
   return text;
 }
 
-/// The default of a value; null where there is none that JSON can tell.
+/// The default of a value; null where there is none, or JSON cannot express it.
 Json default_of(const Key& key, const void* standard) {
   void* object = const_cast<void*>(standard);
   if (key.chosen) {
@@ -117,7 +117,7 @@ Json property_of(const Key& key, const void* standard) {
   return json;
 }
 
-/// The words of a choice beside which a key belongs; empty where no word decides, or more than the word does.
+/// The words of a choice with which a key belongs; empty where the word alone does not decide.
 Json words_beside(const Table& table, const Key& key, const Key& decisive) {
   Json with = Json::array();
   for (std::size_t i = 0; i < decisive.info.words.size(); ++i) {
@@ -130,8 +130,8 @@ Json words_beside(const Table& table, const Key& key, const Key& decisive) {
   return with;
 }
 
-/// What a key's place beside the word of a choice asks. As `dependencies` and `not`: an editor that meets `allOf`
-/// forgets to complete the keys beside it.
+/// The condition under which a key belongs or is required, by the word of a choice. Written with `dependencies` and
+/// `not`, because editors stop completing keys beside an `allOf`.
 void add_condition(const Table& table, const Key& key, Json& json) {
   if (!key.belongs) return;
   for (const Key& decisive : table.keys()) {

@@ -7,7 +7,7 @@
 namespace upbead {
 
 TableSchema<ReportHead> report_table();
-/// What is said of it in the reference.
+/// The text about [report] in the reference.
 extern const char* const report_table_doc;
 
 }  // namespace upbead

@@ -11,7 +11,7 @@ std::string where_text(const std::string& path) {
   return path.empty() ? "at the top of the file" : "in [" + path + "]";
 }
 
-/// Refuses what is no table; true where `node` is one.
+/// Reports a node that is not a table; true where `node` is one.
 bool check_is_table(const Node& node, const std::string& path, Diagnostics& report) {
   if (node.table()) return true;
   report.add(at_key(path, node.place), path + ": expected a table, found " + found(node),
@@ -34,8 +34,8 @@ void check_known(const Node& node, const std::string& path, const std::vector<Ke
                  suggestion(name, known, "keys"));
 }
 
-/// The value of a key, by its older name too; nullptr where it is not given. What an override sets by one name takes
-/// the place of what the file sets by the other.
+/// The value of a key, given by its present or its older name; nullptr where it is not given. An override by one name
+/// replaces a value that the file gives by the other name.
 const Node* find_value(const Node& node, const KeyInfo& key, const std::string& path, Diagnostics& report) {
   const Node* value = node.find(key.name);
   const Node* old = key.former.empty() ? nullptr : node.find(key.former);
@@ -52,7 +52,7 @@ const Node* find_value(const Node& node, const KeyInfo& key, const std::string& 
   return value ? value : old;
 }
 
-/// What a key takes, in words; "" of a table alone.
+/// What values a key takes, in words; "" for a table alone.
 std::string type_of(const Key& key) {
   if (key.choose) return "one of " + join(key.info.words);
   return key.type ? key.type->text(key.info) + (key.table ? " or a table" : "") : "";
@@ -86,7 +86,7 @@ void read_key(const Key& key, const Node& node, const std::string& path, void* o
       key.table->read(item, dotted(path, name), key.make(object, name), report);
 }
 
-/// The tables of an object that are given, with their paths.
+/// The tables that are given in an object, with their paths.
 std::vector<std::pair<std::string, void*>> tables_of(const Key& key, const std::string& path, void* object) {
   if (!key.table) return {};
   std::vector<std::pair<std::string, void*>> list = key.parts(object);
@@ -94,7 +94,7 @@ std::vector<std::pair<std::string, void*>> tables_of(const Key& key, const std::
   return list;
 }
 
-/// "name = value  # unit"; a comment with the fallback where there is no value.
+/// "name = value  # unit"; where there is no value, a comment with the fallback.
 std::string echo_line(const KeyInfo& key, const std::string& value) {
   const bool has_unit = !key.unit.empty() && value != to_toml(key.word);
   if (!value.empty()) return key.name + " = " + value + (has_unit ? "  # " + key.unit : "") + "\n";

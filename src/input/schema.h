@@ -1,4 +1,4 @@
-// The keys of a TOML table, each declared once. From the declaration come: reading with checks, unknown and missing
+// The keys of a TOML table, each declared once. The declaration serves for reading with checks, unknown and missing
 // keys, defaults, the echo as TOML, the reference, and the JSON Schema.
 //
 //   TableSchema<Fluid> table;
@@ -22,22 +22,22 @@ namespace upbead {
 
 class Table;
 
-/// A declared key. Which struct it fills only its TableSchema knows: here objects, values and parts have no type.
+/// A declared key. Objects, values and parts have no type here: only a TableSchema knows which struct it fills.
 struct Key {
   KeyInfo info;
-  std::string decisive;                                           ///< the key that tells whether this one belongs
-  std::function<bool(const void*)> belongs;                       ///< to that object; none: to all
-  const ValueType* type = nullptr;                                ///< none: no value, but a choice or a table
-  std::function<void*(void*)> value;                              ///< its place in an object
-  std::function<void(void*, std::size_t)> choose;                 ///< sets it to one of info.words
-  std::function<std::optional<std::size_t>(const void*)> chosen;  ///< which it is; none where it is not given
-  std::shared_ptr<const Table> table;                             ///< none: no table
+  std::string decisive;                            ///< the key that decides whether this one belongs
+  std::function<bool(const void*)> belongs;        ///< whether the key belongs to that object; none: to all
+  const ValueType* type = nullptr;                 ///< none: a choice or a table, not a value
+  std::function<void*(void*)> value;               ///< address of the value in an object
+  std::function<void(void*, std::size_t)> choose;  ///< sets it to one of info.words
+  std::function<std::optional<std::size_t>(const void*)> chosen;  ///< the word chosen; none where it is not given
+  std::shared_ptr<const Table> table;                             ///< schema of the table; none: not a table
   bool named = false;                                             ///< any number of tables, each by its name
   std::function<void*(void*, const std::string& name)> make;      ///< the part of an object that a table fills
-  std::function<std::vector<std::pair<std::string, void*>>(void*)> parts;  ///< those that are given
+  std::function<std::vector<std::pair<std::string, void*>>(void*)> parts;  ///< the parts that are given
 };
 
-/// What every schema does, whatever it fills.
+/// What all schemas do, whatever struct they fill.
 class Table {
  public:
   /// `make`: makes an object with all defaults.
@@ -57,12 +57,12 @@ class Table {
   std::vector<Key> keys_;
 };
 
-/// A file of this table as JSON Schema (draft 4, which editors read), for completion and checks while one types: types,
-/// units, ranges, words, missing and unknown keys, and keys that do not belong beside the word of a choice. What needs
-/// more than one other key, or a mesh, only the program can tell.
+/// JSON Schema (draft 4, which editors read) of a file with this table, for completion and checks while one types:
+/// types, units, ranges, words, missing and unknown keys, and keys that do not belong with the word of a choice. Only
+/// the program can check what depends on more than one other key, or on a mesh.
 std::string json_schema(const Table& table, const std::string& title);
 
-/// Declares more of a key. The named setters can be chained.
+/// Declares further properties of a key. The named setters can be chained.
 template <class T>
 class Entry {
  public:
@@ -72,20 +72,21 @@ class Entry {
   /// Unit of the first number of a list of pairs; unit() is then that of the second.
   Entry unit_of_first(std::string text) const { return set(key_.info.unit_of_first, std::move(text)); }
   Entry range(Range range) const { return set(key_.info.range, range); }
-  /// A noun phrase for "give the ..."; text after a ";" is for the reference only.
+  /// The meaning, as a noun phrase after "give the"; text after a ";" is for the reference only.
   Entry doc(std::string text) const { return set(key_.info.doc, std::move(text)); }
   /// The default in words, for a key whose default follows from others.
   Entry fallback(std::string text) const { return set(key_.info.fallback, std::move(text)); }
   /// A word that stands for "not given" in an optional member.
   Entry or_word(std::string word) const { return set(key_.info.word, std::move(word)); }
   Entry required() const { return set(key_.info.required, true); }
-  /// An older name of the key: still understood, with a note that tells the new one.
+  /// An older name of the key: still accepted, with a note that states the new name.
   Entry formerly(std::string name) const { return set(key_.info.former, std::move(name)); }
-  /// An older word of a choice: still understood, with a note that tells the new one.
+  /// An older word of a choice: still accepted, with a note that states the new word.
   Entry formerly_word(std::string former, std::string now) const {
     return set(key_.info.former_words[std::move(former)], std::move(now));
   }
-  /// The key belongs only where `belongs` holds; judged once `decisive_key`, declared before, is read and sound.
+  /// The key belongs only where `belongs` holds; checked once `decisive_key`, declared before this key, is read and
+  /// valid.
   Entry when(std::string decisive_key, std::function<bool(const T&)> belongs, std::string in_words) const {
     key_.decisive = std::move(decisive_key);
     key_.belongs = [belongs = std::move(belongs)](const void* object) {
@@ -113,7 +114,7 @@ class TableSchema {
     return Entry<T>(add_key(name, member));
   }
 
-  /// An enum (or an optional one) by word.
+  /// An enum (or an optional one), written as a word.
   template <class V, class Base, class Enum>
   Entry<T> choice(const std::string& name, V Base::*member, const std::vector<std::pair<std::string, Enum>>& words) {
     Key& key = table_->add(name);
@@ -171,7 +172,7 @@ class TableSchema {
   }
   /// `object` as TOML with all defaults spelled out, readable by read().
   std::string echo(const T& object) const { return table_->echo(&object, ""); }
-  /// Shows every number that belongs to `object`, with its declaration and dotted path, to a visitor that may change
+  /// Passes every number that belongs to `object`, with its declaration and dotted path, to a visitor that may change
   /// it.
   void visit_numbers(T& object, const std::string& path, const NumberVisitor& visitor) const {
     table_->visit_numbers(&object, path, visitor);
@@ -193,7 +194,7 @@ class TableSchema {
     return key;
   }
 
-  /// `part`: finds what the table fills.
+  /// `part`: finds the member that the table fills.
   template <class U, class Part>
   Entry<T> add_table(const std::string& name, const TableSchema<U>& schema, const Part& part) {
     Key& key = table_->add(name);

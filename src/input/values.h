@@ -1,4 +1,4 @@
-// How one value of a key is read, named, written and changed, by its type in C++.
+// How a value is read, described, written and changed, by its type in C++.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@
 
 namespace upbead {
 
-/// An interval; infinity belongs to it only where or_infinite() says so, nan never.
+/// An interval; infinity belongs to it only where or_infinite() says so, nan never does.
 class Range {
  public:
   /// Every finite number.
@@ -43,18 +43,18 @@ Range between(double low, double high);        ///< (low, high)
 Range from_to(double low, double high);        ///< [low, high]
 Range from_to_below(double low, double high);  ///< [low, high)
 
-/// What is declared about a key besides its type.
+/// What is declared about a key, apart from its type.
 struct KeyInfo {
   std::string name;
-  std::string former;              ///< an older name, still understood; "" where there is none
+  std::string former;              ///< an older name, still accepted; "" where there is none
   std::string unit;                ///< "" for a number without one
   std::string doc;                 ///< a noun phrase after "the"; what follows a ";" is for the reference only
-  std::string fallback;            ///< the default in words, where it is none of the values
-  std::string unit_of_first;       ///< in a list of pairs whose second number has another unit
+  std::string fallback;            ///< the default in words, where it follows from other keys
+  std::string unit_of_first;       ///< in a list of pairs, where the first number has another unit than the second
   std::string word;                ///< stands for "not given", such as "auto"; "" where there is none
   std::string condition;           ///< where the key belongs, in words; "" for everywhere
   std::vector<std::string> words;  ///< allowed words of a choice
-  std::map<std::string, std::string> former_words;  ///< older words, still understood, and what they are now
+  std::map<std::string, std::string> former_words;  ///< older words, still accepted, and the present words
   Range range;
   bool required = false;
 
@@ -64,7 +64,7 @@ struct KeyInfo {
 
 using Pair = std::array<double, 2>;
 
-/// What is wrong with a value, if anything.
+/// Reads a value; returns what is wrong with it, if anything.
 Diagnostics read_value(const Node& node, const KeyInfo& key, double& value);
 Diagnostics read_value(const Node& node, const KeyInfo& key, int& value);
 Diagnostics read_value(const Node& node, const KeyInfo& key, bool& value);
@@ -73,7 +73,7 @@ Diagnostics read_value(const Node& node, const KeyInfo& key, Pair& value);
 Diagnostics read_value(const Node& node, const KeyInfo& key, std::vector<Pair>& value);
 Diagnostics read_value(const Node& node, const KeyInfo& key, std::vector<double>& value);
 Diagnostics read_value(const Node& node, const KeyInfo& key, std::map<std::string, double>& value);
-/// One of key.words; `index` is its place among them.
+/// Reads one of key.words; `index` is its place in that list.
 Diagnostics read_word(const Node& node, const KeyInfo& key, std::size_t& index);
 
 template <class V>
@@ -85,7 +85,7 @@ Diagnostics read_value(const Node& node, const KeyInfo& key, std::optional<V>& v
   return read_value(node, key, value.emplace());
 }
 
-/// What a person is asked for: "a number (Pa)".
+/// The type as a message asks for it: "a number (Pa)".
 std::string type_text(const KeyInfo& key, const double*);
 std::string type_text(const KeyInfo& key, const int*);
 std::string type_text(const KeyInfo& key, const bool*);
@@ -125,10 +125,10 @@ void visit_value(const KeyInfo& key, const std::string& path, double& value, con
 void visit_value(const KeyInfo& key, const std::string& path, Pair& value, const NumberVisitor& visitor);
 void visit_value(const KeyInfo& key, const std::string& path, std::vector<Pair>& value, const NumberVisitor& visitor);
 void visit_value(const KeyInfo& key, const std::string& path, std::vector<double>& value, const NumberVisitor& visitor);
-/// Each at the path of its name below `path`.
+/// Visits each number at the path of its name below `path`.
 void visit_value(const KeyInfo& key, const std::string& path, std::map<std::string, double>& value,
                  const NumberVisitor& visitor);
-/// What holds no number with a unit: whole numbers count things.
+/// These types hold no number with a unit: whole numbers are counts.
 inline void visit_value(const KeyInfo&, const std::string&, int&, const NumberVisitor&) {}
 inline void visit_value(const KeyInfo&, const std::string&, bool&, const NumberVisitor&) {}
 inline void visit_value(const KeyInfo&, const std::string&, std::string&, const NumberVisitor&) {}
@@ -138,7 +138,7 @@ void visit_value(const KeyInfo& key, const std::string& path, std::optional<V>& 
   if (value) visit_value(key, path, *value, visitor);
 }
 
-/// What a value looks like, whatever it means; `list` and `table`: of anything.
+/// Form of a value, whatever it means; `list` and `table`: of any values.
 enum class ValueShape {
   number,
   whole_number,
@@ -184,7 +184,7 @@ ValueShape shape_of(const KeyInfo& key, const std::optional<V>*) {
   return shape_of(key, static_cast<const V*>(nullptr));
 }
 
-/// What is done with a value of some type, behind a pointer to it.
+/// The functions for a value of some type, which take a pointer to it.
 struct ValueType {
   ValueShape (*shape)(const KeyInfo& key);
   Diagnostics (*read)(const Node& node, const KeyInfo& key, void* value);

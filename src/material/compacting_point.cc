@@ -15,8 +15,9 @@ PlaneStress with_mean(const PlaneStress& s, double more) {
   return {s.xx + more, s.yy + more, s.xy, s.zz + more};
 }
 
-/// The mean stress P (compression) follows P_0 = P_rest - K eps of the elastic soil: P_0 - K eps_v, but 0 for P_0 from
-/// 0 to K eps_v, and P_0 where that pulls. It grows with P_0 throughout, and so has a potential in the strain.
+/// Without compaction, the mean stress (compression) would be that of the elastic soil, P_0 = P_rest - K eps. With
+/// it, the mean stress P is P_0 - K eps_v where that is positive, 0 for P_0 from 0 to K eps_v, and P_0 where P_0 is
+/// tension. P never falls as P_0 grows, and so has a potential in the strain.
 class CompactingOverlay : public CompactingPoint {
  public:
   CompactingOverlay(std::unique_ptr<SoilPoint> inner, double bulk_modulus, const ShearCompaction& law,
@@ -52,7 +53,7 @@ class CompactingOverlay : public CompactingPoint {
   double lost_ = 0.;  ///< K eps_v (Pa)
 };
 
-/// `rest`: a stress within the strength.
+/// `rest`: a stress within the strength of the law.
 class CompactingMohrCoulomb : public CompactingPoint {
  public:
   CompactingMohrCoulomb(std::shared_ptr<const MohrCoulombLaw> soil, const PlaneStress& rest, double bulk_modulus,
@@ -91,7 +92,7 @@ class CompactingMohrCoulomb : public CompactingPoint {
   double bulk_;
   PlaneStress rest_;
   double stored_at_rest_;
-  double waiting_ = 0.;  ///< of K eps_v, what no stress was left for (Pa)
+  double waiting_ = 0.;  ///< the part of K eps_v for which no stress was left (Pa)
 };
 
 }  // namespace
@@ -99,7 +100,7 @@ class CompactingMohrCoulomb : public CompactingPoint {
 double CompactingPoint::commit(const PlaneStrain& strain) {
   const double by_shear = commit_shear(strain), before = cycles_.compaction();
   cycles_.add(strain);
-  const double by_compaction = std::max(compact(cycles_.compaction() - before), 0.);  // but for rounding never below
+  const double by_compaction = std::max(compact(cycles_.compaction() - before), 0.);  // negative only by rounding
   taken_ += by_compaction;
   mean_ = mean_at_rest_ + compression(stress(strain));
   least_mean_ = std::min(least_mean_, mean_);

@@ -1,4 +1,4 @@
-// A point of soil that packs denser under cycles of shear, whichever law its shear stress follows.
+// A point of soil that compacts under cycles of shear, whichever law its shear stress follows.
 #pragma once
 
 #include <memory>
@@ -8,10 +8,10 @@
 
 namespace upbead {
 
-/// What compaction does is an eigenstrain: without room to shrink the mean effective stress falls by K eps_v,
-/// isotropic. It falls to zero and no further, what is left of eps_v waits until grains press again. It is taken in at
-/// the commits: within a step it stays, and what it takes from the energy that is stored at a strain is dissipated, 0
-/// or more.
+/// Compaction eps_v is an eigenstrain: if the soil cannot shrink, its mean effective stress falls by K eps_v, in all
+/// directions. The stress falls no lower than zero; the rest of eps_v waits until the grains press again. Compaction
+/// acts at commits and is constant within a step. The energy that it takes from the store at a given strain is
+/// dissipated, 0 or more.
 class CompactingPoint : public SoilPoint {
  public:
   /// `mean_at_rest`: mean effective stress, compression positive (Pa).
@@ -26,9 +26,9 @@ class CompactingPoint : public SoilPoint {
   double taken() const { return taken_; }                ///< dissipated by compaction so far (J/m3)
 
  protected:
-  /// Of the law of stress alone.
+  /// Commits the law of stress alone; returns its dissipation (J/m3).
   virtual double commit_shear(const PlaneStrain& strain) = 0;
-  /// eps_v has grown by that: returns what the store has lost (J/m3).
+  /// Adds `more` to eps_v; returns the energy that the store loses (J/m3).
   virtual double compact(double more) = 0;
 
  private:
@@ -36,12 +36,12 @@ class CompactingPoint : public SoilPoint {
   double mean_at_rest_, least_mean_, mean_, taken_ = 0.;
 };
 
-/// Around a law that is elastic in volume, with its bulk modulus K (Pa); its strength does not know what compaction
-/// takes.
+/// A point around a law that is elastic in volume, with its bulk modulus K (Pa). Its strength does not depend on the
+/// mean stress that compaction removes.
 std::unique_ptr<CompactingPoint> compacting_point(std::unique_ptr<SoilPoint> elastic_in_volume, double bulk_modulus,
                                                   const ShearCompaction& law, double mean_at_rest);
-/// Its strength is that by the effective stress that is left. What the tip of its planes takes as plastic strain does
-/// not come back when it is pressed again.
+/// A point whose strength follows the effective stress that is left. Plastic strain at the apex of its planes is not
+/// recovered when the soil is compressed again.
 std::unique_ptr<CompactingPoint> compacting_point(std::shared_ptr<const MohrCoulombLaw> soil,
                                                   const PlaneStress& at_rest, double bulk_modulus,
                                                   const ShearCompaction& law);

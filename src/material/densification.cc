@@ -7,11 +7,12 @@ namespace upbead {
 
 namespace {
 
-/// Coming back by less, over the way of the half cycle, is no reversal: what is so small counts for nothing beside it.
+/// A smaller return, over the length of the half cycle, is no reversal: its effect is negligible beside the half
+/// cycle.
 constexpr double least_return = 1e-3;
-/// Going on by less is rounding: a shear that only turns its direction would never come back.
+/// A smaller growth is rounding: without this limit, a shear that only turns its direction would never reverse.
 constexpr double least_growth = 1e-9;
-/// Half cycles within each other that are remembered; of more the outermost are forgotten, and count where they stand.
+/// Number of nested half cycles that are remembered. Beyond it, the outermost are forgotten and count as they are.
 constexpr std::size_t most_open = 16;
 
 }  // namespace
@@ -39,7 +40,7 @@ void ShearCycles::reach(const Point& now, double distance) {
   largest_ = std::max(largest_, 0.5 * distance);
 }
 
-/// A loop comes back to where it left the way of the half cycle two before it, which then goes on.
+/// When a loop returns to the point where it left the half cycle two before it, that half cycle goes on.
 void ShearCycles::close_loop() {
   const HalfCycle& out = open_[open_.size() - 2];
   if (open_.back().reached < out.reached) reach(out.from, out.reached);

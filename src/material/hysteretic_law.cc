@@ -9,7 +9,7 @@
 namespace upbead {
 namespace {
 
-/// The deviator's components; zz = -(xx + yy).
+/// Components xx, yy, xy of the deviator; zz = -(xx + yy).
 PlaneStrain deviator(const PlaneStrain& strain) {
   const double mean = (strain.xx + strain.yy) / 3.;
   return {strain.xx - mean, strain.yy - mean, strain.xy};
@@ -28,7 +28,7 @@ double product(const PlaneStrain& a, const PlaneStrain& b) {
   return a.xx * b.xx + a.yy * b.yy + (a.xx + a.yy) * (b.xx + b.yy) + 2. * a.xy * b.xy;
 }
 
-/// 2 of_deviator (I_dev) - 2 of_direction (n n) is added, by (eps_xx, eps_yy, gamma).
+/// Adds 2 of_deviator (I_dev) - 2 of_direction (n n), with respect to (eps_xx, eps_yy, gamma).
 void add_tangent(double of_deviator, double of_direction, const PlaneStrain& n, Tangent& tangent) {
   const double direction[] = {n.xx, n.yy, n.xy};
   for (int i = 0; i < 3; ++i)
@@ -38,8 +38,8 @@ void add_tangent(double of_deviator, double of_direction, const PlaneStrain& n, 
   tangent[2][2] += of_deviator;  // gamma = 2 eps_xy
 }
 
-/// Where the line of slope G through the origin meets that through the first two points: the polygon keeps both points
-/// and begins with G.
+/// Intersection of the line of slope G through the origin with the line through the first two points: the polygon
+/// then keeps both points and begins with slope G.
 BackbonePoint first_knee(double G, const std::vector<BackbonePoint>& points) {
   if (points.size() == 1) return {points[0].tau / G, points[0].tau};
   const double slope = (points[1].tau - points[0].tau) / (points[1].gamma - points[0].gamma);
@@ -131,7 +131,7 @@ HystereticLaw::State HystereticLaw::bearing(const PlaneStress& stress) const {
   State state = at_rest();
   const double length = std::sqrt(product(s, s));
   if (length == 0.) return state;
-  // the elements yield one after the other: gamma where the backbone has this shear stress
+  // the elements yield one after another: finds gamma at which the backbone has this shear stress
   double gamma = 0., borne = 0., slope = elastic_.G;
   const double tau = std::min(length / std::sqrt(2.), strength());
   for (const auto& [h, y] : elements_) {

@@ -45,26 +45,27 @@ struct Element {
   PackTensor rest;
 };
 
-/// What a point remembers: for each element the plastic strain since rest.
+/// History of a point; the plastic strains of its elements since rest are kept apart.
 struct Memory {
   PackTensor strain;
-  int n_moved = 0;  ///< elements beyond have never slid in any cell
+  int n_moved = 0;  ///< elements from here on have never slid in any cell
 };
 
 struct Overlay {
   std::vector<Element> elements;
-  int n_uneven = 0;       ///< elements beyond are all alike at rest
-  Lanes dG{}, dlambda{};  ///< of D beyond the law's own (Pa)
+  int n_uneven = 0;       ///< elements from here on are alike at rest
+  Lanes dG{}, dlambda{};  ///< D less the law's own constants (Pa)
 };
 
-/// The share of its elastic strain by which an element slides: 1 - most/length where that is positive.
+/// The share of its elastic strain by which an element slides: 1 - most/length where that is positive, else 0.
 UPBEAD_IN_CLONES void share_of(const Element& element, const Lanes& squared, Lanes& share) {
   Lanes root;
   detail::square_root(element.most_squared / squared, root);
   share = squared > element.most_squared ? 1. - root : Lanes{};
 }
 
-/// The elements' knees ascend: where one has never slid and does not, nor do those beyond that are alike at rest.
+/// The knees of the elements ascend: if one has never slid and does not slide now, neither do later ones that are
+/// alike at rest.
 UPBEAD_CLONES void correct_point(const Overlay& overlay, const Memory& memory, const PackTensor* slid,
                                  const PackTensor& strain, PackStress& correction) {
   const PackTensor e = deviator_of(strain);
@@ -91,7 +92,7 @@ UPBEAD_CLONES void correct_point(const Overlay& overlay, const Memory& memory, c
   correction.zz = mean - 2. * (sum.xx + sum.yy);
 }
 
-/// Average stress times plastic strain, as HystereticLaw::update has it.
+/// Dissipation is the average stress times the plastic strain, as in HystereticLaw::update.
 UPBEAD_CLONES void commit_point(const Overlay& overlay, Memory& memory, PackTensor* slid, const PackTensor& strain,
                                 Lanes& dissipated) {
   const PackTensor e = deviator_of(strain), e_before = deviator_of(memory.strain);
@@ -116,7 +117,7 @@ UPBEAD_CLONES void commit_point(const Overlay& overlay, Memory& memory, PackTens
   memory.strain = strain;
 }
 
-/// sum h (|e - q|^2 + 2 r : q) less sum h |e|^2, q the plastic strain since rest and r that at rest.
+/// sum h (|e - q|^2 + 2 r : q) less sum h |e|^2; q is the plastic strain since rest, r that at rest.
 UPBEAD_CLONES void stored_of_point(const Overlay& overlay, const Memory& memory, const PackTensor* slid,
                                    const PackTensor& strain, Lanes& energy) {
   const PackTensor e = deviator_of(strain);
@@ -134,7 +135,7 @@ UPBEAD_CLONES void stored_of_point(const Overlay& overlay, const Memory& memory,
   }
 }
 
-/// How far the elastic strain of the nearest element is from sliding.
+/// Least distance of the elements' elastic strains from sliding.
 UPBEAD_CLONES void margin_of_point(const Overlay& overlay, const PackTensor* slid, const PackTensor& strain,
                                    Lanes& margin) {
   const PackTensor e = deviator_of(strain);
@@ -157,7 +158,7 @@ class HystereticPack : public SoilPack {
   explicit HystereticPack(const std::vector<PackedCell>& cells) : memory_(cells.front().points.size()) {
     std::size_t n = 0;
     for (const PackedCell& cell : cells) n = std::max(n, soil_of(cell).law->elements().size());
-    // where a law has fewer elements, and in lanes without a cell, they bear nothing and never slide
+    // missing elements of a law, and those of lanes without a cell, have no stiffness and never slide
     Element idle;
     idle.most += infinite;
     idle.most_squared += infinite;
@@ -210,7 +211,7 @@ class HystereticPack : public SoilPack {
     law_and_rest_.emplace_back(soil.law, soil.rest);
     overlay_.dG[lane] = cell.elastic.G - own.G;
     overlay_.dlambda[lane] = cell.elastic.lambda - own.lambda;
-    // the bulk modulus of the law is that of `own`, its shear modulus the elements' sum, which is its G to round-off
+    // the law's bulk modulus is that of `own`; its shear modulus is the sum over the elements, own.G to round-off
     for (std::size_t i = 0; i < soil.law->elements().size(); ++i) {
       const auto [h, y] = soil.law->elements()[i];
       const PlaneStrain& rest = soil.now.plastic[i];
@@ -237,8 +238,8 @@ class HystereticPack : public SoilPack {
 
   Overlay overlay_;
   std::vector<std::pair<std::shared_ptr<const HystereticLaw>, PlaneStress>> law_and_rest_;  ///< by lane
-  std::vector<Memory> memory_;                                                              ///< of points
-  std::vector<PackTensor> slid_;  ///< of elements of points, since rest
+  std::vector<Memory> memory_;                                                              ///< by points
+  std::vector<PackTensor> slid_;  ///< by points and elements, since rest
 };
 
 }  // namespace

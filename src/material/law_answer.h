@@ -1,8 +1,8 @@
-// What every law of stress answers. A law is a value of its own, without regions or elements:
+// The answer of every law of stress. A law is an object of its own, independent of regions and finite elements:
 //   LawAnswer update(const PlaneStrain& strain, State& state) const
-// takes the whole strain since the state at rest and the state that was last committed, and leaves the state that
-// belongs to that strain. Whoever iterates calls it with a copy of the committed state each time, never with that of an
-// iterate: what a path of iterates would dissipate has not happened.
+// takes the total strain since the state at rest and the state last committed, and changes that state to the one at
+// the given strain. A solver that iterates must call it each time with a copy of the committed state, never with that
+// of an iterate: a path of iterates is not real and must dissipate nothing.
 #pragma once
 
 #include <array>
@@ -11,13 +11,13 @@
 
 namespace upbead {
 
-/// (sigma_xx, sigma_yy, sigma_xy) by (eps_xx, eps_yy, gamma_xy) (Pa); symmetric where the flow is associated.
+/// Derivative of (sigma_xx, sigma_yy, sigma_xy) by (eps_xx, eps_yy, gamma_xy) (Pa); symmetric for associated flow.
 using Tangent = std::array<std::array<double, 3>, 3>;
 
 struct LawAnswer {
   PlaneStress stress;      ///< Pa
-  Tangent tangent{};       ///< of the stress at the end, consistent with the update
-  double dissipated = 0.;  ///< since the committed state (J/m3), never negative
+  Tangent tangent{};       ///< at the end of the step, consistent with the update
+  double dissipated = 0.;  ///< energy lost since the committed state (J/m3), never negative
 };
 
 }  // namespace upbead

@@ -13,7 +13,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// Of plane strain; in the plane a >= b, in space the order of `sorted`.
+/// Principal stresses in plane strain: a >= b in the plane, and zz; `sorted` gives their order in space.
 struct Principal {
   double angle = 0.;                   ///< of a against x
   Vector3d value;                      ///< a, b, zz
@@ -39,13 +39,13 @@ Matrix3d permuted(const std::array<Principals, 3>& sorted, const std::array<int,
   return back;
 }
 
-/// Tangent in x and y from that of a and b, with the modulus of shear between them.
+/// Tangent in x and y, from that in the principal directions a and b, and the shear modulus between these.
 Tangent in_plane(const Matrix3d& of_principal, double shear, double angle) {
   Matrix3d T = Matrix3d::Zero();
   T.topLeftCorner<2, 2>() = of_principal.topLeftCorner<2, 2>();
   T(2, 2) = shear;
   const double c = std::cos(angle), s = std::sin(angle);
-  Matrix3d R;                // strains along a and b, and their gamma, by those along x and y
+  Matrix3d R;                // maps strains in x, y to those in a, b
   R << c * c, s * s, c * s,  //
       s * s, c * c, -c * s,  //
       -2. * c * s, 2. * c * s, c * c - s * s;
@@ -115,7 +115,7 @@ PlaneStress MohrCoulombLaw::returned(const PlaneStress& trial) const {
 double MohrCoulombLaw::mobilised(const PlaneStress& stress) const {
   const auto [first, middle, last] = sorted(principal(stress));
   const MohrCoulombPlanes& p = planes_;
-  // sin phi = (k - 1)/(k + 1), c cos phi = strength/(k + 1)
+  // from sin phi = (k - 1)/(k + 1) and c cos phi = strength/(k + 1)
   const double bearable = p.strength - 0.5 * (first + last) * (p.k - 1.), radius = 0.5 * (first - last) * (p.k + 1.);
   return first >= p.tension || radius >= bearable ? 1. : radius / bearable;
 }
@@ -132,7 +132,8 @@ LawAnswer MohrCoulombLaw::update(const PlaneStrain& strain, State& state) const 
   const Matrix3d tangent = permuted(planes_.tangent(back), p.sorted);
   Vector3d value;
   for (int i = 0; i < 3; ++i) value[p.sorted[i]] = back.stress[i];
-  // The principal directions turn with the trial stress; where its circle is a point, any direction is principal.
+  // The principal directions turn with the trial stress; if both stresses in the plane are equal, any direction is
+  // principal.
   const double apart = p.value[0] - p.value[1];
   const double shear = apart > 1e-12 * p.value.cwiseAbs().maxCoeff() ? elastic_.G * (value[0] - value[1]) / apart
                                                                      : 0.5 * (tangent(0, 0) - tangent(0, 1));

@@ -13,28 +13,29 @@ struct MohrCoulombStrength {
   double tension = 0.;          ///< largest tensile stress (Pa); never above c' / tan phi'
 };
 
-/// With principal stresses s1 >= s2 >= s3, tension positive, k = (1 + sin phi)/(1 - sin phi), m the same of psi:
+/// With principal stresses s1 >= s2 >= s3, tension positive, k = (1 + sin phi)/(1 - sin phi), m the same with psi:
 ///   k s1 - s3 <= 2 c sqrt(k), flow by m s1 - s3;  s1 <= tension, flow associated.
-/// Planes in principal stresses: the return to a plane, an edge or a corner is exact (Clausen, Damkilde and Andersen
-/// 2006); which one is found by trying sets of planes. sigma_zz takes part as a principal stress.
+/// These are planes in the space of principal stresses: the return to a plane, an edge or a corner is exact (Clausen,
+/// Damkilde and Andersen 2006). Which of them applies is found by trying sets of planes. sigma_zz counts as a
+/// principal stress.
 class MohrCoulombLaw {
  public:
   struct State {
     PlaneStress stress;  ///< effective (Pa)
-    PlaneStrain strain;  ///< to which it belongs
+    PlaneStrain strain;  ///< the strain at that stress
   };
 
   /// Throws InputError, all mistakes at once, where an angle or a strength is out of its range.
   MohrCoulombLaw(const ElasticLaw& elastic, const MohrCoulombStrength& strength);
 
-  /// The stress is the effective one, that at rest included. Dissipation is the stress at the end times the plastic
-  /// strain. Throws NumericsError where no set of planes takes the stress: a strain that is not finite.
+  /// The stress is the effective one, including that at rest. Dissipation is the stress at the end times the plastic
+  /// strain. Throws NumericsError where the return finds no set of planes: the strain is not finite.
   LawAnswer update(const PlaneStrain& strain, State& state) const;
   /// Energy stored (J/m3): sigma : D^-1 : sigma / 2.
   double stored(const State& state) const;
-  /// How far a stress lies outside (Pa); negative inside.
+  /// Largest excess of a stress over the planes (Pa); negative inside.
   double excess(const PlaneStress& stress) const;
-  /// The stress within the planes to which a trial stress outside returns. Throws as update does.
+  /// The stress to which a trial stress outside the planes returns. Throws as update does.
   PlaneStress returned(const PlaneStress& trial) const;
   const ElasticLaw& elastic() const { return elastic_; }
   const MohrCoulombPlanes& planes() const { return planes_; }

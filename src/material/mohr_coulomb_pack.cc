@@ -28,18 +28,18 @@ UPBEAD_IN_CLONES bool any_of(const Mask& mask) {
   return found != 0;
 }
 
-/// Constants of the law in all cells; in lanes without a cell the soil never yields.
+/// Constants of the law in all cells; soil in lanes without a cell never yields.
 struct Constants {
   Lanes G{}, lambda{}, k{}, m{}, strength{}, tension{};
-  Lanes dG{}, dlambda{};  ///< of D beyond the law's own (Pa)
+  Lanes dG{}, dlambda{};  ///< D less the law's own constants (Pa)
 };
 
-/// What a point remembers: the stress that flow has taken since rest, D eps_p, beside the elastic one.
+/// History of a point: the stress at rest, and D eps_p, by which flow since rest reduces the elastic stress.
 struct Flowed {
   PackStress rest, taken;
 };
 
-/// A trial stress, and where it lies in the plane.
+/// A trial stress, its Mohr circle in the plane, and its principal stresses in order.
 struct Trial {
   PackStress stress;
   Lanes mean, half, radius;
@@ -62,7 +62,7 @@ UPBEAD_IN_CLONES void try_elastic(const Constants& c, const Flowed& point, const
   trial.last = smaller(b, s.zz);
 }
 
-/// Stress in the plane of the sorted principal ones (first, middle, last), zz at the trial's place among them.
+/// Turns the sorted principal stresses (first, middle, last) back into the plane; zz keeps its rank from the trial.
 UPBEAD_IN_CLONES void turn(const Trial& trial, const Lanes& first, const Lanes& middle, const Lanes& last,
                            PackStress& s) {
   const Lanes a_before = trial.mean + trial.radius, b_before = trial.mean - trial.radius, zz = trial.stress.zz;
@@ -78,14 +78,14 @@ UPBEAD_IN_CLONES void turn(const Trial& trial, const Lanes& first, const Lanes& 
   s.zz = is_first ? first : is_last ? last : middle;
 }
 
-/// Where trial stresses of a point lie outside the planes, those to which they return. Most return to the plane of
-/// shear alone; `left` says which do not, and wait for MohrCoulombLaw::returned().
+/// Returns the trial stresses of a point that lie outside the planes. Most of them return to the plane of shear
+/// alone; `left` marks the others, which need MohrCoulombLaw::returned().
 UPBEAD_CLONES bool return_point(const Constants& c, const Flowed& point, const PackTensor& strain, Trial& trial,
                                 PackStress& back, int* left) {
   try_elastic(c, point, strain, trial);
   back = trial.stress;
   const Lanes over = c.k * trial.first - trial.last - c.strength, none = {};
-  // not the same as what lies above: a stress that is not a number counts as outside
+  // `outside` is the negation of a comparison, so that a stress that is not a number counts as outside
   const Mask outside = ~((over <= none) & (trial.first <= c.tension));
   if (!any_of(outside)) return false;
   const Lanes volume = c.lambda * (c.m - 1.), D_first = volume + 2. * c.G * c.m, D_last = volume - 2. * c.G;
@@ -107,8 +107,8 @@ UPBEAD_CLONES bool return_point(const Constants& c, const Flowed& point, const P
   return true;
 }
 
-/// The planes' excess grows by (k + 1) times the largest change of a principal stress at most, which is 2 G + sqrt(2)
-/// lambda times the norm of the strain's change at most.
+/// The planes' excess grows by at most (k + 1) times the largest change of a principal stress, which is at most
+/// (2 G + sqrt(2) lambda) times the norm of the change of strain.
 UPBEAD_CLONES void margin_of_flow(const Constants& c, const Flowed& point, const PackTensor& strain, Lanes& margin) {
   Trial trial;
   try_elastic(c, point, strain, trial);
@@ -118,7 +118,7 @@ UPBEAD_CLONES void margin_of_flow(const Constants& c, const Flowed& point, const
   margin = own ? margin : Lanes{};
 }
 
-/// s : D^-1 : r, as MohrCoulombLaw has it.
+/// s : D^-1 : r, as in MohrCoulombLaw.
 double dissipated_by(double G, double lambda, const PlaneStress& s, const PlaneStress& r) {
   const double mean = lambda / (3. * lambda + 2. * G) * (r.xx + r.yy + r.zz) * (s.xx + s.yy + s.zz);
   return (s.xx * r.xx + s.yy * r.yy + s.zz * r.zz + 2. * s.xy * r.xy - mean) / (2. * G);
@@ -164,8 +164,8 @@ class MohrCoulombPack : public SoilPack {
     }
     point.taken = grown(point.taken, trial.stress);
   }
-  /// The energy of sigma since rest less its work, by sigma = D eps - taken: taken : D^-1 : (taken/2 - eps : D) of all
-  /// four components, and the work of rest stresses on what has flowed.
+  /// Energy less that of D, with sigma = D eps - taken: taken : D^-1 : (taken/2 - eps : D) in all four components,
+  /// and the work of the stress at rest on the flow.
   void stored_beside_elastic(int n, const PackTensor& strain, Lanes& energy) const override {
     const Flowed& point = points_[static_cast<std::size_t>(n)];
     for (std::size_t lane = 0; lane < laws_.size(); ++lane) {
@@ -211,7 +211,7 @@ class MohrCoulombPack : public SoilPack {
     for (std::size_t n = 0; n < points_.size(); ++n)
       set_lane(cell.points[n]->mohr_coulomb()->rest, lane, points_[n].rest);
   }
-  /// Whether a stress lies outside; then back_ is what they return to.
+  /// Whether any stress lies outside; if so, back_ holds the stresses after the return.
   bool admit(int n, const PackTensor& strain, Trial& trial) {
     int left[detail::lanes] = {};
     if (!return_point(constants_, points_[static_cast<std::size_t>(n)], strain, trial, back_, left)) return false;

@@ -25,7 +25,7 @@ struct PlaneSet {
   int n = 0;
 };
 
-/// All sets of up to three of six planes, small ones first.
+/// All sets of up to three of the six planes, smaller sets first.
 const std::vector<PlaneSet>& sets_of_planes() {
   static const std::vector<PlaneSet> sets = [] {
     std::vector<PlaneSet> found;
@@ -51,7 +51,7 @@ MohrCoulombPlanes::MohrCoulombPlanes(const ElasticLaw& elastic, double k_, doubl
       constrained_(elastic.constrained_modulus()),
       lambda_(elastic.lambda),
       G_(elastic.G) {
-  // the plane of shear; with one of the next two: an edge; tension
+  // the plane of shear; two planes that form an edge with it; the three planes of tension
   a_ = {{{k, 0., -1.}, {0., k, -1.}, {k, -1., 0.}, {1., 0., 0.}, {0., 1., 0.}, {0., 0., 1.}}};
   const std::array<Principals, n_planes> b{
       {{m, 0., -1.}, {0., m, -1.}, {m, -1., 0.}, {1., 0., 0.}, {0., 1., 0.}, {0., 0., 1.}}};
@@ -64,7 +64,7 @@ MohrCoulombPlanes::MohrCoulombPlanes(const ElasticLaw& elastic, double k_, doubl
     for (int j = 0; j < n_planes; ++j) aDb_[i][j] = dot(a_[i], Db_[j]);
 }
 
-/// Gauss with rows exchanged; false where the planes depend on each other.
+/// Gaussian elimination with pivoting; false where the planes are linearly dependent.
 bool MohrCoulombPlanes::solve(const std::array<int, 3>& set, int n, const Principals& rhs, Principals& l) const {
   std::array<std::array<double, 4>, 3> A{};
   double largest = 0.;

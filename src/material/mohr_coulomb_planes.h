@@ -1,4 +1,4 @@
-// The planes that bound a Mohr-Coulomb soil in principal stresses, and the return to them.
+// The planes that bound the stress of a Mohr-Coulomb soil in principal stresses, and the return to them.
 #pragma once
 
 #include <array>
@@ -7,22 +7,22 @@
 
 namespace upbead {
 
-using Principals = std::array<double, 3>;  ///< by falling value
+using Principals = std::array<double, 3>;  ///< in descending order
 
-/// k s1 - s3 <= strength, in all orders that a sorted stress can leave it by, with flow by m s1 - s3; s_i <= tension.
+/// k s1 - s3 <= strength, in all orders that a sorted stress may violate, with flow by m s1 - s3; s_i <= tension.
 class MohrCoulombPlanes {
  public:
   MohrCoulombPlanes(const ElasticLaw& elastic, double k, double m, double strength, double tension);
 
-  /// A set of planes, as many as `n`, and the stress on all of them at once.
+  /// A set of `n` planes, and the stress on all of them.
   struct Return {
     Principals stress;
     std::array<int, 3> planes;
     int n = 0;
   };
-  /// The first set, small ones first, on which the stress keeps within all planes with no negative multiplier (Koiter):
-  /// s = trial - D B l, A (trial - D B l) = limits. Throws NumericsError where there is none: a trial that is not
-  /// finite.
+  /// The first set (smaller sets first) for which the stress on it violates no plane and no multiplier is negative
+  /// (Koiter): s = trial - D B l, A (trial - D B l) = limits. Throws NumericsError where there is none: the trial is
+  /// not finite.
   Return from(const Principals& trial) const;
   /// d stress / d (principal strains) on that set.
   std::array<Principals, 3> tangent(const Return& on) const;

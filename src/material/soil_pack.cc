@@ -21,7 +21,7 @@ bool same(const HystereticSoil& a, const HystereticSoil& b) {
          std::equal(a.now.plastic.begin(), a.now.plastic.end(), b.now.plastic.begin(), b.now.plastic.end(), equal);
 }
 
-/// One point after the other, each by its own law.
+/// Evaluates one point after another, each by its own law.
 class PackOfPoints : public SoilPack {
  public:
   explicit PackOfPoints(std::vector<PackedCell> cells) : cells_(std::move(cells)) {}

@@ -7,7 +7,7 @@ namespace upbead {
 
 namespace {
 
-/// The numbers of a state in turn.
+/// Calls of_number for each number of a state, in a fixed order.
 template <class State, class Visit>
 void visit(State& state, const Visit& of_number) {
   const auto of_strain = [&](auto& strain) {

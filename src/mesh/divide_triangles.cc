@@ -6,7 +6,7 @@ namespace upbead {
 
 namespace {
 
-/// Vertices of a mesh with those in the middle of its sides, each made once.
+/// Adds nodes in the middle of the sides of a mesh, each once.
 class Middles {
  public:
   explicit Middles(RawMesh& mesh) : mesh_(mesh) {}
@@ -22,7 +22,7 @@ class Middles {
   std::map<std::pair<unsigned int, unsigned int>, unsigned int> number_;
 };
 
-/// A quadrilateral at every corner: from it to the middle of a side, to the centre, to the middle of the other side.
+/// Makes a quadrilateral at every corner: corner, middle of a side, centre, middle of the other side.
 template <std::size_t n>
 void divide(const std::array<unsigned int, n>& corners, int surface, Middles& middle, RawMesh& mesh,
             std::vector<RawMesh::Cell>& cells) {

@@ -30,7 +30,7 @@ std::string quoted_after(const std::string& text, const std::string& label) {
   return end == std::string::npos ? "" : text.substr(begin + 1, end - begin - 1);
 }
 
-/// "name = value" or "name = {value, Name "label", ...}"; an empty name where it is no number.
+/// Reads "name = value" or "name = {value, Name "label", ...}"; the name is empty if the value is no number.
 GeoParameter parsed(const std::string& item) {
   GeoParameter parameter;
   const auto equals = item.find('=');
@@ -51,7 +51,7 @@ struct Token {
   TokenKind kind;
   std::string text;  ///< without quotation marks, or the slashes of a comment
   int line, column;
-  std::size_t begin, end;  ///< in the script
+  std::size_t begin, end;  ///< position in the script
 };
 
 bool is_comment(const Token& token) {
@@ -93,7 +93,7 @@ class Tokens {
     }
   }
 
-  /// A token from where we are to `end`, its text in [first, last).
+  /// Adds a token from the present position to `end`, with its text in [first, last).
   void add(TokenKind kind, std::size_t first, std::size_t last, std::size_t end) {
     const int column = static_cast<int>(at_ - line_begin_) + 1;
     list.push_back({kind, text_.substr(first, last - first), line_, column, at_, end});
@@ -147,12 +147,12 @@ class Definitions {
  private:
   void comment(const Token& token) {
     if (!trimmed(item_).empty())
-      pending_ = trimmed(token.text);  // the last one of a list has no comma before its comment
+      pending_ = trimmed(token.text);  // the last parameter of a list has no comma before its comment
     else if (token.line == line_)
       parameters.back().description = trimmed(token.text);
   }
 
-  /// Inside DefineConstant[...] depth_ counts the open brackets, and item_ holds what has been read of a parameter.
+  /// Inside DefineConstant[...] depth_ counts the open brackets; item_ is the part read so far of a parameter.
   void inside(const Token& token) {
     const bool is_symbol = token.kind == TokenKind::symbol;
     if (is_symbol && std::string("[{(").find(token.text) != std::string::npos) ++depth_;
@@ -176,13 +176,13 @@ class Definitions {
 
   const std::string& text_;
   int depth_ = 0;
-  std::size_t end_ = 0;  ///< of the last token
+  std::size_t end_ = 0;  ///< end of the last token
   std::string item_;
   std::string pending_;  ///< comment behind an item that is not finished
-  int line_ = 0;         ///< on which a parameter was finished last: a comment there is about it
+  int line_ = 0;         ///< line on which the last parameter was finished: a comment there describes it
 };
 
-/// Commands with a text behind them; anywhere else these are names like any other.
+/// Commands if a text follows; otherwise ordinary names.
 const std::map<std::string, std::string> commands{
     {"SystemCall", "start a program"}, {"NonBlockingSystemCall", "start a program"},
     {"System", "start a program"},     {"OnelabRun", "start a program"},
@@ -190,7 +190,7 @@ const std::map<std::string, std::string> commands{
     {"CreateDir", "make a folder"},    {"SendToServer", "open a connection"},
 };
 
-/// Looks at each token with those around it.
+/// Examines each token together with its neighbours.
 class Search {
  public:
   Search(const fs::path& file, const std::string& text) : file_(file), tokens_(Tokens(text).list) {
@@ -200,7 +200,7 @@ class Search {
   }
 
   std::vector<OutsideCommand> found;
-  std::vector<std::string> scripts;  ///< that it includes or merges
+  std::vector<std::string> scripts;  ///< scripts that this one includes or merges
 
  private:
   void look_at(std::size_t i) {
@@ -220,7 +220,7 @@ class Search {
       follow(word, tokens_[i + 1].text);
   }
 
-  /// Whether a text follows, or a function that makes one, or a View.
+  /// Whether the next token is a text, a function that makes one, or a View.
   bool has_text(std::size_t i) const {
     if (is(i - 1, "Macro") || is(i - 1, "Function") || is(i - 1, "Call") || i + 1 >= tokens_.size()) return false;
     return tokens_[i + 1].kind != TokenKind::symbol && tokens_[i + 1].text != "In";
@@ -243,7 +243,7 @@ class Search {
       scripts.push_back(name);
   }
 
-  /// Of no token, too.
+  /// False also where there is no token i.
   bool is(std::size_t i, const char* text) const {
     return i < tokens_.size() && tokens_[i].kind != TokenKind::text && tokens_[i].text == text;
   }
@@ -256,11 +256,11 @@ class Search {
   std::vector<Token> tokens_;
 };
 
-/// Calls visit(file, its text) for a script and for those that it names in the list that visit returns, each once.
-/// Those that cannot be read are left out.
+/// Calls visit(file, its text) for a script and for the scripts named in the list that visit returns, each once.
+/// Scripts that cannot be read are left out.
 template <class Visit>
 void for_each_script(const fs::path& file, std::set<std::string>& seen, const Visit& visit) {
-  std::error_code error;  // of a name that no file can have
+  std::error_code error;  // set for a name that no file can have
   if (!fs::is_regular_file(file, error) || !seen.insert(fs::weakly_canonical(file, error).string()).second) return;
   std::stringstream text;
   text << std::ifstream(file, std::ios::binary).rdbuf();

@@ -1,5 +1,5 @@
-// Scripts of gmsh (.geo) read as text, before anything is run: the parameters that they offer, and the commands that
-// reach out of them.
+// Scripts of gmsh (.geo) read as text, before anything is run: their parameters, and their commands that do more than
+// draw and mesh.
 #pragma once
 
 #include <string>
@@ -13,11 +13,11 @@ namespace upbead {
 struct GeoParameter {
   std::string name;
   std::string default_value;  ///< as written: a number or an expression
-  std::string description;    ///< the comment behind it on its line, or its gmsh label; may be empty
+  std::string description;    ///< the comment after it on its line, or its gmsh label; may be empty
 };
 
-/// The parameters of a .geo and of the scripts that it includes, in their order, by reading the text: nothing is run.
-/// An unreadable file has none.
+/// The parameters of a .geo and of the scripts that it includes, in their order. The text is read, nothing is run. An
+/// unreadable file has none.
 std::vector<GeoParameter> geo_parameters(const std::string& file);
 
 struct OutsideCommand {
@@ -26,9 +26,9 @@ struct OutsideCommand {
   std::string would;  ///< "start a program"
 };
 
-/// Those of a .geo and of the scripts that it includes or merges by a name that stands there as it is, in their order,
-/// of gmsh 4.8 (its reference manual, "Scripting language"). Others, which build their own words, are for the confined
-/// process. An unreadable file has none.
+/// Such commands of a .geo and of the scripts that it includes or merges by a literal name, in their order, as of
+/// gmsh 4.8 (its reference manual, "Scripting language"). Scripts that build names or commands at run time are left
+/// to the confined process. An unreadable file has none.
 std::vector<OutsideCommand> outside_commands(const std::string& file);
 
 }  // namespace upbead

@@ -17,7 +17,7 @@ namespace upbead {
 
 namespace {
 
-/// Whether all indices are of something that is there.
+/// Whether all indices are valid.
 bool fits(const RawMesh& mesh) {
   const auto vertices_fit = [n = mesh.vertices.size()](const auto& part) {
     return std::all_of(part.vertices.begin(), part.vertices.end(), [n](unsigned int v) { return v < n; });
@@ -32,7 +32,7 @@ bool fits(const RawMesh& mesh) {
          });
 }
 
-/// A mesh on its way out of the confined process that read it.
+/// Packs a mesh, to leave the confined process that read it.
 void put(Parcel& parcel, const RawMesh& mesh) {
   std::vector<double> coordinates;
   coordinates.reserve(2 * mesh.vertices.size());
@@ -45,7 +45,7 @@ void put(Parcel& parcel, const RawMesh& mesh) {
   parcel.put(std::vector<int>{mesh.n_divided});
 }
 
-/// None where its numbers do not fit together, as where the process was in the hands of the file.
+/// None where the numbers are inconsistent, as a malicious file may control the process.
 std::optional<RawMesh> take_mesh(OpenParcel& parcel) {
   RawMesh mesh;
   const std::vector<double> coordinates = parcel.list<double>();
@@ -88,7 +88,7 @@ std::vector<Elements> elements_of(int dimension) {
   return result;
 }
 
-/// The physical groups of one dimension in the order of their numbers.
+/// The physical groups of one dimension, in the order of their numbers.
 class Groups {
  public:
   Groups(int dimension, const std::string& kind, MeshReport& report) : dimension_(dimension) {
@@ -110,7 +110,7 @@ class Groups {
     }
   }
 
-  /// Indices into names.
+  /// Indices into `names` of the groups that an entity belongs to.
   std::vector<int> of_entity(int entity) const {
     std::vector<int> tags, result;
     gmsh::model::getPhysicalGroupsForEntity(dimension_, entity, tags);
@@ -221,7 +221,7 @@ void read_edges(const Nodes& nodes, RawMesh& mesh, MeshReport& report) {
   }
 }
 
-/// Keeps only the vertices of cells, in their order, and the edges between them.
+/// Keeps only the vertices of cells, in their order, and the edges between these vertices.
 void drop_unused(RawMesh& mesh) {
   std::vector<unsigned int> number(mesh.vertices.size(), unused);
   for (const RawMesh::Cell& cell : mesh.cells)
@@ -265,7 +265,7 @@ void check_commands(const MeshRequest& request, MeshReport& report) {
                          "remove it: a script may draw and mesh, and nothing else");
 }
 
-/// gmsh's time and memory (bytes): a script may mesh for long.
+/// Time and memory (bytes) for gmsh: a script may take long to mesh.
 ConfinedLimits limits_for(const MeshRequest& request) {
   ConfinedLimits limits = limits_for_file(request.file);
   limits.hidden_ending = ".opt";

@@ -26,13 +26,13 @@ namespace upbead {
 
 namespace {
 
-/// What gmsh itself said was wrong, message by message.
+/// The errors that gmsh reported, one message each.
 struct GmshError : std::runtime_error {
   explicit GmshError(std::vector<std::string> said) : std::runtime_error(said.front()), messages(std::move(said)) {}
   std::vector<std::string> messages;
 };
 
-/// A file that gmsh opens by a name of our own. gmsh takes up X.opt, a script, beside whatever X it is asked to open;
+/// A file that gmsh opens under a name chosen here. Beside any X that it opens, gmsh also runs the script X.opt;
 /// beside this name there is none.
 class NamedFile {
  public:
@@ -48,7 +48,7 @@ class NamedFile {
   int file_;
 };
 
-/// A file in memory.
+/// A file in memory (its descriptor; -1 where that fails).
 int file_with(const std::string& text) {
   const int file = memfd_create("script", MFD_CLOEXEC);
   if (file >= 0 && write(file, text.data(), text.size()) != static_cast<ssize_t>(text.size())) return -1;
@@ -64,7 +64,7 @@ std::vector<std::string> logged_errors() {
   return errors;
 }
 
-/// Runs one call of gmsh, which may throw, or log errors and return.
+/// Runs one call of gmsh, which may throw an exception, or log errors and return.
 void run(const std::function<void()>& call) {
   gmsh::logger::start();
   std::string thrown;
@@ -72,7 +72,7 @@ void run(const std::function<void()>& call) {
     call();
   } catch (const std::string& error) {
     thrown = error.empty() ? "unknown error" : error;
-  } catch (const std::exception& error) {  // std::bad_array_new_length, where a damaged .msh counts below zero
+  } catch (const std::exception& error) {  // std::bad_array_new_length: a damaged .msh has a negative count
     thrown = error.what();
   }
   std::vector<std::string> errors = logged_errors();
@@ -92,13 +92,13 @@ std::string assignments(const std::map<std::string, double>& parameters) {
 }
 
 void begin() {
-  static bool had_a_session = false;  // as in fuzzing, where the process does not end
+  static bool had_a_session = false;  // as in fuzzing, where one process reads many files
   if (had_a_session) gmsh::finalize();
   had_a_session = true;
   gmsh::initialize(0, nullptr, false);
-  forget_refused();  // FLTK would keep the preferences of a user here
+  forget_refused();  // FLTK would keep the preferences of a user here, which is refused
   gmsh::option::setNumber("General.Terminal", 0);
-  // By default gmsh throws from the middle of its parser, at the first error, which hides the others.
+  // By default gmsh throws from within its parser at the first error, which hides the other errors.
   gmsh::option::setNumber("General.AbortOnError", 0);
 }
 
@@ -110,12 +110,13 @@ void read_file(const std::string& file) {
 
 /// Runs a .geo with `parameters` set before its first line.
 void run_script(const std::string& file, const std::map<std::string, double>& parameters) {
-  // Under its own name, or what it includes would not be found. Where calls are filtered, X.opt is not seen.
+  // Opened under its own name, so that the files it includes are found. Where calls are filtered, gmsh does not see
+  // X.opt.
   if (std::filesystem::exists(file + ".opt"))
     throw GmshError({"there is '" + file + ".opt' beside it, which gmsh would run too: rename it"});
-  // gmsh's own -setnumber and its database of parameters outlive finalize (which fuzzing needs), so the values go in by
-  // a script of their own, whose variables open() forgets and merge() keeps. To include the file in that script would
-  // be a trap: its `Abort` then closes a file twice.
+  // gmsh's own -setnumber and its database of parameters outlive finalize (which fuzzing needs). So a separate script
+  // sets the values: open() forgets its variables, merge() keeps them. That script cannot include the file: after an
+  // `Abort` in it, gmsh closes a file twice.
   if (parameters.empty()) return run([&] { gmsh::open(file); });
   const NamedFile script(file_with(assignments(parameters)));
   run([&] { gmsh::open(script.name()); });
@@ -129,7 +130,7 @@ FileKind kind_of(const std::string& file) {
   return ending == ".geo" ? FileKind::script : ending == ".msh" ? FileKind::mesh : FileKind::unknown;
 }
 
-/// gmsh takes for a script whatever does not begin as a mesh.
+/// gmsh runs as a script whatever does not begin as a mesh.
 bool begins_as_mesh(const std::string& file) {
   std::ifstream in(file, std::ios::binary);
   std::string line;
@@ -221,7 +222,7 @@ void open_mesh(const MeshRequest& request, MeshReport& report) {
       read_file(request.file);
     }
   } catch (const GmshError& error) {
-    // One slip makes many messages; the first ones tell.
+    // One mistake makes many messages; the first ones suffice.
     const std::size_t count = std::min<std::size_t>(error.messages.size(), 5);
     for (std::size_t i = 0; i < count; ++i)
       report.add_about_parameters("gmsh says: " + error.messages[i],

@@ -1,4 +1,4 @@
-// gmsh in this process, which is to be a confined one; and what can be checked of its files without it.
+// gmsh in this process, which should be a confined one; and checks of its files that need no gmsh.
 #pragma once
 
 #include "mesh_report.h"
@@ -7,11 +7,11 @@ namespace upbead {
 
 bool is_script(const std::string& file);
 
-/// Says in `report` what is wrong before gmsh has seen anything: file missing or not gmsh's, unknown parameters.
+/// Reports what is wrong before gmsh reads anything: file missing or not gmsh's, unknown parameters.
 void check_source(const MeshRequest& request, MeshReport& report);
 
-/// Leaves a meshed model in gmsh, or says in `report` what gmsh itself found wrong. gmsh begins anew, without the
-/// settings of the user, silent. It has one state per process and is not closed: the confined process ends with it.
+/// Leaves a meshed model in gmsh, or reports the errors that gmsh found. gmsh starts anew, without the settings of
+/// the user, and prints nothing. It has one state per process and is not closed: it ends with the confined process.
 void open_mesh(const MeshRequest& request, MeshReport& report);
 
 }  // namespace upbead

@@ -17,11 +17,12 @@ std::vector<dealii::CellData<dim>> cells_of(const RawMesh& raw) {
   for (const RawMesh::Cell& from : raw.cells) {
     dealii::CellData<dim> cell;
     const auto& v = from.vertices;
-    cell.vertices = {v[0], v[1], v[3], v[2]};  // deal.II runs along rows, not around
+    cell.vertices = {v[0], v[1], v[3], v[2]};  // deal.II orders vertices by rows, not around the cell
     cell.material_id = static_cast<dealii::types::material_id>(from.surface);
     cells.push_back(cell);
   }
-  // Neighbours must agree on the direction of their common edge, or elements of degree 3 and more do not fit together.
+  // Neighbours must agree on the direction of their common edge; otherwise elements of degree 3 and more do not match
+  // there.
   dealii::GridTools::consistently_order_cells(cells);
   return cells;
 }

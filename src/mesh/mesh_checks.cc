@@ -1,4 +1,4 @@
-// Is a mesh one that a solution can stand on?
+// Checks whether a mesh is suitable for a solution.
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +26,7 @@ double smallest_sine(const RawMesh& mesh, const RawMesh::Cell& cell) {
   return smallest;
 }
 
-/// Cells: degenerate, or on no surface.
+/// Reports cells that are degenerate, or on no surface.
 void check_cells(const RawMesh& mesh, MeshReport& report) {
   constexpr double flat = 1e-6;
   std::map<int, Found> degenerate;
@@ -45,7 +45,7 @@ void check_cells(const RawMesh& mesh, MeshReport& report) {
                "name what it is made of: Physical Surface(\"name\") = {...};");
 }
 
-/// The sides that one cell only has.
+/// The sides that belong to one cell only.
 std::vector<Side> outer_sides(const std::vector<Side>& sorted) {
   std::vector<Side> outer;
   for (std::size_t i = 0; i < sorted.size(); ++i) {
@@ -56,7 +56,7 @@ std::vector<Side> outer_sides(const std::vector<Side>& sorted) {
   return outer;
 }
 
-/// Cells that lie over each other.
+/// Reports cells that overlap.
 void check_overlap(const RawMesh& mesh, const std::vector<Side>& sides, MeshReport& report) {
   Found overlap;
   for (std::size_t i = 1; i < sides.size(); ++i)
@@ -71,7 +71,7 @@ Ends ends_of(const RawMesh::Edge& edge) {
   return std::minmax(edge.vertices[0], edge.vertices[1]);
 }
 
-/// Curves without edges, edges on two curves.
+/// Reports curves without edges, and edges on two curves.
 void check_curves(const RawMesh& mesh, const std::vector<Side>& sides, MeshReport& report) {
   std::set<Ends> of_cells;
   for (const Side& side : sides) of_cells.insert({side.first, side.second});
@@ -96,7 +96,7 @@ void check_curves(const RawMesh& mesh, const std::vector<Side>& sides, MeshRepor
                "keep every curve in one group only");
 }
 
-/// Outer edges on no curve.
+/// Reports outer edges on no curve.
 void check_outer(const RawMesh& mesh, const std::vector<Side>& outer, MeshReport& report) {
   std::set<Ends> named;
   for (const RawMesh::Edge& edge : mesh.edges) named.insert(ends_of(edge));
@@ -108,7 +108,7 @@ void check_outer(const RawMesh& mesh, const std::vector<Side>& outer, MeshReport
                "name every outer curve: Physical Curve(\"name\") = {...};");
 }
 
-/// Vertices of outer sides from left to right. Only they can be unjoined.
+/// Vertices of outer sides from left to right: no other vertices can be unjoined.
 std::vector<unsigned int> outer_vertices(const RawMesh& mesh, const std::vector<Side>& outer) {
   std::vector<unsigned int> vertices;
   for (const Side& side : outer) {
@@ -122,7 +122,7 @@ std::vector<unsigned int> outer_vertices(const RawMesh& mesh, const std::vector<
   return vertices;
 }
 
-/// What touches the sides of cells without belonging to them.
+/// Nodes that touch the side of a cell without belonging to it.
 struct Unjoined {
   Found twice;    ///< nodes at the end of a side
   Found hanging;  ///< nodes in the middle of a side
@@ -147,7 +147,7 @@ void find_unjoined(const RawMesh& mesh, const Side& side, const std::vector<unsi
   }
 }
 
-/// Cells that touch without sharing their nodes. True where there are none.
+/// Reports cells that touch without sharing their nodes. True where there are none.
 bool check_joints(const RawMesh& mesh, const std::vector<Side>& outer, MeshReport& report) {
   const std::vector<unsigned int> vertices = outer_vertices(mesh, outer);
   Unjoined found;
@@ -165,7 +165,7 @@ bool check_joints(const RawMesh& mesh, const std::vector<Side>& outer, MeshRepor
 
 void check_mesh(const RawMesh& mesh, MeshReport& report) {
   if (mesh.cells.empty()) {
-    // Where all cells are of a wrong kind, that has been said already.
+    // If all cells are of a wrong kind, this has been reported already.
     if (report.empty()) report.add("it has no cells", "mesh its surfaces in quadrilaterals (gmsh -2)");
     return;
   }
@@ -174,7 +174,7 @@ void check_mesh(const RawMesh& mesh, MeshReport& report) {
   const std::vector<Side> outer = outer_sides(sides);
   check_overlap(mesh, sides, report);
   check_curves(mesh, sides, report);
-  // The sides of an open joint would be taken for outer ones; so would those where cells of a wrong kind were left out.
+  // Sides at an open joint would be taken for outer sides; so would sides where cells of a wrong kind were left out.
   const bool whole = report.empty();
   if (check_joints(mesh, outer, report) && whole) check_outer(mesh, outer, report);
 }

@@ -9,7 +9,7 @@ namespace upbead {
 
 namespace {
 
-/// Whether `name` stands in a sentence as a word of its own. A person may have given it any characters.
+/// Whether `name`, which may hold any characters, stands in a sentence as a separate word.
 bool names(const std::string& sentence, const std::string& name) {
   if (name.empty()) return false;
   for (auto at = sentence.find(name); at != std::string::npos; at = sentence.find(name, at + 1)) {

@@ -1,4 +1,4 @@
-// Collects mistakes of one mesh, all said in the same way: at the place that asked for it, with the mesh's name.
+// Collects the mistakes of one mesh, all reported at the place that asked for the mesh, with the mesh's name.
 #pragma once
 
 #include <deal.II/base/point.h>
@@ -14,11 +14,11 @@ class MeshReport {
  public:
   explicit MeshReport(const MeshRequest& request);
   void add(const std::string& what, const std::string& cure);
-  /// At the place of the parameter that `what` names, if it names one that was set.
+  /// Reported at the place of the parameter that `what` names, if that parameter was set.
   void add_about_parameters(const std::string& what, const std::string& cure);
-  /// At a place in a script.
+  /// Reported at a place in a script.
   void add_in_script(const Place& place, const std::string& what, const std::string& cure);
-  /// What another report of the same mesh has found.
+  /// Adds the mistakes that another report of the same mesh has found.
   void add(const Diagnostics& mistakes);
   const Diagnostics& diagnostics() const { return mistakes_; }
   bool empty() const { return mistakes_.empty(); }
@@ -32,7 +32,7 @@ class MeshReport {
   Diagnostics mistakes_;
 };
 
-/// How often something was met, and where first.
+/// Number of occurrences, and the place of the first.
 struct Found {
   std::size_t count = 0;
   dealii::Point<2> where;

@@ -14,7 +14,7 @@ namespace upbead {
 
 struct RawMesh {
   struct Cell {
-    std::array<unsigned int, 4> vertices;  ///< around the cell, either way
+    std::array<unsigned int, 4> vertices;  ///< in order around the cell, in either direction
     int surface;                           ///< index into surfaces, -1 where none
   };
   struct Edge {
@@ -27,7 +27,7 @@ struct RawMesh {
   std::vector<Edge> edges;  ///< those on named curves only; an edge on two curves is there twice
   std::vector<std::string> surfaces;
   std::vector<std::string> curves;
-  int n_divided = 0;  ///< triangles that its cells were made of
+  int n_divided = 0;  ///< number of triangles from which cells were made
 
   dealii::Point<2> middle(unsigned int a, unsigned int b) const {
     return vertices[a] + (vertices[b] - vertices[a]) / 2;
@@ -40,11 +40,11 @@ struct RawMesh {
 
 struct RawTriangle {
   std::array<unsigned int, 3> vertices;
-  int surface;  ///< as of a cell
+  int surface;  ///< index into surfaces, -1 where none
 };
 
-/// Makes three quadrilaterals of each triangle, beside the cells that a mesh has; these become four each and its edges
-/// two, so that all fit together.
+/// Makes three quadrilaterals of each triangle and adds them to the cells of a mesh; these are split into four each,
+/// and the edges into two, so that all match.
 void divide_triangles(const std::vector<RawTriangle>& triangles, RawMesh& mesh);
 
 /// Twice the signed area between two vectors.
@@ -55,25 +55,25 @@ inline double cross(const dealii::Tensor<1, 2>& a, const dealii::Tensor<1, 2>& b
 /// Side of a cell, its vertices in rising order.
 struct Side {
   unsigned int first, second;
-  bool forward;  ///< the cell, run anticlockwise, runs from first to second
+  bool forward;  ///< going anticlockwise around the cell, first comes before second
 };
 
 bool same_edge(const Side& a, const Side& b);
 
-/// All sides of all cells, sorted by their vertices: those that cells share stand together.
+/// All sides of all cells, sorted by their vertices: equal sides of different cells stand together.
 std::vector<Side> sorted_sides(const RawMesh& mesh);
 
 class MeshReport;
 
-/// Meshes or reads the file, in a confined process: what a script tries outside of it is a mistake too, and is not
-/// done. Files *.opt beside meshes and scripts, and settings of the user, are ignored. What is wrong with the file, its
-/// parameters, groups and kinds of cells goes into `report`; what it returns then may lack cells.
+/// Meshes or reads the file in a confined process. What a script tries beyond that is refused and reported as a
+/// mistake. Files *.opt beside meshes and scripts, and settings of the user, are ignored. `report` receives what is
+/// wrong with the file, its parameters, groups and kinds of cells; the mesh returned may then lack cells.
 RawMesh read_raw_mesh(const MeshRequest& request, MeshReport& report);
 
 /// Turns clockwise cells, so that vertices run anticlockwise.
 void turn_clockwise_cells(RawMesh& mesh);
 
-/// Says everything that is wrong with a mesh whose cells have been turned.
+/// Reports all that is wrong with a mesh whose cells have been turned.
 void check_mesh(const RawMesh& mesh, MeshReport& report);
 
 }  // namespace upbead

@@ -4,7 +4,7 @@ namespace upbead {
 
 namespace {
 
-/// Chooses the neighbours across surfaces of all cells that are to be split; whether there was any new one.
+/// Marks for splitting the neighbours of marked cells across the limits of surfaces; returns whether any was new.
 bool choose_across_surfaces(Mesh& mesh) {
   bool changed = false;
   for (const auto& cell : mesh.triangulation.active_cell_iterators()) {
@@ -36,7 +36,7 @@ std::unique_ptr<Mesh> refined(const Mesh& mesh, const std::vector<bool>& chosen)
   for (const auto& cell : finer->triangulation.active_cell_iterators())
     if (chosen[cell->active_cell_index()]) cell->set_refine_flag();
   do {
-    finer->triangulation.prepare_coarsening_and_refinement();  // one level of difference
+    finer->triangulation.prepare_coarsening_and_refinement();  // at most one level of difference between neighbours
   } while (choose_across_surfaces(*finer));
   finer->triangulation.execute_coarsening_and_refinement();
   return finer;

@@ -1,4 +1,4 @@
-// Refinement of single cells.
+// Refinement of chosen cells.
 #pragma once
 
 #include <memory>
@@ -8,9 +8,9 @@
 
 namespace upbead {
 
-/// A copy with the cells (by active cell index) for which `chosen` is true into four, and as many more as it takes for
-/// neighbours to differ by at most one level and for surfaces to meet without hanging nodes: there the equations
-/// change, and their terms are integrated over whole sides of both.
+/// A copy in which the cells (by active cell index) with `chosen` true are split into four. More cells are split so
+/// that neighbours differ by at most one level, and that surfaces meet without hanging nodes: the equations change
+/// there, and their terms are integrated over the whole side of both cells.
 std::unique_ptr<Mesh> refined(const Mesh& mesh, const std::vector<bool>& chosen);
 
 /// A copy whose cells are each split into four.

@@ -5,7 +5,7 @@
 namespace upbead {
 
 Versions mesh_versions() {
-  // gmsh tells its own version only within a session, which costs as much as reading a mesh
+  // gmsh reports its version only within a session, which costs as much time as reading a mesh
   return {{"deal.II", UPBEAD_DEALII_VERSION}, {"gmsh", "interface " GMSH_API_VERSION}};
 }
 

@@ -1,11 +1,11 @@
-// What meshes are made with.
+// Versions of the programs that make meshes.
 #pragma once
 
 #include "base/version.h"
 
 namespace upbead {
 
-/// Of deal.II, and of gmsh's programming interface.
+/// Versions of deal.II, and of gmsh's programming interface.
 Versions mesh_versions();
 
 }  // namespace upbead

@@ -16,7 +16,7 @@ namespace {
 constexpr double largest_X_of_darcy = 0.15;
 constexpr double least_theta_of_drained = 1.;
 
-/// Twice the least distance of two kinks, 0 where f jumps at one.
+/// Twice the least distance of two kinks, 0 where f jumps at a kink.
 double duration_of_kinks(const TimeFunction& f) {
   const std::vector<double>& kinks = f.kinks();
   double least = infinity, largest = 0., largest_jump = 0.;
@@ -42,8 +42,8 @@ double shortest_duration(const Scene& scene) {
 
 namespace {
 
-/// c_v / (omega l^2), l the longest way of the water out of the region (m): how far pressure drains in the time of the
-/// fastest change, with c_v = (k / rho_f g) (lambda + 2 G); 0 where something keeps the pressure up.
+/// c_v / (omega l^2): how far pressure drains in the time of the fastest change, c_v = (k / rho_f g) (lambda + 2 G), l
+/// the longest path of the water out of the region (m); 0 where something keeps the pressure up.
 double drainage(const Region& region, const Surroundings& at, const Scene& scene, double omega) {
   if (!at.has_open_side || at.has_load || at.touches_water) return 0.;
   const Material m = material(region, scene.fluid, scene.gravity);
@@ -96,8 +96,8 @@ namespace {
 
 // Measured on the shipped prototype, so that peak F_T moves by less than 0.1 %: docs/skipping.md.
 constexpr double largest_of_incompressible = 0.2;  ///< omega h / c
-constexpr double largest_of_rigid = 0.01;          ///< G of what it touches over its own, times (height/width)^2
-constexpr double largest_crossing = 0.3;           ///< omega height / V_s
+constexpr double largest_of_rigid = 0.01;  ///< G of the stiffest neighbour over its own, times max(1, (height/width)^2)
+constexpr double largest_crossing = 0.3;   ///< omega height / V_s
 
 /// Frequency of the loads (rad/s); infinite where one jumps, 0 where none has a duration.
 double frequency(const Scene& scene) {
@@ -146,7 +146,8 @@ DeformationChoice choose_deformation(const Region& region, const Surroundings& a
 
 namespace {
 
-/// Integral of |f| and total variation of f' over [0, end], f taken as linear between many points of each smooth piece.
+/// Integral of |f| and total variation of f' over [0, end]; f is taken as linear between many points of each smooth
+/// piece.
 struct Shape {
   double integral = 0., variation = 0.;
 };

@@ -13,7 +13,7 @@ Keys when(bool asked, const std::string& key) {
   return asked ? Keys{key} : Keys();
 }
 
-/// Keys of the regions that have a table of that name.
+/// Keys of the regions that have the table `name`.
 template <class Table>
 Keys in_regions(const Scene& scene, std::optional<Table> Region::*table, const std::string& name) {
   Keys keys;
@@ -22,7 +22,7 @@ Keys in_regions(const Scene& scene, std::optional<Table> Region::*table, const s
   return keys;
 }
 
-/// Keys of the outer sides that absorb waves, by the member that says so.
+/// Keys of the outer sides where `member` has the value of an absorbing side.
 template <class Member, class Value>
 Keys absorbing(const Scene& scene, Member member, Value value, const std::string& key) {
   Keys keys;
@@ -46,7 +46,7 @@ bool deforms(const Scene& scene) {
          caisson->second.deformation != Deformation::rigid;
 }
 
-/// What a scene may ask for, and the keys by which one does.
+/// Something that a scene may ask for, and the keys that ask for it.
 struct Feature {
   const char* name;
   Keys (*asked)(const Scene& scene);

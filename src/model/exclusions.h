@@ -1,4 +1,4 @@
-// What cannot go with what: the one table.
+// Which features of a scene exclude which ways to solve or run it: the only table of them.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace upbead {
 
-/// A way to solve or to run a scene that not every scene can take.
+/// A way to solve or to run a scene, which not every scene can take.
 enum class Treatment {
   reduced_model,
   generalised_alpha,
@@ -20,17 +20,17 @@ enum class Treatment {
   consolidation,  ///< time.inertia = false
 };
 
-/// Why a scene cannot take a way: at a key of the scene, which asks for what the way does not do.
+/// Why a scene cannot take a way: the key of the scene that asks for something the way does not do.
 struct Exclusion {
   std::string key;
   std::string why;   ///< "no fields are written"
-  std::string cure;  ///< "" where whoever asked for the way knows it
+  std::string cure;  ///< "" where it is clear to whoever asked for the way
 };
 
-/// All reasons, by the order of the table; empty where the scene can take it.
+/// All reasons, in the order of the table; empty where the scene can take the way.
 std::vector<Exclusion> excluded(const Scene& scene, Treatment way);
 
-/// The table in Markdown: what a scene asks for, and why each way cannot do it.
+/// The table in Markdown: the features of a scene, and why each way excludes them.
 std::string exclusion_table();
 
 }  // namespace upbead

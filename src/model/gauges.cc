@@ -15,14 +15,14 @@ using Pairs = std::vector<std::array<double, 2>>;
 
 constexpr double far = 1e6;  ///< m, beyond any wall
 
-/// Where the share of the first (side 0) or last transducer goes outward.
+/// Appends the point to which the share of the first (side 0) or last transducer extends outward.
 void append_end(const Gauges& gauges, int side, Pairs& pairs) {
   const double at = side == 0 ? gauges.place.front() : gauges.place.back(), outward = side == 0 ? -1. : 1.;
   if (gauges.beyond[side] == Beyond::constant) pairs.push_back({at + outward * far, 1.});
   if (gauges.beyond[side] == Beyond::to_zero) pairs.push_back({gauges.zero_at[side], 0.});
 }
 
-/// Integrals of a piecewise linear function and of x times it over [from, to].
+/// Integrals of a piecewise linear function y(x), and of x y(x), over [from, to].
 std::array<double, 2> integrals(const Pairs& pairs, double from, double to) {
   std::array<double, 2> sum{0., 0.};
   for (std::size_t i = 0; i + 1 < pairs.size(); ++i) {
@@ -52,7 +52,7 @@ Gauges every_other(const Gauges& gauges) {
   return fewer;
 }
 
-/// Transducers of one record are sampled alike: one warning, of the steepest rise, stands for all.
+/// Transducers of one record have the same samples: one warning, for the steepest rise, stands for all.
 void join_too_coarse(NumberedWarnings& list) {
   const auto rest = std::stable_partition(
       list.begin(), list.end(), [](const NumberedWarning& warning) { return warning.name != "record_too_coarse"; });

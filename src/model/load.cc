@@ -40,7 +40,7 @@ const char* unit_of(LoadKind kind) {
 
 namespace {
 
-/// Length along a polygon to the point of it that is nearest to (x, y).
+/// Length along a polygon, up to its point that is nearest to (x, y).
 double length_along(const std::vector<std::array<double, 2>>& course, double x, double y) {
   double length = 0., nearest = std::numeric_limits<double>::infinity(), along = 0.;
   for (std::size_t i = 0; i + 1 < course.size(); ++i) {

@@ -1,4 +1,4 @@
-// Which kinds of a part of a scene take which of its members.
+// Which members belong to which kinds of a part of a scene.
 #pragma once
 
 #include <algorithm>
@@ -14,9 +14,9 @@ namespace upbead {
 template <class Part, class Kind>
 struct MemberRule {
   std::string key;
-  std::vector<Kind> kinds;                 ///< that take it
-  bool needed;                             ///< none of these can do without it
-  std::function<bool(const Part&)> given;  ///< set to other than its default
+  std::vector<Kind> kinds;                 ///< kinds that the member belongs to
+  bool needed;                             ///< all these kinds require it
+  std::function<bool(const Part&)> given;  ///< whether it differs from its default
   bool belongs_to(Kind kind) const { return std::find(kinds.begin(), kinds.end(), kind) != kinds.end(); }
 };
 

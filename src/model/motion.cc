@@ -18,7 +18,7 @@ double zero(double) {
   return 0.;
 }
 
-/// Values that are kept between the kinks, of which there is one more than values; zero before and after.
+/// Piecewise constant: values[i] between kinks[i] and kinks[i + 1]; zero before and after.
 TimeFunction steps(const std::vector<double>& kinks, const std::vector<double>& values) {
   std::vector<TimeFunction::Piece> pieces{zero};
   for (const double value : values) pieces.emplace_back([value](double) { return value; });
@@ -26,7 +26,7 @@ TimeFunction steps(const std::vector<double>& kinks, const std::vector<double>& 
   return TimeFunction(kinks, std::move(pieces));
 }
 
-/// peak omega cos(omega (t - start)) from the start to the end, where there is one.
+/// peak omega cos(omega (t - start)) from `start` to `end`, or for ever without an end.
 TimeFunction rate_of_sine(const Pulse& pulse, double omega, std::optional<double> end) {
   std::vector<double> kinks{pulse.start};
   std::vector<TimeFunction::Piece> pieces{zero, [a = pulse.peak * omega, start = pulse.start, omega](double t) {
@@ -39,7 +39,7 @@ TimeFunction rate_of_sine(const Pulse& pulse, double omega, std::optional<double
   return TimeFunction(std::move(kinks), std::move(pieces));
 }
 
-/// Velocity of a displacement that runs by a pulse without jumps.
+/// Velocity of a displacement that follows a pulse without jumps.
 TimeFunction rate(const Pulse& pulse) {
   const double start = pulse.start, rise = rise_of(pulse), peak = pulse.peak;
   switch (pulse.shape) {
@@ -71,7 +71,7 @@ TimeFunction integrated(const TimeFunction& f) {
     const auto velocity = [piece, begin, reached](double t) {
       return t == begin ? reached : reached + Rule::integrate(piece, begin, t, 10, 1e-12);
     };
-    if (end <= begin) {  // before t = 0 all rests
+    if (end <= begin) {  // at rest before t = 0
       pieces.emplace_back(zero);
       continue;
     }
@@ -98,7 +98,7 @@ TimeFunction velocity(LoadKind kind, const Pulse& pulse) {
 
 std::optional<double> motion_duration(LoadKind kind, const Pulse& pulse) {
   if (kind != LoadKind::displacement || duration(pulse)) return duration(pulse);
-  double shortest = infinity;  // the velocity's own jumps are corners of the displacement
+  double shortest = infinity;  // the jumps of the velocity are corners of the displacement
   const std::vector<double> corners = rate(pulse).kinks();
   for (std::size_t i = 1; i < corners.size(); ++i) shortest = std::min(shortest, corners[i] - corners[i - 1]);
   return 2. * shortest;

@@ -11,10 +11,10 @@ namespace upbead {
 
 namespace {
 
-constexpr double exactly = 1e-6;  ///< of the range: samples that are meant to be equal
+constexpr double exactly = 1e-6;  ///< of the range: samples that differ by less count as equal
 constexpr std::size_t least_flat = 5;
-constexpr double least_drift = 0.03, most_drift = 0.5;  ///< of the peak; beyond, a load that lasts
-constexpr double most_of_rise = 0.1;  ///< of the slope of the rise: what runs faster is the load itself
+constexpr double least_drift = 0.03, most_drift = 0.5;  ///< of the peak; a larger one is a load that lasts
+constexpr double most_of_rise = 0.1;  ///< of the slope of the rise: a faster change is the load itself
 constexpr int least_in_rise = 20;
 
 struct Extent {
@@ -34,7 +34,7 @@ double mean(const std::vector<double>& value, std::size_t first, std::size_t las
   return sum / static_cast<double>(last - first);
 }
 
-/// Which an event that begins early does not move.
+/// The median, as an event that begins early hardly changes it.
 double median(const std::vector<double>& value, std::size_t first, std::size_t last) {
   std::vector<double> part(value.begin() + static_cast<std::ptrdiff_t>(first),
                            value.begin() + static_cast<std::ptrdiff_t>(last));
@@ -43,7 +43,7 @@ double median(const std::vector<double>& value, std::size_t first, std::size_t l
   return *middle;
 }
 
-/// The warnings of one record that is not dead.
+/// Finds the warnings of one record that is not dead.
 class Inspection {
  public:
   explicit Inspection(const Record& record)
@@ -81,7 +81,7 @@ class Inspection {
     return *most - *least <= 0.1 * peak_;
   }
 
-  /// A run of equal samples at an extreme that the record comes to and leaves. `sign`: of the extreme.
+  /// Looks for a run of equal samples at an extreme that the record rises to and leaves. `sign`: of the extreme.
   void check_saturation(double sign, double extreme) {
     const auto is_there = [&](std::size_t i) { return std::abs(value_[i] - extreme) <= exactly * extent_.range(); };
     const auto is_away = [&](std::size_t i) { return sign * (extreme - value_[i]) > 0.1 * extent_.range(); };
@@ -93,7 +93,7 @@ class Inspection {
       std::size_t end = i;
       while (end < n_ && is_there(end)) ++end;
       const bool came = first_away<i, left = last_away> end;
-      // a record that rests at zero between its events is no instrument at its end
+      // a record that stays at zero between its events is not saturated
       const bool rests = std::abs(extreme - start_) <= 0.1 * extent_.range();
       if (end - i >= least_flat && came && left && !rests)
         return add("record_saturated", static_cast<double>(end - i), static_cast<double>(least_flat),
@@ -104,20 +104,20 @@ class Inspection {
     }
   }
 
-  /// Last time before the top at which the record is farther from its start than that share of its peak.
+  /// Last time before the peak at which the record's distance from its start is at most `share` of the peak.
   double crossing(double share) const {
     std::size_t i = top_;
     while (i > 0 && std::abs(value_[i] - start_) > share * peak_) --i;
     return time_[i];
   }
 
-  /// From 10 to 90 % of the peak, as engineers measure a rise (1/s of the peak).
+  /// Slope from 10 to 90 % of the peak, the usual measure of a rise (1/s of the peak).
   double slope_of_rise() const {
     const double rise = crossing(0.9) - crossing(0.1);
     return rise > 0. ? 0.8 / rise : HUGE_VAL;
   }
 
-  /// Between the means of two thirds of [first, last) (1/s of the peak).
+  /// Slope between the means of the first and the last third of [first, last) (1/s of the peak).
   double slope(std::size_t first, std::size_t last) const {
     const std::size_t third = std::max<std::size_t>(1, (last - first) / 3);
     const double change = mean(value_, last - third, last) - mean(value_, first, first + third);
@@ -126,7 +126,7 @@ class Inspection {
 
   void check_end() {
     const double drift = std::abs(median(value_, n_ - at_ends_, n_) - start_) / peak_;
-    if (!rests(0, at_ends_) || !rests(n_ - at_ends_, n_)) return;  // it is still on its way
+    if (!rests(0, at_ends_) || !rests(n_ - at_ends_, n_)) return;  // the record is not at rest at both ends
     if (slope(n_ - at_ends_, n_) > most_of_rise * rise_) return check_cut();
     if (drift > least_drift && drift < most_drift)
       add("record_drifting", drift, least_drift,
@@ -135,7 +135,7 @@ class Inspection {
               "off, or give a longer record");
   }
 
-  /// A load that has not come back where its record ends jumps there.
+  /// A load that has not come back to its start where the record ends jumps to zero there.
   void check_cut() {
     const double rest = std::abs(value_.back() - start_) / peak_;
     if (rest > least_drift && rest < most_drift)
@@ -145,12 +145,12 @@ class Inspection {
               "come back to zero");
   }
 
-  /// The trend of what comes before the first time that a tenth of the peak is reached.
+  /// The drift before the record first exceeds a tenth of its peak.
   void check_before_the_event() {
     std::size_t event = 0;
     while (event < n_ && std::abs(value_[event] - start_) <= 0.1 * peak_) ++event;
     if (event < 4 * least_flat) return;
-    const std::size_t part = event / 4;  // the event's own foot is no drift
+    const std::size_t part = event / 4;  // the foot of the event itself is no drift
     const double drift = std::abs(mean(value_, event / 2, event / 2 + part) - mean(value_, 0, part)) / peak_;
     if (slope(0, event) > most_of_rise * rise_) return;  // the foot of a smooth rise
     if (drift > least_drift)
@@ -189,15 +189,15 @@ class Inspection {
   const std::vector<double>&time_, &value_;
   std::size_t n_;
   Extent extent_;
-  std::size_t at_ends_;  ///< samples that stand for the start, and for the end
+  std::size_t at_ends_;  ///< number of samples that define the start, and of those that define the end
   double start_;
-  std::size_t top_ = 0;  ///< farthest from the start
+  std::size_t top_ = 0;  ///< sample farthest from the start
   double peak_ = 0.;
   double rise_ = 0.;  ///< slope (1/s of the peak)
   NumberedWarnings list_;
 };
 
-/// At most so many samples, those at which the pressures are largest.
+/// At most `most` samples: those with the largest pressures.
 std::vector<std::size_t> telling_samples(const std::vector<RecordAtHeight>& at) {
   constexpr std::size_t most = 2000;
   std::vector<double> size(at.front().record.value.size(), 0.);

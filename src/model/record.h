@@ -1,4 +1,4 @@
-// What is wrong with a measured record, told from its samples alone.
+// Defects of a measured record, found from its samples alone.
 #pragma once
 
 #include <string>
@@ -15,21 +15,22 @@ struct Record {
   std::vector<double> value;  ///< any unit, of the same length
 };
 
-/// Whether the samples are those of an instrument and not the corners of an idealised history: ten or more at equal
-/// intervals (to 1 %), or fifty or more at any.
+/// Whether the samples come from an instrument, and are not the corners of an idealised history: ten or more at equal
+/// intervals (to 1 %), or fifty or more at any intervals.
 bool is_measured(const Record& record);
 
-/// All that hold of a measured record; none of any other.
+/// All warnings that apply to a measured record; none for other records.
 ///   record_dead        it never changes by more than 1e-6 of its largest value
-///   record_saturated   its extreme is held, to 1e-6 of its range, by 5 samples or more between a rise and a fall: the
-///                      instrument was at its end. The value is the number of samples
-///   record_drifting    it rests in the end, between 3 and 50 % of its peak away from where it started, or runs by more
-///                      than 3 % of the peak before the first event; both more slowly than by a tenth of the slope of
-///                      its rise (10 to 90 % of the peak), as the foot of a smooth rise is no drift. The value is that
-///                      share
+///   record_saturated   it stays at its extreme, to 1e-6 of its range, for 5 samples or more between a rise and a
+///                      fall: the instrument had reached its limit. The value is the number of samples
+///   record_drifting    it comes to rest between 3 and 50 % of its peak away from where it started, or moves by more
+///                      than 3 % of the peak before the first event; both more slowly than a tenth of the slope of
+///                      its rise (10 to 90 % of the peak), as the foot of a smooth rise is no drift. The value is
+///                      that share of the peak
 ///   record_cut         it ends between 3 and 50 % of its peak away from where it started, and still moves faster
 ///   record_too_coarse  fewer than 20 samples from the last crossing of a tenth of the peak to the peak
-///   record_spikes      samples that leave both neighbours by a fifth of the range while those agree to a twentieth
+///   record_spikes      samples that differ from both neighbours by a fifth of the range while the neighbours agree
+///                      to a twentieth
 NumberedWarnings record_warnings(const Record& record);
 
 /// A transducer on a wall.
@@ -38,10 +39,10 @@ struct RecordAtHeight {
   Record record;
 };
 
-/// records_swapped: exchanging two of the records, all sampled at the same times, would make the pressures run much
-/// more smoothly over the height: the sum of squared second differences, over the 2,000 samples with the largest
-/// pressures, falls below a quarter. Needs four records; ascending heights. The value is that ratio, and the text names
-/// both.
+/// records_swapped: exchanging two of the records, all sampled at the same times, would make the pressures much
+/// smoother over the height: the sum of squared second differences, over the 2,000 samples with the largest
+/// pressures, falls below a quarter. Needs four records, in the order of ascending heights. The value is that ratio;
+/// the text names the two records.
 NumberedWarnings swapped_records(const std::vector<RecordAtHeight>& records);
 
 }  // namespace upbead

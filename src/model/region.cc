@@ -147,8 +147,8 @@ class Checker {
       add_missing("hydraulic_conductivity", whose_, list_);
     if (region_.hydraulic_conductivity && region_.permeability)
       add("permeability", "both 'hydraulic_conductivity' and 'permeability' are given", "keep one of them");
-    // with rigid grains it is a measured number like any other, of which the run warns; else pores might store less
-    // than nothing
+    // with rigid grains the Biot coefficient is a measured number like any other, and the run warns of it; with
+    // compressible grains, the pores' storage could be negative
     if (region_.porosity && *region_.porosity <= 1. && region_.biot < *region_.porosity &&
         std::isfinite(region_.grain_bulk_modulus))
       add("biot", "biot is less than the porosity, and the grains are compressible",
@@ -160,12 +160,13 @@ class Checker {
   Diagnostics list_;
 };
 
-/// zeta at the ends over that in the middle, sqrt(f1 f2), where it is least.
+/// zeta at the ends of the range over zeta at sqrt(f1 f2), where it is least.
 double sag(const Rayleigh& r) {
   return 0.5 * (r.frequencies[0] + r.frequencies[1]) / std::sqrt(r.frequencies[0] * r.frequencies[1]);
 }
 
-/// zeta at the ends. Equal relative deviations there and in the middle make it ratio (1 + e), e = (s - 1)/(s + 1).
+/// zeta at the ends: ratio (1 + e), e = (s - 1)/(s + 1), if the relative deviations at the ends and in the middle are
+/// equal.
 double ratio_at_ends(const Rayleigh& r) {
   return r.fit == RayleighFit::ends ? r.ratio : r.ratio * 2. * sag(r) / (sag(r) + 1.);
 }
@@ -251,7 +252,7 @@ double shear_modulus(const StressLaw& law, double stress, double floor) {
 
 namespace {
 
-/// Straight over the logarithm of the strain, constant beyond the ends.
+/// Linear over the logarithm of the strain, constant beyond the ends.
 double interpolate(const std::vector<std::array<double, 2>>& table, double strain) {
   if (strain <= table.front()[0]) return table.front()[1];
   for (std::size_t i = 1; i < table.size(); ++i)

@@ -1,4 +1,4 @@
-// The words of the case file for every choice of a scene; also for messages.
+// The words of the case file for all choices of a scene; messages use them too.
 #pragma once
 
 #include <string>

@@ -9,7 +9,7 @@ namespace {
 
 constexpr int dropped = -1;
 
-/// New unknowns for old ones: each old one is one of the new ones, or always zero.
+/// Maps old unknowns to new ones: each old unknown becomes one of the new ones, or is always zero.
 struct Selection {
   std::vector<int> of_old;
   int size = 0;
@@ -37,7 +37,7 @@ Row select(const Row& row, const Selection& selection) {
   return Row(entries.begin(), entries.end());
 }
 
-/// All but the number of prescribed unknowns, and the interface.
+/// Selects all members but the number of prescribed unknowns and the interface.
 System select(const System& system, const Selection& selection) {
   System out;
   out.M = select(system.M, selection);

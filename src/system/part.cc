@@ -26,7 +26,7 @@ std::vector<double> touched(const System& system) {
   return found;
 }
 
-/// Which unknowns of a system one process holds.
+/// The unknowns of a system that one process holds.
 class Part {
  public:
   Part(const System& system, const std::vector<int>& on_all, const Processes& processes)
@@ -45,11 +45,11 @@ class Part {
   }
 
   bool is_shared(int whole) const { return is_shared_[whole]; }
-  /// Whether this process counts for the unknown, which is one process alone.
+  /// Whether this process counts for the unknown; exactly one process does.
   bool owns(int whole) const { return is_shared_[whole] ? is_first_ : index[whole] >= 0; }
 
-  std::vector<int> index;     ///< per unknown of the whole
-  std::vector<int> unknowns;  ///< those that are held
+  std::vector<int> index;     ///< per unknown of the whole system
+  std::vector<int> unknowns;  ///< unknowns held, as numbers of the whole system
 
  private:
   bool is_first_;

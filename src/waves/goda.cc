@@ -15,7 +15,7 @@ namespace upbead {
 namespace {
 
 /// lambda_1 = lambda_3 of a wall behind wave-dissipating blocks, after Takahashi, Tanimoto and Shimosako (1990). The
-/// numbers have not been checked in the original, which is why a section may bring its own.
+/// numbers have not been checked in the original; therefore a section may give its own.
 double behind_blocks(double height_over_depth) {
   if (height_over_depth <= 0.3) return 1.;
   return height_over_depth <= 0.6 ? 1.2 - 2. / 3. * height_over_depth : 0.8;
@@ -75,7 +75,7 @@ WavePressure Goda::at(double height, PressureFormula formula) const {
   const double beside_alpha_1 = formula == PressureFormula::extended ? p.alpha_star
                                 : formula == PressureFormula::goda   ? p.alpha_2
                                                                      : 0.;
-  const double head = 0.5 * (1. + cos_angle_) * unit_weight_ * height;  // what all pressures are multiples of
+  const double head = 0.5 * (1. + cos_angle_) * unit_weight_ * height;  // common factor of all pressures
   p.eta_star = 0.75 * (1. + cos_angle_) * p.lambda_1 * height;
   p.p1 = head * (p.lambda_1 * p.alpha_1 + p.lambda_2 * beside_alpha_1 * cos_angle_ * cos_angle_);
   p.p3 = alpha_3_ * p.p1;
@@ -117,7 +117,7 @@ double alpha_I1(double berm_width_over_wavelength, double mound_height_over_dept
   const double delta_22 = -0.36 * x + 0.93 * y;
   const double delta_1 = (delta_11 <= 0. ? 20. : 15.) * delta_11;
   const double delta_2 = (delta_22 <= 0. ? 4.9 : 3.) * delta_22;
-  // cosh may be infinite for a very wide berm: the coefficient is then 0, as it should be.
+  // cosh may be infinite for a very wide berm: the coefficient then tends to 0, as it should.
   if (delta_2 <= 0.) return std::cos(delta_2) / std::cosh(delta_1);
   return 1. / (std::cosh(delta_1) * std::sqrt(std::cosh(delta_2)));
 }

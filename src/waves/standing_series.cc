@@ -13,7 +13,7 @@ namespace {
 
 using Array = Eigen::ArrayXd;
 
-/// cos and sin of an angle's multiples up to n: far fewer than there are terms.
+/// cos and sin of the multiples of an angle up to n: far fewer evaluations than one per term.
 struct Multiples {
   Array cos, sin;
   Multiples(int n, double angle) {
@@ -23,12 +23,13 @@ struct Multiples {
   }
 };
 
-/// Of each term, by its harmonic.
+/// The value of each term, found by its harmonic.
 Array picked(const Array& of_harmonic, const Array& harmonic) {
   return harmonic.unaryExpr([&](double j) { return of_harmonic[static_cast<Eigen::Index>(j)]; });
 }
 
-/// cosh j(y + K) / cosh jK and sinh j(y + K) / cosh jK by harmonic, which do not overflow in deep water.
+/// cosh j(y + K) / cosh jK and sinh j(y + K) / cosh jK for each harmonic j, in a form that does not overflow in deep
+/// water.
 struct Depths {
   Array cosh, sinh;
   Depths(int n, double y, double K) {
@@ -39,7 +40,7 @@ struct Depths {
   }
 };
 
-/// What the terms of phi consist of; cos_t with the harmonic in time.
+/// The factors of the terms of phi; cos_t includes the harmonic in time.
 struct PotentialTerms {
   Array j, cos_x, sin_x, sin_t, cos_t, cosh, sinh;
   PotentialTerms(const StandingSeries& s, double tau, double x, double y) : j(s.bj) {
@@ -99,7 +100,7 @@ SurfaceConditions surface_conditions(const StandingSeries& s, double tau, double
     const Array Pxy = -t.j.square() * t.sinh * t.sin_x * t.sin_t, Pyy = t.j.square() * t.cosh * t.cos_x * t.sin_t;
     const Array Pty = t.j * t.sinh * t.cos_x * t.cos_t;
     const double u_y = sum(Pxy, s.b), v_y = sum(Pyy, s.b), phi_tau_y = sum(Pty, s.b);
-    // by K: cosh j(y + K)/cosh jK = cosh jy + tanh jK sinh jy
+    // derivative with respect to K: cosh j(y + K)/cosh jK = cosh jy + tanh jK sinh jy
     const Array j = Array::LinSpaced(s.n + 1, 0., s.n), decay = (-2. * s.K * j).exp();
     const Array by_K = 4. * j * decay / (1. + decay).square();
     const Array C_K = picked(by_K * (j * eta).sinh(), s.bj), S_K = picked(by_K * (j * eta).cosh(), s.bj);
@@ -117,11 +118,11 @@ namespace {
 
 constexpr int first_harmonics = 6;
 constexpr int most_iterations = 30;
-/// A step that changes them by no more leaves 1e-13: the method squares its error.
+/// The last step changes the coefficients by no more: as the method squares its error, about 1e-13 is left.
 constexpr double same_coefficients = 1e-7;
-constexpr double weight_of_height = 1e3;  ///< that equation is met, the others as well as they can be
+constexpr double weight_of_height = 1e3;  ///< this equation is met closely, all others by least squares
 
-/// Harmonics (i, j) up to n, i + j even, i >= i0 and j >= j0.
+/// Lists the harmonics (i, j) up to n, with i + j even, i >= i0 and j >= j0.
 void list_harmonics(int n, int i0, int j0, Array& in_time, Array& in_space) {
   std::vector<double> I, J;
   for (int i = i0; i <= n; ++i)
@@ -135,7 +136,7 @@ void list_harmonics(int n, int i0, int j0, Array& in_time, Array& in_space) {
   in_space = Eigen::Map<Array>(J.data(), size);
 }
 
-/// The coefficients of `from` at the harmonics of another series, 0 where it has none.
+/// The coefficients of `from` at the harmonics (i, j); 0 where `from` does not have them.
 Eigen::VectorXd taken_over(const Array& i, const Array& j, const Array& from_i, const Array& from_j,
                            const Eigen::VectorXd& from) {
   Eigen::VectorXd to = Eigen::VectorXd::Zero(i.size());
@@ -168,9 +169,9 @@ StandingSeries small_wave(double relative_height, double K) {
   return s;
 }
 
-/// Places of the surface, over a quarter of the period and half the length, as the rest is their image; both conditions
-/// there are four times as many as the coefficients, with which Newton's method goes on to the steepest waves (with
-/// twice as many it does not).
+/// Collocation points on the surface, over a quarter of the period and half the length; the rest follows by symmetry.
+/// The conditions at these points are four times as many as the coefficients; so Newton's method converges up to the
+/// steepest waves (with twice as many it does not).
 template <class Visit>
 void for_places(int n, double offset, Visit visit) {
   const int count = n + 2;
@@ -178,14 +179,15 @@ void for_places(int n, double offset, Visit visit) {
     for (int l = 0; l < 2 * count; ++l) visit((m + offset) * 0.5 * pi / count, (l + offset) * 0.5 * pi / count);
 }
 
-/// By the normal equations, ten times faster than by reflections: what they lose in digits the next step mends.
+/// By the normal equations, ten times faster than by Householder reflections; the next step corrects their loss of
+/// digits.
 Eigen::VectorXd step_of(const Eigen::MatrixXd& J, const Eigen::VectorXd& R) {
   Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(J.cols(), J.cols());
   gram.selfadjointView<Eigen::Lower>().rankUpdate(J.transpose());
   return gram.selfadjointView<Eigen::Lower>().ldlt().solve(-J.transpose() * R);
 }
 
-/// A step of the method of Gauss and Newton; its largest change of a coefficient.
+/// One Gauss-Newton step; returns its largest change of a coefficient.
 double improve(StandingSeries& s) {
   const Eigen::Index na = s.a.size(), nb = s.b.size(), unknowns = na + nb + 2, places = 2 * (s.n + 2) * (s.n + 2);
   Eigen::MatrixXd J(2 * places + 1, unknowns);
@@ -223,7 +225,7 @@ double residual_of(const StandingSeries& s) {
   return std::max(kinematic / s.frequency(), dynamic) / s.swing();
 }
 
-/// None where the method diverges, or does not end.
+/// None where the method diverges, or does not converge in most_iterations steps.
 std::optional<StandingSeries> converged(StandingSeries s) {
   const double before = s.K;
   for (int k = 0; k < most_iterations; ++k) {
@@ -245,7 +247,7 @@ StandingSeries raised(StandingSeries s, double factor) {
   return s;
 }
 
-/// From the small wave in `parts` equal steps of its height.
+/// Solves from the small wave up, in `parts` equal steps of the height.
 std::optional<StandingSeries> grown(const StandingSeries& small, int parts) {
   std::optional<StandingSeries> s = with_harmonics(raised(small, 1. / parts), first_harmonics);
   for (int part = 1; s; ++part) {

@@ -23,11 +23,12 @@ namespace {
 constexpr int most_harmonics = 16;
 constexpr double residual_wanted = 1e-4, residual_allowed = 1e-3;
 
-/// kH over tanh kh, of small waves: a higher one breaks before it comes to the wall: 0.142 L tanh kh (Miche 1944).
+/// Largest kH over tanh kh, with k of small waves: a higher wave breaks before the wall, H > 0.142 L tanh kh (Miche
+/// 1944).
 constexpr double highest_that_comes = 0.142 * two_pi;
 
-/// Of g: crests fall no faster. The steepest wave of deep water has kH = 0.62 (Schwartz and Whitney, J. Fluid Mech. 107
-/// (1981) 147-171), and this one 0.60; the series go on to waves that there are not.
+/// In units of g: crests fall no faster. The steepest wave of deep water has kH = 0.62 (Schwartz and Whitney, J.
+/// Fluid Mech. 107 (1981) 147-171); this limit gives 0.60. The series also converge for waves that do not exist.
 constexpr double fastest_crest = 0.8;
 
 [[noreturn]] void refuse(const StandingWaveGiven& given) {
@@ -80,7 +81,7 @@ namespace {
 
 using Rule = boost::math::quadrature::gauss<double, 10>;
 
-/// Of a function that has kinks at still water and at the surface alone.
+/// Integral of a function that has kinks only at still water and at the surface.
 double integral_over_wall(const std::function<double(double)>& f, double from, double to, double surface) {
   std::vector<double> ends{from};
   for (const double kink : {std::min(surface, 0.), std::max(surface, 0.)})
@@ -109,11 +110,11 @@ WallPressure wall_pressure(const StandingWave& wave, const Section& section, dou
 
 namespace {
 
-/// Where f is least in a period: by samples, then between the neighbours of the least.
+/// Time in a period at which f is least: found among samples, then between the neighbours of the least one.
 double least_at(const std::function<double(double)>& f, double period) {
   constexpr int samples = 64;
   int least = 0;
-  // it is the same before the crest as after it
+  // f is symmetric about the crest
   for (int i = 1; i <= samples / 2; ++i)
     if (f(i * period / samples) < f(least * period / samples)) least = i;
   const double dt = period / samples;
@@ -143,7 +144,8 @@ std::vector<double> wall_heights(const StandingWave& wave, const Section& sectio
 }
 
 std::vector<double> wall_pressures(const StandingWave& wave, const std::vector<double>& heights, double time) {
-  // the projection on functions that are linear between the heights, to which 1 and y belong
+  // projection on functions that are linear between the heights; it keeps the force and the moment (test functions 1
+  // and y)
   const auto n = static_cast<Eigen::Index>(heights.size());
   Eigen::MatrixXd mass = Eigen::MatrixXd::Zero(n, n);
   Eigen::VectorXd load = Eigen::VectorXd::Zero(n);

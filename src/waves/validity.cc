@@ -10,7 +10,7 @@ namespace upbead {
 
 namespace {
 
-/// What the judgements below share.
+/// The data that all checks below use.
 struct Situation {
   const Section& section;
   const Water& water;
@@ -23,8 +23,9 @@ std::string metres(double value) {
   return significant(value, 4) + " m";
 }
 
-/// Where Deltares' coastal-structures-toolbox 1.0.0 says that Goda's formulas do not do: waves that break on a steep
-/// bed, and waves that break on a high mound. It takes H_0'/L_0, here H_1/3 at the wall over L_0.
+/// Where Deltares' coastal-structures-toolbox 1.0.0 says that Goda's formulas do not apply: waves that break on a
+/// steep bed, and waves that break on a high mound. The toolbox takes H_0'/L_0; here H_1/3 at the wall over L_0 is
+/// used.
 bool may_break_impulsively(const Situation& s) {
   const double angle = s.wave.angle / boost::math::constants::degree<double>();
   const double berm = s.section.berm_width / s.L, Hs = s.wave.significant_height;
@@ -57,7 +58,8 @@ void judge_wave(const Situation& s, std::vector<Warning>& list) {
         {"long_period", "T = " + significant(s.wave.period, 4) + " s is longer than 30 s, where the tests end"});
 }
 
-/// The usual slip is kN for N, or W in place of W'; a caisson's footing or rounded corners make no fifth.
+/// The usual mistake is kN for N, or W in place of W'; a footing or rounded corners change the buoyancy by less than
+/// a fifth.
 void judge_weight(const Situation& s, std::vector<Warning>& list) {
   const Section& c = s.section;
   const double given = c.weight - c.submerged_weight;

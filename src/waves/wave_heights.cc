@@ -21,7 +21,7 @@ double small_amplitude_shoaling(const Approach& a, double gravity) {
   return 1. / std::sqrt((1. + 2. * kh / std::sinh(2. * kh)) * std::tanh(kh));
 }
 
-constexpr double surf = 0.2;  ///< h/L_0 from which nothing breaks
+constexpr double surf = 0.2;  ///< h/L_0 from which waves do not break
 /// Powers of H_0'/L_0 in beta_0 and beta_max.
 constexpr double deep_power = -0.38, largest_power = -0.29;
 
@@ -40,7 +40,7 @@ BreakingCoefficients of_highest(double steepness, double slope) {
           std::max(1.65, 0.53 * std::pow(steepness, largest_power) * std::exp(2.4 * slope))};
 }
 
-/// Of K_s, what the finite height adds.
+/// The addition to K_s for a finite height.
 double finite_shoaling(const Approach& a, double L0) {
   return 0.0015 * std::pow(a.depth / L0, -2.87) * std::pow(a.deep_water_height / L0, 1.27);
 }
@@ -59,8 +59,8 @@ DesignHeights heights_of(const Approach& a, double L0, double small) {
   return heights;
 }
 
-/// H_0'/L_0 that shoals to `relative_height` H/L_0, by Newton's method. Its function is convex: from above the guesses
-/// fall until rounding stops them.
+/// H_0'/L_0 that shoals to `relative_height` H/L_0, by Newton's method. The function is convex: from a start above
+/// the root the guesses fall until rounding stops them.
 double shoaled_from(double relative_height, double relative_depth, double small) {
   const double finite = 0.0015 * std::pow(relative_depth, -2.87);
   double s = std::min(relative_height / small, std::pow(relative_height / finite, 1. / 2.27));
@@ -86,10 +86,10 @@ SeaBefore sea_before(double significant_height, Approach place, double gravity) 
   require_positive(significant_height, "significant height", "the sea in deep water needs");
   const double L0 = deep_water_wavelength(place.period, gravity), small = small_amplitude_shoaling(place, gravity);
   const double x = significant_height / L0, depth = place.depth / L0;
-  // Each branch of H_1/3 grows with H_0': the least of them is H_1/3 where the largest of their inverses is H_0'.
+  // Each branch of H_1/3 grows with H_0', and H_1/3 is the least of them: H_0' is the largest of their inverses.
   double steepness = shoaled_from(x, depth, small);
   if (depth < surf) {
-    const BreakingCoefficients one = of_significant(1., place.bed_slope);  // beta_0 and beta_max fall with powers of it
+    const BreakingCoefficients one = of_significant(1., place.bed_slope);  // beta_0, beta_max: powers of steepness
     const double broken = std::pow(std::max(x - one.depth * depth, 0.) / one.deep, 1. / (1. + deep_power));
     const double sloping = 0.32 * std::exp(2.4 * place.bed_slope);
     const double largest = std::min(x / 0.92, std::pow(x / sloping, 1. / (1. + largest_power)));

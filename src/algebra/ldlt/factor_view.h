@@ -15,11 +15,11 @@ struct FactorView {
   const double *entries, *inverse_pivot;
 };
 
-/// x = D^-1 L^-1 x by the supernodes of `factor`; returns the end of their entries. Compiled for AVX2 with fused
-/// multiply-add, and for what every processor of the platform has.
+/// x = D^-1 L^-1 x by the supernodes of `factor`; returns the end of its entries. Compiled twice: for AVX2 with fused
+/// multiply-add, and for every processor of the platform.
 const double* forward_avx2(const FactorView& factor, double* x, int n_columns, double* work);
 const double* forward_baseline(const FactorView& factor, double* x, int n_columns, double* work);
-/// x = L^-T x; `end` is that of the entries.
+/// x = L^-T x; `end` is the end of the entries.
 void backward_avx2(const FactorView& factor, const double* end, double* x, int n_columns, double* work);
 void backward_baseline(const FactorView& factor, const double* end, double* x, int n_columns, double* work);
 

@@ -63,7 +63,7 @@ PanelEntries find_panel_entries(const SparseMatrix& A, const Supernodes& nodes) 
 
 namespace {
 
-/// One factorisation.
+/// The working data of one factorisation.
 class Multifrontal {
  public:
   Multifrontal(const Supernodes& nodes, const PanelEntries& entries, const double* values,
@@ -108,7 +108,7 @@ class Multifrontal {
     }
   }
 
-  /// Adds what the child left, its lower triangle (extend-add).
+  /// Adds the lower triangle of the child's Schur complement (extend-add).
   void add_child(int s, int child) {
     const int width = nodes_.width(s), height = nodes_.height(s), n_left = height - width;
     const int* rows = nodes_.rows.data() + nodes_.row_begin[child] + nodes_.width(child);
@@ -126,7 +126,7 @@ class Multifrontal {
     }
   }
 
-  /// Returns how many pivots others stand for.
+  /// Returns how many zero pivots were replaced.
   int eliminate(int s, const Panel& panel) {
     sign_.assign(static_cast<std::size_t>(panel.width), 1);
     if (!signs_.empty()) std::copy_n(signs_.begin() + nodes_.first[s], panel.width, sign_.begin());
@@ -150,8 +150,8 @@ class Multifrontal {
   const double* values_;
   const std::vector<int>& signs_;
   std::vector<int> first_child_, next_sibling_;
-  std::vector<std::vector<double>> left_;  ///< per supernode: its Schur complement, until its parent has taken it
-  std::vector<int> place_;                 ///< per row: where it is in the present front
+  std::vector<std::vector<double>> left_;  ///< per supernode: its Schur complement, until its parent has added it
+  std::vector<int> place_;                 ///< per row: its place in the present front
   std::vector<double> columns_, work_;
   std::vector<int> sign_, rows_of_child_;
 };

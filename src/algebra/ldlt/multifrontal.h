@@ -9,7 +9,7 @@
 
 namespace upbead::detail {
 
-/// For each supernode, the entries of A in its columns, so that assembling other values needs no search.
+/// For each supernode, the entries of A in its columns, so that assembly of other values needs no search.
 struct PanelEntries {
   struct Entry {
     int source;  ///< among the stored values of A
@@ -19,29 +19,31 @@ struct PanelEntries {
   std::vector<Entry> entries;
 };
 
-/// Of the lower triangle of A, whose pattern `nodes` were found from.
+/// Entries of the lower triangle of A; `nodes` were found from the pattern of A.
 PanelEntries find_panel_entries(const SparseMatrix& A, const Supernodes& nodes);
 
-/// Half of the digits: what it changes, iterative refinement mends, and what is lost in it as well.
+/// Magnitude of a pivot that replaces zero, half of the digits of a double: iterative refinement corrects the change
+/// of the matrix, and the round-off that the small pivot causes.
 constexpr double stand_in = 1e-8;
 
 /// P A P^T = L D L^T, L of unit diagonal.
 struct Factor {
   BigArray entries;           ///< slabs of all supernodes, one after the other
-  std::size_t n_entries = 0;  ///< their number, with the zeros that fill them up
+  std::size_t n_entries = 0;  ///< number of entries, including the zeros that pad them
   Vector inverse_pivot;       ///< 1 / D, in elimination order
-  int n_stand_ins = 0;        ///< pivots that were zero, in whose place another one stands: L D L^T is not A there
+  int n_stand_ins = 0;        ///< number of zero pivots that were replaced: L D L^T is not A there
 };
 
-/// Room for the factor that has this pattern.
+/// Memory for the factor with this pattern.
 Factor make_factor(const Supernodes& nodes);
 
-/// The multifrontal method (Duff & Reid, ACM Trans. Math. Softw. 9 (1983) 302): each supernode gathers its entries of A
-/// and what its children leave, eliminates its columns by signed Cholesky, and leaves its own Schur complement to its
-/// parent. `values` are those of A, equilibrated. `sum_root`, where given, adds up what all processes have gathered of
-/// the last supernode (its columns, the lower triangle of which counts). `signs`, where given, are those that pivots
-/// should have, in elimination order; then +-stand_in takes the place of a pivot that is zero (static pivoting: Li and
-/// Demmel, ACM Trans. Math. Softw. 29 (2003) 110). Throws NumericsError on a pivot that is not finite, or zero.
+/// The multifrontal method (Duff & Reid, ACM Trans. Math. Softw. 9 (1983) 302): each supernode gathers its entries of
+/// A and the Schur complements of its children, eliminates its columns by signed Cholesky, and passes its own Schur
+/// complement to its parent. `values` are those of A, equilibrated. `sum_root`, where given, sums over all processes
+/// the columns that they have gathered for the last supernode (only the lower triangle matters). `signs`, where
+/// given, are the signs that pivots should have, in elimination order; then +-stand_in replaces a zero pivot (static
+/// pivoting: Li and Demmel, ACM Trans. Math. Softw. 29 (2003) 110). Throws NumericsError on a pivot that is not
+/// finite, or zero.
 void factorise(const Supernodes& nodes, const PanelEntries& entries, const double* values, Factor& factor,
                const std::function<void(std::vector<double>& columns)>& sum_root = {},
                const std::vector<int>& signs = {});

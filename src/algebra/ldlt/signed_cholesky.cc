@@ -16,7 +16,7 @@ namespace {
 constexpr int block_width = 24, product_width = 64;
 constexpr double one = 1., minus_one = -1.;
 
-/// The diagonal block at column `begin`, column by column; returns as `factorise` does.
+/// Factorises the diagonal block at column `begin`, column by column; returns as `factorise` does.
 int factorise_block(const Panel& panel, int begin, int end, int* sign, double stand_in) {
   for (int j = begin; j < end; ++j) {
     double* column = panel.column(j);
@@ -32,7 +32,7 @@ int factorise_block(const Panel& panel, int begin, int end, int* sign, double st
   return end;
 }
 
-/// Rows below the diagonal block: A21 -> L21 = A21 L11^-T J.
+/// Rows below the diagonal block: A21 becomes L21 = A21 L11^-T J.
 void solve_below(const Panel& panel, int begin, int end, const int* sign) {
   const PetscBLASInt n_rows = panel.height - end, n_columns = end - begin, height = panel.height;
   BLAStrsm_("R", "L", "T", "N", &n_rows, &n_columns, &one, panel.column(begin) + begin, &height,
@@ -72,7 +72,7 @@ void subtract_outer_product(const Panel& factor, const int* sign, double* U, std
   const PetscBLASInt n = factor.height - factor.width;
   if (n == 0) return;
   const auto turn = blas_turn();
-  // columns by sign, so that each half is one product of half the work
+  // columns sorted by sign: the product of each sign is a syrk, half the work of a full product
   work.resize(static_cast<std::size_t>(n) * factor.width);
   double* end = work.data();
   for (const int wanted : {1, -1}) {

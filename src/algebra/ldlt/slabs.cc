@@ -15,8 +15,8 @@ void scale_to_unit_diagonal(const Panel& factor, const int* sign, double* invers
   }
 }
 
-/// M of the slab at column `begin`, by columns of `padded` rows: m_j = (-e_j's part of L) - sum_(k > j) m_k l_kj, from
-/// the last column to the first.
+/// M of the slab at column `begin`, by columns of `padded` rows, from the last column to the first:
+/// m_j = -l_j - sum_(k > j) l_kj m_k, with l_j the part of column j of L below the diagonal.
 void find_slab(const Panel& unit, int begin, int width, std::size_t padded, std::vector<double>& M) {
   M.assign(padded * static_cast<std::size_t>(width), 0.);
   const int n_rows = unit.height - begin;

@@ -1,4 +1,4 @@
-// The factor L as a solve streams through it.
+// The factor L, stored in the order in which a solve reads it.
 #pragma once
 
 #include <cstddef>
@@ -9,17 +9,17 @@
 
 namespace upbead::detail {
 
-/// A panel [L11; L21], scaled to a unit diagonal, is cut into slabs of up to 8 columns, from the first on; a slab
-/// begins at the row of its first column and is cut into tiles of 8 rows, filled up with zeros, each stored by columns.
-/// With T the triangle of a slab's columns and R what stands below it, the slab holds
+/// A panel [L11; L21], scaled to a unit diagonal, is cut into slabs of up to 8 columns, from the first column on. A
+/// slab begins at the row of its first column and is cut into tiles of 8 rows, padded with zeros, each stored by
+/// columns. With T the triangle in the rows of a slab's own columns and R the rows below, the slab holds
 ///   M = [T^-1 - I; -R T^-1],
-/// so that elimination with it is t += M t_slab and substitution t_slab += M^T t: products alone, no divisions, no
-/// chain from column to column (partitioned inverse: Alvarado & Schreiber, SIAM J. Sci. Comput. 14 (1993) 446).
+/// so that elimination is t += M t_slab and substitution t_slab += M^T t: products alone, no divisions, and no column
+/// waits for another (partitioned inverse: Alvarado & Schreiber, SIAM J. Sci. Comput. 14 (1993) 446).
 inline int n_tiles(int height) {
   return (height + slab_width - 1) / slab_width;
 }
 
-/// Entries of all slabs of a panel.
+/// Number of entries in all slabs of a panel.
 std::size_t n_slab_entries(int height, int width);
 
 /// Writes the slabs of a factorised panel to `out` and 1 / (sign l_jj^2) to `inverse_pivot`; overwrites the panel.

@@ -26,7 +26,7 @@ class Cholmod {
 };
 
 /// Measured on plane Q2 meshes: nested dissection (CHOLMOD's own, METIS) has 3 to 10 % fewer entries in L from 40,000
-/// unknowns on, but takes 6 to 8 times as long to find as minimum degree: more than 500 solves win back.
+/// unknowns on, but takes 6 to 8 times as long to find as minimum degree: it pays only after more than 500 solves.
 void choose_methods(cholmod_common& common) {
   common.print = 0;
   common.nmethods = 1;
@@ -35,7 +35,7 @@ void choose_methods(cholmod_common& common) {
   common.supernodal = CHOLMOD_SUPERNODAL;
 }
 
-/// Rows of A are taken for the columns of its transpose, so that the lower triangle becomes the upper one (stype 1).
+/// CHOLMOD reads rows of A as columns of its transpose, so that the lower triangle becomes the upper one (stype 1).
 cholmod_sparse pattern_of(const SparseMatrix& A) {
   cholmod_sparse pattern{};
   pattern.nrow = pattern.ncol = static_cast<std::size_t>(A.rows());
@@ -65,7 +65,7 @@ void find_parents(Supernodes& nodes) {
         nodes.width(s) < nodes.height(s) ? supernode_of[nodes.rows[nodes.row_begin[s] + nodes.width(s)]] : -1;
 }
 
-/// The pattern of A with all entries between the unknowns that are last.
+/// The pattern of A, with all entries between the `last` unknowns added.
 SparseMatrix with_dense_block(const SparseMatrix& A, const std::vector<int>& last) {
   std::vector<bool> is_last(static_cast<std::size_t>(A.rows()), false);
   for (const int i : last) is_last[i] = true;
@@ -83,8 +83,8 @@ SparseMatrix with_dense_block(const SparseMatrix& A, const std::vector<int>& las
   return Eigen::Map<const SparseMatrix>(A.rows(), A.cols(), outer.back(), outer.data(), inner.data(), zeros.data());
 }
 
-/// Minimum degree with the unknowns that are `last` after all others, in their order: they are a clique, so that every
-/// order of them is as good.
+/// Minimum degree, with the `last` unknowns after all others, in their order: as they form a clique, their order does
+/// not matter.
 std::vector<int> constrained_order(cholmod_sparse& pattern, const std::vector<int>& last, cholmod_common* common) {
   std::vector<int> is_last(pattern.nrow, 0), order(pattern.nrow);
   for (const int i : last) is_last[i] = 1;
@@ -94,7 +94,7 @@ std::vector<int> constrained_order(cholmod_sparse& pattern, const std::vector<in
   return order;
 }
 
-/// Makes the last columns, `last` in their order, one supernode: CHOLMOD may have merged others with them.
+/// Makes the last columns, those of `last`, a supernode of their own: CHOLMOD may have merged others with them.
 void cut_off_root(Supernodes& nodes, const std::vector<int>& last) {
   const auto n_last = static_cast<int>(last.size()), begin = static_cast<int>(nodes.order.size()) - n_last;
   if (!std::equal(last.begin(), last.end(), nodes.order.begin() + begin))

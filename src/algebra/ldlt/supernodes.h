@@ -1,4 +1,4 @@
-// Which columns of the triangular factor of a sparse symmetric matrix share their pattern.
+// Columns of the triangular factor of a sparse symmetric matrix that share their pattern.
 #pragma once
 
 #include <vector>
@@ -7,9 +7,9 @@
 
 namespace upbead::detail {
 
-/// The elimination order of the unknowns and the pattern of L, cut into supernodes: runs of columns of L that have one
-/// pattern below their triangle. Children come before their parents, and all descendants of a supernode stand right
-/// before it (postorder).
+/// The elimination order of the unknowns and the pattern of L, cut into supernodes: runs of columns of L with the
+/// same pattern below their triangle. Children come before their parents, and all descendants of a supernode stand
+/// right before it (postorder).
 struct Supernodes {
   std::vector<int> order;      ///< order[k]: the unknown that is eliminated k-th
   std::vector<int> first;      ///< first column of each supernode; n at the end
@@ -26,9 +26,9 @@ struct Supernodes {
 /// Rajamanickam, ACM Trans. Math. Softw. 35 (2008) 22). Reads the pattern of the lower triangle of A. Throws
 /// NumericsError where CHOLMOD fails.
 ///
-/// The unknowns that are `last` (ascending) are eliminated last, in their order, and are the columns of the last
-/// supernode, the root, whole though A may have no entry there: other processes may. The ordering of the others knows
-/// of it (constrained minimum degree, CAMD).
+/// The `last` unknowns (ascending) are eliminated last, in this order, and are the columns of the last supernode, the
+/// root. The root is taken as dense, as other processes may have entries where A has none. The ordering of the other
+/// unknowns takes account of the root (constrained minimum degree, CAMD).
 Supernodes find_supernodes(const SparseMatrix& A, const std::vector<int>& last = {});
 
 }  // namespace upbead::detail

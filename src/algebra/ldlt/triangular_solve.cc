@@ -22,7 +22,8 @@ FactorView view(const Supernodes& nodes, const Factor& factor) {
           factor.inverse_pivot.data()};
 }
 
-/// Measured (AMD EPYC, Zen 4): AVX2 saves a quarter of a solve where the factor lies in the cache, AVX-512 no more.
+/// Measured (AMD EPYC, Zen 4): AVX2 saves a quarter of a solve where the factor lies in the cache; AVX-512 saves no
+/// more.
 static bool has_avx2() {
 #ifdef UPBEAD_AVX2
   static const bool has = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");

@@ -1,6 +1,6 @@
 // The loops of a triangular solve, for vectors of `lanes` doubles. Included by one source file for each instruction
-// set, which is compiled with that set's options; everything is local to that file, and no code of a library is used,
-// so that no other file gets code for instructions that its processor may lack.
+// set, which is compiled with that set's options. Everything is local to that file and no library code is used, so
+// that no other file gets instructions that its processor may lack.
 #pragma once
 
 #include <cstddef>
@@ -21,7 +21,7 @@ const Lanes& at(const double* p) {
   return *reinterpret_cast<const Lanes*>(p);
 }
 
-/// t += M t_slab. Two sums, so that no product waits for the one before.
+/// t += M t_slab. Two sums, so that a product need not wait for the one before.
 template <int width>
 [[gnu::always_inline]] inline void eliminate(const double* M, int tiles, double* t) {
   double x[width];
@@ -58,8 +58,8 @@ struct Width {
   static constexpr int value = n;
 };
 
-/// Calls with the width known to the compiler. Written out so that the loops are in line: calls through pointers cost a
-/// fifth of a solve where the factor lies in the cache.
+/// Calls `call` with a width that the compiler knows. Written out so that the loops are inlined: calls through
+/// pointers cost a fifth of a solve where the factor lies in the cache.
 template <class Call>
 [[gnu::always_inline]] inline void with_width(int width, const Call& call) {
   switch (width) {

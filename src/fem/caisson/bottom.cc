@@ -66,7 +66,7 @@ bool bottom_is_level(const Mesh& mesh) {
       if (cell->at_boundary(f) || mesh.surface_of(cell->neighbor(f)) == caisson_name) continue;
       if (face->center()[1] > cell->center()[1] ||
           std::abs(face->vertex(1)[0] - face->vertex(0)[0]) < face->measure() / 2)
-        continue;  // its sides
+        continue;  // sides of the caisson
       for (unsigned v = 0; v < 2; ++v) lowest = std::min(lowest, face->vertex(v)[1]);
       for (unsigned v = 0; v < 2; ++v) highest = std::max(highest, face->vertex(v)[1]);
       length += face->measure();
@@ -91,7 +91,7 @@ std::vector<Reading> interface_readings(const Unknowns& unknowns, const std::vec
 
 void for_each_gap_term(const Space& space, const Unknowns& unknowns, const std::vector<InterfaceNode>& nodes,
                        const std::function<void(const FaceTerms&)>& visit) {
-  std::map<types::global_dof_index, int> opening;  // by uy
+  std::map<types::global_dof_index, int> opening;  // index of the opening, by uy
   for (std::size_t i = 0; i < nodes.size(); ++i) opening[nodes[i].uy] = unknowns.opening(static_cast<int>(i));
   FaceTerms terms;
   for_each_bottom_face(space, [&](const Cell& cell, unsigned f) {

@@ -31,7 +31,7 @@ std::optional<Caisson> find_caisson(const Space& space) {
 
 namespace {
 
-/// Momentum of a deformable caisson: the integral of density times velocity times a unit motion.
+/// Momentum of a caisson that deforms: the integral of density times velocity times a unit motion.
 Row deformable_momentum(const Space& space, const Unknowns& unknowns, const Body& body, double density, int motion) {
   std::map<int, double> row;
   const QGauss<dim> quadrature(static_cast<unsigned>(space.degree()) + 1);
@@ -69,7 +69,7 @@ std::array<Row, n_motions> momentum_rows(const Space& space, const Unknowns& unk
 
 namespace {
 
-/// Nodes that hang between some that count and some that do not count as much as they follow these.
+/// A hanging node counts in each sum with the weights by which it follows other nodes that count there.
 void add_hanging(const Space& space, NodalSums& sums) {
   AffineConstraints<double> hanging;
   add_hanging_nodes(hanging, space);
@@ -109,7 +109,8 @@ std::vector<Vector> caisson_motions(const Space& space, const Unknowns& unknowns
   std::vector<Vector> motions(static_cast<std::size_t>(sums.n), Vector::Zero(unknowns.size()));
   for (unsigned dof = 0; dof < sums.of_dof.size(); ++dof) {
     const Row& expansion = unknowns.expansion(dof);
-    if (expansion.size() != 1 || expansion.front().second != 1.) continue;  // it follows others
+    // not an unknown of its own: it follows other unknowns
+    if (expansion.size() != 1 || expansion.front().second != 1.) continue;
     for (const auto& [motion, part] : sums.of_dof[dof]) motions[motion][expansion.front().first] = part;
   }
   return motions;

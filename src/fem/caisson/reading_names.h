@@ -1,9 +1,9 @@
-// How the readings of the caisson are called.
+// Names of the caisson's readings.
 #pragma once
 
 namespace upbead {
 
-/// Texts of the readings that others look up.
+/// Names of readings that other code looks up.
 namespace reading {
 inline const char* const force = "force";                              ///< P, horizontal load on the caisson
 inline const char* const water_force = "water_force";                  ///< P_water, of the modelled water

@@ -10,14 +10,14 @@ using namespace dealii;
 
 namespace {
 
-/// One entry per load.
+/// `factor` times a component of each load on the caisson; one entry per load.
 std::vector<double> feedthrough(const SceneLoads& loads, double LoadOnCaisson::*part, double factor) {
   std::vector<double> values;
   for (const LoadOnCaisson& load : loads.on_caisson) values.push_back(factor * load.*part);
   return values;
 }
 
-/// Force that the caisson exerts on the ground in one unit motion: the ground's own balance at the caisson's nodes.
+/// Force of the caisson on the ground in one unit motion: from the balance of the ground at the caisson's nodes.
 Reading ground_force(const NodalReaction& ground, const SceneLoads& loads, int motion, double sign) {
   Reading r;
   r.position = scaled(ground.position(motion), sign);
@@ -35,7 +35,7 @@ Reading named(Reading r, ReadingName name, std::string unit, std::string descrip
   return r;
 }
 
-/// Force of the modelled water on the caisson, landward; `water` is what its surroundings exert on the water.
+/// Landward force of the modelled water on the caisson. `water`: force of the surroundings on the water.
 Row water_row(const NodalReaction& water) {
   return scaled(water.velocity(motion_x), -1.);
 }
@@ -161,12 +161,13 @@ std::array<Row, n_motions> uplift_rows(const Space& space, const Unknowns& unkno
 
 namespace {
 
-/// Integrals of the pore pressure times the shape function of a node: of its amount, and of its push upward.
+/// Integrals of the pore pressure times the shape function of a node: of the pressure itself, and of its upward
+/// component on the caisson.
 struct PorePush {
   std::map<int, double> amount, upward;
 };
 
-/// By the degree of freedom u_y of the node.
+/// By the degree of freedom u_y of the node on the ground.
 std::map<types::global_dof_index, PorePush> pore_pushes(const Space& space, const Unknowns& unknowns) {
   std::map<types::global_dof_index, PorePush> of_node;
   for_each_bottom_face(space, [&](const Cell& ground, unsigned f) {
@@ -198,7 +199,7 @@ Row sum(Row row, const std::map<int, double>& more, double factor) {
   return to_row(entries);
 }
 
-/// A sum of the nodal forces on the ground, times a factor.
+/// A stress: a sum of the nodal forces on the ground, times a factor.
 Reading stress(const ReadingName& name, const char* description, const NodalReaction& bottom, const SceneLoads& loads,
                int sum, double factor) {
   Reading reading{name,

@@ -53,7 +53,7 @@ Body make_body(const Space& space, const std::string& name) {
     first_moment += weight * point;
   });
   body.centre = Point<dim>(first_moment / body.area);
-  for (unsigned d = 0; d < dim; ++d)  // a body in the middle stands at 0, not at round-off beside it
+  for (unsigned d = 0; d < dim; ++d)  // a symmetric body has its centre at 0, without round-off
     if (std::abs(body.centre[d]) < 1e-12 * std::sqrt(body.area)) body.centre[d] = 0.;
   double second_moment = 0.;  // polar, about the centroid (m4)
   for_each_point(space, name, [&](const Point<dim>& point, double weight) {

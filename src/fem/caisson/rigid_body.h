@@ -25,10 +25,11 @@ struct Body {
   double area = 0.;               ///< m2
   double mass = 0.;               ///< kg/m
   dealii::Point<dim> centre;      ///< centre of gravity (m)
-  double moment_of_inertia = 0.;  ///< about it (kg m2/m)
+  double moment_of_inertia = 0.;  ///< about the centre of gravity (kg m2/m)
 };
 
-/// Area, mass, centre and inertia of one region from its cells and the scene's overrides; evenly filled by default.
+/// Area, mass, centre and inertia of one region, from its cells and the values given in the scene; by default of even
+/// density.
 Body make_body(const Space& space, const std::string& region);
 
 /// The bodies of all rigid regions, in the order of the mesh's surfaces.
