@@ -81,10 +81,10 @@ struct SlipModel {
 SlipModel slip_model(const ReducedSystem& reduced, const SlipLaw& law, double damping_time = 0.);
 
 /// The motions that make up all phases, to compare reduced systems: the stuck motion under the loads, and the free
-/// motion under the loads and F_T, side by side. Loads: those of the reduced system, F_T the last. Readings: F_T of
-/// the stuck motion, F_T + N' of the free one, s' of the free one, and N' of the free one with both F_T. So an error
-/// of N' is compared with the forces that it limits, and not with N' itself, which is zero where all is symmetric.
-/// Throws as slip_model() does.
+/// motion under the loads and F_T, side by side. Loads: those of the reduced system, F_T the last. Readings: F_T and
+/// F_T + N' of the stuck motion, s' of the free motion, and N' of the free motion plus both F_T. So an error of N' is
+/// compared with the forces that it limits, and not with N' itself, which is zero where all is symmetric. Throws as
+/// slip_model() does.
 ModalModel stuck_and_free(const ReducedSystem& reduced, const SlipLaw& law);
 
 }  // namespace upbead
