@@ -178,7 +178,7 @@ void add_labels(ModalModel& modes, const ReducedSystem& reduced, const std::vect
   for (const int i : wanted) modes.reading_label.push_back(reduced.reading_label[i]);
 }
 
-/// The readings of two models one after the other; the second has the loads, the first all but the last.
+/// The readings of two models one after the other; the second has all loads, the first all but the last.
 ModalModel side_by_side(const ModalModel& a, const ModalModel& b) {
   const Eigen::Index m = a.n_modes(), n = b.n_modes(), i = a.n_readings(), j = b.n_readings();
   ModalModel both;

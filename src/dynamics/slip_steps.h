@@ -64,7 +64,7 @@ class SlipWithinStep {
  public:
   /// `rows`: of the velocities on which the loads do work, see load_rows(); `step` in s.
   SlipWithinStep(const SlipPhase& phase, const Eigen::MatrixXd& rows, double step);
-  /// From a state, under loads that go from `begin` to `end`.
+  /// Bounds for a step from a state, under loads that go from `begin` to `end`.
   SlipBends bends(const detail::SplitArray& from, const Eigen::VectorXd& begin, const Eigen::VectorXd& end) const;
   /// Work of the loads (J/m), with `to` the state at the end: int f v = mean f int v + change of f int (t/h - 1/2) v.
   /// The first integral is exact. In the second v counts as straight; a bend of v makes it wrong by a quarter of the

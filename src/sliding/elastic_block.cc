@@ -90,7 +90,7 @@ class BlockOnBase {
   const ElasticSliding& result() const { return result_; }
 
  private:
-  /// Goes through a part, with up to 8 changes of phase; a phase that begins and ends within a part may be missed.
+  /// Goes through a part phase by phase, 8 phases at most; a phase that ends at its very beginning is passed over.
   void pass_part(Stretch part) {
     for (int changes = 0; part.length > 0. && changes < 8; ++changes) {
       const double passed = direction_ == 0 ? stick(part, changes > 0) : slip(part);

@@ -1,4 +1,4 @@
-// The reduced space of a caisson that slips, made beside the bonded caisson on another core.
+// The reduced space of a caisson that slips, made on another core while the bonded caisson is solved.
 #pragma once
 
 #include <future>
