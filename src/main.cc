@@ -1,5 +1,5 @@
-// upbead: shear force and sliding of caisson breakwaters under impulsive waves. What meshes or solves is left to
-// upbead-solver, which lies beside this program.
+// upbead: shear force and sliding of caisson breakwaters under impulsive waves. Commands that mesh or solve are
+// passed to upbead-solver, which lies beside this program.
 
 #include <unistd.h>
 
@@ -20,9 +20,9 @@ bool is_solvers(const std::string& word) {
   return std::any_of(commands.begin(), commands.end(), [&word](const auto& command) { return command.name == word; });
 }
 
-/// Large arrays in pages of 2 MB, and memory that one of them frees kept for the next: page faults took a quarter of a
-/// run's time. glibc reads this from the environment, before a program begins (its manual: Memory Allocation Tunables);
-/// what the user has set stays, other C libraries ignore it.
+/// Lets glibc place large arrays in pages of 2 MB and keep freed memory for the next array: page faults took a
+/// quarter of a run's time. glibc reads these settings from the environment before a program begins (its manual:
+/// Memory Allocation Tunables). Settings of the user are kept; other C libraries ignore them.
 void prefer_large_pages() {
   constexpr int keep_the_users = 0;
   setenv("GLIBC_TUNABLES",
@@ -31,7 +31,7 @@ void prefer_large_pages() {
          keep_the_users);
 }
 
-/// Becomes the solver, with the same words.
+/// Replaces this process by the solver, with the same command line.
 [[noreturn]] void become_solver(char** argv) {
   prefer_large_pages();
   const std::string solver = (std::filesystem::read_symlink("/proc/self/exe").parent_path() / "upbead-solver").string();
@@ -39,7 +39,7 @@ void prefer_large_pages() {
   throw upbead::InputError({}, "cannot start '" + solver + "', which meshes and solves", "install upbead again, whole");
 }
 
-/// The tables of `explain`, which need no solver; "" where none is asked for alone.
+/// The table that `explain` prints without a solver; "" where the command asks for something else.
 std::string table(const std::vector<std::string>& words) {
   if (words == std::vector<std::string>{"explain", "--keys"}) return upbead::case_reference();
   if (words == std::vector<std::string>{"explain", "--schema"}) return upbead::case_json_schema();

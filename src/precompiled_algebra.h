@@ -1,4 +1,4 @@
-// Headers of others that most files of the layers algebra to expected read.
+// Headers of other projects that most files of the layers from algebra to expected include.
 #pragma once
 
 #include <Eigen/Dense>

@@ -1,4 +1,5 @@
-// Headers of others that most files from the layer fem on read; precompiled, as reading them takes seconds.
+// Headers of other projects that most files from the layer fem on include; precompiled, as reading them takes
+// seconds.
 #pragma once
 
 #include <deal.II/dofs/dof_handler.h>

@@ -17,11 +17,11 @@ namespace upbead {
 
 namespace {
 
-/// Where cells are split as the tolerance asks: for tolerances of 1 % and less it needs fewer unknowns than degree 2
-/// (docs/performance.md).
+/// Polynomial degree where the tolerance decides which cells are split: for tolerances of 1 % and less degree 3 needs
+/// fewer unknowns than degree 2 (docs/performance.md).
 constexpr int adapted_degree = 3;
 
-/// A force landward in the scene; its shape follows with the mesh.
+/// Adds a landward force to the scene; its shape over the wall is set once the mesh is known.
 void make_wave(Case& problem, const std::string& name, const CaseTables& tables, LoadTable& table) {
   const Place place = problem.place(dotted("loads", name) + ".wave.height");
   const auto wave = [&] {
@@ -38,7 +38,7 @@ void make_wave(Case& problem, const std::string& name, const CaseTables& tables,
   table.duration = wave->duration;
 }
 
-/// Reads a record of CFD, and makes of it what its keys say.
+/// Reads a record of CFD and turns it into a load as the keys say.
 void make_flow(Case& problem, const std::string& name, const CaseTables& tables, LoadTable& table) {
   const std::string path = dotted("loads", name);
   FlowContext context{path, &problem.document, tables.gravity};
@@ -60,7 +60,7 @@ void make_flow(Case& problem, const std::string& name, const CaseTables& tables,
   if (flow->pressure) problem.gauges[name] = {table, GaugeSource(), *flow->pressure};
 }
 
-/// Reads what a load runs by: a pulse, a history, a wave or transducers.
+/// Reads what gives the load its course in time: a pulse, a history, a wave, a wave train or transducers.
 void make_history(Case& problem, const std::string& name, const CaseTables& tables, LoadTable& table) {
   const std::string path = dotted("loads", name);
   if (!table.from.empty()) {
@@ -93,7 +93,7 @@ void make_history(Case& problem, const std::string& name, const CaseTables& tabl
   }
 }
 
-/// Makes the histories of all sound loads.
+/// Makes the histories of all loads whose tables have no mistakes.
 void make_histories(Case& problem, CaseTables& tables, Diagnostics& report) {
   for (auto& [name, table] : tables.load_tables) {
     if (!report.sound(dotted("loads", name))) continue;
@@ -106,7 +106,7 @@ void make_histories(Case& problem, CaseTables& tables, Diagnostics& report) {
   }
 }
 
-/// What [sliding] leaves to the one load by a wave.
+/// Fills the values that [sliding] takes from the one load by a wave.
 void add_wave_sliding(Case& problem, SlidingChoice& sliding) {
   const auto waves = acting_waves(problem);
   if (waves.size() != 1) return;
@@ -124,7 +124,7 @@ void add_wave_sliding(Case& problem, SlidingChoice& sliding) {
     sliding.uplift->peak = wave.load.factor * wave.pressure.uplift;
 }
 
-/// A contact by friction has the section's coefficient, where neither it nor [sliding] gives one.
+/// Gives a frictional contact the section's coefficient where neither the contact nor [sliding] gives one.
 void add_section_friction(CaseTables& tables) {
   if (!tables.section || tables.sliding_table || !has_frictional_contact(tables)) return;
   std::optional<double>& mu = tables.regions.at(caisson_name).interface->coefficient;
@@ -158,7 +158,7 @@ void make_sliding(Case& problem, CaseTables& tables, Diagnostics& report) {
   }
 }
 
-/// Loads by records of CFD, as written.
+/// Adds the tables of loads by records of CFD, as written.
 template <class PathText>
 void add_flow_tables(const Case& problem, PathText path_text, CaseTables& tables) {
   for (const auto& [name, by_flow] : problem.flows) {
@@ -171,7 +171,7 @@ void add_flow_tables(const Case& problem, PathText path_text, CaseTables& tables
   }
 }
 
-/// What a case says of sliding, as written.
+/// Adds the table [sliding], as written.
 template <class PathText>
 void add_sliding_table(const Case& problem, PathText path_text, CaseTables& tables) {
   const auto& sliding = problem.scene.sliding;
@@ -195,7 +195,7 @@ void add_sliding_table(const Case& problem, PathText path_text, CaseTables& tabl
   }
 }
 
-/// The tables as written, with the paths of files as `path_text` tells them.
+/// The tables as written, with each path of a file as `path_text` writes it.
 template <class PathText>
 CaseTables tables_of(const Case& problem, PathText path_text) {
   CaseTables tables;

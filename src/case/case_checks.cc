@@ -131,7 +131,7 @@ std::vector<std::string> keys_of(const Map& map) {
   return keys;
 }
 
-constexpr double least_lambda_1 = 1e-3;  ///< of a wave whose P is not all but nothing
+constexpr double least_lambda_1 = 1e-3;  ///< a wave whose lambda_1 is smaller has a P of nearly zero
 
 /// The checks of one load.
 class LoadCheck {
@@ -188,7 +188,7 @@ class LoadCheck {
     return false;
   }
 
-  /// What of the keys belongs to a record of CFD; what is missing is known once that is read.
+  /// Checks the keys of a load by a record of CFD; which keys are missing is only known once the record is read.
   void check_flow() const {
     for (const char* key : {"pulse", "history", "wave", "gauges", "heights", "ends", "gauge_unit", "zero",
                             "record_start", "sampling_rate", "load_cell", "direction", "at"})
@@ -206,7 +206,7 @@ class LoadCheck {
 
   void check_region() const {
     if (!check_name("region", load_.region, keys_of(tables_.regions), "regions")) return;
-    if (is_on_volume(load_.kind)) return;  // of which kind it must be, the mesh's checks tell
+    if (is_on_volume(load_.kind)) return;  // the checks of the mesh say which kind the region must be
     if (report_.sound(dotted("regions", load_.region)) && tables_.regions.at(load_.region).kind != RegionKind::rigid)
       wrong_.add("region", "region = " + to_toml(load_.region) + " is not rigid",
                  "load one of its boundaries instead; only a rigid region takes a load at a point");
@@ -324,7 +324,7 @@ void check_loads(const CaseTables& tables, const Document& document, Diagnostics
 
 namespace {
 
-/// The uplift of a wave is that of the one load by a wave.
+/// An uplift of kind "wave" needs exactly one load by a wave.
 void check_wave_uplift(const CaseTables& tables, const TableDiagnostics& wrong) {
   std::vector<std::string> names;
   for (const auto& [name, load] : tables.load_tables)
@@ -337,7 +337,7 @@ void check_wave_uplift(const CaseTables& tables, const TableDiagnostics& wrong) 
               "switch off all but one by factor = 0");
 }
 
-/// Exactly one of the ways to prescribe it.
+/// A prescribed uplift is given in exactly one way.
 void check_prescribed(const UpliftTable& uplift, const TableDiagnostics& wrong) {
   std::vector<std::string> ways;
   if (uplift.peak) ways.emplace_back("peak");
@@ -364,7 +364,7 @@ void check_uplift(const UpliftTable& uplift, const CaseTables& tables, const Doc
                 "remove [sliding.uplift] or the upward part of [" + dotted("loads", name) + "]");
 }
 
-/// Node by node and as a whole the caisson stands on one friction.
+/// The friction of the frictional contact, node by node, and that of the caisson as a whole must be the same.
 void check_contact(const SlidingTable& sliding, const CaseTables& tables, const TableDiagnostics& wrong) {
   const std::optional<double>& mu = tables.regions.at(caisson_name).interface->coefficient;
   if (mu && sliding.own_friction && *mu != *sliding.own_friction)
@@ -378,7 +378,7 @@ void check_contact(const SlidingTable& sliding, const CaseTables& tables, const 
 
 namespace {
 
-/// The section and [sliding] are one caisson's.
+/// The section and [sliding] describe one caisson, so a value given in both must be the same.
 void check_same(const std::string& key, const std::optional<double>& given, double of_section,
                 const TableDiagnostics& wrong) {
   if (given && *given != of_section)

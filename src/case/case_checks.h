@@ -6,12 +6,12 @@
 
 namespace upbead {
 
-/// Reports what is wrong with a table. Where some of its keys were refused already, only what is missing is news.
+/// Reports what is wrong with a table. Where some of its keys were refused already, only missing keys are reported.
 class TableDiagnostics {
  public:
   TableDiagnostics(std::string path, const Document& document, Diagnostics& report);
   void add(const std::string& key, const std::string& what, const std::string& cure) const;
-  /// What is wrong with the part of a scene that the table, or the table `below` it, has filled.
+  /// Adds what is wrong with the part of a scene that this table, or the table `below` it, has filled.
   void add(const Diagnostics& part, const std::string& below = "") const;
 
  private:

@@ -12,7 +12,7 @@ namespace upbead {
 
 namespace {
 
-/// What a mesh starts from that is refined where it must be.
+/// The coarse mesh from which adaptive refinement starts.
 const std::map<std::string, double> coarse_composite{{"cells", 0.35}, {"grading", 3.}};
 
 }  // namespace

@@ -18,7 +18,7 @@ namespace upbead {
 
 namespace {
 
-/// On the caisson, about its bottom's middle.
+/// The resultant on the caisson; its moment is about the middle of the bottom.
 Resultant on_caisson(const std::string& name, const GaugeLoad& by, const Simulation& simulation) {
   const std::size_t n = by.gauges.time.size();
   Resultant sum{std::vector<double>(n, 0.), std::vector<double>(n, 0.)};
@@ -33,7 +33,7 @@ Resultant on_caisson(const std::string& name, const GaugeLoad& by, const Simulat
   return sum;
 }
 
-/// Of an uplift, moments about the bottom's middle.
+/// The resultant of an uplift; its moment is about the middle of the bottom.
 Resultant on_bottom(const GaugeLoad& by) {
   const auto [from, to] = *by.source.ends;
   Resultant sum = resultant(by.gauges, from, to);
@@ -67,7 +67,7 @@ GaugeSummary summary_of(const std::string& name, const GaugeLoad& by, const Resu
   return s;
 }
 
-/// Of all transducers (model/gauges.h).
+/// Warnings of all transducers (model/gauges.h).
 NumberedWarnings transducer_warnings(const Case& input, const Simulation& simulation) {
   NumberedWarnings all;
   for (const auto& [name, by] : input.gauges)
@@ -81,7 +81,7 @@ NumberedWarnings transducer_warnings(const Case& input, const Simulation& simula
   return all;
 }
 
-/// A history has one value.
+/// Notes the columns of values that a history does not use: it uses only the first.
 void note_further_values(const CsvTable& table, const RecordLayout& layout, RecordNotes& notes) {
   if (layout.values.size() < 2) return;
   std::string what = column_text(table, layout.values[1]);
@@ -98,16 +98,16 @@ void note_history(const Case& input, const std::string& file, RecordNotes& notes
 }
 
 void note_gauges(const Case& input, const GaugeSource& source, RecordNotes& notes) {
-  if (source.gauges.empty()) return;  // of a record of CFD
+  if (source.gauges.empty()) return;  // such a load comes from a record of CFD
   const CsvTable table = read_record_head(input.resolve(source.gauges));
   RecordLayout layout = layout_of(table);
   if (source.sampling_rate) layout.time.reset();
   note_layout(table, layout, notes);
 }
 
-/// What is left out of the files of loads and uplift, counters and values beyond the first of a history, and what may
-/// be read wrongly. Only the beginning of each file is looked at once more: the rest of a long record would take as
-/// long as before.
+/// What is not used of the files of loads and uplift (counters, further columns of a history), and what may be read
+/// wrongly. Only the beginning of each file is read again: the whole of a long record would take as long as the first
+/// time.
 RecordNotes record_notes(const Case& input) {
   RecordNotes notes;
   for (const auto& [name, source] : input.sources) note_history(input, source.history, notes);
@@ -123,7 +123,7 @@ Record record_of(const std::string& name, const TimeFunction& f) {
   return record;
 }
 
-/// Those of all histories that come from files (model/record.h).
+/// Warnings of all histories that come from files (model/record.h).
 NumberedWarnings history_warnings(const Case& input) {
   NumberedWarnings all;
   const auto add = [&all](const std::string& name, const TimeFunction& f) {
@@ -137,7 +137,8 @@ NumberedWarnings history_warnings(const Case& input) {
   return all;
 }
 
-/// First time at which a function of time is not zero, by its samples and its kinks; none where it never is.
+/// First time at which a function of time is not zero, looked for at its samples and kinks; none where it is always
+/// zero.
 std::optional<double> first_action(const TimeFunction& f) {
   std::vector<double> times = f.samples().empty() ? f.kinks() : f.samples();
   const std::vector<double>& kinks = f.kinks();
@@ -160,7 +161,7 @@ NumberedWarning zero_load(const std::string& name, const std::optional<double>& 
               ": nothing of it is felt; look at its columns and units, at record_start, or give a longer time.end"};
 }
 
-/// When the first of some transducers sees something (s).
+/// Time (s) at which the first of the transducers has a pressure.
 std::optional<double> first_action(const Gauges& gauges) {
   for (std::size_t t = 0; t < gauges.time.size(); ++t)
     for (const std::vector<double>& pressure : gauges.pressure)

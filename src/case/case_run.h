@@ -1,4 +1,4 @@
-// A case from its file to what came out: its mesh read, its scene solved, its records held against that.
+// A case from its file to its results: reads the mesh, solves the scene, compares the results with the records.
 #pragma once
 
 #include "records/measured.h"
@@ -7,7 +7,7 @@
 
 namespace upbead {
 
-/// Calls what throws InputError at keys of the scene; gives these their places in the case.
+/// Calls `work`; where it throws InputError at keys of the scene, adds their places in the case.
 template <class Work>
 auto in_places_of(const Case& input, const Work& work) {
   try {
@@ -17,26 +17,26 @@ auto in_places_of(const Case& input, const Work& work) {
   }
 }
 
-/// The case's scene on its mesh, which is read where it is not given. Throws InputError with all objections at their
+/// The case's scene on its mesh; the mesh is read where it is not given. Throws InputError with all mistakes at their
 /// places in the case.
 Simulation simulation_of(const Case& input, std::shared_ptr<const Mesh> mesh = nullptr,
                          std::shared_ptr<const Processes> processes = nullptr);
 
-/// The records that the case is held against. Throws InputError with every mistake in them.
+/// The measured records with which the results are compared. Throws InputError with every mistake in them.
 std::vector<MeasuredRecord> read_records(const Case& input, const Simulation& simulation);
 
-/// The one end of every run of a case: solves it, holds it against the records and transducers, and tells what of the
-/// files was left out or may be wrong. Throws as Simulation::run, at places of the case.
+/// Every run of a case ends here: solves it, compares the results with the records and transducers, and reports what
+/// of the files was left out or may be wrong. Throws as Simulation::run, at places of the case.
 Run solve(const Case& input, const Simulation& simulation, const std::vector<MeasuredRecord>& records,
           const RunOptions& options = {});
 
-/// Those of the scene and of the case's files.
+/// Warnings of the scene and of the case's files.
 NumberedWarnings warnings(const Case& input, const Simulation& simulation);
 
-/// What is skipped of the scene and of the case's files.
+/// What of the scene and of the case's files is skipped.
 std::vector<Skipped> skipped(const Case& input, const Simulation& simulation, bool reduced);
 
-/// Of all loads by transducers and of the uplift; forces and arms are those on the caisson of the scene.
+/// Summaries of all loads by transducers and of the uplift; forces and arms are those on the caisson of the scene.
 std::vector<GaugeSummary> gauge_summaries(const Case& input, const Simulation& simulation);
 
 std::string describe(const std::vector<GaugeSummary>& gauges);

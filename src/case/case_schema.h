@@ -14,8 +14,8 @@
 
 namespace upbead {
 
-/// A table [loads.NAME] as written; `history` of Load is made of the pulse, the file or the wave, or loads of the
-/// gauges.
+/// A table [loads.NAME] as written. `history` of Load is made from the pulse, the file or the wave; transducers
+/// become several loads.
 struct LoadTable : Load, GaugeSource, FlowSource {
   std::optional<Pulse> pulse;
   std::string history_file;

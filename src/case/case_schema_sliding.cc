@@ -10,7 +10,7 @@ bool is_prescribed(const UpliftTable& uplift) {
   return uplift.kind == UpliftKind::prescribed;
 }
 
-/// A wave's uplift is prescribed, too.
+/// An uplift of kind "wave" is prescribed, too.
 bool has_course(const UpliftTable& uplift) {
   return uplift.kind != UpliftKind::computed;
 }

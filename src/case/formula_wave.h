@@ -1,5 +1,5 @@
-// A section and a wave of Goda's formulas, and what is judged, as tables: their keys are the same in a design and in a
-// case.
+// The tables of a section, a wave of Goda's formulas, and the limits of the checks: a design and a case have the same
+// keys.
 #pragma once
 
 #include <optional>
@@ -21,14 +21,14 @@ struct WaveGiven {
   std::optional<double> significant_height;  ///< H_1/3 (m); default H/1.8
   std::optional<double> deep_water_height;   ///< H_0' (m)
   double period = 0.;                        ///< T (s)
-  double angle = 0.;                         ///< degrees, already turned towards the normal
+  double angle = 0.;                         ///< degrees, already turned towards the wall's normal
 };
 
-/// Which force the caisson's dynamics answer.
+/// Which force the caisson's dynamics are computed for.
 enum class ImpactForce { impulse, goda_with_alpha_I };
 extern const std::vector<std::pair<std::string, ImpactForce>> impact_force_words;
 
-/// Lengths that no formula overflows with (m).
+/// Lengths with which no formula overflows (m).
 inline Range formula_length() {
   return from_to(1e-3, 1e4);
 }
@@ -62,7 +62,7 @@ void declare_wave(TableSchema<T>& table) {
       .doc("angle beta between the wave's direction and the wall's normal; already turned by 15 deg towards it");
 }
 
-/// Declares what ImpactAssumptions tell of the force.
+/// Declares the keys of ImpactAssumptions.
 template <class T>
 void declare_impact(TableSchema<T>& table) {
   table.key("peak_gain", &T::peak_gain)
@@ -78,10 +78,11 @@ void declare_impact(TableSchema<T>& table) {
   table.key("duration_decay", &T::duration_decay).range(from_to(0., 1000.)).doc("c of the duration; an assumption");
 }
 
-/// What is missing or contradicts itself.
+/// What is missing, or contradicts another key.
 Diagnostics diagnose(const WaveGiven& wave);
 
-/// A sound one, with heights by random breaking where only that of deep water is given.
+/// The design wave of a table without mistakes; where only the height in deep water is given, heights by random
+/// breaking.
 DesignWave design_wave(const WaveGiven& wave, const Section& section, const Water& water);
 
 }  // namespace upbead

@@ -1,4 +1,4 @@
-// The files that a case reads, and a number that tells whether they are still the same.
+// The files that a case reads, and a number that shows whether they have changed.
 #pragma once
 
 #include <cstdint>
@@ -11,15 +11,15 @@
 
 namespace upbead {
 
-/// FNV-1a, 64 bits: no guard against malice, only against a changed file.
+/// Hash FNV-1a, 64 bits: it detects a changed file, but is no guard against malice.
 class Fingerprint {
  public:
   void add(const std::string& text) {
     for (const char c : text + '\0') value_ = (value_ ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
   }
-  /// A file's name and contents; nothing where there is no such file.
+  /// Adds a file's name and contents; nothing where there is no such file.
   void add_file(const std::filesystem::path& path);
-  /// All files that a case rests on: its own, mesh, histories.
+  /// Adds all files that a case depends on: its own, mesh, histories.
   void add_files(const Case& problem);
   std::uint64_t value() const { return value_; }
 
@@ -27,7 +27,8 @@ class Fingerprint {
   std::uint64_t value_ = 14695981039346656037ULL;
 };
 
-/// The case itself, its mesh, histories, records and what was measured, each with the key that names it.
+/// The case itself, its mesh, histories, records of transducers and measured records, each with the key that names
+/// it.
 std::vector<InputFile> input_files(const Case& problem);
 
 }  // namespace upbead

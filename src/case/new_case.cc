@@ -147,7 +147,7 @@ std::string new_case(const NewCase& s, const std::string& title) {
       {"period", s.period},
       {"end", 0.5 * s.period + 0.5},
       {"density", density},
-      {"far", std::ceil(80. * (0.5 * s.period + 0.5) / 10.) * 10.},  // half the way of a shear wave of 160 m/s
+      {"far", std::ceil(80. * (0.5 * s.period + 0.5) / 10.) * 10.},  // half the path of a shear wave of 160 m/s
   };
   std::string text = pattern;
   const auto fill = [&text](const std::string& name, const std::string& value) {

@@ -25,7 +25,8 @@ namespace upbead {
 
 namespace {
 
-/// With lengths times L, and accelerations and densities times 1: s = L^(1/2), kg = L^3, N = kg m/s2, Pa = N/m2.
+/// Exponents of the length's factor L, where accelerations and densities stay: s = L^(1/2), kg = L^3, N = kg m/s2, Pa
+/// = N/m2.
 const std::map<std::string, double> exponents{{"m", 1.},    {"s", 0.5},  {"kg", 3.},      {"N", 3.},   {"Pa", 1.},
                                               {"Hz", -0.5}, {"rad", 0.}, {"degrees", 0.}, {"deg", 0.}, {"1", 0.}};
 
@@ -62,11 +63,11 @@ class Ratios {
  public:
   /// Throws InputError for a text that is not KEY=VALUE with a finite VALUE.
   explicit Ratios(const std::vector<std::string>& texts);
-  /// The ratio of the key at a dotted path, or nullptr.
+  /// The ratio of the key at a dotted path; nullptr where none is given.
   const double* find(const std::string& path);
-  /// How the ratio of a path was written, as a place for messages.
+  /// The ratio of a path as a person wrote it, as a place for messages.
   Place place(const std::string& path) const;
-  /// Throws InputError where a ratio names none of the keys that find() was asked for.
+  /// Throws InputError where a ratio names none of the keys that were looked up by find().
   void require_all_used() const;
 
  private:
@@ -123,13 +124,14 @@ bool starts_with(const std::string& text, const std::string& beginning) {
   return text.rfind(beginning, 0) == 0;
 }
 
-/// Constants of the soil and its water, which stay with the same soil: moduli, conductivity, permeability, viscosity.
+/// Whether a key is a constant of the soil or its water, which stays where the soil is the same: moduli,
+/// conductivity, permeability, viscosity.
 bool is_of_the_soil(const std::string& path, const std::string& unit) {
   return (starts_with(path, "regions.") || starts_with(path, "fluid.")) &&
          (unit == "Pa" || unit == "m/s" || unit == "m2" || unit == "Pa s");
 }
 
-/// Whether a number of the water is asked for by any region.
+/// Whether any region uses this number of the water.
 bool counts(const std::string& path, const CaseTables& tables) {
   const auto any = [&](const auto& asks) {
     return std::any_of(tables.regions.begin(), tables.regions.end(), [&](const auto& r) { return asks(r.second); });
@@ -139,19 +141,19 @@ bool counts(const std::string& path, const CaseTables& tables) {
   return true;
 }
 
-/// The unit of a number; that of a pulse's peak is told by the kind of its load.
+/// The unit of a number; the unit of a pulse's peak depends on the kind of its load.
 std::string dimension_of(const KeyInfo& key, const std::string& path, const CaseTables& tables) {
   if (key.unit != "N/m or Pa") return key.unit;
   return history_unit(tables.load_tables.at(split_dotted(path).at(1)));
 }
 
-/// Of a list of pairs the second number has no dimension, and a ratio is not meant for it.
+/// In a list of pairs the second number has no dimension; a ratio does not apply to it.
 bool is_second_of_pair(const KeyInfo& key) {
   return !key.unit_of_first.empty() && key.unit != key.unit_of_first;
 }
 
-/// Multiplies every number of the tables; the keys that keep a number with a dimension go to `kept`. The mesh's
-/// parameters are left alone: their units stand in the .geo. Throws InputError.
+/// Multiplies every number of the tables by its factor or ratio; keys that keep a number with a dimension are added
+/// to `kept`. The mesh's parameters are left alone, as their units stand in the .geo. Throws InputError.
 void scale_numbers(CaseTables& tables, const ScaleOptions& options, Ratios& ratios, std::vector<std::string>& kept) {
   Diagnostics mistakes;
   const auto scale = [&](const KeyInfo& key, const std::string& path, double& number) {
@@ -181,7 +183,7 @@ std::string unit_of_parameter(const GeoParameter& parameter) {
   return parameter.description.substr(0, colon);
 }
 
-/// The geometry's own value.
+/// The default value in the geometry.
 double value_of(const GeoParameter& parameter) {
   char* end = nullptr;
   const double value = std::strtod(parameter.default_value.c_str(), &end);
@@ -190,10 +192,10 @@ double value_of(const GeoParameter& parameter) {
   return value;
 }
 
-/// Gives every parameter of the case's .geo that has a dimension its new value, also those that the case leaves at the
-/// geometry's own. The unit of a parameter begins the comment behind it: "// m: height of the mound", or "// -: ..."
-/// without one. Throws InputError where the mesh is finished (.msh), where no parameter is a length, and where a unit
-/// or a value cannot be read.
+/// Gives every parameter of the case's .geo that has a dimension its new value, including those for which the case
+/// keeps the geometry's default. The comment behind a parameter begins with its unit: "// m: height of the mound", or
+/// "// -: ..." without one. Throws InputError where the mesh is finished (.msh), where no parameter is a length, and
+/// where a unit or a value cannot be read.
 void scale_mesh(const Case& problem, const ScaleOptions& options, Ratios& ratios, MeshChoice& mesh) {
   const MeshRequest request = mesh_request(problem);
   if (std::filesystem::path(request.file).extension() == ".msh")
@@ -226,7 +228,7 @@ void check_factor(double factor) {
                    "give the new length over the old one, such as 20, or 0.05 for a model");
 }
 
-/// A table at the new size; `units`: SI, of the quantity of each column.
+/// A table at the new size; `units`: the SI unit of each column.
 std::string scaled_table(const CsvTable& table, const std::vector<std::string>& units, double factor) {
   std::string text;
   for (std::size_t c = 0; c < table.names.size(); ++c)
@@ -239,7 +241,7 @@ std::string scaled_table(const CsvTable& table, const std::vector<std::string>& 
   return text + "\n";
 }
 
-/// SI units of a record's columns: those of times, of counters, and of all others.
+/// SI units of a record's columns: times in s, counters without unit, all others in `unit`.
 std::vector<std::string> units_by_column(const CsvTable& table, const std::string& unit) {
   const RecordLayout layout = layout_of(table);
   std::vector<std::string> units(table.names.size(), unit);
@@ -255,7 +257,7 @@ std::string scaled_history(const std::string& path, const Place& place, double f
   return scaled_table(table, units_by_column(table, unit), factor);
 }
 
-/// The record of transducers at the new size.
+/// A record of transducers at the new size.
 std::string scaled_record(const Case& problem, const GaugeSource& source, const std::string& path, double factor) {
   const CsvTable table = read_record_table(problem.resolve(source.gauges), problem.place(path + ".gauges"));
   std::vector<std::string> units = units_by_column(table, "Pa");
@@ -266,7 +268,7 @@ std::string scaled_record(const Case& problem, const GaugeSource& source, const 
   return scaled_table(table, units, factor);
 }
 
-/// A measured history at the new size, alone with its time; of what quantity it is, its unit tells.
+/// A measured history at the new size, only its column and the time; its unit shows which quantity it is.
 std::string scaled_measured(const Case& problem, const std::string& name, const MeasuredSource& source, double factor) {
   const Place place = problem.place(dotted("measured", name) + ".file");
   const CsvTable table = read_record_table(problem.resolve(source.file), place);
@@ -290,7 +292,7 @@ std::string scaled_measured(const Case& problem, const std::string& name, const 
   return scaled_table(one, units, factor);
 }
 
-/// Writes the histories of loads, uplift and what was measured anew, beside the case, under names of their own.
+/// Writes scaled histories of loads, uplift and measurements beside the case, under new names.
 void scale_histories(const Case& problem, double factor, CaseTables& tables, std::vector<NamedText>& histories) {
   const auto keep = [&histories](const std::string& name, std::string text) {
     return histories.emplace_back(NamedText{name, std::move(text)}).path;
@@ -331,7 +333,7 @@ ScaledCase scale_case(const Case& problem, const ScaleOptions& options, const st
   check_factor(options.factor);
   Ratios ratios(options.ratios);
   CaseTables tables;
-  Diagnostics report;  // read_case has found no mistake
+  Diagnostics report;  // stays empty, as read_case has found no mistake
   case_schema().read(problem.document.root(), "", tables, report);
   ScaledCase scaled;
   scale_numbers(tables, options, ratios, scaled.kept);

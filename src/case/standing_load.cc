@@ -13,16 +13,17 @@ namespace upbead {
 
 namespace {
 
-/// Samples of a period: between them P is linear to 3e-4 of its amplitude, (2 pi/256)^2/8 of four harmonics.
+/// Samples per period: with P linear between them, the error is 3e-4 of its amplitude, (2 pi/256)^2/8 for four
+/// harmonics.
 constexpr int samples = 256;
 
-/// How much of the wave there is at a time t of the run.
+/// Share of the full wave that has built up at a time t of the run.
 double share_of_wave(double t, double T) {
   if (t < 0.5 * T) return std::pow(std::sin(pi * t / T), 2);
   return t > 1.5 * T ? std::pow(std::cos(pi * (t - 1.5 * T) / T), 2) : 1.;
 }
 
-/// Time of the wave, before its crest at the wall, when P rises through zero.
+/// Time of the wave, before its crest at the wall, at which P rises through zero.
 double rise_through_zero(const StandingWave& wave, const Section& section, const StandingExtremes& extremes) {
   const auto force = [&](double t) { return wall_pressure(wave, section, t).force; };
   const auto [from, to] =
@@ -30,7 +31,8 @@ double rise_through_zero(const StandingWave& wave, const Section& section, const
   return 0.5 * (from + to);
 }
 
-/// Even samples, and those of the extremes while the wave stands, of which `zero` is the run's t = T/2.
+/// Equally spaced samples and, while the wave stands, the times of the extremes; `zero`: time of the wave at the
+/// run's t = T/2.
 std::vector<double> times_of(const StandingExtremes& extremes, double zero, double T) {
   std::vector<double> times;
   for (int i = 0; i <= 2 * samples; ++i) times.push_back(i * T / samples);

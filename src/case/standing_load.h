@@ -7,8 +7,8 @@
 
 namespace upbead {
 
-/// The water rests, a trough grows within T/2, the wave stands for a whole T from where P rises through zero, and dies
-/// away within T/2. What the wave adds to still water, without the load's factor.
+/// Course: the water rests, a trough grows within T/2, the wave stands for a whole T from where P rises through zero,
+/// and dies away within T/2. All values are the excess over still water, without the load's factor.
 struct StandingLoad {
   StandingWave wave;
   StandingExtremes extremes;

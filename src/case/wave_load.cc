@@ -60,7 +60,7 @@ double WaveLoad::peak() const {
 
 namespace {
 
-/// With P of Goda's formulas for the peak, e is what makes P_1 (1 + e alpha*) of it.
+/// Where the peak is P of Goda's formulas, the gain e is such that P_1 (1 + e alpha*) equals that P.
 ImpactWave impact_of(const WaveLoad& w, const WavePressure& standing, const Water& water) {
   ImpactAssumptions assumptions = w.table.impact;
   const double alpha_star = w.pressure.alpha_star;
@@ -70,7 +70,8 @@ ImpactWave impact_of(const WaveLoad& w, const WavePressure& standing, const Wate
                      w.section.berm_depth);
 }
 
-/// A crossing closer than that share of the rise to the peak or to an end makes no kink.
+/// Where the triangle crosses the standing wave closer than this share of the rise to the peak or to an end, no kink
+/// is set.
 constexpr double least_gap = 1e-3;
 
 TimeFunction history_of(const ImpactWave& wave) {

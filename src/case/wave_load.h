@@ -41,16 +41,16 @@ TableSchema<WaveLoadTable> wave_load_schema();
 
 /// A load of kind "wave", which begins at t = 0. Its resultant P is peak() times a course that is 1 at its largest.
 struct WaveLoad {
-  Load load;  ///< what is not of the wave, as written
+  Load load;  ///< the keys that do not belong to the wave, as written
   WaveLoadTable table;
   Section section;
   DesignWave wave;
   double wavelength = 0.;                ///< L (m)
-  WavePressure pressure;                 ///< with alpha*
-  std::optional<TriangularPulse> pulse;  ///< of the courses triangle and combined
-  std::optional<ImpactWave> impact;      ///< of a church roof
+  WavePressure pressure;                 ///< by Goda's formulas, with alpha*
+  std::optional<TriangularPulse> pulse;  ///< for the courses triangle and combined
+  std::optional<ImpactWave> impact;      ///< for the course church_roof
   std::shared_ptr<const StandingLoad>
-      standing;                    ///< of the course standing, whose pressure has another profile at each time
+      standing;                    ///< for the course standing, whose pressure has another profile at each time
   double standing_force = 0.;      ///< of the slow part: gamma P_1 (N/m)
   TimeFunction history;            ///< P(t) (N/m), without the factor
   std::optional<double> duration;  ///< Load::duration
@@ -60,11 +60,12 @@ struct WaveLoad {
   double peak() const;
 };
 
-/// Of a sound table on a sound section. Throws NumericsError where there is no standing wave of that height.
+/// The load of a table and a section without mistakes. Throws NumericsError where there is no standing wave of that
+/// height.
 std::shared_ptr<const WaveLoad> wave_load(const Load& load, const WaveLoadTable& table, const Section& section,
                                           const Water& water);
 
-/// The row of a standing wave on a wall whose still water is at the height `still` (m).
+/// The pressures of a standing wave as a row on a wall whose still water is at the height `still` (m).
 Gauges row_on_wall(const StandingLoad& standing, double still);
 
 /// The loads by waves that are not switched off, by name.
@@ -78,13 +79,13 @@ std::vector<Pair> pressure_profile(const WaveLoad& wave, double bottom);
 /// [section] contradicts the mesh or the scene's water.
 Scene with_profiles(const Case& input, const Mesh& mesh);
 
-/// Throws InputError where a wave's P or M_P on the caisson as meshed is not that of Goda's formulas, or B is not its
-/// width.
+/// Throws InputError where a wave's P or M_P on the meshed caisson is not that of Goda's formulas, or where B or W is
+/// not the caisson's.
 void check_waves(const Case& input, const Simulation& simulation);
 
 std::vector<WaveLoadSummary> wave_summaries(const Case& input);
 
-/// wave_outside_formulas, effective_force, wave_cut: docs/warnings.md.
+/// Warnings wave_outside_formulas, effective_force and wave_cut: docs/warnings.md.
 NumberedWarnings wave_warnings(const Case& input);
 
 std::string describe(const std::vector<WaveLoadSummary>& waves);

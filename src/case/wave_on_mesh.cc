@@ -13,7 +13,7 @@ namespace upbead {
 
 namespace {
 
-/// What two lengths or resultants of one wall may differ by, over the wall's height or over P: a mesh is told to 1e-9.
+/// By what share of the wall's height or of P two lengths or resultants of one wall may differ; a mesh file has 1e-9.
 constexpr double same_wall = 1e-6;
 
 constexpr double same_weight = 0.01;
@@ -22,7 +22,7 @@ std::string at_height(double y) {
   return "y = " + significant(y, 6);
 }
 
-/// The wall of a load by a wave, held against the section.
+/// Compares the wall of a load by a wave with the section.
 class WallCheck {
  public:
   WallCheck(const std::string& name, const WaveLoad& wave, const Bounds& wall, Diagnostics& mistakes)
@@ -79,7 +79,7 @@ class WallCheck {
   Diagnostics& mistakes_;
 };
 
-/// Of the faces of a curve; empty where there is none.
+/// Bounds of the faces of a curve; empty where there is no such curve.
 Bounds extent_of_curve(const Mesh& mesh, const std::string& curve) {
   Bounds extent;
   for (const auto& cell : mesh.triangulation.active_cell_iterators())
@@ -104,7 +104,7 @@ Scene with_profiles(const Case& input, const Mesh& mesh) {
   Diagnostics mistakes;
   for (const auto& [name, wave] : input.waves) {
     const Bounds wall = extent_of_curve(mesh, wave->load.boundary);
-    if (wall.highest < wall.lowest) continue;  // no such curve, which the scene's checks tell
+    if (wall.highest < wall.lowest) continue;  // no such curve, which the scene's checks report
     WallCheck(name, *wave, wall, mistakes).run(scene, outline);
     if (wave->standing)
       set_row(name, row_on_wall(*wave->standing, wall.lowest + wave->section.foundation_depth), scene);
@@ -117,7 +117,8 @@ Scene with_profiles(const Case& input, const Mesh& mesh) {
 
 namespace {
 
-/// What acts on the caisson as meshed per unit of P; of a standing wave per unit of pressure, over the loaded height.
+/// Force and moment on the meshed caisson per unit of P; for a standing wave per unit of pressure over the loaded
+/// height.
 LoadOnCaisson resultant_of(const std::string& name, const WaveLoad& wave, const CompiledScene& compiled) {
   LoadOnCaisson sum{name};
   const double height = wave.standing ? wave.standing->gauges.place.back() - wave.standing->gauges.place.front() : 1.;

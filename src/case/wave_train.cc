@@ -14,7 +14,7 @@ namespace {
 const Words<TrainCourse> train_course_words{
     {"landward", TrainCourse::landward}, {"seaward", TrainCourse::seaward}, {"stands", TrainCourse::stands}};
 
-/// growing(t) times wave(t), from rest at t = 0.
+/// The function growing(t) times wave(t), which starts from rest at t = 0.
 TimeFunction grown(double growth, const std::function<double(double)>& wave) {
   const auto none = [](double) { return 0.; };
   if (growth <= 0.) return TimeFunction({0.}, {none, wave});

@@ -17,7 +17,7 @@ struct WaveTrain {
   std::optional<double> height;     ///< H (m)
   std::optional<double> depth;      ///< h (m)
   double period = 0.;               ///< T (s)
-  std::optional<double> length;     ///< L (m); none: by T and h
+  std::optional<double> length;     ///< L (m); none: computed from T and h
   TrainCourse course = TrainCourse::landward;
   double crest = 0.;             ///< x of a crest at t = 0, or of an antinode (m)
   std::optional<double> growth;  ///< time in which it grows from rest (s); none: T
@@ -25,7 +25,7 @@ struct WaveTrain {
 
 TableSchema<WaveTrain> wave_train_schema();
 
-/// What is missing or contradicts itself, at keys relative to the table.
+/// What is missing, or contradicts another key, at keys relative to the table.
 Diagnostics diagnose(const WaveTrain& train);
 
 /// A load of kind "train" as written.

@@ -18,7 +18,7 @@ namespace {
 
 constexpr int exit_input = 1, exit_numerics = 2, exit_bug = 3, exit_signal = 128;
 
-/// CLI11 would say of `upbead rum` only that a command is missing.
+/// Suggests a command for a misspelt one; CLI11 would say of `upbead rum` only that a command is missing.
 void check_command(const std::vector<Command>& commands, const std::string& word) {
   if (word.empty() || word[0] == '-') return;
   std::vector<std::string> names;
@@ -27,7 +27,7 @@ void check_command(const std::vector<Command>& commands, const std::string& word
     throw InputError(Place(), "there is no command '" + word + "'", suggestion(word, names, "commands"));
 }
 
-/// `may_lack`: what is required may be missing.
+/// Adds an option; `may_lack`: a required one may be missing.
 void add(CLI::App& app, const Option& option, bool may_lack) {
   CLI::Option* added = std::visit(
       [&](auto* value) {
@@ -83,7 +83,7 @@ int run(int argc, char** argv, const std::vector<Command>& commands) {
   if (argc > 1) check_command(commands, argv[1]);
   try {
     program.parse(argc, argv);
-  } catch (const CLI::RuntimeError& error) {  // a command ends with an exit code of its own
+  } catch (const CLI::RuntimeError& error) {  // thrown by a command to end with its own exit code
     return error.get_exit_code();
   } catch (const CLI::ParseError& error) {
     return program.exit(error) == 0 ? 0 : exit_input;
@@ -126,7 +126,7 @@ std::vector<Command> light_commands() {
 }
 
 int run_program(int argc, char** argv, const std::vector<Command>& commands) {
-  std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error to tell, not a death
+  std::signal(SIGXFSZ, SIG_IGN);  // a file beyond the size limit gives an error message and does not kill the program
   try {
     return run(argc, argv, commands);
   } catch (...) {

@@ -1,4 +1,4 @@
-// The commands of the program, declared as data. CLI11 stands behind run_program() alone.
+// The commands of the program, declared as data. Only run_program() uses CLI11.
 #pragma once
 
 #include <functional>
@@ -15,19 +15,19 @@ namespace upbead {
 /// Where the value of an option goes; a bool is a flag.
 using OptionValue = std::variant<bool*, int*, double*, std::string*, std::optional<double>*, std::vector<std::string>*>;
 
-/// An argument, or an option where its name begins with dashes; one with a list may be given many times.
+/// An argument, or an option where the name begins with dashes; one whose value is a list may be given many times.
 struct Option {
   std::string name;
   OptionValue value;
   std::string help;
-  std::string type = "";  ///< what the help calls its value; "": by its type in C++
+  std::string type = "";  ///< name of its value in the help; "": by its type in C++
   bool required = false;
   bool positive = false;                          ///< a number above 0
   std::optional<std::pair<int, int>> range = {};  ///< from and to
   std::vector<std::string> words = {};            ///< one of these
 };
 
-/// A flag that prints a text in place of the command's work.
+/// A flag that prints a text instead of doing the command's work.
 struct PrintedText {
   std::string name, help;
   std::string (*text)();
@@ -35,7 +35,7 @@ struct PrintedText {
 
 struct Command {
   std::string name, what;
-  std::vector<Option> options = {};  ///< what is required is not where a text is printed
+  std::vector<Option> options = {};  ///< required ones may be missing where a text is printed
   std::vector<PrintedText> texts = {};
   std::string footer = "";
   std::function<int()> work = {};  ///< returns the exit code
@@ -49,49 +49,50 @@ struct CommonOptions {
   std::vector<std::string> overrides;  ///< --set KEY=VALUE
 };
 
-/// FILE, --json, --out and --set. `file`: what that is; `out`: what goes into the folder, and its default.
+/// The options FILE, --json, --out and --set. `file`: what FILE is; `out`: what goes into the folder, and its
+/// default.
 std::vector<Option> common_options(
     CommonOptions& options, const std::string& file = "case",
     const std::string& out = "the results (default: results/NAME, NAME as the case file's)");
 
-/// --trust of commands that mesh.
+/// The option --trust of commands that mesh.
 Option trust_option(bool& trusted);
 
-/// A list with more of them behind.
+/// A list followed by another one.
 template <class T>
 std::vector<T> operator+(std::vector<T> list, const std::vector<T>& more) {
   list.insert(list.end(), more.begin(), more.end());
   return list;
 }
 
-/// Commands that mesh or solve, with what they do, but without their work: the solver, a program of its own, has that.
-/// All others start without its 200 libraries, in a fifth of the time.
+/// Commands that mesh or solve, with their help texts but without their work, which a program of its own does, the
+/// solver. So all other commands start without the solver's 200 libraries, in a fifth of the time.
 std::vector<Command> solver_commands();
-/// One of them.
+/// The one of these commands with that name.
 Command solver_command(const std::string& name);
 
-/// What would be solved, what is skipped and why.
+/// Says what would be solved, what is skipped and why.
 Command explain_command();
 Command run_command();
 Command reduce_command();
 Command study_command();
 
 Command respond_command();
-/// waves, expected, calibrate.
+/// The commands waves, expected and calibrate.
 std::vector<Command> design_commands();
 Command scale_command();
-/// The output of a CFD program, as it lies and as a load.
+/// Reads the output of a CFD program: as it lies on disk, and as a load.
 Command read_command();
-/// A commented case to begin with.
+/// Writes a commented case to begin with.
 Command new_command();
-/// All that needs neither mesh nor solver.
+/// All commands that need neither mesh nor solver.
 std::vector<Command> light_commands();
 
 /// Reads the command line, runs the command that it names, and returns the exit code.
 int run_program(int argc, char** argv, const std::vector<Command>& commands);
 
-/// Says on stderr what the exception that is being handled has to say, and returns the exit code that goes with it: 1
-/// the input is wrong, 2 the numerics failed, 3 a bug, 128 + signal interrupted. Call it in a catch block only.
+/// Writes the message of the exception that is being handled to stderr, and returns its exit code: 1 the input is
+/// wrong, 2 the numerics failed, 3 a bug, 128 + signal interrupted. To be called in a catch block only.
 int tell_failure();
 
 /// Warnings, one line each: "warning: NAME: text".

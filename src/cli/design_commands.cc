@@ -1,4 +1,4 @@
-// waves, expected and calibrate: what formulas say of a section.
+// The commands waves, expected and calibrate, which evaluate formulas for a section.
 #include <iostream>
 
 #include "base/files.h"
@@ -14,16 +14,16 @@ namespace upbead {
 
 namespace {
 
-/// What a command makes of a design.
+/// The results of a command for a design.
 struct Answer {
-  std::vector<std::pair<std::string, std::string>> files;  ///< names and bytes, but for case.toml and summary.json
+  std::vector<std::pair<std::string, std::string>> files;  ///< names and bytes, without case.toml and summary.json
   std::string json, text, warnings;                        ///< summary.json; for stdout and stderr
 };
 
 struct DesignWork {
   std::string suffix;  ///< of the default folder
   std::vector<DesignCheck> checks;
-  std::vector<std::string> files;  ///< that are written
+  std::vector<std::string> files;  ///< the files written
   Answer (*answer)(const Design& design, const Stopwatch& since_start);
 };
 

@@ -28,7 +28,7 @@ bool will_be_reduced(const Simulation& simulation) {
   return choose_scheme(simulation.scene, *simulation.compiled).scheme == TimeScheme::reduced;
 }
 
-/// All that `explain` tells.
+/// All that `explain` prints.
 struct Explained {
   const Case* input;
   const Simulation* simulation;

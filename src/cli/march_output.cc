@@ -27,7 +27,7 @@ bool is_field_time(double time, const Scene& scene) {
          std::any_of(chosen.begin(), chosen.end(), [&](double at) { return std::abs(time - at) < near; });
 }
 
-/// By a link, or a copy where the file system has none.
+/// Places a file by a hard link, or by a copy where the file system has no links.
 void lay(const fs::path& from, const fs::path& to) {
   std::error_code code;
   fs::create_directories(to.parent_path(), code);
@@ -46,7 +46,7 @@ std::uint64_t fingerprint_of(const Case& input) {
   return fingerprint.value();
 }
 
-/// The file is there whole, or the one before it.
+/// Writes a file so that, whatever happens, either the new file is there whole or the old one.
 void write_whole(const fs::path& path, const std::string& bytes) {
   const fs::path partial = path.string() + ".partial";
   errno = 0;
@@ -59,7 +59,7 @@ void write_whole(const fs::path& path, const std::string& bytes) {
     throw InputError({}, "cannot write '" + path.string() + "': " + code.message(), "make room on the disk");
 }
 
-/// Throws InputError at the keys of a case whose run keeps no checkpoints.
+/// Throws InputError at the keys of a case for which a run cannot keep checkpoints.
 void check_checkpoints(const Case& input) {
   Diagnostics mistakes;
   for (const Exclusion& reason : excluded(input.scene, Treatment::checkpoints))
@@ -88,7 +88,7 @@ bool FieldOutput::wants(double time) const {
 void FieldOutput::see(const State& state, int, int) {
   if (!wants(state.time)) return;
   const Stopwatch watch;
-  if (state.time == 0.) writer_->take_over({});  // another march, as the one before was refused
+  if (state.time == 0.) writer_->take_over({});  // the march begins anew, as the one before was rejected
   writer_->write(state);
   seconds_ += watch.seconds();
 }
@@ -131,7 +131,7 @@ bool Checkpoints::due() const {
   return interrupt_noted() || since_last_.seconds() > wish_.every;
 }
 
-/// A checkpoint that cannot be written is no reason to lose the run.
+/// Keeps a checkpoint; where it cannot be written, the run goes on.
 void Checkpoints::keep(const MarchCheckpoint& march, const FieldOutput& fields) {
   try {
     fs::create_directories(folder_);
@@ -167,7 +167,7 @@ std::string Checkpoints::account() const {
 }
 
 void Checkpoints::remove() const {
-  std::error_code ignored;  // the results are there; what stays behind harms nobody
+  std::error_code ignored;  // results are written, so a leftover does no harm
   if (wish_.every > 0. || wish_.resume) fs::remove_all(folder_, ignored);
 }
 

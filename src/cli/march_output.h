@@ -1,5 +1,5 @@
 // What a run writes while it marches: fields at the times that the case asks for, and checkpoints, which --checkpoint
-// keeps and --resume goes on from.
+// writes and from which --resume continues.
 #pragma once
 
 #include <cstdint>
@@ -19,24 +19,25 @@ namespace upbead {
 
 class FieldOutput : public MarchObserver {
  public:
-  /// Nothing is written where the scene asks for none, and then `folder` may be null. Both must outlive this.
+  /// Where the scene asks for no fields, nothing is written and `folder` may be null. Scene and folder must outlive
+  /// this.
   FieldOutput(const Scene& scene, const OutputFolder* folder) : scene_(scene), folder_(folder) {}
 
-  /// Of the scene that will be marched, which must outlive this.
+  /// Starts the output of the scene that will be marched; the simulation must outlive this.
   MarchObserver* begin(const Simulation& simulation);
-  /// Soil that yields and is about to be marched.
+  /// Follows yielding soil that is about to be marched.
   void follow(YieldingSoil& soil);
-  /// Writes where it is time.
+  /// Writes the fields where they are due.
   void see(const State& state, int step, int n_steps) override;
   bool wants(double time) const override;
   void finish() const;
-  double seconds() const { return seconds_; }  ///< that writing has taken
+  double seconds() const { return seconds_; }  ///< time spent on writing (s)
 
   /// Times (s) and names, relative to the folder, of the files so far.
   std::vector<std::pair<double, std::string>> written() const;
-  /// Takes files over from another folder, as if they had been written here.
+  /// Takes over files from another folder, as if they had been written here.
   void take_over(const std::string& from, const std::vector<std::pair<double, std::string>>& written);
-  /// Lays the files so far that are not there yet into another folder.
+  /// Links or copies the files written so far into another folder, where they are missing.
   void lay_into(const std::string& other) const;
 
  private:
@@ -48,21 +49,23 @@ class FieldOutput : public MarchObserver {
 };
 
 struct CheckpointWish {
-  double every = 0.;  ///< wall time between two (s); 0: none are kept
+  double every = 0.;  ///< wall time between two checkpoints (s); 0: none are kept
   bool resume = false;
 };
 
-/// Kept in RESULTS.checkpoint, beside the folder of the results, by wall time and where the run is interrupted; removed
-/// once the results are written. A checkpoint replaces the one before in one step.
+/// Checkpoints are kept in RESULTS.checkpoint, beside the folder of the results. They are written at intervals of
+/// wall time and when the run is interrupted, and removed once the results are written. A new checkpoint replaces the
+/// old one in a single step.
 class Checkpoints {
  public:
-  /// Reads what there is to go on from. Throws InputError where that belongs to another case, mesh, history or version
-  /// of the program, or is damaged.
+  /// Reads the checkpoint from which to resume. Throws InputError where it belongs to another case, mesh, history or
+  /// version of the program, or is damaged.
   Checkpoints(const Case& input, const std::string& results, const CheckpointWish& wish);
 
-  /// For the march; takes over the fields that have been written. `fields` and this must outlive the march.
+  /// Starts the checkpoints of a march, and takes over the fields that have been written. `fields` and this must
+  /// outlive the march.
   Checkpointing begin(FieldOutput& fields);
-  /// What a person is told: "" where nothing is resumed.
+  /// What the user reads about resuming; "" where nothing is resumed.
   std::string account() const;
   void remove() const;
 

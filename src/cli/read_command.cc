@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The keys of a load `from`, of no case.
+/// The keys of a load `from`, given as options and not in a case.
 struct ReadKeys : FlowSource {
   double gravity = 9.81;
   Beyond to_first = Beyond::constant, to_last = Beyond::constant;
@@ -39,7 +39,7 @@ TableSchema<ReadKeys> read_schema() {
   return table;
 }
 
-/// What the keys make of the record: per metre, over still water, in the scene's axes.
+/// The record as the keys turn it into a load: per metre, in excess of still water, in the scene's axes.
 std::vector<FlowColumn> columns_of(const FlowLoad& load) {
   if (load.pressure) {
     std::vector<FlowColumn> columns{{"time", "s", load.pressure->time}};
@@ -82,7 +82,8 @@ Json json_of(const FlowRecord& record) {
   return json;
 }
 
-/// A record as the program reads it itself: /time and a dataset a column, with units; or CSV.
+/// Writes a record in the form that the program itself reads: /time and one dataset for each column, with units; or
+/// CSV.
 void write_columns(const std::string& path, const std::vector<FlowColumn>& columns) {
   std::string text;
   if (std::filesystem::path(path).extension() == ".h5") {

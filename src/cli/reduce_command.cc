@@ -37,7 +37,7 @@ struct ReduceOptionsOfCommand : CommonOptions {
   bool trusts_script = false;
 };
 
-/// Of the loads of a scene, by the names that the reduced model has for them.
+/// The loads of a scene under the names that they have in the reduced model.
 std::vector<ModelLoad> model_loads(const Scene& scene, const ModalModel& model) {
   std::vector<ModelLoad> list;
   for (const std::string& name : model.load_name) {
@@ -66,14 +66,14 @@ ModelSliding model_sliding(const SlidingChoice& choice, double peak_force) {
   return sliding;
 }
 
-/// None where W' is not known.
+/// The bottom of the caisson; none where W' is not known.
 std::optional<ModelBase> model_base(const Simulation& simulation) {
   const System& system = simulation.compiled->system;
   const Series none{{}, Eigen::MatrixXd(system.readings.size(), 0), Eigen::MatrixXd(system.loads.size(), 0)};
   const std::optional<EffectiveBase> base = effective_base(simulation, none);
   if (!base) return std::nullopt;
   ModelBase told{base->width, base->weight, base->weight_moment, 0.};
-  const std::vector<UpliftLoad> uplift = uplift_loads(simulation, {}, {});  // of a peak, which `respond` scales, one
+  const std::vector<UpliftLoad> uplift = uplift_loads(simulation, {}, {});  // one where it has a peak, for `respond`
   if (uplift.size() == 1 && uplift.front().force > 0.)
     told.uplift_moment_per_force = uplift.front().moment / uplift.front().force;
   return told;
@@ -111,7 +111,7 @@ nlohmann::ordered_json to_object(const ReducedSlip& slip) {
           {"time", slip.seconds}};
 }
 
-/// Tells people how far it is, and whether they have had enough.
+/// Shows the progress, and ends the work where the user interrupts.
 std::function<void(double)> watched(Progress& progress) {
   return [&progress](double done) {
     check_interrupt();
@@ -119,14 +119,14 @@ std::function<void(double)> watched(Progress& progress) {
   };
 }
 
-/// Larger models of the same loads, to tell the error of any wave.
+/// Larger models of the same loads, which estimate the error for any wave.
 struct Nested {
   std::optional<NestedModels> models;
   std::string why_not;
   double seconds = 0.;
 };
 
-/// None where larger models cannot be made of the scene: the model itself is as good without.
+/// No models where the scene allows no larger ones; the model itself is as good without them.
 Nested nest(const Simulation& simulation, const Reduction& reduction) {
   Progress progress("reducing further");
   const Stopwatch watch;
@@ -161,7 +161,7 @@ std::string describe(const Nested& nested) {
          significant(nested.seconds, 2) + " s\n";
 }
 
-/// What `reduce` has made of a case.
+/// All results of `reduce` for a case.
 struct Reduced {
   ReducedModelFile file;
   Reduction reduction;
@@ -224,7 +224,7 @@ std::string describe(const Reduced& made) {
   return text + "written     " + made.path + "\n";
 }
 
-/// The case as it is reduced: its soil converged, the caisson bonded to its ground.
+/// The case as it is reduced: soil that depends on its strain is converged, the caisson is bonded to its ground.
 Simulation simulation_for_waves(const Case& input) {
   const Simulation simulation = simulation_of(input);
   if (!simulation.compiled->caisson)
@@ -236,7 +236,7 @@ Simulation simulation_for_waves(const Case& input) {
   return in_places_of(input, [&] { return bonded(with_converged_soil(simulation, watched(progress))); });
 }
 
-/// What the model of a case leaves out, as a run calls it.
+/// What the model of a case leaves out, in the words of a run.
 std::vector<Skipped> skipped(const Simulation& simulation, const ReducedSlip& slip, const Nested& nested) {
   std::vector<Skipped> list;
   if (!nested.why_not.empty()) list.push_back({"the error of each wave (error_estimate is null)", nested.why_not});

@@ -35,7 +35,7 @@ std::string describe_regions(const Case& input, const Simulation& simulation) {
   return text;
 }
 
-/// How fast a motion is, and whether the boundary moves so or waves come up through it.
+/// Largest velocity of a motion, and whether the boundary itself moves so or waves arrive from below through it.
 std::string describe_motion(const Load& load, const Scene& scene) {
   const bool arrives = scene.boundaries.at(load.boundary).displacement == DisplacementCondition::absorbing;
   const double up = extremum(load.history, 0., scene.time.end, 1).value;
@@ -73,7 +73,7 @@ std::string describe_march(const Run& run) {
          "            because " + run.scheme_reason + "\n";
 }
 
-/// Nothing where the first way was taken.
+/// The way taken and the ways refused; nothing where the first way was taken.
 std::string describe(const Ladder& ladder) {
   std::string text;
   for (const LadderStep& step : ladder)
@@ -180,7 +180,7 @@ std::string since(const std::optional<double>& time) {
   return time ? "from " + significant(*time, 4) + " s" : "never";
 }
 
-/// Nothing where the caisson was bonded.
+/// What contact did; nothing where the caisson was bonded.
 std::string describe(const ContactSummary& contact) {
   if (!contact.solved) return "";
   const NodeContact& c = *contact.solved;
@@ -199,7 +199,7 @@ std::string describe(const ContactSummary& contact) {
   return text;
 }
 
-/// Of one edge: at rest, and at its worst.
+/// The pressure under one edge: at rest, and at its largest.
 std::string edge(double at_rest, const std::optional<double>& worst, double time) {
   return with_unit(at_rest, "Pa") + " at rest, " +
          (worst ? "up to " + with_unit(*worst, "Pa") + " at "
@@ -223,7 +223,7 @@ std::string describe(const BaseSummary& b) {
   return text;
 }
 
-/// Why there are none, where that is so.
+/// The natural periods, or why there are none.
 std::string describe_periods(const Summary& summary) {
   constexpr std::size_t most = 4;
   const std::vector<NaturalPeriod>& periods = summary.periods;

@@ -1,4 +1,4 @@
-// What people read on the terminal.
+// Text for the terminal.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ namespace upbead {
 /// What will be solved: mesh, unknowns, regions with their flow and why, loads with their arms, what is skipped.
 std::string describe(const Case& input, const Simulation& simulation);
 
-/// What came out: peaks, ratio, checks, times.
+/// The results: peaks, ratio, checks, times.
 std::string describe(const Run& run);
 
 }  // namespace upbead

@@ -32,7 +32,7 @@ std::vector<Named> all_waves(const std::vector<WaveResponses>& files) {
   return list;
 }
 
-/// Whether somebody wants its coupled slip.
+/// Whether the coupled slip of the wave was asked for.
 bool is_asked(const Named& row) {
   return row.wave->coupled || !row.wave->why_not_coupled.empty();
 }
@@ -70,7 +70,7 @@ std::string table(const std::vector<Named>& waves) {
   return text;
 }
 
-/// How many slide the caisson, and how far.
+/// How many waves slide the caisson, and how far.
 std::string sliding_overview(const std::vector<Named>& waves, const std::string& title,
                              const std::function<double(const WaveResponse&)>& S) {
   const auto farthest = std::max_element(waves.begin(), waves.end(),
@@ -108,7 +108,7 @@ std::string overview(const std::vector<Named>& waves) {
   return text;
 }
 
-/// A warning where the coupled S of waves is not told; else "".
+/// A warning where the coupled S of some waves could not be computed; else "".
 std::string slip_warning(const std::vector<WaveResponses>& files) {
   const std::vector<Named> waves = all_waves(files);
   const auto untold = [](const Named& row) { return !row.wave->why_not_coupled.empty(); };
@@ -132,7 +132,8 @@ std::string describe(const ReducedModelFile& model, const std::vector<WaveRespon
   return text + ", write " + significant(timing.write) + " s\n";
 }
 
-/// A warning where waves have more beyond the model's highest frequency than its tolerance; else "".
+/// A warning where more of a wave's response than the model's tolerance lies above the model's highest frequency;
+/// else "".
 std::string band_warning(const ReducedModelFile& model, const std::vector<WaveResponses>& files) {
   const std::vector<Named> waves = all_waves(files);
   const auto n = std::count_if(waves.begin(), waves.end(),
@@ -149,7 +150,8 @@ std::string band_warning(const ReducedModelFile& model, const std::vector<WaveRe
          " %); reduce again with a shorter pulse or a smaller tolerance, or march it with 'upbead run'\n";
 }
 
-/// Waves whose error estimate exceeds the model's tolerance; models that cannot tell any: docs/warnings.md.
+/// Warnings of waves whose error estimate exceeds the model's tolerance, and of models that cannot estimate errors:
+/// docs/warnings.md.
 NumberedWarnings error_warnings(const ReducedModelFile& model, const std::vector<WaveResponses>& files) {
   if (!model.nested)
     return {{"no_error_estimate", 0., model.tolerance, "1",
@@ -195,19 +197,19 @@ void check(const Arguments& arguments) {
   mistakes.throw_if_any();
 }
 
-/// That of the file; of its folder where the file is called as 'upbead reduce' calls all of them.
+/// The name of the file, or of its folder where the file has the name that 'upbead reduce' gives to every model.
 std::string model_name(const std::string& path) {
   const std::filesystem::path file = std::filesystem::absolute(path);
   return (file.stem() == "reduced" && file.has_parent_path() ? file.parent_path().filename() : file.stem()).string();
 }
 
-/// What is asked for beside what the model knows of its case's [sliding].
+/// The sliding to compute: what the model knows of its case's [sliding], changed by the options.
 std::optional<ModelSliding> sliding_of(const Arguments& arguments, const ReducedModelFile& model) {
   const bool asked = arguments.friction || arguments.submerged_weight;
   if (!asked && !model.sliding) return std::nullopt;
   ModelSliding sliding = model.sliding.value_or(ModelSliding());
   if (sliding.uplift == "history") {
-    if (!asked) return std::nullopt;  // that record is of one wave
+    if (!asked) return std::nullopt;  // that record belongs to one wave only
     sliding.uplift = "none";
   }
   sliding.friction = arguments.friction.value_or(sliding.friction);
@@ -226,7 +228,7 @@ std::optional<ModelSliding> sliding_of(const Arguments& arguments, const Reduced
   return sliding;
 }
 
-/// SI units of the loads, in the model's order; "" where it has none.
+/// SI units of the loads, in the model's order; "" where the file gives none for a load.
 std::vector<std::string> units_of_loads(const ReducedModelFile& model) {
   std::vector<std::string> units;
   for (const std::string& name : model.modes.load_name) {
@@ -243,7 +245,7 @@ std::vector<InputFile> input_files(const Arguments& arguments) {
   return files;
 }
 
-/// How the waves were read, and which of them are no load at all.
+/// Notes on how the waves were read, and a warning of waves that are zero throughout.
 std::string notes_of(const std::vector<WaveFile>& files) {
   std::string text;
   for (const WaveFile& file : files) {

@@ -29,7 +29,7 @@ struct RunOptionsOfCommand : CommonOptions {
   bool trusted = false;
 };
 
-/// `visible`: whether people see how far it is.
+/// Solves the case; `visible`: whether to show the progress.
 Run solve(const Case& input, const Simulation& simulation, const std::vector<MeasuredRecord>& records,
           FieldOutput& fields, Checkpoints* checkpoints, bool visible) {
   std::optional<Progress> line;
@@ -62,13 +62,13 @@ std::string write(const Case& input, const std::vector<MeasuredRecord>& records,
   std::string json = to_json(run.summary);
   folder.write("summary.json", json);
   check_interrupt();
-  std::vector<std::string> replaced{"times.csv"};  // an older one would be another run's
+  std::vector<std::string> replaced{"times.csv"};  // an older times.csv would belong to another run
   replaced.insert(replaced.end(), field_files.begin(), field_files.end());
   folder.commit(replaced);
   return json;
 }
 
-/// What a run writes, as patterns.
+/// Patterns of the files that a run may write.
 std::vector<std::string> run_files() {
   std::vector<std::string> files{"results.h5", "times.csv", "summary.json", "case.toml"};
   files.insert(files.end(), field_files.begin(), field_files.end());
@@ -96,7 +96,7 @@ Examples:
   upbead run cases/fig2b-model.toml --set time.scheme=generalised_alpha --out /tmp/ga
   upbead run cases/fig2b-prototype.toml --json | jq .response.shear_to_force_ratio)";
 
-/// Throws InputError at the keys of a case that ask for what is not done on several processes; checkpoints are not.
+/// Throws InputError at the keys of a case that cannot be solved on several processes, as checkpoints cannot.
 void check_processes(const Case& input, bool with_checkpoints) {
   Diagnostics mistakes;
   if (with_checkpoints)
@@ -107,8 +107,8 @@ void check_processes(const Case& input, bool with_checkpoints) {
   mistakes.throw_if_any();
 }
 
-/// Calls work(); where it fails on one of the processes, says so once and ends them all, as the others would wait for
-/// that one for ever. Alone (null), exceptions pass.
+/// Calls work(). Where it fails on one process, reports the error once and ends all processes, as the other ones
+/// would wait for the failed one for ever. Without several processes (null), exceptions pass.
 void run_together(const Processes* processes, const std::function<void()>& work) {
   if (processes == nullptr) return work();
   const auto leave_it_to_the_first = [processes](int seconds) {
@@ -116,16 +116,16 @@ void run_together(const Processes* processes, const std::function<void()>& work)
   };
   try {
     work();
-  } catch (const InputError&) {  // all read the same
+  } catch (const InputError&) {  // all processes read the same input, so all throw the same
     leave_it_to_the_first(60);
     processes->end_all(tell_failure());
-  } catch (...) {  // mostly all fail alike
+  } catch (...) {  // mostly all processes fail in the same way
     leave_it_to_the_first(2);
     processes->end_all(tell_failure());
   }
 }
 
-/// On several processes all do the same but for the system, which they divide; the first speaks and writes.
+/// All processes do the same, except that they divide the system among them; only the first prints and writes.
 void run(const RunOptionsOfCommand& options, const Stopwatch& since_start,
          const std::shared_ptr<const Processes>& processes) {
   const bool is_first = !processes || processes->rank() == 0;

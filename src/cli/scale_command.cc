@@ -20,7 +20,7 @@ struct ScaleOptionsOfCommand : CommonOptions {
   std::string soil = "froude";
 };
 
-/// What a person wants to know of the similarity, by unit.
+/// Quantities whose factors are printed, with their units.
 const std::vector<std::pair<std::string, std::string>> quantities{
     {"length", "m"},  {"time", "s"},      {"frequency", "Hz"}, {"velocity", "m/s"},
     {"force", "N/m"}, {"pressure", "Pa"}, {"mass", "kg/m"},    {"density", "kg/m3"}};

@@ -32,7 +32,7 @@ int number_of_results(const Results& results) {
   return static_cast<int>(std::count_if(results.begin(), results.end(), [](const auto& r) { return r.has_value(); }));
 }
 
-/// Takes pieces until none is left, and writes every result down at once.
+/// Takes pieces of work until none is left, and writes every result to the journal at once.
 void work(const Study& study, const std::vector<std::vector<int>>& pieces, const StudyOptions& options, Pool& pool) {
   int n = 0;
   for (const std::vector<int>& piece : pieces) n += static_cast<int>(piece.size());
@@ -51,14 +51,14 @@ void work(const Study& study, const std::vector<std::vector<int>>& pieces, const
       journal.add(run, result);
       pool.tell(1, result.done ? 0 : 1);
     }
-  while (pool.rank() == 0 && pool.done() < n) {  // the others have their last pieces
+  while (pool.rank() == 0 && pool.done() < n) {  // other processes still work on their last pieces
     meanwhile();
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   }
   pool.meet();
 }
 
-/// Writes the tables from the journals, and says what came out; returns the exit code.
+/// Writes the tables from the journals, and prints a summary; returns the exit code.
 int finish(const Study& study, const StudyOptions& options, const StudyAccount& account) {
   const Results results = read_journals(options.out, study.fingerprint, study.runs.size());
   OutputFolder folder(options.out);
@@ -74,7 +74,7 @@ int finish(const Study& study, const StudyOptions& options, const StudyAccount& 
   return n_failed(results) > 0 ? exit_failed_runs : 0;
 }
 
-/// The other processes may be anywhere, and to end MPI in an orderly way would be to wait for them.
+/// Ends this process without MPI_Finalize, which would wait for the other processes, whatever they are doing.
 [[noreturn]] void leave(int code) {
   std::cerr << std::flush;
   std::_Exit(code);
@@ -82,7 +82,7 @@ int finish(const Study& study, const StudyOptions& options, const StudyAccount& 
 
 [[noreturn]] void end_interrupted(const Interrupted& interrupted, const Study& study, const StudyOptions& options,
                                   const Pool& pool) {
-  // where another process ends before the first has spoken, the launcher ends that one, too
+  // the launcher ends all processes once one ends, so the first process gets time to print its message
   if (pool.rank() > 0) std::this_thread::sleep_for(std::chrono::seconds(2));
   const int n = number_of_results(read_journals(options.out, study.fingerprint, study.runs.size()));
   if (pool.rank() == 0)
@@ -91,7 +91,7 @@ int finish(const Study& study, const StudyOptions& options, const StudyAccount& 
   leave(exit_signal + interrupted.signal());
 }
 
-/// Of all processes the first one tells mistakes; none on the others.
+/// Reads the study. Only the first process reports mistakes; the other processes return none.
 std::optional<Study> read_study_in(const Pool& pool, const StudyOptions& options) {
   try {
     return read_study(options.file, options.overrides);
@@ -111,7 +111,7 @@ int run_study(const StudyOptions& options, const Stopwatch& since_start) {
   pool.meet();
   const Results before = read_journals(options.out, study.fingerprint, study.runs.size());
   const std::vector<std::vector<int>> pieces = schedule(study, before);
-  pool.meet();  // nobody writes before all have read
+  pool.meet();  // all processes read before any writes
   note_interrupts();
   try {
     if (!pieces.empty()) work(study, pieces, options, pool);
@@ -126,14 +126,14 @@ int run_study(const StudyOptions& options, const Stopwatch& since_start) {
   return finish(study, options, {pool.size(), number_of_results(before), since_start.seconds()});
 }
 
-/// Checks everything first, so that mistakes are told once, then starts as many processes as have work.
+/// Checks everything first, so that mistakes are reported once, then starts as many processes as there is work for.
 void start(const StudyOptions& options) {
   const Study study = read_study(options.file, options.overrides);
   require_inputs_kept(options.out, study_files, study.inputs);
   const Results before =
       options.restart ? Results(study.runs.size()) : read_journals(options.out, study.fingerprint, study.runs.size());
   {
-    const OutputFolder free_to_write(options.out);  // throws where it is not; given back before the runs take it
+    const OutputFolder free_to_write(options.out);  // throws where it is not free; released before the runs take it
   }
   const int jobs = options.jobs > 0 ? options.jobs : available_cores();
   const int processes = std::min(jobs, static_cast<int>(schedule(study, before).size()));

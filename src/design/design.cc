@@ -11,7 +11,7 @@ namespace upbead {
 
 namespace {
 
-/// Why a measured force alone may be reduced by F_T/P.
+/// Why shear_to_force_ratio needs a measured force: it may reduce only that.
 Diagnostic ratio_without_force() {
   return {at_key("shear_to_force_ratio"),
           "shear_to_force_ratio needs a measured or computed 'force': alpha_I was fitted to sliding tests, so the P of "
@@ -28,7 +28,7 @@ Diagnostics diagnose(const WaveTable& wave) {
   return list;
 }
 
-/// Reports what contradicts itself in a table, unless one of the keys that it hangs on has been refused already.
+/// Reports what is contradictory in a table, unless one of the keys that it depends on has been refused already.
 void report_unless_refused(const std::string& path, const Diagnostics& found, const std::vector<std::string>& keys,
                            const Document& document, Diagnostics& report) {
   const auto sound = [&](const std::string& key) { return report.sound(dotted(path, key)); };

@@ -14,8 +14,8 @@ namespace upbead {
 
 struct Design {
   DesignTables tables;
-  Document document;  ///< what was written, for places
-  std::string stem;   ///< the file's name without folder and ending
+  Document document;  ///< the file as written, for places
+  std::string stem;   ///< name of the file without folder and ending
 
   /// A path of the design (relative to its file) as seen from the working folder.
   std::string resolve(const std::string& path) const;
@@ -29,26 +29,26 @@ using DesignCheck = void (*)(const DesignTables& tables, const Document& documen
 Design read_design(const std::string& path, const std::vector<std::string>& overrides,
                    const std::vector<DesignCheck>& further = {});
 
-/// The design as TOML with every default spelled out, and with paths as seen from `output_folder`: it runs as it is
-/// there.
+/// The design as TOML with every default written out, and with paths relative to `output_folder`, where it can be run
+/// unchanged.
 std::string effective_design(const Design& design, const std::string& output_folder);
 
 /// Every key of the design file as Markdown.
 std::string design_reference();
 
-/// The same keys as JSON Schema (draft 4): editors complete and check a design file by it.
+/// The same keys as JSON Schema (draft 4), with which editors complete and check a design file.
 std::string design_json_schema();
 
-/// The design itself and the files that it names, each with the key.
+/// The design itself and the files that it names, each with the key that names it.
 std::vector<InputFile> input_files(const Design& design);
 
-/// What `expected` needs: the tables, the record of sea states, the reduced model.
+/// Checks what `expected` needs: the tables, the record of sea states, the reduced model.
 void check_expected(const DesignTables& tables, const Document& document, Diagnostics& report);
 
-/// Goda's P with alpha_I is refused as a force for a reduced model.
+/// Refuses P of Goda's formula with alpha_I as a force on a reduced model.
 void check_impact(const DesignTables& tables, const Document& document, Diagnostics& report);
 
-/// Reads the reduced model of the table at the dotted path; it must be that of the section's caisson.
+/// Reads the reduced model of the table at the dotted path, and checks that its caisson is the section's.
 void check_model(const std::string& path, const DynamicsTable& table, const Section& section, const Water& water,
                  const Document& document, Diagnostics& report);
 
@@ -61,10 +61,10 @@ struct NamedScatter {
 };
 const std::vector<NamedScatter>& named_scatters();
 
-/// Sound tables as distributions.
+/// Tables without mistakes as distributions.
 Uncertainties uncertainties(const ScatterTables& tables);
 
-/// What `calibrate` needs: the tables, and the models that they name.
+/// Checks what `calibrate` needs: the tables, and the models that they name.
 void check_calibration(const DesignTables& tables, const Document& document, Diagnostics& report);
 
 }  // namespace upbead

@@ -30,14 +30,14 @@ std::string type_text(const KeyInfo& key, const NumberList*);
 inline ValueShape shape_of(const KeyInfo&, const NumberList*) {
   return ValueShape::list_or_table;
 }
-/// Always as a list.
+/// Prints the numbers, always as a list.
 std::string print_value(const KeyInfo& key, const NumberList& value);
 void visit_value(const KeyInfo& key, const std::string& path, NumberList& value, const NumberVisitor& visitor);
 
-/// Which waves of a sea state come: those that Goda's random breaking leaves, or all up to a cut.
+/// Which waves of a sea state are taken: those after Goda's random breaking, or all up to a cut.
 struct HighestWave {
   bool breaking = true;
-  double cut = RayleighHeights::no_cut;  ///< over H_1/3; higher waves are set aside
+  double cut = RayleighHeights::no_cut;  ///< over H_1/3; higher waves are left out
 };
 
 Diagnostics read_value(const Node& node, const KeyInfo& key, HighestWave& value);
@@ -51,9 +51,9 @@ inline void visit_value(const KeyInfo&, const std::string&, HighestWave&, const 
 /// [sea]: the record of sea states.
 struct SeaTable {
   std::string states;  ///< path of the CSV file
-  double years = 1.;   ///< that it covers
+  double years = 1.;   ///< years covered by the record
   HighestWave highest;
-  std::map<std::string, double> heights;  ///< whose waves are counted (m)
+  std::map<std::string, double> heights;  ///< by name: heights (m) above which waves are counted
 };
 
 /// [storms]: in place of [sea]; angle in degrees.
@@ -69,7 +69,7 @@ struct LifeTable {
   std::optional<Law> sliding;  ///< none: dynamic where there is a model, else exact
 };
 
-/// [scatter.NAME]: what is uncertain, by its name.
+/// [scatter.NAME]: the uncertain quantities, by name.
 struct ScatterTables {
   std::optional<Scatter> significant_height, wave, period, force, uplift, friction, weight, water_level;
 };
@@ -77,8 +77,8 @@ struct ScatterTables {
 /// [dynamics]: the reduced model of the caisson.
 struct DynamicsTable {
   std::string model;           ///< path of the file
-  std::string load;            ///< its load that is the wave; "": the only or largest one
-  std::optional<double> step;  ///< of the answers (s)
+  std::string load;            ///< the load that stands for the wave; "": the only or largest one
+  std::optional<double> step;  ///< of the samples (s)
 };
 
 /// [impact].
@@ -88,7 +88,7 @@ struct ImpactTable : ImpactAssumptions {
 
 /// The tables [sea], [storms], [life], [scatter.NAME], [dynamics], [impact] as written.
 struct ExpectedTables {
-  /// That of [sea] or [storms], of which one is given.
+  /// The table of [sea] or of [storms], one of which is given.
   const HighestWave& highest() const { return sea ? sea->highest : storms->highest; }
 
   std::optional<SeaTable> sea;
@@ -104,7 +104,7 @@ struct ScaledModel : DynamicsTable {
   double scale = 1.;  ///< length of this model's breakwater over that of [section]
 };
 
-/// [calibration]: a grid of waves and mounds, and what is asked of each.
+/// [calibration]: a grid of waves and mounds, and the ratios r.
 struct CalibrationTable {
   NumberList relative_height{{0.3, 0.4, 0.5, 0.6, 0.7, 0.8}};        ///< H/h
   NumberList period;                                                 ///< T (s)
@@ -117,16 +117,17 @@ struct CalibrationTable {
 
 /// A table [waves.NAME] as written.
 struct WaveTable : WaveGiven {
-  /// Measured or computed beforehand, in place of Goda's: peak P (N/m), F_T/P of it, and U at that instant (N/m).
+  /// Measured or computed elsewhere, in place of Goda's: peak P (N/m), its ratio F_T/P, and U at the time of the peak
+  /// (N/m).
   std::optional<double> force, shear_to_force_ratio, uplift;
-  std::optional<double> pulse_duration;  ///< of that P as a triangle, for [ground] (s)
+  std::optional<double> pulse_duration;  ///< of that P, as a triangle, for [ground] (s)
 };
 
 /// The whole file as written.
 struct DesignTables : ExpectedTables {
   std::string title;
   ReportHead report;
-  double gravity = Water().gravity;  ///< top-level key; `water` takes it over once read (m/s2)
+  double gravity = Water().gravity;  ///< top-level key; copied to `water` once it is read (m/s2)
   Water water;
   Section section;
   DurationFactor duration;  ///< k(alpha*)

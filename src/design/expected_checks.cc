@@ -12,14 +12,15 @@ namespace upbead {
 
 namespace {
 
-constexpr double least_u = 0x1p-53;  // the least number of a Stream
-constexpr double most_storms = 1e8;  // of one life: minutes
+constexpr double least_u = 0x1p-53;  // the least random number of a Stream
+constexpr double most_storms = 1e8;  // in one life: minutes
 
 std::string resolved(const Document& document, const std::string& path) {
   return (std::filesystem::path(document.path()).parent_path() / path).lexically_normal().string();
 }
 
-/// Everything that reading a file may find, at `path` of the report; what has no line, at `key`, which names the file.
+/// Reports the mistakes that reading a file may find: at `path` of the report, or at `key`, which names the file,
+/// where a mistake has no line.
 template <class Read>
 void read(const std::string& path, const Place& key, const std::string& file, Diagnostics& report,
           const Read& reading) {
@@ -56,7 +57,7 @@ void check_scatter(const NamedScatter& named, const ScatterTables& tables, const
               "cut the distribution by low, such as low = 0.2");
 }
 
-/// Still water must stay above the berm and below the crest, and the caisson heavier than the water.
+/// Still water must stay above the berm and below the crest, and the caisson must not float.
 void check_levels(const DesignTables& tables, const std::vector<SeaState>& states, const Document& document,
                   Diagnostics& report) {
   double low = 0., high = 0., weight = 1.;
@@ -92,7 +93,7 @@ void check_levels(const DesignTables& tables, const std::vector<SeaState>& state
                "cut [scatter.weight] by low, or [scatter.water_level] by high");
 }
 
-/// A life must not have more storms than anybody would wait for.
+/// A life must not have more storms than can be computed in reasonable time.
 void check_storms(const DesignTables& tables, std::size_t n_states, const Document& document, Diagnostics& report) {
   if (!tables.life || !report.sound("life")) return;
   const double storms = std::ceil(tables.life->years / tables.sea->years) * static_cast<double>(n_states);

@@ -8,7 +8,7 @@ namespace upbead {
 
 namespace {
 
-/// All that `expected` tells.
+/// All that goes into summary.json of `expected`.
 struct ToldExpected {
   const Design* design;
   const ExpectedAnswer* answer;
@@ -17,7 +17,7 @@ struct ToldExpected {
 using Told = ToldExpected;
 using Answer = ExpectedAnswer;
 
-/// By the word of each law; null where it is not told, or no wave slides.
+/// A value for each law, by the law's word; null where there is no value, or no wave slides the caisson.
 Json by_law(const std::map<Law, Expectation>& laws, double Expectation::*member) {
   Json json = Json::object();
   for (const Law law : all_laws) {
@@ -28,7 +28,7 @@ Json by_law(const std::map<Law, Expectation>& laws, double Expectation::*member)
   return json;
 }
 
-/// Null where there is none.
+/// The height, or null where there is none.
 std::optional<double> if_finite(double height) {
   return std::isfinite(height) ? std::optional(height) : std::nullopt;
 }

@@ -19,7 +19,7 @@ bool has(const ModalModel& modes, const std::string& name) {
                      [&name](const ReadingLabel& label) { return label.name == name; });
 }
 
-/// P of a unit of each load (N/m).
+/// P per unit of each load (N/m).
 Eigen::RowVectorXd forces(const ModalModel& modes) {
   return modes.feedthrough.row(modes.index(reading::force));
 }
@@ -50,10 +50,10 @@ void check_mass(double mass, const Section& section, const Water& water, const P
                "give one caisson in both, within 1 %");
 }
 
-constexpr double longer_by_scatter = 2.;  // how much longer than the record's a period may be drawn for bounds to hold
+constexpr double longer_by_scatter = 2.;  // bounds hold up to this multiple of the record's longest period
 
-/// The shortest t_r of waves that might slide. The rise grows with the height; half the threshold of eq. (7) is safely
-/// below where sliding begins.
+/// The shortest t_r of waves that might slide the caisson. The rise grows with the height; half the threshold of eq.
+/// (7) is safely below the height at which sliding begins.
 double shortest_rise(const Breakwater& breakwater, const ImpactAssumptions& impact,
                      const std::vector<SeaState>& record) {
   double shortest = HUGE_VAL;

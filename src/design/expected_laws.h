@@ -1,5 +1,5 @@
-// What `expected` and `calibrate` rest on: the record of sea states, the reduced model that answers waves, sliding
-// laws.
+// The basis of `expected` and `calibrate`: the record of sea states, the reduced model under the waves, the laws of
+// sliding.
 #pragma once
 
 #include <memory>
@@ -17,46 +17,48 @@
 
 namespace upbead {
 
-inline constexpr double steps_of_a_rise = 80.;  ///< of the answers, in the shortest rise of a force
+inline constexpr double steps_of_a_rise = 80.;  ///< steps of a response in the shortest rise of a force
 
-/// Reads a CSV file with the columns significant_height (m), period (s), waves, and, on demand, angle (degrees) and
-/// water_level (m), in any order; units in the header count, a counter is left out and added to `notes`. Throws
-/// InputError with every mistake; a file that cannot be read is one at `place`.
+/// Reads a CSV file with the columns significant_height (m), period (s), waves, and, where given, angle (degrees) and
+/// water_level (m), in any order. Units in the header are converted; a counter is left out and added to `notes`.
+/// Throws InputError with every mistake; a file that cannot be read is a mistake at `place`.
 std::vector<SeaState> read_sea_states(const std::string& path, const Place& place, RecordNotes& notes);
 
-/// What `expected` takes of a model's file.
+/// The part of a model's file that `expected` uses.
 struct WaveModel {
   std::string title;
-  std::string load;  ///< name of the load that is the wave
+  std::string load;  ///< name of the load that stands for the wave
   ShearModel shear;
 };
 
-/// Reads it and chooses the load. Throws InputError with every mistake, at `place` (of [dynamics]): no caisson, no such
-/// load, a load without horizontal force, or a mass that is not the section's weight within 1 %.
+/// Reads the model and chooses the load. Throws InputError with every mistake, at `place` (of [dynamics]): no
+/// caisson, no such load, a load without horizontal force, or a mass that differs from the section's weight by more
+/// than 1 %.
 WaveModel read_wave_model(const std::string& path, const DynamicsTable& table, const Section& section,
                           const Water& water, const Place& place);
 
-/// Sound tables as a climate.
+/// A table without mistakes as a climate.
 StormClimate climate_of(const StormsTable& table);
 
-/// Storms from the median to that of which one in 10,000 is higher, at low and high tide.
+/// Storms from the median to the storm that one in 10,000 exceeds, at low and high tide.
 std::vector<SeaState> typical_storms(const Design& design);
 
-/// Safe to share between threads.
+/// The laws of sliding for a design. Safe to share between threads.
 class Laws {
  public:
-  /// Reads the reduced model where the design names one. `record`: for the step of its answers.
+  /// Reads the reduced model where the design names one. `record`: determines the step of its responses.
   Laws(const Design& design, const std::vector<SeaState>& record);
   std::unique_ptr<SlidingLaw> make(Law law, const SeaState& state) const;
-  /// The law dynamic; only where there is a model.
+  /// The law `dynamic`; only where there is a model.
   std::unique_ptr<DynamicLaw> dynamic(const SeaState& state) const;
-  /// At rest and in a wave, by its reduced model or by Goda's formulas; none where the model cannot tell.
+  /// The base at rest and in a wave, by the reduced model or by Goda's formulas; none where the model has no such
+  /// readings.
   std::optional<WorstBase> base(Law law, const DrawnWave& wave) const;
-  /// Why the law dynamic tells nothing about the base; "" where it does.
+  /// Why the law `dynamic` gives no results for the base; "" where it gives them.
   std::string why_no_dynamic_base() const;
-  /// Those that can be made.
+  /// The laws that can be made.
   std::vector<Law> known() const;
-  /// The one to take where nobody says: dynamic where there is a model, else exact.
+  /// The default law: dynamic where there is a model, else exact.
   Law best() const { return answer_ ? Law::dynamic : Law::exact; }
   const std::optional<ModelUsed>& model() const { return model_; }
 

@@ -11,7 +11,7 @@ namespace upbead {
 
 namespace {
 
-constexpr int few_lives = 50;  // that slide: a normal distribution of their mean is then doubtful
+constexpr int few_lives = 50;  // with fewer lives that slide, a normal distribution of their mean is doubtful
 
 const char* meaning(Law law) {
   switch (law) {
@@ -44,7 +44,7 @@ std::string range_of_limits(const std::vector<StateAnswer>& states) {
   return (low < high ? significant(low, 4) + " to " : "") + significant(high, 4) + " m";
 }
 
-/// Of the sea state whose limit is the highest.
+/// Number of waves at the limit, in the sea state with the highest limit.
 double waves_at_limit(const std::vector<StateAnswer>& states) {
   const auto highest = std::max_element(states.begin(), states.end(), [](const StateAnswer& a, const StateAnswer& b) {
     return a.heights.highest() < b.heights.highest();
@@ -140,7 +140,7 @@ std::string describe_record(const SeaTable& sea, const ExpectedAnswer& answer) {
   return text;
 }
 
-/// What the base may not have at all is no number there.
+/// A dataset of the base; infinite values, where the base carries nothing, become NaN.
 Dataset some_of_base(const std::string& name, const std::string& unit, const std::string& what,
                      std::vector<double> values) {
   for (double& value : values)
@@ -202,7 +202,7 @@ std::string describe(const Design& design, const ExpectedAnswer& answer) {
 
 namespace {
 
-/// Sea states that no sea in deep water brings to the wall.
+/// Warns of sea states at the wall that no sea in deep water can cause.
 std::string impossible_seas(const std::vector<StateAnswer>& states) {
   const auto impossible = [](const StateAnswer& s) { return !s.before.reaches; };
   const auto first = std::find_if(states.begin(), states.end(), impossible);
@@ -217,7 +217,7 @@ std::string impossible_seas(const std::vector<StateAnswer>& states) {
          "; check significant_height (at the wall), period and water_depth\n";
 }
 
-/// Waves that the depth would break, where a cut or nothing limits them.
+/// Warns of waves that the depth would break, where only a cut or nothing limits the heights.
 std::string unbroken_waves(const HighestWave& highest, const ExpectedAnswer& answer) {
   if (highest.breaking) return "";
   double higher = 0., lowest = HUGE_VAL;

@@ -1,4 +1,4 @@
-// What `upbead expected` computes of a design, and tells: summary.json, results.h5, and the text for people.
+// What `upbead expected` computes for a design, and its output: summary.json, results.h5, and text.
 #pragma once
 
 #include <array>
@@ -18,26 +18,26 @@ struct OutputRow;
 
 inline const std::vector<Law> all_laws{Law::paper, Law::exact, Law::combined, Law::dynamic};
 
-/// What the highest wave of a sea state, or of all, presses on the base with.
+/// The pressures on the base in the highest wave of one sea state, or of all.
 struct HighestOnBase {
-  double height = 0.;                ///< that one wave of the sea state exceeds, or the limit (m)
-  WorstBase goda;                    ///< by his formulas, with alpha*
+  double height = 0.;                ///< exceeded by one wave of the sea state, or the limit (m)
+  WorstBase goda;                    ///< by Goda's formulas, with alpha*
   std::optional<WorstBase> dynamic;  ///< by the reduced model
   std::string why_not_dynamic;
 };
 
-/// One sea state by quadrature; the law dynamic only where there is a model.
+/// Results of one sea state by quadrature; those of the law dynamic only where there is a model.
 struct StateAnswer {
   SeaState state;
-  RayleighHeights heights;  ///< as the limit leaves them
-  SeaBefore before;         ///< tells where its waves break, whether they are let or not
+  RayleighHeights heights;  ///< after the limit
+  SeaBefore before;         ///< where its waves break, whether or not breaking limits them
   std::map<Law, Expectation> by_law;
   HighestOnBase base{};
 };
 
-/// Heights of all waves, and what those of one sea state bring.
+/// Distribution of the heights of all waves, and sliding by height in one sea state.
 struct HeightCurves {
-  SeaState state;                                   ///< the one that brings most by the law exact
+  SeaState state;                                   ///< the sea state with the most sliding by the law exact
   std::vector<double> height;                       ///< m
   std::vector<double> waves;                        ///< of all sea states (1/m)
   std::map<Law, std::vector<double>> distance;      ///< S(H) (m)
@@ -46,7 +46,7 @@ struct HeightCurves {
   std::vector<double> heel_pressure;           ///< by Goda's formulas (Pa)
 };
 
-/// Waves above a height that was asked for.
+/// Number of waves above a height that the design asks for.
 struct Exceedance {
   std::string name;
   double height = 0., waves = 0.;
@@ -54,15 +54,15 @@ struct Exceedance {
 
 struct ModelUsed {
   std::string title, load;
-  double step = 0.;           ///< of all answers (s)
-  double shortest_rise = 0.;  ///< of the waves that might slide (s)
+  double step = 0.;           ///< of all responses (s)
+  double shortest_rise = 0.;  ///< of the waves that might slide the caisson (s)
 };
 
-/// The worst value of each life, and what these tell.
+/// The worst value of each life, and their statistics.
 struct WorstOfLives {
   std::vector<double> values;
   LifeStatistics statistics;       ///< of the values
-  std::optional<Exceeded> beyond;  ///< the limit, where there is one
+  std::optional<Exceeded> beyond;  ///< how often the limit is passed, where there is one
 };
 
 struct BaseOfLives {
@@ -72,13 +72,12 @@ struct BaseOfLives {
 struct MonteCarlo {
   Law law = Law::exact;
   LifeStatistics statistics;
-  std::vector<double> sliding;  ///< S of each life (m)
-  double waves = 0.;            ///< in all lives
-  double answered = 0.;         ///< of them those whose S was computed
-  double taken = 0.;            ///< of them those that the limit took
-  double highest = 0.;          ///< of those whose S was computed (m)
-  std::optional<double>
-      without_scatter;  ///< expectation of a life by quadrature, nothing uncertain but the heights (m)
+  std::vector<double> sliding;            ///< S of each life (m)
+  double waves = 0.;                      ///< in all lives
+  double answered = 0.;                   ///< number of these waves whose S was computed
+  double taken = 0.;                      ///< number of these waves that the limit broke or left out
+  double highest = 0.;                    ///< height, of waves whose S was computed (m)
+  std::optional<double> without_scatter;  ///< expectation of a life by quadrature, where only heights scatter (m)
   std::optional<BaseOfLives> base;
   std::string why_no_base;
   double seconds = 0.;
@@ -87,11 +86,11 @@ struct MonteCarlo {
 struct ExpectedAnswer {
   std::vector<StateAnswer> states;
   std::map<Law, Expectation> total;  ///< thresholds: the least of all sea states
-  double waves = 0.;                 ///< of all sea states, without those beyond a cut
-  double taken = 0.;                 ///< waves that the limit took: broken to its height, or beyond a cut
+  double waves = 0.;                 ///< of all sea states, without waves beyond a cut
+  double taken = 0.;                 ///< waves that the limit changed: broken to its height, or beyond a cut
   double all = 0.;                   ///< waves of all sea states
-  HighestOnBase base;                ///< the worst of all sea states; the height of the largest heel pressure's
-  double highest = 0.;               ///< the height that one wave of the record exceeds, or the limit (m)
+  HighestOnBase base;                ///< the worst of all sea states; height: of the largest heel pressure
+  double highest = 0.;               ///< exceeded by one wave of the record, or the limit (m)
   std::vector<Exceedance> exceedance;
   HeightCurves curves;
   std::optional<ModelUsed> model;
@@ -100,12 +99,12 @@ struct ExpectedAnswer {
   RecordNotes notes;  ///< how the sea states were read
 };
 
-/// Of `all`; 0 of nothing.
+/// The share of `all`; 0 where `all` is 0.
 inline double share_of(double some, double all) {
   return all > 0. ? some / all : 0.;
 }
 
-/// On all cores; the same numbers whatever their number. Throws NumericsError where a number is not finite.
+/// Computes on all cores; the numbers do not depend on how many. Throws NumericsError where a number is not finite.
 ExpectedAnswer find_expected(const Design& design);
 
 /// Wall times (s).
@@ -115,7 +114,7 @@ struct ExpectedTiming {
 
 /// Throws NumericsError where a number is not finite.
 std::string to_json(const Design& design, const ExpectedAnswer& answer, const ExpectedTiming& timing);
-/// Its keys.
+/// The keys of that JSON.
 std::vector<OutputRow> rows_of_expected();
 /// The bytes of results.h5.
 std::string expected_file(const Design& design, const ExpectedAnswer& answer);

@@ -22,14 +22,14 @@ StateAnswer answer_of(const DesignTables& tables, const SeaState& state) {
   return {state, RayleighHeights(state.significant_height, highest.cut, limit), before, {}};
 }
 
-/// Waves of all sea states above a height.
+/// Number of waves of all sea states above a height.
 double waves_above(const std::vector<StateAnswer>& states, double height) {
   double sum = 0.;
   for (const StateAnswer& s : states) sum += s.state.waves * s.heights.exceedance(height);
   return sum;
 }
 
-/// The height that so many waves exceed; 0 where there are fewer.
+/// The height that this number of waves exceeds; 0 where there are fewer waves.
 double height_of(const std::vector<StateAnswer>& states, double number) {
   const auto excess = [&](double height) { return waves_above(states, height) - number; };
   if (excess(0.) <= 0.) return 0.;
@@ -43,7 +43,7 @@ QuadratureChoice choice_of(Law law) {
   return law == Law::dynamic || law == Law::combined ? QuadratureChoice{1e-5, 8} : QuadratureChoice{};
 }
 
-/// Of the height that one wave of a sea state exceeds.
+/// The base under the height that one wave of a sea state exceeds.
 HighestOnBase highest_on_base(const Laws& laws, const StateAnswer& state) {
   const double height = state.heights.height(1. / std::max(state.state.waves, 1.));
   const DrawnWave wave{state.state, height, {}};
@@ -97,7 +97,7 @@ void add_peaks(const DynamicLaw& law, HeightCurves& curves) {
   }
 }
 
-/// Up to the height that a thousandth of a wave exceeds, or the limit.
+/// Curves up to the height that a thousandth of a wave exceeds, or to the limit.
 HeightCurves curves_of(const Laws& laws, const std::vector<StateAnswer>& states) {
   const auto most = std::max_element(states.begin(), states.end(), [](const StateAnswer& a, const StateAnswer& b) {
     return a.by_law.at(Law::exact).distance < b.by_law.at(Law::exact).distance;
@@ -133,7 +133,7 @@ StormSource source_of(const Design& design) {
           }};
 }
 
-/// `side` -1: what falls below the limit is beyond it.
+/// `side` = -1: values below the limit are beyond it.
 WorstOfLives worst_of_lives(const std::vector<WorstBase>& lives, double WorstBase::*member,
                             const std::optional<double>& limit, double side = 1.) {
   WorstOfLives out;
@@ -150,7 +150,8 @@ WorstOfLives worst_of_lives(const std::vector<WorstBase>& lives, double WorstBas
   return out;
 }
 
-/// By own dynamics of the wave of each life that has the largest heel pressure by Goda's formulas.
+/// Finds the base of each life. With the law dynamic that is the base by own dynamics in the life's wave of the
+/// largest heel pressure by Goda's formulas.
 void add_base(const DesignTables& tables, const Laws& laws, const std::vector<Life>& lives, MonteCarlo& out) {
   const bool dynamic = out.law == Law::dynamic;
   if (dynamic) out.why_no_base = laws.why_no_dynamic_base();

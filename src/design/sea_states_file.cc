@@ -18,7 +18,7 @@ struct Column {
   std::string cure;
   std::function<bool(double)> allowed;
   double SeaState::*member;
-  std::string si;  ///< of a unit in its header
+  std::string si;  ///< SI unit of the quantity, for a unit in its header
   double scale = 1.;
 };
 
@@ -57,7 +57,7 @@ void check_names(const CsvTable& table, RecordNotes& notes, Diagnostics& mistake
   }
 }
 
-/// In the unit of the key: of angles degrees, else SI.
+/// Values in the unit of the key: degrees for angles, else SI.
 std::vector<double> values_of(const CsvTable& table, std::size_t c, const Column& column) {
   std::vector<double> values = in_si(table, c, column.si);
   if (!table.units[c].empty())

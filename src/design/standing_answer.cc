@@ -20,7 +20,7 @@ WavePressure resultants(const WallPressure& at, double width) {
   return p;
 }
 
-/// The section as it looks from the sea: its heel is the toe.
+/// The section seen from the sea: its heel is the toe.
 Section mirrored(Section section) {
   if (section.centroid) section.centroid = section.width - *section.centroid;
   return section;

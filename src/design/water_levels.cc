@@ -13,7 +13,7 @@ namespace {
 
 constexpr double shallowest = 1e-3;  // m, as formula_length()
 
-/// What is wrong with a level, and what to do.
+/// What is wrong with a level, and how to correct it.
 Diagnostic misfit(const WaterLevel& level, const Section& section, const Water& water) {
   const Section there = at_water_level(section, water, level.rise);
   const std::string what = level.name + " = " + significant(level.rise, 6) + " m: ";
@@ -32,14 +32,15 @@ Diagnostic misfit(const WaterLevel& level, const Section& section, const Water& 
   return {};
 }
 
-/// The first of the worst by `worse(a, b)`.
+/// The level that is worst by `worse(a, b)`, the first of equal ones.
 template <class Worse, class Value>
 GoverningLevel worst_level(const std::vector<WaveAnswer>& levels, Worse worse, Value value) {
   const auto most = std::min_element(levels.begin(), levels.end(), worse);
   return {most->level, value(*most)};
 }
 
-/// The worse the less; of several that overturn the one that does so most.
+/// An order in which the worse comes first; of several levels at which the caisson overturns, that with the least
+/// safety.
 std::pair<double, double> heel_before(const Stability& s) {
   return {-severity_of_heel(s), s.safety_overturning};
 }

@@ -1,4 +1,5 @@
-// Still water higher or lower than that of the section: which levels a design is asked at, and which of them governs.
+// Still water above or below that of the section: the levels at which a design is computed, and which of them
+// governs.
 #pragma once
 
 #include <optional>
@@ -17,16 +18,16 @@ struct WaterLevel {
   double rise = 0.;  ///< above the section's still water (m)
 };
 
-/// That of the section itself among those of a design.
+/// Name of the section's own level among the levels of a design.
 extern const char* const level_of_section;
 
-/// Those of a design and that of its section, the highest first; none where the design has none.
+/// The levels of a design and that of its section, the highest first; empty where the design has no levels.
 std::vector<WaterLevel> water_levels(const DesignTables& design);
 
-/// Still water must stay above bed, mound and bottom and below the crest, and the caisson heavier than the water.
+/// Still water must stay above bed, mound and bottom and below the crest, and the caisson must not float.
 void check_water_levels(const DesignTables& tables, const Document& document, Diagnostics& report);
 
-/// The level of the worst value of a check.
+/// The level at which the value of a check is worst, and that value.
 struct GoverningLevel {
   std::string level;
   double value = 0.;
@@ -35,14 +36,14 @@ struct GoverningLevel {
 struct GoverningLevels {
   GoverningLevel safety_sliding, safety_overturning;  ///< least
   GoverningLevel heel_pressure;                       ///< largest; above all numbers where it overturns
-  std::optional<GoverningLevel> seaward;              ///< least S.F. in the trough of the standing waves that there are
+  std::optional<GoverningLevel> seaward;              ///< least S.F. in the trough, at levels with a standing wave
 };
 
-/// Of a wave at each level; of equal ones the first, of several at which it overturns the one where it does so most.
+/// For one wave at all levels. Of equal values the first level governs; of several levels at which the caisson
+/// overturns, the one with the least safety.
 GoverningLevels governing(const std::vector<WaveAnswer>& levels);
 
-/// What does not hold of `[limits]`, of the wave as it breaks or as it stands: each of pressure and overturning at its
-/// worst.
+/// The `[limits]` that a wave exceeds, breaking or standing; pressure and overturning each at its worst.
 std::vector<Warning> beyond_limits(const Limits& limits, const WaveAnswer& answer);
 
 OutputSchema<GoverningLevels> governing_outputs();

@@ -112,7 +112,7 @@ OutputSchema<WaveAnswer> sliding_outputs() {
             "may be empty");
 }
 
-/// At one level of still water.
+/// The keys of a wave at one level of still water.
 OutputSchema<WaveAnswer> answer_outputs() {
   using A = WaveAnswer;
   using D = DesignWave;

@@ -10,8 +10,8 @@ namespace upbead {
 
 namespace {
 
-/// F_Smax = F_T + mu U, with F_T the P of Goda's formula with alpha_I, which already is an effective sliding force, or
-/// the measured P times F_T/P.
+/// Sets F_Smax = F_T + mu U. F_T is either P of Goda's formula with alpha_I, which already is an effective sliding
+/// force, or the measured P times F_T/P.
 void set_pulse(const WaveTable& table, const DesignTables& design, WaveAnswer& a) {
   const Section& s = design.section;
   a.measured = table.force.has_value();
@@ -35,12 +35,12 @@ void set_sliding(const DesignTables& design, double standing_force, WaveAnswer& 
                                 resistance, s.friction, combined, design.combined);
 }
 
-/// P as a triangle on a caisson that swings on the ground and slips on mu (W' - U), U held at its peak.
+/// Slides the caisson on elastic ground, with resistance mu (W' - U), under P as a triangle; U stays at its peak.
 void set_elastic(const WaveTable& table, const DesignTables& design, WaveAnswer& a) {
   if (!design.ground || !table.pulse_duration) return;
   const Section& s = design.section;
   const double resistance = s.friction * (s.submerged_weight - a.uplift);
-  if (resistance <= 0.) return;  // it floats, which a warning says
+  if (resistance <= 0.) return;  // the caisson floats, as a warning says
   a.elastic = slide_on_base(s.weight / design.water.gravity, *design.ground,
                             history({*table.force, *table.pulse_duration}), resistance);
 }
@@ -65,7 +65,7 @@ WaveAnswer answer(const std::string& name, const WaveTable& table, const DesignT
   return a;
 }
 
-/// The wave at each level: its height by random breaking, W' and the mound's depths are those of that level.
+/// The wave at each level, with the level's height by random breaking, W' and depths of the mound.
 std::vector<WaveAnswer> at_levels(const WaveAnswer& own, const WaveTable& table, const DesignTables& design) {
   std::vector<WaveAnswer> answers;
   for (const WaterLevel& level : water_levels(design)) {
@@ -80,7 +80,7 @@ std::vector<WaveAnswer> at_levels(const WaveAnswer& own, const WaveTable& table,
 
 using Row = std::vector<std::string>;
 
-/// Columns as wide as they must be, the first to the left, the others to the right.
+/// Columns as wide as needed, the first aligned to the left, all other ones to the right.
 std::string aligned(const std::vector<Row>& rows) {
   std::vector<std::size_t> width(rows.front().size());
   for (const Row& row : rows)
@@ -110,12 +110,12 @@ Row pressures(const WaveAnswer& a, const Limits&) {
   return row;
 }
 
-/// What "!" means, where there may be one.
+/// Explains "!", where it may occur.
 std::string note_on(const Limits& limits) {
   return limits.base_pressure || limits.overturning ? ", ! beyond [limits]" : "";
 }
 
-/// With "!" where the limit is passed.
+/// The heel pressure, with "!" where it exceeds the limit.
 std::string judged_heel(const Stability& s, const Limits& limits) {
   return short_number(s.heel_pressure / 1e3) + (too_much_pressure(s, limits) ? "!" : "");
 }
@@ -184,7 +184,7 @@ std::string levels_table(const std::vector<WaveAnswer>& answers, const Limits& l
   return "\nWater levels, * the one that governs" + note_on(limits) + " (m, kN/m, kPa)\n" + aligned(rows);
 }
 
-/// Where a wave stands before the wall; where none does, why, once for all waves that it holds for.
+/// A table of the waves that stand before the wall, and for those that do not each reason once, with its waves.
 std::string standing_table(const std::vector<WaveAnswer>& answers, const Limits& limits) {
   std::vector<Row> rows{standing_head()};
   std::string none;

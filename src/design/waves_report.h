@@ -1,4 +1,4 @@
-// What `upbead waves` finds, and tells to people and to programs.
+// The results of `upbead waves`, and their output as text and JSON.
 #pragma once
 
 #include <optional>
@@ -21,45 +21,46 @@ struct SlidingDistances {
   double paper = 0.;       ///< S_CAL, eq. (7)
   PaperParts paper_parts;  ///< S_1 and S_2
   double exact = 0.;       ///< eqs. (4) and (6), integrated
-  double combined = 0.;    ///< with the standing wave beside the pulse, Shimosako and Takahashi (1998)
+  double combined = 0.;    ///< with the standing wave besides the pulse, Shimosako and Takahashi (1998)
 };
 
 struct WaveAnswer {
   std::string name;
-  std::string level;  ///< of still water; "": the section's own, where there are no others
+  std::string level;  ///< of still water; "": the section's own, where the design has no levels
   double rise = 0.;   ///< of that level (m)
-  Section section;    ///< as it stands there
+  Section section;    ///< the section at that level
   double angle = 0.;  ///< degrees
   DesignWave wave;
   double wavelength = 0.;          ///< L (m)
   WavePressure pressure;           ///< by alpha* = max(alpha_2, alpha_I)
   WavePressure without_alpha_I;    ///< by alpha_2 alone
-  Stability stability;             ///< by Goda's formula with alpha_I, whatever has been measured
+  Stability stability;             ///< by Goda's formula with alpha_I, even where P was measured
   bool measured = false;           ///< P is given in the design
-  double force = 0., uplift = 0.;  ///< what slides: F_T and U (N/m)
+  double force = 0., uplift = 0.;  ///< that slide the caisson: F_T and U (N/m)
   double tau_0F = 0., k = 0.;      ///< s, 1
   TriangularPulse pulse;           ///< F_Smax = F_T + mu U (N/m), tau_0 (s)
   double ratio = 0.;               ///< r = F_Smax / (mu W')
   SlidingDistances sliding;
   std::optional<ElasticSliding> elastic;  ///< on a ground that sways
-  StandingResult standing;                ///< where the wave does not break
+  StandingResult standing;                ///< in case the wave does not break
   std::vector<Warning> warnings;
-  std::vector<WaveAnswer> levels;            ///< the same wave at each level, the highest first; its own among them
+  std::vector<WaveAnswer> levels;            ///< the wave at each level, the highest first, with the section's own
   std::optional<GoverningLevels> governing;  ///< where there are levels
 };
 
 /// All waves of a design, in the order of their names.
 std::vector<WaveAnswer> answer_waves(const DesignTables& design);
 
-/// Tables of pressures, safety and sliding, a row a wave, and of levels, a row a wave and level.
+/// Tables of pressures, safety and sliding with a row for each wave, and of levels with a row for each wave and
+/// level.
 std::string describe(const DesignTables& design, const std::vector<WaveAnswer>& answers);
 
-/// A line for every warning, each once with the waves that it holds for.
+/// One line for each warning, with all waves that it concerns.
 std::string warning_lines(const std::vector<WaveAnswer>& answers);
 
 /// summary.json. Throws NumericsError where a number is not finite.
 std::string to_json(const DesignTables& design, const std::vector<WaveAnswer>& answers);
-/// Its keys.
+/// The keys of that JSON.
 std::vector<OutputRow> rows_of_waves();
 
 }  // namespace upbead

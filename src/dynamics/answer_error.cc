@@ -16,8 +16,8 @@ namespace {
 using Complex = std::complex<double>;
 
 constexpr double padding = 1.1;  ///< length of the FFT over that of the wave
-constexpr double wrapped = 10.;  ///< what wraps around falls by exp(-wrapped)
-/// The bound's safety on both differences, see docs/reduced.md.
+constexpr double wrapped = 10.;  ///< parts that wrap around are damped by exp(-wrapped)
+/// Safety factors of the bound on both differences: docs/reduced.md.
 constexpr double safety_of_model = 1.2, safety_of_middle = 1.5;
 
 /// Z - 1 at the frequencies of the FFT.
@@ -29,14 +29,14 @@ Eigen::ArrayXcd contour(Eigen::Index n_fft) {
   return q;
 }
 
-/// Parts of a transfer function in conjugate pairs of poles, by real and imaginary part.
+/// Sum of the terms of conjugate pairs of poles in a transfer function, by real and imaginary part.
 struct Sums {
   explicit Sums(Eigen::Index n) : re(Eigen::ArrayXd::Zero(n)), im(Eigen::ArrayXd::Zero(n)) {}
   Eigen::VectorXcd complex() const { return re.matrix() + Complex(0., 1.) * im.matrix(); }
   Eigen::ArrayXd re, im;
 };
 
-/// (a2 q^2 + a1 q + a0) / ((q - g) (q - conj g)).
+/// The sampled term of a pair of poles: (a2 q^2 + a1 q + a0) / ((q - g) (q - conj g)).
 struct SampledPair {
   double a2, a1, a0, g_re, g_im;
 };
@@ -53,7 +53,7 @@ UPBEAD_CLONES void add(const SampledPair& p, Eigen::Index n, const double* q_re,
   }
 }
 
-/// (a1 i omega + a0) / (|p|^2 - omega^2 - 2 i omega Re p).
+/// The term of a pair of poles: (a1 i omega + a0) / (|p|^2 - omega^2 - 2 i omega Re p).
 struct Pair {
   double a1, a0, square, twice_real;
 };
@@ -67,9 +67,9 @@ UPBEAD_CLONES void add(const Pair& p, Eigen::Index n, const double* omega, doubl
   }
 }
 
-/// Sampled transfer function of load k, what the recurrence of every mode does to lines between samples, where Z - 1 is
-/// `q`. With g = E - 1 a pair of conjugate poles gives Re-coefficients over (q - g) (q - conj g), all without
-/// cancellation where steps are short beside the poles.
+/// Sampled transfer function of load k: what the recurrence of every mode gives for loads that are straight between
+/// samples; `q` is Z - 1. With g = E - 1, a pair of conjugate poles gives real coefficients over (q - g) (q - conj
+/// g), without cancellation even where the step is short compared with 1/|pole|.
 Eigen::VectorXcd sampled_transfer(const ModalModel& model, int i, int k, double h, const Eigen::ArrayXcd& q) {
   const Eigen::ArrayXd q_re = q.real(), q_im = q.imag();
   Sums H(q.size());
@@ -87,7 +87,7 @@ Eigen::VectorXcd sampled_transfer(const ModalModel& model, int i, int k, double 
   return sum;
 }
 
-/// ModalModel::transfer() at i omega, none of them zero.
+/// ModalModel::transfer() at i omega; no omega may be zero.
 Eigen::VectorXcd transfer(const ModalModel& model, int i, int k, const Eigen::ArrayXd& omega) {
   Sums H(omega.size());
   for (int m = 0; m < model.n_modes(); ++m) {
@@ -107,7 +107,8 @@ double ResponseDifference::bound() const {
   return safety_of_model * of_model.cwiseAbs().maxCoeff() + safety_of_middle * of_middle.cwiseAbs().maxCoeff();
 }
 
-/// By FFT or, of few waves, by the recurrences themselves: to make the transfer functions takes as long as so many.
+/// Up to this number of waves the recurrences themselves are used, beyond it the FFT: making the transfer functions
+/// takes as long as so many waves.
 constexpr int few_waves = 30;
 
 struct ResponseError::ByFft {
@@ -158,16 +159,17 @@ ResponseDifference ResponseError::of(const Eigen::Ref<const WaveSamples>& loads)
   if (loads.rows() != n_loads_ || loads.cols() != n_)
     throw std::invalid_argument("a wave's loads do not fit the reduced model or its check");
   if (by_fft_) return by_fft_->of(loads);
-  WaveSamples from_zero = WaveSamples::Zero(n_loads_, n_ + 1);  // a first sample is reached along a line, too
+  WaveSamples from_zero = WaveSamples::Zero(n_loads_, n_ + 1);  // the first sample is reached along a line, too
   from_zero.rightCols(n_) = loads;
   Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::RowMajor> y(3, n_ + 1);
   for (int i = 0; i < 3; ++i) models_[static_cast<std::size_t>(i)].respond(from_zero, y.row(i));
   return {(y.row(2) - y.row(0)).tail(n_).transpose(), (y.row(2) - y.row(1)).tail(n_).transpose()};
 }
 
-/// The part of sampled_transfer() from beyond `limit`. Lines between samples hold omega and all omega + 2 pi j / h,
-/// each with the spectrum sinc^2 of the hat that a sample makes of them, and at the samples' times all look like omega.
-/// What those below the limit bring is taken off; the rest is what the corners of the lines bring.
+/// The part of sampled_transfer() from beyond `omega`. Lines between samples contain each frequency of the FFT and
+/// its aliases, 2 pi j / h away, with the weight sinc^2, the spectrum of a sample's hat function; at the times of the
+/// samples all aliases look alike. The contributions of aliases below `omega` are subtracted; the rest comes from the
+/// corners of the lines.
 BandCheck::BandCheck(const ModalModel& model, int reading, double step, int n, double omega)
     : n_(n), fft_(std::make_shared<const detail::RealFft>(2 * n)), transfer_(fft_->size() / 2 + 1, model.n_loads()) {
   const Eigen::Index J = transfer_.rows();

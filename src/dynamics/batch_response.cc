@@ -8,7 +8,7 @@
 
 namespace upbead::detail {
 
-/// Modes w(n + 1) = E w(n) + f_n that answer to samples f_n with y_n = Re sum_m reading_m w_m(n). Their number is
+/// Modes w(n + 1) = E w(n) + f_n, whose response to samples f_n is y_n = Re sum_m reading_m w_m(n). Their number is
 /// padded to a multiple of `lanes` by modes of zeros.
 struct ModeTable {
   SplitArray E;
@@ -23,8 +23,8 @@ struct BlockPointers {
   double *w_re, *w_im, *y;
 };
 
-/// One block of samples for all modes. What a mode adds to a sample waits for nothing but the mode's last value, so
-/// that the processor works on several modes at once.
+/// One block of samples for all modes. What a mode adds to a sample depends only on the mode's last value, so that
+/// the processor can work on several modes at once.
 UPBEAD_CLONES void add_block(Eigen::Index n_modes, const BlockPointers& p) {
   Lanes sum[samples_at_a_time] = {};
   for (Eigen::Index m = 0; m < n_modes; m += lanes) {
@@ -61,8 +61,7 @@ SplitArray padded(const Eigen::VectorXcd& values) {
 
 void flush_denormals(SplitArray& z) {
   constexpr double gone = 1e-250;
-  for (Eigen::ArrayXd* part : {&z.re, &z.im})
-    *part = (part->abs() < gone).select(0., *part);  // which keeps what is no number
+  for (Eigen::ArrayXd* part : {&z.re, &z.im}) *part = (part->abs() < gone).select(0., *part);  // NaN is kept
 }
 
 void add_mode_sum(const SplitArray& E, const SplitArray& reading, const double* f, Eigen::Index n_samples,
@@ -85,7 +84,7 @@ using detail::ModeTable;
 using detail::padded;
 using detail::SplitArray;
 
-/// The modes of one reading, and one more of pole 0 where it takes up integrals of loads.
+/// The modes of one reading, with another mode of pole 0 where the reading contains integrals of loads.
 struct OneReading {
   Eigen::VectorXcd pole, reading;
   Eigen::MatrixXcd load;

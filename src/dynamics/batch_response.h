@@ -16,7 +16,7 @@ struct ModeTable;
 /// not zero is a jump at t = 0.
 using WaveSamples = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// Answers with the recurrence of all modes, O(N M K) a wave; const and safe to share between threads.
+/// Computes one reading by the recurrence of all modes, O(N M K) for a wave; const and safe to share between threads.
 class BatchResponse {
  public:
   /// `reading`: index into the model's; `step` in s.
@@ -27,7 +27,7 @@ class BatchResponse {
 
  private:
   std::shared_ptr<const detail::ModeTable> modes_;
-  Eigen::RowVectorXd direct_;  ///< K: what f_n adds to y_n at once
+  Eigen::RowVectorXd direct_;  ///< K: the direct part, which f_n adds to y_n
 };
 
 }  // namespace upbead

@@ -11,9 +11,10 @@ namespace detail {
 
 namespace {
 
-/// Three tableaux with the same gamma share one matrix: order 4 while all nodes stick; order 2 while some move; four
-/// steps of backward Euler where one closes, as velocities jump there and later stages of a higher order would make the
-/// node bounce. A step that meets what its tableau is not made for is done anew with the next one.
+/// Three tableaux with the same gamma share one matrix: order 4 while all nodes stick; order 2 while some slip or
+/// open; four steps of backward Euler where a node closes, as velocities jump there and the later stages of a scheme
+/// of higher order would make the node bounce. A step that meets an event for which its tableau is not made is
+/// repeated with the next tableau.
 class FrictionalContact : public SchemeBase {
  public:
   FrictionalContact(const System& system, const SchemeOptions& options);
@@ -37,7 +38,7 @@ class FrictionalContact : public SchemeBase {
   ContactStage stage_;
   ContactReport report_;
   int fallbacks_before_ = 0;
-  int steps_at_rest_ = 0;  ///< since a node moved or a leap failed
+  int steps_at_rest_ = 0;  ///< number of steps since a node moved or a leap failed
 };
 
 const System& checked(const System& system) {
@@ -72,7 +73,7 @@ void FrictionalContact::recall(const SchemeMemory&) {
   throw std::invalid_argument("a march with contact keeps no checkpoints");
 }
 
-/// The step by n equal steps of a tableau; where they stop, all is as before but for the solves.
+/// Takes the step as n equal steps of a tableau; where one of them stops, all but the number of solves is as before.
 bool FrictionalContact::attempt(Dirk& dirk, int n, StopAt stop, State& state, double h) {
   const State before = state;
   const InterfaceState stage_before = stage_.now();
@@ -90,7 +91,8 @@ bool FrictionalContact::attempt(Dirk& dirk, int n, StopAt stop, State& state, do
   return true;
 }
 
-/// Whether no velocity is about to jump: a node that has closed in the last stage still has the rate at which it did.
+/// Whether no velocity is about to jump: a node that has closed in the last stage still has the rate at which it
+/// closed.
 bool FrictionalContact::settled(const State& state) const {
   const int n = system_.interface->n_nodes();
   return ((state.x.tail(n).array() > 0.) || (state.v.tail(n).array() == 0.)).all();
@@ -104,7 +106,8 @@ void FrictionalContact::advance(State& state, double h) {
   end_step(state);
 }
 
-/// A step of order 4 needs no short ones. Where it failed, a node is about to move: not again for a while.
+/// A step of order 4 in place of several short ones. Where it fails, a node is about to move, so no other is tried
+/// for some steps.
 bool FrictionalContact::leap(State& state, double h) {
   constexpr int wait = 2;
   if (steps_at_rest_ < wait) return false;

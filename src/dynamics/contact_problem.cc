@@ -18,8 +18,8 @@ struct NodeSolution {
   Eigen::Vector2d force;  ///< (-T, N)
 };
 
-/// The law at one node that moves by `free` + W force. With mu W_nt < W_nn, W_tt the cases exclude each other; else the
-/// first that fits is taken.
+/// Solves the law at one node whose motion is `free` + W force. With mu W_nt < W_nn, W_tt the cases exclude each
+/// other; else the first that fits is taken.
 NodeSolution solve_node(const Eigen::Matrix2d& W, const Eigen::Vector2d& free, double friction) {
   if (free[1] >= 0.) return {ContactState::open, Eigen::Vector2d::Zero()};
   const Eigen::Vector2d stick = -W.inverse() * free;
@@ -35,7 +35,7 @@ NodeSolution solve_node(const Eigen::Matrix2d& W, const Eigen::Vector2d& free, d
 
 }  // namespace
 
-/// Starts where no node carries a force.
+/// Starts from nodes without forces, all of them open.
 ContactSweeps::ContactSweeps(const Eigen::MatrixXd& W, double friction, const ContactPoint& point)
     : W_(W),
       friction_(friction),
@@ -71,7 +71,7 @@ double largest_force(const InterfaceForces& forces) {
   return std::max(forces.shear.cwiseAbs().maxCoeff(), forces.normal.cwiseAbs().maxCoeff());
 }
 
-/// Sets what the law forbids, and round-off left, to zero.
+/// Sets motions that the law forbids, where only round-off is left of them, to zero.
 void clean(const std::vector<ContactState>& status, Vector& motion) {
   const auto n = static_cast<Eigen::Index>(status.size());
   for (Eigen::Index i = 0; i < n; ++i) {
@@ -126,7 +126,8 @@ bool ContactProblem::iterate(const ContactPoint& point, double tolerance, std::v
   return false;
 }
 
-/// The rows of what moves: T - mu sigma N = 0 of a node that slips, T = 0 and N = 0 of an open one.
+/// Factorises the rows of the unknowns that move: T - mu sigma N = 0 of a node that slips, T = 0 and N = 0 of an open
+/// one.
 void ContactProblem::factorise(const std::vector<ContactState>& status) {
   released_.clear();
   for (Eigen::Index i = 0; i < n_; ++i)
@@ -141,7 +142,7 @@ void ContactProblem::factorise(const std::vector<ContactState>& status) {
   factorised_ = status;
 }
 
-/// The point at which all nodes do what their status says, as far as equations go.
+/// Finds the point at which all nodes obey the equations of their status; the inequalities may be violated.
 void ContactProblem::release(const ContactPoint& point, const std::vector<ContactState>& status, ContactPoint& found) {
   if (status != factorised_) factorise(status);
   Vector change = -point.motion;
@@ -163,7 +164,7 @@ void ContactProblem::release(const ContactPoint& point, const std::vector<Contac
   found.forces = {-force.head(n_), force.tail(n_)};
 }
 
-/// The status that the law's projections give each node at this point.
+/// The status that the projections of the law give each node at this point.
 std::vector<ContactState> ContactProblem::judge(const ContactPoint& point, const std::vector<ContactState>& status,
                                                 double tolerance) const {
   std::vector<ContactState> next = status;

@@ -15,26 +15,28 @@ struct ContactPoint {
   InterfaceForces forces;
 };
 
-/// n nodes whose forces answer linearly to their motion: (-T, N) = (-T_0, N_0) + D (q - q_0), D symmetric and positive
-/// definite. Finds q with
+/// n nodes whose forces depend linearly on their motion: (-T, N) = (-T_0, N_0) + D (q - q_0), D symmetric and
+/// positive definite. Finds q with
 ///
 ///     q_n >= 0,  N >= 0,  q_n N = 0,   |T| <= mu N,  T = mu N sgn(q_t) where q_t is not 0
 ///
 /// by an active set, which is Newton's method on the law written with projections [Alart and Curnier 1991; Hueber and
-/// Wohlmuth 2005]: each node gets a status, what it releases follows from one dense solve, and the result tells the
-/// next status. Where statuses come back, sweeps over the nodes find better ones (ContactSweeps).
+/// Wohlmuth 2005]: each node gets a status, one dense solve gives the motion of the nodes that are free to move, and
+/// the result gives the next status. Where the statuses repeat in a cycle, sweeps over the nodes find better ones
+/// (ContactSweeps).
 class ContactProblem {
  public:
   /// stiffness: D, 2n x 2n; friction: mu.
   ContactProblem(Eigen::MatrixXd stiffness, double friction);
 
-  /// From a point (q_0, T_0, N_0) on the line to the one that obeys the law. `status` is a first guess, and then that
-  /// of the solution. Forces count as zero below 1e-10 times the largest of the point or `scale` (N/m). Motions that
-  /// the law forbids are exactly zero. Throws NumericsError where no solution is found.
+  /// Goes from a point (q_0, T_0, N_0) of this linear relation to the point of it that obeys the law. `status` is a
+  /// first guess on entry, and the solution's on return. Forces count as zero below 1e-10 times the largest of the
+  /// point or `scale` (N/m). Motions that the law forbids are exactly zero. Throws NumericsError where no solution is
+  /// found.
   ContactPoint solve(const ContactPoint& point, double scale, std::vector<ContactState>& status);
-  /// How often sweeps were needed so far.
+  /// Number of times that sweeps were needed so far.
   int n_fallbacks() const { return n_fallbacks_; }
-  /// Whether the forces of nodes that stick, all of them, obey the law; `scale` as above.
+  /// Whether the forces obey the law while all nodes stick; `scale` as above.
   static bool holds(const InterfaceForces& forces, double friction, double scale);
 
  private:
@@ -47,17 +49,16 @@ class ContactProblem {
   Eigen::MatrixXd D_;
   double friction_;
   int n_;
-  std::vector<ContactState> factorised_;  ///< status of the present factors
-  std::vector<Eigen::Index> released_;    ///< unknowns that move in it
+  std::vector<ContactState> factorised_;  ///< status for which the matrix is factorised
+  std::vector<Eigen::Index> released_;    ///< unknowns that move in that status
   Eigen::PartialPivLU<Eigen::MatrixXd> factors_;
   Eigen::MatrixXd compliance_;  ///< D^-1, once sweeps need it
   int n_fallbacks_ = 0;
 };
 
-/// Contact by sweeps over the nodes, for problems in which an active set runs in circles.
-/// Nonlinear Gauss-Seidel on the compliance W = D^-1 [Jean 1999; Moreau 1999]: one node after the other
-/// gets the forces that obey the law while those of all others stay as they are. It converges slowly but hardly ever
-/// fails; it is asked for statuses only.
+/// Contact by sweeps over the nodes, for problems in which the active set cycles. Nonlinear Gauss-Seidel on the
+/// compliance W = D^-1 [Jean 1999; Moreau 1999]: one node after the other gets the forces that obey the law while the
+/// forces of all other nodes stay. It converges slowly but hardly ever fails; only its statuses are used.
 class ContactSweeps {
  public:
   /// `point`: some motion with its forces.

@@ -58,13 +58,13 @@ ContactStage::Condensed& ContactStage::condensed(const EffectiveMatrix& E, doubl
     condensed_.clear();
   }
   std::optional<Border> border = E.border_of_last(2 * n_);
-  n_solves_ += border ? n_ : 2 * n_;  // of the halves one is done
+  n_solves_ += border ? n_ : 2 * n_;  // with a border only half of each solve is done
   ContactProblem problem(E.condensed_on_last(2 * n_, border), interface_.friction);
   return condensed_.emplace(g, Condensed{std::move(border), std::move(problem)}).first->second;
 }
 
-/// Nodes that stuck go on so; the others move as if nothing accelerated them. So the forces of the guess are of the
-/// size of the true ones, which is what tolerances rest on.
+/// First guess of the motion: nodes that stick go on sticking, all other nodes move without acceleration. So the
+/// forces of the guess have the size of the true ones, on which tolerances depend.
 Vector ContactStage::first_guess(double g, const DirkStage& stage) const {
   Vector motion = Vector::Zero(2 * n_);
   for (int i = 0; i < n_; ++i) {
@@ -82,7 +82,8 @@ void ContactStage::set_accelerations(const Vector& motion, double g, DirkStage& 
   stage.a.tail(n_) = (opening_rate - v_predicted.tail(n_)) / g;
 }
 
-/// Without the round-off of going through accelerations: what sticks has the rate 0., what is closed the opening 0.
+/// Sets rates and positions directly, without the round-off of computing them from accelerations: a node that sticks
+/// has exactly the rate 0, a closed one exactly the opening 0.
 void ContactStage::set_motions(const Vector& motion, double g, DirkStage& stage) const {
   stage.v.tail(2 * n_).head(n_) = g * motion.head(n_);
   stage.x.tail(2 * n_).head(n_) = stage.x_explicit.tail(2 * n_).head(n_) + g * g * motion.head(n_);
@@ -94,7 +95,7 @@ InterfaceForces ContactStage::forces(const Vector& residual) const {
   return {-residual.head(n_), interface_.normal_force + residual.tail(n_)};
 }
 
-/// Compares with the last stage.
+/// Counts changes since the last stage. False where a node closed and the step has to stop there.
 bool ContactStage::note(const std::vector<ContactState>& status) {
   bool impact = false;
   for (std::size_t i = 0; i < status.size(); ++i) {
@@ -109,7 +110,7 @@ bool ContactStage::note(const std::vector<ContactState>& status) {
   return stop_ != StopAt::impact || !impact;
 }
 
-/// The free unknowns follow the interface from the motion that they were solved with to another one.
+/// Moves the free unknowns with the interface, whose motion has changed since they were solved for.
 void ContactStage::correct(const EffectiveMatrix& E, double g, const Vector& motion, DirkStage& stage) {
   const Vector before = stage.a.tail(2 * n_);
   set_accelerations(motion, g, stage);
@@ -121,7 +122,7 @@ void ContactStage::correct(const EffectiveMatrix& E, double g, const Vector& mot
   stage.a.head(system_.n_free()) += correction_.head(system_.n_free());
 }
 
-/// From the point of the guess to the one that obeys the law. False: the step shall not go on.
+/// Goes from the point of the guess to the one that obeys the law. False: the step must not go on.
 bool ContactStage::decide(const EffectiveMatrix& E, double g, ContactPoint& point) {
   std::vector<ContactState> status(static_cast<std::size_t>(n_), ContactState::stick);
   if (!point.motion.isZero(0.) || !ContactProblem::holds(point.forces, interface_.friction, scale_)) {

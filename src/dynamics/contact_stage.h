@@ -10,28 +10,28 @@
 
 namespace upbead::detail {
 
-/// What a step shall not go on with.
+/// The event at which a step stops.
 enum class StopAt {
   release,  ///< a node slips or opens
   impact,   ///< a node closes
   never,
 };
 
-/// What the nodes do at one time, and what they did in the steps that led there.
+/// The state of the nodes at one time, and what happened to them in the steps up to then.
 struct InterfaceState {
   std::vector<ContactState> status;
   InterfaceForces forces;
-  bool slipped = false;  ///< a node, in this step
-  bool opened = false;   ///< a node, in this step
+  bool slipped = false;  ///< whether a node slipped in this step
+  bool opened = false;   ///< whether a node opened in this step
   int impacts = 0;       ///< nodes that closed, in this step
 };
 
-/// Solves stages under the law of contact (ContactProblem). In a stage the free unknowns follow those of the interface
-/// linearly, so that its forces do as well: D is E condensed on the interface, for motions q = (slip rate / g,
-/// opening / g^2).
+/// Solves stages under the law of contact (ContactProblem). In a stage the free unknowns depend linearly on those of
+/// the interface, and so do the interface's forces: D is E condensed on the interface, for motions q = (slip rate /
+/// g, opening / g^2).
 class ContactStage : public StageLaw {
-  /// Of one E: the law halfway through a solve, where that can be halted, so that a stage takes one solve; else after
-  /// it, and a second one follows.
+  /// For one E. Where the solve can be halted halfway (Border), the law is applied there, and a stage takes one
+  /// solve; else it is applied after a solve, and a second one follows.
   struct Condensed {
     std::optional<Border> border;
     ContactProblem problem;
@@ -44,7 +44,7 @@ class ContactStage : public StageLaw {
   bool solve(const EffectiveMatrix& E, double g, DirkStage& stage) override;
 
   const InterfaceState& now() const { return now_; }
-  /// Goes back to what was before.
+  /// Restores an earlier state.
   void restore(const InterfaceState& before) { now_ = before; }
   /// Whether all nodes stick.
   bool all_stick() const;

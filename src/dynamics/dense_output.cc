@@ -17,14 +17,14 @@ Jet jet_of(const Row& row, const State& state) {
   return {applied(row, state.x), applied(row, state.v), applied(row, state.a)};
 }
 
-/// What the quintic is a cubic with: x'' at both ends by x and x' there.
+/// Sets x'' at both ends from x and x' there, so that the quintic becomes a cubic.
 void set_seconds_of_cubic(Jet& begin, Jet& end, double h) {
   const double chord = 6. * (end.value - begin.value) / h;
   begin.second = (chord - 4. * begin.first - 2. * end.first) / h;
   end.second = (-chord + 2. * begin.first + 4. * end.first) / h;
 }
 
-/// And a quartic: x'' at the begin by all else.
+/// Sets x'' at the beginning from all other values, so that the quintic becomes a quartic.
 void set_second_of_quartic(Jet& begin, const Jet& end, double h) {
   const double value = end.value - begin.value - h * begin.first, slope = h * (end.first - begin.first);
   begin.second = (12. * value - 6. * slope + h * h * end.second) / (h * h);

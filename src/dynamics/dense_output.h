@@ -1,4 +1,4 @@
-// Readings of a march at times of one's own, between the ends of its steps.
+// Readings of a march at any times, also between the ends of its steps.
 #pragma once
 
 #include <vector>
@@ -22,7 +22,7 @@ class DenseRecorder : public MarchObserver {
   /// `times`: ascending (s). The system must outlive this.
   DenseRecorder(const System& system, std::vector<double> times, bool inertia);
   void see(const State& state, int step, int n_steps) override;
-  /// At those of the times that the march has come to.
+  /// At those of the times that the march has reached.
   Series series() const;
 
  private:
@@ -45,11 +45,11 @@ class DenseRecorder : public MarchObserver {
   std::vector<Part> before_;
 };
 
-/// The columns of a series at those times (s), each known to `tolerance`; others are left out.
+/// The columns of a series at those times (s), each within `tolerance` (s); times without a column are left out.
 Series at_times(const Series& series, const std::vector<double>& times, double tolerance);
 
-/// Straight lines between the columns of a series, at those of the times that it reaches: the accuracy of a scheme of
-/// order 2.
+/// Linear interpolation between the columns of a series, at those of the times that it covers: as accurate as a
+/// scheme of order 2.
 Series straight_between(const Series& series, const std::vector<double>& times);
 
 }  // namespace upbead

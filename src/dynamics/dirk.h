@@ -12,48 +12,49 @@
 
 namespace upbead::detail {
 
-/// Evaluates the loads of a system as the smooth pieces that hold a given time.
+/// Evaluates the loads of a system, each on the smooth piece that contains a given time.
 class LoadSum {
  public:
   explicit LoadSum(const System& system) : system_(system) {}
 
-  /// f_k(t) of every load, by the piece that holds the time `inside`.
+  /// f_k(t) of every load, on the piece that contains the time `inside`.
   void evaluate(double t, double inside, std::vector<double>& f) const;
   /// sum_k b_k f_k.
   void sum(const std::vector<double>& f, Vector& b) const;
-  /// The prescribed unknowns' velocities (the tail of `v`) that belong to f; zero where no load prescribes.
+  /// The velocities of the prescribed unknowns (the tail of `v`) under the load values f; zero where no load
+  /// prescribes.
   void prescribe(const std::vector<double>& f, Vector& v) const;
 
  private:
   const System& system_;
 };
 
-/// A stage on its way: with g = h gamma, v = v_predicted + g a and x = x_explicit + g v.
+/// A stage while it is solved: with g = h gamma, v = v_predicted + g a and x = x_explicit + g v.
 struct DirkStage {
   Vector v_predicted;
   Vector x_explicit;  ///< of the prescribed unknowns
-  Vector x;           ///< x_explicit + g v_predicted, until move()
-  Vector v;           ///< from move() on
+  Vector x;           ///< x_explicit + g v_predicted before move()
+  Vector v;           ///< valid after move()
   Vector a;           ///< prescribed unknowns (tail): given; free ones: those of the last stage, until solved
   Vector rhs;         ///< f - C v_predicted - K x before move(), so that E a = rhs
   const Vector* load = nullptr;  ///< f
   double weight = 0.;            ///< of the stage in the step, h b_i (s)
   double time = 0.;              ///< s
 
-  /// x and v that belong to a.
+  /// Sets x and v from a.
   void move(double g) {
     v = v_predicted + g * a;
     x += g * g * a;
   }
 };
 
-/// What decides on the prescribed unknowns of a stage that no load moves.
+/// Determines the prescribed unknowns of a stage that no load moves.
 class StageLaw {
  public:
   virtual ~StageLaw() = default;
-  /// Solves the stage and moves it. False: the step shall not go on.
+  /// Solves the stage and moves it. False: the step must not go on.
   virtual bool solve(const EffectiveMatrix& E, double g, DirkStage& stage) = 0;
-  /// What it exerts beside the loads on the prescribed unknowns of the stage that it has solved; null: nothing.
+  /// The force, besides the loads, on the prescribed unknowns of the solved stage; null: none.
   virtual const Vector* force_on_prescribed() const { return nullptr; }
 };
 
@@ -80,11 +81,12 @@ Tableau friction_tableau();
 class Dirk {
  public:
   Dirk(const System& system, Tableau tableau);
-  /// Sharing what it keeps of C and K with another one of the same system.
+  /// Shares the copies of C and K with another Dirk of the same system.
   Dirk(const Dirk& other, Tableau tableau) : Dirk(other.system_, std::move(tableau), other.damping_and_stiffness_) {}
 
-  /// Advances `state` by h with the loads of the piece that holds the time `inside`; `meter` may be null. One solve per
-  /// stage, or what `law` needs. False where the law gives up: then `state` is as before, the account is not.
+  /// Advances `state` by h with the loads of the piece that contains the time `inside`; `meter` may be null. One
+  /// solve for each stage, or as many as `law` needs. False where the law gives up: then `state` is as before, but
+  /// the account of energy is not.
   bool step(State& state, double h, double inside, EffectiveMatrices& matrices, EnergyMeter* meter,
             StageLaw* law = nullptr);
   int n_stages() const { return static_cast<int>(c_.size()); }

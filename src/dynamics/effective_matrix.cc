@@ -18,7 +18,8 @@ SparseMatrix combine(const System& system, const EffectiveCoefficients& e) {
   return e.m * system.M + e.c * system.C + e.k * system.K;
 }
 
-/// Of the first rows the columns from `begin` on; Eigen's own blocks of rows and columns take a copy for each of both.
+/// The columns from `begin` to `end` of the first rows; Eigen's own blocks would copy twice, once for rows, once for
+/// columns.
 SparseMatrix columns_of(const SparseMatrix& E, int n_rows, int begin, int end) {
   SparseMatrix part(n_rows, end - begin);
   std::vector<std::pair<int, int>> range;  // of entries, by row
@@ -135,7 +136,7 @@ void EffectiveMatrix::finish(const Border& border, const Vector& change, Vector&
   factors_.finish(rhs.head(n_free_), border, change, y.head(n_free_));
 }
 
-/// Puts the matrix of these coefficients in front.
+/// Puts the factorised matrix of these coefficients at the front of the list.
 void EffectiveMatrices::factorise(const EffectiveCoefficients& coefficients) {
   const Stopwatch watch;
   if (entries_.size() < kept_matrices) {

@@ -16,26 +16,26 @@ struct EffectiveCoefficients {
   double k = 0.;
 };
 
-/// E = m M + c C + k K, its rows and columns of the free unknowns factorised.
+/// E = m M + c C + k K, with its block of the free unknowns factorised.
 class EffectiveMatrix {
  public:
-  /// Throws NumericsError where E is singular or has not one negative pivot for each free phi. `refined`: each solution
-  /// is, by its residual.
+  /// Throws NumericsError where E is singular, or has not one negative pivot for each free phi. `refined`: each
+  /// solution is refined by its residual.
   EffectiveMatrix(const System& system, const EffectiveCoefficients& coefficients, bool refined);
-  /// The same of an E that is at hand.
+  /// The same for an E that has been formed already.
   EffectiveMatrix(const System& system, const SparseMatrix& E, bool refined = false);
 
   /// Solves E y = rhs for the free unknowns of y, with the prescribed ones (its tail) given. `rhs` has all n entries;
-  /// its head is overwritten. Of a divided system, `rhs` is a sum over processes.
+  /// its head is overwritten. In a divided system, `rhs` is a sum over processes.
   void solve(Vector& rhs, Vector& y) const;
-  /// Rows of the last n unknowns, prescribed ones, of E y - rhs.
+  /// E y - rhs in the rows of the last n unknowns, which are prescribed.
   Vector residual_of_last(int n, const Vector& rhs, const Vector& y) const;
-  /// What is left of E on the last n unknowns, prescribed ones, once the free ones follow them: n x n, by n solves, or
-  /// by half of each where there is a border.
+  /// E condensed on the last n unknowns, which are prescribed (its Schur complement): n x n, by n solves, or by half
+  /// of each where there is a border.
   Eigen::MatrixXd condensed_on_last(int n, const std::optional<Border>& border = {}) const;
-  /// The same solve in two halves for a law on the last n unknowns, where that is all that is to be solved (else the
-  /// border is empty). begin() takes what the law guesses and returns rows of the last n of E y - rhs; finish() takes
-  /// by how much the law changes their part of y, and ends like solve().
+  /// The same solve in two halves, with a law on the last n unknowns in between; the border is empty where solves
+  /// cannot be halved. begin() takes the motion that the law guesses and returns E y - rhs in the last n rows;
+  /// finish() takes the change that the law makes to this part of y, and ends like solve().
   std::optional<Border> border_of_last(int n) const;
   Vector begin(const Border& border, Vector& rhs, Vector& y) const;
   void finish(const Border& border, const Vector& change, Vector& rhs, Vector& y) const;
@@ -54,14 +54,14 @@ class EffectiveMatrix {
   mutable Vector residual_, correction_;
 };
 
-/// Effective matrices by step size: a few are kept, then the oldest is overwritten.
+/// Effective matrices by their coefficients: a few are kept, then the one not used for longest is overwritten.
 class EffectiveMatrices {
  public:
   EffectiveMatrices(const System& system, bool refined) : system_(system), refined_(refined) {}
-  /// The matrix of these coefficients, factorised when it is not at hand.
+  /// The matrix of these coefficients; it is factorised where it is not kept.
   const EffectiveMatrix& get(const EffectiveCoefficients& coefficients);
   int n_factorisations() const { return n_factorisations_; }
-  /// Wall time of them (s).
+  /// Wall time of the factorisations (s).
   double seconds() const { return seconds_; }
 
  private:

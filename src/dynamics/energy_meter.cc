@@ -7,7 +7,7 @@ namespace upbead::detail {
 
 namespace {
 
-/// Of A what couples phi with u and W, or what does not.
+/// The part of A that couples phi with u and W, or the part that does not.
 SparseMatrix part_of(SparseMatrix A, const System& system, bool coupling) {
   const auto is_phi = [&](Eigen::Index i) {
     return system.field[static_cast<std::size_t>(i)] == Field::pressure_impulse;

@@ -6,44 +6,45 @@
 
 namespace upbead::detail {
 
-/// What C takes from Z: quadratic forms of the part inside the mesh, by field, and of absorbing sides.
+/// The power that C takes, as quadratic forms of Z: inside the mesh by field, and at absorbing sides.
 struct Losses {
   FieldGrams inside;
   Eigen::MatrixXd radiated;
   Eigen::MatrixXd total() const { return inside.total() + radiated; }
 };
 
-/// Multiplying M a + C v + K x = f by v^T J makes M, K and the part of C that keeps the sign symmetric and >= 0; the
+/// Multiplying M a + C v + K x = f by v^T J makes M, K and the part of C within each field symmetric and >= 0; the
 /// couplings of phi with u and W become skew and take no power. The schemes supply their own quadratures.
 class EnergyMeter {
  public:
   explicit EnergyMeter(const System& system);
 
-  /// Empties the account; what `state` stores counts as work done.
+  /// Empties the account; the energy stored in `state` counts as work done.
   void start(const State& state);
   const EnergyAccount& account() const { return account_; }
-  /// Goes back to an account of before.
+  /// Restores an earlier account.
   void restore(const EnergyAccount& account) { account_ = account; }
 
   FieldGrams mass(const VectorBlock& Z) const { return mass_.grams(Z, system_.field); }
   FieldGrams stiffness(const VectorBlock& Z) const { return stiffness_.grams(Z, system_.field); }
-  /// Of the part of C that takes power, and of the rest, which couples phi with u and W.
+  /// Losses of the part of C that takes power; coupling() is the rest, which couples phi with u and W.
   Losses losses(const VectorBlock& Z) const;
   FieldGrams coupling(const VectorBlock& Z) const { return coupling_.grams(Z, system_.field); }
 
-  /// weight times the work of the load vector f along `path` (n), and of the reactions (residual of the rows of
-  /// prescribed unknowns at x, v, a) along theirs. At an interface these reactions change an equilibrium: with the
-  /// forces at rest, -(work of what acts there) goes to friction, that of the forces at rest is stored. `internal`: of
-  /// soil that yields, on the prescribed unknowns.
+  /// Adds `weight` times the work of the load vector f along `path` (n), and of the reactions (residuals of the rows
+  /// of prescribed unknowns at x, v, a) along their part of `path`. At an interface these reactions are changes from
+  /// a state of rest: with the forces at rest included, minus the work of the forces there goes to friction; the work
+  /// of the forces at rest is stored. `internal`: the force of yielding soil on the prescribed unknowns.
   void add_work(double weight, const Vector& path, const Vector& f, const Vector& x, const Vector& v, const Vector& a,
                 const Vector* internal = nullptr);
-  /// The (column, column) entry of the losses times `time` was taken.
+  /// Adds the (column, column) entry of the losses, times `time`, to the energy taken.
   void add_losses(const Losses& losses, int column, double time);
-  /// Taken by soil that yields, and stored by it beside x' K x / 2, for which set_stored() comes first. The work that
-  /// its force did is minus what both grew by; what the stages make of it besides is the scheme's.
+  /// Adds what yielding soil takes, and what it stores besides x' K x / 2; set_stored() must be called before. The
+  /// work of the soil's force is minus the growth of both; what the quadrature of the stages adds to it belongs to
+  /// the scheme.
   void add_yielding(double internal_work, double dissipated, double stored_before, double stored_now);
   void add_scheme(double energy) { account_.scheme += energy; }
-  /// What is stored now: v and x are the column `column` of the blocks whose grams these are.
+  /// Sets the energy that is stored now: v and x are the column `column` of the blocks whose grams these are.
   void set_stored(const FieldGrams& mass, const FieldGrams& stiffness, int column);
 
  private:

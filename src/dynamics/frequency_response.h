@@ -10,12 +10,12 @@
 
 namespace upbead {
 
-/// Laplace transforms F_k(s) = int_0^T f_k exp(-s t) dt of all loads over their samples; exact as they are straight in
-/// between. s is not 0.
+/// Laplace transforms F_k(s) = int_0^T f_k exp(-s t) dt of all loads over their samples; exact, as loads are
+/// straight between samples. s is not 0.
 Eigen::VectorXcd laplace_transform(const SampledLoads& loads, std::complex<double> s);
 
-/// X(s) with (s^2 M + s C + K) X = sum_k b_k F_k, one entry per unknown of the system, as the projection on the Krylov
-/// space has it; s X_p = F_k of prescribed unknowns.
+/// X(s) with (s^2 M + s C + K) X = sum_k b_k F_k, one entry for each unknown of the system, by projection on the
+/// Krylov space; s X_p = F_k of prescribed unknowns.
 Eigen::VectorXcd frequency_response(const SecondOrderKrylov& krylov, const ReducedSystem& reduced,
                                     std::complex<double> s, const Eigen::VectorXcd& F);
 

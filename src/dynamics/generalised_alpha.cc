@@ -51,7 +51,7 @@ class GeneralisedAlpha : public SchemeBase {
   Dirk sdirk4_;
   std::vector<double> begin_load_;
   std::vector<double> largest_load_;  ///< |f_k| so far, to tell a jump from round-off
-  double last_step_ = 0.;             ///< s; 0 before the first; negative: a second L-stable one is due
+  double last_step_ = 0.;             ///< s; 0 before the first; negative: a second L-stable step is due
   State before_;
   Vector x_, v_, f_, rhs_;
   VectorBlock pair_, triple_;
@@ -114,20 +114,22 @@ void GeneralisedAlpha::note_end_load() {
     largest_load_[k] = std::max(largest_load_[k], std::abs(end_load_[k]));
 }
 
-/// The step after a jump. Velocities of a soil that drains are infinite there, those of what has no mass jump, x'' of a
-/// prescribed velocity too. The method hands on -rho_inf of a wrong velocity, which swings from step to step, and what
-/// it has moved stays: the sums of h v_f and of dx differ by h (1/2 - alpha_f) times the change of v. One L-stable step
-/// damps what is faster than the step (as Rannacher's: Numer. Math. 43 (1984) 309) and ends in x, x', x'' that obey the
-/// equations; in consolidation a third of a percent of the largest pressure may stay. x'' of what has no mass still
-/// tells how it fell within that step; a second one makes it as smooth as the method takes it to be.
+/// The step after a jump. There the velocities of soil that drains are infinite, velocities of parts without mass
+/// jump, and so does x'' of a prescribed velocity. The generalised-alpha method multiplies an error of velocity by
+/// -rho_inf in each step, so that it oscillates, and the displacement due to it stays: the sums of h v_f and of dx
+/// differ by h (1/2 - alpha_f) times the change of v. One L-stable step damps motions faster than the step (as
+/// Rannacher's: Numer. Math. 43 (1984) 309) and ends in x, x', x'' that obey the equations; in consolidation a third
+/// of a percent of the largest pressure may stay. x'' of parts without mass still depends on how they moved within
+/// that step; a second L-stable step makes it as smooth as the method assumes.
 void GeneralisedAlpha::step_l_stable(State& state, double h) {
   advance_by(sdirk4_, state, h);
   note_end_load();
 }
 
-/// Whether the step is much longer than the one before. What moves at the pace of the short steps, the long ones do not
-/// resolve: the method then overshoots by the square of their ratio (h v of a mode that should not move at all: Hilber
-/// and Hughes, Earthq. Eng. Struct. Dyn. 6 (1978) 99). The first long steps so are L-stable ones, which damp it.
+/// Whether the step is much longer than the one before. Long steps do not resolve motions at the pace of the short
+/// ones: the method then overshoots by the square of the ratio of both (h v of a mode that should not move at all:
+/// Hilber and Hughes, Earthq. Eng. Struct. Dyn. 6 (1978) 99). Therefore the first long steps are L-stable ones, which
+/// damp such motions.
 bool GeneralisedAlpha::is_lengthened(double h) const {
   constexpr double tolerable = 1.5;
   return last_step_ != 0. && h > tolerable * std::abs(last_step_);
@@ -183,9 +185,9 @@ void GeneralisedAlpha::advance(State& state, double h) {
   if (meter() != nullptr) account(before_, state, h);
 }
 
-/// The balance times dx = h <v> + h^2 (beta - gamma/2) da, where <.> is the mean of both ends and d. their difference.
-/// With a_m = dv/h + (1/2 - alpha_f) da and x_f = <x> + (1/2 - alpha_f) dx its parts are the change of what is stored,
-/// v_f' C v_f h taken by damping and drag, and the rest, taken by the scheme.
+/// The equation of motion times dx = h <v> + h^2 (beta - gamma/2) da, where <.> is the mean of both ends and d. their
+/// difference. With a_m = dv/h + (1/2 - alpha_f) da and x_f = <x> + (1/2 - alpha_f) dx its parts are the change of
+/// the stored energy, v_f' C v_f h taken by damping and drag, and the rest, taken by the scheme.
 void GeneralisedAlpha::account(const State& before, const State& after, double h) {
   EnergyMeter& energy = *meter();
   const State& middle = balanced_.state;

@@ -1,4 +1,5 @@
-// A reduced model that grows look by look: for those who do not only wait until it agrees with the last smaller one.
+// A reduced model that grows from look to look, for callers with work to do in between. At a look the model is
+// compared with the one of the look before.
 #pragma once
 
 #include <functional>
@@ -8,24 +9,24 @@
 
 namespace upbead {
 
-/// What reduce() does, a look at a time. The System must outlive the object.
+/// The work of reduce(), one look at a time. The System must outlive the object.
 class GrowingModel {
  public:
-  /// Throws as reduce() does, as grow() does.
+  /// Throws as reduce() does; so does grow().
   GrowingModel(const System& system, const ReduceOptions& options);
   ~GrowingModel();
 
-  /// Makes the vectors of the first look, which need no training: most of the work of a model that few are enough for.
+  /// Makes the vectors of the first look, which need no training: most of the work where these are enough.
   void prepare();
-  /// Histories instead of those of the options, before the first look, and what is called after every solve from now
-  /// on.
+  /// To be called before the first look: training histories in place of those of the options, and a function that is
+  /// called after every solve from now on.
   void train(const SampledLoads& training, const std::function<void(double)>& progress);
   /// Enlarges the space up to the next look; false where it is exhausted or would take more than max_vectors.
   bool grow();
-  /// The model of the last look, with its error against the look before; without what only finish() makes.
+  /// The model of the last look, with its error against the look before; without the parts that only finish() makes.
   const Reduction& reduction() const { return out_; }
   const ReducedSystem& system() const;
-  /// What of the last two looks is told. To be called once.
+  /// Completes the result from the last two looks. To be called once.
   Reduction finish();
 
  private:
@@ -38,10 +39,10 @@ class GrowingModel {
   std::unique_ptr<Space> space_;
   Reduction out_;
   std::vector<SampledLoads> loads_;
-  std::vector<Eigen::MatrixXd> before_;  ///< what the last look answered
-  ModalModel coarse_;                    ///< of the look before it
+  std::vector<Eigen::MatrixXd> before_;  ///< responses at the last look
+  ModalModel coarse_;                    ///< of the look before the last
   ModalModel kept_;                      ///< of the coordinates that are kept, at the last look
-  int target_ = 0, most_ = 0;            ///< vectors at the next look, and at any
+  int target_ = 0, most_ = 0;            ///< vectors at the next look, and the most allowed
   bool exhausted_ = false;
 };
 

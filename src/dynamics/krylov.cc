@@ -23,9 +23,9 @@ bool is_phi(const System& system, int unknown) {
   return system.field[unknown] == Field::pressure_impulse;
 }
 
-/// Squares of the norm's weights, in which all kinds of unknowns count alike: the diagonal of |T|, and for each phi the
-/// diagonal of T_pu diag(T_uu)^-1 T_up besides; where the fluid does not give way and flows with inertia, phi has no
-/// diagonal entry of its own.
+/// Squares of the norm's weights, so that all kinds of unknowns count alike: the diagonal of |T|, plus, for each phi,
+/// the diagonal of T_pu diag(T_uu)^-1 T_up, as phi has no diagonal entry of its own where the fluid is incompressible
+/// and flows with inertia.
 Vector norm_weight(const SparseMatrix& T, const System& system) {
   const Vector diagonal = T.diagonal().cwiseAbs();
   const double least = 1e-12 * diagonal.maxCoeff();
@@ -37,7 +37,7 @@ Vector norm_weight(const SparseMatrix& T, const System& system) {
         weight[i] += entry.value() * entry.value() / std::max(diagonal[entry.col()], least);
   }
   for (double& w : weight)
-    if (!(w > 0.)) w = 1.;  // an unknown that nothing touches
+    if (!(w > 0.)) w = 1.;  // an unknown without entries
   return weight;
 }
 
@@ -61,7 +61,7 @@ SecondOrderKrylov::~SecondOrderKrylov() = default;
 
 void SecondOrderKrylov::make_bases(const SparseMatrix& T, const std::vector<int>& exact,
                                    const std::vector<Vector>& kept) {
-  constexpr int room = 128;  // what is not used costs nothing; to make room later takes a copy
+  constexpr int room = 128;  // unused columns cost nothing; adding them later takes a copy
   const Vector weight = norm_weight(T, system_);
   for (int i = 0; i < system_.size(); ++i) (is_phi(system_, i) ? phi_ : u_).unknown.push_back(i);
   for (FieldBasis* basis : {&u_, &phi_}) {
@@ -96,7 +96,7 @@ void SecondOrderKrylov::start() {
       x[load.prescribed] = 1.;
     } else {
       rhs = load.vector;
-      Vector direction = rhs.normalized();  // of no load: zero
+      Vector direction = rhs.normalized();  // zero for a load that is zero
       orthogonalise(directions, direction);
       if (direction.norm() < round_off) continue;
       directions.conservativeResize(Eigen::NoChange, directions.cols() + 1);

@@ -34,7 +34,7 @@ void trim(Series& series) {
   series.load.conservativeResize(Eigen::NoChange, n);
 }
 
-/// The first columns of an empty series.
+/// Fills the first columns of an empty series.
 void refill(const Series& so_far, Series& series) {
   const auto n = static_cast<Eigen::Index>(so_far.time.size());
   series.time = so_far.time;
@@ -47,7 +47,7 @@ void check_finite(const State& state) {
   throw NumericsError("the state at t = " + std::to_string(state.time) + " s is not finite");
 }
 
-/// Readings and energies of the whole, from those of each process.
+/// Adds up the readings and energies of all processes.
 void sum_over(const Processes& processes, Response& response) {
   for (Eigen::MatrixXd* readings : {&response.ends.reading, &response.balanced.reading})
     processes.sum(readings->data(), static_cast<int>(readings->size()));
@@ -119,7 +119,7 @@ class Recorder {
     refill(so_far.balanced, response_.balanced);
     response_.energy = so_far.energy;
   }
-  /// All there is after the latest step.
+  /// The results up to the latest step.
   Response so_far(const State& state) const { return complete(response_, state); }
   Response finish(const State& state) { return complete(std::move(response_), state); }
 
@@ -139,7 +139,7 @@ class Recorder {
 
 const char* const no_fit = "the checkpoint does not belong to this scene";
 
-/// A file that was edited, as a fingerprint guards the others.
+/// Detects a checkpoint that was edited; a fingerprint guards against all other differences.
 void require_fit(const MarchCheckpoint& checkpoint, const System& system, int n_steps) {
   const Response& so_far = checkpoint.so_far;
   const auto fits = [&](const Series& series) {
@@ -178,7 +178,7 @@ class March {
   int n_done() const { return done_; }
   bool stopped() const { return stopped_; }
 
-  /// By at most n_left equal steps of h. Returns how many it was.
+  /// Advances by at most n_left equal steps of h. Returns the number of steps taken.
   int advance(double time, double h, int n_left) {
     state_.time = time;
     const int leap = options_.leap;

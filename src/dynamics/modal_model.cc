@@ -24,7 +24,8 @@ void ModalModel::join_loads(int kept, int joined) {
 }
 
 std::complex<double> ModalModel::transfer(int i, int k, std::complex<double> s) const {
-  // Re of a mode's sum becomes half of it and of its conjugate's, which for a real pole is the mode itself.
+  // The real part of a mode's sum is half the sum of the mode and its conjugate; for a real pole that is the mode
+  // itself.
   std::complex<double> H = feedthrough(i, k) + impulse(i, k) / s;
   for (int m = 0; m < n_modes(); ++m) {
     const std::complex<double> product = reading(i, m) * load(m, k);

@@ -21,7 +21,7 @@ class Modes {
         whole_(model.n_modes()),
         rise_(model.n_modes()) {}
 
-  /// To `time` (s) under loads that go from `begin` to `end` (K each).
+  /// Advances to `time` (s) under loads that go from `begin` to `end` (K each).
   void advance(double time, const Eigen::VectorXd& begin, const Eigen::VectorXd& end) {
     prepare(time);
     z_.array() = E_.array() * z_.array() + whole_.array() * (model_.load * begin).array() +
@@ -30,10 +30,10 @@ class Modes {
   const Eigen::VectorXcd& z() const { return z_; }
 
  private:
-  /// Equal steps differ in their last digits where they are differences of times, yet their exponentials cost more than
-  /// all else. So a step that ends within 1e-9 of itself where the latest step size would end is taken as equal. Ends
-  /// are compared, not sizes, so that no number of steps drifts by more; where they have drifted, the step is
-  /// stretched.
+  /// Equal steps differ in their last digits where they are differences of times, yet new exponentials cost more than
+  /// all else. So a step counts as equal to the latest one where its end is within 1e-9 of a step from the end that
+  /// equal steps would have. Ends are compared, not sizes, so that the error does not grow with the number of steps;
+  /// where equal steps have drifted too far, the step is stretched.
   void prepare(double time) {
     if (n_equal_ > 0 && std::abs(segment_start_ + (n_equal_ + 1) * step_ - time) <= 1e-9 * step_) {
       ++n_equal_;
@@ -51,8 +51,9 @@ class Modes {
     }
   }
 
-  /// From a step of `before` to one of step_, which differs so little that the square of the change is round-off: with
-  /// h phi1 = (e^(p h) - 1) / p and h phi2 = (h phi1 - h) / (p h), d(h phi1)/dh = e^(p h), d(h phi2)/dh = phi1 - phi2.
+  /// Changes the coefficients from a step of `before` to one of step_, which differs so little that the square of the
+  /// change is round-off: with h phi1 = (e^(p h) - 1) / p and h phi2 = (h phi1 - h) / (p h), d(h phi1)/dh = e^(p h),
+  /// d(h phi2)/dh = phi1 - phi2.
   void stretch(double before) {
     const double longer = step_ - before;
     rise_.array() += (whole_.array() - rise_.array()) * (longer / before);

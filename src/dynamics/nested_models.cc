@@ -9,17 +9,18 @@ namespace upbead {
 
 namespace {
 
-/// Further shifts over s_0.
+/// Further shifts, as multiples of s_0.
 constexpr double low_shift = 1. / 8., high_shift = 8.;
-/// Vectors over those of the model: about s_0 in all, and about each further shift; of `middle` and of `reference`.
+/// Numbers of vectors, as multiples of the model's: all about s_0, and those about each further shift; for `middle`
+/// and for `reference`.
 constexpr double middle_share = 1.25, reference_share = 1.6, middle_aside = 0.35, reference_aside = 0.7;
 
-/// Several spaces as one; the coordinates of its first one stay as they are.
+/// Several spaces joined into one; the coordinates of the first one stay as they are.
 class JoinedSpace {
  public:
   explicit JoinedSpace(const SecondOrderKrylov& first) : u_(first.displacements()), phi_(first.phi()) {}
 
-  /// Adds what is new of another space.
+  /// Adds the directions of another space that are new.
   void add(const SecondOrderKrylov& other) {
     add(u_, other.displacements());
     add(phi_, other.phi());
@@ -42,7 +43,7 @@ class JoinedSpace {
   FieldBasis u_, phi_;
 };
 
-/// A model with those readings alone.
+/// The model with only those readings.
 ModalModel with_readings(const ModalModel& all, const std::vector<int>& readings) {
   ModalModel model = all;
   model.reading = all.reading(readings, Eigen::all);
@@ -54,7 +55,7 @@ ModalModel with_readings(const ModalModel& all, const std::vector<int>& readings
 }
 
 void grow(SecondOrderKrylov& krylov, double vectors, const std::function<void(double)>& progress) {
-  constexpr double nearly_done = 0.97;  // the model itself has been made
+  constexpr double nearly_done = 0.97;  // progress shown, as the model itself has been made
   while (krylov.n_vectors() < vectors && krylov.extend())
     if (progress) progress(nearly_done);
 }

@@ -6,11 +6,11 @@
 
 namespace upbead::detail {
 
-/// What of a vector may remain, beside its length, where it lies in the span of others.
+/// Share of a vector's length that round-off may leave where the vector lies in the span of others.
 constexpr double round_off = 1e-11;
 
-/// Takes the span of the orthonormal columns of Q out of y, twice, as once is not enough near the span; returns the
-/// coordinates of what it took.
+/// Subtracts from y its part in the span of the orthonormal columns of Q, twice, as once is not enough near the span;
+/// returns the coordinates of the part subtracted.
 inline Vector orthogonalise(const Eigen::Ref<const Eigen::MatrixXd>& Q, Vector& y) {
   Vector coordinates = Vector::Zero(Q.cols());
   for (int pass = 0; pass < 2; ++pass) {

@@ -54,7 +54,7 @@ void SymmetricPair::subtract_products(const Vector& v, const Vector& x, Vector& 
       take(q + 1, odd);
     }
     if (q < begin_[i + 1]) take(q, even);
-    products_[i] = even + odd;  // of the rows below nothing has come yet
+    products_[i] = even + odd;  // rows below have not added anything yet
   }
   for (std::size_t i = 0; i < n; ++i) f[static_cast<int>(i)] -= products_[i].sum();
 }

@@ -8,8 +8,8 @@
 
 namespace upbead::detail {
 
-/// The lower triangles of C and K on their common pattern: one pass through half of the entries gives C v + K x, where
-/// two products read 1.7 times as many bytes.
+/// The lower triangles of C and K on their common pattern: one pass through half of the entries gives C v + K x,
+/// where two separate products would read 1.7 times as many bytes.
 class SymmetricPair {
  public:
   SymmetricPair(const SparseMatrix& C, const SparseMatrix& K);
@@ -34,7 +34,8 @@ struct FieldGrams {
   Eigen::MatrixXd total() const { return displacement + relative_fluid + pressure; }
 };
 
-/// What lies below the diagonal of a symmetric A, by the field of its columns: half of what is to be read for a gram.
+/// The entries below the diagonal of a symmetric A, by the field of their columns: a gram needs to read only half of
+/// A.
 class LowerTriangle {
  public:
   LowerTriangle(const SparseMatrix& A, const std::vector<Field>& field);

@@ -133,7 +133,7 @@ void Projection::project(Group& group) {
   group.n_projected = group.basis.n();
 }
 
-/// C between phi and u, as far as new directions are concerned: new u with all phi, then new phi with old u.
+/// Entries of C between phi and u for new directions: new u with all phi, then new phi with old u.
 void Projection::project_coupling() {
   const auto fill = [&](const Eigen::MatrixXd& gram, Eigen::Index first_phi, Eigen::Index first_u) {
     for (Eigen::Index i = 0; i < gram.rows(); ++i)

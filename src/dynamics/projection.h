@@ -8,16 +8,16 @@
 
 namespace upbead {
 
-/// Projects on all coordinates of a space, and on new ones as it grows. Because u with W and phi have bases of their
-/// own, the signs of the System's matrices survive; because a rigid caisson's motions are coordinates, its balance of
-/// forces holds to round-off.
+/// Projects on all coordinates of a space, and on new ones as the space grows. u and W share one basis and phi has
+/// another, so the signs of the System's matrices are kept; a rigid caisson's motions are coordinates, so the balance
+/// of its forces holds to round-off.
 class Projection {
  public:
   /// System and space must outlive the object. Throws std::logic_error where M or K couples phi with u or W.
   Projection(const System& system, const SecondOrderKrylov& krylov);
-  /// On bases of any space, whose coordinates are numbered through; `shift`: ReducedSystem::shift.
+  /// Projects on bases of any space, whose coordinates are numbered across both; `shift`: ReducedSystem::shift.
   Projection(const System& system, const FieldBasis& displacements, const FieldBasis& phi, double shift);
-  /// Takes in what has come since.
+  /// Adds the coordinates that have come to the space since.
   void extend();
   const ReducedSystem& reduced() const { return reduced_; }
 

@@ -8,8 +8,8 @@
 
 namespace upbead::detail {
 
-/// Transforms series of a fixed length, forward with exp(-i ...), backward with 1/n, so that one undoes the other. Any
-/// number of threads may use one.
+/// Transforms series of a fixed length, forward with exp(-i ...), backward with 1/n, so that backward undoes forward.
+/// Any number of threads may use one object.
 class RealFft {
  public:
   /// For series of the next length from n_least on that is even and has no other prime factors than 2, 3 and 5.
@@ -31,7 +31,7 @@ class RealFft {
 
 namespace upbead {
 
-/// Of FFTW.
+/// The version of FFTW.
 Versions dynamics_versions();
 
 }  // namespace upbead

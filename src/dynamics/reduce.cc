@@ -14,16 +14,17 @@ namespace upbead {
 
 namespace {
 
-/// Vectors per independent load: at the first look, and at least so many from one look to the next, or a quarter of
-/// what is there: a look takes the eigenvalues of a matrix four times as large as there are vectors.
+/// Vectors per independent load at the first look, and the fewest from one look to the next, where a quarter of the
+/// present number is added if that is more: a look takes the eigenvalues of a matrix four times as large as there are
+/// vectors.
 constexpr int first_look = 24, vectors_between_looks = 6;
-constexpr double usual_vectors = 46.;  ///< per independent load: a guess for people who wait
-/// |H| may move by so many times the tolerance, as it is the smaller model that is wrong by so much.
+constexpr double usual_vectors = 46.;  ///< per independent load: a guess, to show the progress
+/// |H| may differ by this multiple of the tolerance, as it is the smaller model that is wrong by so much.
 constexpr double transfer_tolerance = 4.;
 /// A reading counts as small where it stays below this part of the largest of its unit.
 constexpr double small_reading = 1e-3;
 
-/// The loads all together, then each alone.
+/// All loads together, then each load alone.
 std::vector<SampledLoads> trainings(const SampledLoads& all, bool each_load) {
   std::vector<SampledLoads> list{all};
   for (Eigen::Index k = 0; each_load && all.begin.rows() > 1 && k < all.begin.rows(); ++k) {
@@ -43,7 +44,7 @@ std::vector<Eigen::MatrixXd> responses(const ModalModel& model, const std::vecto
   return list;
 }
 
-/// Largest values of each reading, those of symmetric nothings lifted to a part of the largest of their unit.
+/// Largest value of each reading; a reading that is zero by symmetry gets a share of the largest value of its unit.
 Eigen::VectorXd scales(const ModalModel& model, const Eigen::MatrixXd& y) {
   std::map<std::string, double> of_unit;
   Eigen::VectorXd scale = y.cwiseAbs().rowwise().maxCoeff();
@@ -56,7 +57,7 @@ Eigen::VectorXd scales(const ModalModel& model, const Eigen::MatrixXd& y) {
   return scale;
 }
 
-/// Takes in how far the responses to one training lie apart.
+/// Adds to `error` the differences between the responses of two models to one training.
 void compare(const ModalModel& model, const std::vector<int>& measured, const Eigen::MatrixXd& fine,
              const Eigen::MatrixXd& coarse, NestedError& error) {
   const Eigen::VectorXd scale = scales(model, fine), difference = (fine - coarse).cwiseAbs().rowwise().maxCoeff();
@@ -77,7 +78,8 @@ ModalModel model_of(const ReduceOptions& options, const ReducedSystem& system) {
   return options.model ? options.model(system) : modal_model(state_space(system), system);
 }
 
-/// Which coordinates are kept as readings of their own, besides those of the system; -1 is one that stays 0.
+/// The coordinates that are kept as readings of their own, besides those of the system; -1 stands for one that stays
+/// 0.
 struct KeptCoordinates {
   std::vector<int> position, velocity, acceleration;
 
@@ -90,7 +92,7 @@ KeptCoordinates kept_coordinates(const ReduceOptions& options, const ReducedSyst
   if (options.keep_states) {
     std::vector<int> all(static_cast<std::size_t>(system.size()));
     std::iota(all.begin(), all.end(), 0);
-    std::vector<int> moving = all;  // x'' of phi nobody reads, and where a load prescribes x' no model has it
+    std::vector<int> moving = all;  // x'' of phi is never used, and x'' of a prescribed x' is in no model
     std::transform(all.begin(), all.end(), moving.begin(), [&](int i) { return system.is_phi[i] ? -1 : i; });
     return {all, all, moving};
   }
@@ -98,7 +100,7 @@ KeptCoordinates kept_coordinates(const ReduceOptions& options, const ReducedSyst
   return {};
 }
 
-/// The system with those coordinates as its last readings.
+/// The system with the kept coordinates as its last readings.
 ReducedSystem with_coordinates(ReducedSystem system, const KeptCoordinates& kept) {
   Eigen::Index row = system.velocity.rows();
   const Eigen::Index n = row + kept.count();
@@ -115,7 +117,7 @@ ReducedSystem with_coordinates(ReducedSystem system, const KeptCoordinates& kept
   return system;
 }
 
-/// The model of the last readings alone, which it loses.
+/// Splits off the last n readings as a model of their own; `model` keeps all others.
 ModalModel split_last(ModalModel& model, Eigen::Index n) {
   ModalModel last = model;
   const Eigen::Index rest = model.reading.rows() - n;
@@ -165,7 +167,7 @@ Eigen::MatrixXd phi_velocities(const FieldBasis& basis, const Eigen::MatrixXd& c
 
 namespace {
 
-/// Of what is kept, the velocities of the coordinates of phi.
+/// Of the model of the kept coordinates only the velocities of phi.
 ModalModel of_pressures(const ReduceOptions& options, ModalModel kept, const FieldBasis& phi) {
   if (!options.keep_states) return kept;
   const Eigen::Index all = kept.reading.rows() / 3;

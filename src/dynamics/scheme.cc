@@ -9,7 +9,7 @@ namespace {
 
 /// Hairer & Wanner, Solving ODEs II, table IV.6.5. Its last stage is the end of the step, so the state satisfies the
 /// equation of motion; its stage order is 1, so accelerations converge more slowly than x and x'. A jump of a load or
-/// of a prescribed velocity needs no care.
+/// of a prescribed velocity needs no special treatment.
 class Sdirk4 : public detail::SchemeBase {
  public:
   Sdirk4(const System& system, const SchemeOptions& options)

@@ -11,7 +11,7 @@
 
 namespace upbead::detail {
 
-/// Holds the factorised matrices, the account of energy and what a step leaves behind.
+/// Holds the factorised matrices, the account of energy and the results of the last step.
 class SchemeBase : public Scheme {
  public:
   void start(const State& state) override {

@@ -13,9 +13,9 @@ namespace upbead {
 
 namespace {
 
-/// What of a pole's real part is round-off, beside |A|.
+/// Share of |A| below which a pole's real part is round-off.
 constexpr double no_growth = 1e-9;
-/// What of a position's row may lie beyond strains and s and be round-off.
+/// Share of a position's row that may be outside strains and s, and count as round-off.
 constexpr double no_slip_drift = 1e-6;
 
 /// s' = A s + B f + b F_T with readings: n of N', `wanted`, velocity s'. s' is the last state, up to its unit.
@@ -30,7 +30,7 @@ struct OpenLoop {
   Eigen::VectorXd share_of_slip;
 };
 
-/// The coordinates in another order: s, on which alone the last load acts, is the last one.
+/// The system with its coordinates reordered: s, the only one on which the last load acts, comes last.
 ReducedSystem with_slip_last(ReducedSystem r) {
   const Eigen::Index friction = r.load.cols() - 1;
   if (friction < 0 || r.load_name.back() != slip_name::friction)
@@ -50,7 +50,7 @@ ReducedSystem with_slip_last(ReducedSystem r) {
   return r;
 }
 
-/// A position that strains do not tell is so many times s, and strains.
+/// Subtracts a position's share of s: a position that strains do not determine must be a multiple of s, plus strains.
 void take_slip_out(StateSpace& s, int slip, int reading, double& share) {
   const double drift = s.E.row(reading).norm();
   if (drift == 0.) return;
@@ -88,12 +88,13 @@ OpenLoop open_loop(const ReducedSystem& reduced, const SlipLaw& law) {
   return o;
 }
 
-/// A phase as equations.
+/// The equations of a phase.
 struct Equations {
   Eigen::MatrixXd A, B, C, D;
 };
 
-/// With F_T = shear.s + shear_load.(f, N_0), of a phase whose states are the first ones.
+/// The equations under F_T = shear.s + shear_load.(f, N_0), for a phase whose states are the first ones of the open
+/// loop.
 Equations closed(const OpenLoop& o, const Eigen::RowVectorXd& shear, const Eigen::RowVectorXd& shear_load) {
   const Eigen::Index n = shear.size(), K = o.B.cols(), I = o.wanted.rows();
   Equations e;
@@ -145,7 +146,7 @@ double drop_growth(const Eigen::MatrixXd& A, Eigen::VectorXcd& pole) {
   return growth;
 }
 
-/// `n_states`: of the open loop.
+/// The modes of a phase; `n_states`: number of states of the open loop.
 SlipPhase in_modes(const Equations& e, Eigen::Index n_states, double& growth) {
   const Eigen::Index n = e.A.rows();
   SlipPhase phase;
@@ -177,7 +178,7 @@ void add_labels(ModalModel& modes, const ReducedSystem& reduced, const std::vect
   for (const int i : wanted) modes.reading_label.push_back(reduced.reading_label[i]);
 }
 
-/// The readings of two models one after the other; the second has the loads, the first all but the last.
+/// The readings of two models one after the other; the second has all loads, the first all but the last.
 ModalModel side_by_side(const ModalModel& a, const ModalModel& b) {
   const Eigen::Index m = a.n_modes(), n = b.n_modes(), i = a.n_readings(), j = b.n_readings();
   ModalModel both;
@@ -196,7 +197,7 @@ ModalModel side_by_side(const ModalModel& a, const ModalModel& b) {
   return both;
 }
 
-/// Damping ratio at s_0 that may be added.
+/// Largest damping ratio at s_0 that may be added.
 constexpr double largest_ratio = 5e-3;
 
 SlipModel model_with(const ReducedSystem& reduced, const SlipLaw& law, double damping_time) {
@@ -217,7 +218,7 @@ SlipModel model_with(const ReducedSystem& reduced, const SlipLaw& law, double da
   return model;
 }
 
-/// The largest 2 sigma/omega^2 of poles that grow, of those that take no more than half of `largest`.
+/// The largest 2 sigma/omega^2 among growing poles for which this is no more than half of `largest`.
 double beta_against_flutter(const SlipModel& model, double largest) {
   double beta = 0.;
   for (const SlipPhase& phase : model.phases)

@@ -8,20 +8,21 @@ using Complex = std::complex<double>;
 
 namespace {
 
-/// Of z' = p z + a + b t.
+/// The start of z' = p z + a + b t.
 struct ModeStart {
   Complex z, a, b;
 };
 
-/// visit(k, Re, Im) for the terms z^(k)(0) t^k / k! of z(t), abs(p t) <= 1: z' = p z + a, z'' = p z' + b,
-/// from there on p times the last. Where abs(p t) > 1 there is z = e^(pt) (z_0 + a/p + b/p^2) - (a + b t)/p - b/p^2.
+/// Calls visit(k, Re, Im) for the terms z^(k)(0) t^k / k! of z(t), for abs(p t) <= 1: z' = p z + a, z'' = p z' + b,
+/// and each later derivative is p times the one before. For abs(p t) > 1, z = e^(pt) (z_0 + a/p + b/p^2) - (a + b
+/// t)/p - b/p^2.
 template <class Visit>
 void for_each_term(const ModeStart& start, const Complex& p, double t, const Visit& visit) {
   const Complex first = t * (p * start.z + start.a), second = 0.5 * t * (p * first + t * start.b);
   visit(0, start.z.real(), start.z.imag());
   visit(1, first.real(), first.imag());
   double re = second.real(), im = second.imag();
-  const double x_re = p.real() * t, x_im = p.imag() * t;  // products of std::complex look for infinities, term by term
+  const double x_re = p.real() * t, x_im = p.imag() * t;  // products of std::complex check each term for infinities
   const double negligible = 1e-18 * (std::abs(re) + std::abs(im));
   for (int k = 2; k < SlipCurve::n_terms; ++k) {
     visit(k, re, im);

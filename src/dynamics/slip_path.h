@@ -14,13 +14,13 @@ namespace upbead {
 /// The amplitudes z of a phase's modes, padded by zeros.
 using ModalState = detail::SplitArray;
 
-/// In the modes of a phase; a stuck one drops what s' there is.
+/// The state in the modes of a phase; a stuck phase drops s'.
 ModalState modal_state(const SlipPhase& phase, const Eigen::VectorXd& state);
-/// In energy coordinates.
+/// The state in energy coordinates.
 Eigen::VectorXd energy_state(const SlipPhase& phase, const ModalState& z);
 
-/// One reading along a stretch of time, made to be evaluated often: modes that hardly move over it make one Taylor
-/// polynomial together, the others keep their exponentials. Right to a few roundings of its parts.
+/// One reading along a stretch of time, made to be evaluated often: modes that hardly change over it share one Taylor
+/// polynomial, all other modes keep their exponentials. Accurate to a few roundings of its parts.
 class SlipCurve {
  public:
   /// At t (s) from the start, not beyond the length of the stretch.
@@ -37,8 +37,8 @@ class SlipCurve {
 /// The motion from a state under loads that run along straight lines: exact at any time t (s) from there on.
 class SlipPath {
  public:
-  /// `load`, `slope`: of all loads of the phase, at t = 0 and a second; `length` (s). The phase must outlive the
-  /// object.
+  /// `load`, `slope`: all loads of the phase at t = 0, and their change per second; `length` (s). The phase must
+  /// outlive the object.
   SlipPath(const SlipPhase& phase, const ModalState& start, const Eigen::VectorXd& load, const Eigen::VectorXd& slope,
            double length);
   double length() const { return length_; }
@@ -52,7 +52,7 @@ class SlipPath {
 
  private:
   const SlipPhase& phase_;
-  Eigen::VectorXcd z_, whole_, rise_;  ///< at t = 0; what load and slope add to z'
+  Eigen::VectorXcd z_, whole_, rise_;  ///< at t = 0; what the load and its slope add to z'
   Eigen::VectorXd load_, slope_;
   double length_;
 };

@@ -16,7 +16,7 @@ using detail::lanes;
 using detail::SplitArray;
 using Complex = std::complex<double>;
 
-/// Loads that move the modes.
+/// The most loads that may move the modes.
 constexpr std::size_t most_inputs = 16;
 
 struct InputPointers {
@@ -38,12 +38,12 @@ double sum(const Lanes& values) {
   return total;
 }
 
-/// Of the modes of one lane each.
+/// Sums over the modes, by lane.
 struct StepSums {
   Lanes watched = {}, normal = {}, distance = {};
 };
 
-/// The first `n_pairs` modes, which may be complex; a whole number of lanes.
+/// Adds the first `n_pairs` modes, which may be complex; a whole number of lanes.
 UPBEAD_CLONES void add_pairs(Eigen::Index n_pairs, const StepPointers& p, StepSums& sums) {
   for (Eigen::Index m = 0; m < n_pairs; m += lanes) {
     Lanes a, b, re, im;
@@ -77,7 +77,7 @@ UPBEAD_CLONES void add_pairs(Eigen::Index n_pairs, const StepPointers& p, StepSu
   }
 }
 
-/// The real modes from `n_pairs` on; whole numbers of lanes.
+/// Adds the real modes from `n_pairs` on; whole numbers of lanes.
 UPBEAD_CLONES void add_real(Eigen::Index n_pairs, Eigen::Index n_modes, const StepPointers& p, StepSums& sums) {
   for (Eigen::Index m = n_pairs; m < n_modes; m += lanes) {
     Lanes a, re;
@@ -170,7 +170,7 @@ double sum(const SplitArray& row, const SplitArray& z) {
   return (row.re * z.re - row.im * z.im).sum();
 }
 
-/// The product of two lines over `length`.
+/// Integral over `length` of the product of two lines, from a to b and from c to d.
 double integral_of_product(double a, double b, double c, double d, double length) {
   return length * ((a + b) * (c + d) / 4. + (b - a) * (d - c) / 12.);
 }

@@ -1,4 +1,4 @@
-// The many equal steps of a slip model in which nothing happens, and what tells that nothing does.
+// The many equal steps of a slip model in which the phase does not change, and bounds that show that it does not.
 #pragma once
 
 #include <vector>
@@ -8,28 +8,29 @@
 
 namespace upbead {
 
-/// What a step tells.
+/// Readings of a step.
 struct SlipStep {
   double watched = 0.;   ///< at its end: F_T of a phase that sticks (N/m), s' of one that does not (m/s)
   double normal = 0.;    ///< N' at its end (N/m)
-  double distance = 0.;  ///< integral of `watched` over it
+  double distance = 0.;  ///< integral of `watched` over the step
 };
 
-/// Steps of one phase and one length: exact for loads that are straight within a step, O(M K); const and safe to share
-/// between threads. What costs exponentials is done once.
+/// Steps of one phase and one length: exact for loads that are straight within a step, O(M K); const and safe to
+/// share between threads. Exponentials are computed once.
 class SlipSteps {
  public:
   /// `step` in s. Throws std::invalid_argument where there are more than 16 loads.
   SlipSteps(const SlipPhase& phase, ContactState contact, double step);
   /// Row that is watched.
   static int watched_row(ContactState contact) { return contact == ContactState::stick ? row_shear : row_velocity; }
-  /// From a state under loads that go from `begin` to `end` (K); `to` has the size of `from` and
-  /// is real where that is.
+  /// Advances from a state under loads that go from `begin` to `end` (K); `to` has the size of `from`, and is real
+  /// where `from` is.
   SlipStep advance(const detail::SplitArray& from, const Eigen::VectorXd& begin, const Eigen::VectorXd& end,
                    detail::SplitArray& to) const;
 
  private:
-  /// What one load adds to the modes: begin times the first, end times the second.
+  /// What one load adds to the modes: its value at the beginning times `begin`, plus its value at the end times
+  /// `end`.
   struct Input {
     int load;
     detail::SplitArray begin, end;
@@ -55,33 +56,33 @@ struct SlipBend {
 struct SlipBends {
   SlipBend velocity;  ///< s' (m/s)
   SlipBend normal;    ///< N' (N/m)
-  double work = 0.;   ///< most that SlipWithinStep::work() is wrong by (J/m)
+  double work = 0.;   ///< largest error of SlipWithinStep::work() (J/m)
 };
 
-/// Of one phase and one length; const and safe to share between threads.
+/// Bounds and work within a step, for one phase and one length; const and safe to share between threads.
 class SlipWithinStep {
  public:
-  /// `rows`: of what the loads do work on, see load_rows(); `step` in s.
+  /// `rows`: of the velocities on which the loads do work, see load_rows(); `step` in s.
   SlipWithinStep(const SlipPhase& phase, const Eigen::MatrixXd& rows, double step);
-  /// From a state under loads that go from `begin` to `end`.
+  /// Bounds for a step from a state, under loads that go from `begin` to `end`.
   SlipBends bends(const detail::SplitArray& from, const Eigen::VectorXd& begin, const Eigen::VectorXd& end) const;
-  /// Of the loads (J/m), with `to` the state at the end: int f v = mean f int v + change of f int (t/h - 1/2) v. The
-  /// first integral is exact, v counts as straight in the second, which a bend of v makes wrong by a quarter of it at
-  /// most.
+  /// Work of the loads (J/m), with `to` the state at the end: int f v = mean f int v + change of f int (t/h - 1/2) v.
+  /// The first integral is exact. In the second v counts as straight; a bend of v makes it wrong by a quarter of the
+  /// bend at most.
   double work(const detail::SplitArray& from, const detail::SplitArray& to, const Eigen::VectorXd& begin,
               const Eigen::VectorXd& end) const;
-  /// The same of a shorter piece of time whose velocities are straight.
+  /// The same for a shorter piece of time on which velocities are straight.
   double work_of_piece(const detail::SplitArray& from, const detail::SplitArray& to, const Eigen::VectorXd& begin,
                        const Eigen::VectorXd& end, double length) const;
 
  private:
-  /// What one load adds.
+  /// What one load adds to the modes.
   struct Input {
     int load;
-    detail::SplitArray bend, bend_slope;  ///< to z'', of its value and its slope
-    detail::SplitArray begin, end;        ///< to the integral of z, of its values at the ends
+    detail::SplitArray bend, bend_slope;  ///< to z'', by its value and by its slope
+    detail::SplitArray begin, end;        ///< to the integral of z, by its values at the ends
   };
-  /// Per |z''|: of modes that are slow within a step, and of fast ones.
+  /// Weights of |z''|: for modes that are slow within a step, and for fast ones.
   struct Weights {
     Eigen::ArrayXd slow, fast;
   };
@@ -96,12 +97,13 @@ class SlipWithinStep {
   double step_;
   Weights velocity_, normal_;
   detail::SplitArray square_;    ///< p^2
-  detail::SplitArray integral_;  ///< of z, per z
+  detail::SplitArray integral_;  ///< of z over the step, per z
   std::vector<Input> inputs_;
   std::vector<Worker> workers_;
 };
 
-/// Rows B^T of s' = A s + B f in energy coordinates, K x N: d(s.s/2)/dt = f.(B^T s) - what is lost. N_0 does no work.
+/// Rows B^T of s' = A s + B f in energy coordinates, K x N: d(s.s/2)/dt = f.(B^T s) minus the losses. N_0 does no
+/// work.
 Eigen::MatrixXd load_rows(const SlipModel& model);
 
 }  // namespace upbead

@@ -47,7 +47,7 @@ CoordinateSeries respond_in_coordinates(const ModalModel& model, const SampledLo
 
 void for_each_state(const StateModel& model, const CoordinateSeries& series, const std::vector<Eigen::Index>& times,
                     const std::function<void(const State&, Eigen::Index)>& see) {
-  constexpr std::size_t most = 16;  // states at once: products of matrices, yet little memory
+  constexpr std::size_t most = 16;  // states at once: enough for products of matrices, little memory
   const auto size = static_cast<Eigen::Index>(model.displacements.unknown.size() + model.phi.unknown.size());
   for (std::size_t first = 0; first < times.size(); first += most) {
     const std::vector<Eigen::Index> block(

@@ -14,11 +14,11 @@ namespace upbead {
 
 namespace {
 
-/// Eigenvalues of K~ and M~ below these, beside T(s_0) = 1, are none.
+/// Eigenvalues of K~ and M~ below these, relative to T(s_0) = 1, count as zero.
 constexpr double no_stiffness = 1e-13, no_storage = 1e-9;
 /// Damping of phi where it has no storage.
 constexpr double relaxation = 1e-6;
-/// What of a reading's row may lie beyond the range of K~ and be round-off.
+/// Share of a reading's row that may be outside the range of K~, and count as round-off.
 constexpr double no_drift = 1e-6;
 
 /// The matrices with the rows of phi multiplied by -1, in units of time 1/s_0.
@@ -64,7 +64,7 @@ Stiffness split(const Eigen::MatrixXd& K) {
   return {U * root.asDiagonal(), U * root.cwiseInverse().asDiagonal()};
 }
 
-/// f_k -> velocity of the prescribed coordinates, in units of time 1/s_0.
+/// Maps f_k to the velocities of the prescribed coordinates, in units of time 1/s_0.
 Eigen::MatrixXd prescription(const ReducedSystem& r) {
   Eigen::MatrixXd S = Eigen::MatrixXd::Zero(r.n_prescribed, r.load.cols());
   for (std::size_t k = 0; k < r.prescribed.size(); ++k)
@@ -104,7 +104,7 @@ class Builder {
     return s;
   }
 
-  /// y = position q + velocity q' + acceleration q'' + feedthrough f, as of the equations `s`.
+  /// Adds the readings y = position q + velocity q' + acceleration q'' + feedthrough f, in the states of `s`.
   void add_readings(StateSpace& s) const {
     const Eigen::Index N = s.A.rows(), N_e = N - n_;
     const auto velocity = r_.shift * r_.velocity;
@@ -122,7 +122,7 @@ class Builder {
   }
 
  private:
-  /// The acceleration of what a load prescribes is f', which nobody gives us.
+  /// The acceleration of what a load prescribes is f', which is not given.
   void require_no_rates(const Eigen::MatrixXd& of_free, const Eigen::MatrixXd& of_prescribed) const {
     if (of_free.cwiseAbs().sum() + of_prescribed.cwiseAbs().sum() > 0.)
       throw NumericsError(
@@ -143,7 +143,7 @@ class Builder {
   Eigen::MatrixXd S_;
   Stiffness stiffness_;
   Eigen::MatrixXd R_inverse_, C_, load_;
-  Eigen::MatrixXd prescribed_part_;  ///< -M^-1 M_p f: what the free velocities hold of f itself
+  Eigen::MatrixXd prescribed_part_;  ///< -M^-1 M_p f: the part of the free velocities that is proportional to f itself
 };
 
 }  // namespace
@@ -165,7 +165,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// Largest difference of X diag(pole) X^-1 B and A B that is tolerable, beside A B.
+/// Largest tolerable difference of X diag(pole) X^-1 B and A B, relative to A B.
 constexpr double diagonalisable = 1e-8;
 
 }  // namespace
@@ -217,14 +217,15 @@ Modes diagonalise(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) {
 
 namespace {
 
-/// Poles below this part of the largest are zero, and so is what a drift sees of a mode below that part of both.
+/// Poles below this share of the largest count as zero. The drift of such a mode counts as zero below this share of
+/// the norms of drift and mode.
 constexpr double no_pole = 1e-13, no_part = 1e-6;
-/// Pole over s_0 of what floats free: in 1,000/s_0 a velocity loses a millionth, and a place is known to 1e-7 after
-/// 1/s_0.
+/// The pole, over s_0, that replaces the pole zero of a body that floats free: in 1,000/s_0 a velocity loses a
+/// millionth, and a position is known to 1e-7 after 1/s_0.
 constexpr double pole_of_free = 1e-9;
 
-/// y += int (E s + F f): in modes, int z = (z - load int f) / pole. A mode with its pole at zero that has no drift to
-/// be seen is the pressure of closed water; one that has is a body that nothing holds.
+/// Adds y += int (E s + F f): in modes, int z = (z - load int f) / pole. A mode with its pole at zero and no visible
+/// drift is the pressure of closed water; one with a drift is a body that nothing holds.
 void add_drift(const StateSpace& space, double shift, detail::Modes& modes, Eigen::MatrixXcd& reading,
                Eigen::MatrixXd& impulse) {
   impulse = space.F;
@@ -249,7 +250,7 @@ void add_drift(const StateSpace& space, double shift, detail::Modes& modes, Eige
 
 ModalModel modal_model(const StateSpace& space, const ReducedSystem& labels) {
   detail::Modes modes = detail::diagonalise(space.A, space.B);
-  // A + A^T <= 0 leaves no pole with a positive real part (Bendixson); what there is of it is round-off.
+  // A + A^T <= 0 leaves no pole with a positive real part (Bendixson); a positive one is round-off.
   modes.pole.real() = modes.pole.real().cwiseMin(0.);
   Eigen::MatrixXcd reading = space.C * modes.X;
   ModalModel model;

@@ -13,7 +13,7 @@ namespace upbead {
 struct StateSpace {
   Eigen::MatrixXd A, B;
   Eigen::MatrixXd C, D;
-  Eigen::MatrixXd E, F;  ///< of readings of a position that no strain tells, as where absorbing sides alone hold it
+  Eigen::MatrixXd E, F;  ///< of readings of a position that no strain determines, as where only absorbing sides hold it
 };
 
 /// Energy coordinates: with K~ = L L^T and M~ = R^T R of the matrices whose rows of phi are multiplied by -1, the
@@ -21,35 +21,35 @@ struct StateSpace {
 ///
 ///     e' = L^T R^-1 w,   w' = R^-T (b f - L e - C~ R^-1 w),
 ///
-/// skew but for -R^-T sym(C~) R^-1. What K~ does not see (the displacement W of the fluid, phi in soils) has no state;
-/// in companion form it would be poles at zero that round-off moves. A prescribed velocity q'_p = f enters by
-/// v = R^-1 w - M^-1 M_p f, so that no derivative of f is needed. Where an incompressible fluid leaves M~ singular in
-/// phi, it is given storage 1e-9 and damping 1e-6 of what T(s_0) says about phi: the response changes by 1e-6 of
-/// itself, at frequencies about the shift.
-/// Throws NumericsError where M~ is singular beyond phi, where a load prescribes what a reading's acceleration needs.
+/// skew but for -R^-T sym(C~) R^-1. Coordinates that K~ does not see (the displacement W of the fluid, phi in soils)
+/// have no state e; in companion form they would be poles at zero that round-off moves. A prescribed velocity q'_p =
+/// f enters by v = R^-1 w - M^-1 M_p f, so that no derivative of f is needed. Where an incompressible fluid leaves M~
+/// singular in phi, phi is given storage 1e-9 and damping 1e-6, relative to T(s_0): the response changes by 1e-6 of
+/// itself, at frequencies about the shift. Throws NumericsError where M~ is singular beyond phi, and where a reading
+/// needs the acceleration of what a load prescribes.
 StateSpace state_space(const ReducedSystem& reduced);
 
-/// The same in modes, s = X z with A X = X diag(pole). Throws NumericsError where the modes do not give A B back to
-/// 1e-8: where A cannot be diagonalised.
+/// The same in modes, s = X z with A X = X diag(pole). Throws NumericsError where the modes do not reproduce A B to
+/// 1e-8, as A cannot be diagonalised.
 ModalModel modal_model(const StateSpace& space, const ReducedSystem& labels);
 
 }  // namespace upbead
 
 namespace upbead::detail {
 
-/// A X = X diag(pole), of conjugate pairs both.
+/// A X = X diag(pole), with both poles of a conjugate pair.
 struct Modes {
   Eigen::VectorXcd pole;
   Eigen::MatrixXcd X;
   Eigen::MatrixXcd load;  ///< X^-1 B
 
-  /// Those that make a real sum: one of each pair of conjugates.
+  /// The modes that make a real sum: one of each pair of conjugates.
   std::vector<int> kept() const;
-  /// Rows R X of the kept modes, those of pairs doubled: R s = Re (row z).
+  /// Rows R X of the kept modes, doubled for pairs: R s = Re (row z).
   Eigen::MatrixXcd reading(const Eigen::MatrixXcd& rows_X, const std::vector<int>& modes) const;
 };
 
-/// Throws NumericsError where X diag(pole) X^-1 B misses A B by more than 1e-8.
+/// Throws NumericsError where X diag(pole) X^-1 B differs from A B by more than 1e-8.
 Modes diagonalise(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);
 
 }  // namespace upbead::detail

@@ -60,7 +60,7 @@ class GridBuilder {
     grid_.segments.push_back({start, step_, static_cast<int>(std::round((end - start) / step_))});
   }
 
-  /// Blocks of equal steps from start to end; how long a step may be depends on the time since growth.after alone.
+  /// Adds blocks of equal steps from start to end; the longest step depends only on the time since growth.after.
   void add_growing(double start, double end, const StepGrowth& growth) {
     const double first_block = steps_before_growth * step_, factor = growth.factor;
     while (true) {

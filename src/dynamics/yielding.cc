@@ -40,7 +40,7 @@ class YieldingStage : public StageLaw {
     double time = 0.;
     Vector q;
   };
-  /// What a step that fails takes back, beside the state.
+  /// What a failed step restores, besides the state.
   struct Memory {
     Known last, before;
     double work = 0.;
@@ -55,7 +55,7 @@ class YieldingStage : public StageLaw {
     work_ = 0.;
     if (contact_) contact_->start(state);
   }
-  /// Of a step of the march, which may take several of the scheme.
+  /// Begins a step of the march, which may take several steps of the scheme.
   void begin_step() {
     if (contact_) contact_->begin_step(StopAt::never);
   }
@@ -64,7 +64,7 @@ class YieldingStage : public StageLaw {
   bool solve(const EffectiveMatrix& E, double g, DirkStage& stage) override;
   const Vector* force_on_prescribed() const override { return &on_prescribed_; }
 
-  /// Done by the force since start() (J/m).
+  /// Work of the force since start() (J/m).
   double work() const { return work_; }
   Memory memory() const { return {last_, before_, work_, contact_ ? contact_->now() : InterfaceState()}; }
   void recall(const Memory& memory) {
@@ -77,7 +77,7 @@ class YieldingStage : public StageLaw {
   void recall_largest(double largest) { largest_ = largest; }
   /// Null without an interface.
   const ContactStage* contact() const { return contact_ ? &*contact_ : nullptr; }
-  /// Whether the last stage that was not solved stopped at an impact; else why it was not, if that is known.
+  /// Whether the last stage that was not solved stopped at an impact; else failure() says why, if that is known.
   bool met_impact() const { return met_impact_; }
   const std::string& failure() const { return failure_; }
   int n_stages() const { return n_stages_; }
@@ -93,8 +93,8 @@ class YieldingStage : public StageLaw {
   const System& system_;
   InternalForce& force_;
   double tolerance_;
-  double largest_ = 0.;  ///< norm of loads or of what the soil exerts, so far: the tolerance is a share of it (N/m)
-  Known last_, before_;  ///< of the last stages: the next begins on the line through them
+  double largest_ = 0.;  ///< largest norm so far of loads or soil forces: the tolerance is a share of it (N/m)
+  Known last_, before_;  ///< the last two stages: the next one starts on the line through them
   Vector q_;
   double work_ = 0.;
   Vector x_, rhs_, solved_with_, on_prescribed_;
@@ -115,7 +115,7 @@ void YieldingStage::guess(double time) {
   if (last_.time > before_.time) q_ += (time - last_.time) / (last_.time - before_.time) * (last_.q - before_.q);
 }
 
-/// x that belongs to q.
+/// Computes x under q.
 void YieldingStage::move(const Vector& q) {
   const std::vector<int>& rows = force_.rows();
   const auto add = [&](Vector& rhs) {
@@ -137,7 +137,7 @@ void YieldingStage::move(const Vector& q) {
   solved_with_ = q;
 }
 
-/// A strain or a motion that no law answers ends the solution of this stage, not the march: a shorter step may do.
+/// A strain or a motion for which no law has an answer ends this stage, not the march: a shorter step may succeed.
 void YieldingStage::evaluate(const Vector& q, Vector& p) {
   try {
     move(q);
@@ -167,7 +167,7 @@ bool YieldingStage::solve(const EffectiveMatrix& E, double g, DirkStage& stage) 
   ++n_stages_;
   n_evaluations_ += report.evaluations;
   if (!report.converged) return false;
-  if (solved_with_ != q_) move(q_);  // the mixing may end on a q of its own
+  if (solved_with_ != q_) move(q_);  // the mixing may end on a q that was not evaluated
   met_impact_ = stops_ && contact_->now().impacts > interface_before_.impacts;
   if (met_impact_) return false;
   if (!contact_) stage.move(g);
@@ -240,7 +240,7 @@ class YieldingDirk : public SchemeBase {
   YieldingReport report_;
   ContactReport contact_;
   int fallbacks_before_ = 0;
-  double stored_ = 0.;  ///< by the force, beside the elastic K (J/m)
+  double stored_ = 0.;  ///< stored by the force, besides the elastic K (J/m)
 };
 
 void YieldingDirk::advance(State& state, double h) {
@@ -260,7 +260,7 @@ void YieldingDirk::commit(const Vector& x, double work) {
   stored_ = stored;
 }
 
-/// A step of a tableau. Where it is not done all is as before, but for what was counted.
+/// Takes a step with a tableau. Where it fails, all is as before except the counts.
 YieldingDirk::Outcome YieldingDirk::attempt(Dirk& dirk, State& state, double h, double inside) {
   const State before = state;
   const YieldingStage::Memory stage_before = stage_.memory();

@@ -8,27 +8,27 @@
 
 namespace upbead {
 
-/// What the non-linear solves of a march took.
+/// Counts of the non-linear solves of a march.
 struct YieldingReport {
   int stages = 0;
-  int evaluations = 0;     ///< of the internal force; one a stage in which nothing yields
+  int evaluations = 0;     ///< of the internal force; one per stage in which nothing yields
   int cut_steps = 0;       ///< steps that were halved, as a stage did not converge
   double dissipated = 0.;  ///< by the internal force (J/m)
 };
 
 struct YieldingOptions {
-  /// Residual of the equation of motion, as a share of what the soil exerts and of the loads, by their largest norm so
-  /// far. Not of p: where soil flows p grows without end, as K x does.
+  /// Tolerable residual of the equation of motion, as a share of the largest norm so far of the soil's forces or of
+  /// the loads. It is no share of p, which grows without end where soil flows, as K x does.
   double tolerance = 1e-6;
   bool refined = false;  ///< see SchemeOptions
 };
 
-/// Scheme for a system with an internal force, "yielding": three stages of one L-stable tableau of order 2, whose times
-/// ascend within the step. Each stage is a fixed point of the internal force, by Anderson mixing on the elastic
-/// factorisation: p -> p(x(E^-1 (rhs + p))). Where nothing yields p is zero and the answer is that of the elastic
-/// system. Every stage starts from the history at the beginning of the step, which the end of the step becomes. A step
-/// in which a stage does not converge is halved, up to ten times, then NumericsError tells the time. Its report is
-/// Scheme::yielding().
+/// Scheme for a system with an internal force, "yielding": three stages of one L-stable tableau of order 2, whose
+/// times ascend within the step. Each stage is a fixed point of the internal force, by Anderson mixing on the elastic
+/// factorisation: p -> p(x(E^-1 (rhs + p))). Where nothing yields p is zero and the result is that of the elastic
+/// system. Every stage starts from the soil's history at the beginning of the step; the end of the step becomes the
+/// new history. A step in which a stage does not converge is halved, up to ten times; after that NumericsError gives
+/// the time. Its report is Scheme::yielding().
 ///
 /// Where the system has an interface, "yielding, contact": its nodes slip and open by the law of make_contact_scheme,
 /// decided for every p on the way, so that at the fixed point of a stage both laws hold. Order 2 while no node closes;

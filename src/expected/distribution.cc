@@ -24,7 +24,7 @@ double deviation(const Scatter& scatter, double mean) {
   return scatter.deviation.value_or(scatter.cov.value_or(0.) * std::abs(mean));
 }
 
-/// The inverse of a distribution of Boost between its cuts.
+/// The inverse of a distribution of Boost, cut at both ends.
 template <class D>
 QuantileFunction between_cuts(const D& distribution, const Scatter& scatter) {
   const double from = scatter.low ? cdf(distribution, *scatter.low) : 0.;
@@ -57,7 +57,7 @@ QuantileFunction quantile_of(const Scatter& scatter, double mean) {
   return [mean](double) { return mean; };
 }
 
-/// Ends that are so far out that hardly anything is left between them.
+/// Whether the cuts are so far out that hardly any probability is left between them.
 bool nothing_left(const Scatter& scatter, double mean) {
   const QuantileFunction whole =
       quantile_of({scatter.kind, mean, scatter.cov, scatter.deviation, {}, {}, {}, {}}, mean);

@@ -50,7 +50,7 @@ void sample(const ShearAnswer& model, DynamicWave& out) {
   sample_force(out.wave, model.step(), n, out.force.data());
 }
 
-/// Of a force that has been sampled.
+/// Computes F_T and F_S for a force that has been sampled.
 void answer(const ShearAnswer& model, const ImpactAssumptions& assumptions, const Section& section, DynamicWave& out) {
   const std::size_t size = out.force.size();
   const int n = static_cast<int>(size);
@@ -116,7 +116,7 @@ std::optional<WorstBase> DynamicLaw::base(double height, const WaveFactors& fact
   const Eigen::MatrixXd reading = answer_->base(force);
   for (int i = 0; i < n; ++i) {
     double& U = base.uplift[static_cast<std::size_t>(i)];
-    base.uplift_moment.push_back(U * B / 6. + reading(3, i));  // a triangle, zero at the heel
+    base.uplift_moment.push_back(U * B / 6. + reading(3, i));  // U is a triangle, zero at the heel
     U += reading(2, i);
     base.force.push_back(base.weight + reading(0, i) - U);
     base.moment.push_back(base.weight_moment + reading(1, i) + base.uplift_moment.back());
@@ -140,15 +140,15 @@ double triangle(const ImpactWave& wave, double t) {
   return t < wave.duration ? wave.peak * (wave.duration - t) / (wave.duration - wave.rise) : 0.;
 }
 
-/// Between which times the triangle is above gamma P_1 sin(omega t); two equal ones where it never is. Between 0 and
-/// t_r and between t_r and t_d the triangle less the sine is convex, it is 0 at 0, not negative at t_r and not positive
-/// at t_d: it changes its sign at most once on each flank.
+/// The times between which the triangle is above gamma P_1 sin(omega t); both are equal where it never is. Between 0
+/// and t_r and between t_r and t_d the difference of triangle and sine is convex; it is 0 at 0, not negative at t_r
+/// and not positive at t_d. So it changes its sign at most once on each flank.
 std::array<double, 2> where_triangle_leads(const ImpactWave& wave, double gamma) {
   const double omega = 2. * pi / wave.period, peak = gamma * wave.standing_force;
   const auto excess = [&](double t) { return triangle(wave, t) - peak * std::sin(omega * t); };
   const double rise = wave.rise, end = wave.duration;
   const double early = 1e-6 * rise;
-  if (excess(rise) <= 0.) return {rise, rise};  // P_I = P_1 but for round-off: it never leads
+  if (excess(rise) <= 0.) return {rise, rise};  // P_I = P_1 but for round-off: the triangle is never above
   return {excess(early) < 0. ? root(excess, early, rise) : 0., excess(end) < 0. ? root(excess, rise, end) : end};
 }
 
@@ -167,7 +167,7 @@ double reduction(const ImpactWave& wave) {
   const double whole = wave.standing_force * wave.period / pi;
   const auto excess = [&](double gamma) { return impulse(wave, gamma) - whole; };
   if (excess(0.) >= 0.) return 0.;
-  if (excess(1.) <= 1e-14 * whole) return 1.;  // round-off, where the triangle never leads
+  if (excess(1.) <= 1e-14 * whole) return 1.;  // round-off, where the triangle is never above
   return root(excess, 0., 1.);
 }
 
@@ -247,11 +247,12 @@ void sample_uplift(const ImpactWave& wave, ImpactUplift shape, double step, int 
 
 namespace {
 
-constexpr int windows = 400;  // widths that are looked at
-/// As many as a processor takes at once: with 8 nine in ten waves that do not slide are told so.
+constexpr int windows = 400;  // widths for which late_windows_ is computed
+/// As many modes as a processor takes at once: with 8, the bound shows for nine in ten waves without sliding that
+/// they do not slide.
 constexpr int few_modes = 8;
 
-/// The model with its load and one reading.
+/// The model with only the wave's load and one reading.
 ModalModel one_path(const ShearModel& model, int reading) {
   const ModalModel& all = model.modes;
   ModalModel one;
@@ -326,9 +327,9 @@ Eigen::MatrixXd ShearAnswer::base(const std::vector<double>& force) const {
   return answer;
 }
 
-/// F_T(t_n) = sum_k a_(n-k) P_k is at most the largest |P| times the sum of all |a|. Summed by parts it is also
-/// P_n + sum_k (P_k - P_(k-1)) (s_(n-k) - 1), of which the sum is at most its steep part, on whatever neighbours |s -
-/// 1| is largest, and its rest. The first bound is better for stiff caissons and jumps, the second for slow waves.
+/// F_T(t_n) = sum_k a_(n-k) P_k is at most the largest |P| times the sum of all |a|. Summed by parts it is also P_n +
+/// sum_k (P_k - P_(k-1)) (s_(n-k) - 1). This sum is at most that of its steep part, wherever in time |s - 1| is
+/// largest, plus that of the rest. The first bound is better for stiff caissons and jumps, the second for slow waves.
 double ShearAnswer::bound(const ForceLimits& force, int n) const {
   const auto i = static_cast<std::size_t>(n);
   if (i >= hat_.size()) return std::numeric_limits<double>::infinity();

@@ -42,7 +42,7 @@ DurationFactor from_logarithms(const Eigen::VectorXd& p) {
   return {std::clamp(std::exp(p[0]), least, largest_a), std::clamp(std::exp(p[1]), least, largest_b)};
 }
 
-/// What Eigen's LevenbergMarquardt asks for; in logarithms a and b stay positive.
+/// The interface that Eigen's LevenbergMarquardt needs. The unknowns are ln a and ln b, so a and b stay positive.
 struct Deviations {
   const Points& points;
   int inputs() const { return 2; }
@@ -60,7 +60,7 @@ struct Deviations {
   }
 };
 
-/// The best of a coarse grid: the sum of squares has a long valley where alpha* spans little.
+/// The best point of a coarse grid: the sum of squares has a long valley where alpha* spans little.
 Eigen::VectorXd start(const Points& points) {
   DurationFactor best;
   for (double a = 0.02; a < largest_a; a *= 1.6)
@@ -73,7 +73,8 @@ bool at_edge(double value, double largest) {
   return value < least * near_edge || value > largest / near_edge;
 }
 
-/// Of the Jacobian with columns of length 1: (1 + |c|)/(1 - |c|) is the square, c the cosine between them.
+/// Condition number of the Jacobian with columns of length 1: its square is (1 + |c|)/(1 - |c|), c the cosine between
+/// them.
 double condition(const Eigen::MatrixX2d& J) {
   const double lengths = J.col(0).norm() * J.col(1).norm();
   if (lengths == 0.) return 0.;
@@ -81,7 +82,8 @@ double condition(const Eigen::MatrixX2d& J) {
   return c < 1. ? std::sqrt((1. + c) / (1. - c)) : HUGE_VAL;
 }
 
-/// The ellipse reaches from a_best - sqrt(q C_aa) to a_best + sqrt(q C_aa).
+/// Whether the confidence ellipse, which reaches from a_best - sqrt(q C_aa) to a_best + sqrt(q C_aa), reaches a or b
+/// = 0.
 bool reaches_zero(const DurationFit& fit) {
   const double q = ellipse_size(fit);
   return fit.best.a * fit.best.a <= q * fit.covariance(0, 0) || fit.best.b * fit.best.b <= q * fit.covariance(1, 1);

@@ -16,22 +16,22 @@ struct DurationPoint {
   double k = 0.;
 };
 
-/// How well some a and b agree with points.
+/// How well given a and b agree with the points.
 struct FitQuality {
   double deviation = 0.;  ///< root mean square of k - k(alpha*)
-  double bias = 0.;       ///< mean of k(alpha*) - k; positive: the formula lasts longer
-  double r_squared = 0.;  ///< 1 - sum of squares / that about the mean of k; below 0: worse than a constant
+  double bias = 0.;       ///< mean of k(alpha*) - k; positive: the formula gives longer durations
+  double r_squared = 0.;  ///< 1 - sum of squares / sum of squares about the mean of k; below 0: worse than a constant
 };
 
-/// Why a and b are not told by the points.
+/// Why the points do not determine a and b.
 enum class FitDoubt {
   none,
-  edge,             ///< the best a or b runs to an end of its range, [0.001, 10] and [0.001, 100]
+  edge,             ///< the best a or b is at an end of its range, [0.001, 10] and [0.001, 100]
   ill_conditioned,  ///< a and b cannot be distinguished: condition number above 1e4
   reaches_zero,     ///< the confidence ellipse reaches a = 0 or b = 0
 };
 
-/// Its word in files.
+/// The word for it in files.
 const char* word(FitDoubt doubt);
 
 struct DurationFit {
@@ -52,10 +52,10 @@ std::optional<DurationFit> fit_duration_factor(const std::vector<DurationPoint>&
 FitQuality quality(const std::vector<DurationPoint>& points, const DurationFactor& factor);
 
 /// q in (p - p_best)^T C^-1 (p - p_best) <= q, the joint confidence region of a and b: 2 F(2, n - 2) at that level
-/// [Draper and Smith 1998, linear approximation]. Deviations are taken for independent, normal and equally wide.
+/// [Draper and Smith 1998, linear approximation]. Deviations are assumed independent and normal with one variance.
 double ellipse_size(const DurationFit& fit, double level = 0.95);
 
-/// Whether the region holds some a and b.
+/// Whether a and b of the factor lie in the region.
 bool in_ellipse(const DurationFit& fit, const DurationFactor& factor, double level = 0.95);
 
 }  // namespace upbead

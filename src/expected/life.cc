@@ -20,7 +20,7 @@ namespace {
 constexpr std::uint32_t no_storm = 0xffffffff, no_wave = 0xffffffff;
 constexpr double most_waves = 4e9;
 
-/// What a random number at a place is for; those of single quantities are their index in quantities().
+/// The purpose of a random number at a place; a quantity's own purpose is its index in quantities().
 enum Purpose : std::uint32_t {
   for_height = 16,
   for_number = 17,
@@ -49,7 +49,7 @@ bool scatters(const Uncertainties& uncertain, Quantity quantity, Per per) {
   return (uncertain.*quantity) && (uncertain.*quantity)->per() == per;
 }
 
-/// Whether a sea state is not what the record says.
+/// Whether sea states differ from those of the record.
 bool changes_states(const Uncertainties& u) {
   return u.significant_height || u.period || u.water_level;
 }
@@ -63,14 +63,14 @@ double binomial_quantile(double n, double p, double u) {
   return quantile(boost::math::binomial_distribution<double, Up>(n, p), u);
 }
 
-/// Whether a wave cannot tilt the caisson more than another one of its storm: P, U and their moments grow with the
-/// height, and heel pressure and eccentricity with them.
+/// Whether a wave cannot tilt the caisson more than another wave of its storm: P, U and their moments grow with the
+/// height, and so do heel pressure and eccentricity.
 bool no_worse(double height, const WaveFactors& factors, const DrawnWave& than) {
   return height <= than.height && factors.force <= than.factors.force && factors.uplift <= than.factors.uplift &&
          factors.weight == than.factors.weight;
 }
 
-/// What a wave presses on the base with.
+/// Notes the pressures on the base in a wave.
 void add_base(const SeaState& sea, const SlidingLaw& law, double height, const WaveFactors& factors, Life& life) {
   const WaveForces* forces = law.forces();
   if (!forces) return;
@@ -79,7 +79,7 @@ void add_base(const SeaState& sea, const SlidingLaw& law, double height, const W
   life.base = life.base ? worst_of(*life.base, base) : base;
 }
 
-/// `number` equal waves.
+/// Adds `number` equal waves.
 void add_waves(double number, double distance, double height, Life& life) {
   life.sliding += number * distance;
   life.answered += number;
@@ -88,7 +88,7 @@ void add_waves(double number, double distance, double height, Life& life) {
 
 }  // namespace
 
-/// Everything that has been drawn for a wave so far.
+/// All values that have been drawn for a wave so far.
 struct LifeSimulation::Drawn {
   double significant_height = 1., wave = 1., period = 1., water_level = 0.;
   WaveFactors factors;
@@ -98,8 +98,8 @@ struct LifeSimulation::Storm {
   std::uint32_t life, index;
   SeaState sea;  ///< as drawn
   Drawn drawn;
-  double waves;                            ///< a whole number
-  double limit = RayleighHeights::no_cut;  ///< m
+  double waves;                            ///< number, a whole one
+  double limit = RayleighHeights::no_cut;  ///< height at which waves break (m)
 };
 
 LifeSimulation::LifeSimulation(LifeSetup setup) : setup_(std::move(setup)), stream_(setup_.seed) {
@@ -133,7 +133,7 @@ LifeSimulation::Drawn LifeSimulation::drawn(Per per, const StreamPlace& place, c
   return all;
 }
 
-/// With its waves as far as the life goes on.
+/// The sea of a storm, with the number of its waves that fall within the life.
 SeaState LifeSimulation::sea_of(std::uint32_t life, std::uint32_t storm) const {
   if (setup_.source)
     return setup_.source->storm(stream_.uniform({life, storm, no_wave, for_sea}),
@@ -205,14 +205,14 @@ std::optional<double> LifeSimulation::add_sliding_waves(const Storm& storm, cons
     life.taken +=
         binomial_quantile(storm.waves, heights.taken(), stream_.uniform({storm.life, storm.index, no_wave, for_cut}));
   const double u = stream_.uniform({storm.life, storm.index, no_wave, for_number});
-  // No wave is above a height if u <= (1 - p)^N, p the share of waves above it: if the height that a share
-  // 1 - u^(1/N) exceeds is below it. Most storms end here, without the threshold.
+  // No wave is higher than h if u <= (1 - p)^N, p the share of waves above h; that is, if h is above the height that
+  // a share 1 - u^(1/N) exceeds. Most storms end here, without the threshold.
   const double rare = storm.waves > 0. ? -std::expm1(std::log(u) / storm.waves) : 1.;
   if (rare >= heights.exceedance(0.)) return std::nullopt;
   const double highest = storm.drawn.wave * heights.height(rare);
   const bool slide = law.may_slide(std::min(highest, storm.limit), storm.drawn.factors);
   if (!slide && highest <= storm.limit) return highest;
-  // Waves that slide, or where none does, those that break.
+  // The waves that slide the caisson or, where none does, those that break.
   const double from = slide ? law.threshold(storm.drawn.factors) : storm.limit;
   const double share = heights.exceedance(from / storm.drawn.wave);
   const double number = binomial_quantile(storm.waves, share, u);
@@ -232,7 +232,7 @@ std::optional<double> LifeSimulation::add_sliding_waves(const Storm& storm, cons
 }
 
 namespace {
-constexpr double least_height = 0.01;  // m; a calm year is no error
+constexpr double least_height = 0.01;  // m; a calm year is allowed
 }  // namespace
 
 double deep_water_height(const StormClimate& c, double u) {
@@ -270,7 +270,7 @@ SeaState storm_on(const Section& section, const Water& water, const StormClimate
 
 namespace {
 
-constexpr double beside = 0.025;  // on either side of 95 %
+constexpr double beside = 0.025;  // probability on either side of an interval of 95 %
 
 Exceeded exceeded(const std::vector<double>& sorted, double limit) {
   const auto n = static_cast<double>(sorted.size());

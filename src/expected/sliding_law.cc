@@ -15,7 +15,7 @@ namespace upbead {
 
 namespace {
 
-/// Laws that know a pulse of F_S.
+/// The laws that compute S from a pulse of F_S.
 class PulseLaw : public SlidingLaw {
  public:
   PulseLaw(Law law, const Breakwater& breakwater, const SeaState& state) : law_(law), forces_(breakwater, state) {}
@@ -32,7 +32,7 @@ class PulseLaw : public SlidingLaw {
     const WavePressure pressure = forces_.at(height, factors);
     const double resistance = section.friction * section.submerged_weight;
     if (pressure.force + section.friction * uplift_gain() * pressure.uplift <= resistance)
-      return 0.;  // most waves: spared the rest
+      return 0.;  // most waves end here
     if (resistance <= 0.) throw std::invalid_argument("the caisson floats: its submerged weight is not above 0");
     const SlidingLoad load =
         sliding_load(section, forces_.breakwater().water, pressure, height, forces_.period(), forces_.breakwater().k);
@@ -42,7 +42,7 @@ class PulseLaw : public SlidingLaw {
   }
 
  private:
-  /// How much larger than U_max the uplift may be at some time.
+  /// Largest value of the uplift over time, relative to U_max.
   double uplift_gain() const {
     const CombinedModel& model = forces_.breakwater().combined;
     return law_ == Law::combined && model.uplift == UpliftShape::sinusoidal ? std::max(model.uplift_gain, 1.) : 1.;
@@ -192,8 +192,8 @@ double WaveForces::threshold(const WaveFactors& factors) const {
 
 namespace {
 
-/// Where S becomes positive between two heights, from below. A law's own threshold may be a safe guess: its waves are
-/// looked at upwards, in steps, then by halves.
+/// The height from which S is positive, between two heights. A law's own threshold may be too low, on the safe side;
+/// so S is computed upwards from it, in steps and then by bisection.
 double first_sliding_height(const SlidingLaw& law, double from, double to) {
   constexpr int steps = 32, halves = 30;
   double low = from, high = infinity;
@@ -212,7 +212,7 @@ double first_sliding_height(const SlidingLaw& law, double from, double to) {
   return low;
 }
 
-/// The height that 1e-18 of the waves beyond `from` exceed, or the highest.
+/// The height that a share of 1e-18 of the waves above `from` exceeds, or the highest height if that is lower.
 double top_height(const RayleighHeights& heights, double from) {
   const double log_share = std::log(1e18);
   const double significant_height = heights.significant_height();

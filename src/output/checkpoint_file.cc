@@ -36,7 +36,7 @@ std::vector<EnergyAccount> unpacked(const Numbers& values) {
   return accounts;
 }
 
-/// 32 bits each, as numbers that a double holds.
+/// The two halves of 32 bits each, as numbers that a double holds exactly.
 Numbers halves(std::uint64_t value) {
   return {static_cast<double>(value >> 32U), static_cast<double>(value & 0xffffffffU)};
 }
@@ -48,7 +48,7 @@ class Writer {
   void add(const std::string& path, const Vector& values) {
     add(path, {static_cast<hsize_t>(values.size())}, values.data());
   }
-  /// Column by column: a row of the dataset belongs to a time.
+  /// Adds a matrix column by column, so that each row of the dataset belongs to one time.
   void add(const std::string& path, const Eigen::MatrixXd& values) {
     add(path, {static_cast<hsize_t>(values.cols()), static_cast<hsize_t>(values.rows())}, values.data());
   }
@@ -72,7 +72,7 @@ class Writer {
   Hdf5Image image_;
 };
 
-/// Refuses a file that lacks anything.
+/// Reads a checkpoint; refuses a file that lacks any part.
 class Reader {
  public:
   explicit Reader(const std::string& path) : path_(path), file_(path, "a checkpoint of 'upbead run --checkpoint'") {}
@@ -88,7 +88,7 @@ class Reader {
     if (values.size() != 1) damaged(path);
     return values.front();
   }
-  /// Of a list that holds n of them, each from 0 to `most`.
+  /// A list of n whole numbers, each from 0 to `most`.
   std::vector<std::uint64_t> whole_numbers(const std::string& path, std::size_t n, double most) const {
     const Numbers values = numbers(path);
     const auto is_whole = [most](double value) { return value >= 0. && value <= most && value == std::floor(value); };
@@ -112,7 +112,7 @@ class Reader {
     if (found.v.size() != found.x.size() || found.a.size() != found.x.size()) damaged(path);
     return found;
   }
-  /// As many columns as there are times.
+  /// A series whose matrices have as many columns as there are times.
   Series series(const std::string& path) const {
     Series found{numbers(path + "/time"), matrix(path + "/reading"), matrix(path + "/load")};
     const auto n = static_cast<Eigen::Index>(found.time.size());

@@ -10,7 +10,7 @@ using namespace dealii;
 
 namespace {
 
-constexpr int space = 3;                    ///< VTK has no plane
+constexpr int space = 3;                    ///< VTK has no plane points
 constexpr unsigned char quadrilateral = 9;  ///< VTK_QUAD
 
 /// The lattice of a patch: its points along a side, and their places in arrays, x first.

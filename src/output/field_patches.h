@@ -1,4 +1,4 @@
-// What deal.II has evaluated cell by cell, as arrays of a VTU file.
+// Fields that deal.II has evaluated cell by cell, as arrays of a VTU file.
 #pragma once
 
 #include <deal.II/numerics/data_out.h>
@@ -10,12 +10,12 @@
 
 namespace upbead {
 
-/// Fields of a state in patches: of each cell a lattice of points, drawn as small quadrilaterals. All files of one mesh
-/// and one degree have the same grid.
+/// Fields of a state in patches: a lattice of points for each cell, drawn as small quadrilaterals. All files of one
+/// mesh and one degree have the same grid.
 class FieldPatches : public dealii::DataOut<dim> {
  public:
   VtuGrid grid() const;
-  /// Vectors get a third component, as VTK wants them.
+  /// The arrays; vectors get a third component, as VTK needs it.
   std::vector<VtuArray> arrays() const;
 
  private:

@@ -19,15 +19,15 @@ using namespace dealii;
 
 namespace {
 
-/// Of these points the one next to a place.
+/// The point nearest to a place.
 const BorneStress& nearest(const std::vector<BorneStress>& points, const Point<dim>& place) {
   return *std::min_element(points.begin(), points.end(), [&](const BorneStress& a, const BorneStress& b) {
     return a.at.distance_square(place) < b.at.distance_square(place);
   });
 }
 
-/// Strain and effective stress of plane strain from the gradient of u, tension positive; zero in rigid regions. Stress
-/// of soil that yields is that of the next point of quadrature, as it does not follow from the strain alone.
+/// Strain and effective stress of plane strain from the gradient of u, tension positive; zero in rigid regions. The
+/// stress of yielding soil is that of the nearest point of quadrature, as it does not follow from the strain alone.
 class StrainAndStress : public DataPostprocessor<dim> {
  public:
   StrainAndStress(const Space& space, const SoilFields& soil) : space_(space), soil_(soil) {}
@@ -67,7 +67,7 @@ class StrainAndStress : public DataPostprocessor<dim> {
   const SoilFields& soil_;
 };
 
-/// The part of u of second derivatives; those of W and phi say nothing to a reader.
+/// Acceleration of u; those of W and phi are of no use to a reader.
 class Acceleration : public DataPostprocessor<dim> {
  public:
   std::vector<std::string> get_names() const override { return std::vector<std::string>(dim, "acceleration_(m_s2)"); }
@@ -95,12 +95,12 @@ std::vector<std::string> component_names(const std::string& u, const std::string
 
 enum class Part { whole, ground, caisson };
 
-/// A state at all degrees of freedom.
+/// A state on all degrees of freedom.
 struct Expanded {
   dealii::Vector<double> x, v, a;
 };
 
-/// Mean of the points of each cell; not a number of cells that stay elastic.
+/// Mean mobilised share over the points of each cell; NaN for cells that stay elastic.
 dealii::Vector<double> mobilised(const SoilFields& soil) {
   dealii::Vector<double> mean(static_cast<unsigned>(soil.borne.size()));
   for (unsigned c = 0; c < mean.size(); ++c) {
@@ -111,7 +111,7 @@ dealii::Vector<double> mobilised(const SoilFields& soil) {
   return mean;
 }
 
-/// A state drawn on a part of the mesh; without inertia there is no acceleration.
+/// Draws a state on a part of the mesh; without inertia there is no acceleration.
 void fill(const Space& space, bool inertia, const Expanded& state, const SoilFields& soil, Part part,
           FieldPatches& out) {
   using Interpretation = DataComponentInterpretation::DataComponentInterpretation;
@@ -190,7 +190,8 @@ SoilFields FieldWriter::soil_fields() const {
   return fields;
 }
 
-/// Where the caisson may part from the ground it is drawn apart: both have displacements of their own at its bottom.
+/// Where the caisson may lift off the ground, both are drawn separately: each has its own displacements at the
+/// bottom.
 void FieldWriter::write_file(const State& state, const SoilFields& soil, const std::string& name,
                              const std::string& path) const {
   const bool apart = unknowns_->has_interface();
@@ -218,7 +219,7 @@ void FieldWriter::finish() const {
   std::ostringstream record;
   DataOutBase::write_pvd_record(record, written_);
   const std::string text = record.str();
-  const std::size_t clock = text.find("<!--"), end = text.find("-->");  // equal fields make equal files
+  const std::size_t clock = text.find("<!--"), end = text.find("-->");  // so equal fields make equal files
   std::ofstream file(path_of_("fields.pvd"));
   file << text.substr(0, clock) << text.substr(end + 4);
   file.flush();

@@ -14,7 +14,8 @@ namespace upbead::detail {
 
 namespace {
 
-/// HDF5 tells of every failure on stderr; here failures are answers. Holds until the end of the scope.
+/// Stops HDF5 from printing each failure to stderr, until the end of the scope: here failures are handled by the
+/// caller.
 class Silence {
  public:
   Silence() {
@@ -30,7 +31,7 @@ class Silence {
   void* data_ = nullptr;
 };
 
-/// Reads into a buffer of the type: H5Dread or H5Aread of one object.
+/// Reads one object (H5Dread or H5Aread) into a buffer of the given type.
 using Read = std::function<herr_t(hid_t type, void* buffer)>;
 
 bool is_number(hid_t type) {
@@ -38,10 +39,10 @@ bool is_number(hid_t type) {
   return kind == H5T_FLOAT || kind == H5T_INTEGER;
 }
 
-/// The number of elements of a dataset that the file really holds: none where nothing has been written, or where the
-/// file is too small for them. So a few damaged bytes, or a dataset without data, do not ask for all the memory.
+/// The number of elements of a dataset; none where nothing has been written, or where the file is too small to hold
+/// them. So a few damaged bytes, or a dataset without data, cannot ask for all the memory.
 std::optional<std::size_t> n_stored(hid_t data, hid_t space) {
-  constexpr double most_per_byte = 1100.;  // of deflate, which takes 1 byte for 1,032
+  constexpr double most_per_byte = 1100.;  // deflate needs at least 1 byte for 1,032
   const hssize_t n = H5Sget_simple_extent_npoints(space);
   if (n < 0) return {};
   const auto stored = static_cast<double>(H5Dget_storage_size(data));
@@ -81,7 +82,7 @@ std::optional<NumberArray> read_numbers(hid_t data, hid_t type, hid_t space, con
   return array;
 }
 
-/// Walks through a file.
+/// Visits the objects of a file.
 class Walk {
  public:
   explicit Walk(hid_t file) { visit(file, "", 0); }
@@ -211,12 +212,12 @@ void unpack(OpenParcel& parcel, std::map<Key, Value>& map) {
   }
 }
 
-/// Of bytes behind those that `sum` is of.
+/// Continues the checksum `sum` with further bytes.
 std::uint32_t crc(const void* data, std::size_t size, std::uint32_t sum = 0) {
   return static_cast<std::uint32_t>(crc32_z(sum, static_cast<const Bytef*>(data), size));
 }
 
-/// Files hold texts up to their first zero. The zero is counted, so that "ab", "c" is not "a", "bc".
+/// Files hold texts up to their first zero byte. The zero is included, so that "ab", "c" differs from "a", "bc".
 std::uint32_t crc_of_text(const std::string& text, std::uint32_t sum = 0) {
   const std::string kept = text.c_str();
   return crc(kept.c_str(), kept.size() + 1, sum);

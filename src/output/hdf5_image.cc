@@ -34,7 +34,7 @@ hid_t with_groups_on_the_way() {
   return links;
 }
 
-/// Without the time of day, so that equal numbers make equal bytes.
+/// Leaves out the time of day, so that equal numbers make equal bytes.
 hid_t without_clock() {
   const hid_t creation = H5Pcreate(H5P_DATASET_CREATE);
   require(H5Pset_obj_track_times(creation, false));

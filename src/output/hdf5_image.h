@@ -1,4 +1,4 @@
-// HDF5 files that are made in memory: what all our files of numbers share.
+// HDF5 files made in memory: the common part of all files of numbers that the program writes.
 #pragma once
 
 #include <string>
@@ -8,14 +8,15 @@
 
 namespace upbead::detail {
 
-/// What people read of a dataset.
+/// The attributes of a dataset that people read.
 struct Label {
   std::string unit;
   std::string description;
 };
 
-/// A file in memory. HDF5 1.10 does not survive a disk that is full when it closes a file; whoever writes these bytes
-/// can. Equal contents make equal bytes. Datasets lie at paths such as "/modes/pole"; groups on the way are made.
+/// A file in memory. HDF5 1.10 crashes where the disk is full when it closes a file; a program that writes these
+/// bytes itself does not. Equal contents make equal bytes. Datasets are at paths such as "/modes/pole"; the groups in
+/// these paths are made.
 class Hdf5Image {
  public:
   /// With the root attributes `title` and `program`.
@@ -30,7 +31,7 @@ class Hdf5Image {
   void group(const std::string& path);
   /// Numbers row by row, with the attributes `unit` and `description`. Throws NumericsError where one is not finite.
   void numbers(const std::string& path, const std::vector<hsize_t>& shape, const double* values, const Label& label);
-  /// A list in which NaN stands for a number that there is not. Throws NumericsError where one is infinite.
+  /// A list in which NaN stands for a missing number. Throws NumericsError where a number is infinite.
   void numbers_or_none(const std::string& path, const std::vector<double>& values, const Label& label);
   /// A list of texts (UTF-8).
   void texts(const std::string& path, const std::vector<std::string>& values);
@@ -40,7 +41,7 @@ class Hdf5Image {
   /// Writes the checksum of all that has been written so far: the last call before bytes().
   void seal();
 
-  /// The file as it would stand on a disk.
+  /// The file as it would be on a disk.
   std::string bytes() const;
 
  private:

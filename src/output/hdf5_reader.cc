@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 using detail::Hdf5Contents;
 
 void require_file(const std::string& path, const std::string& what) {
-  std::error_code ignored;  // what may not be looked at cannot be read either
+  std::error_code ignored;  // a file without permission cannot be read either
   if (fs::is_directory(path, ignored)) throw InputError({path}, "a folder, not a file", "give " + what);
   require_readable(path, std::numeric_limits<std::uintmax_t>::max(), {});
 }
@@ -43,7 +43,7 @@ Hdf5Reader::Hdf5Reader(const std::string& path, const std::string& what) {
   try {
     OpenParcel parcel(*outcome.result);
     contents_ = std::make_unique<const Hdf5Contents>(detail::take_contents(parcel));
-  } catch (const std::runtime_error& error) {  // the other process was in the hands of the file
+  } catch (const std::runtime_error& error) {  // the file may have controlled the other process
     throw InputError({path}, "what HDF5 reads of it does not fit together: " + std::string(error.what()),
                      "give " + what);
   }

@@ -15,7 +15,7 @@ using namespace detail;
 
 const std::string nested_group = "/nested";
 
-/// Real and imaginary parts along one more axis, the last. std::complex lies in memory as such a pair.
+/// Writes real and imaginary parts along another axis, the last one. std::complex is such a pair in memory.
 void write(Hdf5Image& image, const std::string& path, const Eigen::MatrixXcd& values, std::vector<hsize_t> shape,
            const Label& label) {
   const Eigen::Matrix<std::complex<double>, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> rows = values;

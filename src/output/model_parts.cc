@@ -61,7 +61,7 @@ bool ModelParts::has(const std::string& object, const std::string& name) const {
 }
 
 int ModelParts::count(const std::string& object, const std::string& name) {
-  constexpr double most = 2e9;  // that an int holds
+  constexpr double most = 2e9;  // fits an int
   return static_cast<int>(std::clamp(number(object, name), 0., most));
 }
 
@@ -83,7 +83,7 @@ std::vector<double> ModelParts::numbers(const std::string& path, const Shape& sh
     wrong(path + " holds a number that " + objection);
   else
     return std::move(array->values);
-  constexpr double many = 1e8;  // zeros in place of a wrong part, only to look at the other parts as well
+  constexpr double many = 1e8;  // a wrong part is replaced by zeros, only to check the other parts as well
   if (std::accumulate(shape.begin(), shape.end(), 1., std::multiplies<>()) > many) mistakes_.throw_if_any();
   return std::vector<double>(std::accumulate(shape.begin(), shape.end(), std::size_t{1}, std::multiplies<>()));
 }

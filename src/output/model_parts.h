@@ -1,4 +1,4 @@
-// Parts of the file of a reduced model: datasets and attributes, each checked as it is read.
+// Parts of the file of a reduced model: datasets and attributes, each checked when it is read.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,37 +13,37 @@
 namespace upbead::detail {
 
 inline const char* const model_kind = "upbead reduced model";
-constexpr int model_version = 1;  ///< of the layout; raise it when a reader of the old one would misread the new one
+constexpr int model_version = 1;  ///< of the layout; raise it when a reader of the old layout would misread the new one
 
-/// Reads parts of a model and collects what is wrong with them; a wrong part comes back as zeros or empty texts.
+/// Reads parts of a model and collects their mistakes; a wrong part is returned as zeros or empty texts.
 class ModelParts {
  public:
   using Shape = std::vector<std::size_t>;
 
-  /// Throws InputError where the file cannot be read, is no reduced model, or one of another format.
+  /// Throws InputError where the file cannot be read, is no reduced model, or has another format.
   explicit ModelParts(const std::string& path);
 
   /// An attribute.
   std::string text(const std::string& object, const std::string& name);
-  /// An attribute that is finite and not below zero, nor zero where it must be positive.
+  /// An attribute that is finite and not negative, and above zero where it must be positive.
   double number(const std::string& object, const std::string& name, bool positive = false);
-  /// The same, which may be absent.
+  /// The same for an attribute that may be absent.
   std::optional<double> optional_number(const std::string& object, const std::string& name);
   bool has(const std::string& object, const std::string& name) const;
   int count(const std::string& object, const std::string& name);
 
-  /// A dataset of texts, of that size where one is given.
+  /// A dataset of texts, with that size where one is given.
   std::vector<std::string> texts(const std::string& path, std::optional<std::size_t> size = {});
   /// A dataset of finite numbers of that shape, row by row.
   std::vector<double> numbers(const std::string& path, const Shape& shape);
   Eigen::MatrixXd matrix(const std::string& path, std::size_t rows, std::size_t columns);
-  /// A matrix or a column, its real and imaginary parts along one more axis.
+  /// A matrix or a column, with real and imaginary parts along another axis.
   Eigen::MatrixXcd complex_matrix(const std::string& path, Shape shape);
   /// The length of a dataset's first axis; 0 where it has none.
   std::size_t length(const std::string& path) const;
 
-  /// Notes it where the parts are sound by themselves, but not what was written. A file without a checksum, as older
-  /// versions wrote them, is taken as it is.
+  /// Notes a mistake where all parts are valid but the checksum shows that the file was changed. A file without a
+  /// checksum, from an older version, is accepted.
   void require_checksum();
   /// Notes a mistake.
   void wrong(const std::string& what);
@@ -55,17 +55,17 @@ class ModelParts {
   Diagnostics mistakes_;
 };
 
-/// Row by row.
+/// Writes a matrix row by row.
 void write_matrix(Hdf5Image& image, const std::string& path, const Eigen::MatrixXd& values, const Label& label);
 
-/// Names, units and descriptions of readings, in a group of their own.
+/// Writes names, units and descriptions of readings, in a group of their own.
 void write_labels(Hdf5Image& image, const std::string& group, const std::vector<ReadingLabel>& labels);
-/// The same from a file; what is wrong is noted.
+/// Reads the same from a file, and notes mistakes.
 std::vector<ReadingLabel> read_labels(ModelParts& parts, const std::string& group);
 
-/// Fields are a function that shows name and value of each attribute to a visitor, the same for the writer and the
+/// Fields are a function that passes name and value of each attribute to a visitor, the same for the writer and the
 /// reader.
-constexpr bool positive = true;  ///< said behind a number that must not be 0
+constexpr bool positive = true;  ///< follows a number that must not be 0
 
 template <class Fields, class T>
 void write_attributes(Hdf5Image& image, const std::string& group, const Fields& fields, const T& of) {
@@ -85,10 +85,10 @@ void read_attributes(ModelParts& parts, const std::string& group, const Fields& 
   });
 }
 
-/// The part of a reduced model's file that lets the caisson slip: the group /slip.
+/// Writes the part of a reduced model's file for a caisson that slips: the group /slip.
 void write_slip(Hdf5Image& image, const ModelSlip& slip);
 
-/// None where the file has no such group; what is wrong with it is noted.
+/// Reads that group, and notes mistakes; none where the file has no such group.
 std::optional<ModelSlip> read_slip(ModelParts& parts);
 
 }  // namespace upbead::detail

@@ -24,7 +24,7 @@ const auto fields_of_slip = [](auto& slip, const auto& visit) {
   visit("solves", slip.solves);
 };
 
-/// Equations of R coordinates, with K loads.
+/// Writes the equations of R coordinates, with K loads.
 void write_equations(Hdf5Image& image, const ReducedSystem& s) {
   const Label by_term{"", "of M q'' + C q' + K q = sum_k load_k f_k"};
   write_matrix(image, group + "/M", s.M, by_term);
@@ -51,7 +51,7 @@ void write_readings(Hdf5Image& image, const ReducedSystem& s) {
   write_labels(image, group + "/readings", s.reading_label);
 }
 
-/// Integers from `least` to below `end`.
+/// Integers from `least` up to, but not including, `end`.
 std::vector<int> indices(ModelParts& parts, const std::string& path, std::size_t size, int least, int end) {
   std::vector<int> list;
   for (const double value : parts.numbers(path, {size})) {
@@ -89,7 +89,8 @@ bool is_symmetric(const Eigen::MatrixXd& matrix) {
          (matrix - matrix.transpose()).cwiseAbs().maxCoeff() <= round_off * matrix.cwiseAbs().maxCoeff();
 }
 
-/// Whether the symmetric part has no eigenvalue below zero; what projection leaves of zeros is far smaller.
+/// Whether the symmetric part has no negative eigenvalue; those by which projection misses zero are far smaller than
+/// the tolerance.
 bool is_positive(const Eigen::MatrixXd& matrix) {
   constexpr double round_off = 1e-8;
   const double scale = matrix.size() == 0 ? 0. : matrix.cwiseAbs().maxCoeff();
@@ -99,8 +100,8 @@ bool is_positive(const Eigen::MatrixXd& matrix) {
          -round_off * static_cast<double>(part.rows());
 }
 
-/// With the rows of phi multiplied by -1 all three are positive, see ReducedSystem. Without the rows of prescribed
-/// coordinates, which are no equations.
+/// With the rows of phi multiplied by -1 all three matrices are positive, see ReducedSystem. The rows of prescribed
+/// coordinates are left out, as they are no equations.
 void require_energies(ModelParts& parts, const ReducedSystem& s) {
   const auto n = static_cast<Eigen::Index>(s.size() - std::clamp(s.n_prescribed, 0, s.size()));
   Eigen::VectorXd sign(s.size());
@@ -118,7 +119,7 @@ void require_energies(ModelParts& parts, const ReducedSystem& s) {
     parts.wrong(group + "/K is not that of a strain energy: not symmetric, or negative");
 }
 
-/// Each of the first coordinates is prescribed by one load, no other one by any.
+/// Each of the first coordinates must be prescribed by one load, and no other coordinate by any load.
 void require_prescribed(ModelParts& parts, const ReducedSystem& s) {
   std::vector<int> coordinates;
   for (const int p : s.prescribed)
@@ -130,7 +131,7 @@ void require_prescribed(ModelParts& parts, const ReducedSystem& s) {
     parts.wrong(group + "/prescribed does not fit its n_prescribed, " + std::to_string(s.n_prescribed));
 }
 
-/// What slip_model() takes for granted.
+/// Checks what slip_model() assumes.
 void require_slip(ModelParts& parts, const ReducedSystem& s) {
   require_prescribed(parts, s);
   require_energies(parts, s);

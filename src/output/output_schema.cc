@@ -48,7 +48,7 @@ std::string json_text(const Json& json) {
 }
 
 std::string markdown(const std::vector<OutputRow>& rows) {
-  constexpr auto most = 6;  // of an object that stays in the table of the top, itself counted
+  constexpr auto most = 6;  // keys of an object, itself included, that stays in the first table
   std::vector<OutputRow> top;
   std::string sections;
   for (auto at = rows.begin(); at != rows.end();) {

@@ -4,9 +4,9 @@
 //   OutputSchema<Timing> schema;
 //   schema.key("total", &Timing::total, "s", "since the start of the program");
 //
-// An access is a pointer to a member or a function of the object. What is optional and absent is written as null.
-// "slips[]" names a list, "loads.NAME" an object with a key for each name. A meaning is Markdown, its links as in docs;
-// up to the first ": " or "; " it serves as a label.
+// An access is a pointer to a member or a function of the object. An optional value that is absent is written as
+// null. "slips[]" names a list, "loads.NAME" an object with a key for each name. A meaning is Markdown, with links as
+// in docs; its part before the first ": " or "; " also serves as a label.
 #pragma once
 
 #include <functional>
@@ -24,7 +24,7 @@ namespace upbead {
 
 using Json = nlohmann::ordered_json;
 
-/// The text, indented by two, with a final newline. JSON has no word for a number that is not finite: throws
+/// The text, indented by two, with a final newline. JSON cannot express a number that is not finite: throws
 /// NumericsError with its path.
 std::string json_text(const Json& json);
 
@@ -32,17 +32,17 @@ struct OutputRow {
   std::string path;  ///< "response.peak_shear", "sliding.slips[].start", "loads.NAME.arm"
   std::string unit;  ///< "" where it has none
   std::string meaning;
-  bool is_number = false;  ///< or null
+  bool is_number = false;  ///< a number or null
 };
 
-/// As tables by key, unit and meaning; what has many keys of its own gets a table under a heading.
+/// Tables with key, unit and meaning; an object with many keys gets a table of its own under a heading.
 std::string markdown(const std::vector<OutputRow>& rows);
 
-/// What schemas share, whatever they describe.
+/// The common part of all schemas.
 class OutputKeys {
  public:
   struct Entry {
-    std::vector<OutputRow> rows;  ///< its own, then those of what is inside
+    std::vector<OutputRow> rows;  ///< its own, then those of the objects inside
     std::function<Json(const void*)> value;
   };
   const std::vector<Entry>& entries() const { return entries_; }
@@ -51,7 +51,7 @@ class OutputKeys {
  protected:
   void add(const OutputRow& row, std::function<Json(const void*)> value, const OutputKeys* inside);
   void add(const Entry& entry) { entries_.push_back(entry); }
-  /// The last key is left out where it is null, or an object without keys.
+  /// Leaves out the last key where it is null, or an object without keys.
   void leave_out_null();
   Json object(const void* of) const;
 
@@ -113,11 +113,11 @@ class OutputSchema : public OutputKeys {
     return put({name, unit, meaning, detail::is_numeric<V>},
                [access](const T& of) { return detail::json_of(std::invoke(access, of)); });
   }
-  /// Words; null where there are none.
+  /// Words; null where the text is empty.
   OutputSchema& reason(const std::string& name, std::string T::*member, const std::string& meaning) {
     return put({name, "", meaning}, [member](const T& of) { return (of.*member).empty() ? Json() : Json(of.*member); });
   }
-  /// `access` gives a U, an optional U, or a pointer, null where there is none.
+  /// `access` gives a U, an optional U, or a pointer, which is null where there is no U.
   template <class Access, class U>
   OutputSchema& object(const std::string& name, Access access, const OutputSchema<U>& inside,
                        const std::string& meaning) {
@@ -127,7 +127,7 @@ class OutputSchema : public OutputKeys {
     };
     return put({name, "", meaning}, value, &inside);
   }
-  /// The keys of a part as if they were its own; all null where there is no such part.
+  /// The keys of a part as if they were keys of the object; all null where there is no such part.
   template <class Access, class U>
   OutputSchema& keys_of(Access access, const OutputSchema<U>& part) {
     for (const Entry& entry : part.entries())
@@ -137,7 +137,7 @@ class OutputSchema : public OutputKeys {
            }});
     return *this;
   }
-  /// The last key is left out instead of being null, or an object without keys.
+  /// Leaves out the last key where it would be null, or an object without keys.
   OutputSchema& or_left_out() {
     leave_out_null();
     return *this;
@@ -153,7 +153,7 @@ class OutputSchema : public OutputKeys {
     };
     return put({name, "", meaning}, value, &inside);
   }
-  /// The same as an object: `name_of` an item is its key.
+  /// The same as an object: the key of an item is its `name_of`.
   template <class Access, class Name, class U>
   OutputSchema& named(const std::string& name, Access access, Name name_of, const OutputSchema<U>& inside,
                       const std::string& meaning) {
@@ -189,7 +189,7 @@ class OutputSchema : public OutputKeys {
   }
 };
 
-/// Of the warnings of every summary.
+/// The keys of a warning, the same in every summary.
 OutputSchema<NumberedWarning> warning_outputs();
 
 }  // namespace upbead

@@ -1,4 +1,4 @@
-// Files of numbers: results.h5, time histories as named datasets with unit and description; columns of a table.
+// Files of numbers: results.h5, histories as named datasets with unit and description; columns of a table.
 #pragma once
 
 #include <string>
@@ -12,22 +12,22 @@ struct Dataset {
   std::string unit;
   std::string description;
   std::vector<double> values;
-  std::size_t columns = 1;  ///< of a table: values row by row; a list has one
-  std::string reading{};    ///< attribute: the history that a measured one belongs to; "" without
-  bool may_lack = false;    ///< a list some of whose values may be no number
+  std::size_t columns = 1;  ///< of a table, whose values are row by row; a list has one
+  std::string reading{};    ///< attribute of a measured history: the computed one it belongs to; else ""
+  bool may_lack = false;    ///< a list in which NaN may stand for a missing value
 };
 
-/// The bytes of an HDF5 file with the datasets /history/NAME, each with the string attributes `unit` and `description`,
-/// and the root attributes `title` and `program`. Made in memory: HDF5 1.10 does not survive a disk that is full when
-/// it closes a file, whoever writes these bytes can. Throws NumericsError where a value is not finite.
-/// `others` are datasets beside /history, wherever their names say: "interface/slip" is /interface/slip.
+/// The bytes of an HDF5 file with the datasets /history/NAME, each with the string attributes `unit` and
+/// `description`, and the root attributes `title` and `program`. Made in memory, as HDF5 1.10 crashes where the disk
+/// is full when it closes a file. Throws NumericsError where a value is not finite. `others` are datasets outside
+/// /history, at the paths of their names: "interface/slip" is /interface/slip.
 std::string result_file(const std::string& title, const std::vector<Dataset>& histories,
                         const std::vector<Dataset>& others = {});
 
-/// The same with datasets wherever their names say: "lives/sliding" is /lives/sliding.
+/// The same for datasets that are all at the paths of their names: "lives/sliding" is /lives/sliding.
 std::string dataset_file(const std::string& title, const std::vector<Dataset>& datasets);
 
-/// A dataset of a table: numbers or, where there are none, texts.
+/// A dataset of a table: numbers or, where it has none, texts.
 struct TableColumn {
   std::string path;               ///< below the root, such as "runs/status"
   std::string unit, description;  ///< of numbers
@@ -35,7 +35,7 @@ struct TableColumn {
   std::vector<std::string> texts;
 };
 
-/// A cell of a CSV file: quoted where it holds what separates cells.
+/// A cell of a CSV file; in quotes where it contains a separator.
 std::string csv_cell(const std::string& text);
 
 /// The bytes of the file, made in memory. Throws NumericsError where a number is not finite.

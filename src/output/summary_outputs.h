@@ -1,4 +1,4 @@
-// The keys of summary.json, and those that other files have, too.
+// The keys of summary.json, and those that other files share.
 #pragma once
 
 #include "output/output_schema.h"
@@ -14,10 +14,10 @@ OutputSchema<Skipped> skipped_outputs();
 OutputSchema<SlidingSummary> sliding_outputs();
 OutputSchema<ContactSummary> contact_outputs();
 
-/// Why a caisson's `periods` are none, with a cure; "" where there are some, or there is no caisson.
+/// Why the list `periods` of a caisson is empty, with a cure; "" where it is not empty, or there is no caisson.
 std::string why_no_periods(const Summary& summary);
 
-/// Of `upbead run`.
+/// The keys of the summary of `upbead run`.
 const OutputSchema<Summary>& summary_outputs();
 
 }  // namespace upbead

@@ -1,6 +1,6 @@
 // Format: VTK User's Guide (11th edition, 2010), ch. 19.3, "XML file formats": an appended array is the number of its
-// blocks, the size of a block and of the last one where it is shorter (else 0), the sizes of the compressed blocks, and
-// these blocks; all sizes are UInt32 (header_type).
+// blocks, the size of a block, the size of the last block where that is shorter (else 0), the sizes of the compressed
+// blocks, and these blocks; all sizes are UInt32 (header_type).
 #include "output/vtu_file.h"
 
 #include <zlib.h>
@@ -15,7 +15,7 @@ namespace upbead {
 
 namespace {
 
-/// Small enough for sizes of 32 bits and for what a reader keeps at a time.
+/// Small enough for sizes of 32 bits and for the memory of a reader.
 constexpr std::size_t block_size = std::size_t{1} << 20;
 constexpr int window_bits = 15, memory_level = 9;
 
@@ -23,7 +23,7 @@ void append(std::string& bytes, std::uint32_t number) {
   bytes.append(reinterpret_cast<const char*>(&number), sizeof number);
 }
 
-/// A stream of zlib; that of fields finds runs of one byte only (Z_RLE).
+/// A stream of zlib; for fields it looks for runs of one byte only (Z_RLE).
 class Compressor {
  public:
   explicit Compressor(Packing packing) {
@@ -41,7 +41,7 @@ class Compressor {
     deflateReset(&stream_);
     const std::size_t before = bytes.size(), room = deflateBound(&stream_, size);
     bytes.resize(before + room);
-    stream_.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(block));  // zlib's interface knows no const
+    stream_.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(block));  // zlib's interface has no const
     stream_.avail_in = static_cast<uInt>(size);
     stream_.next_out = reinterpret_cast<Bytef*>(&bytes[before]);
     stream_.avail_out = static_cast<uInt>(room);
@@ -73,7 +73,7 @@ VtuArray array_of(const std::string& name, const char* type, int components, con
           compressed(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(Number), packing)};
 }
 
-/// Declares arrays, which follow each other at the end of the file.
+/// Declares arrays whose data follow each other at the end of the file.
 class Declarations {
  public:
   explicit Declarations(std::ostream& out) : out_(out) {}

@@ -1,4 +1,4 @@
-// Files of an unstructured grid for ParaView: VTU, with compressed arrays appended as they are.
+// Files of an unstructured grid for ParaView: VTU, with compressed arrays appended in binary.
 #pragma once
 
 #include <cstddef>
@@ -8,29 +8,30 @@
 
 namespace upbead {
 
-/// A named array of a file, already in the form in which the file holds it.
+/// A named array, already in the form in which the file holds it.
 struct VtuArray {
-  std::string name, type;  ///< type: as VTK calls it
+  std::string name, type;  ///< type: its name in VTK
   int components = 1;
   std::string bytes;
 };
 
-/// Of fields, made anew for every file: runs of equal bytes alone are looked for, as looking for more takes twice as
-/// long for a fifth of the size. Of a grid, made once for all of them: as small as zlib usually makes it.
+/// Arrays of fields are made anew for every file: only runs of equal bytes are compressed, as more would take twice
+/// as long for a fifth of the size. The arrays of the grid are made once for all files: as small as zlib makes them
+/// by default.
 enum class Packing { of_fields, of_grid };
 
-/// Numbers as VTK's compressor vtkZLibDataCompressor reads them.
+/// An array compressed as VTK's vtkZLibDataCompressor reads it.
 VtuArray vtu_array(const std::string& name, int components, const std::vector<float>& values, Packing packing);
 VtuArray vtu_array(const std::string& name, int components, const std::vector<int>& values, Packing packing);
 VtuArray vtu_array(const std::string& name, int components, const std::vector<unsigned char>& values, Packing packing);
 
-/// What files of one mesh have alike.
+/// The arrays that all files of one mesh share.
 struct VtuGrid {
   std::size_t n_points = 0, n_cells = 0;
   VtuArray points, connectivity, offsets, types;
 };
 
-/// A grid and arrays of numbers at its points.
+/// Writes a grid and arrays of numbers at its points.
 void write_vtu(std::ostream& out, const VtuGrid& grid, const std::vector<VtuArray>& data);
 
 }  // namespace upbead

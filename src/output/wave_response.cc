@@ -16,7 +16,7 @@ struct NamedWave {
   const WaveResponse* wave;
 };
 
-/// All that `respond` tells.
+/// All that goes into the summary of `respond`.
 struct Answers {
   const ReducedModelFile* model;
   std::string path;
@@ -34,7 +34,7 @@ OutputSchema<CoupledWave> coupled_wave_outputs() {
       .key("lifted_time", &C::lifted_time, "s", "time in which N' would have been negative");
 }
 
-/// The datasets of responses.h5 take unit and meaning from here.
+/// The keys of a wave; the datasets of responses.h5 take unit and meaning from here.
 const OutputSchema<WaveResponse>& wave_outputs() {
   using W = WaveResponse;
   const auto slip = [](const W& w) { return w.coupled ? std::optional(w.coupled->sliding) : std::nullopt; };
@@ -108,18 +108,18 @@ const OutputSchema<Answers>& answers_outputs() {
   return schema;
 }
 
-/// Datasets that are there where the number of the first wave is; of the others null is 0.
+/// Datasets that are written only where the first wave has the number; in all other datasets null becomes 0.
 bool may_be_absent(const OutputRow& row) {
   return row.path == "error_estimate" || row.path == "sliding";
 }
 
-/// Datasets in which NaN stands for what is not told of a wave.
+/// Datasets in which NaN stands for a number that a wave does not have.
 bool is_of_slip(const OutputRow& row) {
   return row.path == "sliding_coupled" || row.path == "least_overturning_margin" ||
          row.path.find("_pressure") != std::string::npos || row.path.rfind("coupled.", 0) == 0;
 }
 
-/// One number a wave: "coupled.slips" of the summary is the dataset coupled_slips.
+/// Writes one number for each wave: "coupled.slips" of the summary becomes the dataset coupled_slips.
 void write_column(detail::Hdf5Image& image, const std::string& group, const std::vector<Json>& waves,
                   const OutputRow& row) {
   std::string path = "/" + row.path;

@@ -1,4 +1,4 @@
-// responses.h5 and its summary: what `upbead respond` finds of each wave.
+// responses.h5 and its summary: the results of `upbead respond` for each wave.
 #pragma once
 
 #include <optional>
@@ -13,40 +13,41 @@ namespace upbead {
 
 struct OutputRow;
 
-/// What becomes of a caisson that slips as a whole on the ground that it shakes. Landward positive.
+/// Results for a caisson that slips as a whole on the ground that it shakes. Landward positive.
 struct CoupledWave {
-  double sliding = 0.;      ///< S, where it comes to rest (m)
-  double largest = 0.;      ///< of largest magnitude on the way (m)
+  double sliding = 0.;      ///< S, after it has come to rest (m)
+  double largest = 0.;      ///< value of largest magnitude during the motion (m)
   int slips = 0;            ///< one ends where it stops or turns
   double dissipated = 0.;   ///< by friction (J/m)
   double lifted_time = 0.;  ///< time in which N' would have been negative (s)
 };
 
-/// One wave. Landward positive, as in a run.
+/// Results for one wave. Landward positive, as in a run.
 struct WaveResponse {
   double peak_force = 0.;          ///< largest P (N/m)
   double peak_shear = 0.;          ///< largest F_T (N/m)
   double peak_shear_time = 0.;     ///< s
   double peak_shear_seaward = 0.;  ///< least F_T (N/m)
   std::optional<double> ratio;     ///< peak F_T / peak P, both seaward where the largest |P| is; none where P = 0
-  double beyond_band = 0.;         ///< part of F_T from frequencies beyond the model's, over the largest |F_T|
-  /// Bound of the error of F_T's history by the model, over the largest |F_T|; none where the model cannot tell.
+  double beyond_band = 0.;         ///< share of F_T above the model's highest frequency, over the largest |F_T|
+  /// Bound of the model's error in the history of F_T, over the largest |F_T|; none where the model cannot estimate
+  /// it.
   std::optional<double> error_estimate{};
-  /// S by eq. (4) on F_T, where it comes to rest (m); none where nobody asked.
+  /// S by eq. (4) on F_T, after it has come to rest (m); none where it was not asked for.
   std::optional<double> sliding{};
   std::optional<double> peak_heel_pressure{}, peak_toe_pressure{};  ///< Pa; none as in BaseExtremes, or not known
-  std::optional<double> least_overturning_margin{};                 ///< likewise
-  std::optional<CoupledWave> coupled{};  ///< none where nobody asked, or the model cannot tell
-  std::string why_not_coupled{};         ///< where somebody asked and this wave's cannot be told
+  std::optional<double> least_overturning_margin{};                 ///< none likewise
+  std::optional<CoupledWave> coupled{};  ///< none where it was not asked for, or could not be computed
+  std::string why_not_coupled{};         ///< why a result that was asked for could not be computed; else ""
 };
 
-/// All waves of one file, at the same times.
+/// Results for all waves of one file, at the same times.
 struct WaveResponses {
   std::string name;                 ///< of the file, without folder and ending
   std::vector<double> time;         ///< N (s)
-  WaveSamples force;                ///< P, one wave a row (N/m)
+  WaveSamples force;                ///< P, a row for each wave (N/m)
   WaveSamples shear_force;          ///< F_T of a caisson that sticks (N/m)
-  std::vector<WaveResponse> waves;  ///< one a row
+  std::vector<WaveResponse> waves;  ///< one for each row
 
   /// "name", or "name[3]" where the file holds several waves.
   std::string wave_name(std::size_t wave) const;
@@ -57,16 +58,16 @@ struct RespondTiming {
   double read = 0., respond = 0., write = 0., total = 0.;
 };
 
-/// The bytes of responses.h5: a group per file as docs/output.md has it. Throws NumericsError where a number is not
-/// finite.
+/// The bytes of responses.h5: one group for each file, as docs/output.md describes it. Throws NumericsError where a
+/// number is not finite.
 std::string response_file(const std::string& title, const std::vector<WaveResponses>& files);
 
-/// summary.json of `respond`. `path`: that of the model; `warnings`: docs/warnings.md. Call after response_file(),
-/// which checks the numbers.
+/// summary.json of `respond`. `path`: of the model's file; `warnings`: docs/warnings.md. To be called after
+/// response_file(), which checks the numbers.
 std::string to_json(const ReducedModelFile& model, const std::string& path, const std::vector<WaveResponses>& files,
                     const RespondTiming& timing, const NumberedWarnings& warnings = {});
 
-/// Its keys.
+/// The keys of that JSON.
 std::vector<OutputRow> rows_of_respond();
 
 }  // namespace upbead

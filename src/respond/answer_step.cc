@@ -11,7 +11,8 @@ namespace upbead {
 
 namespace {
 
-/// A straight wave's changes: by how much its loads jump and bend at its times, K x N. It is zero outside them.
+/// By how much the loads of a wave jump, and change their slope, at the wave's times, K x N. The loads are straight
+/// in between, and zero outside the wave.
 struct Changes {
   Eigen::MatrixXd jump, bend;
 };
@@ -30,7 +31,7 @@ Changes changes(const WaveFile& file, int wave) {
   return c;
 }
 
-/// The largest answer at the wave's own times.
+/// The largest value of the response at the wave's own times.
 double largest_answer(const ModalModel& model, const WaveFile& file, int wave) {
   const WaveGrid grid = make_wave_grid(file.time, infinity, file.time.back());
   const Series answer = respond(model, with_jumps(on_grid(file, wave, grid.time), grid));
@@ -66,7 +67,7 @@ double LineMisses::at(double h) const {
 
 double answer_step(const std::vector<ResolvedReading>& readings, const WaveFile& file, double shortest,
                    double longest) {
-  constexpr int halvings = 16;  // of the logarithm of the range
+  constexpr int halvings = 16;  // halvings of the logarithm of the range
   std::vector<double> steps(static_cast<std::size_t>(file.n_waves()), longest);
   in_parallel(steps.size(), "choosing steps", [&](std::size_t w) {
     const int wave = static_cast<int>(w);

@@ -37,7 +37,7 @@ double sliding_distance(const ModelSliding& sliding, double mass, const std::vec
   Eigen::RowVectorXd R = Eigen::RowVectorXd::Constant(F_T.size(), sliding.submerged_weight);
   if (U.size() > 0) R = (R - U).cwiseMax(0.);
   R *= sliding.friction;
-  // it rests until F_T first exceeds R; to leave that time out spares most waves the work
+  // the caisson rests until F_T first exceeds R; skipping that time saves the work for most waves
   Eigen::Index start = 0;
   while (start < F_T.size() && std::abs(F_T[start]) <= R[start]) ++start;
   if (start == F_T.size()) return 0.;
@@ -45,7 +45,7 @@ double sliding_distance(const ModelSliding& sliding, double mass, const std::vec
   const std::vector<double> left(time.begin() + rest, time.end());
   History resistance{left, {R.begin() + rest, R.end()}};
   resistance.time.push_back(left.back());
-  resistance.value.push_back(sliding.friction * sliding.submerged_weight);  // the wave is over
+  resistance.value.push_back(sliding.friction * sliding.submerged_weight);  // resistance after the wave
   return slide(mass, {left, {F_T.begin() + rest, F_T.end()}}, resistance, sliding.drag).residual;
 }
 
@@ -66,7 +66,7 @@ SlipModel joined_model(const ReducedModelFile& model, const ModelSliding& slidin
   return slip;
 }
 
-/// Jumps to zero loads at the end, and goes on for a step.
+/// Lets the loads jump to zero at the end, and adds a step of rest.
 SampledLoads with_rest(SampledLoads loads, double step, double submerged_weight) {
   const Eigen::Index n = loads.begin.cols();
   loads.time.push_back(loads.time.back() + step);

@@ -1,4 +1,4 @@
-// S of many waves that slide a caisson which slips as a whole on the ground that it shakes.
+// S of many waves, for a caisson that slips as a whole on the ground that it shakes.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,30 +16,31 @@
 
 namespace upbead {
 
-/// U(t) >= 0 that follows P(t), given at ascending times (s), as the case has it; for shapes in_phase and held.
+/// U(t) >= 0 that follows P(t), given at ascending times (s), as in the case; for the shapes in_phase and held.
 Eigen::RowVectorXd uplift_of_force(const ModelSliding& sliding, const std::vector<double>& time,
                                    const Eigen::RowVectorXd& P);
 
-/// S (m) by eq. (4): F_T and U straight between the times; an empty U is none. mass: W/g (kg/m).
+/// S (m) by eq. (4): F_T and U are straight between the times; an empty U stands for no uplift. mass: W/g (kg/m).
 double sliding_distance(const ModelSliding& sliding, double mass, const std::vector<double>& time,
                         const Eigen::RowVectorXd& F_T, const Eigen::RowVectorXd& U);
 
-/// A load that prescribes a pore pressure is two loads of the system, with one history: makes them one again.
+/// Joins the two loads of the system, with one history, that stand for a load which prescribes a pore pressure.
 void join_pore_pressures(ModalModel& model);
 
-/// Slides waves of one step.
+/// Computes the slip of waves with one step.
 struct WaveSlip {
   CoupledSlip slip;
-  std::optional<CoupledSlip> more_damped;  ///< where the model has damping for the numerics: twice as much
+  std::optional<CoupledSlip> more_damped;  ///< with twice the damping, where the model has damping for the numerics
 };
 
-/// One law of friction on a reduced model; waves with the same steps share what is dear to make.
+/// One law of friction on a reduced model; waves with the same step share what is expensive to make.
 class WaveSlips {
  public:
-  /// Throws InputError where the part of the model that slips does not have its loads, NumericsError as slip_model().
+  /// Throws InputError where the slip part of the model has other loads than the model, NumericsError as
+  /// slip_model().
   WaveSlips(const ReducedModelFile& model, const ModelSliding& sliding);
 
-  /// `step`: of the samples, or about so (s).
+  /// `step`: of the samples, at least approximately (s).
   std::shared_ptr<const WaveSlip> of_step(double step);
 
  private:
@@ -48,15 +49,16 @@ class WaveSlips {
   std::map<double, std::shared_ptr<const WaveSlip>> made_;
 };
 
-/// S of a wave, or why it cannot be told.
+/// S of a wave, or why it could not be computed.
 struct SlipOfWave {
   std::optional<CoupledWave> coupled;
   std::string why_not;
 };
 
-/// Loads on the grid, and N_0 = W' less the part of the uplift that the model does not tell, `prescribed` (N/m; empty:
-/// none), straight between the times. After the grid no load acts and N_0 = W': the slip is followed to its stop.
-/// - batch: the grid has equal steps and no jump but at its beginning; the loads then fall to zero within one step.
+/// Loads on the grid, and N_0 = W' minus the part of the uplift that the model does not compute, `prescribed` (N/m;
+/// empty: none), straight between the times. After the grid no load acts and N_0 = W'; the slip is followed until it
+/// stops.
+/// - batch: the grid has equal steps and a jump only at its beginning; the loads then fall to zero within one step.
 SlipOfWave slip_of_wave(const WaveSlip& slip, const WaveSamples& loads, const WaveGrid& grid, bool batch,
                         double submerged_weight, const Eigen::RowVectorXd& prescribed);
 

@@ -25,7 +25,7 @@ namespace upbead {
 namespace {
 
 /// Sets the peaks and the ratio from P and F_T at those times. `smooth`: F_T has no kinks, so that its peaks may be
-/// looked for between the times.
+/// interpolated between the times.
 void set_peaks(const std::vector<double>& time, const Eigen::RowVectorXd& P, const Eigen::RowVectorXd& F, bool smooth,
                WaveResponse& out);
 
@@ -33,7 +33,7 @@ struct Peak {
   double time = 0., value = 0.;
 };
 
-/// The largest sample. Where `smooth` and its neighbours are equally far, the top of the parabola through the three.
+/// The largest sample; where `smooth` and its neighbours are equally far, the top of the parabola through all three.
 Peak largest(const std::vector<double>& time, const Eigen::RowVectorXd& y, bool smooth) {
   Eigen::Index n = 0;
   const double top = y.maxCoeff(&n);
@@ -60,9 +60,9 @@ void set_peaks(const std::vector<double>& time, const Eigen::RowVectorXd& P, con
   if (force != 0.) out.ratio = (seaward ? out.peak_shear_seaward : out.peak_shear) / force;
 }
 
-constexpr double most_numbers = 1e8;  // of P in one file; with F_T and the file itself 5 GB of memory
+constexpr double most_numbers = 1e8;  // values of P in one file; with F_T and the file, 5 GB of memory
 
-/// The model with one reading: what else it can tell is not asked.
+/// The model with only one of its readings.
 ModalModel one_reading(const ModalModel& model, const char* name) {
   ModalModel one = model;
   const int i = model.index(name);
@@ -79,7 +79,8 @@ class OneReading {
   OneReading(ModalModel model, const WaveGrid& grid) : model_(std::move(model)) {
     if (grid.equal) batch_ = std::make_unique<BatchResponse>(model_, 0, *grid.equal);
   }
-  /// `ends_at_zero`: the waves' last sample is zero; a batch goes from it to zero along a straight line.
+  /// `ends_at_zero`: the waves' last sample is zero; a batch falls from the last sample to zero along a straight
+  /// line.
   Eigen::RowVectorXd answer(const WaveSamples& loads, const WaveGrid& grid, bool ends_at_zero) const {
     Eigen::RowVectorXd y(loads.cols());
     if (batch_ && ends_at_zero)
@@ -94,13 +95,13 @@ class OneReading {
   std::unique_ptr<BatchResponse> batch_;
 };
 
-/// What is checked of waves with a number of samples and a step.
+/// Checks of waves with one number of samples and one step.
 struct WaveChecks {
   BandCheck band;
-  std::optional<ResponseError> error;  ///< none where the model has nothing to tell it by
+  std::optional<ResponseError> error;  ///< none where the model has no larger models
 };
 
-/// By number of samples and step: files with the same times share one, as it is dear to make.
+/// Checks by number of samples and step: files with the same times share them, as they are expensive to make.
 class AllWaveChecks {
  public:
   AllWaveChecks(const ReducedModelFile& model, const ModalModel& shear, int n_waves)
@@ -122,7 +123,7 @@ class AllWaveChecks {
   std::map<std::pair<int, double>, std::shared_ptr<const WaveChecks>> made_;
 };
 
-/// What presses on the base, over the times of a grid.
+/// Effective forces and pressures on the base, at the times of a grid.
 class BaseAnswer {
  public:
   BaseAnswer(const ReducedModelFile& model, const WaveGrid& grid)
@@ -132,7 +133,7 @@ class BaseAnswer {
         uplift_(one_reading(model.modes, reading::uplift), grid),
         uplift_moment_(one_reading(model.modes, reading::uplift_moment), grid) {}
 
-  /// `prescribed`: an uplift besides the computed one; empty: none.
+  /// `prescribed`: an uplift in addition to the computed one; empty: none.
   BaseExtremes answer(const WaveSamples& loads, const WaveGrid& grid, bool ends_at_zero,
                       const Eigen::RowVectorXd& prescribed) const {
     const auto of = [&](const OneReading& reading) { return reading.answer(loads, grid, ends_at_zero); };
@@ -153,7 +154,7 @@ class BaseAnswer {
   OneReading normal_, moment_, uplift_, uplift_moment_;
 };
 
-/// Of what an answer may miss between its times, over the model's tolerance.
+/// Tolerable error of a response between its times, as a share of the model's tolerance.
 constexpr double of_tolerance = 0.02;
 
 /// What the waves of all files have in common.
@@ -187,15 +188,16 @@ struct Common {
   const ReducedModelFile& model;
   const RespondOptions& options;
   ModalModel shear;
-  std::vector<ModalModel> of_base;        ///< what presses on the base, where that is asked
-  std::vector<ResolvedReading> resolved;  ///< by the times of an answer
+  std::vector<ModalModel> of_base;        ///< readings of the base, where S is asked for
+  std::vector<ResolvedReading> resolved;  ///< readings that the times must resolve
   AllWaveChecks checks;
   std::optional<WaveSlips> slips;
-  std::string why_no_slip;  ///< of all waves
+  std::string why_no_slip;  ///< the same for all waves
 };
 
-/// The longest step (s) that shows the answers: a fiftieth of the case's shortest load, or less as LineMisses tells.
-/// A twentieth of the period of the highest frequency shows all that the model knows and is short enough.
+/// The longest step (s) that resolves the responses: a fiftieth of the case's shortest load, or less where LineMisses
+/// requires it. A twentieth of the period of the highest frequency resolves all that the model contains, so the step
+/// need not be shorter.
 double longest_step(const Common& common, const WaveFile& file) {
   double of_loads = infinity, own = 0.;
   for (const ModelLoad& load : common.model.loads)
@@ -206,7 +208,7 @@ double longest_step(const Common& common, const WaveFile& file) {
   return answer_step(common.resolved, file, shortest, of_loads);
 }
 
-/// Everything that the waves of one file have in common, and their answers.
+/// What the waves of one file have in common, and their results.
 class FileWork {
  public:
   FileWork(Common& common, const WaveFile& file)
@@ -240,7 +242,7 @@ class FileWork {
 
   WaveResponses take() { return std::move(result_); }
 
-  /// Safe for different waves at the same time.
+  /// May be called for different waves at the same time.
   void answer(int wave) {
     const WaveSamples loads = on_grid(file_, wave, grid_.time);
     const Eigen::RowVectorXd P = force_ * loads;
@@ -252,7 +254,7 @@ class FileWork {
     result_.force.row(wave) = P;
     result_.shear_force.row(wave) = F;
     WaveResponse& out = result_.waves[static_cast<std::size_t>(wave)];
-    // F_T passes on no kink of the loads, as long as they do not jump.
+    // Kinks of the loads make no kinks in F_T, as long as the loads do not jump.
     set_peaks(grid_.time, P, F, begins_at_zero && ends_at_zero && shear_.feedthrough.isZero(0.), out);
     set_checks(check_time_ == grid_.time ? loads : on_grid(file_, wave, check_time_), F, out);
     if (options_.sliding) set_sliding(loads, P, F, ends_at_zero, out);
@@ -295,12 +297,12 @@ class FileWork {
   Eigen::RowVectorXd force_;  ///< P per unit of each load
   double longest_step_;
   WaveGrid grid_;
-  std::vector<double> check_time_;  ///< equally spaced, and of the whole wave even where the answer ends before it
+  std::vector<double> check_time_;  ///< equally spaced, and over the whole wave even where the response ends before it
   std::shared_ptr<const WaveChecks> checks_;
   OneReading shear_answer_;
-  std::optional<BaseAnswer> base_;        ///< where S is asked and the model knows what stands on the base
-  std::optional<OneReading> uplift_;      ///< where S is asked with the model's pore pressure
-  std::shared_ptr<const WaveSlip> slip_;  ///< where S is asked and the model can tell
+  std::optional<BaseAnswer> base_;        ///< where S is asked for and the model has readings of the base
+  std::optional<OneReading> uplift_;      ///< where S is asked for, with the model's pore pressure
+  std::shared_ptr<const WaveSlip> slip_;  ///< where S is asked for and the model has a slip part
   WaveResponses result_;
 };
 

@@ -1,4 +1,4 @@
-// What a reduced model answers to waves: histories of P and F_T, peaks, sliding.
+// The response of a reduced model to waves: histories of P and F_T, peaks, sliding.
 #pragma once
 
 #include <optional>
@@ -11,12 +11,12 @@
 namespace upbead {
 
 struct RespondOptions {
-  std::optional<double> end;  ///< how long to answer (s); none: to the end of the waves, or of the case if later
-  std::optional<ModelSliding> sliding;  ///< what S is asked with; its uplift is not `history`
+  std::optional<double> end;            ///< end of the response (s); none: end of the waves, or of the case if later
+  std::optional<ModelSliding> sliding;  ///< for S; its uplift is not `history`
 };
 
-/// Answers all waves on all cores; the same numbers whatever the number of cores. Throws InputError where the model has
-/// no caisson or the answers would be too many to hold.
+/// Computes all waves on all cores; the numbers do not depend on how many. Throws InputError where the model has no
+/// caisson, or where the results would not fit into memory.
 std::vector<WaveResponses> respond_to_waves(const ReducedModelFile& model, const std::vector<WaveFile>& files,
                                             const RespondOptions& options);
 

@@ -23,12 +23,12 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-/// Index of a name; the size of the list where it is not in it.
+/// Index of a name in the list; the size of the list where the name is missing.
 std::size_t find(const Names& names, const std::string& name) {
   return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
 }
 
-/// `what`: "column" or "dataset".
+/// Reports a name that is no load; `what`: "column" or "dataset".
 void add_unknown_load(const Place& place, const std::string& what, const std::string& name, const Names& loads,
                       Diagnostics& mistakes) {
   const std::string near = nearest(name, loads), all = "the model's loads are: " + join(loads);
@@ -36,7 +36,7 @@ void add_unknown_load(const Place& place, const std::string& what, const std::st
                near.empty() ? all : "did you mean " + in_quotes(near) + "? " + all);
 }
 
-/// Two times or more, from 0 on, ascending. `place`: of the time with that index.
+/// Times must be two or more, ascending, and not negative. `place`: of the time with that index.
 void check_times(const std::vector<double>& time, const std::function<Place(std::size_t)>& place,
                  Diagnostics& mistakes) {
   if (time.size() < 2) return mistakes.add(place(0), "a wave of one time", "give two times or more");
@@ -50,8 +50,8 @@ void check_times(const std::vector<double>& time, const std::function<Place(std:
           "let the times ascend strictly");
 }
 
-/// What a unit makes of 1 of it, in that of load `k`; of a load whose unit is not known, force or pressure. Throws
-/// InputError where it is a unit of another quantity; `who`: has it.
+/// Factor from a unit to that of load `k`; where the load's unit is not known, to the SI unit of a force or pressure.
+/// Throws InputError where the unit is one of another quantity; `who`: the column or dataset with that unit.
 double factor_to_load(const std::string& unit, std::size_t k, const Names& units, const Place& place,
                       const std::string& who) {
   if (unit.empty()) return 1.;
@@ -73,7 +73,7 @@ std::vector<double> in_unit_of_load(const CsvTable& table, std::size_t column, s
   return values;
 }
 
-/// What is left of numbers that decay in some program, as in CSV files.
+/// Sets to zero the tiny numbers that are left where values decay in some program, as in CSV files.
 void clear_small(std::vector<double>& values) {
   for (double& value : values)
     if (is_too_small(value)) value = 0.;
@@ -178,8 +178,8 @@ class WaveDatasets {
   std::vector<double> time_;
   std::map<std::size_t, NumberArray> values_;  ///< by load
   std::size_t n_waves_ = 1;
-  std::string several_;   ///< a load that is given wave by wave
-  bool unknown_ = false;  ///< a dataset was no load, and has been told
+  std::string several_;   ///< a load that is given for each wave
+  bool unknown_ = false;  ///< a dataset was no load, and that has been reported
 };
 
 /// The waves of one HDF5 file, without a name; throws InputError.
@@ -232,7 +232,7 @@ WaveFile read_csv_wave(const std::string& path, const Names& loads, const Names&
   return file;
 }
 
-/// Appends -2, -3, ... to a name that another file has.
+/// Appends -2, -3, ... to a name that another file has, too.
 void number_duplicates(std::vector<WaveFile>& files) {
   Names taken;
   for (WaveFile& file : files) {

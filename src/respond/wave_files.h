@@ -1,4 +1,4 @@
-// Waves as people bring them: CSV or HDF5 files with the loads of a reduced model over time.
+// Waves as the user supplies them: CSV or HDF5 files with the loads of a reduced model over time.
 #pragma once
 
 #include <string>
@@ -9,21 +9,21 @@
 
 namespace upbead {
 
-/// The waves of one file, all at the same times; straight between them, zero before and after.
+/// The waves of one file, all at the same times; straight between these, zero before and after.
 struct WaveFile {
-  std::string name;          ///< of the file, without folder and ending; numbered where another has the same
+  std::string name;          ///< of the file, without folder and ending; numbered where other files share it
   std::vector<double> time;  ///< N >= 2, ascending, not negative (s)
   WaveSamples value;         ///< N columns; the K loads of the first wave, then those of the second ...
   int n_loads = 0;
   RecordNotes notes;  ///< how the file was read
 
   int n_waves() const { return static_cast<int>(value.rows()) / n_loads; }
-  /// K x N.
+  /// The loads of a wave, K x N.
   auto wave(int w) const { return value.middleRows(w * n_loads, n_loads); }
 };
 
-/// Reads files for a model with those loads; what a file does not give is zero. `units`: of the loads (SI), where
-/// known; what a file says of its units counts, and must be of that quantity.
+/// Reads files for a model with those loads; loads that a file does not give are zero. `units`: of the loads (SI),
+/// where known; a unit in the file is converted, and must be one of the same quantity.
 /// - CSV: a column of times (s), then columns named like loads; of a model with one load, one column of any name.
 /// - HDF5 (.h5, .hdf5): /time (N) and /LOAD, (waves x N) or (N), the latter for all waves of the file.
 /// Throws InputError with the mistakes of all files.

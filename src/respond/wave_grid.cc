@@ -20,7 +20,7 @@ void require_room(double n, double step, double end) {
                      "lower --end");
 }
 
-/// The step of times 0, step, 2 step, ... as far as a file with six digits can tell.
+/// The step of times 0, step, 2 step, ..., within the accuracy of a file with six digits.
 std::optional<double> equal_step(const std::vector<double>& time) {
   const double step = time.back() / static_cast<double>(time.size() - 1);
   for (std::size_t n = 0; n < time.size(); ++n)
@@ -28,7 +28,7 @@ std::optional<double> equal_step(const std::vector<double>& time) {
   return step;
 }
 
-/// Goes on from the last time to `to` in equal parts.
+/// Continues from the last time to `to` in equal parts.
 void append_parts(std::vector<double>& time, double to, double longest) {
   const double from = time.back(), n = std::ceil((to - from) / longest * (1. - 1e-9));
   require_room(n + static_cast<double>(time.size()), longest, to);
@@ -73,7 +73,7 @@ WaveGrid make_wave_grid(const std::vector<double>& time, double longest_step, do
 WaveSamples on_grid(const WaveFile& file, int wave, const std::vector<double>& time) {
   const auto values = file.wave(wave);
   const std::vector<double>& own = file.time;
-  const double round_off = 1e-6 * (own[1] - own[0]);  // equal times may differ by that from the file's
+  const double round_off = 1e-6 * (own[1] - own[0]);  // by so much equal times may differ from those of the file
   WaveSamples samples = WaveSamples::Zero(file.n_loads, static_cast<Eigen::Index>(time.size()));
   const auto agree = [round_off](double a, double b) { return std::abs(a - b) <= round_off; };
   if (own.size() <= time.size() && std::equal(own.begin(), own.end(), time.begin(), agree)) {

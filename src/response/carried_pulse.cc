@@ -14,7 +14,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// z h of generalised-alpha: -z^2 d = a, and v and d are updated by Newmark's formulas.
+/// z h of generalised-alpha: -z^2 d = a, with v and d updated by Newmark's formulas.
 Complex of_alpha(Complex w) {
   constexpr double rho = 0.9, m = (2. * rho - 1.) / (rho + 1.), f = rho / (rho + 1.), gamma = 0.5 - m + f,
                    beta = 0.25 * (1. - m + f) * (1. - m + f);
@@ -56,27 +56,26 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr double most_cells = 400., tail = 30.;      ///< that a wave is followed over, and that trails behind it
-constexpr double highest = 8., steps_per_cell = 4.;  ///< omega h/c that counts, and times in a crossing of a cell
-/// omega times the duration that counts: above omega a triangle has less than 8 / (pi omega duration) of its peak, 0.4
-/// %.
+constexpr double most_cells = 400., tail = 30.;      ///< the longest way of a wave and its tail, in cells
+constexpr double highest = 8., steps_per_cell = 4.;  ///< highest omega h/c, and times per crossing of a cell
+/// Highest omega times the duration: above omega a triangle has less than 8 / (pi omega duration) of its peak, 0.4 %.
 constexpr double highest_of_load = 600.;
-constexpr double fall = 1e-3;  ///< of what comes back after the period of the Fourier series
+constexpr double fall = 1e-3;  ///< factor on what returns after the Fourier series' period
 
-/// exp(-lambda x) decays.
+/// The root lambda with which exp(-lambda x) decays.
 Complex wave_number(Complex square) {
   const Complex lambda = std::sqrt(square);
   return lambda.real() < 0. ? -lambda : lambda;
 }
 
-/// Laplace transform of the triangle, or of the jump.
+/// Laplace transform of the triangle, or of the jump where the duration is 0.
 Complex transform(double duration, Complex s) {
   if (duration <= 0.) return 1. / s;
   const Complex half = std::exp(-0.5 * s * duration);
   return (1. - half) * (1. - half) / (0.5 * s * s * duration);
 }
 
-/// What differs between both at one place, over time.
+/// The difference between the wave in finite elements and the exact one, at one place, over time.
 class Difference {
  public:
   Difference(const WaveLaw& law, double duration, const WaveCells& cells, double speed, double distance)
@@ -91,7 +90,8 @@ class Difference {
     n_times_ = static_cast<std::size_t>(std::exp2(std::ceil(std::log2(n_times))));
   }
 
-  /// The Fourier series has the period 2 T; what is left out of it grows towards the end, so that a third of it counts.
+  /// The Fourier series has the period 2 T. The error of cutting it off grows towards the end, so only its first
+  /// third is used.
   double largest() const {
     std::vector<Complex> amplitude(n_times_), value;
     SteppedFrequency felt(cells_.steps);
@@ -136,7 +136,7 @@ Complex carried_over_cell(Complex square, const WaveCells& cells) {
 
 double carried_speed(const WaveLaw& law, double duration, const WaveCells& cells) {
   double speed = 0., omega = pi / duration;
-  if (!(duration > 0.)) {  // the wave of which a cell is a radian: its speed is found in turns
+  if (!(duration > 0.)) {  // a jump: the wave to which a cell is a radian long; its speed is found by iteration
     const Complex first = wave_number(law(Complex(0., 1.)));
     omega = std::abs(first) > 0. ? 1. / (std::abs(first) * cells.size) : 0.;
   }

@@ -10,14 +10,15 @@ namespace upbead {
 
 namespace {
 
-/// Of the region's mean: where the mean stress at rest is less it is lost to any load.
+/// Share of the region's mean: where the mean stress at rest is smaller, any load takes it away, so such points are
+/// left out.
 constexpr double least_rest = 0.1;
-/// From this share of the stress on, soil counts as liquefied.
+/// Lost share of the stress from which soil counts as liquefied.
 constexpr double liquefied = 0.95;
-/// Largest amplitude of the tests behind the law is 3e-3 (Martin, Finn and Seed 1975).
+/// Largest amplitude without a warning; the tests behind the law went up to 3e-3 (Martin, Finn and Seed 1975).
 constexpr double largest_tested = 1e-2;
 
-/// The points of one region, each with its part of the area.
+/// The points of one region, each with its share of the area.
 struct Soil {
   struct Part {
     Cell cell;
@@ -48,7 +49,7 @@ std::array<double, 2> middle(const Cell& cell) {
   return {cell->center()[0], cell->center()[1]};
 }
 
-/// Of the mean effective stress at rest what is gone: from 0 to 1, where nothing is left.
+/// The share of the mean effective stress at rest that is lost: from 0 to 1, where nothing is left.
 double lost_share(const CompactingPoint& point, double mean) {
   return std::clamp(1. - mean / point.mean_at_rest(), 0., 1.);
 }

@@ -1,4 +1,4 @@
-// What cycles of shear made of soils that pack denser.
+// Results of cyclic shear in soils that become denser.
 #pragma once
 
 #include <vector>
@@ -11,12 +11,13 @@
 
 namespace upbead {
 
-/// One for each region with such points, at the end of a march; the points of a cell stand for equal parts of its area.
+/// One result for each region with such points, at the end of a march; the points of a cell stand for equal shares of
+/// its area.
 std::vector<CompactedSoil> compacted_soils(const Space& space, const Unknowns& unknowns, const CompactingPoints& points,
                                            const State& end);
 
-/// liquefied: soil has lost nearly all of its mean effective stress; beyond_compaction: amplitudes of shear strain
-/// larger than those that the law was measured at.
+/// Warnings liquefied: soil has lost nearly all of its mean effective stress; beyond_compaction: amplitudes of shear
+/// strain are larger than those at which the law was measured.
 NumberedWarnings compaction_warnings(const std::vector<CompactedSoil>& soils);
 
 }  // namespace upbead

@@ -8,7 +8,7 @@ namespace upbead {
 
 namespace {
 
-/// Correlation of a with b shifted to the left, over what both share.
+/// Correlation of a with b shifted to the left, over the samples that both share.
 double correlation(const std::vector<double>& a, const std::vector<double>& b, std::ptrdiff_t shift) {
   double ab = 0., aa = 0., bb = 0.;
   const auto n = static_cast<std::ptrdiff_t>(a.size());
@@ -21,7 +21,7 @@ double correlation(const std::vector<double>& a, const std::vector<double>& b, s
   return aa > 0. && bb > 0. ? ab / std::sqrt(aa * bb) : 0.;
 }
 
-/// The shift at which both correlate best, up to a quarter of their length, between samples by a parabola.
+/// The shift with the best correlation, up to a quarter of the length, refined between samples by a parabola.
 double best_shift(const std::vector<double>& a, const std::vector<double>& b) {
   const auto most = static_cast<std::ptrdiff_t>(a.size() / 4);
   std::ptrdiff_t best = 0;
@@ -51,8 +51,7 @@ Comparison compare(const History& measured, const History& computed) {
   }
   Comparison c;
   const auto smaller = [](double x, double y) { return std::abs(x) < std::abs(y); };
-  for (std::size_t i = 0; i < measured.time.size();
-       ++i)  // the samples themselves, for the peak between the equal steps
+  for (std::size_t i = 0; i < measured.time.size(); ++i)  // also at the samples, whose peak may lie between equal steps
     if (measured.time[i] >= begin && measured.time[i] <= end)
       c.peak_measured = std::max(c.peak_measured, measured.value[i], smaller);
   if (c.peak_measured == 0.) throw std::invalid_argument("the record is zero throughout");

@@ -1,4 +1,4 @@
-// How far a computed history lies from a measured one.
+// The difference between a computed and a measured history.
 #pragma once
 
 #include "upbead/base/history.h"
@@ -6,7 +6,7 @@
 
 namespace upbead {
 
-/// Throws std::invalid_argument where they share fewer than two times, or the measured one is zero there.
+/// Throws std::invalid_argument where the histories share fewer than two times, or the measured one is zero there.
 Comparison compare(const History& measured, const History& computed);
 
 }  // namespace upbead

@@ -9,7 +9,7 @@ namespace upbead {
 
 namespace {
 
-constexpr double least_contrast = 10.;  ///< of conductivities
+constexpr double least_contrast = 10.;  ///< of the conductivities on both sides of a face
 
 bool has_pore_pressure(const Region& region) {
   return region.kind == RegionKind::porous && region.flow != Flow::drained;
@@ -26,14 +26,14 @@ double consolidation(const Scene& scene, const Region& region) {
   return 1. / m.b / (m.alpha * m.alpha / m.constrained_modulus() + m.storage);
 }
 
-/// c_v t / h^2, and the overshoot after that time.
+/// Pairs of c_v t / h^2 and the overshoot after that time.
 using Table = std::array<std::array<double, 2>, 7>;
 constexpr Table of_degree_1{
     {{1e-3, 0.257}, {0.01, 0.240}, {0.025, 0.202}, {0.05, 0.145}, {0.1, 0.048}, {1. / 6., 0.036}, {2., 0.}}};
 constexpr Table of_degree_2{
     {{1e-3, 0.134}, {0.01, 0.069}, {0.025, 0.007}, {0.05, 0.007}, {0.1, 0.002}, {1. / 6., 0.001}, {2., 0.}}};
 
-/// Straight over the logarithm, and constant beyond the ends.
+/// Interpolates linearly over the logarithm; constant beyond the ends.
 double between(const Table& table, double ratio) {
   if (ratio <= table.front()[0]) return table.front()[1];
   for (std::size_t i = 0; i + 1 < table.size(); ++i) {
@@ -49,10 +49,10 @@ bool is_under(const dealii::Point<dim>& point, const Caisson& caisson) {
          point[1] < caisson.bottom_centre[1] && point[1] > caisson.bottom_centre[1] - caisson.bottom_width;
 }
 
-/// A region under the caisson, to the depth of a width.
+/// A region under the caisson, down to a depth of the caisson's width.
 struct Layer {
   double area = 0.;                 ///< m2
-  double G = 0., constrained = 0.;  ///< times the area (Pa m2)
+  double G = 0., constrained = 0.;  ///< each times the area (Pa m2)
 };
 
 std::map<std::string, Layer> layers_under(const Space& space, const Caisson& caisson) {
@@ -72,7 +72,7 @@ std::map<std::string, Layer> layers_under(const Space& space, const Caisson& cai
 /// Where water leaves the regions that drain.
 struct Faces {
   std::string into;
-  double length = 0., cell = 0.;  ///< m; cell times length
+  double length = 0., cell = 0.;  ///< m; the cell's size times the length
 };
 
 std::map<std::string, Faces> faces_under(const Scene& scene, const Mesh& mesh, const Caisson& caisson) {

@@ -41,7 +41,7 @@ Direction direction(double x, double y) {
   return along;
 }
 
-/// From the caisson's bottom (m).
+/// Distance from the caisson's bottom (m).
 double distance(const dealii::Point<dim>& point, const Caisson& caisson) {
   const double beside = std::max(std::abs(point[0] - caisson.bottom_centre[0]) - 0.5 * caisson.bottom_width, 0.);
   return std::hypot(beside, point[1] - caisson.bottom_centre[1]);
@@ -49,14 +49,14 @@ double distance(const dealii::Point<dim>& point, const Caisson& caisson) {
 
 constexpr double thin = 0.25, soft = 5.;
 
-/// What is seen of a region on the way through the mesh.
+/// Sums over a region, from one pass through the mesh.
 struct Seen {
-  double area = 0., modulus = 0.;  ///< of all of it; modulus times area
+  double area = 0., modulus = 0.;  ///< of the whole region; modulus times area
   double area_near = 0., longest = 0.;
   Extent near;
 };
 
-/// Of shear waves (m/s), mean over the area of the surfaces; 0 where there is water alone.
+/// Speed of shear waves (m/s), mean over the area of the surfaces; 0 where all of them are water.
 double mean_shear_speed(const Space& space, const std::set<std::string>& surfaces) {
   double sum = 0., area = 0.;
   for (const auto& cell : space.mesh().triangulation.active_cell_iterators()) {
@@ -69,7 +69,8 @@ double mean_shear_speed(const Space& space, const std::set<std::string>& surface
   return area > 0. ? sum / area : 0.;
 }
 
-/// Undrained sand has rho V_p too stiff for the waves that arrive: docs/sides.md.
+/// Whether the ground is saturated: with undrained sand the dashpots rho V_p are too stiff for the waves that arrive:
+/// docs/sides.md.
 bool is_saturated(const Scene& scene, const std::set<std::string>& surfaces) {
   return std::any_of(surfaces.begin(), surfaces.end(), [&](const std::string& name) {
     const Region& region = scene.regions.at(name);
@@ -77,15 +78,15 @@ bool is_saturated(const Scene& scene, const std::set<std::string>& surfaces) {
   });
 }
 
-constexpr double least_part = 0.1;   ///< of a load along a direction that counts
-constexpr double plane_share = 0.9;  ///< of the mesh's width
+constexpr double least_part = 0.1;   ///< smallest share of a load along a direction that counts
+constexpr double plane_share = 0.9;  ///< share of the mesh's width
 
 bool deforms(const Region& region) {
   return region.kind == RegionKind::porous ||
          (region.kind == RegionKind::solid && region.deformation != Deformation::rigid);
 }
 
-/// Where a load acts on ground that deforms.
+/// The side on which a load acts on ground that deforms.
 struct Side {
   std::vector<std::array<MeshPoint, 2>> faces;
   Direction normal;  ///< outward, mean, of length 1
@@ -114,7 +115,7 @@ Side side_of(const Load& load, const Scene& scene, const Mesh& mesh) {
   return side;
 }
 
-/// Of a cell, along a direction: the root of its area times how it is stretched.
+/// Size of a cell along a direction: the root of its area, times how much it is stretched that way.
 double size_along(const MeshCell& cell, const Direction& normal, const Direction& along) {
   return std::sqrt(cell->measure() * span(cell, normal).width() / span(cell, along).width());
 }

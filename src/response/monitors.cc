@@ -17,7 +17,7 @@ using namespace dealii;
 
 namespace {
 
-/// Those columns of a sparse matrix alone, in that order.
+/// Only those columns of a sparse matrix, in that order.
 SparseMatrix columns_of(const SparseMatrix& rows, const std::vector<int>& columns) {
   SparseMatrix chosen(rows.cols(), static_cast<Eigen::Index>(columns.size()));
   for (std::size_t j = 0; j < columns.size(); ++j) chosen.coeffRef(columns[j], static_cast<Eigen::Index>(j)) = 1.;
@@ -113,7 +113,7 @@ void LargestStrains::see(const StateModel& model, const SampledLoads& loads) {
 namespace {
 
 constexpr double end_of_scale = 10.;
-constexpr double least_stress = 0.1;  ///< of the region's mean, as the floor of StressLaw
+constexpr double least_stress = 0.1;  ///< share of the region's mean, as for the floor of StressLaw
 constexpr double degree = boost::math::constants::degree<double>();
 
 std::vector<bool> with_strength(const Space& space) {

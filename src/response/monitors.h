@@ -1,4 +1,4 @@
-// What is followed in all cells and nodes of a scene while it is marched: strains, stresses, pressures.
+// Quantities that are followed in all cells and nodes of a scene during the march: strains, stresses, pressures.
 #pragma once
 
 #include <string>
@@ -12,10 +12,10 @@
 
 namespace upbead {
 
-/// Strains of some cells at their middles, over the unknowns.
+/// Strains at the middles of some cells, as functions of the unknowns.
 class MiddleStrains {
  public:
-  /// `of_interest`: by active cell index; absent cells have none.
+  /// `of_interest`: by active cell index; absent cells have no strains.
   MiddleStrains(const Space& space, const Unknowns& unknowns, const std::vector<bool>& of_interest);
   const std::vector<dealii::DoFHandler<dim>::active_cell_iterator>& cells() const { return cells_; }
   /// One for each of these cells.
@@ -24,10 +24,10 @@ class MiddleStrains {
   struct Series {
     Eigen::MatrixXd xx, yy, xy;
   };
-  /// Of all columns of a StateModel's coordinates.
+  /// For all columns of a StateModel's coordinates.
   Series at(const FieldBasis& basis, const Eigen::MatrixXd& coordinates) const;
-  /// gamma = sqrt((e_x - e_y)^2 + (2 e_xy)^2) of each, the diameter of Mohr's circle. The difference is taken in the
-  /// rows: after the sums, what is left of two large strains would carry their rounding.
+  /// gamma = sqrt((e_x - e_y)^2 + (2 e_xy)^2) in each cell, the diameter of Mohr's circle. e_x - e_y is formed in the
+  /// rows of the matrix: as the difference of two large sums it would carry their rounding.
   std::vector<double> shear(const Vector& x) const;
   /// The same of all columns of a StateModel's coordinates: cells x columns.
   Eigen::MatrixXd shear(const FieldBasis& basis, const Eigen::MatrixXd& coordinates) const;
@@ -37,10 +37,10 @@ class MiddleStrains {
   SparseMatrix xx_, yy_, xy_, difference_;
 };
 
-/// Largest shear strain of each cell over all states that it has seen.
+/// Largest shear strain of each cell over all states that were seen.
 class LargestStrains : public MarchObserver {
  public:
-  /// `of_interest`: by active cell index; others stay 0.
+  /// `of_interest`: by active cell index; all other cells stay 0.
   LargestStrains(const Space& space, const Unknowns& unknowns, const std::vector<bool>& of_interest)
       : strains_(space, unknowns, of_interest), largest_(of_interest.size(), 0.) {}
   void see(const State& state, int step, int n_steps) override;
@@ -59,12 +59,12 @@ class LargestStrains : public MarchObserver {
 /// Follows the stresses of all cells of regions with a strength.
 class Mobilisation : public MarchObserver {
  public:
-  /// `rest`: the static state; `k0`: s'_x = K_0 s'_y of it, where that is given. Keeps what it needs of all.
+  /// `rest`: the static state; `k0`: s'_x = K_0 s'_y of that state, where it is given. Copies what it needs.
   Mobilisation(const Space& space, const Unknowns& unknowns, const EffectiveStress& rest,
                const std::optional<double>& k0);
   void see(const State& state, int step, int n_steps) override;
   bool wants(double) const override { return false; }
-  /// Takes in what a reduced model answers to these loads, at about 16 times in `duration` (s).
+  /// Evaluates the response of a reduced model to these loads, at about 16 times in `duration` (s).
   void see(const StateModel& model, const SampledLoads& loads, double duration);
   bool has_seen() const { return has_seen_; }
   std::vector<MobilisedStrength> found() const;
@@ -98,23 +98,23 @@ class Mobilisation : public MarchObserver {
 /// Vapour pressure of water at 20 C, absolute: 2339 Pa (Wagner and Pruss 2002, IAPWS-95), and a standard atmosphere.
 constexpr double vapour_pressure = 2339., atmosphere = 101325.;
 
-/// Where and when a scene's water had its least absolute pressure: atmosphere + rho_f g (level - y) + excess. Only
-/// water below the still water level counts: what stands above holds air.
+/// Where and when the water of a scene had its least absolute pressure: atmosphere + rho_f g (level - y) + excess.
+/// Only water below the still water level counts: what is above it contains air.
 class LeastPressure : public MarchObserver {
  public:
-  /// `level`: of still water (m), from water_level(); where it is -infinity nothing is watched.
+  /// `level`: of still water (m), from water_level(); nothing is watched where it is -infinity.
   LeastPressure(const Space& space, const Unknowns& unknowns, const Scene& scene, double level);
   bool watches() const { return !nodes_.empty(); }
   bool has_seen() const { return has_seen_; }
   void see(const State& state, int step, int n_steps) override;
   bool wants(double) const override { return false; }
-  /// Takes in what a reduced model answers to these loads, at about 16 times in `duration` (s).
+  /// Evaluates the response of a reduced model to these loads, at about 16 times in `duration` (s).
   void see(const PressureModel& model, const SampledLoads& loads, double duration);
 
   std::vector<double> memory() const override;
   void recall(const std::vector<double>& memory) override;
 
-  double value() const { return least_; }  ///< Pa, absolute; negative where the linear answer pulls at the water
+  double value() const { return least_; }  ///< Pa, absolute; negative where linear water is in tension
   double time() const { return time_; }    ///< s
   const dealii::Point<dim>& place() const { return nodes_[node_].at; }
   const std::string& region() const { return nodes_[node_].region; }
@@ -129,7 +129,7 @@ class LeastPressure : public MarchObserver {
   void take(const Eigen::Ref<const Vector>& excess, double time);
 
   std::vector<Node> nodes_;
-  SparseMatrix rows_;  ///< excess pressure of the nodes over x'
+  SparseMatrix rows_;  ///< maps x' to the excess pressures of the nodes
   double least_ = 0., time_ = 0.;
   std::size_t node_ = 0;
   bool has_seen_ = false;

@@ -1,4 +1,4 @@
-// The free vibrations that a reading takes part in, by the poles of a reduced model.
+// The free vibrations that contribute to a reading, from the poles of a reduced model.
 #pragma once
 
 #include <string>
@@ -9,9 +9,10 @@
 
 namespace upbead {
 
-/// Of all modes that swing, damped by less than 1/sqrt(2) of critical (more have no peak of resonance), those with at
-/// least `least_share` of the reading `name` under these loads, largest share first. A mode's share is its largest
-/// contribution over the sum of those of all modes that swing: modes that cancel each other both count.
+/// Of all oscillating modes, damped by less than 1/sqrt(2) of critical (with more damping resonance has no peak),
+/// those with a share of at least `least_share` in the reading `name` under these loads, largest share first. A
+/// mode's share is its largest contribution over the sum of the largest contributions of all oscillating modes, also
+/// of modes that cancel each other.
 std::vector<NaturalPeriod> natural_periods(const ModalModel& model, const std::string& name, const SampledLoads& loads,
                                            double least_share = 0.01);
 

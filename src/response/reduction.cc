@@ -15,12 +15,13 @@ namespace upbead {
 namespace {
 
 constexpr double steps_per_duration = 32.;
-/// Shift over 2 pi / duration, measured in docs/reduced.md: high modes last where nothing damps them.
+/// The shift as a multiple of 2 pi / duration, measured in docs/reduced.md: high modes persist where nothing damps
+/// them.
 constexpr double shift_damped = 1.25, shift_undamped = 1.75;
 constexpr double hardly_damped = 0.01;
-/// Tolerance of all other readings over that of F_T: what a march at its own step achieves, 2 % damped, 9 % undamped.
+/// Tolerance of all other readings as a multiple of F_T's: a march at its own step achieves 2 % damped, 9 % undamped.
 constexpr double others_damped = 10., others_undamped = 20.;
-constexpr int order = 4;  ///< of the interpolation inside steps that exact values deserve
+constexpr int order = 4;  ///< of the interpolation inside steps, for exact values
 
 /// Whether every soil or solid that deforms has material damping.
 bool is_damped(const Scene& scene) {
@@ -31,7 +32,7 @@ bool is_damped(const Scene& scene) {
   });
 }
 
-/// Ascending, each once.
+/// Sorted in ascending order, without duplicates.
 std::vector<double> in_order(std::vector<double> time, double end) {
   std::sort(time.begin(), time.end());
   const auto same = [end](double a, double b) { return b - a < 1e-9 * end; };
@@ -51,7 +52,7 @@ std::vector<double> times_of_steps(const Scene& scene, const System& system, dou
   return in_order(std::move(time), end);
 }
 
-/// Whether straight lines between the times are the loads: within a thousandth of their largest values.
+/// Whether straight lines between the times reproduce the loads, within a thousandth of their largest values.
 bool follow_loads(const std::vector<double>& time, const System& system) {
   constexpr double tolerable = 1e-3;
   for (const SystemLoad& load : system.loads) {

@@ -12,30 +12,31 @@
 
 namespace upbead {
 
-/// Times at which a reduced model answers a scene: steps of at most a 32nd of the loads' shortest duration, or those
-/// that the case gives where straight lines between them are the loads; they meet all kinks, and the samples of
-/// measured records.
+/// Times at which a reduced model responds to a scene: steps of at most a 32nd of the loads' shortest duration, or
+/// the case's own steps where straight lines between them reproduce the loads; they include all kinks, and the
+/// samples of measured records.
 std::vector<double> response_times(const Scene& scene, const System& system);
 
 std::vector<TimeFunction> load_histories(const System& system);
 
-/// The scene's own loads at those times, and at others that are asked for.
+/// The scene's own loads at those times, and at other times that are asked for.
 SampledLoads sampled_loads(const Scene& scene, const System& system, const std::vector<double>& others = {});
 
-/// Which of a series' times tell the extremes of what moves with the loads: about 16 in the shortest `duration` (s).
+/// The indices of enough times of a series to find the extremes of quantities that move with the loads: about 16 in
+/// the shortest `duration` (s).
 std::vector<Eigen::Index> looks_at(const std::vector<double>& time, double duration);
 
-/// What a model is to be good for.
+/// The purpose of a model.
 struct ReductionTargets {
-  bool only_shear = false;          ///< F_T, and `states` where they are asked for, not all readings
-  bool each_load = false;           ///< any history of each load, not only what they do together in the scene
-  std::optional<int> most_vectors;  ///< per independent load, where the default is not meant
-  bool pressures = false;           ///< to be told everywhere, not at probes alone: Reduction::pressures
-  bool states = false;              ///< all that moves is: Reduction::states
-  /// The forces on an elastic caisson balance to round-off, not to the model's error: its rigid motions are kept, which
-  /// takes half as many vectors more.
+  bool only_shear = false;          ///< F_T, and `states` where they are asked for; not all readings
+  bool each_load = false;           ///< any history of each load, not only the scene's loads together
+  std::optional<int> most_vectors;  ///< per independent load, in place of the default
+  bool pressures = false;           ///< known everywhere, not only at probes: Reduction::pressures
+  bool states = false;              ///< all unknowns known everywhere: Reduction::states
+  /// The forces on an elastic caisson balance to round-off, not only to the model's error: its rigid motions are
+  /// kept, which takes half as many vectors again.
   bool balanced = false;
-  /// That readings besides F_T are to meet 10 or 20 times of; the scene's own where none is given.
+  /// Readings besides F_T must meet 10 or 20 times this tolerance; that of the scene where none is given.
   std::optional<double> tolerance_of_others = std::nullopt;
 };
 
@@ -43,34 +44,36 @@ struct ReductionTargets {
 /// a soil has no material damping. Measured in docs/reduced.md.
 double krylov_shift(const Scene& scene);
 
-/// What reduce_scene() reduces a scene by.
+/// The options with which reduce_scene() reduces a scene.
 ReduceOptions reduce_options(const Scene& scene, const CompiledScene& compiled, const ReductionTargets& targets);
 
-/// Reduces a scene for all its loads, at krylov_shift. The history of F_T must meet the scene's tolerance, all other
-/// readings, unless only F_T is aimed at, 10 times as much, 20 times where a soil is not damped. Without a caisson all
-/// readings meet the tolerance. It is the smaller of two nested models that misses by so much; the larger one, which is
-/// kept, is better where the space converges quickly, and about as good where it does not. `progress`: called with 0 to
-/// 1 after every solve. Throws NumericsError.
+/// Reduces a scene for all its loads, at krylov_shift. The history of F_T must meet the scene's tolerance; all other
+/// readings, unless only F_T is wanted, 10 times the tolerance, or 20 times where a soil is not damped. Without a
+/// caisson all readings must meet the tolerance. The tolerance holds for the smaller of two nested models; the larger
+/// one, which is kept, is better where the space converges quickly, and about as good where it does not. `progress`:
+/// called with 0 to 1 after every solve. Throws NumericsError.
 Reduction reduce_scene(const Scene& scene, const CompiledScene& compiled, const ReductionTargets& targets,
                        const std::function<void(double)>& progress = {});
 
 /// Name of the reading with the largest error; "" where there is none.
 std::string worst_reading(const Reduction& reduction);
 
-/// Throws NumericsError with the error reached where the models did not come close enough.
+/// Throws NumericsError, with the error reached, where the nested models differ too much.
 void require_converged(const Reduction& reduction);
 
-/// The same of F_T alone: other readings may not have come close enough.
+/// The same for F_T alone; other readings may still differ too much.
 void require_shear_converged(const Reduction& reduction);
 
-/// Those besides F_T, in the order of the readings; none of a model that has converged.
+/// The readings besides F_T that have not converged, in the order of the readings; none for a model that has
+/// converged.
 std::vector<LooseReading> loose_readings(const Reduction& reduction);
 
-/// Largest difference of F_T between the model and a march with the same steps, over its peak: how wrong the model
-/// truly is for the scene's own loads. Takes as long as marching with steps of a 32nd of the duration.
+/// Largest difference of F_T between the model and a march with the same steps, over its peak: the true error of the
+/// model under the scene's own loads. Takes as long as a march with steps of a 32nd of the duration.
 double error_against_march(const Reduction& reduction, const Scene& scene, const CompiledScene& compiled);
 
-/// What the model answers to the scene's own loads, as a march would have found it, but without an account of energy.
+/// The model's response to the scene's own loads, in the form of a march's response, but without an account of
+/// energy.
 Response respond(const Reduction& reduction, const Scene& scene, const System& system);
 
 }  // namespace upbead

@@ -25,7 +25,7 @@ Samples samples(const CompiledScene& compiled, const Series& series, const char*
   return series.reading.row(compiled.system.reading(name));
 }
 
-/// Looks at some points of every step, and closely at the step where it finds the most.
+/// Evaluates some points of every step, and many points near the step with the largest value.
 template <typename Value>
 Extremum extreme(const std::vector<double>& time, int sign, const Value& value) {
   const std::size_t n_steps = time.size() - 1, looks = looks_of(n_steps);
@@ -47,12 +47,13 @@ Extremum extreme(const std::vector<double>& time, int sign, const Value& value) 
   return best;
 }
 
-/// F_T and x_G between the ends of each step. A scheme of order 4 has x_G, x_G' and x_G'' good enough for a quintic; of
-/// order 2 their errors, divided by h^2, would spoil its second derivative, so x_G'' is linear there; so it is in steps
-/// so short that their round-off does.
+/// F_T and x_G between the ends of each step. With a scheme of order 4, x_G, x_G' and x_G'' are accurate enough for a
+/// quintic. With order 2 their errors, divided by h^2, would spoil its second derivative, so x_G'' is taken as
+/// linear; the same is done in steps so short that round-off would spoil it.
 ///
-/// Water answers acceleration at once, so its force is taken as -m_a x_G'' + r: the added mass m_a is fitted to the
-/// whole march, r is small and linear within a step, and where P jumps x_G'' jumps by its jump over m + m_a.
+/// The water reacts to acceleration at once, so its force is taken as -m_a x_G'' + r: the added mass m_a is fitted to
+/// the whole march, r is small and linear within a step, and where P jumps, x_G'' jumps by the jump of P over m +
+/// m_a.
 class InsideSteps {
  public:
   InsideSteps(const CompiledScene& compiled, const Response& response, const TimeFunction& P)
@@ -70,7 +71,7 @@ class InsideSteps {
     for (std::size_t n = 0; n < quintic_.size(); ++n) quintic_[n] = quintic_[n] && is_smooth(n);
   }
 
-  /// Extreme of P + `water` - m x_G'', `water` being a force of the water at the ends of the steps.
+  /// Extreme of P + `water` - m x_G'', where `water` is a force of the water at the ends of the steps.
   Extremum shear_force(int sign, const Samples& water) const {
     const WaterPart part = split(water);
     return extreme(time_, sign, [&](std::size_t n, double t) { return shear_force_at(n, t, part); });
@@ -94,7 +95,7 @@ class InsideSteps {
   }
 
  private:
-  /// What the water does: -m_a x_G'' + rest, rest linear within a step.
+  /// The force of the water: -m_a x_G'' + rest, where rest is linear within a step.
   struct WaterPart {
     double added_mass;
     Samples rest;
@@ -113,7 +114,7 @@ class InsideSteps {
 
   double middle(std::size_t n) const { return 0.5 * (time_[n] + time_[n + 1]); }
 
-  /// x_G'' at one end of step n, as of that step's own piece of P.
+  /// x_G'' at one end of step n, with P of that step's own piece.
   double acceleration(std::size_t n, std::size_t end) const {
     const double a = a_[static_cast<Eigen::Index>(end)];
     if (end != n) return a;
@@ -132,11 +133,11 @@ class InsideSteps {
     };
     return QuinticHermite(time_[n], time_[n + 1] - time_[n], jet(n), jet(n + 1));
   }
-  /// Mean of step n.
+  /// Mean jerk of step n.
   double jerk(std::size_t n) const { return (acceleration(n, n + 1) - acceleration(n, n)) / (time_[n + 1] - time_[n]); }
 
-  /// What x and v say of x_G'' inside the step beside a straight line: no more than what its slope changes by from step
-  /// to step. More is their round-off, divided by h^2.
+  /// Whether the quintic through x and v bends x_G'' away from a straight line by no more than its slope changes from
+  /// step to step. A larger bend is round-off of x and v, divided by h^2.
   bool is_smooth(std::size_t n) const {
     const double h = time_[n + 1] - time_[n], own = jerk(n);
     double change = n > 0 ? std::abs(own - jerk(n - 1)) : std::abs(own);
@@ -155,11 +156,11 @@ class InsideSteps {
   }
 
   const std::vector<double>& time_;
-  Samples x_, v_, a_;  ///< a as of the step that ends there
+  Samples x_, v_, a_;  ///< a at the end of each step, with P of that step
   const TimeFunction& P_;
   double mass_;
   double all_added_mass_;
-  std::vector<bool> quintic_;  ///< whether x_G is one, by step
+  std::vector<bool> quintic_;  ///< whether x_G is a quintic, by step
 };
 
 Extremum at_ends(const std::vector<double>& time, const Samples& values, int sign) {
@@ -291,8 +292,8 @@ namespace {
 
 constexpr double bearable = 1e-4;
 
-/// generalised-alpha overshoots in steps much longer than the periods of a scene (Hilber and Hughes, Earthq. Eng.
-/// Struct. Dyn. 6 (1978) 99), and more where short steps follow a pulse and long ones follow these.
+/// Throws where energy is made: generalised-alpha overshoots in steps much longer than the periods of a scene (Hilber
+/// and Hughes, Earthq. Eng. Struct. Dyn. 6 (1978) 99), and more where long steps follow the short ones of a pulse.
 void require_no_gain(const EnergyAccount& energy, double work) {
   constexpr double tolerable = 1.1;
   if (energy.stored() <= tolerable * work) return;
@@ -304,8 +305,8 @@ void require_no_gain(const EnergyAccount& energy, double work) {
 constexpr double tolerable_energy = 1e-6;
 const std::string energies_differ = "the work of the loads and the sum of all energies differ";
 
-/// 1/2 sum of (peak b_i)^2 / K_ii, a measure of the work that the loads could do at rest if they acted alone; b of
-/// a load that prescribes a pressure is that pressure's push.
+/// 1/2 sum of (peak b_i)^2 / K_ii, a measure of the work that the loads could do statically if each acted alone; for
+/// a load that prescribes a pressure, b is the force of that pressure.
 double possible_work(const System& system, double end) {
   double work = 0.;
   for (const SystemLoad& load : system.loads) {
@@ -332,7 +333,7 @@ void require_balance(const ShearResponse& shear, const EnergyAccount& energy, do
   const Mismatch of_energies{energies_differ, off, tolerable_energy, std::sqrt(off), off <= bearable};
   const bool forces_balance = routes <= tolerable_routes, energies_balance = off <= tolerable_energy;
   if (!energies_balance && (forces_balance || !of_energies.bearable || of_forces.bearable))
-    throw Imbalance(of_energies);  // where both are bearable that of energies makes more wrong
+    throw Imbalance(of_energies);  // of two bearable mismatches that of energies means the larger error
   if (!forces_balance) throw Imbalance(of_forces);
 }
 

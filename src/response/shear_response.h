@@ -1,4 +1,4 @@
-// What a coastal engineer reads off a march: peaks of the force and of the shear force, found inside the steps.
+// The results of a march for a coastal engineer: peaks of the wave force and of F_T, found inside the steps.
 #pragma once
 
 #include <optional>
@@ -11,8 +11,9 @@
 
 namespace upbead {
 
-/// The forces at the caisson's bottom over time, for what slides on them: changes against still water, straight between
-/// times that are also inside steps, two equal ones where a force jumps; of the last two the ends of the steps.
+/// The forces at the caisson's bottom over time, from which sliding is computed: changes from still water. The first
+/// two are straight between times that also lie inside steps, with two equal times where a force jumps; the last two
+/// have only the ends of the steps.
 struct BaseHistory {
   History shear_force;   ///< F_T, landward (N/m)
   History force;         ///< P, landward (N/m)
@@ -20,8 +21,8 @@ struct BaseHistory {
   History uplift;        ///< integral of the excess pore pressure over the bottom (N/m)
 };
 
-/// Needs a scene with a caisson. F_T inside the steps as in read_shear_response; without inertia its values at their
-/// ends.
+/// Needs a scene with a caisson. F_T inside the steps is that of read_shear_response; without inertia only the ends
+/// of the steps are used.
 BaseHistory read_base_history(const CompiledScene& compiled, const Response& response, bool inertia);
 
 /// The horizontal load P(t) on the caisson, all loads together.
@@ -32,13 +33,13 @@ TimeFunction force_on_caisson(const CompiledScene& compiled);
 /// x_G'' linear between them (of order 2); without inertia the ends of the steps alone.
 ShearResponse read_shear_response(const CompiledScene& compiled, const Response& response, bool inertia);
 
-/// Two numbers that must be the same are not.
+/// Two numbers that must be equal differ.
 struct Mismatch {
   std::string what;
   double value = 0.;      ///< relative
-  double tolerable = 0.;  ///< that round-off explains in most scenes
-  double error = 0.;      ///< what it may make wrong, of the largest values
-  bool bearable = false;  ///< whether the answer is still good for something, if its error is told
+  double tolerable = 0.;  ///< what round-off explains in most scenes
+  double error = 0.;      ///< error that may follow, relative to the largest values
+  bool bearable = false;  ///< whether the result is still useful if its error is reported
 };
 
 class Imbalance : public NumericsError {
@@ -56,9 +57,9 @@ class Imbalance : public NumericsError {
 /// |P| at any time, the change of the normal force, the uplift, and the moment over the bottom's width.
 void require_balance(const ShearResponse& shear, const EnergyAccount& energy, double tolerable_routes = 1e-7);
 
-/// The same of the energy of a scene without a caisson, marched until `end` (s). Loads that do no work but round-off,
-/// as a pressure on incompressible water, have nothing to balance: below 1e-10 of what they would do on K alone. A
-/// mismatch of less than that is bearable: what moves by more than its root is no round-off.
+/// The same for the energy of a scene without a caisson, marched until `end` (s). Loads whose work is only round-off,
+/// as of a pressure on incompressible water, have nothing to balance: that is work below 1e-10 of what they would do
+/// on K alone. A mismatch below that is bearable: motions larger than its root are no round-off.
 void require_balance(const EnergyAccount& energy, const System& system, double end);
 
 }  // namespace upbead

@@ -10,13 +10,13 @@
 
 namespace upbead {
 
-/// Coulomb's law for a scene's reduced system, by the names of its readings. N' is N_0 and the change of the total
-/// normal force, less the modelled pore pressure on the bottom where the uplift is computed; a prescribed one is part
-/// of N_0. `outputs`: other readings.
+/// Coulomb's law for a scene's reduced system, by the names of its readings. N' is N_0 plus the change of the total
+/// normal force, minus the modelled pore pressure on the bottom where the uplift is computed; a prescribed uplift is
+/// part of N_0. `outputs`: other readings.
 SlipLaw slip_law(const ReducedSystem& system, double friction, UpliftKind uplift,
                  const std::vector<std::string>& outputs = {});
 
-/// One more load, of these values at the times.
+/// Adds another load with these values at the times.
 SampledLoads with_load(SampledLoads loads, const Eigen::RowVectorXd& values);
 
 }  // namespace upbead

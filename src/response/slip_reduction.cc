@@ -13,12 +13,13 @@ namespace upbead {
 
 namespace {
 
-/// F_T is cut off there for training, as friction would.
+/// Share of its peak at which F_T is cut off for training, as friction would do.
 constexpr double cut_off = 0.7;
-/// Per independent load: more cost more than what they are worth, as eigenvalues take the cube of their number.
+/// Per independent load: more vectors cost more than they gain, as the work for eigenvalues grows as the cube of
+/// their number.
 constexpr int most_vectors = 60;
 
-/// All but its training.
+/// The problem without its training.
 SlipProblem untrained_problem(const Scene& scene, const CompiledScene& compiled, UpliftKind uplift) {
   if (!compiled.system.interface || !compiled.caisson)
     throw std::invalid_argument("a scene whose caisson slips needs an interface under it");
@@ -43,7 +44,7 @@ Eigen::RowVectorXd shear_of(const Series& bonded, const CompiledScene& compiled)
   return bonded.reading.row(compiled.system.reading(reading::shear_force));
 }
 
-/// The scene's loads, and F_T cut off.
+/// The scene's loads, and F_T with its peaks cut off.
 SampledLoads training(const Scene& scene, const CompiledScene& compiled, const Series& bonded) {
   const Eigen::RowVectorXd shear = shear_of(bonded, compiled);
   const double limit = cut_off * shear.cwiseAbs().maxCoeff();

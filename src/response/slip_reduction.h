@@ -10,29 +10,29 @@
 
 namespace upbead {
 
-/// A scene in a few coordinates, one of them s, and what is known of its error.
+/// A scene in a few coordinates, one of them s, and its errors.
 struct SlipReduction {
   ReducedSystem system;  ///< of with_rigid_slip() with the load and the readings of add_slip()
-  /// Between nested models, of F_T and N' of the caisson that sticks, and of s' and N' of one that slips freely, under
-  /// all loads with F_T, and under each alone. About the error of the smaller one.
+  /// Difference between nested models: of F_T and N' of the caisson that sticks, and of s' and N' of one that slips
+  /// freely, under all loads with F_T, and under each load alone. About the error of the smaller model.
   NestedError error;
-  double bonded_error = 0.;  ///< largest difference of F_T from the bonded history, over its peak, while it sticks
+  double bonded_error = 0.;  ///< largest difference between F_T while it sticks and the bonded history, over the peak
   bool converged = false;    ///< also where the space is exhausted
   int n_vectors = 0, n_solves = 0;
   double factorise_seconds = 0.;
 };
 
-/// What a scene with an interface is reduced by.
+/// The system of a scene with an interface, and how it is reduced.
 struct SlipProblem {
   System system;  ///< as SlipReduction::system
   ReduceOptions options;
 };
 SlipProblem slip_problem(const Scene& scene, const CompiledScene& compiled, UpliftKind uplift, const Series& bonded);
 
-/// The space of such a reduction: what needs no bonded history, and may be made before there is one.
+/// The space of such a reduction: the part that needs no bonded history, and may be made before there is one.
 class SlipSpace {
  public:
-  /// Both must outlive it. Throws as reduce_slip() does.
+  /// Scene and compiled scene must outlive the object. Throws as reduce_slip() does.
   SlipSpace(const Scene& scene, const CompiledScene& compiled, UpliftKind uplift);
   /// See reduce_slip(). To be called once.
   SlipReduction reduce(const Series& bonded, const std::function<void(double)>& progress);

@@ -31,13 +31,12 @@ Complex evaluate(const Reading& reading, const Eigen::VectorXcd& X, Complex s, c
   return value;
 }
 
-/// Real part of s over the imaginary one: resonances that are narrower than the distance of two frequencies are seen
-/// between them, too.
+/// Real part of s over the imaginary one: so resonances narrower than the distance of two frequencies are also seen.
 constexpr double decay_ratio = 0.25;
 constexpr int n_frequencies = 12;
 
-/// From one half-wave in the whole run to four in the shortest load, in equal ratios: waves that the caisson sends out
-/// long after a short pulse are slow.
+/// From one half-wave in the whole run to four in the shortest load, in equal ratios: long after a short pulse the
+/// caisson still sends out waves, which are slow.
 std::vector<std::complex<double>> frequencies(const Scene& scene) {
   const double low = pi / scene.time.end, high = std::max(4. * pi / step_of_loads(scene, 4).duration, 2. * low);
   std::vector<std::complex<double>> s;
@@ -48,7 +47,7 @@ std::vector<std::complex<double>> frequencies(const Scene& scene) {
   return s;
 }
 
-/// b'X of all loads.
+/// The sum of b'X of all loads.
 std::complex<double> work(const System& system, const Eigen::VectorXcd& X, const Eigen::VectorXcd& F) {
   std::complex<double> sum = 0.;
   for (std::size_t k = 0; k < system.loads.size(); ++k)
@@ -107,7 +106,7 @@ MeshError mesh_error(const Scene& scene, const Space& space, const Unknowns& unk
     const Eigen::VectorXcd X = spectrum.X.col(j), F = spectrum.F.col(j);
     // b'x stands for F x_G; F_T errs by m s^2 times the error of x_G.
     const double done = std::abs(work(system, X, F)), x = std::abs(evaluate(x_G, X, s, F));
-    const double part = s.imag();  // of the integral over frequency: d omega of equal ratios
+    const double part = s.imag();  // weight in the integral over omega, for equal ratios
     weight[j] = done > 0. ? part * compiled.caisson->body.mass * std::norm(s) * x / done : 0.;
     total += part * std::abs(spectrum.shear[static_cast<std::size_t>(j)]);
   }

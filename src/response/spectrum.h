@@ -1,5 +1,5 @@
-// A scene's own response at a few complex frequencies: cheap, and enough to tell two scenes apart, and which cells make
-// F_T wrong.
+// A scene's own response at a few complex frequencies: cheap, and enough to compare two scenes, and to find the cells
+// that make F_T wrong.
 #pragma once
 
 #include <complex>
@@ -17,29 +17,32 @@ struct Spectrum {
   Eigen::MatrixXcd F;                       ///< of the loads, by column
 };
 
-/// At given s, by a small Krylov space: one factorisation and about 20 solves a load. Needs a caisson and inertia.
-/// Throws NumericsError as SecondOrderKrylov does.
+/// At given s, by a small Krylov space: one factorisation and about 20 solves for each load. Needs a caisson and
+/// inertia. Throws NumericsError as SecondOrderKrylov does.
 Spectrum solve_spectrum(const Scene& scene, const CompiledScene& compiled, const std::vector<std::complex<double>>& s);
 
-/// At s_j = (2 + i pi j) / T, whose inverse holds from the start of the loads to `until` (s): T is the duration of the
-/// shortest load, or 1.2 `until` where that is longer; 10 to 80 of them, as far up as the load goes.
+/// At s_j = (2 + i pi j) / T, from which the inverse transform is valid from the start of the loads to `until` (s): T
+/// is the duration of the shortest load, or 1.2 `until` where that is longer; 10 to 80 frequencies, as high as the
+/// load has content.
 Spectrum solve_spectrum(const Scene& scene, const CompiledScene& compiled, double until);
 
-/// F_T(t) (N/m) of a transform at those frequencies: good for the differences of two, at times up to a few durations.
+/// F_T(t) (N/m) from a transform at those frequencies: accurate for the difference of two transforms, at times up to
+/// a few durations.
 double shear_at(const std::vector<std::complex<double>>& s, const std::vector<std::complex<double>>& shear,
                 double time);
 
-/// What cells have of the error of F_T, relative to its size: tells one cell from another, not how large the error is.
+/// Contributions of the cells to the error of F_T, relative to its size: good to compare cells, not to find the size
+/// of the error.
 struct MeshError {
   std::vector<double> of_cell;  ///< by active cell index
-  double sum = 0.;              ///< of the absolute errors of all cells: no cell cancels another
+  double sum = 0.;              ///< sum of absolute errors of all cells
 };
 
-/// Of the scene's own loads, at frequencies from one half-wave in the run to four in the shortest load, each
-/// counting for what it has of F_T. As the equations are symmetric, the work F x_G of a force F is wrong by the square
-/// of the error of x in the energy norm (goal and load are one: Becker and Rannacher 2001, sec. 2), and F_T = P - m
-/// x_G'' with it. Low frequencies see the singular corners of the caisson's bottom, high ones the cells that are too
-/// long for waves. Needs a caisson and inertia. Throws NumericsError as solve_spectrum does.
+/// For the scene's own loads, at frequencies from one half-wave in the run to four in the shortest load, each
+/// weighted with its share in F_T. As the equations are symmetric, the error of the work F x_G of a force F is the
+/// square of the error of x in the energy norm (goal and load are one: Becker and Rannacher 2001, sec. 2), and F_T =
+/// P - m x_G'' errs with it. Low frequencies show the singular corners of the caisson's bottom, high ones the cells
+/// that are too long for the waves. Needs a caisson and inertia. Throws NumericsError as solve_spectrum does.
 MeshError mesh_error(const Scene& scene, const Space& space, const Unknowns& unknowns, const CompiledScene& compiled);
 
 }  // namespace upbead

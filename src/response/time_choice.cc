@@ -22,7 +22,8 @@ struct LoadDuration {
   }
 };
 
-/// The shortest duration of a scene where a load jumps: a jump itself has none; infinity where it is alone.
+/// The shortest duration of the loads of a scene in which a load jumps; a jump itself has no duration, so infinity
+/// where there is only a jump.
 LoadDuration duration_beside_jumps(const Scene& scene) {
   LoadDuration shortest;
   std::vector<std::pair<double, std::string>> kinks;
@@ -63,12 +64,12 @@ std::optional<StepGrowth> growth(const Scene& scene, double step) {
   return growth;
 }
 
-/// Fractions measured for a tolerance of 0.5 %: docs/performance.md.
+/// Fraction of the duration for a step, measured for a tolerance of 0.5 %: docs/performance.md.
 double fraction(const Scene& scene, int order) {
   return (order >= 4 ? 1. / 8. : 1. / 64.) * std::pow(scene.tolerance / 0.005, 1. / order);
 }
 
-/// Height above the centre of gravity at which the largest horizontal load pushes the caisson (m); 0 without one.
+/// Height above the centre of gravity at which the largest horizontal load acts on the caisson (m); 0 without one.
 double arm_about_centre(const CompiledScene& compiled, double end) {
   const Caisson& caisson = *compiled.caisson;
   double largest = 0., arm = 0.;
@@ -92,8 +93,8 @@ class PeriodFinder {
     b_ = x_G_ + arm_about_centre(compiled, end) * row(reading::rotation);
   }
 
-  /// 0 where the caisson does not move with the force. A light caisson on soft ground, or one that the force turns more
-  /// than it pushes, may only show a positive stiffness at a lower s.
+  /// The apparent period; 0 where the caisson does not move with the force. A light caisson on soft ground, or one
+  /// that the force turns more than it pushes, may only show a positive stiffness at a lower s.
   double period(double s) {
     for (int halved = 0; halved <= 4; ++halved, s /= 2.) {
       const Vector solution = solve(s);
@@ -107,7 +108,7 @@ class PeriodFinder {
   int n_factorisations() const { return n_factorisations_; }
 
  private:
-  /// By virtue of work, the row of a displacement is the unit force that goes with it.
+  /// By virtual work, the row of a displacement is the unit force that acts along it.
   Vector row(const char* name) const {
     Vector values = Vector::Zero(system_.n_free());
     for (const auto& [i, weight] : system_.readings[system_.reading(name)].position)
@@ -115,7 +116,7 @@ class PeriodFinder {
     return values;
   }
 
-  /// Of the water: its force at x' = s x over -x'' = -s^2 x.
+  /// Added mass of the water: its force at x' = s x over -x'' = -s^2 x.
   double added_mass(const Vector& solution, double s, double x) const {
     double force = 0.;
     for (const auto& [i, weight] : system_.readings[system_.reading(reading::water_force)].velocity)
@@ -123,7 +124,7 @@ class PeriodFinder {
     return -over_all(force) / (s * s * x);
   }
 
-  /// Of a divided system, the sum of what each process has of a reading.
+  /// In a divided system, the sum of a reading over the processes.
   double over_all(double value) const {
     if (system_.is_divided()) system_.sharing.processes->sum(&value, 1);
     return value;
@@ -178,7 +179,7 @@ StepChoice choose_step(const Scene& scene, const CompiledScene& compiled, int or
   if (compiled.caisson && scene.time.inertia) {
     PeriodFinder finder(compiled, scene.time.end);
     double period = finder.period(pi / loads.duration);
-    // The 20th of the end is only where to start from: the period must not depend on how long the run is.
+    // The 20th of the end is only a start: the period must not depend on how long the run is.
     for (int i = 0; i < 2 && loads.lone_jump && period > 0.; ++i) period = finder.period(pi / period);
     choice.apparent_period = period;
     choice.factorisations = finder.n_factorisations();
@@ -194,15 +195,16 @@ namespace {
 
 constexpr double usual_vectors_per_load = 46., solves_per_step = 5.;
 constexpr std::size_t most_independent = 3;  ///< forces on a rigid caisson: two and a moment
-/// Part of a march's work that may be lost on a reduced model that does not converge.
+/// Work that may be lost on a reduced model that does not converge, as a multiple of a march's work.
 constexpr double risk = 1.;
 
 std::string about(double n) {
   return "about " + std::to_string(10 * std::lround(n / 10.));
 }
 
-/// Work of a reduced model with so many vectors, in solves of a march: each vector is solved for, made orthogonal and
-/// projected; the eigenvalues of all looks together take as long as 4 V^3 / n solves with n unknowns. Measured.
+/// Work of a reduced model with this number of vectors V, in solves of a march: each vector is solved for, made
+/// orthogonal and projected; the eigenvalues of all looks together take as long as 4 V^3 / n solves with n unknowns.
+/// Measured.
 double work(double vectors, int unknowns) {
   return 1.5 * vectors + 4. * vectors * vectors * vectors / unknowns;
 }

@@ -1,4 +1,4 @@
-// How a scene is solved in time where the case leaves it to us: the scheme, and the step.
+// How a scene is solved in time where the case does not say so: the scheme, and the step.
 #pragma once
 
 #include <optional>
@@ -11,20 +11,20 @@ namespace upbead {
 
 struct SchemeChoice {
   TimeScheme scheme = TimeScheme::sdirk4;  ///< never automatic
-  std::string reason;                      ///< for people, with the numbers
-  std::optional<int> most_vectors;         ///< per load: a reduced model that has not converged by then gives up
+  std::string reason;                      ///< for the user, with the numbers
+  std::optional<int> most_vectors;         ///< per load: a reduced model that has not converged with so many gives up
 };
 
-/// A reduced model where it takes less work than marching and gives all that the case asks for; a stated scheme is
-/// always kept.
+/// A reduced model where it takes less work than marching and gives all that the case asks for; a scheme that the
+/// case states is always kept.
 SchemeChoice choose_scheme(const Scene& scene, const CompiledScene& compiled);
 
-/// What the loads alone say about the step.
+/// The step as far as it depends on the loads alone.
 struct LoadStep {
   double largest_step = 0.;          ///< s
   double duration = 0.;              ///< the shortest of the loads (s)
-  std::string load;                  ///< whose duration that is; "" where it is the span of the run
-  bool lone_jump = false;            ///< there is but a jump, which has no duration: a 20th of the end stands for it
+  std::string load;                  ///< the load with that duration; "" where it is the span of the run
+  bool lone_jump = false;            ///< there is only a jump, which has no duration: a 20th of the end replaces it
   std::optional<StepGrowth> growth;  ///< in consolidation, once the loads keep their values: up to a 50th of the end
 };
 
@@ -36,17 +36,17 @@ LoadStep step_of_loads(const Scene& scene, int order);
 struct StepChoice {
   double largest_step = 0.;          ///< s
   double apparent_period = 0.;       ///< of the caisson on its ground (s); 0 where there is none
-  std::optional<StepGrowth> growth;  ///< as of LoadStep
-  std::string reason;                ///< for people, with the numbers
-  int factorisations = 0;            ///< that the choice itself took
-  double seconds = 0.;               ///< wall time of it
+  std::optional<StepGrowth> growth;  ///< as in LoadStep
+  std::string reason;                ///< for the user, with the numbers
+  int factorisations = 0;            ///< for the choice itself
+  double seconds = 0.;               ///< wall time of the choice
 };
 
-/// That fraction of the shorter of the loads' duration and the caisson's apparent period; of the period alone where
-/// there is but a lone jump. The apparent period is that of the caisson's mass m, with the added mass of modelled
-/// water, on the stiffness k = F / x_G - m s^2 which one solve of (s^2 M + s C + K) x = b gives at the real s = pi /
-/// duration: so it depends on s. b is a horizontal unit force F at the height of the largest horizontal load on the
-/// caisson, else through its centre of gravity G.
+/// The same fraction, of the shorter of the loads' duration and the caisson's apparent period; of the period alone
+/// where there is only a lone jump. The apparent period is that of the caisson's mass m, with the added mass of
+/// modelled water, on the stiffness k = F / x_G - m s^2, which one solve of (s^2 M + s C + K) x = b gives at the real
+/// s = pi / duration: so it depends on s. b is a horizontal unit force F at the height of the largest horizontal load
+/// on the caisson, else through its centre of gravity G.
 StepChoice choose_step(const Scene& scene, const CompiledScene& compiled, int order);
 
 }  // namespace upbead

@@ -31,7 +31,7 @@ DesignSliding design_sliding(const SlidingSummary& s, const std::optional<Contac
 
 namespace {
 
-/// What must not exceed a capacity.
+/// Completes a check whose demand must not exceed a capacity.
 Check at_most(Check check, const std::optional<double>& capacity) {
   check.capacity = capacity;
   if (!capacity) return check;
@@ -40,7 +40,7 @@ Check at_most(Check check, const std::optional<double>& capacity) {
   return check;
 }
 
-/// What must not fall below one.
+/// Completes a check whose value must not fall below one.
 Check at_least_as(Check check, const std::optional<double>& capacity) {
   check.capacity = capacity;
   if (!capacity) return check;
@@ -68,9 +68,9 @@ std::string about_uplift(const Scene& scene) {
   return uplift.course == UpliftCourse::held ? "uplift held at its peak" : "uplift in phase with P";
 }
 
-/// How far the caisson stands from where it stood, where soil yields: its slip over the mound is part of what it moved
-/// where friction was followed node by node, else it comes on top of how far the ground carried it bonded. Of
-/// hysteretic soil the start that carries it farthest is told.
+/// How far the caisson has moved in the end, where soil yields. Where friction was followed node by node, the
+/// displacement contains the slip over the mound; else the sliding distance is added to the displacement with the
+/// ground, bonded. For hysteretic soil the text gives the start with the largest displacement.
 Check displacement_check(const Summary& summary, const std::optional<double>& limit) {
   const bool slipped = summary.contact && summary.contact->solved;
   const double carried = std::abs(summary.residual->displacement_x);

@@ -20,7 +20,7 @@ std::vector<double> times_to_look_at(const Scene& scene) {
 }
 
 double time_tolerance(const Scene& scene) {
-  return 1e-8 * scene.time.end;  // steps that are closer than a tenth of this are one
+  return 1e-8 * scene.time.end;  // steps closer than a tenth of this count as one
 }
 
 std::vector<double> equal_times(const Scene& scene) {

@@ -1,4 +1,4 @@
-// Times at which a case wants to be told readings: those that it lists, and equal ones.
+// Times at which a case asks for readings: those that it lists, and equally spaced ones.
 #pragma once
 
 #include <vector>
@@ -11,16 +11,17 @@ namespace upbead {
 /// Times (s) at which fields are written, other than t = 0.
 std::vector<double> times_of_fields(const Scene& scene);
 
-/// Times that steps meet, besides the kinks of the loads: of fields, and those that [output] lists.
+/// Times at which steps must end, besides the kinks of the loads: those of fields, and those that [output] lists.
 std::vector<double> times_to_look_at(const Scene& scene);
 
-/// From 0 to the end every [output] every; empty without.
+/// From 0 to the end at intervals of [output] every; empty without it.
 std::vector<double> equal_times(const Scene& scene);
 
-/// How far a time of a series may lie from one that was asked for (s).
+/// How far a time of a series may be from the time that was asked for (s).
 double time_tolerance(const Scene& scene);
 
-/// Fills in Run::at_times, and Run::dense where nothing more accurate than straight lines has: of schemes of order 2.
+/// Fills in Run::at_times, and Run::dense where only straight lines are possible (schemes of order 2) and it is not
+/// there.
 void read_at_chosen_times(Run& run);
 
 }  // namespace upbead

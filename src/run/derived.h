@@ -1,4 +1,4 @@
-// Simulations made of others.
+// Simulations made from other simulations.
 #pragma once
 
 #include "fem/compile.h"
@@ -6,23 +6,23 @@
 
 namespace upbead {
 
-/// Checks the scene on the mesh as it is, and decides what it leaves open; nothing is assembled. Throws InputError at
-/// keys of the scene.
+/// Checks the scene on the given mesh, and decides what the scene leaves open; nothing is assembled. Throws
+/// InputError at keys of the scene.
 Simulation resolved_on(const Scene& given, std::shared_ptr<const Mesh> mesh,
                        std::shared_ptr<const Processes> processes = nullptr);
 
-/// Checks the scene on the mesh as it is, and assembles it, for `processes` undivided: see compile(). Throws InputError
+/// Checks the scene on the given mesh, and assembles it, for `processes` undivided: see compile(). Throws InputError
 /// at keys of the scene.
 Simulation on_mesh(const Scene& given, std::shared_ptr<const Mesh> mesh,
                    std::shared_ptr<const Processes> processes = nullptr);
 
-/// Assembled anew, with what it says of soil, interface and processes; undivided.
+/// Assembled anew, with its own soil, interface and processes; undivided.
 Simulation assembled(Simulation simulation);
 
 /// The same with other soil on the same cells.
 Simulation with_soil(const Simulation& simulation, const SoilState& soil);
 
-/// The same matrices with another scene as it is asked for: its times, scheme or sliding.
+/// The same matrices with another scene, which may differ in times, scheme or sliding.
 Simulation with_given(const Simulation& simulation, const Scene& given);
 
 /// The same with another system of equations.

@@ -18,7 +18,7 @@ namespace {
 constexpr int most_iterations = 15;
 constexpr double converged = 0.01;
 
-/// The soil of every cell, and what strain makes of it.
+/// The soil of every cell, and its properties by strain.
 class Soil {
  public:
   explicit Soil(const Simulation& simulation) : scene_(simulation) {
@@ -33,7 +33,8 @@ class Soil {
 
   const std::vector<bool>& follows() const { return follows_; }
 
-  /// Stiffness and damping for largest shear strains, by active cell index; of those that do not follow as they are.
+  /// Stiffness and damping for largest shear strains, by active cell index; cells that do not follow the strain keep
+  /// theirs.
   SoilState at(const std::vector<double>& strain) const {
     SoilState state = scene_.soil_state;
     state.shear_modulus.resize(strain.size(), 0.);
@@ -65,14 +66,15 @@ class Soil {
   std::vector<double> largest_;  ///< G_max (Pa)
 };
 
-/// What one linear solution says.
+/// Results of one linear solution.
 struct LinearAnswer {
   std::vector<double> strain;  ///< largest shear strain of each cell
-  double measure = 0.;         ///< that converges: the largest |F_T| (N/m), or strain
+  double measure = 0.;         ///< whose convergence is required: the largest |F_T| (N/m), or strain
   double step = 0.;            ///< of the march (s); 0 of a reduced model
 };
 
-/// The same in steps of the first march: softer soil answers more slowly, and to find how slowly takes factorisations.
+/// The simulation with the steps of the first march: softer soil would allow longer steps, but finding them takes
+/// factorisations.
 Simulation in_first_steps(const LinearAnswer& first, const Simulation& simulation) {
   if (first.step == 0. || !simulation.given.time.inertia) return simulation;  // in quasi-statics its steps grow
   Scene scene = simulation.given;
@@ -116,7 +118,7 @@ LinearAnswer marched_answer(const Simulation& simulation, const std::vector<bool
   options.observers = {&strains, &reported};
   const TimeScheme asked = simulation.given.time.scheme;
   SchemeOptions scheme_options;
-  scheme_options.account_energy = false;  // of answers that nobody sees
+  scheme_options.account_energy = false;  // nobody sees these results
   if (asked == TimeScheme::generalised_alpha) scheme_options.kind = SchemeKind::generalised_alpha;
   const auto scheme = make_scheme(simulation.compiled->system, scheme_options);
   const Run run = march_by(*scheme, simulation, "equivalent-linear soil is marched", options, 1.);

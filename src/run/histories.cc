@@ -12,7 +12,7 @@ namespace upbead {
 
 namespace {
 
-/// What was read along the bottom, by time and node.
+/// Readings along the bottom, by time and node.
 std::vector<Dataset> base_tables(const Simulation& simulation, const Series& series) {
   if (!simulation.compiled->caisson || !simulation.scene.base_stress) return {};
   std::vector<double> x, length;
@@ -41,7 +41,7 @@ std::vector<Dataset> base_tables(const Simulation& simulation, const Series& ser
   return list;
 }
 
-/// Length of the bottom that has parted from the ground, by time.
+/// Length of the bottom that is open, by time.
 std::vector<double> opened_width(const ContactHistory& contact) {
   const std::size_t n = contact.length.size();
   std::vector<double> width(contact.time.size(), 0.);
@@ -51,7 +51,7 @@ std::vector<double> opened_width(const ContactHistory& contact) {
   return width;
 }
 
-/// What the nodes of the caisson's bottom did, at the times of /history/time.
+/// Slip, opening and forces at the nodes of the caisson's bottom, at the times of /history/time.
 std::vector<Dataset> node_tables(const std::optional<ContactHistory>& contact) {
   if (!contact) return {};
   const std::size_t n = contact->position.size();
@@ -66,7 +66,7 @@ std::vector<Dataset> node_tables(const std::optional<ContactHistory>& contact) {
           {"interface/normal_force", "N/m", "effective normal force," + nodes, contact->normal_force, n}};
 }
 
-/// The caisson that slips as a whole, at times of its own.
+/// Histories of the caisson that slips as a whole, at their own times.
 std::vector<Dataset> coupled_tables(const std::optional<CoupledHistoryTable>& coupled) {
   if (!coupled) return {};
   return {{"coupled/time", "s", "time", coupled->time},

@@ -20,8 +20,8 @@ namespace upbead {
 
 namespace {
 
-/// A rigid bottom on elastic ground has more stress at its edges than a straight line tells: it opens at 1.26 times the
-/// moment by which that pulls, docs/slip.md.
+/// A rigid bottom on elastic ground has more stress at its edges than a linear distribution: it opens at 1.26 times
+/// the moment at which the linear stress of an edge becomes tension, docs/slip.md.
 constexpr double edge_factor = 1.26;
 
 /// The least stress of an edge.
@@ -40,10 +40,11 @@ EdgeStress least_edge_stress(const EffectiveBase& base, const std::vector<double
   return least;
 }
 
-/// would_lift: an edge of a bonded caisson pulls, its effective stress N'/B - 6 |M'|/(1.26 B^2). N' = W' + change of
-/// the normal force - U, M' = W' e + base moment + moment of U, U the modelled pore pressure's and e how far W' acts
-/// landward of the bottom's middle. W' is that of [sliding], less a prescribed uplift, or the mass less the water that
-/// the caisson displaces below still water; without either there is no warning.
+/// Warning would_lift: an edge of a bonded caisson is in tension, by its effective stress N'/B - 6 |M'|/(1.26 B^2).
+/// N' = W' + change of the normal force - U, M' = W' e + base moment + moment of U, where U is that of the modelled
+/// pore pressure and e is how far W' acts landward of the bottom's middle. W' is that of [sliding] minus a prescribed
+/// uplift, or the mass minus the water that the caisson displaces below still water; without either there is no
+/// warning.
 NumberedWarnings lift_warnings(const std::optional<EffectiveBase>& base, const Run& run) {
   if (run.summary.contact || !base) return {};
   const EdgeStress least = least_edge_stress(*base, run.response.ends.time);
@@ -59,7 +60,7 @@ NumberedWarnings lift_warnings(const std::optional<EffectiveBase>& base, const R
            "\"friction\""}};
 }
 
-/// base_pressure: an edge presses harder than the case allows.
+/// Warning base_pressure: an edge has a larger pressure than the case allows.
 NumberedWarnings pressure_warnings(const std::optional<BaseSummary>& base) {
   if (!base || !base->limit || !base->peak_heel_pressure || !base->peak_toe_pressure) return {};
   const bool heel = *base->peak_heel_pressure >= *base->peak_toe_pressure;
@@ -71,7 +72,7 @@ NumberedWarnings pressure_warnings(const std::optional<BaseSummary>& base) {
                " s, more than limits.base_pressure: widen the caisson, or spread its weight seaward"}};
 }
 
-/// no_coupled_slip: the coupled S would not be right.
+/// Warning no_coupled_slip: the coupled S would not be right.
 NumberedWarnings slip_warnings(const SlidingSummary& sliding) {
   if (!sliding.coupled_failed) return {};
   return {{"no_coupled_slip", sliding.history.ratio, 1., "1",
@@ -80,7 +81,7 @@ NumberedWarnings slip_warnings(const SlidingSummary& sliding) {
                sliding.why_not_coupled + "; sliding_history, and contact node by node (kind = \"friction\"), give S"}};
 }
 
-/// Why there was nothing to compute, where that is so.
+/// The slips that did not need to be computed, and why.
 std::vector<Skipped> skipped(const SlidingSummary& sliding) {
   const std::string what = "slip of the caisson with its ground";
   if (!sliding.why_not_coupled.empty()) return {{what, sliding.why_not_coupled}};
@@ -113,7 +114,7 @@ NumberedWarnings loose_warnings(const Summary& summary) {
   return list;
 }
 
-/// Of the area, that must come to yield besides what does at rest.
+/// Share of the area that must yield in addition to what yields at rest.
 constexpr double least_yielding = 0.005;
 
 std::string place_text(const dealii::Point<dim>& at) {

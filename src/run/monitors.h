@@ -1,4 +1,4 @@
-// What a run tells besides its numbers: warnings, and what was skipped.
+// Output of a run besides its numbers: warnings, and what was skipped.
 #pragma once
 
 #include <optional>
@@ -9,13 +9,13 @@
 
 namespace upbead {
 
-/// Follows what could be wrong with a run while it is solved.
+/// Watches a run while it is solved, for all that could be wrong.
 class Monitors {
  public:
-  /// The scene as it will be solved, which must outlive it.
+  /// For the simulation that will be solved; it must outlive this object.
   explicit Monitors(const Simulation& simulation);
 
-  /// Of a march, which they must outlive.
+  /// The observers of a march; this object must outlive the march.
   std::vector<MarchObserver*> observers();
 
   /// Fills in title, loads, soil, strength, warnings and what was skipped.

@@ -1,4 +1,4 @@
-// By which factor the soils' strength may fall at rest.
+// The factor by which the strength of the soils may fall at rest.
 #pragma once
 
 #include <optional>
@@ -7,7 +7,7 @@
 
 namespace upbead {
 
-/// Where the scene asks for it (initial.safety).
+/// Only where the scene asks for it (initial.safety).
 std::optional<SafetySummary> find_safety(const Simulation& simulation);
 
 }  // namespace upbead

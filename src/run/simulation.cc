@@ -81,7 +81,7 @@ Simulation bonded(const Simulation& simulation) {
 
 namespace {
 
-/// On the mesh that all processes have found alike, each for itself.
+/// Every process adapts the mesh for itself, and all find the same one.
 Simulation adapted_among(const Scene& given, std::shared_ptr<const Mesh> mesh,
                          std::shared_ptr<const Processes> processes) {
   Simulation simulation = adapted(given, std::move(mesh));
@@ -114,7 +114,7 @@ Simulation::Simulation(Scene asked, std::shared_ptr<const Mesh> on, std::shared_
 }
 
 Run Simulation::run(const RunOptions& options) const {
-  // soil is marched some ten times before the run that counts; contact after a bonded run that takes a tenth as long
+  // about ten marches of the soil come before the run that counts, and before contact a bonded run a tenth as long
   const double soil_ends = follows_strain(given) && !soil ? 0.8 : 0.;
   const Simulation solved = with_converged_soil(*this, part_of(options.progress, 0., soil_ends));
   const double bonded_ends = solved.compiled->system.interface ? soil_ends + 0.1 * (1. - soil_ends) : soil_ends;

@@ -25,7 +25,7 @@ namespace upbead {
 
 namespace {
 
-/// Both routes to F_T of soil that yields may differ by what its solves leave, over the largest force that they see.
+/// By how much both routes to F_T of yielding soil may differ, over the largest force: that is what its solves leave.
 double tolerable_of_yielding(const Scene& scene) {
   return 1e-7 + 100. * yielding_tolerance * scene.tolerance;
 }
@@ -38,19 +38,19 @@ std::size_t n_kinks(const Scene& scene) {
   return n;
 }
 
-/// Steps with contact over those of other schemes of order 2: its stages are a quarter of a step. A 32nd of the
-/// duration makes S and peak F_T wrong by less than 0.5 %: docs/slip.md.
+/// Steps with contact, as a multiple of those of other schemes of order 2: its stages are a quarter of a step. A 32nd
+/// of the duration makes S and peak F_T wrong by less than 0.5 %: docs/slip.md.
 constexpr double contact_step = 2.;
-/// So many of these at once while no node moves, by order 4: an 8th of the duration, what that takes where nothing can;
-/// both at a tolerance of 0.5 %. Where that is larger, order 4 lets steps grow less.
+/// Number of these steps that are taken as one by order 4 while no node moves: an 8th of the duration, the step of
+/// order 4 without contact; both at a tolerance of 0.5 %. For a larger tolerance, steps of order 4 grow less.
 int contact_leap(double tolerance) {
   return static_cast<int>(4. * std::min(1., std::pow(tolerance / 0.005, 1. / 4. - 1. / 2.)));
 }
 
-/// Per independent load, where nothing but a reduced model is wanted: twice as many as where a march would do as well.
+/// Per independent load, where the case asks for a reduced model: twice as many as where a march would do as well.
 constexpr int most_vectors_by_name = 200;
 
-/// Kinks of the loads, and the times at which fields are written and readings told.
+/// Kinks of the loads, and the times of fields and of readings that the case lists.
 std::vector<double> times_to_meet(const Scene& scene, const System& system) {
   std::vector<double> times = kinks(system), others = times_to_look_at(scene);
   times.insert(times.end(), others.begin(), others.end());
@@ -79,7 +79,7 @@ Discretisation discretisation(const Simulation& simulation, const std::string& s
   return d;
 }
 
-/// What is read of a response, however it was found.
+/// Fills in all readings of a response, by whatever way it was found.
 void summarise(const Simulation& simulation, const std::string& scheme, Run& run) {
   run.summary.discretisation = discretisation(simulation, scheme, run.response);
   if (simulation.compiled->caisson)
@@ -87,8 +87,8 @@ void summarise(const Simulation& simulation, const std::string& scheme, Run& run
   if (!run.response.energy.empty()) run.summary.energy = run.response.energy.back();
 }
 
-/// Refined solutions cost twice as much, and a quarter of the step four times: with it sdirk4 loses 256 times of its
-/// error. More than 32 times the work nobody has asked for.
+/// Refined solutions cost twice as much, a quarter of the step costs four times: with it the error of sdirk4 falls by
+/// a factor of 256. More than 32 times the work is never done.
 constexpr Care cares[] = {{false, 1.}, {true, 1.}, {true, 0.25}, {true, 0.0625}};
 
 std::string reasons(const Ladder& ladder) {
@@ -98,7 +98,7 @@ std::string reasons(const Ladder& ladder) {
   return text;
 }
 
-/// The best answer so far of those that do not balance.
+/// The best result so far of those that do not balance.
 struct Closest {
   std::optional<Run> run;
   std::string way;
@@ -112,7 +112,7 @@ struct Closest {
   }
 };
 
-/// Which of these times each observer wants to see a state at; no index twice.
+/// Indices of the times at which some observer wants to see a state; none twice.
 std::vector<Eigen::Index> wanted(const std::vector<double>& time, const std::vector<MarchObserver*>& observers) {
   std::vector<Eigen::Index> list;
   for (std::size_t i = 0; i < time.size(); ++i)
@@ -134,7 +134,7 @@ void show(const StateModel& states, const SampledLoads& loads, const std::vector
   });
 }
 
-/// reduce_scene(), after which the mesh is nobody else's.
+/// reduce_scene(), once no other thread reads the mesh.
 Reduction reduce_beside(const SlipAhead& ahead, const Scene& scene, const CompiledScene& compiled,
                         const ReductionTargets& targets, const std::function<void(double)>& progress) {
   struct AtEnd {
@@ -144,8 +144,9 @@ Reduction reduce_beside(const SlipAhead& ahead, const Scene& scene, const Compil
   return reduce_scene(scene, compiled, targets, progress);
 }
 
-/// Reduces the scene and answers its own loads. A case that asks for a reduced model gets one whose F_T meets the
-/// tolerance; readings that do not are listed in its summary. Throws NumericsError where it does not converge.
+/// Reduces the scene and computes its response to its own loads. A case that asks for a reduced model gets one whose
+/// F_T meets the tolerance; its summary lists readings that do not meet theirs. Throws NumericsError where it does
+/// not converge.
 Run run_reduced(const Simulation& simulation, const SchemeChoice& choice, const SlipAhead& ahead,
                 const std::vector<MarchObserver*>& observers, const std::function<void(double)>& progress) {
   const Stopwatch watch;
@@ -157,7 +158,7 @@ Run run_reduced(const Simulation& simulation, const SchemeChoice& choice, const 
   const bool by_name = simulation.given.time.scheme == TimeScheme::reduced;
   const std::optional<int> most_vectors = by_name ? most_vectors_by_name : choice.most_vectors;
   const double reducing_ends = is_shown ? 0.3 : 1.;  // 100 files take longer than the model
-  // a mesh for the tolerance leaves F_T alone a part of it
+  // with a mesh made for the tolerance F_T has only a part of it, but other readings do not
   const ReductionTargets targets{false, false, most_vectors, true, states, true, simulation.given.tolerance};
   Reduction reduction =
       reduce_beside(ahead, scene, *simulation.compiled, targets, part_of(progress, 0., reducing_ends));
@@ -193,14 +194,14 @@ std::vector<Way> marching_ways(const Simulation& simulation, const SchemeChoice&
     try {
       return run_march(simulation, choice, options, care);
     } catch (const InputError& error) {
-      if (care.part == 1.) throw;  // steps that are too many are no mistake of a case that has not asked for them
+      if (care.part == 1.) throw;  // the user did not ask for so many steps, so they are no mistake of the case
       throw NumericsError(error.diagnostics().list().front().what);
     }
   };
   return ways_with_care(simulation.given, word_of(choice.scheme, time_scheme_words), solve);
 }
 
-/// The ways that a case allows: where it leaves the scheme to us a reduced model, if that is less work, then sdirk4
+/// The ways that a case allows. Where it leaves the scheme open: a reduced model, if that is less work, then sdirk4
 /// with more and more care; else the scheme that it names.
 std::vector<Way> ways(const Simulation& simulation, const SchemeChoice& choice, const SlipAhead& ahead,
                       const std::function<void(double)>& reducing) {
@@ -214,7 +215,7 @@ std::vector<Way> ways(const Simulation& simulation, const SchemeChoice& choice, 
   return list;
 }
 
-/// What a person is told whose scheme has been refused: whether "auto" would answer, and how. Tries it.
+/// Text for a user whose scheme has been refused: whether "auto" would give a result, and how. Tries it.
 std::string what_would_work(const Simulation& simulation, const std::function<void(double)>& reducing) {
   const TimeScheme refused = simulation.given.time.scheme;
   if (refused == TimeScheme::automatic) return "";
@@ -225,7 +226,7 @@ std::string what_would_work(const Simulation& simulation, const std::function<vo
   MarchOptions silent;
   silent.observers = {&progress};
   std::vector<Way> list = marching_ways(other, {TimeScheme::sdirk4, "another scheme was refused", {}});
-  if (refused == TimeScheme::sdirk4) list.erase(list.begin(), list.begin() + 2);  // in its usual steps
+  if (refused == TimeScheme::sdirk4) list.erase(list.begin(), list.begin() + 2);  // in its usual steps it was refused
   try {
     const Run run = climb(other, list, silent);
     return "; time.scheme = \"auto\" answers this scene, by " + run.summary.ladder.back().way;

@@ -1,4 +1,4 @@
-// What of a scene may yield, and what is linear and why.
+// Which parts of a scene may yield, and which stay linear and why.
 #pragma once
 
 #include <vector>

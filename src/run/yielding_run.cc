@@ -45,7 +45,7 @@ ResidualSummary residual(const Simulation& simulation, const Response& response)
           pore_pressure_left(*simulation.space, *simulation.unknowns, response.final_state)};
 }
 
-/// Of the area of soil that yields, the cells in which it lost energy.
+/// Share of the area of soil that may yield in which cells lost energy.
 double share_yielded(const Space& space, const YieldingSoil& soil) {
   double yielded = 0., all = 0.;
   for (const auto& cell : space.mesh().triangulation.active_cell_iterators()) {
@@ -57,7 +57,7 @@ double share_yielded(const Space& space, const YieldingSoil& soil) {
   return all > 0. ? yielded / all : 0.;
 }
 
-/// A system whose interface is glued lacks its unknowns.
+/// The work of soil; a system whose interface is bonded lacks the interface's unknowns.
 SoilWork work_of(const Simulation& simulation) {
   SoilWork work;
   work.n_unknowns = simulation.compiled->system.size();
@@ -65,7 +65,7 @@ SoilWork work_of(const Simulation& simulation) {
   return work;
 }
 
-/// Before the waves.
+/// The state before the waves.
 struct Rest {
   StaticStage elastic;
   std::optional<RestState> failing;  ///< of Mohr-Coulomb soil, where one was found

@@ -89,7 +89,8 @@ std::vector<MobilisedRegion> YieldingWatch::regions() const {
   return list;
 }
 
-/// Of the largest shear strains of the cells that share a face with it and may yield; 0 where there is none.
+/// Mean of the largest shear strains of the cells that share a face with this one and may yield; 0 where there are
+/// none.
 double YieldingWatch::mean_beside(const Soil& soil) const {
   double sum = 0.;
   int n = 0;

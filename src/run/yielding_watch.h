@@ -1,4 +1,4 @@
-// What is told of soil that yields beside forces: strength that it mobilises, its largest strain, pore pressure left.
+// Results for yielding soil besides forces: mobilised strength, largest strain, residual pore pressure.
 #pragma once
 
 #include <vector>
@@ -9,17 +9,17 @@
 
 namespace upbead {
 
-/// Follows all cells that may yield while they are marched.
+/// Follows all cells that may yield during the march.
 class YieldingWatch : public MarchObserver {
  public:
-  /// All must outlive it.
+  /// All arguments must outlive the object.
   YieldingWatch(const Space& space, const Unknowns& unknowns, YieldingSoil& soil);
   void see(const State& state, int step, int n_steps) override;
   bool wants(double) const override { return false; }
   std::vector<double> memory() const override;
   void recall(const std::vector<double>& memory) override;
 
-  /// By region; of a cell the mean of its points counts, and as all of the strength what lies within 1e-6 of it.
+  /// By region; a cell counts with the mean of its points, and as fully mobilised within 1e-6 of its strength.
   std::vector<MobilisedRegion> regions() const;
   PeakStrain peak_strain() const;
 

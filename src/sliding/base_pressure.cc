@@ -15,8 +15,8 @@ EdgePressures edge_pressures(double force, double moment, double width) {
 
 namespace {
 
-/// About the edge landward (side 1) or seaward (-1) of the middle: moments of W' less U over those of the wave; none
-/// where the wave does not turn the caisson that way. Goda's (W' t - M_U)/M_P where nothing moves.
+/// Margin against overturning about the landward (side 1) or seaward (-1) edge: moment of W' minus U over the moment
+/// of the wave; none where the wave does not turn the caisson that way. Without motion it is Goda's (W' t - M_U)/M_P.
 std::optional<double> overturning_margin(const EffectiveBase& base, std::size_t i, double side) {
   const double arm = 0.5 * base.width;
   const double holds = (base.weight - base.uplift[i]) * arm - side * (base.weight_moment + base.uplift_moment[i]);

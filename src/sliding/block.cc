@@ -47,8 +47,8 @@ class SlipMotion {
     if (start() > 0.) return std::min(turn(), end);
     return raw_speed(end) > speed_ ? end : 0.;
   }
-  /// The least t > 0 with v = 0; infinity where there is none on (0, end].
-  /// With drag v' is monotonic, so that v has one extremum at most and what brackets the first root is known.
+  /// The least t > 0 with v = 0; infinity where there is none on (0, end]. With drag v' is monotonic, so that v has
+  /// at most one extremum, and the bracket of the first root is known.
   double stop(double end) const {
     if (lambda_ == 0.) return stop_of_parabola();
     const double extremum = std::min(turn(), end);
@@ -66,7 +66,7 @@ class SlipMotion {
     return speed_ * std::exp(z) + t * (a_ * phi(1, z) + t * jerk_ * phi(2, z));
   }
   double start() const { return a_ - lambda_ * speed_; }  ///< v'(0)
-  /// Where v' = 0, beyond 0; infinity where it is nowhere.
+  /// The time t > 0 at which v' = 0; infinity where there is none.
   double turn() const {
     const double b = start();
     if (jerk_ == 0. || b / jerk_ >= 0.) return infinity;
@@ -74,7 +74,7 @@ class SlipMotion {
   }
   /// Roots without cancellation, after Press et al., Numerical Recipes, section 5.6.
   double stop_of_parabola() const {
-    if (speed_ == 0.) return jerk_ < 0. ? -2. * a_ / jerk_ : infinity;  // it has just started: a >= 0
+    if (speed_ == 0.) return jerk_ < 0. ? -2. * a_ / jerk_ : infinity;  // the block has just started: a >= 0
     const double discriminant = a_ * a_ - 2. * jerk_ * speed_;
     if (discriminant < 0.) return infinity;
     const double q = -(a_ + std::copysign(std::sqrt(discriminant), a_));
@@ -86,12 +86,12 @@ class SlipMotion {
   double speed_, a_, jerk_, lambda_;
 };
 
-/// sF - R: what pushes the block in direction s beyond what friction takes.
+/// sF - R: the force in direction s that exceeds the resistance.
 Line net_force(const LinearPiece& piece, int s) {
   return {s * piece.first.begin - piece.second.begin, s * piece.first.end - piece.second.end};
 }
 
-/// Seconds until a resting block starts, where `net` pushes it; the whole length where it does not.
+/// Time until a resting block starts under `net` (s); the whole length where it does not start.
 double time_to_start(const Line& net, double length) {
   if (net.begin > 0.) return 0.;
   if (net.end <= 0.) return length;
@@ -102,7 +102,7 @@ class Block {
  public:
   Block(double mass, double drag) : mass_(mass), drag_(drag) {}
 
-  /// Goes through a piece.
+  /// Moves the block through a piece.
   void pass(LinearPiece piece) {
     int stopped = 0;  // direction of the slip that has just ended
     if (direction_ != 0 && speed_ == 0.) end_slip(piece.start);
@@ -120,7 +120,8 @@ class Block {
   const Sliding& result() const { return sliding_; }
 
  private:
-  /// Waits for a start. The force that has just stopped the block does not push it, whatever round-off says.
+  /// Waits for a start, and returns the time passed. The force that has just stopped the block does not push it, so a
+  /// push by round-off is ignored.
   double rest(const LinearPiece& piece, int stopped) {
     double passed = piece.length;
     for (const int s : {1, -1}) {
@@ -135,7 +136,7 @@ class Block {
     return passed;
   }
 
-  /// Slips until the block stops or the piece ends.
+  /// Slips until the block stops or the piece ends, and returns the time passed.
   double slip(const LinearPiece& piece) {
     Line net = net_force(piece, direction_);
     if (speed_ == 0.) net.begin = std::max(net.begin, 0.);

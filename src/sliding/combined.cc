@@ -11,7 +11,7 @@ namespace upbead {
 
 namespace {
 
-constexpr int points_of_half_period = 400;  // chords of the sine are 8e-6 of its height too low
+constexpr int points_of_half_period = 400;  // chords lie below the sine by up to 8e-6 of its height
 
 template <class Function>
 double root(const Function& f, double from, double to, int bits) {
@@ -44,7 +44,7 @@ class Parts {
   double t1() const { return t1_; }
   double t2() const { return t2_; }
 
-  /// Integral of P = max(P_1, P_2).
+  /// Impulse of P = max(P_1, P_2).
   double impulse() const {
     const double sine = peak_ / omega_ * (2. - (std::cos(omega_ * t1_) - std::cos(omega_ * t2_)));
     const double rise = 0.5 * pulse_.peak / half_ * (half_ * half_ - t1_ * t1_);
@@ -117,7 +117,7 @@ double sliding_distance_combined(double mass, double resistance, double friction
   require_sound(wave);
   const double peak = std::max(wave.impulsive.peak, wave.standing_force);
   const double uplift = wave.uplift * std::max(model.uplift_gain, peak / wave.impulsive.peak);
-  if (peak + friction * uplift <= resistance) return 0.;  // most waves: spared the rest
+  if (peak + friction * uplift <= resistance) return 0.;  // most waves end here
   const History F_S = history_of(
       wave, [&](const Parts& parts, double t) { return parts.force(t) + friction * uplift_at(wave, model, parts, t); });
   return slide(mass, F_S, resistance).residual;

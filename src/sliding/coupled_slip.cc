@@ -15,18 +15,18 @@ namespace upbead {
 
 namespace {
 
-/// Changes of phase that are followed within one piece of the finest steps, and in all.
+/// The most changes of phase that are followed within one piece of the finest steps, and in all.
 constexpr int most_changes = 12, most_in_all = 200000;
 constexpr int stretches_between_drops = 64;
-/// Of what friction takes in a step, that its bends may make wrong.
+/// Share of the energy that friction takes in a step, which the bends within the step may make wrong.
 constexpr double tolerable = 0.01;
-/// A slip may last so many times as long as the wave's samples.
+/// The longest slip after the wave, as a multiple of the length of the wave's samples.
 constexpr double longest_tail = 10.;
-/// Of a step, as often as it may be halved.
+/// How often a step may be halved.
 constexpr double most_halvings = 12.;
-/// Of the friction, that would be lacking without the pull of the ground.
+/// Share of the friction that may depend on the ground pulling at the bottom.
 constexpr double tolerable_pull = 0.01;
-/// Of the energy, that is round-off of the modes.
+/// Share of the energy that counts as round-off of the modes.
 constexpr double round_off = 1e-6;
 
 enum class SlipEvent {
@@ -42,19 +42,19 @@ struct TimedEvent {
   double time = 0.;  ///< from the start of the stretch (s)
 };
 
-/// f(from) >= 0 > f(to); the end of the last bracket where f < 0, or next to it.
+/// Root of f with f(from) >= 0 > f(to): the end with f < 0 of the last bracket, or a number next to it.
 template <class Function>
 double root(const Function& f, double from, double to) {
   return root_bracket(f, from, to, 46).second;
 }
 
-/// Where f, which is negative at `length`, has become so; at once where it is already.
+/// The time at which f, which is negative at `length`, becomes negative; 0 where it is negative from the start.
 template <class Function>
 double crossing(const Function& f, double length) {
   return f(0.) > 0. ? root(f, 0., length) : 0.;
 }
 
-/// The same where f(0) is zero, up to round-off, and f may yet rise.
+/// The same where f(0) is zero up to round-off, and f may rise before it falls.
 template <class Function>
 double return_to_zero(const Function& f, double length) {
   constexpr int halvings = 24;
@@ -63,7 +63,7 @@ double return_to_zero(const Function& f, double length) {
   return 0.;
 }
 
-/// Which event shows at a time, by its readings: F_T where it sticks, s' where it slips; and N'.
+/// The event that the readings of one time show: N', and F_T of a phase that sticks or s' of one that slips.
 SlipEvent event_at(ContactState contact, double friction, double watched, double normal) {
   switch (contact) {
     case ContactState::stick:
@@ -76,8 +76,8 @@ SlipEvent event_at(ContactState contact, double friction, double watched, double
   }
 }
 
-/// The event that shows at an end of a path, and when it came. `fresh`: the phase has begun with the path, so that s',
-/// or |F_T| - mu N', is zero up to round-off.
+/// The event that shows at the end of a path or at its start, and its time. `fresh`: the phase has begun with the
+/// path, so that s', or |F_T| - mu N', is zero up to round-off.
 TimedEvent first_event(const SlipPath& path, ContactState contact, double friction, bool fresh) {
   const double length = path.length();
   const SlipCurve normal = path.reading(row_normal), watched = path.reading(SlipSteps::watched_row(contact));
@@ -107,11 +107,11 @@ struct LoadStretch {
   Eigen::VectorXd begin, end;
 };
 
-/// Where a caisson is, in which phase, and what has become of it.
+/// The motion of a caisson, its phase, and the results so far.
 class CoupledRun {
  public:
-  /// From rest under N_0 = `normal` (N/m). Model and levels, each with half the steps of the last, must outlive the
-  /// object.
+  /// Starts from rest under N_0 = `normal` (N/m). Model and levels, each with half the step of the one before, must
+  /// outlive the object.
   CoupledRun(const SlipModel& model, const std::vector<SlipLevel>& levels, double normal)
       : model_(model), levels_(levels), last_{0., normal, 0.} {
     result_.least_normal = normal;
@@ -119,7 +119,8 @@ class CoupledRun {
     z_ = next_ = modal_state(phase(), at_rest);
   }
 
-  /// Through a stretch; `is_step`: it is as long as the longest steps. `jumps`: the loads do so at its beginning.
+  /// Moves through a stretch; `is_step`: it is as long as the longest steps. `jumps`: the loads jump at its
+  /// beginning.
   void pass(const LoadStretch& stretch, bool is_step, bool jumps) {
     if (++n_stretches_ % stretches_between_drops == 0) flush_denormals(z_);
     if (jumps) {
@@ -135,7 +136,7 @@ class CoupledRun {
   }
 
   bool stuck() const { return contact_ == ContactState::stick; }
-  /// Writes down what is read now, under these loads.
+  /// Records the readings of the present time under these loads.
   void record(const Eigen::VectorXd& load, Eigen::Index column, CoupledHistory& history) const {
     history.shear[column] = last_.shear;
     history.normal[column] = last_.normal;
@@ -145,7 +146,7 @@ class CoupledRun {
       history.outputs(i, column) =
           read(z_, first_row_wanted + static_cast<int>(i), load) + model_.share_of_slip[i] * slip_;
   }
-  /// A slip that is under way counts.
+  /// The results; a slip that has not ended counts.
   CoupledSliding result() const {
     CoupledSliding result = result_;
     result.slip.residual = slip_;
@@ -174,7 +175,7 @@ class CoupledRun {
   Reading reading_now(const Eigen::VectorXd& load) const {
     return reading(read(z_, SlipSteps::watched_row(contact_), load), read(z_, row_normal, load));
   }
-  /// Through a step of a level.
+  /// Moves through one step of a level.
   void pass_step(const LoadStretch& stretch, std::size_t level) {
     const SlipStep step = levels_[level].steps[state()].advance(z_, stretch.begin, stretch.end, next_);
     const Reading now = reading(step.watched, step.normal);
@@ -188,7 +189,7 @@ class CoupledRun {
     pass_step({0.5 * stretch.length, stretch.begin, middle}, level + 1);
     pass_step({0.5 * stretch.length, middle, stretch.end}, level + 1);
   }
-  /// Through any stretch, in the longest steps that there are, from a level on.
+  /// Moves through a stretch of any length in the longest steps that fit, from a level on.
   void pass_rest(LoadStretch rest, std::size_t level) {
     const Eigen::VectorXd slope = (rest.end - rest.begin) / rest.length;
     while (level < levels_.size()) {
@@ -204,7 +205,8 @@ class CoupledRun {
     }
     if (rest.length > 1e-12 * levels_.back().length) follow(rest, finest());
   }
-  /// Whether nothing can happen in a step. Counts what its bends make uncertain in the energies.
+  /// Whether no change of phase can occur in a step. Adds to `uncertain` what the bends within the step make
+  /// uncertain.
   bool is_quiet(const LoadStretch& stretch, const Reading& end, std::size_t level) {
     if (stuck()) return event_at(contact_, model_.friction, end.shear, end.normal) == SlipEvent::none;
     const SlipBends bends = levels_[level].within[state()].bends(z_, stretch.begin, stretch.end);
@@ -225,7 +227,7 @@ class CoupledRun {
     result_.uncertain += uncertain + bends.work;
     return true;
   }
-  /// Through a stretch no longer than a step of a level, at the end of which a change of phase shows.
+  /// Moves through a stretch no longer than a step of a level, from one change of phase to the next.
   void follow(LoadStretch stretch, std::size_t level) {
     const Eigen::VectorXd slope = (stretch.end - stretch.begin) / stretch.length;
     for (int changes = 0;; ++changes) {
@@ -250,7 +252,7 @@ class CoupledRun {
       if (level < finest()) return pass_rest(stretch, level + 1);
     }
   }
-  /// Straight lines of F_T and s' over the step, but for the exact distance.
+  /// Adds a step to the results: F_T and s' count as straight over the step, but the distance is exact.
   void advance(double length, const Reading& now, double moved) {
     time_ += length;
     slip_ += moved;
@@ -288,7 +290,7 @@ class CoupledRun {
         return enter(last_.velocity > 0. ? ContactState::slip_landward : ContactState::slip_seaward, state, load);
     }
   }
-  /// s' = 0: sticks, or slips the way it is pushed.
+  /// After s' = 0: the caisson sticks, or slips the way it is pushed.
   void rest(const Eigen::VectorXd& state, const Eigen::VectorXd& load) {
     enter(ContactState::stick, state, load);
     if (event_at(ContactState::stick, model_.friction, last_.shear, last_.normal) == SlipEvent::none)
@@ -303,7 +305,7 @@ class CoupledRun {
     fresh_ = true;
     const double way = direction(contact);
     if (way == 0.) return;
-    if (way_ * way < 0.) {  // a turn without rest
+    if (way_ * way < 0.) {  // it turns without sticking in between
       end_slip(state);
       begin_slip(state);
     }
@@ -335,9 +337,9 @@ class CoupledRun {
   double time_ = 0.;
   double slip_ = 0.;  ///< s
   bool slipping_ = false;
-  double way_ = 0.;  ///< of the slip that is under way: 1 forward, -1 backward, 0 not known yet
+  double way_ = 0.;  ///< direction of the present slip: 1 forward, -1 backward, 0 not known yet
   Slip now_;
-  double energy_ = 0.;  ///< stored when the slip began (J/m)
+  double energy_ = 0.;  ///< stored when the present slip began (J/m)
   CoupledSliding result_;
 };
 
@@ -347,7 +349,7 @@ auto of_all_phases(const Make& make) {
                     make(ContactState::open)};
 }
 
-/// The fastest oscillation of any phase (rad/s).
+/// The highest frequency of any phase (rad/s).
 double fastest(const SlipModel& model) {
   double omega = 0.;
   for (const SlipPhase& phase : model.phases)
@@ -355,7 +357,7 @@ double fastest(const SlipModel& model) {
   return omega;
 }
 
-/// Each half of the last, down to a radian of the fastest oscillation.
+/// Levels whose step is half that of the level before, down to a radian of the fastest oscillation.
 std::vector<SlipLevel> levels_of(const SlipModel& model, double step) {
   const Eigen::MatrixXd rows = load_rows(model);
   const double halvings = std::clamp(std::ceil(std::log2(fastest(model) * step)), 0., most_halvings);
@@ -366,14 +368,14 @@ std::vector<SlipLevel> levels_of(const SlipModel& model, double step) {
   return levels;
 }
 
-/// A history of n times, at rest at the first.
+/// Prepares a history of n times, at rest at the first.
 void prepare(const SlipModel& model, Eigen::Index n, double normal, CoupledHistory& history) {
   for (Eigen::RowVectorXd* row : {&history.shear, &history.normal, &history.velocity, &history.slip}) row->setZero(n);
   history.outputs.setZero(model.share_of_slip.size(), n);
   history.normal[0] = normal;
 }
 
-/// Follows the slip that is under way to its stop.
+/// Follows a slip that has not ended until it stops.
 void come_to_rest(CoupledRun& run, const Eigen::VectorXd& load, double step, Eigen::Index n_steps) {
   const auto most = static_cast<Eigen::Index>(longest_tail * static_cast<double>(n_steps)) + 1;
   for (Eigen::Index n = 0; n < most && !run.stuck(); ++n) run.pass({step, load, load}, true, false);

@@ -1,4 +1,4 @@
-// How far a caisson slips on the soil that it shakes: Coulomb's law on a reduced model of the whole scene.
+// Sliding of a caisson on soil that it shakes: Coulomb's law on a reduced model of the whole scene.
 #pragma once
 
 #include <array>
@@ -13,31 +13,31 @@
 
 namespace upbead {
 
-/// What became of a caisson that rested at s = 0.
+/// Results for a caisson that rested at s = 0.
 struct CoupledSliding {
-  Sliding slip;            ///< s over the ground
-  double dissipated = 0.;  ///< by friction (J/m)
-  double available = 0.;   ///< what friction could take: work of the loads and stored energy that went, in slips (J/m)
-  double uncertain = 0.;   ///< most that the integrals of both may be wrong by (J/m)
-  double pressed = 0.;     ///< impulse of N' > 0 while it slips (N s/m)
-  double pulled = 0.;      ///< of N' < 0: the ground would have to pull so much (N s/m)
-  double peak_shear = 0.;  ///< F_T of largest magnitude, at samples and changes of phase (N/m)
+  Sliding slip;              ///< s over the ground
+  double dissipated = 0.;    ///< by friction (J/m)
+  double available = 0.;     ///< what friction could take in slips: work of the loads, and stored energy set free (J/m)
+  double uncertain = 0.;     ///< largest error of these two integrals (J/m)
+  double pressed = 0.;       ///< impulse of N' > 0 while it slips (N s/m)
+  double pulled = 0.;        ///< impulse of N' < 0, by which the ground would have to pull (N s/m)
+  double peak_shear = 0.;    ///< F_T of largest magnitude, at samples and changes of phase (N/m)
   double least_normal = 0.;  ///< least N' there; below 0 the caisson would have lifted (N/m)
-  double lifted_time = 0.;   ///< for so long (s)
+  double lifted_time = 0.;   ///< how long N' was below 0 (s)
   int n_changes = 0;         ///< of phase
   int n_passed_over = 0;     ///< pieces of steps whose changes of phase were too many to follow
 };
 
-/// Why S of a slip is no distance, or "": where not all changes of phase were followed, a number is not finite,
-/// friction takes more than there was (`available`, by more than `uncertain`), or the bottom would part from the
-/// ground, which pulls at it here: without that pull friction, mu times the impulse of N', would have lacked
-/// pulled/pressed of it, and S is told to 1 % of that.
+/// Why S cannot count as a distance, or "": not all changes of phase were followed, a number is not finite, friction
+/// takes more energy than there was (`available`, by more than `uncertain`), or the bottom would part from the
+/// ground, which pulls at it in this model. Without that pull a share pulled/pressed of the friction, mu times the
+/// impulse of N', would be missing; up to 1 % is accepted.
 std::string why_no_distance(const CoupledSliding& sliding);
-/// The same where damping is there for the numerics alone (SlipModel::damping_time): twice as much, `more`, must not
-/// move S by more than 1 % of the path.
+/// The same where damping was added for the numerics alone (SlipModel::damping_time): `more`, with twice as much,
+/// must not move S by more than 1 % of the path.
 std::string why_no_distance(const CoupledSliding& sliding, const CoupledSliding& more);
 
-/// At the times of the loads; where they jump, before the jump.
+/// Histories at the times of the loads; where loads jump, before the jump.
 struct CoupledHistory {
   Eigen::RowVectorXd shear;     ///< F_T (N/m)
   Eigen::RowVectorXd normal;    ///< N' (N/m)
@@ -46,23 +46,23 @@ struct CoupledHistory {
   Eigen::MatrixXd outputs;      ///< the readings that the model was asked for
 };
 
-/// The steps of all phases, of one length.
+/// The steps of one length, for all phases.
 struct SlipLevel {
   double length = 0.;  ///< s
   std::array<SlipSteps, 4> steps;
   std::array<SlipWithinStep, 4> within;
 };
 
-/// Slides one model under any number of waves; const and safe to share between threads.
+/// Computes the sliding of one model under any number of waves; const and safe to share between threads.
 ///
-/// The caisson sticks while |F_T| <= mu N', slips with F_T = +-mu N' until s' = 0, and where N' would be negative
-/// nothing holds it. Every phase is a sum of modes (slip_model.h), exact for loads that are straight between their
-/// samples; energy coordinates pass from phase to phase. A change of phase is found as a root inside the step, so that
-/// it is exact. While it sticks a change is looked for at the samples: what comes and goes back within one step goes
-/// unseen: take steps of a 20th of the shortest period that matters. Once it moves none is missed: friction on an N' <
-/// 0 or against no motion would be a source of energy. Where the bends of s' and N' within a step (slip_steps.h)
-/// leave room for a change, the step is halved, down to a radian of the fastest mode.
-/// s is the exact integral of s'. Dissipated energy takes F_T as straight between samples: error of order step^2.
+/// The caisson sticks while |F_T| <= mu N', slips with F_T = +-mu N' until s' = 0, and moves freely where N' would be
+/// negative. Every phase is a sum of modes (slip_model.h), exact for loads that are straight between their samples;
+/// energy coordinates pass from phase to phase. A change of phase is found as a root inside the step, so that it is
+/// exact. While the caisson sticks, changes are looked for at the samples only, so one that is undone within the same
+/// step is missed: take steps of a 20th of the shortest period that matters. While it moves no change is missed, as
+/// friction with N' < 0 or along the motion would be a source of energy. Where the bends of s' and N' within a step
+/// (slip_steps.h) leave room for a change, the step is halved, down to a radian of the fastest mode. s is the exact
+/// integral of s'. Dissipated energy takes F_T as straight between samples: error of order step^2.
 class CoupledSlip {
  public:
   /// `step` of the samples (s).
@@ -72,11 +72,11 @@ class CoupledSlip {
   double step() const { return step_; }
 
   /// From rest. Loads in rows, the last of them N_0, as in SlipPhase; samples in columns, at t = 0, step, ... A slip
-  /// that is under way at the last sample is followed to its stop, under loads that keep their last values. Throws
-  /// std::invalid_argument where the loads are not the model's, NumericsError where they never let it stop, or where
-  /// too many changes of phase follow each other.
+  /// that goes on at the last sample is followed until it stops, under loads that keep their last values. Throws
+  /// std::invalid_argument where the loads are not the model's, NumericsError where the caisson never stops under
+  /// them, or where too many changes of phase follow each other.
   CoupledSliding slide(const Eigen::Ref<const WaveSamples>& loads, CoupledHistory* history = nullptr) const;
-  /// With times of its own, which cost exponentials each, and jumps.
+  /// For loads with times of their own, each of which costs new exponentials, and with jumps.
   CoupledSliding slide(const SampledLoads& loads, CoupledHistory* history = nullptr) const;
 
  private:

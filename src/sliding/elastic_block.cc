@@ -25,7 +25,7 @@ class Oscillator {
     if (mass == 0.) return;
     const std::complex<double> half(-damping / (2. * mass), 0.);
     std::complex<double> split = std::sqrt(half * half - stiffness / mass);
-    // two equal roots would need another form: they are set apart by what nobody sees
+    // two equal roots would need another formula: they are moved apart by a negligible amount
     if (std::abs(split) < 1e-6 * std::abs(half)) split = 1e-6 * half;
     root_[0] = half + split;
     root_[1] = half - split;
@@ -90,7 +90,7 @@ class BlockOnBase {
   const ElasticSliding& result() const { return result_; }
 
  private:
-  /// Goes through a part with as many changes of phase as it holds; a phase that ends as it begins is passed over.
+  /// Goes through a part phase by phase, 8 phases at most; a phase that ends at its very beginning is passed over.
   void pass_part(Stretch part) {
     for (int changes = 0; part.length > 0. && changes < 8; ++changes) {
       const double passed = direction_ == 0 ? stick(part, changes > 0) : slip(part);
@@ -121,7 +121,7 @@ class BlockOnBase {
   void begin_slip(int direction, double time) {
     direction_ = direction;
     slip_ = {time, time, 0., 0.};
-    ground_ = base_.after(0., ground_, direction * R_, 0.);  // a bare spring is at once at rest
+    ground_ = base_.after(0., ground_, direction * R_, 0.);  // a bare spring takes its new position at once
   }
 
   /// Velocity of the block over its base.
@@ -184,7 +184,7 @@ ElasticSliding slide_on_base(double mass, const ElasticBase& base, const History
     block.pass({piece.start, piece.length, piece.first.begin, (piece.first.end - piece.first.begin) / piece.length});
     end = piece.start + piece.length;
   }
-  // P is over; what still slips or swings may slip on for some periods
+  // P is over, but the caisson may slip on, or slip again, for some periods
   for (int quiet = 0; quiet < 3; end += block.period()) {
     const std::size_t slips = block.result().slip.slips.size();
     block.pass({end, block.period(), 0., 0.});

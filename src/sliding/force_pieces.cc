@@ -19,13 +19,13 @@ void check(const History& history, const std::string& name) {
     throw std::invalid_argument(name + ": times must ascend");
 }
 
-/// Goes through a history from piece to piece; `before` and `after` hold beyond its points.
+/// Reads a history piece by piece; `before` and `after` are its values beyond its points.
 class HistoryReader {
  public:
   HistoryReader(const History& history, double before, double after)
       : history_(history), before_(before), after_(after) {}
 
-  /// The history between two times that no point of it separates, not before those of the last call.
+  /// The history between two times with no point in between; times must not go back from one call to the next.
   Line between(double start, double stop) {
     const std::vector<double>& time = history_.time;
     while (next_ < time.size() && time[next_] <= start) ++next_;
@@ -42,7 +42,7 @@ class HistoryReader {
   std::size_t next_ = 0;  ///< point after `start`
 };
 
-/// `before` and `after` hold beyond the points of the second.
+/// `before` and `after`: values of the second history beyond its points.
 std::vector<LinearPiece> pieces(const History& first, const History& second, double before, double after) {
   std::vector<double> times(first.time.size() + second.time.size());
   std::merge(first.time.begin(), first.time.end(), second.time.begin(), second.time.end(), times.begin());

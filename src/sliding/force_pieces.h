@@ -17,7 +17,7 @@ struct Line {
 struct LinearPiece {
   double start = 0., length = 0.;  ///< s
   Line first, second;
-  /// What is left of it past `passed` seconds.
+  /// The part of it after `passed` seconds.
   LinearPiece after(double passed) const;
 };
 
@@ -25,7 +25,7 @@ struct LinearPiece {
 /// std::invalid_argument as slide() does.
 std::vector<LinearPiece> linear_pieces(const History& first, const History& second);
 
-/// The same of a force and what resists it, which keeps its first and last value.
+/// The same for a force and a resistance; the resistance keeps its first and last value beyond its points.
 std::vector<LinearPiece> force_pieces(const History& force, const History& resistance);
 
 }  // namespace upbead

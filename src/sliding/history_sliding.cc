@@ -13,7 +13,7 @@ namespace {
 
 using Distance = double (*)(double, double, const TriangularPulse&);
 
-/// S of a pulse is proportional to tau_0^2.
+/// Duration of the pulse with this S, as S is proportional to tau_0^2.
 std::optional<double> of_equal_distance(Distance distance, double mass, double resistance, double peak, double S) {
   const double of_one_second = distance(mass, resistance, {peak, 1.});
   if (!(S > 0. && of_one_second > 0.)) return std::nullopt;
@@ -48,7 +48,7 @@ double positive_impulse(const History& force, std::size_t i) {
   return 0.5 * (std::max(begin, 0.) + std::max(end, 0.)) * (part.to - part.from) * (force.time[i] - force.time[i - 1]);
 }
 
-/// Impulse from the last time before the peak at which F_S is not above 0 to the first one after it.
+/// Impulse from the last time before the peak at which F_S <= 0 to the first such time after it.
 double impulse_of_lobe(const History& force, std::size_t peak) {
   double sum = 0.;
   for (std::size_t i = peak; i > 0 && force.value[i] > 0.; --i) sum += positive_impulse(force, i);
@@ -77,7 +77,7 @@ History negative(History history) {
   return history;
 }
 
-/// factor (level + history), not below 0; exact where the line crosses 0.
+/// factor (level + history), not below 0; exact at the zero of the line.
 History friction_of(double factor, double level, const History& history) {
   if (history.time.empty()) return {{0.}, {factor * level}};
   History result{{history.time.front()}, {factor * level}};  // before the wave

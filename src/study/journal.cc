@@ -16,14 +16,14 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* ending = ".jsonl";
 
-/// Where the journals of a study lie.
+/// The folder of a study's journals.
 fs::path journal_folder(const std::string& output_folder) {
   return fs::path(output_folder) / "journal";
 }
 
 std::vector<fs::path> journals_in(const fs::path& folder) {
   std::vector<fs::path> list;
-  std::error_code code;  // without the folder there is no journal
+  std::error_code code;  // where there is no folder there is no journal
   for (fs::directory_iterator entry(folder, code), end; !code && entry != end; entry.increment(code))
     if (entry->path().extension() == ending) list.push_back(entry->path());
   std::sort(list.begin(), list.end());
@@ -60,7 +60,7 @@ Json to_object(int run, const RunResult& result) {
 void read_journal(const fs::path& path, std::uint64_t fingerprint, Results& results) {
   std::ifstream stream(path);
   std::string line;
-  if (!std::getline(stream, line) || parsed(line).is_null()) return;  // killed before its first run
+  if (!std::getline(stream, line) || parsed(line).is_null()) return;  // the process was killed before its first run
   if (parsed(line).value("study", std::uint64_t{0}) != fingerprint)
     throw InputError({path.parent_path().parent_path().string()},
                      "the results there are of another study, or of this one before it, its cases or the program "
@@ -72,7 +72,7 @@ void read_journal(const fs::path& path, std::uint64_t fingerprint, Results& resu
   }
 }
 
-/// How alike runs are: those that are equal in `mesh` share a mesh, in `solved` a solution.
+/// What runs can share: those with equal `mesh` share a mesh, those with equal `solved` a solution.
 struct Likeness {
   int case_index;
   std::vector<Setting> mesh, solved;

@@ -22,7 +22,7 @@ std::string key_of(const MeshRequest& request) {
   return key;
 }
 
-/// Everything that a solution depends on: all of the case but its sliding.
+/// Everything on which a solution depends: the whole case without its sliding.
 std::string solution_key_of(const Case& problem) {
   Case without = problem;
   if (!has_frictional_contact(problem.scene)) without.scene.sliding.reset();
@@ -37,7 +37,7 @@ std::string in_one_line(std::string text) {
 }  // namespace
 
 std::shared_ptr<const Mesh> Runner::mesh_for(const Case& problem, Shared& shared) {
-  if (!problem.scene.mesh.refine) return nullptr;  // made for the case by its tolerance
+  if (!problem.scene.mesh.refine) return nullptr;  // such a mesh is made for the case by its tolerance
   const MeshRequest request = mesh_request(problem);
   const std::string key = key_of(request);
   if (sharing_ && mesh_ && key == mesh_key_) {
@@ -55,7 +55,7 @@ std::string Runner::solve(const Case& problem, const std::function<void()>& mean
   options.progress = [&meanwhile](double) { meanwhile(); };
   if (sharing_ && solution_.simulation && key == solution_key_) {
     shared = Shared::solution;
-    Scene given = solution_.simulation->given;  // its loads by waves have their shapes
+    Scene given = solution_.simulation->given;  // with the shapes of its loads by waves
     given.sliding = problem.scene.sliding;
     return to_json(in_places_of(problem, [&] { return with_sliding(solution_, given, options.progress); }).summary);
   }

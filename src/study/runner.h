@@ -11,14 +11,14 @@
 
 namespace upbead {
 
-/// Keeps the mesh while runs ask for the same, and the solution while they differ in [sliding] alone. Both are what the
-/// run would have made for itself, so every number is the same to the last bit, whatever ran before.
+/// Keeps the mesh while runs ask for the same one, and the solution while runs differ only in [sliding]. Both equal
+/// what the run would have made for itself, so every number is the same to the last bit, whatever ran before.
 class Runner {
  public:
   /// `trusts_scripts`: see require_trust().
   Runner(const Study& study, bool sharing, bool trusts_scripts)
       : study_(study), sharing_(sharing), trusts_scripts_(trusts_scripts) {}
-  /// A run that fails says so in its result. `meanwhile` is called between its steps. Throws Interrupted.
+  /// A run that fails says so in its result. `meanwhile` is called during the run. Throws Interrupted.
   RunResult run(const StudyRun& run, const std::function<void()>& meanwhile);
 
  private:

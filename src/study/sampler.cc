@@ -29,7 +29,8 @@ double quantile(const VaryTable& vary, double probability) {
     case DrawnBy::normal:
       return *vary.mean * (1. + *vary.cov * boost::math::quantile(boost::math::normal(), probability));
     case DrawnBy::log_normal: {
-      // mean m and coefficient of variation c: ln X is normal with variance ln(1 + c^2) and mean ln m less half of that
+      // mean m and coefficient of variation c: ln X is normal with variance ln(1 + c^2) and mean ln m minus half of
+      // that
       const double variance = std::log1p(*vary.cov * *vary.cov);
       const double score = boost::math::quantile(boost::math::normal(), probability);
       return *vary.mean * std::exp(std::sqrt(variance) * score - variance / 2.);

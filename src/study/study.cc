@@ -27,7 +27,7 @@ std::vector<Axis> axes_of(const StudyTables& tables, const Document& document) {
   return axes;
 }
 
-/// The settings of one run: first what is fixed, so that the more special comes last.
+/// The settings of one run: fixed ones first, so that varied ones override them.
 StudyRun make_run(const StudyTables& tables, const std::vector<Axis>& axes, const Sampler& sampler, int case_index,
                   int number) {
   StudyRun run;
@@ -42,7 +42,7 @@ StudyRun make_run(const StudyTables& tables, const std::vector<Axis>& axes, cons
   return run;
 }
 
-/// A mistake in a value that the study has set is told at its place in the study.
+/// A mistake in a value that the study has set is reported at its place in the study.
 Diagnostic seen_from_study(const Diagnostic& mistake, const StudyRun& run, const Document& document) {
   const std::string mark = "--set ";
   if (mistake.place.file.rfind(mark, 0) != 0) return mistake;
@@ -57,7 +57,8 @@ Diagnostic seen_from_study(const Diagnostic& mistake, const StudyRun& run, const
 
 constexpr int most_attempts = 1000;
 
-/// Reads a case as the first of its runs that can be read; where none of many can, the first one tells why.
+/// The case with the settings of its first run that can be read. Where none can, the mistakes of the first run are
+/// reported.
 std::optional<Case> first_sound_case(const Study& study, int index, const Document& document, Diagnostics& report) {
   std::optional<InputError> first;
   const StudyRun* first_run = nullptr;
@@ -79,7 +80,7 @@ std::optional<Case> first_sound_case(const Study& study, int index, const Docume
   return std::nullopt;
 }
 
-/// Everything that a case rests on, also files that a setting names.
+/// Adds all files on which a case depends, including those that a setting names.
 void add_case(Study& study, const Case& problem, const std::set<std::string>& words) {
   for (const InputFile& file : input_files(problem)) study.inputs.push_back(file);
   for (const std::string& word : words) study.inputs.push_back({problem.resolve(word), study.inputs.front().place});
@@ -96,12 +97,11 @@ std::set<std::string> words_of(const StudyTables& tables) {
   return words;
 }
 
-/// Units by dotted key of every number that the case has, also of the parameters of its .geo where their comments name
-/// one.
+/// Units, by dotted key, of every number of the case, and of the parameters of its .geo whose comments name a unit.
 std::map<std::string, std::string> units_of_keys(const Case& problem) {
   std::map<std::string, std::string> units;
   CaseTables tables;
-  Diagnostics report;  // read_case has found no mistake
+  Diagnostics report;  // stays empty, as read_case has found no mistake
   case_schema().read(problem.document.root(), "", tables, report);
   case_schema().visit_numbers(
       tables, "", [&units](const KeyInfo& key, const std::string& path, double&) { units.emplace(path, key.unit); });

@@ -18,15 +18,15 @@ using Setting = std::pair<std::string, std::string>;
 struct StudyRun {
   int case_index = 0;             ///< into Study::cases
   std::vector<Setting> varied;    ///< by Study::keys, in their order
-  std::vector<Setting> settings;  ///< all that is set in the case: what is fixed, varied, and follows
+  std::vector<Setting> settings;  ///< all that is set in the case: fixed, varied and following keys
 };
 
-/// A study that has been read: its runs in their order, fully determined.
+/// A study that has been read: its runs in their order, with all values.
 struct Study {
   std::string title;
-  std::string stem;                ///< the file's name without folder and ending
+  std::string stem;                ///< name of the file without folder and ending
   std::vector<std::string> cases;  ///< paths as seen from the working folder
-  std::vector<std::string> keys;   ///< what is varied, in the order of the file
+  std::vector<std::string> keys;   ///< the varied keys, in the order of the file
   std::vector<std::string> units;  ///< of the keys; "" where there is none
   std::vector<std::string> reads;  ///< paths into summary.json
   std::vector<StudyRun> runs;
@@ -34,17 +34,17 @@ struct Study {
   std::uint64_t fingerprint = 0;  ///< of the study, its cases, all files that they name, and the program's version
 };
 
-/// Texts KEY=VALUE as read_case takes them.
+/// Texts KEY=VALUE in the form that read_case takes.
 std::vector<std::string> overrides_of(const StudyRun& run);
 
-/// Reads and checks a study with overrides KEY=VALUE. Also reads its cases with the first settings that fit them:
-/// where none of the first 1,000 do, that is a mistake. Throws InputError with every mistake.
+/// Reads and checks a study with overrides KEY=VALUE. Also reads each case with the settings of its first run that
+/// can be read: if none of the first 1,000 can, that is a mistake. Throws InputError with every mistake.
 Study read_study(const std::string& path, const std::vector<std::string>& overrides = {});
 
 /// Every key of the study file as Markdown.
 std::string study_reference();
 
-/// The same keys as JSON Schema (draft 4): editors complete and check a study file by it.
+/// The same keys as JSON Schema (draft 4), with which editors complete and check a study file.
 std::string study_json_schema();
 
 }  // namespace upbead

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double most_runs = 1e5;
 
-/// What is being checked, and where mistakes go.
+/// The study that is checked, and the list of mistakes.
 struct Checker {
   const StudyTables& study;
   const std::vector<Axis>& axes;
@@ -36,7 +36,7 @@ void check_cases(const Checker& check) {
     check.add("vary", "nothing is varied", "add a table such as [vary.\"regions.seabed.shear_modulus\"] with values");
 }
 
-/// Values, a range and a distribution exclude one another, and not every sample has all of them.
+/// Values, a range and a distribution exclude one another, and not every kind of sample allows each of them.
 bool check_kind(const Checker& check, const VaryTable& vary, const std::string& path) {
   const bool random = check.study.sample == Sampling::random;
   const int given = (vary.values.empty() ? 0 : 1) + (vary.from ? 1 : 0) + (vary.distribution ? 1 : 0);

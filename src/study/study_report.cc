@@ -1,4 +1,4 @@
-// study.csv, study.h5, summary.json, and what people read.
+// study.csv, study.h5, summary.json, and text for the terminal.
 #include <algorithm>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
@@ -16,9 +16,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t n_listed = 10;  // failures that a person reads on the terminal
+constexpr std::size_t n_listed = 10;  // failures shown on the terminal
 
-/// How a run is made alone.
+/// The command that repeats a run alone.
 std::string command_of(const Study& study, const StudyRun& run) {
   std::string text = "upbead run " + study.cases[static_cast<std::size_t>(run.case_index)];
   for (const std::string& setting : overrides_of(run)) text += " --set '" + setting + "'";

@@ -1,4 +1,4 @@
-// The keys of the study file, the tables that they fill, and the values that these give each run.
+// The keys of the study file, the tables that they fill, and the values that follow for each run.
 #pragma once
 
 #include <cstdint>
@@ -26,7 +26,7 @@ Literal literal(double number);
 Diagnostics read_value(const Node& node, const KeyInfo& key, Literal& value);
 Diagnostics read_value(const Node& node, const KeyInfo& key, std::vector<Literal>& value);
 Diagnostics read_value(const Node& node, const KeyInfo& key, std::vector<std::string>& value);
-/// By dotted key; tables within the table lengthen it.
+/// Reads values by dotted key; tables within the table lengthen the key.
 Diagnostics read_value(const Node& node, const KeyInfo& key, std::map<std::string, Literal>& value);
 
 std::string type_text(const KeyInfo& key, const Literal*);
@@ -51,7 +51,7 @@ std::string print_value(const KeyInfo& key, const std::vector<Literal>& value);
 std::string print_value(const KeyInfo& key, const std::vector<std::string>& value);
 std::string print_value(const KeyInfo& key, const std::map<std::string, Literal>& value);
 
-/// None of these belongs to a key with a unit.
+/// Nothing to visit: these types have no key with a unit.
 inline void visit_value(const KeyInfo&, const std::string&, std::vector<Literal>&, const NumberVisitor&) {}
 inline void visit_value(const KeyInfo&, const std::string&, std::vector<std::string>&, const NumberVisitor&) {}
 inline void visit_value(const KeyInfo&, const std::string&, std::map<std::string, Literal>&, const NumberVisitor&) {}
@@ -98,10 +98,10 @@ struct StudyTables {
 
 TableSchema<StudyTables> study_schema();
 
-/// What is read where a study does not say.
+/// The numbers that are read where a study does not name any.
 const std::vector<std::string>& default_reads();
 
-/// A varied key with all that is said of it.
+/// A varied key and its table.
 struct Axis {
   std::string key;
   VaryTable vary;
@@ -110,17 +110,17 @@ struct Axis {
 /// The values of a list or a range, in their order. The ends of a range are met exactly.
 std::vector<Literal> values_of(const VaryTable& vary);
 
-/// The value of a key in draw number `draw`: it depends on nothing else than these and the seed, so that more draws or
-/// other keys leave it as it is.
+/// The value of a key in draw number `draw`: it depends only on the axis, the seed and the number, so that more draws
+/// or other keys do not change it.
 Literal drawn_value(const Axis& axis, std::uint64_t seed, int draw);
 
-/// How many runs the axes make; of a grid the product, which may be too many for an int.
+/// How many runs the axes make; for a grid the product, which may be too large for an int.
 double number_of_runs(const StudyTables& study, const std::vector<Axis>& axes);
 
-/// The values of all axes in each run, of a study without mistakes.
+/// The values of all axes in each run, for a study without mistakes.
 class Sampler {
  public:
-  /// Both must outlive it.
+  /// Study and axes must outlive the object.
   Sampler(const StudyTables& study, const std::vector<Axis>& axes);
   int n_runs() const;
   /// In a grid the last axis runs fastest.
@@ -129,15 +129,14 @@ class Sampler {
  private:
   const StudyTables& study_;
   const std::vector<Axis>& axes_;
-  std::vector<std::vector<Literal>> lists_;  ///< of axes that are no distributions
+  std::vector<std::vector<Literal>> lists_;  ///< of axes without a distribution
 };
 
-/// Reports what is wrong with a study by itself, without its cases. `axes`: in the order of the file.
+/// Reports mistakes in the study itself, without its cases. `axes`: in the order of the file.
 void check_study(const StudyTables& study, const std::vector<Axis>& axes, const Document& document,
                  Diagnostics& report);
 
-/// Throws InputError where a key is written without quotes, [vary.time.end]: what the schema would say of that is no
-/// help.
+/// Throws InputError where a key is written without quotes, [vary.time.end]: what the schema would report is no help.
 void require_quoted_keys(const Document& document);
 
 }  // namespace upbead

@@ -10,7 +10,7 @@ namespace upbead {
 
 namespace {
 
-/// Up to where it is a list, or has names of its own: "sliding.slips" of "sliding.slips[].start".
+/// The part of a path before it becomes a list or has names of the user: "sliding.slips" of "sliding.slips[].start".
 std::string plain_part(const std::string& path) {
   return path.substr(0, std::min(path.find("[]"), path.find(".NAME")));
 }

@@ -1,4 +1,4 @@
-// Numbers out of a summary.json by their paths.
+// Numbers from a summary.json, by their paths.
 #pragma once
 
 #include <optional>
@@ -7,13 +7,13 @@
 
 namespace upbead {
 
-/// Why a path can be read of no summary; "" where it may be. Wall times cannot: they differ from run to run.
+/// Why a path cannot be read from any summary; "" where it can. Wall times cannot, as they differ from run to run.
 std::string objection_to_reading(const std::string& path);
 
-/// All paths that may be read, but those of loads, which have names of their own.
+/// All paths that can be read, without those of loads, which contain names of the user.
 const std::vector<std::string>& readable_paths();
 
-/// The numbers at the paths; none where a summary has null, or nothing, there.
+/// The numbers at the paths; none where a summary has null, or no such path.
 std::vector<std::optional<double>> numbers_at(const std::string& summary_json, const std::vector<std::string>& paths);
 
 }  // namespace upbead

@@ -19,12 +19,12 @@ namespace {
 
 constexpr const char* terminal = "UPBEAD_TERMINAL";
 
-/// Whether a person sees what goes to stderr, be it through mpirun.
+/// Whether a person sees stderr, directly or through mpirun.
 bool has_terminal() {
   return isatty(STDERR_FILENO) == 1 || std::getenv(terminal) != nullptr;
 }
 
-/// Texts that end with a null character each, as /proc has them.
+/// Texts that each end with a null character, as in files of /proc.
 std::vector<std::string> texts_in(const std::string& path) {
   std::ifstream stream(path, std::ios::binary);
   std::vector<std::string> list;
@@ -39,7 +39,7 @@ std::vector<char*> pointers(std::vector<std::string>& texts) {
   return list;
 }
 
-/// The environment as this process was started with: PetscSession has told Open MPI since that it is alone.
+/// The environment with which this process was started: PetscSession has since then set Open MPI to a single process.
 std::vector<std::string> environment() {
   std::vector<std::string> list = texts_in("/proc/self/environ");
   for (const char* more : {"OMPI_ALLOW_RUN_AS_ROOT=1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1", "OMP_NUM_THREADS=1",
@@ -59,7 +59,7 @@ constexpr const char* clear = "\r\033[2K";  // back to the first column, erase t
 }  // namespace
 
 void launch(int processes) {
-  // quiet: the program itself says what went wrong; a container may forbid to bind and to copy between processes
+  // quiet: the program reports mistakes itself; a container may forbid to bind and to copy between processes
   std::vector<std::string> command{"mpirun",
                                    "--quiet",
                                    "-n",

@@ -1,4 +1,4 @@
-// The processes that share a study's runs: those that mpirun, or a cluster's launcher, has started.
+// The processes that share a study's runs: started by mpirun, or by a cluster's launcher.
 #pragma once
 
 #include <memory>
@@ -7,11 +7,11 @@
 
 namespace upbead {
 
-/// Becomes `mpirun -n processes` of this very command line. Returns only where there is no mpirun.
+/// Replaces this process by `mpirun -n processes` with the same command line. Returns only where there is no mpirun.
 void launch(int processes);
 
-/// Counters that all processes see, in the memory of the first one (an MPI window): who takes the next piece of work
-/// asks nobody. Make and destroy it in all processes at once, while MPI runs.
+/// Counters that all processes see, in the memory of the first one (an MPI window): a process takes the next piece of
+/// work without asking another. To be made and destroyed in all processes at once, while MPI runs.
 class Pool {
  public:
   Pool();
@@ -21,30 +21,30 @@ class Pool {
 
   int rank() const { return rank_; }
   int size() const { return size_; }
-  /// Number of the next piece that nobody has taken.
+  /// Takes the next piece that no process has taken, and returns its number.
   int take();
-  /// Tells that runs are over.
+  /// Adds runs that have ended.
   void tell(int done, int failed);
-  /// Runs that are over, of all processes.
+  /// Number of runs that have ended, in all processes.
   int done() { return add(finished, 0); }
   int failed() { return add(failures, 0); }
-  /// Waits until all processes have come here.
+  /// Waits until all processes have called it.
   void meet() const;
 
  private:
   enum Counter { taken, finished, failures, n_counters };
-  struct Window;  // that who includes this needs no MPI
-  /// Adds to a counter; what it was before.
+  struct Window;  // opaque: who includes this header needs no MPI
+  /// Adds to a counter; returns its value before.
   int add(Counter counter, int by);
 
   int rank_ = 0, size_ = 1;
   std::unique_ptr<Window> window_;
 };
 
-/// Only for a person at a terminal. Several processes work, so that each line is asked of what all of them have done.
+/// Progress for a person at a terminal. As several processes work, numbers of all of them are passed for each line.
 class StudyProgress {
  public:
-  /// `n`: runs that are to be done.
+  /// `n`: number of runs to be done.
   explicit StudyProgress(int n);
   /// Clears the line.
   ~StudyProgress();

@@ -18,7 +18,8 @@ std::size_t require_column(const CellRows& rows, const std::string& name, const 
   throw InputError({lines.path()}, "there is no column " + in_quotes(name), "give the table whole");
 }
 
-/// The length of the vectors, where a column tells it, is a check that no column is lost or exchanged.
+/// Compares the length of the vectors, where a column gives it, with their components: a column that is lost or
+/// exchanged shows.
 void check_length(const CellRows& rows, const std::string& name, const FlowForces& forces, const FlowLines& lines) {
   const auto column = rows.find(name, lines);
   if (!column) return;

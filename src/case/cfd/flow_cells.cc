@@ -18,7 +18,7 @@ std::string_view without_blanks(std::string_view text) {
   return first == std::string_view::npos ? std::string_view() : text.substr(first, last - first + 1);
 }
 
-/// A cell as a number; blank ones are not a number. False where it holds something else.
+/// Reads a cell as a number; a blank cell becomes NaN. False where the cell holds something else.
 bool read_cell(std::string_view cell, char separator, double& number) {
   if (cell.empty()) {
     number = std::numeric_limits<double>::quiet_NaN();

@@ -1,4 +1,4 @@
-// Forces and water levels as a force per metre over still water, with its moment.
+// Forces and water levels of a record become a force per metre in excess of still water, with its moment.
 #include <algorithm>
 #include <cmath>
 
@@ -10,7 +10,7 @@ namespace upbead {
 
 namespace {
 
-constexpr double small_vertical = 0.01;  ///< of the landward force; friction on a wall is less
+constexpr double small_vertical = 0.01;  ///< share of the landward force; friction on a wall is smaller
 
 double largest(const std::vector<double>& values) {
   return values.empty() ? 0. : std::abs(values[index_of_largest(values)]);
@@ -20,7 +20,7 @@ void subtract(std::vector<double>& values, double number) {
   for (double& value : values) value -= number;
 }
 
-/// Only one way to tell the still water.
+/// The force of still water must be given in one way only.
 void ask_still(const FlowSource& source, bool moments, FlowQuestions& questions) {
   if (source.still_time && source.still_force)
     questions.object("still_force", "both 'still_time' and 'still_force' are given", "keep one of them");
@@ -36,7 +36,7 @@ void ask_still(const FlowSource& source, bool moments, FlowQuestions& questions)
                      "give still_time = [from, to] (s) instead");
 }
 
-/// N to N/m, moments about the axis across.
+/// Converts N to N/m; moments are about the axis across.
 FlowHistory per_metre(const FlowForces& forces, const FlowFrame& frame, double thickness) {
   FlowHistory history;
   history.time = forces.time;
@@ -58,7 +58,7 @@ void take_off_still(const FlowSource& source, const std::vector<std::size_t>& ro
   if (!history.moment.empty()) subtract(history.moment, mean_of(history.moment, rows));
 }
 
-/// Rows from the run's t = 0 on, in its time.
+/// Drops the rows before the run's t = 0, and makes the times those of the run.
 void cut_to_run(FlowHistory& history, std::size_t first, double start) {
   for (std::vector<double>* values : {&history.time, &history.landward, &history.up, &history.moment})
     if (!values->empty()) values->erase(values->begin(), values->begin() + static_cast<std::ptrdiff_t>(first));

@@ -1,4 +1,4 @@
-// From the axes of a CFD run to those of the scene, and questions for the keys that tell how.
+// From the axes of a CFD run to those of the scene, and the questions for keys that say how.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace upbead {
 
-/// Landward and up as unit vectors of the record.
+/// The directions landward and up as unit vectors in the axes of the record.
 struct FlowFrame {
   Triple landward{}, up{}, across{};  ///< across = up x landward: a moment about it overturns
   std::array<double, 2> origin{0., 0.};
@@ -22,17 +22,17 @@ double dot(const Triple& a, const Triple& b);
 /// "y" of a vector along y.
 std::string axis_name(const Triple& axis);
 
-/// Asks for keys that are needed and not given, all at once.
+/// Collects the keys that are needed and not given, and reports all of them at once.
 class FlowQuestions {
  public:
   explicit FlowQuestions(const FlowContext& context) : context_(context) {}
   bool given(const std::string& key) const;
-  /// A key is needed: why, and what to write.
+  /// Reports that a key is needed: why, and what to write.
   void ask(const std::string& key, const std::string& why, const std::string& cure);
   void need(bool given, const std::string& key, const std::string& why, const std::string& cure) {
     if (!given) ask(key, why, cure);
   }
-  /// A key is wrong.
+  /// Reports that a key is wrong.
   void object(const std::string& key, const std::string& what, const std::string& cure);
   void answer() const { mistakes_.throw_if_any(); }
 
@@ -41,17 +41,17 @@ class FlowQuestions {
   Diagnostics mistakes_;
 };
 
-/// Asks for what it needs: landward always, up and origin where places count. Call answer() of the questions before the
-/// frame is used.
+/// Asks for the keys of the frame: always landward; up and origin where `places` is true. Call answer() of the
+/// questions before the frame is used.
 FlowFrame frame_of(const FlowSource& source, bool places, FlowQuestions& questions);
 
-/// Rows of the record in which the water is still. Asks where there is none.
+/// Rows of the record in which the water is still; asks for another key where there is no such row.
 std::vector<std::size_t> still_rows(const std::vector<double>& time, const FlowSource& source,
                                     FlowQuestions& questions);
 
 double mean_of(const std::vector<double>& values, const std::vector<std::size_t>& rows);
 
-/// First row of the run; asks where fewer than two rows are left.
+/// First row of the run; objects where fewer than two rows are left.
 std::size_t first_row(const std::vector<double>& time, const FlowSource& source, FlowQuestions& questions);
 
 }  // namespace upbead

@@ -40,7 +40,7 @@ void add_flow_frame_keys(TableSchema<T>& table, const std::function<bool(const T
       .doc("thickness across that the record's newtons are of");
 }
 
-/// Declares all of them; `from` stands before.
+/// Declares all keys of a CFD record except `from`, which is declared before.
 template <class T>
 void add_flow_keys(TableSchema<T>& table, const std::function<bool(const T&)>& belongs) {
   add_flow_frame_keys(table, belongs);
@@ -83,19 +83,19 @@ void add_flow_keys(TableSchema<T>& table, const std::function<bool(const T&)>& b
   in(table.key("flow_start", &T::flow_start)).unit("s").doc("time of the record that is t = 0 of the run");
 }
 
-/// What is missing or contradicts itself of the keys, once it is known what the record holds, is found by
-/// understand().
+/// Where a record's keys stand, and what of their load understand() needs to know. Keys that are missing or
+/// contradict each other are found there, once it is known what the record holds.
 struct FlowContext {
   std::string path;  ///< of the table of keys, "loads.wall"
   const Document* document;
   double gravity = 9.81;                                             ///< m/s2
-  bool on_region = false;                                            ///< a rigid one
-  std::array<Beyond, 2> beyond{Beyond::constant, Beyond::constant};  ///< of points that are no faces ...
-  std::array<bool, 2> beyond_given{false, false};                    ///< ... where it is told
+  bool on_region = false;                                            ///< whether the load acts on a rigid region
+  std::array<Beyond, 2> beyond{Beyond::constant, Beyond::constant};  ///< beyond the ends of points, not faces ...
+  std::array<bool, 2> beyond_given{false, false};                    ///< ... and whether the case gives it
   std::string base = {};                                             ///< folder that paths are relative to; "" for none
 };
 
-/// The record as a load. Throws InputError at the keys, with all that is missing or wrong at once.
+/// Makes a load of the record. Throws InputError at the keys, with all that is missing or wrong at once.
 FlowLoad understand(const FlowRecord& record, const FlowSource& source, const FlowContext& context);
 
 /// For people: what was understood, "6.3 kN over a thickness of 0.01 m along y: 630 kN/m".

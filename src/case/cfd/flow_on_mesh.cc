@@ -110,7 +110,7 @@ void place_flows(const Case& input, const Mesh& mesh, Scene& scene) {
   for (const auto& [name, by] : input.flows) {
     if (by.load.boundary.empty()) continue;
     const std::vector<Segment> faces = faces_of(mesh, by.load.boundary);
-    if (faces.empty()) continue;  // which the scene's checks tell
+    if (faces.empty()) continue;  // the scene's checks report it
     if (by.flow->pressure)
       check_distance(name, by, faces, mistakes);
     else if (!by.flow->force->moment.empty())

@@ -1,4 +1,4 @@
-// A force landward and its moment as two forces at two heights.
+// A landward force and its moment as two forces at two heights.
 #pragma once
 
 #include <vector>
@@ -11,10 +11,10 @@ struct FlowPieces {
   std::vector<double> low, high;  ///< N/m
 };
 
-/// Forces at the heights `low` and `high` (m) with the history's force and its moment.
+/// Forces at the heights `low` and `high` (m) whose sum and moment are those of the history.
 FlowPieces pieces_of(const FlowHistory& history, double low, double high);
 
-/// Load::history and Load::duration of a force, with the load's factor, in a run until `end` (s).
+/// Sets Load::history and Load::duration of a force, with the load's factor, in a run until `end` (s).
 void give_history(const FlowHistory& history, const std::vector<double>& force, double end, Load& load);
 
 }  // namespace upbead

@@ -1,4 +1,4 @@
-// Pressures at points as pressures along a line, over still water.
+// Pressures at points of a record become pressures along a line, in excess of still water.
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -22,7 +22,7 @@ bool is_kinematic(Q quantity) {
   return quantity == Q::kinematic || quantity == Q::kinematic_less_weight;
 }
 
-/// A unit in the file tells the quantity; the name of a field contradicts some.
+/// The quantity at the points. A unit in the file says which it is; the name of a field contradicts some quantities.
 std::optional<Q> ask_quantity(const FlowPoints& points, const FlowSource& source, FlowQuestions& questions) {
   if (points.unit == "Pa") {
     if (source.quantity && *source.quantity != Q::pressure)
@@ -60,7 +60,7 @@ void ask_weight(const FlowSource& source, Q quantity, FlowQuestions& questions) 
                  "add still_time = [from, to] (s), in which its water is still, or still_level = ... (m), y of it");
 }
 
-/// Order of points along a line in the scene, those across its width as one.
+/// Points along a line in the scene, in their order; points at one place across the width count as one.
 struct Line {
   bool over_x = false;
   std::vector<std::vector<std::size_t>> members;  ///< by ascending place
@@ -105,11 +105,11 @@ Line line_of(const std::vector<std::array<double, 2>>& at, FlowQuestions& questi
   return line;
 }
 
-/// The edges of faces whose centres ascend: each centre gives the next edge, 2 c - e, and the first one is that with
-/// which sizes of neighbours differ least in squares.
+/// The edges of faces from their centres c, which ascend. An edge e and the centre beyond it give the next edge, 2 c
+/// - e. The first edge is the one with which the sizes of neighbours differ least, in the sum of squares.
 std::vector<double> edges_of(const std::vector<double>& centre) {
   const std::size_t n = centre.size();
-  std::vector<double> zero{0.};  // of the first edge at 0; every edge is zero[i] + (-1)^i times it
+  std::vector<double> zero{0.};  // edges if the first is at 0; with the first at e_0, edge i is zero[i] + (-1)^i e_0
   for (std::size_t i = 0; i < n; ++i) zero.push_back(2. * centre[i] - zero[i]);
   double above = 0., below = 0.;
   for (std::size_t i = 1; i < n; ++i) {  // size_i - size_(i-1) = e_(i+1) - 2 e_i + e_(i-1) = a + 4 (-1)^(i+1) e_0
@@ -123,7 +123,7 @@ std::vector<double> edges_of(const std::vector<double>& centre) {
   return edges;
 }
 
-/// Pressure of each place over time (Pa), with the weight of the water.
+/// Pressure of each place over time (Pa), including the weight of the water.
 std::vector<std::vector<double>> pressures_of(const FlowPoints& points, const FlowSource& source, Q quantity,
                                               const FlowFrame& frame, const Line& line, double gravity) {
   const double factor = is_kinematic(quantity) ? *source.flow_density : 1.;
@@ -137,7 +137,7 @@ std::vector<std::vector<double>> pressures_of(const FlowPoints& points, const Fl
       for (std::size_t t = 0; t < p.size(); ++t) {
         const double value = points.rows.at(t, i);
         double part = std::isnan(value) ? 0. : factor * value;
-        if (is_less_weight(quantity)) part = std::max(part - weight, 0.);  // in air p_rgh is all but zero
+        if (is_less_weight(quantity)) part = std::max(part - weight, 0.);  // in air p_rgh is nearly zero
         p[t] += part / static_cast<double>(members.size());
       }
     }
@@ -146,7 +146,7 @@ std::vector<std::vector<double>> pressures_of(const FlowPoints& points, const Fl
   return pressure;
 }
 
-/// Still water taken off each, by its mean or by its level.
+/// Subtracts still water from each pressure: its mean over `rows`, or the hydrostatic pressure of the still level.
 void take_off_still(const FlowSource& source, double gravity, const std::vector<std::size_t>& rows, const Line& line,
                     const std::vector<std::array<double, 2>>& at, std::vector<std::vector<double>>& pressure) {
   for (std::size_t k = 0; k < pressure.size(); ++k) {
@@ -158,7 +158,8 @@ void take_off_still(const FlowSource& source, double gravity, const std::vector<
   }
 }
 
-/// The pressures of a line as a row of transducers; of faces to their outer edges, of others as it is told.
+/// The pressures of a line as a row of transducers. The row of faces reaches to their outer edges; beyond other
+/// points it goes on as the case says.
 Gauges row_of(const FlowPoints& points, const FlowContext& context, const Line& line,
               const std::vector<std::vector<double>>& pressure) {
   Gauges row;
@@ -197,8 +198,8 @@ double interpolated(const std::vector<double>& time, const std::vector<double>& 
   return value[i - 1] + (value[i] - value[i - 1]) * (t - time[i - 1]) / (time[i] - time[i - 1]);
 }
 
-/// The sum of pressures over their line; of points that go on as they are with half a spacing beyond both ends, as
-/// cells have.
+/// The sum of pressures over their line. Points whose pressure stays constant beyond the ends count half a spacing
+/// more at either end, as cells would.
 std::vector<double> sum_of(const Gauges& row) {
   const std::size_t n = row.count();
   const double before = row.beyond[0] == Beyond::constant ? 0.5 * (row.place[1] - row.place[0]) : 0.;
@@ -206,7 +207,7 @@ std::vector<double> sum_of(const Gauges& row) {
   return resultant(row, row.place.front() - before, row.place.back() + after).force;
 }
 
-/// The sum of pressures against the record of forces, both with still water, at times that both have.
+/// Compares the sum of pressures with the record of forces, both with still water, at the times that both have.
 void compare(const FlowSource& source, const FlowContext& context, const FlowFrame& frame, const Gauges& whole,
              FlowLoad& load) {
   FlowQuestions questions(context);
@@ -260,8 +261,8 @@ void tell_points(const FlowPoints& points, const Line& line, Q quantity, FlowLoa
         "and air mix");
 }
 
-/// How much more the force may be when it is largest: where there was air in still water p is between p_rgh less the
-/// weight of water and p_rgh, as what is there may hold any share of air.
+/// By how much the largest force may be too small. Where air was in still water, p lies between p_rgh minus the
+/// weight of water and p_rgh, as any share of air may be there at the peak.
 void bound_air(const FlowPoints& points, const FlowSource& source, const FlowFrame& frame, double gravity,
                const Line& line, const std::vector<std::vector<double>>& pressure,
                const std::vector<std::size_t>& still, const std::string& path, FlowLoad& load) {

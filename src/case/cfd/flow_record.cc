@@ -31,7 +31,8 @@ bool is_force(const std::string& name) {
          (starts_with(name, "force") && !starts_with(name, "forceCoeff") && fs::path(name).extension() == ".dat");
 }
 
-/// force_0.8.dat of a second run from 0.8 s goes with force.dat; moments go with their forces.
+/// Files that are read with another one: moments with their forces, and force_0.8.dat of a second run from 0.8 s with
+/// force.dat.
 bool is_beside(const std::string& name, const std::vector<FlowFolder>& folders) {
   if (starts_with(name, "moment")) return true;
   return std::any_of(folders.begin(), folders.end(), [&name](const FlowFolder& folder) {
@@ -39,7 +40,7 @@ bool is_beside(const std::string& name, const std::vector<FlowFolder>& folders) 
   });
 }
 
-/// Names of files in the folders that may be meant.
+/// Names of those files in the folders that may be the record.
 std::set<std::string> candidates(const std::vector<FlowFolder>& folders) {
   std::set<std::string> names;
   for (const FlowFolder& folder : folders) {
@@ -92,7 +93,7 @@ void read_folder(const std::string& path, const std::string& file, const Place& 
   const std::string meant = file.empty() ? *names.begin() : file;
   if (is_raw(meant) && time_folders(path).empty())
     throw InputError(place, quoted_path(path) + " holds a patch at one time only", "name the folder above it");
-  std::vector<FlowFolder> with;  // a run that ended before its first row has left nothing
+  std::vector<FlowFolder> with;  // folders with rows: a run that ended before its first row has left none
   for (const FlowFolder& folder : folders) {
     std::error_code error;
     if (is_raw(meant) || fs::is_regular_file(fs::path(folder.path) / meant, error))

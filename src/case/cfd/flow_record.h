@@ -1,5 +1,5 @@
-// Output of CFD programs as it lies: what a file or a folder says, joined over restarts, in its own axes and newtons,
-// before anybody has said what of it is a load.
+// Output of CFD programs as it lies on disk: the contents of a file or folder, joined over restarts, in its own axes
+// and in newtons, before the keys say which part is a load.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@ using Triple = std::array<double, 3>;
 /// The force on a patch over time.
 struct FlowForces {
   std::vector<double> time;      ///< s
-  std::vector<Triple> force;     ///< N, of the thickness that was computed
+  std::vector<Triple> force;     ///< N, on the thickness that was computed
   std::vector<Triple> moment;    ///< N m about `centre`; empty where none is given
   std::optional<Triple> centre;  ///< CofR
 };
@@ -25,11 +25,11 @@ struct FlowForces {
 /// A field at points over time.
 struct FlowPoints {
   std::string field;  ///< as the file calls it: "p", "p_rgh"
-  std::string unit;   ///< as the file tells it; "" where it does not
+  std::string unit;   ///< as the file gives it; "" where it gives none
   std::vector<std::string> name;
   std::vector<Triple> at;     ///< m
-  FlowRows rows;              ///< a column a point
-  bool are_faces = false;     ///< centres of faces of a patch, each value that of its face
+  FlowRows rows;              ///< one column for each point
+  bool are_faces = false;     ///< centres of faces of a patch; a value holds for the whole face
   bool are_vertices = false;  ///< corners of faces of a patch
 };
 
@@ -41,11 +41,11 @@ struct FlowLevel {
   double still = 0.;          ///< level of still water above the datum (m)
 };
 
-/// Exactly one of the three.
+/// A record holds exactly one of forces, points and level.
 struct FlowRecord {
   std::string path;
   std::string layout;              ///< for people: "OpenFOAM forces (force.dat)"
-  std::vector<std::string> files;  ///< that were read
+  std::vector<std::string> files;  ///< the files that were read
   std::optional<FlowForces> forces;
   std::optional<FlowPoints> points;
   std::optional<FlowLevel> level;
@@ -54,19 +54,19 @@ struct FlowRecord {
   const std::vector<double>& time() const;
 };
 
-/// Reads whatever it is. `file`: the name of the file within the folders of a folder; "" where there is but one.
-/// `place`: the key that names the path. Throws InputError: what cannot be read, a layout that is not known, whatever
-/// contradicts itself, at the file's line.
+/// Reads a record of any known layout. `file`: the name of the file within the folders of a folder; "" where there is
+/// only one. `place`: the key that names the path. Throws InputError, at the file's line, where something cannot be
+/// read, contradicts itself, or has an unknown layout.
 FlowRecord read_flow(const std::string& path, const std::string& file, const Place& place);
 
-/// What each of them is called, its unit and its numbers: a time, and what belongs to it.
+/// A column of the record as a table: its name, unit and numbers; the time comes first.
 struct FlowColumn {
   std::string name, unit;
   std::vector<double> value;
 };
 std::vector<FlowColumn> columns_of(const FlowRecord& record);
 
-/// For people: layout, times, what there is, and where.
+/// Text for people: layout, times, quantities and their places.
 std::string describe(const FlowRecord& record);
 
 }  // namespace upbead

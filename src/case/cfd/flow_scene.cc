@@ -34,7 +34,7 @@ FlowPieces pieces_of(const FlowHistory& history, double low, double high) {
 
 namespace {
 
-/// On a rigid body forces act at points: one at the record's centre of moments, one above it.
+/// Adds the record's force to a rigid body as forces at two points: the record's centre of moments, and one above it.
 void add_on_region(const std::string& name, const Load& load, const FlowLoad& flow, Scene& scene) {
   const FlowHistory& history = *flow.force;
   const double foot = history.centre[1], height = std::max(std::abs(flow.peak_arm.value_or(1.)), 1e-3);

@@ -61,7 +61,7 @@ bool read_number(std::string_view word, double& number) {
   if (error == std::errc()) return true;
   if (error != std::errc::result_out_of_range) return false;
   number = std::strtod(std::string(begin, end).c_str(), nullptr);
-  return std::abs(number) < 1.;  // too small to be told from zero; too large is no number
+  return std::abs(number) < 1.;  // a number too small for a double counts as zero; a number too large is refused
 }
 
 void read_line(const FlowLines& lines, FlowLine& line) {

@@ -1,4 +1,4 @@
-// Lines of text with numbers in them, of files that CFD programs write.
+// Lines of text with numbers in them, from files that CFD programs write.
 #pragma once
 
 #include <string>
@@ -10,16 +10,16 @@
 
 namespace upbead {
 
-/// The lines of a file, without what ends them.
+/// The lines of a file, without their line ends.
 class FlowLines {
  public:
-  /// Reads the file, packed or not. Throws InputError at `place` where it cannot be read.
+  /// Reads the file, compressed or not. Throws InputError at `place` where it cannot be read.
   FlowLines(std::string path, const Place& place);
-  /// The next line that is not blank; false at the end. A last line without an end was not written to its end, perhaps
-  /// within a number: it is left out, and told.
+  /// The next line that is not blank; false at the end. A last line without a line end was cut while being written,
+  /// perhaps within a number: it is left out, and a note says so.
   bool next(FlowNotes& notes);
   std::string_view line() const { return line_; }
-  /// The same line is given by next() once more.
+  /// Makes next() give the same line once more.
   void back() { again_ = true; }
   Place place(int column = 1) const { return {path_, number_, column}; }
   const std::string& path() const { return path_; }
@@ -39,14 +39,13 @@ struct FlowLine {
   std::vector<double> numbers;
 };
 
-/// Splits at blanks and brackets. Throws InputError at the word that is no number. Numbers beyond all bounds are
-/// returned as they are.
+/// Splits at blanks and brackets. Throws InputError at a word that is no number. Numbers of any size are accepted.
 void read_line(const FlowLines& lines, FlowLine& line);
 
-/// The number that a word is; false where it is none.
+/// Reads a word as a number; false where it is none.
 bool read_number(std::string_view word, double& number);
 
-/// Throws InputError where one of the numbers is not finite or larger than any quantity.
+/// Throws InputError where a number is not finite, or larger than any physical quantity can be.
 void require_quantities(const FlowLines& lines, const FlowLine& line);
 
 /// Words between blanks and other marks.

@@ -5,14 +5,14 @@
 
 namespace upbead {
 
-/// A folder of the times below a function object's, or a single file in no such folder.
+/// A folder named after a time, below the folder of a function object; or a single file that lies in no such folder.
 struct FlowFolder {
   std::string name;   ///< of the folder: the time of its start
-  std::string path;   ///< of it
+  std::string path;   ///< of the folder
   double start = 0.;  ///< s
 };
 
-/// Subfolders that are called by a time, by ascending time.
+/// Subfolders named after a time, by ascending time.
 std::vector<FlowFolder> time_folders(const std::string& path);
 
 /// Forces of all runs: forces.dat, or force.dat with moment.dat; `file` is one of their names.

@@ -1,5 +1,5 @@
-// The four layouts of the function object `forces`. Source: the writers' own output, of OpenFOAM 1912 and of others as
-// their sources write it (src/functionObjects/forces/forces/forces.C).
+// The four layouts of the function object `forces`. Source: output of OpenFOAM 1912, and for other versions the code
+// that writes it (src/functionObjects/forces/forces/forces.C).
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -101,7 +101,8 @@ void read_comment(const FlowLines& lines, ForceHeader& header, const std::string
   }
 }
 
-/// Sums of the vectors of a row, into its 3 or 6 numbers. Totals hold the others, which are held against them.
+/// Adds the sums of a row's vectors as its 3 or 6 numbers. Where the row has totals, those are taken and compared
+/// with the sum of the parts.
 void add_row(const FlowLines& lines, const ForceHeader& header, const FlowLine& line, FlowRows& rows) {
   const std::size_t n = header.groups.size(), first = header.groups[0] == "total" ? 1 : 0;
   rows.time.push_back(line.numbers[0]);
@@ -112,7 +113,7 @@ void add_row(const FlowLines& lines, const ForceHeader& header, const FlowLine& 
     for (std::size_t i = 0; i < 3; ++i) {
       double sum = 0.;
       for (std::size_t g = first; g < n; ++g) sum += vectors[3 * g + i];
-      constexpr double rounding = 1e-3;  // of what is written with four digits or more
+      constexpr double rounding = 1e-3;  // numbers are written with four digits or more
       if (first == 1 && std::abs(sum - vectors[i]) > rounding * size)
         throw InputError(lines.place(),
                          "total_" + std::string(1, "xyz"[i]) + " = " + significant(vectors[i], 6) +
@@ -167,7 +168,7 @@ ForceFile read_force_file(const std::string& path, const std::string& quantity, 
   return file;
 }
 
-/// Whether `all` holds every row of `some` as it is.
+/// Whether `all` holds every row of `some` unchanged.
 bool holds(const FlowRows& all, const FlowRows& some) {
   for (std::size_t row = 0; row < some.count(); ++row) {
     const auto at = std::lower_bound(all.time.begin(), all.time.end(), some.time[row]);
@@ -179,8 +180,8 @@ bool holds(const FlowRows& all, const FlowRows& some) {
   return true;
 }
 
-/// OpenFOAM that starts at the same time once more leaves force_0.8.dat beside force.dat: which run counts is for a
-/// person to say, unless one holds the other.
+/// Where OpenFOAM starts again at the same time, it writes force_0.8.dat beside force.dat. A person must say which
+/// run counts, unless one file holds all rows of the other.
 ForceFile read_force_files(const FlowFolder& folder, const std::string& file, const std::string& quantity,
                            const Place& place, FlowRecord& record) {
   const std::string path = (fs::path(folder.path) / file).string();
@@ -202,7 +203,7 @@ ForceFile read_force_files(const FlowFolder& folder, const std::string& file, co
   return first_holds ? std::move(read) : std::move(other);
 }
 
-/// Moments beside forces, row by row; what one file has beyond the other, as where a run was ended, is left out.
+/// Joins moments to forces, row by row; rows that only one file has, as where a run was interrupted, are left out.
 void add_moments(const ForceFile& moments, const std::string& path, ForceFile& forces, FlowNotes& notes) {
   const std::size_t n = std::min(forces.rows.count(), moments.rows.count());
   for (std::size_t row = 0; row < n; ++row)

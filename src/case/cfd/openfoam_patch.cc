@@ -15,7 +15,7 @@ namespace {
 struct PatchFile {
   std::string field;
   bool vertices = false;
-  std::optional<std::size_t> count;  ///< that the head tells
+  std::optional<std::size_t> count;  ///< as the head gives it
   bool named = false;                ///< the head has named the columns
   std::vector<Triple> at;
   std::vector<double> value;
@@ -28,7 +28,7 @@ bool read_count(const std::string& word, PatchFile& file) {
   return true;
 }
 
-/// "p  FACE_DATA 20", then "x  y  z  p"; older ones have the number on a line of its own.
+/// "p  FACE_DATA 20", then "x  y  z  p"; older files have the number on a line of its own.
 void read_patch_head(const FlowLines& lines, PatchFile& file) {
   const std::vector<std::string> words = words_of(lines.line(), "# \t");
   if (words.empty()) return;
@@ -80,7 +80,7 @@ PatchFile read_patch_file(const std::string& path, const Place& place, FlowNotes
   return file;
 }
 
-/// By more than what six digits hold.
+/// Whether points have moved by more than the rounding to six digits.
 bool moved(const std::vector<Triple>& a, const std::vector<Triple>& b) {
   if (a.size() != b.size()) return true;
   double size = 0., most = 0.;

@@ -15,7 +15,7 @@ namespace {
 
 struct ProbeFile {
   std::vector<Triple> at;
-  std::vector<bool> outside;  ///< of the mesh: a head line says so, or the values
+  std::vector<bool> outside;  ///< of the mesh: by a line of the head, or by the values
   FlowRows rows;
 };
 
@@ -53,7 +53,7 @@ void read_coordinate_line(const FlowLines& lines, const std::vector<std::string>
 }
 
 struct HeadState {
-  std::string coordinates;  ///< of those of older files, that were read: "xyz"
+  std::string coordinates;  ///< axes read so far, in the layout of older files: "xyz" when complete
 };
 
 void read_head(const FlowLines& lines, ProbeFile& file, HeadState& state) {
@@ -72,7 +72,7 @@ void read_head(const FlowLines& lines, ProbeFile& file, HeadState& state) {
 }
 
 bool is_outside(double value) {
-  return !(value > -largest_magnitude);  // -1e300 or -1.8e307, by the version
+  return !(value > -largest_magnitude);  // OpenFOAM writes -1e300 or -1.8e307, depending on the version
 }
 
 void add_probe_row(const FlowLines& lines, const FlowLine& line, ProbeFile& file) {
@@ -128,7 +128,7 @@ ProbeFile read_probe_file(const std::string& path, const Place& place, FlowNotes
   return file;
 }
 
-/// Probes in the mesh.
+/// Keeps only the probes that lie in the mesh.
 void keep_inside(ProbeFile& file, FlowRows& rows, FlowRecord& record) {
   FlowPoints& points = *record.points;
   std::vector<std::size_t> inside;

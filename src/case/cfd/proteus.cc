@@ -1,5 +1,5 @@
-// Point gauges of Proteus: `time, p [ x y z], p [ x y z], ...`, places in the names of the columns. Source: the writer,
-// proteus/Gauges.py.
+// Point gauges of Proteus: `time, p [ x y z], p [ x y z], ...`, with places in the names of the columns. Source: the
+// code that writes them, proteus/Gauges.py.
 #include <cmath>
 
 #include "base/text.h"
@@ -10,7 +10,7 @@ namespace upbead {
 
 namespace {
 
-/// "p [ 0.5 0.2 0]"; false where it is none.
+/// Reads "p [ 0.5 0.2 0]"; false where the cell is no such name.
 bool read_gauge_name(std::string_view cell, std::string& field, Triple& at) {
   const std::size_t open = cell.find('['), close = cell.find(']');
   if (open == std::string_view::npos || close != cell.size() - 1 || close < open) return false;

@@ -1,5 +1,5 @@
-// Tables of SWASH. `TABLE 'WG01' NOHEADER 'file' WATL DEP OUTPUT tbegin dt SEC` in the command file INPUT tells the
-// columns and the times, which the table itself does not have. Source: SWASH user manual, commands TABLE and SET.
+// Tables of SWASH. The table itself has neither header nor times: the command `TABLE 'WG01' NOHEADER 'file' WATL DEP
+// OUTPUT tbegin dt SEC` in the command file INPUT gives both. Source: SWASH user manual, commands TABLE and SET.
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -40,14 +40,14 @@ std::vector<SwashCommand> commands_of(const std::string& path, const Place& plac
   return commands;
 }
 
-/// What the command says of the table.
+/// What the command TABLE says of the table.
 struct SwashTable {
   std::vector<std::string> names;
   double begin = 0., step = 0.;  ///< s
   Place place;
 };
 
-/// hhmmss.sss, the third of SWASH's ways to write a time.
+/// Reads hhmmss.sss, the third of SWASH's ways to write a time.
 bool read_clock(const std::string& word, double& seconds) {
   double number = 0.;
   if (word.find_first_not_of("0123456789.") != std::string::npos || !read_number(word, number)) return false;
@@ -83,7 +83,7 @@ std::string without_quotes(const std::string& word) {
   return word.size() > 1 && word.front() == '\'' && word.back() == '\'' ? word.substr(1, word.size() - 2) : word;
 }
 
-/// The command of this table, and the level of still water by SET LEVEL.
+/// Finds the command of this table, and the still water level by SET LEVEL.
 std::optional<SwashTable> find_table(const std::string& input, const std::string& file, const Place& place,
                                      FlowNotes& notes, double& still) {
   std::optional<SwashTable> found;

@@ -27,7 +27,7 @@ const GaugeWords bottom_words{
 
 namespace {
 
-/// Columns in the order of their places; mistakes of any of them together.
+/// Reads the columns in the order of their places; reports the mistakes of all columns together.
 void read_columns(const GaugeSource& source, const CsvTable& table, const RecordTimes& times, const Place& place,
                   Gauges& gauges) {
   Diagnostics mistakes;
@@ -114,7 +114,7 @@ bool sees_any(const std::vector<double>& pressure) {
   return std::any_of(pressure.begin(), pressure.end(), [](double p) { return p != 0.; });
 }
 
-/// How many samples a run until `end` needs: one beyond it too.
+/// How many samples a run until `end` needs: those until then and one later.
 std::ptrdiff_t needed(const std::vector<double>& time, double end) {
   const auto beyond = std::upper_bound(time.begin(), time.end(), end);
   return beyond - time.begin() + (beyond == time.end() ? 0 : 1);
@@ -179,7 +179,7 @@ namespace {
 
 /// A history in SI units.
 struct Columns {
-  CsvTable table;  ///< for places
+  CsvTable table;  ///< kept for the places of mistakes
   std::vector<double> time, value;
 };
 

@@ -14,7 +14,7 @@
 
 namespace upbead {
 
-/// Declares them; `in` may tell each entry where it belongs.
+/// Declares the keys of the record's clock; `in` may say where each entry belongs.
 template <class T, class In>
 void add_clock_keys(TableSchema<T>& table, const In& in) {
   in(table.key("zero", &T::zero))
@@ -29,7 +29,7 @@ void add_clock_keys(TableSchema<T>& table, const In& in) {
       .doc("samples a second of a record without a column of times");
 }
 
-/// What the places are called: heights of a wall, positions along a bottom.
+/// Names of the places: heights of a wall, or positions along a bottom.
 struct GaugeWords {
   const char *places, *places_doc, *to_first, *to_last, *ends_doc, *first, *last;
 };
@@ -37,8 +37,8 @@ extern const GaugeWords wall_words, bottom_words;
 
 extern const std::vector<std::pair<std::string, Beyond>> beyond_words;
 
-/// Declares the keys; they belong where `belongs` holds (see Entry::when), those of what is beyond the row where
-/// `beyond_belongs` does.
+/// Declares the keys; they belong where `belongs` holds (see Entry::when). The keys of the pressure beyond the row
+/// belong where `beyond_belongs` holds.
 template <class T>
 void add_gauge_keys(TableSchema<T>& table, const GaugeWords& words, const std::function<bool(const T&)>& belongs,
                     const std::string& where, const std::function<bool(const T&)>& beyond_belongs) {
@@ -67,31 +67,32 @@ void add_gauge_keys(TableSchema<T>& table, const GaugeWords& words, const std::f
       .doc("name of the column with the force by a load cell (N/m); compared with the transducers, not applied");
 }
 
-/// Mistakes in the keys: what is missing or contradicts itself; `path`: of their table.
+/// Reports keys that are missing or contradict each other; `path`: of their table.
 void check_gauges(const GaugeSource& source, const GaugeWords& words, const std::string& path, const Document& document,
                   Diagnostics& report);
 
-/// The record, in SI units and the run's time, cut to what comes from t = 0 on. Throws InputError with every mistake,
-/// at the file's lines or at the keys of `path`.
+/// The record in SI units and in the run's time, from t = 0 on. Throws InputError with every mistake, at the file's
+/// lines or at the keys of `path`.
 Gauges read_gauges(const GaugeSource& source, const std::string& file, const std::string& path,
                    const Document& document);
 
-/// Adds a pressure for each transducer that sees any, NAME.TRANSDUCER, spread over the wall as `share` says, in a run
-/// until `end` (s).
+/// Adds a pressure NAME.TRANSDUCER for each transducer with a pressure other than zero, spread over the wall as
+/// `share` says, in a run until `end` (s).
 void add_gauge_loads(const std::string& name, const GaugeLoad& by_gauges, double end, Scene& scene);
 
-/// U(t) of transducers along a bottom between its ends (N/m); zero where it would pull. Throws InputError where it is
-/// never positive.
+/// U(t) of transducers along a bottom between its ends (N/m); zero where it would be negative. Throws InputError
+/// where it is never positive.
 TimeFunction uplift_of(const GaugeLoad& by_gauges);
 
-/// The pressure of each transducer over the base, suction left out.
+/// The pressure of each transducer over the bottom, without suction.
 std::vector<UpliftPart> uplift_parts_of(const Gauges& gauges);
 
 TableSchema<MeasuredSource> measured_schema();
 
-/// Fills `load` from the file `path` (CSV or HDF5), in a run until `end` (s): the time is the column whose header says
-/// so, the value the first other one that is no counter. Throws InputError: the file as such, fewer than two columns or
-/// rows, times that do not ascend from 0, all zero. `place`: the key that names the file.
+/// Fills `load` from the file `path` (CSV or HDF5), in a run until `end` (s): the time is the column whose header
+/// says so, the value the first other column that is no counter. Throws InputError where the file cannot be read, has
+/// fewer than two columns or rows, has times that do not ascend from 0, or only zeros. `place`: the key that names
+/// the file.
 void read_history(const std::string& path, const Place& place, double end, Load& load);
 
 /// U(t) of a prescribed uplift from such a file; it may be zero, but not negative. Throws InputError as above.

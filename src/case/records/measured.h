@@ -1,4 +1,4 @@
-// Measured histories beside computed ones.
+// Measured histories, compared with computed ones.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace upbead {
 
-/// The column that is meant: the named one, else the first that is neither a time nor a counter. Throws InputError at
+/// The column to compare: the named one, else the first that is neither a time nor a counter. Throws InputError at
 /// `place` where there is none.
 std::size_t measured_column(const MeasuredSource& source, const CsvTable& table, const RecordLayout& layout,
                             const Place& place);
@@ -23,11 +23,11 @@ struct MeasuredRecord {
   RecordNotes notes;
 };
 
-/// Reads all records of a case. `computed`: every history that the run will have (values are not looked at). Throws
-/// InputError with every mistake: a reading that there is not, and whatever is wrong with a file.
+/// Reads all records of a case. `computed`: every history that the run will have (their values are not used). Throws
+/// InputError with every mistake: a reading that does not exist, and whatever is wrong with a file.
 std::vector<MeasuredRecord> read_measured(const Case& input, const std::vector<Dataset>& computed);
 
-/// Each record against its history; `computed` has "time". Throws InputError where they have no time in common.
+/// Compares each record with its history; `computed` has "time". Throws InputError where they have no time in common.
 std::vector<MeasuredSummary> compare_measured(const Case& input, const std::vector<MeasuredRecord>& records,
                                               const std::vector<Dataset>& computed);
 

@@ -15,7 +15,7 @@ namespace upbead {
 
 namespace {
 
-/// Whole numbers that ascend from row to row; `by_one`: 4, 5, 6 ...
+/// Whether the values are whole numbers that ascend from row to row; `by_one`: by one, as 4, 5, 6 ...
 bool counts(const std::vector<double>& values, bool by_one = false) {
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (values[i] != std::floor(values[i])) return false;
@@ -131,16 +131,16 @@ const Set counters{"part",  "particle", "step",   "steps",  "schritt", "zeitschr
                    "line",  "zeile",    "ligne",  "record", "rec",     "count",       "counter",   "zähler", "zaehler",
                    "point", "pt",       "punkt",  "frame",  "frames",  "iter",        "iteration", "cycle",  "pas",
                    "paso",  "passo",    "n°",     "nº",     "№",       "番号",        "序号",      "unnamed"};
-/// Beside a word of time: a number of a time, or the length of something.
+/// With one of these beside a word of time, the column holds the number of a time, or a length of time.
 const Set lengths{"step",  "steps", "dt",   "delta",  "interval", "increment", "lag",    "delay",
                   "shift", "rise",  "fall", "period", "duration", "constant",  "schritt"};
 const Set clocks{"real",     "cpu",   "wall", "clock", "system", "date",  "day",
                  "absolute", "local", "utc",  "gmt",   "run",    "stamp", "computing"};
 const Set stamps{"timestamp", "zeitstempel", "runtime", "clock"};
-/// Beside a word of time these alone make a counter of it: "time step", "time no."; "sample time" is a time.
+/// Beside a word of time only these make the column a counter: "time step", "time no."; "sample time" is a time.
 const Set of_a_time{"step", "steps",  "schritt", "index", "idx", "no", "nr",
                     "num",  "number", "nummer",  "n°",    "nº",  "id"};
-/// Too short to be meant as a unit without brackets: slip, minimum, height.
+/// Units too short to be recognised without brackets: s may be slip, min minimum, h height.
 const Set no_units{"s", "min", "h"};
 
 std::string lower(std::string text) {
@@ -148,7 +148,7 @@ std::string lower(std::string text) {
   return text;
 }
 
-/// HeaderWords of a header, in small letters, without numbers: TimeStep_2 is time, step.
+/// The words of a header, in small letters, without numbers: TimeStep_2 is time, step.
 HeaderWords words_of(const std::string& name) {
   HeaderWords words(1);
   const auto is_letter = [](unsigned char c) { return std::isalpha(c) != 0 || c >= 0x80U; };

@@ -81,7 +81,7 @@ std::vector<double> in_si(const CsvTable& table, std::size_t column, const std::
 
 namespace {
 
-/// A column that says that it is the time must agree with the rate that is given.
+/// Where a sampling rate is given, a column that is clearly the time must agree with it.
 void require_rate(const CsvTable& table, const RecordLayout& layout, double rate) {
   const bool says_so =
       layout.time && header_says(table.names[*layout.time], table.units[*layout.time]) > HeaderSays::counter;

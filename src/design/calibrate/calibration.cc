@@ -31,7 +31,7 @@ CalibrationFit fit(const CalibratedModel& model, DurationMeasure measure, std::o
   return out;
 }
 
-/// What all waves of one model share, at its size.
+/// What all waves of one model have in common, at the model's size.
 struct Setting {
   Section section;
   Water water;
@@ -89,13 +89,14 @@ CalibratedWave calibrate_wave(const Setting& setting, std::size_t number,
   out.peak_shear = *std::max_element(answered.shear.begin(), answered.shear.end());
   const History force{answered.time, answered.sliding_force};
   out.peak_sliding_force = force.value[peak_index(force)];
-  if (out.peak_sliding_force <= 0.) return out;  // nothing pushes it landward
+  if (out.peak_sliding_force <= 0.) return out;  // nothing pushes the caisson landward
   for (const double ratio : setting.ratios)
     out.durations.push_back(duration_at(ratio, setting.section.weight / setting.water.gravity, force));
   return out;
 }
 
-/// By every measure: for each r, and for all r together; tau_0 by impulse is the same at every r and fitted once.
+/// Fits by every measure: for each r, and for all r together; tau_0 by impulse is the same at every r and fitted
+/// once.
 std::vector<CalibrationFit> fits(const CalibratedModel& model, const std::vector<double>& ratios,
                                  const DurationFactor& given) {
   std::vector<CalibrationFit> list;
@@ -129,7 +130,7 @@ CalibratedModel calibrate_model(const Design& design, const Family& family, cons
   return out;
 }
 
-constexpr double most_waves = 1e6;  // of the grid: minutes
+constexpr double most_waves = 1e6;  // waves of the grid: minutes
 
 double n_grid(const CalibrationTable& grid) {
   double n = 1.;

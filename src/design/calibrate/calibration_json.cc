@@ -8,7 +8,7 @@ namespace upbead {
 
 namespace {
 
-/// All that `calibrate` tells.
+/// All that goes into summary.json of `calibrate`.
 struct ToldCalibration {
   const Design* design;
   const Calibration* found;
@@ -22,7 +22,7 @@ OutputSchema<FitQuality> quality_outputs() {
       .key("r_squared", &Q::r_squared, "", "R2");
 }
 
-/// The ellipse: semi-axes and where the long one points, in the plane of (a, b).
+/// The confidence ellipse in the plane of (a, b): semi-axes and the direction of the longer one.
 OutputSchema<DurationFit> ellipse_outputs() {
   using F = DurationFit;
   const auto axis = [](double sign) {
@@ -52,7 +52,7 @@ OutputSchema<CalibrationFit> certainty_outputs() {
     return Json{{C(0, 0), C(0, 1)}, {C(1, 0), C(1, 1)}};
   };
   const auto correlation = [deviation](const F& fit) {
-    const double a = deviation(0)(fit), b = deviation(1)(fit);  // 0 where the formula meets all points exactly
+    const double a = deviation(0)(fit), b = deviation(1)(fit);  // 0 where the formula fits all points exactly
     return a == 0. || b == 0. ? std::nullopt : std::optional(fit.covariance(0, 1) / (a * b));
   };
   return OutputSchema<CalibrationFit>()

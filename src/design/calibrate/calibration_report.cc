@@ -18,7 +18,7 @@ std::string name_of(const std::optional<double>& ratio) {
   return ratio ? significant(*ratio, 4) : "all";
 }
 
-/// "0.30 +- 0.01"; without the error where it means nothing.
+/// "0.30 +- 0.01"; without the error where there is no meaningful one.
 std::string estimate(const DurationFit& fit, double value, int index) {
   if (!fit.has_covariance()) return format("%.4g", value);
   return format("%.4g +- %.2g", value, std::sqrt(fit.covariance(index, index)));
@@ -77,7 +77,7 @@ std::string describe_waves(const Calibration& found) {
   return text + "\n";
 }
 
-/// A row's value; none where there is no tau_0.
+/// The value of a row; none where there is no tau_0.
 using Value = std::optional<double>;
 
 struct Column {

@@ -1,5 +1,5 @@
-// The calibration of k(alpha*): tau_0 of many waves through the caisson's own dynamics, the k that fits them, and what
-// `upbead calibrate` tells of it: summary.json, calibration.csv, results.h5, and the text for people.
+// The calibration of k(alpha*): tau_0 of many waves by the caisson's own dynamics, the k fitted to them, and the
+// output of `upbead calibrate`: summary.json, calibration.csv, results.h5, and text.
 #pragma once
 
 #include <array>
@@ -20,14 +20,14 @@ struct OutputRow;
 enum class DurationMeasure { paper, exact, excess, impulse };
 inline constexpr std::array<DurationMeasure, 4> all_measures{DurationMeasure::paper, DurationMeasure::exact,
                                                              DurationMeasure::excess, DurationMeasure::impulse};
-/// Its word in files.
+/// The word for it in files.
 const char* word(DurationMeasure measure);
 
 /// tau_0 of one history at one r.
 struct WaveDuration {
   double ratio = 0.;                        ///< r
-  double sliding = 0.;                      ///< S against F_Smax/r (m)
-  std::map<DurationMeasure, double> tau_0;  ///< s; absent where there is none: it does not slide landward
+  double sliding = 0.;                      ///< S under this history with the resistance F_Smax/r (m)
+  std::map<DurationMeasure, double> tau_0;  ///< s; absent where the caisson does not slide landward
 };
 
 /// One wave on one model, at the model's size.
@@ -45,7 +45,7 @@ struct CalibrationFit {
   std::optional<double> ratio;  ///< r; none: all r together
   std::vector<DurationPoint> points;
   std::optional<DurationFit> fit;  ///< none where the points are too few
-  FitQuality given;                ///< of the design's own a and b, the paper's by default
+  FitQuality given;                ///< of the design's own a and b, by default those of the paper
   bool given_in_ellipse = false;
 };
 
@@ -57,32 +57,32 @@ struct CalibratedModel {
   std::vector<CalibrationFit> fits;
 };
 
-/// The fit to take for design: S itself (`exact`), at all r together, as one k serves all r; where that fit is doubted
-/// the one of `exact` with the least residual that is not. Null where all are.
+/// The fit to take for design: by S itself (`exact`), at all r together, as one k serves all r. Where that fit is
+/// doubtful, the fit by `exact` with the least residual among those that are not. Null where all are doubtful.
 const CalibrationFit* recommended(const CalibratedModel& model);
 
 struct Calibration {
   std::size_t n_grid = 0, n_waves = 0;
-  std::map<std::string, std::size_t> left;  ///< waves left out, by why
+  std::map<std::string, std::size_t> left;  ///< number of waves left out, by reason
   DurationFactor given;                     ///< [duration]
   std::vector<CalibratedModel> models;
   double seconds = 0.;
 };
 
-/// A sound design, on all cores; the same numbers whatever their number. Throws NumericsError where a number is not
-/// finite.
+/// For a design without mistakes, on all cores; the numbers do not depend on how many. Throws NumericsError where a
+/// number is not finite.
 Calibration calibrate(const Design& design);
 
 /// Throws NumericsError where a number is not finite.
 std::string to_json(const Design& design, const Calibration& found);
-/// Its keys.
+/// The keys of that JSON.
 std::vector<OutputRow> rows_of_calibration();
-/// A row per model, wave and r.
+/// One row for each model, wave and r.
 std::string calibration_csv(const Calibration& found);
 /// The same columns as the bytes of an HDF5 file.
 std::string calibration_file(const Design& design, const Calibration& found);
 std::string describe(const Design& design, const Calibration& found);
-/// For stderr: fits that tell nothing; "" where all do.
+/// For stderr: fits that are doubtful; "" where none is.
 std::string notes_and_warnings(const Calibration& found);
 
 }  // namespace upbead

@@ -10,7 +10,7 @@ Diagnostics refuse(const Node& node, const KeyInfo& key, const std::string& what
   return {{node.place, key.name + ": " + what, "give the " + key.meaning()}};
 }
 
-/// One of the three keys of a range.
+/// Reads one of the three keys of a range.
 template <class V>
 void read_end(const Node& node, const KeyInfo& key, const std::string& name, V& value, Diagnostics& wrong) {
   KeyInfo inner = key;

@@ -10,7 +10,7 @@
 
 namespace upbead {
 
-/// One wave on one mound.
+/// A wave and the mound that it meets.
 struct FamilyWave {
   double height = 0., period = 0., wavelength = 0.;  ///< H (m), T (s), L (m)
   double berm_depth = 0., berm_width = 0.;           ///< d, B_M (m)
@@ -19,23 +19,23 @@ struct FamilyWave {
 
 struct Family {
   std::vector<FamilyWave> waves;            ///< at the size of [section]
-  std::size_t n_grid = 0;                   ///< of the whole grid
-  std::map<std::string, std::size_t> left;  ///< waves left out, by why; each counts once
+  std::size_t n_grid = 0;                   ///< number of waves in the whole grid
+  std::map<std::string, std::size_t> left;  ///< number of waves left out, by reason; each counts once
 };
 
 /// The grid of [calibration], without what is beyond the formulas: H/h above 0.8 and waves above Miche's limit as in
 /// `waves` (validity.h), steepness outside the limits, berms below the caisson's bottom or the bed.
 Family make_family(const DesignTables& tables);
 
-/// Lengths times `scale`, weights times its square.
+/// The section with lengths times `scale` and weights times its square.
 Section scaled(const Section& section, double scale);
-/// The same with times by its root.
+/// The same for a wave, with times multiplied by the root of `scale`.
 FamilyWave scaled(FamilyWave wave, double scale);
 
-/// The section with the mound of a wave of the same size.
+/// The section with the mound of a wave; both are at the same size.
 Section with_mound(Section section, const FamilyWave& wave);
 
-/// H_1/3 = H/1.8, which tells where h_b is taken.
+/// A sea state with H_1/3 = H/1.8, which determines where h_b is taken.
 SeaState sea_state(const FamilyWave& wave);
 
 }  // namespace upbead

@@ -16,19 +16,19 @@ namespace upbead {
 
 namespace {
 
-/// What the truth lies away over what halving the cells moves. Where every halving leaves a share q of the error that
-/// is 1/(1 - q): 2 where the corners of a rigid bottom decide (stress as r^(-1/2), F_T wrong by the square of the error
-/// in energy, q = 1/2), less where waves do; the rest is for meshes that are not so fine yet. Measured:
-/// docs/accuracy.md.
+/// The distance to the exact solution, as a multiple of the change when cells are halved. Where every halving leaves
+/// a share q of the error it is 1/(1 - q): 2 where the corners of a rigid bottom govern (stress as r^(-1/2), the
+/// error of F_T the square of the error in energy, q = 1/2), less where waves govern; the rest is for coarser meshes.
+/// Measured: docs/accuracy.md.
 constexpr double margin_of_peak = 3.4, margin_of_history = 4.;
-/// Of what the history moves by; a change of the peak that is smaller is so by chance.
+/// Share of the history's change: a smaller change of the peak is a coincidence.
 constexpr double least_share_of_history = 0.3;
-/// Both solutions may be wrong in time by this part of the tolerance.
+/// Share of the tolerance by which time steps may make both solutions wrong.
 constexpr double share_of_time = 0.25;
-/// What the difference of reduced models may move by, over the tolerance of each.
+/// By how much the difference of reduced models may still change, as a share of the tolerance of each.
 constexpr double share_of_difference = 0.05;
 
-/// The soil of cells that were split.
+/// The state of the soil in the cells that came from splitting.
 SoilState of_children(const SoilState& soil, const Mesh& mesh, const Mesh& finer) {
   SoilState state;
   state.shear_modulus.reserve(finer.triangulation.n_active_cells());
@@ -42,7 +42,7 @@ SoilState of_children(const SoilState& soil, const Mesh& mesh, const Mesh& finer
   return state;
 }
 
-/// The scene as it is solved for a comparison: more exactly in time, at times of our own.
+/// The scene as solved for a comparison: more accurately in time, at the program's own steps.
 Scene compared(const Simulation& simulation) {
   Scene scene = simulation.scene;
   scene.tolerance = share_of_time * simulation.given.tolerance;
@@ -59,7 +59,7 @@ Answers bonded_answers(const Simulation& simulation, const Response& response) {
   return answers;
 }
 
-/// None where the models do not come close enough.
+/// Results by reduced models; none where the models do not converge.
 std::optional<CellsCompared::Reduced> by_reduced_models(const Simulation& simulation, const CompiledScene& finer) {
   const Scene scene = compared(simulation);
   ReductionTargets targets;

@@ -18,19 +18,20 @@ namespace upbead {
 
 namespace {
 
-/// What the truth lies away over what S moves by on cells half as large, and in half the step: docs/accuracy.md.
+/// The distance of S to the exact value, as a multiple of its change on cells half as large and in half the step:
+/// docs/accuracy.md.
 struct Margins {
   double cells = 4.5, steps = 3.;
 };
 constexpr Margins of_contact{5., 3.3};  // node by node
-/// S of both meshes may agree by chance: parts of its change by forces wrong by as much as their peak and history may
-/// be.
+/// S of both meshes may agree by coincidence. So its error is at least these shares of its changes under forces that
+/// are wrong by the error of the peak and of the history.
 constexpr double by_chance = 0.03, by_chance_of_history = 0.01;
-/// S grows at least with the square of the force: a part of it, over the error of the peak, where forces cannot be
-/// scaled.
+/// S grows at least with the square of the force: where forces cannot be scaled, the relative change of S over the
+/// error of the peak.
 constexpr double least_growth = 2.;
 
-/// Another simulation in `part` times the steps, and by the same scheme, as a run.
+/// The simulation `other` in `part` times the steps of a run, by the same scheme.
 Simulation in_steps_of(const Simulation& other, const Run& run, double part) {
   Scene same = other.given;
   same.fields_every.reset();
@@ -42,7 +43,8 @@ Simulation in_steps_of(const Simulation& other, const Run& run, double part) {
   return with_given(other, same);
 }
 
-/// S by eq. (4) of a run whose forces at the bottom are all `factor` times as large: so many times less resists.
+/// S by eq. (4) of a run if all forces at the bottom were `factor` times as large; computed with a resistance and a
+/// mass smaller by that factor.
 double slip_with_forces(const Simulation& simulation, const Run& run, double factor) {
   Scene other = simulation.scene;
   other.sliding->weight = run.summary.sliding->weight / factor;
@@ -51,19 +53,19 @@ double slip_with_forces(const Simulation& simulation, const Run& run, double fac
   return sliding_of(other, *simulation.compiled, run.response)->history.by_history.residual;
 }
 
-/// Largest change of S by eq. (4) for forces that are wrong by so much.
+/// Largest change of S by eq. (4) if forces are wrong by this share.
 double change_by_forces(const Simulation& simulation, const Run& run, double error) {
   const double slip = run.summary.sliding->history.by_history.residual;
   return std::max(std::abs(slip_with_forces(simulation, run, 1. + error) - slip),
                   std::abs(slip_with_forces(simulation, run, 1. - std::min(error, 0.5)) - slip));
 }
 
-/// Changes of S by forces at the bottom that are all wrong by as much as their peak or their history may be (m).
+/// Changes of S if all forces at the bottom are wrong by the error of the peak, or by that of the history (m).
 struct ByForces {
   double peak = 0., history = 0.;
 };
 
-/// S on both meshes, solved alike, and solved better in time (m).
+/// S on both meshes, solved alike, and S on the scene's own mesh solved more accurately in time (m).
 struct OtherSlips {
   double coarse = 0., finer = 0., shorter = 0.;
 };
@@ -80,7 +82,7 @@ double slip_by_history(const SlidingSummary& sliding) {
   return sliding.history.by_history.residual;
 }
 
-/// By runs on cells half as large and in half the step.
+/// Estimates the errors by runs on cells half as large and in half the step.
 void compare(SlidingSummary& sliding, const SlidingSummary& finer, const SlidingSummary& shorter,
              const ByForces& by_forces) {
   const double by_history = slip_by_history(sliding);
@@ -92,7 +94,7 @@ void compare(SlidingSummary& sliding, const SlidingSummary& finer, const Sliding
       slip_error(as_whole(sliding), {as_whole(sliding), as_whole(finer), as_whole(shorter)}, by_forces);
 }
 
-/// By reduced models of both meshes; false where they do not tell it.
+/// Estimates the errors by reduced models of both meshes; false where these do not give them.
 bool compare_reduced(Run& run, const ByForces& by_forces) {
   const Simulation& simulation = *run.simulation;
   SlidingSummary& sliding = *run.summary.sliding;
@@ -113,14 +115,14 @@ bool compare_reduced(Run& run, const ByForces& by_forces) {
   return true;
 }
 
-/// Of a run with contact node by node.
+/// Errors of a run with contact node by node.
 struct ContactError {
   ShearError mesh, time;
-  double slip = 0.;  ///< of S (m)
+  double slip = 0.;  ///< error of S (m)
 };
 
-/// By the same march on cells half as large, and with steps half as long; fills in that of [sliding], too. Throws
-/// NumericsError as that does.
+/// By the same march on cells half as large, and with steps half as long; fills in the error of [sliding], too.
+/// Throws NumericsError as a march does.
 ContactError error_of_contact(Run& run) {
   const Simulation& simulation = *run.simulation;
   const auto march_on = [&](const Simulation& on, double part) {
@@ -130,7 +132,7 @@ ContactError error_of_contact(Run& run) {
   const auto slip = [](const Run& r) { return r.summary.contact->solved ? r.summary.contact->solved->slip : 0.; };
   const Run finer = march_on(with_halved_cells(simulation), 1.), shorter = march_on(assembled_again(simulation), 0.5);
   const ShearError by_steps = difference(shear(run), shear(shorter));
-  constexpr double whole = 2.;  // order 1 at least: steps half as long take away half
+  constexpr double whole = 2.;  // order 1 at least: halving the steps removes half the error
   ContactError error{with_margin(difference(shear(run), shear(finer))),
                      {whole * by_steps.peak, whole * by_steps.history},
                      slip_error(slip(run), {slip(run), slip(finer), slip(shorter)}, {}, of_contact)};
@@ -142,7 +144,7 @@ ContactError error_of_contact(Run& run) {
   return error;
 }
 
-/// By name of a far side, the surfaces behind it.
+/// The surfaces behind each far side, by the side's name.
 using Sides = std::map<std::string, std::set<std::string>>;
 
 /// The scene with all its far sides of one kind.
@@ -163,7 +165,7 @@ bool same_boundaries(const Scene& a, const Scene& b) {
   });
 }
 
-/// Largest |F_T| of a transform about a time (N/m).
+/// Largest |F_T| of a transform near a time (N/m).
 double largest_shear(const Spectrum& spectrum, const std::vector<std::complex<double>>& shear, double time,
                      double duration) {
   double largest = 0.;
@@ -203,8 +205,8 @@ TimeGrid halved(TimeGrid grid) {
   return grid;
 }
 
-/// Of a march of order 2 or 4, by steps half as long on the coarse mesh: where loads have corners that steps do not
-/// resolve, or stiff waves lower the order, they take away half of the error at least.
+/// Error of a march of order 2 or 4, by steps half as long on the coarse mesh. Halving the steps removes at least
+/// half the error, even where steps do not resolve corners of the loads, or stiff waves lower the order.
 ShearError error_of_steps(const Run& run) {
   constexpr double whole = 2.;
   const Simulation coarse = on_mesh(run.simulation->given, run.simulation->given_mesh);
@@ -218,7 +220,7 @@ ShearError error_of_steps(const Run& run) {
   return {whole * moved.peak, whole * moved.history};
 }
 
-/// Those of a mesh that was made for the tolerance are known, unless the soil has changed since.
+/// The comparison of cells; it exists where the mesh was made for the tolerance, unless the soil has changed since.
 std::shared_ptr<const CellsCompared> compared_cells(const Simulation& simulation) {
   if (simulation.accuracy && !simulation.soil) return simulation.accuracy->compared;
   return std::make_shared<const CellsCompared>(compare_cells(simulation));

@@ -53,20 +53,21 @@ ShearError difference(const ShearHistory& answer, const ShearHistory& better) {
 
 namespace {
 
-/// Part of the tolerance that the mesh may use up; the rest is for the reduced model or the steps.
+/// Share of the tolerance for the error of the mesh; the rest is for the reduced model or the steps.
 constexpr double share_of_mesh = 0.75, share_of_rest = 0.25;
-/// Errors of cells that are split, over what they were: measured between 0.2 and 0.6.
+/// Error of a cell after it was split, over that before: measured between 0.2 and 0.6.
 constexpr double error_after_split = 0.4;
-/// Part of the error whose cells are split at once, at least and at most.
+/// Share of the error whose cells are split in one refinement, at least and at most.
 constexpr double least_part = 0.3, most_part = 0.85;
-/// Less than this part of an error is left where cells were split for as much: else cells err that were not seen to.
+/// After a refinement the error should fall below this share of the one before; else it comes from cells that the
+/// estimate missed.
 constexpr double enough = 0.8;
-/// Part of the error whose cells are split then: beside all cells, a mesh of half as many unknowns.
+/// Share of the error whose cells are split in that case; it takes half as many unknowns as splitting all cells.
 constexpr double stuck_part = 0.97;
 constexpr int most_unknowns = 250000;
 
-/// The cells with the largest errors, which together have a part of the sum. Mirror images, whose errors differ by
-/// round-off, are split alike: a symmetric scene then stays so.
+/// The cells with the largest errors, which together have this part of the sum. Mirror images, whose errors differ by
+/// round-off, are split alike, so that a symmetric scene stays symmetric.
 std::vector<bool> worst_cells(const MeshError& error, double part) {
   std::vector<std::size_t> order(error.of_cell.size());
   std::iota(order.begin(), order.end(), 0);
@@ -83,7 +84,7 @@ std::vector<bool> worst_cells(const MeshError& error, double part) {
   return chosen;
 }
 
-/// No more cells than it takes to come just below the aim.
+/// Share of the error to split: no more cells than needed to come just below the aim.
 double part_to_split(double error, double aim) {
   return std::clamp((error - 0.9 * aim) / (error * (1. - error_after_split)), least_part, most_part);
 }
@@ -113,13 +114,13 @@ double driving(const Scene& given, const ShearError& error) {
                        "or give mesh.refine as a number");
 }
 
-/// Splits cells until what they make wrong is small enough.
+/// Splits cells until the error that they cause is small enough.
 class Adaptation {
  public:
   Adaptation(const Scene& given, std::shared_ptr<const Mesh> coarse)
       : given_(given), aim_(share_of_mesh * given.tolerance), mesh_(std::move(coarse)) {}
 
-  /// The scene on the mesh as it is; its accuracy is set where the mesh will do.
+  /// The scene on the present mesh; its accuracy is set where this mesh is good enough.
   Simulation assemble() {
     Simulation scene = on_mesh(given_, mesh_);
     require_measurable(scene);
@@ -131,8 +132,8 @@ class Adaptation {
     return scene;
   }
 
-  /// Where the cells that seem to be wrong were split and the error has hardly become less, nearly all are that seem to
-  /// have a part in it; where that does not help either, all cells.
+  /// Where cells with large errors were split and the error has hardly fallen, nearly all cells with a part in the
+  /// error are split; where that does not help either, all cells.
   void refine() {
     const std::size_t n = accuracy_.levels.size();
     const auto error = [this, n](std::size_t back) { return driving(given_, accuracy_.levels[n - back].error); };
@@ -156,9 +157,9 @@ class Adaptation {
   std::shared_ptr<const Mesh> mesh_;
   MeshAccuracy accuracy_;
   MeshError cells_;
-  bool measured_ = false;  ///< whether the mesh as it is was held against a finer one
-  int n_stuck_ = 0;        ///< measurements, one after the other, by which the error had hardly become less
-  double scale_ = 0.;      ///< of the true error over what the cells' sum to, as last measured
+  bool measured_ = false;  ///< whether the present mesh was compared with a finer one
+  int n_stuck_ = 0;        ///< number of successive measurements by which the error had hardly fallen
+  double scale_ = 0.;      ///< true error over the sum of the cells' errors, as last measured
 };
 
 }  // namespace

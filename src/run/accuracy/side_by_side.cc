@@ -8,14 +8,14 @@ namespace upbead {
 
 namespace {
 
-/// Part of the difference that it may move by from one look to the next.
+/// Share of the difference by which it may change from one look to the next.
 constexpr double settled_part = 0.05;
 
 double largest_of(const Eigen::VectorXd& values) {
   return values.size() > 0 ? values.cwiseAbs().maxCoeff() : 0.;
 }
 
-/// Of each list, how far the difference of both models has moved since the last look is little.
+/// Whether in each list the difference of both models has changed little since the last look.
 bool is_settled(const SideBySide& last, const SideBySide& now, double enough) {
   for (std::size_t i = 0; i < now.coarse.size(); ++i) {
     const Eigen::VectorXd before = last.finer[i] - last.coarse[i], after = now.finer[i] - now.coarse[i];
@@ -37,7 +37,7 @@ std::optional<SideBySide> grow_side_by_side(GrowingModel& coarse, GrowingModel& 
     try {
       now = SideBySide{read(coarse), read(finer)};
     } catch (const NumericsError&) {
-      // too few vectors to be read
+      // too few vectors to evaluate the model
     }
     const bool known = coarse.reduction().converged && finer.reduction().converged;
     if (now && (known || (last && is_settled(*last, *now, enough)))) return now;

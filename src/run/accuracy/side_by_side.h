@@ -1,4 +1,4 @@
-// Two systems reduced side by side: how far their answers lie apart is known long before the answers are.
+// Two systems reduced side by side: the difference of their responses is known long before the responses are.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,22 +10,22 @@
 
 namespace upbead {
 
-/// Numbers that a model answers, by what they are of: each list is judged by its own largest.
+/// Numbers computed from a model, in lists: each list is judged by its own largest value.
 using Answers = std::vector<Eigen::VectorXd>;
 
-/// Reads a model as it is; throws NumericsError where it is too small to be read.
+/// Computes them from a model; throws NumericsError where the model is still too small for that.
 using ReadModel = std::function<Answers(const GrowingModel&)>;
 
 struct SideBySide {
-  Answers coarse, finer;  ///< by models of as many vectors
+  Answers coarse, finer;  ///< by models with equally many vectors
 };
 
-/// Grows the models of two meshes with the same loads, readings and shift look by look, until from one look to the next
-/// the difference of each list of answers moves by less than a twentieth of its largest, or by `enough` of the largest
-/// answer, or until both have converged by themselves. V vectors match the first V moments of both transfer functions
-/// about the shift [Bai and Su 2005], and so of their difference, which they tell as well, relative to itself, as
-/// either answer: what both lack is about the same and falls out. None where they grow no more before. Throws
-/// NumericsError as GrowingModel::grow() does.
+/// Grows the models of two meshes with the same loads, readings and shift look by look, until from one look to the
+/// next the difference of each list changes by less than a twentieth of its largest value, or by less than `enough`
+/// of the list's largest value, or until both models have converged by themselves. V vectors match the first V
+/// moments of both transfer functions about the shift [Bai and Su 2005], and so those of their difference. So the
+/// difference has the same relative accuracy as either response: both models lack about the same, and that cancels.
+/// None where the models cannot grow that far. Throws NumericsError as GrowingModel::grow() does.
 std::optional<SideBySide> grow_side_by_side(GrowingModel& coarse, GrowingModel& finer, const ReadModel& read,
                                             double enough);
 

@@ -24,13 +24,14 @@ namespace upbead {
 
 namespace {
 
-/// N_i at the nodes of the interface (N/m, compression positive), and the ways that led to them.
+/// N_i at the nodes of the interface (N/m, compression positive), and the ways tried to find them.
 struct RestForces {
   Vector normal_force;
   Ladder ladder;
 };
 
-/// Stresses a + b x in balance with the weight: sum l (a + b x) = W', sum l (a + b x) x = 0, x from where it acts.
+/// Linear stresses a + b x in equilibrium with the weight: sum l (a + b x) = W', sum l (a + b x) x = 0, x from the
+/// point where the weight acts.
 Vector linear_forces(const Interface& interface, const WeightInWater& caisson) {
   const auto n = static_cast<Eigen::Index>(interface.position.size());
   const Eigen::Map<const Eigen::ArrayXd> l(interface.length.data(), n);
@@ -39,7 +40,7 @@ Vector linear_forces(const Interface& interface, const WeightInWater& caisson) {
   return l * (s_2 - s_1 * x) * (caisson.weight / (s_0 * s_2 - s_1 * s_1));
 }
 
-/// Throws NumericsError where a node does not press.
+/// Throws NumericsError where a node is not in compression.
 void require_pressing(const Interface& interface, const Vector& N) {
   Eigen::Index least = 0;
   if (N.minCoeff(&least) > 0.) return;
@@ -48,9 +49,10 @@ void require_pressing(const Interface& interface, const Vector& N) {
                       significant(N.sum()) + " N/m, does not press the whole bottom down");
 }
 
-/// How a caisson was set down nobody knows; the first of these by which every node presses is taken: the static state
-/// of caisson and soils under their weight; the caisson set down on soils that have settled under theirs; stresses that
-/// are linear over the bottom. Throws NumericsError where none does: see check_at_rest.
+/// It is not known how a caisson was set down. The first of these states with compression at every node is taken: the
+/// static state of caisson and soils under their weight; the caisson set down on soils that have settled under their
+/// own weight; stresses that are linear over the bottom. Throws NumericsError where no state has it: see
+/// check_at_rest.
 RestForces rest_forces(const Simulation& simulation, const Interface& interface) {
   const auto by_ground = [&](bool has_settled) {
     return static_normal_forces(simulation.scene, *simulation.mesh, simulation.soil_state, has_settled);
@@ -74,7 +76,7 @@ RestForces rest_forces(const Simulation& simulation, const Interface& interface)
   throw NumericsError(rest.ladder.back().refused);
 }
 
-/// Rows of shear and normal force come in turns, node by node, as glued() appends them; without the uplift.
+/// Rows of shear and normal force alternate, node by node, as glued() appends them; they are without the uplift.
 void look(const Interface& interface, const std::vector<UpliftLoad>& uplift, const Series& series, double margin,
           GluedDemand& demand) {
   const Eigen::Index n = interface.n_nodes(), columns = static_cast<Eigen::Index>(series.time.size());
@@ -93,8 +95,8 @@ void look(const Interface& interface, const std::vector<UpliftLoad>& uplift, con
   }
 }
 
-/// Of a response of glued(system, true), `system` with the interface; the forces may be wrong by `margin` of their
-/// largest value over all nodes.
+/// The demand on contact in a response of glued(system, true), `system` with the interface; the forces may be wrong
+/// by `margin` of their largest value over all nodes.
 GluedDemand contact_demand(const System& system, const std::vector<UpliftLoad>& uplift, const Response& response,
                            double margin) {
   GluedDemand demand{0., 1., margin, false};
@@ -103,7 +105,7 @@ GluedDemand contact_demand(const System& system, const std::vector<UpliftLoad>& 
   return demand;
 }
 
-/// The prescribed pressure pushes both bodies apart: its power is that of the openings alone, N' falls by it.
+/// The prescribed pressure pushes both bodies apart: it does work on the openings alone, and reduces N'.
 void add_loads(const std::vector<UpliftLoad>& uplift, System& system) {
   for (const UpliftLoad& load : uplift) {
     SystemLoad apart{"sliding.uplift", Vector::Zero(system.size()), load.pressure};
@@ -112,7 +114,7 @@ void add_loads(const std::vector<UpliftLoad>& uplift, System& system) {
   }
 }
 
-/// Sees every step of a march; system and scheme must outlive it.
+/// Records every step of a march; system and scheme must outlive it.
 class ContactRecorder : public MarchObserver {
  public:
   ContactRecorder(const System& system, const Scheme& scheme) : system_(system), scheme_(scheme) {}
@@ -180,7 +182,8 @@ Ladder joined(Ladder ladder, const Ladder& more) {
   return ladder;
 }
 
-/// Friction, and the forces at rest, in sum W' of [sliding] where that is given. Returns the ways tried, if several.
+/// Sets friction and the forces at rest, with the sum W' of [sliding] where that is given. Returns the ways tried, if
+/// several.
 Ladder set_at_rest(const Simulation& simulation, Interface& interface) {
   interface.friction = contact_friction(simulation.scene);
   RestForces rest = rest_forces(simulation, interface);
@@ -190,7 +193,7 @@ Ladder set_at_rest(const Simulation& simulation, Interface& interface) {
   return rest.ladder.size() > 1 ? std::move(rest.ladder) : Ladder();
 }
 
-/// Takes the forces at the nodes out of what people read.
+/// Removes the forces at the nodes from the readings that are reported.
 void remove_node_forces(int n_nodes, System& system, Run& run) {
   const auto n = static_cast<Eigen::Index>(system.readings.size()) - 2 * n_nodes;
   system.readings.resize(static_cast<std::size_t>(n));
@@ -199,7 +202,7 @@ void remove_node_forces(int n_nodes, System& system, Run& run) {
     series->reading.conservativeResize(n, Eigen::NoChange);
 }
 
-/// What soil that yields adds to the forces at glued nodes, which are residuals of the rows of their slips and
+/// Adds the forces of yielding soil to the forces at bonded nodes, which are residuals of the rows of their slips and
 /// openings.
 void add_soil_to_node_forces(const Simulation& simulation, const System& system, System& tied) {
   const int n_nodes = system.interface->n_nodes(), first = system.first_slip();
@@ -215,7 +218,7 @@ void add_soil_to_node_forces(const Simulation& simulation, const System& system,
     }
 }
 
-/// Of soil that yields, from all starts.
+/// Marches yielding soil with contact, from all starts.
 Run march_yielding_contact(const Simulation& simulation, const MarchOptions& marching,
                            const std::function<void(double)>& progress, const SoilFollower& follow,
                            ContactSummary& contact) {
@@ -230,7 +233,7 @@ Run march_yielding_contact(const Simulation& simulation, const MarchOptions& mar
   return run_yielding(simulation, marching, progress, options);
 }
 
-/// Also fills in what the nodes did.
+/// Marches with contact; also fills in what the nodes did.
 Run march_contact(const Simulation& simulation, const MarchOptions& marching, const Care& care,
                   ContactSummary& contact) {
   const std::unique_ptr<Scheme> scheme = make_contact_scheme(simulation.compiled->system, true, care.refined);
@@ -302,7 +305,7 @@ Run run_contact(const Simulation& simulation, const MarchOptions& marching, cons
   remove_node_forces(n_nodes, tied->system, run);
   run.simulation = std::make_shared<const Simulation>(bonded);
   add_loads(uplift, system);
-  // from other starts of soil that yields the nodes may slip though from this one they do not
+  // with other starts of yielding soil nodes may slip, though they do not with this one
   if (contact.demand.reached || simulation.scene.fields_every || soil_yields) {
     const auto moving = std::make_shared<const Simulation>(with_system(simulation, sliding));
     MarchOptions unkept = marching;

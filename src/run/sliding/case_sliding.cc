@@ -15,12 +15,12 @@ namespace upbead {
 
 namespace {
 
-/// W (N/m).
+/// W of the caisson (N/m).
 double weight_of(const Scene& scene, const CompiledScene& compiled) {
   return scene.sliding->weight.value_or(compiled.caisson->body.mass * scene.gravity);
 }
 
-/// U(t) of a prescribed uplift, at times of which these are the least.
+/// U(t) of a prescribed uplift, at these times and at its own kinks and samples.
 History prescribed(const UpliftChoice& uplift, const CompiledScene& compiled, const std::vector<double>& time) {
   const TimeFunction of_time = prescribed_uplift(uplift, force_on_caisson(compiled), time.back());
   History U{time, {}};
@@ -40,7 +40,7 @@ BottomForces bottom_forces(const SlidingChoice& sliding, const CompiledScene& co
   return forces;
 }
 
-/// S by eq. (4) with U in either course; none where its course is known.
+/// S by eq. (4) with either course of U, held and in phase; none where the course is known.
 std::optional<UpliftCourses> by_course(SlidingChoice sliding, const CompiledScene& compiled, const BaseHistory& base,
                                        const BottomResistance& bottom) {
   if (!sliding.uplift || !sliding.uplift->peak) return std::nullopt;

@@ -1,4 +1,4 @@
-// How far the caisson of a case slides.
+// The sliding distance of the caisson of a case.
 #pragma once
 
 #include "fem/compile.h"
@@ -6,14 +6,14 @@
 
 namespace upbead {
 
-/// Throws InputError where [sliding] does not fit the caisson: another weight than its mass has by more than 1 %, W'
-/// not below W, an uplift of pore pressure where the bottom meets none.
+/// Throws InputError where [sliding] does not fit the caisson: a weight that differs from its mass by more than 1 %,
+/// W' not below W, an uplift by pore pressure where no pore water reaches the bottom.
 void check_sliding(const Simulation& simulation);
 
-/// U(t) of a prescribed uplift, straight between times of which these are the least (N/m).
+/// U(t) of a prescribed uplift, straight between these times and its own kinks and samples (N/m).
 TimeFunction sampled_uplift(const Scene& scene, const CompiledScene& compiled, const std::vector<double>& time);
 
-/// None without [sliding].
+/// None where there is no [sliding].
 std::optional<SlidingSummary> sliding_of(const Scene& scene, const CompiledScene& compiled, const Response& response);
 
 }  // namespace upbead

@@ -21,12 +21,12 @@ namespace upbead {
 
 namespace {
 
-/// reduce_slip() of the scene with an interface, on one process, for the uplift of its [sliding]. Throws NumericsError
-/// where that does not come to the tolerance besides.
+/// reduce_slip() of the scene with an interface, on one process, for the uplift of its [sliding]. Throws
+/// NumericsError also where the model does not meet the tolerance.
 SlipReduction reduce_sliding(const Simulation& simulation, SlipAhead& ahead, const Series& bonded,
                              const std::function<void(double)>& progress) {
   SlipReduction reduction = ahead.space(simulation)->reduce(bonded, progress);
-  constexpr double tolerable = 0.02;  // of forces that S is told with: an undamped scene needs many vectors for less
+  constexpr double tolerable = 0.02;  // error of forces: an undamped scene would need many vectors for less
   if (!reduction.converged && !(reduction.error.history <= tolerable))
     throw NumericsError("the forces of its reduced model move by " + significant(reduction.error.history) +
                         " of their peaks between nested models with " + std::to_string(reduction.n_vectors) +
@@ -34,7 +34,7 @@ SlipReduction reduce_sliding(const Simulation& simulation, SlipAhead& ahead, con
   return reduction;
 }
 
-/// Times of the response, four to each: a slip starts and ends between them.
+/// The times of the response, each interval in four parts: a slip starts and ends within an interval.
 std::vector<double> fine_times(const std::vector<double>& time) {
   constexpr int parts = 4;
   std::vector<double> fine{time.front()};
@@ -44,7 +44,7 @@ std::vector<double> fine_times(const std::vector<double>& time) {
   return fine;
 }
 
-/// The scene's loads, and W' less a prescribed uplift.
+/// The scene's loads, and W' minus a prescribed uplift.
 SampledLoads loads_of_slip(const Scene& scene, const CompiledScene& compiled) {
   const std::vector<double> time = fine_times(response_times(scene, compiled.system));
   const double weight = scene.sliding->submerged_weight;
@@ -108,13 +108,13 @@ ModelSlip model_slip(const Simulation& simulation, const Reduction& bonded,
   const Response response = respond(bonded, s, simulation.compiled->system);
   SlipAhead none;
   SlipReduction reduction = reduce_sliding(simulation, none, response.ends, progress);
-  // whether slip is well posed shows here, not to the first who asks for waves
+  // whether slip is well posed must show here, and not only when waves are computed
   slip_model(reduction.system, slip_law(reduction.system, s.sliding->friction, slip_uplift(*s.sliding)));
   return {std::move(reduction.system), reduction.error.history, reduction.bonded_error, reduction.n_vectors,
           reduction.n_solves};
 }
 
-/// S of a model as it is; throws NumericsError where it tells no distance.
+/// S by a model; throws NumericsError where the model gives no distance.
 double slip_of(const Scene& scene, const ReducedSystem& system, const SampledLoads& loads) {
   const SlidingChoice& choice = *scene.sliding;
   const SlipModel model = slip_model(system, slip_law(system, choice.friction, slip_uplift(choice)));

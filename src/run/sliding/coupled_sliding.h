@@ -11,25 +11,26 @@
 
 namespace upbead {
 
-/// Reads the sliding of a bonded run, with [sliding]; else there is none. Where the caisson never reaches its friction
-/// the coupled S is zero without more work; else the scene is compiled with an interface and reduced, which leaves a
-/// history; `ahead` may have begun with that.
+/// Computes the sliding of a bonded run with [sliding]; without it nothing. Where the caisson never reaches its
+/// friction, the coupled S is zero and needs no work; else the scene is compiled with an interface and reduced, which
+/// also gives a history. `ahead` may have begun with that.
 void read_sliding(const Simulation& simulation, SlipAhead& ahead, Run& run,
                   const std::function<void(double)>& progress);
 
-/// A run without contact of the same scene with other sliding: what was solved is kept. Throws InputError at keys of
-/// the scene.
+/// A run without contact for the same scene with other sliding; what was solved is used again. Throws InputError at
+/// keys of the scene.
 Run with_sliding(const Run& run, const Scene& given, const std::function<void(double)>& progress);
 
-/// What `upbead reduce` has found of it.
+/// The slip model of `upbead reduce`, or why there is none.
 struct ReducedSlip {
   std::optional<ModelSlip> model;  ///< none without [sliding]
-  std::string why_not;             ///< with [sliding], where there is none
+  std::string why_not;             ///< reason, where there is [sliding] but no model
   double seconds = 0.;
 };
 
-/// Reduces the scene of a case with [sliding] once more, with a caisson that slips as a whole; `bonded`: its model
-/// without, whose response to the scene's loads trains it. `progress` is called with 0 to 1 after every solve.
+/// Reduces the scene of a case with [sliding] again, now with a caisson that slips as a whole; `bonded`: its model
+/// without slip, whose response to the scene's loads trains the new one. `progress` is called with 0 to 1 after every
+/// solve.
 ReducedSlip reduce_with_slip(const Simulation& simulation, const Reduction& bonded,
                              const std::function<void(double)>& progress);
 

@@ -12,13 +12,13 @@ namespace upbead {
 
 namespace {
 
-/// At rest, on the ground.
+/// Effective force and moment at rest on the ground.
 struct RestingForces {
   double force = 0.;   ///< W' (N/m)
   double moment = 0.;  ///< about the bottom's middle, overturning landward positive (N m/m)
 };
 
-/// Weight less the water that the caisson displaces; a cell that the level cuts displaces its part below.
+/// Weight minus the water that the caisson displaces; a cell that the level cuts displaces its part below it.
 RestingForces submerged_weight(const Simulation& simulation, double level) {
   const Caisson& caisson = *simulation.compiled->caisson;
   const double middle = caisson.bottom_centre[0], g = simulation.scene.gravity;
@@ -86,7 +86,7 @@ std::optional<EffectiveBase> effective_base(const Simulation& simulation, const 
 
 namespace {
 
-/// The largest effective stress of a node of the base: its change, on stresses at rest that are linear over it.
+/// Finds the largest effective stress of a node of the base: its change, added to linear stresses at rest.
 void look_at_nodes(const Simulation& simulation, const EffectiveBase& base, const Series& series,
                    BaseSummary& summary) {
   const System& system = simulation.compiled->system;

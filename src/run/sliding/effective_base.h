@@ -1,4 +1,4 @@
-// What stands on the ground under the caisson: effective force and moment, eccentricity, pressures of the edges.
+// The effective load of the caisson on the ground: force and moment, eccentricity, edge pressures.
 #pragma once
 
 #include <optional>
@@ -10,16 +10,16 @@
 
 namespace upbead {
 
-/// The caisson's weight less that of the water which it displaces below still water (N/m); none where the scene tells
-/// no still water. Needs a caisson.
+/// The caisson's weight minus that of the water which it displaces below still water (N/m); none where the scene
+/// gives no still water. Needs a caisson.
 std::optional<double> weight_in_water(const Simulation& simulation);
 
-/// W' is that of [sliding], or the mass less the water that the caisson displaces below still water. None without
-/// either, without a caisson, or where nothing presses at rest. `ends`: all readings of the scene over time.
+/// W' is that of [sliding], or the mass minus the water that the caisson displaces below still water. None without
+/// either, without a caisson, or where there is no compression at rest. `ends`: all readings of the scene over time.
 std::optional<EffectiveBase> effective_base(const Simulation& simulation, const Series& ends);
 
-/// At rest and at the worst of these times, and the largest stress of a node of the base by `series`, where the scene
-/// reads it.
+/// Values at rest and at the worst of these times, and the largest stress of a node of the base by `series`, where
+/// the scene has such readings.
 BaseSummary base_summary(const Simulation& simulation, const EffectiveBase& base, const Series& series,
                          const std::optional<ContactHistory>& contact);
 

@@ -14,7 +14,7 @@ AssembledScene with_interface(const Simulation& simulation) {
   return assemble_scene(simulation.scene, *simulation.mesh, simulation.absent, simulation.soil_state, true);
 }
 
-/// The largest horizontal force over the friction of the caisson's weight.
+/// The largest horizontal force over the friction by the caisson's weight.
 double demand(const Simulation& simulation) {
   const TimeFunction P = force_on_caisson(*simulation.compiled);
   const double end = simulation.scene.time.end;
@@ -23,7 +23,7 @@ double demand(const Simulation& simulation) {
          (sliding.friction * sliding.submerged_weight);
 }
 
-/// Keeps its promise when it goes, be it by an exception.
+/// Fulfils a promise at the end of its scope, also after an exception.
 struct Tell {
   std::promise<void>& promise;
   ~Tell() { promise.set_value(); }

@@ -1,4 +1,4 @@
-// The reduced space of a caisson that slips, made beside the bonded caisson on another core.
+// The reduced space of a caisson that slips, made on another core while the bonded caisson is solved.
 #pragma once
 
 #include <future>
@@ -11,13 +11,13 @@
 
 namespace upbead {
 
-/// Why such a slip cannot be told of a scene with a caisson; "" where it can.
+/// Why the slip of a scene with a caisson cannot be computed; "" where it can.
 std::string why_no_slip(const Simulation& simulation);
 
-/// What N' is without, by [sliding].
+/// The kind of uplift that N' must be reduced by, from [sliding].
 UpliftKind slip_uplift(const SlidingChoice& choice);
 
-/// A scene with its interface, and what its slip is reduced by. The simulation's scene must outlive it.
+/// A scene with its interface, and the space for its reduction. The simulation's scene must outlive it.
 class SlidingSpace {
  public:
   SlidingSpace(const Simulation& simulation, AssembledScene assembled);
@@ -30,22 +30,23 @@ class SlidingSpace {
   SlipSpace space_;
 };
 
-/// Makes a SlidingSpace while others solve the bonded caisson, or when it is asked for; it is the same in both cases.
+/// Makes a SlidingSpace, either on another core while the bonded caisson is solved, or when it is asked for; the
+/// space is the same in both cases.
 class SlipAhead {
  public:
-  /// Makes it when it is asked for.
+  /// Makes the space only when it is asked for.
   SlipAhead() = default;
-  /// Begins at once where another core is free and the loads are larger than what friction holds: then a bonded caisson
-  /// most likely reaches its friction, and the space will be asked for. The simulation must outlive it.
+  /// Begins at once where another core is free and the loads exceed the friction: then a bonded caisson most likely
+  /// reaches its friction, and the space will be asked for. The simulation must outlive it.
   explicit SlipAhead(const Simulation& simulation);
   SlipAhead(const SlipAhead&) = delete;
   SlipAhead& operator=(const SlipAhead&) = delete;
   ~SlipAhead();
 
-  /// Returns when the mesh is read no more: deal.II marks cells while it numbers unknowns, so that nobody else may go
-  /// through them meanwhile.
+  /// Returns once the mesh is no longer read here: deal.II marks cells while it numbers unknowns, so that no other
+  /// thread may go through the cells meanwhile.
   void leave_mesh() const;
-  /// To be called once, with the same scene. Throws what making it threw.
+  /// To be called once, with the same scene. Throws what was thrown while the space was made.
   std::unique_ptr<SlidingSpace> space(const Simulation& simulation);
 
  private:

@@ -8,7 +8,7 @@ namespace upbead {
 
 namespace {
 
-/// U follows P, `lag` later, while that is landward; held, it stays at its peak once P has had its own.
+/// U follows P by `lag` while P is landward; with the course held, U stays at its peak after the peak of P.
 TimeFunction follow_force(const UpliftChoice& uplift, const TimeFunction& P, double end) {
   const Extremum largest = extremum(P, 0., end, 1);
   if (largest.value <= 0.) return {};
@@ -31,7 +31,7 @@ TimeFunction follow_force(const UpliftChoice& uplift, const TimeFunction& P, dou
   return {kinks, pieces, samples};
 }
 
-/// Of one part, from `from` to `to` (m): exact, as shape times x is a parabola between the points.
+/// Integrals of one part, from `from` to `to` (m): exact, as shape times x is a parabola between the points.
 struct ShapeIntegral {
   double force = 0., moment_about_zero = 0.;
 };
@@ -59,7 +59,7 @@ ShapeIntegral integrate(const std::vector<std::array<double, 2>>& shape, double 
   return sum;
 }
 
-/// The force of each node is its length times the pressure there, in sum that of the whole shape.
+/// The force of a node is its length times the pressure there; the sum is made equal to that of the whole shape.
 UpliftLoad load_of(const UpliftPart& part, double from, double to, const std::vector<double>& position,
                    const std::vector<double>& length) {
   const ShapeIntegral whole = integrate(part.shape, from, to);

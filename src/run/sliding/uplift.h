@@ -1,4 +1,4 @@
-// A prescribed uplift: its course in time, and how it presses on the base.
+// A prescribed uplift: its course in time, and its pressure on the base.
 #pragma once
 
 #include <vector>
@@ -11,7 +11,7 @@ namespace upbead {
 /// U(t) (N/m) in a run until `end` (s); P(t) is the horizontal force on the caisson. Needs a prescribed uplift.
 TimeFunction prescribed_uplift(const UpliftChoice& uplift, const TimeFunction& P, double end);
 
-/// A part of p_u(x, t), f(t) per unit.
+/// A part of p_u(x, t): its values for f(t) = 1, and f(t).
 struct UpliftLoad {
   Vector node;            ///< force of each node of the base, upward on the caisson (N/m)
   double force = 0.;      ///< their sum (N/m)
@@ -19,8 +19,9 @@ struct UpliftLoad {
   TimeFunction pressure;  ///< f
 };
 
-/// p_u(x, t) of the scene's prescribed uplift on the nodes of the base at `position` (m), which stand for `length` each
-/// (m); none without one, or without a caisson. By peak or history it is spread as `distribution` says, and f is U(t).
+/// p_u(x, t) of the scene's prescribed uplift on the nodes of the base at `position` (m), each for a `length` of the
+/// base (m); none without a prescribed uplift or a caisson. Where it is given by a peak or history, `distribution`
+/// says how it is spread, and f is U(t).
 std::vector<UpliftLoad> uplift_loads(const Simulation& simulation, const std::vector<double>& position,
                                      const std::vector<double>& length);
 

@@ -14,21 +14,21 @@ namespace upbead {
 namespace {
 
 constexpr double largest_error = 0.05;
-/// Inside a cell stresses err by more than at its nodes; measured on columns: docs/warnings.md.
+/// Stresses inside a cell have larger errors than at its nodes; measured on columns: docs/warnings.md.
 constexpr double inside_cells = 1.3;
 
-/// A wave of a load on its way to somebody who looks.
+/// A wave of a load on its way to a probe or to fields.
 struct Carried {
   std::string name;
   WaveLaw law;
   double duration = 0.;  ///< s
   WaveCells cells;
   double least = 0., most = 0.;  ///< m
-  bool may_raise = false;        ///< degree 2 of u to 3
+  bool may_raise = false;        ///< whether u of degree 2 may be raised to 3
   double error() const { return inside_cells * carried_error(law, duration, cells, least, most); }
 };
 
-/// The region's constants, G the mean over its cells.
+/// The region's constants; G is the mean over its cells.
 Material mean_material(const Simulation& simulation, const std::string& region) {
   Material m;
   double sum = 0., area = 0.;
@@ -48,7 +48,7 @@ double duration_of(const Load& load) {
   return shortest_duration(alone);
 }
 
-/// None where a reduced model answers.
+/// The steps of the march; none where a reduced model is used.
 WaveSteps steps_of(const Simulation& simulation) {
   const Scene& scene = simulation.scene;
   const TimeScheme scheme = choose_scheme(scene, *simulation.compiled).scheme;
@@ -68,8 +68,8 @@ Carried carried(const Simulation& simulation, const LoadedGround& ground, const 
   return wave;
 }
 
-/// The largest value from `high` down to a 64th of it for which the error, of a wave that it changes, is small enough,
-/// to a tenth; 0 where there is none.
+/// The largest value, from `high` down to a 64th of it, with error(value) <= `most`, found to a tenth; 0 where there
+/// is none.
 double largest_value(double high, const std::function<double(double)>& error, double most) {
   double low = high / 64.;
   if (!(error(low) <= most)) return 0.;
@@ -81,7 +81,7 @@ double largest_value(double high, const std::function<double(double)>& error, do
   return low;
 }
 
-/// What helps, one thing at a time, and the step that goes with all of them.
+/// Cures for the user, each by itself, and the step to be used with any of them.
 class Cure {
  public:
   explicit Cure(const Carried& wave) : wave_(wave), step_(wave.cells.steps.size) {
@@ -111,7 +111,7 @@ class Cure {
   }
 
  private:
-  static constexpr double share = 0.7;  ///< of the error that cells may make; steps make the rest
+  static constexpr double share = 0.7;  ///< of the allowed error for the cells; steps have the rest
 
   static Carried with_size(Carried wave, double size) {
     wave.cells.size = size;

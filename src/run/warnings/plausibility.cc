@@ -11,22 +11,22 @@ namespace upbead {
 
 namespace {
 
-/// A unit that a number may have been given in, and what it is in SI.
+/// A unit in which a number may have been given, and its value in SI.
 struct MeantUnit {
   const char* name;
   double factor;
 };
 
-/// What is found of a quantity, generously: beyond it a unit has been mistaken, or the scene is no breakwater; and what
-/// is common, by which the unit is guessed.
+/// Generous bounds of a quantity: outside them a unit was mistaken, or the scene is no breakwater. And narrower,
+/// common bounds, by which the unit is guessed.
 struct Usual {
   const char* unit;
   double low, high, common_low, common_high;
   std::vector<MeantUnit> meant;
 };
 
-// From mud to steel; from light fills to steel; from clay to rock armour, in two ways; fresh to heavy sea water; mu of
-// base plates.
+// Modulus: from mud to steel. Density: from light fills to steel. Conductivity or permeability: from clay to rock
+// armour. Water: fresh to heavy sea water. mu: of base plates.
 const Usual modulus{"Pa", 1e4, 1e12, 1e6, 3e11, {{"kPa", 1e3}, {"MPa", 1e6}, {"GPa", 1e9}}};
 const Usual density{"kg/m3", 500., 2e4, 1e3, 8e3, {{"t/m3", 1e3}, {"kN/m3", 1e3 / 9.81}}};
 const Usual water_density{"kg/m3", 900., 1300., 990., 1050., {{"t/m3", 1e3}, {"kN/m3", 1e3 / 9.81}}};
@@ -63,7 +63,7 @@ void judge_weight(const Simulation& simulation, NumberedWarnings& list) {
                           " N/m, but the scene has no still water: give regions of water, or [initial] water_level"});
     return;
   }
-  constexpr double tolerable = 0.1;  // footings, rounded corners and layers of ballast make no tenth of W'
+  constexpr double tolerable = 0.1;  // footings, rounded corners and layers of ballast are less than a tenth of W'
   if (std::abs(given - *in_water) <= tolerable * std::abs(*in_water)) return;
   std::string text = "sliding.submerged_weight = " + significant(given, 4) + " N/m, but the caisson less the water " +
                      "that it displaces weighs " + significant(*in_water, 4) + " N/m";

@@ -1,4 +1,4 @@
-// What may be wrong with the numbers of a scene, one question a function; told before anything is solved.
+// What may be wrong with the numbers of a scene, one question per function; found before anything is solved.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -16,9 +16,9 @@ namespace upbead {
 
 namespace {
 
-/// How long the shortest wave of a scene takes to pass (s): D + B/V_s, D the loads' shortest duration, B the width of
-/// the caisson's bottom and V_s the slowest shear wave of the ground near it; D alone without a caisson. None where no
-/// load has a duration, or nothing has inertia.
+/// Time in which the shortest wave of a scene passes (s): D + B/V_s, D the loads' shortest duration, B the width of
+/// the caisson's bottom and V_s the slowest shear wave of the ground near it; D alone without a caisson. None where
+/// no load has a duration, or there is no inertia.
 std::optional<double> passing_time(const Simulation& simulation) {
   const double duration = shortest_duration(simulation.scene);
   if (!simulation.scene.time.inertia || !std::isfinite(duration)) return std::nullopt;
@@ -29,7 +29,7 @@ std::optional<double> passing_time(const Simulation& simulation) {
   return time > 0. ? std::optional(time) : std::nullopt;
 }
 
-/// A limit, and what the history of F_T errs by there, over its peak; measured: docs/warnings.md.
+/// A limit, and the error of the history of F_T at that limit, over its peak; measured: docs/warnings.md.
 struct StepRule {
   double steps;  ///< in the passing time
   double error, order;
@@ -42,9 +42,10 @@ struct MeshRule {
 };
 constexpr MeshRule of_degree_2{4., 0.05, 3.}, of_degree_3{3., 0.05, 3.};
 
-/// Short waves that damped ground takes away go on: V_s D alone is the wave; measured: docs/warnings.md.
+/// Without damping short waves do not die away, so the shortest wavelength is V_s D alone; measured:
+/// docs/warnings.md.
 constexpr MeshRule undamped_2{2.3, 0.05, 2.}, undamped_3{1.35, 0.05, 2.5};
-constexpr double least_damping = 0.02;  ///< at half a period in the duration of the load
+constexpr double least_damping = 0.02;  ///< damping ratio, at a period of twice the load's duration
 
 bool is_undamped(const Region& region, double duration) {
   return !region.strain_law && (!region.damping || region.damping->ratio_at(0.5 / duration) < least_damping);
@@ -63,8 +64,8 @@ std::string rough_percent(double share) {
   return share > 0.5 ? "half or more" : "about " + std::to_string(std::max(1L, std::lround(100. * share))) + " %";
 }
 
-/// step_too_coarse: a march in steps that the case gives, longer than an 8th of passing_time (order 4) or a 32nd of it
-/// (order 2). None where a reduced model answers.
+/// Warning step_too_coarse: a march in steps that the case gives, longer than an 8th of passing_time (order 4) or a
+/// 32nd of it (order 2). None where a reduced model is used.
 NumberedWarnings step_warnings(const Simulation& simulation) {
   if (!simulation.scene.time.step) return {};
   const std::optional<double> time = passing_time(simulation);
@@ -81,7 +82,7 @@ NumberedWarnings step_warnings(const Simulation& simulation) {
                significant(limit, 2) + " s, or step = \"auto\""}};
 }
 
-/// jump_with_alpha: consolidation under a load that jumps, marched by generalised-alpha.
+/// Warning jump_with_alpha: consolidation under a load that jumps, marched by generalised-alpha.
 NumberedWarnings jump_warnings(const Simulation& simulation) {
   const Scene& scene = simulation.scene;
   if (scene.time.inertia || scene.time.scheme != TimeScheme::generalised_alpha || shortest_duration(scene) > 0.)
@@ -94,7 +95,7 @@ NumberedWarnings jump_warnings(const Simulation& simulation) {
                " s); F_T is not affected; write time.scheme = \"sdirk4\", or give the load a rise"}};
 }
 
-/// motion_stays: a boundary that still moves when its motion has been told to the end.
+/// Warning motion_stays: a boundary still moves at the end of its record.
 NumberedWarnings motion_warnings(const Simulation& simulation) {
   constexpr double at_rest = 0.05;  // of the largest velocity
   NumberedWarnings list;
@@ -116,8 +117,8 @@ NumberedWarnings motion_warnings(const Simulation& simulation) {
   return list;
 }
 
-/// mesh_too_coarse: fewer than 4 cells to a wave (response/ground_waves.h), 3 where u is of degree 3; not
-/// where the mesh was made for the tolerance.
+/// Warning mesh_too_coarse: fewer than 4 cells in a wavelength (response/ground_waves.h), or 3 where u is of degree
+/// 3; not where the mesh was made for the tolerance.
 NumberedWarnings mesh_warnings(const Simulation& simulation) {
   const double duration = shortest_duration(simulation.scene);
   if (!simulation.scene.time.inertia || !std::isfinite(duration) || !simulation.compiled->caisson ||
@@ -142,7 +143,8 @@ NumberedWarnings mesh_warnings(const Simulation& simulation) {
   return list;
 }
 
-/// Times of the reflection until it is felt, by widths of the caisson: what comes from far is spread. docs/warnings.md.
+/// Factor on the time of the echo until it has an effect, by the distance in widths of the caisson: from far away the
+/// echo is spread. docs/warnings.md.
 double delay(double widths) {
   return widths > 5. ? 1.2 : 1.;
 }
@@ -155,9 +157,9 @@ std::string cure(const BoundaryReflection& reflection, double end, double peak_i
          (reflection.absorbing ? " (saturated ground absorbs little)" : ", or end the run before");
 }
 
-/// walls_too_near: the first echo of a far side is back before the end (of sides beyond 5 B before 1/1.2 of it),
-/// and the loads are shorter than it takes, or the side is nearer than the caisson is wide. `peak_time`: of F_T, where
-/// that is known.
+/// Warning walls_too_near: the first echo of a far side is back before the end (for sides beyond 5 B before 1/1.2 of
+/// it), and the loads are shorter than the echo takes, or the side is nearer than the caisson is wide. `peak_time`:
+/// of F_T, where that is known.
 NumberedWarnings wall_warnings(const Simulation& simulation, const std::optional<double>& peak_time) {
   const double end = simulation.scene.time.end;
   const std::optional<double> time = passing_time(simulation);
@@ -177,11 +179,12 @@ NumberedWarnings wall_warnings(const Simulation& simulation, const std::optional
 
 /// Concrete, whatever the fill weighs: a rigid region has no stiffness of its own.
 constexpr double youngs_modulus = 30e9, poissons_ratio = 0.2;
-/// Crossings of the caisson by sound within which the error of peak F_T exceeds 2 %: docs/warnings.md.
+/// Number of crossings of the caisson by sound; for shorter loads the error of peak F_T exceeds 2 %:
+/// docs/warnings.md.
 constexpr double least_crossings = 4.;
 
-/// From where the first horizontal load on the caisson begins to where the last one has ended (s); infinite where one
-/// lasts, as slow parts of a load make the peak of F_T even where it begins with a jump.
+/// Time from the beginning of the first horizontal load on the caisson to the end of the last one (s). The whole run
+/// where a load lasts, as the slow part of a load makes the peak of F_T even where it begins with a jump.
 double time_of_loads(const Simulation& simulation) {
   double first = simulation.scene.time.end, last = 0.;
   for (std::size_t k = 0; k < simulation.compiled->loads_on_caisson.size(); ++k) {
@@ -193,7 +196,7 @@ double time_of_loads(const Simulation& simulation) {
   return last > first ? last - first : simulation.scene.time.end;
 }
 
-/// fast_load: all that pushes the rigid caisson is over before sound has crossed it four times.
+/// Warning fast_load: all loads on the rigid caisson are over before sound has crossed it four times.
 NumberedWarnings load_warnings(const Simulation& simulation) {
   if (!simulation.compiled->caisson || !simulation.scene.time.inertia) return {};
   if (simulation.scene.regions.at(caisson_name).kind != RegionKind::rigid) return {};
@@ -217,9 +220,9 @@ NumberedWarnings load_warnings(const Simulation& simulation) {
                "its own deformation changes peak F_T by 2 to 15 %; make it kind = \"solid\""}};
 }
 
-/// A pulse builds up the pressure beside the face as a jump within this share of its duration would.
+/// A pulse builds up the pressure beside the face as a jump would that takes this share of the pulse's duration.
 constexpr double share_of_pulse = 1. / 6.;
-/// Beside the face so many cells are wrong: the first one, and a little of the next.
+/// Number of cells beside the face with wrong pressures: the first one, and a little of the next.
 constexpr double reach = 1.2;
 
 /// Whether a point lies on the soil's side.
@@ -237,15 +240,15 @@ std::string onlooker(const Scene& scene, const DrainedFace& face) {
   return "";
 }
 
-/// Within which the loads change (s): a share of their duration, or the step at a jump.
+/// Time within which the loads change (s): a share of their duration, or the step at a jump.
 double build_up(const Scene& scene) {
   const double duration = shortest_duration(scene);
   const double jump = duration > 0. ? 0. : step_of_loads(scene, 4).largest_step;
   return std::max(share_of_pulse * duration, scene.time.step.value_or(jump));
 }
 
-/// smallest_step: the pressure that somebody looks at, by a probe or in fields, oscillates from cell to cell beside a
-/// face where soil drains (response/drainage.h).
+/// Warning smallest_step: the pressure at a probe or in the fields oscillates from cell to cell beside a face where
+/// soil drains (response/drainage.h).
 NumberedWarnings boundary_layer_warnings(const Simulation& simulation) {
   const Scene& scene = simulation.scene;
   if (scene.probes.empty() && !scene.fields_every) return {};
@@ -272,12 +275,13 @@ NumberedWarnings boundary_layer_warnings(const Simulation& simulation) {
   return list;
 }
 
-/// Of F_T, where a layer that should not yield yields more than all else: the largest of ten scenes, docs/warnings.md.
+/// Largest error of F_T where the false compliance of a layer exceeds all other: the largest of ten scenes,
+/// docs/warnings.md.
 constexpr double at_most = 0.25, largest_layer_error = 0.05;
 
 std::string cure(const DrainedLayer& layer, int degree) {
   constexpr double share = largest_layer_error / at_most, ratio = share / (1. - share);
-  const double skin = layer.skin / layer.stiffness;  // what it yields by (m/Pa)
+  const double skin = layer.skin / layer.stiffness;  // its compliance (m/Pa)
   const double cell = degree * (layer.skin + layer.stiffness * layer.of_the_rest * ratio);
   const bool water_stays = skin <= ratio * (layer.of_the_rest - skin);
   return "take cells of at most " + significant(cell, 2) + " m there" +
@@ -286,9 +290,9 @@ std::string cure(const DrainedLayer& layer, int degree) {
               : "");
 }
 
-/// drained_layer: soil under the caisson drains by the size of its cells, not by its conductivity, which softens the
-/// ground so much that F_T may err by more than 5 % (response/drainage.h); not where the mesh was made for the
-/// tolerance.
+/// Warning drained_layer: the drainage of soil under the caisson is set by the size of its cells and not by its
+/// conductivity, which softens the ground so much that F_T may err by more than 5 % (response/drainage.h); not where
+/// the mesh was made for the tolerance.
 NumberedWarnings layer_warnings(const Simulation& simulation) {
   const Scene& scene = simulation.scene;
   if (!simulation.compiled->caisson || !scene.time.inertia || simulation.accuracy) return {};
@@ -307,9 +311,9 @@ NumberedWarnings layer_warnings(const Simulation& simulation) {
                std::to_string(std::lround(100. * error)) + " %; " + cure(*layer, simulation.space->degree())}};
 }
 
-/// mesh_too_coarse: a thin soft layer whose cells are longer than it is thick (response/ground_waves.h).
+/// Warning mesh_too_coarse: a thin soft layer whose cells are longer than it is thick (response/ground_waves.h).
 NumberedWarnings thin_layer_warnings(const Simulation& simulation) {
-  constexpr double least = 1.;  // cells along to the thickness: docs/warnings.md
+  constexpr double least = 1.;  // thickness over the cells' length: docs/warnings.md
   if (!simulation.scene.time.inertia || !simulation.compiled->caisson || simulation.accuracy) return {};
   NumberedWarnings list;
   for (const ThinLayer& layer : thin_layers(*simulation.space, *simulation.compiled->caisson))

@@ -6,10 +6,10 @@ namespace upbead {
 
 namespace {
 
-/// Beyond it the geometry that the equations are written on is off by as much as they are asked for, some percent.
+/// Beyond this strain the geometry of the small-strain equations errs by as much as results may, some percent.
 constexpr double large_strain = 0.05;
-/// Over the cells beside it: a choice. A strain that varies smoothly comes to 2 or 3 on coarse cells.
-/// Strains that matter: below a tenth of a percent nothing that is told follows from one cell.
+/// slip_line: strain of a cell over that of the cells beside it, a choice; a smooth strain reaches 2 or 3 on coarse
+/// cells. least_strain: below a tenth of a percent no result depends on one cell.
 constexpr double slip_line = 3., least_strain = 1e-3;
 
 std::string where(const PeakStrain& peak) {
