@@ -5,7 +5,8 @@ usage: desk.py PROGRAM [-o FOLDER]
 
 The case is cases/fig2b-model.toml with the record in place of its impulse. Each time is the median of five whole
 processes; "of it the record" is the excess over the time with a record of 100 samples. Writes
-FOLDER/desk.{json,md,png}. """
+FOLDER/desk.{json,md,png}.
+"""
 
 import argparse
 import json

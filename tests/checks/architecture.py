@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Draws the picture of the layers, docs/figures/architecture.svg, from the #include lines of the code.
 
-usage: architecture.py ROOT [--write] without --write it fails if the file differs from the new picture
+usage: architecture.py ROOT [--write]     without --write it fails if the file differs from the new picture
 """
 
 import pathlib

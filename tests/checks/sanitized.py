@@ -1,10 +1,8 @@
 #!/usr/bin/python3
 """Runs the test suite of a build with sanitizers and writes the result to docs/reliability/sanitizers.json.
 
-usage: sanitized.py BUILD_FOLDER [LABEL ...] LABEL: unit, verification, cli (default: all); the rows of the other
-labels stay
-       sanitized.py BUILD_FOLDER LABEL --again only those tests that failed in the last run, which must have been of
-       this label
+usage: sanitized.py BUILD_FOLDER [LABEL ...]    LABEL: unit, verification, cli (default: all); other rows stay
+       sanitized.py BUILD_FOLDER LABEL --again  only tests that failed in the last run, which must be of this label
 """
 
 import json

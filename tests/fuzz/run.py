@@ -3,8 +3,8 @@
 result to docs/reliability/fuzzing.json if all have run.
 
     tests/fuzz/run.py                    10^6 executions or 15 minutes each
-    tests/fuzz/run.py --seconds 7200 longer, without a limit on the number of executions
-    tests/fuzz/run.py --keep also keeps the corpus that was found, minimised, in tests/fuzz/corpus
+    tests/fuzz/run.py --seconds 7200     longer, without a limit on the number of executions
+    tests/fuzz/run.py --keep             also keeps the corpus that was found, minimised, in tests/fuzz/corpus
 
 An input that breaks a target is left in BUILD/findings. A finding ends its target; repair the cause, add a test of
 its name, and run again."""

@@ -28,7 +28,8 @@ def sure(rows, error):
 def time_at(rows, error, target):
     """Seconds to reach the target on the front of the rows, by straight lines in log-log; None if they never do.
 
-    If the fastest run is already more accurate than the target, its time counts, as no faster run is known. """
+    If the fastest run is already more accurate than the target, its time counts, as no faster run is known.
+    """
     points = front(rows, error)
     if not points or points[-1][error] > target:
         return None
