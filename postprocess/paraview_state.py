@@ -2,7 +2,7 @@
 yields, the colours are the share of strength that it mobilises.
 
     pvpython postprocess/paraview_state.py results/NAME PICTURE.png      # a picture of the last time
-    pvpython postprocess/paraview_state.py results/NAME PICTURE.png pressure        # coloured by another field of COLOURED
+    pvpython postprocess/paraview_state.py results/NAME PICTURE.png pressure        # by another field of COLOURED
     UPBEAD_RESULT=results/NAME paraview --script=postprocess/paraview_state.py
 
 or File > Load State with UPBEAD_RESULT set, or from within the folder of the run. The run needs [output] fields: the

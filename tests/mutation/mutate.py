@@ -2,7 +2,7 @@
 """Mutation testing: does a layer's test program notice small mistakes in the layer's formulas?
 
     tests/mutation/mutate.py sliding waves --count 60 --seed 1    a random sample of each layer's mutants
-    tests/mutation/mutate.py sliding --again                       those survivors of the last sample that are not explained
+    tests/mutation/mutate.py sliding --again                       unexplained survivors of the last sample
 
 Each mutant is a change of one place (operators.py). Only its file is compiled, and it is linked in front of the
 layers of build-mutation (preset `mutation`), and the layer's own tests run until the first fails. A mutant that

@@ -19,7 +19,7 @@ PANELS = [  # dataset, symbol, colour
 
 @styled
 def response(result, until=None):
-    """P, m x_G'', F_T and x_G of a Result with a caisson, with their peaks; or the probes of a Result without a caisson.
+    """P, m x_G'', F_T and x_G of a Result with a caisson, with their peaks; or the probes of one without a caisson.
 
     Measured records are drawn over them. until: end of the time axis (s); default: the end of the response.
     """
