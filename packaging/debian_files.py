@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""Lays down what a Debian package has beside the program: changelog, copyright, commands for the scripts, and the Python package.
+"""Writes what a Debian package contains besides the program: changelog, copyright, commands for the scripts, and the
+Python package.
 
 usage: debian_files.py SOURCE PAGES VERSION PREFIX
 """
@@ -28,7 +29,7 @@ WHAT = {"upbead-report": "one HTML page of a run", "upbead-page": "one HTML page
 
 
 def packed(text, file):
-    """As gzip -9n does it: the same bytes at every build."""
+    """Compressed as by gzip -9n, without name and time: every build gives the same bytes."""
     file.parent.mkdir(parents=True, exist_ok=True)
     file.write_bytes(gzip.compress(text.encode(), 9, mtime=0))
 

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Writes the manual pages and the completion of bash, both from what the program's own --help says.
+"""Writes the manual pages and the bash completion, both from the output of the program's --help.
 
 usage: help_pages.py PROGRAM FOLDER
 
@@ -39,7 +39,7 @@ def commands_of(text):
 
 
 def man_page(name, what, text, version):
-    """The help as it stands, between the head that `man` and `apropos` want and what else to see."""
+    """The help text unchanged, after the NAME section that `man` and `apropos` need and before SEE ALSO."""
     shown = re.sub(r"^(?=[.'])", r"\\&", text.replace("\\", "\\e").replace("-", "\\-"), flags=re.MULTILINE)
     title = name.replace(" ", "-")
     more = "upbead\\-run(1), and the pages in /usr/share/upbead/docs" if name == "upbead" else "upbead(1)"

@@ -20,7 +20,7 @@ KINDS = {
     "coupled": "S of the caisson that slips as a whole",
     "contact_slip": "S of contact node by node",
 }
-SURE = 0.2  # the truth itself must have moved by less than this part of the error when it was refined last
+SURE = 0.2  # the last refinement of the truth must have changed it by less than this share of the error
 BEGIN, END = "<!-- made by postprocess/accuracy.py -->", "<!-- end -->"
 
 
@@ -29,7 +29,7 @@ def number(text):
 
 
 def judged(row, kind):
-    """What was told, and the error; None where nothing was told."""
+    """The estimated and the true error; None if there is no estimate."""
     told, error = number(row[kind + "_told"]), number(row[kind + "_error"])
     return None if told is None else (told, error)
 

@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""Draws what `upbead calibrate` found: k = tau_0/tau_0F against alpha*, the fits, and how sure their a and b are.
+"""Draws the results of `upbead calibrate`: k = tau_0/tau_0F against alpha*, the fits, and the confidence of their a
+and b.
 
 usage: calibration.py RESULTS_FOLDER [--measure MEASURE | --spectrum] [-o FIGURE.png]
 

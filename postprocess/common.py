@@ -1,4 +1,4 @@
-"""What the scripts share: how they end with an error, and how they write a figure."""
+"""Shared by the scripts: how they end with an error, and how they write a figure."""
 
 import sys
 from pathlib import Path
@@ -10,7 +10,7 @@ __all__ = ["UserError", "beside", "figure_argument", "keep_inputs", "run", "save
 
 
 def run(main):
-    """Runs a script's main function; an error that is told ends it with a message and exit code 1."""
+    """Runs a script's main function; an UpbeadError ends it with a message and exit code 1."""
     try:
         main()
     except UpbeadError as error:
@@ -21,7 +21,7 @@ def run(main):
 def save(figure, path, *inputs):
     """Writes the figure in the format of the file's ending (.png, .pdf, .svg), never over one of `inputs`."""
     keep_inputs(path, *inputs)
-    from upbead import figures  # not where a script makes no figure
+    from upbead import figures  # only imported by scripts that make a figure
 
     figures.save(figure, path)
     print(path)
@@ -32,5 +32,6 @@ def figure_argument(parser, name):
 
 
 def beside(results, name):
-    """A file in the folder of results, or in the folder of a file of results: never in the working folder."""
+    """The path of a file in the folder of results, or in the folder of a file of results; never in the working
+    folder."""
     return (results if results.is_dir() else results.parent) / name

@@ -1,10 +1,11 @@
 #!/usr/bin/python3
-"""Draws what `upbead expected` found: heights of the waves, S by height, and which heights bring the expected sliding.
+"""Draws the results of `upbead expected`: heights of the waves, S by height, and the part of each height in the
+expected sliding distance.
 
 usage: expected_sliding.py RESULTS_FOLDER... [--law LAW] [-o FIGURE.png]
 
-One folder gives the three panels of Figs. 12-14 of Shimosako and Takahashi (1994), of several folders their curves
-beside each other.
+One folder gives the three panels of Figs. 12-14 of Shimosako and Takahashi (1994); the curves of several folders are
+drawn together.
 """
 
 import argparse

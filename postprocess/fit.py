@@ -6,7 +6,8 @@ usage: fit.py CASE --record lab.csv --column F_T --parameter regions.seabed.shea
        fit.py CASE --frequency 1.20:0.03 --damping 0.031:0.006 --parameter regions.seabed.shear_modulus
 
 A parameter begins with the case's value, with KEY=GUESS, or anywhere in KEY=LOW:HIGH; all SI units. Writes fit.json,
-fit.csv (time, record, first guess, fit; with a record) and fit.png into a folder. docs/fit.md tells what the numbers hold.
+fit.csv (time, record, first guess, fit; with a record) and fit.png into a folder. docs/fit.md explains the meaning of
+the numbers.
 """
 
 import argparse
@@ -40,7 +41,7 @@ def guess(text):
 
 
 def mode(text):
-    """(value, standard deviation) of VALUE:STANDARD_DEVIATION, with N behind where @N is; None of "none"."""
+    """(value, standard deviation) of VALUE:STANDARD_DEVIATION, followed by N if @N is given; None for "none"."""
     if text == "none":
         return None
     pair, _, rank = text.partition("@")
@@ -53,7 +54,7 @@ def mode(text):
 
 
 def toml(text):
-    """A value as --set of the program reads it; what is no TOML is a word."""
+    """A value as read by --set of the program; a text that is no TOML is a word."""
     try:
         return tomllib.loads(f"value = {text}")["value"]
     except tomllib.TOMLDecodeError:

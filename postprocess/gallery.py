@@ -4,7 +4,7 @@
     /usr/bin/python3 postprocess/gallery.py build/upbead docs            # some minutes
     /usr/bin/python3 postprocess/gallery.py build/upbead docs --check    # a second; solves nothing
 
-Writes the reference of all keys as well (reference.py).
+Also writes the reference of all keys (reference.py).
 """
 
 import argparse

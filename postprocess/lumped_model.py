@@ -1,10 +1,10 @@
 #!/usr/bin/python3
-"""Makes of a reduced model the simplest one: the caisson's mass on one spring and dashpot, F_T = c x' + k x.
+"""Makes the simplest model from a reduced model: the caisson's mass on one spring and dashpot, F_T = c x' + k x.
 
 usage: lumped_model.py REDUCED.h5 [--load LOAD] [-o LUMPED.h5]
 
-Frequency and damping are those of the mode that carries most of F_T under that load. The file is a reduced model as
-`upbead reduce` writes it, for `respond`, `expected` and `calibrate`, to tell what the other modes do.
+Frequency and damping are those of the mode that carries most of F_T under that load. The file is a reduced model like
+those of `upbead reduce`, for `respond`, `expected` and `calibrate`; it shows the effect of the other modes.
 """
 
 import argparse

@@ -3,7 +3,8 @@
 
 usage: model_prototype.py RESULTS_FOLDER [-o FIGURE.png]
 
-RESULTS_FOLDER holds what `upbead study cases/study/model-prototype/*.toml` wrote: peak-model/, peak-prototype/ and so on.
+RESULTS_FOLDER holds the results of `upbead study cases/study/model-prototype/*.toml`: peak-model/, peak-prototype/
+and so on.
 """
 
 import argparse

@@ -1,4 +1,4 @@
-"""Writes what a program says of the keys of its summaries into pages and the package.
+"""Writes the program's descriptions of the keys of its summaries into pages and the package.
 
     /usr/bin/python3 postprocess/output_tables.py build/upbead
 

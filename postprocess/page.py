@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Makes one self-contained HTML page of a reduced model or of a design, which answers any wave while one drags.
+"""Makes one self-contained HTML page of a reduced model or of a design, which computes the response to any wave while
+the user moves its sliders.
 
 The page needs no network and no other file; it can be mailed.
 """

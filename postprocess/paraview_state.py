@@ -1,12 +1,12 @@
-"""A state for ParaView: the fields of a run, coloured by pore pressure, warped by displacement, at all times. Where
-soil yields the colours are the share of strength that it mobilises.
+"""A state for ParaView: the fields of a run, coloured by pore pressure, warped by displacement, at all times. If soil
+yields, the colours are the share of strength that it mobilises.
 
     pvpython postprocess/paraview_state.py results/NAME PICTURE.png      # a picture of the last time
-    pvpython postprocess/paraview_state.py results/NAME PICTURE.png pressure        # or by another of COLOURED
+    pvpython postprocess/paraview_state.py results/NAME PICTURE.png pressure        # by another field of COLOURED
     UPBEAD_RESULT=results/NAME paraview --script=postprocess/paraview_state.py
 
-or File > Load State with UPBEAD_RESULT set, or from within the folder of the run. The run needs [output] fields: fields.pvd
-and its .vtu files are all that the program writes for ParaView, and COLOURED has all of their fields.
+or File > Load State with UPBEAD_RESULT set, or from within the folder of the run. The run needs [output] fields: the
+program writes only fields.pvd and its .vtu files for ParaView, and COLOURED has all of their fields.
 Tried with pvpython of ParaView 5.11 (Debian 12), not in its window.
 """
 
@@ -18,7 +18,7 @@ from paraview import simple
 
 DISPLACEMENT, PRESSURE = "displacement_(m)", "pore_pressure_(Pa)"
 MOBILISED, DISSIPATED = "mobilised_strength_(1)", "dissipated_energy_(J_m3)"
-SIGNED, SIZED = "Cool to Warm", "Black-Body Radiation"  # colours of what has two signs, and of sizes of vectors too
+SIGNED, SIZED = "Cool to Warm", "Black-Body Radiation"  # colours of fields with two signs, and of magnitudes
 COLOURED = {  # field, title, colours
     "pressure": (PRESSURE, "pore pressure (Pa)", SIGNED),
     "mobilised": (MOBILISED, "strength mobilised (1)", SIZED),
@@ -45,7 +45,7 @@ def result_folder():
 
 
 def chosen(reader):
-    """What colours: the second argument, else the strength where soil yields, else the pore pressure."""
+    """The field of the colours: the second argument, else the strength if soil yields, else the pore pressure."""
     yields = MOBILISED in reader.PointData.keys()
     name = sys.argv[3] if len(sys.argv) > 3 else "mobilised" if yields else "pressure"
     if name not in COLOURED:
@@ -57,7 +57,7 @@ def chosen(reader):
 
 
 def largest(reader, times, field):
-    """The largest displacement and the largest size of a field, of a vector its length, over all times."""
+    """The largest displacement and the largest magnitude of a field over all times."""
     vector = reader.PointData[field].GetNumberOfComponents() > 1
     displacement = value = 0.0
     for time in times:
@@ -72,11 +72,12 @@ def exaggeration(bounds, displacement):
 
 
 def coloured(source, view, chosen, value):
-    """Shows a field, of a vector its length, up to `value`, what has two signs from its negative on; its scale is below."""
+    """Shows a field (the length of a vector) up to `value`, with two signs from -`value` on; its scale is below the
+    section."""
     field, title, colouring = chosen
     display = simple.Show(source, view)
     simple.ColorBy(display, ("POINTS", field))
-    display.Ambient, display.Diffuse = 1.0, 0.0  # the colours of the scale, without shade
+    display.Ambient, display.Diffuse = 1.0, 0.0  # the colours of the scale, without shading
     colours = simple.GetColorTransferFunction(field)
     colours.ApplyPreset(colouring, True)
     if colouring == SIZED:
@@ -125,7 +126,7 @@ def main():
     scene = simple.GetAnimationScene()
     scene.UpdateAnimationUsingDataTimeSteps()
     scene.GoToLast()
-    simple.Render(view)  # the first time it places the camera itself
+    simple.Render(view)  # the first rendering places the camera by itself
     look_at(view, bounds)
     simple.Render(view)
     if len(sys.argv) > 2:

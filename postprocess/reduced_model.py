@@ -19,7 +19,7 @@ from common import run, save
 from upbead import figures
 from upbead.reduced_model import ModelError, ReducedModel, fine, phi_functions, read_wave
 
-__all__ = ["ModelError", "ReducedModel", "fine", "phi_functions", "read_wave"]  # for who imports this file
+__all__ = ["ModelError", "ReducedModel", "fine", "phi_functions", "read_wave"]  # for programs that import this file
 
 
 def main():

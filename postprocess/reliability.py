@@ -1,4 +1,4 @@
-"""Writes docs/reliability.md from the facts that each piece of work left in docs/reliability/*.json.
+"""Writes docs/reliability.md from the facts that each of the checks left in docs/reliability/*.json.
 
     /usr/bin/python3 postprocess/reliability.py docs
 """
@@ -24,7 +24,7 @@ KEYS = {"title", "text", "command", "figure", "rows"}
 
 
 def read(folder):
-    """The facts by name, in the order of the page; what ORDER does not know comes last."""
+    """The facts by name, in the order of the page; those that are not in ORDER come last."""
     paths = sorted(folder.glob("*.json"), key=lambda path: (ORDER.index(path.stem) if path.stem in ORDER else 99, path.stem))
     if not paths:
         raise UserError(f"'{folder}' holds no facts")

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Makes one self-contained HTML page of a run, study, life, calibration or waves: for those who ask for the numbers, not for the program.
+"""Makes one self-contained HTML page of a run, study, life, calibration or waves: for readers of the results who do
+not use the program.
 
 The page needs no network and no other file; it can be mailed. It prints on A4, and --pdf does that by Chromium.
 """

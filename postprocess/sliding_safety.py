@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Draws sliding distance against the safety factor, as Fig. 10 of Shimosako and Takahashi (1994).
 
-Each summary is one curve, its waves are the points. Colours tell the friction coefficient, lines the design:
+Each summary is one curve, its waves are the points. Colours stand for the friction coefficient, line styles for the
+design:
 
   for mu in 0.5 0.6 0.7; do
     for design in impulsive non_breaking; do

@@ -1,9 +1,10 @@
 #!/usr/bin/python3
-"""Draws what happens under a caisson that slips and lifts: normal stress, state of the nodes, contact and normal force.
+"""Draws the state of the bottom of a caisson that slips and lifts: normal stress, state of the nodes, contact and
+normal force.
 
 usage: slip_bottom.py FOLDER [-o FIGURE.png] [--until S]
 
-FOLDER is that of a run with regions.caisson.interface.kind = "friction".
+FOLDER is the result of a run with regions.caisson.interface.kind = "friction".
 """
 
 import argparse

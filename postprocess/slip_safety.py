@@ -3,8 +3,8 @@
 
 usage: slip_safety.py STUDY_FOLDER... [--scale LENGTH...] [-o FIGURE.png]
 
-Each folder holds what `upbead study cases/study/slip/{prototype,model}.toml` wrote; --scale brings lengths to full
-size.
+Each folder holds the results of `upbead study cases/study/slip/{prototype,model}.toml`; --scale converts lengths to
+full size.
 """
 
 import argparse

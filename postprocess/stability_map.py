@@ -1,10 +1,10 @@
 #!/usr/bin/python3
-"""Draws what the stability map has swept and found.
+"""Draws the scenes and the results of the stability map.
 
 usage: postprocess/stability_map.py SCENES.csv [-o docs/figures/stability.png] [--facts docs/reliability/stability.json]
 
-SCENES.csv is written by build/tests/stability/stability_map --out FOLDER. Every point is a scene; the red line is what
-must hold.
+SCENES.csv is written by build/tests/stability/stability_map --out FOLDER. Every point is a scene; the red line is the
+bound that must hold.
 """
 
 import argparse

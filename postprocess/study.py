@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Draws what `upbead study` found: a number that was read against every key that was varied.
+"""Draws the results of `upbead study`: a number read from each run against every varied key.
 
 usage: study.py RESULTS_FOLDER [--read PATH] [--x KEY]... [-o FIGURE.png]
 

@@ -1,4 +1,4 @@
-"""Writes docs/verification.md and its figures from what the verification tests found.
+"""Writes docs/verification.md and its figures from the results of the verification tests.
 
     ctest -C long -L verification -E page      (in the build folder; writes build/verification/*.json)
     /usr/bin/python3 postprocess/verification.py build/verification docs
@@ -43,7 +43,7 @@ def read_results(folder):
 
 
 def holds(check):
-    """Whether a check is met; a value that is no number never is."""
+    """Whether a check is met; a check whose value is NaN is not."""
     value, limit = check["value"], check["limit"]
     if check["kind"] == "measured":
         return True
@@ -73,7 +73,7 @@ def table(checks):
 
 
 def summary_row(key, problem, records):
-    """One line of the overview: how many checks, and how close the closest one comes to its limit."""
+    """One line of the overview: the number of checks, of those not met, and the largest error over its limit."""
     checks = [c for r in records for c in r["checks"] if c["kind"] != "measured"]
     errors = [c for c in checks if c["kind"] == "at_most" and c["value"] is not None]
     closest = max((c["value"] / c["limit"] for c in errors if c["limit"] > 0), default=None)
@@ -125,13 +125,13 @@ def write(results, docs):
 
 
 def rows_of(lines):
-    """What a page claims: each compared quantity with its limit, without the numbers found, which round-off moves."""
+    """The claims of a page: each compared quantity with its limit, without the results, which change by round-off."""
     cells = [line.strip("|").split(" | ") for line in lines if line.startswith("| ") and line.count(" | ") == 2]
     return {(what.strip(), limit.strip()) for what, _, limit in cells}
 
 
 def check(results, docs):
-    """Says where the page and the tests differ, or where a limit is not met."""
+    """Raises an error that lists where the page and the tests differ, or where a limit is not met."""
     checks = [c for records in read_results(results).values() for r in records for c in r["checks"]]
     path = docs / "verification.md"
     if not path.is_file():

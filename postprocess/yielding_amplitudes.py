@@ -1,11 +1,12 @@
 #!/usr/bin/python3
-"""Linear, equivalent-linear and hysteretic soil on one curve of G by strain, over the size of the force.
+"""Responses of linear, equivalent-linear and hysteretic soil with the same curve of G by strain, against the size of
+the force.
 
     /usr/bin/python3 postprocess/yielding_amplitudes.py build/upbead docs      # two minutes
 
 Solves cases/fig2b-prototype.toml with the same table `strain` in mound and sand, and prints the table of
-docs/yielding.md; the figure goes to docs/figures/yielding-amplitudes.png. Never loaded before (start "virgin"), as
-equivalent-linear soil knows no stress at rest either.
+docs/yielding.md; the figure goes to docs/figures/yielding-amplitudes.png. Hysteretic soil starts unloaded (start
+"virgin"), as equivalent-linear soil has no stress at rest either.
 """
 
 import argparse

@@ -1,1 +1,1 @@
-"""What the scripts that write pages of docs/ are made of: gallery.py and reference.py."""
+"""Parts of the scripts gallery.py and reference.py, which write pages of docs/."""

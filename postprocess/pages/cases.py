@@ -20,10 +20,10 @@ class Entry:
     name: str  # of the figure
     command: str
     cases: list  # paths below cases/
-    draw: Callable  # of what the command wrote, in the order of the cases
-    setting: dict = field(default_factory=dict)  # where the case as shipped takes longer than a minute
+    draw: Callable  # draws the results of the command, given in the order of the cases
+    setting: dict = field(default_factory=dict)  # used if the case as shipped takes longer than a minute
     note: str = ""
-    models: dict = field(default_factory=dict)  # {key of the case: case whose reduced model it asks for}
+    models: dict = field(default_factory=dict)  # {key of the case: case whose reduced model the key needs}
     title: str = ""  # default: that of the first case
     text: str = ""  # file#heading below cases/ with the paragraph; default: the leading comment of the first case
 
@@ -85,7 +85,7 @@ def known():
 
 
 def command_of(path):
-    """The command that a file is for."""
+    """The command that reads the file."""
     case = tomllib.loads(path.read_text(encoding="utf-8"))
     for key, command in (("mesh", "run"), ("calibration", "calibrate"), ("sea", "expected"), ("section", "waves"), ("vary", "study")):
         if key in case:
@@ -98,7 +98,8 @@ DRAW = {"run": response, "study": study, "waves": figures.wave_pressure, "expect
 
 
 def entries(cases=ROOT / "cases"):
-    """All sections, in the order of the page: the known ones, then what else is shipped, each with the usual figure."""
+    """All sections, in the order of the page: the known ones, then all other shipped cases, each with the usual
+    figure."""
     sections = known()
     taken = {case for entry in sections for case in entry.cases}
     for path in sorted(cases.rglob("*.toml")):
@@ -110,7 +111,8 @@ def entries(cases=ROOT / "cases"):
 
 
 def solve(entry, folder, program, jobs, reuse):
-    """What the entry's command writes for each of its cases, below the folder; with reuse, what is there already."""
+    """Opens the results of the entry's command for each of its cases, below the folder; with `reuse`, results that
+    exist are not made again."""
     opened = []
     for case in entry.cases:
         out = folder / Path(case).with_suffix("")
@@ -123,7 +125,7 @@ def solve(entry, folder, program, jobs, reuse):
 
 
 def reduced(case, folder, program):
-    """The file of a case's reduced model, made when it is first asked for."""
+    """The file of a case's reduced model, made when it is first needed."""
     path = folder / "reduced" / Path(case).stem / "reduced.h5"
     if not path.is_file():
         upbead.reduce(ROOT / "cases" / case, out=path.parent, program=program)

@@ -14,7 +14,7 @@ LAWS = {"paper": "eq. (7)", "exact": "eqs. (4), (6)", "combined": "combined", "d
 
 
 def number(value, unit=""):
-    """Three digits, with the prefix that people read.
+    """Three digits, with the prefix that suits the size.
 
     >>> number(2999.7, "N/m"), number(0.0298, "s"), number(0.75), number(None), number(1645), number(0.0, "m")
     ('3.00 kN/m', '29.8 ms', '0.750', '-', '1,645', '0 m')
@@ -28,13 +28,13 @@ def number(value, unit=""):
 
 
 def prefix(value, unit):
-    """(factor, unit) that a value is read best in."""
+    """(factor, unit) that suits the size of a value."""
     scales = PREFIXES.get(unit, [(1.0, unit)])
     return next((s for s in scales if abs(value) >= 0.9995 * s[0]), scales[-1 if value else 0])
 
 
 def digits(value):
-    """Three of them, without an exponent where a person writes none.
+    """Three digits, with an exponent only for very small and very large numbers.
 
     >>> digits(0.99998), digits(0.0123456), digits(4831.2), digits(3e-12), digits(0.0)
     ('1.00', '0.0123', '4,831', '3.00e-12', '0')
@@ -62,7 +62,7 @@ def at(summary, path):
 
 
 def of_waves(summaries):
-    """The only wave of each summary, or the first and the last one."""
+    """The only wave of each summary, or its first and its last wave."""
     waves = [wave for summary in summaries for wave in ends(list(summary["waves"].values()))]
     rows = [("height H", "height"), ("period T", "period"), ("alpha*", "alpha_star"), ("P", "force"),
             ("safety factor against sliding", "safety_sliding"), ("tau_0", "tau_0"), ("S by eq. (7)", "sliding_paper"),
@@ -104,7 +104,7 @@ def fit_text(fit):
 
 
 def of_study(tables):
-    """Least, median and largest of every number that was read."""
+    """Least, median and largest of every number read from the runs."""
     rows = [["runs", *(number(len(table)) for table in tables)]]
     if any(table.failed for table in tables):
         rows.append(["failed", *(number(len(table.failed)) for table in tables)])
@@ -115,7 +115,7 @@ def of_study(tables):
 
 
 def spread(values, unit):
-    """Least, median and largest, in the unit of the largest; what is lost in its digits is 0.
+    """Least, median and largest, in the unit of the largest; numbers below its last digit are written as 0.
 
     >>> spread(np.array([1e-12, 0.02, 0.04]), "m")
     '0, 2.00, 4.00 cm'
@@ -130,7 +130,7 @@ def spread(values, unit):
 
 
 def table(command, opened):
-    """Rows of one entry, from what `upbead.open` gave for each of its cases."""
+    """Rows of one entry, from the results that `upbead.open` returned for each of its cases."""
     if command == "study":
         return of_study(opened)
     summaries = [result if isinstance(result, dict) else result.summary for result in opened]

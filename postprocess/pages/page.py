@@ -1,4 +1,4 @@
-"""The page docs/gallery.md: its sections, and whether it is current."""
+"""The page docs/gallery.md: its sections, and whether it is up to date."""
 
 import io
 import tomllib
@@ -23,7 +23,7 @@ largest value over all its runs. What is assumed and what is calibrated: [cases]
 
 
 def save_small(figure, path):
-    """As .png of at most LARGEST bytes: fewer colours, then fewer points."""
+    """Writes a .png of at most LARGEST bytes: with fewer colours, then with fewer pixels."""
     for dpi in (110, 100, 90, 80, 70, 60):
         picture = Image.open(io.BytesIO(render(figure, dpi))).convert("RGB")
         for colours in (256, 128):
@@ -65,7 +65,7 @@ def section(cases, entry, opened, docs):
 
 
 def anchor(heading):
-    """As GitHub makes it."""
+    """The anchor that GitHub makes of a heading."""
     return "".join(c for c in heading.lower() if c.isalnum() or c in " -_").replace(" ", "-")
 
 
@@ -75,7 +75,8 @@ def contents(cases, entries):
 
 
 def check(cases, entries, docs):
-    """What is not as it should be, without solving anything: cases left out, figures missing, files that are gone."""
+    """Faults of the page, found without solving: cases that are left out or do not exist, missing figures, old
+    paragraphs."""
     shipped = {str(path.relative_to(cases)) for path in cases.rglob("*.toml")}
     known = {case for entry in entries for case in entry.cases}
     page = docs / "gallery.md"

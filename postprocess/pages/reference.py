@@ -1,4 +1,5 @@
-"""The generated reference of keys: pages that end with what the program prints of them, below a head of their own."""
+"""The generated reference of keys: pages with a text of their own, followed by the keys as the program prints
+them."""
 
 from upbead.errors import UserError
 from upbead.program import call
@@ -11,7 +12,7 @@ PAGES = {  # page: commands that print the same keys
 
 
 def keys(program, commands):
-    """What the program prints; an error where its commands do not agree."""
+    """The keys as the program prints them; an error if the commands print different keys."""
     found = {call([command, "--keys"], program) for command in commands}
     if len(found) > 1:
         raise UserError(f"the keys of {', '.join(commands)} differ; give each a page of its own")
@@ -19,7 +20,7 @@ def keys(program, commands):
 
 
 def renewed(text, printed):
-    """The page with its own head, and the printed keys below it."""
+    """The page: its own text and the printed keys below."""
     first = printed.splitlines()[0]
     head, found, _ = text.partition(f"\n{first}\n")
     if not found:
@@ -28,7 +29,7 @@ def renewed(text, printed):
 
 
 def pages(program, docs):
-    """{path: (text that is there, text as it should be)}"""
+    """{path: (present text, correct text)}"""
     found = {}
     for name, commands in PAGES.items():
         text = (docs / name).read_text(encoding="utf-8")
@@ -43,6 +44,6 @@ def write(program, docs):
 
 
 def check(program, docs):
-    """Which pages are not what the program prints."""
+    """The pages that differ from the output of the program."""
     found = pages(program, docs)
     return [f"'{path}' is not what the program prints" for path, (old, new) in found.items() if old != new]

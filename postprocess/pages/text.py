@@ -9,7 +9,7 @@ from upbead.errors import UserError
 
 
 def leading_comment(path):
-    """The comment before the first line of TOML, as Markdown; lines that are set in are code."""
+    """The comment before the first line of TOML, as Markdown; indented lines are code."""
     lines = []
     for line in path.read_text(encoding="utf-8").splitlines():
         if not line.startswith("#"):
@@ -22,7 +22,7 @@ def leading_comment(path):
 
 
 def section_of(path, heading):
-    """What stands below '## heading' of a Markdown file."""
+    """The text below '## heading' of a Markdown file."""
     parts = re.split(r"^## (.+)$", path.read_text(encoding="utf-8"), flags=re.MULTILINE)
     sections = dict(zip(parts[1::2], parts[2::2]))
     if heading not in sections:
@@ -31,7 +31,7 @@ def section_of(path, heading):
 
 
 def with_links(text, folder, cases, docs):
-    """Names of .md and .toml files that are there become links, as seen from docs; lines are broken anew."""
+    """Turns names of existing .md and .toml files into links relative to docs; lines are wrapped again."""
 
     def link(match):
         places = [base / match.group(0) for base in (folder, cases, cases.parent)]
@@ -50,7 +50,7 @@ def with_links(text, folder, cases, docs):
 
 
 def paragraph(cases, entry, docs):
-    """Of an entry of the gallery; cases: the folder of the shipped cases."""
+    """The paragraph of an entry of the gallery; cases: the folder of the shipped cases."""
     if entry.text:
         name, heading = entry.text.split("#")
         return with_links(section_of(cases / name, heading), (cases / name).parent, cases, docs)

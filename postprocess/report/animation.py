@@ -1,4 +1,5 @@
-"""The deformed section in time: pore pressure or strength in colour, the bottom's contact, and the histories to scrub it by."""
+"""The deformed section in time: pore pressure or strength in colour, the bottom's contact, and histories in which the
+reader chooses the time."""
 
 import base64
 import math
@@ -12,8 +13,8 @@ from report.markup import Markup, data, tag
 from report.plot import Line, Panel, Plot
 from upbead.errors import UserError
 
-SHARE = 0.04  # of the width, that the largest displacement is drawn as
-HISTORIES = [  # history, symbol, colour, panel; those that a run has
+SHARE = 0.04  # the largest displacement is drawn as this share of the width
+HISTORIES = [  # history, symbol, colour, panel; those that the run has are drawn
     ("force", "P", 0, "force"),
     ("shear_force", "F_T", 2, "force"),
     ("caisson/displacement_x", "x_G", 3, "displacement"),
@@ -23,7 +24,7 @@ HISTORIES = [  # history, symbol, colour, panel; those that a run has
 
 
 def section(result, window):
-    """`window`: (x0, x1) near the caisson; an empty text where no fields were asked for."""
+    """`window`: (x0, x1) near the caisson; an empty text if no fields were asked for."""
     pvd = result.folder / "fields.pvd"
     if not pvd.is_file():
         return Markup("")
@@ -74,7 +75,7 @@ def caption(told, time):
 
 
 def scrubbed(result):
-    """Histories below the section: a drag in them moves it through time. Nothing without a caisson."""
+    """Histories below the section: dragging in them changes the time of the section. Empty without a caisson."""
     panels, time = {}, np.asarray(result.time)
     for name, symbol, colour, panel in HISTORIES:
         if f"/history/{name}" in result.file:
@@ -91,7 +92,7 @@ def scrubbed(result):
 
 
 def summary(frames, result):
-    """The frames for JSON: integers of 16 bits in base64, with what one of them stands for, and colours of 8 bits."""
+    """The frames for JSON: 16-bit integers in base64 with the value of one step, and 8-bit colours."""
     scale = pressure_scale(frames)
     slip = bottom.as_a_whole(result, frames)
     largest = float(np.max(np.linalg.norm(frames.displacement, axis=2), initial=0.0))
@@ -124,7 +125,7 @@ def pressure_scale(frames):
 
 
 def failing(result):
-    """Where the ground moves most as its strength is reduced, with the words for it."""
+    """The place at which the ground moves most as its strength is reduced, and a text about it."""
     found = strength.failing(result.summary)
     if found is None:
         return None
@@ -139,12 +140,12 @@ def extent(values):
 
 
 def coded(values):
-    """{step, data}: whole multiples of `step`, as Int16."""
+    """{step, data}: values as multiples of `step`, as Int16."""
     largest = float(np.max(np.abs(values), initial=0.0))
     step = largest / 32767 if largest > 0 else 1.0
     return {"step": step, "data": base64.b64encode(np.round(values / step).astype("<i2").tobytes()).decode()}
 
 
 def shades(share):
-    """A byte for each share of the limit, -1 to 1, beyond which colours are the same."""
+    """A byte for each share of the limit from -1 to 1; beyond the limit the colour does not change."""
     return base64.b64encode(np.round(127.5 * (1.0 + np.clip(share, -1.0, 1.0))).astype("u1").tobytes()).decode()

@@ -1,11 +1,11 @@
-"""What the answer assumes: values that nobody measured and that matter, and what the checks stand on."""
+"""The assumptions of a result: influential values that were not measured, and assumptions of the checks."""
 
 from report import input_tables
 from report.language import phrase, say, told
 from report.markup import Markup, join, prose, tag
 
 MARKS = ("assumed", "calibrated", "derived")
-# Defaults that decide: by the end of their path
+# Influential defaults, by the end of their path
 DECIDING = (
     ("sliding", "uplift", "kind"),
     ("sliding", "uplift", "shape"),
@@ -24,7 +24,7 @@ def section(summary, rows, source):
 
 
 def head(source):
-    """What the author says at the head of the file."""
+    """The author's comment at the head of the file."""
     if source is None:
         told_how = phrase(
             "The case as its author wrote it was not found: what was given is told from the defaults, and what is assumed "
@@ -47,7 +47,7 @@ def chosen(rows, source):
 
 
 def stands_on(summary):
-    """What the checks and the loads by waves assume."""
+    """Assumptions of the checks and of the loads by waves."""
     found = []
     for check in summary.get("checks") or []:
         found += (check.get("assumption") or "").split("; ")

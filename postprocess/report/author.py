@@ -1,6 +1,6 @@
-"""What the author of a case says of it in [report]: who asks, who answers, the question, words of his own, a logo.
+"""The author's entries in [report] of a case: client, author, question, a text, a logo.
 
-Files come from strangers: HTML of the text is shown as text, and nothing in it is fetched or run.
+Files may come from unknown sources: HTML in the text is shown as text, and nothing in it is fetched or run.
 """
 
 from dataclasses import dataclass, field
@@ -32,9 +32,10 @@ class Author:
 
 
 def read(effective, source, effective_path):
-    """The Author of a run: keys of its effective case, and those that only the author's own file has.
+    """The Author of a run: keys of its effective case, and keys that only the author's own file has.
 
-    The logo stands beside the file that names it; the author's own comes first. All mistakes are told at once.
+    The path of the logo is relative to the file that names it; the author's own file takes precedence. All mistakes
+    are reported at once.
     """
     own = (source.values.get("report") if source else None) or {}
     found, mistakes = {}, []
@@ -61,7 +62,7 @@ def read(effective, source, effective_path):
 
 
 def html(text):
-    """Markdown as HTML: no HTML of the author's, no picture, no link but to pages and mail."""
+    """Markdown as HTML: without HTML from the author, without pictures, with links only to pages and mail."""
     if not text:
         return Markup("")
     try:

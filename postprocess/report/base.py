@@ -1,4 +1,4 @@
-"""What the caisson's bottom does to its ground: forces over time, pressures over the width at chosen moments."""
+"""Action of the caisson's bottom on the ground: forces over time, pressures over the width at chosen times."""
 
 import re
 
@@ -47,7 +47,7 @@ def section(result):
 
 
 def is_zero(result, values):
-    """Whether a force or moment is but round-off beside the shear force."""
+    """Whether a force or moment is only round-off compared with the shear force."""
     return largest(values) <= ROUND_OFF * largest(result.history("shear_force"))
 
 
@@ -87,7 +87,7 @@ def explained(result):
 
 
 def instants(result):
-    """[(what is largest then, time)], in the order of time."""
+    """[(quantity that has its largest value, time)], in the order of time."""
     found = []
     for what, name in (("P", "force"), ("F_T", "shear_force"), ("M", "base_moment")):
         if f"/history/{name}" in result.file:

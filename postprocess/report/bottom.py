@@ -1,4 +1,4 @@
-"""The caisson's bottom in each frame of the animation: its nodes that stick, slip or are open, and where it has slipped to."""
+"""The caisson's bottom in each frame of the animation: its nodes that stick, slip or are open, and its slip."""
 
 import numpy as np
 
@@ -12,7 +12,8 @@ STATES = [("sticks", "#39424e"), ("slips", "#d95f02"), ("is open", "#1f78b4")]
 
 
 def contact(result, frames):
-    """For JSON: the state of each node in each frame, and between which nodes of the frames it lies; None where no node is told."""
+    """For JSON: the state of each node in each frame, and its position between nodes of the frames; None if the
+    results have no states of nodes."""
     if "interface/slip" not in result.file:
         return None
     pairs = facing(frames)
@@ -48,7 +49,7 @@ def facing(frames):
 
 
 def words(state, length, opening, slip):
-    """What one frame shows, for those who do not see it."""
+    """A description of one frame, for readers who cannot see it."""
     shares = [float(length[state == kind].sum() / length.sum()) for kind in (STICKS, SLIPS, OPEN)]
     parts = [f"{100 * share:.0f} % {say(name)}" for share, (name, _) in zip(shares, STATES) if share > 0]
     parts += [say("gap up to {gap}", gap=length_of(float(opening.max())))] if shares[OPEN] > 0 else []
@@ -57,13 +58,15 @@ def words(state, length, opening, slip):
 
 
 def length_of(metres):
-    """To a tenth of a millimetre below a metre: what changes from frame to frame is not worth more."""
+    """A length, below a metre to a tenth of a millimetre, which is enough for values that change from frame to
+    frame."""
     factor, unit = units.scale("m", metres)
     return f"{units.plain(round(metres * factor, 1 if unit == 'mm' else 3))} {unit}"
 
 
 def as_a_whole(result, frames):
-    """Slip (m) in each frame of a caisson that slips as a whole, which the fields do not have; None where nothing slips so."""
+    """Slip (m) in each frame of a caisson that slips as a whole, which is not in the fields; None if there is no such
+    slip."""
     if "interface/slip" in result.file or "coupled/slip" not in result.file:
         return None
     time, slip = (result.file[f"coupled/{name}"][()] for name in ("time", "slip"))

@@ -1,4 +1,4 @@
-"""A drawing to scale: metres in, SVG elements out, with the signs of an engineer's drawing."""
+"""A drawing to scale: from metres to SVG elements, with the symbols of engineering drawings."""
 
 from report.markup import Markup, join, tag
 
@@ -25,7 +25,7 @@ class Canvas:
 
     def loop(self, points, class_):
         """A closed area, cut off at the window's sides."""
-        place = [(min(max(x, self.x0), self.x1), y) for x, y in points]  # areas beyond a side end on it
+        place = [(min(max(x, self.x0), self.x1), y) for x, y in points]  # areas beyond a side end at it
         return tag("polygon", points=" ".join("{:.1f},{:.1f}".format(*self.at(*p)) for p in place), class_=class_)
 
     def text(self, x, y, *words, anchor="middle", class_="note", dx=0, dy=0):
@@ -80,7 +80,7 @@ class Canvas:
         self.add(tag("polygon", points=" ".join(f"{x:.1f},{y:.1f}" for x, y in head), class_=class_ + "head"))
 
     def level(self, x, y):
-        """The sign of a water level: a triangle that stands on it."""
+        """The symbol of a water level: a triangle above it."""
         px, py = self.at(x, y)
         self.add(tag("polygon", points=f"{px},{py} {px - 5},{py - 8} {px + 5},{py - 8}", class_="level"))
         self.line((px - 8, py + 3), (px + 8, py + 3))

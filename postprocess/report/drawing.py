@@ -1,4 +1,4 @@
-"""The section drawn with its dimensions, the water level, the heights of the loads and the points that were read."""
+"""The section drawn with its dimensions, the water level, the heights of the loads and the probes."""
 
 from report import units
 from report.canvas import Canvas
@@ -6,7 +6,7 @@ from report.geometry import floors, of_side, toes
 from report.language import named, say
 from report.markup import join, tag
 
-NARROW = 500  # px; below there is no room for all words
+NARROW = 500  # px; narrower drawings have no room for all words
 FILLS = {"rigid": "rigid", "water": "water", "solid": "solid"}
 
 
@@ -33,7 +33,7 @@ def drawing(section, case, summary, width, class_):
 
 
 def near(section, p):
-    """The mound and half its width beside it; the seabed goes on."""
+    """The window of the mound and 0.28 of its width on either side; the seabed continues."""
     left, right = toes(p).values()
     room = 0.28 * (right - left)
     _, _, low, high = section.box()
@@ -42,7 +42,7 @@ def near(section, p):
 
 
 def around(section):
-    """All of it; what is slender gets air at its sides."""
+    """The window of the whole section, widened if it is slender."""
     x0, x1, y0, y1 = section.box()
     air = max(0.0, 2.0 * (y1 - y0) - (x1 - x0)) / 2
     return x0 - air, x1 + air, y0, y1
@@ -57,7 +57,7 @@ def areas(canvas, section, case):
 
 
 def metres(length):
-    """A length of the drawing: all in metres, up to the millimetre."""
+    """A length in metres, to the millimetre at most."""
     return f"{length:.3f}".rstrip("0").rstrip(".") + "\u00a0m"
 
 
@@ -96,13 +96,13 @@ def wet_sides(p):
 
 
 def seas(p):
-    """The sides whose still water has a dimension: both only where their levels differ."""
+    """The sides at which the water depth is drawn: both only if their levels differ."""
     wet = wet_sides(p)
     return wet if len({of_side(p, "water_depth", side) for side in wet}) > 1 else wet[:1]
 
 
 def ends(canvas, p):
-    """Where the drawing is cut off, and how far the section goes on."""
+    """Marks where the drawing is cut off, with the length to which the section continues."""
     left, right = toes(p).values()
     base = floors(p)[-1]
     for side, at, rest, toe, anchor in (
@@ -147,7 +147,7 @@ def names(canvas, section, case, composite):
 
 
 def probes(canvas, case):
-    """Numbered, as their names would cover the section; the caption has the names."""
+    """Probes are numbered, as their names would cover the section; the caption has the names."""
     for number, probe in enumerate(case.get("probes", {}).values(), 1):
         px, py = canvas.at(*probe["at"])
         canvas.line((px - 4, py), (px + 4, py), "probe")
@@ -167,7 +167,7 @@ def loads(canvas, section, case, summary):
     x0, x1, bottom, _ = section.box("caisson")
     heights = {}
     for name, load in acting(case).items():
-        for y in (load.get("heights") or {}).values():  # of transducers
+        for y in (load.get("heights") or {}).values():  # for loads by transducers
             px, py = canvas.at(x0, y)
             canvas.add(tag("circle", cx=f"{px:.1f}", cy=f"{py:.1f}", r=3, class_="loadhead"))
         arm = known.get(name, {}).get("arm")

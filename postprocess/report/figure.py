@@ -6,7 +6,7 @@ from report.markup import data, tag
 
 
 def of_plot(plot, caption, class_="plot"):
-    """An HTML figure; the script replaces the still picture on screen, paper shows it."""
+    """An HTML figure; on screen the script replaces the still picture, which is printed on paper."""
     told = plot.data()
     return tag(
         "figure", still.draw(told, named(plot.name.replace("-", " "))), data(told, "plot"), tag("figcaption", caption), id=plot.name, class_=class_

@@ -9,7 +9,7 @@ from upbead.errors import UserError
 
 DISPLACEMENT, PRESSURE, MOBILISED = "displacement_(m)", "pore_pressure_(Pa)", "mobilised_strength_(1)"
 BYTES = 600_000  # of all frames together: 0.8 MB in the page, which stays below 1.5 MB
-OF_CELL = 5.5  # bytes in a frame: five for each node, of which there are a tenth more than cells
+OF_CELL = 5.5  # bytes in a frame: five for each node; there are 1.1 nodes per cell
 FEWEST = 12  # frames; with fewer there is no motion to see
 GROUND, WATER, RIGID = 0, 1, 2
 
@@ -28,7 +28,7 @@ class Frames:
 
 
 def read(pvd, window):
-    """The Frames of cells whose middle lies in the window (x0, x1); raises UserError where they cannot be shown."""
+    """The Frames of cells whose middle lies in the window (x0, x1); raises UserError if they cannot be shown."""
     steps = vtu.times(pvd)
     if not steps:
         raise UserError(f"'{pvd}' names no fields")
@@ -46,17 +46,20 @@ def read(pvd, window):
 
 
 def of_file(path, patches, points):
-    """Displacement and pressure at the corners of the patches, and the strength that each mobilises (None: no soil yields)."""
+    """Displacement and pressure at the corners of the patches, and the mobilised strength of each patch (None: no
+    soil yields)."""
     found, used = vtu.arrays(path, (DISPLACEMENT, PRESSURE, MOBILISED)), patches.ravel()
     if DISPLACEMENT not in found or len(found[DISPLACEMENT]) != points:
         raise UserError(f"'{path}' has no field {DISPLACEMENT} on the mesh of the first one")
     pressed = found[PRESSURE][used] if PRESSURE in found else np.zeros(len(used))
-    mobilised = found[MOBILISED][patches[:, 0]] if MOBILISED in found else None  # one value at all points of a cell
+    # all points of a cell have the same value
+    mobilised = found[MOBILISED][patches[:, 0]] if MOBILISED in found else None
     return found[DISPLACEMENT][used, :2], pressed, mobilised
 
 
 def thinned(frames, cells, yields=False):
-    """Which frames are kept, evenly, so that the page stays small; a byte more for each cell where soil yields."""
+    """The evenly spaced frames that are kept so that the page stays small; if soil yields a cell takes one more
+    byte."""
     most = int(BYTES / (cells * (OF_CELL + yields)))
     if most < FEWEST:
         raise UserError(f"{cells} cells near the caisson are too many for a page; ParaView opens fields.pvd")
@@ -64,7 +67,8 @@ def thinned(frames, cells, yields=False):
 
 
 def merged(times, points, moved, pressed, mobilised=None):
-    """Corners at one place become one node, apart for ground, water and rigid bodies, whose fields differ there."""
+    """Corners at one place become one node, but separate nodes for ground, water and rigid bodies, whose fields
+    differ there."""
     count = len(points) // 4
     still = ~np.any(moved.reshape(len(times), count, -1), axis=(0, 2))
     dry = ~np.any(pressed.reshape(len(times), count, -1), axis=(0, 2))

@@ -1,13 +1,14 @@
-"""A rigid block on friction under a force that is straight between its times: eq. (4) of Shimosako and Takahashi (1994).
+"""A rigid block on friction under a force that is linear between its times: eq. (4) of Shimosako and Takahashi
+(1994).
 
-As src/sliding/block.cc without drag: (W/g) v' = F - R, where R = mu (W' - U) acts against the motion.
+The same as src/sliding/block.cc without drag: (W/g) v' = F - R, where R = mu (W' - U) acts against the motion.
 """
 
 import numpy as np
 
 
 def slip(mass, time, force, resistance):
-    """Where the block comes to rest (m, landward)."""
+    """The position at which the block comes to rest (m, landward)."""
     moving = np.flatnonzero(np.abs(force) > resistance)
     if not moving.size:
         return 0.0
@@ -20,7 +21,7 @@ def slip(mass, time, force, resistance):
 
 
 def through(mass, place, speed, left, force, resistance):
-    """Place and speed at the end of a piece of `left` seconds."""
+    """Position and velocity at the end of an interval of `left` seconds."""
     length, way = left, np.sign(speed)
     while left > 0:
         if way == 0:
@@ -41,12 +42,12 @@ def through(mass, place, speed, left, force, resistance):
 
 
 def at(pair, length, left):
-    """A line's value where `left` of its `length` is still to come."""
+    """Value of a line with the end values `pair` at which `left` of its `length` remains."""
     return pair[1] + (pair[0] - pair[1]) * left / length
 
 
 def start(lines, length, left):
-    """(seconds until the block starts, its way); way 0 where it rests."""
+    """(seconds until the block starts, its direction); direction 0 if it stays at rest."""
     found = (left, 0)
     for way in (1, -1):
         begin, end = (way * at(lines[0], length, left) - at(lines[1], length, left), way * lines[0][1] - lines[1][1])
@@ -62,7 +63,7 @@ def stop(speed, a, jerk):
     Roots without cancellation, after Press et al., Numerical Recipes, section 5.6.
     """
     if speed == 0:
-        return -2.0 * a / jerk if jerk < 0 else np.inf  # it has just started: a >= 0
+        return -2.0 * a / jerk if jerk < 0 else np.inf  # the block has just started: a >= 0
     square = a * a - 2.0 * jerk * speed
     if square < 0:
         return np.inf

@@ -1,4 +1,5 @@
-"""What transducers along the wall or the bottom saw, and how well their number and places give the force."""
+"""Records of transducers along the wall or the bottom, and how accurately their number and positions give the
+force."""
 
 from report.language import heads, say, spaced
 from report.markup import Markup, fold, table
@@ -19,7 +20,7 @@ HEAD = (
 
 
 def records(summary):
-    """A fold with one row for each record; nothing where there are none."""
+    """A fold with one row for each record; empty if there are none."""
     rows = [
         (
             spaced(name),

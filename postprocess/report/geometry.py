@@ -15,13 +15,13 @@ PARAMETER = re.compile(r"^\s*(\w+)\s*=\s*([-+.\deE]+)\s*,?\s*//\s*([^:]*):\s*(.*
 
 @dataclass
 class Section:
-    """Loops of points (m) by the region's name, and the geometry's parameters where it is a shipped one."""
+    """Loops of points (m) by the region's name, and the parameters of a shipped geometry."""
 
     regions: dict
     parameters: dict = field(default_factory=dict)
 
     def box(self, name=None):
-        """(x0, x1, y0, y1) of a region, or of all."""
+        """(x0, x1, y0, y1) of a region, or of all regions."""
         loops = self.regions[name] if name else [loop for loops in self.regions.values() for loop in loops]
         x, y = [p[0] for loop in loops for p in loop], [p[1] for loop in loops for p in loop]
         return min(x), max(x), min(y), max(y)
@@ -44,7 +44,7 @@ def declared(geometry):
 def section(case, base):
     """The Section of a case (a dict), whose paths are relative to the folder `base`.
 
-    Raises UserError with what is missing where no outline can be had.
+    Raises UserError, which names what is missing, if there is no outline.
     """
     mesh = case.get("mesh", {})
     name, given = mesh.get("geometry"), mesh.get("parameters", {})
@@ -68,7 +68,7 @@ def of_mesh(path, parameters):
 
 
 def outline(cells, points):
-    """The loops around cells, whichever way round each is numbered: edges that only one of them has, in turn."""
+    """The loops around cells, in either direction of numbering: edges that belong to one cell only, in order."""
     edges = Counter(frozenset((cell[i], cell[(i + 1) % len(cell)])) for cell in cells for i in range(len(cell)))
     beside = defaultdict(set)
     for a, b in (edge for edge, count in edges.items() if count == 1):
@@ -92,7 +92,8 @@ def column(p):
 
 
 def of_side(p, name, side):
-    """A parameter of composite.geo that a side (-1 seaward, 1 landward) may have of its own; 0: it has not."""
+    """A parameter of composite.geo for a side (-1 seaward, 1 landward); if that of the side is 0, the one for both
+    sides."""
     return p.get(f"{name}_{'front' if side < 0 else 'back'}") or p[name]
 
 

@@ -1,4 +1,4 @@
-"""How a document begins: logo, title, who asks and who answers, and the question."""
+"""The beginning of a document: logo, title, client and author, and the question."""
 
 from report import author
 from report.language import phrase, say
@@ -8,7 +8,7 @@ NAMES = {"project": "project", "client": "client", "author": "author", "revision
 
 
 def title(words, kind, heading):
-    """`words` is the Author, `kind` says what is reported, `heading` is the title of the case."""
+    """`words` is the Author, `kind` names the kind of document, `heading` is the title of the case."""
     mark = tag("img", src=words.logo, alt=say("logo"), class_="logo") if words.logo else ""
     rows = [(say(name), words.get(key)) for key, name in NAMES.items() if words.get(key)]
     who = table(None, rows, "words") if rows else ""
@@ -16,7 +16,7 @@ def title(words, kind, heading):
 
 
 def question(words, asked):
-    """The author's question, or else the one that such a run answers; then the author's own text."""
+    """The author's question, or else the question that such a run answers; then the author's text."""
     told = tag("p", words.get("question") or asked, class_="asked")
     return tag("section", tag("h2", say("Question")), told, author.html(words.get("text")), id="question")
 
@@ -32,7 +32,8 @@ def card(name, value, below):
 
 
 def trust(warnings, *told):
-    """One line on how far to trust what stands above, with a link to the warnings; `warnings` is None where none are written."""
+    """One line on the reliability of the results above, with a link to the warnings; `warnings`: their number, None
+    if these results have no list of them."""
     parts = list(told)
     if warnings is not None:
         words = (
@@ -43,5 +44,5 @@ def trust(warnings, *told):
 
 
 def appendix(*sections):
-    """How it was solved: behind a heading of its own."""
+    """The sections on the solution, below a heading of their own."""
     return tag("div", tag("p", phrase("Appendix: how it was solved"), class_="part"), *sections, class_="appendix")

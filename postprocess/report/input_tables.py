@@ -44,7 +44,7 @@ ORDER = [
 
 
 def show(row):
-    """A row's value; of a path its last part, as folders tell a client nothing."""
+    """A row's value; of a path only its last part, as folders do not matter to a client."""
     if row.path[-1] in PATHS:
         return row.value.replace("\\", "/").rpartition("/")[2]
     return told(row.value) if isinstance(row.value, str) else written_as(row.value, row.unit)
@@ -59,7 +59,7 @@ def group_of(path):
 
 
 def title_of(group, members):
-    """A group's name; a region's kind and a load that is off stand beside it."""
+    """A group's name; followed by a region's kind, or by a note that a load is off."""
     own = {row.path[-1]: row.value for row in members if len(row.path) == 3}
     if group[0] == "regions" and "kind" in own:
         return f"{named(group[1])}, {told(own['kind'])}"
@@ -89,7 +89,7 @@ def label_of(row):
 
 
 def tables(found):
-    """Given values, group by group, then the defaults in a fold."""
+    """Given values, group by group, then the defaults in a part that can be folded."""
     given = [row for row in found if row.mark != "default"]
     taken = [row for row in found if row.mark == "default"]
     return join([columns(given), fold(say("{count} defaults", count=len(taken)), columns(taken)) if taken else Markup("")])
@@ -120,7 +120,7 @@ def value_rows(members):
 
 
 def value_cell(row):
-    """Numbers keep to one line, words may break."""
+    """Numbers are not wrapped, words may be."""
     shown = show(row)
     breaks = isinstance(row.value, (str, list)) and len(shown) > 24 or isinstance(row.value, str) and len(row.value) > 12
     return tag("td", shown, class_="text" if breaks else "number")

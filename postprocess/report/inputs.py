@@ -1,4 +1,4 @@
-"""Every input of a case: its value, its unit, what it is, where it comes from, and what its author remarked."""
+"""Every input of a case: its value, unit, meaning, source, and the author's remark."""
 
 import math
 from dataclasses import dataclass
@@ -8,8 +8,9 @@ from report.language import say
 from report.source_case import PATHS
 from report.units import plain, pretty, scale
 
-PHYSICAL = ("mesh", "regions", "fluid", "loads", "initial", "sliding")  # whose numbers "all other numbers" means
-SWITCHES = ("degree", "refine", "direction", "factor")  # numbers there that say nothing of nature
+# tables with the numbers meant by "all other numbers"
+PHYSICAL = ("mesh", "regions", "fluid", "loads", "initial", "sliding")
+SWITCHES = ("degree", "refine", "direction", "factor")  # numbers in these tables that are no physical quantities
 
 
 @dataclass
@@ -25,8 +26,8 @@ class Row:
 def rows(case, source, units=None, known=None):
     """Every value of the effective case as a Row.
 
-    `source` is None where the author's file is not known. `units` by path come before those of the reference,
-    which is that of cases where `known` gives no other.
+    `source` is None if the author's file is not known. `units` by path take precedence over those of the reference;
+    the reference is that of cases unless `known` gives another.
     """
     known = reference.read() if known is None else known
     declared = geometry.declared(case.get("mesh", {}).get("geometry", ""))
@@ -40,7 +41,7 @@ def rows(case, source, units=None, known=None):
             default, unit, what = declared[path[-1]]
             what = reference.short(what)
             key = reference.Key(unit, repr(default), what)
-        if " or " in unit:  # of a load: what its kind says
+        if " or " in unit:  # for a load, by its kind
             unit = "N/m" if case["loads"][path[1]].get("kind", "force") == "force" else "Pa"
         mark, remark = status(path, value, key, source)
         found.append(Row(path, what or " ".join(path[2:]).replace("_", " "), value, unit, mark, remark))
@@ -63,7 +64,7 @@ def status(path, value, key, source):
     written = source.value(path)
     if written is None:
         return ("default", "") if is_default else ("changed", say("set for this run"))
-    # a path is rewritten for the result's folder, a range is spelled out
+    # a path is rewritten for the folder of results, a range is replaced by its values
     same = written == value or path[-1] in PATHS or isinstance(written, dict)
     if not same:
         return "changed", say("set for this run; the case file has {value}", value=written_as(written, key.unit if key else ""))
@@ -79,6 +80,6 @@ def written_as(value, unit):
         return "(" + ", ".join(written_as(part, "") for part in value) + ")" + (f" {pretty(unit)}" if unit else "")
     if isinstance(value, bool) or not math.isfinite(value):
         return plain(value)
-    factor, name = (1.0, unit) if unit == "m" else scale(unit, value)  # a section is read in metres throughout
+    factor, name = (1.0, unit) if unit == "m" else scale(unit, value)  # all lengths of a section are in metres
     digits = 5 if value == float(f"{value:.5g}") else 4
     return f"{plain(value * factor if factor != 1.0 else value, digits)} {pretty(name)}".strip()

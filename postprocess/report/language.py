@@ -1,5 +1,5 @@
-"""What the document says, in English or in Japanese: the code holds the English, the table in words/ the Japanese
-beside it.
+"""Texts of the document in English or in Japanese: the English texts are in the code, the Japanese ones in the tables
+of words/.
 
 In a phrase `$F_T$` is a symbol, `` `case` `` is code, and `{name}` is a value.
 """
@@ -20,7 +20,7 @@ _spoken = ContextVar("language", default="en")
 
 @contextmanager
 def speaking(language):
-    """Within it the document is in that language."""
+    """A context within which the document is in that language."""
     token = _spoken.set(language)
     try:
         yield
@@ -46,7 +46,7 @@ def say(english, **values):
 
 
 def told(english):
-    """Words of the program in the document's language, or as they are where the table does not have them."""
+    """Words of the program in the document's language, or unchanged if the table does not have them."""
     return table().get(english, english) if spoken() == "ja" else english
 
 
@@ -62,7 +62,7 @@ def phrase(english, **values):
 
 
 def listed(parts):
-    """Things one after the other, as the language separates them."""
+    """A list of things, with the separator of the language."""
     return join(parts, "、" if spoken() == "ja" else ", ")
 
 
@@ -82,5 +82,5 @@ def sentences(parts):
 
 
 def heads(*cells):
-    """The head of a table; what is HTML already stays."""
+    """The head of a table; HTML is left unchanged."""
     return [cell if isinstance(cell, Markup) else phrase(cell) for cell in cells]

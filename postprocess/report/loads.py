@@ -1,4 +1,5 @@
-"""What acts on the section: each load with its course, its largest force and its height; uplift; records and waves behind them."""
+"""Loads on the section: each load with its history, its largest force and its height; uplift; their records and
+waves."""
 
 from report import gauges, waves
 from report.drawing import acting
@@ -28,7 +29,7 @@ def row(name, load, result):
 
 
 def course(load):
-    """Where the values of a load come from, in a few words."""
+    """The source of a load's values, in a few words."""
     parts = []
     if load.get("pulse"):
         parts = pulse(load["pulse"], "N/m" if load.get("kind", "force") == "force" else "Pa")
@@ -52,7 +53,7 @@ def pulse(keys, unit):
 
 
 def uplift(result):
-    """What the sliding block is lifted by."""
+    """A sentence on the uplift of the sliding block."""
     sliding = result.summary.get("sliding") or {}
     kind = sliding.get("uplift")
     if not kind:

@@ -1,4 +1,4 @@
-"""A picture of the author's as a data: address: what kind it is, its content says and not its name."""
+"""The author's picture as a data: address; its type is determined by its content, not by its name."""
 
 import base64
 import io
@@ -12,9 +12,10 @@ SVG = "{http://www.w3.org/2000/svg}svg"
 
 
 def address(path, place):
-    """The address of a file; `place` is where it is named."""
+    """The address of a file; `place` names it in messages."""
     if path.exists() and not path.is_file():
-        raise UserError(f"{place}: '{path}' is no file; give a PNG, a JPEG or an SVG")  # a pipe would be waited for
+        # reading a pipe could wait for ever
+        raise UserError(f"{place}: '{path}' is no file; give a PNG, a JPEG or an SVG")
     try:
         size = path.stat().st_size
         if size > MOST:
@@ -29,7 +30,7 @@ def address(path, place):
 
 
 def kind_of(content):
-    """The media type, or None. An SVG runs no script and fetches nothing where it stands in an <img>."""
+    """The media type, or None. An SVG within <img> runs no script and fetches nothing."""
     for signature, kind in SIGNATURES.items():
         if content.startswith(signature):
             return kind

@@ -1,4 +1,4 @@
-"""HTML from Python: what is not Markup is text and is escaped."""
+"""HTML from Python: a text that is not Markup is escaped."""
 
 import html
 import json
@@ -6,7 +6,7 @@ import re
 
 
 class Markup(str):
-    """Text that is HTML already."""
+    """A text that is HTML."""
 
 
 EMPTY = {"br", "meta", "link", "input", "circle", "line", "path", "rect", "polygon", "polyline", "col"}
@@ -30,7 +30,7 @@ def tag(name, /, *parts, **attributes):
 
 
 def table(head, rows, class_=None):
-    """A table in a box of its own that scrolls where the page is narrow; the first cell of a row is its name."""
+    """A table in a box that scrolls on a narrow page; the first cell of a row is its name."""
     titles = tag("thead", tag("tr", *(tag("th", cell, scope="col") for cell in head))) if head else ""
     body = (tag("tr", tag("th", row[0], scope="row"), *(tag("td", cell) for cell in row[1:])) for row in rows)
     return tag("div", tag("table", titles, tag("tbody", *body), class_=class_), class_="table")
@@ -58,7 +58,7 @@ def runs(symbol):
     return found
 
 
-# Not within a longer Latin word; Japanese follows a symbol without a space.
+# Not within a longer Latin word; Japanese text may follow a symbol without a space.
 SYMBOL = re.compile(r"(?<![A-Za-z0-9_])([A-Za-zτ])_([A-Za-z0-9]{1,3})(?![A-Za-z0-9_])")
 
 

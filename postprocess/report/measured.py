@@ -1,4 +1,4 @@
-"""Measured records beside what was computed: a plot of each, and how far they lie apart."""
+"""Measured records compared with computed histories: a plot of each, and their differences."""
 
 import numpy as np
 

@@ -13,7 +13,7 @@ class Measure:
     what: str
 
 
-KNOWN = [  # best first: key, short, what
+KNOWN = [  # best first: key, short name, description
     (
         "contact.solved.slip",
         "contact followed node by node, mean over the bottom",
@@ -69,7 +69,7 @@ def measures(summary):
 
 
 def best(summary):
-    """The measure with the most of the mechanics in it; None where sliding was not asked for."""
+    """The most detailed measure; None if sliding was not asked for."""
     found = measures(summary)
     design = at(summary, "sliding.design")
     if design:

@@ -8,9 +8,9 @@ from report.language import say
 from report.markup import join, tag
 
 COLOURS = [(33, 102, 172), (146, 197, 222), (247, 247, 247), (244, 165, 130), (178, 24, 43)]  # suction to pressure
-SHADES = 24  # of pressure, and as many of suction
+SHADES = 24  # shades of pressure, and as many of suction
 WIDTH, AIR = 860, 20
-DASHES = {bottom.SLIPS: "6 3"}  # states are told by more than their colour
+DASHES = {bottom.SLIPS: "6 3"}  # so that states differ not only by colour
 
 
 def colour(share):
@@ -22,7 +22,7 @@ def colour(share):
 
 
 def draw(frames, told, index):
-    """Water first, as it stays where it is."""
+    """The SVG of a frame; water is drawn first, as it does not move."""
     x0, x1, y0, y1 = told["box"]
     scale = WIDTH / (x1 - x0)
 
@@ -50,7 +50,7 @@ def draw(frames, told, index):
 
 
 def cells(frames, told, index, moved, kind):
-    """A path for each colour, of SHADES."""
+    """A path for each of the SHADES colours."""
     chosen = frames.cells[frames.kinds == kind]
     share = np.clip(frames.pressure[index, chosen].mean(axis=1) / told["scale"]["limit"], -1.0, 1.0)
     shade = np.round(SHADES * share) * (kind != fields.RIGID)
@@ -61,7 +61,7 @@ def cells(frames, told, index, moved, kind):
 
 
 def contact(told, index, moved):
-    """Pieces of the caisson's bottom in the colour of their node's state; what gapes is filled."""
+    """Pieces of the caisson's bottom in the colour of their node's state; gaps are filled."""
     upper, lower = (along(told, moved, side) for side in (0, 1))
     for node, state in enumerate(map(int, told["states"][index])):
         above, below = upper[2 * node : 2 * node + 3], lower[2 * node : 2 * node + 3]
@@ -98,7 +98,8 @@ def cross(x, y):
 
 
 def legends(told):
-    """Bars of the colours with their ends; the script shows that of the strength in place of the other where it is asked for."""
+    """Colour bars with the values at their ends; the script shows the one of strength instead of that of pressure on
+    request."""
     steps = (tag("i", style=f"background:{colour(i / 10 - 1)}") for i in range(21))
     low, high = told["scale"]["text"]
     parts = [legend("pressure", low, steps, say("{high} pore pressure", high=high))]

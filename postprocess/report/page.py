@@ -1,4 +1,5 @@
-"""The document of a run: sections in the order in which a client reads, and how it was solved behind them."""
+"""The document of a run: sections in the order in which a client reads them, and behind them those on the
+solution."""
 
 from report import (
     animation,
@@ -31,9 +32,9 @@ from upbead.errors import UserError
 
 
 def build(result, case_file=None, language=None):
-    """The HTML of a result; `case_file` is the case as its author wrote it, looked for where not given.
+    """The HTML of a result; `case_file` is the case as its author wrote it, searched for if not given.
 
-    `language` comes before that of the case.
+    `language` takes precedence over that of the case.
     """
     source = author_case(result.case, result.folder, case_file)
     words = author.read(result.case, source, result.folder / "case.toml")
@@ -104,7 +105,7 @@ def section_drawing(result):
 
 
 def near(outline):
-    """The window of the animation: the mound and as much of the seabed as the drawing shows."""
+    """The window of the animation: the mound and the part of the seabed that is in the drawing."""
     if outline is None:
         return float("-inf"), float("inf")
     p = outline.parameters

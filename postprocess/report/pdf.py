@@ -18,7 +18,7 @@ def browser():
 
 
 def options(profile):
-    """Options of every start without a window; root has no sandbox."""
+    """Options of every start without a window; Chromium's sandbox does not work for root."""
     rootless = [] if os.geteuid() else ["--no-sandbox"]
     return ["--headless=new", "--disable-gpu", "--no-first-run", f"--user-data-dir={profile}", *rootless]
 

@@ -1,4 +1,4 @@
-"""What a plot shows: panels below each other over one axis; each panel has lines and marked points."""
+"""The content of a plot: panels one below the other over one axis; each panel has lines and marked points."""
 
 import math
 from dataclasses import dataclass, field
@@ -22,7 +22,7 @@ class Line:
     values: np.ndarray
     colour: int = 0
     dash: str = "-"
-    dots: bool = False  # single readings, not a course
+    dots: bool = False  # single values, not a line
 
 
 @dataclass
@@ -39,7 +39,7 @@ class Panel:
 
 @dataclass
 class Plot:
-    """`name` is the figure's id; `window` what is shown at first, all by default."""
+    """`name` is the figure's id; `window` the range shown at first, by default all."""
 
     name: str
     panels: list
@@ -56,7 +56,7 @@ class Plot:
         peers = [p for p in self.panels if p is panel or (panel.group and p.group == panel.group)]
         peak = max((largest(line.values) for p in peers for line in p.lines), default=0.0)
         factor, unit = units.scale(panel.unit, peak, room=10.0)
-        if peak > 0 and not 1e-2 <= peak * factor < 1e6:  # a power of ten before the unit keeps the ticks short
+        if peak > 0 and not 1e-2 <= peak * factor < 1e6:  # with a power of ten before the unit the ticks are short
             power = math.floor(math.log10(peak * factor))
             return factor / 10.0**power, f"10{units.superscript(power)} {units.pretty(unit)}".strip()
         return factor, unit

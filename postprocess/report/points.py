@@ -1,4 +1,4 @@
-"""What was read at points of the section: a plot for each quantity, its components below each other."""
+"""Readings of probes: a plot for each quantity, with its components one below the other."""
 
 import re
 
@@ -10,7 +10,7 @@ from report.plot import Line, Panel, Plot
 from report.series import largest
 
 COMPONENT = re.compile(r"_([xyz]{1,2})$")
-ROUND_OFF = 1e-9  # of the largest component: less is no reading
+ROUND_OFF = 1e-9  # of the largest component: smaller values are round-off
 
 
 def figures(result, wanted=None):
@@ -23,7 +23,7 @@ def figures(result, wanted=None):
 
 
 def of_quantity(result, what, parts):
-    """`parts`: {name of the component: {probe: History}}; nothing where all of it is zero."""
+    """`parts`: {name of the component: {probe: History}}; empty if all values are zero."""
     peaks = {name: max(largest(values) for values in probes.values()) for name, probes in parts.items()}
     panels, zero = [], []
     for name, probes in parts.items():

@@ -1,4 +1,5 @@
-"""How far to trust the numbers: warnings, estimated errors, balances, and what was left out with why."""
+"""Reliability of the numbers: warnings, estimated errors, balances, and the parts that were left out, with
+reasons."""
 
 from report.language import heads, named, phrase, say, spoken, told
 from report.markup import Markup, join, prose, table, tag
@@ -29,7 +30,7 @@ def warnings(summary):
 
 
 def in_english():
-    """The program's own texts are not translated."""
+    """A note that the program's own texts are not translated."""
     return tag("p", say("The texts of the program are in English."), class_="quiet") if spoken() != "en" else Markup("")
 
 
@@ -80,7 +81,7 @@ def errors(summary):
 
 
 def soil(summary):
-    """Soil that follows the strain, and its strength, where the case has them."""
+    """Soil that follows the strain, and the mobilised strength, if the case has them."""
     parts, found = [], summary.get("soil")
     if found:
         rows = [

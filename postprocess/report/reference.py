@@ -1,4 +1,4 @@
-"""What is known of a key of a case: its unit, its default and its meaning, from the printed reference docs/case.md."""
+"""Unit, default and meaning of a key of a case, from the reference docs/case.md."""
 
 import re
 import tomllib
@@ -17,7 +17,8 @@ class Key:
     meaning: str
 
     def is_default(self, value):
-        """Whether a value is that of the reference; texts without quotes there are words, not values."""
+        """Whether a value is the default of the reference, in which texts without quotes are explanations, not
+        values."""
         try:
             return tomllib.loads("value = " + self.default.strip("`"))["value"] == value
         except tomllib.TOMLDecodeError:
@@ -25,7 +26,7 @@ class Key:
 
 
 def read(path=None):
-    """{(section, key): Key}, sections as 'regions.NAME.damping'; empty where there is no reference."""
+    """{(section, key): Key}, sections as 'regions.NAME.damping'; empty if there is no reference."""
     path = path or Path(__file__).parents[2] / "docs" / "case.md"
     if not path.is_file():
         return {}
@@ -41,9 +42,9 @@ def read(path=None):
 
 
 def short(meaning):
-    """What a key means, without when it is needed and what else could be given."""
+    """The meaning of a key, without the conditions and alternatives."""
     if OPTION.match(meaning):
-        return ""  # an explanation of one of the values
+        return ""  # this explains one of the values
     return re.split(r"; |: | \(only |, so ", meaning.removeprefix("true: ").replace(" with a header line, then", ":"))[
         0
     ].strip()
@@ -52,7 +53,7 @@ def short(meaning):
 def find(known, path):
     """The Key of a path such as ('regions', 'seabed', 'damping', 'ratio'), or None.
 
-    A table whose keys are free names has one Key for all of them.
+    A table whose keys are free names has one Key for all its keys.
     """
     *tables, key = path
     if tables and tables[0] in ("regions", "boundaries", "loads", "probes") and len(tables) > 1:

@@ -35,7 +35,8 @@ MOST_PERIODS = 6
 
 
 def window(time, histories, share=0.05):
-    """Where the response ends: no history exceeds `share` of its own peak any more, and a little more."""
+    """The end of the plotted time: a little after the last time at which any history exceeds `share` of its own
+    peak."""
     last = 0
     for values in histories:
         above = np.flatnonzero(np.abs(values) > share * largest(values))
@@ -45,7 +46,8 @@ def window(time, histories, share=0.05):
 
 
 def peak_of(result, name, values):
-    """Time and value of the landward peak, or of the seaward one where there is no other; the summary's come first."""
+    """Time and value of the landward peak, or of the seaward peak if there is no other; the peaks of the summary take
+    precedence."""
     response = result.summary.get("response") or {}
     if name in PEAKS and (response.get(PEAKS[name]) or 0.0) > 0:
         return response[PEAKS[name] + "_time"], response[PEAKS[name]]

@@ -1,4 +1,4 @@
-"""How the run was made: discretisation, times, versions, files; and the case's text."""
+"""Details of the run: discretisation, times, versions, files; and the text of the case."""
 
 import platform
 
@@ -39,14 +39,15 @@ def times(summary):
 
 
 def versions(summary):
-    found = summary.get("versions") or {"program": summary.get("program", say("not known"))}  # older results name it alone
+    # older results name only the program
+    found = summary.get("versions") or {"program": summary.get("program", say("not known"))}
     rows = [(name, str(version)) for name, version in found.items()]
     rows.append((say("this page"), f"Python {platform.python_version()}, h5py {h5py.__version__}, numpy {np.__version__}"))
     return tag("div", tag("h3", say("Versions")), table(None, rows, "words"))
 
 
 def case_text(folder, source):
-    """The effective case, and the author's file where it is known, each in a fold."""
+    """The effective case, and the author's file if it is known, each in a part that can be folded."""
     parts = []
     path = folder / "case.toml"
     if source is not None:

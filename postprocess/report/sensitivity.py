@@ -1,4 +1,4 @@
-"""What the answer depends on, as far as the run itself tells: S by eq. (4) for other friction and weight, other uplift."""
+"""Sensitivity of the result as far as the run shows it: S by eq. (4) for other friction and weight, other uplift."""
 
 import numpy as np
 
@@ -9,10 +9,10 @@ from report.measures import at
 from report.units import quantity
 
 SHARE = 0.1
-SAME = 1e-3  # relative: F_T between the times of the file is not known to more
+SAME = 1e-3  # relative: accuracy of F_T between the times of the file
 FINER = 8  # times as many
-MOST_ROWS = 5000  # up to so many times a spline is worth it
-MOST = 100_000  # times; beyond it nobody waits for this
+MOST_ROWS = 5000  # up to this number of times a spline is used
+MOST = 100_000  # times; with more, this would take too long
 
 
 def section(result):
@@ -22,7 +22,7 @@ def section(result):
 
 
 def varied(result, sliding):
-    """S by eq. (4) with mu and W' a tenth less and more; nothing where the summary's own number is not met."""
+    """S by eq. (4) with mu and W' a tenth less and more; empty if eq. (4) does not give the S of the summary here."""
     uplift = uplift_of(result, sliding)
     if uplift is None or result.time.size > MOST or sliding.get("drag") or sliding.get("sliding_history") is None:
         return ""
@@ -59,17 +59,17 @@ def slip_of(result, sliding, uplift, friction_share, weight_share):
 
 
 def finer(time, force, resistance):
-    """Between its times F_T is smooth, not straight: a spline brings S to that of the program."""
+    """Between its times F_T is smooth, not straight: with a spline S agrees with that of the program."""
     if time.size > MOST_ROWS:
         return time, force, resistance
-    from scipy.interpolate import CubicSpline  # where something slides: it takes a while to load
+    from scipy.interpolate import CubicSpline  # imported only if the caisson slides, as that takes a while
 
     dense = np.interp(np.arange(FINER * (time.size - 1) + 1) / FINER, np.arange(time.size), time)
     return dense, CubicSpline(time, force)(dense), np.interp(dense, time, resistance)
 
 
 def uplift_of(result, sliding):
-    """U over time, where the run and its case tell it in full; else None."""
+    """U over time, if the run and its case determine it; else None."""
     kind, keys = sliding.get("uplift"), at(result.case, "sliding.uplift") or {}
     if not result.has_caisson or kind is None:
         return None
@@ -96,7 +96,7 @@ def threshold(sliding):
 
 
 def courses(sliding):
-    """How much the assumed course of the uplift decides."""
+    """Effect of the assumed history of the uplift."""
     found = sliding.get("uplift_courses")
     if not found:
         return ""

@@ -1,4 +1,4 @@
-"""Fewer points of a history, without losing what is seen: the least and the largest of every short span stay."""
+"""Fewer points of a history with the same picture: the least and the largest value of every short span are kept."""
 
 import numpy as np
 
@@ -6,7 +6,7 @@ SPANS = 400
 
 
 def largest(values):
-    """The largest magnitude of what is finite; 0 where nothing is."""
+    """The largest finite magnitude; 0 if there is none."""
     size = np.abs(np.asarray(values, dtype=float))
     return float(np.max(size[np.isfinite(size)], initial=0.0))
 
@@ -27,5 +27,5 @@ def thinned(x, values, spans=SPANS):
 
 
 def rounded(values, digits=5):
-    """Numbers for JSON; 5 digits are more than a screen shows."""
+    """Numbers for JSON; 5 digits are more than a screen resolves."""
     return [float(f"{value:.{digits}g}") for value in np.asarray(values, dtype=float)]

@@ -1,4 +1,4 @@
-"""Each check of the section with demand, capacity and margin, and what it stands on; its levels and layers."""
+"""Each check of the section with demand, capacity, margin and its assumption; levels and layers of the section."""
 
 from report.language import heads, named, phrase, say, told
 from report.markup import Markup, join, prose, table, tag
@@ -35,7 +35,7 @@ def verdicts(checks):
 
 
 def levels(case, outline):
-    """Still water, and bottom and top of every region."""
+    """A table of still water, and of bottom and top of every region."""
     rows = []
     level = (case.get("initial") or {}).get("water_level")
     if level is not None:
@@ -51,7 +51,7 @@ def levels(case, outline):
 
 
 def soil(region):
-    """What decides of a region, in a few words."""
+    """The main properties of a region, in a few words."""
     parts = [told(region.get("kind", ""))]
     for key, symbol in (("shear_modulus", "G"), ("hydraulic_conductivity", "k"), ("density", "ρ")):
         if isinstance(region.get(key), (int, float)):
@@ -64,7 +64,7 @@ def unit_of(key):
 
 
 def formulas(result):
-    """For the appendix."""
+    """The formulas of the checks, for the appendix."""
     if not result.summary.get("checks"):
         return Markup("")
     rows = [(say(name), prose(say(what))) for name, what in FORMULAS]

@@ -1,4 +1,4 @@
-"""How far the caisson slides, by every measure that the run has, and what each measure is."""
+"""The sliding distance by every measure that the run has, with an explanation of each measure."""
 
 import numpy as np
 
@@ -44,7 +44,7 @@ def section(result):
 
 
 def balance(sliding):
-    """One sentence: how near the caisson comes to sliding."""
+    """One sentence on how near the caisson is to sliding."""
     text = phrase(
         "The largest sliding force of the bonded caisson, {force} ($F_S$ = $F_T$ + $μ U$), is {ratio} of the resistance "
         "$μ W′$ = {friction} × {weight} = {resistance}.",
@@ -87,7 +87,7 @@ def force_caption(result):
 
 
 def slipped(result):
-    """/coupled of the results as arrays, or nothing."""
+    """/coupled of the results as arrays, or an empty value."""
     group = result.file.get("coupled")
     if group is None:
         return {}

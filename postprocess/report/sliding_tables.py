@@ -1,4 +1,4 @@
-"""What is told of a slip besides its distance: contact node by node, slips one by one, equivalent durations."""
+"""Details of a slip besides its distance: contact node by node, single slips, equivalent durations."""
 
 from report.language import heads, say, told
 from report.markup import Markup, fold, join, table, tag

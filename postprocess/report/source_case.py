@@ -1,11 +1,12 @@
-"""The case as its author wrote it: which keys were given, and what the comments beside them say.
+"""The case as its author wrote it: the given keys and their comments.
 
-A comment that begins with one of MARKS, behind a key or behind the head of its table, says where the number comes from:
+A comment that begins with one of MARKS, behind a key or behind the head of its table, states the source of the
+number:
 
     shear_modulus = 6.57e6  # calibrated: peak F_T / peak P = 0.75
     [regions.mound]  # assumed
 
-The sentence "All other numbers are assumed" (or another mark) in the comment at the head of the file stands for every
+The sentence "All other numbers are assumed" (or another mark) in the comment at the head of the file applies to every
 number without a mark.
 """
 
@@ -13,7 +14,7 @@ import re
 import tomllib
 from dataclasses import dataclass
 
-LARGEST = 10_000_000  # bytes; as the program has it
+LARGEST = 10_000_000  # bytes; the limit of the program
 MARKS = ("assumed", "calibrated", "measured", "derived")
 PATHS = ("history", "gauges", "file")  # values that a run rewrites for its own folder
 TABLE = re.compile(r"^\[([^\[\]]+)\]\s*(?:#\s*(.*))?$")
@@ -30,9 +31,9 @@ class SourceCase:
     head: str  # the comment above all keys
 
     def mark(self, path, is_number, is_physical):
-        """(mark, remark) of a key; mark is '' where nobody said anything.
+        """(mark, remark) of a key; mark is '' if there is none.
 
-        Marks of a table hold for its numbers and files, that of the head for numbers that say something of nature.
+        A mark of a table holds for its numbers and files, that of the head for numbers that are physical quantities.
         """
         remark = self.remarks.get(path, "")
         marks_its_table = is_number or path[-1] in PATHS
@@ -70,9 +71,9 @@ def parts(name):
 
 
 def read(path):
-    """The SourceCase of a file; raises ValueError or OSError where it is no TOML, or none that is a case."""
+    """The SourceCase of a file; raises ValueError or OSError if it is no TOML or no case."""
     if path.exists() and not path.is_file():
-        raise ValueError("it is no file")  # a pipe would be waited for
+        raise ValueError("it is no file")  # reading a pipe could wait for ever
     if path.stat().st_size > LARGEST:
         raise ValueError(f"it holds more than {LARGEST // 1000000} MB")
     text = path.read_text(encoding="utf-8")
@@ -102,10 +103,10 @@ def units(path):
 
 
 def find(case, folder):
-    """The file that a run came from, by its title: beside the files that the case names, or else near the results.
+    """The author's file of a run, by its title: beside the files that the case names, or else near the results.
 
-    Of several the one whose values agree best with those of the run. None where nothing has the title, or two
-    differ and agree equally well.
+    Of several files, the one whose values agree best with those of the run. None if no file has the title, or if two
+    that differ agree equally well.
     """
     named = [load.get(key) for load in case.get("loads", {}).values() for key in ("history", "gauges")]
     named += [record.get("file") for record in case.get("measured", {}).values()]
@@ -127,7 +128,8 @@ def folders(place):
 
 
 def candidates(case, folders):
-    """The cases in the folders that have the title of a run; those beside results, which a run wrote, are left out."""
+    """The cases in the folders that have the title of a run; files that a run wrote beside its results are left
+    out."""
     for path in sorted(path for folder in folders if folder.is_dir() for path in folder.glob("*.toml")):
         try:
             source = read(path)
@@ -139,7 +141,7 @@ def candidates(case, folders):
 
 
 def agreement(written, run):
-    """How many values are the same, less those that differ; paths are rewritten for a run and count for nothing."""
+    """Number of equal values less that of different ones; paths, which are rewritten for a run, do not count."""
     score = 0
     for key, value in written.items():
         if isinstance(value, dict):

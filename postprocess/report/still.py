@@ -7,7 +7,7 @@ WIDTH, LEFT, RIGHT, HEAD, TITLE, GAP, FOOT = 720, 62, 12, 20, 17, 10, 38
 
 
 def draw(data, label):
-    """The SVG of what Plot.data() tells."""
+    """The SVG of the data of Plot.data()."""
     low, high = data["window"]
     place = Place(low, high)
     parts, top = [], 0
@@ -21,7 +21,7 @@ def draw(data, label):
 
 
 class Place:
-    """From the plot's axis to the drawing's."""
+    """Conversion from the plot's axis to the drawing's."""
 
     def __init__(self, low, high):
         self.low, self.high = low, high
@@ -31,7 +31,7 @@ class Place:
 
 
 def all_limits(data):
-    """(low, high) of each panel's values within the window; panels of a group have the same."""
+    """(low, high) of each panel's values within the window; panels of a group have the same limits."""
     low, high = data["window"]
     own = []
     for panel in data["panels"]:
@@ -68,7 +68,7 @@ def panel_parts(panel, limits, place, top):
 
 
 def line_part(line, place, y_of):
-    """The line within the window, with one point beyond each end so that it runs out of it."""
+    """The line within the window, with one point beyond each end, so that the line continues to the edges."""
     points = list(zip(line["x"], line["y"]))
     inside = [place.low <= x <= place.high for x, _ in points]
     if True not in inside:

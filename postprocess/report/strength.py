@@ -1,4 +1,5 @@
-"""Strength that soil mobilises, in each frame of the animation, and where it fails at rest as its strength is reduced."""
+"""Mobilised strength of the soil in each frame of the animation, and the place of failure at rest if the strength is
+reduced."""
 
 import base64
 import re
@@ -9,8 +10,8 @@ from report.language import say
 from report.zones import COLOURS
 from report.zones import LIMITS as CLASSES
 
-ELASTIC, STEPS = 255, 250  # of a byte: no strength; those of the whole strength
-ZONE = 0.95  # of its strength: what mobilises more is outlined
+ELASTIC, STEPS = 255, 250  # values of a byte: soil without strength; the whole strength
+ZONE = 0.95  # share of the strength; cells that mobilise more are outlined
 AT = re.compile(r"at \(([-+.\deE]+), ([-+.\deE]+)\)")
 
 
@@ -34,7 +35,7 @@ def summary(frames):
 
 
 def shares(frames):
-    """Of the area of soil that may yield: what mobilises at least ZONE, by frame."""
+    """By frame: the share of the area of soil that may yield in which at least ZONE is mobilised."""
     corners = frames.points[frames.cells]
     a, b = corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 1]
     area = 0.5 * np.abs(a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0])
@@ -48,7 +49,8 @@ def in_zone(mobilised):
 
 
 def failing(summary):
-    """((x, y), lower, upper) of the strength reduction of a run's summary; None where it was not asked for, or stands."""
+    """((x, y), lower, upper) of the strength reduction of a run's summary; None if it was not asked for, or the
+    ground does not fail."""
     found = summary.get("safety") or {}
     place = AT.search(found.get("fails_at") or "")
     return ((float(place[1]), float(place[2])), found.get("lower"), found.get("upper")) if place else None

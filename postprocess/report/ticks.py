@@ -6,7 +6,7 @@ FEWEST = 3
 
 
 def step_for(span, count):
-    """1, 2 or 5 times a power of ten, so that about `count` steps cover the span."""
+    """1, 2 or 5 times a power of ten, for which about `count` steps cover the span."""
     raw = span / max(1, count)
     power = 10.0 ** math.floor(math.log10(raw))
     return power * next(factor for factor in (1.0, 2.0, 5.0, 10.0) if factor * power >= raw * (1 - 1e-9))

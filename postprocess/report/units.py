@@ -1,20 +1,20 @@
-"""Numbers as people read them: four digits, a prefix that suits the size, and the exact value beside it."""
+"""Numbers for readers: four digits, a prefix that suits the size, and the exact value as an attribute."""
 
 import math
 
 from report.language import say
 from report.markup import Markup, tag
 
-# From 10,000 on the next prefix is taken where results are compared at a glance: P = 1,600 kN/m and F_T = 634.6 kN/m.
+# From 10,000 on the next prefix is used where results are compared at a glance: P = 1,600 kN/m and F_T = 634.6 kN/m.
 PREFIXES = [(1e9, "G"), (1e6, "M"), (1e3, "k"), (1.0, "")]
 PREFIXED = ("N/m", "Pa", "N m/m", "N s/m", "J/m", "N/m2", "N", "N m")
 SMALL = {"m": (1.0, 1e3, "mm"), "rad": (1.0, 1e3, "mrad")}  # below: factor, name
 
 
 def scale(unit, peak, room=1.0):
-    """(factor, unit): what a value in `unit` is multiplied with to be read best, where the largest is `peak`.
+    """(factor, unit): the factor of values in `unit` for a prefix that suits the largest value `peak`.
 
-    A prefix is taken from `room` times itself on; 10 keeps 1,600 kN/m from becoming 1.6 MN/m.
+    A prefix is used for values from `room` times the prefix on; with 10, 1,600 kN/m does not become 1.6 MN/m.
     """
     peak = abs(peak)
     if unit in PREFIXED:
@@ -55,7 +55,7 @@ def pretty(unit):
 
 
 def quantity(value, unit="", room=10.0, digits=4):
-    """Markup of a number with its unit; the exact SI value stands in the attribute `value`."""
+    """Markup of a number with its unit; the exact SI value is in the attribute `value`."""
     if value is None:
         return Markup(say("none"))
     factor, name = scale(unit, value, room) if math.isfinite(value) else (1.0, unit)

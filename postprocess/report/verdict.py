@@ -1,4 +1,4 @@
-"""The answer of a run in plain sentences and three numbers: no surer than the run is."""
+"""The result of a run in plain sentences and three numbers, stated with no more certainty than the run has."""
 
 from report.head import card, trust
 from report.language import listed, named, phrase, say, sentences, told
@@ -21,7 +21,7 @@ def section(result):
 
 
 def question(result):
-    """What such a run answers, in one line."""
+    """The question that such a run answers, in one line."""
     if not result.has_caisson:
         return say("How does this section respond to its loads? It has no caisson, so there is no shear force to tell.")
     if result.summary.get("sliding"):
@@ -54,7 +54,7 @@ def slides(result):
 
 
 def shear(result):
-    """Peak F_T and its ratio to peak P; what the run leaves open is told."""
+    """Peak F_T and its ratio to peak P; a missing number is mentioned."""
     response = result.summary.get("response") or {}
     if not result.has_caisson or response.get("peak_shear") is None:
         return "" if not result.has_caisson else say("The run tells no shear force.")
@@ -69,12 +69,12 @@ def shear(result):
 
 
 def rounded(value, unit):
-    """Its size in three digits: a sentence is not surer than the run."""
+    """The magnitude in three digits, as a sentence should not be more precise than the run."""
     return quantity(abs(value), unit, digits=3)
 
 
 def larger_way(response):
-    """Keys of peak F_T, its way and the peak P: seaward where the larger force is."""
+    """Keys of peak F_T, of its direction and of peak P: seaward if the seaward force is larger."""
     if abs(response.get("peak_force_seaward") or 0.0) > abs(response.get("peak_force") or 0.0):
         return "peak_shear_seaward", "seaward", "peak_force_seaward"
     return "peak_shear", "landward", "peak_force"
@@ -100,7 +100,7 @@ def rests_on(summary):
 
 
 def checked(summary):
-    """How the checks against limits end."""
+    """A sentence on the results of the checks against limits."""
     checks = summary.get("checks") or []
     asked = [check for check in checks if check["holds"] is not None]
     failed = [check for check in asked if not check["holds"]]
@@ -114,7 +114,7 @@ def checked(summary):
 
 
 def doubt(summary):
-    """What the program warns of makes all that stands above less sure."""
+    """A sentence on the warnings of the program, which make the statements above less certain."""
     warnings = summary.get("warnings") or []
     if not warnings:
         return ""

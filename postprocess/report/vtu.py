@@ -1,5 +1,5 @@
-"""Reads what the report needs of fields.pvd and its .vtu files: Float32 in zlib blocks, appended as they are, or in
-base64 within the XML, as upbead 0.1.0 wrote them until fields were appended.
+"""Reads the parts of fields.pvd and its .vtu files that the report needs: Float32 in zlib blocks, appended as they
+are, or in base64 within the XML, as upbead 0.1.0 wrote them until fields were appended.
 
 Format: VTK User's Guide, "XML file formats"; patches of (n + 1)^2 points and n^2 cells each.
 """
@@ -18,7 +18,7 @@ TYPES = {"Float32": "<f4", "Float64": "<f8", "Int32": "<i4", "Int64": "<i8", "UI
 
 
 def times(pvd):
-    """[(time, path)] of a .pvd; raises UserError where it is none."""
+    """[(time, path)] of a .pvd; raises UserError if it is no .pvd."""
     try:
         root = ElementTree.parse(pvd).getroot()
         return [(float(item.get("timestep")), Path(pvd).parent / item.get("file")) for item in root.iter("DataSet")]
@@ -43,7 +43,7 @@ def arrays(path, wanted):
 
 
 def parts(content):
-    """The XML of a file, and the bytes that are appended to it."""
+    """The XML of a file, and the bytes appended to it."""
     head, mark, rest = content.partition(b"<AppendedData")
     if not mark:
         return content, b""
@@ -72,7 +72,7 @@ def decoded(item, appended):
 
 
 def corners(points, cells):
-    """Per patch, the indices of its four corners in turn, from the numbers of points and cells."""
+    """For each patch, the indices of its four corners in order, from the numbers of points and cells."""
     share = (cells / points) ** 0.5
     n = round(share / (1.0 - share))
     size = (n + 1) ** 2

@@ -1,4 +1,4 @@
-"""Loads by waves: P and U of Goda's formulas, the course in time, and what all that rests on."""
+"""Loads by waves: P and U of Goda's formulas, the history, and the assumptions."""
 
 from report.language import heads, named, say, spaced
 from report.markup import Markup, fold, join, prose, table, tag
@@ -8,7 +8,7 @@ HEAD = ("load", "H", "T", "alpha*", "p_1", "P", "M_P", "U", "course", "largest P
 
 
 def records(summary):
-    """A fold with one row for each load by a wave, and its assumptions; nothing where there are none."""
+    """A fold with one row for each load by a wave, and its assumptions; empty if there are none."""
     waves = summary.get("wave_loads") or {}
     rows = [
         (

@@ -1,4 +1,5 @@
-"""What if: the reduced model of the same scene, where it lies in the folder of the run, answers other waves in the page."""
+"""What if: if the reduced model of the same scene is in the folder of the run, the page computes responses to other
+waves."""
 
 from report.language import say, spoken
 from report.markup import Markup, tag
@@ -22,7 +23,7 @@ def section(result):
 
 
 def english():
-    """The calculator speaks English alone."""
+    """A note that the calculator is only in English."""
     return tag("p", say("What follows is in English."), class_="quiet") if spoken() != "en" else Markup("")
 
 

@@ -1,4 +1,5 @@
-"""Soil that yields: where the caisson came to rest, what the soil took, where it has yielded, and how sure that is."""
+"""Soil that yields: residual displacement of the caisson, energy taken by the soil, where it has yielded, and how
+certain that is."""
 
 from report import zones
 from report.language import heads, phrase, say, told
@@ -29,7 +30,7 @@ ENERGY = [
 
 
 def section(result, window):
-    """`window`: (x0, x1) near the caisson; an empty text where no soil yields."""
+    """`window`: (x0, x1) near the caisson; an empty text if no soil yields."""
     summary = result.summary
     if not summary.get("nonlinear"):
         return Markup("")
@@ -46,7 +47,7 @@ def section(result, window):
 
 
 def residual(summary):
-    """At rest in the end, by this start and by the others."""
+    """Residual displacements, by the start of this run and by the other starts."""
     own = summary.get("residual")
     if not own:
         return Markup("")
@@ -66,7 +67,7 @@ def residual(summary):
 
 
 def slide(summary):
-    """Which S is which."""
+    """Explains the different values of S."""
     design, moved = at(summary, "sliding.design"), at(summary, "residual.displacement_x")
     if not design or moved is None:
         return Markup("")

@@ -1,4 +1,5 @@
-"""Where soil has yielded, drawn: a value of each cell near the caisson at the last written time, in steps of colour."""
+"""Drawings of where soil has yielded: a value of each cell near the caisson at the last written time, in classes of
+colour."""
 
 from dataclasses import dataclass
 
@@ -12,12 +13,13 @@ from upbead.errors import UserError
 MOBILISED, DISSIPATED = "mobilised_strength_(1)", "dissipated_energy_(J_m3)"
 COLOURS = ["#f2f2f2", "#fee6b0", "#fdc26a", "#f5923e", "#de5a2a", "#a82014", "#5c0a12"]
 LIMITS = [0.25, 0.5, 0.7, 0.85, 0.95, 0.999]  # of the classes of strength
-WIDTH, HEIGHT = 860, 300  # px; the height at most
+WIDTH, HEIGHT = 860, 300  # px; HEIGHT is the maximum
 
 
 @dataclass
 class Zones:
-    """Corners of the cells near the caisson (m), and of each cell what it mobilises and has lost; nan where elastic."""
+    """Corners of the cells near the caisson (m), and for each cell the mobilised strength and the dissipated energy;
+    nan where elastic."""
 
     time: float
     corners: np.ndarray  # cell, corner, direction
@@ -26,7 +28,7 @@ class Zones:
 
 
 def read(pvd, window):
-    """The Zones of the last fields, whose middle lies in the window (x0, x1); None where no soil may yield."""
+    """The Zones of the last fields: cells whose middle is in the window (x0, x1); None if no soil may yield."""
     steps = vtu.times(pvd)
     if not steps:
         raise UserError(f"'{pvd}' names no fields")
@@ -43,7 +45,7 @@ def read(pvd, window):
 
 
 def classes(values, limits):
-    """Of each value the number of limits that it reaches; -1 where it is not a number."""
+    """For each value the number of limits that it reaches; -1 for nan."""
     return np.where(np.isnan(values), -1, np.searchsorted(limits, np.nan_to_num(values), side="right"))
 
 
@@ -86,7 +88,7 @@ def of_mobilised(zones):
 
 
 def of_dissipated(zones):
-    """Decades below the largest; empty where nothing was lost."""
+    """The drawing of dissipated energy, in decades below the largest; empty if none was dissipated."""
     values = np.where(np.isnan(zones.mobilised), np.nan, zones.dissipated)
     largest = np.nanmax(values, initial=0.0)
     if not largest > 0:

@@ -30,7 +30,7 @@ __all__ = ["CaseError", "Fit", "History", "ModelError", "NumericsError", "Reduce
 
 
 def __getattr__(name):
-    """figures is loaded when it is first asked for: matplotlib takes longer than all the rest."""
+    """Loads `figures` when it is first used, as matplotlib takes longer to load than the rest of the package."""
     if name == "figures":
         return importlib.import_module(".figures", __name__)
     raise AttributeError(f"module 'upbead' has no attribute '{name}'")

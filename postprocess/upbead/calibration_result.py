@@ -29,14 +29,14 @@ class CalibrationResult(Shown):
         return f"<CalibrationResult '{self.summary['title']}': models {', '.join(self.models)}>"
 
     def points(self, model, ratio, measure):
-        """alpha*, k and T at the size of [section], of one model at one r; waves without tau_0 are not there."""
+        """alpha*, k and T at the size of [section], of one model at one r; waves without tau_0 are left out."""
         k = self.columns[f"k_{measure}"]
         rows = (self.model_of_row == model) & np.isclose(self.columns["ratio"], ratio) & (k > 0)
         period = self.columns["period"][rows] / np.sqrt(self.models[model]["scale"])
         return self.columns["alpha_star"][rows], k[rows], period
 
     def highest(self, measure):
-        """Most k are below it."""
+        """A limit below which most k are."""
         k = self.columns[f"k_{measure}"]
         return 1.05 * max(1, np.quantile(k[k > 0], 0.999)) if k.any() else 1
 

@@ -1,4 +1,4 @@
-"""Output of CFD programs as numpy arrays, read by the program itself: there is one reader."""
+"""Output of CFD programs as numpy arrays; the program itself reads it, so that there is only one reader."""
 
 import json
 import tempfile
@@ -14,8 +14,8 @@ from .program import call, settings
 class CfdRecord(dict):
     """The columns of a record by their names, each a numpy array with `unit`; "time" among them.
 
-    layout: what was read. notes: what was joined or left out. info: all that the program tells of it.
-    at: places of the points, in the record's axes (m); None of forces.
+    layout: the format of the record. notes: what was joined or left out. info: all information by the program. at:
+    positions of the points, in the record's axes (m); None for forces.
     """
 
     def __init__(self, columns, info):
@@ -34,7 +34,7 @@ def read_cfd(path, program=None, **keys):
 
     Without keys (but `file`) the columns are those of the record, in its own axes and units. With the keys of a load
     `from` (docs/cfd.md), as landward="x", thickness=0.1, they are those of the load: per metre, over still water.
-    Raises CaseError with what is wrong, or with the keys that are missing.
+    Raises CaseError, which names the mistakes or the missing keys.
     """
     with tempfile.TemporaryDirectory() as folder:
         table = Path(folder) / "record.h5"

@@ -1,4 +1,4 @@
-"""The program's commands as functions: each calls it and opens what it wrote."""
+"""The program's commands as functions: each calls the program and opens its results."""
 
 import warnings
 from pathlib import Path
@@ -11,9 +11,9 @@ from .program import call, settings
 def run(case, set=None, out=None, program=None):
     """Solves a case: `upbead run`. Returns its Result.
 
-    case: path of a case file. set: {key: value} in place of the case's own, as {"loads.impulse.factor": 5.0}.
-    out: folder for the results (default: results/NAME, NAME as the case file's). program: path of the program.
-    Raises CaseError with every mistake of the input and its cure, NumericsError where the case cannot be solved.
+    case: path of a case file. set: {key: value} instead of the case's values, as {"loads.impulse.factor": 5.0}.
+    out: folder for the results (default: results/NAME, NAME of the case file). program: path of the program.
+    Raises CaseError with every mistake of the input and its cure, NumericsError if the case cannot be solved.
     """
     return open_result(written("run", case, set, out, program, ""))
 
@@ -26,12 +26,12 @@ def reduce(case, set=None, out=None, program=None):
 def study(file, set=None, out=None, jobs=None, program=None):
     """Varies keys of cases: `upbead study`. Returns its StudyTable, with the runs that failed in `failed`.
 
-    jobs: runs at once (default: one per core). A study that was broken off goes on. Other arguments as for run.
+    jobs: runs at once (default: one per core). A study that was interrupted is continued. Other arguments as for run.
     """
     more = ["--jobs", jobs] if jobs else []
     try:
         return open_result(written("study", file, set, out, program, "", more))
-    except NumericsError as error:  # so the program says that some runs failed
+    except NumericsError as error:  # by this the program reports that some runs failed
         folder = folder_of(file, out, "")
         if not (folder / "study.csv").is_file():
             raise
@@ -56,12 +56,12 @@ def calibrate(design, set=None, out=None, program=None):
 
 
 def folder_of(file, out, ending):
-    """Where the program writes to."""
+    """The folder to which the program writes."""
     return Path(out) if out else Path("results") / (Path(file).stem + ending)
 
 
 def written(command, file, values, out, program, ending, more=()):
-    """Calls the program, and tells into which folder it wrote."""
+    """Calls the program; returns the folder of its results."""
     folder = folder_of(file, out, ending)
     call([command, file, "--out", folder, *settings(values), *more], program)
     return folder

@@ -1,4 +1,4 @@
-"""What goes wrong, by who can mend it."""
+"""Errors of this package, by who can correct them."""
 
 
 class UpbeadError(Exception):
@@ -6,7 +6,7 @@ class UpbeadError(Exception):
 
 
 class UserError(UpbeadError):
-    """Something that the caller can mend: a folder without results, a name that is not there."""
+    """An error that the caller can correct: a folder without results, a name that does not exist."""
 
 
 class CaseError(UserError):

@@ -10,7 +10,8 @@ from .shown import Shown
 
 
 class ExpectedResult(Shown):
-    """Over the height of the waves (m): waves a metre, S of one wave and expected sliding a metre, by law."""
+    """Over the height of the waves (m): number of waves per metre, S of one wave and expected sliding distance per
+    metre, by law."""
 
     def __init__(self, folder):
         folder = Path(folder)
@@ -32,10 +33,10 @@ class ExpectedResult(Shown):
 
     @staticmethod
     def _ratio(heights):
-        """Peak F_T over peak P by height, where there is a reduced model."""
+        """Peak F_T over peak P by height, if there is a reduced model."""
         return heights["peak_shear"][:] / heights["peak_force"][:] if "peak_shear" in heights else None
 
     def thresholds(self):
-        """Heights from which a wave slides the caisson, of the laws that have one."""
+        """Heights from which on a wave slides the caisson, for the laws that have such a height."""
         found = self.summary["expected"]["threshold_height"].values()
         return [height for height in found if height is not None]

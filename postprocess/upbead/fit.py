@@ -1,4 +1,5 @@
-"""Parameters of a case fitted to a measured record, to measured modes or to both, with what these do not tell.
+"""Parameters of a case fitted to a measured record, to measured modes or to both, and the combinations that these do
+not determine.
 
     found = upbead.fit("case.toml", "lab.csv", parameters={"regions.seabed.shear_modulus": 30e6})
     found = upbead.fit("case.toml", frequencies=[(1.20, 0.03)], parameters=["regions.seabed.shear_modulus"])
@@ -20,7 +21,7 @@ from .fit_weights import Weights
 from .history import History
 from .least_squares import compass, search
 
-LIMIT = 0.25  # relative; what is known worse is called not fixed
+LIMIT = 0.25  # relative; a combination with a larger uncertainty is called not fixed
 
 
 def fit(case, record=None, reading=None, parameters=None, ties=None, *, column=None, unit=None, start=0.0, zero=0.0,
@@ -28,18 +29,19 @@ def fit(case, record=None, reading=None, parameters=None, ties=None, *, column=N
     """Fits keys of a case to a record, to natural frequencies and damping ratios, or to both, by nonlinear least squares
     on their logarithms. Returns a Fit.
 
-    case: path of a case file. record: path of a file (`column`: default the one after the time), (times, values) in SI
-    units, or the name of one of the case's own, [measured.NAME]. reading: what was measured, a path below /history
-    (default: what the case says of its record, else shear_force). parameters: {key: first guess, (low, high) or None};
-    None: the case's own value; where all have ranges these are searched first. Values are positive numbers.
-    "record.time_factor" is a key too: the record's times are multiplied with it. ties: {key: "1.667*other key"}, goes
-    along. unit: of the column, in place of its header. start: time of the record that is t = 0 of the run (s). zero: so
-    much of its beginning is at rest (s); the mean of that is taken off. noise: standard deviation of a sample in SI
-    units (default: by the residual). frequencies: measured, [(f, standard deviation), ...] in Hz, or (f, standard
-    deviation, N) of the N-th mode of `periods` by the first guess. dampings: [(ratio, standard deviation) or None, ...],
-    the n-th of the n-th frequency. limit: relative; a combination known worse than this is not fixed. set: further
-    keys of the case. jobs: runs at once. Each evaluation is an `upbead run` of a reduced model.
-    Raises UserError, and what `run` raises.
+    case: path of a case file. record: path of a file (`column`: default the one after the time), (times, values) in
+    SI units, or the name of one of the case's own, [measured.NAME]. reading: the measured quantity, a path below
+    /history (default: that of the case's record, else shear_force). parameters: {key: first guess, (low, high) or
+    None}; None: the case's own value; if all have ranges, these are searched first. Values are positive numbers.
+    "record.time_factor" is a key too: the record's times are multiplied with it. ties: {key: "1.667*other key"}: a
+    key that changes in proportion to another. unit: of the column, in place of its header. start: time of the record
+    that is t = 0 of the run (s). zero: length of its beginning that is at rest (s); the mean of that part is
+    subtracted. noise: standard deviation of a sample in SI units (default: by the residual). frequencies: measured,
+    [(f, standard deviation), ...] in Hz, or (f, standard deviation, N) of the N-th mode of `periods` by the first
+    guess. dampings: [(ratio, standard deviation) or None, ...], the n-th belongs to the n-th frequency. limit:
+    relative; a combination with a larger uncertainty is not fixed. set: further keys of the case. jobs: runs at once.
+    Each evaluation is an `upbead run` of a reduced model.
+    Raises UserError, and the errors of `run`.
     """
     asked, modes = as_asked(parameters), surveyed(frequencies, dampings)
     if noise is not None and not noise > 0:
@@ -70,7 +72,7 @@ def fit(case, record=None, reading=None, parameters=None, ties=None, *, column=N
 
 
 def measured_by(runs, asked, record, modes, column, unit, start, zero):
-    """What the case says, and the Record within its run; an empty one where there are modes alone."""
+    """Facts of the case, and the Record within its run; an empty Record if there are only modes."""
     runs.wants_modes = modes is not None
     if record is None:
         if not modes:
@@ -90,19 +92,20 @@ def measured_by(runs, asked, record, modes, column, unit, start, zero):
 
 
 def with_record(runs, asked, record, column, unit, start, zero):
-    """What the case says, and the record cut to its run."""
+    """Facts of the case, and the record cut to its run."""
     if isinstance(record, (str, Path)):
         name, keys = fit_record.named(record, runs.reading or "shear_force", column, unit, start, zero)
         shown = first_run(runs, asked, name, keys)
-        start, zero = (0.0, 0.0) if keys else (start, zero)  # that of files the program has seen to
+        start, zero = (0.0, 0.0) if keys else (start, zero)  # for files the program has applied both
     else:
-        given = fit_record.of_arrays(record)  # a mistake costs no run
+        given = fit_record.of_arrays(record)  # checked before the first run
         shown = first_run(runs, asked) | {"record": given}
     return shown, fit_record.cut(shown["record"], start, zero, shown["end"])
 
 
 def first_run(runs, asked, name=None, keys=None):
-    """What the case says with further keys: its numbers, the unit and the end of the reading, its record of this name."""
+    """Facts of the case with further keys: its numbers, the unit and the end of the reading, its record of this
+    name."""
     given = {key: value for key, value in asked.items() if key != TIME_FACTOR and value is not None and not np.ndim(value)}
     shown = runs.read(given, lambda result: look(runs, result, name), keys)
     if value_of(shown["case"], "mesh.refine") == "auto":
@@ -124,7 +127,7 @@ def look(runs, result, name):
 
 
 def solve(compute, measured, parameters, failures=(), weights=None):
-    """The Solution: a first look around the guess or over the ranges, then least squares."""
+    """The Solution: a first search around the guess or over the ranges, then least squares."""
     low, high, weights = parameters.low, parameters.high, weights or Weights(len(measured))
     if parameters.searched:
         x = search(compute, measured, low, high, size=weights.size)
@@ -136,10 +139,11 @@ def solve(compute, measured, parameters, failures=(), weights=None):
 
 
 def judge(parameters, solution, measured, noise, limit, weights=None):
-    """Noise, covariance, intervals and what is identifiable, linearised at the solution.
+    """Noise, covariance, intervals and identifiable combinations, linearised at the solution.
 
-    s^2 = RSS/(n - p), covariance (J^T J)^-1 of J over the uncertainties, s^2 (J^T J)^-1 of a record alone, intervals by
-    Student's t (Seber and Wild 2003, ch. 2.1.2 and 5.1), by the normal distribution where uncertainties are given.
+    s^2 = RSS/(n - p), covariance (J^T J)^-1 with J over the uncertainties, for a record alone s^2 (J^T J)^-1;
+    intervals by Student's t (Seber and Wild 2003, ch. 2.1.2 and 5.1), by the normal distribution if the uncertainties
+    are given.
     """
     weights = weights or Weights(len(measured), noise)
     residual = measured - solution.computed
@@ -157,7 +161,7 @@ def judge(parameters, solution, measured, noise, limit, weights=None):
 
 
 def cautions(parameters, solution, residual):
-    """What speaks against the numbers, in words."""
+    """Reasons to doubt the numbers, in words."""
     found = []
     if not solution.converged:
         found.append("the search for the least squares was broken off before it had converged")

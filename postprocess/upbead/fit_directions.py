@@ -2,7 +2,8 @@
 
 In logarithms of the parameters a combination a^p b^q is a direction. The singular value decomposition of the Jacobian
 over the noise orders directions by how well the record fixes them: along v_i the standard error is 1/s_i (Seber and
-Wild 2003, ch. 3.4 and 5.1). Where a direction is not fixed, parameters may change along it and the record shows nothing.
+Wild 2003, ch. 3.4 and 5.1). Along a direction that is not fixed, parameters may change without an effect on the
+record.
 """
 
 from dataclasses import dataclass
@@ -11,16 +12,18 @@ import numpy as np
 
 from .fit_parameters import RANGE
 
-NEGLIGIBLE = 0.03  # exponents below it are left out of words
-TELLING = 0.3  # the first exponent above it is made 1; both of the largest
-WIDEST = np.log(RANGE)  # where the record shows nothing, parameters may go as far as a guess may
+NEGLIGIBLE = 0.03  # smaller exponents are left out of texts
+TELLING = 0.3  # the first exponent above it is made 1; both limits are over the largest exponent
+# along a direction without effect on the record, parameters may change as much as a guess may be wrong
+WIDEST = np.log(RANGE)
 
 
 @dataclass
 class Combination:
-    """A product of powers of parameters, or of what is not fixed the powers of a factor c by which they change together.
+    """A product of powers of parameters; if it is not fixed, the powers of a factor c by which the parameters change
+    together.
 
-    interval: half the 95 % interval of the logarithm, of the product or of c.
+    interval: half the 95 % interval of the logarithm of the product or of c.
     """
 
     exponents: dict
@@ -41,7 +44,8 @@ class Combination:
 
 @dataclass
 class Identifiable:
-    """What a record fixes: `directions`, from best to worst known; the same in simple products, `fixed` and `free`."""
+    """The combinations that a record fixes: `directions`, from best to worst known; the same as simple products,
+    `fixed` and `free`."""
 
     directions: list
     fixed: list
@@ -57,16 +61,17 @@ class Identifiable:
         return "\n".join(lines)
 
     def ellipsoid(self):
-        """V diag(interval^2) V^T: the covariance of the logarithms, times the quantile's square."""
+        """V diag(interval^2) V^T: the covariance of the logarithms, times the square of the quantile."""
         return self.axes.T @ np.diag([direction.interval**2 for direction in self.directions]) @ self.axes
 
 
 def identifiable(keys, jacobian, noise, quantile, limit, doubt=None):
-    """The Identifiable of a Jacobian d computed / d ln(parameter), a column for each key; rows as many as there are data.
+    """The Identifiable of a Jacobian d computed / d ln(parameter), a column for each key; a row for each number of
+    the data.
 
-    noise: standard deviation of a sample. quantile: of Student's t, for 95 %. limit: a direction is fixed where its
-    interval is within +-limit (relative). doubt: what each column may be wrong by (rms); along a direction in which the
-    history changes less than that nothing is told.
+    noise: standard deviation of a sample. quantile: of Student's t, for 95 %. limit: a direction is fixed if its
+    interval is within +-limit (relative). doubt: error that each column may have (rms); a direction along which the
+    history changes less than that is taken as not determined.
     """
     size, directions = told(jacobian, doubt)
     most = WIDEST / np.abs(directions).max(axis=1)
@@ -79,7 +84,8 @@ def identifiable(keys, jacobian, noise, quantile, limit, doubt=None):
 
 
 def told(jacobian, doubt=None):
-    """Singular values and directions of a Jacobian, as many as it has columns; 0 where there is nothing but doubt."""
+    """Singular values and directions of a Jacobian, as many as it has columns; 0 where the value is below the
+    doubt."""
     lacking = max(0, jacobian.shape[1] - len(jacobian))
     _, size, directions = np.linalg.svd(np.pad(jacobian, ((0, lacking), (0, 0))), full_matrices=False)
     if doubt is not None:
@@ -88,12 +94,12 @@ def told(jacobian, doubt=None):
 
 
 def joined(blocks):
-    """One Jacobian that tells what several do, each (jacobian, doubt) over the noise of its own data."""
+    """One Jacobian equivalent to several, each (jacobian, doubt) over the noise of its own data."""
     return np.vstack([size[:, None] * directions for size, directions in (told(*block) for block in blocks)])
 
 
 def fixed_products(keys, directions, interval, fixed):
-    """Simple products that span the fixed directions, without what is negligible in them."""
+    """Simple products that span the fixed directions, without negligible exponents."""
     found = []
     for row in simple(directions[fixed]):
         size = np.abs(row) / np.abs(row).max()
@@ -103,7 +109,8 @@ def fixed_products(keys, directions, interval, fixed):
 
 
 def free_products(keys, rows, interval):
-    """Directions that span those that are not fixed, the largest exponent 1, with the reach of their c."""
+    """Combinations that span the directions that are not fixed, with the largest exponent 1 and the interval of their
+    c."""
     found = []
     for row in simple(rows):
         row = row / row[np.argmax(np.abs(row) > 0.95 * np.abs(row).max())]
@@ -112,17 +119,18 @@ def free_products(keys, rows, interval):
 
 
 def simple(rows):
-    """The same space by rows of which each has a column that no other has."""
+    """Rows that span the same space, each with a column in which all other rows are zero."""
     return np.linalg.solve(rows[:, pivot_columns(rows)], rows) if len(rows) else rows
 
 
 def pivot_columns(rows):
-    """Columns that make the rows independent, those first that are largest in them (Gram-Schmidt with pivoting)."""
+    """Columns on which the rows are independent, those with the largest entries first (Gram-Schmidt with
+    pivoting)."""
     rest, chosen = np.array(rows), []
     for _ in range(len(rows)):
         size = np.linalg.norm(rest, axis=0)
         size[chosen] = -1.0
-        best = int(np.argmax(size > (1 - 1e-6) * size.max()))  # the first of equals
+        best = int(np.argmax(size > (1 - 1e-6) * size.max()))  # the first of equal ones
         chosen.append(best)
         unit = rest[:, best] / np.linalg.norm(rest[:, best])
         rest = rest - np.outer(unit, unit @ rest)

@@ -1,8 +1,10 @@
-"""Natural frequencies and damping ratios of a survey of ambient vibration, and the computed modes that they are of.
+"""Natural frequencies and damping ratios of a survey of ambient vibration, and the computed modes that they belong
+to.
 
-A mode keeps its name while keys change: it is followed from the first guess, where the user or its share in F_T says
-which one is meant, to every other point. Poles move by no more than stiffness and mass: |d ln f / d ln theta| is 1/2 at
-most for a modulus (Rayleigh's quotient), so that a short way leads to one mode only; a long way is halved until it does.
+A mode keeps its identity while keys change: it is followed to every other point from the first guess, where it is
+chosen by the user or by its share in F_T. Poles change at most in proportion to stiffness and mass: |d ln f / d ln
+theta| is 1/2 at most for a modulus (Rayleigh's quotient), so that a short step leads to one mode only; a long step is
+halved until it does.
 """
 
 from dataclasses import dataclass
@@ -12,11 +14,11 @@ import numpy as np
 from .errors import NumericsError, UserError
 from .fit_parameters import value_of
 
-SHORTEST = 0.05  # of ln(parameter): ways are not halved below
-JITTER = 0.002  # of ln f, by which reduced models may move a pole
-NARROW = 1.5  # of shares: modes that lie closer may be exchanged
+SHORTEST = 0.05  # of ln(parameter): shorter steps are not halved
+JITTER = 0.002  # of ln f: change of a pole by the error of reduced models
+NARROW = 1.5  # ratio of shares: modes with a smaller ratio may be exchanged
 LEAST_DAMPING = 1e-9
-SMALL = 1e-6  # of the loads: strains vanish
+SMALL = 1e-6  # factor of the loads at which strains vanish
 FAR = 3.0  # uncertainties
 
 
@@ -31,12 +33,12 @@ class Surveyed:
 
     @property
     def values(self):
-        """Logarithms: of all frequencies, then of the damping ratios."""
+        """Logarithms of all frequencies, then of the damping ratios."""
         return np.log([value for value, _ in self.rows])
 
     @property
     def uncertainty(self):
-        """Relative ones, as the logarithms have."""
+        """Relative uncertainties, which are those of the logarithms."""
         return np.array([uncertainty / value for value, uncertainty in self.rows])
 
     @property
@@ -49,13 +51,14 @@ class Surveyed:
                 + [f"the damping ratio {row[0]:.4g}" for row in self.damping if row])
 
     def pick(self, modes):
-        """The rows of `values` by computed ones, modes[i] = (f, damping ratio, share) of the i-th."""
+        """The rows of `values` computed from modes[i] = (f, damping ratio, share) of the i-th mode."""
         damping = [mode[1] for mode, row in zip(modes, self.damping) if row]
         return np.log(np.maximum(np.concatenate([modes[:, 0], damping]), 1e-300))
 
 
 def surveyed(frequencies, dampings):
-    """The Surveyed of [(f, uncertainty), or (f, uncertainty, rank)] and [(damping ratio, uncertainty) or None]; None of nothing."""
+    """The Surveyed of [(f, uncertainty), or (f, uncertainty, rank)] and [(damping ratio, uncertainty) or None]; None
+    if nothing is given."""
     given, damping = list(frequencies or ()), list(dampings or ())
     if not given:
         if damping:
@@ -93,7 +96,7 @@ def modes_of(result):
 
 
 def require_modes(result):
-    """Raises UserError where a run tells no modes."""
+    """Raises UserError if a run has no modes."""
     if result.summary.get("periods"):
         return
     if not result.has_caisson:
@@ -104,7 +107,8 @@ def require_modes(result):
 
 
 def at_small_strain(case):
-    """{key: factor} by which soil that follows the strain is as stiff as under ambient vibration; {} of other soil."""
+    """{key: factor} by which soil that follows the strain is as stiff as under ambient vibration; {} for other
+    soil."""
     if not any(region.get("strain") for region in case.get("regions", {}).values()):
         return {}
     return {f"loads.{name}.factor": SMALL * (value_of(load, "factor") or 1.0)
@@ -112,8 +116,8 @@ def at_small_strain(case):
 
 
 def by_share(measured, modes):
-    """Which computed mode each measured one is of: the one that its rank says; of the others the k largest shares, in
-    the order of the frequencies."""
+    """Index of the computed mode of each measured one: by its rank if given; for the others the k modes of largest
+    share, in the order of the frequencies."""
     if max([len(measured.rank), *filter(None, measured.rank)]) > len(modes):
         raise UserError(f"{len(measured.rank)} modes were asked for, up to mode {max([0, *filter(None, measured.rank)])}; by the "
                         f"first guess {told(modes)}")
@@ -133,7 +137,7 @@ def told(modes):
 
 
 class Paired:
-    """Answers the rows of measured modes at points x of parameters, each mode followed from the first guess."""
+    """Computes the rows of measured modes at points x of parameters; each mode is followed from the first guess."""
 
     def __init__(self, measured, runs, parameters):
         self.measured, self.runs, self.parameters, self.doubts = measured, runs, parameters, []
@@ -151,7 +155,7 @@ class Paired:
         return self.runs.modes([self.parameters.point(x)])[0]
 
     def at(self, x):
-        """(f, damping ratio, share) of each measured mode; nan where the run failed or a mode is lost."""
+        """(f, damping ratio, share) of each measured mode; nan if the run failed or a mode is lost."""
         key = tuple(x)
         if key not in self.index:
             near = min(self.index, key=lambda other: np.abs(np.array(other) - x).sum())
@@ -163,7 +167,7 @@ class Paired:
         return self.measured.pick(self.at(x))
 
     def walk(self, begin, end):
-        """Follows the modes from a point where they are known; leaves `end` out where that cannot be."""
+        """Follows the modes from a point where they are known; leaves `end` out if that is not possible."""
         if tuple(begin) not in self.index:
             return
         way, modes = np.abs(end - begin).sum(), self.modes(end)
@@ -191,7 +195,7 @@ class Paired:
                            "is not certain")
 
     def table(self, x):
-        """What was paired with what, for people and files."""
+        """The pairs of measured and computed modes, for texts and files."""
         rows, first, now = [], self.at(self.origin), self.at(x)
         for n, (frequency, damping) in enumerate(zip(self.measured.frequency, self.measured.damping)):
             names = ("frequency", "damping_ratio", "share")
@@ -203,7 +207,7 @@ class Paired:
         return rows
 
     def cautions(self, x):
-        """What speaks against the pairing and the numbers, in words."""
+        """Reasons to doubt the pairing and the numbers, in words."""
         found, modes = list(dict.fromkeys(self.doubts)), self.modes(x)
         found += self.narrow(self.modes(self.origin))
         index = self.index[tuple(x)]
@@ -217,7 +221,7 @@ class Paired:
         return found + self.coarse(x)
 
     def narrow(self, modes):
-        """Where the shares leave open which mode is meant."""
+        """A caution if the shares do not decide which mode is meant."""
         index = self.index[tuple(self.origin)]
         by_rule = [i for i, rank in zip(index, self.measured.rank) if rank is None]
         others = [i for i in range(len(modes)) if i not in index]
@@ -230,7 +234,7 @@ class Paired:
                 f"{modes[next_one, 0]:.4g} Hz; say which is meant, @N: {told(modes)}"]
 
     def coarse(self, x):
-        """Whether a finer reduced model has other poles: of a tenth of the tolerance."""
+        """Cautions if a reduced model with a tenth of the tolerance has other poles."""
         fine = self.runs.finer(self.parameters.point(x))
         if fine is None or not len(fine):
             return ["how exact the computed modes are is not known, as no finer reduced model converges; a pulse about as long as "
@@ -242,17 +246,18 @@ class Paired:
 
 
 def rule_again(measured, modes, index):
-    """by_share at another point; modes whose rank was told stay what they are."""
+    """by_share at another point; modes with a given rank are not changed."""
     rank = [i + 1 if asked is not None else None for i, asked in zip(index, measured.rank)]
     return by_share(Surveyed(measured.frequency, measured.damping, rank), modes)
 
 
 def candidates(mode, modes, way):
-    """Which of modes the one may have become along so much of ln(parameter): as far as poles go, with a share like it."""
+    """The modes that `mode` may have become over a step `way` of ln(parameter): within the change that poles may
+    have, and with a similar share."""
     near = np.abs(np.log(modes[:, 0] / mode[0])) <= way + JITTER
     return [int(i) for i in np.flatnonzero(near & (np.abs(np.log(modes[:, 2] / mode[2])) <= np.log(2.0)))]
 
 
 def distance(mode, modes):
-    """How unlike modes are: frequency first, then share."""
+    """Difference of modes: mainly in frequency, then in share."""
     return np.abs(np.log(modes[:, 0] / mode[0])) + 0.02 * np.abs(np.log(modes[:, 2] / mode[2]))

@@ -1,4 +1,4 @@
-"""What a fit varies: keys, where they begin, how far they may go, and what goes along."""
+"""The parameters of a fit: keys, first guesses, ranges, and tied keys."""
 
 import re
 from dataclasses import dataclass
@@ -19,7 +19,7 @@ class Parameters:
     guess: dict
     low: np.ndarray
     high: np.ndarray
-    searched: bool  # all by ranges
+    searched: bool  # whether all parameters have ranges
 
     @property
     def keys(self):
@@ -42,7 +42,7 @@ def as_asked(parameters):
 
 
 def parameters_of(asked, case):
-    """The Parameters; what has neither guess nor range begins with the value of the case, a dict."""
+    """The Parameters; a key with neither guess nor range begins with the value of the case, a dict."""
     guess, low, high = {}, [], []
     for key, value in asked.items():
         if value is None:
@@ -67,7 +67,7 @@ def middle(key, value):
 
 
 def value_of(case, key):
-    """A number or word of a case by its dotted key; None where there is none."""
+    """A number or word of a case by its dotted key; None if the case does not have it."""
     for part in key.split("."):
         case = case.get(part) if isinstance(case, dict) else None
     return case if isinstance(case, (int, float, str)) else None

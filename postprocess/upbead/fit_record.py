@@ -1,4 +1,4 @@
-"""A measured record: what a run of the program has read of it, or given, and cut to what a run computes."""
+"""A measured record, read by a run of the program or given as arrays, and cut to the time that a run computes."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -7,7 +7,7 @@ import numpy as np
 
 from .errors import UserError
 
-NAME = "record_of_the_fit"  # of the table that a file is read by
+NAME = "record_of_the_fit"  # of the table with which the program reads the file
 
 
 @dataclass
@@ -20,7 +20,7 @@ class Record:
 
 
 def named(record, reading, column, unit, start, zero):
-    """The NAME of [measured.NAME] that a word means, and further keys of the case: a file is read by the program."""
+    """The NAME of [measured.NAME] for `record`, and further keys of the case by which the program reads a file."""
     if isinstance(record, str) and not Path(record).is_file():
         return record, {}
     keys = {"file": str(Path(record).resolve()), "reading": reading, "record_start": start, "zero": zero, "column": column,
@@ -29,7 +29,7 @@ def named(record, reading, column, unit, start, zero):
 
 
 def of_run(result, name):
-    """The Record of [measured.NAME], and the path of the reading that it is of."""
+    """The Record of [measured.NAME], and the path of its reading."""
     known = result.measured()
     if name not in known:
         raise UserError(f"'{name}' is no file, and no record of the case; these are: {', '.join(known) or 'none'}")
@@ -52,7 +52,8 @@ def of_arrays(record):
 def cut(record, start=0.0, zero=0.0, until=np.inf):
     """The record from its time `start` (s), which becomes t = 0, to t = until.
 
-    zero: how much of its beginning (s) is at rest; the mean of that is taken off, as of transducers (docs/records.md).
+    zero: length of its beginning (s) that is at rest; the mean of that part is subtracted, as for transducers
+    (docs/records.md).
     """
     value = record.value
     if zero > 0:

@@ -1,4 +1,4 @@
-"""What a fit found."""
+"""The result of a fit."""
 
 import json
 from dataclasses import dataclass, field
@@ -13,13 +13,14 @@ from .shown import Shown
 
 @dataclass
 class Fit(Shown):
-    """Parameters by key, in SI units. docs/fit.md tells what the intervals hold, and what not.
+    """Parameters by key, in SI units. docs/fit.md explains what the intervals include, and what they do not.
 
-    values: the best. confidence: (low, high) of 95 %. covariance, correlation: of the logarithms of the values, in the
-    order of `values`. residual: record minus computed, in the unit of `record`, at `time` (s). identifiable: which
-    products of powers the record fixes. noise: standard deviation of a sample. n_runs: of the program. first, computed:
-    the reading by the first guess and by the fit. modes: of each measured frequency, what it was paired with. cautions:
-    what speaks against the numbers. Of modes alone noise is None, and there is no history.
+    values: of the best fit. confidence: (low, high) of 95 %. covariance, correlation: of the logarithms of the
+    values, in the order of `values`. residual: record minus computed, in the unit of `record`, at `time` (s).
+    identifiable: which products of powers the record fixes. noise: standard deviation of a sample. n_runs: number of
+    runs of the program. first, computed: the reading by the first guess and by the fit. modes: each measured
+    frequency and the computed mode that it was paired with. cautions: reasons to doubt the numbers. For modes alone
+    noise is None, and there is no history.
     """
 
     values: dict
@@ -42,7 +43,7 @@ class Fit(Shown):
 
     @property
     def settings(self):
-        """{key: value} for `set` of a run with what was found, tied keys too; none of the record's."""
+        """{key: value} for `set` of a run with the fitted values, including tied keys, without keys of the record."""
         tied = {key: factor * self.values[other] for key, (factor, other) in self.ties.items()}
         return {key: value for key, value in {**self.values, **tied}.items() if key != TIME_FACTOR}
 
@@ -70,7 +71,7 @@ class Fit(Shown):
 def mode_text(mode):
     """A measured mode and the computed one that it is paired with, in words."""
     measured, first, now = mode["measured"], mode["first guess"], mode["fit"]
-    percent = 100 * abs(now["damping_ratio"])  # of no damping round-off is left, of either sign
+    percent = 100 * abs(now["damping_ratio"])  # without damping this is round-off of either sign
     text = f"mode of {measured['frequency']:.4g} +- {measured['frequency_uncertainty']:.2g} Hz"
     if measured["damping_ratio"]:
         text += f", damping {100 * measured['damping_ratio']:.3g} +- {100 * measured['damping_uncertainty']:.2g} %"
@@ -79,7 +80,7 @@ def mode_text(mode):
 
 
 def interval_text(ends):
-    """An interval in words; one as wide as a guess may be wrong tells nothing.
+    """An interval in words; an interval as wide as the range of a guess counts as not determined.
 
     >>> interval_text((1.0, 2.0)), interval_text((0.1, 10.0))
     ('(1 to 2)', '(not determined by the measurement)')

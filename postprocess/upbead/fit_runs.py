@@ -1,4 +1,4 @@
-"""The runs that answer a fit."""
+"""The runs of the program that a fit needs."""
 
 import tempfile
 from concurrent.futures import ThreadPoolExecutor
@@ -11,13 +11,15 @@ from .errors import CaseError, NumericsError, UserError
 from .fit_modes import modes_of, require_modes
 from .fit_parameters import TIME_FACTOR, value_of
 
-FINEST, COARSEST = 20000, 2000  # steps of a window; between them as fine as the record
+# most and fewest steps of a window; between these limits the step is that of the record
+FINEST, COARSEST = 20000, 2000
 
 
 class Runs:
-    """Histories of one reading, and modes, by the values of keys: a run of the program for each point, kept.
+    """Histories of one reading, and modes, by the values of keys: with one run of the program for each point, whose
+    results are kept.
 
-    small: keys of a run of its own for the modes, as soils that follow the strain need; {}: they are those of the run.
+    small: keys of a separate run for the modes, which soils that follow the strain need; {}: no separate run.
     history, modes: whether they are wanted.
     """
 
@@ -26,10 +28,10 @@ class Runs:
         self.set = {"time.scheme": "reduced", **(set or {})}
         self.kept, self.n_runs, self.failures = {}, 0, []
         self.small, self.wants_history, self.wants_modes, self.tolerance = {}, True, False, None
-        self.end = None  # of the window (s), once that is known
+        self.end = None  # of the window (s), once it is known
 
     def look_at(self, time):
-        """Takes the record's times: they set the steps of reduced models, which cost next to nothing."""
+        """Uses the record's times as steps of reduced models, which take nearly no time."""
         self.end = float(time[-1])
         if self.set["time.scheme"] == "reduced":
             step = np.clip(np.median(np.diff(time)), self.end / FINEST, self.end / COARSEST)
@@ -40,14 +42,14 @@ class Runs:
         keys = {**self.set, **point}
         keys |= {tied: factor * point[key] for tied, (factor, key) in self.ties.items() if key in point}
         scale = keys.pop(TIME_FACTOR, None)
-        if scale and self.end:  # the window lasts that much longer
+        if scale and self.end:  # the window is longer by this factor
             keys["time.end"] = scale * self.end
             if "time.step" in keys:
                 keys["time.step"] *= scale
         return keys
 
     def read(self, point, answer, more=None):
-        """answer(Result) of a run with the values of point, and with more keys."""
+        """answer(Result) of a run with the values of `point` and with the keys `more`."""
         keys = self.settings(point) | (more or {})
         try:
             with tempfile.TemporaryDirectory(prefix="upbead-fit-") as folder:
@@ -60,7 +62,7 @@ class Runs:
             raise type(error)(f"the run with {told} failed: {error}{cure}") from error
 
     def answers(self, points):
-        """[(time, values, modes)] of the points, {key: value}; those not known yet run side by side."""
+        """[(time, values, modes)] of the points, {key: value}; points that are not known yet are run in parallel."""
         names = [tuple(point.items()) for point in points]
         missing = {name: point for name, point in zip(names, points) if name not in self.kept}
         with ThreadPoolExecutor(max(1, self.jobs)) as pool:
@@ -73,11 +75,11 @@ class Runs:
         return [answer[:2] for answer in self.answers(points)]
 
     def modes(self, points):
-        """[rows of f, damping ratio, share]; none where a run failed."""
+        """[rows of f, damping ratio, share]; no rows for a run that failed."""
         return [answer[2] for answer in self.answers(points)]
 
     def answer(self, point):
-        """Nothing but nan where the case cannot be solved so; the search then keeps away from there."""
+        """The answer at a point: only nan if the case cannot be solved there, so that the search avoids it."""
         try:
             if self.wants_history and self.small:
                 time, values, _ = self.read(point, self.look)
@@ -94,7 +96,7 @@ class Runs:
         return np.array(time), np.array(values), modes_of(result)
 
     def finer(self, point):
-        """The modes of a point by a tenth of the tolerance; None where they cannot be had."""
+        """The modes of a point with a tenth of the tolerance; None if they cannot be computed."""
         try:
             return self.read(point, modes_of, {**self.small, "accuracy.tolerance": self.tolerance / 10})
         except (CaseError, NumericsError):

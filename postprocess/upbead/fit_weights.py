@@ -1,7 +1,8 @@
-"""How a record and measured modes count beside each other: each over its own uncertainty.
+"""Weights of a record and of measured modes in one fit: each is divided by its own uncertainty.
 
-Data are the record's samples, then the modes' logarithms. The uncertainties of modes are given. The noise s of a record
-may be unknown: it then follows from the residual at the best fit by the weights that it makes, in turns.
+Data are the record's samples, then the modes' logarithms. The uncertainties of modes are given. The noise s of a
+record may be unknown: it then follows from the residual at the best fit, which depends on the weights by s: both are
+computed in turns.
 """
 
 from dataclasses import dataclass, field
@@ -10,22 +11,23 @@ import numpy as np
 
 from .least_squares import least_squares, misfit, scipy_part
 
-LEAST_SCALE = 1e-12  # of the record, for one that is zero throughout
-LEAST_NOISE = 1e-30  # of a record that is met exactly
+LEAST_SCALE = 1e-12  # least scale over the record's largest value; absolute for a record that is zero throughout
+LEAST_NOISE = 1e-30  # noise of a record that is fitted exactly
 TURNS, SETTLED = 10, 0.01
 
 
 @dataclass
 class Weights:
-    """samples: of the record. noise: standard deviation of one, None if unknown. given: relative uncertainties of the modes."""
+    """samples: number of samples of the record. noise: standard deviation of a sample, None if unknown. given:
+    relative uncertainties of the modes."""
 
     samples: int
     noise: float = None
     given: np.ndarray = field(default_factory=lambda: np.empty(0))
 
     def size(self, answers, measured):
-        """What is to be least: -2 ln(likelihood) but for constants, with the best s where that is unknown (Seber and Wild
-        2003, ch. 2.2.1); of a record alone its sum of squares."""
+        """The function to be minimised: -2 ln(likelihood) without constants, with the best s if that is unknown
+        (Seber and Wild 2003, ch. 2.2.1); for a record alone its sum of squares."""
         n = self.samples
         if not len(self.given):
             return misfit(answers, measured)
@@ -39,7 +41,7 @@ class Weights:
         return np.concatenate([np.full(self.samples, noise), self.given])
 
     def solve(self, compute, measured, x, low, high):
-        """The Solution, from x on."""
+        """The Solution, starting from x."""
         least = max(np.abs(measured[: self.samples]).max(initial=0.0), 1e-300)
         if not len(self.given) or self.noise or not self.samples:
             return least_squares(compute, measured, x, low, high, self.scales(self.noise or max(least, LEAST_SCALE)))
@@ -54,8 +56,8 @@ class Weights:
         return solution
 
     def noise_of(self, residual, jacobian, about=None):
-        """s and its degrees of freedom by the record's residual: s^2 = sum r^2/(n - tr H), H = U U^T the part of the
-        projection on J over the uncertainties that is the record's. E sum r^2 = s^2 (n - tr H) to first order, as the
+        """s and its degrees of freedom by the record's residual: s^2 = sum r^2/(n - tr H), where H = U U^T is the
+        record's part of the projection on J over the uncertainties. E sum r^2 = s^2 (n - tr H) to first order, as the
         residual has the covariance I - H; without modes tr H = p."""
         n, p = self.samples, jacobian.shape[1]
         square = residual[:n] @ residual[:n]
@@ -66,7 +68,8 @@ class Weights:
         return float(np.sqrt(square / (n - p))), n - p
 
     def quantile(self, residual, jacobian):
-        """The record's noise (None without record), and the quantile of 95 %: Student's t where the noise is of the residual."""
+        """The record's noise (None without record), and the quantile of 95 %: Student's t if the noise is that of the
+        residual."""
         if self.noise or not self.samples:
             return self.noise, scipy_part("stats").norm.ppf(0.975)
         noise, freedom = self.noise_of(residual, jacobian)

@@ -1,4 +1,4 @@
-"""Meshes of gmsh scripts (.geo), made by the program gmsh where it is installed."""
+"""Meshes of gmsh scripts (.geo), made by the program gmsh if it is installed."""
 
 import shutil
 import subprocess
@@ -10,7 +10,7 @@ from .errors import UserError
 
 
 def mesh_of_script(script, parameters):
-    """The Mesh of a script with {name: value} in place of its own values."""
+    """The Mesh of a script with {name: value} instead of its own values."""
     if shutil.which("gmsh") is None:
         raise UserError(f"'{Path(script).name}' needs the program gmsh; install it, or give a .msh")
     with tempfile.TemporaryDirectory() as folder:

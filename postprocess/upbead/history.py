@@ -1,8 +1,8 @@
-"""An array that knows its unit."""
+"""An array with its unit."""
 
 import numpy as np
 
-# Units that people read, by the unit of the file: (factor, name), the largest that keeps the peak at 1 or more.
+# Units for readers, by the unit of the file: (factor, name); used is the largest in which the peak is 1 or more.
 SCALES = {
     "N/m": [(1e-6, "MN/m"), (1e-3, "kN/m"), (1.0, "N/m")],
     "Pa": [(1e-6, "MPa"), (1e-3, "kPa"), (1.0, "Pa")],
@@ -14,7 +14,7 @@ SCALES = {
 class History(np.ndarray):
     """A numpy array with `unit` and `description`, in the unit of the file (SI).
 
-    Slices and copies keep the unit; what is computed is a plain array, as its unit is not known.
+    Slices and copies keep the unit; the result of a computation is a plain array, as its unit is not known.
 
     >>> force = History([0.0, 2e6, 0.0], "N/m", "wave force")
     >>> force
@@ -53,7 +53,7 @@ class History(np.ndarray):
         return self.view(np.ndarray)
 
     def scale(self, others=()):
-        """(factor, unit) in which this and the others are read best.
+        """(factor, unit) that suits this history and the others.
 
         >>> History([0.0, 2e3], "N/m").scale()
         (0.001, 'kN/m')

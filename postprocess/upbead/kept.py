@@ -1,4 +1,4 @@
-"""What is read is never written over."""
+"""Input files are never overwritten."""
 
 import os
 from pathlib import Path
@@ -9,13 +9,13 @@ RESULTS = ("results.h5", "reduced.h5", "responses.h5", "study.h5", "summary.json
 
 
 def files_of(path):
-    """A file, or what a command of the program has written into a folder."""
+    """A file, or the files that a command of the program has written into a folder."""
     path = Path(path)
     return [path / name for name in RESULTS] if path.is_dir() else [path]
 
 
 def keep_inputs(output, *inputs):
-    """Raises UserError where `output` is one of the files that are read, or a link to it.
+    """Raises UserError if `output` is one of the input files, or a link to one.
 
     inputs: files, or folders of results.
     """
@@ -23,6 +23,6 @@ def keep_inputs(output, *inputs):
         try:
             same = os.path.samefile(output, path)
         except (OSError, ValueError):
-            continue  # one of them is not there
+            continue  # one of the two does not exist
         if same:
             raise UserError(f"'{output}' would be written over '{path}', which is read; choose another file")

@@ -1,4 +1,4 @@
-"""Least squares by scipy over a model that answers several points at once."""
+"""Least squares by scipy for a model that is computed at several points at once."""
 
 from dataclasses import dataclass
 
@@ -6,9 +6,9 @@ import numpy as np
 
 from .errors import UserError
 
-STEP = 0.02  # of ln(parameter), for differences: far above what reduced models leave rough (docs/fit.md)
-LOOK = np.log(1.7)  # how far a first look goes
-MARGIN = 1e-9  # of bounds: scipy wants its beginning within them
+STEP = 0.02  # of ln(parameter), for differences: far above the roughness of reduced models (docs/fit.md)
+LOOK = np.log(1.7)  # step of the first search, in ln(parameter)
+MARGIN = 1e-9  # by which bounds are widened, as scipy needs its start within them
 
 
 @dataclass
@@ -21,7 +21,7 @@ class Solution:
 
 
 def scipy_part(name):
-    """A module of scipy, which nothing else of this package needs."""
+    """A module of scipy, which only fits need."""
     import importlib
 
     try:
@@ -31,11 +31,11 @@ def scipy_part(name):
 
 
 def differences(compute, x, low, high):
-    """The Jacobian of compute at x by central differences, and what each column may be wrong by.
+    """The Jacobian of compute at x by central differences, and the error (rms) that each column may have.
 
-    One-sided at a bound, and where a run on the other side failed (its answer is nan).
+    One-sided at a bound, and if a run on the other side failed (its result is nan).
 
-    The doubt (rms) is half the change of the slope from one side to the other: what is rough in the runs, and more.
+    This doubt is half the change of the slope from one side to the other, which includes the roughness of the runs.
     """
     jacobian, doubt = slopes(compute, x, low, high)
     return jacobian, np.sqrt(np.mean(doubt**2, axis=0))
@@ -65,16 +65,17 @@ def slopes(compute, x, low, high):
 
 
 def misfit(answers, measured):
-    """Sums of squares; infinite where a run failed."""
+    """Sums of squares; infinite if a run failed."""
     sums = [np.sum((answer - measured) ** 2) for answer in answers]
     return np.where(np.isfinite(sums), sums, np.inf)
 
 
 def compass(compute, measured, x, low, high, rounds=6, size=misfit):
-    """A better beginning than x: the best of steps along each coordinate, as long as one is better.
+    """A better start than x: the best of steps along each coordinate, repeated while one is better.
 
-    Direct search with a step that stays (Kolda, Lewis and Torczon 2003). From a guess a period or so off, least squares
-    alone first go far astray; with this the fits of docs/fit.md took 48 runs instead of 62 to 66.
+    Direct search with a constant step (Kolda, Lewis and Torczon 2003). From a guess that is wrong by about a period,
+    least squares alone first go far astray; with this search the fits of docs/fit.md took 48 runs instead of 62 to
+    66.
     """
     best = size(compute([x]), measured)[0]
     for _ in range(rounds):
@@ -87,7 +88,8 @@ def compass(compute, measured, x, low, high, rounds=6, size=misfit):
 
 
 def search(compute, measured, low, high, per_parameter=8, size=misfit):
-    """The best of some points spread evenly over the box: of Sobol's sequence, whose first is the lowest corner."""
+    """The best of some points spread evenly over the box: those of Sobol's sequence, the first of which is the lowest
+    corner."""
     bits = int(np.ceil(np.log2(per_parameter * len(low))))
     unit = scipy_part("stats").qmc.Sobol(len(low), scramble=False).random_base2(bits)
     points = list(low + (high - low) * unit)
@@ -97,11 +99,12 @@ def search(compute, measured, low, high, per_parameter=8, size=misfit):
 def least_squares(compute, measured, begin, low, high, scale):
     """The x between low and high with the least sum of squares of (compute(x) - measured)/scale.
 
-    compute: list of points -> list of arrays, nan where that cannot be. scale: of each number. Trust-region reflective
-    steps (Branch, Coleman and Li 1999) of scipy.optimize, of least norm, so that what the data do not fix stays near the
-    beginning. It ends where a step changes the misfit by less than 1e-4: of 1,000 samples, a step of at most a third of a standard error.
+    compute: list of points -> list of arrays, nan where the model cannot be computed. scale: of each number.
+    Trust-region reflective steps (Branch, Coleman and Li 1999) of scipy.optimize, of least norm, so that combinations
+    that the data do not fix stay near the start. It ends when a step changes the misfit by less than 1e-4: for 1,000
+    samples, a step of at most a third of a standard error.
     """
-    found = scipy_part("optimize").least_squares(  # in x - begin: then the first step may be 1 long
+    found = scipy_part("optimize").least_squares(  # over x - begin, so that the first step may have length 1
         lambda z: (compute([begin + z])[0] - measured) / scale, np.zeros(len(begin)),
         jac=lambda z: differences(compute, begin + z, low, high)[0] / np.reshape(scale, (-1, 1)),
         bounds=(low - begin - MARGIN, high - begin + MARGIN), method="trf", ftol=1e-4, xtol=1e-5, gtol=1e-9, max_nfev=40)

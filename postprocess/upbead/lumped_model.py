@@ -18,7 +18,7 @@ def pairs(values):
 
 
 class Source(Shown):
-    """What is taken from the reduced model: the mode that carries most of F_T under a load."""
+    """Data from the reduced model: the mode that carries most of F_T under a load."""
 
     def __init__(self, path, load):
         try:
@@ -38,7 +38,7 @@ class Source(Shown):
         except (OSError, KeyError, ValueError) as error:
             raise UserError(f"'{path}' is no reduced model with a caisson and that load: {error}") from error
         swings = np.abs(pole.imag) > 0
-        share = np.where(swings, np.abs(answer / pole), 0)  # of a lasting force
+        share = np.where(swings, np.abs(answer / pole), 0)  # share under a lasting force
         self.pole = pole[share.argmax()]
 
     def __repr__(self):
@@ -46,12 +46,12 @@ class Source(Shown):
 
     @property
     def frequency(self):
-        """Of the undamped swing (Hz)."""
+        """Undamped natural frequency (Hz)."""
         return abs(self.pole) / (2 * np.pi)
 
     @property
     def damping(self):
-        """Of critical."""
+        """Damping ratio."""
         return -self.pole.real / abs(self.pole)
 
 

@@ -58,7 +58,7 @@ def groups_of_entities(lines):
     counts = list(map(int, lines[0].split()))
     rows = iter(lines[1:])
     for dimension, count in enumerate(counts):
-        first = 4 if dimension == 0 else 7  # behind the number and the coordinates or the box
+        first = 4 if dimension == 0 else 7  # after the number and the coordinates or the box
         for _ in range(count):
             words = next(rows).split()
             if int(words[first]) > 0:
@@ -84,7 +84,7 @@ def read_41(parts, names, mesh):
 
 
 def read(path):
-    """The Mesh of a file; raises UserError if it is none."""
+    """The Mesh of a file; raises UserError if it is no mesh."""
     try:
         text = path.read_text(encoding="latin-1")
     except OSError as error:

@@ -1,4 +1,4 @@
-"""Opens whatever a command of the program has written."""
+"""Opens the results of any command of the program."""
 
 from pathlib import Path
 
@@ -15,11 +15,11 @@ from .waves_result import read_waves
 
 
 def open_result(folder):
-    """What a command wrote into a folder.
+    """The results of a command in a folder.
 
-    `run`: a Result, or a SlipResult where the bottom slipped or lifted; `study`: a StudyTable; `expected`: an
-    ExpectedResult; `calibrate`: a CalibrationResult; `waves`: its summary, a dict. Raises UserError where there is
-    none of them.
+    `run`: a Result, or a SlipResult if the bottom slipped or lifted; `study`: a StudyTable; `expected`: an
+    ExpectedResult; `calibrate`: a CalibrationResult; `waves`: its summary, a dict. Raises UserError if the folder has
+    none of these.
     """
     folder = Path(folder)
     if not folder.is_dir():
@@ -42,7 +42,7 @@ def slips(path):
         with h5py.File(path) as file:
             return "interface/slip" in file
     except OSError:
-        return False  # Result tells what is wrong with it
+        return False  # Result then reports the fault of the file
 
 
 def open_model(path):

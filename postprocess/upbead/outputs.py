@@ -1,15 +1,16 @@
-"""What is known of a key of summary.json: its unit and its meaning, as the program declares them."""
+"""Unit and meaning of a key of summary.json, as the program declares them."""
 
 import json
 from functools import cache
 from pathlib import Path
 
-NAMED = ("loads", "gauges", "wave_loads", "measured")  # by names of the case
+NAMED = ("loads", "gauges", "wave_loads", "measured")  # tables whose keys are names of the case
 
 
 @cache
 def known(command="run"):
-    """{path: [unit, meaning]} of the summary that a command writes; in lists "slips[].start", by names "loads.NAME.arm"."""
+    """{path: [unit, meaning]} of the summary that a command writes; paths in lists are "slips[].start", by names
+    "loads.NAME.arm"."""
     return json.loads((Path(__file__).parent / "outputs.json").read_text(encoding="utf-8"))[command]
 
 

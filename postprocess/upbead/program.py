@@ -8,15 +8,15 @@ from pathlib import Path
 from .errors import CaseError, NumericsError, UpbeadError, UserError
 
 ROOT = Path(__file__).resolve().parents[2]
-BESIDE = ROOT / "build/upbead"  # of a source tree
+BESIDE = ROOT / "build/upbead"  # in a source tree
 INSTALLED = ROOT / "../../bin/upbead"  # from share/upbead of an installation, see docs/install.md
 
 
 def find(program=None):
     """The program's path.
 
-    As given; else $UPBEAD; else build/upbead beside this package; else that of the same installation; else `upbead` on
-    the PATH.
+    The given path; else $UPBEAD; else build/upbead beside this package; else the program of the same installation;
+    else `upbead` on the PATH.
     """
     places = [("argument 'program'", program)] if program else [
         ("environment variable UPBEAD", os.environ.get("UPBEAD")),

@@ -20,12 +20,13 @@ from .wave_table import read_wave
 __all__ = ["ModelError", "ReducedModel", "fine", "phi_functions", "read_wave"]
 
 KIND, VERSION = "upbead reduced model", 1
-# on the differences of nested models, as `upbead respond` has it: docs/reduced.md
+# factors of the differences of nested models, as in `upbead respond`: docs/reduced.md
 SAFETY_OF_MODEL, SAFETY_OF_MIDDLE = 1.2, 1.5
 
 
 def phi_functions(x):
-    """exp(x), phi_1 = (exp(x) - 1)/x and phi_2 = (phi_1 - 1)/x, by their series near 0, where these cancel."""
+    """exp(x), phi_1 = (exp(x) - 1)/x and phi_2 = (phi_1 - 1)/x, by their series near 0, where the closed forms suffer
+    from cancellation."""
     small = np.abs(x) < 0.5
     safe = np.where(small, 1.0, x)
     near = np.where(small, x, 0.0)
@@ -70,7 +71,7 @@ class ReducedModel(Shown):
         self.caisson_mass = file["case"].attrs["caisson_mass"]  # kg/m
         self.title = text_of(file.attrs.get("title", ""))
 
-        self.nested = None  # the larger models that tell errors; none in files of older versions
+        self.nested = None  # the larger models for error estimates; None for files of older versions
         if "nested" in file:
             self.nested = [self._larger(file[f"nested/{name}"]) for name in ("middle", "reference")]
 
@@ -95,14 +96,15 @@ class ReducedModel(Shown):
     def respond(self, time, loads):
         """All readings at the times, {name: History}, from rest at t = 0.
 
-        time: ascending (s), time[0] = 0. loads: {name: array}, straight between the times; what is not given is zero.
-        Exact, whatever the steps. A first value that is not zero is a jump at t = 0, of which row 0 knows nothing yet.
+        time: ascending (s), time[0] = 0. loads: {name: array}, linear between the times; loads that are not given are
+        zero. The response is exact for any steps. A first value other than zero is a jump at t = 0, which has no
+        effect on row 0.
         """
         time = np.asarray(time, dtype=float)
         f = self._loads_as_rows(time, loads)
         z = np.zeros((time.size, self.pole.size), dtype=complex)
         step = np.diff(time)
-        drive = f.T @ self.load.T  # one row a time, one column a mode
+        drive = f.T @ self.load.T  # a row for each time, a column for each mode
         known = None
         for n, h in enumerate(step):
             if known is None or abs(h - known) > 1e-12 * h:  # equal steps share their exponentials
@@ -117,8 +119,8 @@ class ReducedModel(Shown):
         return {name: History(row, self.units[name], self.descriptions[name]) for name, row in zip(self.readings, y)}
 
     def error_estimate(self, time, loads):
-        """A bound of the error of F_T's history by the model, over its largest value, as `upbead respond` tells it;
-        None where the model's file holds nothing that tells it. Arguments as of respond()."""
+        """A bound of the error of F_T's history by the model, over its largest value, the same as by `upbead
+        respond`; None if the model's file has no nested models. Arguments as of respond()."""
         if self.nested is None:
             return None
         answers = [np.asarray(model.respond(time, loads)["shear_force"]) for model in (self, *self.nested)]
@@ -151,7 +153,7 @@ class ReducedModel(Shown):
 
 
 def fine(time, loads, model, end):
-    """The wave on steps that show a peak, as 'upbead respond' takes them; zero outside its own times."""
+    """The wave on steps that resolve a peak, as in 'upbead respond'; zero outside its own times."""
     step = min(1.0 / (20.0 * model.validity["highest_frequency"]), *(model.duration[model.duration > 0] / 50.0))
     grid = np.linspace(0.0, end, max(2, int(np.ceil(end / step)) + 1))
     grid = np.union1d(grid, time[(time >= 0.0) & (time <= end)])

@@ -44,8 +44,8 @@ class Result(Shown, Mapping):
     """The histories and tables of one run; a mapping of the histories by their paths below /history.
 
     `result["shear_force"]`, `result["caisson/displacement_x"]` are `History`: numpy arrays with `unit` and
-    `description`, of the length of `result.time`. `result["/interface/slip"]`, with a slash in front, is any dataset of
-    results.h5; `result.table("interface")` all of a group. SI units throughout.
+    `description`, of the length of `result.time`. `result["/interface/slip"]`, with a slash in front, is any dataset
+    of results.h5; `result.table("interface")` are all datasets of a group. SI units throughout.
     """
 
     def __init__(self, folder):
@@ -91,7 +91,7 @@ class Result(Shown, Mapping):
     def __len__(self):
         return len(datasets(self.file["/history"]))
 
-    __eq__, __hash__ = object.__eq__, object.__hash__  # not by all the numbers
+    __eq__, __hash__ = object.__eq__, object.__hash__  # results are not compared number by number
 
     def __repr__(self):
         name = type(self).__name__
@@ -120,13 +120,14 @@ class Result(Shown, Mapping):
 
     @property
     def tables(self):
-        """Names of the groups beside /history, for `table`: interface, coupled, base, at_times, dense, measured/NAME."""
+        """Names of the groups other than /history, for `table`: interface, coupled, base, at_times, dense,
+        measured/NAME."""
         groups = {name: group for name, group in self.file.items() if isinstance(group, h5py.Group)}
         nested = groups.pop("measured", {})
         return [name for name in groups if name not in ("history", "fields")] + [f"measured/{name}" for name in nested]
 
     def table(self, name):
-        """All datasets of a group beside /history, by name: {"position": History, ...}."""
+        """All datasets of a group other than /history, by name: {"position": History, ...}."""
         group = self.file.get(name)
         if not isinstance(group, h5py.Group):
             known = ", ".join(self.tables) or "none"
@@ -134,7 +135,8 @@ class Result(Shown, Mapping):
         return {key: self.dataset(f"/{name}/{key}") for key in datasets(group)}
 
     def measured(self):
-        """Measured records: {name: {"time": History, "value": History, "reading": name of the history beside it}}."""
+        """Measured records: {name: {"time": History, "value": History, "reading": name of the corresponding
+        history}}."""
         found = {}
         for name in self.file.get("/measured", ()):
             time, value = (self.dataset(f"/measured/{name}/{key}") for key in ("time", "value"))
@@ -154,7 +156,7 @@ class Result(Shown, Mapping):
 
 
 def datasets(group):
-    """Paths of all numbers of a group, below it; words are left out."""
+    """Paths of all numeric datasets below a group; texts are left out."""
     found = []
     group.visititems(lambda name, item: found.append(name) if is_numbers(item) else None)
     return found

@@ -1,6 +1,6 @@
-"""Reads what a run whose caisson may slip wrote beside its histories.
+"""Reads the tables that a run whose caisson may slip wrote besides its histories.
 
-That is /interface (by time and node) and /coupled (of the caisson that slips as a whole).
+That is /interface (by time and node) and /coupled (over time, of the caisson that slips as a whole).
 """
 
 import h5py
@@ -9,7 +9,7 @@ import numpy as np
 from .errors import UserError
 from .results import Result
 
-SMALL = 1e-9  # of the largest slip or opening: less is round-off
+SMALL = 1e-9  # of the largest slip or opening: smaller values are round-off
 
 
 class SlipResult(Result):
@@ -23,7 +23,7 @@ class SlipResult(Result):
             self.array(f"interface/{name}", shape) for name in ("slip", "opening", "shear_force", "normal_force"))
 
     def array(self, name, shape=None):
-        """A dataset beside /history as a plain array."""
+        """A dataset outside /history as a plain array."""
         if not isinstance(self.file.get(name), h5py.Dataset):
             raise UserError(f"'{self.path}' has no dataset /{name}: run the case with "
                             "regions.caisson.interface.kind = \"friction\" and a load that slides or lifts the caisson")
@@ -33,7 +33,8 @@ class SlipResult(Result):
         return values
 
     def has_coupled(self):
-        """Whether the slip as a whole is told; else summary["sliding"]["why_not_coupled"] says why not."""
+        """Whether the results have the slip as a whole; if not, summary["sliding"]["why_not_coupled"] gives the
+        reason."""
         return "coupled" in self.file
 
     def number(self, path):
@@ -50,7 +51,7 @@ class SlipResult(Result):
         return self.opening > SMALL * max(np.max(np.abs(self.opening)), np.max(np.abs(self.slip)))
 
     def slips(self):
-        """Whether a node that touches slips in the step that ends at a time; nobody slips at the first."""
+        """Whether a node in contact slips in the step that ends at a time; at the first time none does."""
         moved = np.abs(np.diff(self.slip, axis=0, prepend=self.slip[:1])) > SMALL * np.max(np.abs(self.slip))
         return moved & ~self.is_open()
 

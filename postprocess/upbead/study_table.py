@@ -13,7 +13,7 @@ from .shown import Shown
 
 
 class StudyTable(Shown):
-    """The runs that were done, a row each; `table["response.peak_shear"]` is a column as an array."""
+    """The finished runs, a row for each; `table["response.peak_shear"]` is a column as an array."""
 
     def __init__(self, folder):
         self.folder = Path(folder)
@@ -30,7 +30,7 @@ class StudyTable(Shown):
         self.summary = read_summary(self.folder)
 
     def __getitem__(self, name):
-        """A column as numbers, nan where a cell is empty; as words where it holds words."""
+        """A column as numbers, nan for empty cells; a column of words as words."""
         if name not in self.columns:
             raise UserError(f"'{self.folder / 'study.csv'}' has no column {name}: add it to 'read' of the study")
         found = self.numbers(name)
@@ -48,7 +48,7 @@ class StudyTable(Shown):
         return self.folder.resolve().name
 
     def numbers(self, name):
-        """The column as numbers, nan where a cell is empty; None where it holds words."""
+        """The column as numbers, nan where a cell is empty; None if it holds words."""
         try:
             return np.array([float(row[name] or "nan") for row in self.rows])
         except ValueError:
@@ -76,7 +76,7 @@ class StudyTable(Shown):
 
     @property
     def reads(self):
-        """The numbers that were read of each run."""
+        """The numbers read from each run."""
         return self._groups[1]
 
     @property

@@ -1,4 +1,5 @@
-"""A wave as a table: the rules of the program (docs/records.md) for what this package reads without it."""
+"""A wave as a table, for files that this package reads without the program: the rules are those of the program
+(docs/records.md)."""
 
 import csv
 import re

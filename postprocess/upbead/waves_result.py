@@ -8,7 +8,7 @@ from .shown import Shown
 
 
 class WavesSummary(Shown, dict):
-    """The summary as a dict, which a notebook shows as a table with a figure."""
+    """The summary as a dict, shown in a notebook as a table with a figure."""
 
     def __repr__(self):
         names = list(self["waves"])

@@ -1,5 +1,5 @@
-// Claims: solutions and products by LAPACK and BLAS are those of Eigen, of parts of larger matrices too; a singular
-// matrix gives no numbers. Tolerance 1e-13: sums of 40 terms.
+// Claims: products by LAPACK and BLAS equal Eigen's, also for blocks of larger matrices; solutions satisfy their
+// equations; a singular matrix gives NaN. Tolerance 1e-13: sums of 40 terms.
 #include "algebra/dense.h"
 
 #include <gtest/gtest.h>

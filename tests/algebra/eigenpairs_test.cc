@@ -1,5 +1,5 @@
-// Claims: eigenpairs are those of a matrix made of known ones, real and complex; conjugate pairs stand side by side,
-// the positive imaginary part first; vectors have length 1.
+// Claims: the eigenpairs of a matrix built from known real and complex pairs are found again; conjugate pairs stand
+// side by side, the positive imaginary part first; vectors have length 1.
 #include "algebra/eigenpairs.h"
 
 #include <gtest/gtest.h>

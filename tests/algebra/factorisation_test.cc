@@ -125,10 +125,11 @@ TEST(Factorisation, RefactorEqualsANewOne) {
   EXPECT_THROW(factors.refactor(quasi_definite(26, false).A), std::invalid_argument);
 }
 
-// A law that decides between the halves of a solve knows C^T A^-1 b before, and gets A^-1 (b - C q).
+// A solve in two halves: the first gives C^T A^-1 b, from which a law of contact may choose q; the second gives A^-1
+// (b - C q).
 TEST(Factorisation, IsHaltedHalfway) {
   const Problem p = quasi_definite(40, false);
-  const int n = static_cast<int>(p.A.rows()), m = 11;  // more than go through the factor at once
+  const int n = static_cast<int>(p.A.rows()), m = 11;  // more columns than one pass through the factor takes
   SparseMatrix C(n, m);
   for (int c = 0; c < m; ++c)
     for (const int i : {c, n / 2 + 2 * c, n - 1 - c}) C.coeffRef(i, c) += std::cos(3. * c + i);

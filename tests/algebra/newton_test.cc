@@ -1,5 +1,6 @@
-// Claims: Newton's method finds the root of functions with unsymmetric derivatives in few steps, its line search where
-// full steps leap; it tells where it gave up; a matrix keeps its pattern from solution to solution.
+// Claims: Newton's method finds the root of functions with unsymmetric derivatives in few steps, and by its line
+// search also where full steps diverge; it reports when it gives up; a matrix keeps its pattern from solution to
+// solution.
 
 #include "algebra/newton.h"
 
@@ -18,7 +19,8 @@ class NewtonTest : public ::testing::Test {
   static void SetUpTestSuite() { static const PetscSession petsc; }  // MPI starts once in a process
 };
 
-/// A chain in which each unknown feels the next one more than that one feels it.
+/// A chain in which each unknown depends on the next more strongly than the next depends on it: an unsymmetric
+/// matrix.
 struct Chain {
   int n;
   Vector at;
@@ -74,7 +76,7 @@ TEST_F(NewtonTest, CutsStepsThatLeapAndTellsWhereThereIsNoRoot) {
         r = Vector::Constant(1, std::atan(x[0]));
       },
       [&](Eigen::Ref<Vector> values) { values[0] = 1. / (1. + s.x * s.x); });
-  Vector x = Vector::Constant(1, 10.);  // full steps end at infinity from 1.4 on
+  Vector x = Vector::Constant(1, 10.);  // full steps diverge from |x| = 1.4 on
   EXPECT_TRUE(arctangent.solve(x, 1e-12).converged);
   EXPECT_NEAR(x[0], 0., 1e-12);
 

@@ -25,7 +25,7 @@ void expect_same(const SparseMatrix& A, const SparseMatrix& B) {
     }
 }
 
-// Sums are made in the order in which values come, as those of triplets are: the same to the last bit
+// Values are summed in the order in which they come, as setFromTriplets does: the same to the last bit
 TEST(PatternSums, AreThoseOfTriplets) {
   constexpr int n = 40, n_groups = 25, size = 6;
   std::mt19937 random(7);
@@ -50,7 +50,7 @@ TEST(PatternSums, AreThoseOfTriplets) {
   for (int m = 0; m < 2; ++m) expect_same(sums.matrix(m), of_triplets(n, triplets[static_cast<std::size_t>(m)]));
 }
 
-// Whether values cancel depends on rounding; which entries there are must not
+// Whether values cancel depends on rounding; the pattern must not depend on it
 TEST(PatternSums, KeepWhatCancelsAndNoZeros) {
   PatternSums sums(3, 1, {{0, 1, 2}});
   sums.begin_row(0);

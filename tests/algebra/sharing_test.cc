@@ -1,4 +1,4 @@
-// One matrix, factorised by several processes that each have a part of it.
+// One matrix, factorised by several processes that each hold a part of the matrix.
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,8 @@ namespace sharing_test {
 
 using Eigen::MatrixXd;
 
-/// A sum of `count` random matrices, each over unknowns of its own and over shared ones, these spread among the others.
+/// A sum of `count` random matrices, each over unknowns of its own and over shared unknowns, which are spread among
+/// its own.
 class Shared : public testing::TestWithParam<int> {
  protected:
   static constexpr int n_own = 90, n_shared = 17, n_here = n_own + n_shared;
@@ -54,7 +55,7 @@ TEST_P(Shared, SolvesTheSumOfAllParts) {
     const int rank = processes->rank();
     MatrixXd b = here(rank, B);
     if (rank > 0)
-      for (const int i : shared_) b.row(i).setZero();  // the first has all of it
+      for (const int i : shared_) b.row(i).setZero();  // the first process has the whole right-hand side
     const Factorisation factors(parts_[rank], {}, {processes, shared_});
     found[rank] = factors.solve_columns(b);
     if (found[rank].col(3) != factors.solve(b.col(3))) found[rank].setZero();
@@ -65,7 +66,7 @@ TEST_P(Shared, SolvesTheSumOfAllParts) {
   }
 }
 
-/// Pivots of a shared unknown are those of the whole, on every process.
+/// On every process, the pivots of shared unknowns are those of the whole matrix.
 TEST_P(Shared, CountsTheNegativePivotsOfItsUnknowns) {
   std::vector<Inertia> inertia(static_cast<std::size_t>(count()));
   test::on_processes(count(), [&](const std::shared_ptr<const Processes>& processes) {

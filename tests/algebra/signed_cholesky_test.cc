@@ -1,6 +1,6 @@
-// Claims: the dense signed Cholesky factors give the matrix back, within one block, over many and with rows below; the
-// signs are those of the pivots; what is left is the Schur complement; a zero pivot or one that is not finite is
-// reported with its column; factorisations in several threads at once do not disturb each other.
+// Claims: the product of the dense signed Cholesky factors is the matrix, for one block, for several blocks, and with
+// rows below; the signs are those of the pivots; the remainder is the Schur complement; a zero pivot or one that is
+// not finite is reported with its column; factorisations in several threads at once do not disturb each other.
 // Source: Vanderbei, Symmetric quasi-definite matrices, SIAM J. Optim. 5 (1995) 100. Tolerance: 1e-13 of the largest
 // entry, 450 units of round-off.
 #include "../../src/algebra/ldlt/signed_cholesky.h"
@@ -82,7 +82,7 @@ TEST(SignedCholesky, ReportsAZeroPivot) {
     MatrixXd A(test::random_quasi_definite(100, 100, 5));
     A.row(zero) = zero == 0 ? MatrixXd::Zero(1, 100) : MatrixXd(A.row(zero / 2));
     A.col(zero) = A.row(zero).transpose();
-    if (zero > 0) A(zero, zero) = A(zero / 2, zero / 2);  // twice the same row and column
+    if (zero > 0) A(zero, zero) = A(zero / 2, zero / 2);  // two equal rows and columns
     EXPECT_EQ(factorised(A, 100).stopped, zero);
   }
 }

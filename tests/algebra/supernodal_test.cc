@@ -1,6 +1,7 @@
-// Claims: the sparse factorisation by supernodes solves what a dense one solves, for patterns from diagonal to full;
-// its inertia is that of the eigenvalues; several right-hand sides get, bit by bit, what each gets alone, and every
-// repetition gets the same; both instruction sets agree to round-off; what is singular is refused in every supernode.
+// Claims: the sparse factorisation by supernodes has the solutions of a dense one, for patterns from diagonal to
+// full; its inertia is that of the eigenvalues; each of several right-hand sides has, to the last bit, the solution
+// that it has alone, and so has every repetition; both instruction sets agree to round-off; a singular matrix is
+// refused in whichever supernode it is singular.
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
@@ -92,7 +93,7 @@ TEST(SupernodalFactorisation, NothingIsLeftAfterTheBlocks) {
   EXPECT_EQ(factors.inertia().positive, 2);
 }
 
-// A weight of the rest that one triangle lacks is below round-off, as when assembly drops what cancels to zero.
+// An entry below round-off may be missing in one triangle, as when assembly drops entries that cancel to zero.
 TEST(SupernodalFactorisation, ReadsTheLowerTriangle) {
   SparseMatrix A = test::random_quasi_definite(60, 2, 17), one_sided = A;
   one_sided.coeffRef(3, 50) += 1e-18;  // above the diagonal only

@@ -1,5 +1,5 @@
-// Claim: confined work can compute and hand back what it found, of any size, and nothing else; whatever it tries
-// besides is refused and told, and however it ends is told.
+// Claim: confined work can compute and return a result of any size, and nothing else; everything else that it tries
+// is refused and reported, and so is the way in which it ends.
 #include "base/confined_work.h"
 
 #include <arpa/inet.h>
@@ -237,7 +237,8 @@ TEST_F(ConfinedWork, TakesNoMoreMemoryThanItMay) {
   EXPECT_EQ(outcome.end, "asks for more than 200 MB of memory");
 }
 
-// The sanitizer's allocator, unlike glibc's, leaves its locks in the copy as other threads hold them: it waits for ever.
+// Not with the address sanitizer: in a forked copy its allocator's locks stay held by threads that the copy lacks, so
+// it would wait for ever; glibc's allocator releases them.
 TEST_F(ConfinedWork, SeveralThreadsMayAsk) {
   std::vector<std::thread> threads;
   std::vector<std::string> results(4);

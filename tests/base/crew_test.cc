@@ -1,5 +1,5 @@
-// Claims: a crew calls the work once for every number, whatever the number of threads, again and again; what one throws
-// comes out, and the crew goes on.
+// Claims: a crew calls the work once for every number, whatever the number of threads, again and again; an exception
+// in one call reaches the caller, and the crew can be used again.
 
 #include "base/crew.h"
 

@@ -1,4 +1,4 @@
-// Claim: a table of numbers is read whatever program wrote it; every kind of damage is told by line and column.
+// Claim: a table of numbers is read whatever program wrote it; every kind of damage is reported with line and column.
 #include "base/csv.h"
 
 #include <gtest/gtest.h>

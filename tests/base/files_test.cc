@@ -1,5 +1,5 @@
-// Claim: an output folder appears whole or not at all, and foreign files in it stay; an older result is replaced in one
-// step, so that a reader never meets a mixture.
+// Claim: an output folder appears complete or not at all, and files of other programs in it stay; an older result is
+// replaced in one step, so that a reader never meets a mixture.
 #include "base/files.h"
 
 #include <fcntl.h>
@@ -115,7 +115,7 @@ TEST_F(OutputFolderTest, RemovesOlderFilesOfThePatternsOnly) {
   EXPECT_TRUE(fs::exists(target / "fields" / "fields_mine.vtu"));
 }
 
-/// What a file holds, as seen from a folder that has been opened; "" where it is not there.
+/// The content of a file in an open folder; "" if there is no such file.
 std::string read_in(int folder, const char* file) {
   char text[20];
   const int descriptor = openat(folder, file, O_RDONLY);

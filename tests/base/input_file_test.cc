@@ -1,4 +1,5 @@
-// Claim: only files are read. What has no end, or one that may never come, is refused by name at once, with what to do.
+// Claim: only regular files are read. An input without an end, or whose end may never come, is refused at once by its
+// name, with a cure.
 #include "base/text_file.h"
 
 #include <gtest/gtest.h>

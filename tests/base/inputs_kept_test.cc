@@ -1,4 +1,4 @@
-// Claim: no output takes the place of an input, whatever either is called.
+// Claim: no output overwrites an input, even where the two have different names for one file.
 #include "base/files.h"
 
 #include <gtest/gtest.h>

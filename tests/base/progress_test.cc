@@ -1,4 +1,4 @@
-// Claim: the line tells percent and time left, and nothing is written where nobody watches.
+// Claim: the progress line shows per cent and time left; nothing is written where the output is not a terminal.
 #include "base/progress.h"
 
 #include <gtest/gtest.h>

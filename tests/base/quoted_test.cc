@@ -1,5 +1,5 @@
-// Claim: what a message quotes of somebody else's text is short, on one line, and valid UTF-8; a message as a whole is
-// bounded too.
+// Claim: text that a message quotes from an input is short, on one line, and valid UTF-8; the length of a whole
+// message is bounded too.
 #include "base/text.h"
 
 #include <gtest/gtest.h>

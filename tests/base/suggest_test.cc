@@ -1,4 +1,4 @@
-// Claim: a slip of the hand finds the word that was meant, an unrelated word finds nothing.
+// Claim: for a mistyped word the intended word is suggested; for an unrelated word, nothing.
 #include "base/text.h"
 
 #include <gtest/gtest.h>

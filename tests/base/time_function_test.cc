@@ -39,8 +39,8 @@ TEST(PiecewiseLinear, HasKinksAtMarkedCornersOnly) {
   EXPECT_NEAR(integral(smooth, -1., 3.), 4. / M_PI, 1e-4);
 }
 
-/// A record of `n` rows, one per millisecond, with a corner at nearly every one; the largest value is 1.5, at row n
-/// / 3.
+/// A record of `n` rows, one per millisecond, with a kink at nearly every row; the largest value is 1.5, at row n /
+/// 3.
 TimeFunction noisy_record(int n) {
   std::vector<double> time, value;
   unsigned random = 1;

@@ -1,5 +1,5 @@
-// Claim: units are what laboratories mean by them. Source of the factors: BIPM, The International System of Units
-// (2019), and NIST SP 811 (2008), appendix B.
+// Claim: units have the meaning that laboratories give them. Source of the factors: BIPM, The International System of
+// Units (2019), and NIST SP 811 (2008), appendix B.
 #include "base/units.h"
 
 #include <gtest/gtest.h>

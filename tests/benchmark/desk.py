@@ -1,10 +1,11 @@
 #!/usr/bin/python3
-"""What records and reports cost: `upbead explain` of a record of transducers over its length, and report.py of results.
+"""Time of `upbead explain` against the length of a record of transducers, and of report.py for results.
 
 usage: desk.py PROGRAM [-o FOLDER]
 
 The case is cases/fig2b-model.toml with the record in place of its impulse. Each time is the median of five whole
-processes; "of it the record" is what is more than with a record of 100 samples. Writes FOLDER/desk.{json,md,png}.
+processes; "of it the record" is the excess over the time with a record of 100 samples. Writes
+FOLDER/desk.{json,md,png}.
 """
 
 import argparse

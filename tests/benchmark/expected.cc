@@ -25,7 +25,7 @@ Breakwater prototype() {
 
 const SeaState sea{6.5, 14., 1000., 0., 0.};
 
-/// Prints how many waves of these heights a law answers in a second.
+/// Prints how many waves of these heights a law computes in a second.
 void measure(const char* name, const SlidingLaw& law, const std::vector<double>& heights) {
   const Stopwatch watch;
   double sum = 0.;

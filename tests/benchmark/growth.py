@@ -25,11 +25,11 @@ CASE = pathlib.Path(__file__).resolve().parents[2] / "cases/fig2b-prototype.toml
 CELLS = (0.35, 0.7, 1, 1.5, 2.2, 3.2, 4.6, 6.8)
 SCHEMES = {"reduced model": "auto", "marched": "sdirk4"}
 PHASES = ("mesh", "compile", "factorise", "march")
-COUNTED_FROM = 20000  # unknowns: below, starting the process tells more than the work
+COUNTED_FROM = 20000  # unknowns: with fewer, the start of the process takes most of the time
 
 
 def run(program, scheme, cells):
-    """Wall time, largest memory and the summary of one process."""
+    """Wall time, largest memory and times of phases of one process."""
     with tempfile.TemporaryDirectory() as folder:
         command = [str(program), "run", str(CASE), "--json", "--out", folder, "--set", f"time.scheme={scheme}",
                    "--set", f"mesh.parameters.cells={cells}"]

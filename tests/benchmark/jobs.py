@@ -1,13 +1,13 @@
 #!/usr/bin/python3
-"""Time and memory of the jobs that people have, on a designer's section of 58,644 unknowns.
+"""Time and memory of typical jobs of users, on a designer's section of 58,644 unknowns.
 
 usage: jobs.py PROGRAM [PROGRAM ...] [--names OLD NEW] [--only JOB ...] [--repeats N] [-o FOLDER]
 
-The section is cases/designer/church-roof.toml. Programs take turns, job by job; times are medians of whole processes, as
-a clock on the wall has them, which tells something on an idle machine, and in brackets those of the processor, user and
-system time of all threads and children, of which a machine that others use tells about the same; memory is that of the
-largest process. A job that takes a program more than ten seconds of the processor is run once, the reduced models that
-`respond` and `expected` ask are not timed there. BLAS has one thread. Writes FOLDER/jobs.{json,md}.
+The section is cases/designer/church-roof.toml. Programs take turns, job by job. Times are medians over whole
+processes: wall time, which is meaningful on an idle machine only, and in brackets processor time (user and system,
+all threads and children), which is nearly the same on a busy machine. Memory is that of the largest process. A job of
+more than ten seconds of processor time is run once; the time of making the reduced models that `respond` and
+`expected` need is not included. BLAS has one thread. Writes FOLDER/jobs.{json,md}.
 
 All jobs of two programs take about 8 minutes on two idle cores:
 
@@ -28,9 +28,10 @@ LONG = 10.0  # s of processor time: not repeated
 SOILS = ("seabed", "subsoil", "mound")
 ELASTIC = {"kind": "solid", "youngs_modulus": 30e9, "poissons_ratio": 0.2}
 
-# The wave of the section, as somebody would write it down who has it from a flume: a row every 10 ms.
+# The wave of the section, sampled like a record from a flume: a row every 10 ms.
 KINKS = ((0.0, 0.0), (0.1, 4.0e6), (0.3, 1.2e6), (4.0, 1.2e6), (4.3, 0.0), (6.0, 0.0))
-# Ten such waves in 100 s, by their heights over that one's: a train in which the larger waves slide the caisson.
+# Ten such waves in 100 s, each by its height over that of the single wave: a train in which the larger waves slide
+# the caisson.
 TRAIN = (0.5, 0.8, 0.6, 1.0, 0.7, 0.4, 0.9, 0.5, 0.75, 0.6)
 PERIOD = 10.0  # s
 # Fifty years of the storms of design.toml by the caisson's own dynamics.
@@ -114,7 +115,7 @@ def study(folder):
 
 
 FIELDS = {"output.fields.every": 0.05, **{f"regions.{soil}.strength.friction_angle": 35.0 for soil in SOILS}}
-# what it is called, its words, the time that is asked of it (s)
+# job: (title, words of the command, time that it should take at most (s))
 JOBS = {
     "run": ("`run`", run(), 2.0),
     "fields": ("`run` with 120 fields and strength", run(FIELDS), 5.0),
@@ -133,7 +134,7 @@ WITH_MODEL = ("respond", "expected")
 
 
 def measure(program, words):
-    """Time on the wall and of the processor (s), and largest memory (bytes), of one process and what it starts."""
+    """Wall time and processor time (s), and largest memory (bytes), of one process and its children."""
     command = [str(word) for word in (program, *words)]
     nothing = [(os.POSIX_SPAWN_OPEN, 1, "/dev/null", os.O_WRONLY, 0), (os.POSIX_SPAWN_OPEN, 2, "/dev/null", os.O_WRONLY, 0)]
     environment = {**os.environ, "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
@@ -147,7 +148,7 @@ def measure(program, words):
 
 
 def measure_job(job, programs, repeats):
-    """By program: medians, and every run."""
+    """{program: medians and every run}"""
     words = JOBS[job][1]
     runs = [[] for _ in programs]
     with tempfile.TemporaryDirectory() as name:

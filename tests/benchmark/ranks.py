@@ -1,10 +1,10 @@
 #!/usr/bin/python3
-"""One run on several processes: time by phase, and whether all say the same.
+"""One run on several processes: time by phase, and whether the results agree.
 
 usage: ranks.py PROGRAM [--processes N ...] [--repeats N] [-o FOLDER]
 
-cases/fig2b-prototype.toml marched by sdirk4 on three meshes. Writes FOLDER/ranks.{json,md}. Times are medians; the numbers
-of processes take turns, so that a busy machine disturbs all alike.
+cases/fig2b-prototype.toml marched by sdirk4 on three meshes. Writes FOLDER/ranks.{json,md}. Times are medians; the
+numbers of processes take turns, so that other load on the machine affects all alike.
 """
 
 import argparse

@@ -32,7 +32,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr double two_pi = 6.283185307179586;
-/// Steps of the reference, and of the modal answers, on each step of the coarse grid, of at most half a duration.
+/// Steps of the reference, and of the modal responses, per step of the coarse grid, which is at most half a duration.
 constexpr int reference_refinement = 96, modal_refinement = 24;
 
 double milliseconds(double seconds) {
@@ -108,7 +108,7 @@ class Bench {
     json["march"].push_back(errors(shear, row));
   }
 
-  /// The row with the errors of F_T against the reference, over its peak.
+  /// Adds to `row` the errors of F_T against the reference, over the peak of the reference.
   Json errors(const Shear& shear, Json row) const {
     const int common = std::gcd(shear.refinement, reference_.refinement);
     const auto n = static_cast<Eigen::Index>(coarse_.n_steps()) * common;
@@ -122,7 +122,7 @@ class Bench {
     return row;
   }
 
-  /// One Krylov space about a shift (in 2 pi / duration), looked at as it grows.
+  /// Models of one Krylov space about a shift (in 2 pi / duration), of increasing numbers of vectors.
   void add_models(Json& json, double shift) const {
     SecondOrderKrylov krylov(system_, shift * two_pi / duration_, scene_.compiled->body_coordinates);
     Projection projection(system_, krylov);
@@ -143,7 +143,8 @@ class Bench {
     }
   }
 
-  /// How many waves one core answers with the model that `upbead reduce` would write: F_T, its peak and S.
+  /// How many waves one core computes per second with the model that `upbead reduce` would write: F_T, its peak and
+  /// S.
   Json throughput() const {
     const Reduction reduction = reduce_scene(scene_.scene, *scene_.compiled, {true, true, {}});
     constexpr int n_waves = 2000, n_samples = 2000;
@@ -188,7 +189,7 @@ class Bench {
     return answered(model, row);
   }
 
-  /// The model that a command makes: what its nested models say of its error, and what that is.
+  /// The model that a command makes: its error as estimated by nested models, and its true error.
   Json chosen(const char* command, const ReductionTargets& aim) const {
     const Reduction reduction = reduce_scene(scene_.scene, *scene_.compiled, aim);
     return answered(reduction.model, {{"command", command},

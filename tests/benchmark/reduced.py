@@ -1,9 +1,9 @@
 #!/usr/bin/python3
-"""Error of F_T against the number of solves, for marches and reduced models, and what whole commands take.
+"""Error of F_T against the number of solves, for marches and reduced models, and times of whole commands.
 
 usage: reduced.py FOLDER [-o FOLDER]
 
-The first FOLDER is that of the build, with upbead and tests/benchmark/bench_reduced (build the target bench_reduced).
+The first FOLDER is the build folder, with upbead and tests/benchmark/bench_reduced (build the target bench_reduced).
 Writes reduced.{json,md,png}. One core is used; takes five to ten minutes.
 """
 
@@ -29,10 +29,10 @@ NO_SEA = ["mesh.parameters.sea_front=0", "mesh.parameters.sea_back=0"]
 SCENES = (("prototype, 5 % damping", PROTOTYPE, [], 1.25), ("prototype, undamped", PROTOTYPE, UNDAMPED, 1.75),
           ("prototype without the sea, 5 % damping", PROTOTYPE, NO_SEA, 1.25),
           ("1/20 model, 5 % damping", MODEL, [], 1.25))
-AIM = 3e-3  # error of the history at which solves are counted
+AIM = 3e-3  # error of the history at which the numbers of solves are compared
 REPEATS = 5
 WAVES, SAMPLES, STEP = 2000, 2000, 1e-3
-SLIDING = ["--friction", "0.6", "--buoyant-weight", "1e6"]  # such that half of the waves slide the caisson
+SLIDING = ["--friction", "0.6", "--buoyant-weight", "1e6"]  # chosen so that half of the waves slide the caisson
 
 
 def call(arguments):
@@ -46,7 +46,8 @@ def call(arguments):
 
 
 def march_solves(rows, scheme, error):
-    """Solves at which a march has that error, by straight lines in log-log; after its last passage through it."""
+    """Solves at which a march has that error, by straight lines in log-log, where the error falls through it for the
+    last time."""
     rows = [row for row in rows if row["scheme"] == scheme]
     for before, after in reversed(list(zip(rows, rows[1:]))):
         if before["history_error"] > error >= after["history_error"]:
@@ -57,7 +58,7 @@ def march_solves(rows, scheme, error):
 
 
 def model_solves(rows, error):
-    """Solves of the smallest model of those tried from which on all have a lesser error."""
+    """Solves of the smallest model that has, like all larger ones, at most that error."""
     enough = None
     for row in reversed(rows):
         if row["history_error"] > error:
@@ -67,7 +68,7 @@ def model_solves(rows, error):
 
 
 def commands(program, case, overrides, folder):
-    """Median wall times of whole processes, run by turns, and what their summaries tell."""
+    """Median wall times of whole processes, run by turns, and numbers from their summaries."""
     sets = [part for override in overrides for part in ("--set", override)]
     kinds = {"run": ["run"], "march": ["run", "--set", "time.scheme=sdirk4"], "reduce": ["reduce"]}
     walls, summaries = {kind: [] for kind in kinds}, {}
@@ -84,7 +85,7 @@ def commands(program, case, overrides, folder):
 
 
 def respond(program, folder):
-    """Waves that one core answers in a second, without and with sliding."""
+    """Waves that one core computes in a second, without and with sliding."""
     t = STEP * np.arange(SAMPLES)
     start, peak = np.linspace(0, 0.5, WAVES)[:, None], np.linspace(0.8e6, 2.4e6, WAVES)[:, None]
     with h5py.File(folder / "waves.h5", "w") as file:
@@ -115,7 +116,8 @@ def measure(build, scene):
 
 
 def count(study):
-    """Solves at the aim; adds those of marches to the models that the program chooses by itself."""
+    """Solves at the error AIM; adds to each model that the program chooses the solves of the march with the same
+    error."""
     own = [row for row in study["reduced"] if row["shift"] == study["shift"]]
     march = {scheme: march_solves(study["march"], scheme, AIM) for scheme in ("sdirk4", "generalised_alpha")}
     at_aim = {**march, "reduced": model_solves(own, AIM), "shifts": {}}

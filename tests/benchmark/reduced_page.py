@@ -131,7 +131,7 @@ def draw_panel(ax, study, aim):
 
 
 def mark_aim(ax, at_aim, aim):
-    """A line at the aim, the numbers of solves where it is met, and their ratios."""
+    """Draws a line at the error AIM, the numbers of solves at which it is reached, and their ratios."""
     ax.axhline(aim, color="black", lw=0.8, ls="--")
     ax.text(3800, aim * 1.1, f"{100 * aim:g} %", ha="right", va="bottom", fontsize="small")
     colours = {"reduced": "tab:red", **{scheme: colour for scheme, (colour, _) in SCHEMES.items()}}

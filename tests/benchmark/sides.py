@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Error of F_T from the far sides of seabed and sea, on the section of cases/fig2b-prototype.toml.
+"""Error of F_T caused by the far sides of seabed and sea, on the section of cases/fig2b-prototype.toml.
 
 usage: sides.py PROGRAM [-o FOLDER] [--only NUMBER...]
        sides.py --from FOLDER/sides.json... [-o FOLDER]
@@ -28,16 +28,16 @@ from matplotlib import pyplot as plt  # noqa: E402  (the backend must be chosen 
 sys.path.insert(0, str(pathlib.Path(__file__).parents[1] / "support"))
 from section_scene import scene  # noqa: E402
 
-# Dry and with G as it was when measured: calibrating the case changes nothing here.
+# Without sea, and with G as it was when this was measured: later calibrations of the case change nothing here.
 CASE = scene(("parameters = { cells = 0.5, seabed_front = 60, seabed_back = 60 }\n", ""), ("30e6", "29.516e6"),
              ("50e6", "49.193e6"), ("peak = 1e6", "peak = 1.6e6"))
 MOUND = 56.0  # m, from toe to toe
 TOE = 19.0  # m, from the caisson's wall
 WATER = 15.0  # m
-COMMON = {"time.end": 3.0, "time.step": 0.15 / 8, "time.scheme": "sdirk4"}  # a march accounts for energy
+COMMON = {"time.end": 3.0, "time.step": 0.15 / 8, "time.scheme": "sdirk4"}  # marched, for its balance of energy
 DAMPINGS = {"5 %": {}, "undamped": {"regions.seabed.damping.ratio": 0.0, "regions.mound.damping.ratio": 0.0}}
 
-# Lengths beyond the toes (m): multiples of the cells there, 3 m, so that all cells are alike.
+# Lengths beyond the toes (m): multiples of 3 m, the size of the cells there, so that all cells are equal.
 LENGTHS = (3, 15, 27, 60, 84, 120, 195, 300, 420)
 DEEP_LENGTHS = (15, 27, 60, 84, 195, 420)
 SHORT_SEAS = (3, 12, 27, 42)
@@ -110,8 +110,8 @@ def depths(length):
 
 
 def study(program, name, damping, conditions, lengths, wide, check, settings, position, is_drawn=False, extra=()):
-    """Rows of both conditions, of a second very wide section, and with 5 % of `extra` runs (label, settings);
-    settings(length, condition) is the scene."""
+    """Rows of both conditions, of a second very wide section, and, undamped, of the runs `extra` (label, settings);
+    settings(length, condition) are the keys of the scene."""
 
     def run(length, condition):
         return Run(program, DAMPINGS[damping], settings(length, condition))

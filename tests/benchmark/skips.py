@@ -1,4 +1,4 @@
-"""What every rule of leaving out saves: unknowns, solves and seconds, and how far peak F_T moves.
+"""Savings by every rule that leaves something out (unknowns, solves, seconds), and the change of peak F_T.
 
     /usr/bin/python3 tests/benchmark/skips.py build/upbead [docs/skipping.md]
 
@@ -16,7 +16,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 REPEATS = 3
-MARCHED = {"time.scheme": '"sdirk4"'}  # with and without a rule, so that solves and seconds compare
+MARCHED = {"time.scheme": '"sdirk4"'}  # with and without a rule, so that solves and seconds are comparable
 PROTOTYPE = (ROOT / "cases/fig2b-prototype.toml").read_text().replace('"fig2b', f'"{ROOT}/cases/fig2b')
 PROTOTYPE = re.sub(r"\[probes\..*", "", PROTOTYPE, flags=re.S)
 NO_SEA = {"mesh.parameters.sea_front": "0", "mesh.parameters.sea_back": "0"}
@@ -34,7 +34,7 @@ def concrete_caisson():
 
 
 def dry():
-    """No pores, no sea: waves are slow, and 200 m of sand beyond the toes are out of reach within 0.6 s."""
+    """No pores, no sea: waves are slow, and do not reach the far sides beyond 200 m of sand within 0.6 s."""
     text = pulse(0.15, 0.6).replace("seabed_front = 60", "seabed_front = 200").replace("seabed_back = 60", "seabed_back = 200")
     text = re.sub(r"hydraulic_conductivity = .*", 'flow = "drained"', text)
     return re.sub(r', pressure = "\w+"', "", text)
@@ -69,7 +69,7 @@ at = [0.5, 15.0]
 """
 
 
-# scene, rule, case, what leaves out, what keeps
+# scene, rule, case, settings with which the rule leaves something out, settings that overrule the rule
 STUDIES = [
     ("fig2b prototype", "inertial flow in sand", PROTOTYPE, {}, {"regions.seabed.flow": '"inertial"'}),
     ("fig2b prototype", "the sea (told by the user, not by itself)", PROTOTYPE, NO_SEA, {}),

@@ -1,4 +1,4 @@
-// Random waves on a lumped breakwater that slips: how many a second, and whether one of them fails.
+// Random waves on a lumped breakwater that slips: how many are computed in a second, and whether one fails.
 //
 // usage: bench_slip WAVES
 //
@@ -23,9 +23,9 @@ using Json = nlohmann::ordered_json;
 
 constexpr int n_samples = 2000, n_frictions = 25;
 constexpr double step = 1e-3;
-constexpr double uplift_share = 0.5;  ///< of P, prescribed for every other wave: some then lift
+constexpr double uplift_share = 0.5;  ///< of P, prescribed for every second wave, so that some lift the caisson
 
-/// What has become of the waves that slid, or of those that did not.
+/// Number and time of the waves with sliding, or of those without.
 struct Count {
   int waves = 0;
   double seconds = 0.;

@@ -1,11 +1,12 @@
-// Time of analysis, factorisation and solution of one scene's effective matrix, ours against others, and the bound that
-// the bandwidth of the machine sets.
+// Time of analysis, factorisation and solution of one scene's effective matrix by our solver and by others, and the
+// lower bound that the bandwidth of the machine sets.
 //
 // usage: bench_solves CASE [KEY=VALUE]...
 //
-// Prints JSON. All solve the same matrix: M + g C + g^2 K with g a quarter of a hundredth of a second, cell blocks
-// condensed, equilibrated. The bound of a solve is the time to read the factor twice, each entry as stored, at the
-// bandwidth of a read stream: through memory, and through an array as large as the factor.
+// Prints JSON. All solvers have the same matrix: M + g C + g^2 K with g a quarter of a hundredth of a second, cell
+// blocks condensed, equilibrated. The bound of a solve is the time to read the factor twice, each entry as stored, at
+// the bandwidth of a read stream: once for an array far larger than the caches, and once for an array as large as the
+// factor.
 
 #include <cholmod.h>
 #include <petscmat.h>
@@ -51,7 +52,8 @@ double once(const std::function<void()>& run) {
   return watch.seconds();
 }
 
-/// Sum of an array, in as many chains as fit in the registers of every processor: then only memory is waited for.
+/// Sum of an array, in as many independent chains as fit in the registers of every processor, so that only memory
+/// limits the speed.
 [[gnu::noipa]] double sum_of(const double* values, std::size_t n) {
   constexpr std::size_t chains = 16;
   double sum[chains] = {};
@@ -114,7 +116,7 @@ Json ours(const Problem& p) {
   const double factorise = median_time([&] { ldlt->factorise(p.A, ones); });
   Vector x(p.b.size());
   Stream memory(std::size_t{32} << 20), factor(static_cast<std::size_t>(ldlt->n_factor_entries()));
-  // by turns, so that all see the same machine
+  // by turns, so that other load on the machine affects all alike
   std::vector<double> solve, read_memory, read_factor;
   for (int turn = 0; turn < 7; ++turn) {
     solve.push_back(median_time([&] { ldlt->solve(p.b, x); }));

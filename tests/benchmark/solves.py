@@ -1,9 +1,9 @@
 #!/usr/bin/python3
-"""Time of one solve against the bound that the bandwidth of the machine sets, ours and others.
+"""Time of one solve, by our solver and by others, against the lower bound that the bandwidth of the machine sets.
 
 usage: solves.py FOLDER [-o FOLDER]
 
-The first FOLDER is that of the build, with tests/benchmark/bench_solves (build the target bench_solves). Writes
+The first FOLDER is the build folder, with tests/benchmark/bench_solves (build the target bench_solves). Writes
 solves.{json,md,png}. One core is used; takes about a minute.
 """
 
@@ -19,7 +19,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 
 CASE = pathlib.Path(__file__).resolve().parents[2] / "cases" / "fig2b-prototype.toml"
-CELLS = (0.7, 1.0, 1.5, 2.0, 2.7)  # of the mesh, per default one
+CELLS = (0.7, 1.0, 1.5, 2.0, 2.7)  # densities of cells, relative to the default
 NAMES = {"upbead": "upbead", "PETSc, minimum degree": "PETSc LDLᵀ", "CHOLMOD, simplicial": "CHOLMOD LDLᵀ",
          "MUMPS": "MUMPS"}
 COLOURS = {"upbead": "#0b5394", "PETSc, minimum degree": "#b45f06", "CHOLMOD, simplicial": "#38761d",
@@ -27,7 +27,7 @@ COLOURS = {"upbead": "#0b5394", "PETSc, minimum degree": "#b45f06", "CHOLMOD, si
 
 
 def measure(program, cells):
-    """What bench_solves prints for the prototype on that mesh, on one core."""
+    """The JSON that bench_solves prints for the prototype on that mesh, on one core."""
     one_core = {min(os.sched_getaffinity(0))}
     environment = {**os.environ, "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
     arguments = [program, CASE, "mesh.refine=0", f"mesh.parameters.cells={cells}"]
@@ -59,7 +59,8 @@ def solver_table(scenes):
 
 
 def bound_table(scenes):
-    """A line per scene: the solve over its bounds, with the blocks, and eight right-hand sides at once."""
+    """A line per scene: time of the solve over its bounds, also with the cell blocks and for eight right-hand sides
+    at once."""
     lines = [row(["unknowns", "factor, MB", "memory, GB/s", "as large as the factor, GB/s", "solve / bound of memory",
                   "solve / bound of its size", "with the cell blocks, ms", "per column of 8, ms"]), row(["---"] * 8)]
     for scene in scenes:

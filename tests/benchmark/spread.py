@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""What else moves the ratio of peak F_T to peak P besides numerical error: arm, duration, stress exponent, reading.
+"""Changes of the ratio of peak F_T to peak P by other causes than numerical error: arm, duration, stress exponent,
+reading.
 
 usage: spread.py PROGRAM [-o FOLDER]
 
@@ -19,17 +20,20 @@ MODEL_G = {"seabed": 6.57e6, "mound": 10.95e6}  # Pa
 
 
 class Section:
-    """One of both cases, and its lengths."""
+    """One of the two cases, and its lengths."""
 
     def __init__(self, name):
         self.name = name
         self.file = CASES / f"fig2b-{name}.toml"
         self.length = 1.0 if name == "prototype" else 1.0 / SCALE
-        self.foot, self.height = 6.0 * self.length, 16.0 * self.length  # m: of the caisson above the bed, of itself
+        # m: height of the caisson's bottom above the bed, height of the caisson
+        self.foot, self.height = 6.0 * self.length, 16.0 * self.length
 
     def arm(self, over_height):
-        """The shape of a load whose line of action is that high: linear between bottom and top."""
-        top = 6.0 * over_height - 2.0  # of intensity, the bottom's being 2 - top; arm/height = (bottom + 2 top)/(3 * 2)
+        """The shape of a load, linear between bottom and top, whose line of action is at `over_height` of the
+        caisson's height."""
+        # intensity at the top; 2 - top at the bottom; arm/height = (bottom + 2 top)/(3 * 2)
+        top = 6.0 * over_height - 2.0
         return {"loads.impulse.shape": f"[[{self.foot}, {2.0 - top}], [{self.foot + self.height}, {top}]]"}
 
     def duration(self, factor, folder):
@@ -41,7 +45,8 @@ class Section:
         return {"loads.impulse.history": f'"{path}"'}
 
     def exponent(self, n):
-        """G of the prototype, where the model's grows with the confining stress to the power n; the model stays."""
+        """G of the prototype if G of the model grows with the confining stress to the power n; the model is
+        unchanged."""
         if self.name == "model":
             return {}
         return {f"regions.{region}.shear_modulus": G * SCALE**n for region, G in MODEL_G.items()}

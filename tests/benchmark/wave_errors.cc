@@ -1,9 +1,9 @@
-// How well the error that `respond` tells bounds the true one, for random records of unlike scenes.
+// How well the error that `respond` states bounds the true error, for random records on different scenes.
 //
 // usage: bench_wave_errors SCENE CELLS STEPS LENGTH WAVES SEED
 //
-// Records on a grid of STEPS steps a duration of the scene's load, up to LENGTH times the scene's end long, with shapes
-// and durations at random; the truth is the kernel of SDIRK on that grid. Prints JSON.
+// Records on a grid of STEPS steps per duration of the scene's load, up to LENGTH times the scene's end long, with
+// shapes and durations at random; the truth is the kernel of SDIRK on that grid. Prints JSON.
 
 #include <iostream>
 #include <nlohmann/json.hpp>

@@ -1,11 +1,12 @@
 #!/usr/bin/python3
-"""How well the error that `respond` tells of a wave bounds the true one: the table and the figure of docs/reduced.md.
+"""How well the error that `respond` states for a wave bounds the true error: the table and the figure of
+docs/reduced.md.
 
 usage: wave_errors.py BUILD_FOLDER [--figure FILE] [--waves N]
 
-Random records on unlike scenes by bench_wave_errors (build that target first). A record counts as held where the true
-error is at most the estimate and the truth's own error (the change by twice its step); ratios are of records whose error
-exceeds 1e-5 and ten times that of the truth.
+Random records on different scenes by bench_wave_errors (build that target first). A record counts as bounded if its
+true error is at most the estimate plus the error of the reference (its change with twice the step); ratios are of
+records whose error exceeds 1e-5 and ten times that of the reference.
 """
 
 import argparse
@@ -21,7 +22,7 @@ import matplotlib.pyplot as plt  # noqa: E402
 
 CALIBRATING = ("sand", "sea", "undamped")
 OTHERS = ("drained", "layers", "absorbing", "elastic caisson", "tall, dry", "slow")
-RUNS = ((80, 1.5, 11), (40, 10, 12))  # steps a duration, longest record over the case's end, seed
+RUNS = ((80, 1.5, 11), (40, 10, 12))  # steps per duration, longest record over the case's end, seed
 
 
 def measure(program, scene, waves):

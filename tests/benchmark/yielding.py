@@ -1,13 +1,14 @@
 #!/usr/bin/python3
-"""Fig. 2b on ground that yields: F_T/P by the peak of P, model and prototype, elastic, hysteretic and Mohr-Coulomb.
+"""Fig. 2b on ground that yields: F_T/P against the peak of P, for model and prototype, with elastic, hysteretic and
+Mohr-Coulomb soil.
 
 usage: yielding.py PROGRAM [-o FOLDER] [--factors F...] [--laws LAW...]
        yielding.py --from FOLDER/yielding.json [-o FOLDER]
 
-PROGRAM: upbead. Writes FOLDER/yielding.{json,md,png}; with --from the table and the figure only. The cases are those of Fig. 2b
-as they are (G calibrated for elastic ground), mound 40 and sand 35 degrees, c' = 0, the caisson bonded; the measured pulse
-times a factor. Hysteretic soil starts from k0, and tells virgin and gravity as bounds. Takes a quarter of an hour of one
-processor.
+PROGRAM: upbead. Writes FOLDER/yielding.{json,md,png}; with --from the table and the figure only. The cases are those
+of Fig. 2b (G calibrated for elastic ground), phi' of mound 40 and sand 35 degrees, c' = 0, the caisson bonded, under
+the measured pulse times a factor. Hysteretic soil starts from k0; its starts virgin and gravity are given as bounds.
+Takes a quarter of an hour of one processor.
 """
 
 import argparse
@@ -46,7 +47,7 @@ def case_text(scene, law, factor):
 
 
 def answer(program, scene, law, factor):
-    """What a run tells, or why it ended."""
+    """Numbers of a run, or the reason why it failed."""
     with tempfile.TemporaryDirectory() as folder:
         case = pathlib.Path(folder) / "case.toml"
         case.write_text(case_text(scene, law, factor))

@@ -1,5 +1,5 @@
-// Claim: an interface under the caisson that cannot be meant is told, before anything is meshed; what only the mesh
-// tells, with it.
+// Claim: contradictory keys of the interface under the caisson are reported before meshing, and mistakes that only
+// the mesh can show, with the mesh.
 #include "bad_case.h"
 
 namespace upbead::test {

@@ -1,5 +1,5 @@
-// Claim: a history file that is no history is told by its own line and column, the file itself by the key that names
-// it.
+// Claim: mistakes in a history file are reported with the file's line and column, the file as a whole by the key that
+// names it.
 #include <vector>
 
 #include "good_case.h"

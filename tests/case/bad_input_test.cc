@@ -1,5 +1,5 @@
-// Claim: every key that is unknown, missing, of the wrong type or out of its range is told by place, key, what was
-// expected and what to do.
+// Claim: every key that is unknown, missing, of the wrong type or out of its range is reported with its place, the
+// key, what was expected and a cure.
 #include "bad_case.h"
 
 namespace upbead::test {

@@ -1,4 +1,4 @@
-// Claim: loads that act on nothing, have no history or two, or a pulse that does not add up, are told.
+// Claim: loads that act on nothing, have no history or two, or a pulse with contradictory keys, are reported.
 #include "bad_case.h"
 
 namespace upbead::test {

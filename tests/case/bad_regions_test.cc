@@ -1,4 +1,5 @@
-// Claim: keys that contradict each other or are missing for their kind, in regions, mesh, time and probes, are told.
+// Claim: keys that contradict each other or are missing for their kind, in regions, mesh, time and probes, are
+// reported.
 #include "bad_case.h"
 
 namespace upbead::test {

@@ -1,4 +1,4 @@
-// Claim: a [sliding] that cannot be meant is told, before anything is meshed.
+// Claim: contradictory keys of [sliding] are reported before meshing.
 #include "bad_case.h"
 
 namespace upbead::test {

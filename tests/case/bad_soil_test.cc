@@ -1,4 +1,4 @@
-// Claim: a soil whose stiffness cannot be meant so is told, and one that is meant is echoed as it was.
+// Claim: contradictory or impossible keys of a soil's stiffness are reported, and valid ones are echoed as they were.
 #include "bad_case.h"
 
 namespace upbead::test {

@@ -1,4 +1,4 @@
-// Claim: a load by a wave that cannot be meant is told, before anything is meshed.
+// Claim: contradictory keys of a load by a wave are reported before meshing.
 #include "bad_case.h"
 
 namespace upbead::test {
@@ -40,7 +40,7 @@ std::string wave_load(const std::string& keys, const std::string& section = sect
   return "kind = \"wave\"\n" + keys + section;
 }
 
-/// A good one with another line in its section.
+/// A valid load by a wave, with one line of its section replaced.
 std::string with_section(const std::string& before, const std::string& after) {
   std::string section = section_table;
   return wave_load(good_wave, section.replace(section.find(before), before.size(), after));

@@ -1,4 +1,5 @@
-// Claim: every value of a case reaches the scene, defaults fill the rest, overrides win and are named when wrong.
+// Claim: every value of a case reaches the scene, defaults fill the rest, overrides take precedence and are named
+// when wrong.
 #include "upbead/case/case.h"
 
 #include <limits>

@@ -1,5 +1,5 @@
 // Claim: the effective case spells every default out and, read from its own folder, is the same case again; paths and
-// the mesh request are seen from the right folder; the reference tells every key.
+// the mesh request are relative to the right folder; the reference lists every key.
 #include "good_case.h"
 #include "upbead/case/case.h"
 #include "upbead/mesh/mesh.h"

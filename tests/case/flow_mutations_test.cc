@@ -1,6 +1,6 @@
-// Claim: of a thousand files that were changed as files are on their way (a column lost, a unit changed, the head cut,
-// rows doubled, CRLF, decimal commas, cut anywhere), each is read right or refused with its place; none is read
-// wrongly.
+// Claim: of a thousand files with the changes that files suffer when they are passed on (a column lost, a unit
+// changed, the head cut, rows doubled, CRLF, decimal commas, cut anywhere), each is read correctly or refused with
+// its place.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -36,13 +36,13 @@ std::string text_of(const Lines& lines, const std::string& end = "\n") {
   return text;
 }
 
-/// A sample, and how its copy is called.
+/// A sample file, and the name of its changed copy.
 struct Sample {
   std::string path, copy;
-  char separator;  ///< between cells; ' ' of blanks
+  char separator;  ///< between cells; ' ': any number of blanks
   std::string unit, other_unit;
-  double factor;  ///< of the numbers by the other unit
-  bool moments;   ///< in the same file
+  double factor;  ///< of the numbers where the other unit is written
+  bool moments;   ///< whether forces and moments are in one file
 };
 
 std::vector<Sample> all_samples() {
@@ -97,7 +97,7 @@ enum class Change {
   n_changes
 };
 
-/// Which cell of a line is removed, brackets staying with their numbers.
+/// The line without its n-th cell; brackets of that cell stay.
 std::string without_cell(const Sample& sample, const std::string& line, std::size_t n) {
   if (sample.separator != ' ') {
     std::stringstream stream(line);
@@ -126,7 +126,7 @@ class Mutator {
   explicit Mutator(unsigned seed) : generator_(seed) {}
   std::size_t below(std::size_t n) { return n == 0 ? 0 : generator_() % n; }
 
-  /// The changed text. `factor`: what all numbers beside the times are to be multiplied by, where it is read.
+  /// The changed text. `factor`: of the numbers other than times, to be expected if the text is read.
   std::string apply(Change change, const Sample& sample, Lines lines, double& factor) {
     std::size_t first = 0;
     while (is_head(sample, lines[first])) ++first;
@@ -185,7 +185,7 @@ class Mutator {
   std::mt19937 generator_;
 };
 
-/// Every row that was read is, at its time, one of the sample's, times the factor.
+/// Every row that was read is the sample's row of the same time, times the factor.
 void expect_right(const Numbers& whole, const Numbers& read, double factor, const std::string& what) {
   for (std::size_t t = 0; t < read.time.size(); ++t) {
     const auto at = std::lower_bound(whole.time.begin(), whole.time.end(), read.time[t]);

@@ -1,5 +1,6 @@
-// Claim: output of CFD programs is read as it lies: the four layouts of OpenFOAM's forces, DualSPHysics' and SWASH's
-// tables of one flow give equal numbers, restarts are joined, and what the files do not tell is asked for by its key.
+// Claim: output of CFD programs is read as these write it: the four layouts of OpenFOAM's forces, and the tables of
+// DualSPHysics and SWASH for one flow, give equal numbers; restarts are joined; what the files do not state is asked
+// for by its key.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -70,7 +71,7 @@ TEST(Flow, ForcesOfTheBoreAreThoseOfItsCheckNumbers) {
       x.push_back(record.forces->force[i][0]);
       y.push_back(record.forces->moment[i][1]);
     }
-    constexpr double friction = 1e-4;  // these numbers are of the pressure alone
+    constexpr double friction = 1e-4;  // relative; the expected numbers are of the pressure without shear stresses
     EXPECT_NEAR(value_at(record.forces->time, x, t), force, friction * force);
     EXPECT_NEAR(value_at(record.forces->time, y, t), moment, friction * moment);
   }
@@ -97,7 +98,7 @@ TEST(Flow, PressureLessItsWeightIsThePressureWithinWhatIsTold) {
   EXPECT_EQ(by_less.warnings[0].name, "flow_p_rgh");
   EXPECT_GE(by_p.peak_force, by_less.peak_force);
   EXPECT_LE(by_p.peak_force, by_less.peak_force * (1. + by_less.warnings[0].value));
-  const std::vector<double>& low = by_less.pressure->pressure[1];  // well below still water both are one
+  const std::vector<double>& low = by_less.pressure->pressure[1];  // well below still water both pressures are equal
   for (std::size_t t = 0; t < low.size(); ++t)
     EXPECT_NEAR(low[t], by_p.pressure->pressure[1][t], 2e-3 * by_p.pressure->pressure[1][9]) << t;
 }

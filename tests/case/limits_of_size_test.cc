@@ -1,5 +1,5 @@
-// Claims: a case that asks for more steps or fields than a machine bears is refused, before anything is meshed, at the
-// key that drives it; a consolidation of days with automatic steps is not.
+// Claims: a case with more steps or fields than a machine can handle is refused before meshing, at the key that
+// causes the number; a consolidation of days with automatic steps is not.
 #include "case/case_run.h"
 #include "good_case.h"
 
@@ -8,7 +8,7 @@ namespace limits_of_size_test {
 
 class LimitsOfSize : public InFolder {
  protected:
-  /// What is said of the good case with overrides; "" where nothing is.
+  /// The message about the good case with overrides; "" if there is none.
   static std::string said(const std::vector<std::string>& overrides) {
     write("case.toml", good_case);
     try {

@@ -1,5 +1,5 @@
-// Claim: the time is the column whose header says so, wherever it stands and in whatever language; a counter is no time
-// and no value; what cannot be told apart is refused, never guessed.
+// Claim: the time is the column whose header says so, wherever it stands and in whatever language; a counter is
+// neither a time nor a value; an ambiguous layout is refused, never guessed.
 #include "case/records/record_layout.h"
 
 #include "base/csv.h"
@@ -51,7 +51,7 @@ TEST_F(RecordLayouts, FindTheTime) {
       {"msec,P", "0,1\n10,3\n", 0, {0., 0.01}, {1}},
       {"時間 (s),P", "0,1\n0.5,3\n", 0, {0., 0.5}, {1}},
       {"whatever,P", "0,1\n0.5,3\n", 0, {0., 0.5}, {1}},
-      {"step,P", "0,1\n0.5,3\n", 0, {0., 0.5}, {1}}};  // no counter, as it does not count
+      {"step,P", "0,1\n0.5,3\n", 0, {0., 0.5}, {1}}};  // no counter, as its values are not consecutive
   for (const Row& row : rows) {
     SCOPED_TRACE(row.header);
     std::ofstream("t.csv") << "\xEF\xBB\xBF" << row.header << "\r\n" << row.rows;

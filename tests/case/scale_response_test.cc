@@ -33,7 +33,7 @@ class ScaledResponse : public InFolder, public testing::WithParamInterface<std::
     return solve(problem, scene, {}).response.ends.reading.row(scene.compiled->system.reading(reading::shear_force));
   }
 
-  /// The case at a 20th of its size answers with the same history of F_T / L^2, step by step.
+  /// The case at 1/20 of its size has the same history of F_T / L^2, step by step.
   static void expect_similar(const std::string& text) {
     write("case.toml", text);
     const double factor = 0.05;

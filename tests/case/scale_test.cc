@@ -1,5 +1,5 @@
-// Claim: a scaled case is similar by Froude's law, number by number, comes back by the inverse factor, and what cannot
-// be scaled is told.
+// Claim: every number of a scaled case follows Froude's law, the inverse factor gives the original case again, and
+// what cannot be scaled is reported.
 #include <cmath>
 #include <regex>
 #include <sstream>
@@ -33,7 +33,7 @@ class Scale : public InFolder {
     return options;
   }
 
-  /// Scales a case into a folder and reads what is there.
+  /// Scales a case into a folder and reads the scaled case.
   static Case scaled(const std::string& path, const ScaleOptions& options, const std::string& folder) {
     const ScaledCase result = scale_case(read_case(path), options, folder);
     std::filesystem::create_directories(folder);
@@ -42,7 +42,7 @@ class Scale : public InFolder {
     return read_case(folder + "/case.toml");
   }
 
-  /// What a person is told.
+  /// The text that the user sees.
   static std::string told(const std::string& path, const ScaleOptions& options) {
     try {
       scale_case(read_case(path), options, "out");
@@ -80,7 +80,7 @@ TEST(Froude, KnowsTheUnitOfEveryKeyOfACase) {
   int n = 0;
   for (std::sregex_iterator match(text.begin(), text.end(), row), end; match != end; ++match, ++n) {
     const std::string unit = (*match)[3];
-    if (unit == "N/m or Pa") continue;  // decided by the load's kind
+    if (unit == "N/m or Pa") continue;  // which of the two depends on the load's kind
     EXPECT_NO_THROW(froude_exponent(unit)) << (*match)[1];
   }
   EXPECT_GT(n, 35);

@@ -1,5 +1,5 @@
-// Claim: a load by a wave puts P, M_P and U of Goda's formulas on the caisson as meshed, with the course that it names,
-// and those of `waves` and `expected`; a mesh that is not the section's is refused.
+// Claim: a load by a wave puts P, M_P and U of Goda's formulas on the meshed caisson, with the course in time that it
+// names; these are the same as of `waves` and `expected`; a mesh that does not fit the section is refused.
 #include "case/wave_load.h"
 
 #include <cmath>
@@ -75,7 +75,7 @@ class WaveLoadTest : public InFolder {
     EXPECT_NEAR(load.force_x * peak, pressure.force, 1e-12 * pressure.force);
     EXPECT_NEAR(load.force_y, 0., 1e-12);
     EXPECT_NEAR(load.moment * peak, pressure.force_moment,
-                1e-9 * pressure.force_moment);  // heights as gmsh writes them
+                1e-9 * pressure.force_moment);  // the rounding of heights in gmsh's file
     EXPECT_EQ(simulation.scene.sliding->uplift->kind, UpliftKind::prescribed);
     EXPECT_EQ(*simulation.scene.sliding->uplift->peak, pressure.uplift);
     EXPECT_NEAR(*simulation.scene.sliding->uplift->peak, 0.5 * pressure.pu * problem.section->width,
@@ -97,7 +97,7 @@ TEST_F(WaveLoadTest, PutsGodasResultantsOnTheMesh) {
   const WavePressure pressure = Goda(section_of_test, water_of_test, wave).at(8.);
   EXPECT_GT(pressure.p4, 0.);
   expect_forces(wave_case("{ height = 8.0, period = 12.0, course = \"sine\" }"), pressure);
-  // that of a sea state for `expected`
+  // the same by the sea state that `expected` uses
   const SeaState state{8. / 1.8, 12., 1., 0., 0.};
   const WavePressure expected = WaveForces({section_of_test, water_of_test, {}, {}}, state).at(8., {});
   EXPECT_EQ(expected.force, pressure.force);
@@ -130,7 +130,7 @@ TEST_F(WaveLoadTest, RunAnswersWithPAndU) {
   EXPECT_EQ(run.summary.waves[0].uplift, pressure.uplift);
   EXPECT_EQ(run.summary.sliding->submerged_weight, section_of_test.submerged_weight);
   EXPECT_EQ(run.summary.sliding->friction, section_of_test.friction);
-  // tau_0 by the same wave
+  // tau_0 is that of the same wave
   EXPECT_NEAR(run.summary.sliding->pulse->duration, run.summary.waves[0].duration, 1e-15);
 }
 
@@ -186,7 +186,7 @@ TEST_F(WaveLoadTest, ChurchRoofTakesRiseAndDurationOfItsPeak) {
   EXPECT_NEAR(s.duration, rise * (2. + 8. * std::exp(-18. * rise / 12.)), 1e-12 * s.duration);
 }
 
-/// Over the whole range that the schema allows, far beyond breakwaters.
+/// Over the whole range that the schema allows, far beyond that of real breakwaters.
 TEST_F(WaveLoadTest, IsFiniteAndPeaksAtPOfAnyWave) {
   std::mt19937 draw(22);
   const auto between = [&draw](double low, double high) {
@@ -339,7 +339,7 @@ TEST_F(WaveLoadTest, StandingWavePushesAndPullsAsOnItsWall) {
   EXPECT_NEAR(response.peak_force / worst.landward.force, 1., 1e-8);
   EXPECT_NEAR(response.peak_force_seaward / worst.seaward.force, 1., 1e-8);
   EXPECT_LT(response.peak_force_seaward, -0.3 * response.peak_force);
-  // so slow a wave is all but static
+  // the wave is so slow that the response is nearly static
   EXPECT_NEAR(*response.shear_to_force_ratio, 1., 0.1);
   EXPECT_NEAR(response.peak_shear_seaward / worst.seaward.force, 1., 0.1);
   const WaveLoadSummary& told = run.summary.waves.front();

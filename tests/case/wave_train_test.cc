@@ -1,5 +1,6 @@
-// Claim: a load by regular waves is a cos(k x -/+ omega t) at every place and time once it has grown, a and k those of
-// linear waves where they are not given; a standing wave stands; the case is echoed as it was; mistakes are told.
+// Claim: a load by regular waves is a cos(k x -/+ omega t) at every place and time after its growth, with a and k of
+// linear waves where they are not given; a standing wave does not travel; the case is echoed as it was; mistakes are
+// reported.
 #include "case/wave_train.h"
 
 #include <cmath>

@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""A bore on a caisson's wall by OpenFOAM (interFoam), and the breakwater under what it wrote.
+"""A bore on a caisson's wall by OpenFOAM (interFoam), and the response of the breakwater to the pressures of that
+flow.
 
 usage: bore.py PROGRAM [-o FOLDER]
 
@@ -25,7 +26,7 @@ HEAD = "FoamFile {{ version 2.0; format ascii; class {kind}; object {name}; }}\n
 
 
 def dictionaries():
-    """The files of the case by their paths."""
+    """{path: text} of the files of the case."""
     below, above = round(WALL / CELL), round((HEIGHT - WALL) / CELL)
     along = round(LENGTH / CELL)
     corners = [(x, y, z) for y in (0, THICK) for z in (0, WALL, HEIGHT) for x in (0, LENGTH)]
@@ -142,7 +143,7 @@ def other_layouts(folder):
 
 
 def scene(flow):
-    """The breakwater: the wall stands on the bed of the flume, landward at x = 4 m of it."""
+    """The breakwater's case file; the wall stands on the bed of the flume, at its landward end x = 4 m."""
     common = f'boundary = "front"\nlandward = "x"\nup = "z"\norigin = [{-LENGTH - 0.3}, 0.15]\nstill_time = [0.0, 0.3]\nfactor = 0.0\n'
     loads = ""
     for name in ("forces", "foundation", "foundation_porous", "plain"):
@@ -192,7 +193,8 @@ end = {END}
 
 
 def draw(folder, picture):
-    """What the flow did to the wall: pressures over the height, and the force by `forces` and by the patch's faces."""
+    """Pressures of the flow over the height of the wall, and the force on it by `forces` and by the sum over the
+    patch's faces."""
     import matplotlib
 
     matplotlib.use("Agg")

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
-"""The picture of the layers, docs/figures/architecture.svg, made of what the code includes.
+"""Draws the picture of the layers, docs/figures/architecture.svg, from the #include lines of the code.
 
-usage: architecture.py ROOT [--write]     without --write it fails where that is another picture
+usage: architecture.py ROOT [--write]     without --write it fails if the file differs from the new picture
 """
 
 import pathlib
@@ -9,11 +9,11 @@ import sys
 
 from layers import ALLOWED, INCLUDE
 
-WIDE, HIGH, ACROSS, DOWN, AIR = 92, 30, 132, 54, 14  # px: a box, from box to box, round them
+WIDE, HIGH, ACROSS, DOWN, AIR = 92, 30, 132, 54, 14  # px: size of a box, distance from box to box, margin
 
 
 def included(root):
-    """By layer: the layers that its files include."""
+    """{layer: the layers that its files include}"""
     found = {layer: set() for layer in ALLOWED}
     for folder in ("include/upbead", "src"):
         for path in (root / folder).rglob("*"):
@@ -31,14 +31,15 @@ def reached(graph, layer):
 
 
 def direct(graph):
-    """Without arrows that follow from others."""
+    """The graph without arrows that follow from other arrows."""
     return {layer: sorted(others - set().union(*(reached(graph, other) for other in others))) for layer, others in graph.items()}
 
 
 def places(graph):
-    """Every layer as far right as those that include it leave it, so that lines are short; `base` at the left."""
+    """Position of each layer: one column left of the leftmost layer that includes it, so that lines are short; `base`
+    at the left."""
     column, rows = {}, {}
-    for layer in reversed(graph):  # in an order in which what a layer includes comes after it
+    for layer in reversed(graph):  # each layer before the layers that it includes
         column[layer] = min((column[user] - 1 for user in graph if layer in graph[user]), default=0)
     least = min(column.values())
     for layer in graph:

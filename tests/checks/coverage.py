@@ -2,10 +2,11 @@
 """Which lines and branches of each layer its unit tests reach: gcc's counts, read by gcovr.
 
     tests/checks/coverage.py                      the layers without meshes; twenty minutes on two cores
-    tests/checks/coverage.py --layers base waves  some layers; rows of others stay
+    tests/checks/coverage.py --layers base waves  some layers; the rows of the other layers stay
 
-Built in build-coverage (preset `coverage`). A layer's counts are of its sources and headers, by the tests of that layer alone:
-what other layers happen to call is not tested there. What came out goes to docs/reliability/coverage.json."""
+Built in build-coverage (preset `coverage`). Counted are the lines of a layer's sources and headers that the tests of
+that layer alone reach: a call from another layer's test does not test them. The result goes to
+docs/reliability/coverage.json."""
 
 import argparse
 import json

@@ -8,7 +8,8 @@ import statistics
 import sys
 
 LONGEST, MEDIAN, LONGEST_FUNCTION = 600, 150, 50
-# clang-format puts the end of a head last in its line; the body ends with the first brace that stands no further right
+# clang-format puts the end of a function's head at the end of a line; the body ends with the first closing brace that
+# is not indented further than the head
 HEAD = re.compile(r"^( {0,4})[^ #/}].*(\)( const)?( noexcept)?( override)?( try)? \{$|^.*\) : .*\{$)")
 OTHER = re.compile(r"^ *(if|for|while|switch|else|do|catch|namespace)\b|= \[")
 

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""A merge has left no mark in any file, and each line of packages.txt names one package and at most one job of ./bootstrap,
-as a fresh machine installs whatever stands there.
+"""No file contains a conflict marker of a merge, and each line of packages.txt names one package and at most one job
+of ./bootstrap, because a fresh machine installs every name in that file.
 
     merged.py FOLDER_OF_THE_PROJECT
 """

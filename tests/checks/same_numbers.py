@@ -20,7 +20,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 CASES = ROOT / "cases"
 BOUND = 1e-13
 FRICTION = 'regions.caisson.interface.kind="friction"'
-# what takes time and differs from run to run, and what names the program
+# times, which differ from run to run, and versions of the program
 IGNORED = ("timing", "versions", "seconds", "time_left", "time")
 
 
@@ -82,7 +82,7 @@ def datasets(folder):
 
 
 def difference(a, b):
-    """Over the largest magnitude; infinite where they are not of one kind."""
+    """Largest difference over the largest magnitude of a; infinite where the two are not of one kind or shape."""
     if isinstance(a, str) or a is None or isinstance(a, (bytes, bool)):
         return 0.0 if a == b else numpy.inf
     a, b = numpy.asarray(a), numpy.asarray(b)
@@ -109,7 +109,7 @@ def answers(program, command, out):
 
 
 def compare(before, after):
-    """Number of things compared, the largest difference and where; what only one of them has."""
+    """Number of items compared, the largest difference and its place; the keys that only one of the two has."""
     worst, where = 0.0, ""
     for key in before.keys() & after.keys():
         apart = difference(before[key], after[key])

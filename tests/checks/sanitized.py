@@ -1,8 +1,8 @@
 #!/usr/bin/python3
-"""Runs the test suite of a build with sanitizers and writes what came out to docs/reliability/sanitizers.json.
+"""Runs the test suite of a build with sanitizers and writes the result to docs/reliability/sanitizers.json.
 
-usage: sanitized.py BUILD_FOLDER [LABEL ...]    LABEL: unit, verification, cli (default: all); rows of others stay
-       sanitized.py BUILD_FOLDER LABEL --again  those tests only that failed in the last run, which was of this label
+usage: sanitized.py BUILD_FOLDER [LABEL ...]    LABEL: unit, verification, cli (default: all); other rows stay
+       sanitized.py BUILD_FOLDER LABEL --again  only tests that failed in the last run, which must be of this label
 """
 
 import json
@@ -32,7 +32,7 @@ def known_rows():
 
 
 def write(label, tried, came_out):
-    """The facts of one label, beside those of the others that have run before."""
+    """Writes the facts of one label; the facts of the other labels stay."""
     rows = known_rows()
     rows[LABELS[label]] = {"what": LABELS[label], "tried": tried, "came_out": came_out}
     facts = {"title": "Sanitizers", "text": "The test suite built with gcc's address and undefined-behaviour sanitizers, every "
@@ -52,7 +52,7 @@ def run_label(build, label):
 
 
 def run_again(build, label):
-    """Tells apart what passed at once and what passed the second time, as after a test was mended."""
+    """Counts the tests that passed at once and those that passed when run again, as after a test was repaired."""
     total, failed, _, _ = run(build, "--rerun-failed")
     before = known_rows()[LABELS[label]]
     write(label, before["tried"], f"{failed or 'none'} failed, {total - failed} of them when run again")

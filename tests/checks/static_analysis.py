@@ -5,10 +5,10 @@
     tests/checks/static_analysis.py BUILD --only cppcheck   one of tidy, cppcheck, valgrind
     tests/checks/static_analysis.py BUILD --layers base waves   clang-tidy over some layers
 
-BUILD is a complete build by CMake. The presets compile many files as one (CMAKE_UNITY_BUILD), which clang-tidy would take
-for one file; so that its commands come from BUILD-tidy, configured beside it without that and never compiled. clang-tidy
-looks again only at files that have changed since they were clean, on whatever machine (clang_tidy_clean.json; --fresh: at
-all). What came out goes to docs/reliability/static_analysis.json."""
+BUILD is a complete build by CMake. The presets compile many files as one (CMAKE_UNITY_BUILD), which clang-tidy would
+take for one file; so its commands come from BUILD-tidy, configured beside BUILD without that option and never
+compiled. clang-tidy analyses only files that have changed since they were clean on any machine
+(clang_tidy_clean.json; --fresh: all files). The result goes to docs/reliability/static_analysis.json."""
 
 import argparse
 import hashlib
@@ -24,7 +24,7 @@ from concurrent import futures
 
 CHECKS = pathlib.Path(__file__).resolve().parent
 ROOT = CHECKS.parents[1]
-CLEAN = CHECKS / "clang_tidy_clean.json"  # which contents of which files were clean, for days to come
+CLEAN = CHECKS / "clang_tidy_clean.json"  # keys of the file contents that were clean, kept for later runs
 LAYERS = [*sorted(path.name for path in (ROOT / "src").iterdir() if path.is_dir()), "."]
 # gcc's own options, and gcc's precompiled headers, which clang cannot read
 FOREIGN = re.compile(r" -Winvalid-pch| -include \S*cmake_pch\.hxx| -Wno-maybe-uninitialized")
@@ -69,7 +69,7 @@ def layer_of(path):
 
 
 def configured_apart(build):
-    """BUILD-tidy: the same sources, each with a command of its own."""
+    """Configures BUILD-tidy: the same sources, each with a compile command of its own."""
     folder = build.resolve().with_name(build.resolve().name + "-tidy")
     subprocess.run(["cmake", "--preset", "release", "-B", folder, "-DCMAKE_UNITY_BUILD=OFF", "-DUPBEAD_TESTS=OFF"], cwd=ROOT,
                    check=True, stdout=subprocess.DEVNULL)
@@ -77,7 +77,7 @@ def configured_apart(build):
 
 
 def commands_for_clang(build, folder):
-    """compile_commands.json as clang understands it; the sources of src in it."""
+    """Writes compile_commands.json without options that clang does not know; returns the sources of src in it."""
     entries = json.loads((build / "compile_commands.json").read_text())
     entries = [dict(entry, command=FOREIGN.sub("", entry["command"])) for entry in entries]
     (folder / "compile_commands.json").write_text(json.dumps(entries))
@@ -94,12 +94,12 @@ def key_of(path):
 
 
 def findings_of(path, folder):
-    """What clang-tidy says about our own files in this translation unit."""
+    """clang-tidy's findings in our own files for this translation unit."""
     done = subprocess.run(["clang-tidy", "-quiet", "-p", folder, path], capture_output=True, text=True)
     told = re.findall(r"^(/.*?):(\d+):\d+: ((?:warning|error): .*)", done.stdout, re.MULTILINE)
     if done.returncode != 0 and not told:
         return [f"{path}: {done.stderr}"]
-    # the analyser doubts what Eigen's own headers do with sizes that it cannot know
+    # findings in Eigen's headers, whose sizes the analyser cannot know, are left out
     return [f"{where}:{line}: {what}" for where, line, what in told if ROOT in pathlib.Path(where).parents]
 
 
@@ -120,7 +120,7 @@ def tidy(build, layers, fresh, jobs):
             else:
                 clean[name_of(path)] = keys[path]
                 CLEAN.write_text(json.dumps(clean, indent=0, sort_keys=True) + "\n")
-    current = [path for path in files if clean.get(name_of(path)) == key_of(path)]  # as it is by now
+    current = [path for path in files if clean.get(name_of(path)) == key_of(path)]  # may have changed since
     print(f"clang-tidy: {len(due)} files looked at, {len(findings)} findings; clean: {len(current)} of {len(files)}")
     checks = subprocess.run(["clang-tidy", "--list-checks", f"--config-file={ROOT / '.clang-tidy'}"],
                             capture_output=True, text=True).stdout.count("\n    ")

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
-"""Words that docs/glossary.md bans do not come back: in its table "Not written", each row has the words and what is written
-instead. Looked at are README, CONTRIBUTING, docs, READMEs of cases and meshes (code left out), and the sentences in strings of
-src and postprocess (a string without a space is a key).
+"""Words that docs/glossary.md bans are not used: in its table "Not written", each row has the words and what is
+written instead. Checked are README, CONTRIBUTING, docs, READMEs of cases and meshes (without their code), and the
+sentences in strings of src and postprocess (a string without a space is a key).
 
     words.py FOLDER_OF_THE_PROJECT
 """
@@ -35,7 +35,7 @@ def prose_of_page(text):
 
 
 def prose_of_cpp(text):
-    """Adjacent literals are one sentence, at the line where it begins."""
+    """Adjacent literals are one sentence; its line is that of the first literal."""
     text = re.sub(r'#include "[^"\n]*"|^[ \t]*//.*$', "", text, flags=re.MULTILINE)
     text = re.sub(r'"(\s*\n\s*)"', lambda match: "\0" * match[1].count("\n"), text)
     for match in LITERAL.finditer(text):

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""`upbead calibrate` as a person meets it: k(alpha*) of the caisson of Fig. 2b at two sizes.
+"""`upbead calibrate` as a user runs it: k(alpha*) of the caisson of Fig. 2b at two sizes.
 
 usage: calibrate_test.py PROGRAM CASES_FOLDER
 """
@@ -59,7 +59,7 @@ class Calibrate(ProgramTest):
             take, all_r = found["models"][model]["recommended"], self.fit(found, model, None)
             self.assertEqual((take["measure"], take["ratio"], take["a"], take["b"]),
                              ("exact", None, all_r["a"], all_r["b"]), "S itself, at all r")
-        # The page's table.
+        # The value in the table of docs/.
         self.assertAlmostEqual(self.fit(found, "prototype", 1.5)["a"], 0.395, delta=0.005)
         self.assertAlmostEqual(self.fit(found, "prototype", 1.5)["b"], 1.83, delta=0.01)
         self.assertAlmostEqual(self.fit(found, "model", 1.2)["a"], 0.367, delta=0.005)

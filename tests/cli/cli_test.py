@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The program as a person meets it: exit codes, messages, files that appear whole or not at all.
+"""The program as a user runs it: exit codes, messages, files that appear complete or not at all.
 
 usage: cli_test.py PROGRAM CASES_FOLDER
 """
@@ -29,7 +29,7 @@ QUICK = ["--set", "mesh.parameters.cells=0.5", "--set", "time.end=0.05"]
 
 
 def undescribed(value, path, rows):
-    """Paths of what is written but not among the described ones: of lists "slips[]", by names "loads.NAME"."""
+    """Paths that are written but not described; those of lists are "slips[]", those by name "loads.NAME"."""
     free = next((row for row in rows if re.fullmatch(re.escape(path) + r"\.[A-Z]+", row)), None)
     if isinstance(value, list) and path + "[]" in rows:
         for item in value:
@@ -66,7 +66,7 @@ class Cli(ProgramTest):
 
     @unittest.skipIf(os.environ.get("UPBEAD_SANITIZE") == "ON", "sanitizers map terabytes of addresses")
     def test_memory_that_does_not_suffice(self):
-        for megabytes in (600, 800):  # too little to begin with, and used up on the way
+        for megabytes in (600, 800):  # too little for the start, and exceeded during the run
             limit = lambda: resource.setrlimit(resource.RLIMIT_AS, (megabytes * 2**20,) * 2)
             done = self.run_model("--set", "time.step=6e-8", preexec_fn=limit)
             self.assertEqual(done.returncode, 2, done.stderr)
@@ -77,7 +77,7 @@ class Cli(ProgramTest):
         for number in (signal.SIGINT, signal.SIGTERM):
             process = subprocess.Popen([PROGRAM, "run", CASES / "fig2b-model.toml", *QUICK, "--set", "time.step=1e-6"],
                                        cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
-            process.stdout.readline()  # the folder is made, the march about to begin
+            process.stdout.readline()  # the folder has been made, the march is about to start
             process.send_signal(number)
             errors = process.communicate()[1]
             self.assertEqual(process.returncode, 128 + number, errors)
@@ -158,7 +158,8 @@ class Cli(ProgramTest):
         self.fields_hold_what_a_probe_reads()
 
     def test_fields_of_soil_that_yields_hold_what_a_probe_reads(self):
-        """The middle of a cell is a point of quadrature, whose stress is that of the law; and what each cell has lost."""
+        """The middle of a cell is a quadrature point, whose stress is that of the law; also the energy lost in each
+        cell."""
         self.fields_hold_what_a_probe_reads(
             "--set", 'regions.mound.law="hysteretic"', "--set", "regions.mound.strain.reference_strain=1e-5",
             "--set", "initial.bounds=false")
@@ -176,7 +177,8 @@ class Cli(ProgramTest):
         self.assertLess(abs(cells @ area / energy["plastic"] - 1), 1e-3, "at the last written time, which is the end")
 
     def fields_hold_what_a_probe_reads(self, *settings):
-        """In the middle of a cell of the mound, at every written time; to the single precision of the files."""
+        """Fields equal the readings of a probe in the middle of a cell of the mound, at every written time, to the
+        single precision of the files."""
         result, fields = self.folder / "results/fig2b-model", ["--set", "output.fields.every=0.025", *settings]
         self.run_model(*fields)
         points = vtu.arrays(result / "fields/fields_0000.vtu", {"points"})["points"][:, :2].astype(float)
@@ -205,7 +207,8 @@ class Cli(ProgramTest):
         self.assertTrue(all(scale.values()), scale)
 
     def test_shipped_cases_hold_their_identities_and_ratios(self):
-        """Both routes to F_T and the energy to 1e-8 with both schemes; 0.75 is calibrated, the prototype within its band."""
+        """Both routes to F_T and the balance of energy agree to 1e-8 with both schemes; 0.75 is calibrated, the
+        prototype is within its range."""
         for case, low, high in (("fig2b-model", 0.745, 0.755), ("fig2b-prototype", 0.38, 0.48)):
             for scheme in ("sdirk4", "generalised_alpha"):
                 done = upbead("run", CASES / f"{case}.toml", "--json", "--set", f"time.scheme={scheme}", cwd=self.folder)

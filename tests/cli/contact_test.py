@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""Slip and uplift as a person asks for them: a run whose caisson slips and lifts, one that need not, the mistakes.
+"""Slip and opening at the bottom as a user asks for them: a run whose caisson slips and lifts, a run in which it does
+neither, mistakes.
 
 usage: contact_test.py PROGRAM CASES_FOLDER
 """
@@ -19,7 +20,7 @@ from report import vtu  # noqa: E402
 
 COARSE = ["--set", "mesh.parameters.cells=0.35", "--set", "sliding.submerged_weight=10740.0"]
 FRICTION = ["--set", 'regions.caisson.interface.kind="friction"']
-WIDTH, HEIGHT = 0.9, 0.3  # of the caisson, and of its bottom above the seabed (m)
+WIDTH, HEIGHT = 0.9, 0.3  # width of the caisson, height of its bottom above the seabed (m)
 STRONG = ["--set", "loads.impulse.factor=3"]
 
 
@@ -83,7 +84,8 @@ class Contact(ProgramTest):
         self.assertAlmostEqual(self.gap("out") / slip, 1, 4)
 
     def gap(self, out):
-        """How far apart points within the caisson's bottom, once one, have moved along it in the last field (m)."""
+        """Slip (m) in the last field, at points within the bottom: the distance between points of caisson and ground
+        that coincided at rest."""
         found = vtu.arrays(vtu.times(self.folder / out / "fields.pvd")[-1][1], {"points", "displacement_(m)"})
         at = numpy.round(found["points"][:, :2].astype(float), 5)
         sway, widest = found["displacement_(m)"][:, 0], 0.0

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Waves that slide a caisson with its ground: `run`, `reduce` and `respond` of the same case.
+"""Waves that slide a caisson coupled with its ground: `run`, `reduce` and `respond` of the same case.
 
 usage: coupled_test.py PROGRAM CASES_FOLDER
 """
@@ -18,7 +18,7 @@ from program import CASES, ProgramTest, upbead
 
 CASE = CASES / "fig2b-prototype.toml"
 COARSE = ["--set", "mesh.parameters.cells=0.5"]
-PEAK, FACTOR = 1.6e6, 5.807  # N/m of the case, times which it slides
+PEAK, FACTOR = 1.6e6, 5.807  # peak of P in the case (N/m), and the factor at which the caisson slides
 COLUMNS = ("sliding_coupled", "coupled_largest", "coupled_slips", "coupled_dissipated", "coupled_lifted_time")
 
 
@@ -116,7 +116,7 @@ class Coupled(ProgramTest):
         wave = self.answer(self.write_wave())[0]
         with h5py.File(self.folder / "model/reduced.h5", "r+") as file:
             del file["slip"]
-            del file.attrs["checksum"]  # older models have neither
+            del file.attrs["checksum"]  # models of older versions have neither
         without = self.answer("wave.csv")[0]
         self.assertIsNone(without["sliding_coupled"])
         self.assertIsNone(without["coupled"])
@@ -161,7 +161,7 @@ RIGID_S = 1.7540289157  # m: 9,810 N/m sin(pi t/0.5 s) against 1,962 N/m on 1,00
 
 
 class Undamped(ProgramTest):
-    """A rigid block on ground that nothing damps, where friction feeds vibrations."""
+    """A rigid block on undamped ground, where friction excites vibrations."""
 
     def slide(self, *arguments, status=0):
         done = upbead("run", BLOCK, *arguments, "--json", "--out", "out", cwd=self.folder)
@@ -175,9 +175,10 @@ class Undamped(ProgramTest):
         return [word for item in sets for word in ("--set", item)]
 
     def test_the_stiffer_the_ground_the_nearer_is_s_to_that_on_rock(self):
-        # Eq. (4) on F_T(t) of the bonded block knows how far the ground sways. What is left: loads straight between samples
-        # of h = 3.9 ms make the impulse of a half sine of 0.5 s smaller by (pi h / 0.5 s)^2 / 12, 5e-5, and S by twice that
-        # and more; when the slip ends the ground swings, a few of its periods over the 1.6 s of the slide.
+        # Eq. (4) with F_T(t) of the bonded block includes the sway of the ground. The remaining error: loads that are
+        # straight between samples of h = 3.9 ms make the impulse of a half sine of 0.5 s smaller by (pi h / 0.5 s)^2
+        # / 12, 5e-5, and S by twice that and more; when the slip ends the ground still vibrates, and the slide of 1.6
+        # s takes only a few of its periods.
         samples = 3e-4
         for section in ({}, {"back": 0.5}, {"width": 1.0, "height": 1.0, "front": 0.25, "back": 3}):
             for E in (1e8, 1e9, 3e9, 1e10):

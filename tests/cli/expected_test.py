@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""`upbead expected` as a person meets it: section 4 of the paper, lives, the caisson's own dynamics.
+"""`upbead expected` as a user runs it: section 4 of the paper, lives, the law dynamic.
 
 usage: expected_test.py PROGRAM CASES_FOLDER
 """
@@ -217,7 +217,8 @@ class Expected(ProgramTest):
         self.assertRegex(told.stdout, r"limit +Goda's highest breaker, 9\.568 to 10\.86 m: 85\.14 of \S+ waves")
 
     def test_waves_that_all_break_press_as_the_breaker_does(self):
-        """1,000 waves of H_1/3 = 50 m that break to one height: every life has the pressure of that height."""
+        """1,000 waves of H_1/3 = 50 m that all break to one height: every life has the heel pressure of that
+        height."""
         self.write_surf_zone("50,12,1000")
         limits = ["--set", "limits.base_pressure=300e3", "--set", "limits.overturning=1.2", "--set", "limits.sliding=2.5"]
         found = self.expected("surf.toml", *limits, "--set", "life.simulated_lives=20", "--out", "out")
@@ -262,7 +263,7 @@ class Expected(ProgramTest):
         self.assertIn("none: the resultant leaves the base", upbead("expected", "surf.toml", *light, cwd=self.folder).stdout)
 
     def test_limits_by_hand_and_none(self):
-        """Numbers of the program before waves broke in it."""
+        """Without breaking, the numbers are those of the version before breaking was added."""
         self.write_surf_zone()
         for limit, exact in (("1.8", 4.091082806070966), ("1.4", 0.02936711990564604), ("none", 6.8122584857918485)):
             done = upbead("expected", "surf.toml", "--set", f"sea.highest={limit}", "--json", cwd=self.folder)

@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""Faults around the program: killed at any moment, two runs at once, no room, odd paths, other locales, huge files.
+"""External faults: the program killed at any moment, two runs at once, no room on the disk, odd paths, other locales,
+huge files.
 
 usage: faults_test.py PROGRAM CASES_FOLDER [--kills N] [--facts FILE]
 """
@@ -31,7 +32,7 @@ def fact(what, tried, came_out):
 
 
 def contents(folder):
-    """Path below the folder -> hash, of every file that a person sees."""
+    """{path below the folder: hash} of every file."""
     return {str(path.relative_to(folder)): hashlib.sha256(path.read_bytes()).hexdigest()
             for path in sorted(folder.rglob("*")) if path.is_file()}
 
@@ -41,7 +42,7 @@ class Faults(ProgramTest):
         return upbead("run", CASES / "fig2b-model.toml", *arguments, cwd=self.folder, **options)
 
     def whole_results(self, result):
-        """The peak that all three files agree on; fails where they belong to different runs."""
+        """The peak that all three files have; fails if they belong to different runs."""
         summary = json.loads((result / "summary.json").read_text())
         with h5py.File(result / "results.h5") as file:
             largest = max(file["history/shear_force"])
@@ -55,7 +56,7 @@ class Faults(ProgramTest):
         return factor
 
     def test_killed_at_any_moment(self):
-        """The folder holds the previous complete result or the new complete one, fields included."""
+        """The folder holds either the previous complete result or the new one, fields included."""
         fields = ["--set", "output.fields.every=0.025"]
         run = lambda factor: [PROGRAM, "run", CASES / "fig2b-model.toml", *QUICK, *fields, "--set",
                               f"loads.impulse.factor={factor}", "--set", f"loads.slow.factor={factor}", "--out", "out"]
@@ -182,7 +183,7 @@ class Faults(ProgramTest):
         self.assertEqual(os.listdir(self.folder / "out"), [])
 
     def test_resumed_run_is_equal_to_the_last_bit(self):
-        """Killed at random moments again and again until it is through; fields included."""
+        """Killed at random moments again and again until the run is finished; fields included."""
         fields = ["--set", "output.fields.every=0.01", "--set", "time.end=0.1"]
         for scheme, step in (("sdirk4", 5e-5), ("generalised_alpha", 1.25e-5)):
             long = [*QUICK, *fields, "--set", f"time.scheme={scheme}", "--set", f"time.step={step}"]
@@ -192,7 +193,7 @@ class Faults(ProgramTest):
                 process = subprocess.Popen(
                     [PROGRAM, "run", CASES / "fig2b-model.toml", *long, "--out", "parts", "--checkpoint", "0.05", "--resume"],
                     cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-                try:  # by ratio, so that in the end it is longer than a slow build takes to begin
+                try:  # grows by a ratio, so that in the end it exceeds the start-up time of a slow build
                     output, errors = process.communicate(timeout=dice.uniform(0.5, 1.) * 1.1**kills)
                     break
                 except subprocess.TimeoutExpired:
@@ -206,7 +207,7 @@ class Faults(ProgramTest):
             whole, parts = contents(self.folder / "whole"), contents(self.folder / "parts")
             self.assertEqual(set(whole), set(parts))
             for name in whole:
-                if name != "summary.json":  # it holds times
+                if name != "summary.json":  # which contains times
                     self.assertEqual(whole[name], parts[name], name)
             for key in ("response", "energy", "loads"):
                 self.assertEqual(*(json.loads((self.folder / name / "summary.json").read_text())[key]
@@ -235,7 +236,7 @@ class Faults(ProgramTest):
         self.assertIn("state.h5", damaged.stderr)
 
     def test_no_room_for_a_checkpoint(self):
-        """Its file is a device that is always full: the run says so, goes on and is as good as another."""
+        """Its file is a device that is always full: the run warns, continues, and gives the same result."""
         self.assertEqual(self.run_model(*MARCHED, "--out", "whole").returncode, 0)
         folder = self.folder / "parts.checkpoint"
         folder.mkdir()

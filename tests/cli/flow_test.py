@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""Loads from CFD: the breakwater under the forces and under the sampled patch of one flow, and what is asked for.
+"""Loads from CFD: the breakwater under the forces and under the sampled patch of one flow, and messages about missing
+keys.
 
 usage: flow_test.py PROGRAM CASES_FOLDER
 """
@@ -24,7 +25,7 @@ class Flow(ProgramTest):
         return json.loads(self.ask("run", BORE, "--json", "--out", self.folder / "out", *words))
 
     def test_forces_and_patch_of_one_flow_give_the_same_shear_force(self):
-        """The patch has fewer times: both are held against each other by the largest force, which both have."""
+        """The patch has fewer times, so the two are compared at the time of the largest force, which both have."""
         forces = self.solve()
         patch = self.solve("loads.forces.factor=0.0", "loads.patch.factor=1.0")
         for key in ("peak_force", "peak_shear"):

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Records of a laboratory: pressures by transducers along the wall and under the bottom, however they are written.
+"""Records of a laboratory: pressures by transducers along the wall and under the bottom, in every format.
 
 usage: gauges_test.py PROGRAM CASES_FOLDER
 """
@@ -17,7 +17,7 @@ import numpy
 from program import ProgramTest, upbead
 from warnings_test import SCENE, WEIGHT, settings
 
-BASE, CREST = 6.0, 22.0  # of the wall in SCENE's section
+BASE, CREST = 6.0, 22.0  # heights of the wall's bottom and top in SCENE (m)
 SPACING = 2.25
 HEIGHTS = {f"p{i + 1}": 7.0 + SPACING * i for i in range(7)}
 LOWEST, HIGHEST = 7.0, 20.5
@@ -26,7 +26,7 @@ COURSE = numpy.interp(TIME, [0.05, 0.1, 0.2], [0, 1, 0])
 
 
 def scene(**keys):
-    """SCENE with the wall's load by transducers."""
+    """SCENE with the load on the wall measured by transducers."""
     keys = {"boundary": '"front"', "kind": '"pressures"', "gauges": '"wall.csv"', "to_base": '"constant"',
             "to_crest": '"none"', "heights": "{ " + ", ".join(f"{n} = {y}" for n, y in HEIGHTS.items()) + " }", **keys}
     head, tail = SCENE.split("[loads.impulse]")
@@ -129,8 +129,9 @@ class Gauges(ProgramTest):
             self.assertTrue((file["history/shear_force"][:] == first).all())
 
     def test_seven_transducers_and_a_narrow_peak(self):
-        """Positions assumed: 7 at equal distances of 2.25 m. The peak is 0.7 m wide (its standard deviation): trapezoids
-        err by sum over Poisson's formula, 2 exp(-2 pi^2 s^2/h^2) cos(2 pi (y0 - y1)/h) of the force at most."""
+        """Assumed positions: 7 at equal distances of h = 2.25 m. The standard deviation of the peak is s = 0.7 m: by
+        Poisson's summation formula trapezoids err by 2 exp(-2 pi^2 s^2/h^2) cos(2 pi (y0 - y1)/h) of the force at
+        most."""
         self.write_csv(narrow)
         report = self.ask("explain", scene(to_base='"none"'))
         found = report["gauges"]["wall"]
@@ -175,7 +176,8 @@ class Gauges(ProgramTest):
         self.assertLess(summary["sliding"]["least_normal_force"], 4.3e6 - 0.9 * found["peak_force"])
 
     def test_the_similar_prototype_has_similar_records(self):
-        """Twice as large by Froude's law: forces four times; so do the record of the response and the run agree again."""
+        """Scaled by 2 with Froude's law, forces are four times as large; so the record of the response and the run
+        agree again."""
         self.write_csv(linear, unit="kPa", factor=1e3)
         march = settings(time__scheme="sdirk4", time__step=0.005, mesh__degree=2)
         self.ask("run", scene(), *march)
@@ -216,7 +218,7 @@ class Gauges(ProgramTest):
         self.assertIn("the record is over before", refusal(record_start="100.0"))
         told = refusal(heights="{ " + ", ".join(f"{n} = {y + 20}" for n, y in HEIGHTS.items()) + " }")
         self.assertIn("transducer 'p2' presses on no height of 'front', which reaches from y = 6 to 22", told)
-        self.assertNotIn("'p1' presses", told)  # of constant pressure to the base
+        self.assertNotIn("'p1' presses", told)  # not reported, as the pressure is constant down to the base
         self.assertEqual(refusal(boundary='"bed"').count("'bed' lies at y = 0; name the curve of the wall"), 1)  # not 7
         self.assertIn("'heights' does not belong in [loads.wall]", refusal(kind='"pressure"'))
         self.write_csv(linear, unit="V")

@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""docs/hand-calculations.md: each working gives its value, and so does the program, to the digits of the value."""
+"""docs/hand-calculations.md: each calculation gives its stated value, and so does the program, to the digits of the
+value."""
 
 import json
 import math
@@ -15,7 +16,8 @@ NAMES = {name: getattr(math, name) for name in ("pi", "sinh", "cosh", "tanh", "c
 
 
 def agree(number, text):
-    """To the last digit of the text: half of it, and another half where what goes in was rounded."""
+    """Whether the number agrees with the text to one unit of its last digit: half a unit for the rounding of the
+    value, half for that of the data."""
     digits = text.lower().partition("e")
     last = 10.0 ** ((int(digits[2]) if digits[2] else 0) - len(digits[0].partition(".")[2]))
     return abs(number - float(text)) <= 0.5001 * last
@@ -47,7 +49,8 @@ class HandCalculations(ProgramTest):
                         self.assertTrue(agree(wave[key] / SCALE.get(unit, 1.0), value), f"{wave[key]} is not {value}")
 
     def test_expected_has_the_heel_pressure_of_waves(self):
-        """Of a record whose highest wave is that of the section: exp(2 (H/H_1/3)^2) waves, of which one is as high."""
+        """For a record whose highest wave is that of the section: exp(2 (H/H_1/3)^2) waves, one of which is as high
+        as H."""
         for title, design, _ in self.sections():
             with self.subTest(section=title):
                 (self.folder / "design.toml").write_text(

@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""The ladder: what one way refuses another one answers, and the summary says which were tried and why.
+"""The ladder: if one way refuses a scene another solves it, and the summary lists the ways tried, with the reasons of
+refusals.
 
 usage: ladder_test.py PROGRAM CASES_FOLDER
 """
@@ -66,7 +67,7 @@ class Ladder(ProgramTest):
         self.assertEqual(summary["ladder"], [{"way": "sdirk4", "refused": None}])
 
     def test_a_reduced_model_balances_the_forces_on_an_elastic_caisson(self):
-        """Both routes differed by 3e-3, and the run was refused."""
+        """In an older version both routes to F_T differed by 3e-3, and the run was refused."""
         reduced = self.summary(SCENE, *ELASTIC, "--set", 'time.scheme="reduced"')
         self.assertLess(reduced["response"]["reaction_mismatch"], 1e-8)
         marched = self.summary(SCENE, *ELASTIC, "--set", 'time.scheme="sdirk4"')
@@ -74,7 +75,8 @@ class Ladder(ProgramTest):
         self.assertAlmostEqual(peaks[0] / peaks[1], 1, delta=5e-3)
 
     def test_refined_solutions_where_large_forces_cancel(self):
-        """The work, which is none, and what became of it differed by 4e-5 of a ten thousand millionth of what could be."""
+        """The work is only round-off here; work and the sum of all energies differed by 4e-5 of 1e-10 of the work
+        that the loads could do."""
         for scheme in ("auto", "sdirk4", "generalised_alpha"):
             ladder = self.summary(COLUMN, "--set", f'time.scheme="{scheme}"')["ladder"]
             self.assertIsNone(ladder[-1]["refused"])

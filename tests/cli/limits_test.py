@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Harm to the user's own files and time, and tables that were read wrongly without a word: none of it happens.
+"""The program does not destroy the user's files, waste hours, or read tables wrongly without a message.
 
 usage: limits_test.py PROGRAM CASES_FOLDER
 """

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Measured histories beside computed ones, and what stands on the ground under the caisson.
+"""Measured histories compared with computed ones, and stresses along the caisson's bottom.
 
 usage: measured_test.py PROGRAM CASES_FOLDER
 """
@@ -120,11 +120,13 @@ reading = "force"
         self.assertLess(abs(0.5 * (toe + heel) * WIDTH - N)[whole].max(), 1e-6 * 4.3e6)
         self.assertTrue((numpy.minimum(toe, heel)[~whole] == 0).all())
         self.run_scene()
-        with h5py.File(self.folder / "out/results.h5") as file:  # neither [sliding] nor a water level: no weight is known
+        # without [sliding] and a water level no weight is known
+        with h5py.File(self.folder / "out/results.h5") as file:
             self.assertNotIn("eccentricity", file["history"])
 
     def test_stress_along_the_bottom_adds_up_to_its_forces(self):
-        """Consistent nodal forces: their sums are the forces, and the moment, whatever the cells; also of a gap."""
+        """Consistent nodal forces: their sums are the forces and the moment on any cells; also with friction and
+        opening at the bottom."""
         for more in ([], settings(regions__caisson__interface="{ kind = \"friction\", coefficient = 0.6 }", loads__impulse__factor=3)):
             summary = self.run_scene(*WEIGHT, *settings(time__scheme="sdirk4", time__step=0.01, output__base="true"), *more)
             x, length, shear, normal, pore, F_T, N, U, M = self.history(
@@ -137,7 +139,7 @@ reading = "force"
                 self.assertLess(abs(total - force).max(), 1e-10 * abs(F_T).max())
             self.assertLess(abs((normal + pore) @ (length * x) - M).max(), 1e-10 * abs(M).max())
             ux, rotation, uy = self.history("base/displacement_x", "history/caisson/rotation", "base/displacement_y")
-            if not more:  # glued: the ground moves as the caisson's bottom does
+            if not more:  # bonded: the ground moves with the caisson's bottom
                 self.assertLess(abs(ux - ux[:, :1]).max(), 1e-9 * abs(ux).max())
                 self.assertLess(abs(uy[:, 0] - uy[:, -1] - rotation * WIDTH).max(), 1e-9 * abs(uy).max())
             else:

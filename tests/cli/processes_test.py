@@ -30,7 +30,7 @@ SCENES = {
 
 
 def mpirun(n, *arguments, cwd):
-    # a container may forbid to bind and to copy between processes
+    # a container may forbid binding to cores and copying between processes
     launch = ["mpirun", "--quiet", "-n", n, "--allow-run-as-root", "--oversubscribe", "--bind-to", "none", "--mca",
               "btl_vader_single_copy_mechanism", "none"]
     return subprocess.run([*map(str, launch), PROGRAM, *map(str, arguments)], cwd=cwd, capture_output=True, text=True,
@@ -61,7 +61,8 @@ class Processes(ProgramTest):
             return found
 
     def expect_same_history(self, n):
-        """Up to 1e-9 of the largest history of one unit in a group, of which the others have their round-off."""
+        """Histories agree to 1e-9 of the largest history with the same unit and group, as round-off is relative to
+        that."""
         alone = self.histories(1)
         for name, (values, kind) in self.histories(n).items():
             peak = max(np.abs(others).max() for others, other_kind in alone.values() if other_kind == kind)

@@ -1,4 +1,4 @@
-"""What the tests of the program share: how it is called, and a folder of its own for each test.
+"""Shared by the tests of the program: how it is called, and a separate folder for each test.
 
 A script that uses this is called as: SCRIPT PROGRAM CASES_FOLDER
 """
@@ -19,7 +19,7 @@ def upbead(*arguments, cwd=None, **options):
 
 
 def wait_until_it_catches(signal, process):
-    """Until the program has its own way of ending at a signal; before, the signal just ends it."""
+    """Waits until the program has installed its handler of the signal; before that, the signal just ends it."""
     status = pathlib.Path(f"/proc/{process.pid}/status")
     while process.poll() is None:
         caught = next(line for line in status.read_text().splitlines() if line.startswith("SigCgt:"))

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The commands of the README and of the tutorials, in their order, as someone in a fresh clone runs them.
+"""Runs the commands of the README and of the tutorials in their order, as a user in a fresh clone does.
 
 usage: readme_test.py PROGRAM CASES_FOLDER
 """
@@ -16,13 +16,13 @@ ROOT = CASES.parent
 
 
 def commands():
-    """Of the block under "## Use"."""
+    """The commands of the block under "## Use"."""
     block = (ROOT / "README.md").read_text().split("## Use", 1)[1].split("```sh\n", 1)[1].split("```", 1)[0]
     return [shlex.split(line, comments=True) for line in block.splitlines() if line.strip()]
 
 
 def tutorial(name):
-    """Of all its blocks, but those that build; without paper where nothing prints."""
+    """The commands of all blocks of a tutorial but those that build; without --pdf where there is no Chromium."""
     blocks = re.findall(r"^```sh\n(.*?)^```", (ROOT / "docs" / name).read_text(), flags=re.DOTALL | re.MULTILINE)
     lines = [shlex.split(line, comments=True) for block in blocks for line in block.splitlines()]
     if not shutil.which("chromium"):

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Reduced models as a person meets them: run, reduce and respond.
+"""Reduced models as a user makes and uses them: run, reduce and respond.
 
 usage: reduced_test.py PROGRAM CASES_FOLDER
 """

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""The JSON Schemas of case, design and study files, by which editors complete and check: every shipped file is valid,
-every key that the program knows is in them, and mistakes that need no mesh are found.
+"""The JSON Schemas of case, design and study files, which editors use to complete and check keys: every shipped file
+is valid, every key of the program is in its schema, and mistakes that can be seen without a mesh are found.
 
 usage: schema_test.py PROGRAM CASES_FOLDER
 """
@@ -33,7 +33,7 @@ boundary = "front"
 kind = "force"
 pulse = { shape = "triangle", peak = 1e6, duration = 0.15 }
 """
-# what a person writes wrong, and where the mistake is
+# mistakes of a user, each with its place
 MISTAKES = [
     ("porosity = 0.4", "porosity = 40", "regions.sand.porosity"),
     ("porosity = 0.4", 'porosity = "0.4"', "regions.sand.porosity"),
@@ -56,7 +56,7 @@ def kind_of(table):
 
 
 def paths_of(schema, path=""):
-    """Every key as the reference names it."""
+    """Every key, written as in the reference."""
     for part in [schema, *schema.get("anyOf", [])]:
         for name, inner in part.get("properties", {}).items():
             at = f"{path}.{name}".strip(".")
@@ -68,7 +68,7 @@ def paths_of(schema, path=""):
 
 
 class New(ProgramTest):
-    """`upbead new`: a case that is sound and runs as it is, beside its schema."""
+    """`upbead new`: writes a valid case that runs without changes, and its schema beside it."""
 
     def test_is_sound_by_program_and_schema(self):
         for words in ([], ["--width", 20, "--height", 17, "--depth", 12, "--mound", 5, "--wave-height", 8], ["--mound", 1, "--depth", 25, "--height", 28]):
@@ -133,7 +133,8 @@ class Schema(ProgramTest):
             self.assertEqual(keys - set(paths_of(self.schemas[kind])), set(), kind)
 
     def test_editors_complete_every_key(self):
-        """The common language server of TOML forgets the keys of a table beside `allOf`, `anyOf` and `oneOf`."""
+        """The common language server of TOML ignores the keys of a table that also has `allOf`, `anyOf` or
+        `oneOf`."""
         def tables(schema):
             if isinstance(schema, dict):
                 if "properties" in schema and schema.get("additionalProperties") is False:

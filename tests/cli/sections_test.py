@@ -1,4 +1,4 @@
-"""The shipped sections of designers and textbooks: what their headers and pages say of them."""
+"""The shipped sections of designers and textbooks have the numbers that their headers and pages state."""
 
 import json
 import tomllib
@@ -31,7 +31,8 @@ class Sections(ProgramTest):
             self.assertRegex(header, "are our own|Ours:|assumptions", case)
 
     def test_weights_are_those_of_section_and_levels(self):
-        """W' = rho_c g B h_c less the water that the higher level displaces; U and alpha* stand for the wave named."""
+        """W' = rho_c g B h_c less the weight of the water displaced at the higher level; U and alpha* are those of
+        the named wave."""
         for case in SECTIONS:
             found, p = self.read(case), self.read(case)["mesh"]["parameters"]
             width, wet = p["caisson_width"], p["water_depth"] - p["mound_height"]
@@ -52,7 +53,7 @@ class Sections(ProgramTest):
             self.assertAlmostEqual(found["distance_exact"], S, delta=1e-3 * S, msg=highest)
 
     def test_the_designers_section_is_judged(self):
-        """Bonded and on coarse cells: S by eq. (4) with the uplift held is that of the fine section to 5 %."""
+        """Bonded and on coarse cells, S by eq. (4) with held uplift is within 5 % of that on fine cells."""
         found = self.solve("run", "designer/section.toml", "mesh.parameters.cells=0.5", "time.end=1.2",
                            'regions.caisson.interface.kind="bonded"')
         courses = found["sliding"]["uplift_courses"]
@@ -73,7 +74,7 @@ class Sections(ProgramTest):
         self.assertAlmostEqual(base["least_overturning_margin"] / wave["safety_overturning"], 1, delta=0.01)
 
     def test_forces_of_the_others_are_godas(self):
-        """Peak and shape of P integrate to the formula's force and arm."""
+        """The integral of peak and shape of P is the force and the arm of Goda's formulas."""
         for case in SECTIONS:
             load = self.read(case)["loads"]["wave"]
             if load["pulse"]["shape"] != "half_sine":
@@ -110,12 +111,12 @@ angle = {15 if "goda" in case else 0}
             self.assertAlmostEqual(arm / (goda["force_moment"] / goda["force"]), 1, delta=1e-3, msg=case)
 
     def test_the_difference_of_levels_pushes(self):
-        """rho g times 3 m over 7 m of wall, and half of it over 3 m."""
+        """The force is rho g times 3 m over 7 m of wall, and half of that pressure over 3 m."""
         peak = self.read("gallery/two-levels.toml")["loads"]["levels"]["pulse"]["peak"]
         self.assertAlmostEqual(peak / (RHO_G * 3 * (7 + 3 / 2)), 1, delta=1e-3)
 
     def test_each_is_understood_without_a_warning(self):
-        expected = {"designer/section.toml": ["walls_too_near"]}  # told in its page
+        expected = {"designer/section.toml": ["walls_too_near"]}  # its page states this warning
         for case in SECTIONS:
             done = upbead("explain", CASES / case, cwd=self.folder)
             self.assertEqual(done.returncode, 0, done.stderr)

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Sliding as a person asks for it: [sliding] in a case, from the run and from its reduced model.
+"""Sliding as a user asks for it: [sliding] in a case, by the run and by its reduced model.
 
 usage: sliding_test.py PROGRAM CASES_FOLDER
 """
@@ -19,7 +19,7 @@ RESISTANCE = 0.6 * 10740.0  # N/m
 
 
 def block(time, force, resistance, parts=200):
-    """Where a block of that mass ends: small steps of eq. (4), both ways."""
+    """Final position of a block of mass MASS: small steps of eq. (4), landward and seaward."""
     fine = numpy.interp(numpy.arange((len(time) - 1) * parts + 1) / parts, numpy.arange(len(time)), time)
     F, R = numpy.interp(fine, time, force), numpy.interp(fine, time, numpy.broadcast_to(resistance, len(time)))
     x = v = 0.0
@@ -72,12 +72,13 @@ class Sliding(ProgramTest):
         without = self.run_model(*STRONG)
         uplift = "sliding.uplift={kind='prescribed',peak=2000.0}"
         in_phase = self.run_model(*STRONG, "--set", uplift, "--set", "sliding.uplift.shape=in_phase")
-        held = self.run_model(*STRONG, "--set", uplift)  # the safe side is the default
+        held = self.run_model(*STRONG, "--set", uplift)  # the default, on the safe side
         for found in (in_phase, held):
             self.assertEqual(found["uplift_courses"], {"held": held["sliding_history"],
                                                        "in_phase": in_phase["sliding_history"]})
         self.assertIsNone(without["uplift_courses"])
-        pressed = ["--set", "loads.impulse.direction=[1.0, -0.5]"]  # else the pore pressure is antisymmetric: U = 0
+        # with a vertical part; otherwise the pore pressure is antisymmetric and U = 0
+        pressed = ["--set", "loads.impulse.direction=[1.0, -0.5]"]
         computed = self.run_model(*STRONG, *pressed, "--set", "sliding.uplift={kind='computed'}")
         self.assertGreater(in_phase["sliding_history"], 1.02 * without["sliding_history"])
         self.assertGreater(held["sliding_history"], 1.1 * in_phase["sliding_history"])

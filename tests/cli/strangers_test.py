@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""Files of strangers: meshes that would run commands, and models that were changed, end in a message and exit code 1."""
+"""Files from unknown sources: meshes that would run commands, and models that were changed, end with a message and
+exit code 1."""
 
 import ctypes
 import os
@@ -41,7 +42,8 @@ end = 0.05
 
 
 def without_confinement():
-    """In the child that becomes the program: as on a kernel that has neither seccomp nor Landlock."""
+    """Runs in the child process before it becomes the program: makes it find neither seccomp nor Landlock, as on an
+    old kernel."""
     library = ctypes.CDLL("libseccomp.so.2")
     library.seccomp_init.restype = ctypes.c_void_p
     allow, fails_as_missing = 0x7FFF0000, 0x00050000 | 38
@@ -119,7 +121,7 @@ class Strangers(ProgramTest):
         # with confinement --trust changes nothing
         done = self.mesh(f'StringToName["SystemCall"] "touch {self.made}";', "explain", "--trust")
         self.assertEqual(done.returncode, 1)
-        # our own geometries need no word
+        # the shipped geometries need no --trust
         done = upbead("explain", CASES / "fig2b-model.toml", preexec_fn=without_confinement)
         self.assertEqual(done.returncode, 0, done.stderr)
 

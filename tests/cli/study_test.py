@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""`upbead study` and `upbead scale` as a person meets them: tables, failures, resuming, processes.
+"""`upbead study` and `upbead scale` as a user runs them: tables, failures, resuming, processes.
 
 usage: study_test.py PROGRAM CASES_FOLDER
 """
@@ -68,7 +68,7 @@ class Study(ProgramTest):
             return list(csv.DictReader(file))
 
     def table(self, out):
-        """Everything that a study found: the bytes of study.csv, and all datasets of study.h5."""
+        """All results of a study: the bytes of study.csv, and all datasets of study.h5."""
         found = {"csv": (self.folder / out / "study.csv").read_bytes()}
         with h5py.File(self.folder / out / "study.h5") as file:
             file.visititems(lambda name, data: found.update({name: data[()].tobytes() if data.dtype.kind == "f"
@@ -284,7 +284,7 @@ class Study(ProgramTest):
         for path in sorted((CASES / "study").glob("*.toml")):
             done = upbead("study", path, "--jobs", "1", "--out", "out", "--set", "case=nowhere.toml", cwd=self.folder)
             self.assertIn("cannot read", done.stderr)
-            self.assertEqual(done.stderr.count("\n"), 1, done.stderr)  # nothing else is wrong
+            self.assertEqual(done.stderr.count("\n"), 1, done.stderr)  # the only message
 
 
 class Scale(ProgramTest):

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Numbers that look right and are not: each warning where a scene is built for it, with the number that it was built
-with, and no warning in the shipped cases.
+"""Warnings about numbers that look right and are not: each appears on a scene built for it, with the number for which
+the scene was built; the shipped cases have no warning.
 
 usage: warnings_test.py PROGRAM CASES_FOLDER [--facts FILE]   FILE: facts for docs/reliability.md
 """
@@ -186,20 +186,21 @@ class Warnings(ProgramTest):
         return COLUMN % (soil, sealed, sealed, sealed, top, pulse, end)
 
     def probed(self, scene, reading, *arguments):
-        """Warnings, times and histories of the three probes (over 1 Pa of load)."""
+        """Warnings, times and histories of the three probes (per 1 Pa of load)."""
         found, _ = self.ask("run", *arguments, scene=scene)
         with h5py.File(self.folder / "out/results.h5") as file:
             return found, file["history/time"][:], [file[f"history/probes/{name}/{reading}"][:] for name in "abc"]
 
     def told_cure(self, text):
-        """Cells (m), rise (s) and step (s) that a warning asks for; None where it does not."""
+        """Size of cells (m), rise (s) and step (s) that a warning asks for; None for those that it does not name."""
         def number(pattern):
             match = re.search(pattern + r" ([0-9.e+-]+) (?:m|s)\b", text)
             return match and float(match.group(1))
         return number("cells of at most"), number("a rise of the load of at least"), number("time.step of at most")
 
     def dry_error(self, rise, *arguments):
-        """Of the stress of the dry column under a load that rises within `rise`, by d'Alembert."""
+        """Error of the stress of the dry column under a load that rises within `rise`, against d'Alembert's
+        solution."""
         pulse = f'{{ shape = "step", peak = 1.0, rise = {rise} }}'
         end = 8 * HEIGHT / DRY_SPEED
         found, time, stress = self.probed(self.column(DRY, pulse, end), "stress_yy", *arguments)
@@ -295,7 +296,7 @@ class Warnings(ProgramTest):
         self.assertNotIn('kind = "solid"', found["drained_layer"]["text"], "its skin yields by itself")
 
     def record(self, **changes):
-        """A smooth pulse of 0.15 s, every ms; `changes` by time."""
+        """A smooth pulse of 0.15 s, sampled every ms; `changes`: other values by time."""
         rows = []
         for i in range(600):
             t = i * changes.get("every", 1e-3)

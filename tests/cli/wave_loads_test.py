@@ -58,7 +58,7 @@ class WaveLoads(ProgramTest):
             self.assertTrue(any("course: " in words for words in told["assumptions"]))
             if course in ("triangle", "combined"):
                 self.assert_same(told["duration"], formulas["tau_0"])
-            # held: U stays at its largest, so that F_S has the whole of it where F_T is largest
+            # held: U stays at its largest value, so that F_S includes the whole U at the peak of F_T
             self.assert_same(summary["sliding"]["uplift_at_peak"], formulas["uplift"])
 
     def test_run_and_waves_have_one_standing_wave(self):
@@ -76,7 +76,7 @@ class WaveLoads(ProgramTest):
         self.assert_same(response["peak_force"], formulas["force"], 1e-8)
         self.assert_same(response["peak_force_seaward"], formulas["trough_force"], 1e-8)
         self.assert_same(response["arm"], formulas["force_moment"] / formulas["force"], 1e-6)
-        # so slow a wave is all but static
+        # the wave is so slow that the response is nearly static
         self.assert_same(response["peak_shear"], formulas["force"], 0.02)
         self.assert_same(response["peak_shear_seaward"], formulas["trough_force"], 0.02)
         self.assert_same(base["peak_heel_pressure"], formulas["heel_pressure"], 0.02)
@@ -97,11 +97,12 @@ class WaveLoads(ProgramTest):
         wave = json.loads(self.ask("respond", "reduced/reduced.h5", "wave.csv", "--json", "--out", "answers").stdout)["waves"][0]
         self.assert_same(wave["peak_force"], formulas["force"])
         self.assertGreater(wave["sliding"], 0.01)
-        # with U of the wave, by the law of the model; F_T as accurate as two reduced models are
+        # with U of the wave by the model's law; the two reduced models agree in F_T to their accuracy
         self.assert_same(wave["sliding"], summary["sliding"]["sliding_history"], 0.01)
 
     def test_expected_has_them_too(self):
-        """Its wave that just slides by the law of eq. (7) has P + mu U = mu W' in `waves` and as a load."""
+        """The wave that just slides the caisson by eq. (7) in `expected` has P + mu U = mu W' in `waves` and as a
+        load."""
         (self.folder / "states.csv").write_text("significant_height (m),period (s),waves\n6.0,12.0,1000\n")
         design = DESIGN.read_text() + '[sea]\nstates = "states.csv"\nyears = 1\nhighest = "none"\n'
         (self.folder / "expected.toml").write_text(design)

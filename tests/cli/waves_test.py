@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""`upbead waves` as a person meets it.
+"""`upbead waves` as a user runs it.
 
 usage: waves_test.py PROGRAM CASES_FOLDER
 """
@@ -11,7 +11,7 @@ import unittest
 
 from program import CASES, ProgramTest, upbead
 
-# The declared section of the regression table (tests/waves/regression_test.cc).
+# The section of the regression table, which is declared, not published (tests/waves/regression_test.cc).
 DESIGN = """title = "regression"
 [section]
 water_depth = 15.0
@@ -38,7 +38,8 @@ KEYS = ["height", "significant_height", "period", "angle", "wavelength", "alpha_
         "sliding_paper", "sliding_paper_parts", "sliding_exact", "sliding_combined", "elastic", "standing",
         "why_no_standing", "warnings"]
 
-# Goda (2000), p. 140; B_M and so alpha_I are additions. W and W' by 2.1 and 2.4 t/m3 below and above still water.
+# Goda (2000), p. 140; B_M, and with it alpha_I, are added here. W and W' by 2.1 and 2.4 t/m3 below and above still
+# water.
 GODA = """[section]
 water_depth = 10.1
 foundation_depth = 7.1
@@ -183,7 +184,7 @@ class Waves(ProgramTest):
         self.assertAlmostEqual(low["crest"] - low["trough"], 8.0, places=9)
         self.assertAlmostEqual(low["safety_sliding"], mu * (W - low["uplift"]) / low["force"], places=9)
         self.assertAlmostEqual(low["uplift"], low["pu"] * 12.0 / 2, places=3)
-        # seaward about the toe, without the suction
+        # seaward, about the toe, without the suction
         self.assertAlmostEqual(low["trough_safety_sliding"], -mu * W / low["trough_force"], places=9)
         self.assertAlmostEqual(low["trough_safety_overturning"], -W * 6.0 / low["trough_moment"], places=9)
         arm = (W * 6.0 + low["trough_moment"]) / W
@@ -199,7 +200,7 @@ class Waves(ProgramTest):
             self.assertIn(why, told["why_no_standing"])
 
     def close(self, found, wanted, path=""):
-        """Two JSON values that differ by round-off at most, but for words with numbers of four digits."""
+        """Asserts that two JSON values differ by round-off at most; numbers within texts have four digits."""
         if isinstance(wanted, dict):
             self.assertEqual(list(found), list(wanted), path)
             for key in wanted:
@@ -347,7 +348,7 @@ class Waves(ProgramTest):
 
 
 class Figure10(ProgramTest):
-    """Fig. 10: at equal safety factor impulsive waves slide the caisson less far than others."""
+    """Fig. 10: at equal safety factor impulsive waves slide the caisson less far than standing waves."""
 
     def curve(self, name, friction):
         change = ["--set", f"section.friction={friction}"]
@@ -372,7 +373,8 @@ class Figure10(ProgramTest):
 
 
 def at(curve, safety):
-    """S at a safety factor: near the threshold S grows as a cube, so its root is straight between the waves."""
+    """S at a safety factor: near the threshold S grows with the third power, so its cube root is interpolated
+    linearly between the waves."""
     for (a, S_a), (b, S_b) in zip(curve, curve[1:]):
         if a <= safety <= b:
             return (S_a ** (1 / 3) + (S_b ** (1 / 3) - S_a ** (1 / 3)) * (safety - a) / (b - a)) ** 3

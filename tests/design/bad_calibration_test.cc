@@ -1,4 +1,4 @@
-// Claim: what is wrong in a design for `upbead calibrate` is told by place, with its cure, all at once.
+// Claim: all mistakes in a design for `upbead calibrate` are reported at once, each with its place and cure.
 #include <string>
 #include <vector>
 

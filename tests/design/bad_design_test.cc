@@ -1,4 +1,4 @@
-// Claim: a wrong design is told all its mistakes at once, each by place, what is wrong and what to do.
+// Claim: all mistakes in a design are reported at once, each with its place and cure.
 
 #include <algorithm>
 
@@ -68,8 +68,8 @@ low = -0.8
 
 struct BadDesign {
   std::string name;
-  std::string good;  ///< text of the good design, once there
-  std::string bad;   ///< what stands there instead
+  std::string good;  ///< text that occurs once in the valid design
+  std::string bad;   ///< text that replaces it
   std::string messages;
 };
 

@@ -1,5 +1,5 @@
-// Claim: what is wrong in a design for `upbead expected`, its record of sea states or its model is told by place, with
-// its cure, all at once.
+// Claim: all mistakes in a design for `upbead expected`, its record of sea states or its model are reported at once,
+// each with its place and cure.
 #include <string>
 #include <vector>
 
@@ -63,7 +63,7 @@ const std::string good_states = "significant_height,period,waves\n6,12,600\n4,10
 
 struct BadExpected {
   std::string name, good, bad, messages;
-  bool in_states = false;  ///< the edit is one of the record
+  bool in_states = false;  ///< whether the record is edited, not the design
   std::vector<std::string> overrides{};
 };
 

@@ -1,5 +1,5 @@
-// Claim: tau_0 of a pulse that is known is found, the calibration does not depend on the size of the breakwater, and
-// waves beyond the formulas are left out and counted.
+// Claim: tau_0 of a known pulse is found, the calibration does not depend on the size of the breakwater, and waves
+// outside the range of the formulas are left out and counted.
 #include "design/calibrate/calibration_report.h"
 
 #include <algorithm>
@@ -45,16 +45,16 @@ Calibration calibration_of(const std::string& path, const std::vector<std::strin
   return calibrate(read_design(path, overrides, {check_calibration}));
 }
 
-/// The same caisson at another length: times by its root, forces over mass times acceleration.
+/// The same caisson at another length scale: times scale with its square root, forces with mass times acceleration.
 ReducedModelFile at_scale(ReducedModelFile model, double scale) {
   const double rate = 1. / std::sqrt(scale);
   model.modes.pole *= rate;
-  model.modes.reading.row(1) *= rate;  // the answer of F_T to an impulse of P is a rate
+  model.modes.reading.row(1) *= rate;  // F_T after a unit impulse of P, in 1/s
   model.caisson_mass *= scale * scale;
   return model;
 }
 
-/// F_T = P at once.
+/// F_T = P without delay.
 ReducedModelFile stiff() {
   ReducedModelFile model = oscillator();
   model.modes.reading.row(1).setZero();
@@ -62,8 +62,8 @@ ReducedModelFile stiff() {
   return model;
 }
 
-/// A symmetric triangle over half the period and nothing else: it rises slowly, and its impulse is more than that of
-/// the standing wave. U is in phase.
+/// P is only a symmetric triangle over half the period: it rises slowly, and its impulse exceeds that of the standing
+/// wave. U is in phase with P.
 const std::vector<std::string> as_triangle{"impact.peak_gain=2", "impact.rise_coefficient=100",
                                            "impact.uplift=in_phase"};
 
@@ -99,7 +99,7 @@ TEST_F(CalibrateTest, FindsTheDurationOfATriangleOnAStiffGround) {
           EXPECT_NEAR(duration.tau_0.at(measure), expected, 1e-7 * expected) << word(measure);
         EXPECT_GT(duration.tau_0.at(DurationMeasure::paper), expected) << "eq. (7) slides less";
       }
-      // Exact over eq. (7) is 1.554 at r = 1.5, and S grows by the square of tau_0.
+      // At r = 1.5 the exact S is 1.554 times that of eq. (7), and S grows with the square of tau_0.
       EXPECT_NEAR(wave.durations[1].tau_0.at(DurationMeasure::paper), expected * std::sqrt(1.5543), 1e-4 * expected);
     }
 }

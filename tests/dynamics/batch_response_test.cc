@@ -1,6 +1,6 @@
-// Claims: a batch gives each wave what respond() gives it, for any number of loads, modes and samples; the part from
-// beyond a frequency is nearly nothing for a slow wave, all for a fast one, and for a kink what its spectrum says.
-// Tolerance 1e-12 of the peak: both sum some ten modes over some hundred steps.
+// Claims: a batch gives each wave the response of respond(), for any number of loads, modes and samples; the part of
+// the response beyond a frequency is nearly zero for a slow wave, the whole for a fast one, and for a kink that of
+// its spectrum. Tolerance 1e-12 of the peak: both sum some ten modes over some hundred steps.
 #include "dynamics/batch_response.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ WaveSamples random_wave(int n_loads, int n) {
   return WaveSamples::NullaryExpr(n_loads, n, [&] { return number(generator); });
 }
 
-/// respond() to a wave, all readings; at t = 0 after a jump, where nothing but the feedthrough has moved.
+/// respond() to a wave, all readings; at t = 0 the value after the jump, which is the feedthrough alone.
 Eigen::MatrixXd one_by_one(const ModalModel& model, const WaveSamples& wave, double step) {
   SampledLoads loads;
   for (Eigen::Index n = 0; n < wave.cols(); ++n) loads.time.push_back(static_cast<double>(n) * step);
@@ -68,7 +68,7 @@ TEST(BatchResponse, WithoutImpulse) {
   expect_as_one_by_one(model, random_wave(2, 300), 0.01);
 }
 
-// What has decayed below the smallest numbers is dropped, nothing else.
+// Only values that have decayed below the smallest numbers are dropped.
 TEST(BatchResponse, AWaveThatEnds) {
   ModalModel model = single_mode({-100., 30.});
   WaveSamples wave = WaveSamples::Zero(1, 1500);
@@ -79,7 +79,8 @@ TEST(BatchResponse, AWaveThatEnds) {
   EXPECT_EQ(y[1499], 0.);
 }
 
-// 0.9 times the smallest number is the smallest number: without help a quiet mode would stay there, and be slow.
+// In rounding, 0.9 times the smallest number is the smallest number: a decayed mode would stay there, and such
+// numbers are slow to compute with, so it is set to zero.
 TEST(BatchResponse, QuietModesEndAtZero) {
   constexpr int n = 64 * detail::samples_at_a_time;
   const Eigen::ArrayXd factor = Eigen::ArrayXd::Constant(detail::lanes, 0.9), zero = 0. * factor;
@@ -115,7 +116,7 @@ double triangle(double t) {
   return std::max(0., 1. - std::abs(t / 0.5 - 1.));
 }
 
-/// 100 Hz for some tenth of a second, without a mean.
+/// 100 Hz for about a tenth of a second, with zero mean.
 double burst(double t) {
   return std::exp(-std::pow((t - 0.3) / 0.05, 2)) * std::sin(2. * pi * 100. * (t - 0.3));
 }
@@ -131,8 +132,9 @@ TEST(BandCheck, ASlowTriangleHasNearlyNothingBeyond) {
   EXPECT_GT(BandCheck(model, 0, step, n_samples, 2. * pi * 0.1).beyond(wave), 0.3 * peak);
 }
 
-// The top of a triangle, a kink of 4 /s, holds 1/pi int 4/omega^2 beyond a frequency, its ends half of it. 0.5 %: a
-// frequency of the FFT, 0.25 Hz of 50 Hz. For samples 5 ms apart half of this lies beyond the samples' own band.
+// The top of a triangle, a kink of 4 /s, has 1/pi int 4/omega^2 d omega beyond a frequency, its ends half of that.
+// 0.5 %: the resolution of the FFT, 0.25 Hz of 50 Hz. For samples 5 ms apart half of this lies beyond the band of the
+// samples.
 TEST(BandCheck, AKinkHasWhatItsSpectrumSays) {
   ModalModel model = single_mode(-1.);
   model.load(0, 0) = 0.;
@@ -144,8 +146,8 @@ TEST(BandCheck, AKinkHasWhatItsSpectrumSays) {
   }
 }
 
-// Also where samples are further apart than the frequency asks for: what lies below it beside the samples' own band is
-// no part of what lies beyond. 2 %: the coarse samples may miss where that is largest.
+// The same for samples too far apart for the frequency: content beyond the band of the samples counts only where it
+// lies beyond the frequency. 2 %: coarse samples may miss the time of the largest value.
 TEST(BandCheck, CoarseSamplesTellTheSame) {
   const ModalModel model = Oscillator().model();
   const WaveSamples fine = sampled(triangle, step, n_samples), coarse = sampled(triangle, 25. * step, n_samples / 25);
@@ -166,8 +168,8 @@ TEST(BandCheck, AFastBurstHasAllBeyond) {
   }
 }
 
-// Once the response has died away within the padding, all that a wave without mean brings comes from beyond a low
-// enough frequency.
+// If the response decays within the padding, the whole response to a wave of zero mean lies beyond a frequency close
+// to zero.
 TEST(BandCheck, BeyondZeroIsTheWholeResponse) {
   ModalModel model = random_model(24, 2, 1, 0.01);
   model.impulse.setZero();

@@ -1,5 +1,6 @@
-// Claim: a march that is resumed from a checkpoint gives what it would have given, to the last bit: at every step of
-// both schemes, over jumps of a load (where generalised-alpha starts anew), changes of the step size and an early stop.
+// Claim: a march that is resumed from a checkpoint equals the uninterrupted march to the last bit: at every step of
+// both schemes, over jumps of a load (where generalised-alpha starts anew), changes of the step size and an early
+// stop.
 #include "upbead/dynamics/march.h"
 
 #include <gtest/gtest.h>
@@ -67,7 +68,7 @@ TEST_P(Checkpoint, GoesOnToTheLastBit) {
 }
 
 TEST_P(Checkpoint, StopsEarlyWhereTheWholeMarchDoes) {
-  system_.loads.pop_back();  // a step load is never over
+  system_.loads.pop_back();  // a step load never ends
   std::vector<MarchCheckpoint> all;
   const Response whole = remembered(all, 0.9);
   ASSERT_TRUE(whole.stopped_early);

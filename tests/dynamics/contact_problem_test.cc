@@ -1,6 +1,7 @@
-// Claims: what ContactProblem finds obeys Coulomb's law and that of contact at every node, for any stiffness between
-// them; it does not depend on the first guess where the solution is unique; what sticks or is closed moves by exactly
-// zero; mirrored data give the mirrored solution; sweeps help where the active set runs in circles.
+// Claims: the solution of ContactProblem obeys Coulomb's law and that of contact at every node, for any stiffness
+// that couples the nodes; it does not depend on the first guess where it is unique; a node that sticks, or is closed,
+// moves by exactly zero; mirrored data give the mirrored solution; sweeps find the solution where the active set
+// repeats itself.
 // Bounds 1e-9 of the largest force: tolerances are 1e-10, and D has condition numbers up to 1e3.
 #include "../../src/dynamics/contact_problem.h"
 
@@ -27,7 +28,7 @@ struct Case {
   }
 };
 
-/// Nodes of different stiffness, coupled by at most `coupling` times it.
+/// Nodes of different stiffness, coupled by at most `coupling` times that stiffness.
 Case random_case(int n, double coupling, double friction, unsigned seed) {
   std::mt19937 generator(seed);
   std::uniform_real_distribution<double> entry(-1., 1.);
@@ -94,7 +95,7 @@ TEST(ContactProblem, OfOneNodeByHand) {
   EXPECT_DOUBLE_EQ(at(0.8, 0.).motion[0], 0.2) << "without normal force there is no friction";
 }
 
-// A first guess that is right up to round-off is kept, but nothing penetrates or slips against its shear force.
+// A first guess that is right up to round-off is kept, but no node penetrates or slips against its shear force.
 TEST(ContactProblem, LeavesNoRoundOffInWhatTheLawForbids) {
   ContactProblem problem(Eigen::Vector2d(4., 2.).asDiagonal().toDenseMatrix(), 0.5);
   ContactPoint point{Vector::Zero(2), {Vector::Constant(1, 0.), Vector::Constant(1, 1e-13)}};
@@ -146,7 +147,7 @@ TEST(ContactProblem, StaysAtItsSolution) {
   }
 }
 
-// Nodes on the edge of everything: no normal force, or shear just at its bound.
+// Nodes at the limit between two states: no normal force, or shear just at its bound.
 TEST(ContactProblem, OfDegenerateForces) {
   for (unsigned seed = 0; seed < 100; ++seed) {
     Case c = random_case(6, 0.5, 0.6, seed);
@@ -169,7 +170,7 @@ TEST(ContactProblem, FallsBackToSweepsWhereTheActiveSetRunsInCircles) {
   RecordProperty("fallbacks", fallbacks);
 }
 
-// By themselves they converge to the same, slowly.
+// Sweeps alone converge, slowly, to the same solution.
 TEST(ContactSweeps, ComeToTheSameStatuses) {
   for (unsigned seed = 0; seed < 20; ++seed) {
     const Case c = random_case(5, 0.5, 0.6, seed);

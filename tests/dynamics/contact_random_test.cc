@@ -1,6 +1,6 @@
 // Claims: no step of a thousand random blocks under random forces fails; none breaks the law, penetrates or gains
-// energy from friction. Ground of any stiffness with and without mass, mu up to 1.5, nodes that carry nothing at rest,
-// forces that lift the block off.
+// energy from friction. Ground of any stiffness with and without mass, mu up to 1.5, nodes without normal force at
+// rest, forces that lift the block off.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -58,7 +58,7 @@ class RandomBlock {
   std::mt19937 generator_;
 };
 
-/// How far forces and motions are from the law, over the largest force.
+/// Largest violation of the law by forces and motions, over the largest force.
 double violation(const State& state, const InterfaceForces& forces, double friction, double weight) {
   const Eigen::Index n = forces.shear.size();
   double worst = 0., scale = weight;
@@ -74,7 +74,8 @@ double violation(const State& state, const InterfaceForces& forces, double frict
   return worst / scale;
 }
 
-// 1e-9: the tolerance of forces is 1e-10. Friction: round-off of energies that reach 1e3 times the work at last.
+// 1e-9: the tolerance of forces is 1e-10. Bound of friction: round-off of energies that reach 1e3 times the work at
+// the end.
 TEST(FrictionalContact, ObeysTheLawInAThousandRandomCases) {
   int impacts = 0, slips = 0, fallbacks = 0;
   for (unsigned seed = 0; seed < 1000; ++seed) {

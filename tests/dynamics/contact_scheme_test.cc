@@ -1,6 +1,6 @@
-// Claims: the scheme with a contact law is SDIRK on the glued system where nothing slips or lifts, the exact block
-// where the ground is rigid, and the reference where it is elastic (tests/reference/ref7_sliding.json, parts B and C);
-// what sticks does not creep, nothing penetrates, energy is accounted for and friction only takes it.
+// Claims: the scheme with a contact law is SDIRK on the bonded system where nothing slips or lifts, the exact block
+// where the ground is rigid, and the reference where it is elastic (tests/reference/ref7_sliding.json, parts B and
+// C); nodes that stick do not creep, none penetrates, energy is balanced, and friction only dissipates.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -63,7 +63,8 @@ TEST(FrictionalContact, IsSdirkOnTheGluedSystemUnlessFrictionIsReached) {
   EXPECT_EQ(contact->contact()->slip_steps + contact->contact()->open_steps, 0);
 }
 
-/// The block without mass, or with it and braked, under a force that rises in 20 s to a share of what friction bears.
+/// The block without mass, or with mass and dashpots, under a force that rises in 20 s to `share` of the friction
+/// limit.
 ContactMarch slowly_pushed(double share, bool inertia, double step) {
   BlockOnNodes block = wide_block(7);
   block.arm = -2.;
@@ -134,8 +135,8 @@ TEST(FrictionalContact, OnAMassWithSpringAndDashpotIsTheReference) {
   compare_with_reference("stickslip", "residual_relative_slip");
 }
 
-// In a step in which no node slips all slips keep their values to the last bit, although the ground goes on to
-// oscillate and shear forces with it.
+// In a step in which no node slips all slips keep their values to the last bit, although the ground and with it the
+// shear forces go on oscillating.
 TEST(FrictionalContact, DoesNotCreepNorPenetrate) {
   const int n = 9;
   BlockOnNodes block = wide_block(n);
@@ -183,8 +184,8 @@ TEST(FrictionalContact, AccountsForItsEnergy) {
   }
 }
 
-// Pulled up by more than its weight and dropped: what the pull did is lifted weight first; the fall ends in the ground,
-// whose impact takes what the springs and dashpots do not.
+// Pulled up by more than its weight and dropped: the work of the pull first becomes potential energy of the weight;
+// when the block lands, impacts take the energy that springs and dashpots do not.
 TEST(FrictionalContact, StoresWhatItLifts) {
   BlockOnNodes block = wide_block(4);
   block.node_mass = 0.;
@@ -224,7 +225,7 @@ TEST(FrictionalContact, ConvergesWithTheStep) {
   }
 }
 
-// A block on its edges: every landing closes the nodes one after the other, and few bounce.
+// A block on its edges: at every landing the nodes close one after the other, and few bounce.
 TEST(FrictionalContact, RocksWithoutChatter) {
   const int n = 20;
   BlockOnNodes block = wide_block(n);
@@ -237,7 +238,7 @@ TEST(FrictionalContact, RocksWithoutChatter) {
   }
 }
 
-// A wall that moves and pulls at the block by a spring is a load on the block and a spring to rigid ground.
+// A moving wall that is connected to the block by a spring equals a load on the block and a spring to rigid ground.
 TEST(FrictionalContact, LeavesOtherPrescribedUnknownsToTheirLoads) {
   const double spring = 4e8;
   const TimeFunction velocity = triangle(0.2, 0.2);
@@ -283,9 +284,9 @@ TEST(FrictionalContact, StartsAnew) {
   EXPECT_EQ(make_scheme(system)->contact(), nullptr);
 }
 
-// Four steps at once where nothing moves: by order 4, so that what is found is the same to its error; no motion is
-// leapt over, no state breaks the law, and what a leap that failed had done is undone, in the account of energy as
-// well.
+// Four steps at once while no node slips or opens: of order 4, so that the result is the same to the error of the
+// scheme; no motion is missed, no state breaks the law, and a failed leap is undone completely, also in the balance
+// of energy.
 TEST(FrictionalContact, LeapsWhereNothingMoves) {
   const int n = 9;
   for (const double arm : {0., 2.}) {

@@ -1,6 +1,6 @@
-// Claims: between the ends of its steps a march is as accurate as at them, in x, x' and x'', with the loads themselves;
-// after a jump of a load, too; nearly so without inertia, and where a velocity is prescribed. Reference: a march in
-// 4,000 steps that meets the times. Limits: orders, by regression; docs/theory.md.
+// Claims: between the ends of its steps a march is as accurate as at these ends, in x, x' and x'', with the loads
+// themselves, also after a jump of a load; nearly as accurate without inertia and with a prescribed velocity.
+// Reference: a march in 4,000 steps whose ends include the times. Limits: orders, by regression; docs/theory.md.
 
 #include "dynamics/dense_output.h"
 
@@ -85,7 +85,7 @@ TEST(DenseOutput, HasTheOrderOfTheScheme) {
   const std::vector<double> p = orders(system, true);
   EXPECT_GE(p[0], 3.8);
   EXPECT_GE(p[1], 3.8);
-  EXPECT_GE(p[2], 2.8);  // x'' of the ends' x and x', which err by h^4
+  EXPECT_GE(p[2], 2.8);  // x'' is computed from x and x' at the ends, whose error is h^4
   EXPECT_GE(p[3], 2.8);
   const Errors errors = errors_of(system, true);
   EXPECT_LE((errors.between.topRows(1) - 1.1 * errors.at_ends.topRows(1)).maxCoeff(), 0.);

@@ -1,5 +1,5 @@
-// Claims: a system divided among processes marches as the whole does, with its readings and energies; each process
-// holds its own unknowns and the shared ones.
+// Claims: a system divided among processes marches like the whole system, with the same readings and energies; each
+// process holds its own and the shared unknowns.
 // Tolerance: 1e-11, some hundred steps of round-off.
 #include <gtest/gtest.h>
 
@@ -13,12 +13,12 @@ namespace divided_test {
 using namespace upbead;
 using namespace upbead::test;
 
-/// Copies of the sample system, glued together at two u, one phi and the prescribed phi.
+/// Copies of the sample system, joined at two u, one phi and the prescribed phi.
 class Glued {
  public:
   explicit Glued(int count) : count_(count), sample_(sample_system({1., 1., 1., 0.1, false, true})) {}
 
-  /// The unknown of the whole that stands for unknown i of one copy: first the shared ones, then copy by copy.
+  /// Index in the whole system of unknown i of one copy: the shared unknowns come first, then copy by copy.
   int index(int copy, int i) const {
     if (i == sample_.size() - 1) return n_shared + n_own * count_;
     for (int k = 0; k < n_shared; ++k)
@@ -120,7 +120,7 @@ TEST(Division, HoldsOwnAndSharedUnknownsInTheirOrder) {
     const int rank = processes->rank();
     System part = glued.system(rank, rank + 1);
     const std::vector<int> index = divide(part, {glued.index(1, 2)}, processes);
-    const int own = rank == 1 ? 0 : 1;  // what all shall hold comes on top
+    const int own = rank == 1 ? 0 : 1;  // the unknown that every process is asked to hold is additional elsewhere
     EXPECT_EQ(part.size(), 14 + own);
     EXPECT_EQ(part.n_prescribed, 1);
     EXPECT_EQ(part.loads[1].prescribed, part.size() - 1);

@@ -1,7 +1,7 @@
-// Claims: work of the loads and reactions = what is stored + what drag and damping took + what the scheme took, for
-// both schemes, any system, jumps, prescribed unknowns and step changes; each term is right by itself. Source: the
-// schemes' energy identities (Burrage & Butcher 1979 for Runge-Kutta). Tolerance 1e-12 of the work: 200 steps of sums
-// of some hundred terms in double precision.
+// Claims: work of the loads and reactions = energy stored + energy taken by drag and damping + energy taken by the
+// scheme, for both schemes, any system, jumps, prescribed unknowns and step changes; each term is right by itself.
+// Source: the schemes' energy identities (Burrage & Butcher 1979 for Runge-Kutta). Tolerance 1e-12 of the work: 200
+// steps of sums of some hundred terms in double precision.
 #include "upbead/dynamics/energy.h"
 
 #include <gtest/gtest.h>
@@ -46,8 +46,8 @@ TEST(Energy, IsAccountedForInEverySystem) {
       }
 }
 
-// A mass on spring and dashpot under a constant force comes to rest: the force did f^2/k, the spring holds half of it,
-// the dashpot took the other half. 1e-9: what still moves after 40 decay times.
+// A mass on spring and dashpot under a constant force comes to rest: the work of the force is f^2/k, of which the
+// spring stores one half and the dashpot takes the other. 1e-9: the motion left after 40 decay times.
 TEST(Energy, OfADampedOscillatorEndsHalfAndHalf) {
   const System system = oscillator(2., 1., 8., constant());
   for (const SchemeOptions& options : {sdirk4, alpha}) {
@@ -62,7 +62,7 @@ TEST(Energy, OfADampedOscillatorEndsHalfAndHalf) {
   }
 }
 
-// With rho_inf = 1 generalised-alpha is the trapezoidal family's energy-conserving member for a constant force.
+// With rho_inf = 1 and a constant force generalised-alpha is the trapezoidal rule, which conserves energy.
 TEST(Energy, IsNotTakenByAlphaAtRhoOne) {
   const System system = oscillator(2., 0., 8., constant());
   const auto scheme = make_scheme(system, {SchemeKind::generalised_alpha, 1.});

@@ -1,5 +1,5 @@
-// Claims: the Laplace transform of straight pieces is exact; a full Krylov space answers at a complex frequency as the
-// System itself does. Sources: closed forms. Tolerances: round-off.
+// Claims: the Laplace transform of straight pieces is exact; a full Krylov space has the response of the System
+// itself at a complex frequency. Sources: closed forms. Tolerances: round-off.
 #include "dynamics/frequency_response.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // Claims: the convolution of a discrete kernel with a load's samples equals a march with that load on the same grid:
-// with SDIRK for all loads that are straight within steps, prescribed ones too, with generalised-alpha for forces
-// without jumps; others are refused.
+// with SDIRK for all loads that are straight within steps, also prescribed velocities, with generalised-alpha for
+// forces without jumps; others are refused.
 // Tolerance 1e-12 of the peak: 120 steps of round-off.
 #include "discrete_kernel.h"
 
@@ -114,7 +114,7 @@ TEST(Kernel, RefusesWhatItCannotDo) {
   EXPECT_THROW(convolved(system, alpha, 1), std::invalid_argument);
 }
 
-// The last step of the kernel is used, and nothing wraps around.
+// The last step of the kernel is used, and the FFT does not wrap around.
 TEST(Kernel, ReachesToTheEnd) {
   System system = with_readings({});
   system.loads = {sample_load(system, TimeFunction()), sample_load(system, TimeFunction())};

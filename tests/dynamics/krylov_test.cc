@@ -1,7 +1,7 @@
-// Claims: a space of m vectors for each load gives T(s)^-1 b at s_0 to round-off and with an error of order m in
-// s - s_0 beside it, of order 2 m where a load is read by its own displacement; the bases are orthonormal in their
-// units; prescribed and kept unknowns are coordinates; loads that are sums of others start nothing; what cannot be
-// reduced is refused.
+// Claims: a space of m vectors for each load gives T(s)^-1 b to round-off at s_0 and elsewhere with an error of order
+// m in s - s_0, of order 2 m where the reading is the load's own displacement; the bases are orthonormal in their
+// units; prescribed and kept unknowns are coordinates; loads that are sums of other loads add no vectors; a system
+// that cannot be reduced is refused.
 // Source: Bai and Su (2005): Galerkin projection on r_0 ... r_(m-1) keeps m moments, of symmetric transfers 2 m.
 #include "upbead/dynamics/krylov.h"
 
@@ -43,8 +43,8 @@ TEST(Krylov, IsExactAtTheShift) {
     const int starts = static_cast<int>(system.loads.size());
     Eigen::MatrixXcd found = transfer(reduced(system, shift, starts), shift);
     Eigen::MatrixXcd expected = transfer(whole(system, shift), shift);
-    // Without storage and seepage phi only keeps u from giving way: in a space where it does not, phi is not
-    // determined.
+    // Without storage and seepage phi is the multiplier that keeps the volume constant: in a space of u without
+    // change of volume, phi is not determined.
     const Eigen::Index rows = expected.rows() - (sample.storage + sample.darcy == 0. ? 1 : 0);
     EXPECT_LT(relative(found.topRows(rows), expected.topRows(rows)), 1e-12);
   }

@@ -98,7 +98,7 @@ TEST(March, NeverStopsEarlyWhileALoadActs) {
   const auto zero = [](double) { return 0.; };
   const auto harmonic = [](double t) { return std::sin(6. * t); };
   MarchOptions options;
-  options.stop_at_energy = 0.9;  // met again and again while each of these acts
+  options.stop_at_energy = 0.9;  // the energy falls below this again and again while each of these loads acts
   const std::vector<TimeFunction> histories{
       TimeFunction({0.}, {zero, harmonic}),
       TimeFunction({0., 1.}, {zero, [](double t) { return 5. * (1. - t); }, [](double) { return 1e-3; }}),
@@ -115,7 +115,7 @@ TEST(March, NeverStopsEarlyWhileALoadActs) {
   }
 }
 
-// More step sizes than matrices are kept: their factors are overwritten in place.
+// More step sizes than factors that are kept: older factors are overwritten in place.
 TEST(March, ManyStepSizesAgreeWithOne) {
   System system = sample_system({});
   const double r = std::sqrt(2.), p = std::acos(-1.);

@@ -1,4 +1,5 @@
-// Claims: transfer() is H(s) of the closed form; joining two loads adds their transfer functions and leaves the others.
+// Claims: transfer() is H(s) of the closed form; joining two loads adds their transfer functions and does not change
+// other loads.
 #include "upbead/dynamics/modal_model.h"
 
 #include <gtest/gtest.h>

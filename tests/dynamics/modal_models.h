@@ -21,7 +21,7 @@ struct Oscillator {
 ModalModel single_mode(std::complex<double> pole);
 
 /// n_modes random modes for steps of order `step` (s): slow and fast, pairs and real poles, poles at 0 and on the
-/// imaginary axis, one at which a step is a whole period, and load factors that are zero; with feedthrough and impulse.
+/// imaginary axis, one whose period is one step, and load factors that are zero; with feedthrough and impulse.
 ModalModel random_model(int n_modes, int n_loads, int n_readings, double step);
 
 }  // namespace upbead::test

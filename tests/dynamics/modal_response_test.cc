@@ -1,5 +1,6 @@
-// Claims: a reduced model answers exactly to loads that are straight between their samples, whatever the steps and the
-// poles, also where loads jump; a reading is that of the value before a jump, and at t = 0 of no load.
+// Claims: the response of a reduced model is exact for loads that are straight between their samples, whatever the
+// steps and the poles, also where loads jump; a reading at a jump is that before the jump, and at t = 0 that without
+// load.
 // Source: closed forms and Duhamel's integral by adaptive quadrature (1e-13).
 // Tolerance 1e-11 of the peak: some hundred steps of round-off, and that of the quadrature.
 #include "upbead/dynamics/modal_response.h"
@@ -124,7 +125,7 @@ double ramp_response(double rate, double t) {
   return t * sum;
 }
 
-// Poles from where a step hardly moves a mode to where the exponential underflows.
+// Poles from so slow that a step hardly changes the mode to so fast that the exponential underflows.
 TEST(ModalResponse, RealPolesOfEverySpeed) {
   const TimeFunction ramp = piecewise_linear({0., 1., 2.}, {0., 1., 0.});
   const std::vector<double> time = even_times(1e-3, 900);
@@ -137,7 +138,7 @@ TEST(ModalResponse, RealPolesOfEverySpeed) {
   }
 }
 
-// After a jump a quasi-static mode follows within a step.
+// A quasi-static mode follows a jump within a step.
 TEST(ModalResponse, QuasiStaticLimit) {
   ModalModel model = single_mode(-1e9);
   model.reading(0, 0) = 1e9;
@@ -161,8 +162,9 @@ TEST(ModalResponse, AddsLoads) {
   EXPECT_LT((all - total).cwiseAbs().maxCoeff(), 1e-12 * all.cwiseAbs().maxCoeff());
 }
 
-// Steps of nearly the same size are taken as equal. Where each is longer than the first by nearly 1e-9 that must not
-// add up, and those that differ by more are not equal. 1e-9 is ten times what 1e-9 of a step makes of the phase.
+// Steps of nearly the same size are treated as equal. If all are longer than the first by nearly 1e-9 of it, the
+// errors must not add up; steps that differ by more are not equal. Tolerance 1e-9: ten times the error of phase by
+// 1e-9 of a step.
 TEST(ModalResponse, NearlyEqualStepsDoNotDrift) {
   Oscillator oscillator;
   oscillator.c = 0.;
@@ -177,7 +179,8 @@ TEST(ModalResponse, NearlyEqualStepsDoNotDrift) {
   }
 }
 
-// Steps that grow by less than 1e-8 of themselves are stretched, one after the other, instead of made anew.
+// If a step is longer than the last by less than 1e-8 of it, the coefficients of the last step are corrected, not
+// computed again.
 TEST(ModalResponse, StretchedStepsAreExact) {
   Oscillator oscillator;
   oscillator.c = 0.;

@@ -1,8 +1,8 @@
-// Claims: SDIRK4 is of order 4 and generalised-alpha of order 2 in u, for smooth loads and for a load that jumps at
-// t = 0, also for an incompressible fluid (1/Q = 0, index 1 and 2); an undamped oscillator follows its closed form;
-// where a scheme says so, it satisfies the equation of motion.
-// Source: Hairer & Wanner II, sec. IV.6; Chung & Hulbert (1993). Bounds on orders: measured slopes stand 0.05 below the
-// order at most over these steps. Reference: SDIRK4 with 2560 steps, its own error is below 1e-11.
+// Claims: SDIRK4 is of order 4 and generalised-alpha of order 2 in u, for smooth loads and for a load that jumps at t
+// = 0, also for an incompressible fluid (1/Q = 0, index 1 and 2); an undamped oscillator follows its closed form; a
+// scheme that claims to satisfy the equation of motion does.
+// Source: Hairer & Wanner II, sec. IV.6; Chung & Hulbert (1993). Bounds on orders: measured slopes are at most 0.05
+// below the order over these steps. Reference: SDIRK4 with 2560 steps, its own error is below 1e-11.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -74,9 +74,9 @@ TEST(Oscillator, FollowsItsClosedForm) {
   EXPECT_NEAR(state_at(system, trapezoid, t, 2000).x[0], exact, 1e-5);
 }
 
-// A column that drains at its top: velocities after a jump grow as 1/sqrt(t) down to the smallest element. 2 %: half a
-// percent is left, for good (see GeneralisedAlpha::step_from_jump); without that step the last pressures are 4 times
-// off.
+// A column that drains at its top: velocities after a jump grow as 1/sqrt(t) down to the smallest element. Bound 2 %:
+// an error of half a per cent remains (see GeneralisedAlpha::step_from_jump); without that step the last pressures
+// are wrong by a factor of 4.
 TEST(Massless, AlphaDoesNotSwingAfterAJump) {
   const System system = consolidation(40, TimeFunction({0.}, {[](double) { return 0.; }, [](double) { return 1.; }}));
   const Vector reference = state_at(system, sdirk4, 0.2, 800).v;
@@ -84,7 +84,7 @@ TEST(Massless, AlphaDoesNotSwingAfterAJump) {
   EXPECT_LT(error.lpNorm<Eigen::Infinity>(), 0.02 * reference.tail(40).lpNorm<Eigen::Infinity>());
 }
 
-// The residual against its largest term, 1e-10: the solves are accurate to 1e-13.
+// The residual is 1e-10 of its largest term: the solves are accurate to 1e-13.
 TEST(Balance, HoldsWhereTheSchemeSaysSo) {
   for (const SchemeOptions& options : {sdirk4, alpha}) {
     Sample sample;

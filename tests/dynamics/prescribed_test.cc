@@ -1,5 +1,5 @@
-// Claims: an unknown with a given velocity (a displacement, or a phi: a given pressure) leaves the orders of the
-// schemes as they are, and the result is that of the system from which the given motion was eliminated by hand,
+// Claims: an unknown with a given velocity (a displacement, or a phi: a given pressure) does not change the orders of
+// the schemes, and the result is that of the system from which the given motion was eliminated by hand,
 //   M_ff x'' + C_ff x' + K_ff x = -(M_fp p'' + C_fp p' + K_fp p).
 // Bounds on orders as in order_test.cc; 3.9 where the kinked motion of u reaches order 4 from below (3.89, 3.95, 3.96).
 #include <gtest/gtest.h>
@@ -86,7 +86,7 @@ TEST_P(Prescribed, KeepsTheOrders) {
   }
 }
 
-// A given velocity that jumps: the impulse passes through the mass matrix.
+// A given velocity that jumps: its impulse acts through the mass matrix.
 TEST_P(Prescribed, MayJump) {
   Sample sample;
   (GetParam() ? sample.prescribed_phi : sample.prescribed_u) = true;

@@ -1,6 +1,6 @@
-// Claims: a projected system has the structure of the whole one: symmetric, and with the rows of phi multiplied by -1
-// M >= 0, sym(C) >= 0, K >= 0; on an exhausted space it answers the same; growing it gives what projecting at once
-// does; what couples phi with displacements in M or K is refused.
+// Claims: a projected system has the structure of the whole system: symmetric, and with the rows of phi multiplied by
+// -1 M >= 0, sym(C) >= 0, K >= 0; on an exhausted space it has the same response; projecting step by step equals
+// projecting at once; a coupling of phi with displacements in M or K is refused.
 // Tolerances: 1e-13 and 1e-12 of the largest entry or eigenvalue are round-off of sums over a dozen unknowns.
 #include "dynamics/projection.h"
 
@@ -41,7 +41,7 @@ void expect_symmetric(const Eigen::MatrixXd& A) {
   EXPECT_LE((A - A.transpose()).cwiseAbs().maxCoeff(), 1e-13 * A.cwiseAbs().maxCoeff());
 }
 
-/// Of the symmetric part with the rows of phi multiplied by -1.
+/// Expects A with the rows of phi multiplied by -1 to have a symmetric part without negative eigenvalues.
 void expect_positive(const ReducedSystem& r, const Eigen::MatrixXd& A, const char* name) {
   Eigen::MatrixXd flipped = A;
   for (int i = 0; i < r.size(); ++i)

@@ -1,6 +1,6 @@
-// Claims: the error of two nested models is about that of the smaller one; a model that says it has converged is at
-// least that good; `measured`, the others, each load alone, max_vectors and exhausted spaces count as documented;
-// agreed_frequency says up to where two models agree.
+// Claims: the difference of two nested models is about the error of the smaller one; a model reported as converged
+// meets the tolerance; `measured`, other readings, each load alone, max_vectors and exhausted spaces count as
+// documented; agreed_frequency is the frequency up to which two models agree.
 // Source: a chain of masses and springs, its modes in closed form.
 #include "upbead/dynamics/reduce.h"
 
@@ -40,7 +40,7 @@ ReduceOptions options_for(const System& system, double tolerance) {
   return options;
 }
 
-/// By reading: largest difference from the exact modes over the largest value.
+/// For each reading: largest difference from the exact modes over the largest value.
 Eigen::VectorXd true_error(const ModalModel& model, const ReduceOptions& options) {
   const Eigen::MatrixXd exact = respond(chain_of_masses.exact(), options.training).reading;
   const Eigen::MatrixXd found = respond(model, options.training).reading;
@@ -117,7 +117,7 @@ TEST(Reduce, OtherReadingsHaveTheirOwnTolerance) {
 }
 
 TEST(Reduce, MeasuresEachLoadWhereItIsAsked) {
-  // Together the loads are a slow one but for a thousandth; each alone is fast.
+  // The sum of the loads is slow but for a thousandth; each load alone is fast.
   const TimeFunction slow = piecewise_linear({0., 75., 150.}, {0., 1., 0.});
   const TimeFunction fast = piecewise_linear({0., 1., 2.}, {0., 1., 0.});
   System system = chain_of_masses.system(sum(slow, fast));

@@ -1,7 +1,7 @@
-// Claims: a reduced model on an exhausted space answers as a march does: forces, prescribed velocities of u and of phi,
-// incompressible fluids with and without seepage, positions that nothing but a dashpot holds.
-// Source: SDIRK of order 4 with small steps; the closed form of a mass on a dashpot. Tolerances: the march's own error
-// where nothing is said; 1e-5 with an incompressible fluid, whose phi is given damping of 1e-6.
+// Claims: a reduced model on an exhausted space has the response of a march: to forces, to prescribed velocities of u
+// and of phi, with incompressible fluids with and without seepage, and for positions that only a dashpot holds.
+// Source: SDIRK of order 4 with small steps; the closed form of a mass on a dashpot. Tolerances: the error of the
+// march; 1e-5 with an incompressible fluid, whose phi is given damping of 1e-6.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -21,7 +21,8 @@ double error_of(const System& system) {
   return error(responded(modes_of(reduced(system, shift)), system, march.time), march.reading);
 }
 
-/// With a reading of the position of what is prescribed; without that of an acceleration, which would need f'.
+/// A system with a prescribed unknown and a reading of its position; without a reading of an acceleration, which
+/// would need f'.
 System prescribed(bool phi) {
   Sample sample;
   (phi ? sample.prescribed_phi : sample.prescribed_u) = true;
@@ -41,10 +42,10 @@ TEST(ReducedResponse, IsThatOfAMarch) {
 TEST(ReducedResponse, OfAnIncompressibleFluid) {
   for (const double darcy : {1., 0.}) {
     System system = loaded_sample({0., darcy}, hat());
-    system.loads.pop_back();  // a source of fluid where nothing gives way
+    system.loads.pop_back();  // a source of fluid that an incompressible fluid cannot take up
     for (Reading& reading : system.readings)
       if (!reading.feedthrough.empty()) reading.feedthrough.resize(system.loads.size());
-    // Without seepage either phi is not determined, see krylov_test.cc: what moves is.
+    // Without seepage, too, phi is not determined (see krylov_test.cc); displacements are.
     if (darcy == 0.) system.readings.pop_back();
     EXPECT_LT(error_of(system), 1e-5) << "darcy " << darcy;
   }

@@ -1,6 +1,6 @@
-// Claims: ResponseError tells by how much larger models answer a wave differently, whatever rings on; the larger models
-// of nested_models are better than theirs for pulses much shorter and records much longer, and the bound made of them
-// holds.
+// Claims: ResponseError is the difference between the responses of a model and of larger models to a wave, also where
+// vibrations outlast the record; the larger models of nested_models are more accurate than their model for pulses
+// much shorter and records much longer, and the bound computed from them holds.
 // Source: the exact recurrence of every mode; a chain of masses and springs, its modes in closed form.
 #include "dynamics/answer_error.h"
 
@@ -17,7 +17,7 @@ namespace response_error_test {
 
 constexpr double step = 0.5;
 
-/// Straight between the samples, zero before; the last one is zero.
+/// Response to loads that are straight between samples and zero before; the last sample is zero.
 Eigen::RowVectorXd exact_answer(const ModalModel& model, int reading, const WaveSamples& loads) {
   SampledLoads sampled;
   for (Eigen::Index n = 0; n < loads.cols(); ++n) sampled.time.push_back(static_cast<double>(n) * step);
@@ -33,7 +33,7 @@ WaveSamples triangle(double duration, int n) {
   return f;
 }
 
-/// With one reading.
+/// The model with only that reading.
 ModalModel only(ModalModel model, int reading) {
   model.reading = Eigen::MatrixXcd(model.reading.row(reading));
   model.feedthrough = Eigen::MatrixXd(model.feedthrough.row(reading));
@@ -60,7 +60,7 @@ TEST(ResponseError, IsTheDifferenceOfTheModelsAnswers) {
   }
 }
 
-// A first sample that is not zero is reached along a line, both ways.
+// A first sample other than zero is reached along a line, with few waves as with many.
 TEST(ResponseError, OfFewWavesIsThatOfMany) {
   const ModalModel model = random_model(12, 2, 1, step);
   const NestedModels nested{random_model(7, 2, 1, step), random_model(9, 2, 1, step)};

@@ -1,6 +1,7 @@
-// Claims: the stuck phase is the system without s, with F_T the residual of its row; the phases that slip are the whole
-// system under the friction that their own N' makes; states pass between phases unchanged; curves, places and steps of
-// a phase are one motion; a slip that is not well posed, or feels what is prescribed, is refused; growth is told.
+// Claims: the stuck phase is the system without s, with F_T the residual of its row; the slip phases are the whole
+// system under friction by its own N'; states pass between phases unchanged; curves, places and steps of a phase
+// describe the same motion; a slip that is not well posed, or depends on a prescribed unknown, is refused; growth is
+// reported.
 #include "dynamics/slip_model.h"
 
 #include <gtest/gtest.h>
@@ -56,7 +57,7 @@ void expect_equal(Complex found, Complex expected) {
   EXPECT_LT(std::abs(found - expected), 1e-9 * std::max(1., std::abs(expected)));
 }
 
-// F_T(s) of a stuck caisson makes s' zero; that of one that slips is mu N'.
+// In the stuck phase F_T(s) is the force that makes s' zero; in slip it is mu N'.
 TEST(SlipModel, PhasesAreTheWholeSystemUnderTheirOwnFriction) {
   const System system = sample();
   const int n = reading(system, "N"), K = static_cast<int>(system.loads.size());

@@ -6,8 +6,9 @@
 
 namespace upbead::test {
 
-/// n unit masses, each tied to the next by a unit spring, the first to a rigid base, all braked by `damping` times
-/// their velocity; a force at the free end. Readings "end" and "inside" (at three quarters) are displacements.
+/// n unit masses, each tied to the next by a unit spring, the first to a rigid base, each with a dashpot of
+/// coefficient `damping` to the rigid base; a force at the free end. Readings "end" and "inside" (at three quarters)
+/// are displacements.
 struct SpringChain {
   int n = 300;
   double damping = 0.004;

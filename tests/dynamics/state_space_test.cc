@@ -1,6 +1,6 @@
-// Claims: the state space has the transfer function of the reduced system; in its coordinates A + A^T <= 0, so that no
-// pole grows and the energy |s|^2 / 2 never does without load, undamped or damped, not in 1e6 units of time either;
-// readings that would need f' are refused; masses that nothing holds go where the loads take them.
+// Claims: the state space has the transfer function of the reduced system; in its coordinates A + A^T <= 0, so that
+// no pole has a positive real part and the energy |s|^2 / 2 never grows without load, undamped or damped, not even in
+// 1e6 units of time; readings that would need f' are refused; free masses follow the loads.
 // Tolerances: round-off of the matrices' norm; 1e-9 after 2^20 products of matrices.
 #include "dynamics/state_space.h"
 
@@ -94,10 +94,10 @@ TEST(StateSpace, AMillionSecondsOfFreeDecay) {
     const StateSpace space = state_space(r);
     const Eigen::MatrixXd y = responded(modes_of(r), system, time).rightCols(6);
     ASSERT_TRUE(y.allFinite());
-    // The hat's integral is 1, so that it leaves no longer a state than B does.
+    // The integral of the hat is 1, so that the norm of the state after it is at most that of B.
     const double start = space.B.rowwise().sum().norm();
     for (Eigen::Index i = 0; i < y.rows(); ++i) {
-      if (!space.E.row(i).isZero(0.)) continue;  // an integral, which no energy bounds
+      if (!space.E.row(i).isZero(0.)) continue;  // an integral of the state, which the energy does not bound
       EXPECT_LE(y.row(i).cwiseAbs().maxCoeff(), space.C.row(i).norm() * start)
           << system.readings[static_cast<std::size_t>(i)].name.text();
     }
@@ -119,7 +119,7 @@ TEST(StateSpace, RefusesTheAccelerationOfWhatIsPrescribed) {
 TEST(StateSpace, MassesThatNothingHoldsAreFollowed) {
   const auto followed = [](const System& system) {
     const ModalModel model = modes_of(reduced(system, shift));
-    const double s = 0.1 * shift;  // slow enough to feel a pole that is not at zero
+    const double s = 0.1 * shift;  // slow enough to show a pole that is not exactly zero
     const ReducedSystem r = reduced(system, shift);
     const Eigen::MatrixXd T = s * s * r.M + s * r.C + r.K;
     const Eigen::VectorXd q = T.partialPivLu().solve(r.load.col(0));

@@ -1,5 +1,5 @@
-// Claim: the passes through lower triangles give what products with the whole matrices give: C v + K x, whatever
-// entries either lacks, and quadratic forms by field. Tolerance: round-off of sums of a dozen terms of order 1.
+// Claim: products by lower triangles equal those with the whole matrices: C v + K x, also where C or K lacks entries
+// of the other, and quadratic forms by field. Tolerance: round-off of sums of a dozen terms of order 1.
 #include "../../src/dynamics/products.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // Claims: steps meet every kink and the end, are no longer than asked, and are all equal where the kinks allow it;
-// growing steps double and stay below their limit; counts that no int holds are refused, not undefined.
-// Tolerance 1e-9 relative as the grid promises.
+// growing steps double and stay below their limit; counts too large for an int are refused. Tolerance 1e-9 relative
+// as the grid promises.
 #include "upbead/dynamics/time_grid.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// Claims: no answer of a model with few of its modes misses by more than is told, and the worst load is within a factor
-// of three of it; all modes give the model back; poles at 0 stay.
+// Claims: the error of a model truncated to a few modes never exceeds its bound, and for the worst load it reaches a
+// third of the bound; with all modes the truncated model is the model; poles at 0 are kept.
 #include "dynamics/truncate.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ namespace truncate_test {
 constexpr double step = 0.01;
 constexpr int n_samples = 600;
 
-/// From 0; rougher or smoother.
+/// Random samples from 0 on, straight over `samples_per_corner` samples.
 WaveSamples wave(unsigned seed, int samples_per_corner) {
   std::mt19937 generator(seed);
   std::uniform_real_distribution<double> number(-1., 1.);
@@ -35,7 +35,7 @@ double largest_miss(const ModalModel& whole, const ModalModel& part, const WaveS
   return (a - b).cwiseAbs().maxCoeff();
 }
 
-/// The fixture's modes, without the integral of loads, which no mode is.
+/// Random modes, without the term of the loads' integrals, which is no mode.
 ModalModel modes() {
   ModalModel model = random_model(40, 1, 1, step);
   model.impulse.setZero();
@@ -54,7 +54,7 @@ TEST(Truncated, MissesByNoMoreThanItSays) {
         EXPECT_LE(largest_miss(model, few.model, f), told * (1. + 1e-9) + 1e-12) << n << " modes, corner " << corner;
         EXPECT_LE(few.model.n_modes(), n + 8) << "and those at 0";
       }
-  // one mode that hardly decays, and a load whose corners push it on
+  // one mode that hardly decays, and a load in resonance with it
   ModalModel lone = single_mode({-1e-6, 2. * M_PI / (8. * step)});
   const TruncatedModel none = truncated(lone, 0);
   WaveSamples f = WaveSamples::Zero(1, n_samples);

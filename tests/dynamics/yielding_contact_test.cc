@@ -1,7 +1,7 @@
-// Claims: soil that yields and friction node by node in one stage: where the soil cannot yield the answer is that of
-// contact alone, step by step; where friction holds everything that of the soil alone; a slider in the soil and a
-// slider under the block slide as far; where both take part each keeps its own law, and the account of energy closes
-// with a term for each, through impacts as well.
+// Claims: soil that yields and friction node by node are solved together: where the soil cannot yield the result is
+// that of contact alone, step by step; where friction prevents all slip it is that of the soil alone; a slider in the
+// soil and a slider under the block slide equally far; where both act each keeps its own law, and the balance of
+// energy has a term for each and closes, also through impacts.
 
 #include <gtest/gtest.h>
 
@@ -106,7 +106,7 @@ TEST(YieldingContact, IsContactAloneWhereTheSoilCannotYield) {
   const BlockOnNodes block = one_node();
   const System system = block.system(triangle(1e6, 0.2));
   State start = at_rest(system);
-  start.v[0] = start.v[system.first_slip()] = 1.;  // it slips all the time
+  start.v[0] = start.v[system.first_slip()] = 1.;  // it slips throughout
   const auto alone = make_contact_scheme(system);
   State exact = start;
   alone->start(exact);
@@ -132,7 +132,7 @@ TEST(YieldingContact, IsTheSoilAloneWhereFrictionHoldsEverything) {
   EXPECT_EQ(both.energy.friction, 0.);
 }
 
-/// An elastic spring and a slider: whether it lies in the soil or under the block nobody can tell.
+/// An elastic spring in series with a slider: the motion is the same with the slider in the soil and under the block.
 TEST(YieldingContact, ASliderInTheSoilSlidesAsFarAsOneUnderTheBlock) {
   BlockOnNodes block = one_node();
   block.arm = -block.height;

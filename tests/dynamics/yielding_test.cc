@@ -15,13 +15,13 @@ namespace yielding_test {
 using test::smooth;
 using test::SpringChain;
 
-/// Springs of stiffness 1 in parallel parts of which each slides at a force of its own.
+/// A spring of total stiffness 1 consists of parallel parts; each slides at its own force.
 struct Part {
   double h, y;
 };
 const std::vector<Part> parts = {{0.4, 0.08}, {0.3, 0.2}, {0.2, 0.4}, {0.1, 1e9}};
 
-/// Between the masses of a spring chain, the first between mass 0 and the base.
+/// Yielding springs between the masses of a spring chain; the first spring is between mass 0 and the base.
 class YieldingSprings : public InternalForce {
  public:
   YieldingSprings(int n, double strength) : strength_(strength), slid_(parts.size() * n), now_(slid_) {
@@ -71,7 +71,7 @@ class YieldingSprings : public InternalForce {
     return sum;
   }
 
-  Vector none_ = Vector::Zero(2);  // as the chain has readings
+  Vector none_ = Vector::Zero(2);  // one value for each reading of the chain
   double strength_;
   std::vector<int> rows_;
   std::vector<double> slid_, now_;
@@ -146,7 +146,7 @@ TEST_F(Yielding, FollowsAnExplicitMarchOfItsOwn) {
   EXPECT_LT(taken.back(), 1e-3) << "what the law says is lost is what the equations lose";
 }
 
-/// A force at the end mass that the elastic factor knows nothing of.
+/// A force at the end mass that is not part of the elastic matrix.
 class EndForce : public InternalForce {
  public:
   explicit EndForce(double (*of)(double)) : of_(of) {}

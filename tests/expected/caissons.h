@@ -5,7 +5,7 @@
 
 namespace upbead::test {
 
-/// A caisson of 4.27 MN/m on a mound of medium height; no published one.
+/// A caisson of 4.27 MN/m on a mound of medium height; not from a publication.
 inline Breakwater medium_caisson() {
   Breakwater caisson;
   Section& s = caisson.section;

@@ -1,4 +1,5 @@
-// Claim: quantiles are those of the named distributions by mean and deviation; cuts leave out and scale up.
+// Claim: quantiles are those of the named distributions with the given mean and deviation; a cut removes the tails
+// and scales up the rest.
 #include "upbead/expected/distribution.h"
 
 #include <gtest/gtest.h>

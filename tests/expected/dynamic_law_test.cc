@@ -1,5 +1,5 @@
-// Claim: the law dynamic is slide() on the reduced model's answer; a stiff caisson passes its force on unchanged; what
-// is skipped would not have slid.
+// Claim: the law dynamic is slide() on the response of the reduced model; a stiff caisson transmits its force
+// unchanged; waves that are skipped would not have slid.
 #include "expected/dynamic_law.h"
 
 #include <gtest/gtest.h>
@@ -65,7 +65,7 @@ TEST(DynamicLaw, IsSlideOnTheAnswerOfTheModel) {
 }
 
 TEST(DynamicLaw, WhatIsSkippedWouldNotHaveSlid) {
-  const DynamicLaw bounded = law(1.5, 0.1), unbounded = law(1.5, 0.1, 2e-3, {}, 0.1);  // no bound known: all computed
+  const DynamicLaw bounded = law(1.5, 0.1), unbounded = law(1.5, 0.1, 2e-3, {}, 0.1);  // unbounded: all computed
   EXPECT_EQ(unbounded.threshold({}), 0.);
   const double threshold = bounded.threshold({});
   EXPECT_GT(threshold, 2.) << "the bound is good for something";

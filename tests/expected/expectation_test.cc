@@ -1,4 +1,5 @@
-// Claim: quadrature gives the expectation that brute force gives, to the digits of an independent computation.
+// Claim: quadrature gives the expectation of a sum over many waves, and that of an independent computation to its
+// digits.
 #include "upbead/expected/sliding_law.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +20,7 @@ Expectation of_storm(Law law, double significant_height) {
                            RayleighHeights(significant_height, 12. / significant_height), sea.waves);
 }
 
-/// A law that jumps, has a gap and a kink; its threshold is a safe guess.
+/// A law with a jump, a gap and a kink; its threshold is a lower bound.
 class OddLaw : public SlidingLaw {
  public:
   double distance(double H, const WaveFactors&) const override {
@@ -38,7 +39,8 @@ double trapezoids(const SlidingLaw& law, const RayleighHeights& heights, double 
   return sum;
 }
 
-/// The sum over waves of equal share, each with its height drawn and broken to the limit; no density, no quadrature.
+/// The sum over waves of equal share, each with its Rayleigh height, broken to the limit; without density or
+/// quadrature.
 double wave_by_wave(const SlidingLaw& law, double significant_height, double limit) {
   const int n = 4000000;
   double sum = 0.;

@@ -73,7 +73,7 @@ TEST(ImpactWave, APulseOfMoreImpulseLeavesNoStandingWave) {
   EXPECT_LE(w.rise, 0.5 * w.duration);
 }
 
-/// P_I = P_1 at T/4, where the sine is as high but for round-off.
+/// P_I = P_1 at T/4, where the sine has the same value but for round-off.
 TEST(ImpactWave, ATriangleThatNeverLeadsLeavesTheStandingWave) {
   for (int i = 1; i <= 1000; ++i) {
     const ImpactWave wave = impact_wave({}, {8., 0.015 * i, 1e5 + 7.3 * i, 0., 1e4}, {}, 8.5);

@@ -1,5 +1,5 @@
-// Claim: the fit of k(alpha*) finds planted a and b, its confidence ellipse holds them as often as it says, and it
-// tells where points say nothing about them.
+// Claim: the fit of k(alpha*) recovers known a and b, its confidence ellipse contains them as often as stated, and
+// points that do not determine a and b are reported.
 #include "expected/k_fit.h"
 
 #include <gtest/gtest.h>
@@ -93,7 +93,7 @@ TEST(DurationFit, TellsWherePointsSayNothing) {
   for (int i = 1; i < 20; ++i) rising.push_back({0.1 * i, 0.2 + 0.02 * i});
   EXPECT_EQ(fit_duration_factor(rising)->doubt, FitDoubt::edge) << "no a > 0 makes k grow";
 
-  // About one alpha* only the product of both is known.
+  // Points near a single alpha* determine only the product of both.
   const auto narrow = fit_duration_factor(points_of({0.8, 1.}, 20, 0.3, 0.30001));
   EXPECT_EQ(narrow->doubt, FitDoubt::ill_conditioned);
   EXPECT_FALSE(in_ellipse(*narrow, narrow->best));

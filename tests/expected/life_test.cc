@@ -1,4 +1,4 @@
-// Claim: lives by Monte Carlo have the expectation of quadrature, whichever way and in whichever order they are drawn.
+// Claim: lives by Monte Carlo have the expectation by quadrature, in whichever way and order they are drawn.
 #include "upbead/expected/life.h"
 
 #include <gtest/gtest.h>
@@ -55,7 +55,7 @@ std::vector<double> lives(const LifeSimulation& simulation, std::uint32_t n) {
   return sliding;
 }
 
-/// How many standard errors the mean is off.
+/// Deviation of the mean from `expected`, in standard errors.
 double off(const LifeSimulation& simulation, std::uint32_t n, double expected) {
   const LifeStatistics s = statistics(lives(simulation, n));
   return std::abs(s.mean - expected) / s.standard_error;

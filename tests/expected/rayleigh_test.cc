@@ -1,5 +1,5 @@
-// Claim: exceedance, density and its inverse belong together, with a cut or a limit as without; waves beyond a cut are
-// set aside, those above a limit arrive with its height.
+// Claim: exceedance, its density and its inverse are consistent, with and without a cut or a limit; waves beyond a
+// cut are set aside, those above a limit arrive with its height.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -69,8 +69,8 @@ TEST(RayleighHeights, WavesAboveTheLimitArriveWithItsHeight) {
   EXPECT_EQ(RayleighHeights(6.).taken(), 0.);
 }
 
-/// Goda (1975): of waves of height H from 2/3 of the limit on a share (3 H / limit - 2) breaks and is left out, of
-/// those above all; what is left is scaled up.
+/// Goda (1975): of waves with H between 2/3 of the limit and the limit, a share (3 H / limit - 2) breaks and is left
+/// out; higher waves are all left out; the remaining distribution is scaled up.
 TEST(RayleighHeights, AboveAnyHeightBreakingLeavesNoFewerWavesThanInGodasModel) {
   for (const double limit : {4., 8., 11.7}) {
     const RayleighHeights waves(6.), broken(6., RayleighHeights::no_cut, limit);

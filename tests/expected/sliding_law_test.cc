@@ -1,4 +1,5 @@
-// Claim: laws are the formulas of a single wave, nothing slides below the threshold, and factors act where they should.
+// Claim: laws are the formulas of a single wave, no wave below the threshold causes sliding, and each factor
+// multiplies its own quantity.
 #include "upbead/expected/sliding_law.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// Claim: storms have the heights, numbers, tides and waves that were asked for, and lives of them the expectation of
-// nested quadrature.
+// Claim: storms have the heights, numbers, tides and waves that were asked for, and the mean over lives is the
+// expectation by nested quadrature.
 #include "upbead/expected/life.h"
 
 #include <gtest/gtest.h>

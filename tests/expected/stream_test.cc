@@ -1,4 +1,4 @@
-// Claim: the streams are Philox4x32-10, and a number depends on its seed and place alone.
+// Claim: the streams are Philox4x32-10, and a number depends only on its seed and its place in the stream.
 #include "upbead/expected/distribution.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// Claim: what waves press on the base with is Goda's p_e and safety factor; the worst of a life is that of all its
-// waves, however few of them are looked at; own dynamics have N and M of the model beside U(t).
+// Claim: waves have Goda's p_e and safety factors at the bottom; the worst value of a life is that of all its waves,
+// however few of them are computed; the law dynamic uses N and M of the model together with U(t).
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -97,7 +97,7 @@ TEST(WaveBase, ALifeOfEqualWavesHasTheirs) {
 /// The highest of N waves stays below H in (1 - p(H))^N of the lives.
 TEST(WaveBase, TheWorstOfALifeIsThatOfItsHighestWave) {
   const std::uint32_t n = 4000;
-  for (const double significant_height : {3., 4.5})  // nothing slides, and some
+  for (const double significant_height : {3., 4.5})  // without and with sliding
     for (const double share : {0.1, 0.5, 0.9}) {
       const double H = RayleighHeights(significant_height).height(-std::expm1(std::log(share) / 600.));
       const double pressure = WaveForces(medium_caisson(), storm(significant_height)).base(H, {}).heel_pressure;
@@ -112,7 +112,7 @@ TEST(WaveBase, TheWorstOfALifeIsThatOfItsHighestWave) {
     }
 }
 
-/// A weight that scatters from wave to wave, though by nothing, has every wave looked at.
+/// If the weight varies from wave to wave, even by 1e-13, every wave is computed.
 TEST(WaveBase, WavesThatCannotBeWorseAreSkippedRightly) {
   LifeSetup s = one_storm(3.);
   s.uncertain.force = scatter_of(0.2, Per::wave);

@@ -43,7 +43,7 @@ struct Jumps {
   double largest = 0.;
 };
 
-/// Of u and phi over all sides where a cell meets a larger one.
+/// Jumps of u and phi over all sides where a cell meets a larger one.
 Jumps jumps_of(const Compiled& compiled) {
   const Space& space = compiled.space;
   const Vector x = compiled.unknowns.expand(Vector::Random(compiled.unknowns.size()));

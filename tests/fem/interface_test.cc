@@ -1,6 +1,6 @@
 // Claims: an interface whose unknowns are kept at zero changes nothing; residuals of its rows are the forces at the
-// bottom, of openings the effective ones; slip and opening of all nodes leave the ground where it is; the forces at
-// rest carry the caisson's weight in water. Tolerances: round-off of the largest term.
+// bottom, effective normal forces in the rows of the opening; slip and opening of all nodes do not move the ground;
+// the forces at rest balance the caisson's submerged weight. Tolerances: round-off of the largest term.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -28,7 +28,7 @@ double sum_of(const System& system, const State& state, int first, int n) {
   return sum;
 }
 
-/// Cells around the seaward corner of the bottom are smaller where `levels` is not 0, so that nodes hang.
+/// With `levels` above 0, cells around the toe are smaller, so that there are hanging nodes.
 std::unique_ptr<Mesh> mesh_with(int levels) {
   auto mesh = breakwater_mesh(0.35, with_sea());
   for (int level = 0; level < levels; ++level) {
@@ -78,7 +78,8 @@ TEST_P(Bottom, ResidualsAreTheForcesOfTheReadings) {
   EXPECT_GT(std::abs(shear) + std::abs(normal), 1e6);  // of forces up to 1e12
 }
 
-/// The same forces node by node, as stresses: of the rows of interface unknowns, and of the readings without these.
+/// The same forces node by node: from the rows of the interface unknowns, and from the readings of stress of the
+/// system without these.
 TEST_P(Bottom, StressesOfNodesAreTheirForces) {
   scene_.base_stress = true;
   const Compiled loose(scene_, *mesh_, true);
@@ -99,7 +100,8 @@ TEST_P(Bottom, StressesOfNodesAreTheirForces) {
   }
 }
 
-/// Loads on the ground beside the caisson push on nodes that it shares: they reach a stress as they reach F_T.
+/// Loads on the ground beside the caisson act on nodes that it shares with the caisson: they enter the stresses as
+/// they enter F_T.
 TEST_P(Bottom, StressesSumToTheForcesOfAllLoads) {
   scene_.base_stress = true;
   const Compiled plain(scene_, *mesh_);
@@ -166,7 +168,8 @@ TEST_P(Bottom, ForcesAtRestCarryTheWeightInWater) {
   double moment = 0.;
   for (int i = 0; i < N.size(); ++i)
     moment += N[i] * loose.scene.system.interface->position[static_cast<std::size_t>(i)];
-  EXPECT_NEAR(moment, 0., 1e-3 * weight * 18.);  // the meshes of both halves differ where one is refined
+  // not zero where one half is refined, as the meshes of both halves then differ
+  EXPECT_NEAR(moment, 0., 1e-3 * weight * 18.);
 }
 
 INSTANTIATE_TEST_SUITE_P(Levels, Bottom, testing::Values(0, 2));

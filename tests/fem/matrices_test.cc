@@ -1,6 +1,6 @@
 // Claim: M, C and K are symmetric, and with the rows of phi multiplied by -1 they are M >= 0, sym(C) >= 0, K >= 0
-// (the energy law rests on that). Source: docs/theory.md. Tolerance: round-off of sums of a few hundred terms, relative
-// to the largest entry.
+// (the balance of energy requires that). Source: docs/theory.md. Tolerance: round-off of sums of a few hundred terms,
+// relative to the largest entry.
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
-// Claims: the weak condition on open sides is consistent (a uniform pressure that a load prescribes flows nowhere, in
-// both flows), it lets a drained column consolidate to the end, and it keeps the system well posed with incompressible
-// water on the mound's distorted cells. Source: docs/theory.md, open sides. Tolerance: round-off.
+// Claims: the weak condition on open sides is consistent (a uniform pressure prescribed by a load causes no flow, by
+// Darcy's or inertial flow), it lets a drained column consolidate to the end, and it keeps the system well posed with
+// incompressible water on the mound's distorted cells. Source: docs/theory.md, open sides. Tolerance: round-off.
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ TEST_P(OpenSides, UniformPrescribedPressureFlowsNowhere) {
   const auto [flow, degree] = GetParam();
   Region soil = rubble();
   soil.flow = flow;
-  soil.biot = 0.;  // the pressure then pushes no skeleton
+  soil.biot = 0.;  // the pressure then exerts no force on the skeleton
   Scene scene = column(soil, triangle(1., 0.1));
   scene.loads["top"].kind = LoadKind::pressure;
   scene.loads["top"].direction = {1., 0.};
@@ -29,7 +29,7 @@ TEST_P(OpenSides, UniformPrescribedPressureFlowsNowhere) {
   for (int i = 0; i < system.size(); ++i)
     if (system.field[static_cast<std::size_t>(i)] == Field::pressure_impulse) pressure[i] = 1.;
   const double flows = (system.C * pressure).norm();
-  pressure[system.size() - 1] = 0.;  // where only the soil has the pressure it flows out
+  pressure[system.size() - 1] = 0.;  // with the pressure in the soil only, water flows out
   EXPECT_LE(flows, 1e-11 * (system.C * pressure).norm());
 }
 

@@ -1,5 +1,5 @@
-// Claim: an intrinsic permeability is the hydraulic conductivity that it makes with the water's viscosity, and air in
-// the pores makes the water as soft as bubbles under the pressure of still water in the middle of the region do.
+// Claim: an intrinsic permeability gives the hydraulic conductivity for the water's viscosity, and air in the pores
+// makes the water as compressible as bubbles under the still-water pressure in the middle of the region do.
 #include <gtest/gtest.h>
 
 #include <cmath>

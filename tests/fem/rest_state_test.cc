@@ -1,6 +1,6 @@
-// Claims: nodal forces of soil with laws have the tangent that is told, and those of elastic cells are K x.
-// At rest soil that can bear its weights elastically does; a breakwater's soil rests within its
-// strength and in equilibrium; what cannot stand is told with its place.
+// Claims: the tangent of soil with laws is the derivative of its nodal forces, and nodal forces of elastic cells are
+// K x. At rest, soil that can bear its weights elastically is elastic; a breakwater's soil is within its strength and
+// in equilibrium; a section that cannot stand is reported with its place.
 
 #include "fem/rest_state.h"
 
@@ -103,7 +103,7 @@ TEST(RestState, OfABreakwaterIsWithinItsStrength) {
 
 TEST(RestState, TellsWhatCannotStand) {
   const auto mesh = breakwater_mesh(0.5);
-  const RestState rest = rest_state(failing_breakwater(20., 0.), *mesh, {});  // steeper slopes
+  const RestState rest = rest_state(failing_breakwater(20., 0.), *mesh, {});  // slopes steeper than phi'
   EXPECT_FALSE(rest.found);
   EXPECT_LT(rest.report.reached, 1.);
   EXPECT_EQ(rest.gives_way.rfind("region 'mound' at ", 0), 0u) << rest.gives_way;

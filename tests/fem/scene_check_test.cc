@@ -1,5 +1,5 @@
-// Claim: every way in which a scene and a mesh may not fit is said with the key to look at. Source: the checks'
-// contract in scene_check.h.
+// Claim: every way in which a scene and a mesh may not fit is reported with its key. Source: the checks' contract in
+// scene_check.h.
 
 #include "fem/scene_check.h"
 

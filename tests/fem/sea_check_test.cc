@@ -1,5 +1,5 @@
-// Claims: what a sea, open sides and waves must not be asked for is said, by the key to mend; a sea that the mesh
-// leaves out takes its tables with it.
+// Claims: invalid keys of a sea, of open sides and of waves are reported at the key to change; for a sea that the
+// mesh leaves out, its tables are left out as well.
 #include <gtest/gtest.h>
 
 #include <limits>

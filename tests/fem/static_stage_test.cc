@@ -1,4 +1,5 @@
-// Claim: the static state has the stresses of closed forms within 0.5 %, and stiffness follows them.
+// Claim: the stresses of the static state are those of closed forms within 0.5 %, and the stiffness follows from
+// these stresses.
 // Sources: a layer under its weight, s'_y = gamma' z, s'_x = nu/(1 - nu) s'_y; a uniform strip q of width 2b on a
 // half-plane, s_x + s_y = (2q/pi) alpha, alpha the angle that it subtends (Flamant; Poulos and Davis 1974,
 // section 3.1).
@@ -135,7 +136,7 @@ class Strip : public testing::Test {
   }
 };
 
-/// A surcharge does what a soft strip of that weight does; its ends cut faces.
+/// A surcharge has the stresses of a soft strip of that weight; its ends lie within faces.
 TEST_F(Strip, ASurchargeHasTheStressesOfFlamant) {
   const std::unique_ptr<Mesh> ground = mesh();
   Scene loaded_scene = scene(1e-3);
@@ -151,7 +152,7 @@ TEST_F(Strip, ASurchargeHasTheStressesOfFlamant) {
   }
 }
 
-/// Equilibrium: the ground carries what lies on it, on any level.
+/// Equilibrium: on any level, the vertical stress balances the load above.
 TEST_F(Layer, CarriesAPartialSurchargeInSum) {
   std::vector<double> x = even_lines(0., 40., 80), y = even_lines(0., 10., 20);
   const std::unique_ptr<Mesh> wide = tensor_mesh(

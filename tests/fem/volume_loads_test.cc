@@ -1,8 +1,8 @@
-// Claims: loads on volumes are in balance with what they press on. A column settles under a body force as by hand;
-// water that enters closed pores raises p by Q s t, and one that flows out upward by s b (H^2 - y^2)/2; under gravity
-// the pores come to the hydrostatic pressure, on whatever slope they drain, and the skeleton to its submerged weight; a
-// rigid body weighs its mass, and both routes to F_T agree. Sources: statics, mass balance, Pascal; docs/theory.md.
-// Tolerance: round-off, or what a slow ramp leaves of the motion.
+// Claims: loads on volumes are in balance with the reactions. A column settles under a body force as computed by
+// hand; water that enters closed pores raises p by Q s t, and one that flows out upward by s b (H^2 - y^2)/2; under
+// gravity the pore pressure becomes hydrostatic, on whatever slope the pores drain, and the effective stress that of
+// the submerged weight; a rigid body has the weight of its mass, and both routes to F_T agree. Sources: statics, mass
+// balance, Pascal; docs/theory.md. Tolerance: round-off, or the motion that remains after a slow ramp.
 
 #include "fem/volume_loads.h"
 
@@ -89,7 +89,7 @@ TEST_P(Flows, SourceInAClosedBoxRaisesThePressureByItsVolume) {
     const Compiled compiled(scene, *mesh);
     const Response response = run(compiled, 300., 1.);
     const double storage = 0.4 / 2.2e9 + (0.9 - 0.4) / 3.6e10 + (free_top ? 0.81 / oedometric(soil) : 0.);
-    const double p = 1e-6 * 250. / storage;  // the ramp brings half of 100 s
+    const double p = 1e-6 * 250. / storage;  // the ramp contributes half of its 100 s
     for (const char* probe : {"top", "middle", "base"})
       EXPECT_NEAR(last(compiled, response, std::string("probes/") + probe + "/pressure"), p, 1e-5 * p);
     EXPECT_LE(response.energy.back().mismatch(), 1e-8);
@@ -161,7 +161,7 @@ TEST_P(Flows, GravityInLayersWithInertiaSettlesToTheSame) {
   EXPECT_LE(response.energy.back().mismatch(), 1e-8);
 }
 
-/// The shipped section under still water, whose pressure is given on every side that is wet.
+/// The shipped section under still water; the water pressure is given on every wet side.
 Scene under_still_water(double level) {
   Scene scene = breakwater(TimeFunction());
   scene.loads.clear();
@@ -309,7 +309,7 @@ TEST(Gravity, IsRefusedBesideFreeWater) {
   scene.loads["weight"] = on_volume(LoadKind::gravity, "mound", triangle(1., 0.1));
   const auto mesh = breakwater_mesh(0.5, with_sea());
   const auto wrong = check_scene(scene, *mesh).list();
-  ASSERT_EQ(wrong.size(), 2u);  // the seas
+  ASSERT_EQ(wrong.size(), 2u);  // both are seas
   for (const auto& found : wrong) EXPECT_NE(found.what.find("does not feel gravity"), std::string::npos) << found.what;
 }
 

@@ -1,6 +1,7 @@
 // Claims: the internal force of yielding soil is, with a law of half the stiffness, half of K x; it is zero below
-// yield; a breakwater on soil that yields answers a small force as elastic soil does, and a large one with less F_T, a
-// residual displacement and energy lost. Lanes give what points do, to the last bit with any number of threads.
+// yield; a breakwater on soil that yields answers a small force as elastic soil does, and a large one with less F_T,
+// a residual displacement and energy lost. Lanes give the numbers of single points, to the last bit with any number
+// of threads.
 
 #include "fem/yielding_soil.h"
 
@@ -16,7 +17,7 @@
 namespace upbead::test {
 namespace yielding_soil_test {
 
-/// By active cell index; null of cells that stay elastic.
+/// By active cell index; null for cells that stay elastic.
 using CellLaws = std::vector<std::shared_ptr<const HystereticLaw>>;
 
 std::unique_ptr<YieldingSoil> yielding(const Compiled& compiled, const CellLaws& laws, const SoilWork& work = {}) {
@@ -125,7 +126,7 @@ TEST(YieldingSoil, LanesAndThreadsGiveWhatPointsDo) {
   }
 }
 
-/// Strains grow, turn and shrink; little is tried about each step.
+/// Strains grow, change direction and shrink; about each step, displacements that differ a little are tried.
 TEST(YieldingSoil, CellsThatCannotYieldAreLeftOutWithoutATrace) {
   const auto mesh = breakwater_mesh(0.5);
   const Compiled compiled(breakwater(triangle(1., 0.1)), *mesh);
@@ -161,7 +162,7 @@ TEST(YieldingSoil, MohrCoulombCellsFarFromYieldAreLeftOutWithoutATrace) {
             ? std::make_shared<MohrCoulombLaw>(space.material(cell), MohrCoulombStrength{35., 5e3, 5., 0.})
             : nullptr);
   const PointsOfCells points = [&](unsigned cell, unsigned) {
-    const double p = 1e3 * (1 + cell % 100);  // from little to much stress at rest
+    const double p = 1e3 * (1 + cell % 100);  // stress at rest from low to high
     return of_cells[cell] ? soil_point(of_cells[cell], {-0.5 * p, -p, 0., -0.5 * p}) : nullptr;
   };
   const auto make = [&](const SoilWork& work) {
@@ -181,7 +182,7 @@ TEST(YieldingSoil, MohrCoulombCellsFarFromYieldAreLeftOutWithoutATrace) {
       all->evaluate(tried, q);
       reference->evaluate(tried, r);
       EXPECT_LT((p - q).norm(), 1e-13 * q.norm() + 1e-300);
-      EXPECT_LT((p - r).norm(), 1e-9 * r.norm() + 1e-6);  // points leave round-off of stresses at rest
+      EXPECT_LT((p - r).norm(), 1e-9 * r.norm() + 1e-6);  // by single points, round-off of the stresses at rest remains
     }
     const double lost = all->commit(x);
     EXPECT_NEAR(left_out->commit(x), lost, 1e-12 * lost);
@@ -264,7 +265,8 @@ TEST(YieldingSoil, BreakwaterIsElasticUnderLittleAndYieldsUnderMuch) {
   EXPECT_LT(std::abs(large.energy.scheme), 0.02 * large.energy.largest_work);
 }
 
-/// A probe at a point of quadrature tells what that point bears, and both what the law makes of the probe's strains.
+/// A probe at a quadrature point reads the stress of that point, and both are the stress of the law for the probe's
+/// strains.
 TEST(YieldingSoil, ProbesAndPointsTellTheStressOfTheLaw) {
   const auto mesh = breakwater_mesh(0.5);
   Scene scene = breakwater(triangle(3e6, 0.15));
@@ -276,7 +278,7 @@ TEST(YieldingSoil, ProbesAndPointsTellTheStressOfTheLaw) {
   const auto points = [&](unsigned c, unsigned) { return all[c] ? soil_point(all[c], all[c]->at_rest()) : nullptr; };
   const dealii::Point<dim> at =
       yielding_soil(before.space, before.unknowns, before.scene.system.readings, points)->borne()[cell].at(4).at;
-  scene.regions["seabed"].law = scene.regions["mound"].law = SoilLaw::hysteretic;  // what tells that a probe follows
+  scene.regions["seabed"].law = scene.regions["mound"].law = SoilLaw::hysteretic;  // the probe then follows the law
   scene.probes["inside"].at = {at[0], at[1]};
   const Compiled compiled(scene, *mesh);
   const System& system = compiled.scene.system;
@@ -304,8 +306,9 @@ TEST(YieldingSoil, ProbesAndPointsTellTheStressOfTheLaw) {
   EXPECT_GT(soil->dissipated()[cell], 0.);
 }
 
-/// A column pressed from above as a program of its own: linear elements, lumped masses, explicit steps, one strain.
-/// Under eps_yy alone the deviator is eps (-1/3, 2/3, -1/3): s_yy = 4/3 h (eps - eps_p), which slides at 2/sqrt(3) y.
+/// An independent computation of a column under pressure at its top: linear elements, lumped masses, explicit steps,
+/// one strain. Under eps_yy alone the deviator is eps (-1/3, 2/3, -1/3): s_yy = 4/3 h (eps - eps_p), which slides at
+/// 2/sqrt(3) y.
 class ExplicitColumn {
  public:
   ExplicitColumn(const Material& soil, const HystereticLaw& law, double height, int n)
@@ -325,7 +328,7 @@ class ExplicitColumn {
         force[i] -= s;
         if (i > 0) force[i - 1] += s;
       }
-      force[n - 1] *= 2.;  // half a mass at the top
+      force[n - 1] *= 2.;  // the top has half a lumped mass
       v_ += (step == 0 ? 0.5 : 1.) * h / mass_ * force;
       x_ += h * v_;
     }

@@ -1,4 +1,4 @@
-// Choices that are made by the bytes of an input, for inputs that have a structure.
+// Choices made by the bytes of an input, for inputs with a structure.
 #pragma once
 
 #include <string>
@@ -16,11 +16,11 @@ class Bytes {
   /// From 0 to n - 1, n up to 256.
   int below(int n) { return byte() % n; }
   bool one_in(int n) { return below(n) == n - 1; }
-  /// That many bytes, or what is left.
+  /// The next n bytes, or as many as are left.
   std::string text(int n);
   /// Mostly a small number; also halves, huge ones, tiny ones, inf and nan.
   double number();
-  /// The same as C prints it.
+  /// Such a number in the notation of C.
   std::string number_text();
 
  private:

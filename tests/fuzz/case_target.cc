@@ -1,5 +1,5 @@
-// A case that is read is sound: no number in it is nan, its loads are finite at all times, and the effective case that
-// `run` leaves beside its results is read as the same case again.
+// An accepted case is sound: no number in it is nan, its loads are finite at all times, and the effective case that
+// `run` writes with its results is read as the same case again.
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Two geometries and a history that cases may name. The folder of the case.
+/// Writes two geometries and a history that cases may name; returns the folder of the case.
 std::string folder_of_cases() {
   const fs::path folder = fs::path(memory_file("force.csv", "time,force\n0,0\n0.2,1e6\n0.4,0\n")).parent_path();
   fs::create_directories(folder / "meshes");

@@ -1,4 +1,4 @@
-// A checkpoint that is read fits together.
+// The parts of an accepted checkpoint are consistent.
 #include "hdf5_changes.h"
 #include "output/checkpoint_file.h"
 #include "target.h"

@@ -1,4 +1,4 @@
-// A design that is read has finite waves, and the effective design is read as the same design again.
+// An accepted design has finite waves, and the effective design is read as the same design again.
 #include <cmath>
 
 #include "design/design.h"

@@ -1,4 +1,5 @@
-// What is read of a CFD program's output has ascending times and finite numbers; what a load is made of, too.
+// Data read from the output of a CFD program have ascending times and finite numbers, and so have the loads made of
+// them.
 #include <cmath>
 #include <filesystem>
 

@@ -30,7 +30,7 @@ hid_t with_image(std::string image) {
   return access;
 }
 
-/// A file in memory under change. HDF5 may refuse a change; the next one follows.
+/// Changes a file in memory. If HDF5 refuses a change, the next one follows.
 class Changes {
  public:
   Changes(const std::string& image, std::string_view bytes)
@@ -41,7 +41,7 @@ class Changes {
   }
 
   std::string run() {
-    H5Adelete(file_, "checksum");  // by which every change would be refused
+    H5Adelete(file_, "checksum");  // otherwise the checksum would reveal every change
     constexpr int most = 12;
     for (int n = 0; n < most && !bytes_.empty(); ++n) change();
     H5Fflush(file_, H5F_SCOPE_GLOBAL);
@@ -109,7 +109,7 @@ class Changes {
     return H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr);
   }
 
-  /// With values where the dataset is small; without them else, which costs HDF5 nothing.
+  /// With values if the dataset is small; otherwise without, which takes no memory.
   void make_numbers(const std::string& path) {
     const std::vector<hsize_t> shape = any_shape();
     const Handle space = Handle::maybe(space_of(shape), H5Sclose);
@@ -184,7 +184,7 @@ class Changes {
       H5Lcreate_soft(any_object().c_str(), file_, object.c_str(), H5P_DEFAULT, H5P_DEFAULT);
   }
 
-  /// A list that says how large others must be, without values.
+  /// A list without values, whose length determines the size of other lists.
   void make_shared_size(const std::string& object) {
     H5Ldelete(file_, object.c_str(), H5P_DEFAULT);
     const hsize_t n = hsize_t{1} << bytes_.below(48);
@@ -201,7 +201,7 @@ class Changes {
 }  // namespace
 
 std::string changed_hdf5(const std::string& image, std::string_view bytes) {
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // a change that is refused is no news
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // HDF5 then prints no message about refused changes
   return Changes(image, bytes).run();
 }
 

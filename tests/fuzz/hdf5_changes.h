@@ -1,4 +1,5 @@
-// Valid HDF5 files whose objects are changed at will: what other programs, other versions or half-done edits leave.
+// Valid HDF5 files with random changes of their objects, like files of other programs, of other versions or with
+// unfinished edits.
 #pragma once
 
 #include <string>

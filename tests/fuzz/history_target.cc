@@ -1,5 +1,5 @@
-// A table that is read holds finite numbers; a history made of it is finite, and passes through its samples; so are
-// the force and the warnings of transducers.
+// An accepted table holds finite numbers; a history made of it is finite and passes through its samples; the force
+// and the warnings of transducers are finite.
 #include <cmath>
 
 #include "base/csv.h"
@@ -26,7 +26,7 @@ void check_function(const TimeFunction& f) {
     require(std::isfinite(f(time[i])), "a history is finite at its samples");
     if (i > 0) require(std::isfinite(f(0.5 * (time[i - 1] + time[i]))), "a history is finite between its samples");
   }
-  if (time.size() > 40) return;  // the rest takes a while
+  if (time.size() > 40) return;  // the remaining checks take long
   require(std::isfinite(integral(f, 0., time.back())), "the integral of a history is finite");
   const Extremum highest = extremum(f, 0., time.back(), 1), lowest = extremum(f, 0., time.back(), -1);
   require(highest.value >= lowest.value, "the highest value is not below the lowest");
@@ -43,7 +43,7 @@ void check_waves(const WaveFile& file) {
   }
 }
 
-/// A table as the record of transducers, one in every column but the first.
+/// Checks the table as a record of transducers, one in every column but the first.
 void check_gauges(const CsvTable& table, const std::string& path) {
   GaugeSource source;
   for (std::size_t c = 1; c < table.names.size(); ++c) source.place[table.names[c]] = static_cast<double>(c);

@@ -11,7 +11,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Gone when the process ends in an orderly way.
+/// Removed when the process ends normally.
 class Folder {
  public:
   Folder() {

@@ -1,4 +1,4 @@
-// A mesh that is read has cells of positive area and named outer edges. gmsh itself is not instrumented.
+// An accepted mesh has cells of positive area and named outer edges. gmsh itself is not instrumented.
 #include "bytes.h"
 #include "target.h"
 #include "upbead/mesh/mesh.h"

@@ -1,4 +1,4 @@
-// A reduced model that is read fits together and is finite.
+// The parts of an accepted reduced model are consistent and finite.
 #include "hdf5_changes.h"
 #include "output/sample_model.h"
 #include "respond/wave_files.h"

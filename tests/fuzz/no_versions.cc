@@ -1,4 +1,4 @@
-// The versions of all libraries, which only their layers know, and those are not linked.
+// Replaces the versions of all libraries: only layers that are not linked here know them.
 #include "output/versions.h"
 
 namespace upbead {

@@ -1,5 +1,5 @@
-// Claim: every input that once broke a reader, or led it somewhere new, is read or refused as it must be, and so are
-// random changes of these inputs (the same in every run): a short run of what tests/fuzz/run.py does at length.
+// Claim: every input that once broke a reader or reached new code is read or refused correctly, and so are random
+// changes of these inputs (the same in every run): a short version of tests/fuzz/run.py.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 struct Reader {
   Target target;
-  int changes;  ///< to try: about a second's work
+  int changes;  ///< number to try, in about a second
 };
 
 const std::map<std::string, Reader> targets{

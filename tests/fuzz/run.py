@@ -1,13 +1,13 @@
 #!/usr/bin/python3
-"""Runs the fuzz targets under address and undefined-behaviour sanitizers (clang), one after the other, and writes what
-came out to docs/reliability/fuzzing.json where all have run.
+"""Runs the fuzz targets under address and undefined-behaviour sanitizers (clang), one after the other, and writes the
+result to docs/reliability/fuzzing.json if all have run.
 
     tests/fuzz/run.py                    10^6 executions or 15 minutes each
-    tests/fuzz/run.py --seconds 7200     longer, and not ended by a number of executions
-    tests/fuzz/run.py --keep             also keeps what was found of the corpus, minimised, in tests/fuzz/corpus
+    tests/fuzz/run.py --seconds 7200     longer, without a limit on the number of executions
+    tests/fuzz/run.py --keep             also keeps the corpus that was found, minimised, in tests/fuzz/corpus
 
-An input that breaks a target is left in BUILD/findings. A finding ends its target; mend the cause, add a test of its
-name, and run again."""
+An input that breaks a target is left in BUILD/findings. A finding ends its target; repair the cause, add a test of
+its name, and run again."""
 
 import argparse
 import json
@@ -25,7 +25,7 @@ FACTS = ROOT / "docs" / "reliability" / "fuzzing.json"
 EXECUTIONS, SECONDS = 10**6, 900
 MOST_KEPT = 60  # inputs of a target
 
-# name: what is read, longest input that a mutation makes (bytes), most bytes to keep in the corpus
+# name: (input, longest input that a mutation makes (bytes), most bytes to keep in the corpus)
 TARGETS = {
     "case": ("case file (TOML)", 6000, 60000),
     "design": ("design file (TOML)", 4000, 40000),
@@ -51,8 +51,9 @@ WORDS = {
              "$Elements\\x0a", "$EndElements\\x0a", "$EndNodes\\x0a", "$Entities\\x0a", "$EndEntities\\x0a",
              "\\x22soil\\x22", "\\x22base\\x22", "nan", "inf", "1e300"],
 }
-BATCHES = {"mesh": 8000, "groups": 6000}  # executions of one process: gmsh keeps 0.1 MB of each
-TIMEOUTS = {"mesh": 60, "model_bytes": 60}  # s: these give up gmsh and HDF5 after 5 s of computing, 12 s of the sanitizers'
+BATCHES = {"mesh": 8000, "groups": 6000}  # executions per process: gmsh does not free 0.1 MB of each
+# s: these targets stop gmsh and HDF5 after 5 s of computing, which are 12 s with sanitizers
+TIMEOUTS = {"mesh": 60, "model_bytes": 60}
 DOCUMENTS = {"case": ["case.md"], "design": ["waves.md", "expected.md", "calibration.md"]}
 NUMBERS = ["inf", "nan", "1e308", "-1e308", "1e-308", "0.0", "-1", "true", "[]", "[[0,1],[1,0]]", "{}", "\\x22\\x22",
            "\\x22auto\\x22", "9223372036854775807", "\\x0a[", "]\\x0a", "1979-05-27"]
@@ -71,7 +72,7 @@ def dictionary(name, folder):
 
 
 def seeds(name, folder):
-    """Copies what is shipped into `folder`."""
+    """Copies the shipped files into `folder`."""
     folder.mkdir(parents=True, exist_ok=True)
     tables = [path for path in (ROOT / "cases").rglob("*.toml")]
     files = {
@@ -121,7 +122,7 @@ def build(folder):
 
 
 def fuzz(name, folder, executions, seconds):
-    """Runs one target, in batches where others' libraries keep memory; what it did."""
+    """Runs one target, in batches if a library keeps memory; returns the sum of the counts."""
     begin, total = time.monotonic(), None
     while True:
         left = int(seconds - (time.monotonic() - begin))
@@ -139,7 +140,7 @@ def fuzz(name, folder, executions, seconds):
 
 
 def fuzz_batch(name, folder, executions, seconds):
-    """Runs one target once."""
+    """Runs one target in one process; returns its counts."""
     longest = TARGETS[name][1]
     corpus, findings = folder / "corpus" / name, folder / "findings" / name
     corpus.mkdir(parents=True, exist_ok=True)
@@ -154,7 +155,7 @@ def fuzz_batch(name, folder, executions, seconds):
         run = subprocess.Popen(command, stdout=log, stderr=log, env=environment())
         code = run.wait()
     shutil.rmtree(f"/dev/shm/upbead-fuzz-{run.pid}", ignore_errors=True)  # libFuzzer ends without destructors
-    if code == 0:  # what is left there are inputs that only broke a copy of the process, as is expected of them
+    if code == 0:  # the remaining findings broke only the confined copy of the process, as intended
         for path in findings.iterdir():
             path.unlink()
     text = (folder / f"{name}.log").read_text(errors="replace")
@@ -165,7 +166,7 @@ def fuzz_batch(name, folder, executions, seconds):
 
 
 def keep(name, folder):
-    """Minimises the corpus into tests/fuzz/corpus, as far as there is room. Inputs with a name of their own stay."""
+    """Minimises the corpus into tests/fuzz/corpus, as far as there is room. Named inputs stay."""
     merged, kept = folder / "merged" / name, FUZZ / "corpus" / name
     merged.mkdir(parents=True, exist_ok=True)
     for path in merged.iterdir():
@@ -181,7 +182,7 @@ def keep(name, folder):
             path.unlink()
     found = sorted(merged.iterdir(), key=lambda path: path.stat().st_size)
     room = TARGETS[name][2]
-    for path in found[:: -(-len(found) // MOST_KEPT)] if found else []:  # of every size
+    for path in found[:: -(-len(found) // MOST_KEPT)] if found else []:  # inputs of every size
         room -= path.stat().st_size
         if room < 0:
             break
@@ -206,7 +207,7 @@ def found():
 
 
 def facts(results, known):
-    """The page's facts: rows of what has run anew, the known ones of what has not."""
+    """The facts for the page: new rows of the targets that have run, the known rows of the others."""
     rows = {row["what"]: row for row in known} | {TARGETS[name][0]: row(name, result) for name, result in results.items()}
     return {
         "title": "Bad input, by machine",

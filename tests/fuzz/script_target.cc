@@ -1,4 +1,4 @@
-// A script is scanned to its end, whatever stands in it; parameters have names, commands places.
+// A script is scanned to its end, whatever its content; parameters have names, commands places.
 #include "mesh/geo_script.h"
 #include "target.h"
 

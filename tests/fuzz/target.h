@@ -1,5 +1,5 @@
-// What all fuzz targets share. A target takes bytes as a file that somebody gives to the program. The only right
-// answers are to read it, or an InputError that says what is wrong; whatever else leaves a target is a finding.
+// Shared by all fuzz targets. A target takes bytes as an input file of the program. It must either read them or throw
+// an InputError that says what is wrong; any other exception is a finding.
 #pragma once
 
 #include <stdexcept>
@@ -24,12 +24,12 @@ void try_model(std::string_view bytes);        ///< .h5 of a reduced model: vali
 void try_model_bytes(std::string_view bytes);  ///< .h5 of a reduced model, byte by byte
 void try_wave_file(std::string_view bytes);    ///< .h5 of waves: valid HDF5 whose objects are changed
 
-/// Throws std::logic_error where what a target promises does not hold.
+/// Throws std::logic_error if a promise of a target does not hold.
 inline void require(bool holds, const std::string& promise) {
   if (!holds) throw std::logic_error("broken promise: " + promise);
 }
 
-/// Runs `read`; where it refuses the input, each mistake must say what is wrong. Whether it was read.
+/// Runs `read`; if it refuses the input, each mistake must say what is wrong. Returns whether the input was accepted.
 template <class Read>
 bool read_or_refuse(Read read) {
   try {
@@ -43,7 +43,7 @@ bool read_or_refuse(Read read) {
   }
 }
 
-/// Writes a file of that name in a folder of this process, in memory where there is /dev/shm; its path.
+/// Writes a file of that name in a folder of this process, in memory if there is /dev/shm; returns its path.
 std::string memory_file(const std::string& name, std::string_view bytes);
 
 }  // namespace upbead::fuzz

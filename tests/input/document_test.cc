@@ -1,4 +1,4 @@
-// Claim: a document knows where everything was written, overrides included.
+// Claim: a document knows the place at which each value was written, also for overrides.
 #include "upbead/input/document.h"
 
 #include <gtest/gtest.h>

@@ -140,7 +140,7 @@ TEST(Schema, UnderstandsAnOlderNameWithANote) {
   EXPECT_NE(thing_schema().echo(thing).find("name = \"old\""), std::string::npos);
   EXPECT_EQ(refusal({{"label", text("old")}, {"name", text("new")}}),
             "f:1:1: 'label' is the older name of 'name', and both are given; remove it");
-  // what is set on the command line counts, by whichever name
+  // the value of the command line takes precedence, whichever of the two names it has
   const Node by_override{std::string("set"), {"--set label=set"}};
   EXPECT_EQ(refusal({{"label", by_override}, {"name", text("file")}}), "");
   thing_schema().read({NodeTable{{"label", by_override}, {"name", text("file")}}, {}}, "", thing, report);

@@ -1,4 +1,5 @@
-"""An installation works by itself: the program, its geometries, its scripts, and a program of others that links it.
+"""An installation works by itself: the program, its geometries, its scripts, and a user's program that is linked with
+it.
 
 usage: install_test.py CMAKE COMPILER FOLDER_OF_THE_BUILD FOLDER_OF_THE_PROJECT
 """
@@ -20,7 +21,7 @@ BUILD, PROJECT = (Path(argument).resolve() for argument in sys.argv[3:5])
 CONSUMER = Path(__file__).resolve().parent / "consumer"
 PEAK, DURATION = 4e3, 0.03354101966  # of cases/fig2b-model-impulse.csv
 COARSE = ["--set", "mesh.parameters.cells=0.4"]
-LEFT = ("UPBEAD", "UPBEAD_MESHES", "PYTHONPATH")  # would lead to another upbead
+LEFT = ("UPBEAD", "UPBEAD_MESHES", "PYTHONPATH")  # left out of the environment, as they may point to another upbead
 
 
 def call(*command, **options):
@@ -73,7 +74,7 @@ class Installed(unittest.TestCase):
         call("/usr/bin/python3", "-B", scripts / "report.py", self.result, cwd=self.folder)
         page = (self.result / "report.html").read_text()
         self.assertIn('id="run"', page)
-        self.assertIn("share of the pores in the volume", page)  # a meaning of a key, from the installed docs/case.md
+        self.assertIn("share of the pores in the volume", page)  # the meaning of a key, from the installed docs/case.md
 
     def test_manual_pages_and_completion(self):
         page = (self.prefix / "share/man/man1/upbead-run.1").read_text()
@@ -108,12 +109,12 @@ class Installed(unittest.TestCase):
         self.solves_a_section(build / "section")
 
     def solves_a_section(self, program):
-        """That of a case, without any case."""
+        """The C++ program, which builds its section without a case, has the peak F_T of the case."""
         no_sea = ["--set", "mesh.parameters.sea_front=0", "--set", "mesh.parameters.sea_back=0"]
         run = json.loads(call(self.program, "run", self.share / "cases/fig2b-prototype.toml", "--json", "--out",
                               self.folder / "prototype", *COARSE, *no_sea))
         shear = float(call(program, self.share / "meshes/composite.geo", 1.6e6, 0.15, 1))
-        self.assertAlmostEqual(shear / run["response"]["peak_shear"], 1, delta=1e-5)  # of the digits printed
+        self.assertAlmostEqual(shear / run["response"]["peak_shear"], 1, delta=1e-5)  # digits printed
 
     def test_headers_are_whole(self):
         include = self.prefix / "include"

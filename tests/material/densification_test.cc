@@ -1,7 +1,8 @@
 // Claims: cycles of one amplitude follow Byrne's recursion, and with C2 = 0.4/C1 stay near the four constants of
-// Martin, Finn and Seed; counting knows no axes, no volume, no length of steps, and loops on the way count for
-// themselves; a point without room loses K eps_v of its mean stress and never more than all, and gets it back when it
-// is pressed; no path gives energy back, and what is stored, taken and worked closes.
+// Martin, Finn and Seed; the count of cycles does not depend on the axes, the volume or the length of steps, and
+// small loops within a large one count separately; a point at constant volume loses K eps_v of its mean stress, never
+// more than all, and regains it when it is compressed; no path releases energy, and work is the sum of energy stored
+// and energy taken.
 #include "material/densification.h"
 
 #include <gtest/gtest.h>
@@ -26,7 +27,7 @@ PlaneStrain shear(double gamma) {
   return {0., 0., 0.5 * gamma};
 }
 
-/// Straight from strain to strain, in so many steps each.
+/// Along straight lines from strain to strain, each in `steps` steps.
 ShearCycles counted(const std::vector<PlaneStrain>& corners, int steps, const ShearCompaction& law = medium) {
   ShearCycles cycles(law);
   PlaneStrain last;
@@ -53,7 +54,7 @@ TEST(ShearCycles, OfOneAmplitudeFollowTheRecursion) {
   double by_hand = 0.;
   for (int half = 0; half < 60; ++half) {
     corners.push_back(half % 2 == 0 ? gamma : -gamma);
-    const double amplitude = half == 0 ? 0.5 * gamma : gamma;  // the first way is half as long
+    const double amplitude = half == 0 ? 0.5 * gamma : gamma;  // the first half cycle starts at zero
     by_hand += 0.5 * amplitude * 0.8 * std::exp(-0.5 * by_hand / amplitude);
     EXPECT_NEAR(counted(shears(corners), 7).compaction(), by_hand, 1e-12 * by_hand) << half;
   }
@@ -106,13 +107,13 @@ TEST(ShearCycles, KnowNoLengthOfSteps) {
 TEST(ShearCycles, LoopsOnTheWayCountForThemselvesAndTheWayAsOne) {
   const double way = counted(shears({2e-3}), 1).compaction();
   const double interrupted = counted(shears({1e-3, 0.9e-3, 2e-3}), 20).compaction();
-  double loop = way;  // the half cycles of the small loop, at the compaction of that time
+  double loop = way;  // the half cycles of the small loop, at the compaction at which they begin
   const double before = counted(shears({1e-3}), 1).compaction();
   double small = before;
   for (int half = 0; half < 2; ++half) small += medium.of_half_cycle(0.5e-4, small);
   loop += small - before;
   EXPECT_NEAR(interrupted, loop, 1e-12 * loop);
-  // what shivers on the way neither splits it nor adds much
+  // tiny reversals within a half cycle neither split it nor add much
   std::vector<double> shivering;
   for (int i = 1; i <= 100; ++i) shivering.insert(shivering.end(), {2e-5 * i, 2e-5 * i - 1e-8});
   EXPECT_NEAR(counted(shears(shivering), 1).compaction(), way, 2e-3 * way);
@@ -121,7 +122,7 @@ TEST(ShearCycles, LoopsOnTheWayCountForThemselvesAndTheWayAsOne) {
 TEST(ShearCycles, ShearThatOnlyTurnsItsDirectionCountsHalfTurns) {
   const double radius = 1e-3;
   ShearCycles cycles(medium);
-  for (int i = 0; i <= 3600; ++i) {  // five turns
+  for (int i = 0; i <= 3600; ++i) {  // the direction of shear turns five times round
     const double angle = 10. * std::acos(-1.) * i / 3600.;
     cycles.add({0.5 * radius * std::cos(angle), -0.5 * radius * std::cos(angle), 0.5 * radius * std::sin(angle)});
   }
@@ -227,7 +228,8 @@ TEST(CompactingPoint, MohrCoulombSoilKeepsWithinTheStrengthThatIsLeft) {
   EXPECT_LT(strength, 0.1 * rest);
 }
 
-/// Work of the average stress along a random path less what is stored and what was taken, over the work done in size.
+/// Along a random path: work of the average stress less the energy stored and the energy taken, over the sum of
+/// |work|.
 double energy_left(CompactingPoint& point, double size, int steps, double& least) {
   std::mt19937 random(11);
   PlaneStrain last;
@@ -251,7 +253,7 @@ double energy_left(CompactingPoint& point, double size, int steps, double& least
 
 TEST(CompactingPoint, EnergyClosesAndNothingIsGivenBack) {
   double least = 0.;
-  const auto deep = on_overlay(1e9);  // its mean stress never comes to zero
+  const auto deep = on_overlay(1e9);  // its mean stress never falls to zero
   EXPECT_LT(energy_left(*deep, 2e-4, 2000, least), 1e-11);
   const auto shallow = on_overlay(2e3);
   energy_left(*shallow, 2e-4, 100000, least);

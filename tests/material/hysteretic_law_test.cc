@@ -55,8 +55,7 @@ TEST(HystereticLaw, SmallStrainsAreElastic) {
     for (int j = 0; j < 3; ++j) EXPECT_NEAR(answer.tangent[i][j], elastic.tangent()[i][j], 1e-13 * G);
 }
 
-/// Masing (1926): tau_a - tau = 2 f((gamma_a - gamma)/2) on the way back, and the same from the other end; closed
-/// loops.
+/// Masing (1926): tau_a - tau = 2 f((gamma_a - gamma)/2) on unloading, and the same on reloading; loops close.
 TEST(HystereticLaw, UnloadsAndReloadsByMasing) {
   const HystereticLaw law = law_of(12);
   for (const double top : {0.3 * gamma_r, gamma_r, 9. * gamma_r}) {
@@ -73,7 +72,7 @@ TEST(HystereticLaw, UnloadsAndReloadsByMasing) {
   }
 }
 
-/// D = 4/pi (1 + 1/x)(1 - ln(1 + x)/x) - 2/pi, x = gamma/gamma_r: what Masing's rules make of a hyperbola.
+/// D = 4/pi (1 + 1/x)(1 - ln(1 + x)/x) - 2/pi, x = gamma/gamma_r: damping of a hyperbola by Masing's rules.
 TEST(HystereticLaw, ModulusAndDampingOverStrain) {
   const HystereticLaw law = law_of(400, 1e-4 * gamma_r, 20. * gamma_r);
   const double pi = std::acos(-1.);
@@ -89,7 +88,7 @@ TEST(HystereticLaw, ModulusAndDampingOverStrain) {
   }
 }
 
-/// Average stress times strain is what is stored and what is lost, step by step; no step gives energy back.
+/// In every step, average stress times strain is the energy stored plus the energy lost; no step releases energy.
 TEST(HystereticLaw, EnergyClosesAndDissipationIsNeverNegative) {
   const HystereticLaw law = law_of(10);
   std::mt19937 random(24);
@@ -173,7 +172,7 @@ TEST(HystereticLaw, StrengthCutsTheBackbone) {
 TEST(HystereticLaw, MobilisesAllOfItsStrengthWhereItFlows) {
   const HystereticLaw law = law_of(10);
   HystereticLaw::State state = law.at_rest();
-  const double knee = 1e-2 * gamma_r * std::pow(3000., 5. / 9.);  // where the polygon meets the hyperbola
+  const double knee = 1e-2 * gamma_r * std::pow(3000., 5. / 9.);  // a corner of the polygon, on the hyperbola
   EXPECT_NEAR(law.mobilised({0., 0., shear(law, knee, state), 0.}), hyperbola(knee) / hyperbola(30. * gamma_r), 1e-9);
   EXPECT_NEAR(law.mobilised(law.update({0.3, -0.1, 0.2}, state).stress), 1., 1e-4);
 }

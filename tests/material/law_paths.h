@@ -1,4 +1,4 @@
-// What the tests of all laws of stress do: random strains, rotations, tangents by differences.
+// Tools for tests of every law of stress: random strains, rotations, tangents by differences.
 #pragma once
 
 #include <cmath>
@@ -34,7 +34,7 @@ Tensor in_turned_axes(Tensor t, double angle) {
   return t;
 }
 
-/// Column j of the tangent by a difference of one side: of sigma by eps_xx, eps_yy or gamma.
+/// Column j of the tangent by a one-sided difference: d sigma / d eps_xx, eps_yy or gamma.
 template <class Law>
 std::array<double, 3> difference(const Law& law, const PlaneStrain& strain, const typename Law::State& state, int j,
                                  double step) {

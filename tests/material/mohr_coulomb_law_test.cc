@@ -20,7 +20,7 @@ double sine(double degrees) {
   return std::sin(pi * degrees / 180.);
 }
 
-/// Shear at a constant volume: the mean of the plane stays, tau ends at c cos phi + p sin phi.
+/// Shear at a constant volume: the mean stress in the plane is constant, tau ends at c cos phi + p sin phi.
 TEST(MohrCoulombLaw, ShearEndsAtTheStrengthOfThePlane) {
   for (const double phi : {0., 20., 35., 45.}) {
     const double cohesion = 15e3, p = 120e3;
@@ -38,7 +38,7 @@ TEST(MohrCoulombLaw, FlowWidensByTheDilatancyAngle) {
   const double psi = 12., p = 100e3;
   const MohrCoulombLaw law(elastic, {35., 5e3, psi, 0.});
   MohrCoulombLaw::State state{{-p, -p, 0., -p}, {}};
-  const double widening = sine(psi);  // eps_v = sin psi gamma_max: the direction of flow itself
+  const double widening = sine(psi);  // eps_v = sin psi gamma_max: the direction of plastic flow
   PlaneStress before;
   for (int i = 1; i <= 40; ++i) {
     before = state.stress;
@@ -49,7 +49,8 @@ TEST(MohrCoulombLaw, FlowWidensByTheDilatancyAngle) {
   EXPECT_NEAR(law.excess(state.stress), 0., 1e-9 * p);
 }
 
-/// One strain into each kind of corner; how many principal stresses are equal, and which are at the limit of tension.
+/// One strain for each kind of edge and corner, by the number of equal principal stresses and of those at the limit
+/// of tension.
 TEST(MohrCoulombLaw, ReturnsToPlanesEdgesAndCorners) {
   const double tension = 4e3;
   const MohrCoulombLaw law(elastic, {30., 10e3, 10., tension});
@@ -99,7 +100,7 @@ TEST(MohrCoulombLaw, MillionRandomStepsStayWithinAndTakeEnergy) {
     const double phi = 5. * (path % 9), psi = phi * (path % 4) / 3., cohesion = path % 3 == 0 ? 0. : 20e3;
     const MohrCoulombLaw law(elastic, {phi, cohesion + (phi == 0. ? 5e3 : 0.), psi, path % 5 == 0 ? 3e3 : 0.});
     MohrCoulombLaw::State state{{-50e3, -80e3, 0., -60e3}, {}};
-    law.update({}, state);  // into what is allowed
+    law.update({}, state);  // returns the initial stress to the admissible range
     PlaneStrain strain;
     for (int i = 0; i < 1000; ++i) {
       strain = plus(strain, random_strain(random, 3e-4));
@@ -130,7 +131,7 @@ TEST(MohrCoulombLaw, TangentIsThatOfDifferences) {
           EXPECT_NEAR(T[j][k], T[k][j], 1e-9 * G);
         }
         ++all;
-        if (std::abs(up[k] - down[k]) > 1e-3 * G) continue;  // another plane in between
+        if (std::abs(up[k] - down[k]) > 1e-3 * G) continue;  // the two differences are on different planes
         ++compared;
         EXPECT_NEAR(T[k][j], 0.5 * (up[k] + down[k]), 1e-3 * G) << i;
       }

@@ -1,7 +1,7 @@
-// Claims: points of soil in lanes answer, remember, lose and store what each does by its SoilPoint, along random paths:
-// overlays from rest and from stresses that they bear, of different numbers of elements; Mohr-Coulomb on planes, edges
-// and corners; packs that are not full; an elastic D that is not the law's own. Where nothing yields they are elastic
-// to the last bit. What lanes do not know is left to the points.
+// Claims: points of soil in lanes have the stress, state, lost and stored energy that each has by its SoilPoint,
+// along random paths: overlays from rest and from stresses that they bear, of different numbers of elements;
+// Mohr-Coulomb on planes, edges and corners; packs that are not full; an elastic D other than the law's. Where
+// nothing yields they are elastic to the last bit. Laws that lanes do not support are computed point by point.
 
 #include "material/soil_pack.h"
 
@@ -43,7 +43,7 @@ Soil mohr_coulomb(const MohrCoulombStrength& strength, const PlaneStress& at_res
   return [=] { return soil_point(law, at_rest); };
 }
 
-/// Strains of all lanes, zero beyond the cells.
+/// Strains of all lanes; zero in lanes without a cell.
 PackTensor next_strain(std::mt19937& random, const PackTensor& before, int n_cells, double size) {
   PackTensor strain = before;
   for (int lane = 0; lane < n_cells; ++lane) {
@@ -68,7 +68,7 @@ struct Difference {
   double relative() const { return largest > 0. ? worst / largest : worst; }
 };
 
-/// Both along one random path of every point.
+/// Compares lanes and single points along one random path of every point.
 void expect_same(PackKind kind, const std::vector<Soil>& soils, double size, double stiffness = G) {
   const ElasticLaw elastic = elastic_law(stiffness, 0.3);
   std::vector<PackedCell> one, other;
@@ -155,7 +155,7 @@ TEST(SoilPack, IsElasticToTheLastBitBelowYield) {
   }
 }
 
-/// Soil of half the stiffness that lanes know nothing of.
+/// Soil of half the stiffness, by a law that lanes do not support.
 class HalfElastic : public SoilPoint {
  public:
   PlaneStress stress(const PlaneStrain& strain) override { return elastic_law(0.5 * G, 0.3).stress(strain); }
@@ -168,7 +168,7 @@ TEST(SoilPack, LeavesOtherSoilToItsPoints) {
   std::vector<PackedCell> cells;
   cells.push_back(cell_of(elastic_law(G, 0.3), [] { return std::make_unique<HalfElastic>(); }));
   cells.push_back(cell_of(elastic_law(G, 0.3), overlay(20e3, 12, {})));
-  cells.back().points[1] = overlay(20e3, 12, {})();  // a law of its own
+  cells.back().points[1] = overlay(20e3, 12, {})();  // differs from the law of the other points
   for (const PackedCell& cell : cells) EXPECT_EQ(pack_kind(cell), PackKind::points);
   const auto pack = soil_pack(PackKind::points, std::move(cells));
   PackTensor strain;

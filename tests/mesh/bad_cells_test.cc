@@ -1,4 +1,4 @@
-// Cells that no solution can stand on.
+// Meshes with cells on which nothing can be solved are refused.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

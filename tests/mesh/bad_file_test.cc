@@ -1,4 +1,4 @@
-// Files and parameters that make no mesh.
+// Files and parameters that give no mesh are refused.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -45,7 +45,8 @@ TEST(BadFile, MeshCutShort) {
 }
 
 TEST(BadFile, MeshThatGmshDoesNotSurvive) {
-  // found by tests/fuzz: a line that says it is a tetrahedron of second order takes the numbers of those below
+  // found by tests/fuzz: an element line with the type of a second-order tetrahedron makes gmsh read its nodes from
+  // the lines below
   MshFile mesh = unit_cell();
   mesh.elements[1] = "2 11 2 2 3 3 4";
   mesh.elements.erase(mesh.elements.begin() + 2);
@@ -55,7 +56,7 @@ TEST(BadFile, MeshThatGmshDoesNotSurvive) {
 }
 
 TEST(BadFile, MeshWithNodesTwiceOnWhichGmshThrows) {
-  const TemporaryFolder folder;  // found by tests/fuzz: gmsh reads on behind the mesh, and makes a list of size -1
+  const TemporaryFolder folder;  // found by tests/fuzz: gmsh reads past the end of the mesh and makes a list of size -1
   const std::string nodes = "4\n1 0 0 0\n2 9 0 0\n3 1 1 0\n4 0 0 0\n", end = "4 0 0 0\n$EndNodes\n";
   const std::string text = "$MeshFormat\n2.2 0 8\n$Nodes\n" + nodes +
                            "$EndNodes\n$Elements\n5\n1 1 2 1 1 1 2\n2 1 2 0 2 2\n" + end +

@@ -1,4 +1,4 @@
-// Surfaces and curves without names, or with too many.
+// Surfaces and curves without a name, or with more than one, are refused.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// The sea of a composite breakwater: its names, its limits and its cut of the seabed.
+// The sea of a composite breakwater: its names, its limits and how it divides the seabed.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -62,7 +62,7 @@ TEST(CompositeSea, ImpossibleOnesAreAllSaid) {
        {"sea_back is 1; it must be greater than 1.083333333 (the mound's toe) and at most 11.08333333"}},
       {{{"sea_front", 3}, {"water_depth_back", 99}}, {}},                    // no sea there
       {{{"sea_back", 3}, {"water_depth_back", 9}, {"water_depth", 3}}, {}},  // nor here
-      {{{"sea_back", 9.266666667}}, {}},                                     // as long as the message says
+      {{{"sea_back", 9.266666667}}, {}},                                     // the longest sea that the message allows
       {{{"water_depth", -3}}, {}}};                                          // no sea
   for (const auto& [parameters, expected] : all) {
     const auto said = complaints(geometry("composite", parameters));

@@ -25,7 +25,7 @@ Parameters with(Parameters changed) {
   return changed;
 }
 
-/// What is given for `side` alone, or else for both.
+/// The parameter given for `side` alone, or else the one for both sides.
 double of_side(const Parameters& p, const std::string& name, const std::string& side) {
   const auto alone = p.find(name + "_" + side);
   return alone != p.end() && alone->second > 0 ? alone->second : p.at(name);
@@ -127,7 +127,7 @@ TEST_P(Section, SeaJoinsSoilAndCaisson) {
   const Parameters p = with(GetParam());
   const auto mesh = section(GetParam());
   const auto& cells = mesh->triangulation;
-  // One piece without holes or slits (Euler): no vertex is there twice.
+  // One piece without holes or slits (Euler): no vertex is doubled.
   EXPECT_EQ(cells.n_used_vertices() + cells.n_active_cells(), cells.n_active_lines() + 1u);
   const std::map<std::string, std::string> across = {
       {"bed", "seabed"}, {"mound_surface", "mound"}, {"front", "caisson"}, {"back", "caisson"}};

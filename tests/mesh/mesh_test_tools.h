@@ -14,7 +14,7 @@
 
 namespace upbead::test {
 
-/// A folder that lives as long as this.
+/// A folder that is removed by the destructor.
 class TemporaryFolder {
  public:
   TemporaryFolder() {
@@ -76,7 +76,7 @@ inline MeshRequest request_for(const std::string& file) {
   return request;
 }
 
-/// What read_mesh complains about, as "file:line:column: what; cure"; empty where it does not.
+/// The messages of read_mesh, as "file:line:column: what; cure"; empty if the mesh is accepted.
 inline std::vector<std::string> complaints(const MeshRequest& request) try {
   read_mesh(request);
   return {};

@@ -1,5 +1,6 @@
-// Claim: every command of gmsh's scripts that reaches outside is found with its place before gmsh runs, through
-// comments, strings, line breaks, macros and included files; names that look alike are not.
+// Claim: every command of gmsh's scripts that reads or writes other files or starts programs is found with its place
+// before gmsh runs, despite comments, strings, line breaks, macros and included files; names that only look like such
+// commands are not reported.
 #include "mesh/geo_script.h"
 
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-// What a good mesh becomes.
+// The triangulation that a valid mesh gives.
 #include <gmsh.h>
 #include <gtest/gtest.h>
 
@@ -55,7 +55,7 @@ TEST(ReadMesh, ClockwiseCellsAreTurned) {
   EXPECT_NEAR(areas(*mesh).at("soil"), 1.0, 1e-12);
 }
 
-/// A quadrilateral beside two triangles: all corners and middles of sides fit together, names stay.
+/// A quadrilateral beside two triangles: corners and midpoints of common sides coincide, names stay.
 TEST(ReadMesh, TrianglesBecomeQuadrilateralsThatFitTheOthers) {
   MshFile file = unit_cell();
   file.nodes.insert(file.nodes.end(), {"5 2 0 0", "6 2 1 0"});

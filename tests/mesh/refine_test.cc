@@ -15,7 +15,7 @@ std::unique_ptr<Mesh> section() {
   return read_mesh(geometry("composite", {{"cells", 0.35}, {"grading", 3}, {"sea_front", 4}, {"sea_back", 4}}));
 }
 
-/// Splits what lies around a point of the bed's surface, three times.
+/// Splits the cells around a point three times.
 void refine_about(std::unique_ptr<Mesh>& mesh, const dealii::Point<dim>& point, double distance) {
   for (int level = 0; level < 3; ++level) {
     std::vector<bool> chosen(mesh->triangulation.n_active_cells(), false);

@@ -1,5 +1,5 @@
-// Claim: a file of a stranger draws and meshes, and does nothing else: no command of it leaves anything behind, each is
-// told, and nothing beside the file or in the user's home is read.
+// Claim: a script from an unknown source can only draw and mesh: none of its commands leaves a trace, each such
+// command is reported, and no other file beside the script or in the user's home is read.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ const std::string mesh_of_it = "Transfinite Curve{1:4} = 3; Transfinite Surface{
 
 class StrangersFile : public testing::Test {
  protected:
-  /// Of a sound rectangle with `more` in it.
+  /// The messages for the script of a valid rectangle with `more` added.
   std::vector<std::string> complaints_with(const std::string& more) const {
     return complaints(request_for(folder_.write("a.geo", rectangle_script(mesh_of_it + more))));
   }
@@ -57,7 +57,7 @@ TEST_F(StrangersFile, CommandsAreToldByNameAndLineAndNotDone) {
   }
 }
 
-/// What no reading finds, since the script makes its words itself.
+/// A word that no search in the text finds, as the script composes it at run time.
 std::string spelt(const std::string& word) {
   return "StringToName[StrCat(\"" + word.substr(0, 2) + "\", \"" + word.substr(2) + "\")] ";
 }
@@ -102,7 +102,7 @@ TEST_F(StrangersFile, ExternalProcessIsNotStarted) {
 }
 
 TEST_F(StrangersFile, OptionsBesideItAreIgnored) {
-  // gmsh takes X.opt up with X: a program, or settings that change the mesh without a word
+  // gmsh reads X.opt together with X: it may start a program or change the mesh silently
   const std::string settings = "SystemCall " + touch_ + "; Exit; Mesh.ElementOrder = 2; Error(\"seen\");\n";
   for (const char* name : {"a.geo.opt", "a.msh.opt", "b.geo.opt", "b.msh.opt"}) folder_.write(name, settings);
   EXPECT_THAT(complaints_with(""), IsEmpty());

@@ -1,5 +1,5 @@
-// Claims: every way that a scene cannot take is told at the key that asks for what the way does not do, and only then;
-// the table names every one of them once.
+// Claims: a way that cannot solve a scene is reported at the key that asks for what the way lacks, and only then; the
+// table names each exclusion once.
 #include "model/exclusions.h"
 
 #include <gtest/gtest.h>
@@ -29,7 +29,7 @@ TEST(Exclusions, AreToldAtTheKeyThatAsks) {
   for (const Exclusion& reason : excluded(scene, Treatment::several_processes)) keys.push_back(reason.key);
   EXPECT_EQ(keys, (std::vector<std::string>{"time.stop_at_energy", "output.fields", "regions.mound.strain",
                                             "regions.sand.strain"}));
-  ASSERT_EQ(excluded(scene, Treatment::reduced_model).size(), 1U);  // fields come from the reduced model, too
+  ASSERT_EQ(excluded(scene, Treatment::reduced_model).size(), 1U);  // a reduced model gives fields, too
   EXPECT_EQ(excluded(scene, Treatment::reduced_model).front().key, "time.stop_at_energy");
   EXPECT_TRUE(excluded(scene, Treatment::adapted_mesh).empty());
   scene.time.inertia = false;

@@ -1,4 +1,5 @@
-// Claim: the flow is chosen by X = k omega / (g n) at the end of the loads' spectrum, and the reason tells the number.
+// Claim: the flow is chosen by X = k omega / (g n) at the end of the loads' spectrum, and the reason states the
+// number.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,5 +1,5 @@
-// Claim: pressures between transducers are linear, beyond them as stated; forces and moments are their exact integrals;
-// a peak narrower than the spacing is told, with an error near the true one.
+// Claim: pressures are linear between transducers, beyond them as stated; forces and moments are their exact
+// integrals; for a peak narrower than the spacing the program warns, with an estimate near the true error.
 #include "upbead/model/gauges.h"
 
 #include <gtest/gtest.h>
@@ -68,7 +68,7 @@ TEST(Gauges, SharesAddUpToOne) {
 }
 
 // exp(-(y - y0)^2 / (2 s^2)): trapezoids of spacing h err by up to h^2 / 12 times the difference of the slopes at the
-// ends for a smooth peak, and by up to all of it where s << h.
+// ends for a smooth peak, and by up to the whole force where s << h.
 TEST(Gauges, TellAPeakNarrowerThanTheirSpacing) {
   const auto peak = [](double y0, double s) {
     return [=](double y) { return 1e5 * std::exp(-0.5 * (y - y0) * (y - y0) / (s * s)); };

@@ -1,4 +1,4 @@
-// Claim: the spread over the height, and the duration of a measured history.
+// Claim: the distribution of a load over the height, and the duration of a measured history.
 #include "upbead/model/load.h"
 
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ TEST(SampledDuration, DoesNotDependOnTheSampling) {
       time.push_back(0.1 * i / n);
       value.push_back(std::sin(M_PI * i / n));
     }
-    // 2 peak / (peak pi / 0.1); the chord at the foot is flatter than the sine by (pi/n)^2/6
+    // 2 peak / (peak pi / 0.1); the first chord is flatter than the sine at its start by (pi/n)^2/6
     EXPECT_NEAR(sampled_duration(time, value, 1.), 0.2 / M_PI, 0.005 * 0.2 / M_PI) << n;
   }
 }

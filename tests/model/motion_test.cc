@@ -18,7 +18,7 @@ Pulse pulse_of(PulseShape shape, double duration) {
   return pulse;
 }
 
-/// Velocities that people give as displacement and acceleration come back as what they are the derivative of.
+/// The integral of a velocity is the displacement from which the velocity was derived.
 TEST(Motion, VelocityIntegratesToTheDisplacement) {
   Pulse roof = pulse_of(PulseShape::church_roof, 0.4);
   roof.rise = 0.1;
@@ -68,7 +68,7 @@ TEST(Motion, SamplesOfADisplacementGiveAContinuousVelocity) {
   std::vector<double> t, x;
   for (int i = 0; i <= 100; ++i) {
     t.push_back(0.01 * i);
-    x.push_back(0.5 + 0.1 * std::sin(pi * t.back()));  // it starts where it stands
+    x.push_back(0.5 + 0.1 * std::sin(pi * t.back()));  // a constant offset, which gives no velocity
   }
   const TimeFunction v = rate_of_samples(t, x);
   for (const double at : {0.123, 0.25, 0.501, 0.77}) {

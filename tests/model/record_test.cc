@@ -1,6 +1,6 @@
-// Claims: a sound record brings no warning, smooth, rough or with a long rest; each fault brings its own warning, and
-// no other, with the number that it was made with; the corners of an idealised history are no record; two transducers
-// that were exchanged are named.
+// Claims: a sound record causes no warning, be it smooth, rough or with a long rest; each fault causes its own
+// warning and no other, with the number by which the record was falsified; the corners of an idealised history are
+// not treated as a record; two exchanged transducers are named.
 #include "model/record.h"
 
 #include <gtest/gtest.h>
@@ -113,7 +113,7 @@ TEST(Records, Drifting) {
 TEST(Records, TooCoarse) {
   const NumberedWarnings list = record_warnings(sampled(pulse, 1., 0.01));
   ASSERT_EQ(names(list), Names{"record_too_coarse"});
-  EXPECT_EQ(list[0].value, 8.);  // from the last sample below a tenth, at 0.22 s, to the peak at 0.3 s
+  EXPECT_EQ(list[0].value, 8.);  // samples from the last one below a tenth of the peak, at 0.22 s, to the peak at 0.3 s
 }
 
 TEST(Records, Spikes) {

@@ -1,5 +1,5 @@
-// Claim: Biot's constants follow from the keys by their definitions; a region without its keys, or with others', is
-// objected to.
+// Claim: Biot's constants follow from the keys by their definitions; a region that lacks its keys or has keys of
+// another kind is refused.
 #include "upbead/model/region.h"
 
 #include <gtest/gtest.h>
@@ -43,7 +43,7 @@ TEST(RegionMaterial, OfPorousSoil) {
   EXPECT_DOUBLE_EQ(m.b, 1e5);
   EXPECT_DOUBLE_EQ(m.alpha, 0.9);
   EXPECT_DOUBLE_EQ(m.storage, 0.4 / 2e9 + 0.5 / 36e9);
-  // both frequencies are damped by the ratio: zeta = mass_factor / (2 w) + stiffness_factor w / 2
+  // the damping ratio is met at both frequencies: zeta = mass_factor / (2 w) + stiffness_factor w / 2
   for (const double f : {1., 10.}) {
     const double w = 2. * M_PI * f;
     EXPECT_NEAR(m.mass_damping / (2. * w) + m.stiffness_damping * w / 2., 0.05, 1e-15);

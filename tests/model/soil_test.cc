@@ -1,5 +1,5 @@
-// Claim: the soil's laws are the formulas of their sources, and Rayleigh damping says how far it is from what was
-// asked.
+// Claim: the soil's laws are the formulas of their sources, and the deviation of Rayleigh damping from the damping
+// that was asked for is reported.
 #include "upbead/model/region.h"
 
 #include <gtest/gtest.h>

@@ -2,11 +2,12 @@
 """Mutation testing: does a layer's test program notice small mistakes in the layer's formulas?
 
     tests/mutation/mutate.py sliding waves --count 60 --seed 1    a random sample of each layer's mutants
-    tests/mutation/mutate.py sliding --again                       those of the last sample that nobody has explained
+    tests/mutation/mutate.py sliding --again                       unexplained survivors of the last sample
 
-Each mutant is a change of one place (operators.py). Its file alone is compiled and linked before the layers of
-build-mutation (preset `mutation`), and the layer's own tests run until the first fails. A mutant that survives needs a test,
-or a reason in equivalent.toml why no test can see it. What came out goes to docs/reliability/mutation.json."""
+Each mutant is a change of one place (operators.py). Only its file is compiled, and it is linked in front of the
+layers of build-mutation (preset `mutation`), and the layer's own tests run until the first fails. A mutant that
+survives needs a test, or a reason in equivalent.toml why no test can see it. The result goes to
+docs/reliability/mutation.json."""
 
 import argparse
 import json
@@ -53,7 +54,8 @@ class Layer:
                 for mutant in mutants(str(path.relative_to(ROOT)), path.read_text())]
 
     def run(self, program, seconds):
-        """PASSED, TOO_LONG, or how the program failed; the time is the processor's, as others use the machine too."""
+        """PASSED, TOO_LONG, or how the program failed; the limit is processor time, as other processes may use the
+        machine."""
         command = ["prlimit", f"--cpu={seconds:.0f}", f"--as={MEMORY}", "--core=0", program, "--gtest_brief=1"]
         try:
             with tempfile.TemporaryDirectory() as folder:
@@ -64,7 +66,7 @@ class Layer:
             return TOO_LONG
 
     def compile(self, path, text, folder):
-        """The object of the text in place of the file at path; None where it does not compile."""
+        """The object file of `text` instead of the file at `path`; None if it does not compile."""
         command = list(self.commands[str(path)])
         command[command.index("-o") + 1] = "mutant.o"
         command[command.index(str(path))] = path.name
@@ -73,7 +75,7 @@ class Layer:
         return folder / "mutant.o" if done.returncode == 0 else None
 
     def original(self, path, text):
-        """The object of the file as it is, compiled in the same way."""
+        """The object file of the unchanged file, compiled in the same way."""
         if path not in self.originals:
             with tempfile.TemporaryDirectory() as folder:
                 self.originals[path] = self.compile(path, text, pathlib.Path(folder)).read_bytes()
@@ -113,7 +115,7 @@ def judged(layer, mutant, text):
 
 
 def judge(layer, chosen, jobs):
-    """The verdicts of the chosen mutants, told as they come."""
+    """The verdicts of the chosen mutants; survivors are printed as they are found."""
     found = []
     with futures.ThreadPoolExecutor(jobs) as pool:
         for done in futures.as_completed([pool.submit(judged, layer, *one) for one in chosen]):
@@ -126,7 +128,7 @@ def judge(layer, chosen, jobs):
 
 
 def sample(layer, options, path):
-    """Judges a new sample; or, of the last one, those that survived."""
+    """Judges a new sample or, with --again, the survivors of the last sample."""
     everything = layer.all()
     if options.again:
         state = json.loads(path.read_text())
@@ -146,7 +148,7 @@ def sample(layer, options, path):
 
 
 def row(name, state):
-    """The layer's line of the page, and how many of its survivors nobody has explained."""
+    """The layer's line of the page, and the number of its survivors without an explanation."""
     n = {verdict: [one for one in state["mutants"] if one["verdict"] == verdict]
          for verdict in ("stillborn", "same code", "killed", TOO_LONG, "survived")}
     reasons = explained()

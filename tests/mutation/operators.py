@@ -1,13 +1,13 @@
 """Mutants of a C++ source text: one small change each, of the kinds that change numbers.
 
-Strings, comments and lines of the preprocessor are left alone; so are tolerances (constants below 1e-5), as a result that
-depends on them in its digits is not told wrong by any test, and `if constexpr`, which the compiler decides."""
+Not changed are strings, comments and lines of the preprocessor, tolerances (constants below 1e-5), as no test can
+tell a result with slightly different digits to be wrong, and `if constexpr`, which the compiler decides."""
 
 import re
 from dataclasses import dataclass
 
 SKIPPED = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])\'|^[ \t]*#[^\n]*', re.MULTILINE | re.DOTALL)
-SWAPS = {  # kind: pairs (pattern, what stands there instead)
+SWAPS = {  # kind: pairs (pattern, replacement)
     "relational": [(r" <= ", " < "), (r" >= ", " > "), (r" < ", " <= "), (r" > ", " >= "), (r" == ", " != "),
                    (r" != ", " == ")],
     "arithmetic": [(r" \+ ", " - "), (r" - ", " + "), (r" \* ", " / "), (r" / ", " * "), (r" \+= ", " -= "),
@@ -20,7 +20,7 @@ SWAPS = {  # kind: pairs (pattern, what stands there instead)
 }
 NUMBER = re.compile(r"(?<![\w.])(?:\d+\.\d*|\d+)(?:e[-+]?\d+)?(?![\w.])")
 CONDITION = re.compile(r"\b(?:if|while) \(")
-# an assignment, a call or a jump that is a line of its own; what is declared with it would be missed by the compiler
+# an assignment, a call or a jump on a line of its own; not a declaration, without which the file would not compile
 STATEMENT = re.compile(r"^[ ]+(?!return\b|throw\b|using\b|const\b|auto\b|static\b|double\b|int\b)"
                        r"(?:break|continue|[\w.\[\]\->]+(?:\([^\n;]*\)[\w.]*)*(?: (?:[-+*/]?=) [^\n;]*)?);$", re.MULTILINE)
 
@@ -37,7 +37,7 @@ class Mutant:
         return text[:self.start] + self.new + text[self.end:]
 
     def told(self, text):
-        """The number of its line, that line, and what becomes of it."""
+        """The number of the changed line, the line before and after the change."""
         begin = text.rfind("\n", 0, self.start) + 1
         stop = text.find("\n", self.end)
         becomes = text[begin:self.start] + self.new + text[self.end:stop]
@@ -45,7 +45,8 @@ class Mutant:
 
 
 def masked(text):
-    """The text with blanks where nothing is to be changed; quotes stay, so that a line with a message is known."""
+    """The text with blanks in place of the parts not to be changed; quotes stay, so that a line with a message is
+    recognised."""
     def blank(match):
         keep = match[0][0] if match[0][0] in "\"'" else " "
         return keep + re.sub(r"[^\n]", " ", match[0][1:])
@@ -63,7 +64,7 @@ def other_number(number):
 
 
 def closing(text, opening):
-    """Where the parenthesis closes that opens there; -1 where it does not."""
+    """Position at which the parenthesis at `opening` closes; -1 if it does not."""
     depth = 0
     for i in range(opening, len(text)):
         depth += {"(": 1, ")": -1}.get(text[i], 0)
@@ -73,7 +74,7 @@ def closing(text, opening):
 
 
 def mutants(file, text):
-    """All of one file, in the order of the text."""
+    """All mutants of one file, in the order of the text."""
     code = masked(text)
     found = []
     for kind, swaps in SWAPS.items():
@@ -93,7 +94,8 @@ def mutants(file, text):
 
 
 def in_message(code, mutant):
-    """Whether it changes a text for the user, not a number: a sum or constant in a statement with a string."""
+    """Whether the mutant changes a text for the user, not a number: a sum or constant in a statement with a
+    string."""
     begin = max(code.rfind(mark, 0, mutant.start) for mark in ";{}")
     stop = code.find(";", mutant.end)
     return '"' in code[begin + 1:stop] and mutant.kind in ("arithmetic", "constant", "statement")

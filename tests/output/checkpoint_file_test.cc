@@ -1,5 +1,5 @@
-// Claim: a checkpoint is read back as it was written, every number to the last bit, also with nothing in its lists;
-// what is no whole checkpoint is refused with the file's name.
+// Claim: a checkpoint is read back as it was written, every number to the last bit, also with empty lists; an
+// incomplete checkpoint is refused with the file's name.
 #include "output/checkpoint_file.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
-// Claim: ten lines of C++ evaluate a wave with a reduced model, and get the closed form of an oscillator under a step.
+// Claim: ten lines of C++ compute the response of a reduced model to a wave, here the closed form of an oscillator
+// under a step.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,7 +12,7 @@ namespace library_example_test {
 
 TEST(LibraryExample, LoadsAModelAndEvaluatesAWave) {
   ReducedModelFile made = oscillator();
-  made.modes.reading(1, 1) = 0.;  // the mode without meaning
+  made.modes.reading(1, 1) = 0.;  // the mode without physical meaning
   const TemporaryFile file(model_file(made));
   const std::string path = file.path();
   const double pi = std::acos(-1.);

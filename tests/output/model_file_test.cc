@@ -1,5 +1,5 @@
-// Claim: a reduced model comes back from its file bit by bit, and a file that is no whole model is refused by what it
-// lacks.
+// Claim: a reduced model is read from its file bit by bit, and a file that is no complete model is refused with the
+// missing part.
 #include "upbead/output/model_file.h"
 
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ std::string refusal(const std::string& path) {
   return "";
 }
 
-/// The refusal of the sample model after something has been done to its file.
+/// The messages about the sample model after `damage` to its file.
 std::string refusal_after(const std::function<void(hid_t)>& damage) {
   const TemporaryFile file(model_file(oscillator()));
   const hid_t id = H5Fopen(file.path().c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
@@ -47,7 +47,7 @@ void put(hid_t file, const char* dataset, double value) {
   H5Dclose(data);
 }
 
-/// Puts a list of `n` numbers in place of a dataset, with values only where asked for.
+/// Replaces a dataset by a list of `n` numbers, with values only if `written`.
 void replace(hid_t file, const char* dataset, hsize_t n, bool written) {
   H5Ldelete(file, dataset, H5P_DEFAULT);
   const hid_t space = H5Screate_simple(1, &n, nullptr);
@@ -105,7 +105,7 @@ TEST(ModelFile, KeepsASlip) {
   made.slip = slipping_oscillator();
   made.slip->system.is_phi[1] = true;
   for (Eigen::MatrixXd* matrix : {&made.slip->system.M, &made.slip->system.C, &made.slip->system.K})
-    (*matrix)(1, 1) *= -1.;  // as the rows of phi are
+    (*matrix)(1, 1) *= -1.;  // as in the rows of phi
   made.slip->system.prescribed[1] = 0;
   made.slip->system.n_prescribed = 1;
   const TemporaryFile file(model_file(made));
@@ -127,7 +127,7 @@ TEST(ModelFile, KeepsASlip) {
   EXPECT_EQ(model_file(read), model_file(made));
 }
 
-/// Of a slip that was changed before its file was written, so that the checksum fits.
+/// The messages about a model whose slip was changed before the file was written, so that the checksum is right.
 std::string refusal_of_slip(const std::function<void(ReducedSystem&)>& change) {
   ReducedModelFile model = oscillator();
   model.slip = slipping_oscillator();
@@ -238,7 +238,7 @@ TEST(ModelFile, TakesNoMemoryForWhatIsNotThere) {
   const std::string again = "; make it again with 'upbead reduce'";
   EXPECT_EQ(refusal_after([](hid_t file) { replace(file, "/loads/peak", hsize_t{1} << 40, false); }),
             "m: /loads/peak is missing, or cannot be read as numbers" + again);
-  // the length of one part decides on the size of others
+  // the length of one part determines the size of others
   ReducedModelFile model = oscillator();
   model.slip = slipping_oscillator();
   const TemporaryFile file(model_file(model));

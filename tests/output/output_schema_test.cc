@@ -1,5 +1,5 @@
-// Claim: what a schema declares is what is written and what is described, key by key; JSON never holds a number that is
-// not finite, and the message names where it is.
+// Claim: exactly the keys that a schema declares are written and described; JSON never holds a number that is not
+// finite, and the message names its key.
 
 #include "output/output_schema.h"
 
@@ -82,7 +82,7 @@ TEST(OutputSchema, GivesWhatHasManyKeysATableOfItsOwn) {
                                 "\n### `start`\n\nWhere it starts.\n\n" + table + six);
 }
 
-/// With everything in it.
+/// A summary with every part.
 Summary full_summary() {
   Summary s;
   s.response.emplace();
@@ -122,7 +122,7 @@ Summary full_summary() {
   return s;
 }
 
-/// Paths of all that is in `json`, as they are described; `known` tells which names are free.
+/// Paths of all values in `json`, as in descriptions; `known` holds the paths whose names are free.
 void collect(const Json& json, const std::string& path, const std::set<std::string>& known,
              std::set<std::string>& found) {
   if (known.count(path + "[]") > 0 && json.is_array())

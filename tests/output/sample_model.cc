@@ -52,7 +52,7 @@ NestedModels nested_oscillators(double middle, double reference) {
 
 ModelSlip slipping_oscillator() {
   const double mass = oscillator().caisson_mass, rate = 4. * std::acos(-1.), ratio = 0.15, ground = 50e3;
-  Eigen::Matrix2d of_ground;  // of x and s; the ground moves by x - s
+  Eigen::Matrix2d of_ground;  // matrix over (x, s) of a unit spring to the ground, which moves by x - s
   of_ground << 1., -1., -1., 1.;
   ModelSlip slip;
   ReducedSystem& system = slip.system;

@@ -11,17 +11,17 @@
 
 namespace upbead::test {
 
-/// 604.8 t/m at 2 Hz with 15 % of critical damping under the loads `impact` and `slow`, each P; readings `force`,
-/// `shear_force` and `caisson/displacement_x`, and a mode without meaning.
+/// 604.8 t/m at 2 Hz with 15 % of critical damping under the loads `impact` and `slow`, both forces P; readings
+/// `force`, `shear_force` and `caisson/displacement_x`, and a mode without physical meaning.
 ReducedModelFile oscillator();
 
-/// Larger models of it whose F_T is so many times that of the model itself.
+/// Larger models of oscillator() whose F_T is `middle` and `reference` times that of the model.
 NestedModels nested_oscillators(double middle, double reference);
 
-/// That caisson on a ground of 50 t/m with the same spring and dashpot, over which it slips.
+/// The same caisson, which slips on a ground of 50 t/m with the same spring and dashpot.
 ModelSlip slipping_oscillator();
 
-/// A file that is gone when the test is.
+/// A file that the destructor removes.
 class TemporaryFile {
  public:
   explicit TemporaryFile(const std::string& bytes, const std::string& ending = ".h5")

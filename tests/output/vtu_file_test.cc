@@ -1,5 +1,5 @@
-// Claims: an array in a VTU file is what VTK's format says, whole, whatever its size beside that of a block; numbers
-// come back to the last bit; the file declares where each of its arrays lies.
+// Claims: an array in a VTU file follows VTK's format and is complete, whether it is smaller or larger than a block;
+// numbers are read back to the last bit; the file declares the offset of each array.
 #include "output/vtu_file.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ std::uint32_t size_at(const std::string& bytes, std::size_t index) {
   return number;
 }
 
-/// Reads an array as the format says, by zlib; `used`: how many of the bytes are its own.
+/// Reads an array according to the format, by zlib; `used`: number of bytes that belong to it.
 std::string inflated(const std::string& bytes, std::size_t* used = nullptr) {
   const std::size_t n = size_at(bytes, 0), size = size_at(bytes, 1), last = size_at(bytes, 2);
   std::size_t place = (3 + n) * sizeof(std::uint32_t);

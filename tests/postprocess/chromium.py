@@ -24,7 +24,7 @@ class Browser:
         self.read_end, write_end = os.pipe()
 
         def wire():
-            # Copies first: either end may stand on 3 or 4 already.
+            # Copied first, as either end may already be descriptor 3 or 4.
             incoming, outgoing = os.dup(read_end), os.dup(write_end)
             os.dup2(incoming, 3)
             os.dup2(outgoing, 4)
@@ -98,7 +98,7 @@ class Browser:
             self.problems.append(found["entry"]["text"])
 
     def open(self, path, width, height=900, dark=False, scripts=True):
-        """Shows a file in a window of the size (CSS pixels), after its scripts have run where they may."""
+        """Opens a file in a window of that size (CSS pixels) and waits until its scripts, if allowed, have run."""
         self.call(
             "Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=width < 600
         )
@@ -113,7 +113,7 @@ class Browser:
             self.value("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done(0))))")
 
     def value(self, script, session=None):
-        """What an expression gives, in the page or in the session of a frame; promises are waited for."""
+        """The value of an expression in the page or in the session of a frame; promises are awaited."""
         asked = {"expression": script, "returnByValue": True, "awaitPromise": True}
         answer = self._send("Runtime.evaluate", asked, session or self.session)
         if "exceptionDetails" in answer:
@@ -121,7 +121,7 @@ class Browser:
         return answer["result"].get("value")
 
     def frame(self):
-        """The session of the page's frame, which has a process of its own: those of a sandbox have."""
+        """The session of the page's frame, which has a process of its own because it is sandboxed."""
         until = time.monotonic() + self.seconds
         while time.monotonic() < until:
             frames = [target for target in self._send("Target.getTargets", {})["targetInfos"] if target["type"] == "iframe"]

@@ -1,4 +1,4 @@
-"""Models, pages and answers that the tests of the page work on."""
+"""Models, pages and results that the tests of the page use."""
 
 import json
 import shutil
@@ -12,7 +12,8 @@ import numpy as np
 SCRIPTS, PROGRAM, CASES = (Path(argument).resolve() for argument in sys.argv[1:4])
 sys.path.insert(0, str(SCRIPTS))
 
-# Settles a page's controls to {key: text}, waits until the error is told, and gives all it tells: numbers, wave, histories.
+# Sets a page's controls to {key: text}, waits until the error is shown, and returns the numbers, wave and histories
+# shown.
 ASK = """async (settings) => {
   const saved = [], click = HTMLAnchorElement.prototype.click, address = URL.createObjectURL;
   HTMLAnchorElement.prototype.click = () => {};
@@ -42,7 +43,7 @@ def call(*arguments):
 
 
 def reduced(case, folder, *settings):
-    """The file of a reduced model."""
+    """Makes a reduced model; returns its file."""
     call("reduce", CASES / case, "--out", folder, *(word for setting in settings for word in ("--set", setting)))
     return folder / "reduced.h5"
 
@@ -68,7 +69,7 @@ def ask(browser, settings):
 
 
 def axe(folder):
-    """The file of axe-core, or None where npm cannot bring it."""
+    """The file of axe-core, or None if npm cannot fetch it."""
     npm = shutil.which("npm")
     if npm is None:
         return None
@@ -80,7 +81,7 @@ def axe(folder):
 
 
 def violations(browser, source):
-    """What axe-core finds in the page that is open: rules, each with its first element."""
+    """Findings of axe-core in the open page: rules, each with its first element."""
     browser.value(source.read_text() + "; 0")
     value = "violations.map(({id, nodes}) => id + ': ' + nodes[0].html)"
     found, held = browser.value(f"axe.run().then(({{violations, passes}}) => [{value}, passes.length])")

@@ -1,4 +1,4 @@
-"""Results that the tests of the report work on: runs of shipped cases, and what other scenes would add to them."""
+"""Results that the tests of the report use: runs of shipped cases, with parts added that other scenes would have."""
 
 import json
 import os
@@ -53,7 +53,7 @@ def run(case, folder, *settings):
 
 
 def page(folder, *options, environment=None):
-    """Makes the report; returns (page's text, what the command said)."""
+    """Makes the report; returns (text of the page, output of the command)."""
     target = folder / "page.html"
     done = subprocess.run(
         ["/usr/bin/python3", "-B", SCRIPTS / "report.py", folder, "-o", target, *options],

@@ -1,4 +1,5 @@
-"""Fits to a record: what is planted comes back, the intervals hold it, and what the record cannot tell is told.
+"""Fits to a record: known parameters are recovered, the intervals contain them, and parameters that the record does
+not determine are reported.
 
 usage: test_fit.py FOLDER_OF_THE_SCRIPTS PROGRAM
 """
@@ -89,7 +90,7 @@ class Planted(InFolder):
 
     def test_by_the_command_from_below(self):
         time, value = self.plant(4, every=2e-3)
-        with open(self.folder / "lab.csv", "w") as file:  # begins with a second of rest, 7 kN/m off
+        with open(self.folder / "lab.csv", "w") as file:  # begins with a second of rest, with an offset of 7 kN/m
             print("time (ms);P (kN/m);F_T (kN/m)", file=file)
             rest = [(t, 0.0) for t in np.arange(-1.0, -1e-9, 2e-3)]
             for t, v in [*rest, *zip(time, value)]:
@@ -150,7 +151,7 @@ class NotIdentifiable(InFolder):
 
 
 class Oscillator:
-    """x'' + 2 z w x' + w^2 x of an impulse, with w = sqrt(G): a model that costs nothing."""
+    """x'' + 2 z w x' + w^2 x under an impulse, with w = sqrt(G): a model that takes no time."""
 
     time = np.linspace(0.0, 2.0, 50)
     truth = {"G": 100.0, "damping": 0.1}
@@ -192,11 +193,11 @@ class Confidence(unittest.TestCase):
 
     def test_a_guess_far_off_and_values_that_cannot_be(self):
         model, noise = Oscillator(), 0.05 * np.random.default_rng(1).standard_normal(Oscillator.time.size)
-        model.parameters.guess.update(G=250.0, damping=0.6)  # nan from 1 on
+        model.parameters.guess.update(G=250.0, damping=0.6)  # nan for a damping ratio of 1 or more
         values, found = model.fit(model.exact + noise)
         self.assertLess(abs(values["G"] / 100 - 1), 0.05)
         self.assertLess(abs(values["damping"] / 0.1 - 1), 0.3)
-        for side in (1, -1):  # nothing on one side of 0
+        for side in (1, -1):  # undefined on one side of 0
             jacobian, doubt = least_squares.differences(
                 lambda points: [np.where(side * x > 0, np.nan, 3 * x) for x in points], np.zeros(1), -np.ones(1), np.ones(1))
             np.testing.assert_allclose((jacobian[0, 0], doubt[0]), (3.0, 0.0))
@@ -259,7 +260,8 @@ class Directions(unittest.TestCase):
 
 
 class Records(InFolder):
-    """Files are read by the program, and tested there; here that all that is said of them gets there."""
+    """The program reads record files, and its tests cover that; tested here is that all options about them reach the
+    program."""
 
     def read(self, column, unit=None, start=None, zero=None):
         runs = Runs(self.folder / "case.toml", None, {}, {"mesh.parameters.cells": 1.0}, 2, None)

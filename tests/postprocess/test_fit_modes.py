@@ -1,4 +1,5 @@
-"""Fits to natural frequencies and damping: what is planted comes back, intervals are right, no mode is exchanged in silence.
+"""Fits to natural frequencies and damping: known parameters are recovered, intervals are right, and no mode is
+exchanged without a message.
 
 usage: test_fit_modes.py FOLDER_OF_THE_SCRIPTS PROGRAM
 """
@@ -133,7 +134,7 @@ class Planted(OfTheProgram):
 
 
 class Modes:
-    """Runs that cost nothing: modes f_i = f0_i prod theta^power_i, each with a damping ratio and a share."""
+    """Runs that take no time: modes f_i = f0_i prod theta^power_i, each with a damping ratio and a share."""
 
     failures = []
 
@@ -168,7 +169,7 @@ def fitted(measured, runs, keys):
 
 
 class Pairing(unittest.TestCase):
-    """Two modes of which the shares, or the frequencies, change places as G grows."""
+    """Two modes whose shares, or frequencies, change their order as G grows."""
 
     def test_a_mode_is_followed_through_a_change_of_shares_and_that_is_told(self):
         grows = (1.0, [0.5], lambda point: 0.5 / point["G"])
@@ -236,7 +237,7 @@ class Intervals(unittest.TestCase):
         self.assertEqual(free.within, "any")
 
     def test_hold_the_truth_as_often_as_they_say(self):
-        """A record, whose noise is not known, and two frequencies of an oscillator; of each alone and of both."""
+        """Intervals by a record of unknown noise, by two frequencies of an oscillator, and by both."""
         time, truth, noise, error = np.linspace(0.0, 2.0, 40), np.array([100.0, 0.1]), 0.15, np.array([0.02, 0.03, 0.2])
         keys = parameters(G=120.0, damping=0.08)
 

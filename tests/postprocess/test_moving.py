@@ -1,4 +1,4 @@
-"""The moving section by its parts, on made-up fields: contact under the base, slip as a whole, strength, the still picture.
+"""Parts of the moving section, on artificial fields: contact at the bottom, mean slip, strength, the still picture.
 
 usage: test_moving.py FOLDER_OF_THE_SCRIPTS
 """
@@ -26,7 +26,8 @@ X = np.linspace(-1.0, 1.0, 5)  # nodes of the bottom: ends and middles of two ce
 
 
 def section(mobilised=None):
-    """Two cells of a caisson on two cells of ground, which it parts from at its seaward end; two frames."""
+    """Two cells of a caisson on two cells of ground; in the second of two frames the caisson has opened at its
+    seaward end."""
     row = [(x, y) for y in (0.0, -1.0) for x in (-1.0, 0.0, 1.0)]  # ground: its top first
     points = np.array(row + [(x, y) for y in (1.0, 0.0) for x in (-1.0, 0.0, 1.0)])
     cells = np.array([[0, 1, 4, 3], [1, 2, 5, 4], [6, 7, 10, 9], [7, 8, 11, 10]])
@@ -64,7 +65,7 @@ class Moving(unittest.TestCase):
 
     def test_each_node_has_its_state_in_each_frame(self):
         told = bottom.contact(write(self.folder), section())
-        self.assertEqual(told["states"], ["00000", "21110"])  # nobody slips at the first time
+        self.assertEqual(told["states"], ["00000", "21110"])  # no node slips at the first time
         self.assertEqual(told["pairs"], [[9, 0], [10, 1], [11, 2]])
         self.assertEqual(told["place"], [0.0, 0.5, 1.0, 1.5, 2.0])
         self.assertEqual(told["told"][1], "bottom: 12 % sticks, 75 % slips, 12 % is open, gap up to 20 mm; mean slip 9.8 mm")
@@ -112,7 +113,7 @@ class Moving(unittest.TestCase):
             self.assertEqual(drawn.count(f'class="{class_}"'), 1, class_)
         self.assertEqual(len(re.findall("<polyline", drawn)), 5)
         self.assertIn("bottom: 12 % sticks", re.search('aria-label="([^"]*)"', drawn)[1])
-        self.assertEqual([drawn.count(colour) for _, colour in bottom.STATES], [1, 3, 2])  # what gapes is filled, too
+        self.assertEqual([drawn.count(colour) for _, colour in bottom.STATES], [1, 3, 2])  # gaps are filled, too
 
     def test_pressures_are_numbers_of_colours(self):
         self.assertEqual(list(base64.b64decode(animation.shades(np.array([-9.0, -1.0, 0.0, 1.0])))), [0, 0, 128, 255])

@@ -1,4 +1,5 @@
-"""What results show in a notebook: tables, figures, the page that answers; the notebook of docs, where Jupyter is installed.
+"""Display of results in a notebook: tables, figures, the interactive page; the notebook of docs, where Jupyter is
+installed.
 
 usage: test_notebook.py FOLDER_OF_THE_SCRIPTS PROGRAM CASES_FOLDER [TEST ...]
 """
@@ -48,7 +49,7 @@ class Shown(unittest.TestCase):
         cls.temporary.cleanup()
 
     def shown(self, thing):
-        """Its HTML; no word of a stranger is an element, and what a terminal shows is short."""
+        """The HTML of a thing; no text from input files becomes an element, and its repr in a terminal is short."""
         self.assertLess(len(repr(thing)), 300)
         self.assertNotIn("\n", repr(thing))
         text = thing._repr_html_()
@@ -164,7 +165,7 @@ class Shown(unittest.TestCase):
               const found = document.querySelector('data[data-key="peak_shear"]');
               if (found) done(+found.value); else setTimeout(look, 20); }; look(); })"""
             before = browser.value(told, frame)
-            self.assertEqual(browser.value("window.origin", frame), "null")  # it reaches nothing of the notebook
+            self.assertEqual(browser.value("window.origin", frame), "null")  # it has no access to the notebook
             x, y = browser.value("(({left, top}) => [left, top])(document.querySelector('iframe').getBoundingClientRect())")
             left, top, width, height = browser.value(
                 "(({left, top, width, height}) => [left, top, width, height])(document.querySelector('input[type=range]').getBoundingClientRect())", frame)

@@ -26,7 +26,7 @@ TIME = np.linspace(0.0, 1.0, 11)
 
 
 def write_result(folder, **tables):
-    """A run with P, F_T, and what is given as {path: values} with two underscores for a slash."""
+    """Writes a run with P, F_T, and the given {path: values}, with two underscores for a slash."""
     folder.mkdir(exist_ok=True)
     values = {"history/time": (TIME, "s"), "history/force": (2e6 * TIME, "N/m")}
     values["history/shear_force"] = 1e6 * TIME, "N/m"
@@ -113,7 +113,7 @@ class Results(InFolder):
 
 class Program(InFolder):
     def fake(self, body):
-        """A program of the shell; it finds its arguments in $* and the folder of --out in $4."""
+        """A shell script instead of the program; its arguments are in $*, the folder of --out in $4."""
         path = self.folder / "fake"
         path.write_text(f"#!/bin/sh\n{body}\n")
         path.chmod(0o755)
@@ -200,7 +200,8 @@ class Figures(InFolder):
 
 class ParaView(InFolder):
     def state(self, fields, *words):
-        """With stand-ins for ParaView, which is not here; the names of fields are compared with the writer's."""
+        """With stubs for ParaView, which is not installed; the names of fields are compared with those of the
+        writer."""
         (self.folder / "fields.pvd").write_text("")
         simple = mock.MagicMock()
         reader = simple.PVDReader.return_value

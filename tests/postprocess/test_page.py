@@ -1,10 +1,10 @@
-"""The page that answers, in Chromium without a window, against `upbead respond`: the same numbers to 1e-10.
+"""The interactive page, in Chromium without a window, compared with `upbead respond`: the same numbers to 1e-10.
 
 Skipped (exit code 77) where there is no Chromium.
 
 usage: test_page.py FOLDER_OF_THE_SCRIPTS UPBEAD FOLDER_OF_THE_CASES [GROUPS]
 
-GROUPS of ten settings each: 5 by default, one for each kind of uplift; the long tests ask 20.
+GROUPS of ten settings each: 5 by default, one for each kind of uplift; the long tests have 20.
 """
 
 import io
@@ -35,7 +35,7 @@ SAME = ("peak_force", "peak_shear", "peak_shear_seaward")
 
 
 def random_wave(draw, peak, duration):
-    """Texts of the fields; rise and plateau at their ends now and then."""
+    """Texts of the fields; rise and plateau are sometimes at the ends of their ranges."""
     long = duration * 10 ** draw.uniform(-1.2, 1.2)
     shape, within = draw.choice(SHAPES), draw.uniform(0, long)
     rise = draw.choice([0.0, long if shape == "triangle" else within, within, within])

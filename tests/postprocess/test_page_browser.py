@@ -1,6 +1,6 @@
-"""The page that answers in Chromium without a window: what a reader sees, types, drops and hears.
+"""The interactive page in Chromium without a window: display, typing, dropped files, and accessibility.
 
-Skipped (exit code 77) where there is no Chromium; the test with axe-core where npm cannot bring it.
+Skipped (exit code 77) where there is no Chromium; the test with axe-core is skipped if npm cannot fetch it.
 
 usage: test_page_browser.py FOLDER_OF_THE_SCRIPTS UPBEAD FOLDER_OF_THE_CASES [TEST ...]
 """
@@ -66,7 +66,7 @@ class Page(unittest.TestCase):
         return self.browser.value(f"({function})({', '.join(map(repr, arguments))})")
 
     def drop(self, name, text):
-        """Gives a record by the file field; what the page says of it."""
+        """Gives a record by the file field; returns the page's message about it."""
         path = self.folder / name
         path.write_text(text)
         root = self.browser.call("DOM.getDocument")["root"]["nodeId"]

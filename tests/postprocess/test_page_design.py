@@ -22,7 +22,7 @@ from upbead.program import toml_value
 
 SECTIONS, WAVES, EQUAL = 20, 10, 1e-10
 NOT_OF_A_WAVE = ("water_depth", "submerged_weight")
-# Types {key: text} one by one; gives the numbers, the warnings, the mistake, and the design as the page saves it.
+# Types {key: text} one by one; returns the numbers, the warnings, the mistake, and the design as the page saves it.
 TYPE = """async (settings) => {
   const saved = [], click = HTMLAnchorElement.prototype.click, address = URL.createObjectURL;
   HTMLAnchorElement.prototype.click = () => {};
@@ -43,7 +43,7 @@ TYPE = """async (settings) => {
 
 
 def random_section(draw):
-    """Fields of a section and a level; now and then what is out of the ordinary."""
+    """Fields of a section and a level, sometimes with unusual values."""
     h = draw.uniform(8, 30)
     bottom = h * draw.uniform(0.4, 1.05)
     sizes = {"water_depth": h, "foundation_depth": bottom, "berm_depth": bottom * draw.uniform(0.6, 1.1), "crest": draw.uniform(1, 12),
@@ -89,7 +89,7 @@ class Formulas(unittest.TestCase):
         self.assertGreater(len(warned), 10)
 
     def compare_section(self, draw, number, worst, warned):
-        while self.type(random_section(draw))["wrong"]:  # such a level, or W' of such a section: refused, as another test looks at
+        while self.type(random_section(draw))["wrong"]:  # the level or W' is refused, which another test checks
             self.assertIn("No answer", self.type([])["wrong"])
         answers = {f"w{i}": self.type(random_wave(draw)) for i in range(WAVES)}
         designs = {name: tomllib.loads(answer["saved"][1]) for name, answer in answers.items()}
@@ -111,7 +111,8 @@ class Formulas(unittest.TestCase):
             worst[key] = max(worst.get(key, 0.0), abs(value - program) / scale)
         told = {warning["name"]: warning["text"] for warning in exact["warnings"] if "standing" not in warning["text"]}
         self.assertEqual({name: text.replace("_", "") for name, text in answer["warnings"].items() if name in told}, {name: text.replace("_", "") for name, text in told.items()})
-        self.assertLessEqual(set(answer["warnings"]) - set(told), {"base_pressure", "overturning_limit"})  # where the standing wave is worse
+        # warnings of the standing wave where it governs
+        self.assertLessEqual(set(answer["warnings"]) - set(told), {"base_pressure", "overturning_limit"})
         warned.update(told)
 
     def test_what_the_program_refuses_is_not_answered(self):

@@ -1,6 +1,6 @@
-"""The page of a design in Chromium without a window: what a reader sees and types, and its storms and lives.
+"""The page of a design in Chromium without a window: display and typing, and its storms and lives.
 
-Skipped (exit code 77) where there is no Chromium; the test with axe-core where npm cannot bring it.
+Skipped (exit code 77) where there is no Chromium; the test with axe-core is skipped if npm cannot fetch it.
 
 usage: test_page_design_browser.py FOLDER_OF_THE_SCRIPTS UPBEAD FOLDER_OF_THE_CASES
 """

@@ -1,4 +1,5 @@
-"""Waves by Goda's formulas in the page of a reduced model, in Chromium: P and U as `upbead waves`, the answer as `upbead respond`.
+"""Waves by Goda's formulas in the page of a reduced model, in Chromium: P and U as by `upbead waves`, the response as
+by `upbead respond`.
 
 Skipped (exit code 77) where there is no Chromium.
 
@@ -42,14 +43,15 @@ class Waves(unittest.TestCase):
         cls.temporary.cleanup()
 
     def waves(self, wave, rise, *settings):
-        """(wave, section) as `upbead waves` tells it."""
+        """(wave, section) in the summary of `upbead waves`."""
         words = [f"waves.storm.{key}={value}" for key, value in wave.items()] + [f"levels.page={rise}", *settings]
         text = made.call("waves", self.design, "--json", "--out", self.folder / "waves", *(word for pair in words for word in ("--set", pair)))
         summary = json.loads(text)["waves"]["storm"]["levels"]["page"]
         return summary, summary["section"]
 
     def responded(self, told, U, name, friction):
-        """The answer of `upbead respond` to the wave that the page saves, with its uplift over its peak of P."""
+        """The response by `upbead respond` to the wave that the page saves, with the ratio of its uplift to its peak
+        of P."""
         wave = self.folder / f"{name}.csv"
         wave.write_text(told["wave"])
         peak = np.loadtxt(wave, delimiter=",", skiprows=1)[:, 1].max()
@@ -84,7 +86,7 @@ class Waves(unittest.TestCase):
             for key, exact in (("force", goda["force"]), ("uplift", goda["uplift"]), ("alpha_star", goda["alpha_star"]), ("submerged_weight", section["submerged_weight"])):
                 worst[key] = max(worst.get(key, 0.0), abs(numbers[f"goda.{key}"] / exact - 1))
             self.assertAlmostEqual(numbers["peak_force"] / goda["force"], 1.0, places=4 if "sine" in typed["shape"] else 9)
-            if typed["uplift"] == "held":  # of the model's own [sliding.uplift]
+            if typed["uplift"] == "held":  # the kind in the model's own [sliding.uplift]
                 self.compare(numbers, self.responded(told, goda["uplift"], f"wave{number}", "0.55"), worst)
         print(f"{SETTINGS} waves, largest differences: " + ", ".join(f"{key} {value:.0e}" for key, value in worst.items()), file=sys.stderr)
         self.assertLess(max(worst.values()), EQUAL)

@@ -1,4 +1,4 @@
-"""The pages that are made by gallery.py and reference.py are current, and their checks see when they are not.
+"""The pages made by gallery.py and reference.py are up to date, and their checks fail if they are not.
 
 usage: test_pages.py FOLDER_OF_THE_SCRIPTS PROGRAM FOLDER_OF_THE_PROJECT
 """

@@ -1,4 +1,4 @@
-"""Runs the figures on made-up results. Usage: test_postprocess.py FOLDER_OF_THE_SCRIPTS"""
+"""Draws the figures from artificial results. Usage: test_postprocess.py FOLDER_OF_THE_SCRIPTS"""
 
 import json
 import subprocess

@@ -1,4 +1,4 @@
-"""Runs docs/python.md and the examples in the docstrings of the package, and compares what they print.
+"""Runs docs/python.md and the examples in the docstrings of the package, and compares their output with the text.
 
 usage: test_python_page.py FOLDER_OF_THE_SCRIPTS PROGRAM CASES_FOLDER PAGE
 """

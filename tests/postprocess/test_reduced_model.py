@@ -1,4 +1,4 @@
-"""The script that reads reduced models gets the program's numbers.
+"""The script that reads reduced models computes the program's numbers.
 
 usage: test_reduced_model.py FOLDER_OF_THE_SCRIPTS PROGRAM
 """
@@ -82,7 +82,7 @@ class ReducedModels(unittest.TestCase):
         s = 2j * np.pi * np.array([0.1, 2.0, 30.0])
         spring = (4 * np.pi) ** 2 + 2 * 0.15 * 4 * np.pi * s
         model = ReducedModel(self.path)
-        model.reading[1, 1] = 0.0  # the mode without meaning
+        model.reading[1, 1] = 0.0  # the mode without physical meaning
         np.testing.assert_allclose(model.transfer("shear_force", "slow", [0.1, 2.0, 30.0]), spring / (s**2 + spring))
 
     def test_the_time_is_the_column_that_says_so(self):

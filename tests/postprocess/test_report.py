@@ -1,4 +1,4 @@
-"""What the report of a run says. Usage: test_report.py FOLDER_OF_THE_SCRIPTS UPBEAD FOLDER_OF_THE_CASES"""
+"""The content of the report of a run. Usage: test_report.py FOLDER_OF_THE_SCRIPTS UPBEAD FOLDER_OF_THE_CASES"""
 
 import json
 import re
@@ -129,7 +129,7 @@ class Report(unittest.TestCase):
         self.assertNotIn("<script>alert", text)
         self.assertEqual(
             text.count("&lt;b&gt;&amp;&quot;&lt;/b&gt;&lt;script&gt;alert(1)&lt;/script&gt;"), 2
-        )  # title and head
+        )  # in the title and the head
         self.assertNotIn("<record>", self.pages["full"])
 
     def test_the_page_needs_nothing_else(self):

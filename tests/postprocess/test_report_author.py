@@ -1,4 +1,5 @@
-"""The author's words and logo in a report, and the answer of a run. Usage: test_report_author.py FOLDER_OF_THE_SCRIPTS"""
+"""The author's words and logo in a report, and the verdict of a run. Usage: test_report_author.py
+FOLDER_OF_THE_SCRIPTS"""
 
 import base64
 import html
@@ -104,7 +105,7 @@ class Logo(unittest.TestCase):
 
 
 class Answer(unittest.TestCase):
-    """The verdict of made-up summaries."""
+    """The verdict for artificial summaries."""
 
     def told(self, summary, has_caisson=True):
         result = SimpleNamespace(summary=summary, has_caisson=has_caisson)
@@ -143,7 +144,7 @@ class Answer(unittest.TestCase):
 
 
 class Block(unittest.TestCase):
-    """Eq. (4) by hand: a force that stays for a second over a resistance, then nothing."""
+    """Eq. (4) by hand: a force that exceeds the resistance for a second, then no force."""
 
     def test_a_step_of_force(self):
         mass, force, resistance, edge = 2.0, 10.0, 4.0, 1e-7
@@ -157,7 +158,7 @@ class Block(unittest.TestCase):
         self.assertEqual(friction.slip(mass, time, course, np.full(6, 10.5)), 0.0)
 
     def test_a_triangle_that_is_still_moving_at_the_end(self):
-        """A force that rises straight from R to R + m: v = t^2/2, x = t^3/6, then it is stopped by R."""
+        """A force that rises linearly from R to R + m: v = t^2/2, x = t^3/6; then R stops the block."""
         found = friction.slip(1.0, np.array([0.0, 1.0]), np.array([3.0, 4.0]), np.array([3.0, 3.0]))
         self.assertAlmostEqual(found, 1 / 6 + 0.5**2 / 6, places=12)
 

@@ -1,4 +1,4 @@
-"""The report in Chromium without a window: what a reader sees, touches and prints.
+"""The report in Chromium without a window: display, pointing and printing.
 
 Skipped (exit code 77) where there is no Chromium.
 
@@ -19,7 +19,7 @@ from report_results import CASES, page, run
 from report import pdf
 
 A4_PRINTABLE = (680, 1001)  # px at 96 per inch: A4 less the margins of page.css
-# Texts of shown drawings that stick out of their figure, or are too small to read.
+# Texts of visible drawings that extend beyond their figure or are too small to read.
 BAD_TEXTS = """[...document.querySelectorAll('figure svg text')]
   .filter((text) => text.getClientRects().length && text.textContent)
   .filter((text) => {
@@ -99,7 +99,7 @@ class Reading(unittest.TestCase):
     def test_a_plot_is_zoomed_and_reset(self):
         value = self.show("slid", 1600)
         ticks = """[...document.querySelectorAll('#response .live .tick')].map((text) => text.textContent)
-          .filter((text) => !text.startsWith('time'))"""  # the time that is read off, which clicks move
+          .filter((text) => !text.startsWith('time'))"""  # not the marked time, which clicks move
         before = value(ticks)
         x, y, width = self.place(value, "#response .live")
         for kind, share in (("mousePressed", 0.3), ("mouseMoved", 0.5), ("mouseReleased", 0.5)):
@@ -158,9 +158,9 @@ class Reading(unittest.TestCase):
         self.assertEqual(self.browser.problems, [])
 
     def assert_read_off(self, value, plot, time):
-        """What a plot tells beside its lines, where nobody points, is the time of the section."""
+        """Without a pointer, the values that a plot shows beside its lines are those at the time of the section."""
         self.place(value, plot)
-        value("new Promise((done) => setTimeout(done, 300))")  # until it is seen to be on the screen
+        value("new Promise((done) => setTimeout(done, 300))")  # until the page has noticed that the plot is visible
         told = value(f"[...document.querySelectorAll('{plot} .reading')].map((item) => item.textContent)")
         panels = value(f"JSON.parse(document.querySelector('{plot} script').textContent).panels")
         for text, line in zip(told, [line for panel in panels for line in panel["lines"]], strict=True):

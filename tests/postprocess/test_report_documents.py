@@ -1,4 +1,4 @@
-"""Documents for a client: languages, the author's words, and those of other commands than `run`.
+"""Documents for a client: languages, the author's words, and documents of other commands than `run`.
 
 Usage: test_report_documents.py FOLDER_OF_THE_SCRIPTS UPBEAD FOLDER_OF_THE_CASES
 """
@@ -18,7 +18,7 @@ from report_results import CASES, PROGRAM, page, run
 MOST = 1.5e6  # bytes
 LATIN = re.compile(r"[A-Za-z]{2,}( [a-z]{2,}){2,}")
 JAPANESE = re.compile("[ぁ-んァ-ヶ一-龠]")
-# Where fixed words stand; quoted text of the author and of the program does not stand there
+# Elements with fixed words; texts of the author and quotations of the program are in other elements
 PLACES = re.compile(r"<(h2|h3|th|figcaption|summary|p)\b([^>]*)>(.*?)</\1>|<div class=\"(?:name|below)\">(.*?)</div>", re.DOTALL)
 REPORT = '\n[report]\nproject = "Breakwater <A>"\nclient = "Port & Co."\nquestion = "Does it hold?"\ntext = "Some **words**."\nlogo = "logo.svg"\n'
 LOGO = '<svg xmlns="http://www.w3.org/2000/svg" width="9" height="9"><circle r="4"/></svg>'
@@ -44,7 +44,8 @@ def command(name, case, folder, *settings, jobs=None):
 def english_left(text, names):
     """Fixed words of a Japanese page that are still English, apart from names of the case."""
     found = []
-    text = re.sub(r'<section id="(skipped|what-if)".*?</section>', "", text, flags=re.DOTALL)  # of the program, as they say
+    # these sections are texts of the program, and say so
+    text = re.sub(r'<section id="(skipped|what-if)".*?</section>', "", text, flags=re.DOTALL)
     for match in PLACES.finditer(text.partition("<main>")[2]):
         inside = match[3] if match[3] is not None else match[4]
         inside = re.sub(r"<(code|data|script|svg)\b.*?</\1>", "", inside, flags=re.DOTALL)

@@ -1,4 +1,4 @@
-"""The parts of the report by themselves. Usage: test_report_parts.py FOLDER_OF_THE_SCRIPTS"""
+"""Single parts of the report. Usage: test_report_parts.py FOLDER_OF_THE_SCRIPTS"""
 
 import base64
 import json
@@ -183,7 +183,7 @@ class Source(unittest.TestCase):
         self.assertEqual(source_case.find(run, results).path.name, "case_of_mine.toml")
         (self.path.parent / "other.toml").write_text(SOURCE.replace("factor = 2.0", "factor = 3.0"))
         self.assertEqual(source_case.find(run, results).path.name, "case_of_mine.toml")
-        run["loads"]["wave"]["factor"] = 4.0  # neither fits better
+        run["loads"]["wave"]["factor"] = 4.0  # both fit equally well
         self.assertIsNone(source_case.find(run, results))
         self.assertIsNone(source_case.find({"title": "another"}, results))
 
@@ -259,7 +259,8 @@ class Geometry(unittest.TestCase):
         self.assertEqual(geometry.declared("nothing"), {})
 
     def test_what_a_side_or_a_layer_has_of_its_own_is_drawn(self):
-        """Areas of two layers, two slopes and two levels by hand; as on both sides alike where nothing is given."""
+        """Areas with two layers, two slopes and two levels by hand; a parameter not given for a side is that of both
+        sides."""
         own = {"seabed_depth": 8, "subsoil_depth": 12, "seabed_front": 72, "seabed_back": 70.5, "mound_height": 5,
                "mound_crest_front": 18, "mound_crest_back": 22, "mound_slope_front": 2, "mound_slope_back": 1.5,
                "caisson_width": 20, "caisson_height": 17, "water_depth": 12, "water_depth_back": 11.5,
@@ -294,7 +295,7 @@ class Geometry(unittest.TestCase):
             self.assertEqual(abs(polygon(loop)), 2.0)
 
     def test_a_script_of_ones_own_is_drawn_where_gmsh_is_installed(self):
-        """Instead of gmsh: a program that writes down how it was called, and copies a mesh."""
+        """With a script instead of gmsh that records its arguments and copies a mesh."""
         with tempfile.TemporaryDirectory() as folder, mock.patch.dict(os.environ, {"PATH": folder}):
             (Path(folder) / "own.geo").write_text("")
             case = {"mesh": {"file": "own.geo", "parameters": {"width": 2.5}}}

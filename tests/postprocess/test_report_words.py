@@ -20,7 +20,7 @@ PLACES = re.compile(r"\$[^$]+\$|`[^`]+`|\{\w+\}")
 
 
 def literals(node):
-    """Strings that an argument may be."""
+    """All strings that an argument may evaluate to."""
     if isinstance(node, ast.Constant) and isinstance(node.value, str):
         yield node.value
     elif isinstance(node, ast.IfExp):
@@ -29,7 +29,7 @@ def literals(node):
 
 
 def spoken_words():
-    """{words: file} of every literal that the code says."""
+    """{words: file} of every literal that the code passes to the functions of report.language."""
     found = {}
     for file in sorted((SCRIPTS / "report").rglob("*.py")):
         for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
@@ -68,7 +68,7 @@ class Words(unittest.TestCase):
             self.assertEqual(sorted(PLACES.findall(english)), sorted(PLACES.findall(japanese)), english)
 
     def test_sentences_are_japanese(self):
-        """What has a full stop, or four words, has kana or kanji."""
+        """Every translation of a text with a full stop or four words has kana or kanji."""
         for english, japanese in language.table().items():
             plain = PLACES.sub("", english)
             if re.search("[a-z]{2}.*\\.$", plain) or len(re.findall(r"[A-Za-z]{2,}", plain)) >= 4:

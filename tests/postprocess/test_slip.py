@@ -1,4 +1,4 @@
-"""Runs the figures of a caisson that slips on made-up results. Usage: test_slip.py FOLDER_OF_THE_SCRIPTS"""
+"""Draws the figures of a caisson that slips from artificial results. Usage: test_slip.py FOLDER_OF_THE_SCRIPTS"""
 
 import csv
 import json

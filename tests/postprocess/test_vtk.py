@@ -55,7 +55,7 @@ class Fields(unittest.TestCase):
         for _, path in self.steps:
             head = ElementTree.fromstring(vtu.parts(path.read_bytes())[0])
             names = {item.get("Name") for item in head.iter("DataArray")}
-            self.assertEqual(asked() - names, OF_YIELDING, path.name)  # no soil yields here
+            self.assertEqual(asked() - names, OF_YIELDING, path.name)  # no soil yields in this run
 
     @unittest.skipUnless(importlib.util.find_spec("vtkmodules"), "no python3-vtk9")
     def test_vtk_reads_the_same_numbers(self):

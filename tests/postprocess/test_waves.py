@@ -1,4 +1,4 @@
-"""Runs the figures of `upbead waves` on what the program writes.
+"""Draws the figures of `upbead waves` from the program's output.
 
 usage: test_waves.py FOLDER_OF_THE_SCRIPTS PROGRAM CASES_FOLDER
 """

@@ -2,8 +2,8 @@
 
     python3 tests/reference/mms_inertial.py        needs sympy; the tests read the JSON only
 
-In the format of ref8_mms.json, with the relative fluid displacement W besides. Every closed form is compared with a
-numerical differentiation of the exact fields in 40 digits, put into balances that are written another way.
+In the format of ref8_mms.json, with the relative fluid displacement W added. Every closed form is compared with
+balances that are written in another way and contain numerical derivatives of the exact fields in 40 digits.
 """
 
 import json
@@ -35,7 +35,7 @@ S = {name: sympy.Symbol(name, positive=True) for name in NAMES}
 AIR = dict(lam=40e6, mu=40e6, rho=2000.0, rho_f=1000.0, m=2500.0, alpha=1.0, iM=2e-9, kappa=1.5e-5, aM=0.0, bK=0.0)
 WATER = dict(lam=30e6, mu=50e6, rho=1990.0, rho_f=1030.0, m=3862.5, alpha=0.95, iM=1.8e-10, kappa=5e-6, aM=0.8, bK=1e-3)
 SHAPE = dict(U=1e-3, V=1e-3, P=5e3, a=0.35, b=0.4, c=0.3, d=0.45, w=25.0, z=2.0)
-T_END = 0.05  # short, because the water's fast waves ask for short steps
+T_END = 0.05  # short, because the fast waves in the water require short steps
 POINTS = [(0.7, 0.3, 0.0), (3.1, 2.2, 0.013), (7.9, 4.4, 0.05), (10.0, 2.5, 0.11), (4.3, 5.0, 0.2)]
 
 
@@ -92,7 +92,7 @@ def equations(f, diff, s):
 
 
 def expressions():
-    """Every closed form by its name in the JSON."""
+    """{name in the JSON: closed form}"""
     f = fields()
     variables = {"x": x, "y": y, "t": t}
 
@@ -111,7 +111,8 @@ def expressions():
 
 
 def numerical(constants, at):
-    """Stress and sources at a point (x, y, t) once more: from balances over the stress, differentiated numerically."""
+    """Stress and sources at a point (x, y, t) in a second way: from balances of the stress, differentiated
+    numerically."""
     c = {k: mpmath.mpf(str(v)) for k, v in constants.items()}
     exact = {n: sympy.lambdify((x, y, t), e.subs({S[k]: R(str(v)) for k, v in constants.items()}), "mpmath")
              for n, e in fields().items()}

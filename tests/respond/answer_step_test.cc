@@ -1,7 +1,7 @@
-// Claims: a reading leaves the lines between its values by no more than LineMisses says, whatever rings on, jumps or is
-// fast; the step that is chosen keeps that below the tolerance and is not short for nothing; peaks of answers on it are
-// those of a fine grid, and S by eq. (4) is to a fifth of the model's tolerance. Source: the exact response on fifty
-// times as many times.
+// Claims: a reading deviates from straight lines between its values by at most the bound of LineMisses, also with
+// free vibrations, jumps and fast modes; the chosen step keeps the deviation below the tolerance and is not
+// needlessly short; peaks of responses on it are those of a fine grid, and S by eq. (4) is accurate to a fifth of the
+// model's tolerance. Source: the exact response at fifty times as many times.
 #include "respond/answer_step.h"
 
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ WaveFile file_of(const std::vector<double>& time, int n_loads, double last) {
   return file;
 }
 
-/// How far the first reading leaves the lines between its values at times h apart.
+/// Largest deviation of the first reading from the straight lines between its values at times h apart.
 double largest_miss(const ModalModel& model, const WaveFile& file, double h, double end) {
   const WaveGrid coarse = make_wave_grid(file.time, h, end), fine = make_wave_grid(coarse.time, h / parts, end);
   WaveGrid grid = fine;
@@ -54,7 +54,7 @@ double largest_miss(const ModalModel& model, const WaveFile& file, double h, dou
   return largest;
 }
 
-/// A feedthrough jumps where a load does, which is on the grid's times but no line.
+/// A reading with feedthrough jumps with the load at a time of the grid, so it is no straight line there.
 ModalModel without_feedthrough(ModalModel model) {
   model.feedthrough.setZero();
   return model;
@@ -74,7 +74,7 @@ TEST(LineMisses, AreNeverMoreThanTold) {
       }
 }
 
-// One slow mode: the bound is the miss itself where the curve bends most.
+// One slow mode: the bound equals the deviation where the curvature is largest.
 TEST(LineMisses, AreToldNearly) {
   const ModalModel model = single_mode({0., 4.});
   const WaveFile file{"w", {0., 0.25, 3.}, (WaveSamples(1, 3) << 0., 1., 0.).finished(), 1, {}};
@@ -103,7 +103,8 @@ TEST(AnswerStep, IsTheShortestWhereNothingWillDoAndTheLongestWhereNothingBends) 
   EXPECT_EQ(answer_step({{&ringing, 1e-12}}, file, 1e-4, 0.1), 0.1);
 }
 
-// Two models as unlike as can be: as it is, checked far beyond what moves; and undamped with a stiff mode that sings.
+// Two very different models: the oscillator, checked to frequencies far above its own; and undamped, with a second
+// mode of high frequency.
 TEST(AnswerStep, PeaksOfAnswersAreThoseOfAFineGrid) {
   ReducedModelFile checked = oscillator();
   checked.highest_frequency = 5000.;

@@ -1,5 +1,6 @@
-// Claim: waves slide a caisson with its ground as two masses slide on each other, whatever their times; the uplift that
-// the case prescribes is taken off W', and a model that cannot tell says nothing.
+// Claim: waves slide a caisson coupled with its ground as two masses slide on each other, whatever the times of the
+// waves; the uplift that the case prescribes is subtracted from W', and a model without a slip gives no coupled
+// sliding distance.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -23,7 +24,7 @@ ReducedModelFile model_with_slip() {
   return model;
 }
 
-/// The same two masses.
+/// The same two masses, solved event by event.
 ElasticSliding by_masses(const History& P) {
   const ReducedSystem system = slipping_oscillator().system;
   return slide_on_base(oscillator().caisson_mass, {system.M(1, 1), system.K(1, 1), system.C(1, 1)}, P,
@@ -36,12 +37,12 @@ WaveFile wave(const History& P) {
   return file;
 }
 
-/// A triangle of 0.15 s, by its corners.
+/// A triangle of 0.15 s, given by its corners.
 History triangle(double peak) {
   return {{0., 0.075, 0.15}, {0., peak, 0.}};
 }
 
-/// The same on equal steps.
+/// The same triangle on equal steps.
 History fine_triangle(double peak) {
   History P;
   for (int n = 0; n <= 300; ++n) {
@@ -91,7 +92,7 @@ TEST(RespondSlip, IsFollowedToItsStopWithoutLoadsAfterTheAnswer) {
   expect_equal(*by_steps.coupled, by_masses(falling), 1e-8);
 }
 
-/// With N_0 = W' - U, U as a part of P by hand.
+/// With N_0 = W' - U, where U is computed by hand from P.
 CoupledSliding by_hand(const WaveFile& file, const std::function<double(int)>& uplift) {
   const ReducedSystem system = slipping_oscillator().system;
   const int n = 8001;  // 4 s, the end of the case
@@ -139,7 +140,7 @@ TEST(RespondSlip, AWaveThatPartsTheBottomHasItsReasonAndCostsNoOther) {
 
 TEST(RespondSlip, ASlipThatIsNotWellPosedCostsNothingElse) {
   ReducedModelFile model = model_with_slip();
-  model.slip->system.feedthrough(0, 2) = 2.;  // N' grows by twice what friction pushes
+  model.slip->system.feedthrough(0, 2) = 2.;  // N' grows by twice the friction force
   RespondOptions options;
   options.sliding = ModelSliding{friction, weight};
   const WaveResponse found = respond_to_waves(model, {wave(fine_triangle(2e6))}, options)[0].waves[0];
@@ -149,7 +150,7 @@ TEST(RespondSlip, ASlipThatIsNotWellPosedCostsNothingElse) {
 }
 
 TEST(RespondSlip, ComputedUpliftIsTheModels) {
-  // x' in the place of the pore pressure, in a unit that makes it large enough
+  // x' serves as the uplift by pore pressure, with a factor that makes it large enough
   ReducedModelFile model = model_with_slip(), twin = model;
   ReducedSystem& system = model.slip->system;
   system.velocity(0, 0) = 3e5;

@@ -1,5 +1,5 @@
-// Claim: the answer to a wave is that of its straight lines and jumps, however its times are spaced; peaks, ratios and
-// what lies beyond the model's frequencies are read off as in a run.
+// Claim: the response to a wave is that to its straight lines and jumps, however its times are spaced; peaks, ratios
+// and the part beyond the model's frequencies are determined as in a run.
 #include "respond/respond_waves.h"
 
 #include <gtest/gtest.h>
@@ -114,7 +114,7 @@ TEST(RespondWaves, TellsTheErrorOfEachWave) {
   EXPECT_EQ(answer(triangle(0.0005)).waves[0].error_estimate, std::nullopt) << "a model that cannot tell";
   ReducedModelFile model = oscillator();
   model.nested = nested_oscillators(1.02, 1.03);
-  const double bound = 1.2 * 0.03 + 1.5 * 0.01;  // all three models are the same but for these factors
+  const double bound = 1.2 * 0.03 + 1.5 * 0.01;  // the three models differ only by these factors
   for (const WaveFile& file : {triangle(0.0005), triangle(0.0375), wave({0., 0.0749, 0.075, 0.15}, {0., 1., 1.2, 0.})})
     EXPECT_NEAR(*respond_to_waves(model, {file}, {}).front().waves[0].error_estimate, bound, 0.02 * bound);
   EXPECT_EQ(respond_to_waves(model, {triangle(0.0005, 0.)}, {}).front().waves[0].error_estimate, 0.) << "no wave";
@@ -177,7 +177,7 @@ TEST(RespondWaves, UpliftMayLag) {
 }
 
 TEST(RespondWaves, UpliftMayBeTheModels) {
-  // x_G in the place of the pore pressure, in a unit that makes it large enough
+  // x_G serves as the uplift by pore pressure, with a factor that makes it large enough
   ReducedModelFile model = oscillator();
   const int i = model.modes.index("caisson/displacement_x");
   model.modes.reading_label[static_cast<std::size_t>(i)].name = "uplift";

@@ -1,4 +1,5 @@
-// Claim: waves come as people write them, CSV or HDF5; what does not fit the model is told by file, line and name.
+// Claim: waves are read from CSV and HDF5 in all usual forms; a wave that does not fit the model is reported with
+// file, line and name.
 #include "respond/wave_files.h"
 
 #include <hdf5.h>

@@ -1,4 +1,4 @@
-// Claim: between the ends of long steps the history of F_T is that of short steps, and where the force jumps it holds
+// Claim: between the ends of long steps the history of F_T is that of short steps, and at a jump of the force it has
 // both values.
 #include "response/shear_response.h"
 

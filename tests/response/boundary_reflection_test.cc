@@ -1,5 +1,6 @@
-// Claims: the first reflection is that of the nearer side, from the mound's toe and by shear waves; absorbing sides are
-// heard in saturated ground only; a column has none, and seas do not hide the ground.
+// Claims: the first reflection is that of the nearer far side, at the distance from the mound's toe and by shear
+// waves; absorbing sides reflect only in saturated ground; a column has no reflection, and a sea does not hide that
+// of the ground.
 #include "response/ground_waves.h"
 
 #include <gtest/gtest.h>

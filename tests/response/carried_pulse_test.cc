@@ -1,8 +1,8 @@
-// Claims: cells of degree p delay a wave by p!^2/(2p)!^2 (k h)^(2p)/(4p + 2) of its number, and carry an evanescent one
-// as well; sdirk4 and generalised-alpha feel a frequency that is wrong by order 4 and 2; what the march of a column
-// errs by is what is told, within a factor: stress and pressure over the load's largest value, at any point of a cell.
-// Source: Ainsworth (2004), Discrete dispersion relation for hp-version finite element approximation at high wave
-// number, SIAM J. Numer. Anal. 42, 553-575.
+// Claims: cells of degree p change the wave number by its share p!^2/(2p)!^2 (k h)^(2p)/(4p + 2), and represent an
+// evanescent wave as accurately; with sdirk4 and generalised-alpha the frequency has an error of order 4 and 2; the
+// error of a march of a column is within a factor of the estimate: stress and pressure over the load's largest value,
+// at any point of a cell. Source: Ainsworth (2004), Discrete dispersion relation for hp-version finite element
+// approximation at high wave number, SIAM J. Numer. Anal. 42, 553-575.
 #include "response/carried_pulse.h"
 
 #include <gtest/gtest.h>
@@ -46,11 +46,11 @@ TEST(SteppedFrequency, IsWrongByTheOrderOfTheScheme) {
 struct ColumnOf {
   double conductivity;  ///< m/s; 0: dry
   int degree;
-  double cells;  ///< that the wave passes in half the duration of the load
+  double cells;  ///< number of cells that the wave passes in half the duration of the load
   double step;   ///< over that duration; 0: a 256th
 };
 
-/// Largest error of a march against one with 8 times as many cells and short steps, over the load; and what is told.
+/// Largest error of a march against one with 8 times as many cells and short steps, over the load; and its estimate.
 struct Found {
   double measured, told;
 };

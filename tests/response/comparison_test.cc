@@ -1,4 +1,4 @@
-// Claim: a history that is larger and later than a record is told so by how much.
+// Claim: for a history that is larger and later than a record, the comparison gives the factor and the delay.
 #include "response/comparison.h"
 
 #include <gtest/gtest.h>

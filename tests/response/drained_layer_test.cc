@@ -1,5 +1,6 @@
-// Claims: a layer of mud under the mound that drains into it yields by the part of its first cell beyond the skin; its
-// share of all that yields is that sum, worked out anew for one scene; without contrast, or drained, there is none.
+// Claims: a layer of mud that drains into the mound above has an additional compliance by the part of its first cell
+// beyond the drained skin; the compliance of the other parts is computed again for one scene; without contrast of
+// permeability, or with drained mud, there is no such layer.
 #include "response/drainage.h"
 
 #include <gtest/gtest.h>

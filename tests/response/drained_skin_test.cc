@@ -1,6 +1,6 @@
-// Claims: the pressure of sand below rubble overshoots as overshoot() tells, after a jump and, at a sixth of its
-// duration, under a triangle; an open side makes no drained face. Source: Vermeer and Verruijt (1981) for the smallest
-// time. Tolerance: 0.03 of the undrained pressure, which the table is rounded and interpolated to.
+// Claims: the pressure of sand below rubble overshoots by overshoot(), after a jump and, at a sixth of its duration,
+// under a triangle; an open side is no drained face. Source: Vermeer and Verruijt (1981) for the smallest time step.
+// Tolerance: 0.03 of the undrained pressure, which the table is rounded and interpolated to.
 #include "response/drainage.h"
 
 #include <gtest/gtest.h>
@@ -40,7 +40,7 @@ Scene scene_of(const TimeFunction& load, int degree) {
   return scene;
 }
 
-/// Largest pressure of the soil over that of the undrained one, less 1.
+/// Largest pressure of the soil over the undrained pressure, less 1.
 double overshoot_of(const Scene& scene, double end, double step) {
   const auto mesh = layers();
   const Compiled compiled(scene, *mesh);
@@ -59,7 +59,7 @@ class DrainedSkin : public testing::TestWithParam<int> {
     const auto mesh = layers();
     face_ = drained_faces(scene_of(triangle(q, 1.), GetParam()), *mesh).at(0);
   }
-  /// The time in which c_v t / h^2 is `ratio` (s).
+  /// The time t (s) for which c_v t / h^2 is `ratio`, h the size of a cell.
   double time(double ratio) const { return ratio * cell * cell / face_.consolidation; }
 
   DrainedFace face_;

@@ -1,6 +1,6 @@
-// Claims: the least absolute pressure of a march is the least of all nodes and steps, atmosphere and depth included; a
-// reduced model tells the same place and value as the march. Tolerances: round-off; 3 % of the excess for the reduced
-// model, whose pressures have that error.
+// Claims: the least absolute pressure of a march is the least of all nodes and steps, atmosphere and depth included;
+// a reduced model gives the same place and value as the march. Tolerances: round-off; 3 % of the excess for the
+// reduced model, whose pressures have that error.
 #include "response/monitors.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ namespace least_pressure_test {
 TEST(LeastPressure, IsThatOfAllNodesAndSteps) {
   constexpr double height = 10., level = 9.;
   constexpr int cells = 10;
-  Scene scene = column(sand(), triangle(-1.5e5, 0.1));  // pulled at
+  Scene scene = column(sand(), triangle(-1.5e5, 0.1));  // under tension
   for (int i = 0; i <= cells; ++i) scene.probes["p" + std::to_string(i)].at = {0.5, height * i / cells};
   const auto mesh = column_mesh(height, cells);
   const Compiled compiled(scene, *mesh);

@@ -1,5 +1,6 @@
-// Claims: the estimate of what the cells make of F_T falls as they are split, the largest shares lie at the caisson's
-// bottom corners, of mirror images both; the spectrum tells the response of one scene from another's.
+// Claims: the estimate of the error of F_T by the mesh falls as cells are split, the largest shares are at the
+// corners of the caisson's bottom, and mirrored cells have equal shares; the spectra of two scenes give the
+// difference of their responses.
 #include "response/spectrum.h"
 
 #include <gtest/gtest.h>
@@ -35,7 +36,7 @@ TEST(MeshError, IsLargestAtTheCornersAndSymmetric) {
   for (const auto& cell : mesh->triangulation.active_cell_iterators())
     where[cell->active_cell_index()] = cell->center();
   const dealii::Point<dim> worst = where[static_cast<std::size_t>(largest - error.of_cell.begin())];
-  EXPECT_LE(std::hypot(std::abs(worst[0]) - 9., worst[1] - 6.), 4.5);  // its cell
+  EXPECT_LE(std::hypot(std::abs(worst[0]) - 9., worst[1] - 6.), 4.5);  // within the cell at the corner
   for (std::size_t i = 0; i < where.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) {
       if (std::hypot(where[i][0] + where[j][0], where[i][1] - where[j][1]) > 1e-6) continue;
@@ -44,7 +45,7 @@ TEST(MeshError, IsLargestAtTheCornersAndSymmetric) {
 }
 
 TEST(Spectrum, GivesTheDifferenceOfTwoResponses) {
-  // A change of one scene moves F_T near its peak by as much as two marches say: measured within a tenth of the change.
+  // The change of F_T near its peak by a change of the scene is that of two marches, within a tenth of the change.
   const auto mesh = breakwater_mesh(0.35);
   const Scene soft = breakwater(triangle(1e6, 0.15));
   Scene stiff = soft;

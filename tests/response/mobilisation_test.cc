@@ -1,7 +1,7 @@
 // Claims: in a drained column under its weight s'_x = nu/(1 - nu) s'_y, so that the same share of the strength is
-// mobilised at all depths, (1 - K)/(1 + K)/sin phi, and no load on top changes that; with K_0 = 1 at rest nothing is,
-// and a load mobilises what Mohr's circle tells at the shallowest cell that counts; a load that pulls ends at 10.
-// Tolerance: round-off of the solution.
+// mobilised at all depths, (1 - K)/(1 + K)/sin phi, and no load on top changes that; with K_0 = 1 none is mobilised
+// at rest, and a load mobilises the share by Mohr's circle in the highest cell that counts; for a tensile load the
+// value is limited to 10. Tolerance: round-off of the solution.
 #include "response/monitors.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,6 @@
-// Claims: the poles of known oscillators come back as their periods and damping ratios, with shares by what each adds
-// to the reading under the load; what does not swing is no period. Exact: closed forms of the oscillator.
+// Claims: from the poles of known oscillators follow their periods and damping ratios, with shares by the part of
+// each in the reading under the load; a mode that does not oscillate has no period. Exact: closed forms of the
+// oscillator.
 #include "response/natural_periods.h"
 
 #include <gtest/gtest.h>
@@ -48,7 +49,7 @@ TEST(NaturalPeriods, AreThoseOfKnownOscillators) {
   EXPECT_NEAR(found[0].damping_ratio, 0.2, 1e-14);
   EXPECT_NEAR(found[1].period, 0.8 / std::sqrt(1. - 0.03 * 0.03), 1e-14);
   EXPECT_NEAR(found[1].damping_ratio, 0.03, 1e-14);
-  // a step makes 1 + exp(-pi zeta/sqrt(1 - zeta^2)) of the static answer
+  // the peak under a step is 1 + exp(-pi zeta/sqrt(1 - zeta^2)) times the static value
   const auto peak = [](double zeta) { return 1. + std::exp(-0.5 * two_pi * zeta / std::sqrt(1. - zeta * zeta)); };
   EXPECT_NEAR(found[0].share, 3. * peak(0.2) / (3. * peak(0.2) + peak(0.03)), 1e-3);
   EXPECT_NEAR(found[0].share + found[1].share, 1., 1e-14);
@@ -57,8 +58,8 @@ TEST(NaturalPeriods, AreThoseOfKnownOscillators) {
 TEST(NaturalPeriods, LeaveOutWhatDoesNotSwingOrDoesNotCount) {
   ModalModel model = empty();
   add_oscillator(model, 10., 0.05, 1.);
-  add_oscillator(model, 20., 0.75, 5.);    // beyond 1/sqrt(2)
-  add_oscillator(model, 30., 0.05, 1e-3);  // less than a hundredth
+  add_oscillator(model, 20., 0.75, 5.);    // damping above 1/sqrt(2)
+  add_oscillator(model, 30., 0.05, 1e-3);  // a share below a hundredth
   const auto found = natural_periods(model, "shear_force", step());
   ASSERT_EQ(found.size(), 1U);
   EXPECT_NEAR(found[0].damping_ratio, 0.05, 1e-14);

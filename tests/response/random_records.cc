@@ -24,7 +24,7 @@ double sum(const Pulses& pulses, double t) {
   return f;
 }
 
-/// Of sines under a swell of that length.
+/// A sum of sines whose amplitude grows and falls within `length`.
 struct Swing {
   std::vector<std::array<double, 3>> waves;  ///< omega, phase, size
   double length;

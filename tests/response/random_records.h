@@ -1,4 +1,4 @@
-// Force records of any length and speed, at random but always the same.
+// Random force records of any length and speed, the same in every run.
 #pragma once
 
 #include <functional>
@@ -19,8 +19,8 @@ struct RecordRange {
   double shortest_length, longest_length, shortest_duration, longest_duration;  ///< s
 };
 
-/// Triangles, half sines, church roofs, double peaks, trains of pulses, decaying swings, noise that swells and dies
-/// down, slow rises with fast falls, records cut off; lengths and durations log-uniform.
+/// Triangles, half sines, church roofs, double peaks, trains of pulses, decaying swings, noise that grows and decays,
+/// slow rises with fast falls, records cut off; lengths and durations log-uniform.
 class RandomRecords {
  public:
   RandomRecords(const RecordRange& range, unsigned seed) : range_(range), random_(seed) {}

@@ -1,6 +1,6 @@
-// Claims: the times of a reduced answer meet the kinks of the loads and the samples of rough records, and keep the
-// case's own step where it follows the loads; a model that has not converged is refused with its error and the worst
-// reading; the model of a scene errs against a march by less than was asked for.
+// Claims: the times of a reduced response include the kinks of the loads and the samples of rough records, and have
+// the case's own step if it resolves the loads; a model that has not converged is refused with its error and the
+// worst reading; the error of a scene's model against a march is below the tolerance.
 #include "response/reduction.h"
 
 #include <gtest/gtest.h>
@@ -58,7 +58,7 @@ TEST(ResponseTimes, KeepTheCasesOwnStep) {
   EXPECT_NEAR(largest_step(time), 0.025, 1e-12);
 }
 
-/// In steps of 0.1 s a load of 9 Hz would be one of 1 Hz.
+/// Sampled in steps of 0.1 s, a load of 9 Hz would look like one of 1 Hz.
 TEST(ResponseTimes, FollowALoadThatTheCasesStepWouldNotSee) {
   constexpr double omega = 18. * 3.14159265358979;
   Loaded loaded(TimeFunction({}, {[=](double t) { return std::sin(omega * t); }}));

@@ -16,7 +16,7 @@ Scene long_run() {
   return scene;
 }
 
-/// The choice reads of the compiled scene only its system and whether there is a caisson.
+/// Of the compiled scene, the choice uses only the system and whether there is a caisson.
 const Compiled& compiled() {
   static const auto mesh = breakwater_mesh(0.5);
   static const Compiled compiled(long_run(), *mesh);

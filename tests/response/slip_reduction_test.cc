@@ -1,6 +1,6 @@
-// Claims: the reduced model of a scene whose caisson may slip sticks as its glued twin does, and errs by less than was
-// asked for; friction below what F_T needs slips it, with a rigid motion that the soil does not see; a larger model
-// slips it as far; scenes without an interface are refused.
+// Claims: the reduced model of a scene whose caisson may slip has, while it sticks, the response of the bonded scene,
+// with an error below the tolerance; if friction is less than F_T requires, the caisson slips by a rigid motion that
+// does not move the soil; a larger model slips equally far; scenes without an interface are refused.
 #include "response/slip_reduction.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ namespace slip_reduction_test {
 
 constexpr double duration = 0.15, end = 0.6, friction = 0.6;
 
-/// A breakwater, with an interface and glued.
+/// A breakwater with an interface, and the same bonded.
 struct Twins {
   Twins()
       : scene(breakwater(triangle(1.6e6, duration))),
@@ -34,7 +34,7 @@ struct Twins {
     wanted.tolerance = tolerance;
     return reduce_slip(wanted, slipping.scene, UpliftKind::computed, response.ends);
   }
-  /// N_0 is so many times what F_T needs to stick.
+  /// With N_0 of `safety` times the value that F_T requires to stick.
   CoupledSliding slide(const SlipReduction& reduction, double safety, CoupledHistory* history = nullptr) const {
     const SlipLaw law = slip_law(reduction.system, friction, UpliftKind::computed, {reading::displacement_x});
     SampledLoads loads = sampled_loads(slipping.resolved, slipping.scene.system);

@@ -1,5 +1,5 @@
-// Claims: a soft layer that is thin beside the caisson is found, with its thickness and the longest cell along it; none
-// where the ground is thick, or as stiff as what lies beside it.
+// Claims: a soft layer that is thin beside the caisson is found, with its thickness and the longest cell along it;
+// none is found where the ground is thick, or as stiff as its neighbour.
 #include "response/ground_waves.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,7 @@
-// Claim: the error that is told of a wave bounds the true one, and is not much larger, on scenes that did not set its
-// safety: at least 95 % of random records, median at most 3 times. The whole is tests/benchmark/wave_errors.py.
-// Source: SDIRK of order 4 on a fine grid, with its own error from twice the step.
+// Claim: the error stated for a wave bounds the true error and is not much larger, on scenes that were not used to
+// calibrate its safety factor: for at least 95 % of random records, with a median ratio of at most 3. The complete
+// comparison is tests/benchmark/wave_errors.py. Source: SDIRK of order 4 on a fine grid, with its own error from
+// twice the step.
 #include <gtest/gtest.h>
 
 #include <algorithm>

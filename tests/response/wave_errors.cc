@@ -15,7 +15,7 @@ namespace {
 
 using Parameters = std::map<std::string, double>;
 
-/// Small enough for thousands of steps.
+/// A section small enough for thousands of steps.
 Parameters compact() {
   return {{"seabed_front", 40.}, {"seabed_back", 40.}, {"grading", 6.}};
 }
@@ -44,7 +44,7 @@ void make_elastic(Region& caisson) {
   caisson.damping = Rayleigh{0.02, {2., 40.}};
 }
 
-/// The same straight lines in half the steps.
+/// The same straight lines, sampled at half the step.
 Eigen::VectorXd halved(const Eigen::VectorXd& f) {
   Eigen::VectorXd all(2 * f.size() - 1);
   for (Eigen::Index i = 0; i < f.size(); ++i) all[2 * i] = f[i];
@@ -59,11 +59,11 @@ Eigen::RowVectorXd marched(const Kernel& kernel, const Eigen::VectorXd& before, 
   after[cut] = 0.;
   if (cut + 1 >= before.size()) return convolve(kernel, before, after).row(0);
   Eigen::VectorXd left = before;
-  left.tail(before.size() - cut - 1).setZero();  // no line down to the next sample
+  left.tail(before.size() - cut - 1).setZero();  // so that there is no line down to the next sample
   return convolve(kernel, left, after).row(0);
 }
 
-/// The model's answer to the same.
+/// The model's response to the same load.
 Eigen::RowVectorXd answer(const ModalModel& model, int reading, double step, const WaveSamples& loads,
                           Eigen::Index cut) {
   SampledLoads sampled;

@@ -1,4 +1,4 @@
-// How wrong reduced models of unlike scenes are under random records, and how wrong they say they are.
+// True and estimated errors of reduced models of different scenes under random records.
 #pragma once
 
 #include <memory>
@@ -21,13 +21,13 @@ struct ErrorScene {
   double duration, end;
 };
 
-/// Names of all scenes; the first `n_calibrating` set the bound's safety.
+/// Names of all scenes; the first `n_calibrating` were used to calibrate the safety factor of the bound.
 const std::vector<std::string>& error_scene_names();
 constexpr int n_calibrating = 3;
 /// `cells`: as of breakwater_mesh().
 ErrorScene error_scene(const std::string& name, double cells);
 
-/// One record: what is true, by SDIRK on a fine grid, and what is told; all over the largest |F_T|.
+/// One record: errors against the truth (SDIRK on a fine grid) and their estimate; all over the largest |F_T|.
 struct WaveError {
   std::string kind;
   double length, duration;     ///< over those of the scene
@@ -37,13 +37,13 @@ struct WaveError {
   double estimate;             ///< of ResponseDifference::bound()
 };
 
-/// The reduced model of a scene, and the truth (by half its steps) on a grid of `steps` steps a duration, up to
-/// `length` ends.
+/// The reduced model of a scene, and the truth (by half the steps) on a grid of `steps` steps per duration, up to
+/// `length` times the scene's end.
 class WaveErrors {
  public:
   WaveErrors(const ErrorScene& scene, double steps, double length, unsigned seed);
-  /// The next of random records of durations from 0.1 (but 8 steps) to 100 of the scene's, from 0.1 to `length` ends
-  /// long, answered until their own end or the scene's.
+  /// The errors for the next random record; its duration is 0.1 (at least 8 steps) to 100 times the scene's, its
+  /// length 0.1 to `length` times the scene's end; the response lasts until the end of the record or of the scene.
   WaveError next();
   const Reduction& reduction() const { return reduction_; }
   const NestedModels& nested() const { return nested_; }

@@ -1,5 +1,5 @@
 // Claims: the shortest wave is V_s D + B of each region that deforms, the cell the largest within it, and half the
-// density of cells gives half the cells to a wave.
+// density of cells gives half as many cells per wavelength.
 #include "response/ground_waves.h"
 
 #include <gtest/gtest.h>

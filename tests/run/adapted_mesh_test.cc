@@ -1,9 +1,9 @@
 // Claims: mesh.refine = "auto" makes a mesh whose estimate meets the tolerance, of degree 3 where no degree is given;
-// the estimates bound what F_T and S truly err by, where the refinements are given as well, a short pulse on thin mud
-// included; the history asks for more cells than the peak; a march says what its steps cost; the far sides of a narrow
-// section are felt more than those of a wide one; a symmetric scene gets a symmetric mesh; what cannot be measured is
-// refused at its key; readings besides F_T keep the tolerance that the case gives; how far F_T moves on cells half as
-// large is told of few vectors as by models that are far better.
+// the estimates bound the true errors of F_T and S, also with given refinements and for a short pulse on thin mud;
+// the history needs more cells than the peak; a march estimates the error by its steps; the far sides of a narrow
+// section have more effect than those of a wide one; a symmetric scene gets a symmetric mesh; an error that cannot be
+// estimated is refused at its key; readings other than F_T keep the tolerance of the case; the change of F_T on cells
+// of half the size is the same by models of few vectors as by far more accurate models.
 
 #include <algorithm>
 #include <cmath>
@@ -89,11 +89,11 @@ TEST_F(AdaptedMesh, MeetsTheTolerance) {
   }
 }
 
-/// F_T shares the tolerance with the mesh; no other reading has to.
+/// The reduced model and the mesh share the tolerance of F_T; other readings have their own tolerance.
 TEST_F(AdaptedMesh, LeavesOtherReadingsTheirTolerance) {
   const Summary summary = solve({"time.scheme=reduced", "accuracy.tolerance=0.02"}).summary;
   EXPECT_LE(summary.reduction->error, 0.005);
-  EXPECT_DOUBLE_EQ(summary.reduction->tolerance_of_others, 0.4);  // not damped: 20 times the tolerance
+  EXPECT_DOUBLE_EQ(summary.reduction->tolerance_of_others, 0.4);  // undamped: 20 times the tolerance
 }
 
 /// Largest difference of two histories of F_T at the times of the first, over the largest of the second.
@@ -128,7 +128,8 @@ std::vector<std::string> both(std::vector<std::string> a, const std::vector<std:
 
 const std::vector<std::string> short_pulse = both(small, {"loads.impulse.pulse.duration=0.02", "time.end=0.08"});
 
-/// A pulse of 20 ms: by the cells' sum at times of the pulse alone the history was 3.3 % wrong where 0.05 % was told.
+/// A pulse of 20 ms: when the cells' shares were summed only at times within the pulse, the history had an error of
+/// 3.3 % where 0.05 % was estimated.
 TEST_F(AdaptedMesh, BoundsTheHistoryUnderAShortPulse) {
   const upbead::Run run = solve(both(short_pulse, {"accuracy.tolerance=0.08"})),
                     truth = solve(both(short_pulse, far_finer));
@@ -139,7 +140,8 @@ TEST_F(AdaptedMesh, BoundsTheHistoryUnderAShortPulse) {
   EXPECT_GE(6. * error, run.summary.history_error->total());  // in the median 3: docs/accuracy.md
 }
 
-/// How far F_T moves on cells half as large is known of few vectors: as between two models that are far better.
+/// The change of F_T on cells of half the size, by models of few vectors, is that between two far more accurate
+/// models.
 TEST_F(AdaptedMesh, TellsTheDifferenceOfTwoMeshesEarly) {
   const std::vector<std::string> damped = both(
       small, {"mesh.refine=0", "mesh.parameters.cells=0.5", "regions.seabed.damping={ratio=0.05,frequencies=[1,10]}",

@@ -1,4 +1,4 @@
-// Claim: edge pressures balance N' and M' exactly, whether the whole bottom is pressed or only a part of it.
+// Claim: edge pressures balance N' and M' exactly, whether the whole bottom is in contact or only a part of it.
 #include "run/sliding/effective_base.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ TEST(EdgePressures, BalanceForceAndMomentOfAPartThatTouches) {
   for (const double e : {3.1, 5., 8.5}) {
     const auto [seaward, landward] = edge_pressures(N, N * e, B);
     EXPECT_EQ(seaward, 0.);
-    const double touching = 2. * N / landward;  // a triangle
+    const double touching = 2. * N / landward;  // a triangular pressure
     EXPECT_NEAR(0.5 * B - touching / 3., e, 1e-12) << e;
     const auto other = edge_pressures(N, -N * e, B);
     EXPECT_EQ(other.seaward, landward);

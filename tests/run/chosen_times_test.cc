@@ -1,5 +1,5 @@
-// Claims: all readings are told at exactly the times that a case lists, by a march and by a reduced model, and fields
-// are seen there; histories at equal times are those of a march in far shorter steps; steps of a consolidation grow by
+// Claims: all readings are written at exactly the times that a case lists, by a march and by a reduced model, and so
+// are fields; histories at equal times are those of a march in far shorter steps; steps of a consolidation grow by
 // the factor that the case gives. Reference: the same case in other steps.
 
 #include <algorithm>

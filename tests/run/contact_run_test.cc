@@ -1,6 +1,6 @@
-// Claims: where no node slips or pulls the run is the tied one, by the short way and by the long way; where one does,
-// the contact is solved, S stands beside the other measures, and the balance of energy closes; what cannot slip is
-// told. Tolerances: round-off.
+// Claims: if no node slips or is in tension the run is the bonded one, whether contact is skipped or marched;
+// otherwise the contact is solved, S is given beside the other measures, and the balance of energy closes; regions
+// that cannot slip are reported. Tolerances: round-off.
 
 #include <cmath>
 
@@ -53,7 +53,7 @@ TEST_F(ContactRun, IsTheTiedRunWhereNothingMoves) {
   const std::vector<std::string> steps{"time.scheme=\"sdirk4\"", "time.step=0.005", "loads.impulse.factor=0.5"};
   std::vector<std::string> with = steps, in_full = steps;
   with.push_back(friction);
-  in_full.insert(in_full.end(), {friction, "output.fields={ every = 0.1 }"});  // asks for a march with contact
+  in_full.insert(in_full.end(), {friction, "output.fields={ every = 0.1 }"});  // fields require a march with contact
   const Solved tied = solve(steps), shortly = solve(with), fully = solve(in_full);
   EXPECT_FALSE(tied.run.summary.contact);
   ASSERT_TRUE(shortly.run.summary.contact && fully.run.summary.contact);
@@ -88,8 +88,7 @@ TEST_F(ContactRun, SlidesByEveryMeasure) {
   const NodeContact& contact = *summary.contact->solved;
   EXPECT_NEAR(summary.contact->weight, 4.296e6, 1.);
   EXPECT_GT(contact.slip, 0.01);
-  // the same terms summed with weights that are rounded elsewhere: equal to round-off, which differs from machine to
-  // machine
+  // the same terms summed with weights that are rounded differently: equal to round-off, which depends on the machine
   EXPECT_NEAR(contact.slip, slid.last("interface/slip"), 1e-14 * contact.slip);
   EXPECT_GE(contact.largest_slip, contact.slip);
   EXPECT_LE(std::abs(contact.least_slip), contact.slip);
@@ -98,7 +97,7 @@ TEST_F(ContactRun, SlidesByEveryMeasure) {
   EXPECT_GT(contact.dissipated, 0.);
   EXPECT_LT(summary.energy->mismatch(), 1e-9);
   EXPECT_NEAR(contact.dissipated, summary.energy->friction, 1e-9 * contact.dissipated);
-  // whole slip by the reduced model, and by eq. (4) on the glued history: the same order, not the same
+  // slip of the whole bottom by the reduced model, and by eq. (4) on the bonded history: of the same order, not equal
   EXPECT_GT(summary.sliding->coupled->slip.residual, 0.01);
   EXPECT_GT(summary.sliding->history.by_history.residual, 0.01);
   EXPECT_LT(summary.sliding->coupled->glued_error, 5e-3);

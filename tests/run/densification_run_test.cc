@@ -1,7 +1,7 @@
-// Claims: sealed, a column whose soil packs denser has the pore pressure that its storage and K eps_v make; drained it
-// settles by K/M eps_v of its height; between both it follows a program of its own in one dimension, over time; sand
-// that has lost its stress is told; in another unit of length the answer is the same. On a layered section compaction
-// adds settlement and pore pressure, and the energies close.
+// Claims: a sealed column whose soil packs denser has the pore pressure that follows from its storage and K eps_v; a
+// drained one settles by K/M eps_v of its height; partly drained, it follows an independent computation in one
+// dimension over time; sand that has lost its effective stress is reported; scaled by Froude's law the strains are
+// the same. On a layered section compaction adds settlement and pore pressure, and the balance of energy closes.
 
 #include <algorithm>
 #include <cmath>
@@ -96,7 +96,7 @@ class DensificationRun : public InFolder {
     std::string text = "time,traction\n";
     for (int i = 0; i <= 300; ++i) text += std::to_string(0.01 * i) + "," + std::to_string(cycles(0.01 * i)) + "\n";
     write("cycles.csv", text);
-    unsetenv("UPBEAD_MESHES");  // the shipped ones
+    unsetenv("UPBEAD_MESHES");  // so that the shipped geometries are used
   }
   static Answer run(const std::string& text) {
     write("case.toml", text);
@@ -131,7 +131,7 @@ TEST_F(DensificationRun, DrainedColumnSettlesByTheVolumetricStrain) {
   const double exact = -height * K / M * soil.mean;
   EXPECT_NEAR(history(found, "probes/top/displacement_y").back(), exact, 1e-6 * std::abs(exact));
   EXPECT_FALSE(soil.pressure_at_end);
-  // half cycles by hand: the strain's amplitude is that of the traction, less what the settling adds
+  // half cycles by hand, with the amplitude of strain by the traction alone; the settlement changes it a little
   double eps = 0.;
   for (int half = 0; half < 7; ++half) {
     const double gamma = (half == 0 || half == 6 ? 0.5 : 1.) * 100e3 / M;
@@ -148,8 +148,8 @@ TEST_F(DensificationRun, WithoutShearNothingPacksDenser) {
   EXPECT_EQ(history(found, "probes/base/pressure").back(), 0.);
 }
 
-/// A column in one dimension on cells of its own: total stress q, s = (q - p + K eps_v)/M the strain (compression),
-/// p/Q - s the water's volume, which Darcy's flow changes; implicit Euler in small steps.
+/// An independent computation of a column in one dimension: total stress q, s = (q - p + K eps_v)/M the strain
+/// (compression), p/Q - s the change of the water's volume, by Darcy's flow; implicit Euler in small steps.
 class Column {
  public:
   explicit Column(int cells) : p_(cells, 0.), s_(cells, 0.), from_(cells, 0.), far_(p_), eps_(p_), before_(p_) {}
@@ -196,7 +196,7 @@ class Column {
     used_ = eps_;
   }
   double taken(std::size_t i) const { return used_.empty() ? 0. : used_[i]; }
-  /// Byrne's half cycles of the strain, plainly.
+  /// Counts half cycles of the strain by Byrne's law.
   void count(std::size_t i, double s) {
     s_[i] = s;
     if (std::abs(s - from_[i]) < std::abs(far_[i] - from_[i]) || (s - from_[i]) * (far_[i] - from_[i]) < 0.) {

@@ -1,7 +1,7 @@
-// Claim: equivalent-linear soil settles where an oscillator with the secant stiffness of its own strain does. The
-// oscillator: a rigid block on a layer that is 400 times wider than thick and has no mass to speak of, which only
-// shears: stiffness G B / h, strain u / h. Tolerance: 0.3 % for the layer's ends and its rocking, where both take the
-// same number of iterations; 1 %, to which the program settles, against the fixed point.
+// Claim: the iteration for equivalent-linear soil converges to an oscillator with the secant stiffness for its own
+// strain. The oscillator: a rigid block on a layer that is 400 times wider than thick, has nearly no mass, and only
+// shears: stiffness G B / h, strain u / h. Tolerance: 0.3 % for the effects of the layer's ends and of rocking if
+// both make the same number of iterations; 1 %, the program's limit of convergence, against the fixed point.
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
-// Claims: the states that a reduced model shows, and the strengths that it tells, are those of a march, as closely as
-// the run says; a model that has not come close enough is refused; states that nobody wants are not made.
+// Claims: the states of a reduced model, and the mobilised strengths, are those of a march within the error that the
+// run states; a model that is not accurate enough is refused; states that no observer wants are not computed.
 // Reference: marches in steps of a 64th of the load, whose own error is below a tenth of the tolerance.
 
 #include <algorithm>
@@ -19,7 +19,7 @@ const std::string fields = "output.fields={ every = 0.05 }";
 const std::vector<std::string> strengths{"regions.mound.strength.friction_angle=40",
                                          "regions.seabed.strength.friction_angle=35"};
 
-/// Keeps what a writer of fields would write.
+/// Keeps the states that a writer of fields would write.
 class States : public MarchObserver {
  public:
   void see(const State& state, int, int) override {
@@ -32,7 +32,7 @@ class States : public MarchObserver {
   int seen = 0;
 };
 
-/// Without signs of phi the matrices are those of the energy.
+/// With the rows of phi multiplied by -1, the matrices are those of the energy.
 double energy(const System& system, const Vector& x, const Vector& v) {
   Vector sign(system.size());
   for (int i = 0; i < system.size(); ++i)

@@ -1,5 +1,5 @@
-// Claims: the slip of a caisson is the same to the last bit whether it was prepared on another core or not; it is only
-// prepared where the loads are larger than friction; what is prepared and not asked for harms nobody.
+// Claims: the slip of a caisson is the same to the last bit whether it was prepared on another core or not; it is
+// prepared only if the loads exceed friction; a preparation that is not used has no effect.
 #include "run/sliding/slip_ahead.h"
 
 #include <cstdlib>
@@ -17,7 +17,7 @@ const std::string breakwater_toml =
     section_case({{"cells = 0.5, seabed_front = 60, seabed_back = 60", "cells = 0.35"}}) +
     "[initial]\nwater_level = 15.0\n[sliding]\nsubmerged_weight = 4.296e6\n";
 
-/// As if mpirun had started this process, or not.
+/// While this exists, the process looks as if mpirun had started it, if `is`.
 class Launched {
  public:
   explicit Launched(bool is) {

@@ -1,7 +1,7 @@
-// Claims: a block on a layer that only shears slips on it as an oscillator does whose spring is the soil's law: elastic
-// and perfectly plastic (the exact slide of a rigid-plastic layer), and an overlay along the curve of G by strain. A
-// section yields the more the more its soil bears at rest; both routes to F_T and the energies agree; what cannot go
-// with it is told.
+// Claims: a block on a layer that only shears moves like an oscillator whose spring is the soil's law: elastic and
+// perfectly plastic (the exact slide on a rigid-plastic layer), and an overlay along the curve of G by strain. The
+// more stress the soil of a section bears at rest, the more it yields; both routes to F_T and the energies agree;
+// keys that yielding soil excludes are reported.
 
 #include <cmath>
 #include <vector>
@@ -62,7 +62,7 @@ step = 0.0005
 )";
 }
 
-/// Shear stress of elements side by side, each sliding at a strength of its own.
+/// Shear stress of parallel elements, each of which slides at its own strength.
 class Overlay {
  public:
   struct Element {
@@ -109,7 +109,7 @@ class YieldingRun : public InFolder {
   Summary run(const std::string& text) {
     static const PetscSession petsc;  // MPI starts once in a process
     write("layer.geo", layer_geo);
-    unsetenv("UPBEAD_MESHES");  // the shipped ones
+    unsetenv("UPBEAD_MESHES");  // so that the shipped geometries are used
     write("case.toml", text);
     const Case input = read_case("case.toml");
     const Simulation scene = simulation_of(input);
@@ -119,7 +119,7 @@ class YieldingRun : public InFolder {
 
 TEST_F(YieldingRun, BlockOnARigidPlasticLayerSlidesAsFarAsItIsExact) {
   const double strength = 5e3, peak = 5e6, stiff = 1e10;
-  // without weights, which would squeeze the layer out at its free sides, and without cracks
+  // without gravity, by which the layer would be squeezed out at its free sides, and without tension cracks
   const Summary found = run("gravity = 1e-6\n" + layer_case(peak,
                                                             "law = \"mohr_coulomb\"\nstrength = { friction_angle = 0, "
                                                             "cohesion = 5e3, tension = 1e9 }",
@@ -127,7 +127,7 @@ TEST_F(YieldingRun, BlockOnARigidPlasticLayerSlidesAsFarAsItIsExact) {
   const Slide exact = slide(Overlay({{stiff, strength}}), peak);
   EXPECT_NEAR(found.response->peak_shear, B * strength, 5e-3 * B * strength);
   EXPECT_NEAR(found.residual->displacement_x, exact.last, 5e-3 * exact.last);
-  // rigid-plastic: m s'' = P - F until it stands still
+  // rigid-plastic: m s'' = P - F until the block stops
   double s = 0., v = 0.;
   for (double t = 0., step = 1e-6; t < end; t += step) {
     const double P = t < duration ? peak * (1. - std::abs(2. * t / duration - 1.)) : 0.;
@@ -144,7 +144,7 @@ TEST_F(YieldingRun, BlockOnAHystereticLayerFollowsTheOverlay) {
   const double peak = 4e6;
   const Summary found = run(layer_case(
       peak, "law = \"hysteretic\"\nstrain = { modulus = [[1e-6, 1.0], [1e-5, 0.9], [1e-4, 0.6], [1e-3, 0.25]] }"));
-  // the same curve: G/G_max straight over log gamma, at 12 strains equally far from each other in it
+  // the same curve: G/G_max linear in log gamma, at 12 strains equally spaced in log gamma
   std::vector<std::array<double, 2>> points;
   for (int i = 0; i < 12; ++i) {
     const double x = 3. * i / 11., gamma = 1e-6 * std::pow(10., x);
@@ -189,12 +189,12 @@ TEST_F(YieldingRun, FrictionNodeByNodeAndSoilInOneStage) {
   EXPECT_NEAR(slides.contact->solved->slip, alone.contact->solved->slip, 1e-3 * alone.contact->solved->slip);
   EXPECT_NEAR(slides.energy->friction, alone.energy->friction, 1e-3 * alone.energy->friction);
   EXPECT_EQ(slides.energy->plastic, 0.);
-  // friction that holds everything: soil alone
+  // friction that prevents all slip: soil alone
   const Summary holds = run(with_friction(layer_case(peak, weak), 50.)), bonded = run(layer_case(peak, weak));
   EXPECT_NEAR(holds.residual->displacement_x, bonded.residual->displacement_x, 1e-5 * bonded.residual->displacement_x);
   EXPECT_NEAR(holds.response->peak_shear, bonded.response->peak_shear, 1e-5 * bonded.response->peak_shear);
   EXPECT_EQ(holds.energy->friction, 0.);
-  // both: F_T stays below the weaker one
+  // both: F_T stays below the lower of the two strengths
   const Summary both = run(with_friction(layer_case(peak, weak), 0.045));
   EXPECT_GT(both.energy->friction, 0.);
   EXPECT_LT(both.response->peak_shear, 1.001 * 0.045 * mass * 9.81);

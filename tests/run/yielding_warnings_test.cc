@@ -1,5 +1,5 @@
-// Claim: a strain that one cell has and its neighbours have not is told, and so are strains that are not small; neither
-// where strains do not matter or no soil yields.
+// Claim: the program warns where a single cell has a strain that its neighbours do not have, and where strains are
+// not small; not where strains do not matter or no soil yields.
 #include "run/warnings/yielding_warnings.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// Claims: the pressures of the edges balance N' and M'; the worst of a history is found with its time, and is none
-// where the resultant leaves the base; the overturning margin is Goda's where nothing moves.
+// Claims: the pressures of the edges balance N' and M'; the worst value of a history is found with its time, and does
+// not exist if the resultant leaves the bottom; the overturning margin is Goda's if nothing moves.
 
 #include "upbead/sliding/base_pressure.h"
 
@@ -80,7 +80,7 @@ TEST(BaseExtremes, HoldGodasOverturningMargin) {
   const BaseExtremes s = base_extremes(pushed_and_pulled(), times);
   EXPECT_NEAR(s.least_overturning_margin.value(), (1.2e6 * 5.5 - 0.2e6 * 6. - 0.4e6) / 1.5e6, 1e-12);
   EXPECT_EQ(s.least_overturning_margin_time, 0.2);
-  // about the toe at 0.3 s alone: what presses down, 0.2 MN/m, holds the caisson too
+  // about the toe, only at 0.3 s: the downward force of 0.2 MN/m also holds the caisson
   EffectiveBase pulled = pushed_and_pulled();
   pulled.moment[1] = 1.0e6;
   pulled.moment[3] = 0.6e6;
@@ -111,7 +111,7 @@ TEST(BaseExtremes, AreThoseOfTheMirrorImage) {
 TEST(BaseExtremes, HaveNoPeakOnceTheResultantHasLeftTheBase) {
   EffectiveBase b = pushed_and_pulled();
   b.moment[1] = 6.01 * b.force[1];  // beyond the heel
-  b.moment[3] = 5.99 * b.force[3];  // within it, later
+  b.moment[3] = 5.99 * b.force[3];  // still within the bottom, later
   const BaseExtremes s = base_extremes(b, times), m = base_extremes(mirrored(b), times);
   EXPECT_FALSE(s.peak_heel_pressure);
   EXPECT_EQ(s.peak_heel_pressure_time, 0.2);

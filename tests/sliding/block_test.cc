@@ -1,5 +1,5 @@
-// Claim: the block keeps the laws of its motion whatever the history (impulse, mirror, scales, no slip below the
-// resistance) and slides as far as can be found by hand and with many small steps.
+// Claim: for any history the motion of the block obeys its laws (impulse, mirror image, scaling, no slip below the
+// resistance), and its sliding distance is that by hand and by many small steps.
 
 #include "upbead/sliding/block.h"
 
@@ -30,7 +30,7 @@ History random_history(unsigned seed, int points, double low, double high) {
   return history;
 }
 
-/// The history at t, from the left at a jump.
+/// The history at t; at a jump the value before it.
 double value_at(const History& h, double t, double before, double after) {
   const auto next = std::lower_bound(h.time.begin(), h.time.end(), t) - h.time.begin();
   if (next == 0) return before;
@@ -40,7 +40,7 @@ double value_at(const History& h, double t, double before, double after) {
   return (1. - s) * h.value[i - 1] + s * h.value[i];
 }
 
-/// Integral of sF - R over a slip; linear between the points, so that the midpoint rule between them is exact.
+/// Integral of sF - R over a slip; the integrand is linear between the points, so that the midpoint rule is exact.
 double impulse(const History& force, const History& resistance, const Slip& slip) {
   std::vector<double> times{slip.start, slip.stop};
   for (const History* h : {&force, &resistance})
@@ -98,7 +98,7 @@ TEST(Block, SlidesSeveralTimesAndBothWays) {
 }
 
 TEST(Block, TurnsWithoutRest) {
-  // 2R, then -3R: it brakes with 4R, turns at once and slides back under 2R.
+  // 2R, then -3R: the block is braked by 4R, reverses at once and slides back under 2R.
   const Sliding found = slide(1., {{0., 0., 1., 1., 3., 3.}, {0., 2., 2., -3., -3., 0.}}, 1.);
   ASSERT_EQ(found.slips.size(), 2u);
   EXPECT_NEAR(found.slips[0].stop, 1.25, 1e-14);
@@ -158,7 +158,8 @@ TEST(Block, AgreesWithManySmallSteps) {
     const History force = random_history(seed, 30, -3., 4.);
     double x = 0., v = 0.;
     for (double t = 0.; t < force.time.back() + 20.; t += h) {
-      const double free = v + h * value_at(force, t + 0.5 * h, 0., 0.) / m;  // friction takes what it can, not more
+      // friction can stop the block, not reverse it
+      const double free = v + h * value_at(force, t + 0.5 * h, 0., 0.) / m;
       v = std::copysign(std::max(std::abs(free) - h * R / m, 0.), free);
       x += h * v;
     }
@@ -168,7 +169,7 @@ TEST(Block, AgreesWithManySmallSteps) {
 }
 
 TEST(Block, ForceThatOnlyTouchesTheResistance) {
-  // Round-off must neither start a slip that never ends nor loop.
+  // Round-off must cause neither a slip without end nor an endless loop.
   for (const double peak : {1., std::nextafter(1., 2.), std::nextafter(1., 0.)}) {
     const Sliding found = slide(1., {{0., 0.1, 0.3, 0.7, 1.}, {0., peak, 0.2, peak, 0.}}, 1.);
     EXPECT_LT(found.path, 1e-20);

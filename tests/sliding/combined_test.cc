@@ -23,7 +23,7 @@ double impulse(const History& h) {
 }
 
 TEST(CombinedSliding, KeepsTheImpulseOfHalfAStandingWave) {
-  // the last one is so slow that the standing wave rises before it
+  // the last pulse is so slow that the standing wave rises before it
   for (const TriangularPulse& pulse :
        {TriangularPulse{2.5e6, 0.1}, {2.5e6, 0.8}, {2.5e6, 1.5}, {2.5e6, 2.2}, {1.35e6, 5.}}) {
     CombinedWave w = wave;
@@ -80,7 +80,7 @@ double by_small_steps(double mass, double resistance, double mu, const CombinedW
 
 TEST(CombinedSliding, AgreesWithManySmallSteps) {
   CombinedWave strong = wave;
-  strong.standing_force = 2.2e6;  // slides by its standing part too
+  strong.standing_force = 2.2e6;  // the standing part alone slides the caisson too
   for (const bool sinusoidal : {false, true}) {
     CombinedModel model;
     model.uplift = sinusoidal ? UpliftShape::sinusoidal : UpliftShape::in_phase;

@@ -1,7 +1,7 @@
 // Claim: on ground without damping, where friction that follows N' couples sway and heave into a growing vibration
-// (flutter), S is right or is refused with its reason: growth is that of the closed form; vibrations far above the load
-// leave S that of the rigid block; what friction takes is never more than there was, in any scene; a bottom that would
-// part from its ground has no S. What may happen within a step is bounded.
+// (flutter), S is either right or refused with its reason: growth is that of the closed form; with vibrations far
+// above the frequencies of the load S is that of the rigid block; in any scene friction never dissipates more energy
+// than is available; a bottom that would part from its ground has no S. Values within a step are bounded.
 
 #include <gtest/gtest.h>
 
@@ -21,7 +21,8 @@ namespace coupled_flutter_test {
 constexpr double mass = 6e5, weight = 3.2e6, friction = 0.6, shift = 30.;
 const TriangularPulse pulse{4e6, 0.3};
 
-/// Undamped; a push landward lifts the base, by springs of the ratios 1 : -5/6 : 2.
+/// Undamped by default; a push landward lifts the base; its springs (sway, coupling, heave) have the ratios 1 : -5/6
+/// : 2.
 System wedge(double base_mass, double stiffness, double damping = 0.) {
   return block_on_wedge(mass, {base_mass, stiffness, damping}, -stiffness * 5. / 6.);
 }
@@ -52,8 +53,8 @@ TEST(CoupledFlutter, GrowsAsTheClosedFormSays) {
   EXPECT_EQ(in_modes(wedge(base, k), 0.5 * friction, shift, {}, 0).damping_time, 0.);
 }
 
-// The faster the vibration, the less it has to do with the block: S tends to that on rigid ground, as what it is pushed
-// aside by before it slips, P/k.
+// The faster the vibration, the less it affects the block: S tends to that on rigid ground, with a difference of the
+// order of P/k, the sway before the slip.
 TEST(CoupledFlutter, FarAboveTheLoadIsNoPartOfTheSlip) {
   const double exact = sliding_distance_exact(mass, friction * weight, pulse), base = 2e5;
   for (const double k : {1e13, 1e14, 1e15}) {
@@ -70,7 +71,8 @@ TEST(CoupledFlutter, FarAboveTheLoadIsNoPartOfTheSlip) {
   }
 }
 
-// In the load's band flutter is of the ground and of the friction. It ends where N' does: then S is refused.
+// Within the load's band flutter is a real motion of ground and friction. It ends when N' falls to zero: then S is
+// refused.
 TEST(CoupledFlutter, ThatLiftsTheBottomHasNoDistance) {
   const double base = 2e5;
   int refused = 0;
@@ -135,7 +137,7 @@ TEST(CoupledFlutter, NoSceneGivesADistanceThatCannotBe) {
         ++refused;
         continue;
       }
-      // all that the loads have done, by x', straight between samples
+      // work of the loads by x', which is taken as linear between samples
       double work = 0., rough = 0.;
       for (Eigen::Index n = 1; n < loads.cols(); ++n) {
         const double v = history.outputs(0, n - 1), w = history.outputs(0, n), P = loads(0, n - 1), Q = loads(0, n);
@@ -191,7 +193,7 @@ TEST(SlipWithinStep, BoundsWhatReadingsDoBetweenTheEnds) {
           if (bound > 0.) nearest = std::max(nearest, std::abs(curve(x * step) - chord) / bound);
         }
       }
-      // work: of many small pieces
+      // the work as a sum over many small pieces
       constexpr int n = 4096;
       double work = 0.;
       ModalState last = z;

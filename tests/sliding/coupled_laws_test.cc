@@ -1,6 +1,7 @@
-// Claim: a caisson that slips on the soil that it shakes keeps the laws of its motion: friction only takes energy, and
-// work is what is stored and taken; a mirrored pulse slips it the other way; more force moves it farther; N' that the
-// slip itself changes is met (against many small steps); finer samples change nothing; random waves all come to rest.
+// Claim: the motion of a caisson that slips on soil that it sets in motion obeys its laws: friction only dissipates,
+// and work is the sum of energies stored and taken; under a mirrored pulse it slips the other way; more force moves
+// it farther; N' that the slip itself changes is right (compared with many small steps); finer samples change
+// nothing; after random waves the caisson always comes to rest.
 
 #include <gtest/gtest.h>
 
@@ -52,7 +53,7 @@ TEST(CoupledLaws, WorkIsWhatIsStoredAndTaken) {
   EXPECT_LT(mismatch(1e-4), 2e-5) << "the account's own integrals are of order step^2";
 }
 
-/// Moreau's time stepping: N' of the step's start, friction that stops s' or falls short of it.
+/// Moreau's time stepping: N' at the start of the step; friction either stops s' or acts with its limit.
 double slip_in_small_steps(const System& system, const History& force, double step, double end) {
   const Eigen::MatrixXd M = system.M, inverse = M.inverse(), C = system.C, K = system.K;
   const auto n = static_cast<int>(end / step);
@@ -103,7 +104,7 @@ TEST(CoupledLaws, MirrorsWithTheForce) {
 }
 
 TEST(CoupledLaws, LiftsWhereTheNormalForceIsGone) {
-  // N' falls to -1/4 of itself for a while: the block then feels P alone.
+  // N' falls to -1/4 of its value for a while: then only P acts on the block.
   const double step = 1e-3, m = 6e5, R = friction * weight;
   const CoupledSlip slip(in_modes(block_on_rock(m), friction, shift), step);
   WaveSamples loads(2, 1001);

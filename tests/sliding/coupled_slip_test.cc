@@ -1,6 +1,5 @@
-// Claim: a block that slips on what it shakes does as event-exact references and closed forms say: ref7 B and C
-// (tests/reference/ref7_sliding.json), the exact block on rigid ground and on a stiff one, two masses under any
-// history.
+// Claim: a block that slips on a moving base follows event-exact references and closed forms: ref7 B and C
+// (tests/reference/ref7_sliding.json), the exact block on rigid and on stiff ground, two masses under any history.
 
 #include "sliding/coupled_slip.h"
 
@@ -54,8 +53,8 @@ TEST(CoupledSlip, OnAMassWithSpringAndDashpotIsTheReference) {
   EXPECT_GE(slips, 4);
 }
 
-// A base without mass has no state in a slip: it is what a light one with a stiff dashpot tends to, as the root of its
-// mass. Two masses, extrapolated.
+// A base without mass has no state in a slip: it is the limit of a light base with a stiff dashpot, and the error is
+// proportional to the root of its mass. So S is extrapolated from two masses.
 TEST(CoupledSlip, OnABareSpringIsTheReference) {
   int slips = 0;
   for (const Json& row : reference("slider")) {
@@ -97,7 +96,7 @@ TEST(CoupledSlip, OnStiffGroundTendsToTheExactBlock) {
   EXPECT_GT(error(1e11), 1e-6);
 }
 
-/// Points at random times that samples meet.
+/// Points at random times, all of which are times of samples.
 History random_history(unsigned seed, double largest) {
   std::mt19937 random(seed);
   std::uniform_int_distribution<int> gap(5, 100);

@@ -1,4 +1,4 @@
-// Claim: a block with linear drag moves as its equation says, and as without drag where the drag vanishes.
+// Claim: the motion of a block with linear drag satisfies its equation, and without drag is that of the block.
 
 #include <gtest/gtest.h>
 

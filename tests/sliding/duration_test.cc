@@ -1,4 +1,5 @@
-// Claim: tau_0 of a history is that of the triangle that slides as far; of a triangle, by every exact measure, its own.
+// Claim: tau_0 of a history is that of the triangle with the same sliding distance; tau_0 of a triangle is its own by
+// every exact measure.
 
 #include "upbead/sliding/history_sliding.h"
 

@@ -1,5 +1,5 @@
-// Claim: what one wave does to a caisson is the same however it is told: as F_S, as uplift that relieves, as a change
-// of the normal force.
+// Claim: the sliding of a caisson under one wave is the same whether uplift enters F_S, reduces the resistance, or is
+// a change of the normal force.
 
 #include "upbead/sliding/history_sliding.h"
 
@@ -58,7 +58,7 @@ TEST(HistorySliding, NothingHoldsACaissonThatIsLifted) {
   const History U{{0.1, 0.1, 0.3, 0.3}, {0., 4e6, 4e6, 0.}};
   const HistorySliding s = slide_history({push, U, {}}, bottom);
   EXPECT_LT(s.least_normal_force, 0.);
-  // 0.2 s at 1e6 N/m, then braked by R - 1e6 until 0.4 s or rest
+  // accelerated for 0.2 s by 1e6 N/m, then braked by R - 1e6 until 0.4 s or rest
   const double v = 1e6 * 0.2 / 6e5, brake = (R - 1e6) / 6e5, stop = 0.1;
   ASSERT_GT(v / brake, stop);
   const double left = v - brake * stop;

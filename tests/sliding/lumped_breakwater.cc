@@ -59,7 +59,7 @@ class Soil {
   Eigen::RowVectorXd uplift;
 };
 
-/// The soil's coordinates by those of the system: what is below the top, pores, x, y, rotation, s.
+/// The soil's coordinates from those of the system: nodes below the top, pores, x, y, rotation, s.
 Eigen::MatrixXd ties(int n) {
   const int below = n - 1, own = 3 * below + 2 * n, x = own;
   Eigen::MatrixXd T = Eigen::MatrixXd::Zero(5 * n, own + 4);

@@ -1,4 +1,5 @@
-// Claim: the closed forms of the triangular pulse have the right limits, meet, and scale.
+// Claim: the closed forms of the triangular pulse have the right limits, are continuous at their common bounds, and
+// scale.
 
 #include "upbead/sliding/pulse.h"
 

@@ -1,6 +1,6 @@
 // Claim: the chain from the height of a wave to its sliding distance, row by row of a table that was computed once by
-// another program (declared section, not published); both parts of eq. (7); impulsive waves slide less far than others
-// of the same safety factor, as Fig. 10 of Shimosako and Takahashi (1994) shows.
+// another program (declared section, not published); both parts of eq. (7); impulsive waves slide the caisson less
+// far than other waves of the same safety factor, as Fig. 10 of Shimosako and Takahashi (1994) shows.
 
 #include "upbead/sliding/pulse.h"
 
@@ -62,7 +62,7 @@ TEST(WaveSliding, PartsOfEquation7AreItsSumAndItsBraking) {
   EXPECT_EQ(parts_of(load_of(sliding_section(), sliding_wave(8.))).braking, 0.);
 }
 
-/// The section with the weight that gives the safety factor against sliding.
+/// The section, with the weight for which the safety factor against sliding is `safety`.
 Section weighed(Section s, const DesignWave& wave, double safety) {
   const double buoyancy = s.weight - s.submerged_weight;
   s.submerged_weight = submerged_weight_for(safety, s.friction, Goda(s, water, wave).at(wave.height));

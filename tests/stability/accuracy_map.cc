@@ -1,4 +1,4 @@
-// Random scenes whose mesh is made for a tolerance, and whether what is told of their errors bounds them.
+// Random scenes whose mesh is made for a tolerance, and whether the error estimates bound the true errors.
 
 #include <sys/wait.h>
 #include <unistd.h>
@@ -50,7 +50,7 @@ void write_row(std::ostream& table, const Options& options, int scene, const Ran
   table << ',' << v.seconds << ',' << v.truth_seconds << std::endl;  // flushed: a crash must leave the rows before it
 }
 
-/// In a process of its own, which ends after the longest time; false where it did.
+/// Judges a scene in a separate process, which is ended after the longest time; false in that case.
 bool judge_in_time(std::ostream& table, const Options& options, int scene, const RandomCase& drawn,
                    const std::string& path) {
   table.flush();

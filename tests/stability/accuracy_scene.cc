@@ -123,7 +123,7 @@ void write_sides(Writer& w) {
   w.fact("sides", side);
 }
 
-/// Returns how long it lasts.
+/// Returns the duration (s).
 double write_pulse(Writer& w, const std::string& load, double peak, double shortest, double longest) {
   Draw& draw = w.draw;
   const double duration = draw.log_uniform(shortest, longest), rise = draw.uniform(0.2, 0.8) * duration;

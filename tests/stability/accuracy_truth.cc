@@ -16,9 +16,9 @@ namespace upbead::test {
 namespace {
 
 constexpr int rounds_at_corners = 3, most_unknowns = 45000;
-constexpr double exactness = 0.15;  ///< of a reduced model of the truth, over the tolerance
+constexpr double exactness = 0.15;  ///< tolerance of the reduced model of the truth, over that of the case
 
-/// Cells at the points where regions meet each other and the outline, or three of them: there stresses are singular.
+/// Cells at points where two regions meet at the outline, or three regions meet: there stresses are singular.
 std::vector<bool> cells_at_corners(const Mesh& mesh) {
   std::map<unsigned, std::set<unsigned>> regions;
   std::set<unsigned> outline;
@@ -56,7 +56,7 @@ Truth solve(const Case& input, const Run& answer, std::shared_ptr<Mesh> mesh) {
   Case exact = input;
   exact.scene.mesh.refine = 0;
   exact.scene.tolerance *= exactness;
-  // the steps meet the times of the answer, between which a history is not known
+  // the steps meet the times of the run, between which its history is not known
   const bool slips = answer.summary.contact && answer.summary.contact->solved;
   const double part = answer.summary.reduction || slips ? 0.25 : 0.5;
   exact.scene.time.step = part * answer.summary.discretisation.time_step * (1. + 1e-9);

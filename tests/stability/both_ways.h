@@ -1,4 +1,4 @@
-// Solves one case as the program chooses and by sdirk4: what sdirk4 answers, "auto" must answer.
+// Solves one case by "auto" and by sdirk4: if sdirk4 solves it, "auto" must solve it.
 #pragma once
 
 #include <string>
@@ -8,16 +8,16 @@
 namespace upbead::test {
 
 struct BothWays {
-  /// Failed: sdirk4 answers and "auto" does not. Refused: neither does. Passed: "auto" answers.
+  /// Failed: sdirk4 solves it and "auto" does not. Refused: neither does. Passed: "auto" does.
   Verdict::Kind kind = Verdict::Kind::passed;
   std::string why;
-  std::string sdirk4;       ///< why it does not answer; "" where it does
+  std::string sdirk4;       ///< why sdirk4 refuses the case; "" if it does not
   std::string way;          ///< that "auto" has taken
   int steps_of_ladder = 0;  ///< ways that "auto" has tried
-  double difference = -1.;  ///< of the peaks of |F_T|, over the larger one; -1 where there is none to compare
+  double difference = -1.;  ///< of the peaks of |F_T|, over the larger one; -1 if there is nothing to compare
 };
 
-/// The case at that path, whatever scheme it names, its steps divided by `finer`.
+/// Solves the case at that path, ignoring its scheme, with its steps divided by `finer`.
 BothWays solve_both_ways(const std::string& path, double finer);
 
 }  // namespace upbead::test

@@ -1,4 +1,4 @@
-// Writes the parts of a random case; what one part has drawn the next ones must know.
+// Writes the parts of a random case; later parts depend on the draws of earlier ones.
 #pragma once
 
 #include <map>
@@ -9,7 +9,7 @@
 
 namespace upbead::test {
 
-/// What the parts of a case tell each other.
+/// The draws that the parts of a case share.
 struct CaseDraft {
   CaseDraft(Draw& numbers, Layout section) : draw(numbers), layout(std::move(section)) {}
 
@@ -23,7 +23,7 @@ struct CaseDraft {
   Draw& draw;
   Layout layout;
   bool inertia = true, friction = false;
-  bool sane = true;  ///< false: rules of what fits together are not kept
+  bool sane = true;  ///< false: the parts may contradict each other
   double bulk_modulus = 0., step = 0., end = 0.;
   std::string scheme;
   std::map<std::string, std::string> kind, flow;  ///< by region

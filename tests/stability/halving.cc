@@ -9,7 +9,7 @@ namespace upbead::test {
 
 namespace {
 
-/// Differences below this are within what F_T is known to (Bounds::reaction): they may be round-off, which grows as
+/// Differences below this are within the accuracy of F_T (Bounds::reaction): they may be round-off, which grows as
 /// steps shrink.
 constexpr double round_off = 1e-7;
 
@@ -29,7 +29,8 @@ Series march_once(const System& system, SchemeKind kind, const TimeGrid& grid) {
   return march(system, *scheme, grid).ends;
 }
 
-/// F_T; where symmetry makes it vanish the normal force; without a caisson the largest displacement of a probe.
+/// The reading to compare: F_T; if it vanishes by symmetry the normal force; without a caisson the largest
+/// displacement of a probe.
 std::string choose_reading(const System& system, const Series& ends) {
   const auto largest = [&](const std::string& name) {
     return ends.reading.row(system.reading(name)).cwiseAbs().maxCoeff();

@@ -14,7 +14,7 @@ struct Halving {
   double scale = 0.;               ///< largest value of the reading
   std::vector<double> difference;  ///< largest |y_(h/2^(k+1)) - y_(h/2^k)| at the ends of the steps h, over the scale
   std::vector<double> largest;     ///< largest |y| with steps h/2^k, over the scale
-  bool closer = false;             ///< the last difference is smaller than the one before it, or that is round-off
+  bool closer = false;             ///< the last difference is smaller than the one before it, or is round-off
 };
 
 /// Marches a system with ever smaller steps until the last difference is smaller than the one before it, at most

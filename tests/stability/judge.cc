@@ -56,8 +56,8 @@ void measure_solve(const System& system, SchemeKind kind, double h, double end, 
   m.plain_residual = error.plain;
 }
 
-/// A lower bound of what the loads would do at rest, each alone: 1/2 sum of (peak b_i)^2 / K_ii over displacements, b
-/// of a pressure that is prescribed its push.
+/// A lower bound of the static work of the loads, each alone: 1/2 sum of (peak b_i)^2 / K_ii over displacements; for
+/// a prescribed pressure b is its force on the skeleton.
 double possible_work(const System& system, double end) {
   double work = 0.;
   for (const SystemLoad& load : system.loads)
@@ -70,7 +70,7 @@ double possible_work(const System& system, double end) {
   return work;
 }
 
-/// From when on all loads are zero; `end` where they are not before.
+/// The time from which on all loads are zero; `end` if there is none before.
 double end_of_loads(const System& system, double end) {
   double over = 0.;
   for (const SystemLoad& load : system.loads) {
@@ -81,10 +81,10 @@ double end_of_loads(const System& system, double end) {
   return std::min(over, end);
 }
 
-/// Share of what the loads could do below which energies are round-off.
+/// Share of the possible work of the loads below which energies are round-off.
 constexpr double possible_share = 1e-10;
 
-/// Marches on without loads.
+/// Stored energy 400 steps after the end.
 double stored_later(const System& system, double end, double h) {
   constexpr int more = 400;
   SchemeOptions options;
@@ -96,7 +96,7 @@ double stored_later(const System& system, double end, double h) {
   return march(system, *scheme, grid).energy.back().stored();
 }
 
-/// `scale`: of energies, that of the account.
+/// `scale`: the energy that the balance is relative to.
 void measure_growth(const System& system, const Response& response, double h, double scale, Measures& m) {
   const std::vector<double>& time = response.ends.time;
   const double over = end_of_loads(system, time.back());
@@ -129,7 +129,7 @@ void measure_energy(const System& system, const Response& response, double h, Me
 bool is_finite(const Run& run) {
   const Response& r = run.response;
   const auto all = [](const Vector& v) { return v.array().isFinite().all(); };
-  to_json(run.summary);  // throws where one is not
+  to_json(run.summary);  // throws if a number is not finite
   return r.ends.reading.array().isFinite().all() && r.balanced.reading.array().isFinite().all() &&
          all(r.final_state.x) && all(r.final_state.v) && all(r.final_state.a);
 }

@@ -30,11 +30,11 @@ struct Layout {
   std::vector<std::array<double, 2>> probes;         ///< points in the ground (m)
   std::array<double, 2> middle{0., 0.};              ///< of the caisson (m)
   double caisson_area = 0.;                          ///< m2
-  double depth = 0.;                                 ///< of the sea (m), or what stands for it
+  double depth = 0.;                                 ///< of the sea (m), or the value used instead
   double aspect = 1.;                                ///< of the longest cell
 };
 
-/// A section of blocks (section.geo at that path), of some hundred unknowns at most.
+/// A section of blocks (section.geo at that path), with a few hundred unknowns at most.
 Layout draw_section(Draw& draw, const std::string& section_geo);
 
 /// One of the shipped geometries with few cells: a column, or a composite breakwater.

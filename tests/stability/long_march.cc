@@ -30,7 +30,8 @@ std::unique_ptr<Scheme> scheme_of(const System& system, SchemeKind kind) {
   return make_scheme(system, options);
 }
 
-/// The part of x that are displacements; phi is zero in a long march only where all water has come to rest.
+/// Product of the displacements in x with `direction`; phi is left out, as it is zero only once all water has come to
+/// rest.
 double along(const System& system, const Vector& x, const Vector& direction) {
   double sum = 0.;
   for (int i = 0; i < system.size(); ++i)
@@ -38,7 +39,7 @@ double along(const System& system, const Vector& x, const Vector& direction) {
   return sum;
 }
 
-/// The static answer: of a wet column that of the dry one, whose K is the same in u.
+/// The static displacement; for a wet column that of the dry one, whose K is the same in u.
 Vector static_answer(const System& system) {
   Eigen::MatrixXd K = system.K;
   Vector f = system.loads[0].vector;
@@ -60,7 +61,7 @@ LongMarch march_long(SchemeKind kind, bool wet, int steps) {
   const System& system = compiled.scene.system;
   const Vector answer = 1e4 * static_answer(system);
   const double size = along(system, answer, answer), h = 0.01;
-  // Rayleigh's quotient of the static answer: its slowest mode but for a few percent
+  // Rayleigh's quotient of the static displacement: the frequency of the slowest mode to a few per cent
   const double omega = std::sqrt(answer.dot(system.K * answer) / answer.dot(system.M * answer));
   const auto scheme = scheme_of(system, kind);
   State state = at_rest(system);

@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Collects what was found, and whether it is as it must be.
+/// Collects the results, and whether they are within their bounds.
 struct Findings {
   Json rows = Json::array();
   bool good = true;
@@ -37,7 +37,7 @@ std::string name_of(SchemeKind kind) {
   return kind == SchemeKind::sdirk4 ? "sdirk4" : "generalised_alpha";
 }
 
-/// The mean of an undamped oscillation about 1, over the last tenth of so many periods: 2 / (omega T).
+/// Bound of the mean of an undamped oscillation about its centre, over the last tenth T of the march: 2 / (omega T).
 double bound_of_mean(double periods) {
   return 10. / (std::acos(-1.) * periods);
 }

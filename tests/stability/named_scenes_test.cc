@@ -1,6 +1,6 @@
-// Claim: every scene that once broke a measure of the stability map holds all of them now, or is answered with a
-// warning of what does not balance, or refused for the reason that its first line states; what is known to fail still
-// fails by that measure only, so that its mending is noticed. Bounds: those of the map, see judge.h.
+// Claim: every scene that once broke a measure of the stability map meets all bounds now, or is solved with a warning
+// about the imbalance, or is refused for the reason in its first line; a scene known to fail still fails by that
+// measure only, so that a repair is noticed. Bounds: those of the map, see judge.h.
 #include <gtest/gtest.h>
 
 #include <algorithm>

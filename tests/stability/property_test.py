@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Whatever case `upbead explain` accepts, `upbead run` finishes, or refuses with a reason and writes nothing.
+"""Every case that `upbead explain` accepts, `upbead run` either solves, or refuses with a reason and writes nothing.
 
 Random cases with random mistakes, from a fixed seed, through the real program: exit codes are 0, 1 or 2, a refusal has a
 message and leaves no file, an answer has finite numbers only, and nothing takes longer than --longest.
@@ -23,7 +23,7 @@ import numpy
 
 from mistakes import with_mistakes
 
-MOST_SOLVES = 20_000  # what would take longer than that is legal, and not run
+MOST_SOLVES = 20_000  # a case that needs more is valid, but not run
 
 
 def arguments():
@@ -40,7 +40,7 @@ def arguments():
 
 
 class Trial:
-    """One case, and what became of it."""
+    """One case and its outcome."""
 
     def __init__(self, options, number, folder):
         self.options, self.number, self.folder = options, number, folder
@@ -68,7 +68,7 @@ class Trial:
             self.wrong.append(f"{command} refuses without a reason: {done.stderr!r}")
 
     def check_answer(self):
-        """All files there, and finite numbers in them."""
+        """All files exist and hold finite numbers."""
         out = self.folder / "out"
         text = (out / "summary.json").read_text()
         json.loads(text, parse_constant=lambda word: self.wrong.append(f"summary.json holds {word}"))
@@ -79,7 +79,7 @@ class Trial:
             file.visititems(visit)
 
     def run(self):
-        """Returns how it ended, in a word."""
+        """Returns the outcome as a short text."""
         self.write()
         explained = self.call("explain")
         if explained is None:
@@ -88,7 +88,7 @@ class Trial:
         solves = re.search(r"about (\d+) solves", explained.stdout)
         if explained.returncode == 0 and solves and int(solves[1]) > MOST_SOLVES:
             return "too long to run"
-        if explained.returncode == 1 and self.number % 4:  # most are left at that, to save time
+        if explained.returncode == 1 and self.number % 4:  # most refused cases are not run, to save time
             return "refused by explain" if not self.wrong else "wrong"
         before = sorted(self.folder.rglob("*"))
         done = self.call("run", "--out", "out")

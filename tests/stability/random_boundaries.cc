@@ -7,7 +7,7 @@ namespace upbead::test {
 
 namespace {
 
-/// What stands behind a curve.
+/// Kinds of the regions behind a curve.
 struct Behind {
   Behind(const CaseDraft& draft, const LayoutCurve& curve) {
     for (const std::string& name : curve.behind) {
@@ -36,7 +36,7 @@ std::string draw_pressure(CaseDraft& draft, const LayoutCurve& curve, const std:
   Draw& draw = draft.draw;
   const double chance = draw.unit();
   const bool can_absorb = draft.inertia && !draft.is_incompressible();
-  if (curve.is_level && !draft.layout.caisson) return "open";  // the only place for a load
+  if (curve.is_level && !draft.layout.caisson) return "open";  // the only curve on which a load can act
   if (curve.is_level) return chance < 0.5 ? "open" : chance < 0.9 ? "surface_waves" : "sealed";
   if (curve.is_surface) return chance < 0.7 ? "open" : "sealed";
   const bool water = draft.is(curve.behind.front(), "water");

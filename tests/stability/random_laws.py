@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Random scenes of stability_map whose soils yield by random laws and strengths: each ends well with finite numbers, or is
-refused with a reason (exit code 1 or 2); none ends otherwise.
+"""Random scenes of stability_map whose soils yield by random laws and strengths: each is solved with finite numbers,
+or refused with a reason (exit code 1 or 2); no run ends otherwise.
 
 usage: random_laws.py UPBEAD STABILITY_MAP [--count N] [--seed S] [--longest SECONDS]
 """
@@ -30,7 +30,7 @@ def law(dice):
 
 
 def with_laws(text, dice):
-    """Laws for soils that have none that follows strain; marched, as soil that yields is; a still water."""
+    """The text with laws for soils without a law, and with a still-water level."""
     parts = re.split(r"(?m)^(?=\[)", text)
     for i, part in enumerate(parts):
         if re.match(r"\[regions\.\w+\]\n", part) and re.search(r'kind = "(porous|solid)"', part) and "law =" not in part:

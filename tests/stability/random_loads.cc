@@ -1,4 +1,4 @@
-// Loads and their courses in time.
+// Loads and their histories.
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>
 
@@ -8,13 +8,13 @@ namespace upbead::test {
 
 namespace {
 
-/// Pulses last from 1 ms, or less where the computed time is shorter, to so long that they are static.
+/// Pulses last from 1 ms, or less if the computed time is shorter, to so long that they are static.
 double draw_duration(CaseDraft& draft) {
   Draw& draw = draft.draw;
   return draw.chance(0.65) ? draft.end * draw.log_uniform(0.1, 0.8) : draw.ranged(1e-3, 1e4);
 }
 
-/// Writes the pulse and returns the time of its fastest rise.
+/// Writes the pulse and returns the duration of its fastest rise (s).
 double write_pulse(CaseDraft& draft, const std::string& load, double peak) {
   Draw& draw = draft.draw;
   const double duration = draw_duration(draft), at = draw.unit(), part = draw.uniform(0.15, 0.85);
@@ -55,7 +55,7 @@ std::string direction(Draw& draw) {
   return "direction = [" + number(std::cos(angle)) + ", " + number(std::sin(angle)) + "]\n";
 }
 
-/// On the caisson: forces that are, where it may slip, of the order of its weight.
+/// A load on the caisson; if it may slip, a force of the order of its weight.
 Target on_caisson(CaseDraft& draft) {
   Draw& draw = draft.draw;
   const double weight = 1e4 * draft.layout.caisson_area;

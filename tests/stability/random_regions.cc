@@ -9,7 +9,7 @@ namespace {
 
 constexpr double least_G = 1e4, largest_G = 1e11, largest_contrast = 1e6;
 
-/// Least and largest of what was drawn for all regions.
+/// Least and largest of the values drawn for all regions.
 struct Spread {
   double least = INFINITY, largest = 0.;
   void add(double value) { least = std::min(least, value), largest = std::max(largest, value); }
@@ -26,7 +26,7 @@ double draw_nu(Draw& draw) {
   return at < 0.5 ? 0.5 - draw.log_uniform(1e-4, 0.2) : draw.uniform(0., 0.49);
 }
 
-/// G of a region: of the first anything, of others up to a millionth or a million times that.
+/// G of a region: for the first any value, for the others within a factor of 1e6 of it.
 double draw_G(Draw& draw, Spread& G) {
   const double ratio = draw.ranged(1. / largest_contrast, largest_contrast);
   double value = G.largest == 0. ? draw.ranged(least_G, largest_G) : G.largest * ratio;

@@ -95,7 +95,7 @@ void hang(int) {
   _exit(3);
 }
 
-/// A scene that is not done after longest_scene ends the program.
+/// A scene that is not finished after longest_scene ends the program.
 template <typename Result, typename Judge>
 Result in_time(const RandomCase& drawn, const std::string& path, const Judge& judge_path) {
   std::ofstream(path) << drawn.toml;
@@ -112,7 +112,8 @@ Result in_time(const RandomCase& drawn, const std::string& path, const Judge& ju
   return result;
 }
 
-/// How scenes ended, and of those that were refused why: without numbers and names, so that they can be counted.
+/// Counts how scenes ended, and the reasons of refusals, in which numbers and names are removed so that equal reasons
+/// can be counted.
 class Count {
  public:
   void add(const Verdict::Kind kind, const std::string& why) {
@@ -192,7 +193,7 @@ bool run(const Options& options) {
   });
 }
 
-/// What sdirk4 answers, "auto" must answer.
+/// Each scene that sdirk4 solves, "auto" must solve.
 bool run_both(const Options& options) {
   std::map<std::string, int> ways;
   std::vector<double> differences;

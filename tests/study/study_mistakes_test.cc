@@ -1,4 +1,4 @@
-// Claim: every mistake in a study is told at its place with a cure, also those in the settings of its cases.
+// Claim: every mistake in a study is reported at its place with a cure, also those in the settings of its cases.
 #include "good_case.h"
 #include "study/study.h"
 
@@ -23,8 +23,8 @@ key = "regions.rubble.shear_modulus"
 
 struct BadStudy {
   std::string name;
-  std::string good;  ///< text of the good study, once there
-  std::string bad;   ///< what stands there instead
+  std::string good;  ///< text that occurs once in the valid study
+  std::string bad;   ///< text that replaces it
   std::string messages;
 };
 

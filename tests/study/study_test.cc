@@ -1,5 +1,5 @@
-// Claim: a study becomes the runs that it describes: grids, pairs, draws, followers; its draws are those of the
-// distributions, and each belongs to its key and number alone.
+// Claim: a study gives the runs that it describes: grids, pairs, draws, keys that follow others; its draws have the
+// given distributions, and each depends only on its key and number.
 #include <cmath>
 #include <set>
 
@@ -101,7 +101,7 @@ TEST_F(StudyFile, DrawsHaveTheMomentsOfTheirDistributions) {
       "[vary.\"regions.rubble.grain_density\"]\ndistribution = \"normal\"\nmean = 2650\ncov = 0.02\n"
       "[vary.\"regions.rubble.hydraulic_conductivity\"]\ndistribution = \"log_uniform\"\nlow = 0.01\nhigh = 1\n"
       "[vary.\"mesh.refine\"]\nvalues = [0, 1, 2]\n");
-  const double root = std::sqrt(4000.);  // four standard errors
+  const double root = std::sqrt(4000.);  // tolerances are four standard errors
   EXPECT_NEAR(mean(draws(study, 0)), 3., 4. * 2. / std::sqrt(12.) / root);
   EXPECT_NEAR(mean(draws(study, 1)), 1e8, 4. * 0.3e8 / root);
   EXPECT_NEAR(deviation(draws(study, 1)), 0.3e8, 0.03e8);

@@ -1,4 +1,4 @@
-// Wrong cases by table: one edit of the good case, and what the person is told, word for word.
+// Wrong cases by table: one edit of the good case, and the message to the user, word for word.
 #pragma once
 
 #include <string>
@@ -11,8 +11,8 @@ namespace upbead::test {
 
 struct BadCase {
   std::string name;
-  std::string good;  ///< text of the good case, once there
-  std::string bad;   ///< what stands there instead
+  std::string good;  ///< text that occurs once in the good case
+  std::string bad;   ///< text that replaces it
   std::string messages;
 };
 

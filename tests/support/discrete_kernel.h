@@ -1,4 +1,5 @@
-// What a march makes of hats: the exact answer, step errors and all, to every load that is straight within the steps.
+// Responses of a march to hat functions: their sum is the march, with its errors of steps, under every load that is
+// straight within the steps.
 #pragma once
 
 #include <vector>
@@ -17,15 +18,16 @@ struct Kernel {
   bool jumps = true;      ///< false: of loads without jumps only; `left` is the whole hat's and `right` zero
 };
 
-/// Kernel of load k of a System in `n_steps` steps of `step` (s), by one or two marches; the system's histories do not
-/// matter. Readings by their indices, at the ends of the steps (where generalised-alpha does not satisfy the equation
-/// of motion).
+/// Kernel of load k of a System in `n_steps` steps of `step` (s), by one or two marches; the histories of the
+/// system's loads do not matter. Readings by their indices, at the ends of the steps (where generalised-alpha does
+/// not satisfy the equation of motion).
 ///
 /// SDIRK: equal to a march for all loads, up to round-off. Generalised-alpha: for forces without jumps, at t = 0
-/// neither. At a jump, and at each kink of a prescribed velocity, it takes three tiny steps that find x'' anew for all
-/// of the state, whatever moves it, and that see the loads a millionth of a step late. So what they do depends on all
-/// jumps and kinks, and sums of responses miss it, by some 1e-5 in x and 1e-2 in x''. Throws std::invalid_argument for
-/// a prescribed velocity with that scheme, std::out_of_range where there is no such load or reading.
+/// neither. At a jump, and at each kink of a prescribed velocity, it takes three tiny steps that compute x'' anew for
+/// the whole state, whatever load moves it, and that take the loads a millionth of a step late. So their effect
+/// depends on all jumps and kinks, and a sum of responses lacks it: errors of some 1e-5 in x and 1e-2 in x''. Throws
+/// std::invalid_argument for a prescribed velocity with that scheme, std::out_of_range where there is no such load or
+/// reading.
 Kernel discrete_kernel(const System& system, const SchemeOptions& options, int k, const std::vector<int>& readings,
                        double step, int n_steps);
 

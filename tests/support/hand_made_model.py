@@ -1,4 +1,4 @@
-"""A reduced model made by hand: a caisson on a spring and a dashpot, and a mode without meaning."""
+"""A reduced model made by hand: a caisson on a spring and a dashpot, and a mode without physical meaning."""
 
 import h5py
 import numpy as np
@@ -11,8 +11,8 @@ def pairs(values):
 
 def write_oscillator(path, loads=("impact",), mass=604.8e3, frequency=2.0, ratio=0.15, highest=50.0, tolerance=0.01,
                      nested=(1.0, 1.0)):
-    """Every load is a force P on the caisson, in N/m. `nested`: F_T of the middle and the reference model over that of
-    the model; none: a file of an older version. As other programs write HDF5: texts of variable length."""
+    """Every load is a force P on the caisson, in N/m. `nested`: F_T of the middle and the reference model over that
+    of the model; None: a file of an older version. Texts have variable length, as other programs write HDF5."""
     rate = 2 * np.pi * frequency
     pole = -ratio * rate + 1j * rate * np.sqrt(1 - ratio**2)
     x = -1j / ((mass or 1.0) * pole.imag)  # a model without a caisson has no mass

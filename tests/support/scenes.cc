@@ -94,7 +94,7 @@ std::map<std::string, double> with_sea() {
   return {{"sea_front", 3.}, {"sea_back", 3.}};
 }
 
-/// With all cells: tests march to other ends than the scene's, or not at all.
+/// The scene on the full domain, as tests march to other ends than the scene's, or not at all.
 static Scene whole(Scene scene) {
   scene.mesh.full_domain = true;
   return scene;

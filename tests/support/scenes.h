@@ -21,7 +21,7 @@ Region rubble();
 
 /// A column of one soil, drained and loaded by `top_pressure` (Pa, total stress) at the top.
 Scene column(const Region& soil, const TimeFunction& top_pressure);
-/// `grading`: size of the lowest cell over that of the highest, which a drained skin needs.
+/// `grading`: size of the lowest cell over that of the highest; the thin drained skin at the top needs small cells.
 std::unique_ptr<Mesh> column_mesh(double height, int cells, double grading = 1.);
 
 /// The prototype breakwater of the shipped cases under a force on its front.
@@ -33,7 +33,8 @@ std::unique_ptr<Mesh> breakwater_mesh(double cells, std::map<std::string, double
 /// Its parameters with a sea of three depths on both sides.
 std::map<std::string, double> with_sea();
 
-/// A scene compiled on a mesh, with everything that it stands on; with an interface under the caisson where asked for.
+/// A scene compiled on a mesh, together with the objects that it refers to; with an interface under the caisson if
+/// asked for.
 struct Compiled {
   Compiled(const Scene& scene, const Mesh& mesh, bool interface = false);
   Compiled(const ResolvedScene& scene, const Mesh& mesh, bool interface = false);

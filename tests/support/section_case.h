@@ -10,7 +10,7 @@
 
 namespace upbead::test {
 
-/// The case with changes, each (old, new), of the first place only; throws where an old text is not there.
+/// The case with changes (old, new), each only at its first place; throws if an old text does not occur.
 inline std::string section_case(const std::vector<std::pair<std::string, std::string>>& changes) {
   std::ifstream file(UPBEAD_SECTION_CASE);
   std::string text{std::istreambuf_iterator<char>(file), {}};

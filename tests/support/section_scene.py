@@ -7,7 +7,7 @@ WIDTH = 18.0  # of the caisson (m)
 
 
 def scene(*changes):
-    """The case with changes, each (old, new), of the first place only; an old text that is not there is an error."""
+    """The case with changes (old, new), each only at its first place; an old text that does not occur is an error."""
     text = SCENE
     for old, new in changes:
         if old not in text:

@@ -12,7 +12,7 @@
 
 namespace upbead::test {
 
-/// Names what lies at a point; "" where there is nothing.
+/// The name of the cell or face at a point; "" for none.
 using Naming = std::function<std::string(const dealii::Point<dim>&)>;
 
 /// Cells between the lines, ascending; `surface` names each cell by its centre ("": a hole), `curve` each face by its
@@ -21,7 +21,7 @@ std::unique_ptr<Mesh> tensor_mesh(const std::vector<double>& x, const std::vecto
                                   const Naming& curve);
 
 /// Lines from `from` to `to`, both included, ascending whichever way that is: cells start with the size `first` at
-/// `from`, grow by the factor `growth` up to the size `largest`, and are shrunk alike to fit.
+/// `from`, grow by the factor `growth` up to the size `largest`, and are all shrunk by one factor to fit.
 std::vector<double> graded_lines(double from, double to, double first, double growth, double largest);
 
 /// n equal cells from `from` to `to`.

@@ -14,13 +14,13 @@
 
 namespace upbead::test {
 
-/// Where the threads meet to add up.
+/// Sums over the threads.
 class Meeting {
  public:
   explicit Meeting(int count) : count_(count), brought_(static_cast<std::size_t>(count)) {}
   int count() const { return count_; }
 
-  /// Adds up by rank, whoever comes first.
+  /// Adds in the order of ranks, whichever thread comes first.
   void sum(int rank, double* values, int n) {
     std::unique_lock<std::mutex> lock(mutex_);
     brought_[rank].assign(values, values + n);

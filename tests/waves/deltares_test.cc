@@ -1,7 +1,7 @@
-// Claim: loads, safety factors and heel pressure of the 15 cases that the tests of Deltares' coastal-structures-toolbox
-// 1.0.0 hold (goda1985_test.py; the 15th differs from the first by B_M alone, which Goda's formula does not know).
-// Their numbers have 5 digits; the heel pressure is ill-conditioned. Some sections are not physical (h' > h), which
-// does not matter to the arithmetic.
+// Claim: loads, safety factors and heel pressure of the 15 cases in the tests of Deltares' coastal-structures-toolbox
+// 1.0.0 (goda1985_test.py; the 15th differs from the first only by B_M, which is not in Goda's formula). Their
+// numbers have 5 digits; the heel pressure is ill-conditioned. Some sections are not physical (h' > h), which does
+// not matter for the comparison.
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 namespace upbead::test {
 namespace deltares_test {
 
-/// Units of the tests: m, s, deg, kg/m3.
+/// Units of these tests: m, s, deg, kg/m3.
 struct Input {
   double H = 5.8, Hs = 3.05, T = 8., h = 5., d = 4., B_M = 2., cot = 50., density = 1025., h_1 = 6., crest = 5.,
          B = 10.;

@@ -1,5 +1,5 @@
-// Claim: the pressures of Goda's example, with alpha_2 and with alpha_I, and everything that is known to go wrong with
-// these formulas goes right.
+// Claim: the pressures are those of Goda's example, with alpha_2 and with alpha_I, and known pitfalls of these
+// formulas are avoided.
 
 #include "upbead/waves/goda.h"
 
@@ -86,7 +86,7 @@ TEST(Goda, TakesTheWavelengthAtTheWallAndNotAtHb) {
 }
 
 TEST(Goda, TurnsTheAngleOnce) {
-  // Where beta is 90 degrees, only half of the pressure of alpha_1 is left, and nothing of alpha*.
+  // At beta = 90 degrees half of the pressure by alpha_1 remains, and none of that by alpha*.
   DesignWave wave = goda_wave();
   wave.angle = 90. * degree;
   const WavePressure p = Goda(goda_section(), water, wave).at(wave.height);

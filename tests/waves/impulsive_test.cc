@@ -1,5 +1,5 @@
-// Claim: alpha_I1 has the values of its formula, its largest one where the tests had it, no jump between its branches,
-// and is negative on low mounds.
+// Claim: alpha_I1 has the values of its formula, its maximum where the experiments had it, no jump between its
+// branches, and is negative on low mounds.
 
 #include "upbead/waves/goda.h"
 

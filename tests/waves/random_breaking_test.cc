@@ -1,5 +1,5 @@
-// Claim: design heights by random breaking are those of Goda's examples, and of shoaling alone offshore; the sea that
-// makes a H_1/3 at the wall is found again, and its highest breaker is that of single waves.
+// Claim: design heights by random breaking are those of Goda's examples, and of shoaling alone offshore; the sea
+// state that gives H_1/3 at the wall is found, and its highest breaker is that of single waves.
 
 #include "upbead/waves/wave_heights.h"
 
@@ -29,13 +29,13 @@ TEST(RandomBreaking, IsShoalingAloneInDeepWater) {
   EXPECT_DOUBLE_EQ(heights.highest, 1.8 * heights.significant);
 }
 
-/// Computed once by another program from the same formulas; each row has other branches at work.
+/// Computed once by another program from the same formulas; each row uses other branches of the formulas.
 TEST(RandomBreaking, HoldsBranchByBranch) {
   struct Row {
     Approach approach;
     double significant, highest;
   };
-  const Row rows[] = {{{6.3, 11.4, 5., 0.01}, 3.3848, 4.6332},    // both kept low by the depth
+  const Row rows[] = {{{6.3, 11.4, 5., 0.01}, 3.3848, 4.6332},    // both limited by the depth
                       {{6.3, 11.4, 8., 0.05}, 5.9574, 8.7620},    // the same on a steep bed
                       {{6.3, 11.4, 9., 0.05}, 6.2218, 9.5742},    // H_1/3 by beta_max of the slope, above 0.92
                       {{6.3, 11.4, 9.5, 0.01}, 5.7960, 7.6569},   // H_1/3 by 0.92 H_0'
@@ -73,8 +73,9 @@ TEST(RandomBreaking, TheHighestBreakerIsHmaxWhereTheDepthKeepsItLow) {
   EXPECT_EQ(design_heights({9., 10., 31.5, 0.01}, 9.81).breaker, HUGE_VAL) << "h/L_0 = 0.202";
 }
 
-/// Goda's (1975) criterion of single waves, H_b = A L_0 (1 - exp(-1.5 pi h/L_0 (1 + 15 tan(theta)^(4/3)))): at A = 0.18
-/// the last random wave breaks, here at h_b. In shallower water set-up and surf beat, which it leaves out, count.
+/// Goda's (1975) criterion of single waves, H_b = A L_0 (1 - exp(-1.5 pi h/L_0 (1 + 15 tan(theta)^(4/3)))): at A =
+/// 0.18, here with the depth h_b, it is the height above which every random wave has broken. In shallower water
+/// set-up and surf beat matter, which the criterion leaves out.
 TEST(RandomBreaking, TheHighestBreakerIsNearThatOfSingleWaves) {
   const double L0 = deep_water_wavelength(12., 9.81);
   int compared = 0;

@@ -1,4 +1,4 @@
-// Claim: a section that contradicts itself is told so, and it follows the water level.
+// Claim: contradictions in a section are reported, and a section is adapted to the water level.
 
 #include "upbead/waves/goda.h"
 

@@ -1,4 +1,5 @@
-// Claim: tau_0F and k are those of eqs. (8)-(11), and stay sound where alpha* is not positive or H/h above 0.8.
+// Claim: tau_0F and k are those of eqs. (8)-(11), and remain valid numbers where alpha* is not positive or H/h above
+// 0.8.
 
 #include "upbead/waves/goda.h"
 
@@ -39,8 +40,8 @@ TEST(StandingDuration, KeepsItsLastValueBeyondEightTenths) {
 }
 
 TEST(StandingDuration, CannotBeAsShortAsThePaperSays) {
-  // 0.1 to 0.2 s is read in the text for the model's T = 3.04 s; by eqs. (8)-(11) it is 0.244 s at the least, as alpha*
-  // never exceeds 2.
+  // The text of the paper gives 0.1 to 0.2 s for the model's T = 3.04 s; by eqs. (8)-(11) it is at least 0.244 s, as
+  // alpha* never exceeds 2.
   EXPECT_NEAR(DurationFactor()(2.) * standing_duration(1., 1., 3.04), 0.244, 5e-4);
 }
 

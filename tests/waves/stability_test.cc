@@ -1,5 +1,5 @@
-// Claim: safety factors and heel pressure of Goda's example; r is 1 exactly where the safety factor is, and not its
-// inverse elsewhere.
+// Claim: safety factors and heel pressure of Goda's example; r = 1 exactly where the safety factor is 1, and
+// elsewhere r is not its inverse.
 
 #include "upbead/waves/goda.h"
 

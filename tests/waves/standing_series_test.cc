@@ -1,4 +1,4 @@
-// Claim: what a series says that it leaves of the conditions at the surface is what the worse of both leaves at its
+// Claim: the residual that a series reports for the conditions at the surface is that of the worse condition at its
 // worst place.
 
 #include "waves/standing_series.h"

@@ -1,6 +1,6 @@
-// Claims: the standing wave of finite height meets the full equations; it has the frequencies and the shapes that
-// others have expanded, and keeps mass, momentum and energy; small waves become the linear ones; what it presses a wall
-// with is told without loss by heights.
+// Claims: the standing wave of finite height satisfies the full equations; it has the frequencies and shapes of
+// published expansions, and conserves mass, momentum and energy; small waves tend to linear waves; its pressures on a
+// wall are given by pressures at heights without loss.
 
 #include "upbead/waves/standing_wave.h"
 
@@ -89,7 +89,7 @@ TEST(StandingWave, HasTheShapeOfPenneyAndPriceInDeepWater) {
 }
 
 TEST(StandingWave, RisesAboveStillWaterAsMicheSays) {
-  // Ann. Ponts Chaussees 114 (1944), second order: crest and trough stand delta_0 higher than +-H
+  // Ann. Ponts Chaussees 114 (1944), second order: crest and trough are higher than +-H by delta_0
   for (const double kh : {0.7, 1.2, 3.}) {
     const double H = 0.01 * 10.;
     const StandingWave wave = wave_of(kh, 0.01);
@@ -111,7 +111,7 @@ TEST(StandingWave, BecomesTheLinearOne) {
     }
 }
 
-/// Waves of designers: shallow and deep, low and steep.
+/// Waves (kh, H/h) of practical design: shallow and deep, low and steep.
 const std::vector<std::pair<double, double>> waves{{0.5, 0.3}, {0.7, 0.45}, {1.06, 0.4}, {2., 0.25}, {6., 0.08}};
 
 TEST(StandingWave, MeetsBothConditionsAtTheSurface) {
@@ -140,8 +140,8 @@ TEST(StandingWave, KeepsItsVolume) {
 }
 
 TEST(StandingWave, PressesTheBedAsItsCentreOfGravityMoves) {
-  // Longuet-Higgins, Phil. Trans. A 243 (1950): what the mean pressure on the bed exceeds that of still water by is
-  // rho d2/dt2 of the mean of eta^2/2
+  // Longuet-Higgins, Phil. Trans. A 243 (1950): the mean pressure on the bed exceeds that of still water by rho
+  // d2/dt2 of the mean of eta^2/2
   for (const auto& [kh, height] : waves) {
     const StandingWave wave = wave_of(kh, height);
     const double T = wave.period(), dt = 2e-3 * T;

@@ -1,4 +1,4 @@
-// Claim: each warning comes where the formulas leave what they were made from, and only there.
+// Claim: each warning appears where the formulas are outside the range of their data, and only there.
 
 #include "upbead/waves/goda.h"
 
@@ -28,7 +28,7 @@ Section ordinary() {
   s.berm_depth = 9.5;
   return s;
 }
-/// W that goes with W'.
+/// Sets W to match W'.
 void weigh(Section& s) {
   s.weight = s.submerged_weight + 1030. * 9.81 * s.foundation_depth * s.width;
 }

@@ -1,4 +1,4 @@
-"""Documents of what other commands than `run` wrote: study, expected, calibrate and waves, on the same page."""
+"""Documents of the results of study, expected, calibrate and waves, in the same style as that of `run`."""
 
 from report import page
 from report.kinds import calibration, expected, frame, study, waves
@@ -12,7 +12,7 @@ DOCUMENTS = ((StudyTable, study), (ExpectedResult, expected), (CalibrationResult
 
 
 def build(folder, case_file=None, language=None):
-    """The HTML of a folder of results, whichever command wrote it."""
+    """The HTML of a folder of results, of any command."""
     found = open_result(folder)
     if isinstance(found, Result):
         return page.build(found, case_file, language)

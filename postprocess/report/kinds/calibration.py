@@ -1,4 +1,4 @@
-"""The document of a calibration: k(alpha*) fitted to the dynamics of a caisson, beside the k that was given."""
+"""The document of a calibration: k(alpha*) fitted to the dynamics of a caisson, compared with the given k."""
 
 import numpy as np
 
@@ -50,7 +50,7 @@ def scatter_of(best):
 
 
 def given(result):
-    """Whether what was predicted lies within what was calibrated."""
+    """A sentence on whether the given a and b are within the confidence ellipses of the fits."""
     fits = [fit for model in result.models.values() for fit in model["fits"] if fit["given_in_ellipse"] is not None]
     inside = sum(fit["given_in_ellipse"] for fit in fits)
     a, b = (quantity(float(result.given[key])) for key in ("a", "b"))

@@ -1,4 +1,4 @@
-"""The document of a life: how far the waves of a record slide the caisson, and how uncertain that is."""
+"""The document of a life: the sliding distance by the waves of a record, and its uncertainty."""
 
 import numpy as np
 
@@ -45,7 +45,7 @@ def verdict(result):
 
 
 def chosen(expected):
-    """The law with the most mechanics in it that the run has, and its distance."""
+    """The most detailed law that the results have, and its distance."""
     return next(((law, expected[f"distance_{law}"]) for law in LAWS if expected.get(f"distance_{law}") is not None), (None, None))
 
 
@@ -65,7 +65,7 @@ def between_laws(expected):
 
 
 def overturning(expected):
-    """Where the caisson would tilt, sliding is not the question."""
+    """Sentences on tilting: if the caisson would overturn, its sliding does not matter."""
     margin = at(expected, "base.goda.least_overturning_margin")
     if margin is None or margin >= 1:
         return []
@@ -120,7 +120,8 @@ def exceedance(summary):
 
 
 def by_height(result):
-    """Waves, S of one wave and expected sliding over the height, from where waves begin to slide."""
+    """Waves, S of one wave and expected sliding over the height, from the height on at which waves slide the
+    caisson."""
     sets = (("waves a metre of height", "1/m", {"": result.waves}), ("sliding distance of one wave", "m", result.distance),
             ("expected sliding a metre of height", "", result.contribution))  # fmt: skip
     thresholds, panels = result.thresholds(), []
@@ -169,7 +170,7 @@ def beyond(lives):
 
 
 def base(expected):
-    """What presses on the base in the highest wave."""
+    """Edge pressures under the highest wave."""
     found = at(expected or {}, "base.goda")
     if not found:
         return ""

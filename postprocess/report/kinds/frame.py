@@ -1,4 +1,5 @@
-"""What the documents of a study, a life, a calibration and waves share: their order, warnings, assumptions and appendix."""
+"""Shared by the documents of a study, a life, a calibration and waves: their order, warnings, assumptions and
+appendix."""
 
 from pathlib import Path
 
@@ -52,7 +53,8 @@ def verdict_section(told, warnings):
 
 
 def warnings_of(summary):
-    """[(of what, name, text)] of the summary and of each of its waves; None where these results keep none."""
+    """[(name of the wave or "", name, text)] of the warnings of the summary and of each of its waves; None if these
+    results have no list of warnings."""
     waves = {name: wave for name, wave in (summary.get("waves") or {}).items() if isinstance(wave, dict)}
     kept = [(name, found["warnings"]) for name, found in {"": summary, **waves}.items() if "warnings" in found]
     if not kept:

@@ -37,7 +37,7 @@ def verdict(study):
 
 
 def numeric(study):
-    """Numbers that were read and that some run has."""
+    """The numbers read from the runs that at least one run has."""
     return [name for name in study.reads if study.numbers(name) is not None and np.isfinite(study.numbers(name)).any()]
 
 
@@ -89,7 +89,7 @@ def drawn(study, name, key):
 
 
 def courses(study, key, x, y, good):
-    """A line for each combination of the other keys, or points where there are too many of them."""
+    """A line for each combination of the other keys, or points if there are too many combinations."""
     others = [other for other in study.keys if other != key and not is_drawn(study, other)]
     combinations = list(zip(*(study.words(other) for other in others))) or [()] * len(x)
     different = list(dict.fromkeys(combinations))
@@ -106,7 +106,7 @@ def courses(study, key, x, y, good):
 
 
 def spread(study):
-    """Least, middle and largest of each number."""
+    """Least, median and largest of each number."""
     rows = []
     for name in numeric(study):
         values = study.numbers(name)
@@ -117,7 +117,7 @@ def spread(study):
 
 
 def runs(study):
-    """Every run, in a fold."""
+    """A table of all runs that can be folded."""
     names = [*study.keys, *study.reads]
     rows = [(row["run"], *(cell(study, name, row[name]) for name in names)) for row in study.rows[:MOST_ROWS]]
     head = [say("run"), *(tag("code", name) for name in names)]

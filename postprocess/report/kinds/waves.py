@@ -73,7 +73,7 @@ def checks(waves):
 
 
 def beside(rows, waves):
-    """A column for each wave; where there are many, a row for each."""
+    """A column for each wave; if there are many, a row for each."""
     names = [Markup(text(spaced(name))) for name in waves]
     if len(names) <= MOST_DRAWN:
         return table(heads("quantity", *names), [(name, *cells) for name, cells in rows.items()], "numbers")
@@ -81,7 +81,7 @@ def beside(rows, waves):
 
 
 def heel(value):
-    """A negative one has no meaning: the resultant lies outside the base."""
+    """The heel pressure; a negative value has no meaning, as the resultant is then outside the bottom."""
     return quantity(value, "Pa") if value is not None and value >= 0 else Markup(say("none: the resultant leaves the base"))
 
 
@@ -99,7 +99,7 @@ def drawn(section, name, wave):
 
 
 def drawing(section, wave, width, class_):
-    """The wall at x = 0, still water at y = 0."""
+    """The diagram of pressures; the wall is at x = 0, still water at y = 0."""
     h, base, berm, crest, B = (section[key] for key in ("water_depth", "foundation_depth", "berm_depth", "crest", "width"))
     reach = 0.7 * (base + crest) / max(wave["p1"], wave["p3"], wave["p4"], wave["pu"])  # m per Pa
     front, back = section["berm_width"], 0.5 * B
@@ -127,7 +127,7 @@ def outline(canvas, points, class_):
 
 
 def named_value(key, wave):
-    """p1 as p with the subscript 1, and its number."""
+    """p with the subscript 1 for "p1", and its value."""
     number = f" = {plain(wave[key] / 1e3, 3)} kPa"
     return tag("tspan", key[0], class_="i"), tag("tspan", key[1], class_="sub", dy=3), tag("tspan", number, dy=-3)
 

@@ -1,4 +1,4 @@
-"""Every figure as a function: data in, a matplotlib figure out; `save(figure, path)` writes it as the scripts do."""
+"""Every figure as a function: from data to a matplotlib figure; `save(figure, path)` writes it as the scripts do."""
 
 from .amplitudes import amplitudes
 from .base_pressures import base_pressures

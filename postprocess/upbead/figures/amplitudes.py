@@ -7,7 +7,7 @@ WAYS = [("elastic", "linear", ":", "0.5"), ("equivalent", "equivalent-linear", "
 
 @styled
 def amplitudes(rows):
-    """rows: {way: [(factor of P, Result)]}, ways as in WAYS; those that are not there are left out."""
+    """rows: {way: [(factor of P, Result)]}, ways as in WAYS; missing ones are left out."""
     figure, (ratio, moved) = subplots(1, 2, figsize=(8.6, 3.6), layout="constrained")
     for way, name, line, colour in WAYS:
         if way not in rows:

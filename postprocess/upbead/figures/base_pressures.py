@@ -1,4 +1,4 @@
-"""Pressures and stresses over the width of the caisson's bottom, at telling times."""
+"""Pressures and stresses over the width of the caisson's bottom, at characteristic times."""
 
 import numpy as np
 
@@ -6,12 +6,12 @@ from .style import plain, styled, subplots
 
 TIMES = [("shear_force", "largest $F_T$", "tab:red"), ("base_moment", "largest moment landward", "tab:blue"),
          ("uplift", "largest $U$", "tab:green")]
-INNER = 0.9  # share of the width that scales of stresses are made for: they are singular under the edges
+INNER = 0.9  # share of the width that determines the scales of stresses, which are singular under the edges
 
 
 @styled
 def base_pressures(result):
-    """A panel for each quantity by time and place of the table `base` of a Result, stresses and pressure first."""
+    """A panel for each quantity by time and position in the table `base` of a Result, stresses and pressure first."""
     table = result.table("base")
     position = table["position"]
     shown = {name: history for name, history in sorted(table.items(), key=lambda item: "displacement" in item[0])
@@ -43,6 +43,6 @@ def scale_to_inner(axes, position, values):
 
 
 def telling_times(result):
-    """[(index, what happens, colour)] in the order of time."""
+    """[(index, event, colour)] in the order of time."""
     found = {int(np.argmax(result[name])): (what, colour) for name, what, colour in TIMES if name in result}
     return [(index, *found[index]) for index in sorted(found)]

@@ -1,4 +1,4 @@
-"""What `upbead calibrate` found: k = tau_0/tau_0F against alpha*, the fits, and how sure their a and b are."""
+"""Results of `upbead calibrate`: k = tau_0/tau_0F against alpha*, the fits, and the confidence of their a and b."""
 
 import matplotlib
 import numpy as np
@@ -36,7 +36,7 @@ def ellipse_size(fit):
 
 
 def half_width(alpha_star, fit):
-    """Of the band that holds the whole curve in 95 % of all samples (Scheffe)."""
+    """Half the width of the band that contains the whole curve in 95 % of all samples (Scheffe)."""
     a, b = fit["a"], fit["b"]
     s, k = alpha_star**a, duration_factor(alpha_star, a, b)
     gradient = np.stack([-b * k * s * np.log(alpha_star) / (1 + s), -k * np.log1p(s)])
@@ -44,7 +44,7 @@ def half_width(alpha_star, fit):
 
 
 def draw_fit(axes, results, model, fit, measure, colour):
-    """One r. Returns the points, for their scale of colours."""
+    """Draws one r. Returns the points, for their colour bar."""
     alpha_star = np.linspace(1e-3, 2, 400)
     x, k, period = results.points(model, fit["ratio"], measure)
     points = axes.scatter(x, k, 2, period, cmap="viridis_r", linewidths=0, rasterized=True)
@@ -110,7 +110,7 @@ def draw_fits(results, measure):
 
 
 def draw_spectrum(results):
-    """A panel per size; lumped models stand beside the others of their size."""
+    """A panel per size; lumped models are in the panel of their size."""
     sizes = sorted({model["scale"] for model in results.models.values()})
     figure, panels = subplots(1, len(sizes), figsize=(1.3 + 2.9 * len(sizes), 3), layout="constrained",
                               sharey=True, squeeze=False)

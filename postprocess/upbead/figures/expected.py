@@ -1,4 +1,5 @@
-"""What `upbead expected` found: heights of the waves, S by height, and which heights bring the expected sliding."""
+"""Results of `upbead expected`: heights of the waves, S by height, and the part of each height in the expected
+sliding distance."""
 
 import numpy as np
 
@@ -35,7 +36,7 @@ def expected(results, laws=None):
         axes.set_xlim(first_height(results), last)
         axes.set_ylim(bottom=0)
         axes.legend(fontsize=7)
-    if n == 4:  # the laws then differ by orders of magnitude
+    if n == 4:  # with four laws the values differ by orders of magnitude
         for axes, least in ((middle, 1e-4), (bottom, 1e-3)):
             axes.set_yscale("log")
             axes.set_ylim(bottom=least)
@@ -51,7 +52,7 @@ def slides(results, laws):
 
 
 def say_that_nothing_slides(figure, panels, results):
-    """In place of curves that are all zero: heel pressure by height, and the words."""
+    """If all curves are zero, heel pressure by height is drawn instead, with a note."""
     axes, last = panels[1], max(result.height[-1] for result in results)
     told = [result for result in results if result.heel_pressure is not None]
     for result, style in zip(told, STYLES):
@@ -88,7 +89,7 @@ def draw_heights(axes, results):
     axes.set_ylabel("waves a metre of height")
     asked = sorted(result.summary["exceedance"].values(), key=lambda found: found["height"])
     for found in asked:
-        right = found is asked[-1]  # the others stand left of their lines
+        right = found is asked[-1]  # the other labels are left of their lines
         axes.axvline(found["height"], color="0.4", linewidth=0.8)
         axes.annotate(f" {found['waves']:.3g} waves \n above {found['height']:g} m ", (found["height"], 1), fontsize=8,
                       xycoords=("data", "axes fraction"), va="top", ha="left" if right else "right")

@@ -1,17 +1,17 @@
-"""A record and what was fitted to it."""
+"""A record and the fit to it."""
 
 import numpy as np
 
 from ..least_squares import scipy_part
 from .style import mosaic, plain, styled
 
-WIDEST = np.log(10.0)  # of the ellipse's axes, by the logarithm
+WIDEST = np.log(10.0)  # largest axis of the ellipse, in logarithms
 
 
 @styled
 def fit(found):
-    """Record, first guess and fit of a Fit, the residual, measured and computed modes, and of two parameters the ellipse
-    that holds both with 95 %."""
+    """Record, first guess and fit of a Fit, the residual, measured and computed modes, and for two parameters the
+    ellipse that contains both with 95 %."""
     columns = [["record", "residual"]] * bool(found.time.size) + [["modes"] * 2] * bool(found.modes)
     columns += [["ellipse"] * 2] * (len(found.values) == 2)
     figure, axes = mosaic([list(row) for row in zip(*columns)], figsize=(3.0 + 3.3 * len(columns), 4.6), layout="constrained")
@@ -30,7 +30,7 @@ def fit(found):
 
 
 def draw_modes(axes, found):
-    """Frequency and damping; where the damping was not measured a line stands for the frequency."""
+    """Frequency and damping; a frequency without measured damping is drawn as a line."""
     for n, mode in enumerate(found.modes):
         measured, names = mode["measured"], ("measured", "first guess", "fit") if n == 0 else (None,) * 3
         f, error = measured["frequency"], 2 * measured["frequency_uncertainty"]
@@ -68,8 +68,8 @@ def draw_residual(axes, found, factor, unit):
 
 
 def draw_ellipse(axes, found):
-    """Where x of covariance C obeys x^T C^-1 x <= 2 F(2, n - 2) in logarithms (Seber and Wild 2003, ch. 5.2); chi^2 where
-    all uncertainties are given."""
+    """Draws x^T C^-1 x <= 2 F(2, n - 2) for the covariance C of the logarithms (Seber and Wild 2003, ch. 5.2); with
+    chi^2 if all uncertainties are given."""
     n, stats = found.time.size, scipy_part("stats")
     radius = np.sqrt(2 * stats.f.ppf(0.95, 2, n - 2) if n else stats.chi2.ppf(0.95, 2))
     size, vectors = np.linalg.eigh(found.covariance)

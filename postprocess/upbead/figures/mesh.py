@@ -11,7 +11,7 @@ SURFACE_COLOURS = ["#f3e3b3", "#b9c6b0", "#c9ccd4", "#bfdcee", "#e6c9b8", "#d9cb
 
 @styled
 def mesh(mesh, title="", zoom=None):
-    """Of a gmsh mesh read by `upbead.msh.read`; zoom: x0, x1, y0, y1 of a part (m)."""
+    """Draws a gmsh mesh read by `upbead.msh.read`; zoom: x0, x1, y0, y1 of a part (m)."""
     figure, axes = subplots(figsize=(10, 4.5))
     handles = []
     for number, (name, cells) in enumerate(mesh.surfaces.items()):

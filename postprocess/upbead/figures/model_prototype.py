@@ -4,7 +4,7 @@ from .style import styled, subplots
 
 SCALES = {"model": (20.0, "tab:blue"), "prototype": (1.0, "tab:red")}
 RATIO = "response.shear_to_force_ratio"
-PANELS = [  # study, varied key, what stands on the x axis, power of the length scale that makes model and prototype one
+PANELS = [  # study, varied key, label of the x axis, power of the length scale by which model and prototype agree
     ("peak", "loads.impulse.factor", "peak of P / that of Fig. 2b", 0),
     ("stiffness", "regions.seabed.shear_modulus.reference", "G of the sand at 98 kPa (MPa)", 0),
     ("rise", "loads.impulse.pulse.rise", "rise / duration", 0.5),
@@ -35,7 +35,7 @@ def model_prototype(tables, spectra):
 
 @styled
 def model_prototype_panel(tables, spectra, study):
-    """One of the studies alone; arguments as above."""
+    """Only one of the studies; arguments as for model_prototype."""
     figure, axis = subplots(figsize=(5.2, 3.6), layout="constrained")
     if study == "duration":
         draw_duration(axis, tables, spectra)
@@ -60,7 +60,7 @@ def draw_panel(axis, tables, panel):
 
 
 def draw_duration(axis, tables, spectra):
-    """By pulse duration over the period that an oscillator of the same impulsive limit has."""
+    """F_T / P against pulse duration over the period of an oscillator with the same limit for short pulses."""
     for spectrum in spectra:
         if spectrum["zeta"] in (0.05, 0.2):
             line = "-" if spectrum["zeta"] == 0.05 else "--"

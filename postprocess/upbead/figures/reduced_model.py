@@ -1,4 +1,4 @@
-"""What a reduced model answers: P and F_T of a wave, and |F_T / P| over frequency."""
+"""Response of a reduced model: P and F_T of a wave, and |F_T / P| over frequency."""
 
 import numpy as np
 
@@ -7,7 +7,7 @@ from .style import plain, styled, subplots
 
 @styled
 def reduced_model(model, time, loads, reading="shear_force"):
-    """Of a ReducedModel under {load: values} at times (s); reading: what is drawn beside P."""
+    """Draws a ReducedModel under {load: values} at times (s); reading: the reading drawn with P."""
     answer = model.respond(time, loads)
     figure, (history, spectrum) = subplots(2, 1, figsize=(6.5, 5.5))
     if "force" in answer:
@@ -27,7 +27,7 @@ def reduced_model(model, time, loads, reading="shear_force"):
         if reading == "shear_force" and "force" in answer:
             force = np.abs(model.transfer("force", load, frequency))
             if not np.all(force > 0):
-                continue  # a load that does not act on the caisson
+                continue  # this load does not act on the caisson
             size, name = size / force, f"$F_T / P$, {plain(load)}"
         spectrum.plot(frequency, size, lw=1.2, label=name)
     spectrum.set_xlabel("frequency (Hz), up to the highest that was checked")

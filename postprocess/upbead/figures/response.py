@@ -19,9 +19,9 @@ PANELS = [  # dataset, symbol, colour
 
 @styled
 def response(result, until=None):
-    """P, m x_G'', F_T and x_G of a Result with a caisson, with their peaks; the probes of one without.
+    """P, m x_G'', F_T and x_G of a Result with a caisson, with their peaks; or the probes of one without a caisson.
 
-    What was measured of them is drawn over them. until: end of the time axis (s); default: where the response ends.
+    Measured records are drawn over them. until: end of the time axis (s); default: the end of the response.
     """
     figure = draw_caisson(result) if result.has_caisson else draw_probes(result)
     return cut(figure, result, until)
@@ -42,7 +42,8 @@ def cut(figure, result, until):
 
 
 def window(time, histories, share=0.05):
-    """The time after which no history exceeds `share` of its own peak any more, and a little more."""
+    """The end of the plotted time: a little after the last time at which any history exceeds `share` of its own
+    peak."""
     last = 0
     for history in histories:
         size = np.abs(history.values)
@@ -53,9 +54,9 @@ def window(time, histories, share=0.05):
 
 
 def peak_of(result, name, values, factor):
-    """Time and value of the landward (positive) peak, or of the seaward one where there is no other.
+    """Time and value of the landward (positive) peak, or of the seaward peak if there is no other.
 
-    The summary's own peaks come first: they are found inside the steps, not only at their ends.
+    Peaks of the summary take precedence, as they are found inside the steps, not only at their ends.
     """
     found = result.summary.get("response") or {}
     if name in ("force", "shear_force"):
@@ -72,7 +73,7 @@ def mark_peak(axes, time, value, unit):
 
 
 def draw_measured(axes, result, name, factor):
-    """Records that are compared with a history, over it."""
+    """Draws records that are compared with a history over it."""
     records = {record: found for record, found in result.measured().items() if found["reading"] == name}
     for record, found in records.items():
         axes.plot(found["time"], factor * found["value"].values, "--", color="black", lw=0.8, label=f"{plain(record)}, measured")
@@ -90,7 +91,7 @@ def draw_caisson(result):
     histories = [result.history(name) for name, _, _ in PANELS]
     force, inertia, shear, _ = histories
     figure, rows = stack(len(PANELS))
-    # Forces share their unit and the height of a unit, so that they compare at a glance.
+    # All forces have the same unit and scale, so that they can be compared at a glance.
     force_scale = force.scale((inertia, shear))
     for axes, history, (name, symbol, colour) in zip(rows, histories, PANELS):
         factor, unit = force_scale if history.unit == force.unit else history.scale()
@@ -112,7 +113,7 @@ def draw_caisson(result):
 
 
 def draw_slip(axes, result, factor):
-    """The caisson's slip over its ground, mean over the base, where contact was followed; x_G holds it, too."""
+    """The caisson's slip over its ground, mean over the bottom, if contact was solved; x_G includes this slip."""
     if "interface/slip" not in result.file:
         return
     slip, length = result.dataset("/interface/slip").values, result.dataset("/interface/length").values
@@ -121,7 +122,7 @@ def draw_slip(axes, result, factor):
 
 
 def ratio_text(result, force, shear):
-    """The ratio of the summary, whose peaks are found inside the steps; else that of the histories."""
+    """The ratio by the summary, whose peaks are found inside the steps; else the ratio by the histories."""
     ratio = (result.summary.get("response") or {}).get("shear_to_force_ratio")
     if ratio is None and force.max() > 0:
         ratio = shear.max() / force.max()

@@ -15,7 +15,7 @@ LINES = ["-", "--", ":", "-."]
 def sliding_safety(summaries, formula="paper", low=0.6, high=1.0):
     """A curve for each summary of `upbead waves`, a point for each of its waves, for safety factors from low to high.
 
-    Colours tell the friction coefficient, lines the design.
+    Colours stand for the friction coefficient, line styles for the design.
     """
     if not low < high:
         raise UserError(f"--range {low} {high}: the first number must be the smaller one")

@@ -1,4 +1,4 @@
-"""What happens under a caisson that slips and lifts: normal stress, state of the nodes, contact and normal force."""
+"""The bottom of a caisson that slips and lifts: normal stress, state of the nodes, contact and normal force."""
 
 import numpy as np
 from matplotlib.colors import ListedColormap
@@ -11,7 +11,7 @@ STATES = [("sticks", "0.88"), ("slips", "tab:orange"), ("is open", "tab:blue")]
 
 @styled
 def slip_bottom(result, until=None):
-    """Of a SlipResult; until: end of the time axes (s)."""
+    """Draws a SlipResult; until: end of the time axes (s)."""
     figure, places = mosaic([["stress", "states"], ["stress", "contact"]], figsize=(11, 5.2), layout="constrained")
     places["states"].sharex(places["contact"])
     until = until or result.time[-1]
@@ -25,7 +25,7 @@ def slip_bottom(result, until=None):
 
 
 def telling_times(result, until):
-    """[(index, what happens, colour)] in the order of time."""
+    """[(index, event, colour)] in the order of time."""
     n = np.count_nonzero(result.time <= until)
     times = {
         int(np.argmax(result.history("shear_force").values[:n])): ("largest $F_T$", "tab:red"),

@@ -9,7 +9,7 @@ BONDED, COUPLED, NODES = "0.55", "tab:blue", "tab:red"
 
 @styled
 def slip_histories(slides, bonded, until=None):
-    """Of a SlipResult, and of the Result of the same case with a bonded caisson; until: end of the time axis (s)."""
+    """Draws a SlipResult, and the Result of the same case with a bonded caisson; until: end of the time axis (s)."""
     figure, rows = subplots(3, 1, sharex=True, figsize=(7, 8), layout="constrained")
     draw_forces(rows[0], slides, bonded)
     draw_displacement(rows[1], slides, bonded)
@@ -36,7 +36,7 @@ def draw_forces(axes, slides, bonded):
 
 
 def residual(time, x):
-    """What the vibration of the last half of the run goes around: a mean whose weights rise and fall smoothly."""
+    """The centre of the vibration in the last half of the run: a mean with weights that rise and fall smoothly."""
     late = x[time >= (time[0] + time[-1]) / 2]
     return np.average(late, weights=np.hanning(late.size + 2)[1:-1])
 
@@ -72,7 +72,7 @@ def draw_slip(axes, slides):
 
 
 def mark_starts(rows, slides):
-    """Where the caisson begins to slip as a whole, and where the first node does."""
+    """Marks the times at which the caisson as a whole and the first node begin to slip."""
     slips = slides.number("sliding.coupled.slips") if slides.has_coupled() else []
     starts = [(slips[0]["start"], COUPLED)] if slips else []
     starts.append((slides.number("contact.solved.first_slip"), NODES))

@@ -15,7 +15,8 @@ LEAST = 0.03  # mm: slips below it are not shown
 
 @styled
 def slip_safety(tables, scales=None):
-    """A panel for each StudyTable of a study as cases/study/slip; scales bring lengths to full size (default: 1)."""
+    """A panel for each StudyTable of a study such as cases/study/slip; scales convert lengths to full size (default:
+    1)."""
     scales = scales or [1.0] * len(tables)
     figure, places = subplots(1, len(tables), figsize=(4.6 * len(tables), 4.2), sharey=True, squeeze=False,
                               layout="constrained")

@@ -1,10 +1,10 @@
-"""What the stability map has swept and found."""
+"""Scenes and results of the stability map."""
 
 from collections import Counter
 
 from .style import styled, subplots
 
-LEAST = 1e-18  # what is smaller is drawn here
+LEAST = 1e-18  # smaller values are drawn at this value
 MEASURES = [  # column, label, bound
     ("reaction", "both routes to $F_T$", 1e-7),
     ("energy", "energy account", 1e-6),
@@ -23,7 +23,7 @@ PARAMETERS = [  # values of a row, label
 
 @styled
 def stability(rows):
-    """A point for each scene of the map, rows of scenes.csv; the red line is what must hold."""
+    """A point for each scene of the map, rows of scenes.csv; the red line is the bound that must hold."""
     figure, axes = subplots(len(MEASURES), len(PARAMETERS), figsize=(13, 8.2), sharex="col", sharey="row")
     for i, (column, label, bound) in enumerate(MEASURES):
         answered = measured(rows, column)
@@ -51,7 +51,7 @@ def is_answered(row):
 
 
 def size(row, column):
-    """A measure; of the energy gained what is more than the account's own noise at both ends of a step."""
+    """A measure; for the gained energy, the part above the noise of the balance at both ends of a step."""
     size = value(row[column])
     return max(size - 2 * value(row["noise"]), 0.0) if column == "growth" else size
 
@@ -61,7 +61,7 @@ def value(text):
 
 
 def measured(rows, column):
-    """The answered scenes that have the measure. generalised_alpha has a bound of its own on energy."""
+    """The solved scenes that have the measure. For generalised_alpha the bound on energy is a different one."""
     answered = [r for r in rows if is_answered(r) and value(r[column]) == value(r[column])]
     if column == "reaction":
         answered = [r for r in answered if "caisson" in r["reading"] or r["reading"] in ("shear_force", "normal_force")]

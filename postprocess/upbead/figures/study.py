@@ -1,4 +1,4 @@
-"""What `upbead study` found: a number that was read against every key that was varied."""
+"""Results of `upbead study`: a number read from each run against every varied key."""
 
 import itertools
 from pathlib import Path
@@ -18,7 +18,7 @@ def study(table, read=None, x=None):
 
     Keys that were varied over a few values give lines, one for each combination of the other keys; random draws give
     points, with their rank correlation, and the distribution of the number. Several cases have a colour each.
-    read: the number to draw (default: the first that was read); x: the keys to draw it against (default: all).
+    read: the number to draw (default: the first); x: the keys to draw it against (default: all).
     """
     read = chosen(table.reads, [read], "number")[0] if read else table.reads[0]
     y = table.numbers(read)
@@ -44,7 +44,7 @@ def study(table, read=None, x=None):
 
 
 def grid(n):
-    """A figure of n panels, at most three beside each other."""
+    """A figure of n panels, at most three in a row."""
     columns = min(n, 3)
     rows = -(-n // columns)
     figure, panels = subplots(rows, columns, figsize=(0.6 + 3.6 * columns, 3.0 * rows), layout="constrained",
@@ -56,7 +56,7 @@ def grid(n):
 
 
 def is_drawn(table, key):
-    """Whether a key was drawn at random: hardly any value comes twice."""
+    """Whether a key was drawn at random: nearly all values are different."""
     return len(table.rows) >= 20 and len(set(table.words(key))) > 0.9 * len(table.rows)
 
 
@@ -71,7 +71,7 @@ def scale_axis(axes, values):
 
 
 def rank_correlation(x, y):
-    """Spearman's, of values without ties."""
+    """Spearman's correlation of values without ties."""
     ranks = [np.argsort(np.argsort(values)) for values in (x, y)]
     return np.corrcoef(*ranks)[0, 1]
 
@@ -130,6 +130,6 @@ def chosen(known, asked, what):
 
 
 def default_axes(table):
-    """Keys that vary; those with words only where there are no numbers, as the lines tell them too."""
+    """Keys that vary; keys with words only if none has numbers, as the lines also show them."""
     different = [key for key in table.keys if len(set(table.words(key))) > 1] or table.keys[:1]
     return [key for key in different if table.numbers(key) is not None] or different

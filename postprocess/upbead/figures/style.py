@@ -1,4 +1,4 @@
-"""How the figures look, and how they are made without a window."""
+"""Style of the figures, and how they are made without a window."""
 
 import functools
 import io
@@ -24,7 +24,7 @@ class ResultFigure(Figure):
     """A matplotlib figure that a notebook shows, and that pyplot does not keep."""
 
     def draw(self, renderer):
-        with matplotlib.rc_context(STYLE):  # ticks are made when they are drawn
+        with matplotlib.rc_context(STYLE):  # ticks are made only when the figure is drawn
             super().draw(renderer)
 
     def _repr_png_(self):
@@ -32,7 +32,7 @@ class ResultFigure(Figure):
 
 
 def render(figure, dpi=100):
-    """The figure as the bytes of a PNG, cut to what is drawn."""
+    """The figure as the bytes of a PNG, cropped to its content."""
     buffer = io.BytesIO()
     figure.savefig(buffer, format="png", dpi=dpi, bbox_inches="tight")
     return buffer.getvalue()
@@ -45,19 +45,19 @@ def new_figure(figsize, layout=None):
 
 
 def subplots(rows=1, columns=1, *, figsize, layout=None, **options):
-    """As pyplot's, of a ResultFigure."""
+    """As pyplot.subplots, with a ResultFigure."""
     figure = new_figure(figsize, layout)
     return figure, figure.subplots(rows, columns, **options)
 
 
 def mosaic(places, *, figsize, layout=None):
-    """As pyplot's subplot_mosaic, of a ResultFigure."""
+    """As pyplot.subplot_mosaic, with a ResultFigure."""
     figure = new_figure(figsize, layout)
     return figure, figure.subplot_mosaic(places)
 
 
 def styled(draw):
-    """A function that makes a figure in the style above, whatever the caller's own is."""
+    """A function that makes a figure in the style above, whatever the style of the caller."""
 
     @functools.wraps(draw)
     def drawn(*arguments, **options):
@@ -68,7 +68,8 @@ def styled(draw):
 
 
 def plain(text):
-    """Somebody's words as they are: no mathematics between $ and $, and not left out of a legend for a leading _."""
+    """A user's text unchanged: no mathematics between $ and $, and not left out of a legend because of a leading
+    _."""
     text = str(text).replace("$", r"\$")
     return f" {text}" if text.startswith("_") else text
 

@@ -1,4 +1,4 @@
-"""Exact solutions as lines, what was computed as dots."""
+"""Exact solutions as lines, computed values as dots."""
 
 from .style import styled, subplots
 
@@ -24,7 +24,7 @@ def verification(records):
 
 
 def draw_panel(axes, title, curves):
-    """The exact solution as lines, what was computed as dots."""
+    """The exact solution as lines, computed values as dots."""
     for i, curve in enumerate(curves):
         color = f"C{i % 10}"
         axes.plot(curve["abscissa"], curve["exact"], "-", color=color, lw=1, label=curve["label"] or None)
@@ -39,7 +39,7 @@ def draw_panel(axes, title, curves):
     axes.set_ylabel(curves[0]["y"], fontsize=8)
     axes.tick_params(labelsize=7, which="both")
     longest = max(len(curve["label"]) for curve in curves)
-    if longest > 40:  # no room inside
+    if longest > 40:  # too long for inside the panel
         axes.legend(fontsize=6, loc="upper center", bbox_to_anchor=(0.5, -0.18))
     elif longest > 0:
         axes.legend(fontsize=6)

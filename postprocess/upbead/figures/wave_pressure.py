@@ -10,7 +10,7 @@ from .style import plain, styled, subplots
 def wave_pressure(summaries, wave=None, measured=None):
     """A panel for each summary of `upbead waves`.
 
-    wave: its name, where there are several. measured: for each summary None or rows of height above still water (m) and
+    wave: its name, if there are several. measured: for each summary None, or rows of height above still water (m) and
     pressure (Pa).
     """
     measured = measured or [None] * len(summaries)
@@ -26,7 +26,7 @@ def wave_pressure(summaries, wave=None, measured=None):
 
 
 def pick(summary, name):
-    """The wave of that name; the only one where no name is given."""
+    """The wave of that name; without a name the only wave."""
     waves = summary["waves"]
     if name is None and len(waves) > 1:
         raise UserError(f"the summary has {len(waves)} waves; choose one with --wave: {', '.join(waves)}")
@@ -36,7 +36,8 @@ def pick(summary, name):
 
 
 def profile(section, eta_star, p):
-    """Heights above still water (m) and pressures (kPa) from the caisson's bottom to where the pressure ends."""
+    """Heights above still water (m) and pressures (kPa) from the caisson's bottom to the upper end of the
+    pressure."""
     top = min(eta_star, section["crest"])
     return np.array([-section["foundation_depth"], 0.0, top]), np.array([p["p3"], p["p1"], p["p4"]]) / 1e3
 

@@ -1,4 +1,5 @@
-"""A page that answers: a reduced model in one HTML file, with all that evaluates it. docs/page.md tells its use."""
+"""An interactive page: a reduced model in one HTML file, with the code that evaluates it. docs/page.md explains its
+use."""
 
 from .document import page, section
 

@@ -1,11 +1,12 @@
-"""What a model's case tells of a wave by Goda's formulas: its section, its wave and how the force runs in time."""
+"""The wave by Goda's formulas of a model's case: its section, its wave and the history of the force."""
 
-# Of docs/waves.md, where the case has a section and no wave.
+# Values of docs/waves.md, used if the case has a section and no wave.
 IMPACT = {"peak_gain": 0.5, "rise_coefficient": 0.769, "duration_least": 2.0, "duration_gain": 8.0, "duration_decay": 18.0}
 
 
 def case_wave(case, loads):
-    """A dict of what live/goda_wave.js takes, or None where the case has no [section]. loads: names of the model's loads."""
+    """The data of live/goda_wave.js as a dict, or None if the case has no [section]. loads: names of the model's
+    loads."""
     if "section" not in case:
         return None
     design = {
@@ -26,10 +27,11 @@ def case_wave(case, loads):
 
 
 def of_design(design, given, load):
-    """The wave of a design by which a load of the model may be made; how that load is spread over the wall is not known."""
+    """The wave of a design, from which a load of the model may be made; the distribution of that load over the wall
+    is not known."""
     return {"design": design, "given": given, "load": load, "course": "church_roof", "force": "goda_with_alpha_I", "impact": IMPACT, "profile": None}
 
 
 def first_wave(section):
-    """To begin with: half as high as the water is deep."""
+    """The wave shown at first: its height is half the water depth."""
     return {"height": 0.5 * section["water_depth"], "period": 10.0, "angle": 0.0}

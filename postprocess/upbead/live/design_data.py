@@ -1,4 +1,4 @@
-"""The numbers of a design that a page needs: JSON of what `upbead waves` reads, with all defaults."""
+"""The numbers of a design that a page needs: JSON of the input of `upbead waves`, with all defaults."""
 
 import tempfile
 import tomllib
@@ -12,7 +12,8 @@ MEASURED = ("force", "shear_to_force_ratio", "uplift", "pulse_duration")
 
 
 def is_design(path):
-    """Whether it is a design file, or a folder that `upbead waves` or `upbead expected` wrote without a model beside."""
+    """Whether it is a design file, or a folder that `upbead waves` or `upbead expected` wrote without a model in
+    it."""
     path = Path(path)
     return path.suffix == ".toml" or (path.is_dir() and not (path / "reduced.h5").exists() and (path / "case.toml").exists())
 
@@ -45,7 +46,7 @@ def parsed(file):
 
 
 def design_data(design, name):
-    """A dict of what live/design.js takes; raises UserError where there is no section or no wave."""
+    """The data of live/design.js as a dict; raises UserError if there is no section or no wave."""
     waves = design.get("waves")
     if "section" not in design or not waves or "duration" not in design:
         raise UserError(f"'{name}' is no design with a section and a wave, as 'upbead waves' reads it; give one, the folder of 'upbead waves', or a reduced model")

@@ -1,4 +1,4 @@
-"""One HTML file: numbers of a model, of a design or of both, the modules that answer, and how they look."""
+"""One HTML file: numbers of a model, of a design or of both, the modules that compute with them, and their style."""
 
 import html
 import json
@@ -13,7 +13,7 @@ from .life_data import with_life
 from .model_data import model_data
 
 HERE = Path(__file__).parent
-# Each after those that it imports: in one script nothing needs to be imported.
+# Each module after those that it imports, as one script needs no imports.
 SHARED = ("phi", "grid", "modes", "step", "slide", "numbers", "plot", "element", "field", "choice", "save")
 OF_FORMULAS = ("root", "heights", "goda", "distance", "combined", "validity", "formulas")
 OF_MODEL = ("fft", "trust", "base", "respond", "pulse", "impact", "course", "goda_wave", "record", "controls", "told", "whatif")
@@ -24,9 +24,10 @@ IMPORT = re.compile(r"^import .*;\n", re.MULTILINE)
 def page(model, output=None, design=None, program=None):
     """Writes the page of a reduced model, of a design, or of both; returns its path.
 
-    model: reduced.h5 of `upbead reduce`, or its folder; or a design file, or the folder of `upbead waves`. output: the page; default:
-    page.html beside the model, or in the folder of the results (results/NAME of a design file). design: a design beside the model.
-    program: path of the program, which reads design files. The page holds all that it shows, and needs no network.
+    model: reduced.h5 of `upbead reduce`, or its folder; or a design file, or the folder of `upbead waves`. output:
+    the page; default: page.html beside the model, or in the folder of the results (results/NAME for a design file).
+    design: a design in addition to the model. program: path of the program, which reads design files. The page
+    contains everything that it shows, and needs no network.
     """
     given = Path(model)
     if is_design(given):
@@ -52,7 +53,7 @@ def default_output(given, model):
 
 
 def data_of(model, design):
-    """(numbers of a model's file, numbers of the design), each None where it is not given."""
+    """(numbers of a model's file, numbers of the design), each None if it is not given."""
     model = model and model_data(model)
     if model and design and not model["wave"]:
         used = {key: design[key] for key in ("water", "section", "duration", "combined", "limits")}
@@ -87,14 +88,14 @@ def formulas(data):
 
 
 def section(data):
-    """What answers, for any page that has the colours of page.css."""
+    """The interactive section, for any page that has the colours of page.css."""
     return (
         f"<style>{read('whatif.css')}</style>\n" + element("What if", "whatif-model", data) + f'<script type="module">\n{script(data)}</script>\n'
     )
 
 
 def element(name, kind, data):
-    """Where a module finds its numbers and puts what it shows."""
+    """The element in which a module finds its numbers and shows its results."""
     classes = "whatif formulas" if kind == "design-model" else "whatif"
     return (
         f'<section class="{classes}" aria-label="{name}"><noscript><p>This page answers by a script, and scripts are off.</p></noscript>'
@@ -103,7 +104,7 @@ def element(name, kind, data):
 
 
 def script(model=None, design=None):
-    """The modules that these need, as one."""
+    """The modules that the model and the design need, joined to one script."""
     names = SHARED + OF_FORMULAS + (OF_MODEL if model else ()) + (OF_DESIGN if design else ())
     return "".join(IMPORT.sub("", read(f"{name}.js")).replace("\nexport ", "\n") for name in names)
 
@@ -113,7 +114,7 @@ def read(name):
 
 
 def as_json(data):
-    """No text in it can end the script element."""
+    """JSON in which no text can end the script element."""
     return re.sub("[<>&\u2028\u2029]", lambda sign: f"\\u{ord(sign[0]):04x}", json.dumps(data, allow_nan=False, separators=(",", ":")))
 
 

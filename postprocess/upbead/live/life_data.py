@@ -1,4 +1,5 @@
-"""Expected sliding over the caisson's width, by `upbead expected` for some widths of a design: numbers that a page holds."""
+"""Expected sliding distance over the caisson's width, computed by `upbead expected` for some widths of a design, for
+a page."""
 
 import json
 import tempfile
@@ -10,12 +11,12 @@ from ..program import toml_value
 
 FACTORS = (0.7, 0.8, 0.9, 1.0, 1.1, 1.2)  # of the design's own width
 LAWS = ("paper", "exact", "combined")
-# A model is that of one width; waves, levels and the report say nothing to lives.
+# A model is valid for one width; waves, levels and the report have no effect on lives.
 LEFT_OUT = ("dynamics", "calibration", "report", "levels", "ground")
 
 
 def with_life(data, design, folder, program=None):
-    """The data of a page with `life`, where the design has a sea; a note tells where that could not be computed."""
+    """The data of a page with `life`, if the design has a sea; with a note if `life` could not be computed."""
     if "sea" not in design and "storms" not in design:
         return data
     try:
@@ -25,7 +26,8 @@ def with_life(data, design, folder, program=None):
 
 
 def life_data(design, folder, program=None):
-    """design: with all defaults; folder: where its paths start. Raises UserError with the program's own text."""
+    """design: with all defaults; folder: to which its paths are relative. Raises UserError with the program's own
+    text."""
     summaries = [expected_of(of_width(design, folder, factor), program) for factor in FACTORS]
     told, lives = [one["expected"] for one in summaries], [one.get("monte_carlo") for one in summaries]
     section = design["section"]

@@ -11,14 +11,14 @@ from ..results import text_of
 from .case_wave import case_wave
 from .scene import case_in
 
-# Readings by which `upbead respond` tells P, F_T, and what presses on the base.
+# Readings from which `upbead respond` takes P and F_T, and those of the forces on the bottom.
 NEEDED = ("force", "shear_force")
 OF_BASE = ("normal_force", "base_moment", "uplift", "uplift_moment")
 UPLIFTS = ("none", "in_phase", "held", "computed", "history")
 
 
 def model_data(path):
-    """A dict of what page/respond.js takes; raises ModelError where the file is no reduced model of a caisson."""
+    """The data of live/respond.js as a dict; raises ModelError if the file is no reduced model of a caisson."""
     model = ReducedModel(path)
     missing = [name for name in NEEDED if name not in model.readings]
     if missing:
@@ -43,7 +43,7 @@ def model_data(path):
 
 
 def pulse_of(file, load):
-    """The pulse that the case has for a load, or None: it may be a record, or a wave."""
+    """The pulse of a load in the case, or None: the load may be a record or a wave."""
     return case_in(file).get("loads", {}).get(load, {}).get("pulse")
 
 
@@ -60,7 +60,7 @@ def sliding_of(file):
 
 
 def base_of(file):
-    """What stands on the base at rest, or None."""
+    """The forces on the bottom at rest, or None."""
     if "base" not in file:
         return None
     return dict(zip(("width", "weight", "weight_moment", "uplift_moment_per_force"), file["base"][()].tolist()))

@@ -1,4 +1,5 @@
-"""Whether a reduced model is of the scene of a run: all that decides how it answers, without the waves."""
+"""Whether a reduced model is that of the scene of a run: all keys that determine its response are compared, without
+the waves."""
 
 import tomllib
 
@@ -8,7 +9,7 @@ import numpy as np
 from ..results import text_of
 
 SCENE = ("gravity", "fluid", "mesh", "regions", "boundaries", "initial", "sliding")
-OF_WAVE = ("pulse", "history", "factor", "wave")  # what a page asks anew
+OF_WAVE = ("pulse", "history", "factor", "wave")  # keys that the user of a page sets
 
 
 def case_of(path):
@@ -18,7 +19,7 @@ def case_of(path):
 
 
 def case_in(file):
-    """The same of an open file; empty in those of lumped models."""
+    """The same for an open file; empty for lumped models."""
     return tomllib.loads(text_of(np.asarray(file["case"][()]).flat[0]))
 
 
@@ -28,7 +29,7 @@ def scene_of(case):
 
 
 def of_same_scene(path, case):
-    """False, too, of a file that is no reduced model."""
+    """Whether the model is of the scene of the case; False also for a file that is no reduced model."""
     try:
         return scene_of(case_of(path)) == scene_of(case)
     except (OSError, KeyError, ValueError, AttributeError):

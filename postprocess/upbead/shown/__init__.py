@@ -1,4 +1,4 @@
-"""How results show themselves in a notebook: HTML that needs no server, no network and nothing to install."""
+"""Display of results in a notebook: HTML that needs no server, no network and no installation."""
 
 from .mixin import Shown
 

@@ -1,9 +1,10 @@
-"""What gives a class its face in a notebook; a terminal has its repr()."""
+"""Gives a class its display in a notebook; a terminal shows its repr()."""
 
 import importlib
 
 
 class Shown:
     def _repr_html_(self):
-        """HTML for a notebook. Figures are made here alone: matplotlib takes longer to load than all the rest."""
+        """HTML for a notebook. Figures are made only here, as matplotlib takes longer to load than the rest of the
+        package."""
         return importlib.import_module(".things", __package__).html_of(self)

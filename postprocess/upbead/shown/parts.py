@@ -1,4 +1,4 @@
-"""Pieces of HTML for a notebook. Titles and names are strangers' words: all text is escaped."""
+"""Pieces of HTML for a notebook. Titles and names come from input files, so all text is escaped."""
 
 import base64
 import html
@@ -12,7 +12,7 @@ HEIGHT = 900  # px of a page within the notebook; it scrolls
 
 
 class Markup(str):
-    """Text that is HTML already."""
+    """A text that is HTML."""
 
 
 def text(part):
@@ -33,7 +33,7 @@ def quiet(words):
 
 
 def quantity(value, unit=""):
-    """A number as it is read best: 634.6 kN/m.
+    """A number with a suitable prefix: 634.6 kN/m.
 
     >>> quantity(634570.0, "N/m"), quantity(0.006, "m"), quantity(None), quantity("stops")
     ('634.6 kN/m', '6 mm', '', 'stops')
@@ -46,7 +46,7 @@ def quantity(value, unit=""):
 
 
 def table(head, rows):
-    """Rows beyond MOST_ROWS are left out in the middle, and that is told."""
+    """A table; if it has more than MOST_ROWS rows, rows in the middle are left out, with a note."""
     rows = list(rows)
     left_out = len(rows) - MOST_ROWS
     if left_out > 0:
@@ -58,7 +58,7 @@ def table(head, rows):
 
 
 def picture(draw, alt):
-    """The figure that draw() makes, as a PNG within; where it cannot be drawn, why."""
+    """The figure that draw() makes, as an embedded PNG; if it cannot be drawn, the reason."""
     try:
         image = base64.b64encode(render(draw())).decode()
     except UserError as error:
@@ -67,6 +67,6 @@ def picture(draw, alt):
 
 
 def page(document, title):
-    """A page of its own within: its scripts run, and reach neither the notebook nor anything else."""
+    """A separate page in a frame: its scripts run, but have no access to the notebook or anything else."""
     kept = {"sandbox": "allow-scripts allow-downloads", "title": title, "style": f"width: 100%; height: {HEIGHT}px; border: 1px solid #8888"}
     return element("iframe", srcdoc=document, **kept)

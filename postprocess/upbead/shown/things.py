@@ -1,4 +1,4 @@
-"""What each kind of result shows in a notebook: what was asked and found as a table, a figure, and the page that answers."""
+"""Display of each kind of result in a notebook: inputs and results as a table, a figure, and the interactive page."""
 
 from functools import singledispatch
 
@@ -20,7 +20,8 @@ from ..waves_result import WavesSummary
 from .parts import block, element, page, picture, quantity, quiet, table
 
 READ = ("peak_force", "peak_force_time", "peak_shear", "peak_shear_time", "shear_to_force_ratio", "peak_displacement", "error_estimate")
-FIGURE = ("force", "inertia_force", "shear_force", "caisson/displacement_x")  # what figures.response draws
+# the histories that figures.response draws
+FIGURE = ("force", "inertia_force", "shear_force", "caisson/displacement_x")
 OF_WAVE = ("height", "period", "alpha_star", "force", "uplift", "safety_sliding", "sliding_paper", "sliding_exact")
 
 
@@ -44,7 +45,7 @@ def _(result: Result):
 
 
 def what_if(result):
-    """The page of the reduced model of the same scene, where it lies beside the run."""
+    """The page of the reduced model of the same scene, if it is in the folder of the run."""
     path = result.folder / "reduced.h5"
     if not path.is_file() or not of_same_scene(path, result.case):
         return ""
@@ -73,7 +74,7 @@ def _(study: StudyTable):
 
 
 def short(cell):
-    """A cell of study.csv to four digits, words as they are."""
+    """A cell of study.csv to four digits, words unchanged."""
     try:
         return f"{float(cell):.4g}"
     except ValueError:

@@ -26,17 +26,17 @@ def fastest(times):
 
 
 def beyond_start(rows, floors):
-    """The rows with the time of a process of the same program that does nothing taken off.
+    """The rows, less the time of a process of the same program that does nothing.
 
-    A run no slower than that is left out: its own time is below what the clock can tell. The target is then reached by
-    a slower run, so no program looks faster for it.
+    A run that is no slower than such a process is left out: its own time is below the resolution of the clock. The
+    target is then reached by a slower run, so this makes no program look faster.
     """
     found = [{**row, "wall": row["wall"] - floors[row["series"].split(",")[0]]} for row in rows]
     return [row for row in found if row["wall"] > 0]
 
 
 def times_of(rows, error):
-    """{program: [seconds per target]} and the ratios; None where a program does not get there."""
+    """{program: [seconds per target]} and the ratios; None where a program does not reach the target."""
     rows = sure(rows, error)
     times = {name: [time_at(of(rows, prefixes), error, target) for target in TARGETS]
              for name, prefixes in PROGRAMS.items()}

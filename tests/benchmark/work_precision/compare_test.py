@@ -25,7 +25,7 @@ class Comparison(unittest.TestCase):
 
     def test_a_run_faster_than_its_own_start(self):
         ours = row("upbead, reduced", 0.29, 0.02, 100), row("upbead, reduced", 0.8, 0.0005, 1000)
-        self.assertEqual(self.times(*ours)["upbead"], [0.5, 0.5, 0.5])  # of the slower run: the safe side
+        self.assertEqual(self.times(*ours)["upbead"], [0.5, 0.5, 0.5])  # the time of the slower run, on the safe side
         peer = 2 * 2**(math.log(20) / math.log(40))  # log-log between 2 s at 0.02 and 4 s at 0.0005
         self.assertAlmostEqual(self.times(*ours)["ratio best peer / upbead"][2], peer / 0.5)
         self.assertTrue(all(0.29 < time < 0.8 for time in self.times(*ours, kind="whole process")["upbead"]))

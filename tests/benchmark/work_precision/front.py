@@ -15,10 +15,10 @@ def front(rows, error):
 def sure(rows, error):
     """Copies of the rows whose error is the largest of the run and of all finer ones of its family.
 
-    An error of a mesh may cancel that of a step, and that of a peak passes zero on its way. Nobody who does not know
-    the answer can choose such a run, so it does not count as that good.
+    An error of a mesh may cancel that of a step, and that of a peak passes zero on its way. Without the exact
+    solution nobody can choose such a run, so its small error does not count.
     """
-    def finer(a, b):  # no steps: exact in time
+    def finer(a, b):  # 0 steps: exact in time
         in_time = a["steps"] == 0 or 0 < b["steps"] <= a["steps"]
         return a["family"] == b["family"] and a["unknowns"] >= b["unknowns"] and in_time
 
@@ -28,7 +28,7 @@ def sure(rows, error):
 def time_at(rows, error, target):
     """Seconds to reach the target on the front of the rows, by straight lines in log-log; None if they never do.
 
-    Where the fastest run is already better, its time counts: nothing slower is needed, nothing faster is known.
+    If the fastest run is already more accurate than the target, its time counts, as no faster run is known.
     """
     points = front(rows, error)
     if not points or points[-1][error] > target:
@@ -42,7 +42,7 @@ def time_at(rows, error, target):
 
 
 def mark(rows, errors=("peak_error", "history_error")):
-    """Tells each row of which errors it is on the front: row["front"] = ["peak_error", ...]."""
+    """Adds to each row for which errors it is on the front: row["front"] = ["peak_error", ...]."""
     for row in rows:
         row["front"] = []
     for error in errors:

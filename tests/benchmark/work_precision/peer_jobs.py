@@ -1,4 +1,4 @@
-"""The jobs of the peers: graded and uniform meshes, steps that fit them, and what their solvers can do."""
+"""The jobs of the peers: graded and uniform meshes, steps that suit them, and options of their solvers."""
 
 import pathlib
 import subprocess
@@ -13,7 +13,7 @@ UNIFORM, GRADED, STEEP = 1, 12, 30  # grading: largest cell over that at the cai
 CELLS = {GRADED: (0.25, 0.35, 0.5, 0.7, 1, 1.4), STEEP: (0.5, 1), UNIFORM: (0.5, 1, 2, 3.5)}
 ADAPTED = ((0.03, 6), (0.01, 4), (0.003, 3), (0.001, 2))  # err and hmax (m) of adaptmesh, from the coarsest uniform mesh
 SOLVERS = ("amd", "nd", "mumps")
-LARGEST_OF_DEGREE_3 = 0.5  # cells; beyond, degree 2 was as good
+LARGEST_OF_DEGREE_3 = 0.5  # density of cells; on finer meshes degree 2 was as accurate
 
 
 @dataclass
@@ -25,7 +25,7 @@ class PeerJob:
 
 
 def steps_for(cells, grading):
-    """s; each meets the kinks of the pulse. Better meshes are worth smaller steps."""
+    """Steps (s), each of which meets the kinks of the pulse; the more accurate the mesh, the smaller."""
     if grading == STEEP:
         return 5e-3, 2.5e-3, 1.25e-3
     return (7.5e-3, 5e-3, 2.5e-3) if cells >= 1 else (15e-3, 7.5e-3, 5e-3)
@@ -68,7 +68,7 @@ def jobs(folder, quick):
 
 
 def adapted_jobs(path, all_adapted, quick):
-    """FreeFEM's own meshes, which it makes in the run; smaller errors are worth smaller steps."""
+    """Runs on FreeFEM's own meshes, which it makes in the run; the smaller their error, the smaller the steps."""
     mesh, found = path.with_name(path.name + ".msh"), []
     for adapt in all_adapted:
         for step in steps_for(1, GRADED if adapt[0] > 0.002 else STEEP)[:: 2 if quick else 1]:
@@ -91,9 +91,9 @@ def fenicsx_job(series, kind, path, cells, step, options):
 
 
 def warm_up(folder):
-    """Lets FEniCSx compile its forms into a cache of their own; seconds of a first and a later run.
+    """Lets FEniCSx compile its forms into a separate cache; returns the seconds of the first and of a later run.
 
-    The names of the forms vary a little from run to run, so a few runs are needed until all are there.
+    The names of the forms vary a little from run to run, so a few runs are needed until all forms are compiled.
     """
     run.ENVIRONMENT["XDG_CACHE_HOME"] = str(pathlib.Path(folder) / "cache")
     path = sorted(pathlib.Path(folder).glob("*.npz"))[0]
@@ -106,7 +106,7 @@ def warm_up(folder):
 
 def floors(program):
     """Seconds of processes that do nothing (the solver's version, imports, an empty script): no run is faster."""
-    solver = program.with_name("upbead-solver")  # which upbead becomes where something is solved
+    solver = program.with_name("upbead-solver")  # upbead becomes this program for a command that solves
     do_nothing = {"upbead": [solver, "--version"],
                   "FEniCSx": [sys.executable, run.PEERS / "fenicsx.py", "--help"],
                   "FreeFEM": ["FreeFem++", "-nw", "-v", "0", run.PEERS / "empty.edp"]}

@@ -31,14 +31,14 @@ class Failed(Exception):
 
 @dataclass
 class History:
-    """What a run found; times in s, values of what is compared (F_T in N/m, or a pressure in Pa)."""
+    """The result of a run: times in s, values of the compared reading (F_T in N/m, or a pressure in Pa)."""
 
     time: np.ndarray
     value: np.ndarray
     peak: float
     unknowns: int = 0
     solves: int = 0
-    steps: int = 0  # 0 where time is exact, in modes
+    steps: int = 0  # 0 for modes, which are exact in time
     wall: float = 0.0
     parts: dict = field(default_factory=dict)  # s
 
@@ -54,7 +54,7 @@ class History:
 
     def row(self, job, reference):
         """One line of the tables: errors are relative to the largest value of the reference."""
-        if reference.wall == 0:  # a table: compared at its times
+        if reference.wall == 0:  # the reference is a table: compared at its times
             difference = self.at(reference.time) - reference.value
         else:
             difference = self.value - reference.at(self.time)
@@ -65,13 +65,13 @@ class History:
 
 
 def processor_time():
-    """Seconds that all processes that were waited for have computed."""
+    """Processor time (s) of all finished child processes."""
     used = resource.getrusage(resource.RUSAGE_CHILDREN)
     return used.ru_utime + used.ru_stime
 
 
 def timed(command, repeats):
-    """Median seconds of `repeats` runs, once if they are long, and what the last of them printed."""
+    """Median seconds of `repeats` runs (of one run if it is long), and the output of the last run."""
     walls = []
     for _ in range(repeats):
         begin = clock()
@@ -111,7 +111,7 @@ def upbead(program, case, settings, repeats, reading="shear_force"):
 
 
 def fenicsx(mesh, settings, repeats):
-    """settings: the options of peers/fenicsx.py; forms that it finds compiled are not compiled again."""
+    """settings: the options of peers/fenicsx.py; forms that are already compiled are not compiled again."""
     with tempfile.TemporaryDirectory() as folder:
         output = pathlib.Path(folder) / "out.npz"
         command = [sys.executable, PEERS / "fenicsx.py", mesh, *settings, "-o", output]
@@ -124,7 +124,7 @@ def fenicsx(mesh, settings, repeats):
 
 
 def free_fem(mesh, degree, step, repeats, adapt=(0.0, 0.0)):
-    """FreeFem++ itself is timed; what it reads is written before."""
+    """Only FreeFem++ is timed; its input is written before."""
     with tempfile.TemporaryDirectory() as folder:
         numbers, output = pathlib.Path(folder) / "numbers", pathlib.Path(folder) / "out"
         numbers.write_text(freefem.numbers(scene.read(), 1.0, step, adapt))
@@ -136,7 +136,7 @@ def free_fem(mesh, degree, step, repeats, adapt=(0.0, 0.0)):
 
 
 def table(path, entry, model, value, sign=1):
-    """An exact history of tests/reference; times sign."""
+    """An exact history of tests/reference, multiplied by `sign`."""
     found = next(case for case in json.loads(path.read_text())["cases"] if entry(case))
     values = sign * np.array(found["models"][model][value] if "models" in found else found[value])
     peak = found["models"][model]["max_abs_" + value] if "models" in found else found["peak_" + value]

@@ -1,4 +1,4 @@
-"""What is run: studies of upbead, each a list of jobs on one scene with one reference."""
+"""Studies of upbead, each a list of jobs on one scene with one reference."""
 
 import json
 import pathlib
@@ -26,7 +26,7 @@ class Job:
     series: str  # a line of the figures
     label: str
     settings: dict
-    family: str = ""  # runs of one family differ in cells and steps only
+    family: str = ""  # runs of one family differ only in cells and steps
 
 
 @dataclass
@@ -72,7 +72,7 @@ def schemes(name, title, extra):
 
 
 def prototype_meshes(name, title, extra):
-    graded = [0.35, 0.5, 0.7, 1, 1.5]  # the last two for degree 2 only: the reference has degree 3
+    graded = [0.35, 0.5, 0.7, 1, 1.5]  # the last two only for degree 2, as the reference has degree 3
     jobs = [Job("default", "auto", extra)] + by_tolerance("mesh by tolerance", extra)
     jobs += meshes("degree 2, graded", [(2, cells, 12) for cells in graded], extra)
     jobs += meshes("degree 3, graded", [(3, cells, 12) for cells in graded[:-2]], extra)
@@ -108,7 +108,7 @@ def column():
 
 
 def designer():
-    """A mesh of gmsh's own that nobody has graded for it: 58,644 unknowns as shipped."""
+    """A section on an unstructured mesh by gmsh that is not graded for it: 58,644 unknowns as shipped."""
     jobs = [Job("default", "auto", {}), Job("degree 3", "as shipped", {"mesh.degree": 3}),
             Job("cells halved", "degree 2", {"mesh.refine": 1}),
             Job("sdirk4", "its own step", SDIRK), Job("generalised_alpha", "its own step", ALPHA)]
@@ -122,8 +122,8 @@ def designer():
 
 
 def train():
-    """A march pays for every second; modes, found for one wave, answer ten as well. One coarse mesh for all, as what
-    is compared is time: the reference takes 16,000 steps."""
+    """The cost of a march grows with the time; modes found for one wave serve ten waves as well. All runs have one
+    coarse mesh, as only schemes in time are compared: the reference takes 16,000 steps."""
     extra = {**mesh(cells=0.5), "time.end": 100, "loads.impulse.history": json.dumps(str(TRAIN))}
     jobs = [Job("default", "auto", extra)]
     for series, scheme, steps in (("sdirk4", SDIRK, (0.1, 0.05, 0.025)),

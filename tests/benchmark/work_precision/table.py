@@ -9,7 +9,8 @@ def seconds(value):
 
 
 def rows_table(study):
-    """Every run; * marks those on the front of the peak's error, + those on that of the history's."""
+    """Every run; * marks runs on the front of the error of the peak, + those on the front of the error of the
+    history."""
     lines = [f"### {study['title']}", "", study["against"], "",
              "| | | unknowns | solves | error of peak | error of history | whole process | front |",
              "|---|---|---:|---:|---:|---:|---:|---|"]

@@ -6,7 +6,7 @@ usage: work_precision.py PROGRAM [--peers] [--only STUDY ...] [--quick] [--proce
 Writes FOLDER/work_precision.{json,md,png} and, with --peers, FOLDER/peers.png. Times are of whole processes from fork
 to exit on one core, medians of three (runs above 1.5 s once); compare them as ratios. Errors are relative to the peak
 of the reference: of the peak itself, and the largest of the whole history. --quick takes fewer points, once each.
---processor-time counts the seconds on the core instead, which others on the machine disturb less. The peers are
+--processor-time counts the seconds on the core instead, which other load on the machine disturbs less. The peers are
 FEniCSx and FreeFEM; ./bootstrap peers installs them.
 """
 
@@ -55,7 +55,7 @@ def run_study(program, study, quick):
 
 
 def add(study, job, reference, runs, quick):
-    """One row more; a run that fails is told of and leaves none."""
+    """Adds a row; a run that fails is reported and adds none."""
     try:
         found = runs(1 if quick else 3)
     except run.Failed as error:
@@ -92,7 +92,7 @@ def main():
     os.environ.setdefault("UPBEAD_MESHES", str(scenes.ROOT / "meshes"))
     wanted = [study for study in scenes.upbead_alone() if arguments.only is None or study.name in arguments.only]
     results = {"studies": []}
-    for study in wanted:  # each is kept at once: the last of them take minutes
+    for study in wanted:  # each result is written at once, as the last studies take minutes
         results["studies"].append(run_study(program, study, arguments.quick)[0])
         front.mark(results["studies"][-1]["rows"])
         write(results, arguments.output)

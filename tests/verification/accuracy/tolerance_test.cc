@@ -1,6 +1,6 @@
 // Claims: on twelve scenes whose mesh is made for a tolerance of 0.5 % the peak of F_T is within it, and the estimate
 // is 0.5 to 5 times the true error on at least eight of them, never below a half. Source: the same scenes with meshes
-// for 0.1 %, marched. Limits: those asked for.
+// for 0.1 %, marched. Limits: the tolerances of the scenes.
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-// Claim: without inertia the program consolidates soil as Terzaghi (1-D) and Mandel (between smooth rigid plates, with
-// the pressure in the centre rising before it falls) say, with compressible grains too.
+// Claim: without inertia the program gives the consolidation of Terzaghi (1-D) and of Mandel (between smooth rigid
+// plates, where the pressure in the centre rises before it falls), also with compressible grains.
 // Source: tests/reference/ref1_consolidation.json (series, checked by Laplace inversion; Cheng and Detournay 1988).
 // Limits: 0.1 % of the initial pressure, and of the largest displacement, at every tabulated time; all lie past the
 // first steps.
@@ -20,7 +20,8 @@ Region consolidating(const Json& entry) {
   return region;
 }
 
-/// Equal steps between successive times, from t = 0 on: consolidation slows down, so steps may grow with the table's.
+/// Equal steps between successive times, from t = 0 on: consolidation slows down, so steps may grow with the
+/// intervals of the table.
 TimeGrid through(const std::vector<double>& times, int steps_between) {
   TimeGrid grid;
   double start = 0.;

@@ -1,9 +1,9 @@
-// Claim: a half-space of incompressible grains and water answers a step, a periodic load and a triangle as the closed
-// form says, at four depths, with inertial flow (`full`) and darcy flow (`upB`).
-// Source: tests/reference/ref2a_deboer.json (de Boer, Ehlers and Liu 1993). The column is 30 m deep: what the front (85
-// or 108 m/s) brings back from its base has not reached the deepest point of the tables (5 m) at their end (0.5 s).
-// Limits: u 0.2 % and p 1 % of their largest values. Under a step p jumps at the front; points within half a metre of
-// it are left out for p.
+// Claim: the response of a half-space of incompressible grains and water to a step, a periodic load and a triangle is
+// that of the closed form, at four depths, with inertial flow (`full`) and darcy flow (`upB`).
+// Source: tests/reference/ref2a_deboer.json (de Boer, Ehlers and Liu 1993). The column is 30 m deep: the front (85 or
+// 108 m/s) that its base reflects has not reached the deepest point of the tables (5 m) at their end (0.5 s). Limits:
+// u 0.2 % and p 1 % of their largest values. Under a step p jumps at the front; points within half a metre of it are
+// left out for p.
 
 #include <gtest/gtest.h>
 
@@ -28,7 +28,7 @@ TimeFunction load_of(const Json& result) {
                       {[](double) { return 0.; }, [q, omega](double t) { return q * (1. - std::cos(omega * t)); }});
 }
 
-/// Cells of the size h as far down as the tables go, where fronts must stay sharp; growing ones below.
+/// Cells of the size h down to the deepest point of the tables, where fronts must stay sharp; below, cells grow.
 std::vector<double> mesh_lines(double h) {
   const double from = depth - deepest - 0.5;
   return joined(graded_lines(from, 0., h, 1.05, depth), graded_lines(from, depth, h, 1., h));
@@ -38,12 +38,12 @@ std::string probe_at(double z) {
   return "z" + std::to_string(std::lround(1e3 * z));
 }
 
-/// All values of a table of depths, one row after the other, and which of them count.
+/// All values of a table of depths that count, row after row, and the computed ones.
 struct Values {
   std::vector<double> computed, exact;
 };
 
-/// `front`: its speed where it is sharp, else 0.
+/// `front`: the front's speed (m/s) if it is sharp, else 0.
 Values values_of(const ColumnRun& run, const Json& rows, const std::string& key, const std::vector<double>& t,
                  double front) {
   Values out;
@@ -112,7 +112,7 @@ TEST_P(DeBoer, HalfSpace) {
                   run.at("probes/" + probe_at(row.at("z")) + "/pressure", t_)});
 }
 
-/// Cases 0, 3, 6 are `full`, 2, 5, 8 `upB`; upA is not what the program solves.
+/// Cases 0, 3, 6 are `full`, 2, 5, 8 `upB`; the program does not solve upA.
 INSTANTIATE_TEST_SUITE_P(Cases, DeBoer,
                          ::testing::Combine(::testing::Values(0u, 2u, 3u, 5u, 6u, 8u), ::testing::Values(0u, 1u, 2u)),
                          [](const auto& p) {

@@ -1,8 +1,8 @@
-// Claim: a poroelastic column under a step, a ramp or a triangle moves and builds pore pressure as the exact solution
-// says, with inertial flow (`full`) and with darcy flow (`upB`).
-// Source: tests/reference/ref2b_column.json (Schanz and Cheng 2000; Laplace transform inverted numerically).
-// Limits: u at the top 0.2 % and p at the base 1 % of their largest value. Under a step p jumps where a front passes;
-// times within a tenth of the travel time of one are left out.
+// Claim: a poroelastic column under a step, a ramp or a triangle has the displacement and pore pressure of the exact
+// solution, with inertial flow (`full`) and with darcy flow (`upB`).
+// Source: tests/reference/ref2b_column.json (Schanz and Cheng 2000; Laplace transform inverted numerically). Limits:
+// u at the top 0.2 % and p at the base 1 % of their largest value. Under a step p jumps where a front passes; times
+// nearer to such a passage than a tenth of the travel time are left out.
 
 #include <gtest/gtest.h>
 
@@ -26,8 +26,8 @@ std::string load_name(const Json& load) {
   return (is_ramp ? "ramp of " : "triangle of ") + std::to_string(ms) + " ms";
 }
 
-/// Speed of the front that is seen: that of the undrained wave. In these soils drag holds the water so tightly that the
-/// faster precursor of inertial flow dies within millimetres.
+/// Speed of the visible front, which is that of the undrained wave: in these soils drag is so strong that the faster
+/// precursor of inertial flow decays within millimetres.
 double front_speed(const Material& m) {
   return std::sqrt((m.lambda + 2. * m.G + m.alpha * m.alpha / m.storage) / m.rho);
 }
@@ -46,8 +46,8 @@ std::vector<double> pick(const std::vector<double>& values, const std::vector<st
   return out;
 }
 
-/// Cells and steps that resolve the fronts of hard rock, the drained skin of sand (some centimetres) and the echoes of
-/// a short pulse in coarse rubble, where hardly anything is lost.
+/// Cells and steps that resolve the fronts of hard rock, the drained skin of sand (some centimetres) and the echoes
+/// of a short pulse in coarse rubble, where damping is very low.
 ColumnMesh mesh_for(const std::string& name, double height, const Json& load, Flow flow, double end) {
   if (name.rfind("sand", 0) == 0) return {geometric_lines(height, 120, 20.), 3, end / 500.};
   if (load.at("kind") == "step") return {even_lines(0., height, 220), 3, end / 2500.};

@@ -1,6 +1,6 @@
-// Claims: the reduced model of a caisson that slips as a whole is a march that does so, within 0.1 %; on rigid ground
-// it is the exact block; where no node opens and the ground is stiff it agrees with contact node by node within 2 %. On
-// soft ground and where nodes open they differ; by how much is written down.
+// Claims: the reduced model of a caisson that slips as a whole agrees with a march under the same law within 0.1 %;
+// on rigid ground it is the exact block; on stiff ground without open nodes it agrees with contact node by node
+// within 2 %. On soft ground and with open nodes the two differ; the difference is recorded.
 #include <gtest/gtest.h>
 
 #include "contact_case.h"
@@ -80,7 +80,8 @@ TEST_P(Levels, AgreeOnStiffGroundWhereNoNodeOpens) {
   }
 }
 
-/// On ground that gives way, nodes slip apart even where none opens, and where the edge lifts the levels part further.
+/// On ground that deforms, nodes slip by different amounts even if none opens; if the edge lifts, the difference of
+/// the two levels is larger.
 TEST_P(Levels, DifferOnSoftGround) {
   Record record("contact_levels");
   const auto section = mesh();

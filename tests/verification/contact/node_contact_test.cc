@@ -1,6 +1,6 @@
-// Claims about contact node by node in the finite-element model: on rigid ground it is the exact block of eq. (4); the
-// law holds at every node and step to round-off; friction only takes energy; mirrored pulses make mirrored slips; half
-// the step changes S by less than 1 %; larger waves slide farther. Sources: sliding/block.h, the law itself.
+// Claims about contact node by node in the finite-element model: on rigid ground it is the exact block of eq. (4);
+// the law holds at every node and step to round-off; friction only dissipates; mirrored pulses cause mirrored slips;
+// half the step changes S by less than 1 %; larger waves slide farther. Sources: sliding/block.h, the law itself.
 #include <gtest/gtest.h>
 
 #include "contact_case.h"

@@ -1,7 +1,7 @@
 // Claims about a prescribed uplift with friction node by node: on rigid ground the caisson is the exact block of eq.
-// (4) with N' = W' - U(t), whatever the force, the course of U and how it is spread; on real ground what its nodes
-// press with is N' and M' of the caisson's balance, and S falls where the uplift does. Sources: sliding/block.h,
-// statics.
+// (4) with N' = W' - U(t), whatever the force, the history of U and its distribution; on real ground the normal
+// forces of the nodes have the resultants N' and M' of the caisson's balance, and S decreases with the uplift.
+// Sources: sliding/block.h, statics.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -37,7 +37,7 @@ UpliftChoice of_history(double first, double last) {
   return uplift;
 }
 
-/// Transducers at the edges and the middle of the base, which see different courses.
+/// Transducers at the edges and the middle of the bottom, with different histories.
 UpliftChoice of_transducers(double U) {
   UpliftChoice uplift = of_history(0.5 * U, U);
   const TimeFunction first = piecewise_linear({0., end}, {U / 9., U / 9.}),
@@ -59,7 +59,7 @@ Run solved(Scene scene, const std::shared_ptr<const Mesh>& mesh, double until, d
   return Simulation(scene, mesh).run();
 }
 
-/// A function at many times, which are exact for the triangle.
+/// A function sampled at many times, at which the triangle is exact.
 History sampled(const TimeFunction& f) {
   History history;
   for (int i = 0; i <= 6000; ++i) {
@@ -94,7 +94,7 @@ TEST(NodeContactUplift, OnRigidGroundIsTheExactBlock) {
     }
 }
 
-/// Largest difference of what the nodes press with from N' and M', over W' and W' B.
+/// Largest difference of the resultants of the nodes' normal forces from N' and M', over W' and W' B.
 double unbalanced(const upbead::Run& found) {
   const EffectiveBase base = *effective_base(*found.simulation, found.response.ends);
   const ContactHistory& nodes = *found.contact;
@@ -136,7 +136,8 @@ TEST(NodeContactUplift, IsWhatTheNodesNoLongerPressWith) {
   }
 }
 
-/// Slowly loaded, the base presses as Goda's statics say: M_e = W' t - M_U - M_P and p_e of Stability, waves/goda.h.
+/// Under slow loads the edge pressures are those of Goda's statics: M_e = W' t - M_U - M_P and p_e of Stability,
+/// waves/goda.h.
 TEST(NodeContactUplift, SlowlyPressesAsGodaSays) {
   Record record("contact_uplift");
   const double W = submerged_weight(), U = 0.25 * W, P = 0.2 * W, arm = 8., B = 18.;

@@ -1,6 +1,6 @@
-// Claims: both routes to F_T agree, and energy is accounted for, to round-off, where the scheme satisfies the equation
-// of motion; a slow force passes through the caisson unchanged. Source: docs/theory.md (the semi-discrete system).
-// Limits: 1e-8 for the identities (measured about 1e-12), 3 % for the slow triangle of 6 s.
+// Claims: both routes to F_T agree, and the balance of energy closes, to round-off, where the scheme satisfies the
+// equation of motion; a slow force passes through the caisson unchanged. Source: docs/theory.md (the semi-discrete
+// system). Limits: 1e-8 for the identities (measured about 1e-12), 3 % for the slow triangle of 6 s.
 
 #include <gtest/gtest.h>
 
@@ -83,7 +83,7 @@ TEST(PorePressure, IsThatOfTheLoadsWhereTwoLoadedCurvesMeet) {
   const Compiled compiled(scene, *mesh);
   const Response response = run(compiled, 0.15, 0.0125);
   EXPECT_NEAR(history(compiled, response, "probes/toe/pressure").maxCoeff(), 1e5,
-              1e-3 * 1e5);  // imposed weakly: 3e-4 on this mesh
+              1e-3 * 1e5);  // the pressure is imposed weakly: 3e-4 on this mesh
 }
 
 TEST(SlowForce, PassesThroughTheCaisson) {

@@ -1,5 +1,6 @@
-// Claims: mirrored meshes give mirrored answers; scaled units give scaled answers; loads superpose. Source: symmetries
-// of the equations. Tolerance: 1e-10 of the largest value, round-off of some hundred solves; 1e-11 for superposition.
+// Claims: mirrored meshes give mirrored results; scaled units give scaled results; loads superpose. Source:
+// symmetries of the equations. Tolerance: 1e-10 of the largest value, round-off of some hundred solves; 1e-11 for
+// superposition.
 
 #include <deal.II/grid/grid_tools.h>
 #include <gtest/gtest.h>

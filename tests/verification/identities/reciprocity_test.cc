@@ -1,7 +1,8 @@
-// Claims: what a force at A moves at B, the same force at B moves at A (Betti, Maxwell), in damped porous ground too;
-// an undamped system runs backwards when its velocities are turned round and the scheme takes no energy; the numbering
-// of the unknowns does not matter; refining a mesh does not change a solution that it holds already. Source: symmetry
-// of M, C and K. Limits: 1e-10 of the largest value, round-off of some hundred solves.
+// Claims: the motion at B by a force at A is the motion at A by the same force at B (Betti, Maxwell), also in damped
+// porous ground; an undamped system runs backwards when its velocities are reversed, if the scheme dissipates no
+// energy; the numbering of the unknowns does not matter; refining a mesh does not change a solution that the coarse
+// mesh represents exactly. Source: symmetry of M, C and K. Limits: 1e-10 of the largest value, round-off of some
+// hundred solves.
 
 #include <gtest/gtest.h>
 
@@ -71,7 +72,8 @@ TEST(TimeReversal, ReturnsToTheStart) {
           (state.x - start.x).norm() / start.x.norm(), tolerance);
 }
 
-/// The system with its unknowns in another order: free ones shuffled, blocks and prescribed ones where they were.
+/// The system with its unknowns in another order: free unknowns are shuffled, blocks and prescribed unknowns keep
+/// their places.
 System renumbered(const System& system) {
   const int n = system.size(), first = system.blocks.empty() ? system.n_free() : system.blocks.front().begin;
   std::vector<int> to(static_cast<std::size_t>(n));

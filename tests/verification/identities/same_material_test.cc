@@ -1,7 +1,7 @@
-// Claims: limit cases of one kind of region are another. Water that cannot move: porous soil is an undrained solid, and
-// inertial flow is darcy flow. Water without pressure: drained soil is a solid of the same density. A solid caisson a
-// million times as stiff as its ground is a rigid one. Source: the equations; lambda_u = lambda + alpha^2 Q.
-// Limits, of the largest value of F_T: stated beside each with its reason.
+// Claims: limit cases of one kind of region are another. If the water cannot move, porous soil is an undrained solid,
+// and inertial flow is darcy flow. If the water has no pressure, drained soil is a solid of the same density. A solid
+// caisson a million times as stiff as its ground is a rigid one. Source: the equations; lambda_u = lambda + alpha^2
+// Q. Limits, of the largest value of F_T: stated beside each with its reason.
 
 #include <gtest/gtest.h>
 
@@ -40,7 +40,7 @@ TEST(SameMaterial, WaterThatCannotMoveMakesFlowsAlike) {
   scene.regions["mound"].flow = Flow::darcy;
   const auto darcy = shear_force(scene, *mesh);
   scene.regions["mound"].flow = Flow::inertial;
-  // What is left out is of order X = k omega/(g n), 5e-4 at omega = pi/0.15 s.
+  // The neglected term is of order X = k omega/(g n), 5e-4 at omega = pi/0.15 s.
   Record("identities")
       .at_most("inertial against darcy flow in a mound of X below 1e-3: F_T",
                largest_difference(darcy, shear_force(scene, *mesh)), 1e-3);
@@ -48,16 +48,19 @@ TEST(SameMaterial, WaterThatCannotMoveMakesFlowsAlike) {
 
 TEST(SameMaterial, SoilThatLetsNoWaterThroughIsAnUndrainedSolid) {
   Scene scene = breakwater(triangle(1e6, 0.15));
-  scene.fluid.bulk_modulus = 50e6;  // some air: else the solid is nearly incompressible, and its elements too stiff
+  // with some air; otherwise the solid is nearly incompressible and its elements lock
+  scene.fluid.bulk_modulus = 50e6;
   for (const char* name : {"seabed", "mound"}) {
     scene.regions[name].hydraulic_conductivity = 1e-12;
     scene.regions[name].flow = Flow::darcy;
-    scene.regions[name].damping.reset();  // stiffness-proportional: the water's share of the stiffness is not damped
+    // stiffness-proportional damping would not include the water's share of the stiffness
+    scene.regions[name].damping.reset();
   }
   const auto mesh = breakwater_mesh(1.);
   const auto porous = shear_force(scene, *mesh);
   for (const char* name : {"seabed", "mound"}) scene.regions[name] = solid_like(scene.regions[name], scene.fluid, true);
-  // The pressure is of one degree less than the solid's volumetric strain: an error of the mesh, not of the model.
+  // The pressure has one degree less than the displacements: the difference is an error of the mesh, not of the
+  // model.
   Record("identities")
       .at_most("porous ground of k = 1e-12 m/s against an undrained solid: F_T",
                largest_difference(porous, shear_force(scene, *mesh)), 5e-3);
@@ -86,7 +89,7 @@ TEST(SameMaterial, StiffSolidCaissonIsRigid) {
   const Compiled solid(scene, *mesh);
   const Response a = run(rigid, 0.4, 0.0125), b = run(solid, 0.4, 0.0125);
   Record record("identities");
-  // Deformation is of order 1e-6 of the motion, some times that where the load comes in.
+  // Deformation is of order 1e-6 of the motion, and a few times that where the load acts.
   for (const char* reading : {"shear_force", "caisson/displacement_x", "caisson/rotation", "base_moment"})
     record.at_most(std::string("solid caisson of 1e6 times the mound's stiffness against a rigid one: ") + reading,
                    largest_difference(history(rigid, a, reading), history(solid, b, reading)), 1e-5);

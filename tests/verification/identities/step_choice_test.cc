@@ -1,6 +1,6 @@
 // Claims: the automatic step is an eighth of the shorter of the loads' duration and the caisson's apparent period (a
-// 64th at order 2); the period follows from the caisson alone, not from loads elsewhere nor their units; no step
-// depends on how long the run is; a consolidation of days takes few steps and agrees with fine ones.
+// 64th at order 2); the period follows from the caisson alone, not from loads elsewhere or their units; no step
+// depends on the length of the run; a consolidation of days takes few steps and agrees with fine ones.
 #include "response/time_choice.h"
 
 #include <gtest/gtest.h>
@@ -54,13 +54,15 @@ TEST_F(StepChoiceOfBreakwater, PeriodDoesNotDependOnLoadsOnTheGround) {
   const double alone = choose(scene).apparent_period;
   scene.loads["wave"] = ground_pressure(triangle(2e9, 0.15));
   EXPECT_NEAR(choose(scene).apparent_period / alone, 1., 1e-10);
-  scene.loads.erase("impulse");  // the ground alone is loaded: a force through the centre of gravity instead
+  // only the ground is loaded: the period is then that under a force through the centre of gravity
+  scene.loads.erase("impulse");
   const double through_centre = choose(scene).apparent_period;
   EXPECT_GT(through_centre, 0.5 * alone);
   EXPECT_LT(through_centre, 2. * alone);
 }
 
-// The force rebuilt from the caisson's rows is the load itself: a rigid body feels its resultant and arm alone.
+// The force computed from the caisson's rows equals the load: a rigid body's motion depends only on resultant and
+// arm.
 TEST_F(StepChoiceOfBreakwater, PeriodIsThatOfTheLoadItself) {
   std::vector<double> periods;
   for (const std::array<double, 2>& intensity : {std::array<double, 2>{1., 0.}, {0., 1.}}) {
@@ -90,7 +92,8 @@ TEST_F(StepChoiceOfBreakwater, LoneJumpDoesNotDependOnTheEnd) {
   const StepChoice longer = choose(scene);
   EXPECT_EQ(longer.factorisations, 3);
   EXPECT_DOUBLE_EQ(longer.largest_step, longer.apparent_period / 8.);
-  // What is left of the first s after two iterations; with end/20 the steps were 4 times apart.
+  // Two iterations leave little of the first guess of s; with end/20 as the step, the two steps differed by a factor
+  // of 4.
   EXPECT_NEAR(longer.largest_step / shorter.largest_step, 1., 0.05);
 }
 
@@ -148,10 +151,10 @@ TEST(ConsolidationSteps, DaysTakeFewStepsAndAgreeWithFineOnes) {
   int n_steps = 0, n_fine = 0;
   const double last = settle(1e6, choice.largest_step, choice.growth, &n_steps);
   EXPECT_LE(n_steps, 300);
-  // Drained at last: sigma H / (lambda + 2 mu).
+  // Fully drained: sigma H / (lambda + 2 mu).
   const double G = 32.647e6, nu = 0.33, oedometric = 2. * G * (1. - nu) / (1. - 2. * nu);
   EXPECT_NEAR(last / (-1e5 * 10. / oedometric), 1., 1e-6);
-  // Halfway of consolidation (c_v = k E_oed / (rho g) = 1.3 m2/s, H2 / c_v = 77 s).
+  // In the middle of consolidation (c_v = k E_oed / (rho g) = 1.3 m2/s, H2 / c_v = 77 s).
   const double grown = settle(15., choice.largest_step, choice.growth, &n_steps);
   const double fine = settle(15., choice.largest_step, {}, &n_fine);
   EXPECT_LT(n_steps, n_fine / 5);

@@ -16,7 +16,7 @@ namespace upbead::test {
 namespace {
 
 constexpr int degree = 3;
-constexpr double share = 0.6;  ///< of the uneven flow, in the cells that are split
+constexpr double share = 0.6;  ///< of the sum of uneven flow that lies in the cells to be split
 
 Scene ground_scene(const Footing& f) {
   Scene scene;
@@ -34,7 +34,7 @@ Scene ground_scene(const Footing& f) {
   return scene;
 }
 
-/// The same in all directions.
+/// Stresses at rest, equal in all directions.
 PointStresses before(const Footing& f, const Space& space) {
   PointStresses found;
   const dealii::QGauss<dim> points(degree + 1);
@@ -86,7 +86,8 @@ FootingAnswer push_on(const Footing& f, const Mesh& mesh) {
   answer.report =
       march_static(soil, path_of(f, weights, down, along), steps, x, [&](double t, const Vector&, const Vector& force) {
         const double sides = f.sideways != 0. ? 2. : 1.;
-        // beyond what the nodes bear of the ground's weight and of the surcharge, also beside the edge, from the start
+        // forces of the nodes beyond those by the ground's weight and by the surcharge beside the edge, which act
+        // from the start
         double V = sides * half_width * f.surcharge, H = 0.;
         for (const int i : down) V -= force[i] - weights[i];
         for (const int i : along) H += force[i];

@@ -1,4 +1,5 @@
-// A rigid rough strip on ground that fails: settlement prescribed, its forces read, on ever finer cells.
+// A rigid rough strip on ground that fails: its settlement is prescribed and its forces are read, on ever finer
+// cells.
 #pragma once
 
 #include <vector>
@@ -15,12 +16,13 @@ struct Footing {
   double shear_modulus = 1e4, poissons_ratio = 0.3;
   double width = 6., depth = 4.;        ///< of the ground (m) from the middle; the footing is 1 m wide
   double cell = 0.25;                   ///< size of the cells at its edge (m), before any is split
-  double growth = 1.2, largest = 0.25;  ///< of cells from there, up to that size (m)
+  double growth = 1.2, largest = 0.25;  ///< growth of the cells from the edge on; size (m) of the largest
   double settlement = 0.05;             ///< m
-  double sideways = 0.;                 ///< horizontal displacement over settlement; needs the whole footing
+  /// horizontal displacement over settlement; if not 0, the whole footing is modelled
+  double sideways = 0.;
 };
 
-/// On undrained ground without weight, c = 1, in a piece of it that holds the mechanisms.
+/// On undrained ground without weight, c = 1, in a domain that contains the mechanisms.
 Footing on_clay();
 
 struct FootingAnswer {
@@ -31,8 +33,9 @@ struct FootingAnswer {
   double seconds = 0.;
 };
 
-/// Half of it where it moves straight down. Once, and then `times` on finer cells: each time those are split into four
-/// that have 0.6 of all uneven flow. Ends with the first answer that does not reach the settlement.
+/// Pushes the footing, half of it if it moves straight down: once, and then `times` times on finer cells. Each time
+/// the cells with 0.6 of all uneven flow are split into four. Ends with the first result that does not reach the
+/// settlement.
 std::vector<FootingAnswer> push(const Footing& footing, int times);
 
 }  // namespace upbead::test

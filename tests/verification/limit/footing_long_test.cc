@@ -1,5 +1,5 @@
-// Claims: the loads of strips that are pushed into ground with friction and weight, and aside on undrained ground, tend
-// to those of plasticity theory from above.
+// Claims: the loads of strips that are pushed into ground with friction and weight, or sideways on undrained ground,
+// tend to those of plasticity theory from above.
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 namespace upbead::test {
 namespace footing_long_test {
 
-/// A friction angle, the exact factor, the ground in which it fails, and how often cells are split.
+/// A friction angle, the exact factor, the size of the ground, and how often cells are split.
 struct Failing {
   double degrees, exact, width, depth, settlement;
   int times;
@@ -78,8 +78,8 @@ INSTANTIATE_TEST_SUITE_P(Angles, Heavy,
                                            Failing{35., 34.476, 4.25, 1.75, 0.0025, 3, 0.055},
                                            Failing{40., 85.566, 6.75, 2.25, 0.007, 1, 0.18}));
 
-/// Pushed along (sqrt 3, -1), flow is along the normal of the exact curve at h = 0.5. A load whose part along that
-/// normal is not below the exact one lies outside the convex curve.
+/// If the strip is pushed along (sqrt 3, -1), its motion is normal to the exact curve at h = 0.5. A load whose
+/// component along that normal is not below the exact one lies outside the convex curve.
 TEST(FootingAside, FollowsGreen) {
   Record record("footing");
   Footing f = on_clay();

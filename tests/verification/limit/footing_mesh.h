@@ -10,7 +10,7 @@ namespace upbead::test {
 
 constexpr double half_width = 0.5;  ///< of the footing (m)
 
-/// Curves: "foot", "bed" beside it, "base", "far" and, where only half of it is there, "middle".
+/// Curves: "foot", "bed" beside it, "base", "far" and, if only half the footing is modelled, "middle".
 std::unique_ptr<Mesh> ground_mesh(const Footing& footing);
 
 }  // namespace upbead::test

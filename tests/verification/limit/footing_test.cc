@@ -1,5 +1,5 @@
 // Claims: the load under a rough strip that is pushed into undrained ground, and into ground with friction under a
-// surcharge, tends to that of Prandtl and Reissner from above. Cohesion bears what a surcharge c / tan phi does.
+// surcharge, tends to that of Prandtl and Reissner from above. Cohesion has the effect of a surcharge c / tan phi.
 
 #include "footing.h"
 
@@ -45,7 +45,8 @@ TEST(Footing, WithFrictionIsThatOfReissner) {
   tends_from_above(record, "N_q, 30 degrees", errors, 0.01);
 }
 
-/// Stress less that of all sides, c / tan phi, is the same problem (Caquot): N_c = (N_q - 1)/tan phi on any cells.
+/// With the hydrostatic stress c / tan phi added, both are the same problem (Caquot): N_c = (N_q - 1)/tan phi on any
+/// cells.
 TEST(Footing, CohesionIsASurcharge) {
   Record record("footing");
   Footing f = on_sand();

@@ -1,4 +1,4 @@
-// Answers on ever finer cells against an exact one that they may not fall below.
+// Results on ever finer cells against an exact value, which is a lower bound of them.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace upbead::test {
 
-/// Unknowns and relative error. Checks that all are above, that each error is at most 0.75 times that before, and the
-/// last one at most `limit`; all are written down.
+/// `errors`: unknowns and relative error. Checks that no error is negative, that each is at most 0.75 times the one
+/// before, and the last at most `limit`; records all.
 void tends_from_above(Record& record, const std::string& what, const std::vector<std::pair<int, double>>& errors,
                       double limit);
 

@@ -1,4 +1,4 @@
-// Claims: a thick ring under inner pressure yields to the radius that is exact, moves as far, and bursts at the exact
+// Claims: a thick ring under inner pressure has the exact yield radius and displacements, and bursts at the exact
 // pressure.
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ namespace ring_test {
 
 constexpr double a = 1., b = 2., G = 1e7, nu = 0.3, k = 1e4;  // k: strength in shear
 
-/// Hill (1950), ch. V: plane strain, sigma_z between the other two; c is the radius to which it has yielded.
+/// Hill (1950), ch. V: plane strain, sigma_z between the other two; c is the radius of the yielded part.
 double pressure(double c) {
   return 2. * k * std::log(c / a) + k * (1. - c * c / (b * b));
 }

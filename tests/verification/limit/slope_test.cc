@@ -27,7 +27,7 @@ std::string side(double x, double left, double right) {
   return x < left + 1e-9 || x > right - 1e-9 ? "sides" : "";
 }
 
-/// The face stands at x = 0, the ground before it at y = 0.
+/// The face is at x = 0, the surface of the ground in front of it at y = 0.
 std::unique_ptr<Mesh> cut_mesh(double size) {
   constexpr double behind = 1.5 * H, before = H, below = 0.5 * H;
   return tensor_mesh(

@@ -1,4 +1,4 @@
-// Where smaller cells would change how ground flows.
+// An indicator of where smaller cells would change the plastic flow of the ground.
 #pragma once
 
 #include <vector>
@@ -8,11 +8,11 @@
 
 namespace upbead::test {
 
-/// Of each cell the integral of |sigma| |d eps - its mean| (J/m) in the step `moved`. Nothing where the ground moves as
-/// one or strains alike, much along lines on which it slides.
+/// For each cell the integral of |sigma| |d eps - mean of d eps| (J/m) in the step `moved`. Zero where the ground
+/// moves rigidly or strains uniformly, large along slip lines.
 std::vector<double> uneven_flow(const Compiled& compiled, const Vector& moved, const PointStresses& stresses);
 
-/// The fewest cells that have `share` of the sum.
+/// The smallest set of cells that has `share` of the sum.
 std::vector<bool> most_uneven(const std::vector<double>& uneven, double share);
 
 }  // namespace upbead::test

@@ -33,7 +33,7 @@ Entry entry(const Json& row) {
 }
 
 /// By hand: T = time from the start to the pulse's peak. The block speeds up for 2 T until F_S falls to R again, and
-/// gains the velocity V; it then stops within the pulse, or glides on under R alone.
+/// gains the velocity V; it then stops within the pulse, or afterwards under R alone.
 Motion by_hand(const Entry& e) {
   const long double F = e.pulse.peak, R = e.resistance, m = e.mass, duration = e.pulse.duration;
   const long double T = duration * (F - R) / (2 * F), V = (F - R) * T / m;

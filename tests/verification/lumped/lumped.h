@@ -1,5 +1,5 @@
-// Caissons without a mesh: systems of one and two degrees of freedom built by hand, and the extremes of what is read
-// off their march. The table's conventions: F_T = P - m x_G'', the dashpot included.
+// Caissons without a mesh: systems of one and two degrees of freedom built by hand, and the extremes of their
+// readings over a march. The table's conventions: F_T = P - m x_G'', the dashpot included.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace upbead::test {
 
-/// m x'' + c x' + k x = P with m = 1 kg and the period 1 s. Readings: shear_force k x + c x', spring_force k x, and the
-/// rate of each (its name with _rate).
+/// m x'' + c x' + k x = P with m = 1 kg and the period 1 s. Readings: shear_force k x + c x', spring_force k x, and
+/// the rate of each (named with _rate).
 System one_degree(double zeta, const TimeFunction& force);
 
 /// A caisson on springs for sway and rotation of its base.
@@ -29,7 +29,7 @@ System two_degrees(const SwayAndRotation& caisson, const TimeFunction& force);
 /// The longer of its two undamped periods (s).
 double longer_period(const SwayAndRotation& caisson);
 
-/// Marches from rest with steps of at most `step`, without an account of energy.
+/// Marches from rest with steps of at most `step`, without the balance of energy.
 Response march_with(SchemeKind kind, const System& system, double end, double step);
 
 /// Largest value of sign * reading over a march, inside the steps by the cubic through values and rates at their ends.
@@ -40,7 +40,7 @@ TimeFunction ramp(double value, double start, double rise);
 /// A triangle of height `value` that rises for `rise` and is over at `duration` (s).
 TimeFunction pulse(double value, double rise, double duration);
 
-/// "SDIRK4, 200 steps a period", for people.
+/// A title for figures and pages: "SDIRK4, 200 steps a period".
 std::string title(SchemeKind kind, double steps_a_period);
 
 }  // namespace upbead::test

@@ -19,8 +19,8 @@
 namespace upbead::test {
 namespace one_degree_test {
 
-/// Steps a period: enough for 1e-6, of the largest and least values and of histories. The former need less, as they do
-/// not suffer from an error of phase.
+/// Steps a period: enough for 1e-6, of the largest and least values and of histories. Extremes need fewer, as an
+/// error of phase does not affect them.
 struct Steps {
   double spectrum = 0., history = 0.;
 };
@@ -46,7 +46,7 @@ Spectrum spectrum(SchemeKind kind, const Json& table) {
   for (const double duration : table.at("td_over_Tn")) {
     const System system =
         one_degree(table.at("zeta"), force(duration, table.at("rise_fraction"), plateau, plateau_duration));
-    // One more period holds the extremes of the free vibration.
+    // One more period contains the extremes of the free vibration.
     const Response response = march_with(kind, system, duration + loads_over + 1., 1. / steps_a_period(kind).spectrum);
     found.largest.push_back(extreme(system, response, "shear_force", 1));
     found.least.push_back(-extreme(system, response, "shear_force", -1));
@@ -59,7 +59,7 @@ std::string percent(double fraction) {
   return std::to_string(static_cast<int>(std::lround(100. * fraction))) + " %";
 }
 
-/// One figure for each kind of force is enough.
+/// Whether a table is drawn: one figure for each kind of force is enough.
 bool drawn(const Json& table) {
   return table.at("plateau") == 0.3 ||
          (table.at("plateau") == 0. && (table.at("rise_fraction") == 0.5 || table.at("rise_fraction") == 0.));
@@ -67,7 +67,7 @@ bool drawn(const Json& table) {
 
 using Chosen = std::function<bool(const Json&)>;
 
-/// Compares the tables of `list` that are chosen; all four dampings of a triangle, both of a church roof.
+/// Compares the tables of `list` that are chosen: all four damping ratios of a triangle, both of a church roof.
 void compare_spectra(Record& record, SchemeKind kind, const std::string& shape, const char* list,
                      const Chosen& chosen) {
   double worst = 0.;
@@ -112,7 +112,7 @@ void compare_histories(SchemeKind kind) {
     const double duration = table.at("td_over_Tn");
     const System system = one_degree(table.at("zeta"), pulse(1., 0.5 * duration, duration));
     const std::vector<double> times = table.at("t_over_Tn"), shear = table.at("FT_over_Ppk");
-    // The times of the table, multiples of 1/20, lie on steps.
+    // The times of the table, multiples of 1/20, are ends of steps.
     const Response response = march_with(kind, system, times.back(), 1. / steps_a_period(kind).history);
     const auto at_times = [&](const char* reading) {
       return sampled(response.ends.time, response.ends.reading.row(system.reading(reading)), times);

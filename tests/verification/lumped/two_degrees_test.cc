@@ -20,7 +20,7 @@ SwayAndRotation caisson(const Json& entry) {
   return {p.at("m"), p.at("IG"), p.at("hG"), p.at("hP"), p.at("Kx"), p.at("Kt"), entry.at("zeta_modal")};
 }
 
-/// Steps a period (the longer one): enough for 1e-6.
+/// Steps per longer period, enough for 1e-6.
 double steps_a_period(SchemeKind kind) {
   return kind == SchemeKind::sdirk4 ? 400. : 8000.;
 }
@@ -29,8 +29,8 @@ struct Extremes {
   std::vector<double> largest, least, moment;
 };
 
-/// The table looked for its values until some time after the pulse that it does not tell. Two undamped modes never
-/// repeat; every end from 2.12 to 2.38 longer periods after the pulse gives its values.
+/// The table does not state until which time after the pulse its extremes were searched, and the motion of two
+/// undamped modes never repeats; any end from 2.12 to 2.38 longer periods after the pulse gives its values.
 Extremes extremes(SchemeKind kind, const SwayAndRotation& caisson, const Json& table) {
   const double period = longer_period(caisson), step = period / steps_a_period(kind);
   Extremes found;

@@ -8,8 +8,8 @@ namespace upbead::test {
 
 namespace {
 
-/// An expression in Python's notation as the parser takes it: powers are ^. Quotients such as 13/10 are no integer
-/// division in either.
+/// An expression in Python's notation as the parser takes it: powers are ^. A quotient such as 13/10 is an integer
+/// division in neither.
 std::string for_parser(std::string expression) {
   for (auto at = expression.find("**"); at != std::string::npos; at = expression.find("**", at))
     expression.replace(at, 2, "^");

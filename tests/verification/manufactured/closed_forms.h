@@ -22,7 +22,8 @@ class ClosedForms {
   ClosedForms(const Json& expressions, const Json& parameters);
 
   double operator()(const std::string& name, const dealii::Point<dim>& at, double t) const;
-  /// phi: the time integral of p from 0 to t, by Gauss's rule of 12 points: to round-off over half a wave of p.
+  /// phi: the time integral of p from 0 to t, by Gauss's rule of 12 points, which is accurate to round-off over half
+  /// a wave of p.
   double phi(const dealii::Point<dim>& at, double t) const;
 
  private:

@@ -1,5 +1,5 @@
-// Claim: the data of the manufactured solutions arrive in the tests as written: closed forms, constants of the
-// equations, and sources split into functions of space times functions of time.
+// Claim: the tests use the data of the manufactured solutions as written: closed forms, constants of the equations,
+// and sources split into functions of space times functions of time.
 //
 // Sources: tests/reference/ref8_mms.json and mms_inertial.json with their samples, which agree with a numerical
 // differentiation of the exact fields.
@@ -63,7 +63,8 @@ double constants_error(const Manufactured& mms, std::size_t set) {
   return worst;
 }
 
-/// |F(t) - sum of the loads| / |F(t)|, the worst of u, W and phi, at a time that the loads have not seen.
+/// |F(t) - sum of the loads| / |F(t)|, the largest over u, W and phi, at a time that was not used to split the
+/// sources.
 double split_error(const Manufactured& mms) {
   const auto mesh = quadrilaterals(mms, Quads::perturbed, 2.5);
   const Problem problem(mms, *mesh);

@@ -7,8 +7,9 @@
 
 namespace upbead::test {
 
-/// Each family has cells of the same shapes at every level: none becomes affine as h falls, and none blurs the order by
-/// another random draw. (With one draw per level even the interpolant of p shows 2.89 instead of 3 from 4 to 16 cells.)
+/// Each family has cells of the same shapes at every level: none becomes affine as h falls, and no new random draw
+/// per level disturbs the order. (With one draw per level even the interpolant of p shows 2.89 instead of 3 from 4 to
+/// 16 cells.)
 ///   uniform     squares
 ///   perturbed   blocks of 2 x 2 squares with straight outer edges and vertices moved by up to a quarter of their side,
 ///               at random, by the same numbers in every block

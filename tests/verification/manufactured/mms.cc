@@ -11,8 +11,8 @@ namespace {
 
 const std::string lower_layer = "lower layer", upper_layer = "upper layer";
 
-/// A region with the constants of the equations as given. Any porosity does, as rho_s, K_s and the tortuosity are
-/// chosen to fit; `fluid` must hold K_f.
+/// A region with the given constants of the equations. The porosity is arbitrary, as rho_s, K_s and the tortuosity
+/// are chosen to match; `fluid` must have K_f.
 Region region_of(const Json& constants, const Fluid& fluid, double gravity, Flow flow) {
   const double n = 0.4, rho_f = constants.at("rho_f"), alpha = constants.at("alpha"), iM = constants.at("iM");
   const double lambda = constants.at("lam"), G = constants.at("mu");
@@ -29,14 +29,14 @@ Region region_of(const Json& constants, const Fluid& fluid, double gravity, Flow
   if (in_grains > 1e-12 * iM) region.grain_bulk_modulus = (alpha - n) / in_grains;
   if (flow == Flow::inertial) region.tortuosity = constants.at("m").get<double>() * n / rho_f;
   const double aM = constants.at("aM"), bK = constants.at("bK");
-  if (aM > 0. && bK > 0.) {  // of the pairs of frequencies with w1 w2 = aM/bK take w2 = 2 w1
+  if (aM > 0. && bK > 0.) {  // of all pairs of frequencies with w1 w2 = aM/bK, the one with w2 = 2 w1
     const double w1 = std::sqrt(0.5 * aM / bK), to_Hz = 0.5 / std::acos(-1.);
     region.damping = Rayleigh{1.5 * w1 * bK, {w1 * to_Hz, 2. * w1 * to_Hz}};
   }
   return region;
 }
 
-/// The pore water that stores what the stiffest of the layers does with all its storage in the water.
+/// The pore water for which the layer of least storage stores in its water alone.
 Fluid fluid_of(const std::vector<Json>& layers) {
   double least = std::numeric_limits<double>::infinity();
   for (const Json& constants : layers) least = std::min(least, constants.at("iM").get<double>());

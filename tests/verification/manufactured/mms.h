@@ -10,9 +10,9 @@
 
 namespace upbead::test {
 
-/// One solution with one set of parameters on the rectangle `lower` to `upper`. Its scene has nothing but regions, the
-/// surfaces "lower layer" and "upper layer" of a mesh that change at y = interface, and sides that are free and sealed:
-/// whatever acts on them comes from the closed forms.
+/// One solution with one set of parameters on the rectangle `lower` to `upper`. Its scene has only regions, the
+/// surfaces "lower layer" and "upper layer" of a mesh, which meet at y = interface, and free and sealed sides: all
+/// that acts on the sides comes from the closed forms.
 struct Manufactured {
   Json entry;        ///< expressions, sets
   std::string kind;  ///< "trig", "two-layer", "time-only", "patch", "inertial"

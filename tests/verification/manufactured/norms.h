@@ -23,7 +23,7 @@ struct Refinement {
   double order_of(const std::string& norm) const;
 };
 
-/// Solves on meshes of cells h, from the largest to the smallest, each by so many steps of sdirk4 up to `end` (s).
+/// Solves on meshes of cells h, from the largest to the smallest, each by `steps` steps of sdirk4 up to `end` (s).
 Refinement refinement(const Manufactured& mms, Quads quads, const std::vector<double>& h, double end, int steps);
 
 }  // namespace upbead::test

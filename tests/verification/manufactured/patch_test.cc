@@ -1,4 +1,4 @@
-// Claim: a state of constant strain and constant pressure gradient is met exactly on every mesh.
+// Claim: a state of constant strain and constant pressure gradient is exact on every mesh.
 //
 // Source: tests/reference/ref8_mms.json, solution `patch`: u and p linear in x, y and quadratic in t.
 //

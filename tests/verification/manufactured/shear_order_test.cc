@@ -1,13 +1,13 @@
-// Claim: in a whole scene, a breakwater under a wave, the caisson's motions converge with the order of the scheme; what
-// the shear force F_T and pore pressures do is written down.
+// Claim: in a whole scene, a breakwater under a wave, the caisson's motions converge with the order of the scheme;
+// the orders of the shear force F_T and of pore pressures are recorded.
 //
-// Source: the program's own sdirk4 march with steps of 0.125 ms, an eighth of the shortest of sdirk4 that are compared
-// and a quarter of those of generalised_alpha: its error is about 1 % of theirs or less.
+// Source: the program's own sdirk4 march with steps of 0.125 ms, an eighth of the shortest step of sdirk4 that is
+// compared and a quarter of that of generalised_alpha: its error is about 1 % of the compared errors or less.
 //
 // The smooth pulse F (t/tau)^4 exp(4 - 4 t/tau) has a continuous third derivative at t = 0 and no kink; the triangle
-// has kinks, which steps meet. Mound inertial, seabed darcy, 5 % damping or none. Errors are the largest over all steps
-// until 0.4 s. F_T is the ground's reaction: at the ends of steps, and where generalised_alpha satisfies the equation
-// of motion ("balanced").
+// has kinks, which are ends of steps. Mound inertial, seabed darcy, 5 % damping or none. Errors are the largest over
+// all steps until 0.4 s. F_T is the ground's reaction: at the ends of steps, and where generalised_alpha satisfies
+// the equation of motion ("balanced").
 //
 // Limits for the motions under the smooth pulse: 1.95 and 3.95, by least squares.
 
@@ -53,7 +53,7 @@ class Breakwater {
         compiled_(scene(force, damped), *mesh_),
         reference_(run(compiled_, end, finest)) {}
 
-  /// Order in which a reading falls, at the ends of steps or where the scheme is balanced.
+  /// Order of the error of a reading, at the ends of steps or where the scheme is balanced.
   double order_of(const std::string& reading, SchemeKind scheme, bool balanced = false) {
     const int row = compiled_.scene.system.reading(reading);
     const Eigen::RowVectorXd exact = reference_.ends.reading.row(row);

@@ -21,7 +21,7 @@ const ClosedForms& forms_on(const Compiled& compiled, const Manufactured& mms, c
   return *mms.layers.at(compiled.space.mesh().surface_of(cell));
 }
 
-/// What multiplies du, dW and dphi at a point.
+/// Factors of du, dW and dphi at a point.
 struct Parts {
   Tensor1 v, w;
   double s = 0.;
@@ -91,7 +91,7 @@ Vector source(const Compiled& compiled, const Manufactured& mms, double t) {
 }
 
 std::vector<SystemLoad> source_loads(const Compiled& compiled, const Manufactured& mms) {
-  constexpr double wave = 0.25;  // s: about 2 pi / w, so that the functions differ well
+  constexpr double wave = 0.25;  // s: about 2 pi / w, so that the functions are well distinguished
   const auto n = static_cast<Eigen::Index>(mms.time_functions.size());
   Eigen::MatrixXd values(compiled.unknowns.size(), n), functions(n, n);
   for (Eigen::Index i = 0; i < n; ++i) {

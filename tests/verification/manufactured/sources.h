@@ -1,4 +1,4 @@
-// What makes a manufactured solution solve the semi-discrete system: its sources as loads, and its state at a time.
+// Sources of a manufactured solution as loads of the semi-discrete system, and its state at a time.
 #pragma once
 
 #include <vector>
@@ -24,7 +24,7 @@ struct Problem {
   Compiled compiled;
 };
 
-/// The state at `end` (s) after so many steps from the exact one at t = 0.
+/// The state at `end` (s) after `steps` steps from the exact state at t = 0.
 State marched(const Problem& problem, double end, int steps, SchemeKind scheme = SchemeKind::sdirk4);
 
 /// The larger of two errors; NaN where either is.

@@ -9,8 +9,8 @@
 // degree 3 has 2, 4, 8, 12.
 //
 // Limits: degree 2: u 1.9 in L2 and H1 (the pressure's error drives u; 2.9 shows only before that), phi and p 1.9, W
-// 0.9; degree 3: u 3.9 and 2.9, phi and p 2.9, W 1.9. They hold in the limit of short steps too: with steps a quarter
-// as long every order still passes, as was tried once.
+// 0.9; degree 3: u 3.9 and 2.9, phi and p 2.9, W 1.9. They also hold in the limit of short steps: in one trial with
+// steps a quarter as long every order still passed.
 
 #include <gtest/gtest.h>
 
@@ -41,7 +41,7 @@ void PrintTo(const Study& study, std::ostream* out) {
   *out << study.name;
 }
 
-/// Least order that must show.
+/// Least order that is required.
 double limit(const std::string& norm, int degree) {
   static const std::map<std::string, std::array<double, 2>> limits{{"u in L2", {1.9, 3.9}},
                                                                    {"u in H1", {1.9, 2.9}},

@@ -1,13 +1,13 @@
 // Claim: generalised_alpha is of order 2 and sdirk4 of order 4 in the step.
 //
-// Source: tests/reference/ref8_mms.json, solution `time-only`: bilinear in x, y, which squares of degree 2 hold
-// exactly, so that all error is of time.
+// Source: tests/reference/ref8_mms.json, solution `time-only`: bilinear in x, y, which squares of degree 2 represent
+// exactly, so that the whole error is that in time.
 //
-// Limits: u 1.95 and 3.95, by least squares over the steps named; phi and p are written down. sdirk4 shows order 4 only
-// at steps of 0.5 ms and less, where the error of u in L2 is below 1e-9: its stages are of order 1, and the fastest
-// waves of this mesh (periods of some ms) have to be resolved before the fourth order takes over. generalised_alpha
-// takes its first two steps by sdirk4: of few steps these are a noticeable part that errs less, and the order looks
-// lower.
+// Limits: u 1.95 and 3.95, by least squares over the steps named; those of phi and p are recorded. sdirk4 shows order
+// 4 only at steps of 0.5 ms and less, where the error of u in L2 is below 1e-9: its stages are of order 1, and the
+// fastest waves of this mesh (periods of some ms) have to be resolved before the fourth order takes over.
+// generalised_alpha takes its first two steps by sdirk4, which are more accurate: if steps are few, these two are a
+// noticeable part, and the order appears lower.
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@
 namespace upbead::test {
 namespace time_test {
 
-/// Errors after so many steps each.
+/// Errors for each step.
 struct Halving {
   std::vector<double> step;  ///< s
   std::map<std::string, std::vector<double>> error;

@@ -1,4 +1,4 @@
-// A layer of dry elastic soil that is shaken from below, and what is exact of it.
+// A layer of dry elastic soil that is shaken from below, and tools for its exact solutions.
 #pragma once
 
 #include <complex>
@@ -19,9 +19,9 @@ struct Shaking {
 };
 
 Region layer_soil(const Shaking& shaking);
-/// Its scene under a velocity of the base, of the outcrop where the base absorbs, with probes "top" and "base".
+/// Its scene under a velocity of the base (of the outcrop if the base absorbs), with probes "top" and "base".
 Scene shaken_layer(const Shaking& shaking, const TimeFunction& velocity);
-/// Its mesh, from y = 0 (base of the layer, or -5 m where there is rock) to the height.
+/// Its mesh, from y = 0 (base of the layer, or -5 m if there is rock) to y = height.
 std::unique_ptr<Mesh> layer_mesh(const Shaking& shaking, int cells);
 /// Modulus of the waves: G, or lambda + 2 G (Pa).
 double modulus(const Region& soil, bool vertical);

@@ -1,5 +1,5 @@
-// Claim: Mandel's specimen under a rigid smooth plate, written as a case file, consolidates as the exact solution says.
-// Source and limits: those of columns/consolidation_test.cc.
+// Claim: Mandel's specimen under a rigid smooth plate, written as a case file, has the exact consolidation. Source
+// and limits: those of columns/consolidation_test.cc.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -65,7 +65,7 @@ TEST(MandelByACaseFile, Consolidates) {
   const System& system = simulation.compiled->system;
   std::vector<double> t;
   for (const double time : entry.at("t").get<std::vector<double>>())
-    if (time >= 2. && time <= 100.) t.push_back(time);  // the first steps of a jump are not the claim
+    if (time >= 2. && time <= 100.) t.push_back(time);  // the first steps after the jump are not compared
   const std::size_t first = 1;
   const auto read = [&](const std::string& reading) {
     return sampled(run.response.ends.time, run.response.ends.reading.row(system.reading(reading)), t);

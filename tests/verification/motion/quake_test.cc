@@ -1,5 +1,5 @@
-// Claim: a caisson under an earthquake feels its own inertia: on ground that does not deform F_T = -m a(t), and both
-// routes to F_T and the account of energy close on ground that does, with and without damping, sea and slip.
+// Claim: under an earthquake F_T is the caisson's inertia force: on rigid ground F_T = -m a(t); on ground that
+// deforms both routes to F_T agree and the balance of energy closes, with and without damping, sea and slip.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -37,7 +37,7 @@ Scene shaken(double a, double T) {
 }
 
 TEST(CaissonUnderAnEarthquake, FeelsItsInertiaOnStiffGround) {
-  constexpr double v = 0.1, T = 0.5;  // smooth: a kink of a(t) would make stiff ground ring
+  constexpr double v = 0.1, T = 0.5;  // smooth, as a kink of a(t) would excite vibrations of the stiff ground
   Scene scene = shaken(1., T);
   scene.loads["quake"].history = smooth_velocity(v, T);
   scene.loads["quake"].duration = 0.25 * T;

@@ -1,5 +1,5 @@
-// Claim: a layer whose base moves as prescribed, or under a wave that comes up through an absorbing base, moves as
-// d'Alembert's echoes (undamped) and the layer's transfer function (damped, on rock) say.
+// Claim: a layer whose base moves as prescribed, or under a wave that comes up through an absorbing base, has the
+// motion of d'Alembert's echoes (undamped) and of the layer's transfer function (damped, on rock).
 // Source: Kramer, Geotechnical earthquake engineering (1996), eqs. (7.10), (7.18) and (7.28).
 // Limits: 1e-3 of the largest exact value, and of the transfer function.
 
@@ -53,7 +53,7 @@ TEST_P(Echoes, OfAPulseThatTheBasePrescribes) {
                 exact, found});
 }
 
-/// A homogeneous half-space: the top moves as the outcrop, one travel time later.
+/// A homogeneous half-space: the top has the motion of the outcrop, one travel time later.
 TEST_P(Echoes, DoNotComeBackFromAnAbsorbingBase) {
   Shaking shaking;
   shaking.vertical = GetParam();
@@ -74,8 +74,8 @@ TEST_P(Echoes, DoNotComeBackFromAnAbsorbingBase) {
 
 INSTANTIATE_TEST_SUITE_P(ShearAndCompression, Echoes, ::testing::Bool());
 
-/// Damping holds the layer against its base: u = u_base (1 - c (1 - cos k(H - z)/cos kH)), c = 1/(1 - i alpha/omega).
-/// k H with G (1 + i omega beta) and rho (1 - i alpha/omega), Rayleigh's alpha M + beta K.
+/// Mass-proportional damping acts on the motion relative to the base: u = u_base (1 - c (1 - cos k(H - z)/cos kH)), c
+/// = 1/(1 - i alpha/omega). k H with G (1 + i omega beta) and rho (1 - i alpha/omega), Rayleigh's alpha M + beta K.
 std::complex<double> wave_number(const Shaking& shaking, double omega, double stiffer) {
   using namespace std::complex_literals;
   const Region soil = layer_soil(shaking);
@@ -90,7 +90,7 @@ std::complex<double> wave_number(const Shaking& shaking, double omega, double st
 struct Transfer {
   std::string name;
   Shaking shaking;
-  double frequency_ratio;  ///< over the layer's own frequency c/(4 H)
+  double frequency_ratio;  ///< over the layer's natural frequency c/(4 H)
 };
 
 class TransferFunction : public ::testing::TestWithParam<Transfer> {};
@@ -102,7 +102,7 @@ TEST_P(TransferFunction, OfTheLayer) {
   const std::complex<double> kH = layer_height * wave_number(shaking, omega, 1.);
   std::complex<double> exact = 1. / std::cos(kH);
   if (shaking.damping) exact = 1. - (1. - exact) / (1. - 1.i * shaking.damping->mass_factor() / omega);
-  if (shaking.rock_stiffness > 0.) {  // against the outcrop of the rock; its base lies 5 m deep
+  if (shaking.rock_stiffness > 0.) {  // relative to the outcrop of the rock, whose base is 5 m deep
     const double stiffer = shaking.rock_stiffness;
     const std::complex<double> z = wave_number(shaking, omega, 1.) / (stiffer * wave_number(shaking, omega, stiffer));
     exact = std::exp(-1.i * 5. * wave_number(shaking, omega, stiffer)) / (std::cos(kH) + 1.i * z * std::sin(kH));

@@ -1,5 +1,5 @@
 // Claim: springs and dashpots on a side, a rigid smooth plate, motions along rollers, tractions on the skeleton and
-// shapes along a curve do what their names say; exact or by an identity.
+// shapes along a curve have their exact effect, or satisfy an identity.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -106,7 +106,7 @@ TEST(Dashpots, OfTheSoilsImpedanceAbsorb) {
                  (absorbing - dashpots).cwiseAbs().maxCoeff() / absorbing.cwiseAbs().maxCoeff(), 1e-12);
 }
 
-/// An oedometer that is driven: stress = (lambda + 2 G) strain, whichever way the piston's course is told.
+/// An oedometer with a driven piston: stress = (lambda + 2 G) strain.
 TEST(Motion, OfARollerIsThatOfAPiston) {
   Scene scene = solid_scene();
   scene.time.inertia = false;
@@ -123,7 +123,8 @@ TEST(Motion, OfARollerIsThatOfAPiston) {
                  std::abs(history(sample, response, "probes/middle/stress_yy").tail(1)[0] / stress - 1.), 1e-9);
 }
 
-/// A plate under a load at its edge settles evenly, by the mean stress: free sides, so that E' rules.
+/// A plate under a load at its edge settles evenly, by the mean stress; the side is free, so the stiffness is E/(1 -
+/// nu^2).
 TEST(Plate, SettlesEvenlyUnderALoadAtItsEdge) {
   Scene scene = solid_scene();
   scene.time.inertia = false;
@@ -147,8 +148,8 @@ TEST(Plate, SettlesEvenlyUnderALoadAtItsEdge) {
                  std::abs(last("probes/far/displacement_y") / last("probes/near/displacement_y") - 1.), 1e-12);
 }
 
-/// A traction along the normal of an open side squeezes the skeleton and leaves the pore water at rest; a pressure does
-/// not squeeze it at all.
+/// A traction normal to an open side compresses the skeleton and not, once drained, the pore water; a pressure does
+/// not compress the skeleton.
 TEST(NormalTraction, SqueezesTheSkeletonAlone) {
   const auto settles = [](LoadKind kind) {
     Scene scene = column(sand(), {});
@@ -176,7 +177,7 @@ TEST(NormalTraction, SqueezesTheSkeletonAlone) {
   EXPECT_NEAR(p_traction, p_normal, 1e-3);
 }
 
-/// On a straight level curve lengths from its seaward end are places x less that of the end; on a wall heights.
+/// On a straight level curve the length from its seaward end is x less x of that end; on a wall it is the height.
 TEST(ShapesAlongACurve, AreThoseOverXAndHeight) {
   for (const bool wall : {false, true}) {
     Scene scene = solid_scene();

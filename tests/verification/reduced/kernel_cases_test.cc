@@ -41,8 +41,8 @@ int load_named(const System& system, const std::string& name) {
   return static_cast<int>(found - system.loads.begin());
 }
 
-/// Writes down the largest differences; those of pressures against the largest pressure of all probes, because a
-/// section that mirrors itself has none on its axis but round-off.
+/// Records the largest differences; those of pressures over the largest pressure of all probes, because on the axis
+/// of a symmetric section pressures are only round-off.
 void write_down(Record& record, const std::string& what, const std::vector<std::string>& names,
                 const Eigen::MatrixXd& convolved, const Eigen::MatrixXd& marched) {
   const Eigen::VectorXd peak = marched.rowwise().lpNorm<Eigen::Infinity>(),
@@ -56,7 +56,7 @@ void write_down(Record& record, const std::string& what, const std::vector<std::
   }
 }
 
-/// Compares in 16 steps a duration of the triangular impulse, so that its kinks are ends of steps.
+/// Compares with 16 steps per duration of the triangular impulse, so that its kinks are ends of steps.
 void compare(Record& record, const std::string& path) {
   const Case input = read_case(path);
   const Simulation scene = simulation_of(input);

@@ -1,7 +1,7 @@
-// Claim: F_T of a reduced model is that of a march within the tolerance it was asked for, in every kind of scene: dry,
-// with pores and sea, undamped, absorbing, with an elastic caisson, with incompressible fluids, after a jump, under a
-// rough record, under a pressure that reaches into the pores, under loads apart.
-// Source: SDIRK of order 4 in 64 steps a duration. Limits: the tolerance of 0.5 %.
+// Claim: F_T of a reduced model is that of a march within the tolerance, in every kind of scene: dry, with pores and
+// sea, undamped, absorbing, with an elastic caisson, with incompressible fluids, after a jump, under a rough record,
+// under a pressure that enters the pores, under several loads separately.
+// Source: SDIRK of order 4 with 64 steps per duration. Limits: the tolerance of 0.5 %.
 
 #include <gtest/gtest.h>
 
@@ -89,7 +89,7 @@ TEST(ReducedMarch, RoughRecord) {
   Scene scene = sea_scene(piecewise_linear(time, value), Compressibility::incompressible);
   ASSERT_TRUE(is_rough(scene.loads["impulse"].history));
   scene.loads["impulse"].duration = sampled_duration(time, value, scene.time.end);
-  // Steps of half a sample: each is straight.
+  // Steps of half a sampling interval: the record is straight in each.
   compare(record, "a rough record", scene, *breakwater_mesh(density_of_cells, with_sea()), asked_for, 0.001);
 }
 
@@ -102,10 +102,10 @@ TEST(ReducedMarch, PressureInThePores) {
   load.history = triangle(8e4, 2. * duration);
   scene.loads = {{"pressure", load}};
   scene.time.end = 0.5;
-  // A section that mirrors itself would have no F_T.
+  // A symmetric section would have no F_T.
   const auto mesh = breakwater_mesh(density_of_cells, {{"seabed_front", 60.}, {"mound_crest_front", 30.}});
-  // Pressure seeps into the sand through a skin of a few centimetres, which moments about one frequency learn slowly:
-  // the model does not get to 0.5 %, and says so.
+  // Pressure enters the sand through a skin of a few centimetres, for which moments about one frequency converge
+  // slowly: the model does not reach 0.5 %, and reports that.
   const Compiled compiled(scene, *mesh);
   EXPECT_THROW(require_converged(reduce_scene(compiled.resolved, compiled.scene, {true, false, {}})), NumericsError);
   scene.tolerance = 0.03;

@@ -1,6 +1,6 @@
-// Claims: on the shipped prototype with sea, F_T errs by at most 0.3 % over time and 0.1 % at its peak, with at most 30
-// vectors where the soil is damped and with 45 where it is not; the model is stable for good.
-// Source: SDIRK of order 4 in 64 steps a duration; A + A^T <= 0. Limits: those asked for; round-off of |A|.
+// Claims: on the shipped prototype with sea, the error of F_T is at most 0.3 % over time and 0.1 % at its peak, with
+// at most 30 vectors for damped soil and 45 for undamped soil; the model is stable for any length of time. Source:
+// SDIRK of order 4 with 64 steps per duration; A + A^T <= 0. Limits: the tolerances; round-off of |A|.
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ namespace prototype_test {
 constexpr double duration = 0.15, pi = 3.14159265358979323846;
 constexpr Limits asked_for{0.003, 0.001};
 
-/// Projected on so many vectors.
+/// The system projected on `n_vectors` vectors.
 ReducedSystem projected(const CompiledScene& compiled, double shift, int n_vectors) {
   SecondOrderKrylov krylov(compiled.system, shift, compiled.body_coordinates);
   while (krylov.n_vectors() < n_vectors && krylov.extend()) continue;
@@ -46,7 +46,7 @@ TEST(ReducedMarch, PrototypeUndamped) {
              error_against(model, scene.compiled->system, scene.scene.time.end, duration / 64.), asked_for);
 }
 
-/// Largest growth of |s| within one of 400 steps of a 50th of a duration, from the state that the loads leave.
+/// Largest growth of |s| within one of 400 steps of a 50th of a duration, from a state after the loads.
 double growth(const StateSpace& space) {
   const Eigen::MatrixXd P = (duration / 50. * space.A).exp();
   Eigen::VectorXd s = P * space.B.rowwise().sum();
@@ -59,7 +59,7 @@ double growth(const StateSpace& space) {
   return largest;
 }
 
-/// Largest reading in the last of 1e6 s over the largest of the first two seconds, over all readings.
+/// Largest ratio over all readings: the reading in the last of 1e6 s over its largest value in the first two seconds.
 double left_after_decay(const ModalModel& model, const System& system) {
   std::vector<double> time;
   for (int i = 0; i <= 1000; ++i) time.push_back(duration / 75. * i);

@@ -1,4 +1,4 @@
-// Histories of wave forces as they may be asked for, at random but always the same.
+// Random histories of wave forces of realistic kinds, the same in every run.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,8 +13,8 @@ struct RandomWave {
   Eigen::VectorXd force;  ///< at 0, step, 2 step, ...; zero at first
 };
 
-/// `each` waves of every kind, n samples long: church roofs, double peaks, triangles with white noise of 1 %, noise up
-/// to 15 Hz that swells and dies down.
+/// `each` waves of every kind, n samples long: church roofs, double peaks, triangles with white noise of 1 %, noise
+/// up to 15 Hz that grows and decays.
 std::vector<RandomWave> random_waves(int each, double step, int n);
 
 }  // namespace upbead::test

@@ -1,5 +1,5 @@
-// Claim: one reduced model of the shipped prototype, made with the case's own triangle, answers random other waves
-// within its tolerance.
+// Claim: one reduced model of the shipped prototype, made with the case's own triangle, has the response to other,
+// random waves within its tolerance.
 // Source: the discrete kernel of SDIRK, steps of 2 ms, convolved with the samples. Limit: the tolerance of 0.5 % of the
 // wave's own peak F_T.
 

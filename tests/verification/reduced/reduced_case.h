@@ -10,13 +10,14 @@
 
 namespace upbead::test {
 
-/// Of F_T: largest differences from the march over its peak.
+/// Errors of F_T: largest differences from the march over the peak of the march.
 struct ShearError {
   double history = 0.;
   double peak = 0.;  ///< of the largest and of the least value
 };
 
-/// The model's answer to the system's loads, against SDIRK of order 4 in steps of at most `step` that meet all kinks.
+/// Error of the model's response to the system's loads, against SDIRK of order 4 in steps of at most `step` that meet
+/// all kinks.
 ShearError error_against(const ModalModel& model, const System& system, double end, double step);
 
 /// The breakwater, drained, under that force. Ends at 0.5 s.
@@ -28,11 +29,11 @@ struct Limits {
   double history, peak;
 };
 
-/// Reduces the scene, compares at 64 steps a duration, or at `step` where it is given, and writes down errors, vectors
-/// and what the model itself says.
+/// Reduces the scene, compares with 64 steps per duration, or with `step` if it is given, and records errors, vectors
+/// and the model's own estimate.
 void compare(Record& record, const std::string& what, const Scene& scene, const Mesh& mesh, Limits limits,
              double step = 0.);
-/// Writes down an error with its limits.
+/// Records an error with its limits.
 void write_down(Record& record, const std::string& what, const ShearError& error, Limits limits);
 
 /// The shipped case of the prototype.

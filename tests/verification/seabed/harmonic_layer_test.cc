@@ -1,7 +1,7 @@
 // Claim: a saturated layer under a harmonic load on its drained top has the complex amplitudes of pressure and
 // settlement of Zienkiewicz, Chang and Bettess (1980), at 25 points of their map (Pi1, Pi2), by the frequency
-// response of the same M, C and K that are marched: full Biot equations, Darcy flow, consolidation without
-// inertia, undrained.
+// response of the same M, C and K as in a march, for full Biot equations, Darcy flow, consolidation without inertia,
+// and undrained soil.
 // Source: tests/reference/ref2c_zcb_map.json (exponentials, exact; 7 digits).
 // Limit: 0.5 % of each amplitude.
 
@@ -19,7 +19,7 @@
 namespace upbead::test {
 namespace harmonic_layer_test {
 
-/// A model of the table and what makes it of a scene.
+/// A model of the table, and the settings of the scene for it.
 struct Model {
   std::string name, title;
   Flow flow = Flow::darcy;
@@ -54,8 +54,8 @@ Scene layer(const Json& input, const Model& model) {
 }
 
 /// A row of 508 cells, small at the top for the drained skin (thickness sqrt(2 c_v / omega) = 0.023 L at the least).
-/// What the rest needs is set by Pi2 = 10: there the drained skeleton's wave, 0.35 L long, is close to resonance, and
-/// an error of its length is magnified; it falls with the square of the cells.
+/// The other cells are set by Pi2 = 10: there the wave of the drained skeleton, 0.35 L long, is close to resonance,
+/// which magnifies an error of its length; the error falls with the square of the size of the cells.
 std::unique_ptr<Mesh> layer_mesh() {
   const auto curve = [](const dealii::Point<dim>& at) -> std::string {
     if (at[1] < 1e-9) return "base";

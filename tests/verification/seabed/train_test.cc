@@ -1,8 +1,8 @@
-// Claim: waves that run along a level seabed, as a case loads it, have the exact amplitudes of pore pressure, stresses
-// and displacement in the middle of a stretch of four wavelengths, landward, seaward and standing. Source:
-// tests/reference/ref3_wave_seabed.json, as of waves_test.cc. A wave p e^{i(omega t - k x)} of the tables stands for
-// two that stand, a quarter of a wave and of a period apart. Limit: 1 % of each field's largest amplitude: 0.5 % as in
-// waves_test.cc, and the ends of the stretch.
+// Claim: waves that run along a level seabed, as a case loads it, have the exact amplitudes of pore pressure,
+// stresses and displacement in the middle of a stretch of four wavelengths, landward, seaward and standing. Source:
+// tests/reference/ref3_wave_seabed.json, as of waves_test.cc. A wave p e^{i(omega t - k x)} is the sum of two
+// standing waves of the tables, shifted by a quarter of the wavelength and of the period. Limit: 1 % of each field's
+// largest amplitude: 0.5 % as in waves_test.cc, and another 0.5 % for the ends of the stretch.
 
 #include <gtest/gtest.h>
 
@@ -56,7 +56,8 @@ Scene bed_of(const WaveSeabed& seabed, TrainCourse course) {
   return scene;
 }
 
-/// Amplitudes under x = 0 and a quarter of a wave landward. The histories are cosines and sines of omega t.
+/// Amplitudes below x = 0 and below a quarter of a wavelength landward. The histories are cosines and sines of omega
+/// t.
 struct Found {
   Profile pressure, stress, pressure_beside, settlement;
 };

@@ -45,8 +45,9 @@ Scene scene_of(const WaveSeabed& seabed, int degree) {
   wave.history = triangle(1., 1.);  // any history: the response is to unit amplitude
   scene.loads["wave"] = wave;
   for (std::size_t i = 0; i < seabed.depths.size(); ++i) {
-    scene.probes[name_of('c', i)].at = {seabed.depths[i], 0.};                        // crest
-    scene.probes[name_of('q', i)].at = {seabed.depths[i], 0.25 * seabed.wavelength};  // a quarter of a wave off
+    scene.probes[name_of('c', i)].at = {seabed.depths[i], 0.};  // crest
+    // a quarter of a wavelength from the crest
+    scene.probes[name_of('q', i)].at = {seabed.depths[i], 0.25 * seabed.wavelength};
   }
   return scene;
 }

@@ -1,11 +1,11 @@
 // Claim: a seabed under waves has the exact amplitudes of pore pressure, effective stress, shear stress and
 // displacement, quasi-static and with inertia, from long waves on sand with and without air and on rubble to
-// impulsive patterns close to resonance, by the frequency response of the same M, C and K that are marched.
-// Source: tests/reference/ref3_wave_seabed.json (exact exponentials): Hsu and Jeng (1994) for a layer, Madsen
-// (1978) and Yamamoto et al. (1978) for a half-space, and the same with inertia. Its model upA (the solid's
-// acceleration in Darcy's law) is not built.
+// short-period pressure patterns close to resonance, by the frequency response of the same M, C and K as in a march.
+// Source: tests/reference/ref3_wave_seabed.json (exact exponentials): Hsu and Jeng (1994) for a layer, Madsen (1978)
+// and Yamamoto et al. (1978) for a half-space, and the same with inertia. The program does not have its model upA
+// (the solid's acceleration in Darcy's law).
 // Limit: 0.5 % of each field's largest amplitude over the depth; pressure and displacement as complex numbers,
-// stresses by their amplitudes, as the table has them.
+// stresses by their amplitudes, as in the table.
 
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@ namespace waves_test {
 
 using Profile = std::vector<Complex>;
 
-/// Degree 3, coarse; degree 2, fine.
+/// Coarse cells for degree 3, fine ones for degree 2.
 SeabedMesh mesh_for(const WaveSeabed& seabed, int degree) {
   const double wave = seabed.wavelength, H = seabed.thickness;
   if (degree == 3) return {3, 8, 4e-4 * wave, 1.5, std::min(0.03 * wave, H / 25.)};
@@ -57,7 +57,7 @@ Profile cartesian(const Json& re, const Json& im) {
   return out;
 }
 
-/// The worst field.
+/// The largest error of all fields.
 double error(const SeabedResponse& found, const Json& table) {
   return std::max({error(found.pressure, polar(table.at("abs_p"), table.at("arg_p"))),
                    largest_error(amplitudes(found.effective_stress), table.at("abs_seff_zz")),
@@ -131,8 +131,8 @@ TEST(WaveSeabed, QuasiStaticByElementsOfDegree2) {
   }
 }
 
-/// A layer of water so thin (kh = 1e-4) that the pressure on its level is that on the mudline: the water's own pressure
-/// acts on skeleton and pores as the load on the mudline does.
+/// A layer of water so thin (kh = 1e-4) that the pressure on its level is that on the mudline: the pressure of the
+/// modelled water then acts on skeleton and pores like a load on the mudline.
 TEST(WaveSeabed, UnderModelledWater) {
   Record record("seabed");
   const Json all = reference("ref3_wave_seabed");

@@ -1,6 +1,6 @@
-// Claims: what is decided about a region (flow, drainage, compressibility, rigidity) from the scene's numbers moves
-// peak F_T by less than 0.1 % against the fuller description, at numbers near the limits as well as far from them.
-// Source: the same scene with the choice overruled.
+// Claims: the program's choices for a region (flow, drainage, compressibility, rigidity) change peak F_T by less than
+// 0.1 % against the full description, for values near the limits of the choices as well as far from them. Source: the
+// same scene with the choice overruled.
 
 #include <gtest/gtest.h>
 

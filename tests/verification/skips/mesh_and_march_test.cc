@@ -1,5 +1,5 @@
-// Claims: cells out of reach, water that touches nothing, the rest of a run without energy, and readings that nobody
-// asked for move peak F_T by less than 0.1 %; one step size is factorised once.
+// Claims: leaving out cells that no wave reaches, water that touches nothing, the rest of a run without energy, and
+// readings that were not asked for changes peak F_T by less than 0.1 %; each step size is factorised once.
 // Source: the same scene solved in full.
 
 #include <gtest/gtest.h>

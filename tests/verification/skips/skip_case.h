@@ -1,4 +1,4 @@
-// A scene solved with and without what may be left out.
+// A scene solved with and without the parts that may be left out.
 #pragma once
 
 #include <memory>
@@ -13,7 +13,7 @@ namespace upbead::test {
 /// The shipped section between seas of three depths, or without any, under a triangle of 1.6 MN/m on the front.
 Scene section_scene(bool sea, double duration);
 
-/// What was found of one way to solve a scene.
+/// Results of one way to solve a scene.
 struct Solved {
   ShearResponse shear;
   int unknowns = 0;
@@ -23,10 +23,10 @@ struct Solved {
 /// Marches by the scene's own choices to its end in steps of a twelfth of `duration`.
 Solved solve(const Scene& scene, const Mesh& mesh, double duration);
 
-/// The word decided for a key of a region; "" where nothing was decided.
+/// The value that the program chose for a key of a region; "" if it chose none.
 std::string decided(const Solved& solved, const std::string& region, const std::string& key);
 
-/// Asserts and records that peak F_T moves by less than 0.1 %, and records the unknowns of both.
+/// Asserts and records that peak F_T changes by less than 0.1 %, and records the unknowns of both.
 void compare(Record& record, const std::string& what, const Solved& without, const Solved& with);
 
 }  // namespace upbead::test

@@ -1,12 +1,13 @@
 // Claim: a solid block on a layer becomes a rigid one as its modulus grows to 10^8 times the soil's: its stiffness
-// rises to the rigid strip's from below, by E_soil / E_block, and the program's solver copes. Source:
-// tests/reference/ref9_stress.json, test d. The block, 2 b high, is pushed through a rigid cap on its top whose
-// coordinates are those of the middle of the base, so that block and soil yield in series: K grows with E_block by the
-// theorem of minimum energy, on any mesh. The rigid limit is computed on a fine mesh and met within 0.5 % of the table;
-// the approach to it on a coarse one, against its own rigid limit, because numbers of both moduli meet in one matrix
-// and round-off, about 100 times 10^-16 E_block / E_soil, has to stay below what is looked at. Limits: K_v, K_hh, K_rr
-// monotone and below the limit up to 10^6, slope of the deviation over E_soil / E_block 1 within 1 %; at 10^7 and 10^8,
-// where the deviation drowns in round-off, 1e-5 of the limit; relative residual of the solver 1e-10 at 10^8.
+// tends to the rigid strip's from below, with a deviation proportional to E_soil / E_block, and the program's solver
+// stays accurate. Source: tests/reference/ref9_stress.json, test d. The block, 2 b high, is pushed through a rigid
+// cap on its top whose coordinates are those of the middle of the base, so that block and soil deform in series: K
+// grows with E_block by the theorem of minimum energy, on any mesh. The rigid limit is computed on a fine mesh and
+// agrees with the table within 0.5 %; the approach to it is computed on a coarse mesh, against the rigid limit of
+// that mesh, because both moduli are in one matrix and round-off, about 100 times 10^-16 E_block / E_soil, must stay
+// below the deviation. Limits: K_v, K_hh, K_rr monotone and below the limit up to 10^6, slope of the deviation over
+// E_soil / E_block 1 within 1 %; at 10^7 and 10^8, where the deviation is below round-off, 1e-5 of the limit;
+// relative residual of the solver 1e-10 at 10^8.
 
 #include <gtest/gtest.h>
 
@@ -123,7 +124,7 @@ TEST(StiffnessContrast, BlockBecomesRigid) {
                  residual, 1e-10);
 }
 
-// On a fine mesh round-off is amplified more: written down, as nothing but the residual is asked of it.
+// On a fine mesh round-off is amplified more: stiffnesses are recorded only, and just the residual has a limit.
 TEST(StiffnessContrast, RoundOffOnAFineMesh) {
   const Eigen::Matrix3d limit = with_block(rigid, 0.005, 3).K;
   const Solved solved = with_block(1e8, 0.005, 3);

@@ -21,9 +21,9 @@ Stiffness tabulated(const Json& entry, std::size_t i) {
   return K;
 }
 
-/// On the half-plane from a0 = 0.5 on and on layers below the first cut-off frequency, theory and table agree to 6e-4.
-/// Elsewhere theory and program agree with each other, and the table is off: up to 5 % on the half-plane, and in single
-/// components more than their own magnitude on layers.
+/// On the half-plane from a0 = 0.5 on and on layers below the first cut-off frequency, theory and table agree to
+/// 6e-4. Elsewhere theory and program agree with each other, and the table is wrong: by up to 5 % on the half-plane,
+/// and on layers by more than the magnitude of a component in some of them.
 bool table_holds(const ElasticSoil& soil, double a0) {
   return soil.is_layer() ? a0 < soil.cut_off() : a0 >= 0.5;
 }

@@ -7,7 +7,7 @@
 
 namespace upbead::test {
 
-/// The entry of the table for a bonded strip; an infinite depth is the half-plane.
+/// The entry of the table for a strip bonded to that soil; an infinite depth is the half-plane.
 Json compliance_entry(const ElasticSoil& soil);
 
 /// Largest of the differences in K_v, K_hh and K_rr, each over its own magnitude, and in K_hr over

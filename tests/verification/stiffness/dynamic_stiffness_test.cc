@@ -1,11 +1,11 @@
 // Claim: the dynamic stiffness of a rigid massless strip bonded to elastic soil is right at every frequency from
 // a0 = 0.1 to 5, radiation included: the program's own M, C and K with i a0 in place of d/dt.
-// Source: an own semi-analytical computation (strip_theory.h), and tests/reference/ref4_strip.json, `compliance`,
-// `bonded`. A strip that slides freely on the soil (`relaxed`) cannot be said in a scene. The table fails below a0 =
+// Source: our own semi-analytical computation (strip_theory.h), and tests/reference/ref4_strip.json, `compliance`,
+// `bonded`. A scene cannot describe a strip that slides freely on the soil (`relaxed`). The table is wrong below a0 =
 // 0.5 on the half-plane and above the first cut-off frequency of a layer, where theory and program agree with each
-// other and not with it; how far it is off is written down with the checks. Limits: 0.5 % of each component's
-// magnitude, K_hr of sqrt(|K_hh| |K_rr|), near resonances too, where a stiffness is nearly zero. Here one half-plane
-// and one layer; the other soils are in dynamic_stiffness_long_test.cc.
+// other and not with the table; its error is recorded with the checks. Limits: 0.5 % of each component's magnitude,
+// K_hr of sqrt(|K_hh| |K_rr|), also near resonances, where a stiffness is nearly zero. Here one half-plane and one
+// layer; the other soils are in dynamic_stiffness_long_test.cc.
 
 #include <gtest/gtest.h>
 
@@ -22,8 +22,8 @@ TEST(DynamicStiffness, Layer) {
   compare_dynamic_stiffness({0.3, 1.5}, true);
 }
 
-// What the rings throw back shows as a change of the stiffness when they begin farther away, absorb less gently or end
-// sooner.
+// Reflections by the rings would appear as a change of the stiffness when the rings begin farther away, are damped
+// differently or are shorter.
 TEST(DynamicStiffness, RingsReflectLittle) {
   Record record("strip_stiffness");
   for (const double a0 : {0.1, 2.}) {

@@ -1,12 +1,12 @@
 // Claim: displacements of degree k with pressures of degree k - 1 are a stable pair: on an undrained layer of
 // incompressible soil under a strip load, pressures and settlements converge and do not alternate from node to node,
-// and the inf-sup number of Chapelle and Bathe (1993) stays away from zero under refinement.
+// and the inf-sup number of Chapelle and Bathe (1993) has a positive lower bound under refinement.
 // Source: tests/reference/ref9_stress.json, test b (Fourier transform of the exact layer with nu = 0.5). Water and
-// grains are incompressible; the surface is drained, but steps are so short that its drained skin is far thinner than a
-// cell. Limits: at h = b/8, 0.1 % of q and of the largest settlement at the tabulated points; every halving of h at
-// least halves both errors and the second differences of p between nodes (those of a smooth field fall fourfold, those
-// of a checkerboard not at all), and takes less than 5 % from the inf-sup number; order 0.9 of p in L2, which is 1 as p
-// jumps at the load's edge.
+// grains are incompressible; the surface is drained, but steps are so short that its drained skin is far thinner than
+// a cell. Limits: at h = b/8, 0.1 % of q and of the largest settlement at the tabulated points; every halving of h at
+// least halves both errors and the second differences of p between nodes (those of a smooth field fall fourfold,
+// those of a checkerboard not at all), and reduces the inf-sup number by less than 5 %; order 0.9 of p in L2, which
+// is 1 as p jumps at the load's edge.
 //
 // The inf-sup number is sqrt(lambda_min) of B A^-1 B' p = lambda M_p p with the program's own blocks: B from C, M_p
 // from M, A = int eps(u) : eps(u) from K at nu = 0, 2 G = 1, which is equivalent to the H1 seminorm (Korn).
@@ -35,7 +35,7 @@ struct Undrained {
 };
 constexpr int n_grid = 12;
 
-/// Probes for all of that.
+/// Adds the probes for all of these.
 void add_probes(Scene& scene, const Json& test, const LoadedLayer& layer, int n) {
   add_probes_at_depths(scene, "axis", test.at("z"));
   add_probes_on_surface(scene, "surface", test.at("x"));
@@ -81,7 +81,7 @@ double rms_difference(const std::vector<double>& a, const std::vector<double>& b
   return std::sqrt(sum / static_cast<double>(a.size()));
 }
 
-/// Largest second difference between neighbours: what a checkerboard would leave, whatever the mesh.
+/// Largest second difference between neighbours: for a checkerboard it would not fall with the size of the cells.
 double alternation(const std::vector<double>& nodes) {
   double largest = 0.;
   for (std::size_t i = 1; i + 1 < nodes.size(); ++i)

@@ -8,13 +8,14 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// Rayleigh's function: only waves that go down or die away.
+/// Rayleigh's function: only waves that travel or decay downwards.
 Flexibility half_plane(double k, Complex ks2, Complex p, Complex s) {
   const Complex rayleigh = (2. * k * k - ks2) * (2. * k * k - ks2) - 4. * k * k * p * s;
   return {-s * ks2 / rayleigh, -p * ks2 / rayleigh, -k * (2. * k * k - ks2 - 2. * p * s) / rayleigh};
 }
 
-/// Two waves down and two up, every one with amplitude 1 where it starts; tractions at the top, no motion at the base.
+/// Two waves downwards and two upwards, each with amplitude 1 where it starts; tractions at the top, no motion at the
+/// base.
 Flexibility layer(const ElasticSoil& soil, double k, Complex p, Complex s) {
   const double lambda = 2. * soil.nu / (1. - 2. * soil.nu);
   Eigen::Matrix4cd conditions;

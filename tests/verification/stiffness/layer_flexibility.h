@@ -1,4 +1,5 @@
-// How the surface of an elastic layer or half-plane yields to harmonic tractions: the exact kernel in wave numbers.
+// Displacements of the surface of an elastic layer or half-plane under harmonic tractions: the exact kernel in wave
+// numbers.
 #pragma once
 
 #include <cmath>
@@ -25,8 +26,9 @@ struct Flexibility {
   std::complex<double> xx, zz, xz;
 };
 
-/// At a frequency with a negative imaginary part (a little damping), which keeps poles and branch points off real k and
-/// so tells waves that carry energy outwards from those that do not, whichever way their crests run.
+/// At a frequency with a negative imaginary part (a little damping), which moves poles and branch points away from
+/// real k and so distinguishes waves that carry energy outwards from the other waves, whatever the direction of their
+/// crests.
 Flexibility surface_flexibility(const ElasticSoil& soil, double k, std::complex<double> omega);
 
 }  // namespace upbead::test

@@ -27,7 +27,7 @@ std::unique_ptr<Mesh> graded_layer_mesh(const LoadedLayer& layer, double edge, d
 
 std::unique_ptr<Mesh> even_layer_mesh(const LoadedLayer& layer, int n) {
   const double b = layer.half_width, h = b / n, far = b + layer.far * layer.depth;
-  const double growth = std::pow(2., 1. / n);  // alike on all levels: the size is a function of x
+  const double growth = std::pow(2., 1. / n);  // the same on all levels, as the size is a function of x
   const auto x = joined(even_lines(0., 3. * b, 3 * n), graded_lines(3. * b, far, h, growth, 0.5 * layer.depth));
   return layer_mesh(layer, x, even_lines(-layer.depth, 0., static_cast<int>(std::lround(layer.depth / h))));
 }

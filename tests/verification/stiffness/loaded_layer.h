@@ -24,11 +24,12 @@ std::unique_ptr<Mesh> layer_mesh(const LoadedLayer& layer, const std::vector<dou
 /// four times that.
 std::unique_ptr<Mesh> graded_layer_mesh(const LoadedLayer& layer, double edge, double growth, double largest);
 
-/// Square cells of the size b / n within 3 b of the axis, growing beyond; the base is met by stretching them.
+/// Square cells of the size b / n within 3 b of the axis, growing beyond; they are stretched so that they fit the
+/// depth.
 std::unique_ptr<Mesh> even_layer_mesh(const LoadedLayer& layer, int n);
 
-/// Soil under a load of q (Pa) from t = 0 on; at the surface, pore water is `open` or `sealed`, none in a solid.
-/// Rollers and sealed at the axis and at the far side.
+/// Soil under a load of q (Pa) from t = 0 on; `surface`: condition of the pore water at the surface, none for a
+/// solid. Rollers and sealed at the axis and at the far side.
 Scene loaded_layer(const Region& soil, double q, const std::optional<PressureCondition>& surface);
 
 /// Adds probes PREFIX0, PREFIX1, ... at these points of the axis (depths) or of the surface.

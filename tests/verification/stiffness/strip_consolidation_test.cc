@@ -1,10 +1,11 @@
-// Claim: without inertia a layer of soil under a uniform strip load consolidates right in two dimensions: pore
-// pressures on the axis, whose maximum wanders downwards and rises before it falls where nu = 0 (Mandel's effect), and
+// Claim: without inertia consolidation of a layer of soil under a uniform strip load is right in two dimensions: pore
+// pressures on the axis, whose maximum moves downwards and, for nu = 0, rises before it falls (Mandel's effect), and
 // settlements of the surface.
 // Source: tests/reference/ref1_consolidation.json, `strip` (Fourier and Laplace transforms of the exact layer; rough
 // rigid impervious base, drained surface). The layer is 8 depths wide, its cells grow from 0.1 m at the load's edge
 // and at the drained surface. Limits: at every tabulated time, all of which lie past the first steps, 0.1 % of the
-// largest pressure of the first row (the initial pressure, but for its drained skin), and of the largest settlement.
+// largest pressure of the first row (the initial pressure apart from its drained skin), and of the largest
+// settlement.
 
 #include <gtest/gtest.h>
 
@@ -29,7 +30,7 @@ TimeGrid steps_through(const std::vector<double>& times) {
   return grid;
 }
 
-/// Histories of a table's points at its times; `rows` in time, columns in space.
+/// Values at the points and times of a table; rows in time, columns in space.
 struct Comparison {
   std::vector<std::vector<double>> exact, computed;
   double largest(double scale) const {

@@ -102,7 +102,8 @@ std::vector<double> bessel(int n, double k) {
   return J;
 }
 
-/// Integrals of kernel times Bessel functions, what the kernels tend to at large k integrated in closed form.
+/// Integrals of kernel times Bessel functions; the asymptotes of the kernels at large k are integrated in closed
+/// form.
 class Integrals {
  public:
   Integrals(const Samples& samples, double nu) : samples_(samples), nu_(nu) {
@@ -120,7 +121,8 @@ class Integrals {
   }
 
   /// 1/pi int C J_m J_n dk between terms of one parity; C ~ (1 - nu) k / (k^2 + 1), with
-  /// int k / (k^2 + 1) J_m J_n dk = (-1)^((m - n)/2) I_m(1) K_n(1), m >= n, whose sign the transforms' signs undo.
+  /// int k / (k^2 + 1) J_m J_n dk = (-1)^((m - n)/2) I_m(1) K_n(1), m >= n, whose sign cancels those of the
+  /// transforms.
   Matrix same(Complex Flexibility::*part, int parity) const {
     const Eigen::MatrixXd& J = parity ? odd_ : even_;
     Matrix out = J * rest(part, [&](double k) { return (1. - nu_) * k / (k * k + 1.); }).asDiagonal() *
@@ -132,15 +134,16 @@ class Integrals {
     return out / pi;
   }
 
-  /// Between even terms and odd ones; C ~ (1 - 2 nu) / (2 k), with int J_m J_n / k dk = 2/pi sin((m - n) pi/2) /
-  /// (m^2 - n^2).
+  /// Between even and odd terms; C ~ (1 - 2 nu) / (2 k), with int J_m J_n / k dk = 2/pi sin((m - n) pi/2) / (m^2 -
+  /// n^2).
   Matrix cross() const {
     const double c = 0.5 * (1. - 2. * nu_);
     Matrix out =
         even_ * rest(&Flexibility::xz, [&](double k) { return c / k; }).asDiagonal() * odd_.transpose().cast<Complex>();
     for (int m = 0; m < n_terms; ++m)
       for (int n = 0; n < n_terms; ++n) {
-        const double even = 2. * m, odd = 2. * n + 1.;  // the sine times the signs of both transforms is -1
+        // the product of the sine and the signs of both transforms is -1
+        const double even = 2. * m, odd = 2. * n + 1.;
         out(m, n) -= c * 2. / pi / (even * even - odd * odd);
       }
     return out / pi;

@@ -1,5 +1,5 @@
-// Claim: one and the same scheme holds from soil that lets no water through (k = 1e-10 m/s) to soil that does not hold
-// it at all (1e3 m/s), with inertial and darcy flow.
+// Claim: the same scheme is right from soil that is nearly impermeable (k = 1e-10 m/s) to soil with nearly no
+// resistance to flow (1e3 m/s), with inertial and darcy flow.
 // Source: tests/reference/ref9_stress.json, g (Laplace transform inverted numerically): a ramp of 50 ms, then constant.
 // Limits: u at the top 0.2 % and p at the base 1 % of their largest values over the sweep's row.
 

@@ -1,8 +1,8 @@
-// Claim: energy is accounted for. Under a lasting load half of the work is stored in the end and the other half taken
-// by drag, whatever the flow; under a pulse drag takes all of it; nothing is lost or gained in 1e5 steps.
-// Source: tests/reference/ref9_stress.json, h (work from the exact solution; q^2 L / E and its half).
-// Limits: 1e-9 of the work for the balance at every step; 1e-3 for the work and for what drag takes, which the time
-// scheme's own losses reduce.
+// Claim: the balance of energy closes. Under a lasting load half of the work is stored in the end and drag dissipates
+// the other half, with either flow; under a pulse drag dissipates all of the work; no energy is lost or gained in 1e5
+// steps. Source: tests/reference/ref9_stress.json, h (work from the exact solution; q^2 L / E and its half). Limits:
+// 1e-9 of the work for the balance at every step; 1e-3 for the work and for the energy taken by drag, which the
+// scheme's own dissipation reduces.
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-// Claim: as the water grows stiffer the answer converges, like 1/K_f, to that of incompressible water, which the same
-// steps solve as well.
+// Claim: as the water grows stiffer the result converges, like 1/K_f, to that of incompressible water, which the same
+// steps can solve, too.
 // Source: tests/reference/ref9_stress.json, f (Laplace transform inverted numerically): a triangle of 100 ms.
 // Limits: u 0.2 % of the largest settlement, p 1 % of q; order of convergence in 1/K_f within 10 % of 1.
 

@@ -1,8 +1,8 @@
-// Claim: where rubble lies on sand of a thousandth of its conductivity, both sides are right, and the pressure in the
-// sand does not oscillate from node to node.
-// Source: tests/reference/ref9_stress.json, i (Laplace transform inverted numerically): a triangle of 100 ms.
-// Limits: u 1e-3 and p 1e-2 of their largest values; p from node to node in the sand 1e-2 of its largest value off that
-// on a mesh of half the size.
+// Claim: where rubble lies on sand of a thousandth of its conductivity, the solution on both sides is right, and the
+// pressure in the sand does not oscillate from node to node.
+// Source: tests/reference/ref9_stress.json, i (Laplace transform inverted numerically): a triangle of 100 ms. Limits:
+// u 1e-3 and p 1e-2 of their largest values; p at the nodes in the sand differs by 1e-2 of its largest value from
+// that on cells of half the size.
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-// Claim: steps far too short for the cells do no harm. With the pressure fixed at the nodes of a drained side the first
-// step after a sudden load overshoots by a quarter (table); imposed weakly, it does not.
+// Claim: steps far too short for the cells cause no overshoot. If the pressure is fixed at the nodes of a drained
+// side, the first step after a sudden load overshoots by a quarter (table); if it is imposed weakly, it does not.
 // Source: tests/reference/ref9_stress.json, c (Vermeer and Verruijt 1981: c_v dt / h^2 >= 1/6).
 // Limits, after one step and after four at c_v dt / h^2 = 0.001: overshoot 1 % of p_0; p two cells from the drained
 // side within 5 % of p_0.

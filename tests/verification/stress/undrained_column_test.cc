@@ -1,5 +1,5 @@
 // Claim: where no water can flow, the pressure under a slow load is uniform, without oscillation from node to node,
-// although the drained top would want a skin of millimetres in cells of decimetres.
+// although the drained skin at the top, of millimetres, is far thinner than the cells, of decimetres.
 // Source: tests/reference/ref9_stress.json, a (p/q = 1 / (1 + E/(alpha^2 Q)), statics).
 // Limits: p 1e-4 of q away from the top row of cells; second differences of p from node to node 1e-3 of q in sum.
 

@@ -1,9 +1,9 @@
-// Claim: a rigid mass on the elastic half-plane or on a layer, swaying alone or with rocking, passes the shear force on
-// to its base as the exact solution says. One half is computed: the motion is antisymmetric.
+// Claim: a rigid mass on the elastic half-plane or on a layer, swaying alone or with rocking, transmits the exact
+// shear force to its base. One half is computed: the motion is antisymmetric.
 // Source: tests/reference/ref4_strip.json, block `ft`: mass ratios m / (rho b^2) of 1, 2, 4 and 8, triangles of 10 to
 // 400 ms; bonded contact.
-// Limit: peak of F_T 0.5 %. The half-plane is 70 m deep and wide beside the caisson and marched until the first wave
-// comes back, the layer has 120 m beside it.
+// Limit: peak of F_T 0.5 %. The half-plane is 70 m deep and wide beside the caisson and marched until the first
+// reflection arrives; the layer has 120 m beside the caisson.
 
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@
 namespace upbead::test {
 namespace elastic_strip_test {
 
-constexpr double end_on_half_plane = 0.5;  // s: until a P wave (281 m/s) comes back from 70 m
+constexpr double end_on_half_plane = 0.5;  // s: until a P wave (281 m/s) is back from 70 m
 
 StripCells cells(bool half_plane) {
   StripCells cells;
@@ -33,7 +33,7 @@ StripCells cells(bool half_plane) {
 
 std::unique_ptr<StripModel> model_of(const Json& entry) {
   StripCaisson caisson{entry.at("b"), entry.at("m"), entry.at("IG"), entry.at("hG"), entry.at("hP")};
-  if (entry.at("mode") == "sway") caisson.moment_of_inertia *= 1e12;  // does not turn
+  if (entry.at("mode") == "sway") caisson.moment_of_inertia *= 1e12;  // so that it does not turn
   Region ground;
   ground.kind = RegionKind::solid;
   ground.density = entry.at("rho").get<double>();

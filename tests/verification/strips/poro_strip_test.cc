@@ -1,9 +1,9 @@
-// Claim: a caisson on rubble over sand, or on sand alone, passes the shear force on to its base, sways and rocks as the
-// exact solution says, with inertial flow everywhere (`full`) and with darcy flow (`upB`). One half is computed: the
-// motion is antisymmetric.
+// Claim: a caisson on rubble over sand, or on sand alone, transmits to its base the exact shear force and has the
+// exact sway and rocking, with inertial flow everywhere (`full`) and with darcy flow (`upB`). One half is computed:
+// the motion is antisymmetric.
 // Source: tests/reference/ref2d_poro_strip.json (exact kernel of layers with three waves each, Galerkin contact), all
-// triangles of 20 ms and longer. The mesh, measured: cells of 2 cm at the caisson's edge, degree 3; 200 m of ground
-// beside the caisson, whose end absorbs.
+// triangles of 20 ms and longer. The mesh, chosen by trials: cells of 2 cm at the caisson's edge, degree 3; 200 m of
+// ground beside the caisson, whose end absorbs.
 // Limits: F_T, sway and rotation over their peaks 0.5 % at all tabulated times; peaks of F_T and base moment 0.2 % and
 // 0.5 %.
 
@@ -23,7 +23,7 @@ namespace poro_strip_test {
 
 constexpr double shortest = 0.02;  // s
 
-/// What pulses of 20 ms need.
+/// Cells fine enough for pulses of 20 ms.
 StripCells cells() {
   StripCells cells;
   cells.edge = 0.02;
@@ -36,7 +36,7 @@ StripCells cells() {
   return cells;
 }
 
-constexpr double crossing = 0.002;  // s: a shear wave needs no more to cross a cell from bottom to top
+constexpr double crossing = 0.002;  // s: the longest time in which a shear wave crosses a cell in height
 
 /// Names of the soils, in the order of the table.
 std::vector<std::string> soils(const Json& all) {
@@ -47,7 +47,8 @@ std::vector<std::string> soils(const Json& all) {
   return names;
 }
 
-/// Layers with one fluid for all: where air makes the water of one layer softer, its grains take the difference.
+/// Layers with one fluid for all: if air makes the water of one layer more compressible, the compressibility of its
+/// grains accounts for the difference.
 std::vector<Layer> layers_of(const Json& entry, Flow flow, Fluid& fluid) {
   const Json& input = entry.at("layers_input");
   fluid = {input.at(0).at(0).at("rho_f"), 0.};

@@ -74,7 +74,7 @@ Scene strip_scene(const StripCaisson& caisson, const std::vector<Layer>& layers,
   return scene;
 }
 
-/// Holds unknowns at zero, by a mass that nothing moves.
+/// Holds unknowns at zero by a huge mass.
 void hold(System& system, const std::vector<int>& unknowns) {
   constexpr double immovable = 1e20;  // kg
   for (const int i : unknowns) system.M.coeffRef(i, i) += immovable;
@@ -153,7 +153,7 @@ StripHistory StripModel::under_triangle(double duration) {
   out.shear = 2. * read("shear_force");
   out.rotation = read("caisson/rotation");
   out.sway = read("caisson/displacement_x") - caisson_.centre * out.rotation;
-  // The program's moment is about the middle of the half base that it knows of.
+  // The program's moment is about the middle of the half base, as only one half is modelled.
   out.moment = 2. * (read("base_moment") + 0.5 * caisson_.half_base * read("normal_force"));
   out.pressure_moment = 2. * read("pressure_moment");
   out.peak_shear = 2. * read_shear_response(compiled_.scene, response, true).peak_shear;

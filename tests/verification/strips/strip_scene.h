@@ -30,9 +30,9 @@ struct Layer {
   Region soil;
 };
 
-/// Cells of the ground: small at the caisson's edge and at the top of every layer, growing to what the waves need in
-/// the caisson's surroundings, and further towards the far end, which absorbs: pressure waves in saturated soil
-/// are there and back within a quarter of a second, and a fixed end cost 1 % of F_T.
+/// Cells of the ground: small at the caisson's edge and at the top of every layer, growing in the caisson's
+/// surroundings to the size that waves allow, and further towards the far end, which absorbs: pressure waves in
+/// saturated soil return from it within a quarter of a second, and with a fixed end F_T was wrong by 1 %.
 struct StripCells {
   double edge;     ///< width and height of the cells at the caisson's edge (m)
   double skin;     ///< height of the cells at the top of the lower layers (m)
@@ -44,7 +44,7 @@ struct StripCells {
   int degree = 3;  ///< of u
 };
 
-/// What the reference tables hold, for a load of peak 1 N/m.
+/// The quantities of the reference tables, for a load of peak 1 N/m.
 struct StripHistory {
   std::vector<double> time;
   Eigen::RowVectorXd shear;            ///< F_T / P
@@ -55,8 +55,8 @@ struct StripHistory {
   double peak_shear;                   ///< largest F_T / P, found inside the steps
 };
 
-/// One half of the caisson and the ground, and its response to a load that grows linearly. A triangular pulse is a sum
-/// of three such ramps; where they begin at ends of steps, so is the marched response, to round-off.
+/// One half of the caisson and the ground, and its response to a load that grows linearly. A triangular pulse is a
+/// sum of three such ramps; if they begin at ends of steps, the marched response is the same sum, to round-off.
 class StripModel {
  public:
   StripModel(const StripCaisson& caisson, const std::vector<Layer>& layers, const Fluid& fluid,

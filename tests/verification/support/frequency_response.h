@@ -30,7 +30,7 @@ class FrequencyResponse {
   double omega_;
   Matrix matrix_;  ///< over all unknowns
   Eigen::VectorXd scale_;
-  Matrix free_;  ///< over the free unknowns, scaled; UMFPACK refines its solutions with it
+  Matrix free_;  ///< over the free unknowns, scaled; UMFPACK refines its solutions with this matrix
   Eigen::UmfPackLU<Matrix> factors_;
 };
 

@@ -1,5 +1,5 @@
-// What a verification test finds: checks with their limits, and curves. Each is asserted at once and written down, so
-// that postprocess/verification.py can make docs/verification.md of it.
+// Results of a verification test: checks with their limits, and curves. Each check is asserted at once and recorded;
+// postprocess/verification.py makes docs/verification.md from the records.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -8,7 +8,7 @@
 
 namespace upbead::test {
 
-/// Points of a curve: the exact solution and what the program computed, at the same abscissae.
+/// Points of a curve: the exact and the computed values, at the same abscissae.
 struct Curve {
   std::string panel;  ///< title of the panel that it is drawn in: "pressure at the base"
   std::string x, y;   ///< labels of the axes, with units
@@ -16,8 +16,8 @@ struct Curve {
   std::vector<double> abscissa, exact, computed;
 };
 
-/// One test's findings; one record per test. Written, as the file SUITE.TEST.json, to the folder that the environment
-/// variable UPBEAD_VERIFICATION_RESULTS names, when it goes out of scope; nowhere where that is not set.
+/// The results of one test. When it goes out of scope it is written, as the file SUITE.TEST.json, to the folder that
+/// the environment variable UPBEAD_VERIFICATION_RESULTS names; if that is not set, it is not written.
 class Record {
  public:
   /// `problem`: key of tests/verification/problems.toml.
@@ -26,11 +26,11 @@ class Record {
   Record(const Record&) = delete;
   Record& operator=(const Record&) = delete;
 
-  /// Asserts error <= limit (a NaN fails) and writes it down. `what` says what is compared, and how it is normed.
+  /// Asserts error <= limit (a NaN fails) and records both. `what`: the quantity that is compared, and its norm.
   void at_most(const std::string& what, double error, double limit);
   /// Asserts value >= limit: an order of convergence.
   void at_least(const std::string& what, double value, double limit);
-  /// A measured number that nothing is asked of.
+  /// Records a number without a limit.
   void measured(const std::string& what, double value);
   void curve(const Curve& curve);
 

@@ -14,7 +14,7 @@ double gravity(const Json& m) {
   return m.value("g", 9.81);
 }
 
-/// Skeleton stiffness in whichever pair of constants the table has.
+/// Sets the skeleton's stiffness from the pair of constants that the table has.
 void set_stiffness(const Json& m, Region& region) {
   if (m.contains("Ey")) {
     region.youngs_modulus = m.at("Ey").get<double>();

@@ -1,6 +1,6 @@
-// Claims: a plane wave that meets an absorbing side of soil upright leaves. Exactly so in an elastic solid; nearly so
-// in undrained sand, and in rubble whose pores hardly drag, where both pressure waves leave. What comes back is the
-// difference, half-way up a column of soil, from a column so long that nothing comes back from its end.
+// Claims: an absorbing side of soil absorbs a plane wave of normal incidence: exactly in an elastic solid; nearly in
+// undrained sand, and in rubble with little drag, where both pressure waves are absorbed. The reflection is the
+// difference, in the middle of a column of soil, from a column so long that no reflection arrives from its end.
 // Source: Lysmer and Kuhlemeyer (1969); docs/theory.md.
 // Limits: 1e-3 of the largest incident value in the solid, 1e-2 in soils.
 
@@ -16,7 +16,7 @@ namespace absorbing_soil_test {
 
 enum class Wave { pressure, shear };
 
-/// A column that is hit at its top by a smooth pulse and absorbs at its base.
+/// A column under a smooth pulse at its top that absorbs at its base.
 struct Hit {
   Region soil;
   Wave wave = Wave::pressure;
@@ -34,7 +34,7 @@ TimeFunction smooth_pulse() {
            [](double) { return 0.; }}};
 }
 
-/// Bounds of the speeds of all waves of that kind (m/s), about as slow and as fast as they are.
+/// Approximate lower and upper bounds of the speeds of all waves of that kind (m/s).
 std::pair<double, double> speeds(const Hit& hit, const Fluid& water) {
   const Material m = material(hit.soil, water, 9.81);
   if (hit.wave == Wave::shear) return {std::sqrt(m.G / m.rho), std::sqrt(2. * m.G / m.rho)};
@@ -57,8 +57,8 @@ Scene scene_of(const Hit& hit, double height) {
   return scene;
 }
 
-/// Between free sides a shear wave is plane once nothing moves along the column and there is no pressure: the column's
-/// sides then let the pores' water through.
+/// Between free sides a shear wave is plane if there is no motion along the column and no pressure, as if water could
+/// leave through the column's sides.
 System in_plane_shear(const Compiled& compiled) {
   std::vector<int> gone = unknowns_of(compiled, 1);
   if (compiled.space.has_pores(compiled.space.dofs().begin_active()))
@@ -69,8 +69,8 @@ System in_plane_shear(const Compiled& compiled) {
 /// A reading and its values at the ends of the steps.
 using History = std::pair<std::string, Eigen::RowVectorXd>;
 
-/// Histories half of `height` under the top of a column `total` high, in cells of one size. They are read in the middle
-/// of a cell, since W jumps between cells.
+/// Histories half of `height` under the top of a column `total` high, in cells of one size. They are read in the
+/// middle of a cell, as W is discontinuous between cells.
 std::vector<History> histories(const Hit& hit, double height, double total, double end) {
   const int cells = static_cast<int>(std::lround(40. * total / height));
   const auto lines = even_lines(0., total, cells);

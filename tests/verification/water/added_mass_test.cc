@@ -1,6 +1,6 @@
 // Claims: incompressible water in front of a rigid wall that accelerates gives the force, the moment and the pressure
 // over the depth of the exact series, in reservoirs of any length, closed or open at their far end; 8 cells over the
-// depth do for 0.1 %, and closing a sea three depths off costs 1.5e-4 of the force.
+// depth are enough for 0.1 %, and a closed end at three depths changes the force by 1.5e-4.
 // Source: tests/reference/ref6_water.json, `added_mass` (series, checked against 14 zeta(3)/pi^3 rho h^2).
 // Limits: 0.1 % of force and moment at 8 and 10 cells; pressures 0.5 % of the largest.
 
@@ -33,7 +33,7 @@ std::string title(const Json& entry, int cells) {
   return length + ", " + std::to_string(cells) + " cells over the depth";
 }
 
-/// One entry of the table on one mesh: force, lever arm, pressures. Gives the pressures for a figure.
+/// Compares one entry of the table on one mesh: force, lever arm, pressures. Returns the pressures for a figure.
 std::vector<double> compare(Record& record, const Json& entry, int cells) {
   ReservoirShape shape;
   shape.depth = entry.at("h");
@@ -86,7 +86,7 @@ TEST(AddedMass, ConvergesWithTheCells) {
                           " cells over the depth: relative error of the added mass",
                       errors.back());
     }
-    // The pressure is s log s at the level on the wall, so no degree brings more than order 2.
+    // At the level on the wall the pressure is like s log s, so no degree has an order above 2.
     record.at_least("order of the added mass, phi of degree " + std::to_string(degree), order(sizes, errors), 1.9);
   }
 }

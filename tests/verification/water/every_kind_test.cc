@@ -1,5 +1,5 @@
-// Claims: with every kind of region and of side at once M, C and K are symmetric, and a march by either scheme accounts
-// for its energy and for both routes to F_T.
+// Claims: with every kind of region and of side at once M, C and K are symmetric, and in a march by either scheme the
+// balance of energy closes and both routes to F_T agree.
 // Source: docs/theory.md. Limits: 1e-13 of each matrix's largest entry; 1e-8 for the identities.
 
 #include <gtest/gtest.h>

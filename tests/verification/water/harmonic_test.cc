@@ -1,9 +1,9 @@
 // Claims: compressible water in front of a wall that moves harmonically gives the exact complex force at every
-// frequency. Below the cut-off frequency of the first mode, where nothing is radiated, that of the endless reservoir;
-// above it, that of a reservoir whose far end absorbs upright plane waves, with which the absorbing side is checked
-// against its closed form at a finite length.
-// Source: tests/reference/ref6_water.json, `harmonic`, and modal_force in reservoir.cc, which the table checks in turn.
-// Limit: 0.5 % of the force.
+// frequency. Below the cut-off frequency of the first mode, where no wave is radiated, it is that of the endless
+// reservoir; above it, that of a reservoir whose far end absorbs plane waves of normal incidence, which checks the
+// absorbing side against its closed form at a finite length.
+// Source: tests/reference/ref6_water.json, `harmonic`, and modal_force in reservoir.cc, which is compared with the
+// table. Limit: 0.5 % of the force.
 
 #include <gtest/gtest.h>
 
@@ -39,8 +39,8 @@ double relative(const Complex& found, const Complex& exact) {
   return std::abs(found - exact) / std::abs(exact);
 }
 
-/// Largest error of the force in a reservoir of 3 h, over the force in the endless one: that in a closed or open one
-/// vanishes at some frequencies.
+/// Largest error of the force in a reservoir of 3 h, over the force in the endless reservoir, as the force in a
+/// closed or open reservoir vanishes at some frequencies.
 double largest_error_in_three_depths(const Json& table, PressureCondition far) {
   const Sea sea(table);
   double worst = 0.;

@@ -1,6 +1,6 @@
-// Claims: a uniform pressure in sea, rubble and sand pushes a wet caisson neither to a side nor over, lifts it by its
-// width, and loads the ground nowhere but at its outer sides: on wet faces the water's pressure and that of the pores
-// cancel, whatever the cells' shape, the degree and the flow.
+// Claims: a uniform pressure in sea, rubble and sand causes neither a horizontal force nor a moment on a wet caisson,
+// an uplift of the pressure times its width, and no force on the ground except at its outer sides: on wet faces the
+// pressures of sea and pores cancel, whatever the shape of the cells, the degree and the flow.
 // Source: Archimedes and Pascal; the system's own C with uniform phi'. Biot's coefficient is 1.
 // Limit: round-off, 1e-12 of the pressure times the water's depth.
 
@@ -32,7 +32,7 @@ Scene submerged(Flow mound, int degree) {
   return scene;
 }
 
-/// Forces on the unknowns from 1 Pa everywhere.
+/// Forces on the unknowns by a pressure of 1 Pa everywhere.
 Vector forces_of_unit_pressure(const System& system) {
   Vector pressure = Vector::Zero(system.size());
   for (int i = 0; i < system.size(); ++i)
@@ -40,7 +40,7 @@ Vector forces_of_unit_pressure(const System& system) {
   return -(system.C * pressure);
 }
 
-/// Largest |force| on an unknown other than these.
+/// Largest |force| on an unknown that is not in `others`.
 double largest_beside(const Vector& force, const std::set<int>& others) {
   double largest = 0.;
   for (int i = 0; i < force.size(); ++i)
@@ -65,7 +65,7 @@ void check_uniform_pressure(Record& record, const std::string& title, const Scen
   for (const unsigned component : {0u, 1u})
     for (const int i : unknowns_on(compiled, "bed", component)) {
       others.insert(i);
-      dry += std::abs(force[i]);  // nothing where the bed is wet
+      dry += std::abs(force[i]);  // zero where the bed is wet
     }
   record.at_most(title + ": largest force on any unknown of the ground that is not on the bed, over p h",
                  largest_beside(force, others) / depth, 1e-12);

@@ -68,7 +68,7 @@ Reservoir::Reservoir(const ReservoirShape& shape, const Fluid& fluid, const std:
 System Reservoir::with_readings() const {
   System system = compiled_->scene.system;
   const int x = compiled_->unknowns.coordinate(0, motion_x), turn = compiled_->unknowns.coordinate(0, motion_rotation);
-  const Row force = row_of(system.C, x, -1.);  // C x' is what the wall gives to the water
+  const Row force = row_of(system.C, x, -1.);  // C x' is the force of the wall on the water
   Row moment = row_of(system.C, turn, -1.);    // about the wall's middle
   for (const auto& [i, weight] : force) moment.emplace_back(i, wall_centre_ * weight);
   system.readings.push_back({"force", "N/m", "force of the water on the wall", {}, force, {}, {}});
@@ -117,7 +117,7 @@ std::complex<double> per_acceleration(const System& water, double omega, const s
 }
 
 // Mode n is cos(lambda y) (e^(-kappa s) + R e^(kappa (s - 2 L))) at the distance s from the wall; at the far end
-// dp/ds = 0 (R = 1), p = 0 (R = -1) or dp/ds = -i omega p / c, which lets out what meets it upright.
+// dp/ds = 0 (R = 1), p = 0 (R = -1) or dp/ds = -i omega p / c, which absorbs waves of normal incidence.
 std::complex<double> modal_force(double depth, double length, double c, double omega, PressureCondition far) {
   const double pi = std::acos(-1.);
   Complex sum = 0.;

@@ -1,5 +1,5 @@
-// Water of one depth in front of a rigid upright wall, as in tests/reference/ref6_water.json: what the wall stands on
-// is left out, and of its motion only that along x stays.
+// Water of one depth in front of a rigid upright wall, as in tests/reference/ref6_water.json: the ground of the wall
+// is left out, and the wall can move only along x.
 #pragma once
 
 #include <complex>
@@ -29,8 +29,8 @@ class Reservoir {
 
   /// The water alone. Its load is the velocity (m/s) of the wall towards the water.
   System water(const TimeFunction& velocity) const;
-  /// With the wall, of a mass (kg/m), on a dashpot (Pa s) and a spring (Pa), under a landward force (N/m). Also reads
-  /// "displacement" (m, landward) and "support", k x + c_d x' (N/m).
+  /// The water and the wall, which has a mass (kg/m), on a dashpot (Pa s) and a spring (Pa), under a landward force
+  /// (N/m). Also reads "displacement" (m, landward) and "support", k x + c_d x' (N/m).
   System with_wall(double mass, double dashpot, double spring, const TimeFunction& force) const;
 
  private:
@@ -45,7 +45,7 @@ class Reservoir {
 Fluid incompressible_water(const Json& entry);
 Fluid compressible_water(const Json& entry);
 
-/// What one unit of the wall's acceleration brings to the reading: at a frequency (rad/s; 0: slow motion), complex.
+/// The reading per unit of the wall's acceleration at a frequency (rad/s; 0: slow motion), complex.
 std::complex<double> per_acceleration(const System& water, double omega, const std::string& reading);
 
 /// Force on the wall over rho a h^2, by modes: `length` infinite where it is not positive.

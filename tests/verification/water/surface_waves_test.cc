@@ -1,4 +1,4 @@
-// Claim: with gravity waves at its level, water in a closed basin stands in waves of the exact frequencies.
+// Claim: with gravity waves at its level, water in a closed basin has standing waves of the exact frequencies.
 // Source: omega^2 = g k tanh(k h), k = n pi / L (linear waves; Lamb, Hydrodynamics, art. 228 and 257), against the
 // eigenvalues of the water's own M and K.
 // Limit: 0.1 % of the frequency.
@@ -14,8 +14,8 @@
 namespace upbead::test {
 namespace surface_waves_test {
 
-/// Squares of the circular frequencies, ascending, without the first: a uniform rise costs no force. M holds the level
-/// only, so K phi = omega^2 M phi is turned about: M phi = mu (K + s M) phi.
+/// Squares of the circular frequencies, ascending, without the first: a uniform rise costs no force. M has entries
+/// only at the level, so K phi = omega^2 M phi is inverted: M phi = mu (K + s M) phi.
 std::vector<double> squares_of_frequencies(const System& water, double shift, int count) {
   const Eigen::MatrixXd M = -Eigen::MatrixXd(water.M), K = -Eigen::MatrixXd(water.K);
   const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(M, K + shift * M, Eigen::EigenvaluesOnly);

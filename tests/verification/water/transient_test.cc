@@ -1,6 +1,6 @@
-// Claims: a wall that is moved with a given acceleration meets the exact force of compressible water, and a wall on
-// spring and dashpot under a triangular force, with compressible and with incompressible water before it, moves and is
-// held exactly as it must; marched by SDIRK4.
+// Claims: marched by SDIRK4, the force of compressible water on a wall with a given acceleration is exact, and so are
+// motion and support force of a wall on spring and dashpot under a triangular force, with compressible and with
+// incompressible water in front of it.
 // Source: tests/reference/ref6_water.json, `step_acceleration` and `coupled`: Laplace inversion, checked by convolution
 // with J0 and by Volterra's equation; with incompressible water the oscillator with the added mass.
 // Limit: 0.5 % of the largest value of each history.
@@ -36,8 +36,8 @@ TimeFunction velocity_under_triangle(double duration) {
            [=](double) { return 0.5 * duration; }}};
 }
 
-/// Long enough that nothing comes back from its end until `end` (s). Cells stay square: where they grow to twice their
-/// length, what is left of the water's force after a pulse of 10 ms is wrong by 2 %.
+/// Long enough that no reflection arrives from its end until `end` (s). Cells are square: if they grow to twice their
+/// length, the remaining force of the water after a pulse of 10 ms is wrong by 2 %.
 ReservoirShape endless(const Json& entry, double end) {
   ReservoirShape shape;
   shape.depth = entry.at("h");
@@ -84,7 +84,7 @@ void compare(Record& record, const Json& entry, const std::string& model) {
   const double step = std::min(1e-3, entry.at("td").get<double>() / 40.);
   const Response response = marched(system, times.back(), step);
   std::vector<double> of_water = read(system, response, "force", times);
-  for (double& force : of_water) force = -force;  // the table's is what the wall gives to the water
+  for (double& force : of_water) force = -force;  // the table has the force of the wall on the water
   const std::string title = model + ", " + milliseconds(entry.at("td")) + (entry.at("cd") > 0. ? ", damped" : "") +
                             (finite ? ", closed at 2 h" : "");
   const std::vector<double> support = read(system, response, "support", times);

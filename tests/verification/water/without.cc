@@ -6,7 +6,7 @@ namespace upbead::test {
 
 namespace {
 
-/// `to` holds the new index of every unknown; -1 where it is gone.
+/// `to` holds the new index of every unknown; -1 if it was removed.
 Row kept(const Row& row, const std::vector<int>& to) {
   Row out;
   for (const auto& [i, weight] : row)
@@ -14,7 +14,7 @@ Row kept(const Row& row, const std::vector<int>& to) {
   return out;
 }
 
-/// New index of the first unknown from `i` on that is left.
+/// New index of the first remaining unknown from `i` on.
 int first_left(int i, const std::vector<int>& to, int n_left) {
   while (i < static_cast<int>(to.size()) && to[static_cast<std::size_t>(i)] < 0) ++i;
   return i < static_cast<int>(to.size()) ? to[static_cast<std::size_t>(i)] : n_left;

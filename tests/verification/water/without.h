@@ -1,4 +1,4 @@
-// Taking unknowns out of a compiled system.
+// Removes unknowns from a compiled system.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace upbead::test {
 
-/// The system in which these unknowns stay zero: their rows and columns are gone. No prescribed unknown may be one.
+/// The system in which these unknowns stay zero: their rows and columns are removed. None of them may be prescribed.
 System without(const System& system, const std::vector<int>& gone);
 
 /// Unknowns of one component (0, 1: u; 4: phi) on the whole mesh; coordinates of rigid bodies are none of them.

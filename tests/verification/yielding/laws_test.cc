@@ -1,5 +1,5 @@
-// Claims about the laws by themselves: Masing's loops close; G and damping over strain are those of the closed form; no
-// random path gives energy back; tangents are those of differences; every return ends on its plane, edge or corner.
+// Claims about the laws alone: Masing's loops close; G and damping over strain are those of the closed form; no
+// random path releases energy; tangents are those of differences; every return ends on its plane, edge or corner.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -94,7 +94,7 @@ TEST(MohrCoulombLaw, MillionRandomPathsTakeEnergyAndStayWithin) {
     const MohrCoulombLaw law(small_strain, {phi, cohesion, psi, kind % 5 == 0 ? 3e3 : 0.});
     for (int path = 0; path < 1000; ++path) {
       MohrCoulombLaw::State state{{-50e3, -80e3, 0., -60e3}, {}};
-      law.update({}, state);  // into what is allowed
+      law.update({}, state);  // returns the initial stress to the admissible range
       const PlaneStrain strain = random_strain(random, 1e-3);
       const LawAnswer answer = law.update(strain, state);
       const double size = std::abs(answer.stress.xx) + std::abs(answer.stress.yy) + std::abs(answer.stress.zz) + 1e4;
@@ -107,8 +107,8 @@ TEST(MohrCoulombLaw, MillionRandomPathsTakeEnergyAndStayWithin) {
   record.at_most("Mohr-Coulomb, 10^6 random paths: most energy given back, over stress times strain", -least, 1e-9);
 }
 
-/// Where a returned stress must lie: sorted principal stresses that are equal, and whether at the limits of shear and
-/// tension.
+/// The required position of a returned stress: which of the sorted principal stresses are equal, and whether it is at
+/// the limits of shear and of tension.
 struct Kind {
   const char* name;
   double xx, yy, zz;  ///< the trial stress (kPa)
@@ -131,7 +131,7 @@ TEST(MohrCoulombLaw, ReturnsToEveryPlaneEdgeAndCorner) {
                         {"corner of shear, tension and extension", 108.6, -0.1, -0.1, 2, true, true}};
   for (const Kind& kind : kinds) {
     double worst = 0.;
-    for (int turn = 0; turn < 6; ++turn) {  // whichever of x, y and z each of them is
+    for (int turn = 0; turn < 6; ++turn) {  // for every order of x, y and z
       const double of[] = {kind.xx, kind.yy, kind.zz};
       const int order[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
       const int* o = order[turn];
@@ -149,7 +149,7 @@ TEST(MohrCoulombLaw, ReturnsToEveryPlaneEdgeAndCorner) {
   }
 }
 
-/// Columns of the tangent by differences of both sides; left out where another element or plane yields in between.
+/// Columns of the tangent by central differences; left out if another element or plane yields in between.
 template <class Law, class Make>
 double tangent_error(const Law& law, const Make& start, double size, double step, int n, int& compared) {
   std::mt19937 random(5);

@@ -1,8 +1,8 @@
-// Claim: a saturated Mohr-Coulomb soil that is squeezed in plane strain fails at its undrained strength, q = 2 (c' cos
-// phi' + p0 sin phi'), where water cannot leave and psi = 0, and at the drained one, q = (k - 1) p0 + 2 c' sqrt(k), k =
-// (1 + sin phi')/(1 - sin phi'), where it can. Undrained the volume stays, and with it the mean effective stress of the
-// plane, elastic or not. Drained it flows by psi = phi': with psi = 0 it yields under the same load, but its
-// stress is not even as it flows, so that nothing exact is left to compare with.
+// Claim: a saturated Mohr-Coulomb soil that is squeezed in plane strain fails at its undrained strength, q = 2 (c'
+// cos phi' + p0 sin phi'), if water cannot leave and psi = 0, and at its drained strength, q = (k - 1) p0 + 2 c'
+// sqrt(k), k = (1 + sin phi')/(1 - sin phi'), if water can leave. Undrained, the volume and so the mean effective
+// stress of the plane are constant, elastic or not. Drained, psi = phi': with psi = 0 the soil yields under the same
+// load, but its stress is not uniform as it flows, so that there is no exact solution to compare with.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,8 +15,8 @@ namespace upbead::test {
 namespace limits_test {
 
 constexpr double p0 = 100e3, pi = 3.14159265358979323846;
-/// The load grows to 1.001 of the strength, and stays. What exceeds the strength is borne by inertia alone: it and what
-/// it does to the stresses, which are not even any more, is kept small.
+/// The load grows to 1.001 of the strength, and stays. The load above the strength is balanced by inertia alone; it
+/// is kept small, as it makes the stresses non-uniform.
 constexpr double top = 1.001, grown = 2., end = 3.5, step = 2.5e-3;
 
 struct Soil {
@@ -28,7 +28,7 @@ double undrained_strength(const Soil& s) {
   return 2. * (s.cohesion * std::cos(phi) + p0 * std::sin(phi));
 }
 
-/// Under a horizontal stress (Pa, compression positive).
+/// The drained strength under a horizontal stress (Pa, compression positive).
 double drained_strength(const Soil& s, double side = p0) {
   const double sine = std::sin(s.friction_angle * pi / 180.), k = (1. + sine) / (1. - sine);
   return (k - 1.) * side + 2. * s.cohesion * std::sqrt(k);
@@ -78,7 +78,8 @@ void check(const YieldingMarch& found, const Soil& s, double strength, bool drai
              sinks = found.history("probes/top/displacement_y");
   record.at_most(what + "load at which it yields, relative", std::abs(first_yield(found, strength) / strength - 1.),
                  1.1 * step / grown);
-  // inertia of the sides, which part, presses a little on the middle: the strength is that under the stress there
+  // inertia of the sides, which move outwards, causes a small pressure in the middle: the strength is that under the
+  // stress there
   double most = 0.;
   for (Eigen::Index i = 0; i < xx.size(); ++i)
     most = std::max(most, (xx[i] - yy[i]) / (drained ? drained_strength(s, p0 - xx[i]) : strength));

@@ -12,11 +12,11 @@ std::vector<std::vector<double>> sliders(const ShearSoil& soil, int n) {
     gamma.push_back(x * soil.gamma_r);
     tau.push_back(soil.G * gamma.back() / (1. + x));
   }
-  // the first line has slope G and runs into that through the first two points
+  // the first line has slope G and ends on the line through the first two points
   const double second = (tau[1] - tau[0]) / (gamma[1] - gamma[0]);
   gamma[0] = (tau[0] - second * gamma[0]) / (soil.G - second);
   tau[0] = soil.G * gamma[0];
-  std::vector<std::vector<double>> found;  // stiffness and largest stress
+  std::vector<std::vector<double>> found;  // stiffness and strength of each slider
   double slope = soil.G;
   for (int i = 0; i < n; ++i) {
     const double next = i + 1 < n ? (tau[i + 1] - tau[i]) / (gamma[i + 1] - gamma[i]) : 0.;
@@ -28,7 +28,7 @@ std::vector<std::vector<double>> sliders(const ShearSoil& soil, int n) {
 
 namespace {
 
-/// Elements of a column with what each slider has slid.
+/// Elements of a column, with the slip of each slider.
 class Springs {
  public:
   Springs(const ShearSoil& soil, int n_elements, int n_sliders)

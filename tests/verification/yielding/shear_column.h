@@ -1,5 +1,6 @@
-// A column of hysteretic soil in shear as a program of its own, in one dimension: linear elements, lumped masses,
-// explicit steps, and in each element springs with sliders side by side (Iwan 1967). It knows nothing of the program.
+// An independent computation of a column of hysteretic soil in shear, in one dimension: linear elements, lumped
+// masses, explicit steps, and in each element parallel springs with sliders (Iwan 1967). It uses no code of the
+// program.
 #pragma once
 
 #include <functional>
@@ -12,7 +13,7 @@ struct ShearSoil {
   double gamma_r = 0.;     ///< of the hyperbola G gamma/(1 + gamma/gamma_r)
   double density = 0.;     ///< kg/m3
   double height = 0.;      ///< m
-  bool absorbing = false;  ///< below it the same soil goes on, elastic; else it stands on rock
+  bool absorbing = false;  ///< true: the same soil continues below, elastic; false: rock below
 };
 
 struct ShearHistory {
@@ -20,8 +21,8 @@ struct ShearHistory {
   std::vector<double> strain, stress;                ///< of a height
 };
 
-/// A polygon through n points of the hyperbola at strains from gamma_r/100 to 30 gamma_r, equally far apart in their
-/// logarithms, level beyond.
+/// A polygon through n points of the hyperbola at strains from gamma_r/100 to 30 gamma_r, equally spaced in their
+/// logarithms; beyond them it is constant.
 std::vector<std::vector<double>> sliders(const ShearSoil& soil, int n);
 
 /// Under a shear stress tau(t) (Pa) at the top, to the end (s); `at`: height of strain and stress (m). Kept at n_kept

@@ -1,6 +1,7 @@
-// Claim: a wide layer of hysteretic soil under a strong shear wave moves as a column in one dimension of a program of
-// its own, at three amplitudes, on rock and on ground that goes on. The layer is so wide that its sides are not felt in
-// its middle before the end. Cells of 20 m along it feel them even so, by 8 % of the displacement of the top.
+// Claim: a wide layer of hysteretic soil under a strong shear wave has the motion of an independently computed column
+// in one dimension, at three amplitudes, on rock and on ground that continues. The layer is so wide that waves from
+// its sides do not reach the middle before the end. With cells of 20 m along the layer the sides nevertheless have an
+// effect of 8 % of the displacement of the top.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,7 +15,7 @@ namespace upbead::test {
 namespace shear_column_test {
 
 constexpr double height = 12., half_width = 80., end = 0.28;
-constexpr double middle = 2.328125;  // of an element of the program in one dimension (m)
+constexpr double middle = 2.328125;  // height of the middle of an element of the one-dimensional column (m)
 const ShearSoil soil{40e6, 5e-4, 1800., height, false};
 
 /// A wave of one period and a half, smooth at both ends.
@@ -35,8 +36,8 @@ TimeFunction sampled_wave(double amplitude) {
   return piecewise_linear(t, f);
 }
 
-/// The strongest wave steepens, as its crest is softer than its foot, and needs cells and steps half as large: with the
-/// others' it errs by 1.5 to 2 % in the displacement of the top and up to 8 % in strain.
+/// The strongest wave steepens, as its crest is softer than its foot, and needs cells and steps half as large: with
+/// those of the weaker waves its errors are 1.5 to 2 % in the displacement of the top and up to 8 % in strain.
 struct Resolution {
   int cells;
   double step;
@@ -83,7 +84,7 @@ Scene layer_scene(const TimeFunction& shear, bool absorbing) {
   return scene;
 }
 
-/// The layer weighs, which a virgin overlay does not bear: the stress at rest does not count.
+/// The layer has weight, which a virgin overlay does not bear: the stress at rest is taken as zero.
 PointsOfCells virgin(const Compiled& compiled) {
   const std::size_t n = compiled.space.mesh().triangulation.n_active_cells();
   EffectiveStress rest;
@@ -97,7 +98,8 @@ TEST_P(ShearColumn, MovesAsAProgramInOneDimension) {
   const bool absorbing = GetParam();
   Record record("yielding_column");
   const std::string where = absorbing ? "on ground that goes on, " : "on rock, ";
-  for (const double amplitude : {0.1, 0.6, 1.6}) {  // of the stress at which the hyperbola has lost half of G
+  // over the stress at which the secant modulus of the hyperbola is G/2
+  for (const double amplitude : {0.1, 0.6, 1.6}) {
     const auto [cells, step] = resolution(amplitude);
     const auto mesh = layer(cells);
     const double peak = amplitude * 0.5 * soil.G * soil.gamma_r;

@@ -1,7 +1,7 @@
 // Claim: a block on a thin layer of stiff soil with phi = 0 slides as a rigid block on cohesive friction F = s_u B, m
-// x'' = P - F, and comes to rest where the exact motion does, under steep and slow pulses. What the layer's elasticity
-// adds, 2.5e-3 of the steep slide and as 1/G, is that of an elastic, perfectly plastic spring G B / h.
-// tests/run/yielding_run_test.cc has the same block as a case, under a symmetric pulse.
+// x'' = P - F, and comes to rest at the place of the exact motion, under steep and slow pulses. The effect of the
+// layer's elasticity, 2.5e-3 of the steep slide and proportional to 1/G, is that of an elastic, perfectly plastic
+// spring G B / h. tests/run/yielding_run_test.cc has the same block as a case, under a symmetric pulse.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -36,8 +36,8 @@ double exact_slide(const Pulse& pulse) {
   return x + 0.5 * v * v * mass / F;
 }
 
-/// Where a block on an elastic, perfectly plastic spring stands in the end, by explicit steps; after its last slip it
-/// swings about where it will rest.
+/// Final position of a block on an elastic, perfectly plastic spring, by explicit steps; after its last slip it
+/// oscillates about its position of rest.
 double slide_on_spring(const Pulse& pulse) {
   const TimeFunction P = triangle(pulse.peak, pulse.duration, pulse.rise);
   constexpr double step = 2e-6, k = G * B / h;
@@ -66,7 +66,8 @@ Scene block_on_layer(const Pulse& pulse) {
   Region soil, block;
   soil.kind = RegionKind::solid;
   soil.deformation = Deformation::elastic;
-  soil.density = 2.;  // a five thousandth of the block's mass; none at all leaves what flows without any stiffness
+  // the layer has 1/5000 of the block's mass; without mass, flowing soil would have no stiffness at all
+  soil.density = 2.;
   soil.poissons_ratio = 0.3;
   soil.shear_modulus = G;
   soil.law = SoilLaw::mohr_coulomb;
@@ -92,7 +93,7 @@ TEST(RigidPlasticLayer, BlockSlidesAsFarAsItIsExact) {
     const Scene scene = block_on_layer(pulse);
     const auto law =
         std::make_shared<const MohrCoulombLaw>(elastic_law(G, 0.3), MohrCoulombStrength{0., pulse.strength, 0., 1e6});
-    // under a weight that keeps it pressed
+    // under compression, so that it does not part
     const PointsOfCells pressed = [law](unsigned, unsigned) {
       return soil_point(law, PlaneStress{-98e3, -98e3, 0., -98e3});
     };

@@ -1,7 +1,7 @@
-// Claim: under small loads soil that yields answers as linear soil does, to 1e-6 of every reading: hysteretic soil that
-// was never loaded, and Mohr-Coulomb soil whose stress at rest lies within its strength. From the starts k0 and gravity
-// hysteretic soil yields from the first strain on, under the smallest load, as some of its elements have yielded at
-// rest: by how much is told.
+// Claim: under small loads the response of soil that yields is that of linear soil, to 1e-6 of every reading:
+// hysteretic soil that was never loaded, and Mohr-Coulomb soil whose stress at rest lies within its strength. From
+// the starts k0 and gravity hysteretic soil yields from the first strain on, under the smallest load, as some of its
+// elements have yielded at rest: the difference is recorded.
 #include <cmath>
 
 #include "tensor_mesh.h"
@@ -20,8 +20,8 @@ Scene prototype() {
   return scene;
 }
 
-/// A block of somebody else's: on a thin bed of rubble over stiff sand over soft clay, sides and base that absorb
-/// waves, no pore water in the rubble, no damping.
+/// Another section: a block on a thin bed of rubble over stiff sand over soft clay, sides and base that absorb waves,
+/// no pore water in the rubble, no damping.
 Scene layered() {
   Scene scene;
   Region clay = sand(), stiff = sand(), bed = rubble(), block;

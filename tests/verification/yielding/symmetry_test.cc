@@ -1,5 +1,6 @@
-// Claims, on two unlike scenes whose soil yields: a mirrored mesh gives the mirrored answer, other units and a similar
-// model give the same answer, both routes to F_T agree, the energy account closes with what the soil took.
+// Claims, on two different scenes whose soil yields: a mirrored mesh gives the mirrored result, other units and a
+// similar model give the same result, both routes to F_T agree, and the balance of energy closes with the energy
+// taken by the soil.
 #include <deal.II/grid/grid_tools.h>
 #include <gtest/gtest.h>
 
@@ -39,7 +40,7 @@ double difference(const Eigen::RowVectorXd& a, const Eigen::RowVectorXd& b) {
                                                               : 1.;
 }
 
-/// Factors of lengths, times and densities; those of all else follow.
+/// Factors of lengths, times and densities, from which all other factors follow.
 struct Factors {
   double length, time, density;
   double stress() const { return density * length * length / (time * time); }

@@ -12,7 +12,7 @@
 namespace upbead::test {
 
 struct YieldingMarch {
-  /// The soil's laws are those of the scene at rest; or `points`, where they are given.
+  /// The soil's laws are those of the scene at rest, or `points` if they are given.
   YieldingMarch(const Scene& scene, const Mesh& mesh, double end, double step, const PointsOfCells& points = {},
                 double tolerance = 1e-9);
 

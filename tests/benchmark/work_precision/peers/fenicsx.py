@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The peers' scene in FEniCSx: Taylor-Hood elements, a rigid caisson, everything assembled and factorised once.
+"""The peers' scene in FEniCSx: Taylor-Hood elements, a rigid caisson, all matrices assembled and factorised once.
 
 usage: fenicsx.py MESH.npz [--triangles] [--degree 2] [--rho 1] [--step S] [--solver amd | nd | mumps]
                   -o OUTPUT.npz
@@ -76,13 +76,13 @@ def dofs_on(space, facets):
 
 
 def kept(size, dropped):
-    """The matrix that spreads the unknowns that are not dropped over all."""
+    """The matrix that maps the unknowns that are not dropped to all unknowns."""
     keep = np.setdiff1d(np.arange(size), dropped)
     return sp.csr_matrix((np.ones(len(keep)), (keep, np.arange(len(keep)))), shape=(size, len(keep)))
 
 
 def spreading(scene, V, Q, on):
-    """T: (u, phi) of all nodes from the free ones and, last, the caisson's coordinates (x_G, y_G, rotation)."""
+    """T: (u, phi) of all nodes from the free unknowns and, last, the caisson's coordinates (x_G, y_G, rotation)."""
     base, bottom = dofs_on(V, on("base")), dofs_on(V, on("bottom"))
     sides = np.concatenate([dofs_on(V, on("left")), dofs_on(V, on("right"))])
     n = 2 * V.dofmap.index_map.size_local
@@ -98,7 +98,7 @@ def spreading(scene, V, Q, on):
 
 
 def system(scene, path, triangles, degree):
-    """M, C, K of the free unknowns; the last three are the caisson's."""
+    """M, C, K of the free unknowns; the last three are the caisson's coordinates."""
     domain, regions, on = read_mesh(path, triangles)
     V, Q, (Muu, Kuu, Cup, Mpp, Cpp) = matrices(scene, domain, regions, degree)
     T = spreading(scene, V, Q, on)

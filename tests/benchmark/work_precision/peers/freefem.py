@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Prints the numbers that freefem.edp reads, and tells how to call it.
+"""Prints the numbers that freefem.edp reads, and gives the command that runs it.
 
 usage: freefem.py [STEP [RHO]]
 
@@ -15,7 +15,7 @@ FOLDER = pathlib.Path(__file__).resolve().parent
 
 
 def numbers(scene, rho, step, adapt=(0.0, 0.0)):
-    """What freefem.edp reads. adapt: err and hmax (m) of adaptmesh, err 0: the mesh as it is."""
+    """The input of freefem.edp. adapt: err and hmax (m) of adaptmesh; err 0: the given mesh."""
     soils = list(scene.soils.values())
     af, am = (rho / (1 + rho), (2 * rho - 1) / (1 + rho)) if rho < 1 else (0.0, 0.0)
     rows = [[s.G, s.lame, s.rho, s.storage, s.mobility] for s in soils]

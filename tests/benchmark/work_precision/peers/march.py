@@ -26,7 +26,7 @@ def factorised(A, solver):
     if solver == "mumps":
         pc.setFactorSolverType("mumps")
         options["mat_mumps_icntl_7"] = 5  # METIS
-        options["mat_mumps_icntl_14"] = 50  # percent of work space on top
+        options["mat_mumps_icntl_14"] = 50  # per cent of additional work space
         options["mat_mumps_cntl_1"] = 0.0  # no pivoting
     else:
         pc.setFactorSolverType("petsc")
@@ -61,7 +61,7 @@ def march(scene, matrices, rho, step, solver):
     steps = round(scene.end / h)
     times, shear = np.zeros(steps + 1), np.zeros(steps + 1)
     for i in range(steps):
-        # rhs = -C v_mid - K x_mid - am M a, of what is known
+        # rhs = -C v_mid - K x_mid - am M a with the known parts of the values
         np.multiply(a, (1 - af) * (1 - gamma) * h, out=mid)
         mid += v
         C.mult(mid_, rhs_)

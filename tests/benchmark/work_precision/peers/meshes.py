@@ -1,11 +1,12 @@
 #!/usr/bin/python3
-"""Meshes of the soil alone for the peers, from upbead's own geometry; made beforehand, their time is not counted.
+"""Meshes of the soil alone for the peers, from upbead's own geometry; they are made beforehand, and this time is not
+counted.
 
 usage: meshes.py GEOMETRY.geo OUTPUT [NAME=VALUE ...]
 
 Writes OUTPUT.npz: points, quads, their regions, triangles (two per quad), and edges with the names of their curves;
-and OUTPUT.msh: the same for FreeFEM, in triangles, with the edges between soils, which adaptmesh must keep. The values replace the parameters of the geometry. The caisson is
-left out: it is rigid.
+and OUTPUT.msh: the same for FreeFEM, in triangles, with the edges between soils, which adaptmesh must keep.
+NAME=VALUE replaces a parameter of the geometry. The caisson is left out: it is rigid.
 """
 
 import pathlib

@@ -1,4 +1,4 @@
-"""The peers' scene in numbers: reads peer_scene.toml, and makes of it what every peer needs."""
+"""The peers' scene in numbers: reads peer_scene.toml and computes what every peer needs."""
 
 import math
 import pathlib
@@ -10,7 +10,7 @@ SCENE = pathlib.Path(__file__).resolve().parents[1] / "peer_scene.toml"
 
 @dataclass
 class Soil:
-    """Equations in docs/theory.md: rho u'' ..., storage 1/Q p', flow p/b."""
+    """Coefficients of the equations in docs/theory.md: rho u'' ..., storage 1/Q p', flow p/b."""
 
     G: float  # Pa
     lame: float  # Pa
