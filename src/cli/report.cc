@@ -154,7 +154,7 @@ std::string describe(const SafetySummary& s) {
   return text + ", not over " + significant(*s.upper, 4) + "; it gives way in " + s.fails_at + "\n";
 }
 
-/// What may yield, and why all else is linear; nothing where nothing may yield.
+/// What may yield, and why all else is linear.
 std::string describe(const YieldingExtent& extent) {
   if (extent.cells == 0) return "yielding    none: no region has law = \"hysteretic\" or \"mohr_coulomb\"\n";
   std::string text = format("yielding    %d of %d cells that deform may yield\n", extent.cells, extent.of);

@@ -34,7 +34,7 @@ Dissipative dissipative(const ReducedSystem& r) {
   return d;
 }
 
-/// Gives phi without storage a little of it, and damping. `p`: number of prescribed coordinates, the first ones.
+/// Gives phi without storage a little of it, and damping; coordinates that are prescribed come first and stay.
 void relax(const ReducedSystem& r, Dissipative& d) {
   std::vector<int> phi;
   for (int i = r.n_prescribed; i < r.size(); ++i)

@@ -24,7 +24,7 @@ class StaticSoil {
 
   /// Sets the laws from now on; the committed state stays, even where the new laws do not bear it.
   void follow(StaticLaws laws);
-  /// Where the tangent loses its stiffness, as at the apex of a cone, it keeps this share of the elastic one. The
+  /// Adds this share of the elastic stiffness to every tangent, which has none at the apex of a cone, for instance. The
   /// equilibrium does not change, as it depends on stresses alone; only the iterations do. A smaller share is faster
   /// where much of the soil has no strength and Newton's method lengthens its steps (StaticSteps::associated), and
   /// too small without that.

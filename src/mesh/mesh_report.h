@@ -1,4 +1,4 @@
-// Collects the mistakes of one mesh, all reported at the place that asked for the mesh, with the mesh's name.
+// Collects the mistakes of one mesh: reported at the place that asked for the mesh, with its name, or in its script.
 #pragma once
 
 #include <deal.II/base/point.h>

@@ -35,7 +35,7 @@ using testing::StartsWith;
 
 const ConfinedLimits generous;
 
-/// What fails, as a text: the number of the error of each call that returned below zero.
+/// Which calls failed, as a text: x for each that returned below zero, - for the others.
 std::string failed(std::initializer_list<long> results) {
   std::string text;
   for (const long result : results) text += result < 0 ? "x" : "-";

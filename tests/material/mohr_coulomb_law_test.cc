@@ -33,7 +33,8 @@ TEST(MohrCoulombLaw, ShearEndsAtTheStrengthOfThePlane) {
   }
 }
 
-/// Rate of plastic volume over plastic shear is -sin psi in the plane: with stress at its limit, so is that of strain.
+/// The rate of plastic volume (expansion positive) over that of plastic shear is sin psi in the plane; with the stress
+/// at its limit, all strain is plastic.
 TEST(MohrCoulombLaw, FlowWidensByTheDilatancyAngle) {
   const double psi = 12., p = 100e3;
   const MohrCoulombLaw law(elastic, {35., 5e3, psi, 0.});

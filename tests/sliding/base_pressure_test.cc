@@ -30,7 +30,7 @@ TEST(EdgePressures, BalanceThemOverTheWidthInContact) {
 }
 
 TEST(EdgePressures, StayFiniteWhereTheBottomStandsOnItsEdge) {
-  // on no less than a thousandth of the width
+  // the force stands no nearer to the edge than a thousandth of the width, on three times as much
   for (const double e : {6., 7.}) EXPECT_NEAR(edge_pressures(1e6, 1e6 * e, 12.).landward, 2e6 / 0.036, 1e-3) << e;
   for (const double force : {0., -1e6}) {
     EXPECT_EQ(edge_pressures(force, 1e6, 12.).landward, 0.);

@@ -38,7 +38,7 @@ class Soil {
     }
   }
 
-  /// Pressure of each layer over the half width; water flows from layer to layer, and slowly out at the top.
+  /// Pressure of each layer over the half width; water flows from layer to layer, and slowly out of each.
   void add_pores(int column, int first) {
     constexpr double storage = 2e-8, flow = 2e-7, leak = 1e-8;
     for (int i = 0; i < n_; ++i) {

@@ -24,7 +24,8 @@ struct Family {
 };
 
 /// The grid of [calibration], without what is beyond the formulas: H/h above 0.8 and waves above Miche's limit as in
-/// `waves` (validity.h), steepness outside the limits, berms below the caisson's bottom or the bed.
+/// `waves` (validity.h), waves too long for it (long_period), steepness outside the limits, berms below the caisson's
+/// bottom or the bed.
 Family make_family(const DesignTables& tables);
 
 /// The section with lengths times `scale` and weights times its square.

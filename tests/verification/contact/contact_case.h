@@ -21,11 +21,11 @@ void stiffen(Scene& scene);
 double caisson_mass();
 double submerged_weight();
 
-/// What a march with contact found.
+/// How the bottom slips and lifts: node by node, or as a whole.
 enum class Bottom { nodes, whole };
 
+/// Results of a march with contact.
 struct ContactMarch {
-  /// The bottom slips and lifts node by node, or as a whole.
   ContactMarch(const Scene& scene, const Mesh& mesh, double mu, double end, double step, Bottom bottom = Bottom::nodes);
 
   Compiled compiled;

@@ -109,7 +109,7 @@ TEST_P(SmallLoads, AreAnsweredAsByLinearSoil) {
                  largest_difference(marched(SoilLaw::mohr_coulomb, 500e3, RestStart::k0), linear), 1e-6);
   record.measured(where + "hysteretic from K_0",
                   largest_difference(marched(SoilLaw::hysteretic, 2e3, RestStart::k0), linear));
-  // and the march without yield is that of linear soil: the same scene by another scheme in half the steps
+  // and the march without yield is that of linear soil: the same scene by another scheme in a quarter of the step
   Scene elastic = scene;
   const Compiled compiled(elastic, *mesh);
   const Response exact = run(compiled, end, 0.25 * step);
