@@ -12,7 +12,7 @@ of every wave by the rise of its force.
 import argparse
 from pathlib import Path
 
-from common import beside, figure_argument, run, save
+from common import beside, figure_argument, save
 from upbead import figures
 from upbead.calibration_result import CalibrationResult
 from upbead.figures.calibration import MEASURES
@@ -33,4 +33,4 @@ def main():
 
 
 if __name__ == "__main__":
-    run(main)
+    main()

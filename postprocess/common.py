@@ -6,16 +6,18 @@ from pathlib import Path
 from upbead.errors import UpbeadError, UserError
 from upbead.kept import keep_inputs
 
-__all__ = ["UserError", "beside", "figure_argument", "keep_inputs", "run", "save"]
+__all__ = ["UserError", "beside", "figure_argument", "keep_inputs", "save"]
 
 
-def run(main):
-    """Runs a script's main function; an UpbeadError ends it with a message and exit code 1."""
-    try:
-        main()
-    except UpbeadError as error:
+def tell(kind, error, trace):
+    """Prints an UpbeadError as a message, be it of an import; the exit code is 1."""
+    if issubclass(kind, UpbeadError):
         print(f"{Path(sys.argv[0]).name}: {error}", file=sys.stderr)
-        sys.exit(1)
+    else:
+        sys.__excepthook__(kind, error, trace)
+
+
+sys.excepthook = tell
 
 
 def save(figure, path, *inputs):

@@ -11,7 +11,7 @@ drawn together.
 import argparse
 from pathlib import Path
 
-from common import beside, figure_argument, run, save
+from common import beside, figure_argument, save
 from upbead import figures
 from upbead.expected_result import ExpectedResult
 from upbead.figures.expected import LAWS
@@ -29,4 +29,4 @@ def main():
 
 
 if __name__ == "__main__":
-    run(main)
+    main()

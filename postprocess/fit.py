@@ -16,7 +16,7 @@ import json
 import tomllib
 from pathlib import Path
 
-from common import UserError, keep_inputs, run, save
+from common import UserError, keep_inputs, save
 from upbead import figures, fit
 
 
@@ -119,4 +119,4 @@ def write_histories(found, folder):
 
 
 if __name__ == "__main__":
-    run(main)
+    main()

@@ -11,7 +11,7 @@ import argparse
 import tempfile
 from pathlib import Path
 
-from common import UserError, run
+from common import UserError
 from pages import page, reference
 from pages.cases import ROOT, entries, solve
 
@@ -47,4 +47,4 @@ def main():
 
 
 if __name__ == "__main__":
-    run(main)
+    main()

@@ -10,7 +10,7 @@ those of `upbead reduce`, for `respond`, `expected` and `calibrate`; it shows th
 import argparse
 from pathlib import Path
 
-from common import UserError, keep_inputs, run
+from common import UserError, keep_inputs
 from upbead.lumped_model import Source, write_lumped
 
 
@@ -30,4 +30,4 @@ def main():
 
 
 if __name__ == "__main__":
-    run(main)
+    main()

@@ -7,7 +7,7 @@ Takes a gmsh mesh (.msh, text, 2.2 or 4.1), or a gmsh script (.geo) where the pr
 import argparse
 from pathlib import Path
 
-from common import UserError, run, save
+from common import UserError, save
 from upbead import figures, geo, msh
 
 
@@ -42,4 +42,4 @@ def main():
 
 
 if __name__ == "__main__":
-    run(main)
+    main()

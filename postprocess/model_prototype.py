@@ -11,7 +11,7 @@ import argparse
 import json
 from pathlib import Path
 
-from common import beside, figure_argument, run, save
+from common import beside, figure_argument, save
 from upbead import figures
 from upbead.figures.model_prototype import SCALES, STUDIES
 from upbead.study_table import StudyTable
@@ -32,4 +32,4 @@ def main():
 
 
 if __name__ == "__main__":
-    run(main)
+    main()

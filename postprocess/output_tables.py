@@ -12,7 +12,7 @@ import re
 import subprocess
 from pathlib import Path
 
-from common import run
+import common  # noqa: F401: its hook shows errors without a traceback
 
 HERE = Path(__file__).resolve().parent
 TABLES = re.compile(r"(<!-- upbead explain --outputs: (\w+) -->\n).*?(?=<!-- end -->\n)", re.DOTALL)
@@ -46,4 +46,4 @@ def main():
 
 
 if __name__ == "__main__":
-    run(main)
+    main()

@@ -8,7 +8,7 @@ The page needs no network and no other file; it can be mailed.
 import argparse
 from pathlib import Path
 
-from common import run
+import common  # noqa: F401: its hook shows errors without a traceback
 from upbead import page
 
 
@@ -23,4 +23,4 @@ def main():
 
 
 if __name__ == "__main__":
-    run(main)
+    main()

@@ -15,7 +15,7 @@ As a script it draws P and F_T of a wave in a CSV file, and |F_T / P| over frequ
 import argparse
 from pathlib import Path
 
-from common import run, save
+from common import save
 from upbead import figures
 from upbead.reduced_model import ModelError, ReducedModel, fine, phi_functions, read_wave
 
@@ -40,4 +40,4 @@ def main():
 
 
 if __name__ == "__main__":
-    run(main)
+    main()

@@ -8,7 +8,7 @@
 import argparse
 from pathlib import Path
 
-from common import UserError, run
+from common import UserError
 from pages import reference
 
 
@@ -25,4 +25,4 @@ def main():
 
 
 if __name__ == "__main__":
-    run(main)
+    main()

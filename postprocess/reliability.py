@@ -7,7 +7,7 @@ import argparse
 import json
 from pathlib import Path
 
-from common import UserError, run
+from common import UserError
 
 HEAD = """# Reliability
 
@@ -71,4 +71,4 @@ def main():
 
 
 if __name__ == "__main__":
-    run(main)
+    main()

@@ -8,7 +8,7 @@ The page needs no network and no other file; it can be mailed. It prints on A4, 
 import argparse
 from pathlib import Path
 
-from common import keep_inputs, run
+from common import keep_inputs
 from report import kinds, pdf
 from report.language import LANGUAGES
 from upbead.errors import UserError
@@ -46,4 +46,4 @@ def main():
 
 
 if __name__ == "__main__":
-    run(main)
+    main()

@@ -7,7 +7,7 @@ The panels are those of Figs. 2a and 2b of Shimosako and Takahashi (1994). A res
 import argparse
 from pathlib import Path
 
-from common import run, save
+from common import save
 from upbead import figures
 from upbead.results import Result
 
@@ -23,4 +23,4 @@ def main():
 
 
 if __name__ == "__main__":
-    run(main)
+    main()

@@ -15,7 +15,7 @@ design:
 import argparse
 from pathlib import Path
 
-from common import beside, figure_argument, run, save
+from common import beside, figure_argument, save
 from upbead import figures
 from upbead.figures.sliding_safety import FORMULAS
 from upbead.waves_result import read_waves
@@ -35,4 +35,4 @@ def main():
 
 
 if __name__ == "__main__":
-    run(main)
+    main()

@@ -10,7 +10,7 @@ FOLDER is the result of a run with regions.caisson.interface.kind = "friction".
 import argparse
 from pathlib import Path
 
-from common import beside, figure_argument, run, save
+from common import beside, figure_argument, save
 from upbead import figures
 from upbead.slip_result import SlipResult
 
@@ -26,4 +26,4 @@ def main():
 
 
 if __name__ == "__main__":
-    run(main)
+    main()

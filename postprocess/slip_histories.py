@@ -9,7 +9,7 @@ SLIDES is the folder of a run with regions.caisson.interface.kind = "friction", 
 import argparse
 from pathlib import Path
 
-from common import beside, figure_argument, run, save
+from common import beside, figure_argument, save
 from upbead import figures
 from upbead.results import Result
 from upbead.slip_result import SlipResult
@@ -28,4 +28,4 @@ def main():
 
 
 if __name__ == "__main__":
-    run(main)
+    main()

@@ -10,7 +10,7 @@ full size.
 import argparse
 from pathlib import Path
 
-from common import UserError, beside, figure_argument, run, save
+from common import UserError, beside, figure_argument, save
 from upbead import figures
 from upbead.study_table import StudyTable
 
@@ -30,4 +30,4 @@ def main():
 
 
 if __name__ == "__main__":
-    run(main)
+    main()

@@ -16,7 +16,7 @@ from pathlib import Path
 
 import numpy as np
 
-from common import UserError, run, save
+from common import UserError, save
 from upbead import figures
 from upbead.figures.stability import MEASURES, is_answered, measured, size, value
 
@@ -96,4 +96,4 @@ def main():
 
 
 if __name__ == "__main__":
-    run(main)
+    main()

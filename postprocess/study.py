@@ -10,7 +10,7 @@ with their rank correlation, and the distribution of the number. Several cases h
 import argparse
 from pathlib import Path
 
-from common import beside, figure_argument, run, save
+from common import beside, figure_argument, save
 from upbead import figures
 from upbead.study_table import StudyTable
 
@@ -28,4 +28,4 @@ def main():
 
 
 if __name__ == "__main__":
-    run(main)
+    main()

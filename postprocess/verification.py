@@ -9,7 +9,7 @@ import json
 import tomllib
 from pathlib import Path
 
-from common import UserError, run, save
+from common import UserError, save
 from upbead import figures
 
 PROBLEMS = Path(__file__).parent.parent / "tests/verification/problems.toml"
@@ -156,4 +156,4 @@ def main():
 
 
 if __name__ == "__main__":
-    run(main)
+    main()

@@ -15,7 +15,7 @@ from pathlib import Path
 
 import numpy as np
 
-from common import UserError, beside, figure_argument, run, save
+from common import UserError, beside, figure_argument, save
 from upbead import figures
 from upbead.waves_result import read_waves
 
@@ -47,4 +47,4 @@ def main():
 
 
 if __name__ == "__main__":
-    run(main)
+    main()

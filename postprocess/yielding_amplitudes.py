@@ -13,7 +13,7 @@ import argparse
 import tempfile
 from pathlib import Path
 
-from common import run, save
+from common import save
 
 import upbead
 from upbead import figures
@@ -61,4 +61,4 @@ def main():
 
 
 if __name__ == "__main__":
-    run(main)
+    main()

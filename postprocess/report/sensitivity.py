@@ -11,7 +11,7 @@ from report.units import quantity
 SHARE = 0.1
 SAME = 1e-3  # relative: accuracy of F_T between the times of the file
 FINER = 8  # times as many
-MOST_ROWS = 5000  # up to this number of times a spline is used
+MOST_ROWS = 5000  # up to this number of times cubics are used
 MOST = 100_000  # times; with more, this would take too long
 
 
@@ -59,13 +59,22 @@ def slip_of(result, sliding, uplift, friction_share, weight_share):
 
 
 def finer(time, force, resistance):
-    """Between its times F_T is smooth, not straight: with a spline S agrees with that of the program."""
+    """Between its times F_T is smooth, not straight: with cubics S agrees with that of the program."""
     if time.size > MOST_ROWS:
         return time, force, resistance
-    from scipy.interpolate import CubicSpline  # imported only if the caisson slides, as that takes a while
-
     dense = np.interp(np.arange(FINER * (time.size - 1) + 1) / FINER, np.arange(time.size), time)
-    return dense, CubicSpline(time, force)(dense), np.interp(dense, time, resistance)
+    return dense, hermite(time, force, dense), np.interp(dense, time, resistance)
+
+
+def hermite(time, value, at):
+    """Cubics through the values; the slopes where they meet are of second order."""
+    slope = np.gradient(value, time)
+    i = np.clip(np.searchsorted(time, at, side="right") - 1, 0, time.size - 2)
+    h = time[i + 1] - time[i]
+    s = (at - time[i]) / h
+    left = (1 + 2 * s) * value[i] + s * h * slope[i]
+    right = (3 - 2 * s) * value[i + 1] + (s - 1) * h * slope[i + 1]
+    return (1 - s) ** 2 * left + s**2 * right
 
 
 def uplift_of(result, sliding):

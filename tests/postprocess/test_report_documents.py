@@ -6,6 +6,7 @@ Usage: test_report_documents.py FOLDER_OF_THE_SCRIPTS UPBEAD FOLDER_OF_THE_CASES
 import csv
 import html
 import json
+import os
 import re
 import subprocess
 import sys
@@ -13,7 +14,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from report_results import CASES, PROGRAM, page, run
+from report_results import CASES, PROGRAM, SCRIPTS, page, run
 
 MOST = 1.5e6  # bytes
 LATIN = re.compile(r"[A-Za-z]{2,}( [a-z]{2,}){2,}")
@@ -100,6 +101,21 @@ class Documents(unittest.TestCase):
             self.assertIn('<html lang="en">', self.english[name])
             numbers = [re.findall(r'<data value="([^"]*)"', page) for page in (text, self.english[name])]
             self.assertEqual(sorted(numbers[0]), sorted(numbers[1]), name)
+
+    def test_needs_neither_matplotlib_nor_scipy(self):
+        with tempfile.TemporaryDirectory() as missing:
+            for name in ("matplotlib", "scipy"):
+                (Path(missing) / f"{name}.py").write_text(f'raise ModuleNotFoundError("no {name}", name="{name}")\n')
+            environment = {**os.environ, "PYTHONPATH": missing}
+            for name, place in self.folders.items():
+                text, done = page(place, environment=environment)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                self.assertEqual(text, self.english[name])
+            done = subprocess.run(["/usr/bin/python3", "-B", SCRIPTS / "response.py", self.folders["run"]], env=environment,
+                                  capture_output=True, text=True, check=False)
+            self.assertEqual(done.returncode, 1)
+            self.assertEqual(done.stderr, "response.py: figures are drawn by matplotlib, which is not installed; "
+                             "apt install python3-matplotlib\n")
 
     def test_the_words_of_the_author(self):
         text, done = page(self.folders["run"], "--case", self.mine)

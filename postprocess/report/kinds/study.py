@@ -10,7 +10,7 @@ from report.markup import Markup, fold, join, prose, table, tag
 from report.plot import Line, Panel, Plot
 from report.units import plain, quantity
 from upbead import outputs
-from upbead.figures.study import default_axes, is_drawn, rank_correlation
+from upbead.study_axes import default_axes, is_drawn, rank_correlation
 
 KIND = "Report of a study by upbead"
 QUESTION = "How do the answers depend on the keys that were varied?"

@@ -1,5 +1,12 @@
 """Every figure as a function: from data to a matplotlib figure; `save(figure, path)` writes it as the scripts do."""
 
+from ..errors import UserError
+
+try:
+    import matplotlib  # noqa: F401
+except ModuleNotFoundError:
+    raise UserError("figures are drawn by matplotlib, which is not installed; apt install python3-matplotlib") from None
+
 from .amplitudes import amplitudes
 from .base_pressures import base_pressures
 from .calibration import calibration, calibration_spectrum

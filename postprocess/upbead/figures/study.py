@@ -7,6 +7,7 @@ import numpy as np
 
 from .. import outputs
 from ..errors import UserError
+from ..study_axes import default_axes, is_drawn, rank_correlation
 from .style import plain, styled, subplots
 
 MOST_LINES = 8
@@ -55,11 +56,6 @@ def grid(n):
     return figure, panels[:n]
 
 
-def is_drawn(table, key):
-    """Whether a key was drawn at random: nearly all values are different."""
-    return len(table.rows) >= 20 and len(set(table.words(key))) > 0.9 * len(table.rows)
-
-
 def label(table, name):
     unit = table.units.get(name) or outputs.unit(name)
     return plain(f"{name} ({unit})" if unit else name)
@@ -68,12 +64,6 @@ def label(table, name):
 def scale_axis(axes, values):
     if np.all(values > 0) and values.max() > 8 * values.min():
         axes.set_xscale("log")
-
-
-def rank_correlation(x, y):
-    """Spearman's correlation of values without ties."""
-    ranks = [np.argsort(np.argsort(values)) for values in (x, y)]
-    return np.corrcoef(*ranks)[0, 1]
 
 
 def draw_points(axes, table, key, y):
@@ -127,9 +117,3 @@ def chosen(known, asked, what):
         if name not in known:
             raise UserError(f"the study has no {what} '{name}'; it has {', '.join(known)}")
     return list(asked)
-
-
-def default_axes(table):
-    """Keys that vary; keys with words only if none has numbers, as the lines also show them."""
-    different = [key for key in table.keys if len(set(table.words(key))) > 1] or table.keys[:1]
-    return [key for key in different if table.numbers(key) is not None] or different
