@@ -25,8 +25,8 @@ struct ReduceOptions {
   double tolerance = 1e-3;    ///< of a reading's history, over its largest value
   double tolerance_of_others = 5e-2;
   double tolerance_of_states = 5e-2;  ///< where they are kept: of their largest energy
-  int max_vectors = 100;        ///< per independent load
-  bool keep_pressures = false;  ///< see Reduction::pressures; not where `model` is given
+  int max_vectors = 100;              ///< per independent load
+  bool keep_pressures = false;        ///< see Reduction::pressures; not where `model` is given
   /// See Reduction::states, which must meet `tolerance_of_states`; not where `model` is given.
   bool keep_states = false;
   /// Makes the models that are compared, where these are not of modal_model(); their loads are those of the training
