@@ -119,6 +119,12 @@ TEST(ShearCycles, LoopsOnTheWayCountForThemselvesAndTheWayAsOne) {
   EXPECT_NEAR(counted(shears(shivering), 1).compaction(), way, 2e-3 * way);
 }
 
+/// A return of less than a thousandth of the half cycle is no reversal (least_return of densification.cc).
+TEST(ShearCycles, ReverseAtAReturnOfAThousandth) {
+  EXPECT_EQ(counted(shears({1e-3, 0.9991e-3}), 1).reversals(), 0);
+  EXPECT_EQ(counted(shears({1e-3, 0.9989e-3}), 1).reversals(), 1);
+}
+
 TEST(ShearCycles, ShearThatOnlyTurnsItsDirectionCountsHalfTurns) {
   const double radius = 1e-3;
   ShearCycles cycles(medium);

@@ -1,7 +1,8 @@
 // Claims: points of soil in lanes have the stress, state, lost and stored energy that each has by its SoilPoint,
 // along random paths: overlays from rest and from stresses that they bear, of different numbers of elements;
 // Mohr-Coulomb on planes, edges and corners; packs that are not full; an elastic D other than the law's. Where
-// nothing yields they are elastic to the last bit. Laws that lanes do not support are computed point by point.
+// nothing yields they are elastic to the last bit. Laws that lanes do not support are computed point by point. No
+// strain within the margin yields.
 
 #include "material/soil_pack.h"
 
@@ -83,6 +84,7 @@ void expect_same(PackKind kind, const std::vector<Soil>& soils, double size, dou
   Difference stress, lost, stored;
   PackTensor strain[n_points];
   PackStress a, b;
+  for (PackStress* left_over : {&a, &b}) left_over->xx += 1e9;  // every lane is written, those without a cell too
   for (int step = 0; step < 200; ++step)
     for (int n = 0; n < n_points; ++n) {
       const PackTensor tried = next_strain(random, strain[n], n_cells, 3. * size);
@@ -125,6 +127,41 @@ TEST(SoilPack, MohrCoulombOnPlanesEdgesAndCorners) {
   expect_same(PackKind::mohr_coulomb, soils, 2e-4);
   expect_same(PackKind::mohr_coulomb, soils, 2e-5);
   expect_same(PackKind::mohr_coulomb, {mohr_coulomb({35., 0., 0., 0.}, {})}, 1e-4);
+}
+
+/// Soil that can be pulled up to its apex: all three principal stresses lie near the strength, of either sign.
+TEST(SoilPack, MohrCoulombUnderTension) {
+  const std::vector<Soil> soils{mohr_coulomb({30., 100e3, 0., 1e9}, {}), mohr_coulomb({30., 100e3, 30., 1e9}, {}),
+                                mohr_coulomb({10., 50e3, 5., 1e9}, {40e3, 10e3, 5e3, 20e3})};
+  expect_same(PackKind::mohr_coulomb, soils, 3e-4);
+  expect_same(PackKind::mohr_coulomb, soils, 2e-3);
+}
+
+/// The soil is nearly incompressible, where a change of strain changes the stress most.
+TEST(SoilPack, NoStrainWithinTheMarginYields) {
+  const ElasticLaw elastic = elastic_law(G, 0.47);
+  const auto law = std::make_shared<const MohrCoulombLaw>(elastic, MohrCoulombStrength{30., 5e3, 0., 1e9});
+  PackedCell cell{elastic, {}};
+  cell.points.push_back(soil_point(law, PlaneStress{-50e3, -50e3, 0., -50e3}));
+  std::vector<PackedCell> cells;
+  cells.push_back(std::move(cell));
+  const auto pack = soil_pack(PackKind::mohr_coulomb, std::move(cells));
+  detail::Lanes margin{};
+  pack->margin(0, {}, margin);
+  ASSERT_GT(margin[0], 0.);
+  const auto yields = [&](const PlaneStrain& direction, double length) {
+    const double norm = std::sqrt(testing::work({direction.xx, direction.yy, direction.xy}, direction));
+    PackTensor strain;
+    strain.xx[0] = direction.xx * length / norm;
+    strain.yy[0] = direction.yy * length / norm;
+    strain.xy[0] = direction.xy * length / norm;
+    PackStress c;
+    pack->correct(0, strain, c);
+    return c.xx[0] != 0. || c.yy[0] != 0. || c.xy[0] != 0. || c.zz[0] != 0.;
+  };
+  std::mt19937 random(3);
+  for (int i = 0; i < 1000; ++i) EXPECT_FALSE(yields(random_strain(random, 1.), margin[0]));
+  EXPECT_TRUE(yields({1., 1., 0.}, 2.5 * margin[0])) << "the margin is not far from the least strain that yields";
 }
 
 TEST(SoilPack, AnotherElasticLawThanTheSoilsOwn) {
