@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 struct Reader {
   Target target;
-  int changes;  ///< number to try, in about a second
+  int changes;  ///< number to try, in two seconds at most
 };
 
 const std::map<std::string, Reader> targets{
@@ -28,8 +28,8 @@ const std::map<std::string, Reader> targets{
 
     {"history", {try_history, 5000}},     {"script", {try_script, 5000}},
     {"groups", {try_groups, 500}},        {"mesh", {try_mesh, 50}},
-    {"model", {try_model, 500}},          {"model_bytes", {try_model_bytes, 10}},
-    {"wave_file", {try_wave_file, 1000}}, {"checkpoint", {try_checkpoint, 1000}}};
+    {"model", {try_model, 80}},           {"model_bytes", {try_model_bytes, 10}},
+    {"wave_file", {try_wave_file, 1000}}, {"checkpoint", {try_checkpoint, 100}}};
 
 std::string bytes_of(const fs::path& path) {
   std::stringstream bytes;

@@ -55,7 +55,7 @@ class Numbers(unittest.TestCase):
     def setUpClass(cls):
         cls.temporary = tempfile.TemporaryDirectory()
         cls.folder = Path(cls.temporary.name)
-        cls.model = made.reduced("fig2b-prototype.toml", cls.folder / "model", "mesh.parameters.cells=2")
+        cls.model = made.reduced("fig2b-prototype.toml", cls.folder / "model", "mesh.parameters.cells=0.5")
         cls.browser = Browser(pdf.browser(), pdf.options)
 
     @classmethod

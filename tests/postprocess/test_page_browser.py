@@ -20,7 +20,7 @@ from upbead.live import document, model_data
 from upbead.results import Result
 
 LARGEST_PAGE = 1.5e6
-COARSE = "mesh.parameters.cells=2"
+COARSE = "mesh.parameters.cells=0.5"
 NUMBER = """(key) => { const item = document.querySelector(`.whatif data[data-key="${key}"]`); return item && Number(item.value); }"""
 TYPE = """(key, text) => { const field = document.querySelector(`[data-key="${key}"]`); field.value = text;
   field.dispatchEvent(new Event("input")); return document.querySelector(".wrong").textContent; }"""

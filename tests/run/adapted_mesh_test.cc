@@ -90,7 +90,7 @@ TEST_F(AdaptedMesh, MeetsTheTolerance) {
 }
 
 /// The reduced model and the mesh share the tolerance of F_T; other readings have their own tolerance.
-TEST_F(AdaptedMesh, LeavesOtherReadingsTheirTolerance) {
+TEST_F(AdaptedMesh, LeavesOtherReadingsTheirToleranceAtLength) {
   const Summary summary = solve({"time.scheme=reduced", "accuracy.tolerance=0.02"}).summary;
   EXPECT_LE(summary.reduction->error, 0.005);
   EXPECT_DOUBLE_EQ(summary.reduction->tolerance_of_others, 0.4);  // undamped: 20 times the tolerance
@@ -166,7 +166,7 @@ TEST_F(AdaptedMesh, TellsTheDifferenceOfTwoMeshesEarly) {
   }
 }
 
-TEST_F(AdaptedMesh, TheHistoryAsksForMoreCellsThanThePeak) {
+TEST_F(AdaptedMesh, TheHistoryAsksForMoreCellsThanThePeakAtLength) {
   const Summary history = solve({"accuracy.tolerance=0.02"}).summary,
                 peak = solve({"accuracy.tolerance=0.02", "accuracy.of=\"peak\""}).summary;
   EXPECT_GT(history.discretisation.unknowns, peak.discretisation.unknowns);
@@ -174,7 +174,7 @@ TEST_F(AdaptedMesh, TheHistoryAsksForMoreCellsThanThePeak) {
   EXPECT_GE(peak.history_error->mesh, peak.error->mesh);
 }
 
-TEST_F(AdaptedMesh, GivenRefinementsAreEstimatedWhereThatIsAsked) {
+TEST_F(AdaptedMesh, GivenRefinementsAreEstimatedWhereThatIsAskedAtLength) {
   const std::vector<std::string> given = both(small, {"mesh.refine=0", "mesh.degree=2", "mesh.parameters.cells=0.5"});
   EXPECT_FALSE(solve(given).summary.history_error.has_value());
   const upbead::Run run = solve(both(given, {"accuracy.estimate=true"})), truth = solve(both(small, far_finer));
@@ -214,7 +214,7 @@ TEST_F(AdaptedMesh, AMarchTellsWhatItsStepsCost) {
   EXPECT_EQ(told({"time.scheme=reduced"}), 0.);
 }
 
-TEST_F(AdaptedMesh, NarrowSectionsFeelTheirFarSides) {
+TEST_F(AdaptedMesh, NarrowSectionsFeelTheirFarSidesAtLength) {
   const std::vector<std::string> wide{"accuracy.tolerance=0.03"};
   const auto told = [](const std::vector<std::string>& scene) { return solve(scene).summary.error->far_boundary; };
   const double of_narrow = told(both(wide, {"mesh.parameters.seabed_front=12", "mesh.parameters.seabed_back=12"})),

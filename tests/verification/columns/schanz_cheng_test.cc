@@ -94,11 +94,17 @@ TEST_P(SchanzCheng, MovesAndBuildsPressure) {
   record.curve({panel + ": p", "time (s)", "p at the base (Pa)", model, t, p_exact, p});
 }
 
+const auto by_case = [](const ::testing::TestParamInfo<std::tuple<unsigned, std::string>>& p) {
+  return std::to_string(std::get<0>(p.param)) + "_" + std::get<1>(p.param);
+};
+
+/// A front on rock and rubble of k = 1 m/s take as long as ten others.
 INSTANTIATE_TEST_SUITE_P(Cases, SchanzCheng,
-                         ::testing::Combine(::testing::Range(0u, 15u), ::testing::Values("full", "upB")),
-                         [](const auto& p) {
-                           return std::to_string(std::get<0>(p.param)) + "_" + std::get<1>(p.param);
-                         });
+                         ::testing::Combine(::testing::Values(0u, 1u, 2u, 4u, 5u, 6u, 7u, 8u, 11u, 12u, 13u, 14u),
+                                            ::testing::Values("full", "upB")),
+                         by_case);
+INSTANTIATE_TEST_SUITE_P(CasesAtLength, SchanzCheng,
+                         ::testing::Combine(::testing::Values(3u, 9u, 10u), ::testing::Values("full", "upB")), by_case);
 
 }  // namespace schanz_cheng_test
 }  // namespace upbead::test

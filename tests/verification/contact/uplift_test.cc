@@ -69,29 +69,54 @@ History sampled(const TimeFunction& f) {
   return history;
 }
 
-TEST(NodeContactUplift, OnRigidGroundIsTheExactBlock) {
+struct Named {
+  std::string name;
+  UpliftChoice uplift;
+};
+
+void compare_with_block(const std::string& shape, const TimeFunction& force, const std::vector<Named>& courses) {
   Record record("contact_uplift");
-  const double W = submerged_weight(), R = friction * W, U = 0.3 * W;
+  const double W = submerged_weight();
   const std::shared_ptr<const Mesh> mesh = breakwater_mesh(0.1);
-  for (const auto& [shape, force] : {std::pair<std::string, TimeFunction>{"triangle", triangle(1.2 * R, duration)},
-                                     {"half sine", half_sine(1.2 * R)}})
-    for (const auto& [course, uplift] :
-         {std::pair<std::string, UpliftChoice>{"constant", of_history(U, U)},
+  for (const auto& [course, uplift] : courses) {
+    Scene scene = with_uplift(drained_section(force, 0.), uplift);
+    stiffen(scene);
+    const upbead::Run found = solved(scene, mesh, end, duration / 500.);
+    History resistance = sampled(prescribed_uplift(uplift, force, end));
+    for (double& value : resistance.value) value = friction * (W - value);
+    const double S = slide(caisson_mass(), sampled(force), resistance).residual;
+    ASSERT_TRUE(found.summary.contact && found.summary.contact->solved);
+    record.at_most("S against that of the block, " + shape + ", uplift " + course,
+                   std::abs(found.summary.contact->solved->slip / S - 1.), 1e-5);
+  }
+}
+
+double most_force() {
+  return 1.2 * friction * submerged_weight();
+}
+
+Named later_in_phase() {
+  return {"in phase, later by a tenth", of_peak(0.3 * submerged_weight(), UpliftCourse::in_phase, 0.1 * duration)};
+}
+
+std::vector<Named> other_courses() {
+  const double U = 0.3 * submerged_weight();
+  return {{"constant", of_history(U, U)},
           {"falling", of_history(U, 0.)},
           {"held", of_peak(U, UpliftCourse::held)},
           {"in phase", of_peak(U, UpliftCourse::in_phase)},
-          {"in phase, later by a tenth", of_peak(U, UpliftCourse::in_phase, 0.1 * duration)},
-          {"by transducers", of_transducers(U)}}) {
-      Scene scene = with_uplift(drained_section(force, 0.), uplift);
-      stiffen(scene);
-      const upbead::Run found = solved(scene, mesh, end, duration / 500.);
-      History resistance = sampled(prescribed_uplift(uplift, force, end));
-      for (double& value : resistance.value) value = friction * (W - value);
-      const double S = slide(caisson_mass(), sampled(force), resistance).residual;
-      ASSERT_TRUE(found.summary.contact && found.summary.contact->solved);
-      record.at_most("S against that of the block, " + shape + ", uplift " + course,
-                     std::abs(found.summary.contact->solved->slip / S - 1.), 1e-5);
-    }
+          {"by transducers", of_transducers(U)}};
+}
+
+TEST(NodeContactUplift, OnRigidGroundIsTheExactBlock) {
+  compare_with_block("triangle", triangle(most_force(), duration), {later_in_phase()});
+}
+
+TEST(NodeContactUplift, OnRigidGroundIsTheExactBlockOfEveryCourseAtLength) {
+  std::vector<Named> courses = other_courses();
+  compare_with_block("triangle", triangle(most_force(), duration), courses);
+  courses.push_back(later_in_phase());
+  compare_with_block("half sine", half_sine(most_force()), courses);
 }
 
 /// Largest difference of the resultants of the nodes' normal forces from N' and M', over W' and W' B.

@@ -29,7 +29,7 @@ SampledLoads sampled(const Eigen::VectorXd& force) {
   return loads;
 }
 
-TEST(ReducedWaves, OfThePrototype) {
+TEST(ReducedWaves, OfThePrototypeAtLength) {
   const Simulation scene = simulation_of(prototype());
   const System& system = scene.compiled->system;
   ASSERT_EQ(system.loads.size(), 1u);

@@ -101,7 +101,13 @@ void compare(Record& record, const Json& entry, const std::string& model) {
 TEST(WallOnSpring, MovesWithCompressibleWater) {
   Record record("water_transient");
   const Json entries = reference("ref6_water").at("coupled");
-  for (const Json& entry : entries) compare(record, entry, "compressible");
+  compare(record, entries.front(), "compressible");
+}
+
+TEST(WallOnSpring, MovesWithCompressibleWaterAtLength) {
+  Record record("water_transient");
+  const Json entries = reference("ref6_water").at("coupled");
+  for (std::size_t i = 1; i < entries.size(); ++i) compare(record, entries[i], "compressible");
 }
 
 TEST(WallOnSpring, MovesWithIncompressibleWater) {
