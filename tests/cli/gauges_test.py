@@ -9,12 +9,11 @@ import json
 import math
 import sys
 import time
-import unittest
 
 import h5py
 import numpy
 
-from program import ProgramTest, upbead
+from program import ProgramTest, main, upbead
 from warnings_test import SCENE, WEIGHT, settings
 
 BASE, CREST = 6.0, 22.0  # heights of the wall's bottom and top in SCENE (m)
@@ -224,7 +223,7 @@ class Gauges(ProgramTest):
         self.write_csv(linear, unit="V")
         self.assertIn("the unit 'V' of column 'p1' is none of what it should hold, Pa; write one of Pa, hPa, kPa", refusal())
 
-    def test_a_million_samples_of_twenty_channels(self):
+    def test_a_million_samples_of_twenty_channels_at_length(self):
         n = 10**6
         t = numpy.arange(n) / 1e4
         course = numpy.exp(-((t - 50.0) / 0.05) ** 2)
@@ -243,4 +242,4 @@ class Gauges(ProgramTest):
 
 
 if __name__ == "__main__":
-    unittest.main(argv=sys.argv[:1])
+    main()

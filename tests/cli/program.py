@@ -1,6 +1,8 @@
 """Shared by the tests of the program: how it is called, and a separate folder for each test.
 
-A script that uses this is called as: SCRIPT PROGRAM CASES_FOLDER
+A script that uses this is called as: SCRIPT PROGRAM CASES_FOLDER [at_length]
+
+Tests with at_length in their names take so long that only `ctest -C long` runs them, by that word as the last argument.
 """
 
 import pathlib
@@ -12,6 +14,7 @@ import time
 import unittest
 
 PROGRAM, CASES = (pathlib.Path(argument).resolve() for argument in sys.argv[1:3])
+AT_LENGTH = sys.argv[3:] == ["at_length"]
 
 
 def upbead(*arguments, cwd=None, **options):
@@ -30,8 +33,15 @@ def wait_until_it_catches(signal, process):
 
 class ProgramTest(unittest.TestCase):
     def setUp(self):
+        if "at_length" in self.id() and not AT_LENGTH:
+            self.skipTest("only with ctest -C long")
         self.folder = pathlib.Path(tempfile.mkdtemp())
         self.addCleanup(shutil.rmtree, self.folder, ignore_errors=True)
 
     def left_behind(self):
         return sorted(str(path.relative_to(self.folder)) for path in self.folder.rglob("*"))
+
+
+def main():
+    """All tests of the script, or those at length."""
+    unittest.main(argv=[sys.argv[0], *(["-k", "at_length"] if AT_LENGTH else [])], verbosity=2)

@@ -7,12 +7,11 @@ usage: wave_loads_test.py PROGRAM CASES_FOLDER
 import json
 import sys
 import tomllib
-import unittest
 
 import h5py
 import numpy
 
-from program import CASES, ProgramTest, upbead
+from program import CASES, ProgramTest, main, upbead
 
 CASE, DESIGN = CASES / "design-wave/composite.toml", CASES / "design-wave/section.toml"
 # coarse, as P and U do not depend on cells
@@ -115,7 +114,7 @@ class WaveLoads(ProgramTest):
         self.assertEqual((explained["force"], explained["uplift"]), (formulas["force"], formulas["uplift"]))
         self.assert_same(explained["force"] + 0.6 * explained["uplift"], 0.6 * 4.296e6, 1e-9)
 
-    def test_a_study_that_keeps_the_solution_keeps_the_profile(self):
+    def test_a_study_that_keeps_the_solution_keeps_the_profile_at_length(self):
         settings = ["accuracy.estimate=true", "mesh.parameters.cells=0.35"]
         (self.folder / "study.toml").write_text(f"""case = "{CASE}"
 read = ["sliding.sliding_history", "sliding.error_estimate"]
@@ -148,4 +147,4 @@ values = [0.0, 1e5]
 
 
 if __name__ == "__main__":
-    unittest.main(argv=sys.argv[:1])
+    main()

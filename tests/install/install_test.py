@@ -1,7 +1,7 @@
 """An installation works by itself: the program, its geometries, its scripts, and a user's program that is linked with
 it.
 
-usage: install_test.py CMAKE COMPILER FOLDER_OF_THE_BUILD FOLDER_OF_THE_PROJECT
+usage: install_test.py CMAKE COMPILER FOLDER_OF_THE_BUILD FOLDER_OF_THE_PROJECT [with_program_of_others]
 """
 
 import json
@@ -98,6 +98,7 @@ class Installed(unittest.TestCase):
         for file in ("share/doc/upbead/CITATION.cff", "share/upbead/postprocess/pyproject.toml"):
             self.assertRegex((self.prefix / file).read_text(), f'version(: | = "){told["upbead"]}\\b', file)
 
+    @unittest.skipUnless(sys.argv[5:] == ["with_program_of_others"], "compiling it takes a minute: only with ctest -C long")
     def test_program_of_others(self):
         build = self.folder / "consumer"
         call(CMAKE, "-S", CONSUMER, "-B", build, f"-DCMAKE_PREFIX_PATH={self.prefix}", "-DCMAKE_BUILD_TYPE=Release",

@@ -11,7 +11,7 @@
 namespace upbead::test {
 namespace wave_error_test {
 
-TEST(WaveErrors, AreBoundedOnScenesThatDidNotSetTheSafety) {
+TEST(WaveErrors, AreBoundedOnScenesThatDidNotSetTheSafetyAtLength) {
   int n = 0, held = 0, beyond = 0;
   std::vector<double> ratio;
   for (const char* name : {"layers", "elastic caisson", "tall, dry"}) {

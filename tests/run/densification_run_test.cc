@@ -269,7 +269,7 @@ TEST_F(DensificationRun, SandThatHasLostItsStressIsToldAndNoWorse) {
                           [](const NumberedWarning& w) { return w.name == "liquefied"; }));
 }
 
-TEST_F(DensificationRun, SectionSettlesMoreAndKeepsPressureInItsSand) {
+TEST_F(DensificationRun, SectionSettlesMoreAndKeepsPressureInItsSandAtLength) {
   std::ifstream file(UPBEAD_SECTION_CASE);
   std::string text{std::istreambuf_iterator<char>(file), {}};
   const auto replace = [&](const std::string& a, const std::string& b) { text.replace(text.find(a), a.size(), b); };

@@ -35,7 +35,7 @@ Footing on_sand() {
   return f;
 }
 
-TEST(Footing, WithFrictionIsThatOfReissner) {
+TEST(Footing, WithFrictionIsThatOfReissnerAtLength) {
   Record record("footing");
   std::vector<std::pair<int, double>> errors;
   for (const FootingAnswer& answer : push(on_sand(), 4)) {

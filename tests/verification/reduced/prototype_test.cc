@@ -26,7 +26,7 @@ ReducedSystem projected(const CompiledScene& compiled, double shift, int n_vecto
   return Projection(compiled.system, krylov).reduced();
 }
 
-TEST(ReducedMarch, PrototypeDamped) {
+TEST(ReducedMarch, PrototypeDampedAtLength) {
   Record record("reduced_march");
   const Simulation scene = simulation_of(prototype());
   const Reduction reduction = reduce_scene(scene.scene, *scene.compiled, {true, false, {}});

@@ -116,7 +116,7 @@ TEST(WaveSeabed, DarcyFlowWithInertia) {
   compare("upB", "Darcy flow with inertia");
 }
 
-TEST(WaveSeabed, FullBiotEquations) {
+TEST(WaveSeabed, FullBiotEquationsAtLength) {
   compare("full", "full Biot equations");
 }
 
@@ -133,7 +133,7 @@ TEST(WaveSeabed, QuasiStaticByElementsOfDegree2) {
 
 /// A layer of water so thin (kh = 1e-4) that the pressure on its level is that on the mudline: the pressure of the
 /// modelled water then acts on skeleton and pores like a load on the mudline.
-TEST(WaveSeabed, UnderModelledWater) {
+TEST(WaveSeabed, UnderModelledWaterAtLength) {
   Record record("seabed");
   const Json all = reference("ref3_wave_seabed");
   for (const Json& entry : all.at("cases"))

@@ -14,7 +14,7 @@
 namespace upbead::test {
 namespace dynamic_stiffness_test {
 
-TEST(DynamicStiffness, HalfPlane) {
+TEST(DynamicStiffness, HalfPlaneAtLength) {
   compare_dynamic_stiffness({0.3}, true);
 }
 
@@ -24,7 +24,7 @@ TEST(DynamicStiffness, Layer) {
 
 // Reflections by the rings would appear as a change of the stiffness when the rings begin farther away, are damped
 // differently or are shorter.
-TEST(DynamicStiffness, RingsReflectLittle) {
+TEST(DynamicStiffness, RingsReflectLittleAtLength) {
   Record record("strip_stiffness");
   for (const double a0 : {0.1, 2.}) {
     const ElasticSoil soil{0.3};

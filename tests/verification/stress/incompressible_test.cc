@@ -56,7 +56,8 @@ TEST_P(Incompressible, IsTheLimit) {
                  0.1);
 }
 
-INSTANTIATE_TEST_SUITE_P(Models, Incompressible, ::testing::Values("full", "upB"));
+INSTANTIATE_TEST_SUITE_P(Models, Incompressible, ::testing::Values("upB"));
+INSTANTIATE_TEST_SUITE_P(ModelsAtLength, Incompressible, ::testing::Values("full"));
 
 }  // namespace incompressible_test
 }  // namespace upbead::test
