@@ -42,9 +42,11 @@ key = "regions.seabed.shear_modulus"
 factor = 1.5
 """
 
-# one solution, two rows
+# two solutions, four rows
 SHORT = """case = "small.toml"
 read = ["response.shear_to_force_ratio"]
+[vary."mesh.parameters.mound_height"]
+values = [5, 6]
 [vary."sliding.friction"]
 values = [0.5, 0.6]
 """
@@ -250,7 +252,7 @@ class Study(ProgramTest):
         environment = {**os.environ, "PATH": str(self.folder)}
         done = self.study("--jobs", "2", env=environment)
         self.assertIn("there is no mpirun", done.stderr)
-        self.assertEqual(len(self.rows()), 2)
+        self.assertEqual(len(self.rows()), 4)
 
     def test_progress_is_shown_on_a_terminal(self):
         (self.folder / "study.toml").write_text(SHORT)
@@ -266,7 +268,7 @@ class Study(ProgramTest):
             except OSError:  # the terminal closes when the program ends
                 pass
             self.assertEqual(process.wait(), 0)
-            self.assertIn(b"of 2 runs", text)
+            self.assertIn(b"of 4 runs", text)
 
     def test_figures_of_a_grid_and_of_draws_at_length(self):
         script = CASES.parent / "postprocess/study.py"

@@ -77,7 +77,7 @@ TEST(RestState, IsTheElasticOneWhereThatIsBorne) {
 }
 
 TEST(RestState, OfABreakwaterIsWithinItsStrength) {
-  const auto mesh = breakwater_mesh(0.5);
+  const auto mesh = breakwater_mesh(0.25);
   for (const bool with_k0 : {false, true}) {
     Scene scene = failing_breakwater(40., 0.);
     if (with_k0) scene.initial->k0 = 0.45;
@@ -102,7 +102,7 @@ TEST(RestState, OfABreakwaterIsWithinItsStrength) {
 }
 
 TEST(RestState, TellsWhatCannotStand) {
-  const auto mesh = breakwater_mesh(0.5);
+  const auto mesh = breakwater_mesh(0.25);
   const RestState rest = rest_state(failing_breakwater(20., 0.), *mesh, {});  // slopes steeper than phi'
   EXPECT_FALSE(rest.found);
   EXPECT_LT(rest.report.reached, 1.);

@@ -117,7 +117,9 @@ const auto by_case = [](const ::testing::TestParamInfo<std::tuple<unsigned, unsi
   return std::to_string(std::get<0>(p.param)) + "_" + std::to_string(std::get<1>(p.param));
 };
 
-INSTANTIATE_TEST_SUITE_P(Cases, DeBoer, ::testing::Combine(::testing::Values(0u, 2u), ::testing::Values(0u, 1u, 2u)),
+INSTANTIATE_TEST_SUITE_P(Cases, DeBoer, ::testing::Combine(::testing::Values(0u, 2u), ::testing::Values(1u, 2u)),
+                         by_case);
+INSTANTIATE_TEST_SUITE_P(StepsAtLength, DeBoer, ::testing::Combine(::testing::Values(0u, 2u), ::testing::Values(0u)),
                          by_case);
 INSTANTIATE_TEST_SUITE_P(CasesAtLength, DeBoer,
                          ::testing::Combine(::testing::Values(3u, 5u, 6u, 8u), ::testing::Values(0u, 1u, 2u)), by_case);

@@ -82,11 +82,16 @@ void compare(Record& record, const std::string& path) {
   write_down(record, input.stem, names, convolved, marched);
 }
 
-TEST(Reduced, KernelOfEveryShippedCase) {
+TEST(Reduced, KernelOfTheFirstShippedCase) {
+  Record record("reduced_kernel");
+  compare(record, shipped_cases().front());
+}
+
+TEST(Reduced, KernelOfTheOtherShippedCasesAtLength) {
   const std::vector<std::string> paths = shipped_cases();
   ASSERT_GE(paths.size(), 2U);
   Record record("reduced_kernel");
-  for (const std::string& path : paths) compare(record, path);
+  for (std::size_t i = 1; i < paths.size(); ++i) compare(record, paths[i]);
 }
 
 }  // namespace kernel_cases_test

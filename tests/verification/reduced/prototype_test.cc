@@ -36,7 +36,7 @@ TEST(ReducedMarch, PrototypeDampedAtLength) {
   record.at_most("shipped prototype: vectors", reduction.n_vectors, 30);
 }
 
-TEST(ReducedMarch, PrototypeUndamped) {
+TEST(ReducedMarch, PrototypeUndampedAtLength) {
   Record record("reduced_march");
   const Simulation scene =
       simulation_of(prototype({"regions.seabed.damping.ratio=0", "regions.mound.damping.ratio=0"}));
