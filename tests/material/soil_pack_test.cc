@@ -39,6 +39,19 @@ Soil overlay(double strength, int n_elements, const PlaneStress& at_rest, double
   return [=] { return soil_point(law, state); };
 }
 
+/// At rest one element of the overlay is strained nearly to its limit, the others are not: it slides before those
+/// that are weaker.
+Soil strained_in_one_element() {
+  const ElasticLaw elastic = elastic_law(G, 0.3);
+  const auto law = std::make_shared<const HystereticLaw>(
+      elastic, backbone(
+                   G, [](double gamma) { return 1. / (1. + 3e3 * gamma); }, 3e-6, 1e-2, 12));
+  HystereticLaw::State state = law->at_rest();
+  const HystereticLaw::Element& element = law->elements()[5];
+  state.plastic[5].xy = -0.9999 * element.y / (2. * element.h);
+  return [=] { return soil_point(law, state); };
+}
+
 Soil mohr_coulomb(const MohrCoulombStrength& strength, const PlaneStress& at_rest) {
   const auto law = std::make_shared<const MohrCoulombLaw>(elastic_law(G, 0.3), strength);
   return [=] { return soil_point(law, at_rest); };
@@ -115,6 +128,10 @@ TEST(SoilPack, OverlaysFromRestAndFromWhatTheyBear) {
   for (int i = 0; i < 5; ++i) mixed.push_back(overlay(10e3 * (1 + i), 4 + 3 * i, i % 2 ? bears : PlaneStress{}));
   expect_same(PackKind::hysteretic, mixed, 3e-5);
   expect_same(PackKind::hysteretic, {overlay(20e3, 12, bears)}, 1e-3);
+}
+
+TEST(SoilPack, OverlaysOfAnyStateAtRest) {
+  expect_same(PackKind::hysteretic, std::vector<Soil>(3, strained_in_one_element()), 2e-7);
 }
 
 TEST(SoilPack, MohrCoulombOnPlanesEdgesAndCorners) {
