@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 struct Reader {
   Target target;
-  int changes;  ///< number to try, in two seconds at most
+  int changes;  ///< number to try, in some seconds at most
 };
 
 const std::map<std::string, Reader> targets{{"case", {try_case, 1500}},          {"design", {try_design, 1000}},
