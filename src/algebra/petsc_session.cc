@@ -24,12 +24,25 @@ void start_as_lone_process() {
   setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
 }
 
+constexpr std::size_t more_than_blas_buffer = 160 << 20;  // bytes
+
+/// Throws std::bad_alloc unless so much memory can be had.
+void require_memory(std::size_t bytes) {
+  ::operator delete(::operator new(bytes));  // the compiler might leave out a new-expression
+}
+
+/// Open MPI ends the process, as if the input were wrong, if it finds no memory while it starts: for its libraries, and
+/// for the heaps of its two threads (glibc asks for 128 MB of addresses for each, and returns what it does not need).
+void require_memory_to_start() {
+  constexpr std::size_t threads = 256 << 20, libraries = 64 << 20;
+  require_memory(threads + libraries + more_than_blas_buffer);
+}
+
 /// OpenBLAS retries for ever if it finds no memory for the buffer that it allocates at its first matrix product and
 /// then keeps. Here there is memory, or std::bad_alloc; later a case may have taken all of it, and
 /// would hang.
 void let_blas_take_its_buffer() {
-  constexpr std::size_t more_than_the_buffer = 160 << 20;
-  ::operator delete(::operator new(more_than_the_buffer));  // the compiler might leave out a new-expression
+  require_memory(more_than_blas_buffer);
   const PetscBLASInt n = 128;
   const std::vector<double> A(n * n, 1.);
   std::vector<double> C(n * n);
@@ -44,6 +57,7 @@ PetscSession::PetscSession() {
   PetscInitialized(&running);
   if (running == PETSC_TRUE) return;
   start_as_lone_process();
+  require_memory_to_start();
   PetscErrorCode error = PetscOptionsSetValue(nullptr, "-no_signal_handler", "true");
   if (error == 0) error = PetscInitializeNoArguments();
   if (error == 0) error = PetscPushErrorHandler(PetscReturnErrorHandler, nullptr);

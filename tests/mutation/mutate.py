@@ -4,9 +4,9 @@
     tests/mutation/mutate.py sliding waves --count 60 --seed 1    a random sample of each layer's mutants
     tests/mutation/mutate.py sliding --again                       unexplained survivors of the last sample
 
-Each mutant is a change of one place (operators.py). Only its file is compiled, and it is linked in front of the
-layers of build-mutation (preset `mutation`), and the layer's own tests run until the first fails. A mutant that
-survives needs a test, or a reason in equivalent.toml why no test can see it. The result goes to
+Each mutant is a change of one place (operators.py). Only its file is compiled. It is linked with the layer's other
+files and in front of the layers of build-mutation (preset `mutation`), and the layer's own tests run until the first
+fails. A mutant that survives needs a test, or a reason in equivalent.toml why no test can see it. The result goes to
 docs/reliability/mutation.json."""
 
 import argparse
@@ -36,16 +36,25 @@ ENVIRONMENT = dict(os.environ, GTEST_FAIL_FAST="1", OMP_NUM_THREADS="1", OPENBLA
 class Layer:
     """The test program of a layer, and how one of its files is compiled and linked into it."""
 
-    def __init__(self, name):
-        self.name, self.program, self.originals = name, f"tests/{name}/test_{name}", {}
+    def __init__(self, name, jobs):
+        self.name, self.program = name, f"tests/{name}/test_{name}"
         subprocess.run(["cmake", "--build", BUILD, "--target", f"test_{name}", "-j", "2"], check=True, env=ENVIRONMENT)
         told = subprocess.run(["ninja", "-C", BUILD, "-t", "commands", self.program], check=True, capture_output=True, text=True)
         self.link = told.stdout.splitlines()[-1]
-        entries = json.loads((BUILD / "compile_commands.json").read_text())
-        self.commands = {entry["file"]: shlex.split(entry["command"]) for entry in entries}
-        self.files = sorted(path for path in (ROOT / "src" / name).glob("*.cc") if str(path) in self.commands)
+        entries = [entry for entry in json.loads((BUILD / "compile_commands.json").read_text())
+                   if f"/upbead_{name}.dir/" in entry["output"]]
+        self.alone = {entry["file"]: entry for entry in entries}
+        self.together = next(entry for entry in entries if "/Unity/" in entry["file"])
+        self.files = sorted((ROOT / "src" / name).glob("*.cc"))
+        # the build compiles the layer's files together; here each has an object of its own, to be replaced by a mutant
+        self.objects = BUILD / "mutation" / name
+        self.objects.mkdir(parents=True, exist_ok=True)
+        with futures.ThreadPoolExecutor(jobs) as pool:
+            list(pool.map(lambda path: self.compile(path, path.read_text(), self.original(path)), self.files))
+        if not self.linked(BUILD / "mutation" / f"test_{name}"):
+            raise SystemExit(f"{self.program} cannot be linked from the files of src/{name}")
         before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
-        if self.run(BUILD / self.program, 3600) != PASSED:
+        if self.run(BUILD / "mutation" / f"test_{name}", 3600) != PASSED:
             raise SystemExit(f"{self.program} fails without any mutant")
         self.seconds = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
 
@@ -65,36 +74,39 @@ class Layer:
         except subprocess.TimeoutExpired:
             return TOO_LONG
 
-    def compile(self, path, text, folder):
-        """The object file of `text` instead of the file at `path`; None if it does not compile."""
-        command = list(self.commands[str(path)])
-        command[command.index("-o") + 1] = "mutant.o"
-        command[command.index(str(path))] = path.name
-        (folder / path.name).write_text(text)
-        done = subprocess.run([*command, "-w", "-iquote", path.parent], cwd=folder, env=ENVIRONMENT, capture_output=True)
-        return folder / "mutant.o" if done.returncode == 0 else None
+    def original(self, path):
+        """Where the object file of the unchanged file is."""
+        return self.objects / (path.stem + ".o")
 
-    def original(self, path, text):
-        """The object file of the unchanged file, compiled in the same way."""
-        if path not in self.originals:
-            with tempfile.TemporaryDirectory() as folder:
-                self.originals[path] = self.compile(path, text, pathlib.Path(folder)).read_bytes()
-        return self.originals[path]
+    def compile(self, path, text, target):
+        """Makes the object file of `text` instead of the file at `path`; False if it does not compile."""
+        with tempfile.TemporaryDirectory() as folder:
+            (pathlib.Path(folder) / path.name).write_text(text)
+            entry = self.alone.get(str(path), self.together)
+            command = shlex.split(entry["command"])
+            command[command.index("-o") + 1] = str(target)
+            command[command.index(entry["file"])] = path.name
+            done = subprocess.run([*command, "-w", "-iquote", path.parent], cwd=folder, env=ENVIRONMENT, capture_output=True)
+        return done.returncode == 0
+
+    def linked(self, program, instead=None, mutant=None):
+        """Links the test program with the layer's files, one of them replaced; False if that fails."""
+        objects = [mutant if path == instead else self.original(path) for path in self.files]
+        link = self.link.replace(f" -o {self.program} ", f" {' '.join(map(str, objects))} -o {program} ")
+        return subprocess.run(link, shell=True, cwd=BUILD, env=ENVIRONMENT, capture_output=True).returncode == 0
 
     def verdict(self, mutant, text):
         """stillborn (does not compile), same code (the compiler sees no difference), killed, timed out or survived."""
         path = ROOT / mutant.file
         with tempfile.TemporaryDirectory() as name:
-            folder = pathlib.Path(name)
-            made = self.compile(path, mutant.apply(text), folder)
-            if made is None:
+            made, program = pathlib.Path(name) / "mutant.o", pathlib.Path(name) / "test"
+            if not self.compile(path, mutant.apply(text), made):
                 return "stillborn"
-            if made.read_bytes() == self.original(path, text):
+            if made.read_bytes() == self.original(path).read_bytes():
                 return "same code"
-            link = self.link.replace(f" -o {self.program} ", f" {made} -o {folder / 'test'} ")
-            if subprocess.run(link, shell=True, cwd=BUILD, env=ENVIRONMENT, capture_output=True).returncode != 0:
+            if not self.linked(program, path, made):
                 return "stillborn"
-            ended = self.run(folder / "test", 4 * self.seconds + 5)
+            ended = self.run(program, 4 * self.seconds + 5)
             return "survived" if ended == PASSED else TOO_LONG if ended == TOO_LONG else "killed"
 
 
@@ -176,7 +188,7 @@ def main():
     rows = {one["what"]: one for one in json.loads(FACTS.read_text())["rows"]} if FACTS.exists() else {}
     unexplained = 0
     for name in options.layers:
-        rows[name], n = row(name, sample(Layer(name), options, BUILD / f"{name}.json"))
+        rows[name], n = row(name, sample(Layer(name, options.jobs), options, BUILD / f"{name}.json"))
         print(f"{name}: {rows[name]['tried']}: {rows[name]['came_out']}", flush=True)
         unexplained += n
         page = {"title": "Mutation testing",
