@@ -66,7 +66,7 @@ class Cli(ProgramTest):
 
     @unittest.skipIf(os.environ.get("UPBEAD_SANITIZE") == "ON", "sanitizers map terabytes of addresses")
     def test_memory_that_does_not_suffice(self):
-        for megabytes in (600, 800):  # too little for the start, and exceeded during the run
+        for megabytes in (600, 1200):  # too little for the start, and exceeded during the run
             limit = lambda: resource.setrlimit(resource.RLIMIT_AS, (megabytes * 2**20,) * 2)
             done = self.run_model("--set", "time.step=6e-8", preexec_fn=limit)
             self.assertEqual(done.returncode, 2, done.stderr)
