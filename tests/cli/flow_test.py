@@ -21,7 +21,7 @@ class Flow(ProgramTest):
         return done.stdout if code == 0 else done.stderr
 
     def solve(self, *settings):
-        words = [word for setting in settings for word in ("--set", setting)]
+        words = [word for setting in ("mesh.parameters.cells=0.3", *settings) for word in ("--set", setting)]
         return json.loads(self.ask("run", BORE, "--json", "--out", self.folder / "out", *words))
 
     def test_forces_and_patch_of_one_flow_give_the_same_shear_force(self):

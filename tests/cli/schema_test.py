@@ -85,7 +85,7 @@ class New(ProgramTest):
 
     def test_runs_with_its_checks(self):
         upbead("new", self.folder / "mine.toml")
-        done = upbead("run", self.folder / "mine.toml", "--json", "--out", self.folder / "out")
+        done = upbead("run", self.folder / "mine.toml", "--json", "--out", self.folder / "out", "--set", "mesh.parameters.cells=0.5")
         self.assertEqual(done.returncode, 0, done.stderr)
         checks = {check["name"]: check for check in json.loads(done.stdout)["checks"]}
         self.assertIsNotNone(checks["sliding distance"]["holds"])

@@ -67,8 +67,10 @@ class Study(ProgramTest):
         (self.folder / "small.toml").write_text(SMALL)
         (self.folder / "study.toml").write_text(STUDY)
 
-    def study(self, *arguments, code=0, **options):
-        done = upbead("study", "study.toml", *arguments, cwd=self.folder, **options)
+    def study(self, *arguments, code=0, jobs="1", **options):
+        """Runs the study on so many processes; None: on as many as the program chooses."""
+        words = [] if jobs is None else ["--jobs", jobs]
+        done = upbead("study", "study.toml", *arguments, *words, cwd=self.folder, **options)
         self.assertEqual(done.returncode, code, done.stderr)
         return done
 
@@ -85,7 +87,7 @@ class Study(ProgramTest):
         return found
 
     def test_grid_is_one_table(self):
-        summary = json.loads(self.study("--json").stdout)
+        summary = json.loads(self.study("--json", jobs=None).stdout)
         rows = self.rows()
         self.assertEqual(len(rows), 12)
         self.assertEqual([row["run"] for row in rows], [str(i) for i in range(12)])
@@ -119,9 +121,10 @@ class Study(ProgramTest):
         self.assertEqual(float(row["sliding.sliding_history"]), alone["sliding"]["sliding_history"])
 
     def test_sharing_and_processes_change_no_bit(self):
-        self.study("--out", "two", "--jobs", "2")
+        (self.folder / "study.toml").write_text(STUDY.replace("n = 3", "n = 2"))
+        self.study("--out", "two", jobs="2")
         self.assertEqual(len(os.listdir(self.folder / "two/journal")), 2)
-        self.study("--out", "one", "--jobs", "1")
+        self.study("--out", "one")
         summary = json.loads(self.study("--out", "alone", "--no-sharing", "--json").stdout)
         self.assertEqual(summary["skipped"], [])
         self.assertEqual(self.table("one"), self.table("two"))
@@ -187,13 +190,13 @@ class Study(ProgramTest):
 
     def expect_the_same_after_a_kill(self, jobs, n):
         (self.folder / "study.toml").write_text(RANDOM.format(n=n))
-        self.study("--out", "whole", "--jobs", "1")
+        self.study("--out", "whole")
         self.kill_in_the_middle(n, signal.SIGKILL, True, "--jobs", jobs)
         self.assertFalse((self.folder / "killed/study.csv").exists())
         journal = next(path for path in (self.folder / "killed/journal").glob("*") if self.lines(path) > 2)
         text = journal.read_text()
         journal.write_text(text[:-20])  # as if killed while it wrote
-        resumed = json.loads(self.study("--out", "killed", "--jobs", jobs, "--json").stdout)
+        resumed = json.loads(self.study("--out", "killed", "--json", jobs=jobs).stdout)
         self.assertGreaterEqual(resumed["resumed"], 4)
         self.assertEqual(self.table("killed"), self.table("whole"))
         again = json.loads(self.study("--out", "killed", "--json").stdout)
@@ -250,7 +253,7 @@ class Study(ProgramTest):
     def test_without_mpirun_it_runs_all_the_same(self):
         (self.folder / "study.toml").write_text(SHORT)
         environment = {**os.environ, "PATH": str(self.folder)}
-        done = self.study("--jobs", "2", env=environment)
+        done = self.study(jobs="2", env=environment)
         self.assertIn("there is no mpirun", done.stderr)
         self.assertEqual(len(self.rows()), 4)
 

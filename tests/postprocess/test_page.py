@@ -2,9 +2,9 @@
 
 Skipped (exit code 77) where there is no Chromium.
 
-usage: test_page.py FOLDER_OF_THE_SCRIPTS UPBEAD FOLDER_OF_THE_CASES [GROUPS]
+usage: test_page.py FOLDER_OF_THE_SCRIPTS UPBEAD FOLDER_OF_THE_CASES [GROUPS WAVES]
 
-GROUPS of ten settings each: 5 by default, one for each kind of uplift; the long tests have 20.
+GROUPS of WAVES settings each: 5 of 4 by default, a group for each kind of uplift; the long tests have 20 of 10.
 """
 
 import io
@@ -21,8 +21,8 @@ from chromium import Browser
 import upbead
 from report import pdf
 
-GROUPS = int(sys.argv[4]) if len(sys.argv) > 4 else 5
-WAVES, EQUAL = 10, 1e-10
+GROUPS, WAVES = map(int, sys.argv[4:6]) if len(sys.argv) > 5 else (5, 4)
+EQUAL = 1e-10
 SLIDING = [
     {"uplift": "none"},
     {"uplift": "in_phase", "lag": 0.0},

@@ -2,7 +2,9 @@
 
 Skipped (exit code 77) where there is no Chromium.
 
-usage: test_page_design.py FOLDER_OF_THE_SCRIPTS UPBEAD FOLDER_OF_THE_CASES
+usage: test_page_design.py FOLDER_OF_THE_SCRIPTS UPBEAD FOLDER_OF_THE_CASES [SECTIONS WAVES]
+
+SECTIONS with WAVES each: 8 with 6 by default; the long tests have 20 with 10.
 """
 
 import json
@@ -20,7 +22,8 @@ import upbead
 from report import pdf
 from upbead.program import toml_value
 
-SECTIONS, WAVES, EQUAL = 20, 10, 1e-10
+SECTIONS, WAVES = map(int, sys.argv[4:6]) if len(sys.argv) > 5 else (8, 6)
+EQUAL = 1e-10
 NOT_OF_A_WAVE = ("water_depth", "submerged_weight")
 # Types {key: text} one by one; returns the numbers, the warnings, the mistake, and the design as the page saves it.
 TYPE = """async (settings) => {
@@ -79,7 +82,7 @@ class Formulas(unittest.TestCase):
     def type(self, settings):
         return self.browser.value(f"({TYPE})({json.dumps(list(settings))})")
 
-    def test_200_settings_as_waves_tells_them(self):
+    def test_settings_as_waves_tells_them(self):
         draw, worst, warned = np.random.default_rng(27), {}, set()
         for number in range(SECTIONS):
             self.compare_section(draw, number, worst, warned)

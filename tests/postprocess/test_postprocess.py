@@ -1,7 +1,6 @@
 """Draws the figures from artificial results. Usage: test_postprocess.py FOLDER_OF_THE_SCRIPTS"""
 
 import json
-import subprocess
 import sys
 import tempfile
 import unittest
@@ -9,6 +8,7 @@ from pathlib import Path
 
 import h5py
 import numpy as np
+from scripts import call
 
 SCRIPTS = Path(sys.argv[1]) if len(sys.argv) > 1 else Path(__file__).parents[2] / "postprocess"
 
@@ -109,8 +109,7 @@ class Figures(unittest.TestCase):
         self.temporary.cleanup()
 
     def script(self, name, *arguments):
-        command = [sys.executable, "-B", str(SCRIPTS / name), *map(str, arguments)]
-        return subprocess.run(command, capture_output=True, text=True, check=False)
+        return call(SCRIPTS / name, *arguments)
 
     def make_result(self, *adders, title="Made-up caisson"):
         time = np.linspace(0.0, 4.0, 4001)

@@ -11,6 +11,7 @@ from pathlib import Path
 
 import h5py
 import numpy as np
+from scripts import call
 
 SCRIPTS, PROGRAM = Path(sys.argv[1]), Path(sys.argv[2])
 sys.path[:0] = [str(SCRIPTS), str(Path(__file__).parents[1] / "support")]
@@ -34,8 +35,7 @@ class ReducedModels(unittest.TestCase):
             return {name: data[()] for name, data in file[wave.stem].items()}
 
     def script(self, *arguments):
-        command = [sys.executable, "-B", SCRIPTS / "reduced_model.py", *arguments]
-        return subprocess.run(command, capture_output=True, text=True, check=False)
+        return call(SCRIPTS / "reduced_model.py", *arguments)
 
     def write_wave(self, time):
         wave = self.folder / "wave.csv"

@@ -31,6 +31,7 @@ SECTIONS = [
     "inputs",
     "case",
 ]  # in the order of the page
+COARSE = "mesh.parameters.cells=0.5"
 
 
 class Report(unittest.TestCase):
@@ -39,11 +40,11 @@ class Report(unittest.TestCase):
         cls.temporary = tempfile.TemporaryDirectory()
         folder = Path(cls.temporary.name)
         case = CASES / "fig2b-prototype.toml"
-        cls.plain = run(case, folder / "plain")
+        cls.plain = run(case, folder / "plain", COARSE)
         limits = ("limits={ sliding=0.3, base_pressure=4e5 }", 'report={ project="A <b> mole", revision="C" }')
         friction = 'regions.caisson.interface.kind="friction"'
-        cls.slid = run(case, folder / "slid", "loads.impulse.factor=5", friction, *limits)
-        fields = run(case, folder / "fields", "output.fields={ every = 0.05 }")
+        cls.slid = run(case, folder / "slid", COARSE, "loads.impulse.factor=5", friction, *limits)
+        fields = run(case, folder / "fields", COARSE, "output.fields={ every = 0.05 }")
         cls.full = made.with_records(fields, folder / "full")
         cls.column = made.column(folder)
         cls.pages = {name: page(getattr(cls, name))[0] for name in ("plain", "slid", "full", "column")}

@@ -2,7 +2,6 @@
 
 import csv
 import json
-import subprocess
 import sys
 import tempfile
 import unittest
@@ -10,6 +9,7 @@ from pathlib import Path
 
 import h5py
 import numpy as np
+from scripts import call
 
 SCRIPTS = Path(sys.argv[1]) if len(sys.argv) > 1 else Path(__file__).parents[2] / "postprocess"
 sys.path.insert(0, str(SCRIPTS))
@@ -64,14 +64,12 @@ class SlipFigures(unittest.TestCase):
 
     def figure(self, name, *arguments):
         path = self.folder / "figure.svg"
-        command = [sys.executable, "-B", str(SCRIPTS / name), *map(str, arguments), "-o", str(path)]
-        done = subprocess.run(command, capture_output=True, text=True, check=False)
+        done = call(SCRIPTS / name, *arguments, "-o", path)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         return path.read_text(encoding="utf-8")
 
     def refused(self, message, name, *arguments):
-        command = [sys.executable, "-B", str(SCRIPTS / name), *map(str, arguments)]
-        done = subprocess.run(command, capture_output=True, text=True, check=False)
+        done = call(SCRIPTS / name, *arguments)
         self.assertEqual(done.returncode, 1, done.stderr)
         self.assertIn(message, done.stderr)
         self.assertNotIn("Traceback", done.stderr)

@@ -98,13 +98,14 @@ const auto by_case = [](const ::testing::TestParamInfo<std::tuple<unsigned, std:
   return std::to_string(std::get<0>(p.param)) + "_" + std::get<1>(p.param);
 };
 
-/// The fronts of a step, on soil and on rock, and rubble of k = 1 m/s take half of the time of all.
+/// One of each kind of soil and load; the fronts of a step and rubble of k = 1 m/s take half of the time of all.
 INSTANTIATE_TEST_SUITE_P(Cases, SchanzCheng,
-                         ::testing::Combine(::testing::Values(1u, 2u, 4u, 5u, 6u, 7u, 8u, 11u, 12u, 13u, 14u),
+                         ::testing::Combine(::testing::Values(1u, 4u, 5u, 11u, 12u, 14u),
                                             ::testing::Values("full", "upB")),
                          by_case);
 INSTANTIATE_TEST_SUITE_P(CasesAtLength, SchanzCheng,
-                         ::testing::Combine(::testing::Values(0u, 3u, 9u, 10u), ::testing::Values("full", "upB")),
+                         ::testing::Combine(::testing::Values(0u, 2u, 3u, 6u, 7u, 8u, 9u, 10u, 13u),
+                                            ::testing::Values("full", "upB")),
                          by_case);
 
 }  // namespace schanz_cheng_test

@@ -29,7 +29,9 @@ TEST_P(Conductivity, Column) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Rows, Conductivity, ::testing::Range(0u, 9u));
+/// Both ends of the sweep and its middle.
+INSTANTIATE_TEST_SUITE_P(Rows, Conductivity, ::testing::Values(0u, 4u, 8u));
+INSTANTIATE_TEST_SUITE_P(RowsAtLength, Conductivity, ::testing::Values(1u, 2u, 3u, 5u, 6u, 7u));
 
 }  // namespace conductivity_test
 }  // namespace upbead::test
