@@ -31,6 +31,14 @@ void prefer_large_pages() {
          keep_the_users);
 }
 
+/// Tells mistakes of a case before the solver starts, which takes half a second. Not where several processes read the
+/// same case: there the solver tells them once.
+void check_case_first(int argc, char** argv) {
+  const std::string command = argv[1];
+  if (command == "study" || std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr) return;
+  upbead::check_case_of(argc, argv);
+}
+
 /// Replaces this process by the solver, with the same command line.
 [[noreturn]] void become_solver(char** argv) {
   prefer_large_pages();
@@ -56,7 +64,10 @@ int main(int argc, char** argv) {
       std::cout << text;
       return 0;
     }
-    if (argc > 1 && is_solvers(argv[1])) become_solver(argv);
+    if (argc > 1 && is_solvers(argv[1])) {
+      check_case_first(argc, argv);
+      become_solver(argv);
+    }
   } catch (...) {
     return upbead::tell_failure();
   }

@@ -236,6 +236,16 @@ CaseTables tables_of(const Case& problem, PathText path_text) {
   return tables;
 }
 
+/// The tables as they are written, with the mistakes that can be found without another file.
+CaseTables read_tables(const Document& document, Diagnostics& report) {
+  CaseTables tables;
+  case_schema().read(document.root(), "", tables, report);
+  for (const auto check :
+       {check_mesh, check_regions, check_section, check_loads, check_time, check_probes, check_output, check_sliding})
+    check(tables, document, report);
+  return tables;
+}
+
 }  // namespace
 
 std::string Case::resolve(const std::string& path) const {
@@ -253,12 +263,8 @@ Case read_case(const std::string& path, const std::vector<std::string>& override
   Case problem;
   problem.document = Document(path, overrides);
   problem.stem = fs::path(path).stem().string();
-  CaseTables tables;
   Diagnostics report;
-  case_schema().read(problem.document.root(), "", tables, report);
-  for (const auto check :
-       {check_mesh, check_regions, check_section, check_loads, check_time, check_probes, check_output, check_sliding})
-    check(tables, problem.document, report);
+  CaseTables tables = read_tables(problem.document, report);
   make_histories(problem, tables, report);
   make_sliding(problem, tables, report);
   add_section_friction(tables);
@@ -295,6 +301,12 @@ Case read_case(const std::string& path, const std::vector<std::string>& override
     problem.sources[name] = {table.pulse, table.history_file};
   }
   return problem;
+}
+
+void check_case(const std::string& path, const std::vector<std::string>& overrides) {
+  Diagnostics report;
+  read_tables(Document(path, overrides), report);
+  if (!report.empty()) read_case(path, overrides);
 }
 
 std::string notes_on(const Case& problem) {

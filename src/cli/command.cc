@@ -11,6 +11,7 @@
 #include "base/text.h"
 #include "output/versions.h"
 #include "upbead/base/error.h"
+#include "upbead/case/case.h"
 
 namespace upbead {
 
@@ -118,6 +119,21 @@ std::vector<Command> solver_commands() {
 Command solver_command(const std::string& name) {
   const std::vector<Command> commands = solver_commands();
   return *std::find_if(commands.begin(), commands.end(), [&name](const Command& one) { return one.name == name; });
+}
+
+void check_case_of(int argc, char** argv) {
+  CaseOptions options;
+  Command command = case_command(argv[1], options);
+  command.work = [&options] {
+    check_case(options.file, options.overrides);
+    return 0;
+  };
+  CLI::App program;
+  add(program, command);
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::Error&) {  // help, or words that are not understood: the command itself tells
+  }
 }
 
 std::vector<Command> light_commands() {

@@ -71,6 +71,22 @@ std::vector<Command> solver_commands();
 /// The one of these commands with that name.
 Command solver_command(const std::string& name);
 
+/// Options of the commands that solve a case.
+struct CaseOptions : CommonOptions {
+  bool trusted = false;          ///< --trust
+  double checkpoint_every = 0.;  ///< run: wall time between two checkpoints (s); 0: none are kept
+  bool resume = false;           ///< run
+  bool all_readings = false;     ///< reduce
+  bool check = false;            ///< reduce
+};
+
+/// One of explain, run and reduce with its options and its help, but without its work.
+Command case_command(const std::string& name, CaseOptions& options);
+
+/// Throws InputError where the case on the command line of explain, run or reduce has mistakes. Words that these
+/// commands do not understand pass.
+void check_case_of(int argc, char** argv);
+
 /// Says what would be solved, what is skipped and why.
 Command explain_command();
 Command run_command();

@@ -20,10 +20,6 @@ namespace upbead {
 
 namespace {
 
-struct ExplainOptions : CommonOptions {
-  bool trusted = false;
-};
-
 bool will_be_reduced(const Simulation& simulation) {
   return choose_scheme(simulation.scene, *simulation.compiled).scheme == TimeScheme::reduced;
 }
@@ -114,7 +110,7 @@ std::string output_table() {
   return json_text(json);
 }
 
-int explain(const ExplainOptions& options) {
+int explain(const CaseOptions& options) {
   const Case input = read_case(options.file, options.overrides);
   require_trust(input, options.trusted);
   const Simulation simulation = simulation_of(input);
@@ -124,29 +120,17 @@ int explain(const ExplainOptions& options) {
   return 0;
 }
 
-const char* const explain_footer =
-    R"(Reads, checks and meshes the case, solves nothing and writes nothing. Prints the mesh, how the pore water of each
-region is treated and why, each load's arm above the caisson's bottom, and what is skipped.
-
-Examples:
-  upbead explain cases/fig2b-model.toml
-  upbead explain cases/fig2b-model.toml --set regions.mound.hydraulic_conductivity=1e-3
-  upbead explain --keys
-  upbead explain --outputs)";
-
 }  // namespace
 
 Command explain_command() {
-  const auto options = std::make_shared<ExplainOptions>();
-  Command command = solver_command("explain");
-  command.options = common_options(*options) + std::vector{trust_option(options->trusted)};
+  const auto options = std::make_shared<CaseOptions>();
+  Command command = case_command("explain", *options);
   command.texts = {
       {"--keys", "print every key of a case file with unit, range, default and meaning", case_reference},
       {"--schema", "print them as JSON Schema, by which an editor completes and checks a case file", case_json_schema},
       {"--outputs", "print every key of the summaries with unit and meaning", output_reference},
       {"--outputs-json", "the same for programs", output_table},
       {"--exclusions", "print what cannot go with what", exclusion_table}};
-  command.footer = explain_footer;
   command.work = [options] { return explain(*options); };
   return command;
 }

@@ -31,12 +31,6 @@ namespace upbead {
 
 namespace {
 
-struct ReduceOptionsOfCommand : CommonOptions {
-  bool all_readings = false;
-  bool check = false;
-  bool trusts_script = false;
-};
-
 /// The loads of a scene under the names that they have in the reduced model.
 std::vector<ModelLoad> model_loads(const Scene& scene, const ModalModel& model) {
   std::vector<ModelLoad> list;
@@ -254,9 +248,9 @@ Reduction reduce_glued(const Simulation& simulation, bool all_readings) {
   return reduction;
 }
 
-int reduce(const ReduceOptionsOfCommand& options, const Stopwatch& since_start) {
+int reduce(const CaseOptions& options, const Stopwatch& since_start) {
   const Case input = read_case(options.file, options.overrides);
-  require_trust(input, options.trusts_script);
+  require_trust(input, options.trusted);
   require_loads(input);
   std::cerr << notes_on(input);
   note_interrupts();
@@ -291,30 +285,11 @@ int reduce(const ReduceOptionsOfCommand& options, const Stopwatch& since_start) 
   return 0;
 }
 
-const char* const reduce_footer =
-    R"(Writes results/NAME/reduced.h5 (or into --out DIR): the modes of the scene with their error and validity, which
-'upbead respond' and postprocess/reduced_model.py apply to any wave. The model is as large as the case's
-[accuracy] tolerance asks for, measured on the case's own histories by nested models.
-
-Examples:
-  upbead reduce cases/fig2b-prototype.toml
-  upbead reduce cases/fig2b-prototype.toml --check --set accuracy.tolerance=0.001 --out /tmp/fine
-  upbead respond results/fig2b-prototype/reduced.h5 cases/fig2b-prototype-impulse.csv)";
-
 }  // namespace
 
 Command reduce_command() {
-  const auto options = std::make_shared<ReduceOptionsOfCommand>();
-  Command command = solver_command("reduce");
-  command.options =
-      common_options(*options) +
-      std::vector<Option>{
-          trust_option(options->trusts_script),
-          {"--all-readings", &options->all_readings,
-           "add vectors until all readings, not F_T alone, differ between nested models by less than ten times the "
-           "tolerance"},
-          {"--check", &options->check, "march the case as well and print the error against that march; takes longer"}};
-  command.footer = reduce_footer;
+  const auto options = std::make_shared<CaseOptions>();
+  Command command = case_command("reduce", *options);
   command.work = [options, since_start = Stopwatch()] { return reduce(*options, since_start); };
   return command;
 }

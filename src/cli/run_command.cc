@@ -24,11 +24,6 @@ namespace upbead {
 
 namespace {
 
-struct RunOptionsOfCommand : CommonOptions {
-  CheckpointWish checkpoint;
-  bool trusted = false;
-};
-
 /// Solves the case; `visible`: whether to show the progress.
 Run solve(const Case& input, const Simulation& simulation, const std::vector<MeasuredRecord>& records,
           FieldOutput& fields, Checkpoints* checkpoints, bool visible) {
@@ -75,27 +70,6 @@ std::vector<std::string> run_files() {
   return files;
 }
 
-const char* const run_footer =
-    R"(Writes into results/NAME (or --out DIR), all or nothing:
-  results.h5     histories /history/{time, force, shear_force, inertia_force, caisson/..., probes/...}, SI units
-  times.csv      all readings at the times of the case's [output] times
-  summary.json   peaks, ratio of peak F_T to peak P, checks, what was skipped, times
-  case.toml      the case with all defaults spelled out; runs again as it is
-  fields.pvd     fields for ParaView, where the case has [output] fields
-
-A long run can be stopped and resumed, with the same result to the last bit (not with contact, soil that follows
-its strain, or several processes):
-  upbead run CASE --checkpoint 600      writes a checkpoint every 600 s, and where it is interrupted
-  upbead run CASE --checkpoint 600 --resume
-
-On several processes (mpirun -n 2 upbead run CASE) the mesh is divided among them; the answer is the same up to
-round-off. Fields, reduced models and an early stop are for one process alone.
-
-Examples:
-  upbead run cases/fig2b-model.toml
-  upbead run cases/fig2b-model.toml --set time.scheme=generalised_alpha --out /tmp/ga
-  upbead run cases/fig2b-prototype.toml --json | jq .response.shear_to_force_ratio)";
-
 /// Throws InputError at the keys of a case that cannot be solved on several processes, as checkpoints cannot.
 void check_processes(const Case& input, bool with_checkpoints) {
   Diagnostics mistakes;
@@ -126,14 +100,13 @@ void run_together(const Processes* processes, const std::function<void()>& work)
 }
 
 /// All processes do the same, except that they divide the system among them; only the first prints and writes.
-void run(const RunOptionsOfCommand& options, const Stopwatch& since_start,
-         const std::shared_ptr<const Processes>& processes) {
+void run(const CaseOptions& options, const Stopwatch& since_start, const std::shared_ptr<const Processes>& processes) {
   const bool is_first = !processes || processes->rank() == 0;
   const Case input = read_case(options.file, options.overrides);
   require_trust(input, options.trusted);
   require_loads(input);
   if (is_first) std::cerr << notes_on(input);
-  if (processes) check_processes(input, options.checkpoint.every > 0. || options.checkpoint.resume);
+  if (processes) check_processes(input, options.checkpoint_every > 0. || options.resume);
   note_interrupts();
   std::optional<OutputFolder> folder;
   std::optional<Checkpoints> checkpoints;
@@ -141,7 +114,7 @@ void run(const RunOptionsOfCommand& options, const Stopwatch& since_start,
     const std::string out = options.out.empty() ? "results/" + input.stem : options.out;
     require_inputs_kept(out, run_files(), input_files(input));
     folder.emplace(out);
-    checkpoints.emplace(input, folder->name(), options.checkpoint);
+    checkpoints.emplace(input, folder->name(), CheckpointWish{options.checkpoint_every, options.resume});
   }
   const Simulation simulation = simulation_of(input, nullptr, processes);
   const std::vector<MeasuredRecord> records = read_records(input, simulation);
@@ -162,16 +135,8 @@ void run(const RunOptionsOfCommand& options, const Stopwatch& since_start,
 }  // namespace
 
 Command run_command() {
-  const auto options = std::make_shared<RunOptionsOfCommand>();
-  Command command = solver_command("run");
-  command.options =
-      common_options(*options) +
-      std::vector<Option>{trust_option(options->trusted),
-                          {"--checkpoint", &options->checkpoint.every,
-                           "keep a checkpoint in DIR.checkpoint every so many seconds of wall time; removed in the end",
-                           "SECONDS", false, true},
-                          {"--resume", &options->checkpoint.resume, "go on from the checkpoint, where there is one"}};
-  command.footer = run_footer;
+  const auto options = std::make_shared<CaseOptions>();
+  Command command = case_command("run", *options);
   command.work = [options, since_start = Stopwatch()] {
     const std::shared_ptr<const Processes> processes = started_processes();
     run_together(processes.get(), [&] { run(*options, since_start, processes); });

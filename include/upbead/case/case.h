@@ -97,6 +97,9 @@ struct Case {
 /// every mistake.
 Case read_case(const std::string& path, const std::vector<std::string>& overrides = {});
 
+/// Throws what read_case() throws if the case file itself has mistakes; reads no other file if it has none.
+void check_case(const std::string& path, const std::vector<std::string>& overrides = {});
+
 /// The notes of the case as text, a line each.
 std::string notes_on(const Case& problem);
 

@@ -1,0 +1,75 @@
+// The commands that solve a case, as far as both programs know them: upbead, and the solver that does their work.
+
+#include "cli/command.h"
+
+namespace upbead {
+
+namespace {
+
+const char* const explain_footer =
+    R"(Reads, checks and meshes the case, solves nothing and writes nothing. Prints the mesh, how the pore water of each
+region is treated and why, each load's arm above the caisson's bottom, and what is skipped.
+
+Examples:
+  upbead explain cases/fig2b-model.toml
+  upbead explain cases/fig2b-model.toml --set regions.mound.hydraulic_conductivity=1e-3
+  upbead explain --keys
+  upbead explain --outputs)";
+
+const char* const run_footer =
+    R"(Writes into results/NAME (or --out DIR), all or nothing:
+  results.h5     histories /history/{time, force, shear_force, inertia_force, caisson/..., probes/...}, SI units
+  times.csv      all readings at the times of the case's [output] times
+  summary.json   peaks, ratio of peak F_T to peak P, checks, what was skipped, times
+  case.toml      the case with all defaults spelled out; runs again as it is
+  fields.pvd     fields for ParaView, where the case has [output] fields
+
+A long run can be stopped and resumed, with the same result to the last bit (not with contact, soil that follows
+its strain, or several processes):
+  upbead run CASE --checkpoint 600      writes a checkpoint every 600 s, and where it is interrupted
+  upbead run CASE --checkpoint 600 --resume
+
+On several processes (mpirun -n 2 upbead run CASE) the mesh is divided among them; the answer is the same up to
+round-off. Fields, reduced models and an early stop are for one process alone.
+
+Examples:
+  upbead run cases/fig2b-model.toml
+  upbead run cases/fig2b-model.toml --set time.scheme=generalised_alpha --out /tmp/ga
+  upbead run cases/fig2b-prototype.toml --json | jq .response.shear_to_force_ratio)";
+
+const char* const reduce_footer =
+    R"(Writes results/NAME/reduced.h5 (or into --out DIR): the modes of the scene with their error and validity, which
+'upbead respond' and postprocess/reduced_model.py apply to any wave. The model is as large as the case's
+[accuracy] tolerance asks for, measured on the case's own histories by nested models.
+
+Examples:
+  upbead reduce cases/fig2b-prototype.toml
+  upbead reduce cases/fig2b-prototype.toml --check --set accuracy.tolerance=0.001 --out /tmp/fine
+  upbead respond results/fig2b-prototype/reduced.h5 cases/fig2b-prototype-impulse.csv)";
+
+std::vector<Option> run_options(CaseOptions& options) {
+  return {{"--checkpoint", &options.checkpoint_every,
+           "keep a checkpoint in DIR.checkpoint every so many seconds of wall time; removed in the end", "SECONDS",
+           false, true},
+          {"--resume", &options.resume, "go on from the checkpoint, where there is one"}};
+}
+
+std::vector<Option> reduce_options(CaseOptions& options) {
+  return {{"--all-readings", &options.all_readings,
+           "add vectors until all readings, not F_T alone, differ between nested models by less than ten times the "
+           "tolerance"},
+          {"--check", &options.check, "march the case as well and print the error against that march; takes longer"}};
+}
+
+}  // namespace
+
+Command case_command(const std::string& name, CaseOptions& options) {
+  Command command = solver_command(name);
+  command.options = common_options(options) + std::vector{trust_option(options.trusted)};
+  if (name == "run") command.options = command.options + run_options(options);
+  if (name == "reduce") command.options = command.options + reduce_options(options);
+  command.footer = name == "run" ? run_footer : name == "reduce" ? reduce_footer : explain_footer;
+  return command;
+}
+
+}  // namespace upbead
