@@ -93,7 +93,7 @@ class Processes(ProgramTest):
             with self.subTest(scene):
                 self.compare(keys, [2, 4])
 
-    def test_marches_by_itself_and_finds_the_same_mesh(self):
+    def test_marches_by_itself_and_finds_the_same_mesh_at_length(self):
         keys = ["time.scheme=auto", "mesh.refine='auto'", "mesh.parameters.cells=0.4", "accuracy.tolerance=0.03"]
         alone, both = (self.run_on(n, *keys, *more) for n, more in ((1, ["time.scheme=sdirk4"]), (2, [])))
         self.assertEqual(both["discretisation"]["scheme"], "sdirk4")

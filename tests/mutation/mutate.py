@@ -42,7 +42,7 @@ class Layer:
         told = subprocess.run(["ninja", "-C", BUILD, "-t", "commands", self.program], check=True, capture_output=True, text=True)
         self.link = told.stdout.splitlines()[-1]
         entries = [entry for entry in json.loads((BUILD / "compile_commands.json").read_text())
-                   if f"/upbead_{name}.dir/" in entry["output"]]
+                   if f"/upbead_{name}.dir/" in entry["command"]]
         self.alone = {entry["file"]: entry for entry in entries}
         self.together = next(entry for entry in entries if "/Unity/" in entry["file"])
         self.files = sorted((ROOT / "src" / name).glob("*.cc"))

@@ -20,7 +20,7 @@ from chromium import Browser
 import upbead
 from report import pdf
 
-EQUAL, SETTINGS = 1e-10, 12
+EQUAL, SETTINGS = 1e-10, 8
 SMALL = [f"mesh.parameters.{key}" for key in ("seabed_front=60", "seabed_back=60", "sea_front=4", "sea_back=4")]
 COURSES = ("church_roof", "triangle", "sine", "combined")
 SAME = ("peak_force", "peak_shear", "peak_shear_seaward")

@@ -55,7 +55,7 @@ TEST_F(ChosenTimes, AreTheReadingsOfAFineMarch) {
   }
 }
 
-TEST_F(ChosenTimes, DenseHistoriesAreThoseOfAFineMarch) {
+TEST_F(ChosenTimes, DenseHistoriesAreThoseOfAFineMarchAtLength) {
   const std::string every = "output.every=0.0013";
   const upbead::Run fine = solved({every, "time={ end = 0.6, step = 0.0005, scheme = \"sdirk4\" }"});
   ASSERT_EQ(fine.dense->time.size(), 462U);

@@ -8,7 +8,7 @@
 namespace upbead::test {
 namespace node_contact_test {
 
-TEST(NodeContact, OnRigidGroundIsTheExactBlock) {
+TEST(NodeContact, OnRigidGroundIsTheExactBlockAtLength) {
   Record record("contact_block");
   const double R = friction * submerged_weight(), duration = 3.;
   const auto mesh = breakwater_mesh(0.25);

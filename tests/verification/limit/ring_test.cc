@@ -99,7 +99,7 @@ class Ring {
   Vector x_;
 };
 
-TEST(Ring, YieldsAndBurstsAsHillFound) {
+TEST(Ring, YieldsAndBurstsAsHillFoundAtLength) {
   Record record("ring");
   Ring ring(24, 24);
   double before = 0.;
