@@ -179,5 +179,21 @@ TEST_F(CaseTest, NeedsALoadToRunOnly) {
   EXPECT_NO_THROW(require_loads(read(good_case)));
 }
 
+/// The check before the solver starts says the same as the reader, and reads no record of a case without mistakes.
+TEST_F(CaseTest, IsCheckedWithoutItsRecords) {
+  const std::string load = "[loads.wave]\nboundary = \"top\"\nkind = \"traction\"\nhistory = \"none.csv\"\n";
+  write("case.toml", small_case + load);
+  EXPECT_NO_THROW(check_case("case.toml"));
+  EXPECT_NE(refusal("case.toml", {}).find("none.csv"), std::string::npos);
+  const std::vector<std::string> wrong{"gravty=1"};
+  try {
+    check_case("case.toml", wrong);
+    FAIL() << "the mistake was not seen";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.what(), refusal("case.toml", wrong));
+    EXPECT_NE(std::string(error.what()).find("none.csv"), std::string::npos) << "all mistakes at once";
+  }
+}
+
 }  // namespace case_test
 }  // namespace upbead::test

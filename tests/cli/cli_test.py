@@ -64,6 +64,16 @@ class Cli(ProgramTest):
         self.assertEqual((done.returncode, done.stdout), (1, ""))
         self.assertEqual(done.stderr, "there is no command 'rum'; did you mean 'run'?\n")
 
+    def test_mistakes_of_a_case_are_told_without_the_solver(self):
+        alone = self.folder / "upbead"
+        shutil.copy(PROGRAM, alone)
+        for command in ("run", "explain", "reduce"):
+            done = subprocess.run([alone, command, CASES / "fig2b-model.toml", "--set", "gravty=1"], capture_output=True, text=True)
+            self.assertEqual(done.returncode, 1)
+            self.assertIn("did you mean 'gravity'?", done.stderr)
+            done = subprocess.run([alone, command, CASES / "fig2b-model.toml"], capture_output=True, text=True)
+            self.assertIn("upbead-solver', which meshes and solves", done.stderr)
+
     @unittest.skipIf(os.environ.get("UPBEAD_SANITIZE") == "ON", "sanitizers map terabytes of addresses")
     def test_memory_that_does_not_suffice(self):
         for megabytes in (600, 1200):  # too little for the start, and exceeded during the run

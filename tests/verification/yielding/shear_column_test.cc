@@ -133,7 +133,8 @@ TEST_P(ShearColumn, MovesAsAProgramInOneDimension) {
 
 /// Amplitudes over the stress at which the secant modulus of the hyperbola is G/2.
 INSTANTIATE_TEST_SUITE_P(Bases, ShearColumn, ::testing::Combine(::testing::Bool(), ::testing::Values(0.6)));
-INSTANTIATE_TEST_SUITE_P(BasesAtLength, ShearColumn, ::testing::Combine(::testing::Bool(), ::testing::Values(0.1, 1.6)));
+INSTANTIATE_TEST_SUITE_P(BasesAtLength, ShearColumn,
+                         ::testing::Combine(::testing::Bool(), ::testing::Values(0.1, 1.6)));
 
 }  // namespace shear_column_test
 }  // namespace upbead::test
