@@ -185,7 +185,7 @@ TEST_F(CaseTest, IsCheckedWithoutItsRecords) {
   write("case.toml", small_case + load);
   EXPECT_NO_THROW(check_case("case.toml"));
   EXPECT_NE(refusal("case.toml", {}).find("none.csv"), std::string::npos);
-  const std::vector<std::string> wrong{"gravty=1"};
+  const std::vector<std::string> wrong{"fluid.density=-1"};
   try {
     check_case("case.toml", wrong);
     FAIL() << "the mistake was not seen";
