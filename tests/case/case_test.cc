@@ -182,7 +182,7 @@ TEST_F(CaseTest, NeedsALoadToRunOnly) {
 /// The check before the solver starts says the same as the reader, and reads no record of a case without mistakes.
 TEST_F(CaseTest, IsCheckedWithoutItsRecords) {
   const std::string load = "[loads.wave]\nboundary = \"top\"\nkind = \"traction\"\nhistory = \"none.csv\"\n";
-  write("case.toml", small_case + load);
+  write("case.toml", small_case + "[boundaries]\ntop = { displacement = \"free\" }\n" + load);
   EXPECT_NO_THROW(check_case("case.toml"));
   EXPECT_NE(refusal("case.toml", {}).find("none.csv"), std::string::npos);
   const std::vector<std::string> wrong{"fluid.density=-1"};

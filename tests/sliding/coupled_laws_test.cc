@@ -119,6 +119,31 @@ TEST(CoupledLaws, LiftsWhereTheNormalForceIsGone) {
   EXPECT_NEAR(found.dissipated, 0.5 * R * found.slip.residual, 2e-3 * found.dissipated) << "which P has done";
 }
 
+/// So no number of the law is one of N/m.
+TEST(CoupledLaws, ABillionthOfAllForcesMovesItABillionth) {
+  const double step = 1e-3;
+  const CoupledSlip slip(in_modes(block_on_base(mass, base), friction, shift), step);
+  WaveSamples loads = samples(pulse, weight, step, 1001);
+  loads.row(1).segment(100, 100).setConstant(-0.25 * weight);  // it lifts, and lands again
+  const CoupledSliding whole = slip.slide(loads), small = slip.slide(1e-9 * loads);
+  ASSERT_EQ(whole.slip.slips.size(), small.slip.slips.size());
+  EXPECT_GT(whole.slip.slips.size(), 1u);
+  EXPECT_GT(whole.lifted_time, 0.09);
+  EXPECT_NEAR(small.lifted_time, whole.lifted_time, 1e-12);
+  EXPECT_NEAR(1e9 * small.slip.residual, whole.slip.residual, 1e-9 * whole.slip.path);
+  EXPECT_NEAR(1e9 * small.slip.path, whole.slip.path, 1e-9 * whole.slip.path);
+}
+
+TEST(CoupledLaws, FrictionMayTakeWhatRoundOffAdds) {
+  CoupledSliding s;
+  s.available = -2.;  // J/m, of which one is uncertain
+  s.uncertain = 1.;
+  s.dissipated = -1. + 5e-7;
+  EXPECT_EQ(why_no_distance(s), "");
+  s.dissipated = -1. + 5e-6;
+  EXPECT_NE(why_no_distance(s), "");
+}
+
 TEST(CoupledLaws, MoreForceMovesItFarther) {
   const LumpedBreakwater breakwater;
   const double step = 2e-3;

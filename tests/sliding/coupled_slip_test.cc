@@ -148,6 +148,22 @@ TEST(CoupledSlip, OwnTimesAndJumpsCount) {
   EXPECT_EQ(history.shear[4], 0.);
 }
 
+TEST(CoupledSlip, TurnsWithoutARestAndCountsTwoSlips) {
+  // 4R for a time T, then -10R: v = 3R T/m, which 11R/m stop; from there 9R/m push seaward until T + 2T
+  const double mass = 6e5, R = 1.94e6, T = 0.1, turn = T + 3. * T / 11.;
+  const CoupledSlip slip(in_modes(block_on_rock(mass), friction, shift), 0.01);
+  SampledLoads loads{{0., T, 3. * T, 2.}, Eigen::MatrixXd(2, 3), {}};
+  loads.begin << 4. * R, -10. * R, 0., R / friction, R / friction, R / friction;
+  loads.end = loads.begin;
+  const CoupledSliding found = slip.slide(loads);
+  ASSERT_EQ(found.slip.slips.size(), 2u);
+  EXPECT_NEAR(found.slip.slips[0].stop, turn, 1e-12);
+  EXPECT_NEAR(found.slip.slips[1].start, turn, 1e-12);
+  const double v = 3. * R * T / mass, w = 9. * R * (3. * T - turn) / mass;
+  EXPECT_NEAR(found.slip.slips[0].distance, 0.5 * v * turn, 1e-12);
+  EXPECT_NEAR(found.slip.slips[1].distance, -0.5 * w * (3. * T - turn) - 0.5 * w * w * mass / R, 1e-10);
+}
+
 TEST(CoupledSlip, FollowsASlipBeyondTheLastSample) {
   const double mass = 6e5, R = 1.94e6;
   const CoupledSlip slip(in_modes(block_on_rock(mass), friction, shift), 0.01);

@@ -71,6 +71,10 @@ TEST(ElasticBlock, MirrorsWithTheForce) {
   const ElasticSliding b = slide_on_base(6e5, base, history({-3.88e6, 0.3}), 1.94e6);
   EXPECT_EQ(a.slip.residual, -b.slip.residual);
   EXPECT_GT(a.slip.residual, 0.01);
+  ASSERT_EQ(a.slip.slips.size(), b.slip.slips.size());
+  for (std::size_t i = 0; i < a.slip.slips.size(); ++i)
+    EXPECT_EQ(a.slip.slips[i].peak_velocity, -b.slip.slips[i].peak_velocity);
+  EXPECT_GT(a.slip.slips[0].peak_velocity, 0.1);
 }
 
 TEST(ElasticBlock, RefusesADashpotWithoutAMass) {

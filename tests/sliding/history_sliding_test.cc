@@ -66,6 +66,12 @@ TEST(HistorySliding, NothingHoldsACaissonThatIsLifted) {
   EXPECT_NEAR(s.by_history.residual, distance, 1e-12);
 }
 
+TEST(HistorySliding, TellsTheUpliftAtThePeakBetweenItsOwnTimes) {
+  const History U{{0., 0.3, 0.6}, {0., 6e5, 0.}};
+  EXPECT_NEAR(slide_history({history({3e6, 0.2}), U, {}}, bottom).uplift_at_peak, 2e5, 1e-6);
+  EXPECT_NEAR(slide_history({history({3e6, 0.8}), U, {}}, bottom).uplift_at_peak, 4e5, 1e-6);
+}
+
 TEST(HistorySliding, FrictionIsWholeAgainOnceTheUpliftIsOver) {
   // still moving when the uplift ends: braked by the whole mu W'
   const History push{{0., 0., 0.2, 0.2}, {0., 4e6, 4e6, 0.}};
