@@ -6,9 +6,10 @@ usage: waves_test.py PROGRAM CASES_FOLDER
 
 import json
 import math
+import re
 import sys
 
-from program import CASES, ProgramTest, main, upbead
+from program import AT_LENGTH, CASES, ProgramTest, main, upbead
 
 # The section of the regression table, which is declared, not published (tests/waves/regression_test.cc).
 DESIGN = """title = "regression"
@@ -351,7 +352,9 @@ class Figure10(ProgramTest):
 
     def curve(self, name, friction):
         change = ["--set", f"section.friction={friction}"]
-        done = upbead("waves", CASES / "fig10" / name, *change, "--json", cwd=self.folder)
+        head, *waves = re.split(r"(?m)^(?=\[waves\.)", (CASES / "fig10" / name).read_text())
+        (self.folder / name).write_text(head + "".join(reversed(waves[:: -1 if AT_LENGTH else -2])))  # the highest among them
+        done = upbead("waves", name, *change, "--json", cwd=self.folder)
         self.assertEqual(done.returncode, 0, done.stderr)
         waves = json.loads(done.stdout)["waves"].values()
         points = sorted((wave["safety_sliding"], wave["sliding_paper"]) for wave in waves)

@@ -98,7 +98,7 @@ void compare(Record& record, const Json& entry, const std::string& model) {
                   times, table.at("FT"), support});
 }
 
-TEST(WallOnSpring, MovesWithCompressibleWaterAtLength) {
+TEST(WallOnSpring, MovesWithCompressibleWater) {
   Record record("water_transient");
   const Json entries = reference("ref6_water").at("coupled");
   compare(record, entries.front(), "compressible");
