@@ -1,0 +1,79 @@
+// Claims: F_T per impulse is told of forces both ways, and not of a force without impulse; an imbalance of energy is
+// told with the error that it means, which is small where the loads could do far more work than they do.
+#include "response/shear_response.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "scenes.h"
+
+namespace upbead::test {
+namespace shear_response_test {
+
+constexpr double duration = 0.15, end = 0.3, peak = 1.6e6;
+
+ShearResponse answer(const Mesh& mesh, const TimeFunction& force) {
+  Scene scene = breakwater(force);
+  scene.time.end = end;
+  const Compiled compiled(scene, mesh);
+  return read_shear_response(compiled.scene, run(compiled, end, duration / 20.), true);
+}
+
+TEST(ShearResponse, IsToldPerImpulseOfForcesBothWays) {
+  const auto mesh = breakwater_mesh(0.5);
+  const ShearResponse landward = answer(*mesh, triangle(peak, duration));
+  ASSERT_TRUE(landward.shear_to_impulse);
+  EXPECT_NEAR(landward.impulse, 0.5 * peak * duration, 1e-9 * peak);
+  EXPECT_NEAR(*landward.shear_to_impulse, landward.peak_shear / landward.impulse, 1e-12 * *landward.shear_to_impulse);
+  const ShearResponse seaward = answer(*mesh, triangle(-0.5 * peak, duration));
+  ASSERT_TRUE(seaward.shear_to_impulse);
+  EXPECT_LT(seaward.impulse, 0.);
+  EXPECT_NEAR(*seaward.shear_to_impulse, *landward.shear_to_impulse, 1e-9 * *landward.shear_to_impulse);
+  const TimeFunction both_ways =
+      piecewise_linear({0., 0.25 * duration, 0.5 * duration, 0.75 * duration, duration}, {0., peak, 0., -peak, 0.});
+  EXPECT_FALSE(answer(*mesh, both_ways).shear_to_impulse);
+}
+
+/// 1/2 (peak b_i)^2 / K_ii over the displacements of a column that a pressure loads at its top.
+double possible_work(const System& system, double pressure) {
+  double work = 0.;
+  for (int i = 0; i < system.n_free(); ++i) {
+    const double force = pressure * system.loads.at(0).vector[i], stiffness = system.K.coeff(i, i);
+    if (system.field[i] == Field::displacement && stiffness > 0.) work += 0.5 * force * force / stiffness;
+  }
+  return work;
+}
+
+TEST(Balance, OfEnergyTellsTheErrorThatItMeans) {
+  constexpr double pressure = 3e4;
+  Region soil = sand();
+  soil.flow = Flow::drained;
+  const auto mesh = column_mesh(10., 5);
+  const Compiled compiled(column(soil, piecewise_linear({0., 0.1, 0.2}, {0., pressure, 0.})), *mesh);
+  const System& system = compiled.scene.system;
+  const double possible = possible_work(system, pressure);
+  ASSERT_GT(possible, 1.);
+  // a thousandth of what the loads could do is done, of which a share is lost
+  const auto told = [&](double share) {
+    EnergyAccount energy;
+    energy.work = energy.largest_work = 1e-3 * possible;
+    energy.strain = (1. - share) * energy.work;
+    try {
+      require_balance(energy, system, 0.2);
+    } catch (const Imbalance& imbalance) {
+      return imbalance.mismatch();
+    }
+    return Mismatch();
+  };
+  EXPECT_EQ(told(1e-7).value, 0.) << "tolerable";
+  const Mismatch small = told(1e-5), large = told(1e-2);
+  EXPECT_NEAR(small.value, 1e-5, 1e-11);
+  EXPECT_NEAR(small.error, std::sqrt(1e-8), 1e-9);
+  EXPECT_TRUE(small.bearable);
+  EXPECT_NEAR(large.error, std::sqrt(1e-5), 1e-8);
+  EXPECT_FALSE(large.bearable);
+}
+
+}  // namespace shear_response_test
+}  // namespace upbead::test
