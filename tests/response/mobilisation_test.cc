@@ -68,5 +68,31 @@ TEST(Mobilisation, OfAPullEndsAtTen) {
   EXPECT_EQ(found[0].initial_share, 0.);
 }
 
+TEST(MiddleStrains, OfAReducedModelAreThoseOfItsStates) {
+  const auto mesh = column_mesh(height, cells);
+  const Compiled compiled(column(sand(), piecewise_linear({0., 1.}, {0., 1.})), *mesh);
+  const MiddleStrains strains(compiled.space, compiled.unknowns, std::vector<bool>(cells, true));
+  const int n = compiled.unknowns.size();
+  FieldBasis basis;
+  for (int i = 0; i < n; ++i) basis.unknown.push_back(i);
+  basis.unit = Vector::LinSpaced(n, 1., 2.);
+  basis.vectors = (Vector::LinSpaced(n, 0.1, 3.) * Eigen::RowVector2d(1., 2.)).array().sin();
+  basis.coordinate = {2, 0};
+  const Eigen::MatrixXd coordinates{{1., -2., 0.5}, {7., 7., 7.}, {0.3, 0., -1.}};
+  const Eigen::MatrixXd shear = strains.shear(basis, coordinates);
+  const MiddleStrains::Series all = strains.at(basis, coordinates);
+  ASSERT_EQ(shear.rows(), cells);
+  for (int t = 0; t < 3; ++t) {
+    const Vector x = basis.unit.asDiagonal() * (basis.vectors * Eigen::Vector2d(coordinates(2, t), coordinates(0, t)));
+    const std::vector<double> exact = strains.shear(x);
+    const std::vector<PlaneStrain> parts = strains.at(x);
+    for (int c = 0; c < cells; ++c) {
+      const auto i = static_cast<std::size_t>(c);
+      EXPECT_NEAR(shear(c, t), exact[i], 1e-12) << c;
+      EXPECT_NEAR(all.yy(c, t), parts[i].yy, 1e-12) << c;
+    }
+  }
+}
+
 }  // namespace mobilisation_test
 }  // namespace upbead::test
