@@ -98,5 +98,25 @@ TEST(SchemeChoice, MarchesFewSteps) {
   expect_march(scene, compiled().scene, "solves; a reduced model would cost");
 }
 
+TEST(LoadStepOfLoads, GrowsInConsolidationOnceTheLoadsStay) {
+  Scene scene = column(sand(), piecewise_linear({0., 0.1, 100.}, {0., 1e4, 1e4}));
+  scene.time.end = 100.;
+  EXPECT_FALSE(step_of_loads(scene, 4).growth) << "with inertia";
+  scene.time.inertia = false;
+  for (const double factor : {1.5, 2.}) {
+    scene.time.growth = factor;
+    const auto growth = step_of_loads(scene, 4).growth;
+    ASSERT_TRUE(growth) << factor;
+    EXPECT_EQ(growth->factor, factor);
+    EXPECT_EQ(growth->after, 0.1);
+    EXPECT_EQ(growth->largest, 2.);
+  }
+  scene.time.growth = 1.;
+  EXPECT_FALSE(step_of_loads(scene, 4).growth);
+  scene.time.growth = 2.;
+  scene.loads.begin()->second.history = piecewise_linear({0., 0.1, 100.}, {0., 1e4, 2e4});
+  EXPECT_FALSE(step_of_loads(scene, 4).growth) << "the load does not stay";
+}
+
 }  // namespace scheme_choice_test
 }  // namespace upbead::test
