@@ -121,5 +121,18 @@ INSTANTIATE_TEST_SUITE_P(ColumnsAtLength, CarriedError,
                          testing::Values(ColumnOf{0., 2, 1., 0.}, ColumnOf{0., 3, 2., 0.}, ColumnOf{1e3, 2, 4., 0.},
                                          ColumnOf{1e3, 3, 4., 0.}));
 
+/// Chung and Hulbert 1993: at an infinite frequency all three roots of generalised-alpha are -rho_inf, here -0.9. So
+/// near that root the square of the frequency grows as the distance from it to the power -3.
+TEST(SteppedFrequency, OfGeneralisedAlphaHasAThreefoldRootAtInfinity) {
+  const Complex at_infinity = std::log(Complex(-0.9, 0.));
+  const auto square = [&](double distance) {
+    SteppedFrequency stepped({1., 2});
+    return std::norm(stepped(at_infinity + distance));
+  };
+  EXPECT_NEAR(square(1e-4) / square(1e-3), 1e3, 10.);
+  SteppedFrequency slow({1e-3, 2});
+  EXPECT_NEAR(std::abs(slow({-1., 3.}) - Complex(-1., 3.)), 0., 1e-5) << "short steps carry it as it is";
+}
+
 }  // namespace carried_pulse_test
 }  // namespace upbead::test

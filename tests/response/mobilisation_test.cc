@@ -72,9 +72,11 @@ TEST(MiddleStrains, OfAReducedModelAreThoseOfItsStates) {
   const auto mesh = column_mesh(height, cells);
   const Compiled compiled(column(sand(), piecewise_linear({0., 1.}, {0., 1.})), *mesh);
   const MiddleStrains strains(compiled.space, compiled.unknowns, std::vector<bool>(cells, true));
-  const int n = compiled.unknowns.size();
+  int first = 0;  // the first unknown that strains a cell
+  while (strains.shear(Vector::Unit(compiled.unknowns.size(), first)) == std::vector<double>(cells, 0.)) ++first;
+  const int n = compiled.unknowns.size() - first;
   FieldBasis basis;
-  for (int i = 0; i < n; ++i) basis.unknown.push_back(i);
+  for (int i = 0; i < n; ++i) basis.unknown.push_back(first + i);
   basis.unit = Vector::LinSpaced(n, 1., 2.);
   basis.vectors = (Vector::LinSpaced(n, 0.1, 3.) * Eigen::RowVector2d(1., 2.)).array().sin();
   basis.coordinate = {2, 0};
@@ -83,7 +85,8 @@ TEST(MiddleStrains, OfAReducedModelAreThoseOfItsStates) {
   const MiddleStrains::Series all = strains.at(basis, coordinates);
   ASSERT_EQ(shear.rows(), cells);
   for (int t = 0; t < 3; ++t) {
-    const Vector x = basis.unit.asDiagonal() * (basis.vectors * Eigen::Vector2d(coordinates(2, t), coordinates(0, t)));
+    Vector x = Vector::Zero(first + n);
+    x.tail(n) = basis.unit.asDiagonal() * (basis.vectors * Eigen::Vector2d(coordinates(2, t), coordinates(0, t)));
     const std::vector<double> exact = strains.shear(x);
     const std::vector<PlaneStrain> parts = strains.at(x);
     for (int c = 0; c < cells; ++c) {
