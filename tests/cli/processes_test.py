@@ -94,7 +94,7 @@ class Processes(ProgramTest):
                 self.compare(keys, [2, 4])
 
     def test_marches_by_itself_and_finds_the_same_mesh_at_length(self):
-        keys = ["time.scheme=auto", "mesh.refine='auto'", "mesh.parameters.cells=0.4", "accuracy.tolerance=0.03"]
+        keys = ["time.scheme=auto", "mesh.refine='auto'", "mesh.parameters.cells=0.3", "accuracy.tolerance=0.03"]
         alone, both = (self.run_on(n, *keys, *more) for n, more in ((1, ["time.scheme=sdirk4"]), (2, [])))
         self.assertEqual(both["discretisation"]["scheme"], "sdirk4")
         self.assertEqual(both["discretisation"]["unknowns"], alone["discretisation"]["unknowns"])

@@ -6,10 +6,13 @@ usage: waves_test.py PROGRAM CASES_FOLDER
 
 import json
 import math
-import re
+import pathlib
 import sys
 
 from program import AT_LENGTH, CASES, ProgramTest, main, upbead
+
+sys.path.insert(0, str(pathlib.Path(__file__).parents[1] / "support"))
+from thinned_waves import thinned  # noqa: E402
 
 # The section of the regression table, which is declared, not published (tests/waves/regression_test.cc).
 DESIGN = """title = "regression"
@@ -352,9 +355,8 @@ class Figure10(ProgramTest):
 
     def curve(self, name, friction):
         change = ["--set", f"section.friction={friction}"]
-        head, *waves = re.split(r"(?m)^(?=\[waves\.)", (CASES / "fig10" / name).read_text())
-        (self.folder / name).write_text(head + "".join(reversed(waves[:: -1 if AT_LENGTH else -2])))  # the highest among them
-        done = upbead("waves", name, *change, "--json", cwd=self.folder)
+        case = thinned(CASES / "fig10" / name, self.folder, 1 if AT_LENGTH else 2)
+        done = upbead("waves", case, *change, "--json", cwd=self.folder)
         self.assertEqual(done.returncode, 0, done.stderr)
         waves = json.loads(done.stdout)["waves"].values()
         points = sorted((wave["safety_sliding"], wave["sliding_paper"]) for wave in waves)

@@ -5,9 +5,9 @@
     tests/mutation/mutate.py sliding --again                       unexplained survivors of the last sample
 
 Each mutant is a change of one place (operators.py). Only its file is compiled. It is linked with the layer's other
-files and in front of the layers of build-mutation (preset `mutation`), and the layer's own tests, but for those at length, run until the first
-fails. A mutant that survives needs a test, or a reason in equivalent.toml why no test can see it. The result goes to
-docs/reliability/mutation.json."""
+files and in front of the layers of build-mutation (preset `mutation`). Then the layer's own tests, without those at
+length, run until the first fails. A mutant that survives needs a test, or a reason in equivalent.toml why no test can
+see it. The result goes to docs/reliability/mutation.json."""
 
 import argparse
 import json
@@ -65,7 +65,8 @@ class Layer:
     def run(self, program, seconds):
         """PASSED, TOO_LONG, or how the program failed; the limit is processor time, as other processes may use the
         machine."""
-        command = ["prlimit", f"--cpu={seconds:.0f}", f"--as={MEMORY}", "--core=0", program, "--gtest_brief=1", "--gtest_filter=-*AtLength*"]
+        command = ["prlimit", f"--cpu={seconds:.0f}", f"--as={MEMORY}", "--core=0", program, "--gtest_brief=1",
+                   "--gtest_filter=-*AtLength*"]
         try:
             with tempfile.TemporaryDirectory() as folder:
                 done = subprocess.run(command, cwd=folder, env=ENVIRONMENT, stdout=subprocess.DEVNULL,
@@ -193,8 +194,8 @@ def main():
         unexplained += n
         page = {"title": "Mutation testing",
                 "text": "One place of a layer's sources is changed (a relation, a sign, an operator, a constant, min and max, a "
-                        "condition negated, a statement left out), and the layer's own unit tests must fail. Verification "
-                        "and command-line tests, which see more, did not run. Why a survivor is equivalent stands in "
+                        "condition negated, a statement left out), and the layer's own unit tests must fail. Tests at "
+                        "length, verification and tests of the command line, which see more, did not run. Why a survivor is equivalent stands in "
                         "tests/mutation/equivalent.toml.",
                 "command": " ".join(["tests/mutation/mutate.py", *sorted(rows)]), "figure": None,
                 "rows": sorted(rows.values(), key=lambda one: one["what"])}

@@ -3,7 +3,6 @@
 usage: test_waves.py FOLDER_OF_THE_SCRIPTS PROGRAM CASES_FOLDER
 """
 
-import re
 import subprocess
 import sys
 import tempfile
@@ -13,18 +12,12 @@ from pathlib import Path
 from scripts import call
 
 SCRIPTS, PROGRAM, CASES = (Path(argument).resolve() for argument in sys.argv[1:4])
+sys.path.insert(0, str(Path(__file__).parents[1] / "support"))
+from thinned_waves import thinned  # noqa: E402
 
 
 def figure(script, *arguments):
     return call(SCRIPTS / script, *arguments)
-
-
-def thinned(case, folder):
-    """A copy of the case with every fourth of its waves, the last among them."""
-    head, *waves = re.split(r"(?m)^(?=\[waves\.)", (CASES / case).read_text())
-    copy = folder / Path(case).name
-    copy.write_text(head + "".join(reversed(waves[::-4])))
-    return copy
 
 
 class WaveFigures(unittest.TestCase):
@@ -48,7 +41,7 @@ class WaveFigures(unittest.TestCase):
         self.assertNotIn("Traceback", done.stderr)
 
     def test_sliding_against_safety(self):
-        curves = [self.waves(thinned(f"fig10/{name}.toml", self.folder)) for name in ("impulsive", "non_breaking")]
+        curves = [self.waves(thinned(CASES / f"fig10/{name}.toml", self.folder, 4)) for name in ("impulsive", "non_breaking")]
         for formula in ("paper", "exact", "combined"):
             done = figure("sliding_safety.py", *curves, "--formula", formula, "-o", self.folder / "s.png")
             self.check_png(done, "s.png")
@@ -68,7 +61,7 @@ class WaveFigures(unittest.TestCase):
         self.check_refused(figure("wave_pressure.py", one, "--wave", "other"), "there is no wave 'other'")
         gauges.write_text("height,pressure\n-8,eighty\n")
         self.check_refused(figure("wave_pressure.py", one, "--measured", gauges), "expected a header line")
-        self.check_refused(figure("wave_pressure.py", self.waves(thinned("fig10/impulsive.toml", self.folder))), "choose one with --wave")
+        self.check_refused(figure("wave_pressure.py", self.waves(thinned(CASES / "fig10/impulsive.toml", self.folder, 4))), "choose one with --wave")
         (self.folder / "other.json").write_text("{}")
         self.check_refused(figure("wave_pressure.py", self.folder / "other.json"), "holds no waves")
 

@@ -1,7 +1,7 @@
 // Claims: in a drained column under its weight s'_x = nu/(1 - nu) s'_y, so that the same share of the strength is
 // mobilised at all depths, (1 - K)/(1 + K)/sin phi, and no load on top changes that; with K_0 = 1 none is mobilised
 // at rest, and a load mobilises the share by Mohr's circle in the highest cell that counts; for a tensile load the
-// value is limited to 10. Tolerance: round-off of the solution.
+// value is limited to 10. Strains of a reduced model are those of its states. Tolerance: round-off of the solution.
 #include "response/monitors.h"
 
 #include <gtest/gtest.h>
