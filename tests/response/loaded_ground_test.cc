@@ -1,5 +1,6 @@
 // Claims: only loads on ground that deforms count, with the cells across their side, the probes of each region and
-// their distances; a load on the rigid caisson does not, nor one that is switched off.
+// their distances, whichever way the mesh numbers the corners of its cells; a load on the rigid caisson does not, nor
+// one that is switched off.
 #include "response/ground_waves.h"
 
 #include <gtest/gtest.h>
@@ -61,6 +62,33 @@ TEST(LoadedGround, IsNotUnderARigidCaisson) {
   EXPECT_EQ(list[1].region, "seabed");
   load.boundary = "mound_surface";
   EXPECT_FALSE(loaded_grounds(scene, *mesh).at(0).is_plane);
+}
+
+/// Two squares beside each other: the upper face of the second runs the other way than that of the first.
+void make_opposed_squares(Mesh& mesh) {
+  const std::vector<dealii::Point<dim>> corners{{0., 0.}, {1., 0.}, {0., 1.}, {1., 1.}, {2., 0.}, {2., 1.}};
+  std::vector<dealii::CellData<dim>> cells(2);
+  cells[0].vertices = {0, 1, 2, 3};
+  cells[1].vertices = {4, 5, 1, 3};
+  mesh.triangulation.create_triangulation(corners, cells, {});
+  mesh.surfaces = {"soil"};
+  mesh.curves = {"top"};
+  for (const auto& face : mesh.triangulation.active_face_iterators())
+    if (face->center()[1] == 1.) face->set_manifold_id(0);
+  for (const auto& cell : mesh.triangulation.active_cell_iterators()) cell->set_material_id(0);
+}
+
+TEST(LoadedGround, PushesWhicheverWayFacesAreNumbered) {
+  Mesh mesh;
+  make_opposed_squares(mesh);
+  Scene scene = column(sand(), triangle(1e3, 0.1));
+  scene.probes["low"].at = {1.5, 0.25};
+  const auto list = loaded_grounds(scene, mesh);
+  ASSERT_EQ(list.size(), 1U);
+  EXPECT_TRUE(list[0].pushes);
+  EXPECT_TRUE(list[0].is_plane);
+  EXPECT_NEAR(list[0].cell, 1., 1e-12);
+  EXPECT_NEAR(list[0].nearest, 0.75, 1e-12);
 }
 
 }  // namespace loaded_ground_test

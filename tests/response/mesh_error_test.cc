@@ -1,6 +1,6 @@
 // Claims: the estimate of the error of F_T by the mesh falls as cells are split, the largest shares are at the
-// corners of the caisson's bottom, and mirrored cells have equal shares; the spectra of two scenes give the
-// difference of their responses.
+// corners of the caisson's bottom, mirrored cells have equal shares, and no frequency depends on the unit of time; the
+// spectra of two scenes give the difference of their responses.
 #include "response/spectrum.h"
 
 #include <gtest/gtest.h>
@@ -42,6 +42,34 @@ TEST(MeshError, IsLargestAtTheCornersAndSymmetric) {
       if (std::hypot(where[i][0] + where[j][0], where[i][1] - where[j][1]) > 1e-6) continue;
       EXPECT_NEAR(error.of_cell[i], error.of_cell[j], 1e-7 * *largest);
     }
+}
+
+/// The same scene in which everything takes so many times as long.
+Scene slower(Scene scene, double times, const TimeFunction& force) {
+  const double squared = times * times;
+  scene.gravity /= squared;
+  scene.fluid.bulk_modulus /= squared;
+  for (auto& [name, region] : scene.regions) {
+    if (region.kind != RegionKind::porous) continue;
+    region.shear_modulus = *region.shear_modulus / squared;
+    region.hydraulic_conductivity = *region.hydraulic_conductivity / times;
+    for (double& frequency : region.damping->frequencies) frequency /= times;
+  }
+  scene.loads.at("impulse").history = force;
+  scene.time.end *= times;
+  return scene;
+}
+
+TEST(MeshError, KnowsNoUnitOfTime) {
+  const auto mesh = breakwater_mesh(0.35);
+  Scene scene = breakwater(triangle(1e6, 0.15));
+  scene.time.end = 0.8;
+  constexpr double times = 4.;
+  const MeshError quick = error_of(Compiled(scene, *mesh)),
+                  slow = error_of(Compiled(slower(scene, times, triangle(1e6, 0.15 * times)), *mesh));
+  ASSERT_EQ(quick.of_cell.size(), slow.of_cell.size());
+  for (std::size_t i = 0; i < quick.of_cell.size(); ++i)
+    EXPECT_NEAR(slow.of_cell[i], quick.of_cell[i], 1e-6 * quick.sum);
 }
 
 TEST(Spectrum, GivesTheDifferenceOfTwoResponses) {
