@@ -329,7 +329,8 @@ std::string describe(const Case& input, const Simulation& simulation) {
   text +=
       describe(flow_summaries(input)) + describe(gauge_summaries(input, simulation)) + describe(wave_summaries(input));
   const SchemeChoice choice = choose_scheme(simulation.scene, *simulation.compiled);
-  text += "in time     " + word_of(choice.scheme, time_scheme_words) + ": " + choice.reason + "\n";
+  text += "in time     " + word_of(choice.scheme, time_scheme_words) + ": " + choice.reason +
+          (choice.solves.empty() ? "" : "; " + choice.solves) + "\n";
   text += describe(yielding_extent(simulation));
   if (simulation.compiled->system.interface)
     text += "contact     friction " + significant(contact_friction(simulation.scene)) + " at " +

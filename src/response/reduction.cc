@@ -22,6 +22,7 @@ constexpr double hardly_damped = 0.01;
 /// Tolerance of all other readings as a multiple of F_T's: a march at its own step achieves 2 % damped, 9 % undamped.
 constexpr double others_damped = 10., others_undamped = 20.;
 constexpr int order = 4;  ///< of the interpolation inside steps, for exact values
+constexpr double most_times = 1e6;
 
 /// Whether every soil or solid that deforms has material damping.
 bool is_damped(const Scene& scene) {
@@ -75,6 +76,10 @@ std::vector<double> response_times(const Scene& scene, const System& system) {
   if (!scene.time.step) return times_of_steps(scene, system, of_loads);
   const std::vector<double> given = times_of_steps(scene, system, *scene.time.step);
   if (*scene.time.step <= of_loads || follow_loads(given, system)) return given;
+  if (const double n = estimated_steps(kinks(system).size(), scene.time.end, of_loads); n > most_times)
+    throw NumericsError("the loads vary so fast that a reduced model must be read at about " + significant(n) +
+                        " times until time.end = " + significant(scene.time.end) + " s, more than " +
+                        significant(most_times) + ": a shorter time.end needs fewer");
   return times_of_steps(scene, system, of_loads);
 }
 

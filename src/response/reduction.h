@@ -14,7 +14,8 @@ namespace upbead {
 
 /// Times at which a reduced model responds to a scene: steps of at most a 32nd of the loads' shortest duration, or
 /// the case's own steps where straight lines between them reproduce the loads; they include all kinks, and the
-/// samples of measured records.
+/// samples of measured records. Throws NumericsError where loads that the case's steps do not see need more than 10^6
+/// times.
 std::vector<double> response_times(const Scene& scene, const System& system);
 
 std::vector<TimeFunction> load_histories(const System& system);

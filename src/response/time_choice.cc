@@ -193,13 +193,29 @@ StepChoice choose_step(const Scene& scene, const CompiledScene& compiled, int or
 
 namespace {
 
-constexpr double usual_vectors_per_load = 46., solves_per_step = 5.;
+constexpr double usual_vectors_per_load = 46.;
 constexpr std::size_t most_independent = 3;  ///< forces on a rigid caisson: two and a moment
 /// Work that may be lost on a reduced model that does not converge, as a multiple of a march's work.
 constexpr double risk = 1.;
 
 std::string about(double n) {
   return "about " + std::to_string(10 * std::lround(n / 10.));
+}
+
+/// Solves of a march, at least: the apparent period of the caisson, which takes factorisations to find, and soil that
+/// yields may ask for more.
+double least_solves(const Scene& scene, const System& system) {
+  const bool one_stage = scene.time.scheme == TimeScheme::generalised_alpha;
+  const LoadStep loads = step_of_loads(scene, one_stage ? 2 : 4);
+  const std::size_t n_kinks = kinks(system).size();
+  const double steps = scene.time.step ? estimated_steps(n_kinks, scene.time.end, *scene.time.step)
+                                       : estimated_steps(n_kinks, scene.time.end, loads.largest_step, loads.growth);
+  return (one_stage ? 1. : 5.) * steps;
+}
+
+/// What follows a number of least_solves.
+std::string or_more(const Scene& scene) {
+  return scene.time.step && !yields(scene) ? "" : " or more";
 }
 
 /// Work of a reduced model with this number of vectors V, in solves of a march: each vector is solved for, made
@@ -209,29 +225,40 @@ double work(double vectors, int unknowns) {
   return 1.5 * vectors + 4. * vectors * vectors * vectors / unknowns;
 }
 
-}  // namespace
-
-SchemeChoice choose_scheme(const Scene& scene, const CompiledScene& compiled) {
-  if (scene.time.scheme != TimeScheme::automatic) return {scene.time.scheme, "given in the case", {}};
-  const auto march = [](const std::string& why) { return SchemeChoice{TimeScheme::sdirk4, why, {}}; };
+/// A scheme that is given, or a march where a reduced model cannot do.
+std::optional<SchemeChoice> without_a_choice(const Scene& scene, const CompiledScene& compiled) {
+  const std::string solves = about(least_solves(scene, compiled.system)) + " solves" + or_more(scene);
+  const auto march = [&](const std::string& why) { return SchemeChoice{TimeScheme::sdirk4, why, {}, solves}; };
+  if (scene.time.scheme == TimeScheme::reduced) return SchemeChoice{TimeScheme::reduced, "given in the case", {}, ""};
+  if (scene.time.scheme != TimeScheme::automatic)
+    return SchemeChoice{scene.time.scheme, "given in the case", {}, solves};
   if (yields(scene)) return march("soil that yields is marched");
   if (!scene.time.inertia) return march("consolidation is marched");
   if (has_prescribed_motion(scene)) return march("a motion that is prescribed is marched");
   if (!compiled.caisson) return march("without a caisson there is no F_T to measure a reduced model's error with");
   if (scene.time.stop_at_energy) return march("it shall stop early");
+  if (compiled.system.is_divided()) return march("several processes share the work");
+  if (compiled.system.loads.empty()) return march("no load acts");
+  return std::nullopt;
+}
+
+}  // namespace
+
+SchemeChoice choose_scheme(const Scene& scene, const CompiledScene& compiled) {
+  if (const auto only = without_a_choice(scene, compiled)) return *only;
   const System& system = compiled.system;
-  if (system.is_divided()) return march("several processes share the work");
-  if (system.loads.empty()) return march("no load acts");
-  const double step = scene.time.step.value_or(step_of_loads(scene, 4).largest_step);
-  const double marched = solves_per_step * estimated_steps(kinks(system).size(), scene.time.end, step);
+  const double marched = least_solves(scene, system);
   const double n_loads = static_cast<double>(std::min(system.loads.size(), most_independent));
   const double reduced = usual_vectors_per_load * n_loads;
   if (const double equal = work(reduced, system.n_free()); marched < equal)
-    return march(about(marched) + " solves; a reduced model would cost as much as " + about(equal));
+    return {TimeScheme::sdirk4,
+            about(marched) + " solves" + or_more(scene) + "; a reduced model would cost as much as " + about(equal),
+            {},
+            ""};
   double most = reduced;
   while (work(most + 1., system.n_free()) < risk * marched) ++most;
-  return {TimeScheme::reduced, about(reduced) + " solves instead of " + about(marched) + " of a march",
-          static_cast<int>(most / n_loads)};
+  return {TimeScheme::reduced, about(reduced) + " solves instead of " + about(marched) + or_more(scene) + " of a march",
+          static_cast<int>(most / n_loads), ""};
 }
 
 }  // namespace upbead
