@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "scenes.h"
 
 namespace upbead::test {
@@ -43,6 +45,14 @@ TEST(SchemeChoice, MayTryLongerWhereMarchingTakesLonger) {
   longer.time.end *= 4.;
   EXPECT_GT(*choose_scheme(longer, compiled().scene).most_vectors,
             *choose_scheme(long_run(), compiled().scene).most_vectors);
+}
+
+/// A march factorises once for each length of step.
+TEST(SchemeChoice, MayTryLongerWhereKinksDivideNoStep) {
+  CompiledScene uneven = compiled().scene;
+  uneven.system.loads[0].history = piecewise_linear({0., 0.075, 0.15, 0.15 * std::sqrt(7.)}, {0., 1.6e6, 1e6, 0.});
+  EXPECT_GE(*choose_scheme(long_run(), uneven).most_vectors,
+            *choose_scheme(long_run(), compiled().scene).most_vectors + 10);
 }
 
 TEST(SchemeChoice, KeepsWhatIsGiven) {
