@@ -1,16 +1,18 @@
 // Claims: the stuck phase is the system without s, with F_T the residual of its row; the slip phases are the whole
 // system under friction by its own N'; states pass between phases unchanged; curves, places and steps of a phase
-// describe the same motion; a slip that is not well posed, or depends on a prescribed unknown, is refused; growth is
-// reported.
+// describe the same motion; bends bound what leaves the straight line within a step, and the error of the work; a slip
+// that is not well posed, or depends on a prescribed unknown, is refused; growth is reported.
 #include "dynamics/slip_model.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <cmath>
 #include <random>
 #include <stdexcept>
 
+#include "base/numbers.h"
 #include "dynamics/slip_path.h"
 #include "dynamics/slip_steps.h"
 #include "reduction_tools.h"
@@ -150,6 +152,104 @@ TEST(SlipModel, CurvesPlacesAndStepsAreOneMotion) {
         EXPECT_NEAR(found.distance, distance, 1e-11);
       }
     }
+}
+
+/// A phase from a random state under random loads, for one step.
+struct RandomStep {
+  RandomStep(const SlipModel& model, ContactState contact, double length, unsigned seed)
+      : phase(model.phase(contact)), step(length) {
+    std::mt19937 random(seed);
+    std::normal_distribution<double> number;
+    const auto draw = [&](Eigen::Index n) -> Eigen::VectorXd {
+      return Eigen::VectorXd::NullaryExpr(n, [&] { return number(random); });
+    };
+    from = modal_state(phase, draw(model.phases[0].to_state.rows()));
+    begin = draw(model.n_loads());
+    end = draw(model.n_loads());
+  }
+  Eigen::VectorXd load(double t) const { return begin + (end - begin) * (t / step); }
+  SlipPath path() const { return {phase, from, begin, (end - begin) / step, step}; }
+  double work(const Eigen::MatrixXd& rows) const {
+    const SlipPath path = this->path();
+    const auto power = [&](double t) { return load(t).dot(rows * energy_state(phase, path.at(t).z)); };
+    return boost::math::quadrature::gauss_kronrod<double, 31>::integrate(power, 0., step, 8, 1e-12);
+  }
+
+  const SlipPhase& phase;
+  double step;
+  ModalState from;
+  Eigen::VectorXd begin, end;
+};
+
+constexpr ContactState all_contacts[] = {ContactState::stick, ContactState::slip_landward, ContactState::slip_seaward,
+                                         ContactState::open};
+
+TEST(SlipWithinStep, BoundsHowFarReadingsLeaveTheirChord) {
+  const SlipModel model = slip_model(reduced_sample(), law());
+  const Eigen::MatrixXd rows = load_rows(model);
+  double sharpest = 0.;
+  for (const ContactState contact : all_contacts)
+    for (const double step : {0.01, 0.3, 2., 30.})
+      for (unsigned seed = 1; seed <= 5; ++seed) {
+        const RandomStep a(model, contact, step, seed);
+        const SlipBends bends = SlipWithinStep(a.phase, rows, step).bends(a.from, a.begin, a.end);
+        const SlipPath path = a.path();
+        for (const auto& [row, bend] : {std::pair{row_velocity, bends.velocity}, {row_normal, bends.normal}}) {
+          const SlipCurve y = path.reading(row);
+          double closest = infinity;
+          for (int i = 1; i < 20; ++i) {
+            const double x = i / 20., off = std::abs(y(x * step) - (1. - x) * y(0.) - x * y(step));
+            closest = std::min(closest, 4. * bend.slow * x * (1. - x) + bend.fast - off);
+          }
+          EXPECT_GE(closest, -1e-12) << step;
+          if (step > 0.01) continue;
+          EXPECT_EQ(bend.fast, 0.);
+          if (bend.slow > 0.)
+            sharpest = std::max(sharpest, std::abs(y(0.5 * step) - 0.5 * (y(0.) + y(step))) / bend.slow);
+        }
+      }
+  EXPECT_GT(sharpest, 0.2) << "the bound is not far beyond what it bounds";
+}
+
+TEST(SlipWithinStep, ErrsInTheWorkByNoMoreThanItSays) {
+  const SlipModel model = slip_model(reduced_sample(), law());
+  const Eigen::MatrixXd rows = load_rows(model);
+  EXPECT_TRUE(rows.row(rows.rows() - 1).isZero(0.)) << "N_0 does no work";
+  for (const ContactState contact : all_contacts)
+    for (const double step : {0.01, 0.3, 2.})
+      for (unsigned seed = 1; seed <= 5; ++seed) {
+        const RandomStep a(model, contact, step, seed);
+        const SlipWithinStep within(a.phase, rows, step);
+        const ModalState to = a.path().at(step).z;
+        const double exact = a.work(rows), found = within.work(a.from, to, a.begin, a.end);
+        EXPECT_NEAR(found, exact, within.bends(a.from, a.begin, a.end).work + 1e-11) << step;
+        if (step > 0.01) continue;
+        EXPECT_NEAR(within.work_of_piece(a.from, to, a.begin, a.end, step), exact, 1e-3 * std::abs(exact) + 1e-5);
+        const double stored =
+            0.5 * (energy_state(a.phase, to).squaredNorm() - energy_state(a.phase, a.from).squaredNorm());
+        if (contact == ContactState::open) {
+          EXPECT_LE(stored, exact + 1e-11) << "the rest is lost";
+        }
+      }
+}
+
+TEST(SlipBend, KnowsWhetherAReadingStaysPositive) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> number(-0.2, 2.);
+  int positive = 0;
+  for (int trial = 0; trial < 2000; ++trial) {
+    const double begin = number(random), end = number(random);
+    const SlipBend bend{std::abs(number(random)), 0.1 * std::abs(number(random))};
+    double least = infinity;
+    for (int i = 0; i <= 2000; ++i) {
+      const double x = i / 2000.;
+      least = std::min(least, begin * (1. - x) + end * x - 4. * bend.slow * x * (1. - x) - bend.fast);
+    }
+    if (std::abs(least) < 1e-5) continue;
+    EXPECT_EQ(bend.stays_positive(begin, end), least > 0.) << begin << " " << end << " " << bend.slow;
+    positive += least > 0. ? 1 : 0;
+  }
+  EXPECT_GT(positive, 100);
 }
 
 TEST(SlipModel, StuckAndLiftedNeverGrow) {
