@@ -64,9 +64,10 @@ TEST(LoadedGround, IsNotUnderARigidCaisson) {
   EXPECT_FALSE(loaded_grounds(scene, *mesh).at(0).is_plane);
 }
 
-/// Two squares beside each other: the upper face of the second runs the other way than that of the first.
-void make_opposed_squares(Mesh& mesh) {
-  const std::vector<dealii::Point<dim>> corners{{0., 0.}, {1., 0.}, {0., 1.}, {1., 1.}, {2., 0.}, {2., 1.}};
+/// Two cells beside each other under a ridge of that height: the upper face of the second runs the other way than that
+/// of the first.
+void make_opposed_cells(Mesh& mesh, double ridge) {
+  const std::vector<dealii::Point<dim>> corners{{0., 0.}, {1., 0.}, {0., 1.}, {1., 1. + ridge}, {2., 0.}, {2., 1.}};
   std::vector<dealii::CellData<dim>> cells(2);
   cells[0].vertices = {0, 1, 2, 3};
   cells[1].vertices = {4, 5, 1, 3};
@@ -74,13 +75,13 @@ void make_opposed_squares(Mesh& mesh) {
   mesh.surfaces = {"soil"};
   mesh.curves = {"top"};
   for (const auto& face : mesh.triangulation.active_face_iterators())
-    if (face->center()[1] == 1.) face->set_manifold_id(0);
+    if (face->center()[1] >= 1.) face->set_manifold_id(0);
   for (const auto& cell : mesh.triangulation.active_cell_iterators()) cell->set_material_id(0);
 }
 
 TEST(LoadedGround, PushesWhicheverWayFacesAreNumbered) {
   Mesh mesh;
-  make_opposed_squares(mesh);
+  make_opposed_cells(mesh, 0.);
   Scene scene = column(sand(), triangle(1e3, 0.1));
   scene.probes["low"].at = {1.5, 0.25};
   const auto list = loaded_grounds(scene, mesh);
@@ -89,6 +90,18 @@ TEST(LoadedGround, PushesWhicheverWayFacesAreNumbered) {
   EXPECT_TRUE(list[0].is_plane);
   EXPECT_NEAR(list[0].cell, 1., 1e-12);
   EXPECT_NEAR(list[0].nearest, 0.75, 1e-12);
+}
+
+TEST(LoadedGround, HasTheMeanNormalOfItsFaces) {
+  Mesh mesh;
+  make_opposed_cells(mesh, 0.5);
+  Scene scene = column(sand(), triangle(1e3, 0.1));
+  scene.probes["low"].at = {1.5, 0.25};
+  scene.loads.at("top").direction = {1., 0.};
+  const auto list = loaded_grounds(scene, mesh);
+  ASSERT_EQ(list.size(), 1U);
+  EXPECT_TRUE(list[0].shears);
+  EXPECT_FALSE(list[0].pushes) << "what one slope is pushed, the other is pulled";
 }
 
 }  // namespace loaded_ground_test
