@@ -121,6 +121,15 @@ INSTANTIATE_TEST_SUITE_P(ColumnsAtLength, CarriedError,
                          testing::Values(ColumnOf{0., 2, 1., 0.}, ColumnOf{0., 3, 2., 0.}, ColumnOf{1e3, 2, 4., 0.},
                                          ColumnOf{1e3, 3, 4., 0.}));
 
+TEST(CarriedError, IsFollowedForFourHundredCells) {
+  const Material m = material(rubble(), Fluid(), 9.81);
+  const WaveLaw law = [&](Complex s) { return plane_waves(m, Flow::drained, s).fast; };
+  const double duration = 8. / carried_speed(law, 0., {1., 2, {}});
+  const auto error = [&](double most) { return carried_error(law, duration, {1., 2, {}}, 1., most); };
+  EXPECT_LT(error(10.), 0.9 * error(400.));
+  EXPECT_EQ(error(4000.), error(400.));
+}
+
 /// Chung and Hulbert 1993: at an infinite frequency all three roots of generalised-alpha are -rho_inf, here -0.9. So
 /// near that root the square of the frequency grows as the distance from it to the power -3.
 TEST(SteppedFrequency, OfGeneralisedAlphaHasAThreefoldRootAtInfinity) {

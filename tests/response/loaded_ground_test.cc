@@ -64,10 +64,10 @@ TEST(LoadedGround, IsNotUnderARigidCaisson) {
   EXPECT_FALSE(loaded_grounds(scene, *mesh).at(0).is_plane);
 }
 
-/// Two cells beside each other under a ridge of that height: the upper face of the second runs the other way than that
-/// of the first.
+/// Two cells of 2 m beside each other under a ridge of that height: the upper face of the second runs the other way
+/// than that of the first.
 void make_opposed_cells(Mesh& mesh, double ridge) {
-  const std::vector<dealii::Point<dim>> corners{{0., 0.}, {1., 0.}, {0., 1.}, {1., 1. + ridge}, {2., 0.}, {2., 1.}};
+  const std::vector<dealii::Point<dim>> corners{{0., 0.}, {2., 0.}, {0., 1.}, {2., 1. + ridge}, {4., 0.}, {4., 1.}};
   std::vector<dealii::CellData<dim>> cells(2);
   cells[0].vertices = {0, 1, 2, 3};
   cells[1].vertices = {4, 5, 1, 3};
@@ -88,13 +88,13 @@ TEST(LoadedGround, PushesWhicheverWayFacesAreNumbered) {
   ASSERT_EQ(list.size(), 1U);
   EXPECT_TRUE(list[0].pushes);
   EXPECT_TRUE(list[0].is_plane);
-  EXPECT_NEAR(list[0].cell, 1., 1e-12);
+  EXPECT_NEAR(list[0].cell, 1., 1e-12) << "across, not along";
   EXPECT_NEAR(list[0].nearest, 0.75, 1e-12);
 }
 
 TEST(LoadedGround, HasTheMeanNormalOfItsFaces) {
   Mesh mesh;
-  make_opposed_cells(mesh, 0.5);
+  make_opposed_cells(mesh, 1.);
   Scene scene = column(sand(), triangle(1e3, 0.1));
   scene.probes["low"].at = {1.5, 0.25};
   scene.loads.at("top").direction = {1., 0.};

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/SparseLU>
 #include <algorithm>
 #include <cmath>
 
@@ -70,6 +71,30 @@ TEST(MeshError, KnowsNoUnitOfTime) {
   ASSERT_EQ(quick.of_cell.size(), slow.of_cell.size());
   for (std::size_t i = 0; i < quick.of_cell.size(); ++i)
     EXPECT_NEAR(slow.of_cell[i], quick.of_cell[i], 1e-6 * quick.sum);
+}
+
+/// Against a direct solve with the whole matrix.
+TEST(Spectrum, SolvesTheSystem) {
+  const auto mesh = breakwater_mesh(0.35);
+  const Compiled compiled(breakwater(triangle(1e6, 0.15)), *mesh);
+  const System& system = compiled.scene.system;
+  const int n = system.n_free();
+  const std::complex<double> s(10., 40.);
+  const Spectrum found = solve_spectrum(compiled.resolved, compiled.scene, std::vector{s});
+  const Eigen::SparseMatrix<std::complex<double>> T =
+      (s * s * system.M + s * system.C + system.K.cast<std::complex<double>>()).eval().topLeftCorner(n, n);
+  Eigen::VectorXcd b = Eigen::VectorXcd::Zero(n);
+  for (std::size_t k = 0; k < system.loads.size(); ++k)
+    b += found.F(static_cast<Eigen::Index>(k), 0) * system.loads[k].vector.head(n);
+  const Eigen::SparseLU<Eigen::SparseMatrix<std::complex<double>>> direct(T);
+  const Eigen::VectorXcd X = direct.solve(b), off = found.X.col(0).head(n) - X;
+  double moved = 0., wrong = 0.;
+  for (int i = 0; i < n; ++i) {
+    if (system.field[i] != Field::displacement) continue;
+    moved += std::norm(X[i]);
+    wrong += std::norm(off[i]);
+  }
+  EXPECT_LT(std::sqrt(wrong / moved), 0.01);
 }
 
 TEST(Spectrum, GivesTheDifferenceOfTwoResponses) {

@@ -67,6 +67,15 @@ TEST(ResponseTimes, FollowALoadThatTheCasesStepWouldNotSee) {
   EXPECT_LT(largest_step(loaded.times()), 1e-3);
 }
 
+/// It is over before the first step ends.
+TEST(ResponseTimes, FollowWhatTheFirstStepWouldNotSee) {
+  constexpr double omega = 20. * 3.14159265358979;
+  Loaded loaded(TimeFunction({0.1}, {[=](double t) { return std::sin(omega * t); }, [](double) { return 0.; }}));
+  loaded.scene.loads["impulse"].duration = 1. / 40.;
+  loaded.scene.time.step = 0.1;
+  EXPECT_LT(largest_step(loaded.times()), 1e-2);
+}
+
 /// 80 s of 1000 Hz: the answer would hold gigabytes. Lines between kinks need no more times, however short.
 TEST(ResponseTimes, AreNotMillions) {
   constexpr double omega = 2000. * 3.14159265358979;

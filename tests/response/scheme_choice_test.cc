@@ -125,6 +125,20 @@ TEST(SchemeChoice, MarchesFewSteps) {
   expect_march(scene, compiled().scene, "solves; a reduced model would cost");
 }
 
+/// The period found under a jump is that under a pulse as long as the period, however long the run is.
+TEST(StepChoice, OfALoneJumpKnowsTheCaissonsPeriod) {
+  const auto period = [](const TimeFunction& history, double end) {
+    Scene scene = breakwater(history);
+    scene.time.end = end;
+    return choose_step(scene, compiled().scene, 4).apparent_period;
+  };
+  const TimeFunction jump({}, {[](double) { return 1e6; }});
+  const double found = period(jump, 2.);
+  ASSERT_GT(found, 0.);
+  EXPECT_NEAR(period(jump, 20.), found, 0.02 * found);
+  EXPECT_NEAR(period(triangle(1e6, found), 2.), found, 0.02 * found);
+}
+
 TEST(LoadStepOfLoads, GrowsInConsolidationOnceTheLoadsStay) {
   Scene scene = column(sand(), piecewise_linear({0., 0.1, 100.}, {0., 1e4, 1e4}));
   scene.time.end = 100.;

@@ -31,6 +31,16 @@ TEST(WaveResolution, IsOfEveryRegionThatDeforms) {
   EXPECT_GT(list[1].cell, list[0].cell);
 }
 
+/// Within 4.2 m of the bottom of a narrow caisson, which stands at 6 m, there is only its mound.
+TEST(WaveResolution, LooksNoFartherThanAWave) {
+  const Scene scene = breakwater(triangle(1e6, duration));
+  const auto mesh = breakwater_mesh(2., {{"caisson_width", 4.}});
+  const Compiled compiled(scene, *mesh);
+  const std::vector<WaveResolution> list = wave_resolution(compiled.space, *compiled.scene.caisson, 1e-3);
+  ASSERT_EQ(list.size(), 1U);
+  EXPECT_EQ(list[0].region, "mound");
+}
+
 TEST(WaveResolution, FollowsTheMesh) {
   const double ratio = resolution(1.)[1].cells_per_wave() / resolution(0.5)[1].cells_per_wave();
   EXPECT_NEAR(ratio, 2., 0.2);
