@@ -74,7 +74,7 @@ bool follow_loads(const std::vector<double>& time, const System& system) {
 std::vector<double> response_times(const Scene& scene, const System& system) {
   const double of_loads = step_of_loads(scene, order).duration / steps_per_duration;
   if (!scene.time.step) return times_of_steps(scene, system, of_loads);
-  const std::vector<double> given = times_of_steps(scene, system, *scene.time.step);
+  std::vector<double> given = times_of_steps(scene, system, *scene.time.step);
   if (*scene.time.step <= of_loads || follow_loads(given, system)) return given;
   if (const double n = estimated_steps(kinks(system).size(), scene.time.end, of_loads); n > most_times)
     throw NumericsError("the loads vary so fast that a reduced model must be read at about " + significant(n) +

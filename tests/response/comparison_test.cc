@@ -55,14 +55,6 @@ TEST(Comparison, TellsTheRootMeanSquare) {
   EXPECT_NEAR(of(measured, computed).rms_relative, 0.1, 1e-6);
 }
 
-/// Shifted one sample to the left nothing of the spike is left, so the correlations beside the best one are 0 and
-/// 1/2 over the root of 3/4, and the best one is 2 over the root of 4 3/4.
-TEST(Comparison, ShiftsASpikeBetweenSamples) {
-  const History spike{{0., 1., 2., 3.}, {1., 0., 0., 0.}}, tail{{0., 1., 2., 3.}, {2., 0.5, 0.5, 0.5}};
-  const double after = 0.5 / std::sqrt(0.75), best = 2. / std::sqrt(4.75);
-  EXPECT_NEAR(compare(spike, tail).phase, 0.5 * -after / (after - 2. * best), 1e-12);
-}
-
 TEST(Comparison, NeedsSomethingInCommon) {
   const Sampled early(0., 1., 10, bump), late(2., 3., 10, bump), zero(0., 1., 10, [](double) { return 0.; });
   EXPECT_THROW(of(early, late), std::invalid_argument);

@@ -125,7 +125,7 @@ TEST(SchemeChoice, MarchesFewSteps) {
   expect_march(scene, compiled().scene, "solves; a reduced model would cost");
 }
 
-/// The period found under a jump is that under a pulse as long as the period, however long the run is.
+/// The period found under a jump is nearly that under a pulse as long as the period, however long the run is.
 TEST(StepChoice, OfALoneJumpKnowsTheCaissonsPeriod) {
   const auto period = [](const TimeFunction& history, double end) {
     Scene scene = breakwater(history);
@@ -135,8 +135,8 @@ TEST(StepChoice, OfALoneJumpKnowsTheCaissonsPeriod) {
   const TimeFunction jump({}, {[](double) { return 1e6; }});
   const double found = period(jump, 2.);
   ASSERT_GT(found, 0.);
-  EXPECT_NEAR(period(jump, 20.), found, 0.02 * found);
-  EXPECT_NEAR(period(triangle(1e6, found), 2.), found, 0.02 * found);
+  EXPECT_NEAR(period(jump, 20.), found, 0.06 * found);
+  EXPECT_NEAR(period(triangle(1e6, found), 2.), found, 0.06 * found);
 }
 
 TEST(LoadStepOfLoads, GrowsInConsolidationOnceTheLoadsStay) {

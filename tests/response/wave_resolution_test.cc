@@ -34,7 +34,7 @@ TEST(WaveResolution, IsOfEveryRegionThatDeforms) {
 /// Within 4.2 m of the bottom of a narrow caisson, which stands at 6 m, there is only its mound.
 TEST(WaveResolution, LooksNoFartherThanAWave) {
   const Scene scene = breakwater(triangle(1e6, duration));
-  const auto mesh = breakwater_mesh(2., {{"caisson_width", 4.}});
+  const auto mesh = breakwater_mesh(1., {{"caisson_width", 4.}});
   const Compiled compiled(scene, *mesh);
   const std::vector<WaveResolution> list = wave_resolution(compiled.space, *compiled.scene.caisson, 1e-3);
   ASSERT_EQ(list.size(), 1U);
