@@ -122,9 +122,11 @@ INSTANTIATE_TEST_SUITE_P(ColumnsAtLength, CarriedError,
                                          ColumnOf{1e3, 3, 4., 0.}));
 
 TEST(CarriedError, IsFollowedForFourHundredCells) {
-  const Material m = material(rubble(), Fluid(), 9.81);
+  Region stones = rubble();
+  stones.damping.reset();
+  const Material m = material(stones, Fluid(), 9.81);
   const WaveLaw law = [&](Complex s) { return plane_waves(m, Flow::drained, s).fast; };
-  const double duration = 2. / carried_speed(law, 0., {1., 2, {}});
+  const double duration = 8. / carried_speed(law, 0., {1., 2, {}});
   const auto error = [&](double most) { return carried_error(law, duration, {1., 2, {}}, 1., most); };
   EXPECT_LT(error(10.), error(400.));
   EXPECT_EQ(error(4000.), error(400.));
