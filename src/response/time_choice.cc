@@ -209,9 +209,9 @@ std::string about(double n) {
 double least_solves(const Scene& scene, const System& system) {
   const bool one_stage = scene.time.scheme == TimeScheme::generalised_alpha;
   const LoadStep loads = step_of_loads(scene, one_stage ? 2 : 4);
-  const std::size_t n_kinks = kinks(system).size();
-  const double steps = scene.time.step ? estimated_steps(n_kinks, scene.time.end, *scene.time.step)
-                                       : estimated_steps(n_kinks, scene.time.end, loads.largest_step, loads.growth);
+  const double step = scene.time.step.value_or(loads.largest_step);
+  const std::optional<StepGrowth> growth = scene.time.step ? std::nullopt : loads.growth;
+  const double steps = estimated_steps(kinks(system).size(), scene.time.end, step, growth);
   return (one_stage ? 1. : 5.) * steps;
 }
 
@@ -239,7 +239,7 @@ double work(double vectors, int unknowns) {
 std::optional<SchemeChoice> without_a_choice(const Scene& scene, const CompiledScene& compiled) {
   const std::string solves = about(least_solves(scene, compiled.system)) + " solves" + or_more(scene);
   const auto march = [&](const std::string& why) { return SchemeChoice{TimeScheme::sdirk4, why, {}, solves}; };
-  if (scene.time.scheme == TimeScheme::reduced) return SchemeChoice{TimeScheme::reduced, "given in the case", {}, ""};
+  if (scene.time.scheme == TimeScheme::reduced) return SchemeChoice{TimeScheme::reduced, "given in the case", {}};
   if (scene.time.scheme != TimeScheme::automatic)
     return SchemeChoice{scene.time.scheme, "given in the case", {}, solves};
   if (yields(scene)) return march("soil that yields is marched");
@@ -263,13 +263,12 @@ SchemeChoice choose_scheme(const Scene& scene, const CompiledScene& compiled) {
   if (const double equal = work(reduced, system.n_free()); marched < equal)
     return {TimeScheme::sdirk4,
             about(marched) + " solves" + or_more(scene) + "; a reduced model would cost as much as " + about(equal),
-            {},
-            ""};
+            {}};
   const double marching = marched + solves_per_factorisation * further_factorisations(scene, system);
   double most = reduced;
   while (work(most + 1., system.n_free()) < risk * marching) ++most;
   return {TimeScheme::reduced, about(reduced) + " solves instead of " + about(marched) + or_more(scene) + " of a march",
-          static_cast<int>(most / n_loads), ""};
+          static_cast<int>(most / n_loads)};
 }
 
 }  // namespace upbead

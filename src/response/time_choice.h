@@ -13,7 +13,7 @@ struct SchemeChoice {
   TimeScheme scheme = TimeScheme::sdirk4;  ///< never automatic
   std::string reason;                      ///< for the user, with the numbers
   std::optional<int> most_vectors;         ///< per load: a reduced model that has not converged with so many gives up
-  std::string solves;                      ///< of a march, about how many, for the user; "" where the reason tells them
+  std::string solves{};                    ///< of a march, about how many, for the user; "" where the reason tells them
 };
 
 /// A reduced model where it takes less work than marching and gives all that the case asks for; a scheme that the

@@ -208,7 +208,7 @@ std::vector<Way> ways(const Simulation& simulation, const SchemeChoice& choice, 
   if (choice.scheme != TimeScheme::reduced) return marching_ways(simulation, choice);
   std::vector<Way> list;
   if (simulation.given.time.scheme != TimeScheme::reduced)
-    list = marching_ways(simulation, {TimeScheme::sdirk4, "the reduced model was refused", {}, ""});
+    list = marching_ways(simulation, {TimeScheme::sdirk4, "the reduced model was refused", {}});
   list.insert(list.begin(), {"reduced", [&simulation, choice, &ahead, reducing](const MarchOptions& options) {
                                return run_reduced(simulation, choice, ahead, options.observers, reducing);
                              }});
@@ -225,7 +225,7 @@ std::string what_would_work(const Simulation& simulation, const std::function<vo
   ObserverFunction progress = progress_observer(reducing);
   MarchOptions silent;
   silent.observers = {&progress};
-  std::vector<Way> list = marching_ways(other, {TimeScheme::sdirk4, "another scheme was refused", {}, ""});
+  std::vector<Way> list = marching_ways(other, {TimeScheme::sdirk4, "another scheme was refused", {}});
   if (refused == TimeScheme::sdirk4) list.erase(list.begin(), list.begin() + 2);  // in its usual steps it was refused
   try {
     const Run run = climb(other, list, silent);

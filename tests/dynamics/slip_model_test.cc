@@ -121,39 +121,6 @@ TEST(SlipModel, StatesPassUnchanged) {
   EXPECT_LT((energy_state(stuck, modal_state(stuck, state)) - state).norm(), 1e-11 * state.norm());
 }
 
-TEST(SlipModel, CurvesPlacesAndStepsAreOneMotion) {
-  const SlipModel model = slip_model(reduced_sample(), law());
-  std::mt19937 random(6);
-  std::normal_distribution<double> number;
-  const Eigen::Index N = model.phases[0].to_state.rows(), K = model.n_loads();
-  const auto draw = [&](Eigen::Index n) -> Eigen::VectorXd {
-    return Eigen::VectorXd::NullaryExpr(n, [&] { return number(random); });
-  };
-  for (const ContactState contact :
-       {ContactState::stick, ContactState::slip_landward, ContactState::slip_seaward, ContactState::open})
-    for (const double step : {0.01, 0.3, 2.}) {
-      const SlipPhase& phase = model.phase(contact);
-      const ModalState z = modal_state(phase, draw(N));
-      const Eigen::VectorXd begin = draw(K), end = draw(K), slope = (end - begin) / step;
-      const SlipPath path(phase, z, begin, slope, step);
-      const SlipPath::Place place = path.at(step);
-      const SlipPath beyond(phase, place.z, end, slope, step);
-      for (int row = 0; row < first_row_wanted + 2; ++row)
-        EXPECT_NEAR(path.reading(row)(step), beyond.reading(row)(0.), 1e-11) << row;
-      const SlipCurve speed = path.reading(row_velocity);
-      const double distance = boost::math::quadrature::gauss_kronrod<double, 31>::integrate(speed, 0., step, 8, 1e-13);
-      EXPECT_NEAR(place.distance, distance, 1e-11);
-      ModalState next = z;
-      const SlipStep found = SlipSteps(phase, contact, step).advance(z, begin, end, next);
-      EXPECT_LT((next.re - place.z.re).matrix().norm() + (next.im - place.z.im).matrix().norm(), 1e-11);
-      EXPECT_NEAR(found.watched, path.reading(SlipSteps::watched_row(contact))(step), 1e-11);
-      EXPECT_NEAR(found.normal, path.reading(row_normal)(step), 1e-11);
-      if (contact != ContactState::stick) {
-        EXPECT_NEAR(found.distance, distance, 1e-11);
-      }
-    }
-}
-
 /// A phase from a random state under random loads, for one step.
 struct RandomStep {
   RandomStep(const SlipModel& model, ContactState contact, double length, unsigned seed)
@@ -183,6 +150,32 @@ struct RandomStep {
 
 constexpr ContactState all_contacts[] = {ContactState::stick, ContactState::slip_landward, ContactState::slip_seaward,
                                          ContactState::open};
+
+TEST(SlipModel, CurvesPlacesAndStepsAreOneMotion) {
+  const SlipModel model = slip_model(reduced_sample(), law());
+  unsigned seed = 6;
+  for (const ContactState contact : all_contacts)
+    for (const double step : {0.01, 0.3, 2.}) {
+      const RandomStep a(model, contact, step, seed++);
+      const SlipPhase& phase = a.phase;
+      const SlipPath path = a.path();
+      const SlipPath::Place place = path.at(step);
+      const SlipPath beyond(phase, place.z, a.end, (a.end - a.begin) / step, step);
+      for (int row = 0; row < first_row_wanted + 2; ++row)
+        EXPECT_NEAR(path.reading(row)(step), beyond.reading(row)(0.), 1e-11) << row;
+      const SlipCurve speed = path.reading(row_velocity);
+      const double distance = boost::math::quadrature::gauss_kronrod<double, 31>::integrate(speed, 0., step, 8, 1e-13);
+      EXPECT_NEAR(place.distance, distance, 1e-11);
+      ModalState next = a.from;
+      const SlipStep found = SlipSteps(phase, contact, step).advance(a.from, a.begin, a.end, next);
+      EXPECT_LT((next.re - place.z.re).matrix().norm() + (next.im - place.z.im).matrix().norm(), 1e-11);
+      EXPECT_NEAR(found.watched, path.reading(SlipSteps::watched_row(contact))(step), 1e-11);
+      EXPECT_NEAR(found.normal, path.reading(row_normal)(step), 1e-11);
+      if (contact != ContactState::stick) {
+        EXPECT_NEAR(found.distance, distance, 1e-11);
+      }
+    }
+}
 
 TEST(SlipWithinStep, BoundsHowFarReadingsLeaveTheirChord) {
   const SlipModel model = slip_model(reduced_sample(), law());

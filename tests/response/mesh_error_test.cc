@@ -1,6 +1,6 @@
 // Claims: the estimate of the error of F_T by the mesh falls as cells are split, the largest shares are at the
 // corners of the caisson's bottom, mirrored cells have equal shares, and no frequency depends on the unit of time; the
-// spectra of two scenes give the difference of their responses.
+// spectrum is that of a direct solve, and those of two scenes give the difference of their responses.
 #include "response/spectrum.h"
 
 #include <gtest/gtest.h>
