@@ -1,23 +1,54 @@
-"""Shared by the scripts: how they end with an error, and how they write a figure."""
+"""Shared by the scripts: how they end, and how they write a figure."""
 
+import atexit
+import errno
+import os
+import signal
 import sys
 from pathlib import Path
 
-from upbead.errors import UpbeadError, UserError
-from upbead.kept import keep_inputs
-
-__all__ = ["UserError", "beside", "figure_argument", "keep_inputs", "save"]
+NAME = Path(sys.argv[0]).name
+UNWRITTEN = (errno.EPIPE, errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
 
 
 def tell(kind, error, trace):
-    """Prints an UpbeadError as a message, be it of an import; the exit code is 1."""
-    if issubclass(kind, UpbeadError):
-        print(f"{Path(sys.argv[0]).name}: {error}", file=sys.stderr)
+    """Prints an UpbeadError as a message, be it of an import; also a module that is not installed, and a full disk, with
+    their cures. The exit code is 1."""
+    if issubclass(kind, ModuleNotFoundError):
+        print(f"{NAME}: {sys.executable} has no module '{error.name}'; call the script with another Python that has it, such as "
+              f"/usr/bin/python3, or install it: {sys.executable} -m pip install {error.name}", file=sys.stderr)
+    elif any(base.__name__ == "UpbeadError" for base in kind.__mro__):
+        print(f"{NAME}: {error}", file=sys.stderr)
+    elif issubclass(kind, OSError) and error.filename is None and error.errno in UNWRITTEN:
+        cannot_write(error)
     else:
         sys.__excepthook__(kind, error, trace)
 
 
+def cannot_write(error):
+    """Ends the script where a disk is full; where the reader of its stdout went away, as in `| head`, without a word."""
+    if error.errno == errno.EPIPE:
+        os._exit(128 + signal.SIGPIPE)
+    print(f"{NAME}: not all could be written: {error.strerror}; make room there, or send it elsewhere", file=sys.stderr, flush=True)
+    os._exit(1)
+
+
+def write_all():
+    """Writes what was printed before the script ends: Python would end with 120 and two lines of its own."""
+    try:
+        if sys.stdout:  # not closed from the start
+            sys.stdout.flush()
+    except OSError as error:
+        cannot_write(error)
+
+
 sys.excepthook = tell
+atexit.register(write_all)
+
+from upbead.errors import UserError  # noqa: E402: a module that it lacks is told by tell()
+from upbead.kept import keep_inputs  # noqa: E402
+
+__all__ = ["UserError", "beside", "figure_argument", "keep_inputs", "save"]
 
 
 def save(figure, path, *inputs):

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Draws a mesh: cells in the colour of their surface, and the named curves.
 
 Takes a gmsh mesh (.msh, text, 2.2 or 4.1), or a gmsh script (.geo) where the program gmsh is installed.

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Makes one self-contained HTML page of a reduced model or of a design, which computes the response to any wave while
 the user moves its sliders.
 

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Evaluates a reduced model (MODEL.h5 of 'upbead reduce') for a wave: it is a sum of modes, and needs no upbead.
 
 As a library:

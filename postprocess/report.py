@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Makes one self-contained HTML page of a run, study, life, calibration or waves: for readers of the results who do
 not use the program.
 

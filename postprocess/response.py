@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Draws the response of a run: wave force, inertia force, shear force and displacement of the caisson over time.
 
 The panels are those of Figs. 2a and 2b of Shimosako and Takahashi (1994). A result without a caisson shows its probes.

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Draws sliding distance against the safety factor, as Fig. 10 of Shimosako and Takahashi (1994).
 
 Each summary is one curve, its waves are the points. Colours stand for the friction coefficient, line styles for the

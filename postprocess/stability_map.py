@@ -14,9 +14,8 @@ import re
 from collections import Counter
 from pathlib import Path
 
-import numpy as np
-
 from common import UserError, save
+import numpy as np
 from upbead import figures
 from upbead.figures.stability import MEASURES, is_answered, measured, size, value
 

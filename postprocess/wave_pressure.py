@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Draws the pressure over the height of the wall, with and without alpha_I, as Figs. 7 and 9 of Shimosako and
 Takahashi (1994).
 
@@ -13,9 +13,8 @@ one file for each summary.
 import argparse
 from pathlib import Path
 
-import numpy as np
-
 from common import UserError, beside, figure_argument, save
+import numpy as np
 from upbead import figures
 from upbead.waves_result import read_waves
 

@@ -62,7 +62,7 @@ int main(int argc, char** argv) {
     const std::vector<std::string> words(argv + 1, argv + argc);
     if (const std::string text = table(words); !text.empty()) {
       std::cout << text;
-      return 0;
+      return upbead::printed(0);
     }
     if (argc > 1 && is_solvers(argv[1])) {
       check_case_first(argc, argv);

@@ -3,10 +3,10 @@
 import json
 from pathlib import Path
 
-import h5py
 import numpy as np
 
 from .errors import UserError
+from .h5 import open_h5
 from .shown import Shown
 
 
@@ -19,7 +19,7 @@ class CalibrationResult(Shown):
             self.summary = json.loads((folder / "summary.json").read_text(encoding="utf-8"))
             self.models = self.summary["models"]
             self.given = self.summary["given"]
-            with h5py.File(folder / "results.h5") as file:
+            with open_h5(folder / "results.h5") as file:
                 self.columns = {name: file[name][:] for name in file}
         except (OSError, KeyError, json.JSONDecodeError) as error:
             raise UserError(f"'{folder}' holds no results of 'upbead calibrate': {error}") from error

@@ -7,6 +7,7 @@ from pathlib import Path
 import h5py
 import numpy as np
 
+from .h5 import open_h5
 from .history import History
 from .program import call, settings
 
@@ -39,7 +40,7 @@ def read_cfd(path, program=None, **keys):
     with tempfile.TemporaryDirectory() as folder:
         table = Path(folder) / "record.h5"
         info = json.loads(call(["read", path, "--json", "--out", table, *settings(keys)], program))
-        with h5py.File(table) as file:
+        with open_h5(table) as file:
             columns = {name: History(data[:], unit=text(data.attrs.get("unit", ""))) for name, data in file.items()
                        if isinstance(data, h5py.Dataset)}
     return CfdRecord(columns, info)

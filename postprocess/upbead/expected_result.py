@@ -3,9 +3,9 @@
 import json
 from pathlib import Path
 
-import h5py
 
 from .errors import UserError
+from .h5 import open_h5
 from .shown import Shown
 
 
@@ -18,7 +18,7 @@ class ExpectedResult(Shown):
         self.name = folder.name.removesuffix("-expected")
         try:
             self.summary = json.loads((folder / "summary.json").read_text(encoding="utf-8"))
-            with h5py.File(folder / "results.h5") as file:
+            with open_h5(folder / "results.h5") as file:
                 heights = file["heights"]
                 self.height, self.waves = heights["height"][:], heights["waves"][:]
                 self.distance = {law: data[:] for law, data in heights["distance"].items()}

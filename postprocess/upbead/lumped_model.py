@@ -1,9 +1,9 @@
 """The simplest reduced model: the caisson's mass on one spring and dashpot, F_T = c x' + k x."""
 
-import h5py
 import numpy as np
 
 from .errors import UserError
+from .h5 import open_h5
 from .results import text_of
 from .shown import Shown
 
@@ -22,7 +22,7 @@ class Source(Shown):
 
     def __init__(self, path, load):
         try:
-            with h5py.File(path) as file:
+            with open_h5(path) as file:
                 loads, readings = [[text_of(t) for t in file[name][:]] for name in ("loads/name", "readings/name")]
                 self.title = text_of(file.attrs["title"])
                 self.case = dict(file["case"].attrs)
@@ -64,7 +64,7 @@ def write_lumped(path, source):
     rate, half = abs(source.pole), -source.pole.real  # omega_n, zeta omega_n
     pole = complex(-half, np.sqrt(rate**2 - half**2))
     x = -1j / (mass * pole.imag)
-    with h5py.File(path, "w") as file:
+    with open_h5(path, "w") as file:
         file.attrs.update(title=f"one mass for: {source.title}", program="lumped_model.py",
                           kind="upbead reduced model", format_version=1)
         file["case"] = ""

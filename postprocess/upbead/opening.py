@@ -2,11 +2,11 @@
 
 from pathlib import Path
 
-import h5py
 
 from .calibration_result import CalibrationResult
 from .errors import UserError
 from .expected_result import ExpectedResult
+from .h5 import open_h5
 from .reduced_model import ReducedModel
 from .results import Result, read_summary
 from .slip_result import SlipResult
@@ -39,7 +39,7 @@ def open_result(folder):
 def slips(path):
     """Whether a file has tables by node of the bottom."""
     try:
-        with h5py.File(path) as file:
+        with open_h5(path) as file:
             return "interface/slip" in file
     except OSError:
         return False  # Result then reports the fault of the file

@@ -8,10 +8,10 @@
 
 from pathlib import Path
 
-import h5py
 import numpy as np
 
 from .errors import ModelError
+from .h5 import open_h5
 from .history import History
 from .results import text_of
 from .shown import Shown
@@ -51,7 +51,7 @@ class ReducedModel(Shown):
     def __init__(self, path):
         self.path = Path(path)
         try:
-            with h5py.File(path, "r") as file:
+            with open_h5(path) as file:
                 self._read(file, path)
         except (OSError, KeyError) as error:
             raise ModelError(f"'{path}' cannot be read as a reduced model: {error}") from error

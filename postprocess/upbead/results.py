@@ -10,6 +10,7 @@ import h5py
 import numpy as np
 
 from .errors import UserError
+from .h5 import open_h5
 from .history import History
 from .shown import Shown
 
@@ -56,7 +57,7 @@ class Result(Shown, Mapping):
         if not path.is_file():
             raise UserError(f"'{folder}' has no results.h5: is it the folder of a finished run?")
         try:
-            self.file = h5py.File(path, "r")
+            self.file = open_h5(path)
         except OSError as error:
             raise UserError(f"'{path}' is no HDF5 file, or is not complete: {error}") from error
         self.path = path

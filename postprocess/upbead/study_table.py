@@ -4,10 +4,10 @@ import csv
 from functools import cached_property
 from pathlib import Path
 
-import h5py
 import numpy as np
 
 from .errors import UserError
+from .h5 import open_h5
 from .results import read_summary, text_of
 from .shown import Shown
 
@@ -61,7 +61,7 @@ class StudyTable(Shown):
     def _groups(self):
         """Names of varied keys and of read numbers, units by name."""
         try:
-            with h5py.File(self.folder / "study.h5") as file:
+            with open_h5(self.folder / "study.h5") as file:
                 keys, reads = ([name for name in self.columns if name in file.get(group, {})]
                                for group in ("varied", "read"))
                 units = {key: text_of(file["varied"][key].attrs.get("unit", "")) for key in keys}

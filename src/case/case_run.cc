@@ -191,6 +191,7 @@ NumberedWarnings warnings_of_files(const Case& input, const Simulation& simulati
   append(list, zero_load_warnings(input));
   append(list, wave_warnings(input));
   append(list, flow_warnings(input));
+  append(list, flow_arm_warnings(input, *simulation.mesh));
   append(list, notes.warnings);
   return list;
 }

@@ -1,8 +1,13 @@
 #include "cli/command.h"
 
+#include <poll.h>
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cerrno>
 #include <csignal>
+#include <cstring>
 #include <exception>
 #include <iostream>
 #include <new>
@@ -141,10 +146,24 @@ std::vector<Command> light_commands() {
          std::vector{scale_command(), read_command(), new_command()};
 }
 
+int printed(int code) {
+  const bool sound = std::cout.good();
+  errno = 0;
+  std::cout.flush();
+  const int reason = sound ? errno : 0;
+  if (std::cout || code != 0) return code;
+  pollfd output{STDOUT_FILENO, 0, 0};
+  if (poll(&output, 1, 0) > 0 && (output.revents & POLLERR) != 0) return exit_signal + SIGPIPE;  // as in `| head`
+  throw InputError({},
+                   "not all that was printed could be written to stdout" +
+                       (reason == 0 ? std::string() : std::string(": ") + std::strerror(reason)),
+                   "make room there, or send it elsewhere; files that were written are whole");
+}
+
 int run_program(int argc, char** argv, const std::vector<Command>& commands) {
   std::signal(SIGXFSZ, SIG_IGN);  // a file beyond the size limit gives an error message and does not kill the program
   try {
-    return run(argc, argv, commands);
+    return printed(run(argc, argv, commands));
   } catch (...) {
     return tell_failure();
   }

@@ -104,6 +104,10 @@ Command new_command();
 /// All commands that need neither mesh nor solver.
 std::vector<Command> light_commands();
 
+/// The exit code of a program that ends with `code` and has printed all that it had to say. Throws InputError where
+/// stdout has not taken all of it, as on a full disk; a reader that went away is no mistake, and is not told.
+int printed(int code);
+
 /// Reads the command line, runs the command that it names, and returns the exit code.
 int run_program(int argc, char** argv, const std::vector<Command>& commands);
 

@@ -322,6 +322,8 @@ std::string describe(const Case& input, const Simulation& simulation) {
                    for (const IndexRange& block : simulation.unknowns->blocks()) n += block.size();
                    return n;
                  }());
+  if (const int n = simulation.mesh->n_high_order; n > 0)
+    text += format("            %d cells of second or higher order, read by their corners\n", n);
   if (simulation.processes) text += format("            divided among %d processes\n", simulation.processes->count());
   if (simulation.accuracy) text += describe(*simulation.accuracy);
   text += "regions\n" + describe_regions(input, simulation);

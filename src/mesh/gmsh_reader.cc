@@ -3,12 +3,14 @@
 #include <gmsh.h>
 #include <unistd.h>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
 
 #include "base/confined_work.h"
 #include "base/parcel.h"
+#include "base/text.h"
 #include "mesh/geo_script.h"
 #include "mesh/gmsh_session.h"
 #include "mesh/raw_mesh.h"
@@ -42,7 +44,8 @@ void put(Parcel& parcel, const RawMesh& mesh) {
   parcel.put(mesh.edges);
   parcel.put(mesh.surfaces);
   parcel.put(mesh.curves);
-  parcel.put(std::vector<int>{mesh.n_divided});
+  parcel.put(std::vector<int>{mesh.n_divided, mesh.n_high_order});
+  parcel.put(std::vector<double>{mesh.most_bent});
 }
 
 /// None where the numbers are inconsistent, as a malicious file may control the process.
@@ -55,24 +58,41 @@ std::optional<RawMesh> take_mesh(OpenParcel& parcel) {
   mesh.edges = parcel.list<RawMesh::Edge>();
   mesh.surfaces = parcel.texts();
   mesh.curves = parcel.texts();
-  const std::vector<int> divided = parcel.list<int>();
-  if (divided.size() != 1) return std::nullopt;
-  mesh.n_divided = divided.front();
+  const std::vector<int> numbers = parcel.list<int>();
+  const std::vector<double> bent = parcel.list<double>();
+  if (numbers.size() != 2 || bent.size() != 1) return std::nullopt;
+  mesh.n_divided = numbers[0];
+  mesh.n_high_order = numbers[1];
+  mesh.most_bent = bent[0];
   if (!fits(mesh)) return std::nullopt;
   return mesh;
 }
 
-constexpr int line_type = 1;
-constexpr int triangle_type = 2;
-constexpr int quadrilateral_type = 3;
 constexpr unsigned int unused = std::numeric_limits<unsigned int>::max();
 
-/// Elements of one entity and one type.
+/// Elements of one entity and one type. Each lists its corners first, then order - 1 nodes a side, then others (gmsh's
+/// manual: Node ordering).
 struct Elements {
   int entity;
-  int type;
+  std::size_t nodes_each = 1;
+  std::size_t corners = 0;
+  std::size_t order = 1;
   std::vector<std::size_t> nodes;
+
+  /// Whether all are lines (2 corners), triangles or quadrilaterals.
+  bool are(std::size_t n_corners) const {
+    return corners == n_corners && nodes_each >= (n_corners == 2 ? order + 1 : n_corners * order);
+  }
 };
+
+Elements elements_with(int entity, int type, std::vector<std::size_t> nodes) {
+  std::string kind;
+  int dimension = 0, order = 0, nodes_each = 0, corners = 0;
+  std::vector<double> unused_coordinates;
+  gmsh::model::mesh::getElementProperties(type, kind, dimension, order, nodes_each, unused_coordinates, corners);
+  const auto number = [](int n) { return static_cast<std::size_t>(std::max(n, 1)); };
+  return {entity, number(nodes_each), number(corners), number(order), std::move(nodes)};
+}
 
 std::vector<Elements> elements_of(int dimension) {
   std::vector<Elements> result;
@@ -83,7 +103,8 @@ std::vector<Elements> elements_of(int dimension) {
     std::vector<int> types;
     std::vector<std::vector<std::size_t>> tags, nodes;
     gmsh::model::mesh::getElements(types, tags, nodes, dimension, entity.second);
-    for (std::size_t i = 0; i < types.size(); ++i) result.push_back({entity.second, types[i], std::move(nodes[i])});
+    for (std::size_t i = 0; i < types.size(); ++i)
+      result.push_back(elements_with(entity.second, types[i], std::move(nodes[i])));
   }
   return result;
 }
@@ -131,22 +152,18 @@ class Groups {
 /// All nodes of gmsh, by their tags.
 class Nodes {
  public:
-  explicit Nodes(MeshReport& report) {
+  Nodes() {
     std::vector<std::size_t> tags;
     std::vector<double> coordinates, parameters;
     gmsh::model::mesh::getNodes(tags, coordinates, parameters, -1, -1, false, false);
     std::vector<std::size_t> order(tags.size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
     std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return tags[a] < tags[b]; });
-    double extent = 0, height = 0;
     for (const std::size_t i : order) {
-      const double x = coordinates[3 * i], y = coordinates[3 * i + 1], z = coordinates[3 * i + 2];
       tags_.push_back(tags[i]);
-      points.emplace_back(x, y);
-      extent = std::max({extent, std::abs(x), std::abs(y)});
-      height = std::max(height, std::abs(z));
+      points.emplace_back(coordinates[3 * i], coordinates[3 * i + 1]);
+      height.push_back(coordinates[3 * i + 2]);
     }
-    if (height > 1e-9 * extent) report.add("it leaves the plane z = 0", "draw the section in x (landward) and y (up)");
   }
 
   unsigned int index(std::size_t tag) const {
@@ -154,33 +171,61 @@ class Nodes {
   }
 
   std::vector<dealii::Point<2>> points;
+  std::vector<double> height;  ///< z
 
  private:
   std::vector<std::size_t> tags_;
 };
 
-void report_foreign(int type, std::size_t nodes, const std::string& surface, MeshReport& report) {
-  std::string kind;
-  int dimension = 0, order = 0, nodes_each = 1, corners = 0;
-  std::vector<double> unused_coordinates;
-  gmsh::model::mesh::getElementProperties(type, kind, dimension, order, nodes_each, unused_coordinates, corners);
-  const std::size_t count = nodes / nodes_each;
-  if (order > 1)
-    report.add("surface " + surface + " has " + counted(count, "cell", " of second or higher order"),
-               "set Mesh.ElementOrder = 1; the degree of the solution is chosen elsewhere");
-  else
-    report.add("surface " + surface + " has " + counted(count, "cell", " of a strange kind"),
-               "make quadrilaterals: transfinite blocks with Recombine Surface, or Mesh.SubdivisionAlgorithm = 1");
+/// Reports cells that lie in no plane of a constant z.
+void check_plane(const Nodes& nodes, const RawMesh& mesh, const std::vector<RawTriangle>& triangles,
+                 MeshReport& report) {
+  std::array<double, 3> least, most;
+  least.fill(std::numeric_limits<double>::infinity());
+  most.fill(-least[0]);
+  const auto add = [&](const auto& cells) {
+    for (const auto& cell : cells)
+      for (const unsigned int v : cell.vertices)
+        for (unsigned int d = 0; d < 3; ++d) {
+          const double at = d < 2 ? nodes.points[v][d] : nodes.height[v];
+          least[d] = std::min(least[d], at);
+          most[d] = std::max(most[d], at);
+        }
+  };
+  add(mesh.cells);
+  add(triangles);
+  double size = 0.;
+  for (unsigned int d = 0; d < 3; ++d) size = std::max({size, std::abs(least[d]), std::abs(most[d])});
+  const auto is_constant = [&](unsigned int d) { return !(most[d] - least[d] > 1e-9 * size); };
+  if (is_constant(2)) return;
+  const bool over_z = is_constant(0) || is_constant(1);
+  report.add(
+      over_z ? std::string("it lies in the plane of ") + (is_constant(0) ? "y" : "x") +
+                   " and z: " + (is_constant(0) ? "x" : "y") + " is the same throughout"
+             : "it leaves the plane z = " + significant(least[2], 6) + ": z reaches up to " + significant(most[2], 6),
+      over_z ? "turn it, so that x is landward and y up; in a script, of x and z: Rotate {{1, 0, 0}, {0, 0, 0}, "
+               "-Pi/2} {Surface{:};}"
+             : "draw the section in x (landward) and y (up)");
 }
 
-/// Elements of one kind with n corners each.
+/// Corners of elements that have n of them; of those of higher order, how far the other nodes of their sides are from
+/// the chords.
 template <class Cell>
-void append_cells(const Elements& elements, int surface, const Nodes& nodes, std::vector<Cell>& cells) {
+void append_cells(const Elements& elements, int surface, const Nodes& nodes, std::vector<Cell>& cells, RawMesh& mesh) {
   constexpr std::size_t n = std::tuple_size<decltype(Cell::vertices)>::value;
-  for (std::size_t i = 0; i + n <= elements.nodes.size(); i += n) {
+  for (std::size_t i = 0; i + elements.nodes_each <= elements.nodes.size(); i += elements.nodes_each) {
     Cell cell{{}, surface};
     for (std::size_t v = 0; v < n; ++v) cell.vertices[v] = nodes.index(elements.nodes[i + v]);
     cells.push_back(cell);
+    if (elements.order == 1) continue;
+    ++mesh.n_high_order;
+    for (std::size_t k = 0; k < n * (elements.order - 1); ++k) {
+      const std::size_t side = k / (elements.order - 1);
+      const auto &from = nodes.points[cell.vertices[side]], &to = nodes.points[cell.vertices[(side + 1) % n]];
+      const auto& between = nodes.points[nodes.index(elements.nodes[i + n + k])];
+      const double chord = (to - from).norm_square();
+      if (chord > 0.) mesh.most_bent = std::max(mesh.most_bent, std::abs(cross(to - from, between - from)) / chord);
+    }
   }
 }
 
@@ -198,12 +243,14 @@ std::vector<RawTriangle> read_cells(const Nodes& nodes, RawMesh& mesh, MeshRepor
       report.add("some cells are on two physical surfaces, " + name + " and " + quoted(groups.names[surfaces[1]]),
                  "keep every surface in one group only");
     for (const int each : surfaces) has_cells[each] = true;
-    if (elements.type == quadrilateral_type)
-      append_cells(elements, surface, nodes, mesh.cells);
-    else if (elements.type == triangle_type)
-      append_cells(elements, surface, nodes, triangles);
+    if (elements.are(4))
+      append_cells(elements, surface, nodes, mesh.cells, mesh);
+    else if (elements.are(3))
+      append_cells(elements, surface, nodes, triangles, mesh);
     else
-      report_foreign(elements.type, elements.nodes.size(), name, report);
+      report.add("surface " + name + " has " +
+                     counted(elements.nodes.size() / elements.nodes_each, "cell", " of a strange kind"),
+                 "make quadrilaterals: transfinite blocks with Recombine Surface, or Mesh.SubdivisionAlgorithm = 1");
   }
   for (std::size_t s = 0; s < has_cells.size(); ++s)
     if (!has_cells[s]) report.add("surface " + quoted(groups.names[s]) + " has no cells", "mesh it, or drop its name");
@@ -214,9 +261,9 @@ void read_edges(const Nodes& nodes, RawMesh& mesh, MeshReport& report) {
   const Groups groups(1, "curve", report);
   mesh.curves = groups.names;
   for (const Elements& elements : elements_of(1)) {
-    if (elements.type != line_type) continue;
+    if (!elements.are(2)) continue;
     for (const int curve : groups.of_entity(elements.entity))
-      for (std::size_t i = 0; i + 1 < elements.nodes.size(); i += 2)
+      for (std::size_t i = 0; i + 1 < elements.nodes.size(); i += elements.nodes_each)
         mesh.edges.push_back({{nodes.index(elements.nodes[i]), nodes.index(elements.nodes[i + 1])}, curve});
   }
 }
@@ -248,10 +295,12 @@ RawMesh read_in(const MeshRequest& request, MeshReport& report) {
   RawMesh mesh;
   if (!report.empty()) return mesh;
   if (!elements_of(3).empty()) report.add("it has cells in three dimensions", "make a plane mesh (gmsh -2)");
-  const Nodes nodes(report);
-  if (!report.empty()) return mesh;
+  const Nodes nodes;
   mesh.vertices = nodes.points;
   const std::vector<RawTriangle> triangles = read_cells(nodes, mesh, report);
+  const std::size_t others = report.diagnostics().list().size();
+  check_plane(nodes, mesh, triangles, report);
+  if (report.diagnostics().list().size() > others) return {};  // its cells have no area in x and y
   read_edges(nodes, mesh, report);
   divide_triangles(triangles, mesh);
   drop_unused(mesh);

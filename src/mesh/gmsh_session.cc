@@ -161,7 +161,9 @@ void check_file(const std::string& file, MeshReport& report) {
   if (!std::ifstream(file)) return report.add("'" + file + "' cannot be read", "check its permissions");
   switch (kind_of(file)) {
     case FileKind::unknown:
-      return report.add("it is neither a .geo nor a .msh", "give a gmsh script (.geo) or a gmsh mesh (.msh)");
+      return report.add("it is neither a .geo nor a .msh",
+                        "give a gmsh script (.geo) or a gmsh mesh (.msh); gmsh makes one of other meshes (.inp, .unv, "
+                        ".vtk, .bdf, .med): gmsh FILE -save -o FILE.msh");
     case FileKind::mesh:
       if (!has_mesh_format(file))
         report.add("it is not a gmsh mesh: it has no $MeshFormat at its beginning",

@@ -52,6 +52,8 @@ std::unique_ptr<Mesh> built(const RawMesh& raw) {
   mesh->surfaces = raw.surfaces;
   mesh->curves = raw.curves;
   mesh->n_divided_triangles = raw.n_divided;
+  mesh->n_high_order = raw.n_high_order;
+  mesh->most_bent = raw.most_bent;
   mesh->triangulation.create_triangulation(raw.vertices, cells_of(raw), edges_of(raw));
   for (unsigned int curve = 0; curve < raw.curves.size(); ++curve)
     mesh->triangulation.set_manifold(curve, dealii::FlatManifold<dim>());

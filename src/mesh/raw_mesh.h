@@ -27,7 +27,9 @@ struct RawMesh {
   std::vector<Edge> edges;  ///< those on named curves only; an edge on two curves is there twice
   std::vector<std::string> surfaces;
   std::vector<std::string> curves;
-  int n_divided = 0;  ///< number of triangles from which cells were made
+  int n_divided = 0;      ///< number of triangles from which cells were made
+  int n_high_order = 0;   ///< number of cells of second or higher order, of which only the corners are kept
+  double most_bent = 0.;  ///< largest distance of one of their nodes from the chord of its side, over the chord
 
   dealii::Point<2> middle(unsigned int a, unsigned int b) const {
     return vertices[a] + (vertices[b] - vertices[a]) / 2;

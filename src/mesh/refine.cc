@@ -26,6 +26,9 @@ std::unique_ptr<Mesh> copy(const Mesh& mesh) {
   other->triangulation.copy_triangulation(mesh.triangulation);
   other->surfaces = mesh.surfaces;
   other->curves = mesh.curves;
+  other->n_divided_triangles = mesh.n_divided_triangles;
+  other->n_high_order = mesh.n_high_order;
+  other->most_bent = mesh.most_bent;
   return other;
 }
 

@@ -1,8 +1,12 @@
 #include "hdf5_contents.h"
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
 #include <zlib.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
 #include <functional>
 #include <optional>
@@ -30,6 +34,37 @@ class Silence {
   H5E_auto2_t print_ = nullptr;
   void* data_ = nullptr;
 };
+
+/// A shared flock(2) on a file that is read, as HDF5 itself would set, until the end of the scope. Where the file
+/// system has none (ENOLCK, ENOSYS, ENOTSUP of some network file systems), the file is read without: HDF5 would call
+/// it broken.
+class SharedLock {
+ public:
+  explicit SharedLock(const std::string& path) : file_(open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
+    refused_ = file_ >= 0 && flock(file_, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  }
+  ~SharedLock() {
+    if (file_ >= 0) close(file_);
+  }
+  SharedLock(const SharedLock&) = delete;
+  SharedLock& operator=(const SharedLock&) = delete;
+  /// Whether another program holds the lock of a writer.
+  bool refused() const { return refused_; }
+
+ private:
+  int file_;
+  bool refused_ = false;
+};
+
+/// Opens the file to read it, without a lock by HDF5; negative where that fails.
+hid_t open_unlocked(const std::string& path) {
+  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+#if H5_VERSION_GE(1, 12, 1) || (H5_VERSION_GE(1, 10, 7) && !H5_VERSION_GE(1, 12, 0))
+  constexpr hbool_t lock = 0, ignore_where_disabled = 1;
+  H5Pset_file_locking(access, lock, ignore_where_disabled);
+#endif
+  return H5Fopen(path.c_str(), H5F_ACC_RDONLY, access);
+}
 
 /// Reads one object (H5Dread or H5Aread) into a buffer of the given type.
 using Read = std::function<herr_t(hid_t type, void* buffer)>;
@@ -240,7 +275,9 @@ bool has_its_shape(const NumberArray& array) {
 Hdf5Contents read_contents(const std::string& path, const std::string& what) {
   const Silence silence;
   if (H5Fis_hdf5(path.c_str()) <= 0) throw InputError({path}, "no HDF5 file", "give " + what);
-  const Handle file = Handle::maybe(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+  const SharedLock lock(path);
+  if (lock.refused()) throw InputError({path}, "another program writes to it", "wait until it has been written");
+  const Handle file = Handle::maybe(open_unlocked(path), H5Fclose);
   if (file < 0)
     throw InputError({path}, "an HDF5 file that is not whole, or that another program writes to",
                      "wait until it has been written, or make it again");

@@ -21,16 +21,18 @@ struct Mesh {
   std::vector<std::string> surfaces;
   std::vector<std::string> curves;
   int n_divided_triangles = 0;  ///< triangles of the file, each divided into three cells
+  int n_high_order = 0;         ///< cells of second or higher order in the file, read by their corners
+  double most_bent = 0.;        ///< largest distance of one of their nodes from the chord of its side, over the chord
 
   const std::string& surface_of(const dealii::Triangulation<dim>::cell_iterator& cell) const;
   /// Name of the curve that a face lies on, or "" where it lies on none.
   const std::string& curve_of(const dealii::Triangulation<dim>::face_iterator& face) const;
 };
 
-/// Reads or generates the mesh and checks it. Throws InputError with every mistake and the name of its group: cells of
-/// second order, unnamed surfaces, an edge on two named curves, an outer edge on no named curve, duplicate names, no
-/// cells. Clockwise cells are turned. Where there are triangles, each is divided into three quadrilaterals and each
-/// quadrilateral into four.
+/// Reads or generates the mesh and checks it. Throws InputError with every mistake and the name of its group: unnamed
+/// surfaces, an edge on two named curves, an outer edge on no named curve, duplicate names, no cells. Cells of second
+/// and higher order are read by their corners; clockwise cells are turned. Where there are triangles, each is divided
+/// into three quadrilaterals and each quadrilateral into four.
 std::unique_ptr<Mesh> read_mesh(const MeshRequest& request);
 
 }  // namespace upbead

@@ -2,10 +2,10 @@
 
 import base64
 
-import h5py
 import numpy as np
 
 from ..errors import ModelError
+from ..h5 import open_h5
 from ..reduced_model import ReducedModel
 from ..results import text_of
 from .case_wave import case_wave
@@ -23,7 +23,7 @@ def model_data(path):
     missing = [name for name in NEEDED if name not in model.readings]
     if missing:
         raise ModelError(f"'{path}' has no reading '{missing[0]}': its mesh has no surface 'caisson'; reduce a case with one")
-    with h5py.File(path, "r") as file:
+    with open_h5(path) as file:
         case, loads = file["case"].attrs, file["loads"]
         names, units = ([text_of(text) for text in loads[key][()]] for key in ("name", "unit"))
         numbers = zip(names, units, loads["peak"][()].tolist(), loads["duration"][()].tolist())

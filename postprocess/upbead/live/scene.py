@@ -3,9 +3,9 @@ the waves."""
 
 import tomllib
 
-import h5py
 import numpy as np
 
+from ..h5 import open_h5
 from ..results import text_of
 
 SCENE = ("gravity", "fluid", "mesh", "regions", "boundaries", "initial", "sliding")
@@ -14,7 +14,7 @@ OF_WAVE = ("pulse", "history", "factor", "wave")  # keys that the user of a page
 
 def case_of(path):
     """The case of a model, with all defaults, as a dict."""
-    with h5py.File(path) as file:
+    with open_h5(path) as file:
         return case_in(file)
 
 

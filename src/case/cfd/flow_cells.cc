@@ -105,9 +105,12 @@ CellRows read_cell_rows(FlowLines& lines, FlowNotes& notes, const std::vector<Ce
       const std::string_view cell = without_blanks(line.substr(begin, end - begin));
       double number = 0.;
       if (c < heading.size()) {
-        if (!read_cell(cell, separator, number))
-          throw InputError(lines.place(static_cast<int>(begin) + 1), in_quotes(cell) + " is not a number",
-                           "give a finite number such as 1.5e3");
+        if (!read_cell(cell, separator, number)) {
+          const bool again = cell_heading(cell).name == heading[c].name || cell == heading[c].name;
+          throw InputError(lines.place(static_cast<int>(begin) + 1),
+                           again ? "a second head: " + in_quotes(cell) : in_quotes(cell) + " is not a number",
+                           again ? "give each run a file of its own" : "give a finite number such as 1.5e3");
+        }
         rows.column[c].push_back(number);
       }
       begin = end + 1;

@@ -72,6 +72,43 @@ void tell_peak(FlowLoad& load, const FlowHistory& history) {
   if (!history.moment.empty() && load.peak_force != 0.) load.peak_arm = history.moment[t] / load.peak_force;
 }
 
+/// The record's moment is of all its forces. Without a vertical force F_v its arm would be a = (M + F_v b)/F_h, and b,
+/// how far behind the centre F_v acts, is in no record: da/db = F_v/F_h.
+void warn_of_moment(const FlowHistory& history, double share, const FlowContext& context, FlowLoad& load) {
+  const std::size_t t = index_of_largest(history.landward);
+  const double metres = std::abs(history.up[t] / history.landward[t]);
+  load.warnings.push_back(
+      {"flow_vertical_moment", share, small_vertical, "1",
+       "'" + context.path + "': the vertical force, " + percent(share) +
+           " of the landward one, is left out, but not its moment, which the record does not tell apart: the arm at "
+           "the peak" +
+           (load.peak_arm ? ", " + significant(*load.peak_arm, 4) + " m," : "") + " is wrong by " +
+           significant(metres) +
+           " m for each metre that it acts behind or before the centre of the moments, and "
+           "overturning and heel with it; write forces of the wall's patch alone, or give region and vertical = "
+           "\"apply\""});
+}
+
+/// What is done with the vertical force where it is more than friction.
+void treat_vertical(const FlowContext& context, FlowQuestions& questions, FlowHistory& history, FlowLoad& load) {
+  const FlowSource& source = load.source;
+  const double vertical = largest(history.up), landward = largest(history.landward);
+  if (vertical > small_vertical * landward && source.up) {
+    const std::string share = percent(vertical / landward) + " of the landward force is vertical at most";
+    questions.need(source.vertical.has_value(), "vertical",
+                   share + ": the patch may hold base, crest or rear of the caisson",
+                   "add vertical = \"leave_out\", or \"apply\" on a rigid region");
+    load.told.push_back(share + (source.vertical == FlowVertical::apply ? ", and is applied" : ", and is left out"));
+    if (source.vertical == FlowVertical::leave_out && !history.moment.empty() && landward > 0.)
+      warn_of_moment(history, vertical / landward, context, load);
+  }
+  if (source.vertical == FlowVertical::apply && (!context.on_region || !source.up))
+    questions.object("vertical", "a vertical force is applied on a rigid region alone, and only where up is given",
+                     "give region = \"caisson\" in place of the boundary, or vertical = \"leave_out\"");
+  questions.answer();
+  if (source.vertical != FlowVertical::apply) history.up.assign(history.time.size(), 0.);
+}
+
 }  // namespace
 
 void understand_forces(const FlowRecord& record, const FlowContext& context, FlowLoad& load) {
@@ -104,19 +141,7 @@ void understand_forces(const FlowRecord& record, const FlowContext& context, Flo
                       (source.up ? over : " over a thickness of " + significant(*source.thickness, 6) + " m") + ": " +
                       with_unit(newtons / *source.thickness, "N/m") + ", still water " +
                       with_unit(load.still_force, "N/m"));
-  const double vertical = largest(history.up), landward = largest(history.landward);
-  if (vertical > small_vertical * landward && source.up) {
-    const std::string share = percent(vertical / landward) + " of the landward force is vertical at most";
-    questions.need(source.vertical.has_value(), "vertical",
-                   share + ": the patch may hold base, crest or rear of the caisson",
-                   "add vertical = \"leave_out\", or \"apply\" on a rigid region");
-    load.told.push_back(share + (source.vertical == FlowVertical::apply ? ", and is applied" : ", and is left out"));
-  }
-  if (source.vertical == FlowVertical::apply && (!context.on_region || !source.up))
-    questions.object("vertical", "a vertical force is applied on a rigid region alone, and only where up is given",
-                     "give region = \"caisson\" in place of the boundary, or vertical = \"leave_out\"");
-  questions.answer();
-  if (source.vertical != FlowVertical::apply) history.up.assign(history.time.size(), 0.);
+  treat_vertical(context, questions, history, load);
   if (!moments) load.told.emplace_back("the record has no moments: the arm is that of the load's shape");
   load.force = std::move(history);
 }

@@ -103,7 +103,36 @@ void check_distance(const std::string& name, const FlowCase& by, const std::vect
                      " (m) or more where it may lie so far");
 }
 
+Bounds bounds_of_region(const Mesh& mesh, const std::string& region) {
+  Bounds bounds;
+  for (const auto& cell : mesh.triangulation.active_cell_iterators())
+    if (mesh.surface_of(cell) == region)
+      for (const unsigned int v : cell->vertex_indices()) bounds.add(cell->vertex(v));
+  return bounds;
+}
+
 }  // namespace
+
+NumberedWarnings flow_arm_warnings(const Case& input, const Mesh& mesh) {
+  NumberedWarnings list;
+  for (const auto& [name, by] : input.flows) {
+    if (!by.flow->force || !by.flow->peak_arm || by.load.factor == 0.) continue;
+    const bool on_region = by.load.boundary.empty();
+    const Bounds bounds =
+        on_region ? bounds_of_region(mesh, by.load.region) : bounds_of_faces(faces_of(mesh, by.load.boundary));
+    const double y = by.flow->force->centre[1] + *by.flow->peak_arm;
+    const double slack = 1e-6 * (bounds.highest - bounds.lowest);
+    if (y >= bounds.lowest - slack && y <= bounds.highest + slack) continue;
+    list.push_back(
+        {"flow_arm_outside", y, y < bounds.lowest ? bounds.lowest : bounds.highest, "m",
+         "'loads." + name + "': the record's largest force acts at y = " + significant(y, 4) + " m, " +
+             (y < bounds.lowest ? "below" : "above") + " '" + (on_region ? by.load.region : by.load.boundary) +
+             "', which reaches from y = " + significant(bounds.lowest, 4) + " to " + significant(bounds.highest, 4) +
+             " m: no pressures on it have such a resultant; look at the patches, origin, up, and a "
+             "vertical force whose moment is in the record"});
+  }
+  return list;
+}
 
 void place_flows(const Case& input, const Mesh& mesh, Scene& scene) {
   Diagnostics mistakes;

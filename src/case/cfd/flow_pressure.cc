@@ -1,5 +1,6 @@
 // Pressures at points of a record become pressures along a line, in excess of still water.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <numeric>
@@ -22,12 +23,23 @@ bool is_kinematic(Q quantity) {
   return quantity == Q::kinematic || quantity == Q::kinematic_less_weight;
 }
 
+/// Whether a field has a name that OpenFOAM uses for something else than a pressure.
+bool is_no_pressure(const std::string& field) {
+  static const std::array<const char*, 9> names{"U", "T", "k", "epsilon", "omega", "nut", "nuTilda", "rho", "phi"};
+  return field.rfind("alpha", 0) == 0 || std::find(names.begin(), names.end(), field) != names.end();
+}
+
 /// The quantity at the points. A unit in the file says which it is; the name of a field contradicts some quantities.
 std::optional<Q> ask_quantity(const FlowPoints& points, const FlowSource& source, FlowQuestions& questions) {
   if (points.unit == "Pa") {
     if (source.quantity && *source.quantity != Q::pressure)
       questions.object("quantity", "the record's pressures are in Pa, with the weight of the water", "remove it");
     return Q::pressure;
+  }
+  if (is_no_pressure(points.field)) {
+    questions.object("from", "the record's field is called '" + points.field + "', which is no pressure",
+                     "name a record of p or p_rgh");
+    return {};
   }
   questions.need(source.quantity.has_value(), "quantity", "the record does not say what '" + points.field + "' is",
                  "add quantity = \"p\" (Pa, with the weight of the water), \"p_rgh\" (Pa, without), \"p/rho\" or "

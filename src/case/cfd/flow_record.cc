@@ -22,8 +22,8 @@ bool is_time(const std::string& name, double& start) {
   return read_number(name, start) && std::isfinite(start);
 }
 
-bool is_raw(const std::string& name) {
-  return fs::path(name).extension() == ".raw";
+bool is_patch(const std::string& name) {
+  return fs::path(name).extension() == ".raw" || fs::path(name).extension() == ".xy";
 }
 
 bool is_force(const std::string& name) {
@@ -31,26 +31,48 @@ bool is_force(const std::string& name) {
          (starts_with(name, "force") && !starts_with(name, "forceCoeff") && fs::path(name).extension() == ".dat");
 }
 
-/// Files that are read with another one: moments with their forces, and force_0.8.dat of a second run from 0.8 s with
-/// force.dat.
-bool is_beside(const std::string& name, const std::vector<FlowFolder>& folders) {
-  if (starts_with(name, "moment")) return true;
-  return std::any_of(folders.begin(), folders.end(), [&name](const FlowFolder& folder) {
-    return name == "force_" + folder.name + ".dat" || name == "forces_" + folder.name + ".dat";
-  });
+/// "force.dat" of force_0.8.dat.
+std::string without_start(const std::string& name) {
+  return start_in(name) ? name.substr(0, name.rfind('_')) + ".dat" : name;
 }
 
-/// Names of those files in the folders that may be the record.
+bool is_file(const fs::path& path) {
+  std::error_code error;
+  return fs::is_regular_file(path, error);
+}
+
+/// Names of those files in the folders that may be the record. Moments are read with their forces, and force_0.8.dat
+/// with force.dat.
 std::set<std::string> candidates(const std::vector<FlowFolder>& folders) {
   std::set<std::string> names;
   for (const FlowFolder& folder : folders) {
     std::error_code error;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder.path, error))
       if (const std::string name = entry.path().filename().string();
-          entry.is_regular_file(error) && name[0] != '.' && !is_beside(name, folders))
-        names.insert(name);
+          entry.is_regular_file(error) && name[0] != '.' && !starts_with(name, "moment"))
+        names.insert(without_start(name));
   }
   return names;
+}
+
+/// Leaves out files that hold neither forces nor pressures at points. Throws InputError about the first where no other
+/// is left.
+std::set<std::string> without_others(const std::set<std::string>& names, const std::vector<FlowFolder>& folders,
+                                     const Place& place) {
+  std::set<std::string> rest;
+  std::optional<InputError> first;
+  for (const std::string& name : names) {
+    const auto has = [&](const FlowFolder& folder) { return is_file(fs::path(folder.path) / name); };
+    const auto folder = std::find_if(folders.begin(), folders.end(), has);
+    try {
+      if (folder != folders.end()) refuse_other_output((fs::path(folder->path) / name).string(), place);
+      rest.insert(name);
+    } catch (const InputError& error) {
+      if (!first) first = error;
+    }
+  }
+  if (rest.empty() && first) throw *first;
+  return rest;
 }
 
 std::vector<std::string> subfolders(const std::string& path) {
@@ -65,7 +87,7 @@ std::vector<std::string> subfolders(const std::string& path) {
 
 void read_kind(const std::vector<FlowFolder>& folders, const std::string& file, const Place& place,
                FlowRecord& record) {
-  if (is_raw(file))
+  if (is_patch(file))
     read_openfoam_patch(folders, file, place, record);
   else if (is_force(file))
     read_openfoam_forces(folders, file, place, record);
@@ -79,28 +101,29 @@ void read_folder(const std::string& path, const std::string& file, const Place& 
     throw InputError(place, std::to_string(folders.size()) + " folders of times, more than any record has",
                      "name the folder of one function object, thinned");
   if (folders.empty()) folders.push_back({fs::path(path).filename().string(), path, 0.});
-  const std::set<std::string> names = candidates(folders);
-  if (names.empty())
+  const std::set<std::string> found = candidates(folders);
+  if (found.empty())
     throw InputError(place, quoted_path(path) + " is a folder without folders of times or files of OpenFOAM",
                      subfolders(path).empty() ? "name the folder of a function object, such as postProcessing/forces"
                                               : "name one of its folders: " + join(subfolders(path)));
-  if (!file.empty() && names.count(file) == 0)
+  const auto has_file = [&file](const FlowFolder& folder) { return is_file(fs::path(folder.path) / file); };
+  const bool is_named = !file.empty() && std::any_of(folders.begin(), folders.end(), has_file);
+  const std::set<std::string> names = without_others(is_named ? std::set<std::string>{file} : found, folders, place);
+  if (!file.empty() && !is_named && names.count(file) == 0)
     throw InputError(place, "no folder of times in " + quoted_path(path) + " has a file " + in_quotes(file),
                      suggestion(file, {names.begin(), names.end()}, "files"));
   if (file.empty() && names.size() > 1)
     throw InputError(place, quoted_path(path) + " holds more than one record",
                      "add file = one of: " + join({names.begin(), names.end()}));
   const std::string meant = file.empty() ? *names.begin() : file;
-  if (is_raw(meant) && time_folders(path).empty())
+  if (is_patch(meant) && time_folders(path).empty())
     throw InputError(place, quoted_path(path) + " holds a patch at one time only", "name the folder above it");
   std::vector<FlowFolder> with;  // folders with rows: a run that ended before its first row has left none
-  for (const FlowFolder& folder : folders) {
-    std::error_code error;
-    if (is_raw(meant) || fs::is_regular_file(fs::path(folder.path) / meant, error))
+  for (const FlowFolder& folder : folders)
+    if (is_patch(meant) || !runs_in(folder.path, meant).empty())
       with.push_back(folder);
     else
       record.notes.push_back("the folder " + folder.name + " has no " + meant);
-  }
   read_kind(with, meant, place, record);
 }
 
@@ -117,16 +140,18 @@ void read_file_of_flow(const std::string& path, const Place& place, FlowRecord& 
   const std::string line = first_line(path, place), name = file.filename().string();
   const std::string folder = file.parent_path().empty() ? "." : file.parent_path().string();
   const std::vector<FlowFolder> alone{{file.parent_path().filename().string(), folder, 0.}};
+  const bool is_comment = line[line.find_first_not_of(" \t")] == '#';
+  if (is_comment) refuse_other_output(path, place);
   if (is_dualsphysics(line))
     read_dualsphysics(path, place, record);
   else if (is_proteus(line))
     read_proteus(path, place, record);
-  else if (is_raw(name))
+  else if (is_patch(name))
     throw InputError(place, quoted_path(path) + " is a patch at one time only",
                      "name the folder above the folders of the times, and file = \"" + name + "\"");
-  else if (is_force(name) && line[0] == '#')
+  else if (is_force(name) && is_comment)
     read_openfoam_forces(alone, name, place, record);
-  else if (line[line.find_first_not_of(" \t")] == '#')
+  else if (is_comment)
     read_openfoam_probes(alone, name, place, record);
   else if (!read_swash(path, place, record))
     throw InputError(place,
@@ -148,6 +173,28 @@ std::vector<FlowFolder> time_folders(const std::string& path) {
     return std::pair(a.start, a.name) < std::pair(b.start, b.name);
   });
   return folders;
+}
+
+std::optional<double> start_in(const std::string& name) {
+  const std::string stem = fs::path(name).stem().string();
+  const std::size_t at = stem.rfind('_');
+  double start = 0.;
+  const bool may = at != std::string::npos && (is_force(name) || starts_with(name, "moment"));
+  return may && is_time(stem.substr(at + 1), start) ? std::optional(start) : std::nullopt;
+}
+
+std::vector<std::string> runs_in(const std::string& folder, const std::string& file) {
+  std::vector<std::string> names;
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
+    if (const std::string name = entry.path().filename().string();
+        entry.is_regular_file(error) && (name == file || (start_in(name) && without_start(name) == file)))
+      names.push_back(name);
+  const auto before = [](const std::string& a, const std::string& b) {
+    return std::pair(start_in(a), a) < std::pair(start_in(b), b);
+  };
+  std::sort(names.begin(), names.end(), before);
+  return names;
 }
 
 const std::vector<double>& FlowRecord::time() const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,7 +16,10 @@ struct FlowRows {
   std::vector<double> value;  ///< row by row; NaN where a cell is blank
 
   std::size_t count() const { return time.size(); }
-  double at(std::size_t row, std::size_t column) const { return value[row * width + column]; }
+  /// Throws std::out_of_range where there is no such cell.
+  double at(std::size_t row, std::size_t column) const {
+    return value.at(column < width ? row * width + column : value.size());
+  }
   std::vector<double> column(std::size_t c) const;
 };
 
@@ -28,11 +32,25 @@ void settle(FlowRows& rows, const Place& place, FlowNotes& notes);
 
 /// One run of several.
 struct FlowPiece {
-  std::string folder;  ///< named after the time of its start
+  std::string name;  ///< for people: "the run from 0.8 s"
   FlowRows rows;
+  std::optional<double> start = {};  ///< of a run in one folder or file with others (s)
 };
+
+class FlowLines;
+
+/// Adds a run, whose head ends above the line at which `lines` stands; `width`: numbers of a row besides its time.
+void begin_piece(const FlowLines& lines, std::size_t width, std::vector<FlowPiece>& pieces);
 
 /// Joins runs in the order of their starts: from its first time on, a later run replaces the earlier ones.
 FlowRows joined(std::vector<FlowPiece> pieces, FlowNotes& notes);
+
+/// Of two runs with the same start, one must hold all rows of the other, and is kept. Throws InputError where they
+/// differ: a person must say which of them counts.
+std::vector<FlowPiece> without_repetitions(std::vector<FlowPiece> pieces, const Place& place, FlowNotes& notes);
+
+/// The rows of a file in which a head may stand more than once, as where the files of several runs were put together.
+/// Throws InputError where a run begins before the one above it.
+FlowRows rows_of_file(std::vector<FlowPiece> runs, const Place& place, FlowNotes& notes);
 
 }  // namespace upbead

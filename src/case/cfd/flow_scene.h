@@ -20,6 +20,9 @@ void place_flows(const Case& input, const Mesh& mesh, Scene& scene);
 /// Warnings of the records' forces, and of records that are zero within the run.
 NumberedWarnings flow_warnings(const Case& input);
 
+/// flow_arm_outside: forces whose resultant lies above or below the wall or region that they act on.
+NumberedWarnings flow_arm_warnings(const Case& input, const Mesh& mesh);
+
 struct FlowSummary;
 std::vector<FlowSummary> flow_summaries(const Case& input);
 

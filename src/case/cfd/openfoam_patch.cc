@@ -1,4 +1,6 @@
-// Sampled patches, surfaceFormat raw: FIELD_SURFACE.raw in a folder per time, face centres or corners and values.
+// Sampled patches in a folder per time: face centres or corners and values; FIELD_SURFACE.raw, or SURFACE.xy.
+#include "case/cfd/openfoam_patch.h"
+
 #include <cmath>
 #include <filesystem>
 
@@ -12,16 +14,12 @@ namespace upbead {
 
 namespace {
 
-struct PatchFile {
-  std::string field;
-  bool vertices = false;
+struct RawFile : PatchFile {
   std::optional<std::size_t> count;  ///< as the head gives it
   bool named = false;                ///< the head has named the columns
-  std::vector<Triple> at;
-  std::vector<double> value;
 };
 
-bool read_count(const std::string& word, PatchFile& file) {
+bool read_count(const std::string& word, RawFile& file) {
   double number = 0.;
   if (!read_number(word, number) || !(number >= 1.) || number > 1e9 || number != std::floor(number)) return false;
   file.count = static_cast<std::size_t>(number);
@@ -29,13 +27,16 @@ bool read_count(const std::string& word, PatchFile& file) {
 }
 
 /// "p  FACE_DATA 20", then "x  y  z  p"; older files have the number on a line of its own.
-void read_patch_head(const FlowLines& lines, PatchFile& file) {
+void read_patch_head(const FlowLines& lines, RawFile& file) {
   const std::vector<std::string> words = words_of(lines.line(), "# \t");
   if (words.empty()) return;
   bool sound = false;
+  if (!file.at.empty())
+    throw InputError(lines.place(), "a second head", "give a file for each time, as OpenFOAM wrote it");
   if (words.size() >= 2 && words.size() <= 3 && (words[1] == "FACE_DATA" || words[1] == "POINT_DATA")) {
     file.field = words[0];
     file.vertices = words[1] == "POINT_DATA";
+    file.faces = !file.vertices;
     sound = words.size() == 2 || read_count(words[2], file);
   } else if (words.size() == 1) {
     sound = !file.field.empty() && !file.count && read_count(words[0], file);
@@ -48,9 +49,9 @@ void read_patch_head(const FlowLines& lines, PatchFile& file) {
                      "it is '# p  FACE_DATA 20' and '# x y z p' of a scalar field");
 }
 
-PatchFile read_patch_file(const std::string& path, const Place& place, FlowNotes& notes) {
+PatchFile read_raw_file(const std::string& path, const Place& place, FlowNotes& notes) {
   FlowLines lines(path, place);
-  PatchFile file;
+  RawFile file;
   FlowLine line;
   while (lines.next(notes)) {
     if (lines.line().front() == '#') {
@@ -69,8 +70,8 @@ PatchFile read_patch_file(const std::string& path, const Place& place, FlowNotes
           "this row has " + std::to_string(line.numbers.size()) + " numbers in place of x, y, z and " + file.field,
           "is a column lost, or the row cut?");
     require_quantities(lines, line);
-    file.at.push_back({line.numbers[0], line.numbers[1], line.numbers[2]});
-    file.value.push_back(line.numbers[3]);
+    file.at.push_back({line.numbers.at(0), line.numbers.at(1), line.numbers.at(2)});
+    file.value.push_back(line.numbers.at(3));
   }
   if (!file.count || file.at.size() != *file.count)
     throw InputError({path},
@@ -98,6 +99,7 @@ void read_openfoam_patch(const std::vector<FlowFolder>& folders, const std::stri
                          FlowRecord& record) {
   FlowPoints& points = record.points.emplace();
   std::vector<std::string> without;
+  const bool is_xy = fs::path(file).extension() == ".xy";
   for (const FlowFolder& folder : folders) {
     const std::string path = (fs::path(folder.path) / file).string();
     std::error_code ignored;
@@ -105,16 +107,17 @@ void read_openfoam_patch(const std::vector<FlowFolder>& folders, const std::stri
       without.push_back(folder.name);
       continue;
     }
-    const PatchFile read = read_patch_file(path, place, record.notes);
+    const PatchFile read = is_xy ? read_xy_file(path, place, record.notes) : read_raw_file(path, place, record.notes);
     record.files.push_back(path);
     if (points.at.empty()) {
       points.field = read.field;
-      points.are_faces = !read.vertices;
+      points.are_faces = read.faces;
       points.are_vertices = read.vertices;
       points.at = read.at;
       points.rows.width = read.at.size();
     }
-    if (read.field != points.field || read.vertices != points.are_vertices || moved(points.at, read.at))
+    if (read.field != points.field || read.vertices != points.are_vertices || read.faces != points.are_faces ||
+        moved(points.at, read.at))
       throw InputError({path}, "its points or its field are not those of the first time",
                        "a patch that moves, or whose mesh changes, is not read: sample it on a fixed surface");
     points.rows.time.push_back(folder.start);
@@ -123,10 +126,10 @@ void read_openfoam_patch(const std::vector<FlowFolder>& folders, const std::stri
   if (!without.empty())
     record.notes.push_back(std::to_string(without.size()) + " folders of times are without " + file + ", the first " +
                            without.front());
-  for (std::size_t i = 0; i < points.at.size(); ++i) points.name.push_back("face" + std::to_string(i));
+  const std::string kind = points.are_faces ? "face" : "point";
+  for (std::size_t i = 0; i < points.at.size(); ++i) points.name.push_back((is_xy ? kind : "face") + std::to_string(i));
   settle(points.rows, {record.path}, record.notes);
-  record.layout =
-      std::string("OpenFOAM sampled patch (raw, ") + (points.are_faces ? "faces" : "points") + ") of " + points.field;
+  record.layout = "OpenFOAM sampled patch (" + std::string(is_xy ? "xy, " : "raw, ") + kind + "s) of " + points.field;
 }
 
 }  // namespace upbead

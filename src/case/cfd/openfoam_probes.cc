@@ -13,9 +13,14 @@ namespace upbead {
 
 namespace {
 
-struct ProbeFile {
+struct ProbeHead {
   std::vector<Triple> at;
   std::vector<bool> outside;  ///< of the mesh: by a line of the head, or by the values
+  std::string coordinates;    ///< axes read so far, in the layout of older files: "xyz" when complete
+};
+
+struct ProbeFile {
+  ProbeHead head;
   FlowRows rows;
 };
 
@@ -25,7 +30,7 @@ struct ProbeFile {
 }
 
 /// "Probe 3 (x y z)  # Not Found".
-void read_probe_line(const FlowLines& lines, std::string_view text, ProbeFile& file) {
+void read_probe_line(const FlowLines& lines, std::string_view text, ProbeHead& file) {
   const bool not_found = text.find("Not Found") != std::string_view::npos;
   const std::size_t open = text.find('('), close = text.find(')');
   const std::vector<std::string> name = words_of(text.substr(0, open), " \t");
@@ -40,7 +45,7 @@ void read_probe_line(const FlowLines& lines, std::string_view text, ProbeFile& f
 }
 
 /// "x 0 1 2": one coordinate of all probes, in older files.
-void read_coordinate_line(const FlowLines& lines, const std::vector<std::string>& words, ProbeFile& file) {
+void read_coordinate_line(const FlowLines& lines, const std::vector<std::string>& words, ProbeHead& file) {
   const std::size_t axis = std::string("xyz").find(words[0]), n = words.size() - 1;
   if (axis == 0) {
     file.at.assign(n, Triple{});
@@ -52,20 +57,16 @@ void read_coordinate_line(const FlowLines& lines, const std::vector<std::string>
   if (!sound) bad_head(lines);
 }
 
-struct HeadState {
-  std::string coordinates;  ///< axes read so far, in the layout of older files: "xyz" when complete
-};
-
-void read_head(const FlowLines& lines, ProbeFile& file, HeadState& state) {
+void read_head(const FlowLines& lines, ProbeHead& head) {
   std::string_view text = lines.line();
   text.remove_prefix(std::min(text.find_first_not_of("# \t"), text.size()));
   const std::vector<std::string> words = words_of(text);
   if (words.empty()) return;
   if (words[0] == "x" || words[0] == "y" || words[0] == "z") {
-    read_coordinate_line(lines, words, file);
-    state.coordinates += words[0];
+    read_coordinate_line(lines, words, head);
+    head.coordinates += words[0];
   } else if (words[0] == "Probe" && text.find('(') != std::string_view::npos) {
-    read_probe_line(lines, text, file);
+    read_probe_line(lines, text, head);
   } else if (words[0] != "Probe" && words[0] != "Time") {
     bad_head(lines);
   }
@@ -75,20 +76,20 @@ bool is_outside(double value) {
   return !(value > -largest_magnitude);  // OpenFOAM writes -1e300 or -1.8e307, depending on the version
 }
 
-void add_probe_row(const FlowLines& lines, const FlowLine& line, ProbeFile& file) {
+void add_probe_row(const FlowLines& lines, const FlowLine& line, ProbeHead& head, FlowRows& rows) {
   if (line.shape.find('(') != std::string::npos)
     throw InputError(lines.place(), "the field is one of vectors", "name the file of a pressure, p or p_rgh");
-  if (line.numbers.size() != file.at.size() + 1)
+  if (line.numbers.size() != rows.width + 1)
     throw InputError(lines.place(),
                      "this row has " + std::to_string(line.numbers.size()) + " numbers; a time and " +
-                         std::to_string(file.at.size()) + " probes are asked for by the head",
+                         std::to_string(rows.width) + " probes are asked for by the head",
                      "is a column or a line of the head lost, or the row cut?");
-  file.rows.time.push_back(line.numbers[0]);
-  for (std::size_t p = 0; p < file.at.size(); ++p) {
-    const double value = line.numbers[p + 1];
+  rows.time.push_back(line.numbers[0]);
+  for (std::size_t p = 0; p < rows.width; ++p) {
+    const double value = line.numbers.at(p + 1);
     const bool outside = is_outside(value);
-    if (file.rows.count() == 1 && outside) file.outside[p] = true;
-    if (outside != file.outside[p])
+    if (rows.count() == 1 && outside) head.outside.at(p) = true;
+    if (outside != head.outside.at(p))
       throw InputError(
           lines.place(),
           "probe " + std::to_string(p) + " lies outside the mesh at some times only: " + significant(value),
@@ -98,38 +99,53 @@ void add_probe_row(const FlowLines& lines, const FlowLine& line, ProbeFile& file
                        "the value " + significant(value) + " of probe " + std::to_string(p) +
                            " is larger than any quantity in SI units",
                        "did the run fail there? cut the file before");
-    file.rows.value.push_back(outside ? 0. : value);
+    rows.value.push_back(outside ? 0. : value);
   }
+}
+
+/// Begins the rows below a head; `heads`: those above in the file.
+void begin_run(const FlowLines& lines, const ProbeHead& head, std::vector<ProbeHead>& heads,
+               std::vector<FlowPiece>& runs) {
+  if (head.at.empty() || (!head.coordinates.empty() && head.coordinates != "xyz"))
+    throw InputError(lines.place(), "the head does not say where the probes are: no '# Probe 0 (x y z)'",
+                     "give the file whole, as OpenFOAM wrote it");
+  if (!heads.empty() && head.at != heads.front().at)
+    throw InputError(lines.place(), "a second head above this row, with other probes than the first",
+                     "give the runs of the file a folder each, named after the time of its start");
+  heads.push_back(head);
+  begin_piece(lines, head.at.size(), runs);
 }
 
 ProbeFile read_probe_file(const std::string& path, const Place& place, FlowNotes& notes) {
   FlowLines lines(path, place);
-  ProbeFile file;
-  HeadState state;
+  std::vector<ProbeHead> heads;
+  std::vector<FlowPiece> runs;
+  ProbeHead head;
   FlowLine line;
-  while (lines.next(notes)) {
+  for (bool in_head = true; lines.next(notes);) {
     if (const std::size_t first = lines.line().find_first_not_of(" \t"); lines.line()[first] == '#') {
-      read_head(lines, file, state);
+      if (lines.line().find_first_not_of("# \t") == std::string_view::npos) continue;
+      if (!in_head) head = {};
+      in_head = true;
+      read_head(lines, head);
       continue;
     }
-    if (file.rows.width == 0) {
-      if (file.at.empty() || (!state.coordinates.empty() && state.coordinates != "xyz"))
-        throw InputError(lines.place(), "the head does not say where the probes are: no '# Probe 0 (x y z)'",
-                         "give the file whole, as OpenFOAM wrote it");
-      file.rows.width = file.at.size();
-      file.rows.time.reserve(lines.rows_left());
-      file.rows.value.reserve(lines.rows_left() * file.at.size());
-    }
+    if (in_head) begin_run(lines, head, heads, runs);
+    in_head = false;
     read_line(lines, line);
     if (!line.numbers.empty() && !std::isfinite(line.numbers[0])) require_quantities(lines, line);
-    add_probe_row(lines, line, file);
+    add_probe_row(lines, line, heads.back(), runs.back().rows);
   }
-  settle(file.rows, {path}, notes);
-  return file;
+  for (const ProbeHead& other : heads)
+    if (other.outside != heads.front().outside)
+      throw InputError({path}, "a second head: its probes outside the mesh are not those of the run above it",
+                       "give the runs of the file a folder each, named after the time of its start");
+  FlowRows rows = rows_of_file(std::move(runs), {path}, notes);
+  return {heads.front(), std::move(rows)};
 }
 
 /// Keeps only the probes that lie in the mesh.
-void keep_inside(ProbeFile& file, FlowRows& rows, FlowRecord& record) {
+void keep_inside(const ProbeHead& file, const FlowRows& rows, FlowRecord& record) {
   FlowPoints& points = *record.points;
   std::vector<std::size_t> inside;
   for (std::size_t p = 0; p < file.at.size(); ++p) {
@@ -155,18 +171,18 @@ void keep_inside(ProbeFile& file, FlowRows& rows, FlowRecord& record) {
 void read_openfoam_probes(const std::vector<FlowFolder>& folders, const std::string& file, const Place& place,
                           FlowRecord& record) {
   std::vector<FlowPiece> pieces;
-  ProbeFile first;
+  ProbeHead first;
   for (const FlowFolder& folder : folders) {
     const std::string path = (fs::path(folder.path) / file).string();
     ProbeFile read = read_probe_file(path, place, record.notes);
     record.files.push_back(path);
-    if (pieces.empty()) first = read;
-    if (read.at != first.at || read.outside != first.outside)
+    if (pieces.empty()) first = read.head;
+    if (read.head.at != first.at || read.head.outside != first.outside)
       throw InputError({path}, "its probes are not those of the run before", "give runs of the same probes");
-    pieces.push_back({folder.name, std::move(read.rows)});
+    pieces.push_back({"the run from " + folder.name + " s", std::move(read.rows)});
   }
   record.layout = "OpenFOAM probes of " + file;
-  FlowRows rows = joined(std::move(pieces), record.notes);
+  const FlowRows rows = joined(std::move(pieces), record.notes);
   record.points.emplace();
   record.points->field = file;
   keep_inside(first, rows, record);

@@ -121,7 +121,10 @@ bool read_swash(const std::string& path, const Place& place, FlowRecord& record)
   FlowLines lines(path, place);
   FlowLine line;
   while (lines.next(record.notes)) {
-    if (lines.line().front() == '%') continue;
+    if (lines.line().front() == '%') {
+      if (level.time.empty()) continue;
+      throw InputError(lines.place(), "a second head: the times by INPUT are of one run", "give the table of one run");
+    }
     read_line(lines, line);
     require_quantities(lines, line);
     if (line.shape != std::string(table->names.size(), 'n'))

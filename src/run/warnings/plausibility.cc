@@ -103,6 +103,12 @@ NumberedWarnings plausibility_warnings(const Simulation& simulation) {
                         std::to_string(simulation.mesh->triangulation.n_active_cells()) +
                         " cells; quadrilaterals from the start need fewer unknowns: transfinite blocks with Recombine "
                         "Surface, or Mesh.SubdivisionAlgorithm = 1"});
+  constexpr double straight = 1e-6;
+  if (const double bent = simulation.mesh->most_bent; bent > straight)
+    list.push_back({"sides_straightened", bent, straight, "1",
+                    "cells of second order have curved sides, up to " + percent(bent) +
+                        " of a side's length from its chord; they are read by their corners, with straight sides: use "
+                        "more cells along curved boundaries"});
   if (scene.sliding) judge("sliding.friction", scene.sliding->friction, friction, list);
   judge_weight(simulation, list);
   return list;
