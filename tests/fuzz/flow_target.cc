@@ -58,6 +58,17 @@ void check(const std::string& path, const std::string& file) {
   read_or_refuse([&] { check_load(understand(record, source, context)); });
 }
 
+/// A folder with that file in the folders of two times.
+std::string at_two_times(const std::string& name, std::string_view bytes) {
+  namespace fs = std::filesystem;
+  const fs::path first(memory_file(name, bytes)), folder = first.parent_path() / fs::path(name).stem();
+  for (const char* time : {"0.1", "0.2"}) {
+    fs::create_directories(folder / time);
+    fs::copy_file(first, folder / time / name, fs::copy_options::overwrite_existing);
+  }
+  return folder.string();
+}
+
 }  // namespace
 
 void try_flow(std::string_view bytes) {
@@ -73,17 +84,15 @@ void try_flow(std::string_view bytes) {
     case 'p':
       check(memory_file("p", bytes), "");
       break;
-    case 'r': {
-      const std::filesystem::path first(memory_file("p_wall.raw", bytes));
-      const std::filesystem::path folder = first.parent_path() / "patch";
-      for (const char* time : {"0.1", "0.2"}) {
-        std::filesystem::create_directories(folder / time);
-        std::filesystem::copy_file(first, folder / time / "p_wall.raw",
-                                   std::filesystem::copy_options::overwrite_existing);
-      }
-      check(folder.string(), "");
+    case 'r':
+      check(at_two_times("p_wall.raw", bytes), "");
       break;
-    }
+    case 'x':
+      check(at_two_times("front.xy", bytes), "");
+      break;
+    case 'd':
+      check(memory_file("height.dat", bytes), "");
+      break;
     case 's':
       memory_file("INPUT", bytes.substr(0, bytes.size() / 2));
       check(memory_file("wall.tbl", bytes.substr(bytes.size() / 2)), "");

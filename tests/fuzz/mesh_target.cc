@@ -1,4 +1,6 @@
 // An accepted mesh has cells of positive area and named outer edges. gmsh itself is not instrumented.
+#include <array>
+
 #include "bytes.h"
 #include "target.h"
 #include "upbead/mesh/mesh.h"
@@ -57,14 +59,17 @@ std::string nodes_of(Bytes& bytes, int n) {
   return lines;
 }
 
-/// Lines, triangles and quadrilaterals of any nodes, entities and groups.
-std::string elements_of(Bytes& bytes, int n_nodes, int n) {
+/// Lines, triangles and quadrilaterals of any nodes, entities and groups; of second order with one more node a side.
+std::string elements_of(Bytes& bytes, int n_nodes, int n, bool second_order) {
+  constexpr std::array<int, 4> of_second_order{0, 8, 9, 16};
   std::string lines;
   for (int i = 0; i < n; ++i) {
-    const int kind = bytes.below(8), type = kind < 4 ? 1 : kind == 4 ? 2 : 3, corners = type + 1;
-    lines += std::to_string(i + 1) + " " + std::to_string(type) + " 2 " + std::to_string(bytes.below(5)) + " " +
-             std::to_string(1 + bytes.below(4));
-    for (int c = 0; c < corners; ++c) lines += " " + std::to_string(1 + bytes.below(n_nodes));
+    const int kind = bytes.below(8), type = kind < 4 ? 1 : kind == 4 ? 2 : 3;
+    const int nodes = second_order && type > 1 ? 2 * (type + 1) : second_order ? 3 : type + 1;
+    lines += std::to_string(i + 1) + " " +
+             std::to_string(second_order ? of_second_order[static_cast<std::size_t>(type)] : type) + " 2 " +
+             std::to_string(bytes.below(5)) + " " + std::to_string(1 + bytes.below(4));
+    for (int c = 0; c < nodes; ++c) lines += " " + std::to_string(1 + bytes.below(n_nodes));
     lines += "\n";
   }
   return lines;
@@ -81,7 +86,8 @@ void try_groups(std::string_view input) {
   int n_names = 0;
   const std::string names = names_of(bytes, n_names);
   const int n_nodes = 4 + bytes.below(6), n_elements = bytes.below(16);
-  const std::string nodes = nodes_of(bytes, n_nodes), elements = elements_of(bytes, n_nodes, n_elements);
+  const std::string nodes = nodes_of(bytes, n_nodes),
+                    elements = elements_of(bytes, n_nodes, n_elements, input.size() % 8 == 7);
   std::map<std::string, double> parameters;
   if (bytes.one_in(8)) parameters[bytes.text(bytes.below(10))] = bytes.number();
   read("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n" + section("PhysicalNames", names, n_names) +

@@ -30,6 +30,7 @@ TARGETS = {
     "case": ("case file (TOML)", 6000, 60000),
     "design": ("design file (TOML)", 4000, 40000),
     "flow": ("output of CFD programs: OpenFOAM, DualSPHysics, Proteus, SWASH", 1500, 30000),
+    "forces": ("forces.dat of OpenFOAM: rows cut, heads at will", 600, 15000),
     "history": ("CSV: histories, uplift, waves", 1000, 30000),
     "script": ("parameters of a .geo", 1000, 20000),
     "groups": (".msh as gmsh accepts: nodes, cells, groups and names at will", 300, 30000),

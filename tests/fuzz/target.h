@@ -16,6 +16,7 @@ void try_case(std::string_view bytes);         ///< a case (TOML)
 void try_design(std::string_view bytes);       ///< a design (TOML)
 void try_checkpoint(std::string_view bytes);   ///< .h5 of a checkpoint: valid HDF5 whose objects are changed
 void try_flow(std::string_view bytes);         ///< output of a CFD program, by the name that its first byte chooses
+void try_forces(std::string_view bytes);       ///< forces.dat of OpenFOAM with cut rows and heads at will
 void try_history(std::string_view bytes);      ///< CSV: the history of a load, of an uplift, waves of a reduced model
 void try_script(std::string_view bytes);       ///< a .geo: its parameters, as our own scanner reads them
 void try_mesh(std::string_view bytes);         ///< a .msh, byte by byte, through gmsh

@@ -24,8 +24,11 @@ TEST(BadFile, Folder) {
 
 TEST(BadFile, OtherKind) {
   const TemporaryFolder folder;
-  EXPECT_EQ(complaints(request_for(folder.write("a.txt", "hello\n"))),
-            said("it is neither a .geo nor a .msh; give a gmsh script (.geo) or a gmsh mesh (.msh)", "a.txt"));
+  for (const char* name : {"a.txt", "a.inp", "a.unv"})
+    EXPECT_THAT(complaints(request_for(folder.write(name, "hello\n"))),
+                ElementsAre(testing::AllOf(HasSubstr("it is neither a .geo nor a .msh; give a gmsh script (.geo) or a "
+                                                     "gmsh mesh (.msh)"),
+                                           HasSubstr("gmsh FILE -save -o FILE.msh"))));
 }
 
 TEST(BadFile, NoMesh) {
