@@ -65,21 +65,16 @@ void refuse_other_output(const std::string& path, const Place& place) {
     throw InputError(place, quoted_path(path) + " holds " + what, "write in the CFD run: " + instead);
   };
   if (is_other_format(name)) refuse("a sampled surface or set in a format that is not read", write_patch);
-  if (fs::path(name).extension() != ".dat") return;
+  const bool is_force = starts_with(name, "force") && !starts_with(name, "forceCoeff");
+  if (fs::path(name).extension() != ".dat" || is_force) return;
   const std::vector<std::string> head = head_of(path, place);
+  const auto begins = [&head](const char* mark) {
+    return std::find_if(head.begin(), head.end(), [mark](const std::string& line) { return starts_with(line, mark); });
+  };
   for (const OtherOutput& other : others)
     for (const char* mark : other.mark)
-      if (starts_with(name, mark) ||
-          std::any_of(head.begin(), head.end(), [mark](const std::string& line) { return starts_with(line, mark); }))
-        refuse(other.what, other.instead);
-  if (head.empty() || std::any_of(head.begin(), head.end(), [](const std::string& line) {
-        return starts_with(line, "Probe") || starts_with(line, "Time forces") ||
-               line.find("total_x") != std::string::npos;
-      }))
-    return;
-  const auto columns =
-      std::find_if(head.begin(), head.end(), [](const std::string& line) { return starts_with(line, "Time"); });
-  if (columns != head.end())
+      if (starts_with(name, mark) || begins(mark) != head.end()) refuse(other.what, other.instead);
+  if (const auto columns = begins("Time"); columns != head.end() && begins("Probe") == head.end())
     refuse("a table of OpenFOAM that is neither of forces nor of probes: " + in_quotes(*columns),
            std::string(write_forces) + ", probes of p, or " + write_patch);
 }
