@@ -1,22 +1,24 @@
-"""A small reader of gmsh meshes (.msh 2.2 and 4.1, text): quadrilaterals and lines with the names of their groups."""
+"""A small reader of gmsh meshes (.msh 2.2 and 4.1, text): the corners of cells and lines, with the names of their
+groups."""
 
 from collections import defaultdict
 from dataclasses import dataclass, field
 
 from .errors import UserError
 
-LINE, QUADRILATERAL = 1, 3
-DIMENSION = {LINE: 1, QUADRILATERAL: 2}
+# lines, triangles and quadrilaterals of first to third order (gmsh's manual: MSH file format): number of corners
+CORNERS = {1: 2, 8: 2, 26: 2, 2: 3, 9: 3, 20: 3, 21: 3, 3: 4, 10: 4, 16: 4, 36: 4, 39: 4}
+DIMENSION = {kind: 1 if corners == 2 else 2 for kind, corners in CORNERS.items()}
 
 
 @dataclass
 class Mesh:
     points: dict = field(default_factory=dict)  # node: (x, y)
-    surfaces: dict = field(default_factory=lambda: defaultdict(list))  # name: [four nodes]
+    surfaces: dict = field(default_factory=lambda: defaultdict(list))  # name: [three or four nodes]
     curves: dict = field(default_factory=lambda: defaultdict(list))  # name: [two nodes]
 
     def add(self, kind, name, nodes):
-        (self.curves if kind == LINE else self.surfaces)[name].append(nodes)
+        (self.curves if DIMENSION[kind] == 1 else self.surfaces)[name].append(nodes[: CORNERS[kind]])
 
 
 def sections(text):
@@ -100,5 +102,5 @@ def read(path):
     except (KeyError, ValueError, IndexError, StopIteration, RuntimeError) as error:
         raise UserError(f"'{path}' is cut short or broken ({error!r})") from error
     if not mesh.surfaces:
-        raise UserError(f"'{path}' has no quadrilaterals on named surfaces")
+        raise UserError(f"'{path}' has no cells on named surfaces")
     return mesh

@@ -42,7 +42,7 @@ class FlowFiles : public testing::Test {
   const std::string folder_ = "flow_files";
 };
 
-#define EXPECT_HAS(text, part) EXPECT_NE((text).find(part), std::string::npos) << (text)
+#define EXPECT_HAS(text, part) EXPECT_NE(std::string(text).find(part), std::string::npos) << (text)
 
 std::string head(const std::string& centre = "(0 0 0)", const std::string& parts = "pressure viscous") {
   return "# Forces\n# CofR       : " + centre + "\n# Time       forces(" + parts + ") moment(" + parts + ")\n";
@@ -141,7 +141,7 @@ TEST_F(FlowFiles, SecondHeadOfTablesIsNamed) {
              "a second head: 'time [s]'");
   const std::string proteus = "time, p [ 0.5 0.2 0], p [ 0.5 0.4 0]\n";
   EXPECT_HAS(refusal((write("p.csv", proteus + "0, 1, 2\n" + proteus + "0.1, 1, 2\n"), "p.csv")), "a second head");
-  write("INPUT", "TABLE 'WG01' HEADER 'wall.tbl' WATL DEP OUTPUT 000000.000 0.5 SEC\n");
+  write("INPUT", "TABLE 'WG01' HEADER 'wall.tbl' WATL DEP OUTPUT 000000.000 0.5 SEC\n&\n");
   write("wall.tbl", "% Watl Dep\n0.1 1.1\n0.2 1.2\n% Watl Dep\n0.1 1.1\n");
   EXPECT_HAS(refusal("wall.tbl"), "a second head");
 }
@@ -165,6 +165,16 @@ TEST_F(FlowFiles, RunsBesideEachOtherAreJoinedByTheirStart) {
   const FlowRecord record = read();
   ASSERT_EQ(record.forces->time.size(), 3U);
   expect_row(*record.forces, 1, 0.5, 48, 12);
+}
+
+TEST_F(FlowFiles, LaterRunsInFoldersBesideAreTold) {
+  write("wall/0/forces.dat", head() + row(0.125, 8, 2) + row(0.25, 16, 4));
+  write("wall/0.25/forces.dat", head() + row(0.375, 24, 6));
+  write("wall/0.5/p", "# Probe 0 (0 0 0)\n# Time 0\n0.1 1\n");
+  for (const char* name : {"wall/0", "wall/0/", "wall/0/forces.dat"})
+    EXPECT_HAS(describe(read(name)), "of the runs beside it, from 0.25 s, nothing is read") << name;
+  for (const char* name : {"wall/0.25", "wall"})
+    EXPECT_EQ(describe(read(name, "forces.dat")).find("nothing is read"), std::string::npos) << name;
 }
 
 TEST_F(FlowFiles, MomentsOfRunsBesideAreTheirOwn) {

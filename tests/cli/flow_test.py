@@ -48,6 +48,30 @@ class Flow(ProgramTest):
         said = self.ask("explain", BORE, "--set", "loads.patch.origin=[4.8, 0.0]", code=1)
         self.assertIn("8 m from the boundary 'front'", said)
 
+    def explained(self, up, height, *settings):
+        """Warnings of the bore's case under forces of 90 N landward at `height` (m), and `up` N 0.4 m behind the wall."""
+        centre, rows = (3.4, 0.1), []  # at the heel: up acts there, without a moment about it
+        for t, f in ((0.05, 0), (0.5, 0), (0.6, 90), (0.7, 0), (0.8, 0)):
+            share = f / 90
+            rows.append(f"{t} (({f} 0 {up * share}) (0 0 0)) ((0 {f * (height - centre[1])} 0) (0 0 0))")
+        (self.folder / "forces.dat").write_text(
+            "# Forces\n# CofR : (3.4 0.05 0.1)\n# Time forces(pressure viscous) moment(pressure viscous)\n" + "\n".join(rows) + "\n")
+        words = [f"loads.forces.from={self.folder}/forces.dat", "mesh.parameters.cells=0.3", "time.end=1", *settings]
+        told = json.loads(self.ask("explain", BORE, "--json", *[w for s in words for w in ("--set", s)]))
+        return {w["name"]: w for w in told["warnings"] if w["name"].startswith("flow_")}
+
+    def test_moment_that_is_not_of_the_landward_force_is_warned_of(self):
+        self.assertEqual(self.explained(0, 0.3), {})
+        found = self.explained(45, 0.3, 'loads.forces.vertical="leave_out"')
+        self.assertEqual(list(found), ["flow_vertical_moment"])
+        self.assertAlmostEqual(found["flow_vertical_moment"]["value"], 0.5)
+        self.assertIn("wrong by 0.5 m for each metre", found["flow_vertical_moment"]["text"])
+        for height, limit in ((0.9, 0.5), (0.02, 0.1)):  # the wall reaches from 0.1 to 0.5 m
+            found = self.explained(0, height)
+            self.assertEqual(list(found), ["flow_arm_outside"])
+            self.assertAlmostEqual(found["flow_arm_outside"]["value"], height)
+            self.assertAlmostEqual(found["flow_arm_outside"]["limit"], limit)
+
     def test_read_writes_a_table_that_is_a_record(self):
         out = self.folder / "force.csv"
         told = json.loads(self.ask("read", CASES / "cfd/bore/forces", "--json", "--out", out, *AXES, "--set", "thickness=0.1"))

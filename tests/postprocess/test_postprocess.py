@@ -11,6 +11,8 @@ import numpy as np
 from scripts import call
 
 SCRIPTS = Path(sys.argv[1]) if len(sys.argv) > 1 else Path(__file__).parents[2] / "postprocess"
+sys.path.insert(0, str(SCRIPTS))
+from upbead import msh  # noqa: E402
 
 TWO_CELLS_22 = """$MeshFormat
 2.2 0 8
@@ -237,8 +239,19 @@ class Figures(unittest.TestCase):
         for text in (TWO_CELLS_22, TWO_CELLS_41):
             path.write_text(text[: text.index("$EndNodes") - 8], encoding="utf-8")
             self.expect_error(self.script("mesh.py", path), "is cut short or broken")
-        path.write_text(TWO_CELLS_22.replace("2 3 2 1 1 1 2 3 4", "2 2 2 1 1 1 2 3"), encoding="utf-8")
-        self.expect_error(self.script("mesh.py", path), "has no quadrilaterals")
+        path.write_text(TWO_CELLS_22.replace("2 3 2 1 1 1 2 3 4", "2 15 2 1 1 1"), encoding="utf-8")
+        self.expect_error(self.script("mesh.py", path), "has no cells")
+
+    def test_mesh_of_other_cells(self):
+        """Triangles and cells of second order are read by their corners."""
+        path = self.folder / "a.msh"
+        for cell, corners in (("2 2 2 1 1 1 2 3", [1, 2, 3]), ("2 9 2 1 1 1 2 3 4 4 4", [1, 2, 3]),
+                              ("2 16 2 1 1 1 2 3 4 1 1 1 1", [1, 2, 3, 4]), ("2 10 2 1 1 1 2 3 4 1 1 1 1 1", [1, 2, 3, 4])):
+            text = TWO_CELLS_22.replace("2 3 2 1 1 1 2 3 4", cell).replace("1 1 2 1 1 1 2", "1 8 2 1 1 1 2 3")
+            path.write_text(text, encoding="utf-8")
+            mesh = msh.read(path)
+            self.assertEqual(mesh.surfaces["soil"], [corners])
+            self.assertEqual(mesh.curves["base"], [[1, 2]])
 
 
 if __name__ == "__main__":

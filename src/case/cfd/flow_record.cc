@@ -85,6 +85,21 @@ std::vector<std::string> subfolders(const std::string& path) {
   return names;
 }
 
+/// Tells of later runs beside a folder of one run, which was named in place of the folder above.
+void note_other_starts(const fs::path& folder, const std::string& file, FlowNotes& notes) {
+  std::error_code error;
+  const fs::path whole = fs::absolute(folder, error).lexically_normal();
+  const fs::path named = whole.filename().empty() ? whole.parent_path() : whole;
+  double start = 0.;
+  if (!is_time(named.filename().string(), start)) return;
+  std::vector<std::string> others;
+  for (const FlowFolder& other : time_folders(named.parent_path().string()))
+    if (other.start > start && !runs_in(other.path, file).empty()) others.push_back(other.name);
+  if (!others.empty())
+    notes.push_back("of the runs beside it, from " + join(others) + " s, nothing is read: name the folder above, " +
+                    quoted_path(named.parent_path().filename().string()) + ", to join them");
+}
+
 void read_kind(const std::vector<FlowFolder>& folders, const std::string& file, const Place& place,
                FlowRecord& record) {
   if (is_patch(file))
@@ -125,6 +140,7 @@ void read_folder(const std::string& path, const std::string& file, const Place& 
     else
       record.notes.push_back("the folder " + folder.name + " has no " + meant);
   read_kind(with, meant, place, record);
+  note_other_starts(path, meant, record.notes);
 }
 
 /// The first line that is not blank.
@@ -149,11 +165,10 @@ void read_file_of_flow(const std::string& path, const Place& place, FlowRecord& 
   else if (is_patch(name))
     throw InputError(place, quoted_path(path) + " is a patch at one time only",
                      "name the folder above the folders of the times, and file = \"" + name + "\"");
-  else if (is_force(name) && is_comment)
-    read_openfoam_forces(alone, name, place, record);
-  else if (is_comment)
-    read_openfoam_probes(alone, name, place, record);
-  else if (!read_swash(path, place, record))
+  else if (is_comment) {
+    read_kind(alone, name, place, record);
+    note_other_starts(folder, name, record.notes);
+  } else if (!read_swash(path, place, record))
     throw InputError(place,
                      quoted_path(path) + " is none of the layouts that are known; it begins with " + in_quotes(line),
                      "they are those of OpenFOAM (forces, probes, raw patches), DualSPHysics, Proteus, and SWASH with "

@@ -89,6 +89,7 @@ std::optional<SwashTable> find_table(const std::string& input, const std::string
   std::optional<SwashTable> found;
   for (const SwashCommand& command : commands_of(input, place, notes)) {
     const std::vector<std::string> words = words_of(command.text);
+    if (words.empty()) continue;
     const std::string first = lower_case(words[0]);
     for (std::size_t w = 1; first == "set" && w + 1 < words.size(); ++w)
       if (starts_with(lower_case(words[w]), "lev") && !read_number(words[w + 1], still))
