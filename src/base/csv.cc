@@ -74,7 +74,7 @@ class Reader {
     decide_signs(text_, shape_.dialect);
     const TableHead head = head_of(above, shape_, number_ + 1, table_.path);
     if (!head.certain) require_two_columns();
-    if (head.line == 0 && has_words())
+    if (!head.certain && has_words())
       throw InputError({table_.path, number_ + 1, 1},
                        "some columns hold words, and no line above them names the columns",
                        "write a header above the rows, such as date,time,force");
@@ -149,10 +149,11 @@ class Reader {
     const std::string_view first = next_line(rows);
     for (std::string_view line = first;; line = next_line(rows)) {
       split(line, shape_.dialect, cells_);
-      for (std::size_t c = 0; c < cells_.size(); ++c) {
-        const std::string_view text = cells_[c].text;
-        const bool decimals = !text.empty() && text[0] >= '0' && text[0] <= '9';
-        if (text.find('.') != std::string_view::npos || (c % 2 == 1 && !decimals)) return;
+      for (std::size_t c = 0; c + 1 < cells_.size(); c += 2) {
+        double ignored = 0.;
+        const std::string pair = std::string(cells_[c].text).append(",").append(cells_[c + 1].text);
+        const CellIs is = read_cell(pair, {';', ','}, ignored);
+        if (is != CellIs::number && is != CellIs::grouped) return;
       }
       if (rows.empty()) break;
     }
@@ -230,6 +231,8 @@ class Reader {
     for (std::size_t c = 0; c < grouped_.size(); ++c)
       if (mixed_ && grouped_[c])
         add_fault(c, *grouped_[c], CellIs::undecided, shape_.dialect.decimal == '.' ? "1,250" : "1.250");
+    if (std::any_of(grouped_.begin(), grouped_.end(), [](const auto& place) { return place.has_value(); }))
+      table_.layout += std::string(", ") + (shape_.dialect.decimal == '.' ? "commas" : "points") + " group thousands";
     return std::move(table_);
   }
 

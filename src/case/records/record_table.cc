@@ -95,6 +95,12 @@ ColumnUnit unit_of_column(const CsvTable& table, std::size_t column, const std::
   if (!known || known->si != si)
     throw InputError({table.path}, "the unit " + in_quotes(written) + " of column " + in_quotes(name) + is_none,
                      "write one of " + units_like(si));
+  const auto end = unit_at_end(name);
+  if (given.empty() && end && end->known.si == si && end->known.factor != known->factor)
+    throw InputError(
+        {table.path},
+        "column " + in_quotes(name) + " has the unit " + in_quotes(written) + " and another one at its name's end",
+        "keep the one that holds");
   return {written, known->factor, given.empty() ? "" : "as the case says"};
 }
 
