@@ -131,9 +131,9 @@ NumberShape shape_of(std::string_view cell, bool blank_groups) {
   return shape;
 }
 
-/// Blanks may group thousands where they do not separate columns; in commas they would hide a lost separator.
-bool blanks_group(const Dialect& dialect) {
-  return dialect.separator == ';' || dialect.separator == '\t';
+/// Blanks may group thousands between semicolons or tabs; between commas they would hide a lost separator.
+bool may_group_blanks(char separator) {
+  return separator == ';' || separator == '\t';
 }
 
 CellIs judged(double& number, std::errc error) {
@@ -241,7 +241,7 @@ CellIs read_cell(std::string_view cell, const Dialect& dialect, double& number) 
       return judged(number, error);
     }
   }
-  NumberShape shape = shape_of(cell, blanks_group(dialect));
+  NumberShape shape = shape_of(cell, dialect.blank_groups);
   if (!shape.is_number) return stands_for_missing(cell) ? CellIs::missing : CellIs::no_number;
   if (shape.decimal != 0 && shape.decimal != dialect.decimal) return CellIs::other_decimal;
   if (shape.undecided != 0 && dialect.undecided) return CellIs::undecided;
@@ -338,6 +338,7 @@ struct Split {
   std::size_t alike = 0;    ///< lines with as many cells, with numbers or not
   std::size_t numbers = 0, words = 0;
   std::vector<bool> numeric;
+  std::tuple<std::size_t, std::size_t, double> rank() const { return {lines, alike, merit()}; }
   /// Lines with numbers, times the share of numbers in them.
   double merit() const {
     return static_cast<double>(lines * numbers) / static_cast<double>(std::max<std::size_t>(numbers + words, 1));
@@ -347,9 +348,10 @@ struct Split {
 void add_line(const std::vector<Cell>& cells, const Dialect& dialect, Split& split) {
   std::vector<bool> numeric;
   std::size_t numbers = 0, words = 0;
+  const bool blank_groups = may_group_blanks(dialect.separator) && cells.size() > 1;
   for (const Cell& cell : cells) {
     double ignored = 0.;
-    numeric.push_back(shape_of(cell.text, blanks_group(dialect)).is_number);
+    numeric.push_back(shape_of(cell.text, blank_groups).is_number);
     numbers += numeric.back() ? 1U : 0U;
     words += !numeric.back() && read_cell(cell.text, dialect, ignored) == CellIs::no_number ? 1U : 0U;
   }
@@ -372,7 +374,7 @@ Split split_by(const std::vector<std::string_view>& lines, const Dialect& dialec
   }
   Split best;
   for (const auto& [n, found] : by_size)
-    if (std::tie(found.lines, found.alike) >= std::tie(best.lines, best.alike) && found.lines > 0) best = found;
+    if (found.lines > 0 && found.rank() >= best.rank()) best = found;
   std::size_t used = 0;  // a column that is empty in all these lines comes from separators at their ends
   for (const std::string_view line : lines) {
     split(line, dialect, cells);
@@ -414,6 +416,7 @@ TableShape shape_of_table(const std::vector<std::string_view>& lines, bool quote
     };
     attempt(any(',') ? ',' : any(';') ? ';' : any('\t') ? '\t' : ',', true);
   }
+  shape.dialect.blank_groups = may_group_blanks(shape.dialect.separator) && best.written > 1;
   shape.n = best.n;
   shape.numeric = best.numeric;
   return shape;
@@ -431,7 +434,7 @@ void decide_signs(std::string_view rows, Dialect& dialect) {
     rows.remove_prefix(std::min(end + 1, rows.size()));
     for (const Cell& cell : cells) {
       if (cell.text.find_first_of(".,") == cell.text.npos) continue;
-      const NumberShape shape = shape_of(cell.text, blanks_group(dialect));
+      const NumberShape shape = shape_of(cell.text, dialect.blank_groups);
       if (!shape.is_number) continue;
       if (shape.decimal != 0) {
         dialect.decimal = shape.decimal;

@@ -9,12 +9,11 @@
 namespace upbead {
 
 struct Dialect {
-  char separator = ',';    ///< a blank stands for any number of blanks and tabs
-  char decimal = '.';      ///< or a comma; the other one of both then groups thousands
-  bool undecided = false;  ///< every cell with a point or comma may as well be a grouped whole number: 1.250
-  bool quotes = false;     ///< some cells may be in quotes
-  /// Whether numbers may be read where they stand, without a look at signs.
-  bool plain() const { return decimal == '.' && !undecided && !quotes; }
+  char separator = ',';       ///< a blank stands for any number of blanks and tabs
+  char decimal = '.';         ///< or a comma; the other one of both then groups thousands
+  bool undecided = false;     ///< every cell with a point or comma may as well be a grouped whole number: 1.250
+  bool quotes = false;        ///< some cells may be in quotes
+  bool blank_groups = false;  ///< blanks in a cell group thousands
 };
 
 /// "semicolons", for messages.

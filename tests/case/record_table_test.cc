@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "case/cfd/flow_tables.h"
 #include "case/records/load_records.h"
 #include "good_case.h"
 
@@ -148,6 +149,19 @@ TEST_F(Records, OfStrongMotionAreRead) {
             std::string::npos);
   EXPECT_NE(refusal(head + "8    0.0100    NPTS, DT\n" + rows).find("none of what it should hold, N/m"),
             std::string::npos);
+}
+
+TEST_F(Records, OfDualSphysicsHaveOneDecimalSign) {
+  const auto force = [](const std::string& second) {
+    std::ofstream("d.csv") << "time [s];force [N];forcex [N];forcey [N];forcez [N]\n0,10;100,5;100,5;0;0\n0,20;"
+                           << second << ";" << second << ";0;0\n";
+    FlowRecord record;
+    read_dualsphysics("d.csv", {"case.toml", 1, 1}, record);
+    return record.forces->force.at(1)[0];
+  };
+  EXPECT_EQ(force("1.250"), 1250.);
+  EXPECT_EQ(force("1250,25"), 1250.25);
+  EXPECT_THROW(force("1.25"), InputError);
 }
 
 }  // namespace record_table_test
