@@ -1,303 +1,270 @@
 #include "base/csv.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
+#include <limits>
+#include <optional>
 #include <string_view>
 
-#include "base/numbers.h"
+#include "base/dialect.h"
+#include "base/strong_motion.h"
+#include "base/table_head.h"
+#include "base/table_text.h"
 #include "base/text.h"
 #include "base/text_file.h"
-#include "base/units.h"
 
 namespace upbead {
 
 namespace {
 
-/// Numbers separated by semicolons or tabs may have decimal commas.
-struct Dialect {
-  char separator = ',';
-  bool decimal_comma() const { return separator != ','; }
-  std::string separators() const { return separator == ',' ? "commas" : separator == ';' ? "semicolons" : "tabs"; }
-};
-
-struct Cell {
-  std::string_view text;  ///< without blanks around it
-  int column = 1;         ///< where it starts
-};
-
-constexpr std::string_view blanks = " \t\r";
-
-bool is_blank(char c) {
-  return blanks.find(c) != std::string_view::npos;
-}
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(blanks), last = text.find_last_not_of(blanks);
-  return first == std::string_view::npos ? std::string_view() : text.substr(first, last - first + 1);
-}
-
-/// Like from_chars, which reads neither a leading plus nor decimal commas.
-std::from_chars_result parse(std::string_view text, Dialect dialect, double& number) {
-  const char *begin = text.data(), *end = begin + text.size();
-  if (text.size() > 1 && *begin == '+') ++begin;
-  if (!dialect.decimal_comma() || text.find(',') == std::string_view::npos) return std::from_chars(begin, end, number);
-  std::string with_point(begin, end);
-  if (with_point.find('.') == std::string::npos) with_point.replace(with_point.find(','), 1, ".");
-  const auto [stop, error] = std::from_chars(with_point.data(), with_point.data() + with_point.size(), number);
-  return {begin + (stop - with_point.data()), error};
-}
-
-/// Place of the slash before a unit, as ISO 80000-1 writes it: "t / s", "p1/kPa", "F/kN/m"; npos where there is none.
-std::size_t slash_before_unit(std::string_view text) {
-  constexpr std::size_t longest_unit = 20;
-  // a unit alone, such as "kN/m"
-  if (text.size() <= longest_unit && unit_of(std::string(text))) return std::string_view::npos;
-  for (std::size_t at = text.find('/', 1); at != std::string_view::npos; at = text.find('/', at + 1)) {
-    const std::string_view behind = trimmed(text.substr(at + 1));
-    if (behind.size() > longest_unit) continue;
-    if (const auto unit = unit_of(std::string(behind)); unit && unit->si != "1") return at;
-  }
-  return std::string_view::npos;
-}
-
-/// Separator: a semicolon where the line has one, else a tab, else a comma.
-Dialect dialect_of(std::string_view header) {
-  for (const char separator : {';', '\t'})
-    if (header.find(separator) != std::string_view::npos &&
-        (separator == ';' || header.find(',') == std::string_view::npos))
-      return {separator};
-  return {};
-}
-
-std::vector<Cell> cells_of(std::string_view line, Dialect dialect) {
-  std::vector<Cell> cells;
-  for (std::size_t begin = 0; begin <= line.size();) {
-    const std::size_t end = std::min(line.find(dialect.separator, begin), line.size());
-    std::size_t text = begin;
-    while (text < end && is_blank(line[text])) ++text;
-    cells.push_back({trimmed(line.substr(begin, end - begin)), static_cast<int>(text) + 1});
-    begin = end + 1;
-  }
-  return cells;
-}
-
-/// Why a cell is not a number, "" if it is one. A magnitude below smallest_magnitude becomes zero.
-std::string read_number(std::string_view cell, Dialect dialect, double& number) {
-  const std::string text(cell);
-  const auto [stop, error] = parse(text, dialect, number);
-  if (text.empty()) return "an empty cell";
-  if (error == std::errc::result_out_of_range) return in_quotes(text) + " is beyond the range of a number";
-  if (error != std::errc() || stop != text.data() + text.size()) return in_quotes(text) + " is not a number";
-  if (!std::isfinite(number)) return in_quotes(text) + " is not finite";
-  if (is_too_large(number)) return in_quotes(text) + " is larger than any quantity in SI units";
-  if (is_too_small(number)) number = 0.;  // programs that write a decaying quantity end with such numbers
-  return "";
-}
-
-/// Fills `row` from a line of row.size() valid numbers; false where the line is anything else.
-bool read_row(std::string_view line, Dialect dialect, std::vector<double>& row) {
-  std::size_t at = 0;
-  for (std::size_t c = 0; c < row.size(); ++c) {
-    while (at < line.size() && line[at] != dialect.separator && is_blank(line[at])) ++at;
-    const auto [stop, error] = parse(line.substr(at), dialect, row[c]);
-    if (error != std::errc() || !(std::abs(row[c]) <= largest_magnitude)) return false;
-    if (is_too_small(row[c])) row[c] = 0.;
-    at = static_cast<std::size_t>(stop - line.data());
-    while (at < line.size() && line[at] != dialect.separator && is_blank(line[at])) ++at;
-    const bool last = c + 1 == row.size();
-    if (last ? at != line.size() : at >= line.size() || line[at] != dialect.separator) return false;
-    ++at;
-  }
-  return true;
-}
-
-/// The name and the unit of "p1 (kPa)", "p1 [kPa]", "p1 / kPa" or "p1", with or without quotes.
-struct Heading {
-  std::string name, unit;
-};
-Heading heading(std::string_view cell) {
-  std::string_view text = trimmed(cell);
-  if (text.size() > 1 && text.front() == '"' && text.back() == '"') text = trimmed(text.substr(1, text.size() - 2));
-  const std::size_t open = text.find_last_of("([");
-  if (open == std::string_view::npos || open == 0 || (text.back() != ')' && text.back() != ']')) {
-    const std::size_t slash = slash_before_unit(text);
-    if (slash == std::string_view::npos) return {std::string(text), ""};
-    return {std::string(trimmed(text.substr(0, slash))), std::string(trimmed(text.substr(slash + 1)))};
-  }
-  return {std::string(trimmed(text.substr(0, open))),
-          std::string(trimmed(text.substr(open + 1, text.size() - open - 2)))};
-}
-
 constexpr std::uintmax_t most_bytes = 1'000'000'000;  // some 4e7 samples
 constexpr std::size_t most_columns = 10'000;          // channels of one record
 constexpr std::size_t most_numbers = 100'000'000;     // 0.8 GB of memory
-constexpr std::size_t n_listed = 10;                  // number of mistakes listed for one file
+constexpr std::size_t most_head_lines = 10'000;
+constexpr std::size_t n_judged = 100;  // rows by which a dialect is judged
+
+bool is_blank_line(std::string_view line) {
+  return line.find_first_not_of(" \t\r") == std::string_view::npos;
+}
+
+/// Takes the first line off a text.
+std::string_view next_line(std::string_view& text) {
+  const std::size_t end = std::min(text.find('\n'), text.size());
+  const std::string_view line = text.substr(0, end);
+  text.remove_prefix(std::min(end + 1, text.size()));
+  return line;
+}
+
+/// The last lines of a text that are neither blank nor comments.
+std::vector<std::string_view> last_lines(std::string_view text) {
+  std::vector<std::string_view> lines;
+  while (!text.empty() && lines.size() < n_judged) {
+    if (text.back() == '\n') text.remove_suffix(1);
+    const std::size_t begin = text.rfind('\n') + 1;  // npos + 1 = 0
+    const std::string_view line = text.substr(begin);
+    text = text.substr(0, begin);
+    if (!is_blank_line(line) && !is_comment(line)) lines.push_back(line);
+  }
+  return lines;
+}
+
+/// The separator of a first line such as `sep=;`, which spreadsheets write and obey; 0 without one.
+char separator_line(std::string_view& text) {
+  std::string_view rest = text;
+  std::string_view line = next_line(rest);
+  if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+  if (line.size() > 1 && line.front() == '"' && line.back() == '"') line = line.substr(1, line.size() - 2);
+  const bool says =
+      line.size() == 5 && (line.substr(0, 4) == "sep=" || line.substr(0, 4) == "SEP=" || line.substr(0, 4) == "Sep=");
+  return says ? line[4] : '\0';
+}
 
 class Reader {
  public:
-  explicit Reader(const std::string& path) { table_.path = path; }
+  Reader(std::string_view text, const std::string& path) : text_(text) { table_.path = path; }
 
-  bool has_header() const { return !table_.names.empty(); }
-  bool full() const { return n_mistakes_ >= n_listed; }
-
-  /// A comment above the numbers; some programs write the names of the columns there.
-  void read_comment(std::string_view line) { comment_ = trimmed(trimmed(line).substr(1)); }
-
-  void read_header(std::string_view line, int line_number) {
-    dialect_ = dialect_of(line);
-    if (const std::size_t n = n_cells(line, dialect_); n > most_columns)
-      throw InputError({table_.path, line_number, 1},
-                       std::to_string(n) + " columns; at most " + std::to_string(most_columns) +
+  CsvTable read() {
+    const char given = separator_line(text_);
+    if (given != 0) {
+      next_line(text_);
+      ++number_;
+    }
+    const bool quotes = text_.find('"') != std::string_view::npos;
+    shape_ = shape_of_table(last_lines(text_), quotes, given);
+    const std::vector<TableLine> above = lines_above();
+    decide_signs(text_, shape_.dialect);
+    const TableHead head = head_of(above, shape_, number_ + 1, table_.path);
+    if (!head.certain) require_two_columns();
+    if (!head.certain && has_words())
+      throw InputError({table_.path, number_ + 1, 1},
+                       "some columns hold words, and no line above them names the columns",
+                       "write a header above the rows, such as date,time,force");
+    if (shape_.n > most_columns)
+      throw InputError({table_.path, head.line == 0 ? number_ + 1 : head.line, 1},
+                       std::to_string(shape_.n) + " columns; at most " + std::to_string(most_columns) +
                            " are read, more than any record has",
                        "is it the right file? keep the time and the columns that are needed");
-    std::vector<Cell> cells = cells_of(line, dialect_);
-    const bool begins_with_numbers = are_numbers(cells);
-    if (begins_with_numbers) {
-      const Dialect of_names = dialect_of(comment_);
-      if (n_cells(comment_, of_names) == cells.size()) cells = cells_of(comment_, of_names);
-      if (are_numbers(cells))
-        throw InputError({table_.path, line_number, 1}, "the first line holds numbers, not the names of the columns",
-                         "put a header line above them, such as time,force");
+    begin(head);
+    for (std::size_t i = head.last; i < above.size(); ++i)
+      if (!is_ruler(above[i].text) && (head.line != 0 || is_row(above[i].text)))
+        read_line(above[i].text, above[i].number);
+    reserve();
+    while (!text_.empty()) {
+      const std::string_view line = next_line(text_);
+      ++number_;
+      read_line(line, number_);
     }
-    for (const Cell& cell : cells) {
-      const Heading head = heading(cell.text);
-      table_.names.push_back(head.name);
-      table_.units.push_back(head.unit);
-    }
-    table_.columns.resize(cells.size());
-    row_.resize(cells.size());
-    if (begins_with_numbers) read_line(line, line_number);
+    return finish();
   }
 
-  /// Reserves memory for `rows`, but not for more rows than that many characters can hold.
-  void reserve(std::size_t rows, std::size_t characters) {
-    rows = std::min({rows, characters / (2 * table_.columns.size()) + 1, most_numbers / table_.columns.size() + 1});
-    table_.lines.reserve(rows);
-    for (std::vector<double>& column : table_.columns) column.reserve(rows);
+ private:
+  /// Takes the lines above the first row of numbers off the text.
+  std::vector<TableLine> lines_above() {
+    std::vector<TableLine> lines;
+    bool any = false;
+    while (!text_.empty() && lines.size() < most_head_lines) {
+      std::string_view rest = text_;
+      const std::string_view line = next_line(rest);
+      if (!is_blank_line(line)) {
+        if (is_row(line) && (!has_words() || is_blank_line(rest) || next_is_row(rest))) return lines;
+        lines.push_back({line, number_ + 1});
+        any = true;
+      }
+      ++number_;
+      text_ = rest;
+    }
+    if (!any) throw InputError({table_.path}, "an empty file", "write a header line and rows of numbers");
+    throw InputError({table_.path}, "no row of numbers below the header", "write at least one row");
   }
 
-  void read_line(std::string_view line, int line_number) {
-    if (!read_row(line, dialect_, row_) && !read_cells(line, line_number)) return;
+  /// Whether a line has numbers, or nothing, in all columns of numbers.
+  bool is_row(std::string_view line) {
+    if (is_comment(line)) return false;
+    split(line, shape_.dialect, cells_);
+    if (shape_.n == 0 || cells_.size() < shape_.n || filled(cells_) > shape_.n) return false;
+    std::size_t numbers = 0;
+    for (std::size_t c = 0; c < shape_.n; ++c) {
+      double ignored = 0.;
+      const CellIs is = read_cell(cells_[c].text, shape_.dialect, ignored);
+      if (!shape_.numeric[c] || is == CellIs::empty || is == CellIs::missing) continue;
+      if (is == CellIs::no_number) return false;
+      ++numbers;
+    }
+    return numbers > 0;
+  }
+
+  /// Beside columns of words a title, "Run 7", may look like a row; but not two lines on end.
+  bool has_words() const {
+    return std::find(shape_.numeric.begin(), shape_.numeric.end(), false) != shape_.numeric.end();
+  }
+  bool next_is_row(std::string_view rest) {
+    std::string_view line = next_line(rest);
+    while (is_blank_line(line) && !rest.empty()) line = next_line(rest);
+    return is_row(line);
+  }
+
+  /// Rows such as 0,5 without a sure header may be two columns, or one with decimal commas.
+  void require_two_columns() {
+    if (shape_.dialect.separator != ',' || shape_.n % 2 != 0 || shape_.dialect.quotes) return;
+    std::string_view rows = text_;
+    const std::string_view first = next_line(rows);
+    for (std::string_view line = first;; line = next_line(rows)) {
+      split(line, shape_.dialect, cells_);
+      for (std::size_t c = 0; c + 1 < cells_.size(); c += 2) {
+        double ignored = 0.;
+        const std::string pair = std::string(cells_[c].text).append(",").append(cells_[c + 1].text);
+        const CellIs is = read_cell(pair, {';', ','}, ignored);
+        if (is != CellIs::number && is != CellIs::grouped) return;
+      }
+      if (rows.empty()) break;
+    }
+    throw InputError(
+        {table_.path, number_ + 1, 1},
+        in_quotes(trimmed(first)) + " may be columns, or numbers with decimal commas: no line names columns",
+        "write a header above it, such as time,force");
+  }
+
+  void begin(const TableHead& head) {
+    table_.names = head.names;
+    table_.units = head.units;
+    table_.columns.resize(shape_.n);
+    table_.faults.resize(shape_.n);
+    grouped_.resize(shape_.n);
+    row_.resize(shape_.n);
+    table_.layout = describe(shape_.dialect) +
+                    (head.line == 0 ? ", no names above the numbers" : ", names in line " + std::to_string(head.line)) +
+                    (head.unit_line == 0 ? "" : ", units in line " + std::to_string(head.unit_line));
+  }
+
+  /// Reserves memory for the rows, but not for more than the characters can hold.
+  void reserve() {
+    const std::size_t rows = std::min({static_cast<std::size_t>(std::count(text_.begin(), text_.end(), '\n')) + 1,
+                                       text_.size() / (2 * shape_.n) + 1, most_numbers / shape_.n + 1});
+    table_.lines.reserve(table_.lines.size() + rows);
+    for (std::vector<double>& column : table_.columns) column.reserve(column.size() + rows);
+  }
+
+  void read_line(std::string_view line, int number) {
+    if (!read_row(line, shape_.dialect, row_) && !read_cells(line, number)) return;
     for (std::size_t c = 0; c < row_.size(); ++c) table_.columns[c].push_back(row_[c]);
-    table_.lines.push_back(line_number);
+    table_.lines.push_back(number);
     if (table_.lines.size() > most_numbers / row_.size())
-      throw InputError({table_.path, line_number, 1},
+      throw InputError({table_.path, number, 1},
                        "more than " + std::to_string(most_numbers) + " numbers: they would fill the memory",
                        "is it the right file? thin the record, or keep the columns that are needed");
   }
 
-  CsvTable finish() {
-    mistakes_.throw_if_any();
-    if (!has_header()) mistakes_.add({table_.path}, "an empty file", "write a header line and rows of numbers");
-    if (has_header() && table_.lines.empty())
-      mistakes_.add({table_.path}, "no row of numbers below the header", "write at least one row");
-    mistakes_.throw_if_any();
-    return std::move(table_);
-  }
-
- private:
-  static std::size_t n_cells(std::string_view line, Dialect dialect) {
-    return static_cast<std::size_t>(std::count(line.begin(), line.end(), dialect.separator)) + 1;
-  }
-
-  bool are_numbers(const std::vector<Cell>& cells) const {
-    return std::all_of(cells.begin(), cells.end(), [this](const Cell& cell) {
-      double number = 0.;
-      return read_number(cell.text, dialect_, number).empty();
-    });
-  }
-
-  /// Reads the row cell by cell and reports what is wrong with it; false where it gives no numbers.
-  bool read_cells(std::string_view line, int line_number) {
-    if (const std::size_t n = n_cells(line, dialect_); n != table_.names.size()) {
-      add(1, line_number,
-          "cells in this row: " + std::to_string(n) + ", in the header: " + std::to_string(table_.names.size()),
-          "give every row one number per column, separated by " + dialect_.separators());
-      return false;
-    }
-    const std::vector<Cell> cells = cells_of(line, dialect_);
-    if (is_row_of_units(cells)) {
-      for (std::size_t c = 0; c < cells.size(); ++c) table_.units[c] = bare(cells[c].text);
-      return false;
-    }
-    for (std::size_t c = 0; c < cells.size(); ++c) {
-      const std::string objection = read_number(cells[c].text, dialect_, row_[c]);
-      if (!objection.empty())
-        add(cells[c].column, line_number, objection + " (column " + excerpt(table_.names[c]) + ")",
-            "give a finite number such as 1.5e6");
+  /// Reads a row cell by cell; false for what is no row.
+  bool read_cells(std::string_view line, int number) {
+    if (is_blank_line(line) || is_comment(line)) return false;
+    const Dialect& dialect = shape_.dialect;
+    split(line, dialect, cells_);
+    if (cells_.size() < shape_.n || filled(cells_) > shape_.n)
+      throw InputError(
+          {table_.path, number, 1},
+          "cells in this row: " + std::to_string(cells_.size()) + ", in the header: " + std::to_string(shape_.n),
+          "give every row one number per column, separated by " + separators(dialect));
+    for (std::size_t c = 0; c < row_.size(); ++c) {
+      const Cell& cell = cells_[c];
+      const CellIs is = read_cell(cell.text, dialect, row_[c]);
+      if (is == CellIs::number) continue;
+      if (is == CellIs::grouped) {
+        if (!grouped_[c]) grouped_[c] = Place{table_.path, number, cell.column};
+        continue;
+      }
+      if (is == CellIs::other_decimal) mixed_ = true;
+      row_[c] = std::numeric_limits<double>::quiet_NaN();
+      add_fault(c, {table_.path, number, cell.column}, is, cell.text);
     }
     return true;
   }
 
-  /// Whether this is a row of units: right below the names, where the names have none.
-  bool is_row_of_units(const std::vector<Cell>& cells) const {
-    const auto is_unit = [](const Cell& cell) {
-      return unit_of(bare(cell.text)).has_value() && bare(cell.text) != "1";
-    };
-    return table_.lines.empty() && mistakes_.empty() && cells.size() == table_.names.size() &&
-           std::all_of(table_.units.begin(), table_.units.end(),
-                       [](const std::string& unit) { return unit.empty(); }) &&
-           std::all_of(cells.begin(), cells.end(), is_unit);
-  }
-  static std::string bare(std::string_view text) {
-    const bool bracketed = text.size() > 2 && (text.front() == '[' || text.front() == '(');
-    return std::string(bracketed ? text.substr(1, text.size() - 2) : text);
+  void add_fault(std::size_t column, const Place& place, CellIs is, std::string_view cell) {
+    ColumnFault& fault = table_.faults[column];
+    if (++fault.cells > 1) return;
+    fault.first = {place, objection(is, cell, shape_.dialect) + " (column " + excerpt(table_.names[column]) + ")",
+                   cure_of(is)};
   }
 
-  void add(int column, int line_number, const std::string& what, const std::string& cure) {
-    ++n_mistakes_;
-    mistakes_.add({table_.path, line_number, column}, what, full() ? cure + "; further rows were not read" : cure);
+  CsvTable finish() {
+    if (table_.lines.empty())
+      throw InputError({table_.path}, "no row of numbers below the header", "write at least one row");
+    for (std::size_t c = 0; c < grouped_.size(); ++c)
+      if (mixed_ && grouped_[c])
+        add_fault(c, *grouped_[c], CellIs::undecided, shape_.dialect.decimal == '.' ? "1,250" : "1.250");
+    if (std::any_of(grouped_.begin(), grouped_.end(), [](const auto& place) { return place.has_value(); }))
+      table_.layout += std::string(", ") + (shape_.dialect.decimal == '.' ? "commas" : "points") + " group thousands";
+    return std::move(table_);
   }
 
+  std::string_view text_;  ///< what is not read yet
+  int number_ = 0;         ///< of the last line that was read
   CsvTable table_;
-  Dialect dialect_;
-  std::string comment_;
+  TableShape shape_;
+  std::vector<Cell> cells_;
   std::vector<double> row_;
-  Diagnostics mistakes_;
-  std::size_t n_mistakes_ = 0;
+  std::vector<std::optional<Place>> grouped_;  ///< the first number of each column in which a sign groups thousands
+  bool mixed_ = false;                         ///< some cell has the other decimal sign
 };
-
-bool is_comment(std::string_view line) {
-  const char first = trimmed(line).front();
-  return first == '#' || first == '%';
-}
-
-CsvTable read_table(std::string_view text, const std::string& path) {
-  if (text.substr(0, 3) == "\xEF\xBB\xBF") text.remove_prefix(3);  // byte order mark of spreadsheets
-  Reader reader(path);
-  for (int number = 1; !reader.full() && !text.empty(); ++number) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    const std::string_view line = text.substr(0, end);
-    text.remove_prefix(std::min(end + 1, text.size()));
-    if (trimmed(line).empty()) continue;
-    if (reader.has_header()) {
-      reader.read_line(line, number);
-    } else if (is_comment(line)) {
-      reader.read_comment(line);
-    } else {
-      reader.read_header(line, number);
-      reader.reserve(static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')) + 1, text.size());
-    }
-  }
-  return reader.finish();
-}
 
 }  // namespace
 
-CsvTable read_csv(const std::string& path, const Place& place) {
-  return read_table(read_text(path, most_bytes, place), path);
+const std::vector<double>& CsvTable::numbers(std::size_t column) const {
+  if (column < faults.size() && faults[column].cells > 0) {
+    Diagnostic mistake = faults[column].first;
+    if (faults[column].cells > 1) mistake.what += ", one of " + std::to_string(faults[column].cells) + " such cells";
+    throw InputError(Diagnostics{mistake});
+  }
+  return columns[column];
 }
 
-CsvTable read_csv_head(const std::string& path, std::size_t bytes) {
-  std::string text = read_text(path, most_bytes, {}, bytes);
-  const std::size_t last = text.rfind('\n');
-  if (text.size() >= bytes && last != std::string::npos) text.resize(last);
-  try {
-    return read_table(text, path);
-  } catch (const InputError&) {
-    return read_csv(path, {});  // the header is longer than `bytes`
-  }
+bool CsvTable::is_text(std::size_t column) const {
+  return column < faults.size() && faults[column].cells == n_rows();
+}
+
+CsvTable read_csv(const std::string& path, const Place& place) {
+  const std::string text = as_utf8(read_text(path, most_bytes, place), path, place);
+  if (auto motion = read_strong_motion(text, path)) return std::move(*motion);
+  return Reader(text, path).read();
 }
 
 }  // namespace upbead

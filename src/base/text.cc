@@ -5,6 +5,8 @@
 #include <cmath>
 #include <sstream>
 
+#include "base/table_text.h"
+
 namespace upbead {
 
 std::string significant(double value, int digits) {
@@ -54,6 +56,7 @@ std::string excerpt(std::string_view text, std::size_t most) {
     while (tail < text.size() && goes_on(text[tail])) ++tail;
     line = std::string(text.substr(0, head)).append(gap).append(text.substr(tail));
   }
+  for (std::size_t at = 0; (at = end_of_utf8(line)) < line.size();) line.replace(at, 1, "?");  // never raw bytes
   std::replace_if(
       line.begin(), line.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20U || c == 0x7F; }, ' ');
   return line;

@@ -38,6 +38,13 @@ void make_wave(Case& problem, const std::string& name, const CaseTables& tables,
   table.duration = wave->duration;
 }
 
+/// Where to note how the file of a key is read.
+RecordNotes& notes_of(Case& problem, const std::string& path) {
+  const auto notes = std::make_shared<RecordNotes>();
+  problem.records[path] = notes;
+  return *notes;
+}
+
 /// Reads a record of CFD and turns it into a load as the keys say.
 void make_flow(Case& problem, const std::string& name, const CaseTables& tables, LoadTable& table) {
   const std::string path = dotted("loads", name);
@@ -72,7 +79,9 @@ void make_history(Case& problem, const std::string& name, const CaseTables& tabl
     return;
   }
   if (table.kind == LoadKind::pressures) {
-    problem.gauges[name] = {table, table, read_gauges(table, problem.resolve(table.gauges), path, problem.document)};
+    problem.gauges[name] = {
+        table, table,
+        read_gauges(table, problem.resolve(table.gauges), path, problem.document, notes_of(problem, path))};
     problem.gauges[name].gauges.over_x = table.over_x;
   } else if (table.kind == LoadKind::wave) {
     make_wave(problem, name, tables, table);
@@ -83,7 +92,8 @@ void make_history(Case& problem, const std::string& name, const CaseTables& tabl
     table.history = time_function(*table.pulse);
     table.duration = duration(*table.pulse);
   } else {
-    read_history(problem.resolve(table.history_file), problem.place(path + ".history"), tables.time.end, table);
+    read_history(problem.resolve(table.history_file), problem.place(path + ".history"), tables.time.end, table,
+                 notes_of(problem, path));
   }
   if (table.factor == 0.) {
     table.history = TimeFunction();
@@ -147,10 +157,13 @@ void make_sliding(Case& problem, CaseTables& tables, Diagnostics& report) {
   try {
     if (!table.history_file.empty())
       tables.sliding->uplift->history =
-          read_uplift(problem.resolve(table.history_file), problem.place("sliding.uplift.history"));
+          read_uplift(problem.resolve(table.history_file), problem.place("sliding.uplift.history"),
+                      notes_of(problem, "sliding.uplift"));
     if (table.gauges.empty()) return;
-    problem.uplift_gauges = {
-        {}, table, read_gauges(table, problem.resolve(table.gauges), "sliding.uplift", problem.document)};
+    problem.uplift_gauges = {{},
+                             table,
+                             read_gauges(table, problem.resolve(table.gauges), "sliding.uplift", problem.document,
+                                         notes_of(problem, "sliding.uplift"))};
     tables.sliding->uplift->history = uplift_of(*problem.uplift_gauges);
     tables.sliding->uplift->parts = uplift_parts_of(problem.uplift_gauges->gauges);
   } catch (const InputError& error) {

@@ -81,40 +81,14 @@ NumberedWarnings transducer_warnings(const Case& input, const Simulation& simula
   return all;
 }
 
-/// Notes the columns of values that a history does not use: it uses only the first.
-void note_further_values(const CsvTable& table, const RecordLayout& layout, RecordNotes& notes) {
-  if (layout.values.size() < 2) return;
-  std::string what = column_text(table, layout.values[1]);
-  if (layout.values.size() > 2) what += " and " + std::to_string(layout.values.size() - 2) + " more";
-  notes.left_out.push_back({what, "a history has one value, here " + in_quotes(table.names[layout.values[0]])});
-}
-
-void note_history(const Case& input, const std::string& file, RecordNotes& notes) {
-  if (file.empty()) return;
-  const CsvTable table = read_record_head(input.resolve(file));
-  const RecordLayout layout = layout_of(table);
-  note_layout(table, layout, notes);
-  note_further_values(table, layout, notes);
-}
-
-void note_gauges(const Case& input, const GaugeSource& source, RecordNotes& notes) {
-  if (source.gauges.empty()) return;  // such a load comes from a record of CFD
-  const CsvTable table = read_record_head(input.resolve(source.gauges));
-  RecordLayout layout = layout_of(table);
-  if (source.sampling_rate) layout.time.reset();
-  note_layout(table, layout, notes);
-}
-
-/// What is not used of the files of loads and uplift (counters, further columns of a history), and what may be read
-/// wrongly. Only the beginning of each file is read again: the whole of a long record would take as long as the first
-/// time.
+/// How the files of loads and uplift were read.
 RecordNotes record_notes(const Case& input) {
-  RecordNotes notes;
-  for (const auto& [name, source] : input.sources) note_history(input, source.history, notes);
-  for (const auto& [name, by] : input.gauges) note_gauges(input, by.source, notes);
-  note_history(input, input.uplift_history, notes);
-  if (input.uplift_gauges) note_gauges(input, input.uplift_gauges->source, notes);
-  return notes;
+  RecordNotes all;
+  for (const auto& [path, notes] : input.records) {
+    append(all, *notes);
+    for (std::size_t i = all.read.size() - notes->read.size(); i < all.read.size(); ++i) all.read[i].of = path;
+  }
+  return all;
 }
 
 Record record_of(const std::string& name, const TimeFunction& f) {
@@ -252,6 +226,12 @@ NumberedWarnings warnings(const Case& input, const Simulation& simulation) {
 std::vector<Skipped> skipped(const Case& input, const Simulation& simulation, bool reduced) {
   std::vector<Skipped> list = skipped(simulation, reduced);
   append(list, left_out_of(record_notes(input)));
+  return list;
+}
+
+std::vector<RecordSummary> record_summaries(const Case& input, const std::vector<MeasuredRecord>& records) {
+  std::vector<RecordSummary> list = record_notes(input).read;
+  for (const MeasuredRecord& record : records) append(list, record.notes.read);
   return list;
 }
 

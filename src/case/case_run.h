@@ -36,6 +36,9 @@ NumberedWarnings warnings(const Case& input, const Simulation& simulation);
 /// What of the scene and of the case's files is skipped.
 std::vector<Skipped> skipped(const Case& input, const Simulation& simulation, bool reduced);
 
+/// How each column of the files of loads, uplift and measurements was read.
+std::vector<RecordSummary> record_summaries(const Case& input, const std::vector<MeasuredRecord>& records);
+
 /// Summaries of all loads by transducers and of the uplift; forces and arms are those on the caisson of the scene.
 std::vector<GaugeSummary> gauge_summaries(const Case& input, const Simulation& simulation);
 

@@ -228,15 +228,22 @@ void check_factor(double factor) {
                    "give the new length over the old one, such as 20, or 0.05 for a model");
 }
 
-/// A table at the new size; `units`: the SI unit of each column.
+/// A table at the new size, without columns in which a cell is no number; `units`: the SI unit of each column.
 std::string scaled_table(const CsvTable& table, const std::vector<std::string>& units, double factor) {
-  std::string text;
+  std::vector<std::size_t> kept;
   for (std::size_t c = 0; c < table.names.size(); ++c)
-    text += (c == 0 ? "" : ",") + table.names[c] + (table.units[c].empty() ? "" : " (" + table.units[c] + ")");
+    if (c >= table.faults.size() || table.faults[c].cells == 0) kept.push_back(c);
+  std::vector<std::string> heads;
+  for (const std::size_t c : kept) {
+    const std::string head = table.names[c] + (table.units[c].empty() ? "" : " (" + table.units[c] + ")");
+    heads.push_back(head.find(',') == std::string::npos ? head : "\"" + head + "\"");
+  }
+  std::string text = join(heads, ",");
   for (std::size_t row = 0; row < table.n_rows(); ++row) {
     text += "\n";
-    for (std::size_t c = 0; c < table.columns.size(); ++c)
-      text += (c == 0 ? "" : ",") + number_text(table.columns[c][row] * std::pow(factor, froude_exponent(units[c])));
+    for (const std::size_t c : kept)
+      text +=
+          (c == kept[0] ? "" : ",") + number_text(table.columns[c][row] * std::pow(factor, froude_exponent(units[c])));
   }
   return text + "\n";
 }
@@ -261,10 +268,9 @@ std::string scaled_history(const std::string& path, const Place& place, double f
 std::string scaled_record(const Case& problem, const GaugeSource& source, const std::string& path, double factor) {
   const CsvTable table = read_record_table(problem.resolve(source.gauges), problem.place(path + ".gauges"));
   std::vector<std::string> units = units_by_column(table, "Pa");
-  for (std::size_t c = 0; c < units.size(); ++c) {
-    if (table.names[c] == source.load_cell) units[c] = "N/m";
-    if (source.place.count(table.names[c]) != 0) units[c] = "Pa";
-  }
+  const Place place = problem.place(path + ".gauges");
+  if (!source.load_cell.empty()) units[column_of(table, source.load_cell, place)] = "N/m";
+  for (const auto& [name, at] : source.place) units[column_of(table, name, place)] = "Pa";
   return scaled_table(table, units, factor);
 }
 
@@ -274,17 +280,20 @@ std::string scaled_measured(const Case& problem, const std::string& name, const 
   const CsvTable table = read_record_table(problem.resolve(source.file), place);
   const RecordLayout layout = layout_of(table);
   const std::size_t column = measured_column(source, table, layout, place);
-  const std::optional<Unit> unit = unit_of(source.unit.empty() ? table.units[column] : source.unit);
+  const auto end = unit_at_end(table.names[column]);
+  const std::string by_name = end && !may_be_a_name(end->unit) ? end->unit : "";
+  const std::string& by_header = table.units[column].empty() ? by_name : table.units[column];
+  const std::optional<Unit> unit = unit_of(source.unit.empty() ? by_header : source.unit);
   if (!unit)
     throw InputError(place,
                      "it is not said what unit column " + in_quotes(table.names[column]) + " has: it cannot be scaled",
                      "write the unit into its header, or add unit = \"...\"");
-  CsvTable one{table.path, {}, {}, {}, table.lines};
+  CsvTable one{table.path, {}, {}, {}, table.lines, {}, {}};
   std::vector<std::string> units;
   const auto keep = [&](std::size_t c, const std::string& si) {
     one.names.push_back(table.names[c]);
     one.units.push_back(table.units[c]);
-    one.columns.push_back(table.columns[c]);
+    one.columns.push_back(table.numbers(c));
     units.push_back(si);
   };
   if (!source.sampling_rate && layout.time) keep(*layout.time, "s");

@@ -29,6 +29,7 @@ struct Explained {
   const Case* input;
   const Simulation* simulation;
   NumberedWarnings told;
+  std::vector<RecordSummary> records;
   std::vector<GaugeSummary> gauges;
   std::vector<FlowSummary> flows;
   std::vector<WaveLoadSummary> waves;
@@ -42,6 +43,22 @@ Json regions(const Explained& e) {
   for (const Decision& decision : e.simulation->decisions)
     if (!decision.region.empty()) json[decision.region] = {{decision.key, decision.value}, {"why", decision.why}};
   return json;
+}
+
+OutputSchema<RecordSummary> record_outputs() {
+  using R = RecordSummary;
+  return OutputSchema<R>()
+      .key("of", &R::of, "", "key of the case that it belongs to")
+      .key("file", &R::file, "", "its file")
+      .key("column", &R::column, "", "its column")
+      .key("unit", &R::unit, "", "unit that was taken, and how it is known where not by the header")
+      .key("layout", &R::layout, "", "separator, decimal sign and header of the file")
+      .key("samples", &R::samples, "", "how many")
+      .key("begin", &R::begin, "s", "first time, in the run's time")
+      .key("interval", &R::interval, "s", "between samples, mean")
+      .key("extreme", &R::extreme, "SI", "largest value by magnitude, as the file has it")
+      .key("extreme_time", &R::extreme_time, "s", "when, in the run's time")
+      .key("extreme_unit", &R::si, "", "SI unit of `extreme`");
 }
 
 const OutputSchema<Explained>& explained_outputs() {
@@ -67,6 +84,7 @@ const OutputSchema<Explained>& explained_outputs() {
               "loads.NAME", [](const E& e) -> auto& { return e.simulation->compiled->loads_on_caisson; },
               &LoadOnCaisson::name, load_outputs(), "resultant on the caisson per unit of the history")
           .named("flows.NAME", &E::flows, &FlowSummary::name, flow_outputs(), "of a load [from a CFD program](cfd.md)")
+          .list("records[]", &E::records, record_outputs(), "how each column of the [files](records.md) was read")
           .named("gauges.NAME", &E::gauges, &GaugeSummary::name, gauge_outputs(),
                  "of a load by [transducers](records.md), or `sliding.uplift`")
           .named("wave_loads.NAME", &E::waves, &WaveLoadSummary::name, wave_load_outputs(),
@@ -77,10 +95,12 @@ const OutputSchema<Explained>& explained_outputs() {
   return schema;
 }
 
-std::string explanation_json(const Case& input, const Simulation& simulation, const NumberedWarnings& told) {
+std::string explanation_json(const Case& input, const Simulation& simulation, const NumberedWarnings& told,
+                             const std::vector<RecordSummary>& records) {
   const Explained explained{&input,
                             &simulation,
                             told,
+                            records,
                             gauge_summaries(input, simulation),
                             flow_summaries(input),
                             wave_summaries(input),
@@ -116,7 +136,9 @@ int explain(const CaseOptions& options) {
   const Simulation simulation = simulation_of(input);
   const NumberedWarnings told = warnings(input, simulation);
   std::cerr << notes_on(input) << describe(told);
-  std::cout << (options.json ? explanation_json(input, simulation, told) : describe(input, simulation));
+  const std::vector<RecordSummary> records = record_summaries(input, read_records(input, simulation));
+  std::cout << (options.json ? explanation_json(input, simulation, told, records)
+                             : describe(input, simulation) + describe(records));
   return 0;
 }
 

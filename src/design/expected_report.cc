@@ -235,7 +235,12 @@ std::string unbroken_waves(const HighestWave& highest, const ExpectedAnswer& ans
 
 std::string notes_and_warnings(const Design& design, const ExpectedAnswer& answer) {
   std::string text;
+  for (const RecordSummary& r : answer.notes.read)
+    text += "note: " + r.file + ": column " + in_quotes(r.column) + " in " + r.unit + ", " + std::to_string(r.samples) +
+            " rows, largest " + significant(r.extreme, 4) + " " + r.si + "; " + r.layout + "\n";
   for (const LeftOut& part : answer.notes.left_out) text += "note: " + part.what + ": " + part.why + "\n";
+  for (const NumberedWarning& warning : answer.notes.warnings)
+    text += "warning: " + warning.name + ": " + warning.text + "\n";
   if (design.tables.sea) text += impossible_seas(answer.states) + unbroken_waves(design.tables.sea->highest, answer);
   if (!answer.monte_carlo) return text;
   const LifeStatistics& s = answer.monte_carlo->statistics;

@@ -235,11 +235,32 @@ void integrate(const Design& design, const Laws& laws, const std::vector<SeaStat
 
 }  // namespace
 
+namespace {
+
+/// A significant height above the depth at the site is no sea's: waves of half of it break there (Goda's highest
+/// breaker).
+NumberedWarnings heights_above_depth(const std::vector<SeaState>& record, double depth) {
+  std::size_t first = record.size(), n = 0;
+  for (std::size_t i = 0; i < record.size(); ++i)
+    if (record[i].significant_height > depth + record[i].water_level && n++ == 0) first = i;
+  if (n == 0) return {};
+  const SeaState& state = record[first];
+  const double water = depth + state.water_level;
+  return {{"height_above_depth", state.significant_height, water, "m",
+           std::to_string(n) + " of " + std::to_string(record.size()) +
+               " sea states have an H_1/3 above the depth, the first, row " + std::to_string(first + 1) + ", " +
+               significant(state.significant_height, 4) + " m in " + significant(water, 4) +
+               " m of water: a mark for a missing value, another unit? look at significant_height and water_depth"}};
+}
+
+}  // namespace
+
 ExpectedAnswer find_expected(const Design& design) {
   std::vector<SeaState> record;
   RecordNotes notes;
   if (design.tables.sea)
     record = read_sea_states(design.resolve(design.tables.sea->states), design.document.place("sea.states"), notes);
+  append(notes.warnings, heights_above_depth(record, design.tables.section.water_depth));
   const Stopwatch watch;
   const Laws laws(design, design.tables.storms ? typical_storms(design) : record);
   ExpectedAnswer answer;

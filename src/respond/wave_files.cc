@@ -66,9 +66,12 @@ double factor_to_load(const std::string& unit, std::size_t k, const Names& units
 
 /// A column in the unit of load `k`.
 std::vector<double> in_unit_of_load(const CsvTable& table, std::size_t column, std::size_t k, const Names& units) {
-  const double factor =
-      factor_to_load(table.units[column], k, units, {table.path, 1, 1}, "column " + in_quotes(table.names[column]));
-  std::vector<double> values = table.columns[column];
+  const auto end = unit_at_end(table.names[column]);
+  const bool by_name = table.units[column].empty() && end && !may_be_a_name(end->unit);
+  const double factor = factor_to_load(by_name ? end->unit : table.units[column], k, units, {table.path, 1, 1},
+                                       "column " + in_quotes(table.names[column]));
+  std::vector<double> values = table.numbers(column);
+  refuse_missing_marks(table, column);
   for (double& value : values) value *= factor;
   return values;
 }
@@ -200,7 +203,8 @@ std::vector<std::size_t> loads_of_columns(const CsvTable& table, const RecordLay
   if (layout.values.empty()) mistakes.add(header, "a wave without a load", "give a time (s) and a load in every row");
   std::vector<std::size_t> list;
   for (const std::size_t c : layout.values) {
-    const std::size_t k = find(loads, table.names[c]);
+    std::size_t k = find(loads, table.names[c]);
+    if (const auto end = unit_at_end(table.names[c]); k == loads.size() && end) k = find(loads, end->name);
     if (k == loads.size())
       add_unknown_load(header, "column", table.names[c], loads, mistakes);
     else if (std::find(list.begin(), list.end(), k) != list.end())
@@ -249,9 +253,7 @@ std::vector<WaveFile> read_wave_files(const std::vector<std::string>& paths, con
   Diagnostics mistakes;
   std::vector<WaveFile> files;
   for (const std::string& path : paths) try {
-      const std::string ending = fs::path(path).extension().string();
-      const bool hdf5 = ending == ".h5" || ending == ".hdf5";
-      files.push_back(hdf5 ? read_hdf5_waves(path, loads, units) : read_csv_wave(path, loads, units));
+      files.push_back(is_hdf5(path) ? read_hdf5_waves(path, loads, units) : read_csv_wave(path, loads, units));
       files.back().name = fs::path(path).stem().string();
     } catch (const InputError& error) {
       mistakes.add(error.diagnostics());

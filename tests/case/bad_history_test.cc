@@ -34,9 +34,10 @@ TEST_P(BadHistories, IsExplained) {
 const std::vector<BadHistory> rows{
     BadHistory{"Empty", "", "force.csv: an empty file; write a header line and rows of numbers"},
     BadHistory{"HeaderOnly", "time,force\n", "force.csv: no row of numbers below the header; write at least one row"},
-    BadHistory{"NoHeader", "0,0\n1,1\n",
-               "force.csv:1:1: the first line holds numbers, not the names of the columns; put a header line above "
-               "them, such as time,force"},
+    BadHistory{
+        "NoHeader", "0,0\n1,1\n",
+        "force.csv:1:1: '0,0' may be columns, or numbers with decimal commas: no line names columns; write a header "
+        "above it, such as time,force"},
     BadHistory{"OneColumn", "time\n0\n1\n",
                "force.csv:1:1: a history of one column; give two columns, time (s) and value"},
     BadHistory{"OneRow", "time,force\n0,1\n", "force.csv: a history of one row; give two rows or more"},

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/csv.h"
+#include "base/table_text.h"
 #include "case/records/load_records.h"
 #include "respond/wave_files.h"
 #include "respond/wave_grid.h"
@@ -14,10 +15,13 @@ namespace {
 
 void check_table(const CsvTable& table) {
   require(table.n_rows() > 0 && table.columns.size() == table.names.size(), "a table has rows and named columns");
-  for (const std::vector<double>& column : table.columns) {
-    require(column.size() == table.n_rows(), "all columns are as long");
-    for (const double number : column) require(std::isfinite(number), "numbers are finite");
+  for (std::size_t c = 0; c < table.columns.size(); ++c) {
+    require(table.columns[c].size() == table.n_rows(), "all columns are as long");
+    read_or_refuse([&] {
+      for (const double number : table.numbers(c)) require(std::isfinite(number), "numbers are finite");
+    });
   }
+  for (const std::string& name : table.names) require(end_of_utf8(name) == name.size(), "names are text");
 }
 
 void check_function(const TimeFunction& f) {
@@ -51,7 +55,8 @@ void check_gauges(const CsvTable& table, const std::string& path) {
   source.to_last = Beyond::to_zero;
   source.zero = 0.1;
   Gauges gauges;
-  if (!read_or_refuse([&] { gauges = read_gauges(source, path, "loads.wall", Document()); })) return;
+  RecordNotes notes;
+  if (!read_or_refuse([&] { gauges = read_gauges(source, path, "loads.wall", Document(), notes); })) return;
   const Resultant sum = resultant(gauges, 0., static_cast<double>(table.names.size()));
   for (std::size_t t = 0; t < gauges.time.size(); ++t)
     require(std::isfinite(sum.force[t]) && std::isfinite(sum.moment[t]), "the force by transducers is finite");
@@ -70,11 +75,12 @@ void try_history(std::string_view bytes) {
   if (!read_or_refuse([&] { check_table(table = read_csv(path, key)); })) return;
   if (table.names.size() > 1) check_gauges(table, path);
   Load load;
-  if (read_or_refuse([&] { read_history(path, key, 1., load); })) {
+  RecordNotes notes;
+  if (read_or_refuse([&] { read_history(path, key, 1., load, notes); })) {
     check_function(load.history);
     require(load.duration.value_or(0.) >= 0., "a duration is a number, not below zero");
   }
-  read_or_refuse([&] { check_function(read_uplift(path, key)); });
+  read_or_refuse([&] { check_function(read_uplift(path, key, notes)); });
   read_or_refuse([&] { check_waves(read_wave_files({path}, {"impact", "slow"}).front()); });
   read_or_refuse([&] { check_waves(read_wave_files({path}, {"impact"}).front()); });
 }

@@ -52,6 +52,7 @@ struct MeasuredSource : RecordClock {
 struct MeshRequest;
 struct WaveLoad;
 struct FlowLoad;
+struct RecordNotes;
 
 /// A load `from` a CFD program.
 struct FlowCase {
@@ -72,6 +73,8 @@ struct Case {
   std::vector<Diagnostic> notes;              ///< remarks that are no mistakes: keys by older names
   std::string stem;                           ///< the file's name without folder and ending
   std::map<std::string, LoadSource> sources;  ///< of each load of one history, by its name
+  /// How the files of loads and uplift were read, by the key that names them.
+  std::map<std::string, std::shared_ptr<const RecordNotes>> records;
   std::map<std::string, GaugeLoad> gauges;    ///< loads by transducers; in the scene NAME.TRANSDUCER
   std::map<std::string, FlowCase> flows;      ///< loads by CFD; in the scene NAME, NAME.PIECE or NAME.POINT
   /// Loads by regular waves; in the scene NAME.cosine and NAME.sine.

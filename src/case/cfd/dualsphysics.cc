@@ -63,6 +63,7 @@ void read_forces(const CellRows& rows, const std::string& stem, const std::strin
 
 /// Rows " ;PosX [m]:;0;0.1" above the header of MeasureTool.
 std::vector<Triple> read_positions(FlowLines& lines, FlowNotes& notes, char separator) {
+  const Dialect dialect = dialect_of_rows(lines, separator);
   std::vector<Triple> at;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (axis > 0 && !lines.next(notes)) throw InputError({lines.path()}, "the file ends in its head", "give it whole");
@@ -75,9 +76,7 @@ std::vector<Triple> read_positions(FlowLines& lines, FlowNotes& notes, char sepa
                        "its first three rows are PosX [m]:, PosY [m]: and PosZ [m]:, each with a number a point");
     at.resize(cells.size() - 2);
     for (std::size_t p = 0; p < at.size(); ++p) {
-      std::string number(cells[p + 2]);
-      if (separator != ',') std::replace(number.begin(), number.end(), ',', '.');
-      if (!read_number(number, at[p][axis]) || !(std::abs(at[p][axis]) < 1e50))
+      if (read_cell(cells[p + 2], dialect, at[p][axis]) != CellIs::number)
         throw InputError(lines.place(), in_quotes(cells[p + 2]) + " is no place of a point", "give it in m");
     }
   }

@@ -11,29 +11,6 @@
 
 namespace upbead {
 
-namespace {
-
-std::string_view without_blanks(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t\r"), last = text.find_last_not_of(" \t\r");
-  return first == std::string_view::npos ? std::string_view() : text.substr(first, last - first + 1);
-}
-
-/// Reads a cell as a number; a blank cell becomes NaN. False where the cell holds something else.
-bool read_cell(std::string_view cell, char separator, double& number) {
-  if (cell.empty()) {
-    number = std::numeric_limits<double>::quiet_NaN();
-    return true;
-  }
-  if (separator == ',' || cell.find(',') == std::string_view::npos)
-    return read_number(cell, number) && std::isfinite(number) && !is_too_large(number);
-  std::string with_point(cell);
-  if (with_point.find('.') != std::string::npos) return false;
-  with_point[with_point.find(',')] = '.';
-  return read_number(with_point, number) && std::isfinite(number) && !is_too_large(number);
-}
-
-}  // namespace
-
 char separator_of(std::string_view line) {
   for (const char separator : {';', '\t'})
     if (line.find(separator) != std::string_view::npos) return separator;
@@ -44,7 +21,7 @@ std::vector<std::string_view> cells_between(std::string_view line, char separato
   std::vector<std::string_view> cells;
   for (std::size_t begin = 0; begin <= line.size();) {
     const std::size_t end = std::min(line.find(separator, begin), line.size());
-    cells.push_back(without_blanks(line.substr(begin, end - begin)));
+    cells.push_back(trimmed(line.substr(begin, end - begin)));
     begin = end + 1;
   }
   return cells;
@@ -53,9 +30,8 @@ std::vector<std::string_view> cells_between(std::string_view line, char separato
 CellHeading cell_heading(std::string_view cell) {
   const std::size_t open = cell.find('['), close = cell.find(']');
   if (open == std::string_view::npos || close == std::string_view::npos || close < open)
-    return {std::string(without_blanks(cell)), ""};
-  return {std::string(without_blanks(cell.substr(0, open))),
-          std::string(without_blanks(cell.substr(open + 1, close - open - 1)))};
+    return {std::string(trimmed(cell)), ""};
+  return {std::string(trimmed(cell.substr(0, open))), std::string(trimmed(cell.substr(open + 1, close - open - 1)))};
 }
 
 std::optional<std::size_t> CellRows::find(const std::string& name, const FlowLines& lines) const {
@@ -89,11 +65,19 @@ std::vector<double> CellRows::in_si(std::size_t c, const std::string& si, bool m
   return values;
 }
 
+Dialect dialect_of_rows(const FlowLines& lines, char separator) {
+  Dialect dialect;
+  dialect.separator = separator;
+  decide_signs(lines.rest(), dialect);
+  return dialect;
+}
+
 CellRows read_cell_rows(FlowLines& lines, FlowNotes& notes, const std::vector<CellHeading>& heading, char separator) {
   constexpr std::size_t most_columns_of_cells = 10'000;
   if (heading.size() > most_columns_of_cells)
     throw InputError(lines.place(), std::to_string(heading.size()) + " columns, more than any record has",
                      "is it the right file?");
+  const Dialect dialect = dialect_of_rows(lines, separator);
   CellRows rows;
   rows.heading = heading;
   rows.column.resize(heading.size());
@@ -102,14 +86,17 @@ CellRows read_cell_rows(FlowLines& lines, FlowNotes& notes, const std::vector<Ce
     const std::string_view line = lines.line();
     for (; begin <= line.size(); ++c) {
       const std::size_t end = std::min(line.find(separator, begin), line.size());
-      const std::string_view cell = without_blanks(line.substr(begin, end - begin));
+      const std::string_view cell = trimmed(line.substr(begin, end - begin));
       double number = 0.;
       if (c < heading.size()) {
-        if (!read_cell(cell, separator, number)) {
+        const CellIs is = read_cell(cell, dialect, number);
+        if (is == CellIs::empty)
+          number = std::numeric_limits<double>::quiet_NaN();
+        else if (is != CellIs::number && is != CellIs::grouped) {
           const bool again = cell_heading(cell).name == heading[c].name || cell == heading[c].name;
           throw InputError(lines.place(static_cast<int>(begin) + 1),
-                           again ? "a second head: " + in_quotes(cell) : in_quotes(cell) + " is not a number",
-                           again ? "give each run a file of its own" : "give a finite number such as 1.5e3");
+                           again ? "a second head: " + in_quotes(cell) : objection(is, cell, dialect),
+                           again ? "give each run a file of its own" : cure_of(is));
         }
         rows.column[c].push_back(number);
       }

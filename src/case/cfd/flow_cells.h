@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "base/dialect.h"
 #include "case/cfd/flow_text.h"
 
 namespace upbead {
@@ -34,8 +35,10 @@ struct CellRows {
   std::vector<double> in_si(std::size_t c, const std::string& si, bool may_be_blank, const FlowLines& lines) const;
 };
 
-/// Reads the rows below the header, where `lines` stands. With semicolons as separators, decimal commas are
-/// understood.
+/// Decimal sign and thousands sign of what is left of a file, told from all its rows.
+Dialect dialect_of_rows(const FlowLines& lines, char separator);
+
+/// Reads the rows below the header, where `lines` stands.
 CellRows read_cell_rows(FlowLines& lines, FlowNotes& notes, const std::vector<CellHeading>& heading, char separator);
 
 }  // namespace upbead

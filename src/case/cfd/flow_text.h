@@ -23,6 +23,8 @@ class FlowLines {
   void back() { again_ = true; }
   Place place(int column = 1) const { return {path_, number_, column}; }
   const std::string& path() const { return path_; }
+  /// What is not read yet.
+  std::string_view rest() const { return rest_; }
   /// About how many rows are left.
   std::size_t rows_left() const;
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "base/text.h"
 #include "case/case_checks.h"
 #include "case/records/record_table.h"
 #include "model/motion.h"
@@ -29,12 +30,14 @@ namespace {
 
 /// Reads the columns in the order of their places; reports the mistakes of all columns together.
 void read_columns(const GaugeSource& source, const CsvTable& table, const RecordTimes& times, const Place& place,
-                  Gauges& gauges) {
+                  Gauges& gauges, RecordNotes& notes) {
   Diagnostics mistakes;
   const auto column = [&](const std::string& name, const std::string& si, const std::string& unit) {
     std::vector<double> values;
     try {
-      values = in_si(table, column_of(table, name, place), si, unit);
+      const std::size_t c = column_of(table, name, place);
+      values = in_si(table, c, si, unit);
+      notes.read.push_back(summary_of(table, c, si, unit, times.time, values));
       take_off_rest(times, values);
     } catch (const InputError& error) {
       mistakes.add(error.diagnostics());
@@ -66,7 +69,7 @@ void cut(std::ptrdiff_t first, Gauges& gauges) {
 }  // namespace
 
 Gauges read_gauges(const GaugeSource& source, const std::string& file, const std::string& path,
-                   const Document& document) {
+                   const Document& document, RecordNotes& notes) {
   const Place place = document.place(path + ".gauges");
   const CsvTable table = read_record_table(file, place);
   const RecordLayout layout = layout_of(table);
@@ -75,7 +78,8 @@ Gauges read_gauges(const GaugeSource& source, const std::string& file, const std
   gauges.beyond = {source.to_first, source.to_last};
   if (source.ends) gauges.zero_at = *source.ends;
   gauges.time = times.time;
-  read_columns(source, table, times, place, gauges);
+  note_layout(table, layout, notes);
+  read_columns(source, table, times, place, gauges, notes);
   const auto first = std::lower_bound(gauges.time.begin(), gauges.time.end(), 0.) - gauges.time.begin();
   if (gauges.time.end() - gauges.time.begin() - first < 2)
     throw InputError(document.place(path + ".record_start"), "the record is over before the run begins",
@@ -196,8 +200,22 @@ void check_times(const CsvTable& table, const std::vector<double>& time, Diagnos
     }
 }
 
+/// A history has one value: the first column of values. Another one of that name would be as good.
+std::size_t only_value(const CsvTable& table, const RecordLayout& layout, RecordNotes& notes) {
+  const std::size_t value = layout.values.front();
+  if (layout.values.size() == 1) return value;
+  for (std::size_t i = 1; i < layout.values.size(); ++i)
+    if (table.names[layout.values[i]] == table.names[value])
+      throw InputError({table.path, 1, 1}, "two columns are called " + in_quotes(table.names[value]),
+                       "keep the one that is meant, or give each a name of its own");
+  std::string what = column_text(table, layout.values[1]);
+  if (layout.values.size() > 2) what += " and " + std::to_string(layout.values.size() - 2) + " more";
+  notes.left_out.push_back({what, "a history has one value, here " + in_quotes(table.names[value])});
+  return value;
+}
+
 /// Reads and checks what all histories have in common; `si`: unit of the value.
-Columns read_columns(const std::string& path, const Place& place, const std::string& si) {
+Columns read_columns(const std::string& path, const Place& place, const std::string& si, RecordNotes& notes) {
   Columns columns{read_record_table(path, place), {}, {}};
   Diagnostics mistakes;
   if (columns.table.columns.size() < 2)
@@ -209,7 +227,10 @@ Columns read_columns(const std::string& path, const Place& place, const std::str
   if (layout.values.empty())
     throw InputError({path, 1, 1}, "beside the time no column holds values, but counters or other times",
                      "give two columns, time (s) and value");
-  columns.value = in_si(columns.table, layout.values.front(), si);
+  note_layout(columns.table, layout, notes);
+  const std::size_t value = only_value(columns.table, layout, notes);
+  columns.value = in_si(columns.table, value, si);
+  notes.read.push_back(summary_of(columns.table, value, si, "", columns.time, columns.value));
   check_times(columns.table, columns.time, mistakes);
   mistakes.throw_if_any();
   return columns;
@@ -217,8 +238,8 @@ Columns read_columns(const std::string& path, const Place& place, const std::str
 
 }  // namespace
 
-void read_history(const std::string& path, const Place& place, double end, Load& load) {
-  const auto [table, time, value] = read_columns(path, place, unit_of(load.kind));
+void read_history(const std::string& path, const Place& place, double end, Load& load, RecordNotes& notes) {
+  const auto [table, time, value] = read_columns(path, place, unit_of(load.kind), notes);
   if (std::all_of(value.begin(), value.end(), [](double v) { return v == 0.; }))
     throw InputError({path}, "every value of the history is zero", "give a history with a load");
   if (load.kind == LoadKind::displacement) {
@@ -236,8 +257,8 @@ void read_history(const std::string& path, const Place& place, double end, Load&
   load.duration = sampled_duration(time, value, end);
 }
 
-TimeFunction read_uplift(const std::string& path, const Place& place) {
-  const auto [table, time, value] = read_columns(path, place, "N/m");
+TimeFunction read_uplift(const std::string& path, const Place& place, RecordNotes& notes) {
+  const auto [table, time, value] = read_columns(path, place, "N/m", notes);
   const auto negative = std::find_if(value.begin(), value.end(), [](double v) { return v < 0.; });
   if (negative != value.end())
     throw InputError(table.place(static_cast<std::size_t>(negative - value.begin())),

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "case/case_schema.h"
+#include "case/records/record_layout.h"
 #include "input/schema.h"
 #include "upbead/case/case.h"
 #include "upbead/input/document.h"
@@ -46,7 +47,8 @@ void add_gauge_keys(TableSchema<T>& table, const GaugeWords& words, const std::f
   const auto beyond = [&](const Entry<T>& entry) { return entry.when("kind", beyond_belongs, where); };
   in(table.key("gauges", &T::gauges))
       .doc(
-          "path of the transducers' record; CSV (units in the header, decimal commas, .gz) or HDF5 (/time and others)");
+          "path of the transducers' record; a table as text (units in the header, any separator and decimal sign, .gz) "
+          "or HDF5 (/time and others)");
   in(table.key(words.places, &T::place)).unit("m").doc(words.places_doc);
   in(table.key("ends", &T::ends)).unit("m").doc(words.ends_doc);
   beyond(table.choice(words.to_first, &T::to_first, beyond_words))
@@ -71,10 +73,10 @@ void add_gauge_keys(TableSchema<T>& table, const GaugeWords& words, const std::f
 void check_gauges(const GaugeSource& source, const GaugeWords& words, const std::string& path, const Document& document,
                   Diagnostics& report);
 
-/// The record in SI units and in the run's time, from t = 0 on. Throws InputError with every mistake, at the file's
-/// lines or at the keys of `path`.
+/// The record in SI units and in the run's time, from t = 0 on; `notes` gets how it was read. Throws InputError with
+/// every mistake, at the file's lines or at the keys of `path`.
 Gauges read_gauges(const GaugeSource& source, const std::string& file, const std::string& path,
-                   const Document& document);
+                   const Document& document, RecordNotes& notes);
 
 /// Adds a pressure NAME.TRANSDUCER for each transducer with a pressure other than zero, spread over the wall as
 /// `share` says, in a run until `end` (s).
@@ -93,9 +95,9 @@ TableSchema<MeasuredSource> measured_schema();
 /// says so, the value the first other column that is no counter. Throws InputError where the file cannot be read, has
 /// fewer than two columns or rows, has times that do not ascend from 0, or only zeros. `place`: the key that names
 /// the file.
-void read_history(const std::string& path, const Place& place, double end, Load& load);
+void read_history(const std::string& path, const Place& place, double end, Load& load, RecordNotes& notes);
 
 /// U(t) of a prescribed uplift from such a file; it may be zero, but not negative. Throws InputError as above.
-TimeFunction read_uplift(const std::string& path, const Place& place);
+TimeFunction read_uplift(const std::string& path, const Place& place, RecordNotes& notes);
 
 }  // namespace upbead

@@ -27,6 +27,8 @@ MeasuredRecord read(const Case& input, const std::string& name, const MeasuredSo
   const std::size_t column = measured_column(source, table, layout, place);
   MeasuredRecord record{
       name, source.reading, computed.unit, times.time, in_si(table, column, computed.unit, source.unit), {}};
+  record.notes.read.push_back(summary_of(table, column, computed.unit, source.unit, times.time, record.value));
+  record.notes.read.back().of = path;
   note_layout(table, layout, record.notes);
   take_off_rest(times, record.value);
   return record;
@@ -43,6 +45,9 @@ std::size_t measured_column(const MeasuredSource& source, const CsvTable& table,
   if (layout.values.empty())
     throw InputError(place, quoted_path(source.file) + " has no column beside the time",
                      "give a record of two columns");
+  for (std::size_t i = 1; i < layout.values.size(); ++i)
+    if (table.names[layout.values[i]] == table.names[layout.values.front()])
+      return column_of(table, table.names[layout.values.front()], place);  // throws: the name is not one column's
   return layout.values.front();
 }
 
