@@ -70,7 +70,7 @@ void check_regions(const CaseTables& tables, const Document& document, Diagnosti
 void check_time(const CaseTables& tables, const Document& document, Diagnostics& report) {
   if (!report.sound("time")) return;
   const TimeChoice& time = tables.time;
-  if (time.step && *time.step > time.end)
+  if (time.step && document.find("time.end") && *time.step > time.end)
     report.add(document.place("time.step"),
                "step = " + number_text(*time.step) + " is longer than end = " + number_text(time.end),
                "give a shorter step (s), or \"auto\"");
@@ -100,7 +100,7 @@ void check_output(const CaseTables& tables, const Document& document, Diagnostic
       return report.add(place,
                         "times do not ascend: " + number_text(times[i]) + " follows " + number_text(times[i - 1]),
                         "order them, each once");
-  if (!times.empty() && times.back() > tables.time.end)
+  if (!times.empty() && document.find("time.end") && times.back() > tables.time.end)
     report.add(place,
                "times = [..., " + number_text(times.back()) + "] lies after time.end = " + number_text(tables.time.end),
                "give times (s) up to the end, or a later end");

@@ -137,7 +137,9 @@ class Inspection {
 
   /// A load that has not come back to its start where the record ends jumps to zero there.
   void check_cut() {
-    const double rest = std::abs(value_.back() - start_) / peak_;
+    // the start of a smooth rise is above its own first sample
+    const double rest =
+        std::min(std::abs(value_.back() - start_), std::abs(value_.back() - value_.front())) / peak_;
     if (rest > least_drift && rest < most_drift)
       add("record_cut", rest, least_drift,
           "still moves where it ends, at t = " + significant(time_.back()) + " s, " + significant(100. * rest, 2) +

@@ -33,6 +33,10 @@ CsvTable read_record_table(const std::string& path, const Place& place);
 /// The first rows of such a table, as many as one megabyte holds; of HDF5 all rows. Throws InputError as above.
 CsvTable read_record_head(const std::string& path);
 
+/// Whether this row and the one before are both sides of a jump: two samples at one time. Not where there are three, or
+/// where a tenth of the rows repeat a time, as of times that were rounded.
+bool is_jump(const std::vector<double>& time, std::size_t row);
+
 /// A column in SI units: by `unit` where it is given, else by the header's unit, else unchanged. Throws InputError
 /// where the unit is not known, or not one of the quantity whose SI unit is `si`.
 std::vector<double> in_si(const CsvTable& table, std::size_t column, const std::string& si,
