@@ -43,7 +43,8 @@ struct Record {
   /// At a time within the samples from `first` to `last`, between which there is no jump.
   double at(double when, std::size_t first, std::size_t last) const {
     if (when >= time[last]) return value[last];
-    const auto begin = time.begin() + static_cast<std::ptrdiff_t>(first), end = begin + static_cast<std::ptrdiff_t>(last - first);
+    const auto begin = time.begin() + static_cast<std::ptrdiff_t>(first),
+               end = begin + static_cast<std::ptrdiff_t>(last - first);
     const auto i = static_cast<std::size_t>(std::upper_bound(begin + 1, end, when) - time.begin());
     return value[i - 1] + (value[i] - value[i - 1]) * (when - time[i - 1]) / (time[i] - time[i - 1]);
   }
@@ -59,8 +60,7 @@ std::vector<std::array<std::size_t, 2>> pieces_of(const Record& record) {
   for (std::size_t i = 0; i + 1 < n; ++i)
     if (!record.jumps(i)) largest = std::max(largest, std::abs(record.slope(i)));
   const auto is_corner = [&](std::size_t i) {
-    return !record.jumps(i - 1) && !record.jumps(i) &&
-           std::abs(record.slope(i) - record.slope(i - 1)) > 0.05 * largest;
+    return !record.jumps(i - 1) && !record.jumps(i) && std::abs(record.slope(i) - record.slope(i - 1)) > 0.05 * largest;
   };
   std::size_t n_corners = 0;
   for (std::size_t i = 1; i + 1 < n; ++i) n_corners += is_corner(i) ? 1 : 0;

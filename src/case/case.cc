@@ -7,9 +7,9 @@
 #include "case/cfd/flow_record.h"
 #include "case/cfd/flow_scene.h"
 #include "case/records/load_records.h"
+#include "case/time_end.h"
 #include "case_checks.h"
 #include "case_schema.h"
-#include "case/time_end.h"
 #include "model/motion.h"
 #include "wave_load.h"
 

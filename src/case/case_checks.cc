@@ -419,11 +419,12 @@ void check_sliding(const CaseTables& tables, const Document& document, Diagnosti
   if (!tables.sliding_table || !report.sound("sliding")) return;
   const SlidingTable& sliding = *tables.sliding_table;
   const TableDiagnostics wrong("sliding", document, report);
-  if (sliding.weight && sliding.own_submerged_weight && *sliding.own_submerged_weight >= *sliding.weight)
+  if (sliding.weight && sliding.own_submerged_weight && *sliding.own_submerged_weight > *sliding.weight)
     wrong.add("submerged_weight",
               "submerged_weight = " + number_text(*sliding.own_submerged_weight) +
-                  " N/m is not below weight = " + number_text(*sliding.weight) + " N/m",
-              "give W' in still water, W less the weight of the water that the caisson displaces");
+                  " N/m is above weight = " + number_text(*sliding.weight) + " N/m",
+              "give W' in still water, W less the weight of the water that the caisson displaces; of a dry block both "
+              "are equal");
   check_section_of(sliding, tables, document, wrong, report);
   if (report.sound("regions") && has_frictional_contact(tables)) check_contact(sliding, tables, wrong);
   if (report.sound("regions") && tables.regions.count(caisson_name) == 0)

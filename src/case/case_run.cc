@@ -6,7 +6,9 @@
 #include "base/numbers.h"
 #include "base/stopwatch.h"
 #include "base/text.h"
+#include "case/case_schema.h"
 #include "case/cfd/flow_scene.h"
+#include "case/key_units.h"
 #include "case/records/load_records.h"
 #include "case/records/record_layout.h"
 #include "case/records/record_table.h"
@@ -62,7 +64,8 @@ GaugeSummary summary_of(const std::string& name, const GaugeLoad& by, const Resu
   s.peak_force = sum.force[t];
   s.peak_force_time = gauges.time[t];
   const double row = gauges.place.back() - gauges.place.front();
-  if (std::abs(s.peak_force) > 1e-9 * std::abs(s.peak_pressure * by.load.factor) * row) s.arm = sum.moment[t] / sum.force[t];
+  if (std::abs(s.peak_force) > 1e-9 * std::abs(s.peak_pressure * by.load.factor) * row)
+    s.arm = sum.moment[t] / sum.force[t];
   const InterpolationError error = interpolation_error(gauges);
   s.force_error = error.force;
   s.arm_error = error.arm;
@@ -147,10 +150,24 @@ NumberedWarnings history_warnings(const Case& input) {
   return all;
 }
 
+/// Numbers whose unit was mistaken, as far as their key tells.
+NumberedWarnings unit_warnings(const Case& input) {
+  CaseTables tables;
+  Diagnostics none;
+  const TableSchema<CaseTables> schema = case_schema();
+  schema.read(input.document.root(), "", tables, none);
+  NumberedWarnings list = implausible_keys(
+      input.document, [&](const NumberVisitor& visitor) { schema.visit_numbers(tables, "", visitor); });
+  if (input.section)
+    append(list, implausible_section(*input.section, {input.scene.fluid.density, input.scene.gravity}));
+  return list;
+}
+
 NumberedWarnings warnings_of_files(const Case& input, const Simulation& simulation, const RecordNotes& notes) {
   NumberedWarnings list = history_warnings(input);
   append(list, transducer_warnings(input, simulation));
   append(list, end_warnings(input, simulation.given.time.end));
+  append(list, unit_warnings(input));
   append(list, wave_warnings(input));
   append(list, flow_warnings(input));
   append(list, notes.warnings);

@@ -27,8 +27,8 @@ SettledEnd settled_end(const Case& input, const Mesh& mesh);
 /// Where the case gives no end, reads its mesh and sets the end; returns that mesh, null where the end is given.
 std::shared_ptr<const Mesh> settle_end(Case& input);
 
-/// The case's scene on its mesh; its end is settled_end() where the case gives none; the mesh is read where it is not given. Throws InputError with all mistakes at their
-/// places in the case.
+/// The case's scene on its mesh; its end is settled_end() where the case gives none; the mesh is read where it is not
+/// given. Throws InputError with all mistakes at their places in the case.
 Simulation simulation_of(const Case& input, std::shared_ptr<const Mesh> mesh = nullptr,
                          std::shared_ptr<const Processes> processes = nullptr);
 

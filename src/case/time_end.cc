@@ -12,10 +12,10 @@ namespace upbead {
 
 namespace {
 
-constexpr int parts = 32;              ///< of a smooth piece
-constexpr int periods = 10;            ///< of what swings for ever
-constexpr double over = 1e-3;          ///< of the largest value: less is no load any more
-constexpr double tolerable_cut = 0.05; ///< of the largest value
+constexpr int parts = 32;               ///< of a smooth piece
+constexpr int periods = 10;             ///< of what swings for ever
+constexpr double over = 1e-3;           ///< of the largest value: less is no load any more
+constexpr double tolerable_cut = 0.05;  ///< of the largest value
 
 /// Samples and kinks, and times between the kinks of a pulse, which is smooth there.
 std::vector<double> times_of(const TimeFunction& f) {
@@ -41,7 +41,8 @@ void add_course(const TimeFunction& f, const std::optional<double>& half_period,
   }
   if (times.empty() || !half_period) return;
   const double last = times.back();
-  action.swings = f(last + 0.3 * *half_period) != f(last + 0.7 * *half_period) || f(last + 0.3 * *half_period) != f(last + 1.1 * *half_period);
+  action.swings = f(last + 0.3 * *half_period) != f(last + 0.7 * *half_period) ||
+                  f(last + 0.3 * *half_period) != f(last + 1.1 * *half_period);
   for (int i = 1; action.swings && i <= 2 * periods * parts; ++i) {
     action.time.push_back(last + i * *half_period / parts);
     action.value.push_back(f(action.time.back()));
@@ -91,9 +92,9 @@ double end_of(const Action& action) {
 
 /// What happens after the end of the run.
 struct Rest {
-  double change = 0.;              ///< largest difference to the value at the end, over the largest value of all
-  double share = 0.;               ///< largest value until the end, over the largest value of all
-  double peak_time = 0.;           ///< of the largest value of all (s)
+  double change = 0.;     ///< largest difference to the value at the end, over the largest value of all
+  double share = 0.;      ///< largest value until the end, over the largest value of all
+  double peak_time = 0.;  ///< of the largest value of all (s)
 };
 
 Rest rest_of(const Action& action, double end) {
@@ -118,9 +119,9 @@ Rest rest_of(const Action& action, double end) {
 }
 
 NumberedWarning zero_load(const Action& action, const std::optional<double>& from, double end) {
-  const std::string when = from ? "is zero until t = " + significant(*from, 4) + " s, the run ends at " +
-                                      significant(end, 4) + " s"
-                                : "is zero throughout";
+  const std::string when =
+      from ? "is zero until t = " + significant(*from, 4) + " s, the run ends at " + significant(end, 4) + " s"
+           : "is zero throughout";
   return {"load_zero", from.value_or(end), end, "s",
           "'" + action.name + "' " + when + ": nothing of it is felt; look at its columns and units, " +
               (from ? "give time.end after it or leave time.end out, or let it begin earlier by " + action.begins_by
@@ -132,8 +133,9 @@ NumberedWarning cut_load(const Action& action, const Rest& rest, double end) {
   std::string text = "'" + action.name + "' acts until " + significant(until, 4) + " s, the run ends at " +
                      significant(end, 4) + " s: the rest of it is not felt";
   if (rest.share < 1. - over)
-    text += ", nor is ITS LARGEST VALUE, which comes at " + significant(rest.peak_time, 4) + " s: until the end it has " +
-            significant(100. * rest.share, 2) + " % of that, and no peak of this run is one of the whole load";
+    text += ", nor is ITS LARGEST VALUE, which comes at " + significant(rest.peak_time, 4) +
+            " s: until the end it has " + significant(100. * rest.share, 2) +
+            " % of that, and no peak of this run is one of the whole load";
   return {action.cut, until, end, "s",
           text + "; give a longer time.end, or leave time.end out, which covers all loads and their echo"};
 }

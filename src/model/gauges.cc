@@ -133,16 +133,16 @@ NumberedWarnings gauge_warnings(const std::string& name, const Gauges& gauges, c
   join_too_coarse(list);
   append(list, swapped_records(records));
   if (const InterpolationError error = interpolation_error(gauges); error.force > tolerable)
-    list.push_back({"gauges_too_sparse", error.force, tolerable, "1",
-                    "the force by the " + std::to_string(gauges.count()) + " transducers of '" + name +
-                        "' may err by about " + significant(100. * error.force, 2) + " % " +
-                        (error.has_resultant ? "when it is largest, at t = " + significant(error.time) +
-                                                   " s, and its arm by " + significant(100. * error.arm, 2) +
-                                                   " % of the row's length"
-                                             : "of a tenth of the integral of |p|, at t = " + significant(error.time) +
-                                                   " s (pressures of both signs cancel)") +
-                        ": the pressure is narrower than they see; compare with a load cell "
-                        "(load_cell), or set transducers closer"});
+    list.push_back(
+        {"gauges_too_sparse", error.force, tolerable, "1",
+         "the force by the " + std::to_string(gauges.count()) + " transducers of '" + name + "' may err by about " +
+             significant(100. * error.force, 2) + " % " +
+             (error.has_resultant ? "when it is largest, at t = " + significant(error.time) + " s, and its arm by " +
+                                        significant(100. * error.arm, 2) + " % of the row's length"
+                                  : "of a tenth of the integral of |p|, at t = " + significant(error.time) +
+                                        " s (pressures of both signs cancel)") +
+             ": the pressure is narrower than they see; compare with a load cell "
+             "(load_cell), or set transducers closer"});
   if (!gauges.load_cell.empty()) {
     const double cell = gauges.load_cell[index_of_largest(gauges.load_cell)], sum = total[index_of_largest(total)];
     if (const double error = std::abs(sum / cell - 1.); !(error <= tolerable_cell))

@@ -63,7 +63,7 @@ struct FlowCase {
 /// Where a load's history comes from: exactly one of the two.
 struct LoadSource {
   std::optional<Pulse> pulse;
-  std::string history;  ///< CSV file, relative to the case; "" where there is a pulse
+  std::string history;       ///< CSV file, relative to the case; "" where there is a pulse
   double record_start = 0.;  ///< the history's time at t = 0 of the run (s)
 };
 

@@ -206,7 +206,8 @@ void begin_at(double start, const Place& place, std::vector<double>& time, std::
     throw InputError(place, "the record is over before the run begins", "give an earlier record_start");
   if (first == 0) return;
   const auto i = static_cast<std::size_t>(first);
-  const double share = time[i - 1] / (time[i - 1] - time[i]), at_zero = value[i - 1] + share * (value[i] - value[i - 1]);
+  const double share = time[i - 1] / (time[i - 1] - time[i]),
+               at_zero = value[i - 1] + share * (value[i] - value[i - 1]);
   const bool has_zero = time[i] == 0.;
   time.erase(time.begin(), time.begin() + first - (has_zero ? 0 : 1));
   value.erase(value.begin(), value.begin() + first - (has_zero ? 0 : 1));

@@ -99,7 +99,7 @@ void require_rate(const CsvTable& table, const RecordLayout& layout, double rate
 }  // namespace
 
 bool is_jump(const std::vector<double>& time, std::size_t row) {
-  if (time[row] != time[row - 1] || (row > 1 && time[row - 2] == time[row]) ||
+  if (time.front() == time.back() || time[row] != time[row - 1] || (row > 1 && time[row - 2] == time[row]) ||
       (row + 1 < time.size() && time[row + 1] == time[row]))
     return false;
   std::size_t repeated = 0;
