@@ -104,8 +104,8 @@ class Inspection {
     }
   }
 
-  /// Whether a flat top is that of a smooth curve that is sampled finely: a parabola falls by (3/1)^2 times as much within
-  /// three half widths, a record that is cut by far more.
+  /// Whether a flat top is that of a smooth curve that is sampled finely: a parabola falls by (3/1)^2 times as much
+  /// within three half widths, a record that is cut by far more.
   bool is_round(std::size_t first, std::size_t end, double extreme) const {
     const std::size_t width = end - first;
     double fall = 0.;
@@ -143,12 +143,11 @@ class Inspection {
   }
 
   void check_end() {
-    const double drift = std::min(beyond(median(value_, n_ - at_ends_, n_), 0, at_ends_),
-                                  beyond(start_, n_ - at_ends_, n_)) /
-                         peak_;
+    const double end = median(value_, n_ - at_ends_, n_), drift = std::abs(end - start_) / peak_;
+    const double apart = std::min(beyond(end, 0, at_ends_), beyond(start_, n_ - at_ends_, n_)) / peak_;
     if (!rests(0, at_ends_) || !rests(n_ - at_ends_, n_)) return;  // the record is not at rest at both ends
     if (slope(n_ - at_ends_, n_) > most_of_rise * rise_) return check_cut();
-    if (drift > least_drift && drift < most_drift)
+    if (apart > least_drift && drift < most_drift)
       add("record_drifting", drift, least_drift,
           "ends " + significant(100. * drift, 2) +
               " % of its peak away from where it starts: it drifts, or is cut before it has come back; take the drift "
@@ -157,8 +156,8 @@ class Inspection {
 
   /// A load that has not come back to its start where the record ends jumps to zero there.
   void check_cut() {
-    const double rest = beyond(value_.back(), 0, at_ends_) / peak_;
-    if (rest > least_drift && rest < most_drift)
+    const double rest = std::abs(value_.back() - start_) / peak_;
+    if (beyond(value_.back(), 0, at_ends_) > least_drift * peak_ && rest < most_drift)
       add("record_cut", rest, least_drift,
           "still moves where it ends, at t = " + significant(time_.back()) + " s, " + significant(100. * rest, 2) +
               " % of its peak away from where it starts: the load jumps to zero there; give a longer record, or let it "

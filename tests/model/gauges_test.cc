@@ -132,7 +132,7 @@ TEST(Gauges, OfAStandingWaveOnABedHaveNoResultant) {
   }
   const NumberedWarning told = warning(gauge_warnings("sea", row(few, wave(13.)), {}), "gauges_too_sparse");
   EXPECT_EQ(told.name, "gauges_too_sparse") << "three waves on five transducers";
-  EXPECT_EQ(told.text.find("arm by"), told.text.find("its arm by"));
+  EXPECT_EQ(told.text.find("e+"), std::string::npos) << told.text;
   const Gauges wall = row(seven, [](double y) { return 10. + y; });
   EXPECT_TRUE(interpolation_error(wall).has_resultant);
 }

@@ -146,10 +146,9 @@ Record alone(const std::function<double(double)>& f, int n, double lead, double 
 }
 
 TEST(Records, APulseFromZeroToZeroNeitherDriftsNorIsCutNorSaturated) {
-  const std::vector<std::function<double(double)>> shapes{[](double x) { return std::sin(M_PI * x); },
-                                                          [](double x) { return x < 0.3 ? x / 0.3 : (1. - x) / 0.7; },
-                                                          [](double x) { return std::sin(2. * M_PI * x); },
-                                                          [](double x) { return -std::pow(std::sin(M_PI * x), 2); }};
+  const std::vector<std::function<double(double)>> shapes{
+      [](double x) { return std::sin(M_PI * x); }, [](double x) { return x < 0.3 ? x / 0.3 : (1. - x) / 0.7; },
+      [](double x) { return std::sin(2. * M_PI * x); }, [](double x) { return -std::pow(std::sin(M_PI * x), 2); }};
   for (const auto& shape : shapes)
     for (const int n : {40, 98, 104, 242, 1000, 4650})
       for (const double lead : {0., 0.01, 0.05, 0.2, 1.})
