@@ -108,20 +108,20 @@ NumberedWarnings implausible_section(const Section& section, const Water& water)
     judge("gravity", water.gravity, earth, list);
   }
   const double unit_weight = water.density * water.gravity;
-  const auto weight = [&](const std::string& key, double value, double depth, double low, double high) {
-    const double whole = unit_weight * section.width * depth;
+  const double whole = unit_weight * section.width * (section.foundation_depth + section.crest);
+  const auto weight = [&](const std::string& key, double value, const Range& ever, const Range& common) {
     judge(key, value,
           {"N/m",
-           low * whole,
-           high * whole,
-           5. * low * whole,
-           0.5 * high * whole,
+           ever.low() * whole,
+           ever.high() * whole,
+           common.low() * whole,
+           common.high() * whole,
            {{"kN/m", 1e3}, {"MN/m", 1e6}, {"t/m", 9.81e3}, {"kg/m", 9.81}},
            "beside water of the caisson's size"},
           list);
   };
-  weight("section.weight", section.weight, section.foundation_depth + section.crest, 0.1, 10.);
-  weight("section.submerged_weight", section.submerged_weight, section.foundation_depth + section.crest, 0.02, 10.);
+  weight("section.weight", section.weight, from_to(0.1, 10.), from_to(0.5, 3.));
+  weight("section.submerged_weight", section.submerged_weight, from_to(0.02, 10.), from_to(0.25, 2.5));
   return list;
 }
 

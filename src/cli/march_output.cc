@@ -11,6 +11,7 @@
 #include "base/text.h"
 #include "base/version.h"
 #include "case/input_files.h"
+#include "fem/compile.h"
 #include "model/exclusions.h"
 #include "upbead/base/error.h"
 
@@ -137,6 +138,15 @@ Checkpoints::Checkpoints(const Case& input, const std::string& results, const Ch
                      "the checkpoint is at t = " + significant(reached) +
                          " s, after time.end = " + significant(input.scene.time.end) + " s",
                      "give a later end, or begin from the start, without --resume");
+}
+
+void Checkpoints::require_fit(const Case& input, const Simulation& simulation) const {
+  if (!found_ || found_->march.so_far.final_state.x.size() == simulation.compiled->system.size()) return;
+  throw InputError(input.place("time.end"),
+                   "waves reach more or fewer cells until time.end than until the end of the run that was interrupted, "
+                   "which left the others out",
+                   "give the former end, or begin from the start, with mesh.full_domain = true where a later end is to "
+                   "be taken up");
 }
 
 bool Checkpoints::due() const {

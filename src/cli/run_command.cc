@@ -120,6 +120,7 @@ void run(const CaseOptions& options, const Stopwatch& since_start, const std::sh
     checkpoints.emplace(input, folder->name(), CheckpointWish{options.checkpoint_every, options.resume});
   }
   const Simulation simulation = simulation_of(input, std::move(mesh), processes);
+  if (checkpoints) checkpoints->require_fit(input, simulation);
   const std::vector<MeasuredRecord> records = read_records(input, simulation);
   if (is_first && !options.json) std::cout << describe(input, simulation) << checkpoints->account() << std::flush;
 
