@@ -1,6 +1,7 @@
 #include "upbead/base/time_function.h"
 
 #include <algorithm>
+#include <array>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
@@ -39,26 +40,42 @@ constexpr std::size_t max_corners = 50;  // a drawn record has a few corners; a 
 struct Record {
   std::vector<double> time, value;
 
-  double operator()(double at) const {
-    const auto above = std::upper_bound(time.begin() + 1, time.end() - 1, at) - time.begin();
-    const auto i = static_cast<std::size_t>(above);
-    return value[i - 1] + (value[i] - value[i - 1]) * (at - time[i - 1]) / (time[i] - time[i - 1]);
+  /// At a time within the samples from `first` to `last`, between which there is no jump.
+  double at(double when, std::size_t first, std::size_t last) const {
+    if (when >= time[last]) return value[last];
+    const auto begin = time.begin() + static_cast<std::ptrdiff_t>(first),
+               end = begin + static_cast<std::ptrdiff_t>(last - first);
+    const auto i = static_cast<std::size_t>(std::upper_bound(begin + 1, end, when) - time.begin());
+    return value[i - 1] + (value[i] - value[i - 1]) * (when - time[i - 1]) / (time[i] - time[i - 1]);
   }
+  bool jumps(std::size_t i) const { return time[i + 1] == time[i]; }
   double slope(std::size_t i) const { return (value[i + 1] - value[i]) / (time[i + 1] - time[i]); }
 };
 
-/// Times between which the record is smooth, or only its ends if it has too many corners.
-std::vector<double> kinks_of(const Record& record) {
+/// Samples between which the record is smooth: corners, and both samples of a jump; of a record with too many corners
+/// its ends and jumps alone. Two a piece: where it begins and where it ends.
+std::vector<std::array<std::size_t, 2>> pieces_of(const Record& record) {
   const std::size_t n = record.time.size();
   double largest = 0.;
-  for (std::size_t i = 0; i + 1 < n; ++i) largest = std::max(largest, std::abs(record.slope(i)));
-  std::vector<double> corners;
-  for (std::size_t i = 1; i + 1 < n; ++i)
-    if (std::abs(record.slope(i) - record.slope(i - 1)) > 0.05 * largest) corners.push_back(record.time[i]);
-  if (corners.size() > max_corners) corners.clear();
-  corners.insert(corners.begin(), record.time.front());
-  corners.push_back(record.time.back());
-  return corners;
+  for (std::size_t i = 0; i + 1 < n; ++i)
+    if (!record.jumps(i)) largest = std::max(largest, std::abs(record.slope(i)));
+  const auto is_corner = [&](std::size_t i) {
+    return !record.jumps(i - 1) && !record.jumps(i) && std::abs(record.slope(i) - record.slope(i - 1)) > 0.05 * largest;
+  };
+  std::size_t n_corners = 0;
+  for (std::size_t i = 1; i + 1 < n; ++i) n_corners += is_corner(i) ? 1 : 0;
+  std::vector<std::array<std::size_t, 2>> pieces;
+  std::size_t begin = 0;
+  const auto end_at = [&](std::size_t end) {
+    if (end > begin) pieces.push_back({begin, end});
+  };
+  for (std::size_t i = 0; i + 1 < n; ++i) {
+    if (!record.jumps(i) && (i == 0 || n_corners > max_corners || !is_corner(i))) continue;
+    end_at(i);
+    begin = record.jumps(i) ? i + 1 : i;
+  }
+  end_at(n - 1);
+  return pieces;
 }
 
 std::vector<double> united(const std::vector<double>& a, const std::vector<double>& b) {
@@ -79,16 +96,20 @@ double inside_piece(const std::vector<double>& kinks, std::size_t i) {
 
 TimeFunction piecewise_linear(const std::vector<double>& time, const std::vector<double>& value) {
   const auto record = std::make_shared<const Record>(Record{time, value});
-  std::vector<double> kinks = kinks_of(*record);
   const TimeFunction::Piece zero = [](double) { return 0.; };
+  std::vector<double> kinks, samples;
   std::vector<TimeFunction::Piece> pieces{zero};
-  for (std::size_t i = 0; i + 1 < kinks.size(); ++i) {
+  for (const auto& [first, last] : pieces_of(*record)) {
+    kinks.push_back(time[first]);
     // Just beyond a kink, round-off must not select the straight line of the neighbouring piece.
-    const double begin = kinks[i], end = kinks[i + 1];
-    pieces.push_back([record, begin, end](double at) { return (*record)(std::clamp(at, begin, end)); });
+    pieces.push_back([record, first = first, last = last](double at) {
+      return record->at(std::clamp(at, record->time[first], record->time[last]), first, last);
+    });
   }
+  kinks.push_back(time.back());
   pieces.push_back(zero);
-  return TimeFunction(std::move(kinks), std::move(pieces), time);
+  std::unique_copy(time.begin(), time.end(), std::back_inserter(samples));
+  return TimeFunction(std::move(kinks), std::move(pieces), std::move(samples));
 }
 
 TimeFunction sum(const TimeFunction& a, const TimeFunction& b) {

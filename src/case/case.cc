@@ -2,10 +2,12 @@
 
 #include <filesystem>
 
+#include "base/numbers.h"
 #include "case/cfd/flow_keys.h"
 #include "case/cfd/flow_record.h"
 #include "case/cfd/flow_scene.h"
 #include "case/records/load_records.h"
+#include "case/time_end.h"
 #include "case_checks.h"
 #include "case_schema.h"
 #include "model/motion.h"
@@ -93,7 +95,7 @@ void make_history(Case& problem, const std::string& name, const CaseTables& tabl
     table.duration = duration(*table.pulse);
   } else {
     read_history(problem.resolve(table.history_file), problem.place(path + ".history"), tables.time.end, table,
-                 notes_of(problem, path));
+                 table.record_start, notes_of(problem, path));
   }
   if (table.factor == 0.) {
     table.history = TimeFunction();
@@ -157,7 +159,7 @@ void make_sliding(Case& problem, CaseTables& tables, Diagnostics& report) {
   try {
     if (!table.history_file.empty())
       tables.sliding->uplift->history =
-          read_uplift(problem.resolve(table.history_file), problem.place("sliding.uplift.history"),
+          read_uplift(problem.resolve(table.history_file), problem.place("sliding.uplift.history"), table.record_start,
                       notes_of(problem, "sliding.uplift"));
     if (table.gauges.empty()) return;
     problem.uplift_gauges = {{},
@@ -201,6 +203,7 @@ void add_sliding_table(const Case& problem, PathText path_text, CaseTables& tabl
       uplift.peak.reset();
     }
     if (!problem.uplift_history.empty()) uplift.history_file = path_text(problem.uplift_history);
+    uplift.record_start = problem.uplift_start;
     if (problem.uplift_gauges) {
       static_cast<GaugeSource&>(uplift) = problem.uplift_gauges->source;
       uplift.gauges = path_text(uplift.gauges);
@@ -219,6 +222,7 @@ CaseTables tables_of(const Case& problem, PathText path_text) {
     static_cast<Load&>(table) = problem.scene.loads.at(name);
     table.pulse = source.pulse;
     if (!source.history.empty()) table.history_file = path_text(source.history);
+    table.record_start = source.record_start;
   }
   tables.accuracy_of = problem.scene.accuracy.of;
   tables.accuracy_estimate = problem.scene.accuracy.estimate;
@@ -278,6 +282,7 @@ Case read_case(const std::string& path, const std::vector<std::string>& override
   problem.stem = fs::path(path).stem().string();
   Diagnostics report;
   CaseTables tables = read_tables(problem.document, report);
+  if (end_is_open(problem)) tables.time.end = infinity;  // until the loads are known
   make_histories(problem, tables, report);
   make_sliding(problem, tables, report);
   add_section_friction(tables);
@@ -289,8 +294,10 @@ Case read_case(const std::string& path, const std::vector<std::string>& override
   problem.report = tables.report;
   problem.section = tables.section;
   if (!problem.scene.mesh.refine && !problem.document.find("mesh.degree")) problem.scene.mesh.degree = adapted_degree;
-  if (tables.sliding_table && tables.sliding_table->uplift_table)
+  if (tables.sliding_table && tables.sliding_table->uplift_table) {
     problem.uplift_history = tables.sliding_table->uplift_table->history_file;
+    problem.uplift_start = tables.sliding_table->uplift_table->record_start;
+  }
   for (const auto& [name, table] : tables.load_tables) {
     if (table.kind == LoadKind::pressures) {
       add_gauge_loads(name, problem.gauges.at(name), tables.time.end, problem.scene);
@@ -311,8 +318,9 @@ Case read_case(const std::string& path, const std::vector<std::string>& override
     }
     problem.scene.loads[name] = table;
     if (table.wave) continue;
-    problem.sources[name] = {table.pulse, table.history_file};
+    problem.sources[name] = {table.pulse, table.history_file, table.record_start};
   }
+  if (end_is_open(problem)) problem.scene.time.end = end_of_actions(problem) + TimeChoice().end;
   return problem;
 }
 

@@ -70,7 +70,7 @@ void check_regions(const CaseTables& tables, const Document& document, Diagnosti
 void check_time(const CaseTables& tables, const Document& document, Diagnostics& report) {
   if (!report.sound("time")) return;
   const TimeChoice& time = tables.time;
-  if (time.step && *time.step > time.end)
+  if (time.step && document.find("time.end") && *time.step > time.end)
     report.add(document.place("time.step"),
                "step = " + number_text(*time.step) + " is longer than end = " + number_text(time.end),
                "give a shorter step (s), or \"auto\"");
@@ -100,7 +100,7 @@ void check_output(const CaseTables& tables, const Document& document, Diagnostic
       return report.add(place,
                         "times do not ascend: " + number_text(times[i]) + " follows " + number_text(times[i - 1]),
                         "order them, each once");
-  if (!times.empty() && times.back() > tables.time.end)
+  if (!times.empty() && document.find("time.end") && times.back() > tables.time.end)
     report.add(place,
                "times = [..., " + number_text(times.back()) + "] lies after time.end = " + number_text(tables.time.end),
                "give times (s) up to the end, or a later end");
@@ -419,11 +419,12 @@ void check_sliding(const CaseTables& tables, const Document& document, Diagnosti
   if (!tables.sliding_table || !report.sound("sliding")) return;
   const SlidingTable& sliding = *tables.sliding_table;
   const TableDiagnostics wrong("sliding", document, report);
-  if (sliding.weight && sliding.own_submerged_weight && *sliding.own_submerged_weight >= *sliding.weight)
+  if (sliding.weight && sliding.own_submerged_weight && *sliding.own_submerged_weight > *sliding.weight)
     wrong.add("submerged_weight",
               "submerged_weight = " + number_text(*sliding.own_submerged_weight) +
-                  " N/m is not below weight = " + number_text(*sliding.weight) + " N/m",
-              "give W' in still water, W less the weight of the water that the caisson displaces");
+                  " N/m is above weight = " + number_text(*sliding.weight) + " N/m",
+              "give W' in still water, W less the weight of the water that the caisson displaces; of a dry block both "
+              "are equal");
   check_section_of(sliding, tables, document, wrong, report);
   if (report.sound("regions") && has_frictional_contact(tables)) check_contact(sliding, tables, wrong);
   if (report.sound("regions") && tables.regions.count(caisson_name) == 0)

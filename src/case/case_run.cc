@@ -6,9 +6,13 @@
 #include "base/numbers.h"
 #include "base/stopwatch.h"
 #include "base/text.h"
+#include "case/case_schema.h"
 #include "case/cfd/flow_scene.h"
+#include "case/key_units.h"
+#include "case/records/load_records.h"
 #include "case/records/record_layout.h"
 #include "case/records/record_table.h"
+#include "case/time_end.h"
 #include "case/wave_load.h"
 #include "fem/compile.h"
 #include "model/record.h"
@@ -59,7 +63,9 @@ GaugeSummary summary_of(const std::string& name, const GaugeLoad& by, const Resu
   const std::size_t t = index_of_largest(sum.force);
   s.peak_force = sum.force[t];
   s.peak_force_time = gauges.time[t];
-  if (s.peak_force != 0.) s.arm = sum.moment[t] / sum.force[t];
+  const double row = gauges.place.back() - gauges.place.front();
+  if (std::abs(s.peak_force) > 1e-9 * std::abs(s.peak_pressure * by.load.factor) * row)
+    s.arm = sum.moment[t] / sum.force[t];
   const InterpolationError error = interpolation_error(gauges);
   s.force_error = error.force;
   s.arm_error = error.arm;
@@ -104,65 +110,38 @@ NumberedWarnings history_warnings(const Case& input) {
     if (f.samples().size() < 2) return;
     append(all, record_warnings(record_of(name, f)));
   };
-  for (const auto& [name, source] : input.sources)
-    if (const Load& load = input.scene.loads.at(name); !source.history.empty() && load.factor != 0.)
-      add("loads." + name, load.history);
+  for (const auto& [name, source] : input.sources) {
+    const Load& load = input.scene.loads.at(name);
+    if (source.history.empty() || load.factor == 0.) continue;
+    const std::string path = "loads." + name;
+    if (is_motion(load.kind))  // the scene has its velocity
+      append(all, record_warnings(written_history(path, input.resolve(source.history), input.place(path + ".history"),
+                                                  load.kind, source.record_start)));
+    else
+      add(path, load.history);
+  }
   if (!input.uplift_history.empty()) add("sliding.uplift", input.scene.sliding->uplift->history);
   return all;
 }
 
-/// First time at which a function of time is not zero, looked for at its samples and kinks; none where it is always
-/// zero.
-std::optional<double> first_action(const TimeFunction& f) {
-  std::vector<double> times = f.samples().empty() ? f.kinks() : f.samples();
-  const std::vector<double>& kinks = f.kinks();
-  for (std::size_t i = 0; f.samples().empty() && i + 1 < kinks.size(); ++i)
-    times.push_back(0.5 * (kinks[i] + kinks[i + 1]));  // a pulse is smooth between its kinks
-  std::sort(times.begin(), times.end());
-  for (std::size_t i = 0; i < times.size(); ++i) {
-    const double before = i > 0 ? times[i - 1] : times[i] - 1.;
-    if (f(times[i]) != 0. || f(times[i], 0.5 * (before + times[i])) != 0.) return before;
-  }
-  return f(kinks.empty() ? 0. : kinks.back() + 1.) != 0. ? std::optional(0.) : std::nullopt;
-}
-
-NumberedWarning zero_load(const std::string& name, const std::optional<double>& from, double end) {
-  const std::string when = from ? "is zero until t = " + significant(*from, 4) + " s, after the end of the run at " +
-                                      significant(end, 4) + " s"
-                                : "is zero throughout";
-  return {"load_zero", from.value_or(end), end, "s",
-          "'" + name + "' " + when +
-              ": nothing of it is felt; look at its columns and units, at record_start, or give a longer time.end"};
-}
-
-/// Time (s) at which the first of the transducers has a pressure.
-std::optional<double> first_action(const Gauges& gauges) {
-  for (std::size_t t = 0; t < gauges.time.size(); ++t)
-    for (const std::vector<double>& pressure : gauges.pressure)
-      if (pressure[t] != 0.) return t > 0 ? gauges.time[t - 1] : gauges.time[t];
-  return std::nullopt;
-}
-
-/// load_zero: a load or uplift that is zero within the run, as where a wrong column was read.
-NumberedWarnings zero_load_warnings(const Case& input) {
-  NumberedWarnings list;
-  const double end = input.scene.time.end;
-  const auto look = [&](const std::string& name, const std::optional<double>& from) {
-    if (!from || *from >= end) list.push_back(zero_load(name, from, end));
-  };
-  for (const auto& [name, source] : input.sources)
-    if (const Load& load = input.scene.loads.at(name); load.factor != 0.)
-      look("loads." + name, first_action(load.history));
-  for (const auto& [name, by] : input.gauges)
-    if (by.load.factor != 0.) look("loads." + name, first_action(by.gauges));
-  if (!input.uplift_history.empty()) look("sliding.uplift", first_action(input.scene.sliding->uplift->history));
+/// Numbers whose unit was mistaken, as far as their key tells.
+NumberedWarnings unit_warnings(const Case& input) {
+  CaseTables tables;
+  Diagnostics none;
+  const TableSchema<CaseTables> schema = case_schema();
+  schema.read(input.document.root(), "", tables, none);
+  NumberedWarnings list = implausible_keys(
+      input.document, [&](const NumberVisitor& visitor) { schema.visit_numbers(tables, "", visitor); });
+  if (input.section)
+    append(list, implausible_section(*input.section, {input.scene.fluid.density, input.scene.gravity}));
   return list;
 }
 
 NumberedWarnings warnings_of_files(const Case& input, const Simulation& simulation, const RecordNotes& notes) {
   NumberedWarnings list = history_warnings(input);
   append(list, transducer_warnings(input, simulation));
-  append(list, zero_load_warnings(input));
+  append(list, end_warnings(input, simulation.given.time.end));
+  append(list, unit_warnings(input));
   append(list, wave_warnings(input));
   append(list, flow_warnings(input));
   append(list, flow_arm_warnings(input, *simulation.mesh));
@@ -186,6 +165,7 @@ Simulation simulation_of(const Case& input, std::shared_ptr<const Mesh> mesh,
     if (!mesh) mesh = read_mesh(mesh_request(input));
     const double seconds = watch.seconds();
     Scene scene = with_profiles(input, *mesh);
+    if (end_is_open(input)) scene.time.end = settled_end(input, *mesh).seconds;
     place_flows(input, *mesh, scene);
     Simulation simulation(scene, std::move(mesh), std::move(processes));
     check_waves(input, simulation);

@@ -17,8 +17,18 @@ auto in_places_of(const Case& input, const Work& work) {
   }
 }
 
-/// The case's scene on its mesh; the mesh is read where it is not given. Throws InputError with all mistakes at their
-/// places in the case.
+/// The end of a case that gives no time.end: when its loads are over and the section has come to rest after them.
+struct SettledEnd {
+  double seconds = 0.;
+  std::string why;  ///< for people, with the numbers
+};
+SettledEnd settled_end(const Case& input, const Mesh& mesh);
+
+/// Where the case gives no end, reads its mesh and sets the end; returns that mesh, null where the end is given.
+std::shared_ptr<const Mesh> settle_end(Case& input);
+
+/// The case's scene on its mesh; its end is settled_end() where the case gives none; the mesh is read where it is not
+/// given. Throws InputError with all mistakes at their places in the case.
 Simulation simulation_of(const Case& input, std::shared_ptr<const Mesh> mesh = nullptr,
                          std::shared_ptr<const Processes> processes = nullptr);
 

@@ -118,7 +118,11 @@ TableSchema<InitialState> initial_schema() {
 
 TableSchema<TimeChoice> time_schema() {
   TableSchema<TimeChoice> table;
-  table.key("end", &TimeChoice::end).unit("s").range(above(0.)).doc("end of the computed time");
+  table.key("end", &TimeChoice::end)
+      .unit("s")
+      .range(above(0.))
+      .fallback("when the loads and the section's answer to them are over; explain tells it")
+      .doc("end of the computed time");
   table.key("step", &TimeChoice::step)
       .unit("s")
       .range(above(0.))

@@ -292,12 +292,6 @@ NumberedWarning outside_formulas(const std::string& name, const std::vector<Warn
           "loads." + name + ": " + text + " (docs/waves.md)"};
 }
 
-NumberedWarning cut_wave(const std::string& name, double over, double end) {
-  return {"wave_cut", over, end, "s",
-          "loads." + name + ": the wave is over at " + significant(over, 4) + " s, the run ends at " +
-              significant(end, 4) + " s: the rest of it is not felt; give a longer time.end"};
-}
-
 }  // namespace
 
 std::vector<WaveLoadSummary> wave_summaries(const Case& input) {
@@ -313,7 +307,6 @@ NumberedWarnings wave_warnings(const Case& input) {
     if (!wave->standing && wave->table.force == ImpactForce::goda_with_alpha_I && p.alpha_I > p.alpha_2)
       list.push_back(effective_force(name, p));
     if (!wave->outside.empty()) list.push_back(outside_formulas(name, wave->outside));
-    if (wave->end > input.scene.time.end) list.push_back(cut_wave(name, wave->end, input.scene.time.end));
   }
   return list;
 }

@@ -85,7 +85,7 @@ void check_waves(const Case& input, const Simulation& simulation);
 
 std::vector<WaveLoadSummary> wave_summaries(const Case& input);
 
-/// Warnings wave_outside_formulas, effective_force and wave_cut: docs/warnings.md.
+/// Warnings wave_outside_formulas and effective_force: docs/warnings.md.
 NumberedWarnings wave_warnings(const Case& input);
 
 std::string describe(const std::vector<WaveLoadSummary>& waves);

@@ -39,7 +39,7 @@ int work_on(const CommonOptions& options, const DesignWork& work, const Stopwatc
   folder.write("summary.json", answer.json);
   check_interrupt();
   folder.commit();
-  std::cerr << answer.warnings;
+  std::cerr << describe(design.implausible) << answer.warnings;
   std::cout << (options.json ? answer.json
                              : answer.text + "written     " + folder.name() + "/{" + join(work.files) + "}\n");
   return 0;

@@ -131,9 +131,9 @@ std::string output_table() {
 }
 
 int explain(const CaseOptions& options) {
-  const Case input = read_case(options.file, options.overrides);
+  Case input = read_case(options.file, options.overrides);
   require_trust(input, options.trusted);
-  const Simulation simulation = simulation_of(input);
+  const Simulation simulation = simulation_of(input, settle_end(input));
   const NumberedWarnings told = warnings(input, simulation);
   std::cerr << notes_on(input) << describe(told);
   const std::vector<RecordSummary> records = record_summaries(input, read_records(input, simulation));

@@ -11,6 +11,7 @@
 #include "base/text.h"
 #include "base/version.h"
 #include "case/input_files.h"
+#include "fem/compile.h"
 #include "model/exclusions.h"
 #include "upbead/base/error.h"
 
@@ -38,11 +39,17 @@ void lay(const fs::path& from, const fs::path& to) {
 
 const char* const file_name = "state.h5";
 
+/// Of all that the march so far depends on: neither its end nor words.
 std::uint64_t fingerprint_of(const Case& input) {
+  Case marched = input;
+  marched.scene.time.end = TimeChoice().end;
+  marched.scene.title.clear();
+  marched.report = {};
   Fingerprint fingerprint;
   fingerprint.add(program_version());
-  fingerprint.add(effective_case(input, "."));
-  fingerprint.add_files(input);
+  fingerprint.add(effective_case(marched, "."));
+  for (const InputFile& file : input_files(input))
+    if (file.path != input.document.path()) fingerprint.add_file(file.path);
   return fingerprint.value();
 }
 
@@ -125,6 +132,21 @@ Checkpoints::Checkpoints(const Case& input, const std::string& results, const Ch
   if (found_->fingerprint != fingerprint_)
     throw InputError({file.string()}, "a checkpoint of another case, mesh, history or version of upbead",
                      "begin from the start, without --resume");
+  const double reached = found_->march.so_far.final_state.time;
+  if (reached > input.scene.time.end)
+    throw InputError(input.place("time.end"),
+                     "the checkpoint is at t = " + significant(reached) +
+                         " s, after time.end = " + significant(input.scene.time.end) + " s",
+                     "give a later end, or begin from the start, without --resume");
+}
+
+void Checkpoints::require_fit(const Case& input, const Simulation& simulation) const {
+  if (!found_ || found_->march.so_far.final_state.x.size() == simulation.compiled->system.size()) return;
+  throw InputError(input.place("time.end"),
+                   "waves reach more or fewer cells until time.end than until the end of the run that was interrupted, "
+                   "which left the others out",
+                   "give the former end, or begin from the start, with mesh.full_domain = true where a later end is to "
+                   "be taken up");
 }
 
 bool Checkpoints::due() const {

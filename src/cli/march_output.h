@@ -65,6 +65,8 @@ class Checkpoints {
   /// Starts the checkpoints of a march, and takes over the fields that have been written. `fields` and this must
   /// outlive the march.
   Checkpointing begin(FieldOutput& fields);
+  /// Throws InputError where the march to resume was of fewer cells, as those that no wave reaches until its end.
+  void require_fit(const Case& input, const Simulation& simulation) const;
   /// What the user reads about resuming; "" where nothing is resumed.
   std::string account() const;
   void remove() const;

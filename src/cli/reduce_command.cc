@@ -219,8 +219,8 @@ std::string describe(const Reduced& made) {
 }
 
 /// The case as it is reduced: soil that depends on its strain is converged, the caisson is bonded to its ground.
-Simulation simulation_for_waves(const Case& input) {
-  const Simulation simulation = simulation_of(input);
+Simulation simulation_for_waves(Case& input) {
+  const Simulation simulation = simulation_of(input, settle_end(input));
   if (!simulation.compiled->caisson)
     throw InputError(input.place("mesh"), "the mesh has no surface 'caisson': there is no F_T to reduce the scene to",
                      "use 'upbead run'");
@@ -249,7 +249,7 @@ Reduction reduce_glued(const Simulation& simulation, bool all_readings) {
 }
 
 int reduce(const CaseOptions& options, const Stopwatch& since_start) {
-  const Case input = read_case(options.file, options.overrides);
+  Case input = read_case(options.file, options.overrides);
   require_trust(input, options.trusted);
   require_loads(input);
   std::cerr << notes_on(input);

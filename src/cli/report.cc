@@ -7,6 +7,7 @@
 #include "base/text.h"
 #include "case/case_run.h"
 #include "case/cfd/flow_scene.h"
+#include "case/time_end.h"
 #include "case/wave_load.h"
 #include "fem/compile.h"
 #include "model/words.h"
@@ -333,6 +334,9 @@ std::string describe(const Case& input, const Simulation& simulation) {
   const SchemeChoice choice = choose_scheme(simulation.scene, *simulation.compiled);
   text += "in time     " + word_of(choice.scheme, time_scheme_words) + ": " + choice.reason +
           (choice.solves.empty() ? "" : "; " + choice.solves) + "\n";
+  if (end_is_open(input))
+    text += "            until " + significant(simulation.given.time.end) + " s, " +
+            settled_end(input, *simulation.mesh).why + "\n";
   text += describe(yielding_extent(simulation));
   if (simulation.compiled->system.interface)
     text += "contact     friction " + significant(contact_friction(simulation.scene)) + " at " +

@@ -102,7 +102,7 @@ void run_together(const Processes* processes, const std::function<void()>& work)
 /// All processes do the same, except that they divide the system among them; only the first prints and writes.
 void run(const CaseOptions& options, const Stopwatch& since_start, const std::shared_ptr<const Processes>& processes) {
   const bool is_first = !processes || processes->rank() == 0;
-  const Case input = read_case(options.file, options.overrides);
+  Case input = read_case(options.file, options.overrides);
   require_trust(input, options.trusted);
   require_loads(input);
   if (is_first) std::cerr << notes_on(input);
@@ -114,9 +114,13 @@ void run(const CaseOptions& options, const Stopwatch& since_start, const std::sh
     const std::string out = options.out.empty() ? "results/" + input.stem : options.out;
     require_inputs_kept(out, run_files(), input_files(input));
     folder.emplace(out);
+  }
+  std::shared_ptr<const Mesh> mesh = settle_end(input);
+  if (is_first) {
     checkpoints.emplace(input, folder->name(), CheckpointWish{options.checkpoint_every, options.resume});
   }
-  const Simulation simulation = simulation_of(input, nullptr, processes);
+  const Simulation simulation = simulation_of(input, std::move(mesh), processes);
+  if (checkpoints) checkpoints->require_fit(input, simulation);
   const std::vector<MeasuredRecord> records = read_records(input, simulation);
   if (is_first && !options.json) std::cout << describe(input, simulation) << checkpoints->account() << std::flush;
 

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "case/key_units.h"
 #include "design/water_levels.h"
+#include "model/quantities.h"
 
 namespace fs = std::filesystem;
 
@@ -69,6 +71,30 @@ void check_waves(const DesignTables& tables, const Document& document, Diagnosti
 
 }  // namespace
 
+namespace {
+
+/// A copy of the tables is visited, as a visitor may change them.
+NumberedWarnings implausible_numbers(const Design& design) {
+  DesignTables tables = design.tables;
+  NumberedWarnings list;
+  judge("fluid.density", tables.water.density, quantities::water_density, list);
+  append(list, implausible_keys(design.document, [&](const NumberVisitor& visitor) {
+           design_schema().visit_numbers(tables, "", visitor);
+         }));
+  append(list, implausible_section(tables.section, tables.water));
+  const double h = tables.section.water_depth;
+  Quantity height = quantities::wave_height;  // a wave of three times the depth has broken long before
+  height.high = 3. * h;
+  height.common_low = 0.01 * h;
+  height.common_high = 1.5 * h;
+  for (const auto& [name, wave] : tables.waves)
+    if (wave.height && *wave.height <= quantities::wave_height.high)
+      judge(dotted("waves", name) + ".height", wave.height, height, list);
+  return list;
+}
+
+}  // namespace
+
 std::string Design::resolve(const std::string& path) const {
   return (fs::path(document.path()).parent_path() / path).lexically_normal().string();
 }
@@ -85,6 +111,7 @@ Design read_design(const std::string& path, const std::vector<std::string>& over
     check(design.tables, design.document, report);
   for (const DesignCheck check : further) check(design.tables, design.document, report);
   report.throw_if_any(path);
+  design.implausible = implausible_numbers(design);
   return design;
 }
 

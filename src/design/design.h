@@ -6,6 +6,7 @@
 
 #include "base/files.h"
 #include "design_tables.h"
+#include "upbead/base/numbered_warning.h"
 #include "upbead/expected/life.h"
 #include "upbead/input/document.h"
 #include "upbead/waves/goda.h"
@@ -14,8 +15,9 @@ namespace upbead {
 
 struct Design {
   DesignTables tables;
-  Document document;  ///< the file as written, for places
-  std::string stem;   ///< name of the file without folder and ending
+  Document document;             ///< the file as written, for places
+  std::string stem;              ///< name of the file without folder and ending
+  NumberedWarnings implausible;  ///< numbers whose unit was probably mistaken
 
   /// A path of the design (relative to its file) as seen from the working folder.
   std::string resolve(const std::string& path) const;

@@ -1,6 +1,7 @@
 #include "fem/followed_stress.h"
 
 #include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_dgq.h>
 #include <deal.II/fe/fe_values.h>
 
 #include <algorithm>
@@ -29,15 +30,6 @@ std::vector<std::pair<int, PlaneStrain>> strain_at(const Space& space, const Unk
   return list;
 }
 
-/// The point of quadrature nearest to `unit`: the soil starts from the state at rest of that point.
-unsigned nearest_point(const Space& space, const dealii::Point<dim>& unit) {
-  const std::vector<dealii::Point<dim>> points = QGauss<dim>(static_cast<unsigned>(space.degree()) + 1).get_points();
-  return static_cast<unsigned>(
-      std::min_element(points.begin(), points.end(),
-                       [&](const auto& a, const auto& b) { return a.distance(unit) < b.distance(unit); }) -
-      points.begin());
-}
-
 Eigen::Index number_of(const std::vector<Reading>& readings, const ReadingName& name) {
   const auto found = std::find_if(readings.begin(), readings.end(),
                                   [&](const Reading& reading) { return reading.name.text() == name.text(); });
@@ -49,11 +41,18 @@ Eigen::Index number_of(const std::vector<Reading>& readings, const ReadingName& 
 FollowedStress::FollowedStress(const Space& space, const Unknowns& unknowns, int n_unknowns,
                                const std::vector<Reading>& readings, const PointsOfCells& points,
                                const std::vector<FollowedReading>& points_read) {
+  const QGauss<1> line(static_cast<unsigned>(space.degree()) + 1);
+  const FE_DGQArbitraryNodes<dim> between(line);  // polynomials that are 1 at one point of quadrature, 0 at the others
+  const std::vector<dealii::Point<dim>> points_of_cell = QGauss<dim>(line.size()).get_points();
   for (const FollowedReading& at : points_read) {
-    std::unique_ptr<SoilPoint> soil = points(at.cell->active_cell_index(), nearest_point(space, at.unit));
-    if (!soil) continue;
-    Follower follower{
-        std::move(soil), space.material(at.cell), strain_at(space, unknowns, n_unknowns, at.cell, at.unit), {}};
+    Follower follower{{}, space.material(at.cell), {}};
+    for (unsigned q = 0; q < points_of_cell.size(); ++q) {
+      std::unique_ptr<SoilPoint> soil = points(at.cell->active_cell_index(), q);
+      if (!soil) continue;
+      follower.points.push_back({std::move(soil), between.shape_value(q, at.unit),
+                                 strain_at(space, unknowns, n_unknowns, at.cell, points_of_cell[q])});
+    }
+    if (follower.points.empty()) continue;
     for (const auto& [name, component] : at.components)
       follower.readings.emplace_back(number_of(readings, name), component);
     followers_.push_back(std::move(follower));
@@ -61,22 +60,26 @@ FollowedStress::FollowedStress(const Space& space, const Unknowns& unknowns, int
 }
 
 void FollowedStress::commit(const Vector& x, Vector& added) {
-  for (Follower& follower : followers_) {
-    PlaneStrain e;
-    for (const auto& [unknown, of] : follower.strain)
-      e = {e.xx + x[unknown] * of.xx, e.yy + x[unknown] * of.yy, e.xy + x[unknown] * of.xy};
-    follower.soil->commit(e);
-    const PlaneStress borne = follower.soil->stress(e), elastic = follower.elastic.stress(e);
-    for (const auto& [reading, component] : follower.readings) added[reading] += borne.*component - elastic.*component;
-  }
+  for (Follower& follower : followers_)
+    for (FollowedPoint& point : follower.points) {
+      PlaneStrain e;
+      for (const auto& [unknown, of] : point.strain)
+        e = {e.xx + x[unknown] * of.xx, e.yy + x[unknown] * of.yy, e.xy + x[unknown] * of.xy};
+      point.soil->commit(e);
+      const PlaneStress borne = point.soil->stress(e), elastic = follower.elastic.stress(e);
+      for (const auto& [reading, component] : follower.readings)
+        added[reading] += point.share * (borne.*component - elastic.*component);
+    }
 }
 
 void FollowedStress::remember(std::vector<double>& memory) const {
-  for (const Follower& follower : followers_) follower.soil->remember(memory);
+  for (const Follower& follower : followers_)
+    for (const FollowedPoint& point : follower.points) point.soil->remember(memory);
 }
 
 const double* FollowedStress::recall(const double* memory) {
-  for (Follower& follower : followers_) memory = follower.soil->recall(memory);
+  for (Follower& follower : followers_)
+    for (FollowedPoint& point : follower.points) memory = point.soil->recall(memory);
   return memory;
 }
 

@@ -10,8 +10,10 @@
 
 namespace upbead {
 
-/// At each such point, the law of its cell follows the strain at the point, from rest on. These stresses take no part
-/// in any force.
+/// The stress at such a point is that of the soil at the points of quadrature of its cell, each of which follows the
+/// strain there from its own state at rest; between them, and from them to the cell's edge, by polynomials. A strain of
+/// the cell's degree and an elastic law give the elastic stress at the point itself, exactly. These stresses take no
+/// part in any force.
 class FollowedStress {
  public:
   /// `readings`: the system's readings, among them those of `points_read`. The system has the first `n_unknowns`
@@ -26,10 +28,14 @@ class FollowedStress {
   const double* recall(const double* memory);
 
  private:
-  struct Follower {
+  struct FollowedPoint {
     std::unique_ptr<SoilPoint> soil;
+    double share = 0.;                                ///< of its stress in that of the reading's point
+    std::vector<std::pair<int, PlaneStrain>> strain;  ///< by unknown
+  };
+  struct Follower {
+    std::vector<FollowedPoint> points;
     ElasticLaw elastic;
-    std::vector<std::pair<int, PlaneStrain>> strain;                       ///< by unknown
     std::vector<std::pair<Eigen::Index, double PlaneStress::*>> readings;  ///< by number, with the component of each
   };
   std::vector<Follower> followers_;

@@ -38,6 +38,17 @@ std::array<double, 2> integrals(const Pairs& pairs, double from, double to) {
   return sum;
 }
 
+/// Of the integral of |p|: a resultant that is less, as of a standing wave on a bed, cancels, and errors are measured
+/// by this share.
+constexpr double least_resultant = 0.1;
+
+Gauges sizes_of(const Gauges& gauges) {
+  Gauges sizes = gauges;
+  for (std::vector<double>& pressure : sizes.pressure)
+    for (double& p : pressure) p = std::abs(p);
+  return sizes;
+}
+
 Gauges every_other(const Gauges& gauges) {
   Gauges fewer = gauges;
   fewer.name.clear();
@@ -97,12 +108,17 @@ InterpolationError interpolation_error(const Gauges& gauges) {
   if (gauges.count() < 3) return {};
   const double from = gauges.place.front(), to = gauges.place.back();
   const Resultant all = resultant(gauges, from, to), some = resultant(every_other(gauges), from, to);
-  const std::size_t t = index_of_largest(all.force);
-  if (all.force[t] == 0.) return {};
+  const std::vector<double> sizes = resultant(sizes_of(gauges), from, to).force;
+  std::size_t t = index_of_largest(all.force);
+  const std::size_t busiest = index_of_largest(sizes);
   InterpolationError error;
+  error.has_resultant = std::abs(all.force[t]) > least_resultant * sizes[busiest];
+  if (!error.has_resultant) t = busiest;
+  if (sizes[t] == 0.) return {};
+  const double scale = error.has_resultant ? std::abs(all.force[t]) : least_resultant * sizes[t];
   error.time = gauges.time[t];
-  error.force = std::abs((some.force[t] - all.force[t]) / all.force[t]) / 3.;
-  if (some.force[t] != 0.)
+  error.force = std::abs(some.force[t] - all.force[t]) / scale / 3.;
+  if (error.has_resultant && some.force[t] != 0.)
     error.arm = std::abs(some.moment[t] / some.force[t] - all.moment[t] / all.force[t]) / 3. / (to - from);
   return error;
 }
@@ -117,12 +133,16 @@ NumberedWarnings gauge_warnings(const std::string& name, const Gauges& gauges, c
   join_too_coarse(list);
   append(list, swapped_records(records));
   if (const InterpolationError error = interpolation_error(gauges); error.force > tolerable)
-    list.push_back({"gauges_too_sparse", error.force, tolerable, "1",
-                    "the force by the " + std::to_string(gauges.count()) + " transducers of '" + name +
-                        "' may err by about " + significant(100. * error.force, 2) + " % when it is largest, at t = " +
-                        significant(error.time) + " s, and its arm by " + significant(100. * error.arm, 2) +
-                        " % of the row's length: the pressure is narrower than they see; compare with a load cell "
-                        "(load_cell), or set transducers closer"});
+    list.push_back(
+        {"gauges_too_sparse", error.force, tolerable, "1",
+         "the force by the " + std::to_string(gauges.count()) + " transducers of '" + name + "' may err by about " +
+             significant(100. * error.force, 2) + " % " +
+             (error.has_resultant ? "when it is largest, at t = " + significant(error.time) + " s, and its arm by " +
+                                        significant(100. * error.arm, 2) + " % of the row's length"
+                                  : "of a tenth of the integral of |p|, at t = " + significant(error.time) +
+                                        " s (pressures of both signs cancel)") +
+             ": the pressure is narrower than they see; compare with a load cell "
+             "(load_cell), or set transducers closer"});
   if (!gauges.load_cell.empty()) {
     const double cell = gauges.load_cell[index_of_largest(gauges.load_cell)], sum = total[index_of_largest(total)];
     if (const double error = std::abs(sum / cell - 1.); !(error <= tolerable_cell))

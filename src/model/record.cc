@@ -95,13 +95,23 @@ class Inspection {
       const bool came = first_away<i, left = last_away> end;
       // a record that stays at zero between its events is not saturated
       const bool rests = std::abs(extreme - start_) <= 0.1 * extent_.range();
-      if (end - i >= least_flat && came && left && !rests)
+      if (end - i >= least_flat && came && left && !rests && !is_round(i, end, extreme))
         return add("record_saturated", static_cast<double>(end - i), static_cast<double>(least_flat),
                    "holds its extreme value " + significant(extreme) + " for " + std::to_string(end - i) +
                        " samples at t = " + significant(time_[i]) +
                        " s: the instrument was at its end, the true peak is larger; use a record that is not cut");
       i = end;
     }
+  }
+
+  /// Whether a flat top is that of a smooth curve that is sampled finely: a parabola falls by (3/1)^2 times as much
+  /// within three half widths, a record that is cut by far more.
+  bool is_round(std::size_t first, std::size_t end, double extreme) const {
+    const std::size_t width = end - first;
+    double fall = 0.;
+    if (first >= width) fall = std::abs(value_[first - width] - extreme);
+    if (end - 1 + width < n_) fall = std::max(fall, std::abs(value_[end - 1 + width] - extreme));
+    return fall < 100. * exactly * extent_.range();
   }
 
   /// Last time before the peak at which the record's distance from its start is at most `share` of the peak.
@@ -124,11 +134,20 @@ class Inspection {
     return std::abs(change) / peak_ / (mean(time_, last - third, last) - mean(time_, first, first + third));
   }
 
+  /// Distance of a value from those of some samples; 0 within them: the first or last samples of a smooth rise or fall
+  /// are no rest.
+  double beyond(double value, std::size_t first, std::size_t last) const {
+    const auto [least, most] = std::minmax_element(value_.begin() + static_cast<std::ptrdiff_t>(first),
+                                                   value_.begin() + static_cast<std::ptrdiff_t>(last));
+    return std::max({*least - value, value - *most, 0.});
+  }
+
   void check_end() {
-    const double drift = std::abs(median(value_, n_ - at_ends_, n_) - start_) / peak_;
+    const double end = median(value_, n_ - at_ends_, n_), drift = std::abs(end - start_) / peak_;
+    const double apart = std::min(beyond(end, 0, at_ends_), beyond(start_, n_ - at_ends_, n_)) / peak_;
     if (!rests(0, at_ends_) || !rests(n_ - at_ends_, n_)) return;  // the record is not at rest at both ends
     if (slope(n_ - at_ends_, n_) > most_of_rise * rise_) return check_cut();
-    if (drift > least_drift && drift < most_drift)
+    if (apart > least_drift && drift < most_drift)
       add("record_drifting", drift, least_drift,
           "ends " + significant(100. * drift, 2) +
               " % of its peak away from where it starts: it drifts, or is cut before it has come back; take the drift "
@@ -138,7 +157,7 @@ class Inspection {
   /// A load that has not come back to its start where the record ends jumps to zero there.
   void check_cut() {
     const double rest = std::abs(value_.back() - start_) / peak_;
-    if (rest > least_drift && rest < most_drift)
+    if (beyond(value_.back(), 0, at_ends_) > least_drift * peak_ && rest < most_drift)
       add("record_cut", rest, least_drift,
           "still moves where it ends, at t = " + significant(time_.back()) + " s, " + significant(100. * rest, 2) +
               " % of its peak away from where it starts: the load jumps to zero there; give a longer record, or let it "

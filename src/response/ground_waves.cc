@@ -149,10 +149,12 @@ void find_cells(const Mesh& mesh, const Side& side, bool whole, LoadedGround& gr
 }
 
 void act(const Load& load, const Side& side, LoadedGround& ground) {
-  const bool is_pressure = load.kind == LoadKind::pressure || load.kind == LoadKind::pressures;
+  // these press along the normal, whatever their unused direction says
+  const bool presses =
+      load.kind == LoadKind::pressure || load.kind == LoadKind::pressures || load.kind == LoadKind::normal;
   const Direction way = direction(load.direction[0], load.direction[1]);
-  ground.pushes = is_pressure || std::abs(way * side.normal) > least_part * way.norm();
-  ground.shears = !is_pressure && std::abs(way * side.along()) > least_part * way.norm();
+  ground.pushes = presses || std::abs(way * side.normal) > least_part * way.norm();
+  ground.shears = !presses && std::abs(way * side.along()) > least_part * way.norm();
 }
 
 bool is_plane(const Mesh& mesh, const Side& side) {

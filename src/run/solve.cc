@@ -348,6 +348,38 @@ Run run_march(const Simulation& simulation, const SchemeChoice& choice, const Ma
   return march_by(*scheme, simulation, choice.reason, options, care.part);
 }
 
+namespace {
+
+/// Time at the end of the first n steps of a grid (s).
+double time_after(const TimeGrid& grid, int n) {
+  for (const TimeSegment& segment : grid.segments) {
+    if (n <= segment.n_steps) return segment.start + n * segment.step;
+    n -= segment.n_steps;
+  }
+  return infinity;
+}
+
+/// The grid of a march that goes on from a checkpoint: the same one where its steps meet the checkpoint. Where they do
+/// not, as after a change of the end, steps begin anew there; the first segment stands for those that are done.
+TimeGrid resumed(TimeGrid grid, const Response& so_far, std::vector<double> kinks, double largest_step,
+                 std::optional<StepGrowth> growth) {
+  const double reached = so_far.final_state.time, end = grid.end;
+  if (so_far.n_steps == 0 || std::abs(time_after(grid, so_far.n_steps) - reached) <= 1e-9 * end) return grid;
+  TimeGrid whole;
+  whole.end = end;
+  whole.segments.push_back({0., reached / so_far.n_steps, so_far.n_steps});
+  if (!(reached < end * (1. - 1e-9))) return whole;
+  for (double& kink : kinks) kink -= reached;
+  if (growth) growth->after = std::max(0., growth->after - reached);
+  for (TimeSegment segment : make_time_grid(std::move(kinks), end - reached, largest_step, growth).segments) {
+    segment.start += reached;
+    whole.segments.push_back(segment);
+  }
+  return whole;
+}
+
+}  // namespace
+
 Run march_by(Scheme& scheme, const Simulation& simulation, const std::string& reason, const MarchOptions& options,
              double part) {
   MarchOptions marching = options;
@@ -371,8 +403,10 @@ Run march_by(Scheme& scheme, const Simulation& simulation, const std::string& re
     step.reason = significant(part) + " of those of: " + step.reason;
   }
   if (!time.step || part < 1.) check_steps(simulation.given, step.largest_step, step.growth, step.reason);
-  const TimeGrid grid =
-      make_time_grid(times_to_meet(simulation.given, system), time.end, step.largest_step, step.growth);
+  const std::vector<double> meeting = times_to_meet(simulation.given, system);
+  TimeGrid grid = make_time_grid(meeting, time.end, step.largest_step, step.growth);
+  if (const auto& from = options.checkpoints.resume_from)
+    grid = resumed(std::move(grid), from->so_far, meeting, step.largest_step, step.growth);
 
   std::optional<DenseRecorder> dense;
   if (simulation.given.output_every && scheme.order() >= 4 && !system.is_divided())

@@ -39,6 +39,30 @@ TEST(PiecewiseLinear, HasKinksAtMarkedCornersOnly) {
   EXPECT_NEAR(integral(smooth, -1., 3.), 4. / M_PI, 1e-4);
 }
 
+TEST(PiecewiseLinear, JumpsBetweenTwoSamplesAtOneTime) {
+  const TimeFunction f = piecewise_linear({0., 1., 1., 2., 2.}, {0., 2., 5., 4., 1.});
+  EXPECT_EQ(f.kinks(), (std::vector<double>{0., 1., 2.}));
+  EXPECT_EQ(f(1., 0.5), 2.);
+  EXPECT_EQ(f(1.), 5.);
+  EXPECT_EQ(f(0.5), 1.);
+  EXPECT_EQ(f(1.5), 4.5);
+  EXPECT_EQ(f(2., 1.5), 4.);
+  EXPECT_EQ(f(2.5), 0.);
+  EXPECT_NEAR(integral(f, -1., 3.), 1. + 4.5, 1e-12);
+  EXPECT_EQ(extremum(f, 0., 3., 1).value, 5.);
+  EXPECT_EQ(piecewise_linear({3., 3., 4.}, {0., 7., 0.})(3.), 7.) << "at the beginning";
+  std::vector<double> time, value;  // a jump within a smooth record
+  for (int i = 0; i <= 200; ++i) {
+    time.push_back(0.01 * i);
+    value.push_back(std::sin(0.005 * M_PI * i) + (i > 120 ? 3. : 0.));
+    if (i != 120) continue;
+    time.push_back(time.back());
+    value.push_back(value.back() + 3.);
+  }
+  EXPECT_EQ(piecewise_linear(time, value).kinks(), (std::vector<double>{0., time[120], 2.}));
+  EXPECT_FALSE(is_rough(piecewise_linear(time, value)));
+}
+
 /// A record of `n` rows, one per millisecond, with a kink at nearly every row; the largest value is 1.5, at row n /
 /// 3.
 TimeFunction noisy_record(int n) {

@@ -60,8 +60,13 @@ const std::vector<BadHistory> rows{
                "force.csv:5:1: t = 0.1 s does not follow t = 0.2 s; let the times ascend strictly"},
     BadHistory{"TimeRepeats", "time,force\n0,0\n0,1\n",
                "force.csv:3:1: t = 0 s does not follow t = 0 s; let the times ascend strictly"},
+    BadHistory{"ThreeAtOneTime", "time,force\n0,0\n1,1\n1,2\n1,3\n2,0\n",
+               "force.csv:4:1: t = 1 s does not follow t = 1 s; let the times ascend strictly"},
+    BadHistory{"TimesOfARoundedClock", "time,force\n0,0\n0,1\n1,1\n1,2\n2,2\n2,3\n3,3\n3,4\n4,4\n4,5\n",
+               "force.csv:3:1: t = 0 s does not follow t = 0 s; let the times ascend strictly"},
     BadHistory{"StartsBeforeTheRun", "time,force\n-0.1,0\n0.1,1\n",
-               "force.csv:2:1: the history starts at t = -0.1 s, before the run; let it start at 0 or later"},
+               "force.csv:2:1: the history starts at t = -0.1 s, before the run; let it start at 0 or later, or give "
+               "record_start"},
     BadHistory{"OnlyACounter", "Part,force\n0,0\n1,1\n",
                "force.csv:1:1: no column says that it is the time, and the first one, 'Part', is a counter; call the "
                "column of times 'time (s)'; a load by transducers may have sampling_rate in its place"},

@@ -18,9 +18,10 @@ const std::vector<BadCase> rows{
     BadCase{
         "DragNegative", "drag = 1e4", "drag = -1.0",
         "case.toml:86:1: drag = -1 is outside [0, inf); give the drag force F_D over the sliding velocity (N s/m2)"},
-    BadCase{"HeavierInWater", "submerged_weight = 4.3e6", "submerged_weight = 8e6",
-            "case.toml:84:1: [sliding]: submerged_weight = 8e6 N/m is not below weight = 7410000 N/m; give W' in still "
-            "water, W less the weight of the water that the caisson displaces"},
+    BadCase{
+        "HeavierInWater", "submerged_weight = 4.3e6", "submerged_weight = 8e6",
+        "case.toml:84:1: [sliding]: submerged_weight = 8e6 N/m is above weight = 7410000 N/m; give W' in still water, "
+        "W less the weight of the water that the caisson displaces; of a dry block both are equal"},
     BadCase{"AlphaStarTooLarge", "alpha_star = 0.5", "alpha_star = 2.5",
             "case.toml:87:51: alpha_star = 2.5 is outside [0, 2]; give the pressure coefficient alpha* = max(alpha_I, "
             "alpha_2), as upbead waves gives it"},

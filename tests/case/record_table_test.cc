@@ -22,7 +22,7 @@ class Records : public InFolder {
     std::ofstream(name, std::ios::binary) << text;
     Load load;
     load.kind = kind;
-    read_history(name, {"case.toml", 1, 1}, 1., load, notes);
+    read_history(name, {"case.toml", 1, 1}, 1., load, 0., notes);
     return notes.read.at(0).extreme;
   }
   static double peak(const std::string& text, LoadKind kind = LoadKind::force) {

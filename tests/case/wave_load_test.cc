@@ -8,6 +8,7 @@
 #include "base/numbers.h"
 #include "case/case_run.h"
 #include "case/scale.h"
+#include "case/time_end.h"
 #include "expected/dynamic_law.h"
 #include "fem/caisson/readings.h"
 #include "fem/compile.h"
@@ -313,6 +314,7 @@ TEST_F(WaveLoadTest, WarnsWhereFormulasDoNotHold) {
   const auto names = [](const Case& problem) {
     std::string text;
     for (const NumberedWarning& warning : wave_warnings(problem)) text += warning.name + " ";
+    for (const NumberedWarning& warning : end_warnings(problem, problem.scene.time.end)) text += warning.name + " ";
     return text;
   };
   const std::string text = wave_case("{ height = 8.0, period = 12.0, course = \"church_roof\" }");

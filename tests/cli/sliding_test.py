@@ -119,7 +119,7 @@ class Sliding(ProgramTest):
     def test_what_does_not_fit_the_caisson_is_told_before_anything_is_solved(self):
         for key, value, message in (
                 ("sliding.weight", 16000.0, "weight = 16000 N/m is not mass x g of the caisson, 14833 N/m"),
-                ("sliding.submerged_weight", 15000.0, "is not below the weight in air, 14833 N/m")):
+                ("sliding.submerged_weight", 15000.0, "is above the weight in air, 14833 N/m")):
             done = self.run_model("--set", f"{key}={value}", status=1)
             self.assertIn(message, done.stderr)
             self.assertIn(f"--set {key}", done.stderr)

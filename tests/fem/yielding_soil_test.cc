@@ -5,11 +5,13 @@
 
 #include "fem/yielding_soil.h"
 
+#include <deal.II/base/quadrature_lib.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "base/numbers.h"
 #include "dynamics/yielding.h"
 #include "scenes.h"
 #include "upbead/dynamics/march.h"
@@ -304,6 +306,61 @@ TEST(YieldingSoil, ProbesAndPointsTellTheStressOfTheLaw) {
   EXPECT_NEAR(found.change.xy, row("effective_stress_xy").tail(1)[0], 1e-9 * largest);
   EXPECT_NEAR(found.mobilised, mobilised, 1e-9);
   EXPECT_GT(soil->dissipated()[cell], 0.);
+}
+
+/// A biquadratic polynomial through nine values at points of the unit cell, at another point of it.
+double through(const std::vector<dealii::Point<dim>>& points, const std::vector<double>& values,
+               const dealii::Point<dim>& at) {
+  const auto row = [](const dealii::Point<dim>& p) {
+    Eigen::RowVectorXd monomials(9);
+    for (int k = 0; k < 9; ++k) monomials[k] = std::pow(p[0], k % 3) * std::pow(p[1], k / 3);
+    return monomials;
+  };
+  Eigen::MatrixXd V(9, 9);
+  for (int q = 0; q < 9; ++q) V.row(q) = row(points[static_cast<std::size_t>(q)]);
+  return row(at) * V.partialPivLu().solve(Eigen::Map<const Eigen::VectorXd>(values.data(), 9));
+}
+
+/// A probe anywhere in a cell reads what the stresses of its nine points make there; of soil that stays elastic the
+/// elastic stress, and not that of the nearest point.
+TEST(YieldingSoil, AProbeBetweenThePointsReadsTheirPolynomial) {
+  const auto mesh = breakwater_mesh(0.5);
+  Scene scene = breakwater(triangle(3e6, 0.15));
+  scene.regions["seabed"].law = scene.regions["mound"].law = SoilLaw::hysteretic;
+  scene.probes["off"].at = {0.31, 4.73};
+  const Compiled compiled(scene, *mesh);
+  const System& system = compiled.scene.system;
+  const std::vector<FollowedReading> read = followed_readings(compiled.space, compiled.resolved);
+  const auto points_of_cell = dealii::QGauss<dim>(3).get_points();
+  for (const double strain : {1e6, gamma_r}) {
+    const CellLaws all = laws(compiled.space, 1., strain);
+    const auto points = [&](unsigned c, unsigned) { return all[c] ? soil_point(all[c], all[c]->at_rest()) : nullptr; };
+    SoilWork work;
+    work.followed = read;
+    const auto soil = yielding_soil(compiled.space, compiled.unknowns, system.readings, points, work);
+    const auto scheme = make_yielding_scheme(system, *soil);
+    const Response response = march(system, *scheme, make_time_grid(kinks(system), 0.3, 0.0075));
+    const auto last = [&](const std::string& what) {
+      return history(compiled, response, "probes/off/" + what).tail(1)[0];
+    };
+    const std::vector<BorneStress> borne = soil->borne()[read.front().cell->active_cell_index()];
+    std::vector<double> xx;
+    for (const BorneStress& point : borne) xx.push_back(point.change.xx);
+    const double told = last("effective_stress_xx"), scale = std::abs(told);
+    EXPECT_NEAR(told, through(points_of_cell, xx, read.front().unit), 1e-8 * scale) << strain;
+    if (strain < 1.) continue;
+    const HystereticLaw& law = *all[read.front().cell->active_cell_index()];  // straight at so small a strain
+    HystereticLaw::State state = law.at_rest();
+    const double elastic = law.update({last("strain_xx"), last("strain_yy"), last("strain_xy")}, state).stress.xx;
+    EXPECT_NEAR(told, elastic, 1e-6 * scale);
+    double near = infinity, other = 0.;
+    for (std::size_t q = 0; q < 9; ++q)
+      if (const double d = points_of_cell[q].distance(read.front().unit); d < near) {
+        near = d;
+        other = xx[q];
+      }
+    EXPECT_GT(std::abs(other - elastic), 1e-3 * scale) << "so that it makes a difference";
+  }
 }
 
 /// An independent computation of a column under pressure at its top: linear elements, lumped masses, explicit steps,

@@ -76,11 +76,11 @@ void try_history(std::string_view bytes) {
   if (table.names.size() > 1) check_gauges(table, path);
   Load load;
   RecordNotes notes;
-  if (read_or_refuse([&] { read_history(path, key, 1., load, notes); })) {
+  if (read_or_refuse([&] { read_history(path, key, 1., load, 0., notes); })) {
     check_function(load.history);
     require(load.duration.value_or(0.) >= 0., "a duration is a number, not below zero");
   }
-  read_or_refuse([&] { check_function(read_uplift(path, key, notes)); });
+  read_or_refuse([&] { check_function(read_uplift(path, key, 0., notes)); });
   read_or_refuse([&] { check_waves(read_wave_files({path}, {"impact", "slow"}).front()); });
   read_or_refuse([&] { check_waves(read_wave_files({path}, {"impact"}).front()); });
 }

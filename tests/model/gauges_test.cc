@@ -119,5 +119,23 @@ TEST(Gauges, TellExchangedHeightsByName) {
   EXPECT_NE(told.text.find("'wall.p2' and 'wall.p5'"), std::string::npos) << told.text;
 }
 
+TEST(Gauges, OfAStandingWaveOnABedHaveNoResultant) {
+  std::vector<double> many, few;
+  for (int i = 0; i <= 80; ++i) many.push_back(0.5 * i);
+  for (int i = 0; i <= 4; ++i) few.push_back(10. * i);
+  const auto wave = [](double length) { return [length](double x) { return 1e4 * std::cos(2. * pi * x / length); }; };
+  for (const double length : {80., 40., 20.}) {  // whole halves of a wave: they cancel to round-off
+    const Gauges gauges = row(many, wave(length));
+    EXPECT_FALSE(interpolation_error(gauges).has_resultant);
+    EXPECT_LT(interpolation_error(gauges).force, 0.05) << length;
+    EXPECT_EQ(warning(gauge_warnings("sea", gauges, {}), "gauges_too_sparse").name, "");
+  }
+  const NumberedWarning told = warning(gauge_warnings("sea", row(few, wave(13.)), {}), "gauges_too_sparse");
+  EXPECT_EQ(told.name, "gauges_too_sparse") << "three waves on five transducers";
+  EXPECT_EQ(told.text.find("e+"), std::string::npos) << told.text;
+  const Gauges wall = row(seven, [](double y) { return 10. + y; });
+  EXPECT_TRUE(interpolation_error(wall).has_resultant);
+}
+
 }  // namespace gauges_test
 }  // namespace upbead

@@ -140,5 +140,33 @@ TEST(Records, SwappedTransducersAreNamed) {
   EXPECT_LT(list[0].value, list[0].limit);
 }
 
+/// A pulse of shape f over a second, with `lead` and `trail` seconds of rest, of n samples a second.
+Record alone(const std::function<double(double)>& f, int n, double lead, double trail) {
+  return sampled([&](double t) { return t < lead || t > lead + 1. ? 0. : f(t - lead); }, lead + 1. + trail, 1. / n);
+}
+
+TEST(Records, APulseFromZeroToZeroNeitherDriftsNorIsCutNorSaturated) {
+  const std::vector<std::function<double(double)>> shapes{
+      [](double x) { return std::sin(M_PI * x); }, [](double x) { return x < 0.3 ? x / 0.3 : (1. - x) / 0.7; },
+      [](double x) { return std::sin(2. * M_PI * x); }, [](double x) { return -std::pow(std::sin(M_PI * x), 2); }};
+  for (const auto& shape : shapes)
+    for (const int n : {40, 98, 104, 242, 1000, 4650})
+      for (const double lead : {0., 0.01, 0.05, 0.2, 1.})
+        for (const double trail : {0., 0.01, 0.05, 0.2, 3.})
+          for (const NumberedWarning& told : record_warnings(alone(shape, n, lead, trail)))
+            EXPECT_EQ(told.name, "record_too_coarse") << n << " " << lead << " " << trail << ": " << told.text;
+}
+
+TEST(Records, ADriftOfSuchAPulseIsTold) {
+  for (const int n : {98, 1000, 4650}) {
+    Record record = alone([](double x) { return std::sin(M_PI * x); }, n, 0.2, 0.5);
+    for (std::size_t i = 0; i < record.value.size(); ++i) record.value[i] += record.time[i] > 1. ? 0.1 : 0.;
+    EXPECT_EQ(names(record_warnings(record)), Names{"record_drifting"}) << n;
+    for (double& value : record.value) value = std::min(value, 0.8);
+    const Names found = names(record_warnings(record));
+    EXPECT_NE(std::find(found.begin(), found.end(), "record_saturated"), found.end()) << n;
+  }
+}
+
 }  // namespace record_test
 }  // namespace upbead

@@ -34,7 +34,8 @@ class TimeFunction {
   std::vector<double> samples_;
 };
 
-/// Linear between (time[i], value[i]); zero before the first and after the last sample. `time` ascending, at least two.
+/// Linear between (time[i], value[i]); zero before the first and after the last sample. `time` ascending, at least two;
+/// two samples at one time make a jump, which is a kink.
 /// Kinks are the ends and those samples where the slope changes by more than a twentieth of the largest slope; thus a
 /// finely sampled smooth record stays smooth for the integrator. A record with more than 50 such corners is taken as
 /// measured: its ends are its only kinks, and the integrator sees a rough but continuous load. A step that ends at a

@@ -64,7 +64,8 @@ struct FlowCase {
 /// Where a load's history comes from: exactly one of the two.
 struct LoadSource {
   std::optional<Pulse> pulse;
-  std::string history;  ///< CSV file, relative to the case; "" where there is a pulse
+  std::string history;       ///< CSV file, relative to the case; "" where there is a pulse
+  double record_start = 0.;  ///< the history's time at t = 0 of the run (s)
 };
 
 struct Case {
@@ -83,6 +84,7 @@ struct Case {
   std::map<std::string, std::shared_ptr<const WaveLoad>> waves;  ///< loads by waves; their shapes follow with the mesh
   bool uplift_by_wave = false, sliding_by_wave = false;  ///< [sliding] uplift and wave are those of the load by a wave
   std::string uplift_history;              ///< CSV file of a prescribed uplift, relative to the case; "" without
+  double uplift_start = 0.;                ///< that file's time at t = 0 of the run (s)
   std::optional<GaugeLoad> uplift_gauges;  ///< of an uplift by transducers
   std::map<std::string, MeasuredSource> measured;  ///< records that the run is compared with
   ReportHead report;

@@ -46,10 +46,13 @@ Resultant resultant(const Gauges& gauges, double from, double to);
 
 /// Estimated errors of the force and of its arm, when the force is largest: the pressure is known at some places only.
 /// Each is a third of the change that leaving out every other transducer makes (Richardson's rule for the trapezoids
-/// between them). `force` is relative, `arm` is over the length of the row. 0 for fewer than three transducers.
+/// between them). `force` is relative, `arm` is over the length of the row. 0 for fewer than three transducers. Where
+/// the largest force is less than a tenth of the integral of |p|, pressures cancel: the error is over that tenth, when
+/// the integral is largest, and there is no arm.
 struct InterpolationError {
   double force = 0., arm = 0.;
   double time = 0.;  ///< of the largest force (s)
+  bool has_resultant = true;
 };
 InterpolationError interpolation_error(const Gauges& gauges);
 

@@ -84,13 +84,6 @@ NumberedWarnings flow_warnings(const Case& input) {
     append(list, flow.flow->warnings);
     if (!flow.flow->force || flow.load.factor == 0.) continue;
     append(list, record_warnings(record_of_flow("loads." + name, *flow.flow->force)));
-    const FlowHistory& history = *flow.flow->force;
-    const auto acts = std::find_if(history.landward.begin(), history.landward.end(), [](double f) { return f != 0.; });
-    const double end = input.scene.time.end;
-    if (acts == history.landward.end() ||
-        history.time[static_cast<std::size_t>(acts - history.landward.begin())] >= end)
-      list.push_back({"load_zero", end, end, "s",
-                      "'loads." + name + "' is zero until the end of the run: look at flow_start and still_time"});
   }
   return list;
 }

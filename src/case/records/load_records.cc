@@ -175,7 +175,8 @@ TableSchema<MeasuredSource> measured_schema() {
           "\"probes/A/pressure\"");
   table.key("column", &MeasuredSource::column).fallback("the one after the time").doc("name of its column");
   table.key("unit", &MeasuredSource::unit).fallback("that of the header, else SI").doc("unit of the values");
-  add_clock_keys(table, [](const auto& entry) { return entry; });
+  const auto everywhere = [](const auto& entry) { return entry; };
+  add_clock_keys(table, everywhere, everywhere);
   return table;
 }
 
@@ -187,12 +188,12 @@ struct Columns {
   std::vector<double> time, value;
 };
 
-void check_times(const CsvTable& table, const std::vector<double>& time, Diagnostics& mistakes) {
-  if (time.front() < 0.)
+void check_times(const CsvTable& table, const std::vector<double>& time, double start, Diagnostics& mistakes) {
+  if (time.front() < 0. && start == 0.)
     mistakes.add(table.place(0), "the history starts at t = " + number_text(time.front()) + " s, before the run",
-                 "let it start at 0 or later");
+                 "let it start at 0 or later, or give record_start");
   for (std::size_t row = 1; row < time.size(); ++row)
-    if (!(time[row] > time[row - 1])) {
+    if (!(time[row] > time[row - 1]) && !is_jump(time, row)) {
       mistakes.add(table.place(row),
                    "t = " + number_text(time[row]) + " s does not follow t = " + number_text(time[row - 1]) + " s",
                    "let the times ascend strictly");
@@ -214,8 +215,28 @@ std::size_t only_value(const CsvTable& table, const RecordLayout& layout, Record
   return value;
 }
 
-/// Reads and checks what all histories have in common; `si`: unit of the value.
-Columns read_columns(const std::string& path, const Place& place, const std::string& si, RecordNotes& notes) {
+/// Lets t = 0 of the run be `start` of the record: leaves out what comes before, up to a value there.
+void begin_at(double start, const Place& place, std::vector<double>& time, std::vector<double>& value) {
+  if (start == 0.) return;
+  for (double& t : time) t -= start;
+  const auto first = std::lower_bound(time.begin(), time.end(), 0.) - time.begin();
+  if (time.end() - time.begin() - first < 2)
+    throw InputError(place, "the record is over before the run begins", "give an earlier record_start");
+  if (first == 0) return;
+  const auto i = static_cast<std::size_t>(first);
+  const double share = time[i - 1] / (time[i - 1] - time[i]),
+               at_zero = value[i - 1] + share * (value[i] - value[i - 1]);
+  const bool has_zero = time[i] == 0.;
+  time.erase(time.begin(), time.begin() + first - (has_zero ? 0 : 1));
+  value.erase(value.begin(), value.begin() + first - (has_zero ? 0 : 1));
+  if (has_zero) return;
+  time.front() = 0.;
+  value.front() = at_zero;
+}
+
+/// Reads and checks what all histories have in common; `si`: unit of the value; `start`: its time at t = 0 (s).
+Columns read_columns(const std::string& path, const Place& place, const std::string& si, double start,
+                     RecordNotes& notes) {
   Columns columns{read_record_table(path, place), {}, {}};
   Diagnostics mistakes;
   if (columns.table.columns.size() < 2)
@@ -230,18 +251,38 @@ Columns read_columns(const std::string& path, const Place& place, const std::str
   note_layout(columns.table, layout, notes);
   const std::size_t value = only_value(columns.table, layout, notes);
   columns.value = in_si(columns.table, value, si);
-  notes.read.push_back(summary_of(columns.table, value, si, "", columns.time, columns.value));
-  check_times(columns.table, columns.time, mistakes);
+  check_times(columns.table, columns.time, start, mistakes);
   mistakes.throw_if_any();
+  begin_at(start, place, columns.time, columns.value);
+  notes.read.push_back(summary_of(columns.table, value, si, "", columns.time, columns.value));
   return columns;
 }
 
 }  // namespace
 
-void read_history(const std::string& path, const Place& place, double end, Load& load, RecordNotes& notes) {
-  const auto [table, time, value] = read_columns(path, place, unit_of(load.kind), notes);
+namespace {
+
+/// A displacement must not jump; a jump of an acceleration at its end moves nothing.
+void require_motion(LoadKind kind, const std::string& path, std::vector<double>& time, std::vector<double>& value) {
+  const auto jump = std::adjacent_find(time.begin(), time.end());
+  if (jump == time.end()) return;
+  if (kind == LoadKind::displacement)
+    throw InputError({path}, "the displacement jumps at t = " + number_text(*jump) + " s, at an infinite velocity",
+                     "let it pass from one value to the other within some time");
+  while (kind == LoadKind::acceleration && time.size() > 2 && time[time.size() - 2] == time.back()) {
+    time.pop_back();
+    value.pop_back();
+  }
+}
+
+}  // namespace
+
+void read_history(const std::string& path, const Place& place, double end, Load& load, double start,
+                  RecordNotes& notes) {
+  auto [table, time, value] = read_columns(path, place, unit_of(load.kind), start, notes);
   if (std::all_of(value.begin(), value.end(), [](double v) { return v == 0.; }))
     throw InputError({path}, "every value of the history is zero", "give a history with a load");
+  if (is_motion(load.kind)) require_motion(load.kind, path, time, value);
   if (load.kind == LoadKind::displacement) {
     constexpr std::size_t fewest = 4;  // of a cubic
     if (time.size() < fewest)
@@ -257,11 +298,18 @@ void read_history(const std::string& path, const Place& place, double end, Load&
   load.duration = sampled_duration(time, value, end);
 }
 
-TimeFunction read_uplift(const std::string& path, const Place& place, RecordNotes& notes) {
-  const auto [table, time, value] = read_columns(path, place, "N/m", notes);
+Record written_history(const std::string& name, const std::string& path, const Place& place, LoadKind kind,
+                       double start) {
+  RecordNotes told_elsewhere;
+  Columns columns = read_columns(path, place, unit_of(kind), start, told_elsewhere);
+  return {name, std::move(columns.time), std::move(columns.value)};
+}
+
+TimeFunction read_uplift(const std::string& path, const Place& place, double start, RecordNotes& notes) {
+  const auto [table, time, value] = read_columns(path, place, "N/m", start, notes);
   const auto negative = std::find_if(value.begin(), value.end(), [](double v) { return v < 0.; });
   if (negative != value.end())
-    throw InputError(table.place(static_cast<std::size_t>(negative - value.begin())),
+    throw InputError(start == 0. ? table.place(static_cast<std::size_t>(negative - value.begin())) : Place{path},
                      "the uplift is " + number_text(*negative) + " N/m, below zero",
                      "give U upward, what it takes off the weight");
   return piecewise_linear(time, value);

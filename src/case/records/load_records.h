@@ -9,20 +9,21 @@
 #include "case/case_schema.h"
 #include "case/records/record_layout.h"
 #include "input/schema.h"
+#include "model/record.h"
 #include "upbead/case/case.h"
 #include "upbead/input/document.h"
 #include "upbead/model/scene.h"
 
 namespace upbead {
 
-/// Declares the keys of the record's clock; `in` may say where each entry belongs.
-template <class T, class In>
-void add_clock_keys(TableSchema<T>& table, const In& in) {
+/// Declares the keys of the record's clock; `in` and `start_in` may say where each entry belongs.
+template <class T, class In, class StartIn>
+void add_clock_keys(TableSchema<T>& table, const In& in, const StartIn& start_in) {
   in(table.key("zero", &T::zero))
       .unit("s")
       .range(at_least(0.))
       .doc("how much of the record's beginning is at rest; its mean is taken off each column; 0: nothing is taken off");
-  in(table.key("record_start", &T::record_start)).unit("s").doc("time of the record that is t = 0 of the run");
+  start_in(table.key("record_start", &T::record_start)).unit("s").doc("time of the record that is t = 0 of the run");
   in(table.key("sampling_rate", &T::sampling_rate))
       .unit("Hz")
       .range(above(0.))
@@ -63,7 +64,9 @@ void add_gauge_keys(TableSchema<T>& table, const GaugeWords& words, const std::f
   in(table.key("gauge_unit", &T::gauge_unit))
       .fallback("that of the header, else Pa")
       .doc("unit of the pressures; such as \"kPa\"");
-  add_clock_keys(table, in);
+  const auto has_clock = [belongs](const T& source) { return belongs(source) || !source.history_file.empty(); };
+  add_clock_keys(table, in,
+                 [&](const Entry<T>& entry) { return entry.when("kind", has_clock, where + ", or of a history"); });
   in(table.key("load_cell", &T::load_cell))
       .fallback("none")
       .doc("name of the column with the force by a load cell (N/m); compared with the transducers, not applied");
@@ -93,11 +96,17 @@ TableSchema<MeasuredSource> measured_schema();
 
 /// Fills `load` from the file `path` (CSV or HDF5), in a run until `end` (s): the time is the column whose header
 /// says so, the value the first other column that is no counter. Throws InputError where the file cannot be read, has
-/// fewer than two columns or rows, has times that do not ascend from 0, or only zeros. `place`: the key that names
-/// the file.
-void read_history(const std::string& path, const Place& place, double end, Load& load, RecordNotes& notes);
+/// fewer than two columns or rows, has times that do not ascend from 0, or only zeros. Two samples at one time are a
+/// jump. `place`: the key that names the file; `start`: the record's time at t = 0 of the run (s); `notes` gets how it
+/// was read.
+void read_history(const std::string& path, const Place& place, double end, Load& load, double start,
+                  RecordNotes& notes);
+
+/// The samples of such a file, as written.
+Record written_history(const std::string& name, const std::string& path, const Place& place, LoadKind kind,
+                       double start);
 
 /// U(t) of a prescribed uplift from such a file; it may be zero, but not negative. Throws InputError as above.
-TimeFunction read_uplift(const std::string& path, const Place& place, RecordNotes& notes);
+TimeFunction read_uplift(const std::string& path, const Place& place, double start, RecordNotes& notes);
 
 }  // namespace upbead

@@ -194,6 +194,16 @@ std::vector<double> times_by_rate(const CsvTable& table, const RecordLayout& lay
 
 }  // namespace
 
+bool is_jump(const std::vector<double>& time, std::size_t row) {
+  if (time.front() == time.back() || time[row] != time[row - 1] || (row > 1 && time[row - 2] == time[row]) ||
+      (row + 1 < time.size() && time[row + 1] == time[row]))
+    return false;
+  std::size_t repeated = 0;
+  for (std::size_t i = 1; i < time.size(); ++i) repeated += time[i] == time[i - 1] ? 1 : 0;
+  constexpr std::size_t drawn = 4;  // jumps of a history that a person wrote
+  return repeated <= drawn || 10 * repeated < time.size();
+}
+
 RecordTimes record_times(const CsvTable& table, const RecordLayout& layout, const RecordClock& clock) {
   RecordTimes times;
   if (clock.sampling_rate) {
@@ -203,7 +213,7 @@ RecordTimes record_times(const CsvTable& table, const RecordLayout& layout, cons
   }
   std::vector<double>& time = times.time;
   for (std::size_t i = 1; i < time.size(); ++i)
-    if (!(time[i] > time[i - 1]))
+    if (!(time[i] > time[i - 1]) && !is_jump(time, i))
       throw InputError(table.place(i),
                        "t = " + number_text(time[i]) + " s does not follow t = " + number_text(time[i - 1]) + " s",
                        "let the times ascend strictly, or give sampling_rate where there is no column of times");

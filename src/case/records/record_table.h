@@ -33,6 +33,10 @@ CsvTable read_record_table(const std::string& path, const Place& place);
 /// Whether a file ends in .h5 or .hdf5, or begins as HDF5 does.
 bool is_hdf5(const std::string& path);
 
+/// Whether this row and the one before are both sides of a jump: two samples at one time. Not where there are three, or
+/// where a tenth of the rows repeat a time, as of times that were rounded.
+bool is_jump(const std::vector<double>& time, std::size_t row);
+
 /// The unit of a column, and how that is known.
 struct ColumnUnit {
   std::string text;    ///< "kPa"

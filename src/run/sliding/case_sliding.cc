@@ -88,11 +88,14 @@ void check_sliding(const Simulation& simulation) {
                  "weight = " + significant(*sliding.weight, 5) + " N/m is not mass x g of the caisson, " +
                      significant(by_mass, 5) + " N/m",
                  "remove weight, or mend density or mass in [regions.caisson]");
-  if (sliding.submerged_weight >= weight_of(scene, compiled))
-    mistakes.add(at_key("sliding.submerged_weight"),
-                 "submerged_weight = " + significant(sliding.submerged_weight, 5) +
-                     " N/m is not below the weight in air, " + significant(weight_of(scene, compiled), 5) + " N/m",
-                 "give W' in still water, W less the weight of the water that the caisson displaces");
+  constexpr double rounded = 1.001;  // of a dry block, whose W' is W
+  if (sliding.submerged_weight > rounded * weight_of(scene, compiled))
+    mistakes.add(
+        at_key("sliding.submerged_weight"),
+        "submerged_weight = " + significant(sliding.submerged_weight, 5) + " N/m is above the weight in air, " +
+            significant(weight_of(scene, compiled), 5) + " N/m",
+        "give W' in still water, W less the weight of the water that the caisson displaces; of a dry block both "
+        "are equal");
   if (sliding.uplift && sliding.uplift->kind == UpliftKind::computed && !has_pore_pressure(compiled))
     mistakes.add(at_key("sliding.uplift.kind"),
                  "the uplift cannot be computed: no pore pressure acts on the caisson's bottom",

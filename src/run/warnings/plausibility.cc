@@ -2,52 +2,183 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
+#include "base/numbers.h"
 #include "base/text.h"
 #include "fem/compile.h"
+#include "model/quantities.h"
 #include "run/sliding/effective_base.h"
 
 namespace upbead {
 
 namespace {
 
-/// A unit in which a number may have been given, and its value in SI.
-struct MeantUnit {
-  const char* name;
-  double factor;
-};
-
-/// Generous bounds of a quantity: outside them a unit was mistaken, or the scene is no breakwater. And narrower,
-/// common bounds, by which the unit is guessed.
-struct Usual {
-  const char* unit;
-  double low, high, common_low, common_high;
-  std::vector<MeantUnit> meant;
-};
-
-// Modulus: from mud to steel. Density: from light fills to steel. Conductivity or permeability: from clay to rock
-// armour. Water: fresh to heavy sea water. mu: of base plates.
-const Usual modulus{"Pa", 1e4, 1e12, 1e6, 3e11, {{"kPa", 1e3}, {"MPa", 1e6}, {"GPa", 1e9}}};
-const Usual density{"kg/m3", 500., 2e4, 1e3, 8e3, {{"t/m3", 1e3}, {"kN/m3", 1e3 / 9.81}}};
-const Usual water_density{"kg/m3", 900., 1300., 990., 1050., {{"t/m3", 1e3}, {"kN/m3", 1e3 / 9.81}}};
-const Usual seepage{"m/s", 1e-13, 10., 1e-12, 0.5, {{"cm/s", 1e-2}, {"m/day", 1. / 86400.}, {"mm/s", 1e-3}}};
-const Usual intrinsic{"m2", 1e-20, 1e-6, 1e-19, 5e-8, {{"darcy", 9.87e-13}, {"cm2", 1e-4}}};
-const Usual friction{"1", 0.1, 1.5, 0.2, 1., {{"percent", 1e-2}}};
-
-void judge(const std::string& key, const std::optional<double>& value, const Usual& usual, NumberedWarnings& list) {
-  if (!value || (*value >= usual.low && *value <= usual.high)) return;
-  std::string text =
-      key + " = " + significant(*value, 4) + (usual.unit == std::string("1") ? "" : " " + std::string(usual.unit));
-  text += *value < usual.low ? " is less than is ever found (" : " is more than is ever found (";
-  const double limit = *value < usual.low ? usual.low : usual.high;
-  text += significant(limit) + ")";
-  for (const MeantUnit& unit : usual.meant)
-    if (const double meant = *value * unit.factor; meant >= usual.common_low && meant <= usual.common_high) {
-      text += "; if it was meant in " + std::string(unit.name) + ", write " + significant(meant, 4);
-      break;
+/// The part of the mesh that some cells fill.
+struct Extent {
+  double left = infinity, right = -infinity, low = infinity, high = -infinity, area = 0.;
+  void add(const dealii::Triangulation<dim>::active_cell_iterator& cell) {
+    for (const unsigned v : cell->vertex_indices()) {
+      left = std::min(left, cell->vertex(v)[0]);
+      right = std::max(right, cell->vertex(v)[0]);
+      low = std::min(low, cell->vertex(v)[1]);
+      high = std::max(high, cell->vertex(v)[1]);
     }
-  list.push_back({"implausible", *value, limit, usual.unit, text});
+    area += cell->measure();
+  }
+  double width() const { return right - left; }
+  double height() const { return high - low; }
+};
+
+/// The quantity of which this one is a share.
+Quantity of(Quantity share, double whole, const char* unit, const char* usual, std::vector<MeantUnit> meant = {}) {
+  for (double* bound : {&share.low, &share.high, &share.common_low, &share.common_high}) *bound *= whole;
+  if (!meant.empty()) share.meant = std::move(meant);
+  share.unit = unit;
+  share.usual = usual;
+  return share;
 }
+
+/// Numbers of a scene that only its mesh can judge, as it may be a model of any scale, in a centrifuge or not.
+class OnItsMesh {
+ public:
+  OnItsMesh(const Simulation& simulation, NumberedWarnings& list)
+      : simulation_(simulation), scene_(simulation.given), list_(list) {
+    for (const auto& cell : simulation.mesh->triangulation.active_cell_iterators()) {
+      all_.add(cell);
+      regions_[simulation.mesh->surface_of(cell)].add(cell);
+    }
+  }
+
+  void run() {
+    judge_extent();
+    for (const auto& [name, region] : scene_.regions)
+      if (regions_.count(name) > 0) judge_region("regions." + name + ".", region, regions_.at(name));
+    judge_level();
+    judge_loads();
+  }
+
+ private:
+  static constexpr double tallest = 400., widest_caisson = 80.;  ///< m; the deepest breakwaters stand in 65 m of water
+
+  /// Lengths of a model in a centrifuge are those of its prototype over gravity / g.
+  void judge_extent() {
+    const double scale = scene_.gravity / 9.81, height = all_.height();
+    judge("gravity", scene_.gravity, quantities::gravity, list_);
+    const bool in_feet = scene_.gravity > 32. && scene_.gravity < 32.4;
+    if ((height <= tallest && scale * height > tallest && scene_.gravity <= quantities::gravity.high) || in_feet) {
+      Quantity q = quantities::gravity;
+      q.high = 9.81;
+      return judge("gravity", scene_.gravity, q, list_);
+    }
+    const std::vector<MeantUnit> lengths{{"cm", 1e-2}, {"mm", 1e-3}};
+    const Quantity tall{"m", 0., tallest / scale, 0.3, 150., lengths, "a mesh in metres"};
+    const auto& caisson = regions_.find(caisson_name);
+    const Quantity wide{"m", 0., widest_caisson / scale, 0.1, 60., lengths, "a mesh in metres"};
+    if (height > tall.high)
+      judge("mesh, its height", height, tall, list_);
+    else if (caisson != regions_.end())
+      judge("mesh, width of the caisson", caisson->second.width(), wide, list_);
+  }
+
+  void judge_region(const std::string& at, const Region& region, const Extent& extent) {
+    if (region.mass)
+      judge(
+          at + "mass", *region.mass,
+          of(quantities::density, extent.area, "kg/m", "over its area a density", {{"t/m", 1e3}, {"kN/m", 1e3 / 9.81}}),
+          list_);
+    if (region.mass && region.moment_of_inertia) judge_inertia(at, region, extent);
+    if (region.kind != RegionKind::porous || !region.porosity || !region.grain_density) return;
+    // Less than five times the weight that it bears, soil would be squeezed to nothing: quantities.cc
+    const double submerged = (1. - *region.porosity) * (*region.grain_density - scene_.fluid.density);
+    const double least = 5. * submerged * scene_.gravity * extent.height();
+    Quantity soil = quantities::soil_modulus;
+    if (!(least > soil.low)) return;
+    soil.low = least;
+    soil.common_low = std::max(soil.common_low, least);
+    soil.usual = "five times the soil's own weight over its height; sand has 1e7 to 3e8";
+    const bool told = (region.shear_modulus && *region.shear_modulus < quantities::modulus.low) ||
+                      (region.youngs_modulus && *region.youngs_modulus < quantities::modulus.low);
+    if (told) return;
+    if (region.shear_modulus && *region.shear_modulus < least)
+      judge(at + "shear_modulus", region.shear_modulus, soil, list_);
+    if (region.youngs_modulus && *region.youngs_modulus < 2. * least)
+      judge(at + "youngs_modulus", region.youngs_modulus, soil, list_);
+  }
+
+  /// Radii of gyration are 0.29 diagonals of an evenly filled rectangle.
+  void judge_inertia(const std::string& at, const Region& region, const Extent& extent) {
+    const double square = *region.mass * (std::pow(extent.width(), 2) + std::pow(extent.height(), 2));
+    judge(at + "moment_of_inertia", *region.moment_of_inertia,
+          {"kg m2/m", 0.01 * square, 0.5 * square, 0.03 * square, 0.25 * square, {{"t m2/m", 1e3}}, "by mass and size"},
+          list_);
+  }
+
+  void judge_level() {
+    if (!scene_.initial || !scene_.initial->water_level) return;
+    const double level = *scene_.initial->water_level, H = all_.height();
+    const auto fits = [&](double y) { return y >= all_.low - H && y <= all_.high + 2. * H; };
+    if (fits(level)) return;
+    std::string text = "initial.water_level = " + significant(level, 4) +
+                       " m is far from the mesh, from y = " + significant(all_.low, 4) + " to " +
+                       significant(all_.high, 4) + " m";
+    for (const MeantUnit& unit : {MeantUnit{"cm", 1e-2}, MeantUnit{"mm", 1e-3}})
+      if (const double meant = unit.in_si(level); fits(meant)) {
+        text += "; if it was meant in " + std::string(unit.name) + ", write " + significant(meant, 4);
+        break;
+      }
+    list_.push_back({"implausible", level, level < all_.low ? all_.low : all_.high, "m", text});
+  }
+
+  /// A power of ten is a load of unit size, whose response is a ratio.
+  static bool is_unit_load(double value) {
+    const double exponent = std::log10(value);
+    return std::abs(exponent - std::round(exponent)) < 1e-9;
+  }
+
+  /// Largest value of the history as written, without the factor.
+  static double peak_of(const Load& load, double end) {
+    if (load.factor == 0. || load.history.kinks().empty()) return 0.;
+    const double up = extremum(load.history, 0., end, 1).value, down = -extremum(load.history, 0., end, -1).value;
+    return std::max(up, down) / std::abs(load.factor);
+  }
+
+  void judge_loads() {
+    std::map<std::string, double> forces;  // of the transducers of a row together
+    const auto& caisson = simulation_.compiled->caisson;
+    for (const LoadOnCaisson& on : simulation_.compiled->loads_on_caisson) {
+      const auto found = scene_.loads.find(on.name);
+      if (found == scene_.loads.end()) continue;
+      const Load& load = found->second;
+      const double peak = peak_of(load, scene_.time.end), force = peak * std::hypot(on.force_x, on.force_y);
+      if (is_motion(load.kind))
+        judge("loads." + on.name + ", its largest velocity", peak, quantities::velocity, list_);
+      else if (caisson && force > 0. && !(load.transducer.empty() && is_unit_load(peak)))
+        forces[load.transducer.empty() ? on.name : on.name.substr(0, on.name.rfind('.'))] += force;
+      else if (!is_on_volume(load.kind) && load.kind != LoadKind::force && load.transducer.empty() &&
+               !is_unit_load(peak))
+        judge("loads." + on.name + ", its largest value", peak,
+              of(quantities::load_on_weight, scene_.fluid.density * scene_.gravity * all_.height(), "Pa",
+                 "beside the weight of water as high as the mesh", {{"kPa", 1e3}, {"MPa", 1e6}}),
+              list_);
+    }
+    for (const auto& [name, force] : forces)
+      judge("loads." + name + ", its largest force", force,
+            of(quantities::load_on_weight, caisson->body.mass * scene_.gravity, "N/m", "beside the caisson's weight"),
+            list_);
+    const auto& sliding = scene_.sliding;
+    if (caisson && sliding && sliding->uplift && sliding->uplift->peak && !is_unit_load(*sliding->uplift->peak))
+      judge("sliding.uplift.peak", sliding->uplift->peak,
+            of(quantities::load_on_weight, caisson->body.mass * scene_.gravity, "N/m", "beside the caisson's weight"),
+            list_);
+  }
+
+  const Simulation& simulation_;
+  const Scene& scene_;
+  NumberedWarnings& list_;
+  Extent all_;
+  std::map<std::string, Extent> regions_;
+};
 
 void judge_weight(const Simulation& simulation, NumberedWarnings& list) {
   const auto& sliding = simulation.scene.sliding;
@@ -67,10 +198,59 @@ void judge_weight(const Simulation& simulation, NumberedWarnings& list) {
   if (std::abs(given - *in_water) <= tolerable * std::abs(*in_water)) return;
   std::string text = "sliding.submerged_weight = " + significant(given, 4) + " N/m, but the caisson less the water " +
                      "that it displaces weighs " + significant(*in_water, 4) + " N/m";
-  for (const MeantUnit& unit : {MeantUnit{"kN/m", 1e3}, MeantUnit{"MN/m", 1e6}})
-    if (std::abs(given * unit.factor - *in_water) <= 0.3 * *in_water)
-      text += "; if it was meant in " + std::string(unit.name) + ", write " + significant(given * unit.factor, 4);
+  for (const MeantUnit& unit :
+       {MeantUnit{"kN/m", 1e3}, MeantUnit{"MN/m", 1e6}, MeantUnit{"t/m", 9.81e3}, MeantUnit{"kg/m", 9.81}})
+    if (std::abs(unit.in_si(given) - *in_water) <= 0.3 * *in_water)
+      text += "; if it was meant in " + std::string(unit.name) + ", write " + significant(unit.in_si(given), 4);
   list.push_back({"submerged_weight", given, *in_water, "N/m", text});
+}
+
+}  // namespace
+
+namespace {
+
+void judge_fluid(const Fluid& fluid, NumberedWarnings& list) {
+  judge("fluid.density", fluid.density, quantities::water_density, list);
+  judge("fluid.bulk_modulus", fluid.bulk_modulus, quantities::water_modulus, list);
+  judge("fluid.viscosity", fluid.viscosity, quantities::viscosity, list);
+  judge("fluid.atmospheric_pressure", fluid.atmospheric_pressure, quantities::atmosphere, list);
+}
+
+void judge_soil(const std::string& at, const Region& region, NumberedWarnings& list) {
+  if (region.damping) judge(at + "damping.ratio", region.damping->ratio, quantities::damping, list);
+  if (const auto& law = region.stress_law) {
+    judge(at + "shear_modulus.reference", law->reference, quantities::modulus, list);
+    judge(at + "shear_modulus.pressure", law->pressure, quantities::stress_scale, list);
+  }
+  if (const auto& law = region.strain_law) {
+    judge(at + "strain.reference_strain", law->reference_strain, quantities::reference_strain, list);
+    judge(at + "strain.smallest_damping", law->smallest_damping, quantities::smallest_damping, list);
+    judge(at + "strain.largest_damping", law->largest_damping, quantities::largest_damping, list);
+  }
+  if (!region.strength) return;
+  constexpr double none = 0.15;  // degrees: a small angle in place of zero
+  if (region.strength->friction_angle > none)
+    judge(at + "strength.friction_angle", region.strength->friction_angle, quantities::friction_angle, list);
+  judge(at + "strength.cohesion", region.strength->cohesion, quantities::cohesion, list);
+}
+
+void judge_pores(const std::string& at, const Region& region, NumberedWarnings& list) {
+  constexpr double rock = 1e9, coarse = 1e-5;  // Pa, m/s
+  if (region.kind != RegionKind::porous) return;
+  const auto k = region.hydraulic_conductivity;
+  const double G = region.shear_modulus.value_or(region.youngs_modulus.value_or(0.));
+  judge(at + "porosity", region.porosity,
+        G >= rock           ? quantities::porosity
+        : k && *k >= coarse ? quantities::porosity_of_coarse
+                            : quantities::porosity_of_soil,
+        list);
+  judge(at + "grain_density", region.grain_density, quantities::grain_density, list);
+  judge(at + "grain_bulk_modulus", region.grain_bulk_modulus, quantities::grain_modulus, list);
+  // Darcy's law ends where water is no longer slow
+  judge(at + "hydraulic_conductivity", k,
+        region.flow == Flow::inertial ? quantities::conductivity : quantities::darcy_conductivity, list);
+  judge(at + "permeability", region.permeability, quantities::permeability, list);
+  judge(at + "tortuosity", region.tortuosity, quantities::tortuosity, list);
 }
 
 }  // namespace
@@ -78,22 +258,22 @@ void judge_weight(const Simulation& simulation, NumberedWarnings& list) {
 NumberedWarnings plausibility_warnings(const Simulation& simulation) {
   NumberedWarnings list;
   const Scene& scene = simulation.given;
-  judge("fluid.density", scene.fluid.density, water_density, list);
+  judge_fluid(scene.fluid, list);
   for (const auto& [name, region] : scene.regions) {
     const std::string at = "regions." + name + ".";
-    judge(at + "shear_modulus", region.shear_modulus, modulus, list);
-    judge(at + "youngs_modulus", region.youngs_modulus, modulus, list);
-    judge(at + "density", region.density, density, list);
-    judge(at + "grain_density", region.grain_density, density, list);
-    judge(at + "hydraulic_conductivity", region.hydraulic_conductivity, seepage, list);
-    judge(at + "permeability", region.permeability, intrinsic, list);
+    judge(at + "shear_modulus", region.shear_modulus, quantities::modulus, list);
+    judge(at + "youngs_modulus", region.youngs_modulus, quantities::modulus, list);
+    judge(at + "density", region.density, quantities::density, list);
+    judge_soil(at, region, list);
+    judge_pores(at, region, list);
     if (region.porosity && region.biot < *region.porosity)
       list.push_back({"biot_below_porosity", region.biot, *region.porosity, "1",
                       at + "biot = " + significant(region.biot) + " is less than the porosity, " +
                           significant(*region.porosity) +
                           ", which no grains that fill the skeleton alone can have: the pore pressure counts for less "
                           "than it is"});
-    if (region.interface) judge(at + "interface.coefficient", region.interface->coefficient, friction, list);
+    if (region.interface)
+      judge(at + "interface.coefficient", region.interface->coefficient, quantities::friction, list);
   }
   if (const int n = simulation.mesh->n_divided_triangles; n > 0)
     list.push_back({"triangles_divided", static_cast<double>(n), 0., "1",
@@ -109,8 +289,12 @@ NumberedWarnings plausibility_warnings(const Simulation& simulation) {
                     "cells of second order have curved sides, up to " + percent(bent) +
                         " of a side's length from its chord; they are read by their corners, with straight sides: use "
                         "more cells along curved boundaries"});
-  if (scene.sliding) judge("sliding.friction", scene.sliding->friction, friction, list);
+  if (scene.sliding) judge("sliding.friction", scene.sliding->friction, quantities::friction, list);
+  if (scene.initial)
+    for (const auto& [name, surcharge] : scene.initial->surcharge)
+      judge("initial.surcharge." + name + ".weight", surcharge.weight, quantities::surcharge, list);
   judge_weight(simulation, list);
+  OnItsMesh(simulation, list).run();
   return list;
 }
 

@@ -112,7 +112,10 @@ NumberedWarnings motion_warnings(const Simulation& simulation) {
                         significant(100. * std::abs(left) / largest, 2) +
                         " % of its largest, and keeps it: the ground goes on moving, by " +
                         significant(left * (end - last), 2) +
-                        " m until the end; subtract the record's mean, or give its velocity or displacement"});
+                        " m until the end; where it should come to rest, the record lacks its end, or has an offset: "
+                        "give the whole "
+                        "record, or its velocity or displacement; where it is meant, as of a base that is set in "
+                        "motion, nothing is wrong"});
   }
   return list;
 }

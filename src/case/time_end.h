@@ -1,0 +1,35 @@
+// What acts in a case until when: where its loads go on after the end, and the end of a case that gives none.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "upbead/base/numbered_warning.h"
+#include "upbead/case/case.h"
+
+namespace upbead {
+
+/// A load, or an uplift, as corners over time: linear enough between them, constant after the last. A jump has two
+/// values at one time.
+struct Action {
+  std::string name;            ///< "loads.wave", "sliding.uplift"
+  std::string cut = {};        ///< the warning where the run ends before it
+  std::string begins_by = {};  ///< the key that says when it begins
+  std::vector<double> time = {}, value = {};
+  bool swings = false;  ///< goes on for ever after the last corner, as a harmonic does
+};
+
+/// All that acts in a case, but for what is switched off. Transducers and points of CFD act by the sum of their |p|.
+std::vector<Action> actions_of(const Case& input);
+
+/// When all of it is over, or has come to stay (s). What swings for ever counts for ten periods.
+double end_of_actions(const Case& input);
+
+/// Warnings load_zero, where nothing of a load is felt until `end`, and load_cut (wave_cut for a load by a wave), where
+/// it changes after `end` by more than a twentieth of its largest value: docs/warnings.md.
+NumberedWarnings end_warnings(const Case& input, double end);
+
+/// Whether the case leaves its end to the loads.
+bool end_is_open(const Case& input);
+
+}  // namespace upbead
