@@ -5,7 +5,9 @@
 #include <cerrno>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <tuple>
 
 #include "case/input_files.h"
@@ -83,18 +85,21 @@ Json to_object(int run, const RunResult& result) {
   return json;
 }
 
-/// Whether the line begins the journal of some study, whole; of an older program, too, whose lines have no check.
-bool begins_another(Json json, std::uint64_t study) {
+/// Whether the line begins the journal of another study, whole; `is_old`: of a program whose lines had no check.
+bool begins_another(Json json, std::uint64_t study, bool is_old) {
   if (!json.is_object() || !json.contains("study") || !json["study"].is_number_unsigned()) return false;
   const auto other = json["study"].get<std::uint64_t>();
-  return other != study && (!json.contains("check") || is_whole(json, other));
+  return other != study && (is_old || is_whole(json, other));
 }
 
 void read_journal(const fs::path& path, std::uint64_t fingerprint, JournalsRead& read) {
-  std::ifstream stream(path);
+  std::ifstream file(path);
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  const bool is_old = text.find("\"check\"") == std::string::npos;
+  std::istringstream stream(text);
   for (std::string line; std::getline(stream, line);) {
     Json json = Json::parse(line, nullptr, false);
-    if (begins_another(json, fingerprint))
+    if (begins_another(json, fingerprint, is_old))
       throw InputError({path.parent_path().parent_path().string()},
                        "the results there are of another study, or of this one before it, its cases or the program "
                        "changed",
