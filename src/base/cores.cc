@@ -20,7 +20,7 @@ int available_cores() {
 }
 
 bool has_spare_core() {
-  return available_cores() > 1 && !is_launched();
+  return available_cores() > 1 && !is_launched() && std::getenv(study_worker) == nullptr;
 }
 
 }  // namespace upbead

@@ -9,7 +9,11 @@ bool is_launched();
 /// Cores that this process may use.
 int available_cores();
 
-/// Whether a second thread has a core of its own: not where mpirun or a launcher has started other processes too.
+/// Variable of the environment in processes that share the runs of a study.
+constexpr const char* study_worker = "UPBEAD_STUDY_WORKER";
+
+/// Whether a second thread has a core of its own: not where mpirun, a launcher or a study has started other processes
+/// too.
 bool has_spare_core();
 
 }  // namespace upbead

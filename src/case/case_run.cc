@@ -155,6 +155,14 @@ std::vector<Skipped> left_out_of(const RecordNotes& notes) {
   return list;
 }
 
+/// The case's scene with what follows with the mesh: profiles, an end that is left to be chosen, pieces of its loads.
+Scene scene_on(const Case& input, const Mesh& mesh) {
+  Scene scene = with_profiles(input, mesh);
+  if (end_is_open(input)) scene.time.end = settled_end(input, mesh).seconds;
+  place_flows(input, mesh, scene);
+  return scene;
+}
+
 }  // namespace
 
 Simulation simulation_of(const Case& input, std::shared_ptr<const Mesh> mesh,
@@ -164,10 +172,8 @@ Simulation simulation_of(const Case& input, std::shared_ptr<const Mesh> mesh,
     const Stopwatch watch;
     if (!mesh) mesh = read_mesh(mesh_request(input));
     const double seconds = watch.seconds();
-    Scene scene = with_profiles(input, *mesh);
-    if (end_is_open(input)) scene.time.end = settled_end(input, *mesh).seconds;
-    place_flows(input, *mesh, scene);
-    Simulation simulation(scene, std::move(mesh), std::move(processes));
+    Scene scene = scene_on(input, *mesh);
+    Simulation simulation(std::move(scene), std::move(mesh), std::move(processes));
     check_waves(input, simulation);
     simulation.timing.mesh += seconds;
     return simulation;
@@ -178,9 +184,10 @@ std::vector<MeasuredRecord> read_records(const Case& input, const Simulation& si
   return input.measured.empty() ? std::vector<MeasuredRecord>() : read_measured(input, names_of_histories(simulation));
 }
 
-Run solve(const Case& input, const Simulation& simulation, const std::vector<MeasuredRecord>& records,
-          const RunOptions& options) {
-  Run run = in_places_of(input, [&] { return simulation.run(options); });
+namespace {
+
+/// Adds what is said of the case's files.
+Run with_files(const Case& input, const std::vector<MeasuredRecord>& records, Run run) {
   Summary& summary = run.summary;
   const RecordNotes notes = record_notes(input);
   summary.gauges = gauge_summaries(input, *run.simulation);
@@ -195,6 +202,19 @@ Run solve(const Case& input, const Simulation& simulation, const std::vector<Mea
     append(summary.warnings, record.notes.warnings);
   }
   return run;
+}
+
+}  // namespace
+
+Run solve(const Case& input, const Simulation& simulation, const std::vector<MeasuredRecord>& records,
+          const RunOptions& options) {
+  return with_files(input, records, in_places_of(input, [&] { return simulation.run(options); }));
+}
+
+Run answer(const Case& input, const SolvedScene& solved, const std::function<void(double)>& progress) {
+  Run run = in_places_of(input, [&] { return solved.run(scene_on(input, solved.given_mesh()), progress); });
+  const std::vector<MeasuredRecord> records = read_records(input, *run.simulation);
+  return with_files(input, records, std::move(run));
 }
 
 NumberedWarnings warnings(const Case& input, const Simulation& simulation) {

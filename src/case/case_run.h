@@ -2,6 +2,7 @@
 #pragma once
 
 #include "records/measured.h"
+#include "run/solved_scene.h"
 #include "upbead/case/case.h"
 #include "upbead/run/simulation.h"
 
@@ -39,6 +40,10 @@ std::vector<MeasuredRecord> read_records(const Case& input, const Simulation& si
 /// of the files was left out or may be wrong. Throws as Simulation::run, at places of the case.
 Run solve(const Case& input, const Simulation& simulation, const std::vector<MeasuredRecord>& records,
           const RunOptions& options = {});
+
+/// The same of a case whose scene was solved before, or of one that differs from it in [sliding] alone and is solved
+/// alike (needs_sliding()).
+Run answer(const Case& input, const SolvedScene& solved, const std::function<void(double)>& progress);
 
 /// Warnings of the scene and of the case's files.
 NumberedWarnings warnings(const Case& input, const Simulation& simulation);

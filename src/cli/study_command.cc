@@ -9,8 +9,10 @@
 #include "base/interrupt.h"
 #include "case/script_trust.h"
 #include "cli/command.h"
+#include "study/local_pool.h"
 #include "study/results.h"
 #include "study/runner.h"
+#include "study/study_lock.h"
 #include "study/workers.h"
 
 namespace upbead {
@@ -19,7 +21,7 @@ namespace {
 
 constexpr int exit_input = 1, exit_failed_runs = 2, exit_signal = 128;
 
-const std::vector<std::string> study_files{"study.csv", "study.h5", "summary.json", "journal/*.jsonl"};
+const std::vector<std::string> study_files{"study.csv", "study.h5", "summary.json", "journal/*.jsonl", "runs/*.json"};
 
 struct StudyOptions : CommonOptions {
   int jobs = 0;  ///< 0: one per core
@@ -32,16 +34,21 @@ int number_of_results(const Results& results) {
   return static_cast<int>(std::count_if(results.begin(), results.end(), [](const auto& r) { return r.has_value(); }));
 }
 
-/// Takes pieces of work until none is left, and writes every result to the journal at once.
-void work(const Study& study, const std::vector<std::vector<int>>& pieces, const StudyOptions& options, Pool& pool) {
+int number_of_runs(const std::vector<std::vector<int>>& pieces) {
   int n = 0;
   for (const std::vector<int>& piece : pieces) n += static_cast<int>(piece.size());
+  return n;
+}
+
+/// Takes pieces of work until none is left, and writes every result to the journal at once.
+void work(const Study& study, const std::vector<std::vector<int>>& pieces, const StudyOptions& options, Pool& pool) {
+  const int n = number_of_runs(pieces);
   StudyProgress progress(n);
   const auto meanwhile = [&] {
     check_interrupt();
     if (pool.rank() == 0 && progress.due()) progress.draw(pool.done(), pool.failed());
   };
-  Journal journal(options.out, study.fingerprint, pool.rank());
+  Journal journal(options.out, study, pool.rank());
   Runner runner(study, !options.no_sharing, options.trusts_scripts);
   for (std::size_t i = static_cast<std::size_t>(pool.take()); i < pieces.size();
        i = static_cast<std::size_t>(pool.take()))
@@ -58,9 +65,51 @@ void work(const Study& study, const std::vector<std::vector<int>>& pieces, const
   pool.meet();
 }
 
+/// The same by processes that this one starts. Returns 0, or the exit code of one that could not go on.
+int work_in_processes(const Study& study, const std::vector<std::vector<int>>& pieces, const StudyOptions& options,
+                      StudyAccount& account) {
+  StudyProgress progress(number_of_runs(pieces));
+  LocalPool pool(pieces, account.processes);
+  const auto meanwhile = [&] {
+    check_interrupt();
+    if (progress.due()) progress.draw(pool.done(), pool.failed());
+  };
+  const auto give_up = [&](int run, const std::string& why) {
+    RunResult failed;
+    failed.message = why;
+    Journal(options.out, study, pool.next_rank()).add(run, failed);
+  };
+  const int code = pool.work(meanwhile, give_up);
+  account.lost = pool.lost();
+  return code;
+}
+
+/// What one of these processes does.
+int serve(const StudyWorker& worker, const StudyOptions& options) {
+  const Study study = read_study(options.file, options.overrides);
+  Journal journal(options.out, study, worker.rank);
+  Runner runner(study, !options.no_sharing, options.trusts_scripts);
+  worker.serve([&](int run) {
+    const RunResult result = runner.run(study.runs[static_cast<std::size_t>(run)], [] {});
+    journal.add(run, result);
+    return result.done;
+  });
+  return 0;
+}
+
+/// A run without a result was computed, but its line did not come through: a disk that lies.
+void fail_lost(Results& results) {
+  for (std::optional<RunResult>& result : results)
+    if (!result) {
+      result.emplace();
+      result->message = "it was computed, but its line in the journal is not whole: the same command does it again";
+    }
+}
+
 /// Writes the tables from the journals, and prints a summary; returns the exit code.
 int finish(const Study& study, const StudyOptions& options, const StudyAccount& account) {
-  const Results results = read_journals(options.out, study.fingerprint, study.runs.size());
+  Results results = read_journals(options.out, study).results;
+  fail_lost(results);
   OutputFolder folder(options.out);
   folder.write("study.csv", study_csv(study, results));
   folder.write("study.h5", study_h5(study, results));
@@ -80,15 +129,49 @@ int finish(const Study& study, const StudyOptions& options, const StudyAccount& 
   std::_Exit(code);
 }
 
-[[noreturn]] void end_interrupted(const Interrupted& interrupted, const Study& study, const StudyOptions& options,
-                                  const Pool& pool) {
-  // the launcher ends all processes once one ends, so the first process gets time to print its message
-  if (pool.rank() > 0) std::this_thread::sleep_for(std::chrono::seconds(2));
-  const int n = number_of_results(read_journals(options.out, study.fingerprint, study.runs.size()));
-  if (pool.rank() == 0)
-    std::cerr << "upbead: interrupted; " << n << " of " << study.runs.size()
-              << " runs are done, the same command goes on with the rest\n";
-  leave(exit_signal + interrupted.signal());
+int tell_interrupted(const Interrupted& interrupted, const Study& study, const StudyOptions& options) {
+  std::cerr << "upbead: interrupted; " << number_of_results(read_journals(options.out, study).results) << " of "
+            << study.runs.size() << " runs are done, the same command goes on with the rest\n";
+  return exit_signal + interrupted.signal();
+}
+
+/// The runs that have a result already. Tells of lines that are torn where their runs are now done again.
+Results done_before(const Study& study, const StudyOptions& options, StudyAccount& account, bool is_first) {
+  JournalsRead read = read_journals(options.out, study);
+  account.resumed = number_of_results(read.results);
+  if (account.resumed == static_cast<int>(read.results.size()) || read.torn == 0) return read.results;
+  account.torn = read.torn;
+  if (is_first)
+    std::cerr << "upbead: lines of the journal that are not whole: " << read.torn << "; their runs are done again\n";
+  return read.results;
+}
+
+/// Runs the study in this process, or in processes of this machine.
+int run_alone(const StudyOptions& options, const Stopwatch& since_start) {
+  const Study study = read_study(options.file, options.overrides);
+  require_inputs_kept(options.out, study_files, study.inputs);
+  {
+    const OutputFolder free_to_write(options.out);  // throws where it is not free; released before the runs take it
+  }
+  const StudyLock lock(options.out);
+  if (options.restart) remove_journals(options.out);
+  StudyAccount account;
+  const std::vector<std::vector<int>> pieces = schedule(study, done_before(study, options, account, true));
+  const int jobs = options.jobs > 0 ? options.jobs : available_cores();
+  account.processes = std::max(1, std::min(jobs, static_cast<int>(pieces.size())));
+  note_interrupts();
+  try {
+    if (account.processes > 1) {
+      if (const int code = work_in_processes(study, pieces, options, account); code != 0) return code;
+    } else if (!pieces.empty()) {
+      Pool alone;
+      work(study, pieces, options, alone);
+    }
+  } catch (const Interrupted& interrupted) {
+    return tell_interrupted(interrupted, study, options);
+  }
+  account.seconds = since_start.seconds();
+  return finish(study, options, account);
 }
 
 /// Reads the study. Only the first process reports mistakes; the other processes return none.
@@ -101,45 +184,42 @@ std::optional<Study> read_study_in(const Pool& pool, const StudyOptions& options
   }
 }
 
-int run_study(const StudyOptions& options, const Stopwatch& since_start) {
+/// What the first process does before the others read the journals.
+std::unique_ptr<StudyLock> begin(const Study& study, const StudyOptions& options, const Pool& pool) {
+  if (pool.rank() > 0) return nullptr;
+  require_inputs_kept(options.out, study_files, study.inputs);
+  auto lock = std::make_unique<StudyLock>(options.out);
+  if (options.restart) remove_journals(options.out);
+  return lock;
+}
+
+/// Runs the study in the processes that a launcher has started.
+int run_among(const StudyOptions& options, const Stopwatch& since_start) {
   Pool pool;
   const std::optional<Study> read = read_study_in(pool, options);
   if (!read) return exit_input;
   const Study& study = *read;
-  require_inputs_kept(options.out, study_files, study.inputs);
-  if (pool.rank() == 0 && options.restart) remove_journals(options.out);
-  pool.meet();
-  const Results before = read_journals(options.out, study.fingerprint, study.runs.size());
-  const std::vector<std::vector<int>> pieces = schedule(study, before);
-  pool.meet();  // all processes read before any writes
-  note_interrupts();
   try {
+    const std::unique_ptr<StudyLock> lock = begin(study, options, pool);
+    pool.meet();
+    StudyAccount account;
+    const std::vector<std::vector<int>> pieces =
+        schedule(study, done_before(study, options, account, pool.rank() == 0));
+    pool.meet();  // all processes read before any writes
+    note_interrupts();
     if (!pieces.empty()) work(study, pieces, options, pool);
+    account.processes = pool.size();
+    account.seconds = since_start.seconds();
+    return pool.rank() > 0 ? 0 : finish(study, options, account);
   } catch (const Interrupted& interrupted) {
-    end_interrupted(interrupted, study, options, pool);
+    // the launcher ends all processes once one ends, so the first process gets time to print its message
+    if (pool.rank() > 0) std::this_thread::sleep_for(std::chrono::seconds(2));
+    leave(pool.rank() == 0 ? tell_interrupted(interrupted, study, options) : exit_signal + interrupted.signal());
   } catch (const std::exception& error) {
     if (pool.size() == 1) throw;
     std::cerr << error.what() << "\n";
     leave(exit_input);
   }
-  if (pool.rank() > 0) return 0;
-  return finish(study, options, {pool.size(), number_of_results(before), since_start.seconds()});
-}
-
-/// Checks everything first, so that mistakes are reported once, then starts as many processes as there is work for.
-void start(const StudyOptions& options) {
-  const Study study = read_study(options.file, options.overrides);
-  require_inputs_kept(options.out, study_files, study.inputs);
-  const Results before =
-      options.restart ? Results(study.runs.size()) : read_journals(options.out, study.fingerprint, study.runs.size());
-  {
-    const OutputFolder free_to_write(options.out);  // throws where it is not free; released before the runs take it
-  }
-  const int jobs = options.jobs > 0 ? options.jobs : available_cores();
-  const int processes = std::min(jobs, static_cast<int>(schedule(study, before).size()));
-  if (processes < 2) return;
-  launch(processes);
-  std::cerr << "there is no mpirun: the runs go one after the other\n";
 }
 
 const char* const study_footer =
@@ -150,6 +230,7 @@ Writes into results/NAME (or --out DIR):
   study.h5       the same
   summary.json   runs that failed with the command to repeat them, what was skipped, times
   journal/       what is known while it runs; the same command goes on where it stopped
+  runs/          the whole summary of each run, where the study has summaries = true
 
 A failed run is a row that says why; the exit code then is 2. On a cluster: mpirun -n 64 upbead study STUDY
 
@@ -176,8 +257,8 @@ Command study_command() {
   command.footer = study_footer;
   command.work = [options, since_start = Stopwatch()] {
     if (options->out.empty()) options->out = "results/" + std::filesystem::path(options->file).stem().string();
-    if (!is_launched()) start(*options);
-    return run_study(*options, since_start);
+    if (const auto worker = StudyWorker::of_environment()) return serve(*worker, *options);
+    return is_launched() ? run_among(*options, since_start) : run_alone(*options, since_start);
   };
   return command;
 }

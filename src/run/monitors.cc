@@ -147,7 +147,15 @@ std::vector<MarchObserver*> Monitors::observers() {
   return list;
 }
 
-void Monitors::report(Run& run) {
+void Monitors::look(const Run& run) {
+  const Simulation& simulation = *run.simulation;
+  const auto loads = [&] { return sampled_loads(simulation.scene, simulation.compiled->system); };
+  const auto duration = [&] { return step_of_loads(simulation.scene, 4).duration; };
+  if (run.pressures && pressure_) pressure_->see(*run.pressures, loads(), duration());
+  if (run.states && strength_) strength_->see(*run.states, loads(), duration());
+}
+
+void Monitors::report(Run& run) const {
   const Simulation& simulation = *run.simulation;
   Summary& summary = run.summary;
   summary.title = simulation.given.title;
@@ -158,7 +166,7 @@ void Monitors::report(Run& run) {
   if (summary.response) peak_time = summary.response->peak_shear_time;
   summary.warnings = warnings(simulation, peak_time);
   report_pressure(simulation, run);
-  report_strength(simulation, run);
+  report_strength(run);
   const std::optional<EffectiveBase> base = effective_base(simulation, run.response.ends);
   if (base) summary.base = base_summary(simulation, *base, run.response.ends, run.contact);
   if (summary.base) summary.base->limit = simulation.given.limits.base_pressure;
@@ -176,10 +184,7 @@ void Monitors::report(Run& run) {
   summary.checks = checks_of(simulation.given, summary);
 }
 
-void Monitors::report_pressure(const Simulation& simulation, Run& run) {
-  if (run.pressures && pressure_)
-    pressure_->see(*run.pressures, sampled_loads(simulation.scene, simulation.compiled->system),
-                   step_of_loads(simulation.scene, 4).duration);
+void Monitors::report_pressure(const Simulation& simulation, Run& run) const {
   if (pressure_ && !pressure_->watches()) return;
   if (!pressure_ || !pressure_->has_seen()) {
     if (simulation.compiled->caisson)
@@ -196,10 +201,7 @@ void Monitors::report_pressure(const Simulation& simulation, Run& run) {
            "after is not to be trusted, compare with fluid.bulk_modulus = 1e7 (air in the water)"});
 }
 
-void Monitors::report_strength(const Simulation& simulation, Run& run) {
-  if (run.states && strength_)
-    strength_->see(*run.states, sampled_loads(simulation.scene, simulation.compiled->system),
-                   step_of_loads(simulation.scene, 4).duration);
+void Monitors::report_strength(Run& run) const {
   if (strength_ && strength_->has_seen())
     run.summary.strength = strength_->found();
   else if (!why_no_strength_.empty() || strength_)

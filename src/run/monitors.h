@@ -18,12 +18,14 @@ class Monitors {
   /// The observers of a march; this object must outlive the march.
   std::vector<MarchObserver*> observers();
 
+  /// Looks at what a reduced model answers, where the run was not marched; once, before report().
+  void look(const Run& run);
   /// Fills in title, loads, soil, strength, warnings and what was skipped.
-  void report(Run& run);
+  void report(Run& run) const;
 
  private:
-  void report_pressure(const Simulation& simulation, Run& run);
-  void report_strength(const Simulation& simulation, Run& run);
+  void report_pressure(const Simulation& simulation, Run& run) const;
+  void report_strength(Run& run) const;
 
   std::optional<LeastPressure> pressure_;
   std::optional<Mobilisation> strength_;

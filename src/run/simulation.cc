@@ -1,18 +1,13 @@
 #include "upbead/run/simulation.h"
 
-#include "base/progress.h"
 #include "base/stopwatch.h"
 #include "fem/compile.h"
 #include "fem/scene_check.h"
 #include "run/accuracy/accuracy.h"
-#include "run/chosen_times.h"
 #include "run/contact/contact_run.h"
 #include "run/derived.h"
-#include "run/monitors.h"
-#include "run/safety.h"
 #include "run/sliding/case_sliding.h"
-#include "run/solve.h"
-#include "run/yielding_run.h"
+#include "run/solved_scene.h"
 #include "system/interface.h"
 #include "system/part.h"
 #include "upbead/base/error.h"
@@ -114,28 +109,7 @@ Simulation::Simulation(Scene asked, std::shared_ptr<const Mesh> on, std::shared_
 }
 
 Run Simulation::run(const RunOptions& options) const {
-  // about ten marches of the soil come before the run that counts, and before contact a bonded run a tenth as long
-  const double soil_ends = follows_strain(given) && !soil ? 0.8 : 0.;
-  const Simulation solved = with_converged_soil(*this, part_of(options.progress, 0., soil_ends));
-  const double bonded_ends = solved.compiled->system.interface ? soil_ends + 0.1 * (1. - soil_ends) : soil_ends;
-  Monitors monitors(solved);
-  ObserverFunction progress = progress_observer(part_of(options.progress, bonded_ends, 1.));
-  MarchOptions marching;
-  marching.observers = monitors.observers();
-  marching.observers.push_back(&progress);
-  if (MarchObserver* other = options.observer ? options.observer(solved) : nullptr) marching.observers.push_back(other);
-  marching.stop_at_energy = given.time.stop_at_energy.value_or(0.);
-  marching.checkpoints = options.checkpoints;
-  const auto solving = part_of(options.progress, soil_ends, solved.compiled->system.interface ? bonded_ends : 1.);
-  Run run = solved.compiled->system.interface ? run_contact(solved, marching, solving, options.soil)
-            : yields(solved.scene)            ? run_yielding(solved, marching, {}, {true, {{}, {}, options.soil}})
-                                              : run_tied(solved, marching, solving);
-  if (!run.simulation) run.simulation = std::make_shared<const Simulation>(solved);
-  read_at_chosen_times(run);
-  run.summary.safety = find_safety(solved);
-  estimate_errors(run);
-  monitors.report(run);
-  return run;
+  return SolvedScene(*this, options).run(given, options.progress);
 }
 
 }  // namespace upbead

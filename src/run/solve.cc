@@ -17,7 +17,6 @@
 #include "run/chosen_times.h"
 #include "run/derived.h"
 #include "run/sliding/coupled_sliding.h"
-#include "run/sliding/slip_ahead.h"
 #include "upbead/base/error.h"
 #include "upbead/run/simulation.h"
 
@@ -154,7 +153,8 @@ Run run_reduced(const Simulation& simulation, const SchemeChoice& choice, const 
   const System& system = simulation.compiled->system;
   const SampledLoads shown = sampled_loads(scene, system, times_of_fields(simulation.given));
   const bool is_shown = !wanted(shown.time, observers).empty();
-  const bool states = is_shown || has_strength(simulation.given);
+  // by what the scene asks for, not by who looks: a study, which shows no fields, must find what a run finds
+  const bool states = simulation.given.fields_every || is_shown || has_strength(simulation.given);
   const bool by_name = simulation.given.time.scheme == TimeScheme::reduced;
   const std::optional<int> most_vectors = by_name ? most_vectors_by_name : choice.most_vectors;
   const double reducing_ends = is_shown ? 0.3 : 1.;  // 100 files take longer than the model
@@ -233,6 +233,13 @@ std::string what_would_work(const Simulation& simulation, const std::function<vo
   } catch (const NumericsError&) {
     return "; nor does sdirk4 answer this scene, in steps a sixteenth as long either";
   }
+}
+
+Run solve_bonded(const Simulation& simulation, SlipAhead& ahead, const MarchOptions& marching,
+                 const std::function<void(double)>& reducing) {
+  const SchemeChoice choice = choose_scheme(simulation.scene, *simulation.compiled);
+  if (choice.scheme == TimeScheme::reduced) ahead.begin();
+  return climb(simulation, ways(simulation, choice, ahead, reducing), marching);
 }
 
 }  // namespace
@@ -428,20 +435,16 @@ Run march_by(Scheme& scheme, const Simulation& simulation, const std::string& re
 
 Run run_bonded(const Simulation& simulation, const MarchOptions& marching,
                const std::function<void(double)>& reducing) {
-  const SchemeChoice choice = choose_scheme(simulation.scene, *simulation.compiled);
-  std::optional<SlipAhead> ahead;
-  if (choice.scheme == TimeScheme::reduced)
-    ahead.emplace(simulation);
-  else
-    ahead.emplace();
-  Run run = climb(simulation, ways(simulation, choice, *ahead, reducing), marching);
-  read_sliding(simulation, *ahead, run, reducing);
+  SlipAhead ahead(std::make_shared<const Simulation>(simulation));
+  Run run = solve_bonded(simulation, ahead, marching, reducing);
+  read_sliding(simulation, ahead, run, reducing);
   return run;
 }
 
-Run run_tied(const Simulation& simulation, const MarchOptions& marching, const std::function<void(double)>& reducing) {
+Run solve_tied(const Simulation& simulation, SlipAhead& ahead, const MarchOptions& marching,
+               const std::function<void(double)>& reducing) {
   try {
-    return run_bonded(simulation, marching, reducing);
+    return solve_bonded(simulation, ahead, marching, reducing);
   } catch (const NumericsError& error) {
     throw NumericsError(error.what() + what_would_work(simulation, reducing));
   }

@@ -8,6 +8,7 @@
 
 #include "response/shear_response.h"
 #include "response/time_choice.h"
+#include "run/sliding/slip_ahead.h"
 #include "upbead/dynamics/reduce.h"
 #include "upbead/dynamics/time_grid.h"
 #include "upbead/model/scene.h"
@@ -57,9 +58,10 @@ ReductionSummary summary_of(const Reduction& reduction);
 /// interface must be bonded.
 Run run_bonded(const Simulation& simulation, const MarchOptions& marching, const std::function<void(double)>& reducing);
 
-/// The same for a caisson that cannot slip. Where the scheme that the scene names is refused, the message says
-/// whether another one gives a result; contact has only one scheme.
-Run run_tied(const Simulation& simulation, const MarchOptions& marching, const std::function<void(double)>& reducing);
+/// The same without the sliding, with which `ahead` may begin, for a caisson that cannot slip. Where the scheme that
+/// the scene names is refused, the message says whether another one gives a result; contact has only one scheme.
+Run solve_tied(const Simulation& simulation, SlipAhead& ahead, const MarchOptions& marching,
+               const std::function<void(double)>& reducing);
 
 /// Marches by that scheme, in `part` times the usual steps; `reason`: why the scheme was chosen.
 Run march_by(Scheme& scheme, const Simulation& simulation, const std::string& reason, const MarchOptions& options,

@@ -12,7 +12,6 @@
 #include "fem/soil_laws.h"
 #include "model/words.h"
 #include "response/compaction.h"
-#include "run/sliding/coupled_sliding.h"
 #include "run/solve.h"
 #include "run/yielding_watch.h"
 
@@ -153,8 +152,6 @@ Run run_yielding(const Simulation& simulation, const MarchOptions& marching,
       ++n;
     }
   }
-  SlipAhead none;
-  read_sliding(simulation, none, run, {});
   return run;
 }
 

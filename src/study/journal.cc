@@ -1,8 +1,16 @@
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <cerrno>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <tuple>
 
+#include "case/input_files.h"
 #include "study/results.h"
 #include "upbead/base/error.h"
 
@@ -21,19 +29,39 @@ fs::path journal_folder(const std::string& output_folder) {
   return fs::path(output_folder) / "journal";
 }
 
-std::vector<fs::path> journals_in(const fs::path& folder) {
+/// The folder of the summaries of a study's runs.
+fs::path summary_folder(const std::string& output_folder) {
+  return fs::path(output_folder) / "runs";
+}
+
+std::vector<fs::path> files_in(const fs::path& folder, const std::string& with_ending) {
   std::vector<fs::path> list;
-  std::error_code code;  // where there is no folder there is no journal
+  std::error_code code;  // where there is no folder there is no file
   for (fs::directory_iterator entry(folder, code), end; !code && entry != end; entry.increment(code))
-    if (entry->path().extension() == ending) list.push_back(entry->path());
+    if (entry->path().extension() == with_ending) list.push_back(entry->path());
   std::sort(list.begin(), list.end());
   return list;
 }
 
-/// A line as JSON; null where it was cut off.
-Json parsed(const std::string& line) {
-  const Json json = Json::parse(line, nullptr, false);
-  return json.is_object() ? json : Json(nullptr);
+/// Of a line without its check, of the journal of one study: a line that is torn, or made of two, has another one.
+std::string check_of(const Json& json, std::uint64_t study) {
+  Fingerprint fingerprint;
+  fingerprint.add(std::to_string(study));
+  fingerprint.add(json.dump(-1, ' ', false, Json::error_handler_t::replace));
+  return std::to_string(fingerprint.value());
+}
+
+std::string line_of(Json json, std::uint64_t study) {
+  json["check"] = check_of(json, study);
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+/// Whether the line is one of a study as it was written; takes the check out of it.
+bool is_whole(Json& json, std::uint64_t study) {
+  if (!json.is_object() || !json.contains("check")) return false;
+  const Json check = json["check"];
+  json.erase("check");
+  return check == check_of(json, study);
 }
 
 RunResult result_of(const Json& json) {
@@ -57,19 +85,46 @@ Json to_object(int run, const RunResult& result) {
   return json;
 }
 
-void read_journal(const fs::path& path, std::uint64_t fingerprint, Results& results) {
-  std::ifstream stream(path);
-  std::string line;
-  if (!std::getline(stream, line) || parsed(line).is_null()) return;  // the process was killed before its first run
-  if (parsed(line).value("study", std::uint64_t{0}) != fingerprint)
-    throw InputError({path.parent_path().parent_path().string()},
-                     "the results there are of another study, or of this one before it, its cases or the program "
-                     "changed",
-                     "add --restart to forget them, or choose another folder with --out DIR");
-  while (std::getline(stream, line)) {
-    const Json json = parsed(line);
-    if (!json.is_null()) results.at(json.at("run").get<std::size_t>()) = result_of(json);
+/// Whether the line begins the journal of another study, whole; `is_old`: of a program whose lines had no check.
+bool begins_another(Json json, std::uint64_t study, bool is_old) {
+  if (!json.is_object() || !json.contains("study") || !json["study"].is_number_unsigned()) return false;
+  const auto other = json["study"].get<std::uint64_t>();
+  return other != study && (is_old || is_whole(json, other));
+}
+
+void read_journal(const fs::path& path, std::uint64_t fingerprint, JournalsRead& read) {
+  std::ifstream file(path);
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  const bool is_old = text.find("\"check\"") == std::string::npos;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) {
+    Json json = Json::parse(line, nullptr, false);
+    if (begins_another(json, fingerprint, is_old))
+      throw InputError({path.parent_path().parent_path().string()},
+                       "the results there are of another study, or of this one before it, its cases or the program "
+                       "changed",
+                       "add --restart to forget them, or choose another folder with --out DIR");
+    if (!is_whole(json, fingerprint))
+      ++read.torn;
+    else if (json.contains("run"))
+      read.results.at(json.at("run").get<std::size_t>()) = result_of(json);
   }
+}
+
+[[noreturn]] void cannot_write(const fs::path& path) {
+  throw InputError({path.string()}, "cannot be written",
+                   "make room on the disk, or choose another folder with --out DIR");
+}
+
+/// Writes a file so that it is there whole or not at all.
+void write_whole(const fs::path& path, const std::string& text) {
+  const fs::path partial = path.string() + ".partial";
+  std::ofstream stream(partial, std::ios::binary);
+  stream << text;
+  stream.close();
+  std::error_code code;
+  if (stream) fs::rename(partial, path, code);
+  if (!stream || code) cannot_write(path);
 }
 
 /// What runs can share: those with equal `mesh` share a mesh, those with equal `solved` a solution.
@@ -96,39 +151,53 @@ Likeness likeness_of(const StudyRun& run, int number) {
 
 }  // namespace
 
-Results read_journals(const std::string& output_folder, std::uint64_t fingerprint, std::size_t n_runs) {
-  Results results(n_runs);
-  for (const fs::path& path : journals_in(journal_folder(output_folder))) read_journal(path, fingerprint, results);
-  return results;
+JournalsRead read_journals(const std::string& output_folder, const Study& study) {
+  JournalsRead read{Results(study.runs.size())};
+  for (const fs::path& path : files_in(journal_folder(output_folder), ending))
+    read_journal(path, study.fingerprint, read);
+  return read;
 }
 
 void remove_journals(const std::string& output_folder) {
   std::error_code code;
-  for (const fs::path& path : journals_in(journal_folder(output_folder)))
-    if (!fs::remove(path, code) && code)
-      throw InputError({path.string()}, "cannot be removed: " + code.message(), "choose another folder with --out DIR");
+  for (const auto& files :
+       {files_in(journal_folder(output_folder), ending), files_in(summary_folder(output_folder), ".json")})
+    for (const fs::path& path : files)
+      if (!fs::remove(path, code) && code)
+        throw InputError({path.string()}, "cannot be removed: " + code.message(),
+                         "choose another folder with --out DIR");
 }
 
-Journal::Journal(const std::string& output_folder, std::uint64_t fingerprint, int rank) {
-  const fs::path folder = journal_folder(output_folder);
+Journal::Journal(const std::string& output_folder, const Study& study, int rank)
+    : study_(study), output_folder_(output_folder) {
   std::error_code code;
-  fs::create_directories(folder, code);
-  int session = 0;
-  const auto name = [&] { return folder / (std::to_string(session) + "-" + std::to_string(rank) + ending); };
-  while (fs::exists(name(), code)) ++session;
-  path_ = name().string();
-  stream_.open(path_);
-  write(Json{{"study", fingerprint}}.dump());
+  fs::create_directories(journal_folder(output_folder), code);
+  if (study.summaries) fs::create_directories(summary_folder(output_folder), code);
+  for (int session = 0; descriptor_ < 0; ++session) {
+    path_ = (journal_folder(output_folder) / (std::to_string(session) + "-" + std::to_string(rank) + ending)).string();
+    descriptor_ = open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC, 0666);
+    if (descriptor_ < 0 && errno != EEXIST) cannot_write(path_);
+  }
+  write(line_of(Json{{"study", study.fingerprint}}, study.fingerprint));
+}
+
+Journal::~Journal() {
+  if (descriptor_ >= 0) close(descriptor_);
 }
 
 void Journal::add(int run, const RunResult& result) {
-  write(to_object(run, result).dump(-1, ' ', false, Json::error_handler_t::replace));
+  if (study_.summaries && result.done)
+    write_whole(summary_folder(output_folder_) / (std::to_string(run) + ".json"), result.summary);
+  write(line_of(to_object(run, result), study_.fingerprint));
 }
 
 void Journal::write(const std::string& line) {
-  stream_ << line << std::endl;
-  if (!stream_)
-    throw InputError({path_}, "cannot be written", "make room on the disk, or choose another folder with --out DIR");
+  std::size_t written = 0;
+  do {
+    const ssize_t n = descriptor_ < 0 ? -1 : ::write(descriptor_, line.data() + written, line.size() - written);
+    if (n < 0) cannot_write(path_);
+    written += static_cast<std::size_t>(n);
+  } while (written < line.size());
 }
 
 std::vector<std::vector<int>> schedule(const Study& study, const Results& results) {

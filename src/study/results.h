@@ -1,8 +1,6 @@
 // The results of a study's runs: kept in journals while it runs, written as tables and a summary at the end.
 #pragma once
 
-#include <cstdint>
-#include <fstream>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,6 +16,7 @@ struct RunResult {
   bool done = false;                          ///< false: it failed, and `message` says why
   std::vector<std::optional<double>> values;  ///< by Study::reads; none where the summary has no value; empty if failed
   std::string message;
+  std::string summary;  ///< the whole summary.json of the run; not in journals
   Shared shared = Shared::nothing;
   double seconds = 0.;  ///< wall time
 };
@@ -25,26 +24,37 @@ struct RunResult {
 /// The results of all runs, by their number; none for runs that are still to come.
 using Results = std::vector<std::optional<RunResult>>;
 
-/// Reads all journals of a study of `n_runs`. A last line that was cut off is ignored. Throws InputError where they
-/// belong to another study, as `fingerprint` shows.
-Results read_journals(const std::string& output_folder, std::uint64_t fingerprint, std::size_t n_runs);
+/// What the journals of a study hold.
+struct JournalsRead {
+  Results results;
+  int torn = 0;  ///< lines that are not whole, as a full disk, a killed process or a power cut leave them
+};
 
-/// Removes all journals in the folder.
+/// Reads all journals of a study. A line that is not what was written, as its check shows, is counted, and its run has
+/// no result. Throws InputError where they belong to another study, as its fingerprint shows.
+JournalsRead read_journals(const std::string& output_folder, const Study& study);
+
+/// Removes all journals, and the summaries of runs, in the folder.
 void remove_journals(const std::string& output_folder);
 
-/// The journal of one process. Each line is passed to the system at once, so that it survives the end of the process.
+/// The journal of one process, which no other process writes to. Each line is passed to the system at once and whole,
+/// so that it survives the end of the process.
 class Journal {
  public:
   /// Makes a file for this process; `rank`: of the process. Throws InputError where the folder cannot be written to.
-  Journal(const std::string& output_folder, std::uint64_t fingerprint, int rank);
-  /// Throws InputError where the disk is full.
+  Journal(const std::string& output_folder, const Study& study, int rank);
+  ~Journal();
+  Journal(const Journal&) = delete;
+  Journal& operator=(const Journal&) = delete;
+  /// Also keeps the run's summary, where the study asks for it. Throws InputError where the disk is full.
   void add(int run, const RunResult& result);
 
  private:
   void write(const std::string& line);
 
-  std::string path_;
-  std::ofstream stream_;
+  const Study& study_;
+  std::string output_folder_, path_;
+  int descriptor_ = -1;
 };
 
 /// The runs that have no result yet, in pieces that stay in one process: runs that differ only in [sliding] form a
@@ -56,6 +66,8 @@ std::vector<std::vector<int>> schedule(const Study& study, const Results& result
 struct StudyAccount {
   int processes = 1;
   int resumed = 0;      ///< runs that already had a result
+  int torn = 0;         ///< lines of the journals that were not whole, so that their runs were done again
+  int lost = 0;         ///< processes that were ended while they computed a run
   double seconds = 0.;  ///< wall time of this call
 };
 

@@ -7,8 +7,6 @@
 #include "base/stopwatch.h"
 #include "case/case_run.h"
 #include "case/script_trust.h"
-#include "run/sliding/case_sliding.h"
-#include "run/sliding/coupled_sliding.h"
 #include "summary_reader.h"
 #include "upbead/base/error.h"
 
@@ -16,16 +14,18 @@ namespace upbead {
 
 namespace {
 
-std::string key_of(const MeshRequest& request) {
-  std::string key = request.file + "\n" + std::to_string(request.refine);
-  for (const auto& [name, value] : request.parameters) key += "\n" + name + "=" + to_toml(value);
-  return key;
+/// Everything on which a mesh depends: the case with its mesh alone.
+std::string mesh_key_of(const Case& problem) {
+  Case mesh_alone;
+  mesh_alone.document = problem.document;
+  mesh_alone.scene.mesh = problem.scene.mesh;
+  return effective_case(mesh_alone, ".");
 }
 
-/// Everything on which a solution depends: the whole case without its sliding.
+/// Everything on which a solution depends: the whole case, without its sliding where that is only told.
 std::string solution_key_of(const Case& problem) {
   Case without = problem;
-  if (!has_frictional_contact(problem.scene)) without.scene.sliding.reset();
+  if (!needs_sliding(problem.scene)) without.scene.sliding.reset();
   return effective_case(without, ".");
 }
 
@@ -38,33 +38,31 @@ std::string in_one_line(std::string text) {
 
 std::shared_ptr<const Mesh> Runner::mesh_for(const Case& problem, Shared& shared) {
   if (!problem.scene.mesh.refine) return nullptr;  // such a mesh is made for the case by its tolerance
-  const MeshRequest request = mesh_request(problem);
-  const std::string key = key_of(request);
+  const std::string key = mesh_key_of(problem);
   if (sharing_ && mesh_ && key == mesh_key_) {
     shared = Shared::mesh;
   } else {
-    mesh_ = read_mesh(request);
+    mesh_ = read_mesh(mesh_request(problem));
     mesh_key_ = key;
   }
   return mesh_;
 }
 
-std::string Runner::solve(const Case& problem, const std::function<void()>& meanwhile, Shared& shared) {
+Summary Runner::solve(const Case& problem, const std::function<void()>& meanwhile, Shared& shared) {
   const std::string key = solution_key_of(problem);
   RunOptions options;
   options.progress = [&meanwhile](double) { meanwhile(); };
-  if (sharing_ && solution_.simulation && key == solution_key_) {
+  if (sharing_ && solved_ && key == solution_key_) {
     shared = Shared::solution;
-    Scene given = solution_.simulation->given;  // with the shapes of its loads by waves
-    given.sliding = problem.scene.sliding;
-    return to_json(in_places_of(problem, [&] { return with_sliding(solution_, given, options.progress); }).summary);
+  } else {
+    solved_.reset();
+    in_places_of(problem, [&] { check_size(problem.scene); });  // before a mesh is read
+    const Simulation simulation = simulation_of(problem, mesh_for(problem, shared));
+    read_records(problem, simulation);  // their mistakes come before the work
+    solved_ = in_places_of(problem, [&] { return std::make_unique<const SolvedScene>(simulation, options); });
+    solution_key_ = key;
   }
-  solution_ = {};
-  in_places_of(problem, [&] { check_size(problem.scene); });  // before a mesh is read
-  const Simulation simulation = simulation_of(problem, mesh_for(problem, shared));
-  solution_ = upbead::solve(problem, simulation, read_records(problem, simulation), options);
-  solution_key_ = key;
-  return to_json(solution_.summary);
+  return answer(problem, *solved_, options.progress).summary;
 }
 
 RunResult Runner::run(const StudyRun& run, const std::function<void()>& meanwhile) {
@@ -74,7 +72,8 @@ RunResult Runner::run(const StudyRun& run, const std::function<void()>& meanwhil
     const Case problem = read_case(study_.cases[static_cast<std::size_t>(run.case_index)], overrides_of(run));
     require_trust(problem, trusts_scripts_);
     require_loads(problem);
-    result.values = numbers_at(solve(problem, meanwhile, result.shared), study_.reads);
+    result.summary = to_json(solve(problem, meanwhile, result.shared));
+    result.values = numbers_at(result.summary, study_.reads);
     result.done = true;
   } catch (const Interrupted&) {
     throw;

@@ -5,13 +5,13 @@
 #include <memory>
 #include <string>
 
+#include "run/solved_scene.h"
 #include "study/results.h"
 #include "upbead/case/case.h"
-#include "upbead/run/simulation.h"
 
 namespace upbead {
 
-/// Keeps the mesh while runs ask for the same one, and the solution while runs differ only in [sliding]. Both equal
+/// Keeps the mesh while runs ask for the same one, and what was solved while runs differ only in [sliding]. Both equal
 /// what the run would have made for itself, so every number is the same to the last bit, whatever ran before.
 class Runner {
  public:
@@ -22,7 +22,7 @@ class Runner {
   RunResult run(const StudyRun& run, const std::function<void()>& meanwhile);
 
  private:
-  std::string solve(const Case& problem, const std::function<void()>& meanwhile, Shared& shared);
+  Summary solve(const Case& problem, const std::function<void()>& meanwhile, Shared& shared);
   std::shared_ptr<const Mesh> mesh_for(const Case& problem, Shared& shared);
 
   const Study& study_;
@@ -30,7 +30,7 @@ class Runner {
   bool trusts_scripts_;
   std::string mesh_key_, solution_key_;
   std::shared_ptr<const Mesh> mesh_;
-  Run solution_;
+  std::unique_ptr<const SolvedScene> solved_;
 };
 
 }  // namespace upbead

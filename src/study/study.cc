@@ -145,6 +145,7 @@ Study read_study(const std::string& path, const std::vector<std::string>& overri
     study.cases.push_back((fs::path(path).parent_path() / file).lexically_normal().string());
   for (const Axis& axis : axes) study.keys.push_back(axis.key);
   study.reads = tables.read.empty() ? default_reads() : tables.read;
+  study.summaries = tables.summaries;
   make_runs(study, tables, axes);
 
   Fingerprint fingerprint;

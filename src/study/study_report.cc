@@ -153,6 +153,8 @@ std::string to_json(const Study& study, const Results& results, const StudyAccou
   json["runs"] = results.size();
   json["failed"] = failures(study, results);
   json["resumed"] = account.resumed;
+  json["torn_lines"] = account.torn;
+  json["lost_processes"] = account.lost;
   json["skipped"] = skipped(results);
   double work = 0.;
   for (const auto& result : results) work += result->seconds;
@@ -169,6 +171,8 @@ std::string describe(const Study& study, const Results& results, const StudyAcco
   text += "study       " + std::to_string(results.size()) + " runs";
   if (account.resumed > 0) text += ", " + std::to_string(account.resumed) + " of them done before";
   text += ", " + std::to_string(n_failed(results)) + " failed\n";
+  if (account.lost > 0)
+    text += "lost        " + std::to_string(account.lost) + " processes were ended while they computed a run\n";
   const auto items = skipped(results);
   for (const Json& item : items)
     text += "skipped     " + item["what"].get<std::string>() + ": " + item["why"].get<std::string>() + "\n";

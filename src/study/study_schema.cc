@@ -202,6 +202,8 @@ TableSchema<StudyTables> study_schema() {
   table.key("read", &StudyTables::read)
       .fallback("peak F_T, peak P, their ratio and the peak displacement")
       .doc("list of numbers to read of each run, as paths into its summary.json");
+  table.key("summaries", &StudyTables::summaries)
+      .doc("whether to keep the whole summary.json of each run, as runs/NUMBER.json");
   table.key("set", &StudyTables::set).doc("values that all runs have, by key of the case");
   table.tables("vary", &StudyTables::vary, vary_schema())
       .doc(

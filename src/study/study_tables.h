@@ -91,6 +91,7 @@ struct StudyTables {
   std::optional<int> n;
   int seed = 1;
   std::vector<std::string> read;
+  bool summaries = false;
   std::map<std::string, Literal> set;
   std::map<std::string, VaryTable> vary;
   std::map<std::string, FollowTable> follow;

@@ -3,13 +3,8 @@
 #include <mpi.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cstdio>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <string>
-#include <vector>
 
 #include "base/progress.h"
 
@@ -17,65 +12,10 @@ namespace upbead {
 
 namespace {
 
-constexpr const char* terminal = "UPBEAD_TERMINAL";
-
-/// Whether a person sees stderr, directly or through mpirun.
-bool has_terminal() {
-  return isatty(STDERR_FILENO) == 1 || std::getenv(terminal) != nullptr;
-}
-
-/// Texts that each end with a null character, as in files of /proc.
-std::vector<std::string> texts_in(const std::string& path) {
-  std::ifstream stream(path, std::ios::binary);
-  std::vector<std::string> list;
-  for (std::string text; std::getline(stream, text, '\0');) list.push_back(text);
-  return list;
-}
-
-std::vector<char*> pointers(std::vector<std::string>& texts) {
-  std::vector<char*> list;
-  for (std::string& text : texts) list.push_back(text.data());
-  list.push_back(nullptr);
-  return list;
-}
-
-/// The environment with which this process was started: PetscSession has since then set Open MPI to a single process.
-std::vector<std::string> environment() {
-  std::vector<std::string> list = texts_in("/proc/self/environ");
-  for (const char* more : {"OMPI_ALLOW_RUN_AS_ROOT=1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1", "OMP_NUM_THREADS=1",
-                           "OPENBLAS_NUM_THREADS=1"}) {
-    const std::string name = std::string(more).substr(0, std::string(more).find('=') + 1);
-    list.erase(std::remove_if(list.begin(), list.end(), [&](const auto& text) { return text.rfind(name, 0) == 0; }),
-               list.end());
-    list.emplace_back(more);
-  }
-  if (has_terminal()) list.push_back(std::string(terminal) + "=1");
-  return list;
-}
-
 constexpr double redraw_after = 0.2;        // s
 constexpr const char* clear = "\r\033[2K";  // back to the first column, erase the line
 
 }  // namespace
-
-void launch(int processes) {
-  // quiet: the program reports mistakes itself; a container may forbid to bind and to copy between processes
-  std::vector<std::string> command{"mpirun",
-                                   "--quiet",
-                                   "-n",
-                                   std::to_string(processes),
-                                   "--oversubscribe",
-                                   "--bind-to",
-                                   "none",
-                                   "--mca",
-                                   "btl_vader_single_copy_mechanism",
-                                   "none",
-                                   std::filesystem::read_symlink("/proc/self/exe").string()};
-  const std::vector<std::string> own = texts_in("/proc/self/cmdline");
-  command.insert(command.end(), own.begin() + 1, own.end());
-  std::vector<std::string> variables = environment();
-  execvpe("mpirun", pointers(command).data(), pointers(variables).data());
-}
 
 struct Pool::Window {
   MPI_Win of_mpi = MPI_WIN_NULL;
@@ -122,7 +62,7 @@ void Pool::meet() const {
   MPI_Barrier(MPI_COMM_WORLD);
 }
 
-StudyProgress::StudyProgress(int n) : n_(n), visible_(has_terminal()) {}
+StudyProgress::StudyProgress(int n) : n_(n), visible_(isatty(STDERR_FILENO) == 1) {}
 
 StudyProgress::~StudyProgress() {
   if (drawn_at_ >= 0.) std::fputs(clear, stderr);

@@ -1,4 +1,4 @@
-// The processes that share a study's runs: started by mpirun, or by a cluster's launcher.
+// The processes that share a study's runs where mpirun or a cluster's launcher has started them; and progress.
 #pragma once
 
 #include <memory>
@@ -6,9 +6,6 @@
 #include "base/stopwatch.h"
 
 namespace upbead {
-
-/// Replaces this process by `mpirun -n processes` with the same command line. Returns only where there is no mpirun.
-void launch(int processes);
 
 /// Counters that all processes see, in the memory of the first one (an MPI window): a process takes the next piece of
 /// work without asking another. To be made and destroyed in all processes at once, while MPI runs.

@@ -61,6 +61,31 @@ cov = 0.3
 """
 
 
+# A disk on which writing to a journal takes long, or that has no locks
+DISK = """#define _GNU_SOURCE
+#include <dlfcn.h>
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+static int is(const char* mode) { const char* set = getenv("DISK"); return set && !strcmp(set, mode); }
+int flock(int fd, int op) {
+  if (is("no_locks")) { errno = ENOLCK; return -1; }
+  return ((int (*)(int, int))dlsym(RTLD_NEXT, "flock"))(fd, op);
+}
+ssize_t write(int fd, const void* bytes, size_t n) {
+  if (n > 8 && !memcmp(bytes, "{\\"run\\":", 7) && is("slow")) usleep(150000);
+  return ((ssize_t (*)(int, const void*, size_t))dlsym(RTLD_NEXT, "write"))(fd, bytes, n);
+}
+"""
+
+
+def preloaded(folder):
+    (folder / "disk.c").write_text(DISK)
+    subprocess.run(["gcc", "-shared", "-fPIC", "-o", "disk.so", "disk.c", "-ldl"], cwd=folder, check=True)
+    return str(folder / "disk.so")
+
+
 class Study(ProgramTest):
     def setUp(self):
         super().setUp()
@@ -212,8 +237,8 @@ class Study(ProgramTest):
         self.assertRegex(errors, r"interrupted; \d+ of 400 runs are done, the same command goes on")
 
     def test_interrupted_processes_leave_no_half_table(self):
-        code, errors = self.kill_in_the_middle(2000, signal.SIGINT, False, "--jobs", "2")  # mpirun takes a second
-        self.assertNotEqual(code, 0)
+        code, errors = self.kill_in_the_middle(2000, signal.SIGINT, False, "--jobs", "2")
+        self.assertEqual(code, 130)
         self.assertRegex(errors, r"interrupted; \d+ of 2000 runs are done")
         self.assertFalse((self.folder / "killed/study.csv").exists())
 
@@ -254,8 +279,102 @@ class Study(ProgramTest):
         (self.folder / "study.toml").write_text(SHORT)
         environment = {**os.environ, "PATH": str(self.folder)}
         done = self.study(jobs="2", env=environment)
-        self.assertIn("there is no mpirun", done.stderr)
+        self.assertIn("on 2 processes", done.stdout)
         self.assertEqual(len(self.rows()), 4)
+
+    def processes_of(self, process):
+        """The workers of a study that runs."""
+        try:
+            return [int(n) for n in pathlib.Path(f"/proc/{process.pid}/task/{process.pid}/children").read_text().split()]
+        except FileNotFoundError:
+            return []
+
+    def start(self, n, *arguments, out="killed", **options):
+        """Starts a study of n runs and waits until some are done."""
+        (self.folder / "study.toml").write_text(RANDOM.format(n=n))
+        process = subprocess.Popen([PROGRAM, "study", "study.toml", "--out", out, *arguments], cwd=self.folder, text=True,
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, **options)
+        while self.journal_lines(out) < 3:
+            self.assertIsNone(process.poll(), "it ended too soon")
+            time.sleep(0.01)
+        return process
+
+    def test_a_killed_process_costs_its_run_alone(self):
+        process = self.start(24, "--jobs", "2", "--json")
+        os.kill(self.processes_of(process)[0], signal.SIGKILL)
+        text, errors = process.communicate(timeout=100)
+        self.assertEqual(process.returncode, 0, errors)
+        self.assertRegex(errors, r"the process of run \d+ was ended by signal 9 \(Killed\); another one does that run again")
+        summary = json.loads(text)
+        self.assertEqual((summary["lost_processes"], summary["failed"]), (1, []))
+        self.study("--out", "whole")
+        self.assertEqual(self.table("killed"), self.table("whole"))
+
+    def test_a_run_that_ends_every_process_fails_alone(self):
+        process = self.start(24, "--jobs", "2", "--json")
+        until = time.monotonic() + 60
+        while process.poll() is None and time.monotonic() < until:  # whoever computes dies, but for one process
+            for other in self.processes_of(process)[1:]:
+                os.kill(other, signal.SIGKILL)
+            time.sleep(0.05)
+        text, errors = process.communicate(timeout=100)
+        self.assertEqual(process.returncode, 2, errors)
+        failed = json.loads(text)["failed"]
+        self.assertTrue(failed)
+        self.assertIn("its process was ended twice, by signal 9 (Killed)", failed[0]["message"])
+        self.assertEqual([row["status"] for row in self.rows("killed")].count("failed"), len(failed))
+
+    def test_a_killed_study_leaves_no_process(self):
+        process = self.start(400, "--jobs", "2")
+        workers = self.processes_of(process)
+        process.kill()
+        process.communicate()
+        self.assertEqual(len(workers), 2)
+        time.sleep(0.5)
+        self.assertEqual([n for n in workers if pathlib.Path(f"/proc/{n}/cmdline").exists()
+                          and b"study" in pathlib.Path(f"/proc/{n}/cmdline").read_bytes()], [])
+
+    def test_a_second_study_in_the_folder_is_refused(self):
+        first = self.start(40, "--jobs", "1")
+        for arguments in ([], ["--jobs", "2"], ["--restart"]):
+            done = self.study("--out", "killed", *arguments, code=1, jobs=None)
+            self.assertIn(f"another study works in this folder, process {first.pid} on ", done.stderr)
+            self.assertIn("choose another folder with --out DIR", done.stderr)
+        errors = first.communicate(timeout=100)[1]
+        self.assertEqual(first.returncode, 0, errors)
+        self.assertEqual(self.journal_lines("killed"), 40)
+        self.assertEqual(json.loads(self.study("--out", "killed", "--json").stdout)["resumed"], 40)
+
+    @unittest.skipIf(os.environ.get("UPBEAD_SANITIZE") == "ON", "a sanitizer must be loaded before any other library")
+    def test_neither_slow_disks_nor_missing_locks_let_a_second_one_in(self):
+        library = preloaded(self.folder)
+        for mode in ("slow", "no_locks"):
+            environment = {**os.environ, "LD_PRELOAD": library, "DISK": mode}
+            first = self.start(12, "--jobs", "2", out=mode, env=environment)
+            done = self.study("--out", mode, code=1, env=environment)
+            self.assertIn("another study works in this folder", done.stderr)
+            self.assertEqual("remove" in done.stderr, mode == "no_locks", done.stderr)
+            errors = first.communicate(timeout=200)[1]
+            self.assertEqual(first.returncode, 0, errors)
+            self.assertEqual(self.journal_lines(mode), 12)
+            killed = self.start(400, "--jobs", "2", out="killed-" + mode, env=environment)
+            killed.kill()
+            killed.communicate()
+            (self.folder / "study.toml").write_text(RANDOM.format(n=400))
+            self.study("--out", "killed-" + mode, "--restart", "--set", "n=2", env=environment)
+
+    def test_a_torn_line_is_told_and_its_run_is_done_again(self):
+        (self.folder / "study.toml").write_text(RANDOM.format(n=3))
+        self.study()
+        before = self.table("results/study")
+        journal = self.folder / "results/study/journal/0-0.jsonl"
+        lines = journal.read_text().splitlines(keepends=True)
+        journal.write_text("".join([*lines[:2], lines[2][:40], lines[3]]))
+        done = self.study("--json")
+        self.assertIn("lines of the journal that are not whole: 1; their runs are done again", done.stderr)
+        summary = json.loads(done.stdout)
+        self.assertEqual((summary["torn_lines"], summary["resumed"]), (1, 1))  # the line behind it is torn with it
+        self.assertEqual(self.table("results/study"), before)
 
     def test_progress_is_shown_on_a_terminal(self):
         (self.folder / "study.toml").write_text(SHORT)

@@ -12,6 +12,7 @@
 #include "fem/compile.h"
 #include "fem/static_stage.h"
 #include "run/derived.h"
+#include "run/sliding/coupled_sliding.h"
 #include "run/sliding/uplift.h"
 #include "run/solve.h"
 #include "run/yielding_run.h"
@@ -295,7 +296,9 @@ Run run_contact(const Simulation& simulation, const MarchOptions& marching, cons
   silent.observers = {&reported};
   const bool soil_yields = yields(simulation.scene);
   if (soil_yields) add_soil_to_node_forces(simulation, system, tied->system);
+  SlipAhead none;
   Run run = soil_yields ? run_yielding(bonded, silent, {}, {false, {}}) : run_bonded(bonded, silent, progress);
+  if (soil_yields) read_sliding(bonded, none, run, {});
   const double margin = run.summary.reduction ? run.summary.reduction->error_of_others : 0.;
   ContactSummary contact{system.interface->friction,
                          system.interface->normal_force.sum(),

@@ -188,20 +188,6 @@ void read_sliding(const Simulation& simulation, SlipAhead& ahead, Run& run,
   }
 }
 
-Run with_sliding(const Run& run, const Scene& given, const std::function<void(double)>& progress) {
-  Run other = run;
-  const auto simulation = std::make_shared<const Simulation>(with_given(*run.simulation, given));
-  check_sliding(*simulation);
-  other.simulation = simulation;
-  SlipAhead none;
-  read_sliding(*simulation, none, other, progress);
-  if (other.summary.error)
-    estimate_slip_error(other);
-  else
-    tell_why_no_slip_error(other);
-  return other;
-}
-
 ReducedSlip reduce_with_slip(const Simulation& simulation, const Reduction& bonded,
                              const std::function<void(double)>& progress) {
   ReducedSlip slip;

@@ -17,10 +17,6 @@ namespace upbead {
 void read_sliding(const Simulation& simulation, SlipAhead& ahead, Run& run,
                   const std::function<void(double)>& progress);
 
-/// A run without contact for the same scene with other sliding; what was solved is used again. Throws InputError at
-/// keys of the scene.
-Run with_sliding(const Run& run, const Scene& given, const std::function<void(double)>& progress);
-
 /// The slip model of `upbead reduce`, or why there is none.
 struct ReducedSlip {
   std::optional<ModelSlip> model;  ///< none without [sliding]

@@ -59,15 +59,15 @@ SlidingSpace::SlidingSpace(const Simulation& simulation, AssembledScene assemble
     : assembled_(std::move(assembled)),
       space_(simulation.scene, *assembled_.compiled, slip_uplift(*simulation.scene.sliding)) {}
 
-SlipAhead::SlipAhead(const Simulation& simulation) {
-  if (!is_worth_it(simulation)) return;
+void SlipAhead::begin() {
+  if (!simulation_ || !is_worth_it(*simulation_)) return;
   left_mesh_ = assembled_.get_future().share();
-  space_ = std::async(std::launch::async, [this, &simulation] {
+  space_ = std::async(std::launch::async, [this] {
     AssembledScene assembled = [&] {
       const Tell left{assembled_};
-      return with_interface(simulation);
+      return with_interface(*simulation_);
     }();
-    return std::make_unique<SlidingSpace>(simulation, std::move(assembled));
+    return std::make_unique<SlidingSpace>(*simulation_, std::move(assembled));
   });
 }
 
@@ -78,7 +78,8 @@ void SlipAhead::leave_mesh() const {
 }
 
 std::unique_ptr<SlidingSpace> SlipAhead::space(const Simulation& simulation) {
-  if (space_.valid()) return space_.get();
+  if (space_.valid() && slip_uplift(*simulation.scene.sliding) == slip_uplift(*simulation_->scene.sliding))
+    return space_.get();
   return std::make_unique<SlidingSpace>(simulation, with_interface(simulation));
 }
 

@@ -36,20 +36,24 @@ class SlipAhead {
  public:
   /// Makes the space only when it is asked for.
   SlipAhead() = default;
-  /// Begins at once where another core is free and the loads exceed the friction: then a bonded caisson most likely
-  /// reaches its friction, and the space will be asked for. The simulation must outlive it.
-  explicit SlipAhead(const Simulation& simulation);
+  /// Makes it then, too, unless begin() is called.
+  explicit SlipAhead(std::shared_ptr<const Simulation> simulation) : simulation_(std::move(simulation)) {}
   SlipAhead(const SlipAhead&) = delete;
   SlipAhead& operator=(const SlipAhead&) = delete;
   ~SlipAhead();
 
+  /// Begins where another core is free and the loads exceed the friction: then a bonded caisson most likely reaches its
+  /// friction, and the space will be asked for.
+  void begin();
   /// Returns once the mesh is no longer read here: deal.II marks cells while it numbers unknowns, so that no other
   /// thread may go through the cells meanwhile.
   void leave_mesh() const;
-  /// To be called once, with the same scene. Throws what was thrown while the space was made.
+  /// The space of that scene; what was begun for the same one, or one that differs in other keys of [sliding] than the
+  /// kind of uplift, is given away at the first call. Throws what was thrown while the space was made.
   std::unique_ptr<SlidingSpace> space(const Simulation& simulation);
 
  private:
+  std::shared_ptr<const Simulation> simulation_;
   std::promise<void> assembled_;
   std::future<std::unique_ptr<SlidingSpace>> space_;
   std::shared_future<void> left_mesh_;
