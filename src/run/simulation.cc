@@ -132,7 +132,7 @@ Run Simulation::run(const RunOptions& options) const {
                                               : run_tied(solved, marching, solving);
   if (!run.simulation) run.simulation = std::make_shared<const Simulation>(solved);
   read_at_chosen_times(run);
-  run.summary.safety = find_safety(solved);
+  run.summary.safety = find_safety(solved, run.summary);
   estimate_errors(run);
   monitors.report(run);
   return run;
