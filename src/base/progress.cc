@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <exception>
+#include <memory>
 #include <mutex>
 #include <thread>
 #include <vector>
@@ -46,6 +47,13 @@ void Progress::update(double done) {
   if (drawn_at_ >= 0. && now - drawn_at_ < redraw_after) return;
   std::fputs((clear + progress_line(what_, done_, now)).c_str(), stderr);
   drawn_at_ = now;
+}
+
+std::function<void(double)> watched(const std::string& what) {
+  return [line = std::make_shared<Progress>(what)](double done) {
+    check_interrupt();
+    line->update(done);
+  };
 }
 
 std::function<void(double)> part_of(const std::function<void(double)>& progress, double from, double to) {

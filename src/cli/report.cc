@@ -146,13 +146,13 @@ std::string describe(const std::vector<CompactedSoil>& soils) {
 }
 
 std::string describe(const SafetySummary& s) {
-  std::string text = "safety      at rest it stands with its strength over ";
-  if (!s.lower)
-    return "safety      at rest no equilibrium was found, nor with 16 times the strength; it gives way in " +
-           s.fails_at + "\n";
-  text += significant(*s.lower, 4);
-  if (!s.upper) return text + ", and no larger factor was tried\n";
-  return text + ", not over " + significant(*s.upper, 4) + "; it gives way in " + s.fails_at + "\n";
+  std::string text = "safety      at rest it stands ";
+  if (s.lower) text += "with its strength over " + significant(*s.lower, 4);
+  else text += s.upper ? "not even with 16 times its strength" : "with no strength that was tried";
+  if (s.lower && s.upper) text += ", not over " + significant(*s.upper, 4);
+  if (s.lower && !s.upper) text += ", and no factor was found with which it does not";
+  if (s.upper) text += "; it gives way in " + s.fails_at;
+  return text + (s.why_open.empty() ? "" : "; not closer: " + s.why_open) + "\n";
 }
 
 /// What may yield, and why all else is linear.
@@ -243,11 +243,12 @@ std::string describe(const std::vector<Check>& checks) {
       return c.unit.empty() ? significant(value, 4) : with_unit(value, c.unit);
     };
     text += (text.empty() ? "checks\n" : "") + format("  %-27s ", c.name.c_str()) +
-            (c.demand ? number(*c.demand) : "without bound");
+            (c.demand ? number(*c.demand) : c.holds ? "without bound" : "not found");
     if (!c.capacity)
       text += ", no limit given";
     else
-      text += " against " + number(*c.capacity) + ": " + (*c.holds ? "holds" : "DOES NOT HOLD") +
+      text += " against " + number(*c.capacity) + ": " +
+              (!c.holds ? "not judged" : *c.holds ? "holds" : "DOES NOT HOLD") +
               (c.margin ? ", margin " + significant(*c.margin, 3) : std::string());
     text += "\n";
   }
@@ -353,6 +354,7 @@ std::string describe(const Run& run) {
   std::string text = describe(run.summary.ladder);
   text += run.summary.reduction ? describe(*run.summary.reduction) : describe_march(run);
   if (run.response.stopped_early) text += "            stopped early: little energy was left, as the case allows\n";
+  if (!run.summary.why_void.empty()) text += "VOID        " + run.summary.why_void + "\n";
   if (run.summary.response) {
     const ShearResponse& r = *run.summary.response;
     text += "response\n";

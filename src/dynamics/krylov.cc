@@ -5,6 +5,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "base/interrupt.h"
 #include "base/stopwatch.h"
 #include "effective_matrix.h"
 #include "orthogonalise.h"
@@ -162,6 +163,7 @@ bool SecondOrderKrylov::append(const Vector& x, const Eigen::Ref<const Vector>& 
 bool SecondOrderKrylov::extend() {
   Vector x(system_.size());
   while (n_expanded_ < n_vectors_) {
+    check_interrupt();
     const Vector of_x = x_.col(n_expanded_), of_previous = previous_.col(n_expanded_);
     ++n_expanded_;
     Vector rhs = Vector::Zero(system_.size());

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "base/interrupt.h"
 #include "upbead/base/error.h"
 
 namespace upbead {
@@ -188,6 +189,7 @@ class March {
     done_ += n;
     if (options_.checkpoints.due && options_.checkpoints.due()) options_.checkpoints.keep(checkpoint());
     observe();
+    check_interrupt();  // marches without an observer may be long, too
     stopped_ = done_ < n_steps_ && early_stop_.due(scheme_.energy(), state_.time, h);
     return n;
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -25,10 +26,11 @@ namespace {
 /// under that q: at the fixed point both laws hold.
 class YieldingStage : public StageLaw {
  public:
-  YieldingStage(const System& system, InternalForce& force, double tolerance)
+  YieldingStage(const System& system, InternalForce& force, const YieldingOptions& options)
       : system_(system),
         force_(force),
-        tolerance_(tolerance),
+        tolerance_(options.tolerance),
+        least_(std::max(round_off * options.weight, std::numeric_limits<double>::min())),
         q_(Vector::Zero(n_rows())),
         x_(system.size()),
         solver_(n_rows(), [this](const Vector& q, Vector& p) { evaluate(q, p); }) {
@@ -89,10 +91,13 @@ class YieldingStage : public StageLaw {
   void evaluate(const Vector& q, Vector& p);
   void move(const Vector& q);
   void take_work(const DirkStage& stage);
+  double of_displacements(const Vector& force) const;
+  double scale(double g);
 
+  static constexpr double round_off = 1e-6;  ///< with a tolerance of 1e-6: 1e-12 of the weights
   const System& system_;
   InternalForce& force_;
-  double tolerance_;
+  double tolerance_, least_;
   double largest_ = 0.;  ///< largest norm so far of loads or soil forces: the tolerance is a share of it (N/m)
   Known last_, before_;  ///< the last two stages: the next one starts on the line through them
   Vector q_;
@@ -148,6 +153,27 @@ void YieldingStage::evaluate(const Vector& q, Vector& p) {
   }
 }
 
+double YieldingStage::of_displacements(const Vector& force) const {
+  double sum = 0.;
+  for (int i = 0; i < system_.n_free(); ++i)
+    if (system_.field[i] == Field::displacement) sum += force[i] * force[i];
+  return std::sqrt(sum);
+}
+
+/// Norm of the forces that the tolerance is a share of. Where neither loads nor soil have exerted any so far, it is that
+/// of the motions and pressures given at boundaries, on ground that has not moved.
+double YieldingStage::scale(double g) {
+  const DirkStage& stage = *stage_;
+  largest_ = std::max({largest_, of_displacements(*stage.load), force_.exerted()});
+  const int n = system_.n_prescribed;
+  if (largest_ > least_ || n == 0) return std::max(largest_, least_);
+  Vector a = Vector::Zero(system_.size()), v = a, x = a;
+  a.tail(n) = stage.a.tail(n);
+  v.tail(n) = stage.v_predicted.tail(n) + g * a.tail(n);
+  x.tail(n) = stage.x.tail(n) + g * g * a.tail(n);
+  return std::max(least_, of_displacements(system_.M * a + system_.C * v + system_.K * x));
+}
+
 bool YieldingStage::solve(const EffectiveMatrix& E, double g, DirkStage& stage) {
   E_ = &E;
   g_ = g;
@@ -158,12 +184,8 @@ bool YieldingStage::solve(const EffectiveMatrix& E, double g, DirkStage& stage) 
     given_ = stage;
     interface_before_ = contact_->now();
   }
-  double sum = 0.;
-  for (int i = 0; i < system_.n_free(); ++i)
-    if (system_.field[i] == Field::displacement) sum += (*stage.load)[i] * (*stage.load)[i];
-  largest_ = std::max({largest_, std::sqrt(sum), force_.exerted()});
   guess(stage.time);
-  const FixedPointReport report = solver_.solve(q_, tolerance_ * largest_);
+  const FixedPointReport report = solver_.solve(q_, tolerance_ * scale(g));
   ++n_stages_;
   n_evaluations_ += report.evaluations;
   if (!report.converged) return false;
@@ -196,7 +218,7 @@ class YieldingDirk : public SchemeBase {
         force_(force),
         smooth_(system, friction_tableau()),
         impact_(smooth_, euler_tableau()),
-        stage_(system, force, options.tolerance) {
+        stage_(system, force, options) {
     start(at_rest(system));
   }
 

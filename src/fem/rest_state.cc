@@ -7,15 +7,16 @@
 #include <utility>
 
 #include "base/text.h"
+#include "fem/factor_search.h"
 #include "fem/ground.h"
+#include "fem/limit_state.h"
+#include "upbead/base/error.h"
 
 namespace upbead {
 
 namespace {
 
 constexpr double rad = boost::math::constants::degree<double>();
-/// F is sought between 1/most_reduction and most_reduction, with a relative error of `closeness`.
-constexpr double most_reduction = 20., closeness = 0.01;
 
 /// c/F, tan phi/F, tan psi/F.
 MohrCoulombStrength reduced(const Strength& s, double F, bool associated) {
@@ -36,104 +37,82 @@ bool has_some_strength(const Region& region) {
 /// Ground at rest whose regions may fail.
 class FailingGround {
  public:
-  FailingGround(const Scene& scene, const Mesh& mesh, const SoilState& state, Fails fails)
+  FailingGround(const Scene& scene, const Mesh& mesh, const SoilState& state, Fails fails, RestProgress progress)
       : scene_(at_rest(scene)),
         ground_(scene_, mesh, state),
         fails_(std::move(fails)),
         weights_(ground_.weights(water_level(scene, mesh))),
         soil_(ground_.space(), ground_.unknowns()),
-        x_(Vector::Zero(ground_.unknowns().size())) {}
-
-  /// Applies all weights, with the strength divided by F: the elastic stress is returned to the strength, and the
-  /// weights that it then does not bear are applied in steps. Steps from zero stress would be no easier without
-  /// cohesion: stresses would only scale.
-  StaticReport bear_weights(double F) {
-    associated_ = false;
-    const StaticReport own = bear_by_flow(F);
-    if (own.complete) return own;
-    associated_ = true;
-    return bear_by_flow(F);
+        x_(Vector::Zero(ground_.unknowns().size())),
+        progress_(std::move(progress)) {
+    start_from_elastic();
   }
 
-  /// Reduces the strength by growing factors F, from a factor at which the ground stands.
-  StaticReport lose_strength(double from) {
+  /// Applies all weights in steps: the elastic stress is returned to the strength, and the weights that it then does
+  /// not bear are applied. Steps from zero stress would be no easier without cohesion: stresses would only scale.
+  /// `patient`: a step that fails is cut.
+  StaticReport bear_weights(bool associated, bool patient) {
+    soil_.start_from(elastic_);
+    x_.setZero();
+    soil_.follow(laws(1., associated));
+    Vector first;
+    soil_.exert(x_, first);
+    soil_.commit(x_);
+    double share = 0.;
     StaticPath path;
-    path.load = [&](double) { return weights_; };
-    path.laws = [&](double F) { return laws(F); };
+    path.load = [&, first](double next) -> Vector { return share = next, first + next * (weights_ - first); };
+    path.each = [&] { tell(share); };
     StaticSteps steps;
-    steps.from = from;
-    steps.to = most_reduction;
-    steps.first = 0.1 * from;
-    steps.largest = 0.25;
-    steps.least = 0.5 * closeness * from;
-    return march(path, steps);
+    if (!patient) steps.least = steps.to;
+    return march_static(soil_, path, steps, x_);
   }
 
-  /// Where the last step moved the ground most.
-  std::string where_it_moves() const {
-    const Vector u = ground_.unknowns().expand(moved_);
-    double fastest = 0.;
-    std::string where;
-    for (const Cell& cell : ground_.space().dofs().active_cell_iterators()) {
-      if (!ground_.space().has_matrices(cell)) continue;
-      const Dofs dofs = dofs_of(cell);
-      for (unsigned i = 0; i < dofs.size(); ++i) {
-        if (std::abs(u[dofs[i]]) <= fastest) continue;
-        fastest = std::abs(u[dofs[i]]);
-        const auto at = node_of(ground_.space(), cell, i).at;
-        where = "region '" + ground_.space().mesh().surface_of(cell) + "' at (" + significant(at[0], 3) + ", " +
-                significant(at[1], 3) + ") m";
-      }
-    }
-    return where;
+  /// Whether any stress bears the weights within the strength over F. Leaves the soil in that stress.
+  LimitAnswer bear_at_limit(double F, double done) {
+    soil_.start_from(elastic_);
+    soil_.follow(laws(F, true));
+    LimitAnswer answer = seek_rest(soil_, weights_, x_, [&] { tell(done); });
+    if (answer.found == RestFound::rest) soil_.commit(x_ = answer.x);
+    return answer;
   }
 
-  const StaticSoil& soil() const { return soil_; }
+  std::string where_it_shears(const Vector& moved) const {
+    const std::optional<unsigned> at = soil_.shears_most(moved);
+    for (const Cell& cell : ground_.space().dofs().active_cell_iterators())
+      if (at && cell->active_cell_index() == *at)
+        return "region '" + ground_.space().mesh().surface_of(cell) + "' at (" + significant(cell->center()[0], 3) +
+               ", " + significant(cell->center()[1], 3) + ") m";
+    return {};
+  }
+
+  StaticSoil& soil() { return soil_; }
 
  private:
   std::size_t n_cells() const { return ground_.space().mesh().triangulation.n_active_cells(); }
 
-  StaticReport march(const StaticPath& path, const StaticSteps& steps) {
-    const StaticReport report = march_static(soil_, path, steps, x_);
-    moved_ = report.moved;
-    return report;
-  }
-
-  StaticReport bear_by_flow(double F) {
-    soil_.follow(StaticLaws(n_cells()));
-    soil_.start_from(PointStresses(n_cells()));
-    x_.setZero();
-    start_from_elastic();
-    soil_.follow(laws(F));
-    Vector first;
-    soil_.exert(x_, first);
-    soil_.commit(x_);
-    StaticPath path;
-    path.load = [&, first](double share) -> Vector { return first + share * (weights_ - first); };
-    return march(path, {});
+  void tell(double done) const {
+    if (progress_) progress_(done);
   }
 
   void start_from_elastic() {
-    StaticPath path;
-    path.load = [&](double) { return weights_; };
-    StaticSteps at_once;
-    at_once.first = 1.;
-    march_static(soil_, path, at_once, x_);
-    x_.setZero();
-    PointStresses stresses = soil_.stresses();
+    soil_.follow(StaticLaws(n_cells()));
+    soil_.start_from(PointStresses(n_cells()));
+    const LimitAnswer elastic = seek_rest(soil_, weights_, x_);
+    if (elastic.found != RestFound::rest) throw NumericsError("the elastic ground found no equilibrium with its weight");
+    soil_.commit(elastic.x);
+    elastic_ = soil_.stresses();
     if (const auto k0 = k0_of(scene_))
       for (const Cell& cell : ground_.space().dofs().active_cell_iterators())
         if (fails_(ground_.space().region(cell)))
-          for (PlaneStress& s : stresses[cell->active_cell_index()]) s = {*k0 * s.yy, s.yy, s.xy, *k0 * s.yy};
-    soil_.start_from(stresses);
+          for (PlaneStress& s : elastic_[cell->active_cell_index()]) s = {*k0 * s.yy, s.yy, s.xy, *k0 * s.yy};
   }
 
-  StaticLaws laws(double F) const {
+  StaticLaws laws(double F, bool associated) const {
     StaticLaws found(n_cells());
     for (const Cell& cell : ground_.space().dofs().active_cell_iterators())
       if (ground_.space().has_matrices(cell) && fails_(ground_.space().region(cell)))
         found[cell->active_cell_index()] = std::make_shared<const MohrCoulombLaw>(
-            ground_.space().material(cell), reduced(*ground_.space().region(cell).strength, F, associated_));
+            ground_.space().material(cell), reduced(*ground_.space().region(cell).strength, F, associated));
     return found;
   }
 
@@ -142,8 +121,9 @@ class FailingGround {
   Fails fails_;
   Vector weights_;
   StaticSoil soil_;
-  Vector x_, moved_;
-  bool associated_ = false;
+  Vector x_;
+  PointStresses elastic_;
+  RestProgress progress_;
 };
 
 }  // namespace
@@ -153,37 +133,43 @@ bool needs_rest_state(const Scene& scene) {
                      [](const auto& entry) { return follows_mohr_coulomb(entry.second); });
 }
 
-RestState rest_state(const Scene& scene, const Mesh& mesh, const SoilState& soil) {
-  FailingGround ground(scene, mesh, soil, follows_mohr_coulomb);
+RestState rest_state(const Scene& scene, const Mesh& mesh, const SoilState& soil, const RestProgress& progress) {
+  FailingGround ground(scene, mesh, soil, follows_mohr_coulomb, progress);
   RestState rest;
-  rest.report = ground.bear_weights(1.);
-  rest.found = rest.report.complete;
-  if (!rest.found) {
-    rest.gives_way = ground.where_it_moves();
-    return rest;
+  rest.report = ground.bear_weights(false, false);
+  if (!rest.report.complete) {
+    const LimitAnswer limit = ground.bear_at_limit(1., rest.report.reached);
+    rest.none = limit.found == RestFound::none;
+    if (limit.found != RestFound::rest) rest.gives_way = ground.where_it_shears(limit.moved);
+    if (rest.none) return rest;
+    const PointStresses at_limit = ground.soil().stresses();
+    rest.report = ground.bear_weights(false, true);
+    if (!rest.report.complete) rest.report = ground.bear_weights(true, true);
+    if (!rest.report.complete && limit.found == RestFound::rest) {
+      ground.soil().start_from(at_limit);
+      rest.report = {1., 1., true, limit.moved, 1, 0, limit.iterations, limit.residual};
+    }
   }
+  rest.found = rest.report.complete;
+  if (!rest.found) return rest;
+  rest.gives_way.clear();
   rest.stresses = ground.soil().stresses();
   rest.share_at_strength = ground.soil().share_at_strength();
   return rest;
 }
 
-SafetyFactor safety_factor(const Scene& scene, const Mesh& mesh, const SoilState& soil) {
-  FailingGround ground(scene, mesh, soil, has_some_strength);
+SafetyFactor safety_factor(const Scene& scene, const Mesh& mesh, const SoilState& soil, const RestProgress& progress) {
+  FailingGround ground(scene, mesh, soil, has_some_strength, progress);
   SafetyFactor found;
-  for (double F = 1.; F > 1. / most_reduction; F *= 0.5) {
-    if (!ground.bear_weights(F).complete) {
-      found.upper = F;
-      found.fails_at = ground.where_it_moves();
-      continue;
-    }
-    const StaticReport report = ground.lose_strength(F);
-    found.lower = report.reached;
-    if (!report.complete) {
-      found.upper = found.upper ? std::min(*found.upper, report.failed) : report.failed;
-      found.fails_at = ground.where_it_moves();
-    }
-    break;
+  FactorSearch search;
+  while (const std::optional<double> F = search.next()) {
+    const LimitAnswer answer = ground.bear_at_limit(*F, search.done());
+    search.take(*F, answer);
+    if (answer.found == RestFound::none && *F == search.upper()) found.fails_at = ground.where_it_shears(answer.moved);
   }
+  found.lower = search.lower();
+  found.upper = search.upper();
+  found.why = search.why();
   return found;
 }
 

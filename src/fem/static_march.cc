@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "algebra/newton.h"
@@ -38,7 +39,6 @@ class Balance {
   void at(double parameter) {
     load_ = path_.load(parameter);
     if (!path_.held.empty()) place_ = path_.place(parameter);
-    if (path_.laws) soil_.follow(path_.laws(parameter));
   }
   /// The springs' stiffness is the largest of the diagonal.
   void start(double parameter, const Vector& x) {
@@ -53,6 +53,7 @@ class Balance {
       r = x;
       return;
     }
+    if (path_.each) path_.each();
     soil_.exert(x, force_);
     r = force_ - load_;
     for (std::size_t k = 0; k < path_.held.size(); ++k) r[path_.held[k]] = spring_ * (x[path_.held[k]] - place_[k]);
@@ -61,11 +62,11 @@ class Balance {
     soil_.tangent(values);
     for (const auto& [entry, diagonal] : held_entries_) values[entry] = diagonal ? spring_ : 0.;
   }
-  /// Norm of the loads and of the reactions at held unknowns.
+  /// Norm of the loads and of the reactions at held unknowns; not zero where there are none.
   double size() const {
     double sum = load_.squaredNorm();
     for (const int i : path_.held) sum += force_[i] * force_[i];
-    return std::sqrt(sum);
+    return std::max(std::sqrt(sum), std::numeric_limits<double>::min());
   }
   /// A thousandth of the elastic force that moves held unknowns to their places: an estimate of the reactions.
   double pull(const Vector& x) const {

@@ -15,7 +15,7 @@ struct StaticPath {
   std::function<Vector(double)> load;                ///< nodal forces
   std::vector<int> held;                             ///< unknowns that are prescribed
   std::function<std::vector<double>(double)> place;  ///< prescribed values of these; not called where none are held
-  std::function<StaticLaws(double)> laws;            ///< laws by the parameter; null: laws stay
+  std::function<void()> each;                        ///< called in every iteration; may throw to end the march
 };
 
 struct StaticSteps {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "fem/unknowns.h"
@@ -40,6 +41,15 @@ class StaticSoil {
   void tangent(Eigen::Ref<Vector> values) const;
   /// Commits x.
   void commit(const Vector& x);
+
+  /// Energy of the stresses of the last `exert`, or of their change since the last commit: sigma : D^-1 : sigma / 2
+  /// over the area (J/m).
+  double energy() const;
+  double energy_of_change() const;
+  /// Power of the deviators of the last `exert` in a motion `moved` (J/m): what resists shear.
+  double resistance(const Vector& moved) const;
+  /// The active cell with a law that shears most in a motion, of those at their strength in the last `exert`.
+  std::optional<unsigned> shears_most(const Vector& moved) const;
 
   PointStresses stresses() const;
   /// Largest excess of a committed stress over the strength of its law (Pa); 0 or less where all stresses are borne.

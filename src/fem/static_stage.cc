@@ -99,6 +99,7 @@ StaticStage solve_static(const Scene& scene, const Mesh& mesh) {
   const Scene rest = at_rest(scene);
   const Vector weights = Ground(rest, mesh, {}).weights(water_level(scene, mesh));
   StaticStage stage;
+  stage.weight = weights.norm();
   SoilState soil;
   for (const auto& cell : mesh.triangulation.active_cell_iterators()) {
     const std::optional<StressLaw>& law = scene.regions.at(mesh.surface_of(cell)).stress_law;

@@ -23,6 +23,7 @@ struct StaticStage {
   EffectiveStress stress;
   std::vector<double> shear_modulus;  ///< by active cell index; 0 where no law depends on stress (Pa)
   int iterations = 0;                 ///< solves until no G changed by more than 0.1 %
+  double weight = 0.;                 ///< norm of the nodal forces of all weights (N/m)
 };
 
 /// Whether a region's stiffness depends on stress.

@@ -186,8 +186,8 @@ OutputSchema<Check> check_outputs() {
            "what the section bears: mu W', or a limit of `[limits]`; null where none is given")
       .key("margin", &C::margin, "",
            "above 1 where it holds: capacity over demand, or demand over capacity of what must not fall below; null "
-           "without a capacity, or where nothing is demanded")
-      .key("holds", &C::holds, "", "whether it holds; null without a capacity")
+           "without a capacity, where nothing is demanded, and where the check is void")
+      .key("holds", &C::holds, "", "whether it holds; null without a capacity, and where the check is void")
       .key("measure", &C::measure, "", "the key of the summary with the demand")
       .reason("assumption", &C::assumption, "assumption that the check rests on; null where there is none");
 }
@@ -251,10 +251,12 @@ OutputSchema<SafetySummary> safety_outputs() {
   using S = SafetySummary;
   return OutputSchema<S>()
       .key("lower", &S::lower, "",
-           "largest factor at which it stands; null where no equilibrium was found with up to 16 times its strength")
+           "largest factor at which a state at rest was found; null where none was with up to 16 times its strength")
       .key("upper", &S::upper, "",
-           "smallest factor at which no equilibrium was found; null where it stands with a twentieth of its strength")
-      .key("fails_at", &S::fails_at, "", "where it moves most as it fails; empty where it does not");
+           "smallest factor at which it was shown that there is none; null where it stands with a twentieth of its strength, "
+           "or nothing was shown")
+      .key("fails_at", &S::fails_at, "", "where it shears most as it fails; empty where it does not")
+      .reason("why_open", &S::why_open, "why the bounds are more than 1 % apart, or missing; null where they are not");
 }
 
 OutputSchema<PeakStrain> peak_strain_outputs() {
@@ -301,7 +303,9 @@ OutputSchema<NonlinearSummary> nonlinear_outputs() {
       .object(
           "rest", &N::rest, rest_outputs(),
           "how Mohr-Coulomb soil came to rest; null without any, and where no rest within its strength was found: then "
-          "it starts from the elastic stress, as hysteretic soil does")
+          "it starts from the elastic stress, as hysteretic soil does, and `void` says so")
+      .reason("why_no_rest", &N::why_no_rest,
+              "why Mohr-Coulomb soil has no state at rest, and where it gives way; null where it has, and without any")
       .keys_of(&N::peak_strain, peak_strain_outputs())
       .list("regions[]", &N::regions, mobilised_region_outputs(), "strength that each region mobilised")
       .list("bounds[]", &N::bounds, bound_outputs(), "from the other starts; empty unless `initial.bounds`");
@@ -402,9 +406,14 @@ OutputSchema<Summary> whole_outputs() {
               "where the caisson came to rest at the end of the run; null where no soil yields")
       .list("densification[]", &S::densification, densification_outputs(), "[denser soils](yielding.md#densification)")
       .object("safety", &S::safety, safety_outputs(),
-              "factor by which [strength may fall at rest](yielding.md#strength-reduction); null unless asked for")
+              "factor by which [strength may fall at rest](yielding.md#strength-reduction), if asked for by `initial.safety` or "
+              "`limits.safety`, and where Mohr-Coulomb soil found no rest; else null")
+      .reason("void", &S::why_void,
+              "why nothing here that was marched is of a section that stands: its ground [has no state at "
+              "rest](yielding.md#ground-that-does-not-stand); null where it has")
       .list("checks[]", &S::checks, check_outputs(),
-            "checks of the section: sliding, friction, pressure of heel and toe, overturning; empty without a caisson")
+            "checks of the section: strength at rest, where it is known; sliding, friction, pressure of heel and toe, "
+            "overturning of a caisson")
       .list("strength[]", &S::strength, strength_outputs(), "of each region with a [strength](warnings.md#strength)")
       .list("warnings[]", &S::warnings, warning_outputs(), "[what may be wrong](warnings.md) though nothing failed")
       .list("ladder[]", &S::ladder, ladder_outputs(),

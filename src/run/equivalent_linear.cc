@@ -144,12 +144,14 @@ Simulation with_converged_soil(const Simulation& simulation, const std::function
   const SoilState first = soil.at(std::vector<double>(soil.follows().size(), 0.));
   SoilSummary summary;
   Simulation latest = with_soil(simulation, first);
-  const LinearAnswer linear = next_answer({}, latest, soil.follows(), progress);
+  // how many solutions it takes is not known: each is a fifth of what is left
+  const auto part = [&](int n) { return part_of(progress, 1. - std::pow(0.8, n), 1. - std::pow(0.8, n + 1)); };
+  const LinearAnswer linear = next_answer({}, latest, soil.follows(), part(0));
   LinearAnswer last = linear;
   summary.linear = linear.measure;
   while (!summary.converged && summary.iterations < most_iterations) {
     latest = with_soil(simulation, soil.at(last.strain));
-    const LinearAnswer next = next_answer(linear, latest, soil.follows(), progress);
+    const LinearAnswer next = next_answer(linear, latest, soil.follows(), part(summary.iterations + 1));
     ++summary.iterations;
     summary.change = std::abs(next.measure - last.measure) / std::max(next.measure, 1e-300);
     summary.converged = summary.change < converged;

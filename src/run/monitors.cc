@@ -8,6 +8,7 @@
 #include "response/reduction.h"
 #include "response/time_choice.h"
 #include "run/checks.h"
+#include "run/safety.h"
 #include "run/contact/contact_run.h"
 #include "run/sliding/coupled_sliding.h"
 #include "run/sliding/effective_base.h"
@@ -182,6 +183,7 @@ void Monitors::report(Run& run) const {
     summary.skipped.push_back({"contact node by node", why_glued(*summary.contact)});
   if (summary.sliding) summary.sliding->design = design_sliding(*summary.sliding, summary.contact, summary.residual);
   summary.checks = checks_of(simulation.given, summary);
+  judge_rest(simulation.given, summary);
 }
 
 void Monitors::report_pressure(const Simulation& simulation, Run& run) const {

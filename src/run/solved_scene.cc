@@ -58,7 +58,7 @@ SolvedScene::SolvedScene(const Simulation& simulation, const RunOptions& options
                                    : solve_tied(solved, ahead_, marching, solving);
   if (!solved_.simulation) solved_.simulation = simulation_;
   monitors_.look(solved_);
-  solved_.summary.safety = find_safety(solved);
+  solved_.summary.safety = find_safety(solved, solved_.summary);
 }
 
 Run SolvedScene::told(Run run, const Scene& given, const std::function<void(double)>& progress) const {

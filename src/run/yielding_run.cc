@@ -68,10 +68,18 @@ SoilWork work_of(const Simulation& simulation) {
 struct Rest {
   StaticStage elastic;
   std::optional<RestState> failing;  ///< of Mohr-Coulomb soil, where one was found
+  std::string why_none;              ///< "" where one was found, and without such soil
 };
 
 RestSummary summary_of(const RestState& rest) {
   return {rest.report.steps, rest.report.iterations, rest.share_at_strength, rest.report.residual};
+}
+
+std::string why_none(const RestState& rest) {
+  if (rest.found) return {};
+  return (rest.none ? "no stress within the strength is in equilibrium with the weights: the ground gives way in "
+                    : "no state at rest was found, nor was it shown that there is none; the ground moves most in ") +
+         rest.gives_way;
 }
 
 Run march_from(const Simulation& simulation, RestStart start, const Rest& rest, const MarchOptions& marching,
@@ -82,7 +90,7 @@ Run march_from(const Simulation& simulation, RestStart start, const Rest& rest, 
   const auto soil =
       yielding_soil(*simulation.space, *simulation.unknowns, system.readings, laws.points, work_of(simulation));
   const auto scheme =
-      make_yielding_scheme(system, *soil, {yielding_tolerance * simulation.given.tolerance, care.refined});
+      make_yielding_scheme(system, *soil, {yielding_tolerance * simulation.given.tolerance, care.refined, rest.elastic.weight});
   if (follower.soil) follower.soil(*soil);
   YieldingWatch watch(*simulation.space, *simulation.unknowns, *soil);
   MarchOptions followed = marching;
@@ -106,6 +114,7 @@ Run march_from(const Simulation& simulation, RestStart start, const Rest& rest, 
     run.summary.densification =
         compacted_soils(*simulation.space, *simulation.unknowns, *laws.compacting, run.response.final_state);
   if (rest.failing) summary.rest = summary_of(*rest.failing);
+  summary.why_no_rest = rest.why_none;
   summary.peak_strain = watch.peak_strain();
   summary.regions = watch.regions();
   if (simulation.compiled->caisson) run.summary.residual = residual(simulation, run.response);
@@ -134,9 +143,11 @@ StartBound bound_of(const Run& run) {
 
 Run run_yielding(const Simulation& simulation, const MarchOptions& marching,
                  const std::function<void(double)>& progress, const YieldingRunOptions& options) {
-  Rest rest{solve_static(simulation.scene, *simulation.mesh), {}};
+  Rest rest{solve_static(simulation.scene, *simulation.mesh), {}, {}};
   if (needs_rest_state(simulation.scene)) {
-    RestState found = rest_state(simulation.scene, *simulation.mesh, simulation.soil_state);
+    RestState found =
+        rest_state(simulation.scene, *simulation.mesh, simulation.soil_state, watched("state at rest"));
+    rest.why_none = why_none(found);
     if (found.found) rest.failing = std::move(found);
   }
   const RestStart start = start_of(simulation.given);

@@ -78,6 +78,7 @@ struct Limits {
   std::optional<double> sliding;        ///< S (m)
   std::optional<double> base_pressure;  ///< of the heel and of the toe (Pa)
   std::optional<double> overturning;    ///< least margin against it
+  std::optional<double> safety;         ///< least factor of strength at rest; 1 where none is given
 };
 
 enum class DisplacementCondition {

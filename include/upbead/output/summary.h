@@ -139,7 +139,7 @@ struct Check {
   /// Above 1 where the check holds: capacity over demand, or, for a quantity that must not fall below its limit, demand
   /// over capacity. None without a capacity, or where there is no demand.
   std::optional<double> margin;
-  std::optional<bool> holds;  ///< none without a capacity
+  std::optional<bool> holds;  ///< none without a capacity, and where the check is void
   std::string measure;        ///< the key of the summary, and what it means
   std::string assumption;     ///< that the check relies on; "" where there is none to mention
 };
@@ -232,6 +232,7 @@ struct RestSummary {
 struct SafetySummary {
   std::optional<double> lower, upper;  ///< it stands at `lower`, it does not at `upper`
   std::string fails_at;                ///< where it gives way at `upper`
+  std::string why_open;                ///< why the bounds are no closer; "" where they are as close as asked for
 };
 
 /// What it cost to solve soil that yields, and how far it yielded.
@@ -244,6 +245,7 @@ struct NonlinearSummary {
   double share_yielded = 0.;         ///< share of the area of soil that yields, where it lost energy
   double share_beyond_at_rest = 0.;  ///< share of this area where the stress at rest exceeds the strength
   std::optional<RestSummary> rest;   ///< none without Mohr-Coulomb soil
+  std::string why_no_rest;           ///< why that soil has no state at rest; "" where it has, and without such soil
   PeakStrain peak_strain;
   std::vector<MobilisedRegion> regions;
   std::vector<StartBound> bounds;
@@ -335,7 +337,8 @@ struct Summary {
   std::optional<NonlinearSummary> nonlinear;   ///< none where no soil yields
   std::optional<ResidualSummary> residual;     ///< where soil yields, of a caisson
   std::vector<CompactedSoil> densification;    ///< of the regions that pack denser
-  std::optional<SafetySummary> safety;         ///< where it is asked for
+  std::optional<SafetySummary> safety;         ///< where it is asked for, and where no rest was found
+  std::string why_void;                        ///< why nothing that was marched holds; "" where it does
   std::vector<Check> checks;                   ///< of the section, in the order of a sheet
   std::vector<MobilisedStrength> strength;     ///< of the regions whose strength is given
   NumberedWarnings warnings;                   ///< docs/warnings.md

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/progress.h"
 #include "fem/compile.h"
 #include "fem/outline.h"
 #include "response/shear_response.h"
@@ -266,6 +267,8 @@ void estimate_errors(Run& run) {
     tell_why_no_slip_error(run);
     return;
   }
+  const auto progress = watched("estimating errors");
+  progress(0.);
   ErrorEstimate& peak = run.summary.error.emplace();
   ErrorEstimate& history = run.summary.history_error.emplace();
   ShearError mesh, time;
@@ -277,8 +280,10 @@ void estimate_errors(Run& run) {
   } else {
     run.cells = compared_cells(simulation);
     mesh = run.cells->error;
+    progress(0.4);
     if (!run.summary.reduction) time = error_of_steps(run);
   }
+  progress(0.6);
   peak.mesh = mesh.peak;
   history.mesh = mesh.history;
   peak.time = time.peak;
@@ -288,6 +293,7 @@ void estimate_errors(Run& run) {
     history.reduced_model = run.summary.reduction->error;
   }
   peak.far_boundary = error_of_far_sides(simulation, *run.summary.response);
+  progress(0.7);
   estimate_slip_error(run);
 }
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "base/interrupt.h"
+#include "base/progress.h"
 #include "base/stopwatch.h"
 #include "base/text.h"
 #include "fem/caisson/readings.h"
@@ -143,6 +143,13 @@ class Adaptation {
     mesh_ = stuck && n_stuck_ > 1 ? halved(*mesh_) : refined(*mesh_, worst_cells(cells_, part));
   }
 
+  /// Share of the way to the aim, by the logarithm of the error.
+  double done() const {
+    if (accuracy_.levels.empty()) return 0.;
+    const double first = driving(given_, accuracy_.levels.front().error);
+    return first > aim_ ? std::log(first / driving(given_, accuracy_.levels.back().error)) / std::log(first / aim_) : 1.;
+  }
+
  private:
   void measure(Simulation& simulation, int n) {
     accuracy_.compared = std::make_shared<const CellsCompared>(compare_cells(simulation));
@@ -167,8 +174,9 @@ class Adaptation {
 Simulation adapted(const Scene& given, std::shared_ptr<const Mesh> coarse) {
   const Stopwatch watch;
   Adaptation adaptation(given, coarse);
+  const auto progress = watched("refining the mesh");
   for (;;) {
-    check_interrupt();
+    progress(adaptation.done());
     Simulation simulation = adaptation.assemble();
     if (simulation.accuracy) {
       if (given.accuracy.of == AccuracyOf::history) simulation.scene.tolerance = share_of_rest * given.tolerance;

@@ -1,0 +1,272 @@
+// Claims: whether ground can rest is answered as by limit analysis: a strip on clay bears (2 + pi) c, slopes have the
+// factors of the most dangerous circle, by Bishop's method, whatever the mesh; the ground rests at `lower` and is shown
+// not to at `upper`. What a search ends with does not depend on where it begins, and the energy that shows that there
+// is no rest is less than that of every rest. A search without an answer makes no bound.
+
+#include "fem/limit_state.h"
+
+#include <deal.II/grid/grid_tools.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "fem/factor_search.h"
+#include "fem/ground.h"
+#include "fem/rest_state.h"
+#include "tensor_mesh.h"
+
+namespace upbead::test {
+namespace limit_state_test {
+
+constexpr double H = 10., weight = 20e3, pi = 3.14159265358979323846;  // m, N/m3
+
+/// A slope from the crest at x = 0 to the toe at x = run, on ground down to y = -below; `uneven`: by which part of
+/// their size nodes are moved at random.
+struct Slope {
+  double run = 2. * H, below = 0.5 * H, size = 1.25, uneven = 0.;
+  unsigned seed = 1;
+  double behind = 1.2 * H, before = 1.2 * H;
+  double top(double x) const { return run > 0. ? H * (1. - std::clamp(x / run, 0., 1.)) : H; }
+
+  std::unique_ptr<Mesh> mesh() const {
+    const auto lines = [this](double from, double to, double scale = 1.) {
+      return even_lines(from, to, static_cast<int>(std::lround((to - from) / size * scale)));
+    };
+    auto mesh = tensor_mesh(
+        joined(joined(lines(-behind, 0.), lines(0., run)), lines(run, run + before)), lines(0., 1., H + below),
+        [](const dealii::Point<dim>&) { return "soil"; },
+        [this](const dealii::Point<dim>& p) -> std::string {
+          if (p[0] < 1e-9 - behind || p[0] > run + before - 1e-9) return "sides";
+          return p[1] < 1e-9 ? "base" : p[1] > 1. - 1e-9 ? "surface" : "";
+        });
+    if (uneven > 0.) dealii::GridTools::distort_random(uneven, mesh->triangulation, true, seed);
+    dealii::GridTools::transform(
+        [this](const dealii::Point<dim>& p) {
+          return dealii::Point<dim>(p[0], -below + p[1] * (top(p[0]) + below));
+        },
+        mesh->triangulation);
+    return mesh;
+  }
+};
+
+Scene scene_of(const Strength& strength, double unit_weight = weight) {
+  Scene scene;
+  scene.gravity = 10.;
+  Region& soil = scene.regions["soil"];
+  soil.kind = RegionKind::solid;
+  soil.deformation = Deformation::elastic;
+  soil.density = unit_weight / scene.gravity;
+  soil.shear_modulus = 4e7;
+  soil.poissons_ratio = 0.3;
+  soil.strength = strength;
+  soil.law = SoilLaw::mohr_coulomb;
+  scene.boundaries["base"].displacement = DisplacementCondition::fixed;
+  scene.boundaries["sides"].displacement = DisplacementCondition::roller;
+  scene.boundaries["surface"] = {};
+  scene.initial.emplace().water_level = -1e3;
+  return scene;
+}
+
+/// F of one circle by Bishop's simplified method (1955); infinite where it cuts nothing off.
+double bishop(const Slope& slope, const Strength& s, double x, double y, double R) {
+  constexpr int n = 80;
+  const double tangent = std::tan(s.friction_angle * pi / 180.), b = 2. * R / n;
+  double F = 1.;
+  for (int turn = 0; turn < 30; ++turn) {
+    double resists = 0., drives = 0.;
+    for (int i = 0; i < n; ++i) {
+      const double at = x - R + (i + 0.5) * b, sine = (x - at) / R, cosine = std::sqrt(1. - sine * sine);
+      const double height = slope.top(at) - (y - R * cosine);
+      if (height <= 0.) continue;
+      const double W = weight * height * b;
+      resists += (s.cohesion * b + W * tangent) / (cosine + sine * tangent / F);
+      drives += W * sine;
+    }
+    if (drives <= 1e-6 * weight * H * H) return HUGE_VAL;
+    F = resists / drives;
+  }
+  return F;
+}
+
+/// The least F of circles within the ground.
+double worst_circle(const Slope& slope, const Strength& s) {
+  double least = HUGE_VAL;
+  for (double x = -0.5 * H; x <= slope.run + 0.5 * H; x += 0.1 * H)
+    for (double y = 1.05 * H; y <= 4. * H; y += 0.1 * H)
+      for (double deep = std::max(-slope.below, -2. * H); deep <= 0.5 * H; deep += 0.05 * H)
+        least = std::min(least, bishop(slope, s, x, y, y - deep));
+  return least;
+}
+
+double middle(const SafetyFactor& F) {
+  EXPECT_TRUE(F.lower && F.upper && *F.upper - *F.lower <= 0.01 * *F.lower) << F.why;
+  EXPECT_EQ(F.why, "");
+  return F.lower && F.upper ? 0.5 * (*F.lower + *F.upper) : NAN;
+}
+
+TEST(LimitState, SlopesFailByTheWorstCircleWhateverTheirMesh) {
+  double before = 0.;
+  unsigned seed = 1;
+  for (const double angle : {18., 20., 22., 25.}) {
+    const Strength soil{angle, 0.05 * weight * H, 0., 0.};
+    Slope slope;
+    slope.size = 2.;
+    slope.uneven = 0.25;
+    slope.seed = seed++;
+    const double F = middle(safety_factor(scene_of(soil), *slope.mesh(), {}));
+    EXPECT_NEAR(F / worst_circle(slope, soil), 1., 0.03) << "phi' = " << angle;
+    EXPECT_GT(F, before + 0.02);
+    before = F;
+  }
+}
+
+TEST(LimitState, UndrainedSlopesFailByTheWorstCircle) {
+  for (const double run : {H, 2. * H}) {
+    Slope slope;
+    slope.run = run;
+    slope.size = 2.;
+    const Strength clay{0., 0.25 * weight * H, 0., 1e12};
+    EXPECT_NEAR(middle(safety_factor(scene_of(clay), *slope.mesh(), {})) / worst_circle(slope, clay), 1., 0.03);
+  }
+}
+
+/// Dry sand slides along its slope: F = tan phi' / tan beta.
+TEST(LimitState, DrySandSlidesAlongItsSlope) {
+  Slope slope;
+  slope.size = 2.;
+  const SafetyFactor F = safety_factor(scene_of({35., 0., 0., 0.}), *slope.mesh(), {});
+  EXPECT_NEAR(middle(F) / (std::tan(35. * pi / 180.) / 0.5), 1., 0.05);
+}
+
+/// Prandtl (1920): the mean pressure of a strip on clay without weight, or with, is (2 + pi) c.
+TEST(LimitState, AStripOnClayBearsPrandtlsPressure) {
+  Slope level;
+  level.run = 0.;
+  level.below = 0.;
+  level.size = 1.;
+  level.behind = level.before = 14.;
+  Scene scene = scene_of({0., 20e3, 0., 1e12});
+  scene.initial->surcharge["load"] = {"surface", 50e3, -3., 3.};
+  const double exact = (2. + pi) * 20e3 / 50e3;
+  const SafetyFactor F = safety_factor(scene, *level.mesh(), {});
+  EXPECT_GT(middle(F), 0.995 * exact);
+  EXPECT_LT(middle(F), 1.06 * exact);
+  EXPECT_EQ(F.fails_at.rfind("region 'soil' at ", 0), 0u) << F.fails_at;
+}
+
+TEST(LimitState, RestsAtTheLowerFactorAndIsShownNotToAtTheUpper) {
+  Slope slope;
+  slope.size = 2.;
+  slope.uneven = 0.2;
+  for (const Strength& soil : {Strength{20., 10e3, 0., 0.}, Strength{0., 50e3, 0., 0.}, Strength{38., 1e3, 8., 0.}}) {
+    const auto mesh = slope.mesh();
+    const SafetyFactor F = safety_factor(scene_of(soil), *mesh, {});
+    ASSERT_TRUE(F.lower && F.upper);
+    const auto at = [&](double factor) {
+      Strength weaker = soil;
+      for (double* angle : {&weaker.friction_angle, &weaker.dilatancy_angle})
+        *angle = std::atan(std::tan(*angle * pi / 180.) / factor) * 180. / pi;
+      weaker.cohesion /= factor;
+      return rest_state(scene_of(weaker), *mesh, {});
+    };
+    const RestState rests = at(*F.lower), falls = at(*F.upper);
+    EXPECT_TRUE(rests.found) << soil.friction_angle;
+    EXPECT_LE(rests.report.residual, 1e-6);
+    EXPECT_FALSE(falls.found) << soil.friction_angle;
+    EXPECT_TRUE(falls.none);
+  }
+}
+
+/// The soil of a slope in its elastic state, with associated laws of the given strength.
+struct Searched {
+  Slope slope;
+  std::unique_ptr<Mesh> mesh;
+  Scene scene;
+  Ground ground;
+  StaticSoil soil;
+  Vector load;
+  explicit Searched(const Strength& s)
+      : slope{2. * H, 0.5 * H, 2.5, 0.2}, mesh(slope.mesh()), scene(at_rest(scene_of(s))), ground(scene, *mesh, {}),
+        soil(ground.space(), ground.unknowns()), load(ground.weights(-1e3)) {
+    soil.commit(seek_rest(soil, load, {}).x);
+    soil.start_from(soil.stresses());
+    const ElasticLaw elastic = elastic_law(*scene.regions["soil"].shear_modulus, 0.3);
+    soil.follow(StaticLaws(mesh->triangulation.n_active_cells(),
+                           std::make_shared<const MohrCoulombLaw>(
+                               elastic, MohrCoulombStrength{s.friction_angle, s.cohesion, s.friction_angle, 0.})));
+  }
+  /// Less than the energy of every change of stress that leads to a rest.
+  double bound(const Vector& x) {
+    Vector force;
+    soil.exert(x, force);
+    return soil.energy_of_change() - (force - load).dot(x);
+  }
+};
+
+TEST(LimitState, TheRestThatIsFoundDoesNotDependOnTheBeginningAndHasMoreEnergyThanEveryBound) {
+  Searched ground({20., 9e3});
+  const LimitAnswer rest = seek_rest(ground.soil, ground.load, {});
+  ASSERT_EQ(rest.found, RestFound::rest);
+  const double energy = ground.bound(rest.x), size = rest.x.lpNorm<Eigen::Infinity>();
+  EXPECT_GT(energy, 0.);
+  for (const double part : {0.01, 0.1, 1., 10.}) {
+    const Vector x = rest.x + part * size * Vector::Random(rest.x.size());
+    EXPECT_LT(ground.bound(x), energy * (1. + 1e-9));
+    EXPECT_LT(ground.bound(part * rest.x), energy * (1. + 1e-9));
+  }
+  const LimitAnswer other = seek_rest(ground.soil, ground.load, 0.1 * size * Vector::Random(rest.x.size()));
+  ASSERT_EQ(other.found, RestFound::rest);
+  EXPECT_NEAR(ground.bound(other.x), energy, 1e-5 * energy);
+}
+
+TEST(LimitState, WithoutARestTheEnergyThatOneWouldNeedGrowsWithoutEnd) {
+  Searched ground({12., 4e3});
+  const LimitAnswer none = seek_rest(ground.soil, ground.load, {});
+  ASSERT_EQ(none.found, RestFound::none);
+  EXPECT_LT(none.resisting, 1.);
+  EXPECT_GT(none.resisting, 0.3);
+  ground.soil.exert(Vector::Zero(none.x.size()), ground.load);
+  const double elastic = ground.soil.energy();
+  EXPECT_GT(elastic, 0.);
+  ASSERT_TRUE(ground.soil.shears_most(none.moved).has_value());
+}
+
+/// A ground that fails at a factor, with a stretch of factors at which no search ends.
+LimitAnswer answer_of(double F, double fails, double open_from, double open_to) {
+  LimitAnswer answer;
+  answer.found = F > open_from && F < open_to ? RestFound::open : F < fails ? RestFound::rest : RestFound::none;
+  if (answer.found == RestFound::none) answer.resisting = std::max(0.2, fails / F * 1.02);
+  return answer;
+}
+
+TEST(FactorSearch, FindsTheFactorInFewSearchesAndMakesNoBoundOfOneWithoutAnswer) {
+  for (const double fails : {0.08, 0.7, 0.999, 1.001, 1.37, 2.9, 17.}) {
+    FactorSearch search;
+    int n = 0;
+    for (; n < 100 && search.next(); ++n) search.take(*search.next(), answer_of(*search.next(), fails, 0., 0.));
+    EXPECT_LE(n, 14) << fails;
+    ASSERT_TRUE(search.lower() && search.upper()) << fails;
+    EXPECT_LE(*search.lower(), fails);
+    EXPECT_GE(*search.upper(), fails);
+    EXPECT_LE(*search.upper() - *search.lower(), 0.01 * *search.lower());
+    EXPECT_EQ(search.why(), "");
+    FactorSearch hindered;
+    for (n = 0; n < 100 && hindered.next(); ++n)
+      hindered.take(*hindered.next(), answer_of(*hindered.next(), fails, 0.97 * fails, 1.1 * fails));
+    EXPECT_LT(n, 100);
+    if (hindered.lower()) EXPECT_LE(*hindered.lower(), 0.97 * fails);
+    if (hindered.upper()) EXPECT_GE(*hindered.upper(), 1.1 * fails);
+    EXPECT_NE(hindered.why(), "") << fails;
+  }
+  FactorSearch strong, nothing;
+  while (strong.next()) strong.take(*strong.next(), answer_of(*strong.next(), 1e3, 0., 0.));
+  EXPECT_EQ(*strong.lower(), FactorSearch::largest);
+  EXPECT_FALSE(strong.upper());
+  while (nothing.next()) nothing.take(*nothing.next(), {});
+  EXPECT_FALSE(nothing.lower() || nothing.upper());
+  EXPECT_NE(nothing.why(), "");
+}
+
+}  // namespace limit_state_test
+}  // namespace upbead::test
