@@ -16,6 +16,14 @@ std::string significant(double value, int digits) {
   return text.str();
 }
 
+std::string place_text(double x, double y, int digits) {
+  const auto coordinate = [digits](double value) {
+    const double size = std::abs(value);
+    return significant(value, size < 1e3 ? digits : std::max(digits, 3 + static_cast<int>(std::log10(size))));
+  };
+  return "(" + coordinate(x) + ", " + coordinate(y) + ") m";
+}
+
 double without_round_off(double value, double peak) {
   return std::abs(value) < 1e-9 * std::abs(peak) ? 0. : value;
 }

@@ -36,6 +36,10 @@ std::string join(const std::vector<std::string>& words, const std::string& separ
 /// A number with at most `digits` significant digits: "0.05", "1e-05".
 std::string significant(double value, int digits = 3);
 
+/// "(1.5, -12.3) m": with at most that many significant digits, but to the centimetre where these are less than that in
+/// the coordinates of a survey.
+std::string place_text(double x, double y, int digits = 3);
+
 /// `value`, or 0 where it is below 1e-9 of `peak`, which is round-off.
 double without_round_off(double value, double peak);
 

@@ -55,8 +55,10 @@ TableSchema<Boundary> boundary_schema() {
       .doc(
           "condition on the displacement; roller: no normal motion; absorbing: waves leave; plate: a rigid smooth "
           "plate "
-          "lies on a straight side, which shifts along its normal as a whole; level: no vertical motion, the side of "
-          "ground that is shaken horizontally");
+          "lies on a straight side, which shifts along its normal as a whole; level: the side of level ground without "
+          "end, which under a base that is shaken horizontally has no vertical motion, vertically no horizontal one, "
+          "and "
+          "in both directions moves as the other level side");
   table.choice("pressure", &Boundary::pressure, pressure_words)
       .doc(
           "condition on the water, of pores or free; open: p = 0; absorbing: waves leave; surface_waves: gravity waves "

@@ -102,6 +102,7 @@ bool Dirk::step(State& state, double h, double inside, EffectiveMatrices& matric
     A_.col(i) = now_.a;
     if (meter == nullptr) continue;
     const Vector* internal = law != nullptr ? law->force_on_prescribed() : nullptr;
+    meter->add_frame(now_.weight, now_.v, load_);
     meter->add_work(now_.weight, now_.v, f_, now_.x, now_.v, now_.a, internal);
   }
   state.time += h;

@@ -69,6 +69,25 @@ void EnergyMeter::add_contact(double weight, const Vector& path, const Vector& r
   account_.lifted = at_rest.dot(x.tail(n));
 }
 
+void EnergyMeter::add_frame(double time, const Vector& v, const std::vector<double>& load) {
+  const auto correct = [&](const FrameDashpots& on, double& taken) {
+    double power = 0.;
+    for (std::size_t k = 0; k < on.loads.size(); ++k) {
+      const auto number = static_cast<std::size_t>(on.loads[k]);
+      const Vector& b = system_.loads[number].vector;
+      double with_frame = v.dot(b) + (v.array() * sign_.array() * b.array()).sum();  // twice v' b without rows of phi
+      for (std::size_t l = 0; l < on.loads.size(); ++l)
+        with_frame -= on.own(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(l)) *
+                      load[static_cast<std::size_t>(on.loads[l])];
+      power += load[number] * with_frame;
+    }
+    taken -= time * power;
+    account_.work -= time * power;
+  };
+  correct(system_.frame_damping, account_.damping);
+  correct(system_.frame_radiation, account_.radiated);
+}
+
 void EnergyMeter::add_yielding(double internal_work, double dissipated, double stored_before, double stored_now) {
   account_.plastic += dissipated;
   account_.strain += stored_now;

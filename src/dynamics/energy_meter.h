@@ -37,6 +37,10 @@ class EnergyMeter {
   /// of the forces at rest is stored. `internal`: the force of yielding soil on the prescribed unknowns.
   void add_work(double weight, const Vector& path, const Vector& f, const Vector& x, const Vector& v, const Vector& a,
                 const Vector* internal = nullptr);
+  /// Dashpots on a frame that moves take (v - r f)' C (v - r f), and the frame does the work of their reactions on its
+  /// own velocity. add_losses() counts v' C v and add_work() v' C r f, the work on the system: this corrects both, for
+  /// the loads' values f, over `time`. Call it before add_work().
+  void add_frame(double time, const Vector& v, const std::vector<double>& load);
   /// Adds the (column, column) entry of the losses, times `time`, to the energy taken.
   void add_losses(const Losses& losses, int column, double time);
   /// Adds what yielding soil takes, and what it stores besides x' K x / 2; set_stored() must be called before. The

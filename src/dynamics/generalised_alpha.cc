@@ -207,6 +207,7 @@ void GeneralisedAlpha::account(const State& before, const State& after, double h
   energy.add_scheme(e * stiffness.total()(1, 1));
   energy.set_stored(mass, stiffness, 0);
   rhs_ = pair_.col(1);
+  energy.add_frame(h, middle.v, balanced_.load);
   energy.add_work(1., rhs_, f_, middle.x, middle.v, middle.a);
 
   pair_.col(0) = middle.v;

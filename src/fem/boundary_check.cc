@@ -8,6 +8,7 @@
 #include "base/text.h"
 #include "fem/checker.h"
 #include "fem/curve_course.h"
+#include "fem/moving_frame.h"
 
 namespace upbead {
 
@@ -128,10 +129,12 @@ Eigen::Matrix3d held_motions(const Checker& checker) {
         const auto at = (face->vertex(v) - first) / face->measure();
         const Eigen::Vector3d normal(along[1], -along[0], along[1] * at[1] + along[0] * at[0]);
         const Eigen::Vector3d tangent(along[0], along[1], along[0] * at[1] - along[1] * at[0]);
-        const Eigen::Vector3d vertical(0., 1., -at[0]);
+        const Eigen::Vector3d across = level_sides(checker.scene) == LevelSides::hold_horizontally
+                                           ? Eigen::Vector3d(1., 0., at[1])
+                                           : Eigen::Vector3d(0., 1., -at[0]);
         const bool along_normal = sprung ? (*side->second.spring)[0] > 0. : !level;
         const bool along_tangent = sprung ? (*side->second.spring)[1] > 0. : condition == D::fixed;
-        if (level) held += vertical * vertical.transpose();
+        if (level) held += across * across.transpose();
         if (along_normal) held += normal * normal.transpose();
         if (along_tangent) held += tangent * tangent.transpose();
       }

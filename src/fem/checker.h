@@ -41,6 +41,7 @@ Names keys(const std::map<std::string, Value>& map) {
 std::string list(const Names& names);
 
 void check_boundaries(Checker& checker);
+void check_shaken_sides(Checker& checker);
 void check_loads(Checker& checker);
 void check_volume_loads(Checker& checker);
 

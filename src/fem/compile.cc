@@ -66,6 +66,8 @@ CompiledScene compile(const Scene& scene, const Space& space, const Unknowns& un
   if (!interface.empty())
     for (Reading& reading : interface_readings(unknowns, interface)) system.readings.push_back(std::move(reading));
   system.loads = std::move(loads.loads);
+  system.frame_damping = std::move(loads.frame_damping);
+  system.frame_radiation = std::move(loads.frame_radiation);
   compiled.loads_on_caisson = std::move(loads.on_caisson);
   return compiled;
 }

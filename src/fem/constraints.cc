@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 
 #include "fem/faces.h"
+#include "fem/moving_frame.h"
 
 namespace upbead {
 
@@ -13,6 +15,18 @@ using namespace dealii;
 using Constraints = AffineConstraints<double>;
 
 namespace {
+
+/// A degree of freedom follows the shape functions of another cell at a point of it.
+void follow_at(Constraints& constraints, const Space& space, types::global_dof_index dof, unsigned component,
+               const Point<dim>& at, const Cell& other) {
+  const Dofs of_other = dofs_of(other);
+  const Point<dim> unit = space.mapping().transform_real_to_unit_cell(other, at);
+  constraints.add_line(dof);
+  for (unsigned j = 0; j < of_other.size(); ++j)
+    if (other->get_fe().system_to_component_index(j).first == component)
+      if (const double weight = other->get_fe().shape_value(j, unit); std::abs(weight) > 1e-12)
+        constraints.add_entry(dof, of_other[j], weight);
+}
 
 /// Degrees of freedom on a face of a cell that the cell on the other side lacks: they follow the shape functions of
 /// that other cell.
@@ -24,12 +38,7 @@ void follow(Constraints& constraints, const Space& space, const Cell& cell, unsi
     const auto dof = of_cell[index];
     if (constraints.is_constrained(dof) || std::find(of_other.begin(), of_other.end(), dof) != of_other.end()) continue;
     const auto [component, at] = node_of(space, cell, index);
-    const Point<dim> unit = space.mapping().transform_real_to_unit_cell(other, at);
-    constraints.add_line(dof);
-    for (unsigned j = 0; j < of_other.size(); ++j)
-      if (other->get_fe().system_to_component_index(j).first == component)
-        if (const double weight = other->get_fe().shape_value(j, unit); std::abs(weight) > 1e-12)
-          constraints.add_entry(dof, of_other[j], weight);
+    follow_at(constraints, space, dof, component, at, other);
   }
 }
 
@@ -194,19 +203,57 @@ void add_fixed(Constraints& constraints, const Space& space, const Scene& scene,
 }
 
 /// The direction along which a side prescribes the motion of its nodes; zero where there is none.
-Tensor<1, dim> held_along(DisplacementCondition condition, const Cell& cell, unsigned f) {
+Tensor<1, dim> held_along(DisplacementCondition condition, LevelSides level, const Cell& cell, unsigned f) {
   using D = DisplacementCondition;
   if (condition == D::roller || condition == D::plate) return outward_normal(cell, f);
   Tensor<1, dim> n;
-  if (condition == D::level) n[1] = 1.;
+  if (condition == D::level && level != LevelSides::move_alike) n[level == LevelSides::hold_vertically ? 1 : 0] = 1.;
   return n;
+}
+
+/// A face of a level side.
+struct SideFace {
+  Cell cell;
+  unsigned number;
+  double low() const { return std::min(vertex(0), vertex(1)); }
+  double high() const { return std::max(vertex(0), vertex(1)); }
+  double vertex(unsigned v) const { return cell->face(number)->vertex(v)[1]; }
+};
+
+/// u of each node of the landward level side is that of the seaward one at its height (boundary_check.cc sees to it
+/// that the sides are alike).
+void add_moving_alike(Constraints& constraints, const Space& space, const Scene& scene) {
+  std::vector<SideFace> faces;
+  double left = std::numeric_limits<double>::infinity(), right = -left;
+  for_each_outer_face(space, [&](const Cell& cell, unsigned f, const std::string& curve) {
+    if (scene.boundaries.at(curve).displacement != DisplacementCondition::level || !space.has_matrices(cell)) return;
+    faces.push_back({cell, f});
+    left = std::min(left, cell->face(f)->center()[0]);
+    right = std::max(right, cell->face(f)->center()[0]);
+  });
+  const auto landward = [&](const SideFace& face) {
+    return face.cell->face(face.number)->center()[0] > 0.5 * (left + right);
+  };
+  const auto seaward = std::partition(faces.begin(), faces.end(), landward);
+  if (seaward == faces.end()) return;
+  std::sort(seaward, faces.end(), [](const SideFace& a, const SideFace& b) { return a.low() < b.low(); });
+  for (auto face = faces.begin(); face != seaward; ++face)
+    for (const auto& [index, node] : nodes_on_face(face->cell, face->number))
+      for (unsigned d = 0; d < dim; ++d) {
+        if (constraints.is_constrained(node[d])) continue;
+        const double y = place_of(space, face->cell, node[d])[1];
+        auto other = seaward;
+        while (other + 1 != faces.end() && y > other->high()) ++other;
+        follow_at(constraints, space, node[d], d, {left, std::clamp(y, other->low(), other->high())}, other->cell);
+      }
 }
 
 void add_supports(Constraints& constraints, const Space& space, const Scene& scene, const SceneMotions& motions) {
   add_fixed(constraints, space, scene, motions);
+  const LevelSides level = level_sides(scene);
   std::map<types::global_dof_index, HeldNode> held;
   for_each_outer_face(space, [&](const Cell& cell, unsigned f, const std::string& curve) {
-    const Tensor<1, dim> n = held_along(scene.boundaries.at(curve).displacement, cell, f);
+    const Tensor<1, dim> n = held_along(scene.boundaries.at(curve).displacement, level, cell, f);
     if (n.norm() == 0.) return;
     for (const auto& [index, node] : nodes_on_face(cell, f)) {
       HeldNode& at = held[node[0]];
@@ -216,6 +263,7 @@ void add_supports(Constraints& constraints, const Space& space, const Scene& sce
     }
   });
   for (const auto& [key, node] : held) add_held(constraints, node);
+  if (level == LevelSides::move_alike) add_moving_alike(constraints, space, scene);
 }
 
 /// phi is continuous between free water and pores, but has one degree less in pores. So at nodes between the vertices

@@ -47,8 +47,9 @@ Scene at_rest(Scene scene) {
     if (region.kind == RegionKind::solid) region.deformation = Deformation::elastic;
     if (region.stress_law) region.shear_modulus = region.stress_law->reference;
   }
-  for (auto& [name, boundary] : scene.boundaries)
-    if (boundary.displacement == DisplacementCondition::absorbing)
+  for (auto& [name, boundary] : scene.boundaries)  // a level side that moves horizontally only would bear weight
+    if (boundary.displacement == DisplacementCondition::absorbing ||
+        boundary.displacement == DisplacementCondition::level)
       boundary.displacement = DisplacementCondition::roller;
   return scene;
 }

@@ -125,7 +125,7 @@ std::vector<OpenFace> open_faces(const Scene& scene, const Space& space, const C
   const bool inertial = space.kind(cell) == CellKind::inertial;
   for (const unsigned f : cell->face_indices())
     if (drains(scene, space, cell, f)) {
-      const double h = cell->measure() / cell->face(f)->measure();
+      const double h = area_of(cell) / cell->face(f)->measure();
       faces.push_back({f, penalty(space.degree(), inertial) / h});
     }
   if (!inertial && !faces.empty()) make_definite(space, cell, faces);

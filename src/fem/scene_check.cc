@@ -174,8 +174,7 @@ void check_probes(Checker& checker) {
     for (const auto& cell : checker.mesh.triangulation.active_cell_iterators())
       inside = inside || unit_coordinates(cell, at).has_value();
     if (!inside)
-      checker.object("probes." + name + ".at",
-                     "the point (" + significant(at[0], 6) + ", " + significant(at[1], 6) + ") is outside the mesh",
+      checker.object("probes." + name + ".at", "the point " + place_text(at[0], at[1], 6) + " is outside the mesh",
                      "give a point of the section, in metres");
   }
 }
@@ -190,6 +189,7 @@ Diagnostics check_scene(const Scene& scene, const Mesh& mesh) {
   check_caisson(checker);
   check_contact(checker);
   check_boundaries(checker);
+  check_shaken_sides(checker);
   check_loads(checker);
   check_volume_loads(checker);
   check_probes(checker);

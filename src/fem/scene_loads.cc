@@ -97,19 +97,38 @@ std::map<std::string, NodalForces> curve_forces(const Space& space, const Load& 
   return forces;
 }
 
+/// The motion of an outcrop at the degrees of freedom of a cell.
+dealii::Vector<double> outcrop(const Space& space, const Cell& cell, const FaceTerms& terms, const Load& load) {
+  dealii::Vector<double> velocity(terms.matrices.C.n());
+  for (unsigned i = 0; i < terms.dofs.size(); ++i)
+    if (const auto [component, at] = node_of(space, cell, i); component < dim)
+      velocity[i] = load.direction[component] * intensity(load, at[0], at[1]);
+  return velocity;
+}
+
 /// The wave that a unit velocity of the outcrop below an absorbing side sends upward: the side's terms times that
 /// velocity. Ground that moved with the outcrop would feel no force.
 void add_arriving(const Scene& scene, const Space& space, const Unknowns& unknowns, const Load& load, Vector& vector) {
   for_each_absorbing_face(scene, space, [&](const Cell& cell, const std::string& curve, const FaceTerms& terms) {
     if (curve != load.boundary) return;
-    dealii::Vector<double> velocity(terms.matrices.C.n()), force(terms.matrices.C.m());
-    for (unsigned i = 0; i < terms.dofs.size(); ++i)
-      if (const auto [component, at] = node_of(space, cell, i); component < dim)
-        velocity[i] = load.direction[component] * intensity(load, at[0], at[1]);
-    terms.matrices.C.vmult(force, velocity);
+    dealii::Vector<double> force(terms.matrices.C.m());
+    terms.matrices.C.vmult(force, outcrop(space, cell, terms, load));
     for (unsigned i = 0; i < terms.dofs.size(); ++i)
       for (const auto& [unknown, weight] : unknowns.expansion(terms.dofs[i])) vector[unknown] += weight * force[i];
   });
+}
+
+/// What the side's dashpots take together of two motions of its outcrop, per unit velocity of both.
+double arriving_power(const Scene& scene, const Space& space, const Load& one, const Load& other) {
+  double power = 0.;
+  if (one.boundary == other.boundary)
+    for_each_absorbing_face(scene, space, [&](const Cell& cell, const std::string& curve, const FaceTerms& terms) {
+      if (curve != one.boundary) return;
+      dealii::Vector<double> force(terms.matrices.C.m());
+      terms.matrices.C.vmult(force, outcrop(space, cell, terms, other));
+      power += outcrop(space, cell, terms, one) * force;
+    });
+  return power;
 }
 
 /// A force at a point of a rigid region, as loads on the body's coordinates.
@@ -167,12 +186,28 @@ class LoadCompiler {
   void add_motion(const std::string& name, const Load& load) {
     const int p = unknowns_.prescribed(name);
     append({name, Vector::Zero(unknowns_.size()), load.history, p});
-    if (p < 0) add_arriving(scene_, space_, unknowns_, load, out.loads.back().vector);
+    if (p < 0) {
+      add_arriving(scene_, space_, unknowns_, load, out.loads.back().vector);
+      hang(load, arriving_, out.frame_radiation);
+    }
     if (!moves_frame(scene_, load)) return;
     const auto damping = damping_by_frame(space_, load);
     if (damping.empty()) return;
     append({name + ".damping", Vector::Zero(unknowns_.size()), load.history, -1});
     for (const auto& [region, nodal] : damping) add_nodal(region, nodal);
+    hang(load, damped_, out.frame_damping);
+  }
+
+  /// Notes that the last load is that of dashpots on a frame which `load` moves.
+  void hang(const Load& load, std::vector<const Load*>& frames, FrameDashpots& dashpots) {
+    dashpots.loads.push_back(static_cast<int>(out.loads.size()) - 1);
+    frames.push_back(&load);
+    const auto n = static_cast<Eigen::Index>(frames.size());
+    dashpots.own.conservativeResize(n, n);
+    for (Eigen::Index k = 0; k < n; ++k)
+      dashpots.own(k, n - 1) = dashpots.own(n - 1, k) =
+          &frames == &arriving_ ? arriving_power(scene_, space_, *frames[static_cast<std::size_t>(k)], load)
+                                : frame_damping(space_, *frames[static_cast<std::size_t>(k)], load);
   }
 
   /// Adds the resultant of a force on the rigid caisson.
@@ -216,6 +251,7 @@ class LoadCompiler {
   const std::vector<Body>& bodies_;
   const std::optional<Caisson>& caisson_;
   const NodalReaction* ground_;
+  std::vector<const Load*> arriving_, damped_;  ///< motions of frames that dashpots hang on
 };
 
 }  // namespace

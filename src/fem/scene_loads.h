@@ -18,6 +18,7 @@ struct SceneLoads {
   std::vector<LoadOnCaisson> on_caisson;
   /// Forces on the ground's cells; at nodes shared with the caisson they count for the ground, not for P.
   std::vector<NodalForces> on_ground;
+  FrameDashpots frame_damping, frame_radiation;  ///< see System
 };
 
 /// One system load for each load of the scene whose factor is not 0, and one more if that load prescribes a pore

@@ -9,16 +9,17 @@
 #include <vector>
 
 #include "fem/kernels.h"
+#include "material/few_elements.h"
 
 namespace upbead {
 
 namespace {
 
 constexpr double degree = boost::math::constants::degree<double>();
-/// Number of elements of the overlay (8 to 12 give F_T to 0.6 %), and their range of strain, over the reference
-/// strain: from a modulus reduced by one hundredth to 97 % of the strength of the hyperbola.
-constexpr int n_elements = 12;
-constexpr double first_strain = 0.01, last_strain = 30.;
+/// Number of points of the backbone that the elements of the overlay are found from, and their range of strain, over
+/// the reference strain: up to 97 % of the strength of the hyperbola.
+constexpr int n_points = 300;
+constexpr double first_strain = 0.001, last_strain = 30.;
 /// Least mean stress for the strength, over the mean of the region: strength would vanish at free surfaces.
 constexpr double least_stress = 0.1;
 
@@ -57,8 +58,8 @@ class Maker {
     std::map<std::string, std::pair<double, double>> sums;  // sum of stress times area, and of area
     for (const Cell& cell : space.dofs().active_cell_iterators()) {
       auto& [stress, area] = sums[space.mesh().surface_of(cell)];
-      stress += cell->measure() * std::max(rest.mean(cell->active_cell_index(), k0_), 0.);
-      area += cell->measure();
+      stress += area_of(cell) * std::max(rest.mean(cell->active_cell_index(), k0_), 0.);
+      area += area_of(cell);
     }
     for (const auto& [name, sum] : sums) floor_[name] = least_stress * sum.first / sum.second;
   }
@@ -66,17 +67,16 @@ class Maker {
   PointsOfCells of(const Space& space, const Cell& cell, RestReport& report) const {
     const Region& region = space.region(cell);
     const std::size_t i = cell->active_cell_index();
-    report.area += cell->measure();
+    report.area += area_of(cell);
     if (region.law == SoilLaw::hysteretic)
       return denser(region, space.material(cell), rest_.mean(i, k0_),
-                    hysteretic(region, space.material(cell), i, floor_.at(space.mesh().surface_of(cell)),
-                               cell->measure(), report));
+                    hysteretic(space.mesh().surface_of(cell), region, space.material(cell), i, area_of(cell), report));
     const Strength& s = *region.strength;
     const auto law = std::make_shared<const MohrCoulombLaw>(
         space.material(cell), MohrCoulombStrength{s.friction_angle, s.cohesion, s.dilatancy_angle, s.tension});
     if (failing_) return mohr_coulomb(region, law, space.material(cell), failing_->at(i));
     const PlaneStress stress = at_rest(rest_, i, k0_);
-    if (law->excess(stress) > 0.) report.beyond += cell->measure();
+    if (law->excess(stress) > 0.) report.beyond += area_of(cell);
     return mohr_coulomb(region, law, space.material(cell), {stress});
   }
 
@@ -104,11 +104,10 @@ class Maker {
     };
   }
 
-  std::vector<BackbonePoint> curve(const Region& region, double G, double strength) const {
-    if (!region.strain_law)
-      return backbone(
-          G, [&](double gamma) { return 1. / (1. + G * gamma / strength); }, first_strain * strength / G,
-          last_strain * strength / G, n_elements);
+  /// The points of the overlay for G = 1: over the reference strain where the strength alone is given, which then is 1.
+  static std::vector<BackbonePoint> unit_curve(const Region& region, double strength) {
+    const auto hyperbola = [](double gamma) { return 1. / (1. + gamma); };
+    if (!region.strain_law) return with_few_elements(1., backbone(1., hyperbola, first_strain, last_strain, n_points));
     const StrainLaw& law = *region.strain_law;
     double from = first_strain * law.reference_strain, to = last_strain * law.reference_strain;
     if (!law.modulus.empty()) {
@@ -116,18 +115,33 @@ class Maker {
       to = law.modulus.back()[0];
     }
     const auto points = concave(backbone(
-        G, [&](double gamma) { return modulus_ratio(law, gamma); }, from, to, n_elements));
-    return region.strength ? with_strength(points, strength) : points;
+        1., [&](double gamma) { return modulus_ratio(law, gamma); }, from, to, n_points));
+    return with_few_elements(1., region.strength ? with_strength(points, strength) : points);
   }
 
-  PointsOfCells hysteretic(const Region& region, const ElasticLaw& elastic, std::size_t i, double floor, double area,
-                           RestReport& report) const {
+  std::vector<BackbonePoint> curve(const std::string& name, const Region& region, double G, double strength) const {
+    const bool differs = region.strain_law && region.strength;  // from cell to cell
+    std::vector<BackbonePoint> points;
+    if (const auto known = curves_.find(name); known != curves_.end() && !differs)
+      points = known->second;
+    else
+      points = curves_[name] = unit_curve(region, strength / G);
+    for (BackbonePoint& point : points) {
+      if (!region.strain_law) point = {point.gamma * strength / G, point.tau * strength / G};
+      point.tau *= G;
+    }
+    return points;
+  }
+
+  PointsOfCells hysteretic(const std::string& name, const Region& region, const ElasticLaw& elastic, std::size_t i,
+                           double area, RestReport& report) const {
     double strength = 0.;
     if (region.strength) {
       const double phi = region.strength->friction_angle * degree;
-      strength = region.strength->cohesion * std::cos(phi) + std::max(rest_.mean(i, k0_), floor) * std::sin(phi);
+      strength =
+          region.strength->cohesion * std::cos(phi) + std::max(rest_.mean(i, k0_), floor_.at(name)) * std::sin(phi);
     }
-    const auto law = std::make_shared<const HystereticLaw>(elastic, curve(region, elastic.G, strength));
+    const auto law = std::make_shared<const HystereticLaw>(elastic, curve(name, region, elastic.G, strength));
     HystereticLaw::State state = law->at_rest();
     if (start_ != RestStart::virgin) {
       const double k0 = earth_pressure_at_rest(region, k0_), vertical = -rest_.vertical[i];
@@ -150,6 +164,7 @@ class Maker {
   RestStart start_;
   const PointStresses* failing_;
   std::map<std::string, double> floor_;
+  mutable std::map<std::string, std::vector<BackbonePoint>> curves_;  ///< by region
   std::shared_ptr<CompactingPoints> compacting_ = std::make_shared<CompactingPoints>();
 };
 

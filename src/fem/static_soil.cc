@@ -111,7 +111,7 @@ void StaticSoil::Impl::add(const Space& space, const Unknowns& unknowns, const C
   std::map<int, int> local;
   for (const auto dof : dofs)
     for (const auto& entry : unknowns.expansion(dof)) local[entry.first] = 0;
-  SoilCell added{cell->active_cell_index(), space.material(cell), cell->measure(), {}, {}, places.size(), 0};
+  SoilCell added{cell->active_cell_index(), space.material(cell), area_of(cell), {}, {}, places.size(), 0};
   for (auto& [unknown, number] : local) {
     number = static_cast<int>(added.unknowns.size());
     added.unknowns.push_back(unknown);

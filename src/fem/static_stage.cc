@@ -19,8 +19,8 @@ std::vector<double> floors(const Scene& scene, const Mesh& mesh, const Effective
   std::vector<double> sum(mesh.surfaces.size(), 0.), area(mesh.surfaces.size(), 0.);
   for (const auto& cell : mesh.triangulation.active_cell_iterators()) {
     const double p = std::max(stress.mean(cell->active_cell_index(), k0_of(scene)), 0.);
-    sum[cell->material_id()] += p * cell->measure();
-    area[cell->material_id()] += cell->measure();
+    sum[cell->material_id()] += p * area_of(cell);
+    area[cell->material_id()] += area_of(cell);
   }
   std::vector<double> list;
   for (std::size_t i = 0; i < mesh.surfaces.size(); ++i) {

@@ -4,6 +4,7 @@
 #include <deal.II/grid/manifold_lib.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "mesh_report.h"
 #include "raw_mesh.h"
@@ -72,6 +73,11 @@ std::unique_ptr<Mesh> read_mesh(const MeshRequest& request) {
   std::unique_ptr<Mesh> mesh = built(raw);
   mesh->triangulation.refine_global(request.refine);
   return mesh;
+}
+
+double area_of(const dealii::Triangulation<dim>::cell_iterator& cell) {
+  const auto a = cell->vertex(3) - cell->vertex(0), b = cell->vertex(2) - cell->vertex(1);
+  return 0.5 * std::abs(a[0] * b[1] - a[1] * b[0]);
 }
 
 const std::string& Mesh::surface_of(const dealii::Triangulation<dim>::cell_iterator& cell) const {

@@ -25,14 +25,14 @@ struct Lattice {
   int n;
 };
 
-void add_points(const DataOutBase::Patch<dim>& patch, const Lattice& lattice, std::vector<float>& points) {
+void add_points(const DataOutBase::Patch<dim>& patch, const Lattice& lattice, std::vector<double>& points) {
   for (int j = 0; j < lattice.n; ++j)
     for (int i = 0; i < lattice.n; ++i) {
       const Point<dim> unit(static_cast<double>(i) / (lattice.n - 1), static_cast<double>(j) / (lattice.n - 1));
       Point<dim> place;
       for (const unsigned v : GeometryInfo<dim>::vertex_indices())
         place += GeometryInfo<dim>::d_linear_shape_function(unit, v) * patch.vertices[v];
-      for (unsigned d = 0; d < space; ++d) points.push_back(d < dim ? static_cast<float>(place[d]) : 0.F);
+      for (unsigned d = 0; d < space; ++d) points.push_back(d < dim ? place[d] : 0.);
     }
 }
 
@@ -49,7 +49,7 @@ void add_cells(int first, const Lattice& lattice, std::vector<int>& connectivity
 
 VtuGrid FieldPatches::grid() const {
   constexpr int corners = GeometryInfo<dim>::vertices_per_cell;
-  std::vector<float> points;
+  std::vector<double> points;  // in double precision: coordinates of a survey are large beside cells
   std::vector<int> connectivity, offsets;
   int n_points = 0, n_cells = 0;
   for (const DataOutBase::Patch<dim>& patch : get_patches()) {

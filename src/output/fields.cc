@@ -185,7 +185,7 @@ SoilFields FieldWriter::soil_fields() const {
   fields.borne = soil_->borne();
   for (const auto& cell : space_->mesh().triangulation.active_cell_iterators()) {
     const unsigned index = cell->active_cell_index();
-    fields.dissipated.push_back(std::max(soil_->dissipated()[index], 0.) / cell->measure());
+    fields.dissipated.push_back(std::max(soil_->dissipated()[index], 0.) / area_of(cell));
   }
   return fields;
 }

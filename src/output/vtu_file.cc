@@ -102,6 +102,10 @@ VtuArray vtu_array(const std::string& name, int components, const std::vector<fl
   return array_of(name, "Float32", components, values, packing);
 }
 
+VtuArray vtu_array(const std::string& name, int components, const std::vector<double>& values, Packing packing) {
+  return array_of(name, "Float64", components, values, packing);
+}
+
 VtuArray vtu_array(const std::string& name, int components, const std::vector<int>& values, Packing packing) {
   return array_of(name, "Int32", components, values, packing);
 }

@@ -22,6 +22,7 @@ enum class Packing { of_fields, of_grid };
 
 /// An array compressed as VTK's vtkZLibDataCompressor reads it.
 VtuArray vtu_array(const std::string& name, int components, const std::vector<float>& values, Packing packing);
+VtuArray vtu_array(const std::string& name, int components, const std::vector<double>& values, Packing packing);
 VtuArray vtu_array(const std::string& name, int components, const std::vector<int>& values, Packing packing);
 VtuArray vtu_array(const std::string& name, int components, const std::vector<unsigned char>& values, Packing packing);
 

@@ -36,7 +36,7 @@ std::map<std::string, Soil> by_region(const Space& space, const CompactingPoints
   for (const Cell& cell : space.dofs().active_cell_iterators()) cells[cell->active_cell_index()] = cell;
   std::map<std::string, Soil> soils;
   for (const auto& [index, point] : points) {
-    const double area = cells[index]->measure() / points_in[index];
+    const double area = area_of(cells[index]) / points_in[index];
     Soil& soil = soils[space.mesh().surface_of(cells[index])];
     soil.parts.push_back({cells[index], point, area});
     soil.area += area;
@@ -94,7 +94,7 @@ double largest_pressure(const Cell& cell, const Unknowns& unknowns, const State&
 }
 
 std::string place_text(const std::array<double, 2>& at) {
-  return "(" + significant(at[0]) + ", " + significant(at[1]) + ") m";
+  return place_text(at[0], at[1]);
 }
 
 }  // namespace

@@ -62,9 +62,9 @@ std::map<std::string, Layer> layers_under(const Space& space, const Caisson& cai
     const ElasticLaw& law = space.material(cell);
     if (name == caisson_name || law.G == 0. || !is_under(cell->center(), caisson)) continue;
     Layer& layer = layers[name];
-    layer.area += cell->measure();
-    layer.G += law.G * cell->measure();
-    layer.constrained += law.constrained_modulus() * cell->measure();
+    layer.area += area_of(cell);
+    layer.G += law.G * area_of(cell);
+    layer.constrained += law.constrained_modulus() * area_of(cell);
   }
   return layers;
 }
@@ -98,7 +98,7 @@ std::vector<DrainedFace> drained_faces(const Scene& scene, const Mesh& mesh) {
       const std::string &name = mesh.surface_of(cell), &other = mesh.surface_of(cell->neighbor(f));
       if (name == other || !drains(scene.regions.at(name), scene.regions.at(other))) continue;
       const auto face = cell->face(f);
-      list.push_back({name, other, face->vertex(0), face->vertex(1), cell->center(), cell->measure() / face->measure(),
+      list.push_back({name, other, face->vertex(0), face->vertex(1), cell->center(), area_of(cell) / face->measure(),
                       consolidation(scene, scene.regions.at(name))});
     }
   return list;

@@ -63,8 +63,8 @@ double mean_shear_speed(const Space& space, const std::set<std::string>& surface
     if (surfaces.count(space.mesh().surface_of(cell)) == 0) continue;
     const double speed = shear_speed(space, cell);
     if (speed == 0.) continue;
-    sum += speed * cell->measure();
-    area += cell->measure();
+    sum += speed * area_of(cell);
+    area += area_of(cell);
   }
   return area > 0. ? sum / area : 0.;
 }
@@ -117,7 +117,7 @@ Side side_of(const Load& load, const Scene& scene, const Mesh& mesh) {
 
 /// Size of a cell along a direction: the root of its area, times how much it is stretched that way.
 double size_along(const MeshCell& cell, const Direction& normal, const Direction& along) {
-  return std::sqrt(cell->measure() * span(cell, normal).width() / span(cell, along).width());
+  return std::sqrt(area_of(cell) * span(cell, normal).width() / span(cell, along).width());
 }
 
 struct Probed {
@@ -185,8 +185,8 @@ std::vector<WaveResolution> wave_resolution(const Space& space, const Caisson& c
     const std::string& name = mesh.surface_of(cell);
     const double speed = shear_speed(space, cell);
     if (name == caisson_name || speed == 0.) continue;
-    found[name].speed += speed * cell->measure();
-    area[name] += cell->measure();
+    found[name].speed += speed * area_of(cell);
+    area[name] += area_of(cell);
   }
   for (auto& [name, at] : found) {
     at.region = name;
@@ -196,7 +196,7 @@ std::vector<WaveResolution> wave_resolution(const Space& space, const Caisson& c
   for (const auto& cell : mesh.triangulation.active_cell_iterators())
     if (const auto at = found.find(mesh.surface_of(cell)); at != found.end())
       if (distance(cell->center(), caisson) <= at->second.wavelength)
-        at->second.cell = std::max(at->second.cell, std::sqrt(cell->measure()));
+        at->second.cell = std::max(at->second.cell, std::sqrt(area_of(cell)));
   std::vector<WaveResolution> list;
   for (const auto& [name, at] : found)
     if (at.cell > 0.) list.push_back(at);
@@ -211,12 +211,12 @@ std::vector<ThinLayer> thin_layers(const Space& space, const Caisson& caisson) {
     const double G = space.material(cell).G;
     if (name == caisson_name || G == 0.) continue;
     Seen& seen = regions[name];
-    seen.area += cell->measure();
-    seen.modulus += cell->measure() * G;
+    seen.area += area_of(cell);
+    seen.modulus += area_of(cell) * G;
     if (std::abs(cell->center()[0] - caisson.bottom_centre[0]) > caisson.bottom_width) continue;
     seen.longest = std::max(seen.longest, span(cell, direction(1., 0.)).width());
     seen.near.add(cell, direction(1., 0.));
-    seen.area_near += cell->measure();
+    seen.area_near += area_of(cell);
   }
   double stiffest = 0.;
   for (const auto& [name, seen] : regions) stiffest = std::max(stiffest, seen.modulus / seen.area);

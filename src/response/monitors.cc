@@ -137,7 +137,7 @@ Mobilisation::Mobilisation(const Space& space, const Unknowns& unknowns, const E
   for (const auto& cell : strains_.cells()) {
     const std::string& name = space.mesh().surface_of(cell);
     const auto place = std::find(regions_.begin(), regions_.end(), name);
-    Soil soil{cell->center(), static_cast<std::size_t>(place - regions_.begin()), cell->measure()};
+    Soil soil{cell->center(), static_cast<std::size_t>(place - regions_.begin()), area_of(cell)};
     if (place == regions_.end()) regions_.push_back(name);
     const std::size_t i = cell->active_cell_index();
     const double horizontal = k0 ? *k0 * rest.vertical[i] : rest.horizontal[i];

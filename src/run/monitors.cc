@@ -13,6 +13,7 @@
 #include "run/sliding/coupled_sliding.h"
 #include "run/sliding/effective_base.h"
 #include "run/solve.h"
+#include "run/warnings/support_warnings.h"
 #include "run/warnings/yielding_warnings.h"
 #include "upbead/base/error.h"
 #include "upbead/run/simulation.h"
@@ -119,7 +120,7 @@ NumberedWarnings loose_warnings(const Summary& summary) {
 constexpr double least_yielding = 0.005;
 
 std::string place_text(const dealii::Point<dim>& at) {
-  return "(" + significant(at[0]) + ", " + significant(at[1]) + ") m";
+  return place_text(at[0], at[1]);
 }
 
 }  // namespace
@@ -177,6 +178,7 @@ void Monitors::report(Run& run) const {
   append(summary.warnings, compaction_warnings(summary.densification));
   append(summary.warnings, loose_warnings(summary));
   append(summary.warnings, balance_warnings(run));
+  append(summary.warnings, impact_warnings(run));
   append(summary.warnings, yielding_warnings(summary));
   if (summary.sliding) append(summary.skipped, skipped(*summary.sliding));
   if (summary.contact && !summary.contact->solved)

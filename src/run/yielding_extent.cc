@@ -23,7 +23,7 @@ YieldingExtent yielding_extent(const Simulation& simulation) {
     ++extent.of;
     if (space.region(cell).law == SoilLaw::elastic) continue;
     ++extent.cells;
-    extent.area += cell->measure();
+    extent.area += area_of(cell);
   }
   for (const auto& [name, region] : simulation.scene.regions)
     if (region.law == SoilLaw::elastic) extent.linear.push_back({name, why_linear(region)});

@@ -50,8 +50,8 @@ double share_yielded(const Space& space, const YieldingSoil& soil) {
   for (const auto& cell : space.mesh().triangulation.active_cell_iterators()) {
     const double lost = soil.dissipated()[cell->active_cell_index()];
     if (lost < 0.) continue;
-    all += cell->measure();
-    if (lost > 0.) yielded += cell->measure();
+    all += area_of(cell);
+    if (lost > 0.) yielded += area_of(cell);
   }
   return all > 0. ? yielded / all : 0.;
 }

@@ -70,7 +70,7 @@ std::vector<MobilisedRegion> YieldingWatch::regions() const {
     MobilisedRegion& of = by_name[name];
     of.region = name;
     of.law = word_of(space_.region(soil.cell).law, soil_law_words);
-    const double size = soil.cell->measure();
+    const double size = area_of(soil.cell);
     area[name] += size;
     of.initial = std::max(of.initial, soil.initial);
     if (soil.initial >= all_of_it) of.initial_share += size;

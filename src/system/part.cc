@@ -100,6 +100,8 @@ std::vector<int> divide(System& system, const std::vector<int>& on_all, std::sha
     load.vector = restricted(load.vector, part);
     if (load.prescribed >= 0) load.prescribed = part.index[load.prescribed];
   }
+  if (processes->rank() != 0)
+    for (FrameDashpots* dashpots : {&system.frame_damping, &system.frame_radiation}) dashpots->own.setZero();
   divide_readings(system.readings, part, processes->rank() == 0);
   std::vector<IndexRange> blocks;
   for (const IndexRange& block : system.blocks)

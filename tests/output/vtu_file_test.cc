@@ -87,5 +87,15 @@ TEST(VtuFile, DeclaresWhereArraysLie) {
   EXPECT_NE(text.find("NumberOfPoints=\"4\" NumberOfCells=\"1\""), std::string::npos);
 }
 
+/// Coordinates of a survey need more digits than single precision has.
+TEST(VtuFile, KeepsPointsInDoublePrecision) {
+  const std::vector<double> values{441871.65, 6329700.75, 441871.7};
+  const VtuArray array = vtu_array("points", 3, values, Packing::of_grid);
+  EXPECT_EQ(array.type, "Float64");
+  const std::string found = inflated(array.bytes);
+  ASSERT_EQ(found.size(), values.size() * sizeof(double));
+  EXPECT_EQ(std::memcmp(found.data(), values.data(), found.size()), 0);
+}
+
 }  // namespace vtu_file_test
 }  // namespace upbead::test

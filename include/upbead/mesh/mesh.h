@@ -29,6 +29,10 @@ struct Mesh {
   const std::string& curve_of(const dealii::Triangulation<dim>::face_iterator& face) const;
 };
 
+/// Area of a cell (m2), by its diagonals: deal.II's own multiplies coordinates, whose round-off is 1e-3 m2 in those of
+/// a survey.
+double area_of(const dealii::Triangulation<dim>::cell_iterator& cell);
+
 /// Reads or generates the mesh and checks it. Throws InputError with every mistake and the name of its group: unnamed
 /// surfaces, an edge on two named curves, an outer edge on no named curve, duplicate names, no cells. Cells of second
 /// and higher order are read by their corners; clockwise cells are turned. Where there are triangles, each is divided

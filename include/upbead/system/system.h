@@ -84,12 +84,21 @@ struct Interface {
   int n_nodes() const { return static_cast<int>(position.size()); }
 };
 
+/// A part of C that hangs on a frame which moves by r_k f_k(t): its dashpots act on velocities relative to the frame,
+/// so that the system has the loads b_k = (that part) r_k.
+struct FrameDashpots {
+  std::vector<int> loads;  ///< their numbers
+  Eigen::MatrixXd own;     ///< r_k' (that part) r_l (N s/m)
+};
+
 /// n unknowns; the last n_prescribed of them are given by loads. M, C and K hold all n rows, are symmetric, and with
 /// the rows of phi multiplied by -1: M >= 0, sym(C) >= 0, K >= 0.
 struct System {
   SparseMatrix M, C, K;
   SparseMatrix radiation;  ///< the part of C that lets waves out of the mesh, for the account of energy; may be empty
   std::vector<SystemLoad> loads;
+  FrameDashpots frame_damping,
+      frame_radiation;  ///< of material damping, and of the radiation; for the account of energy
   std::vector<Reading> readings;
   std::vector<Field> field;        ///< one per unknown
   std::vector<IndexRange> blocks;  ///< unknowns that couple inside one cell only (W), eliminated before factorising

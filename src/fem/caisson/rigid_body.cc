@@ -5,6 +5,7 @@
 #include <deal.II/fe/fe_values.h>
 
 #include <cmath>
+#include <optional>
 
 namespace upbead {
 
@@ -47,12 +48,14 @@ Body make_body(const Space& space, const std::string& name) {
   const Region& region = region_of(space, name);
   Body body;
   body.region = name;
-  Tensor<1, dim> first_moment;
+  Tensor<1, dim> first_moment;  // about a point of the body: far from the origin its area has less digits than places
+  std::optional<Point<dim>> origin;
   for_each_point(space, name, [&](const Point<dim>& point, double weight) {
+    if (!origin) origin = point;
     body.area += weight;
-    first_moment += weight * point;
+    first_moment += weight * (point - *origin);
   });
-  body.centre = Point<dim>(first_moment / body.area);
+  body.centre = origin.value_or(Point<dim>()) + first_moment / body.area;
   for (unsigned d = 0; d < dim; ++d)  // a symmetric body has its centre at 0, without round-off
     if (std::abs(body.centre[d]) < 1e-12 * std::sqrt(body.area)) body.centre[d] = 0.;
   double second_moment = 0.;  // polar, about the centroid (m4)

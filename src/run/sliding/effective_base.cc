@@ -31,7 +31,7 @@ RestingForces submerged_weight(const Simulation& simulation, double level) {
       high = std::max(high, cell->vertex(v)[1]);
     }
     const double wet = std::clamp((level - low) / (high - low), 0., 1.);
-    const double lift = simulation.scene.fluid.density * g * wet * cell->measure();
+    const double lift = simulation.scene.fluid.density * g * wet * area_of(cell);
     rest.force -= lift;
     rest.moment -= lift * (cell->center()[0] - middle);
   }

@@ -35,8 +35,8 @@ Material mean_material(const Simulation& simulation, const std::string& region) 
   for (const auto& cell : simulation.mesh->triangulation.active_cell_iterators()) {
     if (simulation.mesh->surface_of(cell) != region) continue;
     m = simulation.space->material(cell);
-    sum += m.G * cell->measure();
-    area += cell->measure();
+    sum += m.G * area_of(cell);
+    area += area_of(cell);
   }
   static_cast<ElasticLaw&>(m) = m.with_shear_modulus(sum / area);
   return m;

@@ -11,6 +11,7 @@
 #include "response/time_choice.h"
 #include "run/warnings/carried_warnings.h"
 #include "run/warnings/plausibility.h"
+#include "run/warnings/support_warnings.h"
 
 namespace upbead {
 
@@ -206,7 +207,7 @@ NumberedWarnings load_warnings(const Simulation& simulation) {
   double left = infinity, right = -infinity, area = 0.;
   for (const auto& cell : simulation.mesh->triangulation.active_cell_iterators()) {
     if (simulation.mesh->surface_of(cell) != caisson_name) continue;
-    area += cell->measure();
+    area += area_of(cell);
     for (const unsigned v : cell->vertex_indices()) {
       left = std::min(left, cell->vertex(v)[0]);
       right = std::max(right, cell->vertex(v)[0]);
@@ -337,7 +338,8 @@ NumberedWarnings warnings(const Simulation& simulation, const std::optional<doub
        {plausibility_warnings(simulation), step_warnings(simulation), jump_warnings(simulation),
         motion_warnings(simulation), mesh_warnings(simulation), wall_warnings(simulation, peak_time),
         load_warnings(simulation), boundary_layer_warnings(simulation), ring_warnings(simulation),
-        slow_wave_warnings(simulation), layer_warnings(simulation), thin_layer_warnings(simulation)})
+        slow_wave_warnings(simulation), layer_warnings(simulation), thin_layer_warnings(simulation),
+        support_warnings(simulation)})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }
