@@ -12,6 +12,7 @@
 #include "case/wave_load.h"
 #include "fem/compile.h"
 #include "model/record.h"
+#include "run/checks.h"
 #include "run/histories.h"
 
 namespace upbead {
@@ -231,7 +232,9 @@ Run solve(const Case& input, const Simulation& simulation, const std::vector<Mea
   summary.gauges = gauge_summaries(input, *run.simulation);
   summary.flows = flow_summaries(input);
   summary.waves = wave_summaries(input);
+  summary.formula_checks = formula_checks(summary.waves, input.scene.limits);
   append(summary.warnings, warnings_of_files(input, *run.simulation, notes));
+  judge(input.scene, summary);
   append(summary.skipped, left_out_of(notes));
   if (records.empty()) return run;
   summary.measured = compare_measured(input, records, histories(*run.simulation, run.response.ends));

@@ -166,7 +166,7 @@ TEST_F(WaveLoadTest, ChurchRoofOfAnImpulseIsThatOfExpected) {
     const WavePressure standing = forces.at(H, {}, PressureFormula::standing);
     ImpactAssumptions assumptions;
     assumptions.peak_gain = 2.;
-    const ImpactWave wave = impact_wave(assumptions, {H, 12., standing.force, standing.alpha_star, standing.uplift},
+    const ImpactWave wave = impact_wave(assumptions, {H, 12., standing.force, standing.alpha_star, standing.uplift, 0.},
                                         water_of_test, section_of_test.berm_depth);
     const double step = 0.01;
     const int n = number_of_samples(wave, step);

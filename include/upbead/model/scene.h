@@ -75,9 +75,10 @@ struct SlidingChoice {
 
 /// Limits of the checks; without a limit there is no check.
 struct Limits {
-  std::optional<double> sliding;        ///< S (m)
-  std::optional<double> base_pressure;  ///< of the heel and of the toe (Pa)
-  std::optional<double> overturning;    ///< least margin against it
+  std::optional<double> sliding;                ///< S (m)
+  std::optional<double> base_pressure;          ///< of p_e by formulas, under heel and toe (Pa)
+  std::optional<double> dynamic_base_pressure;  ///< of heel and toe in motion (Pa)
+  std::optional<double> overturning;            ///< least margin against it
 };
 
 enum class DisplacementCondition {
