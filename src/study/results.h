@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "study/study.h"
+#include "study/summary_reader.h"
 
 namespace upbead {
 
@@ -18,6 +19,7 @@ struct RunResult {
   bool done = false;                          ///< false: it failed, and `message` says why
   std::vector<std::optional<double>> values;  ///< by Study::reads; none where the summary has no value; empty if failed
   std::string message;
+  Doubts doubts;  ///< checks that fail, and warnings
   Shared shared = Shared::nothing;
   double seconds = 0.;  ///< wall time
 };

@@ -74,7 +74,9 @@ RunResult Runner::run(const StudyRun& run, const std::function<void()>& meanwhil
     const Case problem = read_case(study_.cases[static_cast<std::size_t>(run.case_index)], overrides_of(run));
     require_trust(problem, trusts_scripts_);
     require_loads(problem);
-    result.values = numbers_at(solve(problem, meanwhile, result.shared), study_.reads);
+    const std::string summary = solve(problem, meanwhile, result.shared);
+    result.values = numbers_at(summary, study_.reads);
+    result.doubts = doubts_of(summary);
     result.done = true;
   } catch (const Interrupted&) {
     throw;
