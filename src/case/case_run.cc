@@ -16,6 +16,7 @@
 #include "case/wave_load.h"
 #include "fem/compile.h"
 #include "model/record.h"
+#include "run/checks.h"
 #include "run/histories.h"
 
 namespace upbead {
@@ -193,7 +194,9 @@ Run with_files(const Case& input, const std::vector<MeasuredRecord>& records, Ru
   summary.gauges = gauge_summaries(input, *run.simulation);
   summary.flows = flow_summaries(input);
   summary.waves = wave_summaries(input);
+  summary.formula_checks = formula_checks(summary.waves, input.scene.limits);
   append(summary.warnings, warnings_of_files(input, *run.simulation, notes));
+  judge(input.scene, summary);
   append(summary.skipped, left_out_of(notes));
   if (records.empty()) return run;
   summary.measured = compare_measured(input, records, histories(*run.simulation, run.response.ends));

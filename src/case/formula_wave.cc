@@ -102,7 +102,16 @@ TableSchema<Limits> limits_schema() {
   table.key("base_pressure", &Limits::base_pressure)
       .unit("Pa")
       .range(above(0.))
-      .doc("largest pressure of heel and toe on the mound that is allowed; 400e3 to 600e3 in Japanese practice");
+      .doc(
+          "largest pressure p_e of heel and toe on the mound, by Goda's formulas, that is allowed; 400e3 to 600e3 in "
+          "Japanese practice, which was made for it");
+  table.key("dynamic_base_pressure", &Limits::dynamic_base_pressure)
+      .unit("Pa")
+      .range(above(0.))
+      .doc(
+          "largest pressure of heel and toe in motion, of a moment and with its impulse, that is allowed; practice "
+          "knows "
+          "no such limit, and that of base_pressure was not made for it");
   table.key("overturning", &Limits::overturning)
       .range(above(0.))
       .doc("least margin against overturning that is allowed; 1.2 in Japanese practice");

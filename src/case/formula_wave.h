@@ -67,7 +67,11 @@ template <class T>
 void declare_impact(TableSchema<T>& table) {
   table.key("peak_gain", &T::peak_gain)
       .range(from_to(0., 100.))
-      .doc("e in P_I = P_1 (1 + e alpha*), the peak of the impulsive force; an assumption");
+      .fallback("as much as makes P_I Goda's P with alpha*")
+      .doc(
+          "e in P_I = P_1 (1 + e alpha*), the peak of the impulsive force; an assumption: measured peaks scatter from "
+          "about Goda's P to several times it, and below 1/alpha_1 this P_I is less than Goda's P, which a warning "
+          "tells");
   table.key("rise_coefficient", &T::rise_coefficient)
       .range(from_to(0.01, 100.))
       .doc("c in t_r = c sqrt(d/g) rho g H^2 / P_I, its rise; an assumption");

@@ -53,6 +53,8 @@ kind = "wave"
 height = {wave_height}  # highest wave (m)
 period = {period}  # s
 course = "church_roof"  # an impulsive peak before half a standing wave; or standing, triangle, sine, combined
+# The peak of the impact is Goda's P with alpha*, the least that may be assumed; measured peaks scatter up to several
+# times that: [loads.wave.wave.impact] peak_gain. The checks by Goda's formulas stand beside those of this run.
 force = "impulse"  # the wave's own, as the ground's dynamics are solved here
 
 [sliding]  # friction and weights of [section]
@@ -62,7 +64,7 @@ shape = "held"  # the safe side
 
 [limits]
 sliding = 0.3  # m, assumed
-base_pressure = 600e3  # Pa, assumed
+base_pressure = 600e3  # Pa, of Goda's p_e, assumed
 overturning = 1.2  # assumed
 
 [regions.seabed]  # sand, assumed

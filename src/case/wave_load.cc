@@ -20,6 +20,8 @@ const Words<WaveCourse> wave_course_words{{"church_roof", WaveCourse::church_roo
                                           {"combined", WaveCourse::combined},
                                           {"standing", WaveCourse::standing}};
 
+constexpr double same_peak = 1e-9;  ///< round-off of a peak
+
 bool has_impact(const WaveLoadTable& table) {
   return table.course == WaveCourse::church_roof;
 }
@@ -60,13 +62,10 @@ double WaveLoad::peak() const {
 
 namespace {
 
-/// Where the peak is P of Goda's formulas, the gain e is such that P_1 (1 + e alpha*) equals that P.
 ImpactWave impact_of(const WaveLoad& w, const WavePressure& standing, const Water& water) {
   ImpactAssumptions assumptions = w.table.impact;
-  const double alpha_star = w.pressure.alpha_star;
-  if (w.table.force == ImpactForce::goda_with_alpha_I)
-    assumptions.peak_gain = alpha_star > 0. ? (w.pressure.force / standing.force - 1.) / alpha_star : 0.;
-  return impact_wave(assumptions, {w.wave.height, w.wave.period, standing.force, alpha_star, standing.uplift}, water,
+  if (w.table.force == ImpactForce::goda_with_alpha_I) assumptions.peak_gain.reset();
+  return impact_wave(assumptions, wave_on_wall(w.wave.height, w.wave.period, standing, w.pressure), water,
                      w.section.berm_depth);
 }
 
@@ -215,15 +214,31 @@ std::string course_words(const WaveLoad& w) {
   return "";
 }
 
+/// The peak of an impact, and how far it is known: it scatters from wave to wave.
+std::string impact_peak_words(const WaveLoad& w) {
+  const ImpactWave& impact = *w.impact;
+  const auto gain_of = [&](double peak) {
+    return significant((peak / impact.standing_force - 1.) / w.pressure.alpha_star);
+  };
+  std::string text = "peak P_I = P_1 (1 + e alpha*), P_1 by alpha_1 alone, e = peak_gain ";
+  const auto& given = w.table.impact.peak_gain;
+  if (given)
+    text += "= " + significant(*given) + ": " + significant(impact.peak / w.pressure.force) + " of Goda's P";
+  else
+    text += "not given: P_I is Goda's P, the least that may be assumed";
+  if (w.pressure.alpha_star > 0.)
+    text += "; measured impulsive peaks scatter from about that P to several times it (twice: peak_gain = " +
+            gain_of(2. * w.pressure.force) + ", four times: " + gain_of(4. * w.pressure.force) + ")";
+  return text + "; an assumption";
+}
+
 std::string peak_words(const WaveLoad& w) {
   if (w.standing)
     return "P of the standing wave that a smooth wall on a flat bed, without its mound, makes of H: 2H at the wall, "
            "potential flow by the full equations, " +
            std::to_string(w.standing->wave.harmonics()) + " harmonics, residual " +
            significant(w.standing->wave.residual(), 2);
-  if (w.table.force == ImpactForce::impulse)
-    return "peak P_I = P_1 (1 + " + significant(w.table.impact.peak_gain) +
-           " alpha*), P_1 by alpha_1 alone; an assumption of ours";
+  if (w.table.force == ImpactForce::impulse) return impact_peak_words(w);
   return std::string("peak P by Goda's formulas with alpha* = ") +
          (w.pressure.alpha_I > w.pressure.alpha_2 ? "alpha_I, an effective sliding force" : "alpha_2");
 }
@@ -277,12 +292,39 @@ WaveLoadSummary summary_of(const std::string& name, const WaveLoad& w) {
   return s;
 }
 
+/// What formulas say of the section under the load, with its factor. A load that pulls seaward has no wave.
+void add_formulas(const WaveLoad& w, const Water& water, WaveLoadSummary& s) {
+  const double factor = w.load.factor;
+  WavePressure p = w.pressure;
+  p.force *= factor;
+  p.force_moment *= factor;
+  p.uplift *= factor;
+  p.uplift_moment *= factor;
+  if (p.force != 0.) s.peak_over_goda = s.peak / p.force;
+  s.stability = stability(w.section, p);
+  s.standing = standing_answer(w.section, water, w.wave, factor);
+  const SlidingLoad load = sliding_load(w.section, water, p, w.wave.height, w.wave.period);
+  s.sliding = sliding_distance_exact(load.mass, load.resistance, load.pulse);
+}
+
 NumberedWarning effective_force(const std::string& name, const WavePressure& p) {
   return {
       "effective_force", p.alpha_I, p.alpha_2, "1",
       "loads." + name + ": P of Goda's formulas with alpha_I = " + significant(p.alpha_I) +
           " already is an effective sliding force, which the caisson's dynamics make another one of: where F_T/P is "
-          "below 1 the reduction counts twice; hold S against that of `upbead waves`, or write force = \"impulse\""};
+          "below 1 the reduction counts twice: the checks by formulas, which stand beside the others, are those of "
+          "this "
+          "P itself, and the worse governs; for the caisson's own dynamics give the peak of an impact: force = "
+          "\"impulse\" with peak_gain"};
+}
+
+/// An impact that is milder than Goda's P by its peak_gain.
+NumberedWarning below_goda(const std::string& name, const WaveLoad& w) {
+  return {"impact_below_goda", w.peak(), w.pressure.force, "N/m",
+          "loads." + name + ": the peak of the impact, " + with_unit(w.peak(), "N/m") +
+              ", is below P of Goda's formulas, " + with_unit(w.pressure.force, "N/m") +
+              ", which already is an effective sliding force: checks by dynamics are on the unsafe side of those by "
+              "formulas; leave peak_gain out, or give a larger one"};
 }
 
 NumberedWarning outside_formulas(const std::string& name, const std::vector<Warning>& found) {
@@ -296,7 +338,24 @@ NumberedWarning outside_formulas(const std::string& name, const std::vector<Warn
 
 std::vector<WaveLoadSummary> wave_summaries(const Case& input) {
   std::vector<WaveLoadSummary> list;
-  for (const auto& [name, wave] : acting_waves(input)) list.push_back(summary_of(name, *wave));
+  const Water water{input.scene.fluid.density, input.scene.gravity};
+  for (const auto& [name, wave] : acting_waves(input)) {
+    list.push_back(summary_of(name, *wave));
+    if (wave->load.factor > 0.) add_formulas(*wave, water, list.back());
+  }
+  return list;
+}
+
+Checks formula_checks(const std::vector<WaveLoadSummary>& waves, const Limits& limits) {
+  Checks list;
+  for (const WaveLoadSummary& w : waves)
+    if (w.stability)
+      append(list,
+             formula_checks(FormulaAnswer{w.name, "", *w.stability, w.standing, w.sliding,
+                                          "eqs. (4) and (6) of Shimosako and Takahashi (1994), integrated; tau_0 = "
+                                          "k(alpha*) tau_0F",
+                                          "wave_loads." + w.name + "."},
+                            limits));
   return list;
 }
 
@@ -306,6 +365,7 @@ NumberedWarnings wave_warnings(const Case& input) {
     const WavePressure& p = wave->pressure;
     if (!wave->standing && wave->table.force == ImpactForce::goda_with_alpha_I && p.alpha_I > p.alpha_2)
       list.push_back(effective_force(name, p));
+    if (wave->impact && wave->peak() < (1. - same_peak) * p.force) list.push_back(below_goda(name, *wave));
     if (!wave->outside.empty()) list.push_back(outside_formulas(name, wave->outside));
   }
   return list;

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "case/formula_checks.h"
 #include "case/formula_wave.h"
 #include "case/standing_load.h"
 #include "input/values.h"
@@ -84,6 +85,9 @@ Scene with_profiles(const Case& input, const Mesh& mesh);
 void check_waves(const Case& input, const Simulation& simulation);
 
 std::vector<WaveLoadSummary> wave_summaries(const Case& input);
+
+/// The checks of these loads by formulas, which stand beside those of the solved scene.
+Checks formula_checks(const std::vector<WaveLoadSummary>& waves, const Limits& limits);
 
 /// Warnings wave_outside_formulas and effective_force: docs/warnings.md.
 NumberedWarnings wave_warnings(const Case& input);

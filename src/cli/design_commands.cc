@@ -53,7 +53,7 @@ void require_waves(const DesignTables& tables, const Document& document, Diagnos
 
 Answer waves(const Design& design, const Stopwatch&) {
   const std::vector<WaveAnswer> answers = answer_waves(design.tables);
-  return {{}, to_json(design.tables, answers), describe(design.tables, answers) + "\n", warning_lines(answers)};
+  return {{}, to_json(design.tables, answers), describe(design.tables, answers) + "\n", describe(warnings_of(answers))};
 }
 
 Answer expected(const Design& design, const Stopwatch& since_start) {
@@ -65,7 +65,7 @@ Answer expected(const Design& design, const Stopwatch& since_start) {
   return {{{"results.h5", results}},
           to_json(design, answer, timing),
           describe(design, answer),
-          notes_and_warnings(design, answer)};
+          notes_of(answer) + describe(warnings_of(design, answer))};
 }
 
 Answer calibrated(const Design& design, const Stopwatch&) {
@@ -73,7 +73,7 @@ Answer calibrated(const Design& design, const Stopwatch&) {
   return {{{"calibration.csv", calibration_csv(found)}, {"results.h5", calibration_file(design, found)}},
           to_json(design, found),
           describe(design, found),
-          notes_and_warnings(found)};
+          describe(warnings_of(found))};
 }
 
 Command design_command(Command command, const DesignWork& work) {

@@ -11,8 +11,10 @@
 #include "case/wave_load.h"
 #include "fem/compile.h"
 #include "model/words.h"
+#include "output/checks.h"
 #include "output/summary_outputs.h"
 #include "response/time_choice.h"
+#include "run/checks.h"
 #include "run/yielding_extent.h"
 
 namespace upbead {
@@ -124,7 +126,7 @@ std::string describe(const NonlinearSummary& n, const Summary& summary) {
     text += format("  at rest     %s of Mohr-Coulomb soil at its strength; weights in %d steps, %d iterations\n",
                    percent(n.rest->share_at_strength).c_str(), n.rest->steps, n.rest->iterations);
   if (!summary.residual) return text;
-  const double largest = summary.response->peak_displacement;
+  const double largest = std::abs(summary.response->largest_displacement);
   text += "  residual    " + describe(*summary.residual, largest) + " (start: " + n.start + ")\n";
   if (const auto& left = summary.residual->pore_pressure)
     text += "              excess pore pressure left: " + with_unit(left->value, "Pa") + " at " +
@@ -209,7 +211,7 @@ std::string edge(double at_rest, const std::optional<double>& worst, double time
 }
 
 std::string describe(const BaseSummary& b) {
-  std::string text = "base        effective pressure, varying linearly over the width in contact\n";
+  std::string text = "base        effective pressure in motion, varying linearly over the width in contact\n";
   text += "  heel        " + edge(b.heel_pressure_at_rest, b.peak_heel_pressure, b.peak_heel_pressure_time) + "\n";
   text += "  toe         " + edge(b.toe_pressure_at_rest, b.peak_toe_pressure, b.peak_toe_pressure_time) + "\n";
   text += "  resultant   up to " + with_unit(b.largest_eccentricity, "m") + " beside the middle at " +
@@ -218,9 +220,9 @@ std::string describe(const BaseSummary& b) {
   if (b.least_overturning_margin)
     text += "  overturning margin " + significant(*b.least_overturning_margin) + " at " +
             significant(b.least_overturning_margin_time, 4) + " s\n";
-  if (b.peak_computed_pressure)
-    text += "  as solved   up to " + with_unit(*b.peak_computed_pressure, "Pa") +
-            " under the node at x = " + significant(b.peak_computed_pressure_at, 4) + " m\n";
+  if (b.lifts_time)
+    text += "  lifts       " + (b.lifts == "all" ? "the whole base" : "the " + b.lifts + " edge") + " from " +
+            significant(*b.lifts_time, 4) + " s\n";
   return text;
 }
 
@@ -234,25 +236,6 @@ std::string describe_periods(const Summary& summary) {
     text += (i == 0 ? "periods     " : ", ") + significant(periods[i].period) + " s (share in F_T " +
             percent(periods[i].share) + ", damping " + percent(periods[i].damping_ratio) + ")";
   return text.empty() ? "" : text + "\n";
-}
-
-std::string describe(const std::vector<Check>& checks) {
-  std::string text;
-  for (const Check& c : checks) {
-    const auto number = [&c](double value) {
-      return c.unit.empty() ? significant(value, 4) : with_unit(value, c.unit);
-    };
-    text += (text.empty() ? "checks\n" : "") + format("  %-27s ", c.name.c_str()) +
-            (c.demand ? number(*c.demand) : c.holds ? "without bound" : "not found");
-    if (!c.capacity)
-      text += ", no limit given";
-    else
-      text += " against " + number(*c.capacity) + ": " +
-              (!c.holds ? "not judged" : *c.holds ? "holds" : "DOES NOT HOLD") +
-              (c.margin ? ", margin " + significant(*c.margin, 3) : std::string());
-    text += "\n";
-  }
-  return text;
 }
 
 std::string seconds(const std::optional<double>& value) {
@@ -287,7 +270,7 @@ std::string distances(const SlidingSummary& s) {
 /// F_Smax, S by every measure, and tau_0.
 std::string describe(const SlidingSummary& s) {
   const HistorySliding& h = s.history;
-  std::string text = "sliding     friction " + significant(s.friction) + ", W' " +
+  std::string text = "sliding     of the bonded caisson: friction " + significant(s.friction) + ", W' " +
                      with_unit(s.submerged_weight, "N/m") + ", uplift " + s.uplift + "\n";
   text += "  F_Smax      " + with_unit(h.peak_force, "N/m") + " at " + significant(h.peak_force_time, 4) +
           " s, of it mu U " + with_unit(s.friction * h.uplift_at_peak, "N/m", h.peak_force) + "; mu W' " +
@@ -357,14 +340,18 @@ std::string describe(const Run& run) {
   if (!run.summary.why_void.empty()) text += "VOID        " + run.summary.why_void + "\n";
   if (run.summary.response) {
     const ShearResponse& r = *run.summary.response;
-    text += "response\n";
+    text += std::string("response    of the caisson ") +
+            (is_solved_with_friction(run.summary) ? "with friction node by node\n" : "bonded to its mound\n");
     text += format("  peak P      %-14s at %.4g s\n", with_unit(r.peak_force, "N/m").c_str(), r.peak_force_time);
     text += format("  peak F_T    %-14s at %.4g s (seaward %s at %.4g s)\n",
                    with_unit(r.peak_shear, "N/m", r.peak_force).c_str(), r.peak_shear_time,
                    with_unit(r.peak_shear_seaward, "N/m", r.peak_force).c_str(), r.peak_shear_seaward_time);
     text += r.shear_to_force_ratio ? format("  F_T / P     %.4f\n", *r.shear_to_force_ratio)
                                    : std::string("  F_T / P     none: no horizontal force acts on the caisson\n");
-    text += format("  peak x_G    %s\n", with_unit(r.peak_displacement, "m").c_str());
+    text += "  peak x_G    " + with_unit(r.largest_displacement, "m") + " at " +
+            significant(r.largest_displacement_time, 4) + " s" +
+            (r.largest_displacement < 0. ? ", seaward; landward at most " + with_unit(r.peak_displacement, "m") : "") +
+            "\n";
     if (r.arm) text += format("  arm of P    %.4g m\n", *r.arm);
     text += format("  checks      both routes to F_T differ by %.1e", r.reaction_mismatch) +
             (run.summary.energy ? format(", energy by %.1e\n", run.summary.energy->mismatch()) : "\n");
@@ -378,7 +365,7 @@ std::string describe(const Run& run) {
   if (run.summary.contact) text += describe(*run.summary.contact);
   if (run.summary.sliding) text += describe(*run.summary.sliding);
   if (run.summary.base) text += describe(*run.summary.base);
-  text += describe(run.summary.checks);
+  text += describe(verdict_of(run.summary.checks, run.summary.warnings), run.summary.checks);
   text +=
       format("time        mesh %.2f s, compile %.2f s, factorise %.2f s, march %.2f s, output %.2f s, total %.2f s\n",
              t.mesh, t.compile, t.factorise, t.march, t.output, t.total);

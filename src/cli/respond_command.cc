@@ -108,15 +108,16 @@ std::string overview(const std::vector<Named>& waves) {
   return text;
 }
 
-/// A warning where the coupled S of some waves could not be computed; else "".
-std::string slip_warning(const std::vector<WaveResponses>& files) {
+/// A warning where the coupled S of some waves could not be computed.
+NumberedWarnings slip_warnings(const std::vector<WaveResponses>& files) {
   const std::vector<Named> waves = all_waves(files);
   const auto untold = [](const Named& row) { return !row.wave->why_not_coupled.empty(); };
   const auto first = std::find_if(waves.begin(), waves.end(), untold);
-  if (first == waves.end()) return "";
-  return "warning: the distance that the caisson slips as a whole could not be computed for " +
-         std::to_string(std::count_if(waves.begin(), waves.end(), untold)) + " of " + std::to_string(waves.size()) +
-         " waves, such as " + first->name + ": " + first->wave->why_not_coupled + "\n";
+  if (first == waves.end()) return {};
+  const auto n = std::count_if(waves.begin(), waves.end(), untold);
+  return {{"no_coupled_slip", static_cast<double>(n), 0., "1",
+           "the distance that the caisson slips as a whole could not be computed for " + std::to_string(n) + " of " +
+               std::to_string(waves.size()) + " waves, such as " + first->name + ": " + first->wave->why_not_coupled}};
 }
 
 /// A table of a few waves; of many, their number, ranges and the worst.
@@ -132,22 +133,22 @@ std::string describe(const ReducedModelFile& model, const std::vector<WaveRespon
   return text + ", write " + significant(timing.write) + " s\n";
 }
 
-/// A warning where more of a wave's response than the model's tolerance lies above the model's highest frequency;
-/// else "".
-std::string band_warning(const ReducedModelFile& model, const std::vector<WaveResponses>& files) {
+/// A warning where more of a wave's response than the model's tolerance lies above the model's highest frequency.
+NumberedWarnings band_warnings(const ReducedModelFile& model, const std::vector<WaveResponses>& files) {
   const std::vector<Named> waves = all_waves(files);
   const auto n = std::count_if(waves.begin(), waves.end(),
                                [&model](const Named& row) { return row.wave->beyond_band > model.tolerance; });
-  if (n == 0) return "";
+  if (n == 0) return {};
   const Named& worst = *std::max_element(waves.begin(), waves.end(), [](const Named& a, const Named& b) {
     return a.wave->beyond_band < b.wave->beyond_band;
   });
-  return "warning: " + std::to_string(n) + " of " + std::to_string(waves.size()) +
-         " waves reach beyond the frequencies that the model has been checked for, " +
-         significant(model.highest_frequency) + " Hz: worst " + worst.name + ", where " +
-         significant(100. * worst.wave->beyond_band) + " % of F_T lies beyond (tolerance " +
-         significant(100. * model.tolerance) +
-         " %); reduce again with a shorter pulse or a smaller tolerance, or march it with 'upbead run'\n";
+  return {{"beyond_band", worst.wave->beyond_band, model.tolerance, "1",
+           std::to_string(n) + " of " + std::to_string(waves.size()) +
+               " waves reach beyond the frequencies that the model has been checked for, " +
+               significant(model.highest_frequency) + " Hz: worst " + worst.name + ", where " +
+               significant(100. * worst.wave->beyond_band) + " % of F_T lies beyond (tolerance " +
+               significant(100. * model.tolerance) +
+               " %); reduce again with a shorter pulse or a smaller tolerance, or march it with 'upbead run'"}};
 }
 
 /// Warnings of waves whose error estimate exceeds the model's tolerance, and of models that cannot estimate errors:
@@ -245,20 +246,28 @@ std::vector<InputFile> input_files(const Arguments& arguments) {
   return files;
 }
 
-/// Notes on how the waves were read, and a warning of waves that are zero throughout.
+/// Notes on how the waves were read.
 std::string notes_of(const std::vector<WaveFile>& files) {
   std::string text;
-  for (const WaveFile& file : files) {
+  for (const WaveFile& file : files)
     for (const LeftOut& part : file.notes.left_out) text += "note: " + part.what + ": " + part.why + "\n";
-    text += describe(file.notes.warnings);
+  return text;
+}
+
+/// Warnings of how they were read, and of waves that are zero throughout.
+NumberedWarnings file_warnings(const std::vector<WaveFile>& files) {
+  NumberedWarnings list;
+  for (const WaveFile& file : files) {
+    append(list, file.notes.warnings);
     int zero = 0;
     for (int w = 0; w < file.n_waves(); ++w)
       if (file.wave(w).isZero(0.)) ++zero;
     if (zero > 0)
-      text += "warning: load_zero: " + std::to_string(zero) + " of " + std::to_string(file.n_waves()) + " waves of " +
-              in_quotes(file.name) + " are zero throughout: is a wrong column read as the load?\n";
+      list.push_back({"load_zero", static_cast<double>(zero), 0., "1",
+                      std::to_string(zero) + " of " + std::to_string(file.n_waves()) + " waves of " +
+                          in_quotes(file.name) + " are zero throughout: is a wrong column read as the load?"});
   }
-  return text;
+  return list;
 }
 
 int respond(const Arguments& arguments, const Stopwatch& since_start) {
@@ -280,12 +289,15 @@ int respond(const Arguments& arguments, const Stopwatch& since_start) {
   folder.write("responses.h5", response_file(model.title, responses));
   timing.write = write_watch.seconds();
   timing.total = since_start.seconds();
-  const NumberedWarnings warnings = error_warnings(model, responses);
+  NumberedWarnings warnings = file_warnings(waves);
+  for (const NumberedWarnings& more :
+       {band_warnings(model, responses), error_warnings(model, responses), slip_warnings(responses)})
+    append(warnings, more);
   const std::string json = to_json(model, arguments.model, responses, timing, warnings);
   folder.write("summary.json", json);
   check_interrupt();
   folder.commit();
-  std::cerr << notes_of(waves) << band_warning(model, responses) << describe(warnings) << slip_warning(responses);
+  std::cerr << notes_of(waves) << describe(warnings);
   std::cout << (arguments.json ? json
                                : describe(model, responses, timing) + "written     " + folder.name() +
                                      "/{responses.h5, summary.json}\n");

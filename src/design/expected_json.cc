@@ -13,6 +13,10 @@ struct ToldExpected {
   const Design* design;
   const ExpectedAnswer* answer;
   const ExpectedTiming* timing;
+  Headline expected, of_life;
+  Checks checks;
+  NumberedWarnings warnings;
+  std::optional<Verdict> verdict;
 };
 using Told = ToldExpected;
 using Answer = ExpectedAnswer;
@@ -87,13 +91,22 @@ OutputSchema<StateAnswer> state_outputs() {
               "what presses on the base in the height that one of its waves exceeds");
 }
 
+OutputSchema<Headline> headline_outputs() {
+  return OutputSchema<Headline>()
+      .key("value", &Headline::value, "m", "S")
+      .key(
+          "law", [](const Headline& h) { return word(h.law); }, "", "by which")
+      .key("why", &Headline::why, "", "and what the other laws say");
+}
+
 OutputSchema<Told> sliding_by_law_outputs() {
   const auto of = [](double Expectation::*member) {
     return [member](const Told& t) { return by_law(t.answer->total, member); };
   };
   OutputSchema<Told> schema;
-  schema.key(
-      "years", [](const Told& t) { return t.design->tables.sea->years; }, "", "of the distances");
+  schema.object("headline", &Told::expected, headline_outputs(), "the distance to tell: the largest of all laws")
+      .key(
+          "years", [](const Told& t) { return t.design->tables.sea->years; }, "", "of the distances");
   for (const Law law : all_laws)
     schema.key(
         std::string("distance_") + word(law),
@@ -157,58 +170,61 @@ OutputSchema<BaseOfLives> base_of_lives_outputs() {
               "least margin against overturning in a life");
 }
 
-Json probabilities(const Told& told) {
+Json probabilities(const MonteCarlo& found) {
   Json json;
-  for (const Exceeded& e : told.answer->monte_carlo->statistics.exceeded)
+  for (const Exceeded& e : found.statistics.exceeded)
     json[significant(e.limit)] = {{"value", e.probability}, {"confidence_interval", e.interval}};
   return json;
 }
 
-OutputSchema<MonteCarlo> limited_outputs() {
-  using M = MonteCarlo;
-  return OutputSchema<M>()
-      .key("waves_limited", &M::taken, "", "in all lives, that broke to the limit's height, or that a cut set aside")
-      .key(
-          "share_limited", [](const M& m) { return share_of(m.taken, m.waves); }, "", "they are of all waves")
-      .key("highest", &M::highest, "m", "of the waves whose S was computed");
-}
-
-OutputSchema<Told> lives_outputs() {
+/// What one law says of the lives.
+OutputSchema<MonteCarlo> lives_by_law_outputs() {
   using M = MonteCarlo;
   using S = LifeStatistics;
-  const auto found = inner(&Told::answer, &Answer::monte_carlo);
-  const auto statistics = [](const Told& t) { return &t.answer->monte_carlo->statistics; };
-  const auto asked = OutputSchema<LifeTable>()
-                         .key("lives", &LifeTable::lives, "", "how many")
-                         .key("years", &LifeTable::years, "", "of each")
-                         .key("seed", &LifeTable::seed, "", "of the draws");
   const auto about = OutputSchema<S>()
                          .key("mean", &S::mean, "m", "mean S of a life")
                          .key("standard_error", &S::standard_error, "m", "of the mean")
                          .key("confidence_interval[]", &S::interval, "m", "of the mean, 95 %");
-  return OutputSchema<Told>()
-      .keys_of(inner(&Told::design, &Design::tables, &DesignTables::life), asked)
+  return OutputSchema<M>()
       .key(
-          "law", [](const Told& t) { return word(t.answer->monte_carlo->law); }, "", "by which S was computed")
-      .key("limit", limit_of, "", "of the heights: breaking, cut or none")
-      .keys_of(statistics, about)
-      .keys_of(found, limited_outputs())
-      .keys_of(found, OutputSchema<M>().key("without_scatter", &M::without_scatter, "m",
-                                            "expectation of a life by quadrature, nothing uncertain but the heights"))
-      .keys_of(statistics, OutputSchema<S>().key("lives_that_slide", &S::sliding_lives, "", "how many"))
-      .keys_of(statistics, OutputSchema<S>()
-                               .key("quantiles.PROBABILITY", quantiles, "m",
-                                    "least S that such a share of the lives does not exceed")
-                               .or_left_out())
+          "law", [](const M& m) { return word(m.law); }, "", "by which S was computed")
+      .keys_of(&M::statistics, about)
+      .key("waves_limited", &M::taken, "", "in all lives, that broke to the limit's height, or that a cut set aside")
+      .key(
+          "share_limited", [](const M& m) { return share_of(m.taken, m.waves); }, "", "they are of all waves")
+      .key("highest", &M::highest, "m", "of the waves whose S was computed")
+      .key("without_scatter", &M::without_scatter, "m",
+           "expectation of a life by quadrature, nothing uncertain but the heights")
+      .keys_of(&M::statistics, OutputSchema<S>()
+                                   .key("lives_that_slide", &S::sliding_lives, "", "how many")
+                                   .key("quantiles.PROBABILITY", quantiles, "m",
+                                        "least S that such a share of the lives does not exceed")
+                                   .or_left_out())
       .key("probability.LIMIT", probabilities, "", "of S above a limit (m): `value` and its 95 % `confidence_interval`")
       .or_left_out()
-      .keys_of(found, OutputSchema<M>()
-                          .key("waves", &M::waves, "", "in all lives")
-                          .key("waves_computed", &M::answered, "", "of them those whose S was computed")
-                          .object("base", &M::base, base_of_lives_outputs(),
-                                  "what presses on the base at its worst in a life, by Goda's formulas with alpha_I; "
-                                  "with the law `dynamic` by the reduced model")
-                          .reason("why_no_base", &M::why_no_base, "why `base` is null"));
+      .key("waves", &M::waves, "", "in all lives")
+      .key("waves_computed", &M::answered, "", "of them those whose S was computed")
+      .object(
+          "base", &M::base, base_of_lives_outputs(),
+          "what presses on the base at its worst in a life, by Goda's formulas with alpha_I; with the law `dynamic` "
+          "by the reduced model, in motion, against `limits.dynamic_base_pressure`")
+      .reason("why_no_base", &M::why_no_base, "why `base` is null");
+}
+
+OutputSchema<Told> lives_outputs() {
+  const auto found = inner(&Told::answer, &Answer::monte_carlo);
+  const auto asked = OutputSchema<LifeTable>()
+                         .key("lives", &LifeTable::lives, "", "how many")
+                         .key("years", &LifeTable::years, "", "of each")
+                         .key("seed", &LifeTable::seed, "", "of the draws");
+  return OutputSchema<Told>()
+      .object("headline", &Told::of_life, headline_outputs(),
+              "the mean S of a life to tell: the larger of formulas and own dynamics, where there are both")
+      .keys_of(inner(&Told::design, &Design::tables, &DesignTables::life), asked)
+      .key("limit", limit_of, "", "of the heights: breaking, cut or none")
+      .keys_of(found, lives_by_law_outputs())
+      .object("by_formulas", inner(&Told::answer, &Answer::formula_lives), lives_by_law_outputs(),
+              "the same lives by the law `exact`, beside those by own dynamics; null where the lives are by formulas");
 }
 
 OutputSchema<Told> expected_timing_outputs() {
@@ -250,6 +266,9 @@ const OutputSchema<Told>& expected_outputs() {
       OutputSchema<Told>()
           .key("title", inner(&Told::design, &Design::tables, &DesignTables::title), "", "that of the design")
           .program()
+          .object("verdict", &Told::verdict, verdict_outputs(), "what all checks say together; null without any")
+          .list("checks[]", &Told::checks, check_outputs(), "of the record and of the lives")
+          .list("warnings[]", &Told::warnings, warning_outputs(), "[what may be wrong](expected.md#warnings)")
           .object(
               "expected", [](const Told& t) { return t.design->tables.sea ? &t : nullptr; }, sliding_by_law_outputs(),
               "expected sliding, by quadrature; null without `[sea]`")
@@ -273,7 +292,11 @@ std::vector<OutputRow> rows_of_expected() {
 }
 
 std::string to_json(const Design& design, const ExpectedAnswer& answer, const ExpectedTiming& timing) {
-  return expected_outputs().text({&design, &answer, &timing});
+  ToldExpected told{&design, &answer, &timing, {}, {}, checks_of(design, answer), warnings_of(design, answer), {}};
+  if (!answer.total.empty()) told.expected = headline_of(answer.total);
+  if (answer.monte_carlo) told.of_life = headline_of(*answer.monte_carlo, answer.formula_lives);
+  if (!told.checks.empty()) told.verdict = verdict_of(told.checks, told.warnings);
+  return expected_outputs().text(told);
 }
 
 }  // namespace upbead

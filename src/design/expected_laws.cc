@@ -62,9 +62,8 @@ double shortest_rise(const Breakwater& breakwater, const ImpactAssumptions& impa
     const double threshold = forces.threshold({});
     const double height = 0.5 * (std::isfinite(threshold) ? threshold : state.significant_height);
     const WavePressure standing = forces.at(height, {}, PressureFormula::standing);
-    const ImpactWave wave =
-        impact_wave(impact, {height, state.period, standing.force, standing.alpha_star, standing.uplift},
-                    breakwater.water, forces.breakwater().section.berm_depth);
+    const ImpactWave wave = impact_wave(impact, wave_on_wall(height, state.period, standing, forces.at(height, {})),
+                                        breakwater.water, forces.breakwater().section.berm_depth);
     shortest = std::min(shortest, wave.rise);
   }
   return shortest;

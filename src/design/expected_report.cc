@@ -11,8 +11,6 @@ namespace upbead {
 
 namespace {
 
-constexpr int few_lives = 50;  // with fewer lives that slide, a normal distribution of their mean is doubtful
-
 const char* meaning(Law law) {
   switch (law) {
     case Law::paper:
@@ -25,12 +23,6 @@ const char* meaning(Law law) {
       break;
   }
   return "own dynamics";
-}
-
-/// "213 of 9400 waves (2.3 %)".
-std::string some_of(double some, double all) {
-  return significant(some, 4) + " of " + significant(all, 4) + " waves (" + significant(100. * share_of(some, all), 2) +
-         " %)";
 }
 
 /// "10.86 m", "10.7 to 11.4 m"; "" where no sea state has a limit.
@@ -121,6 +113,10 @@ std::string describe(const MonteCarlo& found, const LifeTable& life) {
   return text + (found.base ? describe(*found.base) : "  heel        no value: " + found.why_no_base + "\n");
 }
 
+std::string describe(const Headline& headline) {
+  return "S = " + with_unit(headline.value, "m") + " by the law " + word(headline.law) + ": " + headline.why + "\n";
+}
+
 std::string describe_record(const SeaTable& sea, const ExpectedAnswer& answer) {
   std::string text = format("sea         %d sea states, %s waves in %.4g years, the highest %.2f m (%s)\n",
                             static_cast<int>(answer.states.size()), significant(answer.waves, 4).c_str(), sea.years,
@@ -169,6 +165,11 @@ void add_curves(const HeightCurves& curves, std::vector<Dataset>& datasets) {
 
 }  // namespace
 
+std::string some_of(double some, double all) {
+  return significant(some, 4) + " of " + significant(all, 4) + " waves (" + significant(100. * share_of(some, all), 2) +
+         " %)";
+}
+
 const char* word(const HighestWave& highest) {
   if (highest.breaking) return "breaking";
   return highest.cut == RayleighHeights::no_cut ? "none" : "cut";
@@ -179,6 +180,9 @@ std::string expected_file(const Design& design, const ExpectedAnswer& answer) {
   if (!answer.states.empty()) add_curves(answer.curves, datasets);
   if (answer.monte_carlo)
     datasets.push_back({"lives/sliding", "m", "S of each life, sum of all its waves", answer.monte_carlo->sliding});
+  if (answer.formula_lives)
+    datasets.push_back({"lives/sliding_by_formulas", "m", "the same by the law exact, without the ground",
+                        answer.formula_lives->sliding});
   if (answer.monte_carlo && answer.monte_carlo->base) {
     const BaseOfLives& base = *answer.monte_carlo->base;
     datasets.push_back(some_of_base("lives/heel_pressure", "Pa", "largest of each life", base.heel_pressure.values));
@@ -197,57 +201,12 @@ std::string describe(const Design& design, const ExpectedAnswer& answer) {
                    answer.model->load.c_str(), 1e3 * answer.model->step);
   if (design.tables.sea) text += describe_record(*design.tables.sea, answer);
   if (answer.monte_carlo) text += describe(*answer.monte_carlo, *design.tables.life);
-  return text;
-}
-
-namespace {
-
-/// Warns of sea states at the wall that no sea in deep water can cause.
-std::string impossible_seas(const std::vector<StateAnswer>& states) {
-  const auto impossible = [](const StateAnswer& s) { return !s.before.reaches; };
-  const auto first = std::find_if(states.begin(), states.end(), impossible);
-  if (first == states.end()) return "";
-  const DesignHeights& most = first->before.heights;
-  return "warning: " + std::to_string(std::count_if(states.begin(), states.end(), impossible)) + " of " +
-         std::to_string(states.size()) + " sea states have an H_1/3 that no sea brings to that depth, the first " +
-         significant(first->state.significant_height, 4) + " m at T = " + significant(first->state.period, 4) +
-         " s, where the steepest sea has " + significant(most.significant, 4) + " m" +
-         (std::isfinite(most.breaker) ? " and breaks at " + significant(most.breaker, 4) + " m, which limits its waves"
-                                      : "") +
-         "; check significant_height (at the wall), period and water_depth\n";
-}
-
-/// Warns of waves that the depth would break, where only a cut or nothing limits the heights.
-std::string unbroken_waves(const HighestWave& highest, const ExpectedAnswer& answer) {
-  if (highest.breaking) return "";
-  double higher = 0., lowest = HUGE_VAL;
-  for (const StateAnswer& s : answer.states) {
-    higher += s.state.waves * s.heights.exceedance(s.before.heights.breaker);
-    lowest = std::min(lowest, s.before.heights.breaker);
-  }
-  if (higher < 1.) return "";
-  return "warning: " + some_of(higher, answer.all) + " are higher than Goda's highest breaker, " +
-         significant(lowest, 4) +
-         " m or more by sea state: such waves break before; sea.highest = \"breaking\" limits them\n";
-}
-
-}  // namespace
-
-std::string notes_and_warnings(const Design& design, const ExpectedAnswer& answer) {
-  std::string text;
-  for (const RecordSummary& r : answer.notes.read)
-    text += "note: " + r.file + ": column " + in_quotes(r.column) + " in " + r.unit + ", " + std::to_string(r.samples) +
-            " rows, largest " + significant(r.extreme, 4) + " " + r.si + "; " + r.layout + "\n";
-  for (const LeftOut& part : answer.notes.left_out) text += "note: " + part.what + ": " + part.why + "\n";
-  for (const NumberedWarning& warning : answer.notes.warnings)
-    text += "warning: " + warning.name + ": " + warning.text + "\n";
-  if (design.tables.sea) text += impossible_seas(answer.states) + unbroken_waves(design.tables.sea->highest, answer);
-  if (!answer.monte_carlo) return text;
-  const LifeStatistics& s = answer.monte_carlo->statistics;
-  if (s.sliding_lives >= few_lives) return text;
-  return text + "warning: only " + std::to_string(s.sliding_lives) + " of " +
-         std::to_string(answer.monte_carlo->sliding.size()) +
-         " lives slide: mean and interval rest on few of them; simulate more with --set life.simulated_lives=NUMBER\n";
+  if (answer.formula_lives) text += describe(*answer.formula_lives, *design.tables.life);
+  if (!answer.total.empty()) text += "headline    expected " + describe(headline_of(answer.total));
+  if (answer.monte_carlo)
+    text += "headline    of a life " + describe(headline_of(*answer.monte_carlo, answer.formula_lives));
+  const Checks checks = checks_of(design, answer);
+  return text + describe(verdict_of(checks, warnings_of(design, answer)), checks);
 }
 
 }  // namespace upbead

@@ -9,6 +9,7 @@
 
 #include "case/records/record_layout.h"
 #include "design.h"
+#include "output/checks.h"
 #include "upbead/expected/life.h"
 #include "upbead/expected/sliding_law.h"
 
@@ -83,6 +84,13 @@ struct MonteCarlo {
   double seconds = 0.;
 };
 
+/// The distance that is told first: the largest of all routes to it.
+struct Headline {
+  double value = 0.;  ///< m
+  Law law = Law::exact;
+  std::string why;
+};
+
 struct ExpectedAnswer {
   std::vector<StateAnswer> states;
   std::map<Law, Expectation> total;  ///< thresholds: the least of all sea states
@@ -95,6 +103,7 @@ struct ExpectedAnswer {
   HeightCurves curves;
   std::optional<ModelUsed> model;
   std::optional<MonteCarlo> monte_carlo;
+  std::optional<MonteCarlo> formula_lives;  ///< the same lives by formulas, beside those by own dynamics
   double quadrature_seconds = 0.;
   RecordNotes notes;  ///< how the sea states were read
 };
@@ -119,8 +128,18 @@ std::vector<OutputRow> rows_of_expected();
 /// The bytes of results.h5.
 std::string expected_file(const Design& design, const ExpectedAnswer& answer);
 std::string describe(const Design& design, const ExpectedAnswer& answer);
-/// For stderr: what makes the numbers doubtful; "" where nothing does.
-std::string notes_and_warnings(const Design& design, const ExpectedAnswer& answer);
+
+/// The largest expected distance, of all laws; and the largest mean S of a life, of both routes.
+Headline headline_of(const std::map<Law, Expectation>& laws);
+Headline headline_of(const MonteCarlo& lives, const std::optional<MonteCarlo>& by_formulas);
+
+/// Checks of the record and of the lives against [limits], and what makes the numbers doubtful.
+Checks checks_of(const Design& design, const ExpectedAnswer& answer);
+NumberedWarnings warnings_of(const Design& design, const ExpectedAnswer& answer);
+/// For stderr: how the record was read; "" where there is nothing to say.
+std::string notes_of(const ExpectedAnswer& answer);
+/// "213 of 9400 waves (2.3 %)".
+std::string some_of(double some, double all);
 /// What limits the heights: breaking, cut or none.
 const char* word(const HighestWave& highest);
 

@@ -166,17 +166,18 @@ void add_base(const DesignTables& tables, const Laws& laws, const std::vector<Li
       found[i] = dynamic ? *laws.base(Law::dynamic, life.most_tilting) : *life.base;
   });
   const Limits& limits = tables.limits;
-  out.base = {worst_of_lives(found, &WorstBase::heel_pressure, limits.base_pressure),
-              worst_of_lives(found, &WorstBase::toe_pressure, limits.base_pressure),
+  const auto& pressure = dynamic ? limits.dynamic_base_pressure : limits.base_pressure;
+  out.base = {worst_of_lives(found, &WorstBase::heel_pressure, pressure),
+              worst_of_lives(found, &WorstBase::toe_pressure, pressure),
               worst_of_lives(found, &WorstBase::eccentricity, {}),
               worst_of_lives(found, &WorstBase::overturning_margin, limits.overturning, -1.)};
 }
 
 MonteCarlo simulate(const Design& design, const Laws& laws, const std::vector<SeaState>& record,
-                    const ExpectedAnswer& answer) {
+                    const ExpectedAnswer& answer, Law law) {
   const LifeTable& table = *design.tables.life;
   MonteCarlo out;
-  out.law = table.sliding.value_or(laws.best());
+  out.law = law;
   LifeSetup setup;
   if (design.tables.storms) {
     setup.source = source_of(design);
@@ -268,7 +269,11 @@ ExpectedAnswer find_expected(const Design& design) {
   answer.model = laws.model();
   if (design.tables.sea) integrate(design, laws, record, answer);
   answer.quadrature_seconds = watch.seconds();
-  if (design.tables.life) answer.monte_carlo = simulate(design, laws, record, answer);
+  if (const auto& life = design.tables.life) {
+    const Law law = life->sliding.value_or(laws.best());
+    answer.monte_carlo = simulate(design, laws, record, answer, law);
+    if (law == Law::dynamic) answer.formula_lives = simulate(design, laws, record, answer, Law::exact);
+  }
   return answer;
 }
 

@@ -42,7 +42,7 @@ GoverningLevel worst_level(const std::vector<WaveAnswer>& levels, Worse worse, V
 /// An order in which the worse comes first; of several levels at which the caisson overturns, that with the least
 /// safety.
 std::pair<double, double> heel_before(const Stability& s) {
-  return {-severity_of_heel(s), s.safety_overturning};
+  return {-above_all(s.heel_pressure), s.safety_overturning};
 }
 
 template <class Value>
@@ -83,7 +83,7 @@ GoverningLevels governing(const std::vector<WaveAnswer>& levels) {
   const GoverningLevel seaward = least(levels, [](const WaveAnswer& a) {
     return a.standing.answer ? a.standing.answer->seaward.safety_sliding : HUGE_VAL;
   });
-  if (std::isfinite(seaward.value)) worst.seaward = seaward;
+  if (std::isfinite(*seaward.value)) worst.seaward = seaward;
   return worst;
 }
 
@@ -94,18 +94,17 @@ std::vector<Warning> beyond_limits(const Limits& limits, const WaveAnswer& a) {
     checked.emplace_back("under the toe, of the standing wave's trough,", standing->seaward);
   }
   const auto heaviest = std::max_element(checked.begin(), checked.end(), [](const auto& x, const auto& y) {
-    return severity_of_heel(x.second) < severity_of_heel(y.second);
+    return above_all(x.second.heel_pressure) < above_all(y.second.heel_pressure);
   });
   const auto loosest = std::min_element(checked.begin(), checked.end(), [](const auto& x, const auto& y) {
     return x.second.safety_overturning < y.second.safety_overturning;
   });
   std::vector<Warning> list;
   if (const Stability& s = heaviest->second; too_much_pressure(s, limits)) {
-    const double p = severity_of_heel(s);
     list.push_back({"base_pressure",
                     "the pressure " + heaviest->first + " is " +
-                        (std::isfinite(p) ? significant(p / 1e3, 4) + " kPa, above"
-                                          : "beyond all numbers, as the caisson overturns or floats, and so above") +
+                        (s.heel_pressure ? significant(*s.heel_pressure / 1e3, 4) + " kPa, above"
+                                         : "beyond all numbers, as the caisson overturns or floats, and so above") +
                         " limits.base_pressure = " + significant(*limits.base_pressure / 1e3, 4) + " kPa"});
   }
   if (const Stability& s = loosest->second; overturns_too_easily(s, limits))
@@ -123,9 +122,10 @@ OutputSchema<GoverningLevels> governing_outputs() {
         .key("level", &GoverningLevel::level, "", "its name")
         .key("value", &GoverningLevel::value, "", which);
   };
-  const auto heel = OutputSchema<GoverningLevel>()
-                        .key("level", &GoverningLevel::level, "", "its name")
-                        .key("value", &GoverningLevel::value, "Pa", "p_e there");
+  const auto heel =
+      OutputSchema<GoverningLevel>()
+          .key("level", &GoverningLevel::level, "", "its name")
+          .key("value", &GoverningLevel::value, "Pa", "p_e there; null where the caisson overturns or floats");
   return OutputSchema<G>()
       .object("safety_sliding", &G::safety_sliding, level("the safety factor there"), "least against sliding")
       .object("safety_overturning", &G::safety_overturning, level("the safety factor there"),

@@ -30,12 +30,12 @@ void check_water_levels(const DesignTables& tables, const Document& document, Di
 /// The level at which the value of a check is worst, and that value.
 struct GoverningLevel {
   std::string level;
-  double value = 0.;
+  std::optional<double> value;  ///< none: p_e where the caisson overturns or floats
 };
 
 struct GoverningLevels {
   GoverningLevel safety_sliding, safety_overturning;  ///< least
-  GoverningLevel heel_pressure;                       ///< largest; above all numbers where it overturns
+  GoverningLevel heel_pressure;                       ///< largest; where it overturns or floats above all numbers
   std::optional<GoverningLevel> seaward;              ///< least S.F. in the trough, at levels with a standing wave
 };
 

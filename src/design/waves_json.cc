@@ -1,4 +1,5 @@
-#include "output/output_schema.h"
+#include "output/checks.h"
+#include "output/section_outputs.h"
 #include "waves_report.h"
 
 namespace upbead {
@@ -8,6 +9,9 @@ namespace {
 struct ToldWaves {
   const DesignTables* design;
   const std::vector<WaveAnswer>* waves;
+  Checks checks;
+  NumberedWarnings warnings;
+  Verdict verdict;
 };
 
 OutputSchema<Section> section_outputs() {
@@ -65,15 +69,6 @@ OutputSchema<WavePressure> without_outputs() {
       .key("p4", &P::p4, "Pa", "p_4")
       .key("force", &P::force, "N/m", "P")
       .key("uplift", &P::uplift, "N/m", "U");
-}
-
-OutputSchema<Stability> stability_outputs() {
-  using S = Stability;
-  return OutputSchema<S>()
-      .key("safety_sliding", &S::safety_sliding, "", "safety factor against sliding, with alpha_I")
-      .key("safety_overturning", &S::safety_overturning, "", "safety factor against overturning, with alpha_I")
-      .key("heel_pressure", &S::heel_pressure, "Pa", "p_e, under the landward edge, with alpha_I")
-      .key("toe_pressure", &S::heel_pressure, "Pa", "the same, as older versions call it");
 }
 
 OutputSchema<ElasticSliding> elastic_outputs() {
@@ -158,6 +153,11 @@ const OutputSchema<ToldWaves>& waves_outputs() {
   static const auto schema = OutputSchema<W>()
                                  .key("title", inner(&W::design, &D::title), "", "that of the design")
                                  .program()
+                                 .object("verdict", &W::verdict, verdict_outputs(), "what all checks say together")
+                                 .list("checks[]", &W::checks, check_outputs(),
+                                       "of each wave, at the level of still water at which it is worst")
+                                 .list("warnings[]", &W::warnings, warning_outputs(),
+                                       "[what may be wrong](waves.md#where-the-formulas-hold), of all waves and levels")
                                  .key("gravity", inner(&W::design, &D::water, &Water::gravity), "m/s2", "g")
                                  .object("fluid", inner(&W::design, &D::water), fluid, "as used")
                                  .object("section", inner(&W::design, &D::section), section_outputs(), "as used")
@@ -176,7 +176,9 @@ std::vector<OutputRow> rows_of_waves() {
 }
 
 std::string to_json(const DesignTables& design, const std::vector<WaveAnswer>& answers) {
-  return waves_outputs().text({&design, &answers});
+  ToldWaves told{&design, &answers, checks_of(design, answers), warnings_of(answers), {}};
+  told.verdict = verdict_of(told.checks, told.warnings);
+  return waves_outputs().text(told);
 }
 
 }  // namespace upbead

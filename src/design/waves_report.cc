@@ -4,6 +4,7 @@
 #include <map>
 
 #include "base/text.h"
+#include "case/formula_checks.h"
 #include "upbead/sliding/combined.h"
 
 namespace upbead {
@@ -113,11 +114,6 @@ Row pressures(const WaveAnswer& a, const Limits&) {
 /// Explains "!", where it may occur.
 std::string note_on(const Limits& limits) {
   return limits.base_pressure || limits.overturning ? ", ! beyond [limits]" : "";
-}
-
-/// The heel pressure, with "!" where it exceeds the limit.
-std::string judged_heel(const Stability& s, const Limits& limits) {
-  return short_number(s.heel_pressure / 1e3) + (too_much_pressure(s, limits) ? "!" : "");
 }
 
 std::string judged_overturning(const Stability& s, const Limits& limits) {
@@ -240,32 +236,73 @@ std::string describe(const DesignTables& design, const std::vector<WaveAnswer>& 
       text += "\n" + a.name + " on the swaying ground: peak F_T " + short_number(a.elastic->peak_shear / 1e3) +
               " kN/m, peak x " + short_number(a.elastic->peak_displacement) + " m, S " +
               short_number(a.elastic->slip.residual) + " m";
-  return text + (text.back() == '\n' ? "" : "\n");
+  const Checks checks = checks_of(design, answers);
+  return text + (text.back() == '\n' ? "\n" : "\n\n") + describe(verdict_of(checks, warnings_of(answers)), checks);
 }
 
-std::string warning_lines(const std::vector<WaveAnswer>& answers) {
-  std::vector<std::string> order;
-  std::map<std::string, std::vector<const WaveAnswer*>> waves;
-  std::map<std::string, std::string> text;
-  const auto collect = [&](const WaveAnswer& a) {
-    for (const Warning& warning : a.warnings) {
-      if (text.emplace(warning.name, warning.text).second) order.push_back(warning.name);
-      waves[warning.name].push_back(&a);
-    }
-  };
+namespace {
+
+/// The larger of S by eqs. (4) and (6) and, with a standing wave besides the pulse, of 1998.
+FormulaAnswer formula_answer(const WaveAnswer& a) {
+  const bool combined = a.sliding.combined > a.sliding.exact;
+  return {a.name,
+          a.level,
+          a.stability,
+          a.standing,
+          std::max(a.sliding.exact, a.sliding.combined),
+          std::string(combined ? "Shimosako and Takahashi (1998), a standing wave and a pulse"
+                               : "eqs. (4) and (6) of Shimosako and Takahashi (1994), integrated") +
+              "; tau_0 = k(alpha*) tau_0F",
+          "waves." + a.name + (a.level.empty() ? "." : ".levels." + a.level + ".")};
+}
+
+/// The checks of one wave at one level.
+Checks checks_at(const WaveAnswer& a, const Limits& limits) {
+  Checks list = formula_checks(formula_answer(a), limits);
+  if (!a.measured) return list;
+  Check given = check_of("force against friction, given P", "N/m", a.pulse.peak, "waves." + a.name + ".sliding_force",
+                         "P as given, times F_T/P, with mu U");
+  given.by = "formulas";
+  given.wave = a.name;
+  given.level = a.level;
+  list.insert(list.begin(), at_most(given, a.stability.resistance));
+  return list;
+}
+
+/// The wave at each of its levels, or at the section's own.
+std::vector<const WaveAnswer*> at_all_levels(const WaveAnswer& a) {
+  if (a.levels.empty()) return {&a};
+  std::vector<const WaveAnswer*> list;
+  for (const WaveAnswer& level : a.levels) list.push_back(&level);
+  return list;
+}
+
+}  // namespace
+
+Checks checks_of(const DesignTables& design, const std::vector<WaveAnswer>& answers) {
+  Checks list;
   for (const WaveAnswer& a : answers) {
-    if (a.levels.empty()) collect(a);
-    for (const WaveAnswer& level : a.levels) collect(level);
+    std::vector<Checks> levels;
+    for (const WaveAnswer* level : at_all_levels(a)) levels.push_back(checks_at(*level, design.limits));
+    append(list, worst_of_each(levels));
   }
-  std::string lines;
-  for (const std::string& name : order) {
-    const std::size_t others = waves[name].size() - 1;
-    const WaveAnswer& first = *waves[name].front();
-    lines += "warning: wave " + first.name + (first.level.empty() ? "" : " at " + first.level) + ": " + text[name] +
-             (others == 0 ? "" : "; so for " + std::to_string(others) + (others == 1 ? " other" : " others")) + " [" +
-             name + "]\n";
+  return list;
+}
+
+NumberedWarnings warnings_of(const std::vector<WaveAnswer>& answers) {
+  NumberedWarnings list;
+  for (const WaveAnswer& a : answers) {
+    std::map<std::string, std::string> told;  // by name of the warning, its text at the level before
+    for (const WaveAnswer* level : at_all_levels(a))
+      for (const Warning& warning : level->warnings) {
+        std::string& before = told[warning.name];
+        if (before == warning.text) continue;
+        before = warning.text;
+        list.push_back({warning.name, 0., 0., "",
+                        "wave " + a.name + (level->level.empty() ? "" : " at " + level->level) + ": " + warning.text});
+      }
   }
-  return lines;
+  return list;
 }
 
 }  // namespace upbead

@@ -6,8 +6,9 @@
 #include <vector>
 
 #include "design.h"
-#include "design/standing_answer.h"
+#include "design/standing_table.h"
 #include "design/water_levels.h"
+#include "output/checks.h"
 #include "sliding/elastic_block.h"
 #include "upbead/sliding/pulse.h"
 #include "upbead/waves/goda.h"
@@ -48,15 +49,18 @@ struct WaveAnswer {
   std::optional<GoverningLevels> governing;  ///< where there are levels
 };
 
+/// The checks of all waves, each at the level of still water at which it is worst.
+Checks checks_of(const DesignTables& design, const std::vector<WaveAnswer>& answers);
+
+/// The warnings of all waves at all levels, equal ones once for each wave.
+NumberedWarnings warnings_of(const std::vector<WaveAnswer>& answers);
+
 /// All waves of a design, in the order of their names.
 std::vector<WaveAnswer> answer_waves(const DesignTables& design);
 
 /// Tables of pressures, safety and sliding with a row for each wave, and of levels with a row for each wave and
 /// level.
 std::string describe(const DesignTables& design, const std::vector<WaveAnswer>& answers);
-
-/// One line for each warning, with all waves that it concerns.
-std::string warning_lines(const std::vector<WaveAnswer>& answers);
 
 /// summary.json. Throws NumericsError where a number is not finite.
 std::string to_json(const DesignTables& design, const std::vector<WaveAnswer>& answers);

@@ -17,12 +17,15 @@ DynamicLaw::DynamicLaw(const Breakwater& breakwater, const SeaState& state, cons
     : forces_(breakwater, state), assumptions_(assumptions), answer_(std::move(answer)) {}
 
 ImpactWave DynamicLaw::on_wall(double height, const WaveFactors& factors) const {
-  const WavePressure standing = forces_.at(height, factors, PressureFormula::standing);
-  const Breakwater& breakwater = forces_.breakwater();
   // The factor of P scales the history; its rise and duration are those of the wave without it.
-  ImpactWave wave = impact_wave(
-      assumptions_, {height, forces_.period(), standing.force / factors.force, standing.alpha_star, standing.uplift},
-      breakwater.water, breakwater.section.berm_depth);
+  WaveFactors of_uplift = factors;
+  of_uplift.force = 1.;
+  const Breakwater& breakwater = forces_.breakwater();
+  ImpactWave wave =
+      impact_wave(assumptions_,
+                  wave_on_wall(height, forces_.period(), forces_.at(height, of_uplift, PressureFormula::standing),
+                               forces_.at(height, of_uplift)),
+                  breakwater.water, breakwater.section.berm_depth);
   wave.peak *= factors.force;
   wave.standing_force *= factors.force;
   return wave;
@@ -188,12 +191,17 @@ class Sines {
 
 }  // namespace
 
+WaveOnWall wave_on_wall(double height, double period, const WavePressure& standing, const WavePressure& extended) {
+  return {height, period, standing.force, standing.alpha_star, standing.uplift, extended.force};
+}
+
 ImpactWave impact_wave(const ImpactAssumptions& a, const WaveOnWall& on_wall, const Water& water, double berm_depth) {
   const double g = water.gravity, T = on_wall.period;
   ImpactWave wave;
   wave.period = T;
   wave.standing_force = on_wall.standing_force;
-  wave.peak = on_wall.standing_force * (1. + a.peak_gain * on_wall.alpha_star);
+  wave.peak = a.peak_gain ? on_wall.standing_force * (1. + *a.peak_gain * on_wall.alpha_star)
+                          : std::max(on_wall.goda_force, on_wall.standing_force);
   wave.uplift = on_wall.uplift;
   const double relative_peak = wave.peak / (water.density * g * on_wall.height * on_wall.height);  // F*
   const double rise = a.rise_coefficient * std::sqrt(berm_depth / g) / relative_peak;

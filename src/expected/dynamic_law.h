@@ -76,7 +76,10 @@ enum class ImpactUplift {
 
 /// Assumptions made here: no published method gives the history of a wave's force from its height.
 struct ImpactAssumptions {
-  double peak_gain = 0.5;          ///< e in P_I = P_1 (1 + e alpha*)
+  /// e in P_I = P_1 (1 + e alpha*). None: P_I is Goda's P with alpha*, the least that may be assumed: that P already is
+  /// an effective sliding force, and measured impulsive peaks are several times as large (Shimosako and Takahashi
+  /// 1994).
+  std::optional<double> peak_gain{};
   double rise_coefficient = .769;  ///< c in t_r = c sqrt(d/g) / F*; 8.94 x 0.086
   double duration_least = 2.;      ///< t_d/t_r for the slowest rise
   double duration_gain = 8.;       ///< by how much t_d/t_r is larger for the fastest rise
@@ -101,8 +104,12 @@ struct WaveOnWall {
   double period = 0.;          ///< T (s)
   double standing_force = 0.;  ///< P_1 (N/m)
   double alpha_star = 0.;
-  double uplift = 0.;  ///< U_max (N/m)
+  double uplift = 0.;      ///< U_max (N/m)
+  double goda_force = 0.;  ///< P with alpha* (N/m)
 };
+
+/// Of Goda's pressures by alpha_1 alone, and by alpha*.
+WaveOnWall wave_on_wall(double height, double period, const WavePressure& standing, const WavePressure& extended);
 
 /// The impulsive wave by these assumptions. `berm_depth`: d (m). Where the triangle would outlast the half period it
 /// ends with it, and rises in at most half its duration.

@@ -176,10 +176,9 @@ WorstBase WaveForces::base(double height, const WaveFactors& factors) const {
   const double B = s.width, W = s.submerged_weight, W_e0 = W * (0.5 * B - s.centroid.value_or(0.5 * B));
   const double N = W - p.uplift, M = W_e0 + p.uplift_moment - 0.5 * p.uplift * B + p.force_moment;
   const EdgePressures rest = edge_pressures(W, W_e0, B), wave = edge_pressures(N, M, B);
-  const bool leaves = std::abs(M) >= 0.5 * B * N;
   WorstBase worst;
-  worst.heel_pressure = leaves && M >= 0. ? WorstBase::leaves : std::max(rest.landward, wave.landward);
-  worst.toe_pressure = leaves && M <= 0. ? WorstBase::leaves : std::max(rest.seaward, wave.seaward);
+  worst.heel_pressure = std::max(above_all(rest.landward), above_all(wave.landward));
+  worst.toe_pressure = std::max(above_all(rest.seaward), above_all(wave.seaward));
   const double e = N > 0. ? M / N : 0.;
   worst.eccentricity = std::abs(e) > std::abs(W_e0 / W) ? e : W_e0 / W;
   if (p.force_moment > 0.) worst.overturning_margin = (W * (0.5 * B) - W_e0 - p.uplift_moment) / p.force_moment;

@@ -66,11 +66,14 @@ std::string markdown(const std::vector<OutputRow>& rows) {
 
 OutputSchema<NumberedWarning> warning_outputs() {
   using W = NumberedWarning;
+  const auto number = [](double W::*member) {
+    return [member](const W& w) { return w.unit.empty() ? std::nullopt : std::optional(w.*member); };
+  };
   return OutputSchema<W>()
       .key("name", &W::name, "", "as in [warnings](warnings.md)")
-      .key("value", &W::value, "", "that decided")
-      .key("limit", &W::limit, "", "that it passes")
-      .key("unit", &W::unit, "", "of both")
+      .key("value", number(&W::value), "", "that decided; null where no number did")
+      .key("limit", number(&W::limit), "", "that it passes; null likewise")
+      .reason("unit", &W::unit, "of both; null likewise")
       .key("text", &W::text, "", "what is wrong, and what to do");
 }
 

@@ -155,6 +155,10 @@ OutputSchema<SlidingSummary> sliding_outputs() {
     return s.coupled ? std::optional(s.coupled->slip.residual) : std::nullopt;
   };
   return OutputSchema<S>()
+      .key(
+          "caisson", [](const S&) { return "bonded"; }, "",
+          "`bonded`: F_T, F_Smax and S by eq. (4) are of the bonded caisson, also in a run with friction node by node, "
+          "whose own peak F_T is `response.peak_shear` and whose S is `contact.solved.slip`")
       .key("friction", &S::friction, "", "mu")
       .key("weight", &S::weight, "N/m", "W")
       .key("submerged_weight", &S::submerged_weight, "N/m", "W'")

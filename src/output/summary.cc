@@ -1,4 +1,6 @@
 #include "base/version.h"
+#include "output/checks.h"
+#include "output/section_outputs.h"
 #include "output/summary_outputs.h"
 #include "output/versions.h"
 
@@ -37,8 +39,14 @@ OutputSchema<ShearResponse> forces_on_caisson_outputs() {
       .key("shear_to_force_ratio", &R::shear_to_force_ratio, "",
            "ratio of the peaks: peak F_T / peak P, landward, or seaward where the largest abs(P) is seaward; null "
            "where there is no P")
-      .key("peak_displacement", &R::peak_displacement, "m", "largest displacement of the centre of gravity: x_G")
-      .key("peak_rotation", &R::peak_rotation, "rad", "largest rotation of the caisson")
+      .key("largest_displacement", &R::largest_displacement, "m",
+           "displacement x_G of largest magnitude, with its sign: landward positive, of the centre of gravity")
+      .key("largest_displacement_time", &R::largest_displacement_time, "s", "when")
+      .key("peak_displacement", &R::peak_displacement, "m",
+           "largest displacement x_G landward; `largest_displacement` may be a larger one seaward")
+      .key("peak_rotation", &R::peak_rotation, "rad",
+           "largest rotation landward; `largest_rotation` may be a larger one seaward")
+      .key("largest_rotation", &R::largest_rotation, "rad", "rotation of largest magnitude, with its sign")
       .key("peak_shear_paper", &R::peak_shear_paper, "N/m",
            "largest P - m x_G'' of the caisson, the paper's reading; differs from `peak_shear` only where water is "
            "modelled")
@@ -49,7 +57,9 @@ OutputSchema<ShearResponse> forces_on_caisson_outputs() {
       .key(
           "arm", &R::arm, "m",
           "height of the force above the bottom when P is largest: of its line of action; null without horizontal load")
-      .key("peak_base_moment", &R::peak_base_moment, "N m/m", "largest moment at the bottom, about its middle")
+      .key("peak_base_moment", &R::peak_base_moment, "N m/m",
+           "largest moment at the bottom, about its middle, landward")
+      .key("largest_base_moment", &R::largest_base_moment, "N m/m", "the one of largest magnitude, with its sign")
       .key("reaction_mismatch", &R::reaction_mismatch, "",
            "largest difference of both routes to F_T over the largest abs(F_T), or, where that is less, over a "
            "millionth of the largest of abs(P), change of the normal force, uplift, and base moment over the bottom's "
@@ -66,6 +76,10 @@ OutputSchema<ErrorEstimate> error_outputs() {
       .key("far_boundary", &E::far_boundary, "", "part from waves that the far sides reflect");
 }
 
+std::string word_of_base(const Summary& s) {
+  return s.contact && s.contact->solved ? "friction" : "bonded";
+}
+
 OutputSchema<Summary> response_outputs() {
   using S = Summary;
   const auto total = [](const std::optional<ErrorEstimate>& error) {
@@ -73,6 +87,10 @@ OutputSchema<Summary> response_outputs() {
   };
   const auto mismatch = [](const S& s) { return s.energy ? std::optional(s.energy->mismatch()) : std::nullopt; };
   return OutputSchema<S>()
+      .key(
+          "caisson", [](const S& s) { return word_of_base(s); }, "",
+          "`bonded`, or `friction` where it was followed node by node: that of all numbers here, of `base` and of the "
+          "histories; those of `sliding` are of the bonded one")
       .keys_of(&S::response, forces_on_caisson_outputs())
       .key("energy_mismatch", mismatch, "",
            "work of the loads minus the sum of all energies stored and taken (the entries of `energy`), over the "
@@ -154,10 +172,15 @@ OutputSchema<BaseSummary> base_outputs() {
       .key("eccentricity_at_rest", &B::eccentricity_at_rest, "m", "of W', landward of the middle")
       .key(
           "peak_heel_pressure", &B::peak_heel_pressure, "Pa",
-          "largest pressure of the landward edge; null where the resultant leaves the base there: a bonded base pulls, "
-          "a real one overturns or rocks")
+          "largest pressure of the landward edge in motion; null where the resultant leaves the base there: a bonded "
+          "base pulls, a real one overturns or rocks. It is not the p_e for which limits of bearing pressure are made: "
+          "that is in `checks`, by formulas")
       .key("peak_heel_pressure_time", &B::peak_heel_pressure_time, "s", "when, or when the resultant first leaves")
       .key("peak_toe_pressure", &B::peak_toe_pressure, "Pa", "the same of the seaward edge")
+      .key("static_heel_pressure", &B::static_heel_pressure, "Pa",
+           "largest pressure of the landward edge under the loads without motion: Goda's p_e where the load is Goda's; "
+           "null where their resultant leaves the base")
+      .key("static_toe_pressure", &B::static_toe_pressure, "Pa", "the same of the seaward edge")
       .key("peak_toe_pressure_time", &B::peak_toe_pressure_time, "s", "when")
       .key("largest_eccentricity", &B::largest_eccentricity, "m", "e = M'/N' of largest magnitude, landward positive")
       .key("largest_eccentricity_time", &B::largest_eccentricity_time, "s", "when")
@@ -167,29 +190,30 @@ OutputSchema<BaseSummary> base_outputs() {
            "least of (moment of W' - U)/(moment of all that the wave does), about the heel or the toe: Goda's safety "
            "factor against overturning where nothing moves; null where nothing overturns")
       .key("least_overturning_margin_time", &B::least_overturning_margin_time, "s", "when")
+      .key("lifts_time", &B::lifts_time, "s",
+           "when an edge first has no pressure: from then on a base that cannot pull parts from its mound there, and "
+           "one that is bonded pulls; null where both edges always press")
+      .reason("lifts", &B::lifts, "which edge that is: `seaward`, `landward`, or `all`; null with it")
       .key("peak_computed_pressure", &B::peak_computed_pressure, "Pa",
-           "largest effective stress under a node of the base, as solved; without friction node by node on stresses at "
-           "rest that are linear, and without a prescribed uplift; at the edges of a rigid base it grows with finer "
-           "cells; null unless `output.base = true` or contact was solved")
+           "largest effective stress under a node of the base, as solved; **no pressure to judge by**: at the edges of "
+           "a "
+           "rigid base it is singular and grows with finer cells; without friction node by node on stresses at "
+           "rest that are linear, and without a prescribed uplift; null unless `output.base = true` or contact was "
+           "solved")
       .key("peak_computed_pressure_at", &B::peak_computed_pressure_at, "m", "x of that node")
       .key("peak_computed_pressure_time", &B::peak_computed_pressure_time, "s", "when")
-      .key("limit", &B::limit, "Pa", "of heel and toe pressure, `limits.base_pressure`; null where none is given");
+      .key("limit", &B::limit, "Pa",
+           "of heel and toe pressure in motion, `limits.dynamic_base_pressure`; null where none is given");
 }
 
-OutputSchema<Check> check_outputs() {
-  using C = Check;
-  return OutputSchema<C>()
-      .key("name", &C::name, "", "what is checked")
-      .key("unit", &C::unit, "", "of demand and capacity")
-      .key("demand", &C::demand, "", "what the wave demands, in that unit; null: without bound")
-      .key("capacity", &C::capacity, "",
-           "what the section bears: mu W', or a limit of `[limits]`; null where none is given")
-      .key("margin", &C::margin, "",
-           "above 1 where it holds: capacity over demand, or demand over capacity of what must not fall below; null "
-           "without a capacity, where nothing is demanded, and where the check is void")
-      .key("holds", &C::holds, "", "whether it holds; null without a capacity, and where the check is void")
-      .key("measure", &C::measure, "", "the key of the summary with the demand")
-      .reason("assumption", &C::assumption, "assumption that the check rests on; null where there is none");
+OutputSchema<HarbourSummary> harbour_outputs() {
+  using H = HarbourSummary;
+  return OutputSchema<H>()
+      .key("front", &H::front, "m", "height y of still water in front of the caisson")
+      .key("back", &H::back, "m", "and behind it")
+      .key("push", &H::push, "N/m", "of both on the caisson at rest, landward")
+      .key("weight_gained", &H::weight_gained, "N/m",
+           "by which W' is more than that in water as high as the higher level; in no other number");
 }
 
 OutputSchema<NaturalPeriod> period_outputs() {
@@ -373,6 +397,7 @@ OutputSchema<Summary> whole_outputs() {
   return OutputSchema<S>()
       .key("title", &S::title, "", "that of the case")
       .program()
+      .object("verdict", &S::verdict, verdict_outputs(), "what all checks say together; null without any")
       .object("discretisation", &S::discretisation, discretisation_outputs(), "how the scene was solved")
       .object("response", of_caisson, response_outputs(), "null where the mesh has no surface `caisson`")
       .named("loads.NAME", &S::loads, &LoadOnCaisson::name, load_outputs(),
@@ -395,6 +420,8 @@ OutputSchema<Summary> whole_outputs() {
               "with `[sliding]` in the case, else null. Eq. numbers are those of Shimosako and Takahashi (1994); F_S = "
               "F_T + mu U. In `sliding_coupled` alone the slip acts back on the scene; for all other numbers F_T is "
               "that of a caisson bonded to its mound")
+      .object("harbour", &S::harbour, harbour_outputs(),
+              "still water at two levels ([harbour_level](warnings.md)); null where it has one")
       .object("base", &S::base, base_outputs(),
               "[what presses on the base](contact.md#base-pressure): effective, stress varying linearly over the width "
               "in contact, at the ends of the steps; null where neither `[sliding]` nor the water level gives W'")
@@ -412,8 +439,9 @@ OutputSchema<Summary> whole_outputs() {
               "why nothing here that was marched is of a section that stands: its ground [has no state at "
               "rest](yielding.md#ground-that-does-not-stand); null where it has")
       .list("checks[]", &S::checks, check_outputs(),
-            "checks of the section: strength at rest, where it is known; sliding, friction, pressure of heel and toe, "
-            "overturning of a caisson")
+            "checks of the section by all routes: sliding, friction, pressure of heel and toe, overturning; empty "
+            "without "
+            "a caisson")
       .list("strength[]", &S::strength, strength_outputs(), "of each region with a [strength](warnings.md#strength)")
       .list("warnings[]", &S::warnings, warning_outputs(), "[what may be wrong](warnings.md) though nothing failed")
       .list("ladder[]", &S::ladder, ladder_outputs(),
@@ -513,6 +541,16 @@ OutputSchema<WaveLoadSummary> wave_load_outputs() {
       .key("standing_force", &W::standing_force, "N/m", "peak of the slow part, gamma P_1; 0 where there is none")
       .key("impulse", &W::impulse, "N s/m", "integral of P over the course")
       .key("end", &W::end, "s", "when the course is over")
+      .key("peak_over_goda", &W::peak_over_goda, "",
+           "`peak` over P by Goda's formulas with alpha*; a load below 1 is milder than what `waves` has; null where "
+           "that "
+           "P is 0")
+      .keys_of(&W::stability, stability_outputs())
+      .key("sliding_exact", &W::sliding, "m",
+           "S of Goda's P with alpha* by eqs. (4), (6), tau_0 = k(alpha*) tau_0F: by formulas, without the ground")
+      .object("standing", inner(&W::standing, &StandingResult::answer), standing_outputs(),
+              "the standing wave of finite height before the wall; null where there is none")
+      .key("why_no_standing", inner(&W::standing, &StandingResult::why_not), "", "why; empty where there is one")
       .key("assumptions[]", &W::assumptions, "", "what the load rests on, in words");
 }
 
@@ -528,7 +566,9 @@ const OutputSchema<Summary>& summary_outputs() {
 }
 
 std::string to_json(const Summary& summary) {
-  return summary_outputs().text(summary);
+  Summary told = summary;
+  if (!told.checks.empty()) told.verdict = verdict_of(told.checks, told.warnings);
+  return summary_outputs().text(told);
 }
 
 }  // namespace upbead

@@ -101,7 +101,7 @@ const OutputSchema<Answers>& answers_outputs() {
                                      "model", [](const A& a) { return &a; }, model_outputs(), "the reduced model")
                                  .list("waves[]", &A::waves, wave, "each wave")
                                  .list("warnings[]", &A::warnings, warning_outputs(),
-                                       "[reduced_model_error, no_error_estimate](warnings.md#reduced-models)")
+                                       "[what may be wrong](warnings.md#reduced-models) though nothing failed")
                                  .object("timing", &A::timing, timing, "wall times")
                                  .key("histories_per_second", per_second, "1/s", "waves over `timing.respond`")
                                  .versions();

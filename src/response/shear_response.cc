@@ -184,6 +184,11 @@ double largest(const Samples& values) {
   return values.cwiseAbs().maxCoeff();
 }
 
+/// The value of largest magnitude, with its sign.
+double farthest_of(const Samples& values) {
+  return std::max(values.maxCoeff(), values.minCoeff(), [](double a, double b) { return std::abs(a) < std::abs(b); });
+}
+
 /// `force`: largest |P|, which may lie between the times of the series.
 double reaction_mismatch(const CompiledScene& compiled, const Series& balanced, double force) {
   const Samples by_ground = samples(compiled, balanced, reading::shear_force);
@@ -227,9 +232,19 @@ void set_peaks(ShearResponse& r, const CompiledScene& compiled, const Response& 
   r.peak_shear_seaward_time = seaward.time;
   r.peak_shear_paper = peak(1, 0. * water).value;
   r.peak_shear_experiment = peak(1, front).value;
-  r.peak_displacement = inertia ? inside.displacement(1).value : of(reading::displacement_x).maxCoeff();
-  r.peak_rotation = of(reading::rotation).maxCoeff();
-  r.peak_base_moment = of(reading::base_moment).maxCoeff();
+  const auto moved = [&](int sign) {
+    return inertia ? inside.displacement(sign) : at_ends(time, of(reading::displacement_x), sign);
+  };
+  const Extremum forth = moved(1), back = moved(-1);
+  r.peak_displacement = forth.value;
+  const Extremum& farthest = -back.value > forth.value ? back : forth;
+  r.largest_displacement = farthest.value;
+  r.largest_displacement_time = farthest.time;
+  const Samples rotation = of(reading::rotation), moment = of(reading::base_moment);
+  r.peak_rotation = rotation.maxCoeff();
+  r.largest_rotation = farthest_of(rotation);
+  r.peak_base_moment = moment.maxCoeff();
+  r.largest_base_moment = farthest_of(moment);
 }
 
 /// Ratios of the peaks in the direction of the largest |P|.

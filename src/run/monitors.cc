@@ -10,6 +10,7 @@
 #include "run/checks.h"
 #include "run/safety.h"
 #include "run/contact/contact_run.h"
+#include "run/harbour.h"
 #include "run/sliding/coupled_sliding.h"
 #include "run/sliding/effective_base.h"
 #include "run/solve.h"
@@ -62,16 +63,17 @@ NumberedWarnings lift_warnings(const std::optional<EffectiveBase>& base, const R
            "\"friction\""}};
 }
 
-/// Warning base_pressure: an edge has a larger pressure than the case allows.
+/// Warning base_pressure: an edge has a larger pressure in motion than the case allows.
 NumberedWarnings pressure_warnings(const std::optional<BaseSummary>& base) {
-  if (!base || !base->limit || !base->peak_heel_pressure || !base->peak_toe_pressure) return {};
-  const bool heel = *base->peak_heel_pressure >= *base->peak_toe_pressure;
-  const double largest = heel ? *base->peak_heel_pressure : *base->peak_toe_pressure;
-  if (largest <= *base->limit) return {};
-  return {{"base_pressure", largest, *base->limit, "Pa",
-           std::string("the ") + (heel ? "heel" : "toe") + " presses with " + with_unit(largest, "Pa") + " at " +
-               significant(heel ? base->peak_heel_pressure_time : base->peak_toe_pressure_time) +
-               " s, more than limits.base_pressure: widen the caisson, or spread its weight seaward"}};
+  if (!base || !base->limit) return {};
+  const bool heel = above_all(base->peak_heel_pressure) >= above_all(base->peak_toe_pressure);
+  const std::optional<double>& largest = heel ? base->peak_heel_pressure : base->peak_toe_pressure;
+  if (largest && *largest <= *base->limit) return {};
+  return {{"base_pressure", largest.value_or(0.), *base->limit, largest ? "Pa" : "",
+           std::string("the ") + (heel ? "heel" : "toe") + " presses with " +
+               (largest ? with_unit(*largest, "Pa") : "more than can be computed, as the resultant leaves the base,") +
+               " at " + significant(heel ? base->peak_heel_pressure_time : base->peak_toe_pressure_time) +
+               " s, more than limits.dynamic_base_pressure: widen the caisson, or spread its weight seaward"}};
 }
 
 /// Warning no_coupled_slip: the coupled S would not be right.
@@ -171,7 +173,8 @@ void Monitors::report(Run& run) const {
   report_strength(run);
   const std::optional<EffectiveBase> base = effective_base(simulation, run.response.ends);
   if (base) summary.base = base_summary(simulation, *base, run.response.ends, run.contact);
-  if (summary.base) summary.base->limit = simulation.given.limits.base_pressure;
+  if (summary.base) summary.base->limit = simulation.given.limits.dynamic_base_pressure;
+  summary.harbour = harbour_of(simulation);
   append(summary.warnings, lift_warnings(base, run));
   append(summary.warnings, pressure_warnings(summary.base));
   if (summary.sliding) append(summary.warnings, slip_warnings(*summary.sliding));
@@ -184,8 +187,10 @@ void Monitors::report(Run& run) const {
   if (summary.contact && !summary.contact->solved)
     summary.skipped.push_back({"contact node by node", why_glued(*summary.contact)});
   if (summary.sliding) summary.sliding->design = design_sliding(*summary.sliding, summary.contact, summary.residual);
-  summary.checks = checks_of(simulation.given, summary);
-  judge_rest(simulation.given, summary);
+  summary.why_void = why_not_at_rest(summary);
+  if (summary.sliding && !summary.why_void.empty())
+    summary.sliding->design.why = "void: " + summary.why_void + "; " + summary.sliding->design.why;
+  judge(simulation.given, summary);
 }
 
 void Monitors::report_pressure(const Simulation& simulation, Run& run) const {

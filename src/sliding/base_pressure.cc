@@ -5,14 +5,6 @@
 
 namespace upbead {
 
-EdgePressures edge_pressures(double force, double moment, double width) {
-  if (!(force > 0.)) return {};
-  const double e = moment / force, least = 1e-3 * width;
-  if (std::abs(e) <= width / 6.) return {force / width * (1. - 6. * e / width), force / width * (1. + 6. * e / width)};
-  const double edge = 2. * force / (3. * std::max(0.5 * width - std::abs(e), least));
-  return e > 0. ? EdgePressures{0., edge} : EdgePressures{edge, 0.};
-}
-
 namespace {
 
 /// Margin against overturning about the landward (side 1) or seaward (-1) edge: moment of W' minus U over the moment
@@ -28,14 +20,17 @@ std::optional<double> overturning_margin(const EffectiveBase& base, std::size_t 
 void look_at_edges(const EffectiveBase& base, std::size_t i, double time, BaseExtremes& s) {
   const EdgePressures edges = edge_pressures(base.force[i], base.moment[i], base.width);
   const double e = base.force[i] > 0. ? base.moment[i] / base.force[i] : 0.;
-  const auto see = [&](double pressure, bool leaves, std::optional<double>& peak, double& when) {
-    if (!peak || !(pressure > *peak || leaves)) return;
-    peak = leaves ? std::nullopt : std::optional(pressure);
+  const auto see = [time](const std::optional<double>& pressure, std::optional<double>& peak, double& when) {
+    if (!(above_all(pressure) > above_all(peak))) return;
+    peak = pressure;
     when = time;
   };
-  const bool leaves = std::abs(base.moment[i]) >= 0.5 * base.width * base.force[i];
-  see(edges.landward, leaves && base.moment[i] >= 0., s.peak_heel_pressure, s.peak_heel_pressure_time);
-  see(edges.seaward, leaves && base.moment[i] <= 0., s.peak_toe_pressure, s.peak_toe_pressure_time);
+  see(edges.landward, s.peak_heel_pressure, s.peak_heel_pressure_time);
+  see(edges.seaward, s.peak_toe_pressure, s.peak_toe_pressure_time);
+  if (!s.lifts_time && std::min(above_all(edges.seaward), above_all(edges.landward)) <= 0.) {
+    s.lifts_time = time;
+    s.lifts = base.force[i] <= 0. ? "all" : base.moment[i] > 0. ? "seaward" : "landward";
+  }
   if (std::abs(e) > std::abs(s.largest_eccentricity)) {
     s.largest_eccentricity = e;
     s.largest_eccentricity_time = time;
@@ -57,8 +52,8 @@ void look_at_edges(const EffectiveBase& base, std::size_t i, double time, BaseEx
 BaseExtremes base_extremes(const EffectiveBase& base, const std::vector<double>& time) {
   BaseExtremes s;
   const EdgePressures rest = edge_pressures(base.weight, base.weight_moment, base.width);
-  s.heel_pressure_at_rest = rest.landward;
-  s.toe_pressure_at_rest = rest.seaward;
+  s.heel_pressure_at_rest = rest.landward.value_or(0.);
+  s.toe_pressure_at_rest = rest.seaward.value_or(0.);
   s.eccentricity_at_rest = base.weight_moment / base.weight;
   s.least_normal_force = base.weight;
   for (std::size_t i = 0; i < base.force.size(); ++i) look_at_edges(base, i, time[i], s);
@@ -68,9 +63,8 @@ BaseExtremes base_extremes(const EffectiveBase& base, const std::vector<double>&
 WorstBase worst_of(const BaseExtremes& s) {
   const double e = std::abs(s.eccentricity_at_rest) > std::abs(s.largest_eccentricity) ? s.eccentricity_at_rest
                                                                                        : s.largest_eccentricity;
-  return {std::max(s.heel_pressure_at_rest, s.peak_heel_pressure.value_or(WorstBase::leaves)),
-          std::max(s.toe_pressure_at_rest, s.peak_toe_pressure.value_or(WorstBase::leaves)), e,
-          s.least_overturning_margin.value_or(WorstBase::leaves)};
+  return {std::max(s.heel_pressure_at_rest, above_all(s.peak_heel_pressure)),
+          std::max(s.toe_pressure_at_rest, above_all(s.peak_toe_pressure)), e, above_all(s.least_overturning_margin)};
 }
 
 WorstBase worst_of(const WorstBase& a, const WorstBase& b) {

@@ -70,6 +70,8 @@ RunResult result_of(const Json& json) {
   for (const Json& value : json.at("values"))
     result.values.push_back(value.is_null() ? std::nullopt : std::optional(value.get<double>()));
   result.message = json.at("message");
+  result.doubts.failing = json.value("failing", result.doubts.failing);
+  result.doubts.warnings = json.value("warnings", result.doubts.warnings);
   result.shared = static_cast<Shared>(json.at("shared").get<int>());
   result.seconds = json.at("seconds");
   return result;
@@ -80,6 +82,8 @@ Json to_object(int run, const RunResult& result) {
   for (const std::optional<double>& value : result.values)
     json["values"].push_back(value ? Json(*value) : Json(nullptr));
   json["message"] = result.message;
+  json["failing"] = result.doubts.failing;
+  json["warnings"] = result.doubts.warnings;
   json["shared"] = static_cast<int>(result.shared);
   json["seconds"] = result.seconds;
   return json;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "study/study.h"
+#include "study/summary_reader.h"
 
 namespace upbead {
 
@@ -17,6 +18,7 @@ struct RunResult {
   std::vector<std::optional<double>> values;  ///< by Study::reads; none where the summary has no value; empty if failed
   std::string message;
   std::string summary;  ///< the whole summary.json of the run; not in journals
+  Doubts doubts;        ///< checks that fail, and warnings
   Shared shared = Shared::nothing;
   double seconds = 0.;  ///< wall time
 };

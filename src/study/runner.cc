@@ -74,6 +74,7 @@ RunResult Runner::run(const StudyRun& run, const std::function<void()>& meanwhil
     require_loads(problem);
     result.summary = to_json(solve(problem, meanwhile, result.shared));
     result.values = numbers_at(result.summary, study_.reads);
+    result.doubts = doubts_of(result.summary);
     result.done = true;
   } catch (const Interrupted&) {
     throw;

@@ -1,6 +1,7 @@
 // study.csv, study.h5, summary.json, and text for the terminal.
 #include <algorithm>
 #include <cstdlib>
+#include <set>
 #include <nlohmann/json.hpp>
 
 #include "base/text.h"
@@ -63,6 +64,56 @@ Json skipped(const Results& results) {
   return list;
 }
 
+using Findings = std::vector<std::pair<std::string, std::string>>;
+
+/// A finding of several runs, as the first of them tells it.
+struct InRuns {
+  std::string name, text;
+  int runs = 0;
+  std::size_t first = 0;
+};
+
+/// Each name once, the most frequent first.
+std::vector<InRuns> in_runs(const Results& results, Findings Doubts::*which) {
+  std::vector<InRuns> list;
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    std::set<std::string> of_run;
+    for (const auto& [name, text] : results[i]->doubts.*which) {
+      if (!of_run.insert(name).second) continue;
+      const auto known = std::find_if(list.begin(), list.end(), [&](const InRuns& found) { return found.name == name; });
+      if (known == list.end())
+        list.push_back({name, text, 1, i});
+      else
+        ++known->runs;
+    }
+  }
+  std::stable_sort(list.begin(), list.end(), [](const InRuns& a, const InRuns& b) { return a.runs > b.runs; });
+  return list;
+}
+
+Json to_json(const std::vector<InRuns>& found, const char* n) {
+  Json list = Json::array();
+  for (const InRuns& one : found)
+    list.push_back({{"name", one.name}, {n, one.runs}, {"first_run", one.first}, {"text", one.text}});
+  return list;
+}
+
+/// "name, name" of one run, each once.
+std::string names_of(const Findings& findings) {
+  std::vector<std::string> names;
+  for (const auto& [name, text] : findings)
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  return join(names, "; ");
+}
+
+std::string in_words(const std::string& head, const std::vector<InRuns>& found, std::size_t of) {
+  std::string text;
+  for (const InRuns& one : found)
+    text += head + one.name + ": in " + std::to_string(one.runs) + " of " + std::to_string(of) + " runs, first in run " +
+            std::to_string(one.first) + ": " + one.text + "\n";
+  return text;
+}
+
 /// A word without the quotes that TOML gives it.
 std::string plain(const std::string& toml) {
   return toml.size() > 1 && toml.front() == '"' ? toml.substr(1, toml.size() - 2) : toml;
@@ -112,7 +163,7 @@ std::string study_csv(const Study& study, const Results& results) {
   std::string text = several ? "run,case" : "run";
   for (const std::string& key : study.keys) text += "," + csv_cell(key);
   for (const std::string& path : study.reads) text += "," + csv_cell(path);
-  text += ",status,message\n";
+  text += ",status,message,checks_failing,warnings\n";
   for (std::size_t i = 0; i < results.size(); ++i) {
     const RunResult& result = *results[i];
     text += std::to_string(i);
@@ -120,7 +171,8 @@ std::string study_csv(const Study& study, const Results& results) {
     for (const auto& [key, value] : study.runs[i].varied) text += "," + csv_cell(plain(value));
     for (std::size_t read = 0; read < study.reads.size(); ++read)
       text += "," + (result.done && result.values[read] ? number_text(*result.values[read]) : std::string());
-    text += std::string(",") + (result.done ? "done" : "failed") + "," + csv_cell(result.message) + "\n";
+    text += std::string(",") + (result.done ? "done" : "failed") + "," + csv_cell(result.message) + "," +
+            csv_cell(names_of(result.doubts.failing)) + "," + csv_cell(names_of(result.doubts.warnings)) + "\n";
   }
   return text;
 }
@@ -152,6 +204,8 @@ std::string to_json(const Study& study, const Results& results, const StudyAccou
   json["read"] = study.reads;
   json["runs"] = results.size();
   json["failed"] = failures(study, results);
+  json["checks"] = to_json(in_runs(results, &Doubts::failing), "failing");
+  json["warnings"] = to_json(in_runs(results, &Doubts::warnings), "runs");
   json["resumed"] = account.resumed;
   json["torn_lines"] = account.torn;
   json["lost_processes"] = account.lost;
@@ -183,6 +237,8 @@ std::string describe(const Study& study, const Results& results, const StudyAcco
           "failed      run " + std::to_string(i) + ": " + message + "\n            " + command_of(study, run) + "\n";
   });
   if (n > n_listed) text += "            and " + std::to_string(n - n_listed) + " more, see failed in summary.json\n";
+  text += in_words("check fails ", in_runs(results, &Doubts::failing), results.size());
+  text += in_words("warning     ", in_runs(results, &Doubts::warnings), results.size());
   return text + "time        " + significant(account.seconds) + " s on " + std::to_string(account.processes) +
          (account.processes == 1 ? " process" : " processes") + ", longest run " + significant(longest(results)) +
          " s\n";

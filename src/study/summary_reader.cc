@@ -63,4 +63,14 @@ std::vector<std::optional<double>> numbers_at(const std::string& summary_json, c
   return numbers;
 }
 
+Doubts doubts_of(const std::string& summary_json) {
+  const Json json = Json::parse(summary_json);
+  Doubts doubts;
+  for (const Json& check : json.value("checks", Json::array()))
+    if (check.at("holds") == false) doubts.failing.emplace_back(check.at("name"), check.at("text"));
+  for (const Json& warning : json.value("warnings", Json::array()))
+    doubts.warnings.emplace_back(warning.at("name"), warning.at("text"));
+  return doubts;
+}
+
 }  // namespace upbead

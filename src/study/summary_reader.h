@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace upbead {
@@ -15,5 +16,11 @@ const std::vector<std::string>& readable_paths();
 
 /// The numbers at the paths; none where a summary has null, or no such path.
 std::vector<std::optional<double>> numbers_at(const std::string& summary_json, const std::vector<std::string>& paths);
+
+/// What a summary finds wrong: names of checks that fail, and of warnings, each with its text.
+struct Doubts {
+  std::vector<std::pair<std::string, std::string>> failing, warnings;
+};
+Doubts doubts_of(const std::string& summary_json);
 
 }  // namespace upbead

@@ -8,6 +8,7 @@
 #include "base/numbers.h"
 #include "base/text.h"
 #include "require_positive.h"
+#include "upbead/waves/edge_pressures.h"
 #include "upbead/waves/wave_heights.h"
 
 namespace upbead {
@@ -126,18 +127,6 @@ double alpha_I0(double height, double berm_depth) {
   return std::min(height / berm_depth, 2.);
 }
 
-namespace {
-
-/// p_e under the heel [Goda 2000]: a triangle where the resultant lies in the outer third, else a trapezium.
-double heel_pressure(double width, double vertical, double moment) {
-  if (vertical <= 0.) return 0.;  // lifted off: nothing presses on the mound
-  const double t_e = moment / vertical;
-  if (t_e <= width / 3.) return 2. * vertical / (3. * t_e);
-  return 2. * vertical / width * (2. - 3. * t_e / width);
-}
-
-}  // namespace
-
 Stability stability(const Section& section, const WavePressure& pressure) {
   const double t = section.centroid.value_or(0.5 * section.width);
   const double vertical = section.submerged_weight - pressure.uplift;
@@ -145,7 +134,9 @@ Stability stability(const Section& section, const WavePressure& pressure) {
   Stability s;
   s.safety_sliding = section.friction * vertical / pressure.force;
   s.safety_overturning = resisting / pressure.force_moment;
-  s.heel_pressure = heel_pressure(section.width, vertical, resisting - pressure.force_moment);
+  // t_e = (W' t - M_U - M_P)/(W' - U) is the resultant's distance from the heel
+  const double about_the_middle = 0.5 * section.width * vertical - (resisting - pressure.force_moment);
+  s.heel_pressure = edge_pressures(vertical, about_the_middle, section.width).landward;
   s.sliding_force = pressure.force + section.friction * pressure.uplift;
   s.resistance = section.friction * section.submerged_weight;
   s.ratio = s.sliding_force / s.resistance;

@@ -167,7 +167,7 @@ TEST_F(WaveLoadTest, ChurchRoofOfAnImpulseIsThatOfExpected) {
     const WavePressure standing = forces.at(H, {}, PressureFormula::standing);
     ImpactAssumptions assumptions;
     assumptions.peak_gain = 2.;
-    const ImpactWave wave = impact_wave(assumptions, {H, 12., standing.force, standing.alpha_star, standing.uplift},
+    const ImpactWave wave = impact_wave(assumptions, {H, 12., standing.force, standing.alpha_star, standing.uplift, 0.},
                                         water_of_test, section_of_test.berm_depth);
     const double step = 0.01;
     const int n = number_of_samples(wave, step);
@@ -176,6 +176,65 @@ TEST_F(WaveLoadTest, ChurchRoofOfAnImpulseIsThatOfExpected) {
     for (int i = 0; i < n; ++i)
       EXPECT_NEAR(wave_of(problem).history(i * step), force[static_cast<std::size_t>(i)], 1e-11 * wave.peak) << height;
     EXPECT_NEAR(wave_summaries(problem).front().peak, standing.force * (1. + 2. * standing.alpha_star), 1e-9);
+  }
+}
+
+/// P_1 (1 + 0.5 alpha*) was below Goda's P for every alpha* > 0, as 0.5 alpha_1 < 1.
+TEST_F(WaveLoadTest, NoImpactIsMilderThanGodasForceUnlessAskedFor) {
+  std::mt19937 draw(41);
+  const auto between = [&draw](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(draw);
+  };
+  for (int i = 0; i < 200; ++i) {
+    Section s = section_of_test;
+    s.berm_depth = between(2., 9.);
+    s.berm_width = between(0., 30.);
+    s.dissipating_blocks = i % 5 == 0;
+    WaveLoadTable table;
+    table.force = ImpactForce::impulse;
+    table.height = between(2., 12.);
+    table.period = between(6., 16.);
+    table.angle = between(0., 60.);
+    const auto own = wave_load({}, table, s, water_of_test);
+    EXPECT_GE(own->peak(), own->pressure.force * (1. - 1e-12)) << i;
+    table.impact.peak_gain = 3.;
+    EXPECT_GE(wave_load({}, table, s, water_of_test)->peak(), own->peak() * (1. - 1e-12)) << i;
+  }
+}
+
+TEST_F(WaveLoadTest, WarnsOfAnImpactMilderThanGodasForce) {
+  const auto warned = [this](const std::string& impact) {
+    const Case problem = read(wave_case("{ height = 8.0, period = 12.0, course = \"church_roof\", force = \"impulse\"" +
+                                        impact + " }", "cells = 0.4"));
+    for (const NumberedWarning& warning : wave_warnings(problem))
+      if (warning.name == "impact_below_goda") return true;
+    return false;
+  };
+  EXPECT_FALSE(warned(""));
+  EXPECT_TRUE(warned(", impact = { peak_gain = 0.5 }"));
+  EXPECT_FALSE(warned(", impact = { peak_gain = 2.0 }"));
+}
+
+TEST_F(WaveLoadTest, ChecksByFormulasAreThoseOfTheSectionInItsWave) {
+  for (const std::string course : {"church_roof", "sine", "standing"}) {
+    const Case problem = read(wave_case("{ height = 5.0, period = 12.0, course = \"" + course + "\" }"));
+    const Checks checks = formula_checks(wave_summaries(problem), {0.3, 300e3, {}, 1.2});
+    const Stability goda = stability(section_of_test, Goda(section_of_test, water_of_test, {5., 5. / 1.8, 12., 0.}).at(5.));
+    const StandingResult standing = standing_answer(section_of_test, water_of_test, {5., 5. / 1.8, 12., 0.});
+    const std::vector<std::pair<std::string, double>> wanted{
+        {"sliding by formulas", goda.safety_sliding},
+        {"overturning by formulas", goda.safety_overturning},
+        {"heel pressure p_e", *goda.heel_pressure},
+        {"sliding by formulas, standing wave", standing.answer->landward.safety_sliding},
+        {"sliding seaward by formulas", standing.answer->seaward.safety_sliding},
+        {"toe pressure p_e", *standing.answer->seaward.heel_pressure}};
+    for (const auto& [name, value] : wanted) {
+      const auto found = std::find_if(checks.begin(), checks.end(), [&](const Check& c) { return c.name == name; });
+      ASSERT_NE(found, checks.end()) << name;
+      EXPECT_NEAR(*found->demand, value, 1e-12 * value) << name << ", " << course;
+      EXPECT_EQ(found->wave, "storm");
+      EXPECT_TRUE(found->holds) << name;
+    }
   }
 }
 

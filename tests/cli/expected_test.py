@@ -92,7 +92,7 @@ class Expected(ProgramTest):
     def test_few_lives_that_slide_are_doubted(self):
         done = upbead("expected", HD12, "--set", "life.simulated_lives=5", cwd=self.folder)
         self.assertEqual(done.returncode, 0)
-        self.assertRegex(done.stderr, r"^warning: only \d of 5 lives slide: ")
+        self.assertRegex(done.stderr, r"warning: few_lives: only \d of 5 lives slide by the law exact: ")
 
     def test_own_dynamics_are_the_default_where_a_model_is_given(self):
         write_oscillator(self.folder / "model.h5", mass=5.933088e6 / 9.81)
@@ -101,9 +101,25 @@ class Expected(ProgramTest):
         self.assertEqual(found["monte_carlo"]["law"], "dynamic")
         self.assertGreater(found["expected"]["distance_dynamic"], 0)
         self.assertEqual(found["model"]["load"], "impact")
+        self.assert_headlines(found)
+        # where own dynamics bring less, the formulas are the headline: one of the two alone was told
+        mild = self.expected(PROTOTYPE, *model, "--set", "life.simulated_lives=20", "--set", "impact.peak_gain=0")
+        self.assertLess(mild["expected"]["distance_dynamic"], mild["expected"]["distance_exact"])
+        self.assert_headlines(mild)
+        self.assertNotEqual(mild["expected"]["headline"]["law"], "dynamic")
+        self.assertIn("impact_below_goda", [warning["name"] for warning in mild["warnings"]])
+        self.assertNotIn("impact_below_goda", [warning["name"] for warning in found["warnings"]])
         self.assertIsNone(found["monte_carlo"]["base"])
         self.assertIn("no readings of the normal force", found["monte_carlo"]["why_no_base"])
         self.assertIn("no readings of the normal force", found["expected"]["base"]["why_not_dynamic"])
+
+    def assert_headlines(self, found):
+        """The larger of the routes, and the same lives by formulas beside those by own dynamics."""
+        life, record = found["monte_carlo"], found["expected"]
+        self.assertEqual(record["headline"]["value"], max(record[f"distance_{law}"] for law in ("paper", "exact", "combined", "dynamic")))
+        self.assertEqual(life["by_formulas"]["law"], "exact")
+        self.assertEqual(life["headline"]["value"], max(life["mean"], life["by_formulas"]["mean"]))
+        self.assertEqual(life["by_formulas"]["waves"], life["waves"], "the same lives")
 
     def test_waves_of_own_dynamics_break(self):
         write_oscillator(self.folder / "model.h5", mass=5.933088e6 / 9.81)
@@ -241,6 +257,13 @@ class Expected(ProgramTest):
         told = upbead("expected", "surf.toml", *limits, cwd=self.folder).stdout
         self.assertRegex(told, r"heel +mean \d+\.?\d* kPa")
         self.assertIn("above 300 kPa: 100 % of the lives", told)
+        checks = {check["name"]: check for check in found["checks"]}
+        for name in ("heel pressure p_e, highest wave", "heel pressure p_e of a life"):
+            self.assertEqual((checks[name]["holds"], checks[name]["by"]), (False, "formulas"))
+            self.assertIn(checks[name]["text"], told)
+        self.assertFalse(found["verdict"]["holds"])
+        self.assertIn("100 % of the lives have a heel pressure above 300 kPa",
+                      " ".join(warning["text"] for warning in found["warnings"] if warning["name"] == "lives_beyond_limit"))
 
     def test_the_figure_says_that_nothing_slides(self):
         sys.path.insert(0, str(CASES.parent / "postprocess"))
@@ -270,7 +293,7 @@ class Expected(ProgramTest):
             found = json.loads(done.stdout)
             self.assertAlmostEqual(found["expected"]["distance_exact"] / exact, 1, delta=1e-9)
             self.assertEqual(found["expected"]["limit"], "none" if limit == "none" else "cut")
-            self.assertRegex(done.stderr, r"warning: [\d.]+ of \S+ waves .* higher than Goda's highest breaker")
+            self.assertRegex(done.stderr, r"warning: waves_unbroken: [\d.]+ of \S+ waves .* higher than Goda's highest breaker")
         self.assertEqual(found["expected"]["waves_limited"], 0)
         self.assertIsNone(found["expected"]["states"][0]["highest"])
 

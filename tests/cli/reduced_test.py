@@ -133,7 +133,7 @@ class Reduced(ProgramTest):
         self.make_model_and_waves(highest=3.0)
         done = self.respond("model.h5", "roof.csv")
         self.assertEqual(done.returncode, 0)
-        self.assertRegex(done.stderr, r"^warning: 1 of 1 waves reach beyond .* 3 Hz: worst roof, where .* % of F_T .*"
+        self.assertRegex(done.stderr, r"^warning: beyond_band: 1 of 1 waves reach beyond .* 3 Hz: worst roof, where .* % of F_T .*"
                                       r"\(tolerance 1 %\); reduce again .* or march it with 'upbead run'\n$")
 
     def test_respond_warns_of_waves_whose_error_may_be_too_large(self):

@@ -89,7 +89,26 @@ class New(ProgramTest):
         self.assertEqual(done.returncode, 0, done.stderr)
         checks = {check["name"]: check for check in json.loads(done.stdout)["checks"]}
         self.assertIsNotNone(checks["sliding distance"]["holds"])
-        self.assertIsNotNone(checks["heel pressure"]["margin"])
+        self.assertIsNotNone(checks["heel pressure p_e"]["margin"])
+
+    def test_force_and_checks_are_not_milder_than_those_by_formulas(self):
+        """`new` wrote P_1 (1 + 0.5 alpha*), below Goda's P for every alpha* > 0: "does not slide" where `waves` said that it
+        does."""
+        for words in ((), ("--width", 14, "--height", 13, "--depth", 9, "--mound", 4, "--wave-height", 7, "--period", 11)):
+            path = self.folder / f"case{len(words)}.toml"
+            self.assertEqual(upbead("new", path, *words).returncode, 0)
+            case = tomllib.loads(path.read_text())
+            section = "".join(f"{key} = {value}\n" for key, value in case["section"].items())
+            wave = case["loads"]["wave"]["wave"]
+            (self.folder / "design.toml").write_text(
+                f"[section]\n{section}[waves.wave]\nheight = {wave['height']}\nperiod = {wave['period']}\n[limits]\n"
+                + "".join(f"{key} = {value}\n" for key, value in case["limits"].items()))
+            waves = json.loads(upbead("waves", self.folder / "design.toml", "--json", "--out", self.folder / "w").stdout)
+            done = upbead("explain", path, "--json", "--set", "mesh.parameters.cells=1")
+            told = json.loads(done.stdout)["wave_loads"]["wave"]
+            self.assertGreaterEqual(told["peak"], waves["waves"]["wave"]["force"] * (1 - 1e-9))
+            for key in ("safety_sliding", "safety_overturning", "heel_pressure", "sliding_exact"):
+                self.assertAlmostEqual(told[key], waves["waves"]["wave"][key], delta=1e-9 * waves["waves"]["wave"][key])
 
     def test_replaces_nothing_and_refuses_what_does_not_stand(self):
         mine = self.folder / "mine.toml"

@@ -14,7 +14,7 @@ namespace impact_test {
 constexpr double step = 1e-4;
 
 ImpactWave wave(double alpha_star, const ImpactAssumptions& assumptions = {}) {
-  return impact_wave(assumptions, {8., 12., 1.2e6, alpha_star, 4e5}, {}, 8.5);
+  return impact_wave(assumptions, {8., 12., 1.2e6, alpha_star, 4e5, 1.2e6 * (1. + 0.5 * alpha_star)}, {}, 8.5);
 }
 
 std::vector<double> force(const ImpactWave& w) {
@@ -39,7 +39,9 @@ double impulse(const std::vector<double>& P) {
 const double half_wave = 1.2e6 * 12. / std::acos(-1.);
 
 TEST(ImpactWave, PeakRiseAndDurationAreTheDeclaredFormulas) {
-  const ImpactWave w = wave(0.5);
+  ImpactAssumptions half;
+  half.peak_gain = 0.5;
+  const ImpactWave w = wave(0.5, half);
   EXPECT_DOUBLE_EQ(w.peak, 1.2e6 * 1.25) << "e = 0.5";
   const double rise = 0.769 * std::sqrt(8.5 / 9.81) * 1030. * 9.81 * 64. / 1.5e6;
   EXPECT_NEAR(w.rise, rise, 1e-12);
@@ -48,6 +50,11 @@ TEST(ImpactWave, PeakRiseAndDurationAreTheDeclaredFormulas) {
   EXPECT_NEAR(*std::max_element(P.begin(), P.end()), w.peak, 1e-3 * w.peak);
   EXPECT_EQ(P.front(), 0.);
   EXPECT_NEAR(P.back(), 0., 1e-3 * w.peak);
+}
+
+TEST(ImpactWave, HasGodasForceForAPeakWithoutAGain) {
+  EXPECT_EQ(impact_wave({}, {8., 12., 1.2e6, 0.5, 4e5, 1.7e6}, {}, 8.5).peak, 1.7e6);
+  EXPECT_EQ(impact_wave({}, {8., 12., 1.2e6, 0., 4e5, 1.2e6}, {}, 8.5).peak, 1.2e6);
 }
 
 TEST(ImpactWave, KeepsTheImpulseOfHalfAStandingWave) {

@@ -1,5 +1,4 @@
-// Claims: the pressures of the edges balance N' and M'; the worst value of a history is found with its time, and does
-// not exist if the resultant leaves the bottom; the overturning margin is Goda's if nothing moves.
+// Claims: the worst value of a history is found with its time, and does not exist if the resultant leaves the bottom; the overturning margin is Goda's if nothing moves.
 
 #include "upbead/sliding/base_pressure.h"
 
@@ -9,34 +8,6 @@
 
 namespace upbead {
 namespace base_pressure_test {
-
-TEST(EdgePressures, BalanceForceAndMomentOverTheWholeWidth) {
-  for (const double e : {0., 0.7, -1.3, 2., -2.}) {
-    const EdgePressures p = edge_pressures(1e6, 1e6 * e, 12.);
-    EXPECT_NEAR(0.5 * (p.seaward + p.landward) * 12., 1e6, 1e-6) << "e " << e;
-    EXPECT_NEAR((p.landward - p.seaward) * 144. / 12., 1e6 * e, 1e-6) << "e " << e;
-  }
-}
-
-TEST(EdgePressures, BalanceThemOverTheWidthInContact) {
-  for (const double e : {2.1, 4., 5.9}) {
-    const EdgePressures p = edge_pressures(1e6, 1e6 * e, 12.), mirrored = edge_pressures(1e6, -1e6 * e, 12.);
-    const double contact = 2. * 1e6 / p.landward;
-    EXPECT_NEAR(contact / 3., 6. - e, 1e-12) << "the resultant goes through the triangle's centroid";
-    EXPECT_EQ(p.seaward, 0.);
-    EXPECT_EQ(mirrored.seaward, p.landward);
-    EXPECT_EQ(mirrored.landward, 0.);
-  }
-}
-
-TEST(EdgePressures, StayFiniteWhereTheBottomStandsOnItsEdge) {
-  // the force stands no nearer to the edge than a thousandth of the width, on three times as much
-  for (const double e : {6., 7.}) EXPECT_NEAR(edge_pressures(1e6, 1e6 * e, 12.).landward, 2e6 / 0.036, 1e-3) << e;
-  for (const double force : {0., -1e6}) {
-    EXPECT_EQ(edge_pressures(force, 1e6, 12.).landward, 0.);
-    EXPECT_EQ(edge_pressures(force, 1e6, 12.).seaward, 0.);
-  }
-}
 
 const std::vector<double> times{0.1, 0.2, 0.3, 0.4};
 
@@ -120,6 +91,22 @@ TEST(BaseExtremes, HaveNoPeakOnceTheResultantHasLeftTheBase) {
   EXPECT_TRUE(m.peak_heel_pressure);
   EXPECT_EQ(worst_of(s).heel_pressure, WorstBase::leaves);
   EXPECT_EQ(worst_of(m).toe_pressure, WorstBase::leaves);
+}
+
+TEST(BaseExtremes, TellWhenAnEdgeFirstParts) {
+  const EffectiveBase b = pushed_and_pulled();
+  const BaseExtremes s = base_extremes(b, times), m = base_extremes(mirrored(b), times);
+  EXPECT_EQ(s.lifts_time, 0.2) << "e = 2.5 m beyond B/6 = 2 m";
+  EXPECT_EQ(s.lifts, "seaward");
+  EXPECT_EQ(m.lifts_time, 0.2);
+  EXPECT_EQ(m.lifts, "landward");
+  EffectiveBase calm = b;
+  calm.moment = {0.6e6, 1.9e6, -1.9e6, 0.8e6};
+  EXPECT_FALSE(base_extremes(calm, times).lifts_time);
+  EffectiveBase afloat = calm;
+  afloat.force[2] = -1.;
+  EXPECT_EQ(base_extremes(afloat, times).lifts, "all");
+  EXPECT_EQ(base_extremes(afloat, times).lifts_time, 0.3);
 }
 
 TEST(BaseExtremes, HaveNoEccentricityWhereNothingPresses) {

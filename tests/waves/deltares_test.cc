@@ -124,7 +124,8 @@ TEST_P(Deltares, IsReproduced) {
   near(p.pu, 1e3 * expected.p_u, 5e-4, "p_u");
   near(safety.safety_sliding, expected.sliding, 5e-4, "S.F. sliding");
   near(safety.safety_overturning, expected.overturning, 5e-4, "S.F. overturning");
-  near(safety.heel_pressure, 1e3 * expected.p_e, 5e-3, "p_e");
+  EXPECT_EQ(safety.heel_pressure.has_value(), expected.p_e > 0.) << "they give a negative p_e where it overturns";
+  if (safety.heel_pressure) near(*safety.heel_pressure, 1e3 * expected.p_e, 5e-3, "p_e");
 }
 
 INSTANTIATE_TEST_SUITE_P(, Deltares, testing::ValuesIn(rows), name_of);

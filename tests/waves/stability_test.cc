@@ -18,11 +18,11 @@ TEST(Stability, IsThatOfTheBooksExample) {
   const Stability plain = stability(goda_section(), pressure(PressureFormula::goda));
   EXPECT_NEAR(plain.safety_sliding, 1.1687, 5e-5);
   EXPECT_NEAR(plain.safety_overturning, 2.5785, 5e-5);
-  EXPECT_NEAR(plain.heel_pressure, 291.31e3, 10.);
+  EXPECT_NEAR(plain.heel_pressure.value(), 291.31e3, 10.);
   const Stability extended = stability(goda_section(), pressure(PressureFormula::extended));
   EXPECT_NEAR(extended.safety_sliding, 1.1644, 5e-5);
   EXPECT_NEAR(extended.safety_overturning, 2.5691, 5e-5);
-  EXPECT_NEAR(extended.heel_pressure, 291.98e3, 10.);
+  EXPECT_NEAR(extended.heel_pressure.value(), 291.98e3, 10.);
 }
 
 TEST(Stability, HasRatioOneWhereTheSafetyFactorIsOne) {
@@ -56,7 +56,7 @@ TEST(Stability, NothingPressesOnTheMoundWhereTheUpliftBearsTheWeight) {
   WavePressure p = pressure(PressureFormula::goda);
   for (const double share : {1., 1.5}) {
     p.uplift = share * goda_section().submerged_weight;
-    EXPECT_EQ(stability(goda_section(), p).heel_pressure, 0.) << "U/W' " << share;
+    EXPECT_FALSE(stability(goda_section(), p).heel_pressure) << "U/W' " << share;
   }
 }
 
@@ -67,22 +67,22 @@ TEST(Stability, ToePressureIsContinuousWhereTheSeawardEdgeOpens) {
   const double t =
       ((s.submerged_weight - p.uplift) * s.width / 3. + p.uplift_moment + p.force_moment) / s.submerged_weight;
   s.centroid = t * (1. - 1e-9);
-  const double opened = stability(s, p).heel_pressure;
+  const double opened = stability(s, p).heel_pressure.value();
   s.centroid = t * (1. + 1e-9);
-  EXPECT_NEAR(stability(s, p).heel_pressure / opened, 1., 1e-7);
+  EXPECT_NEAR(stability(s, p).heel_pressure.value() / opened, 1., 1e-7);
 }
 
-TEST(Stability, ToePressureIsNegativeWhereItOverturns) {
+TEST(Stability, HasNoHeelPressureWhereItOverturns) {
   Section s = goda_section();
   s.centroid = 1.;
   EXPECT_LT(stability(s, pressure(PressureFormula::goda)).safety_overturning, 1.);
-  EXPECT_LT(stability(s, pressure(PressureFormula::goda)).heel_pressure, 0.);
+  EXPECT_FALSE(stability(s, pressure(PressureFormula::goda)).heel_pressure);
 }
 
 TEST(Stability, NothingPressesOnTheMoundWhereUpliftLifts) {
   Section s = goda_section();
   s.submerged_weight = 4e5;
-  EXPECT_EQ(stability(s, pressure(PressureFormula::goda)).heel_pressure, 0.);
+  EXPECT_FALSE(stability(s, pressure(PressureFormula::goda)).heel_pressure);
   EXPECT_LT(stability(s, pressure(PressureFormula::goda)).safety_sliding, 0.);
 }
 

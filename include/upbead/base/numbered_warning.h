@@ -8,11 +8,12 @@
 namespace upbead {
 
 struct NumberedWarning {
-  std::string name;   ///< such as "step_too_coarse"; docs/warnings.md has one row for each
-  double value = 0.;  ///< the number that decided
-  double limit = 0.;  ///< the limit that the number passes
-  std::string unit;   ///< of both; "1" where they have none
-  std::string text;   ///< for people: what is wrong, with the number, and what to do
+  std::string name;    ///< such as "step_too_coarse"; docs/warnings.md has one row for each
+  double value = 0.;   ///< the number that decided
+  double limit = 0.;   ///< the limit that the number passes
+  std::string unit;    ///< of both; "1" where they have none, "" where there is no such number
+  std::string text;    ///< for people: what is wrong, with the number, and what to do
+  bool voids = false;  ///< whether no verdict may be drawn as long as it stands
 };
 
 using NumberedWarnings = std::vector<NumberedWarning>;

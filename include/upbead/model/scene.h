@@ -75,10 +75,11 @@ struct SlidingChoice {
 
 /// Limits of the checks; without a limit there is no check.
 struct Limits {
-  std::optional<double> sliding;        ///< S (m)
-  std::optional<double> base_pressure;  ///< of the heel and of the toe (Pa)
-  std::optional<double> overturning;    ///< least margin against it
-  std::optional<double> safety;         ///< least factor of strength at rest; 1 where none is given
+  std::optional<double> sliding;                ///< S (m)
+  std::optional<double> base_pressure;          ///< of p_e by formulas, under heel and toe (Pa)
+  std::optional<double> dynamic_base_pressure;  ///< of heel and toe in motion (Pa)
+  std::optional<double> overturning;            ///< least margin against it
+  std::optional<double> safety;                 ///< least factor of strength at rest; 1 where none is given
 };
 
 enum class DisplacementCondition {

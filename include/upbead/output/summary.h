@@ -10,9 +10,11 @@
 #include "upbead/base/numbered_warning.h"
 #include "upbead/dynamics/energy.h"
 #include "upbead/fem/load_on_caisson.h"
+#include "upbead/output/check.h"
 #include "upbead/response/findings.h"
 #include "upbead/sliding/base_pressure.h"
 #include "upbead/sliding/history_sliding.h"
+#include "upbead/waves/standing_stability.h"
 
 namespace upbead {
 
@@ -123,25 +125,20 @@ struct SlidingSummary {
   std::string why_no_estimate;                ///< else
 };
 
-/// What presses on the base.
-struct BaseSummary : BaseExtremes {
-  std::optional<double> peak_computed_pressure;  ///< largest at a node of the bottom (Pa); none where it is not read
-  double peak_computed_pressure_at = 0., peak_computed_pressure_time = 0.;  ///< where (m) and when
-  std::optional<double> limit;                                              ///< of heel and toe pressure (Pa)
+/// Still water at two levels, in front of a caisson and behind it.
+struct HarbourSummary {
+  double front = 0., back = 0.;  ///< heights y of the levels (m)
+  double push = 0.;              ///< of both waters at rest, landward (N/m)
+  double weight_gained = 0.;     ///< by which W' exceeds that in water as high as the higher level (N/m)
 };
 
-/// One check of a section: demand against capacity.
-struct Check {
-  std::string name;                ///< "sliding", "heel pressure"
-  std::string unit;                ///< of demand and capacity
-  std::optional<double> demand;    ///< none: beyond what can be computed
-  std::optional<double> capacity;  ///< none: not given
-  /// Above 1 where the check holds: capacity over demand, or, for a quantity that must not fall below its limit, demand
-  /// over capacity. None without a capacity, or where there is no demand.
-  std::optional<double> margin;
-  std::optional<bool> holds;  ///< none without a capacity, and where the check is void
-  std::string measure;        ///< the key of the summary, and what it means
-  std::string assumption;     ///< that the check relies on; "" where there is none to mention
+/// What presses on the base.
+struct BaseSummary : BaseExtremes {
+  /// Largest of the edges under the loads without motion (Pa); none where their resultant leaves the base.
+  std::optional<double> static_heel_pressure, static_toe_pressure;
+  std::optional<double> peak_computed_pressure;  ///< largest at a node of the bottom (Pa); none where it is not read
+  double peak_computed_pressure_at = 0., peak_computed_pressure_time = 0.;  ///< where (m) and when
+  std::optional<double> limit;                                              ///< of heel and toe pressure in motion (Pa)
 };
 
 struct Discretisation {
@@ -296,6 +293,10 @@ struct WaveLoadSummary {
   double rise = 0., duration = 0.;                    ///< of the impulsive part; of a sine, of the whole (s)
   double standing_force = 0., impulse = 0.;           ///< peak of the slow part (N/m), integral (N s/m); with factor
   double end = 0.;                                    ///< when the load ends (s)
+  std::optional<double> peak_over_goda;  ///< peak of the load over Goda's P with alpha*, both with the factor
+  std::optional<Stability> stability;    ///< by Goda's formulas, with the factor; none of a load that pulls seaward
+  StandingResult standing;               ///< the wave in case it does not break, with the factor
+  std::optional<double> sliding;         ///< S of that P by eqs. (4) and (6), tau_0 = k(alpha*) tau_0F (m)
   std::vector<std::string> assumptions;
 };
 
@@ -331,6 +332,7 @@ struct Summary {
   std::optional<ErrorEstimate> error;          ///< of the peak; none where the mesh error was not estimated
   std::optional<ErrorEstimate> history_error;  ///< of the whole history; with it
   std::optional<SlidingSummary> sliding;       ///< none without [sliding]
+  std::optional<HarbourSummary> harbour;       ///< none where still water has one level
   std::optional<BaseSummary> base;             ///< none where the forces on the base at rest are not known
   std::optional<ContactSummary> contact;       ///< none where the bottom is bonded
   std::optional<SoilSummary> soil;             ///< none where no soil depends on strain
@@ -339,7 +341,9 @@ struct Summary {
   std::vector<CompactedSoil> densification;    ///< of the regions that pack denser
   std::optional<SafetySummary> safety;         ///< where it is asked for, and where no rest was found
   std::string why_void;                        ///< why nothing that was marched holds; "" where it does
-  std::vector<Check> checks;                   ///< of the section, in the order of a sheet
+  std::optional<Verdict> verdict;              ///< drawn by to_json() from checks and warnings
+  Checks checks;                               ///< of the section, in the order of a sheet
+  Checks formula_checks;                       ///< of its loads by waves, which `checks` end with
   std::vector<MobilisedStrength> strength;     ///< of the regions whose strength is given
   NumberedWarnings warnings;                   ///< docs/warnings.md
   Ladder ladder;                               ///< the ways tried; the last one was taken

@@ -19,11 +19,13 @@ struct ShearResponse {
   /// Peak F_T / peak P, both landward, or both seaward where the largest |P| is seaward; none where P is 0 throughout.
   std::optional<double> shear_to_force_ratio;
   std::optional<double> shear_to_impulse;  ///< the same peak F_T / impulse (1/s); none where the impulse is round-off
-  double peak_displacement = 0.;           ///< largest x_G (m)
-  double peak_rotation = 0.;               ///< largest rotation (rad)
-  std::optional<double> arm;               ///< of P above the bottom when P is largest (m)
-  double peak_base_moment = 0.;            ///< N m/m
-  double reaction_mismatch = 0.;           ///< largest difference between the two routes to F_T, see require_balance
+  double peak_displacement = 0.;           ///< largest x_G, landward (m)
+  /// x_G of largest magnitude, with its sign (m), and when (s)
+  double largest_displacement = 0., largest_displacement_time = 0.;
+  double peak_rotation = 0., largest_rotation = 0.;        ///< largest rotation landward, of largest magnitude (rad)
+  std::optional<double> arm;                               ///< of P above the bottom when P is largest (m)
+  double peak_base_moment = 0., largest_base_moment = 0.;  ///< landward, of largest magnitude (N m/m)
+  double reaction_mismatch = 0.;  ///< largest difference between the two routes to F_T, see require_balance
 };
 
 /// A free vibration: exp(-damping_ratio |p| t) sin(2 pi t / period), p its pole.

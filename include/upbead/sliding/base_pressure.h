@@ -3,19 +3,12 @@
 
 #include <limits>
 #include <optional>
+#include <string>
 #include <vector>
 
-namespace upbead {
+#include "upbead/waves/edge_pressures.h"
 
-/// Effective pressures of the edges (Pa) of a bottom of width B under `force` N' (N/m) and `moment` M' about its middle
-/// (N m/m, overturning landward positive), stress varying linearly over the width in contact: N'/B (1 -+ 6 e/B) where
-/// |e| = |M'/N'| <= B/6, else 0 and 2 N' / (3 t), t = B/2 - |e| (the bearing pressure p_e of Goda, Random Seas and
-/// Design of Maritime Structures, ch. 4). t is at least B/1000, as a bottom that stood on its edge alone would crush
-/// it. Both are 0 where N' <= 0.
-struct EdgePressures {
-  double seaward = 0., landward = 0.;
-};
-EdgePressures edge_pressures(double force, double moment, double width);
+namespace upbead {
 
 /// Over time. N' = W' + change of the normal force - U, M' = W' e_0 + base moment + M_U about the bottom's middle,
 /// overturning landward positive; U is the uplift of the computed pore pressure and a prescribed one; e_0 is the
@@ -35,6 +28,10 @@ struct BaseExtremes {
   /// Of the landward and of the seaward edge (Pa); none where the resultant leaves the base there.
   std::optional<double> peak_heel_pressure = 0., peak_toe_pressure = 0.;
   double peak_heel_pressure_time = 0., peak_toe_pressure_time = 0.;  ///< when, or when the resultant first leaves (s)
+  /// When an edge first has no pressure, stress being linear: from then on a base that cannot pull parts from its mound
+  /// there (s); none where both edges always press.
+  std::optional<double> lifts_time;
+  std::string lifts;                                                 ///< that edge: seaward, landward, or all
   double largest_eccentricity = 0., largest_eccentricity_time = 0.;  ///< of largest magnitude, landward (m)
   double least_normal_force = 0., least_normal_force_time = 0.;      ///< N' (N/m)
   /// Least ratio of the moments that hold the caisson up to those that overturn it, about either edge; none where

@@ -107,12 +107,12 @@ double alpha_I1(double berm_width_over_wavelength, double mound_height_over_dept
 double alpha_I0(double height, double berm_depth);
 
 struct Stability {
-  double safety_sliding = 0.;      ///< mu (W' - U) / P
-  double safety_overturning = 0.;  ///< (W' t - M_U) / M_P
-  double heel_pressure = 0.;       ///< p_e, largest pressure under the heel (Pa); negative where the caisson overturns
-  double sliding_force = 0.;       ///< F_Smax = P + mu U (N/m)
-  double resistance = 0.;          ///< mu W' (N/m)
-  double ratio = 0.;               ///< r = F_Smax / (mu W'); not 1/S.F. unless U = 0
+  double safety_sliding = 0.;           ///< mu (W' - U) / P
+  double safety_overturning = 0.;       ///< (W' t - M_U) / M_P
+  std::optional<double> heel_pressure;  ///< p_e, under the heel (Pa); none where it overturns or floats
+  double sliding_force = 0.;            ///< F_Smax = P + mu U (N/m)
+  double resistance = 0.;               ///< mu W' (N/m)
+  double ratio = 0.;                    ///< r = F_Smax / (mu W'); not 1/S.F. unless U = 0
 };
 
 Stability stability(const Section& section, const WavePressure& pressure);

@@ -1,7 +1,7 @@
 """The wave by Goda's formulas of a model's case: its section, its wave and the history of the force."""
 
 # Values of docs/waves.md, used if the case has a section and no wave.
-IMPACT = {"peak_gain": 0.5, "rise_coefficient": 0.769, "duration_least": 2.0, "duration_gain": 8.0, "duration_decay": 18.0}
+IMPACT = {"rise_coefficient": 0.769, "duration_least": 2.0, "duration_gain": 8.0, "duration_decay": 18.0}
 
 
 def case_wave(case, loads):

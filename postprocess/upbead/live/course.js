@@ -13,10 +13,10 @@ const tauOf = ({wave, section, pressure}) => durationFactor(pressure.alpha_star,
 
 const ofCorners = (corners) => ({time: corners.map(([time]) => time), force: corners.map(([, value]) => value)});
 
-// With P of Goda's formulas for the peak, e is what makes P_1 (1 + e alpha*) of it.
+// With P of Goda's formulas for the peak, or no peak_gain, e is what makes P_1 (1 + e alpha*) of it.
 function churchRoof(answer, {force, impact}, water) {
   const {wave, pressure: p, standing_force: standingForce} = answer, own = p.alpha_star > 0 ? (p.force / standingForce - 1) / p.alpha_star : 0;
-  const made = impactWave(force === "impulse" ? impact : {...impact, peak_gain: own},
+  const made = impactWave(force === "impulse" && impact.peak_gain != null ? impact : {...impact, peak_gain: own},
     {height: wave.height, period: wave.period, standingForce, alphaStar: p.alpha_star}, water, answer.section.berm_depth);
   const times = [...impactKinks(made), ...Array.from({length: PARTS + 1}, (_, i) => 0.5 * wave.period * i / PARTS)].sort((a, b) => a - b);
   const time = times.filter((t, i) => i === 0 || t - times[i - 1] > 1e-9 * wave.period);

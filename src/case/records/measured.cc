@@ -1,6 +1,7 @@
 #include "case/records/measured.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "base/text.h"
@@ -75,13 +76,28 @@ std::vector<MeasuredRecord> read_measured(const Case& input, const std::vector<D
   return records;
 }
 
+namespace {
+
+/// The samples that have a number: the pressure of an edge has none where the resultant leaves the base.
+History known(const std::vector<double>& time, const std::vector<double>& value) {
+  History history;
+  for (std::size_t i = 0; i < time.size(); ++i)
+    if (!std::isnan(value[i])) {
+      history.time.push_back(time[i]);
+      history.value.push_back(value[i]);
+    }
+  return history;
+}
+
+}  // namespace
+
 std::vector<MeasuredSummary> compare_measured(const Case& input, const std::vector<MeasuredRecord>& records,
                                               const std::vector<Dataset>& computed) {
   std::vector<MeasuredSummary> list;
   for (const MeasuredRecord& record : records) try {
       list.push_back({record.name, record.reading, record.unit,
                       compare({record.time, record.value},
-                              {find(computed, "time")->values, find(computed, record.reading)->values})});
+                              known(find(computed, "time")->values, find(computed, record.reading)->values))});
     } catch (const std::invalid_argument& error) {
       throw InputError(input.place(dotted("measured", record.name)), error.what(),
                        "look at record_start, or leave the record out");

@@ -53,10 +53,11 @@ Breakwater breakwater_of(const Setting& setting, const FamilyWave& wave) {
 double shortest_rise(const Setting& setting) {
   double shortest = HUGE_VAL;
   for (const FamilyWave& wave : setting.waves) {
-    const WavePressure standing =
-        WaveForces(breakwater_of(setting, wave), sea_state(wave)).at(wave.height, {}, PressureFormula::standing);
+    const WaveForces forces(breakwater_of(setting, wave), sea_state(wave));
     const ImpactWave impact =
-        impact_wave(setting.impact, {wave.height, wave.period, standing.force, wave.alpha_star, standing.uplift},
+        impact_wave(setting.impact,
+                    wave_on_wall(wave.height, wave.period, forces.at(wave.height, {}, PressureFormula::standing),
+                                 forces.at(wave.height, {})),
                     setting.water, wave.berm_depth);
     shortest = std::min(shortest, impact.rise);
   }

@@ -12,6 +12,7 @@ namespace {
 struct ToldCalibration {
   const Design* design;
   const Calibration* found;
+  NumberedWarnings warnings;
 };
 
 OutputSchema<FitQuality> quality_outputs() {
@@ -129,7 +130,7 @@ OutputSchema<ImpactTable> impact_outputs() {
     return words[static_cast<int>(impact.uplift)];
   };
   return OutputSchema<I>()
-      .key("peak_gain", &I::peak_gain, "", "as used")
+      .key("peak_gain", &I::peak_gain, "", "as used; null: as much as makes P_I Goda's P with alpha*")
       .key("rise_coefficient", &I::rise_coefficient, "", "as used")
       .key("duration_least", &I::duration_least, "", "as used")
       .key("duration_gain", &I::duration_gain, "", "as used")
@@ -151,6 +152,7 @@ const OutputSchema<ToldCalibration>& calibration_outputs() {
       OutputSchema<T>()
           .key("title", inner(&T::design, &Design::tables, &DesignTables::title), "", "that of the design")
           .program()
+          .list("warnings[]", &T::warnings, warning_outputs(), "fits that do not tell a and b")
           .object("waves", &T::found, waves, "of the family")
           .object("impact", inner(&T::design, &Design::tables, &DesignTables::impact), impact_outputs(),
                   "the force history")
@@ -169,7 +171,7 @@ std::vector<OutputRow> rows_of_calibration() {
 }
 
 std::string to_json(const Design& design, const Calibration& found) {
-  return calibration_outputs().text({&design, &found});
+  return calibration_outputs().text({&design, &found, warnings_of(found)});
 }
 
 }  // namespace upbead

@@ -163,17 +163,18 @@ std::string describe(const Design& design, const Calibration& found) {
   return text + format("time        %.2f s\n", found.seconds);
 }
 
-std::string notes_and_warnings(const Calibration& found) {
-  std::string text;
+NumberedWarnings warnings_of(const Calibration& found) {
+  NumberedWarnings list;
   for (const CalibratedModel& model : found.models) {
     const auto n = std::count_if(model.fits.begin(), model.fits.end(), [](const CalibrationFit& fit) {
       return !fit.fit || fit.fit->doubt != FitDoubt::none;
     });
     if (n > 0)
-      text += "warning: model " + model.name + ": " + std::to_string(n) + " of " + std::to_string(model.fits.size()) +
-              " fits do not tell a and b, see their remarks [not_identifiable]\n";
+      list.push_back({"not_identifiable", static_cast<double>(n), 0., "1",
+                      "model " + model.name + ": " + std::to_string(n) + " of " + std::to_string(model.fits.size()) +
+                          " fits do not tell a and b, see their remarks"});
   }
-  return text;
+  return list;
 }
 
 std::string calibration_csv(const Calibration& found) {

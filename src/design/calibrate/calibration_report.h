@@ -11,6 +11,7 @@
 #include "design/calibrate/family.h"
 #include "design/design.h"
 #include "expected/k_fit.h"
+#include "upbead/base/numbered_warning.h"
 
 namespace upbead {
 
@@ -82,7 +83,7 @@ std::string calibration_csv(const Calibration& found);
 /// The same columns as the bytes of an HDF5 file.
 std::string calibration_file(const Design& design, const Calibration& found);
 std::string describe(const Design& design, const Calibration& found);
-/// For stderr: fits that are doubtful; "" where none is.
-std::string notes_and_warnings(const Calibration& found);
+/// Fits that are doubtful.
+NumberedWarnings warnings_of(const Calibration& found);
 
 }  // namespace upbead

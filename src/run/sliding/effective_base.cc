@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "fem/caisson/bottom.h"
 #include "fem/caisson/readings.h"
@@ -84,6 +85,20 @@ std::optional<EffectiveBase> effective_base(const Simulation& simulation, const 
   return base;
 }
 
+EffectiveBase without_motion(const Simulation& simulation, EffectiveBase base, const std::vector<double>& time) {
+  const CompiledScene& compiled = *simulation.compiled;
+  for (std::size_t i = 0; i < time.size(); ++i) {
+    base.force[i] = base.weight - base.uplift[i];
+    base.moment[i] = base.weight_moment + base.uplift_moment[i];
+    for (std::size_t k = 0; k < compiled.loads_on_caisson.size(); ++k) {
+      const double f = compiled.system.loads[k].history(time[i]);
+      base.force[i] -= f * compiled.loads_on_caisson[k].force_y;
+      base.moment[i] += f * compiled.loads_on_caisson[k].moment;
+    }
+  }
+  return base;
+}
+
 namespace {
 
 /// Finds the largest effective stress of a node of the base: its change, added to linear stresses at rest.
@@ -122,7 +137,10 @@ void look_at_nodes(const ContactHistory& contact, BaseSummary& summary) {
 
 BaseSummary base_summary(const Simulation& simulation, const EffectiveBase& base, const Series& series,
                          const std::optional<ContactHistory>& contact) {
-  BaseSummary s{base_extremes(base, series.time), {}, 0., 0., {}};
+  BaseSummary s{base_extremes(base, series.time), {}, {}, {}, 0., 0., {}};
+  const BaseExtremes at_rest = base_extremes(without_motion(simulation, base, series.time), series.time);
+  s.static_heel_pressure = at_rest.peak_heel_pressure;
+  s.static_toe_pressure = at_rest.peak_toe_pressure;
   if (contact)
     look_at_nodes(*contact, s);
   else
@@ -130,20 +148,34 @@ BaseSummary base_summary(const Simulation& simulation, const EffectiveBase& base
   return s;
 }
 
+namespace {
+
+Dataset of_edge(const std::string& name, const std::string& edge, std::vector<double> values) {
+  Dataset data{
+      name, "Pa",
+      "effective pressure of the " + edge +
+          " edge in motion, stress linear over the bottom; no number where the resultant leaves the base there",
+      std::move(values)};
+  data.may_lack = true;
+  return data;
+}
+
+}  // namespace
+
 std::vector<Dataset> base_histories(const EffectiveBase& base) {
   std::vector<double> eccentricity, toe, heel;
   for (std::size_t i = 0; i < base.force.size(); ++i) {
     eccentricity.push_back(base.force[i] > 0. ? base.moment[i] / base.force[i] : 0.);
     const EdgePressures edges = edge_pressures(base.force[i], base.moment[i], base.width);
-    toe.push_back(edges.seaward);
-    heel.push_back(edges.landward);
+    toe.push_back(edges.seaward.value_or(NAN));
+    heel.push_back(edges.landward.value_or(NAN));
   }
   return {
       {"effective_normal_force", "N/m", "N' on the bottom, at rest and changed, compression positive", base.force},
       {"effective_base_moment", "N m/m", "M' about the bottom's middle, overturning landward positive", base.moment},
       {"eccentricity", "m", "M'/N', landward of the bottom's middle; 0 where N' is not positive", eccentricity},
-      {"toe_pressure", "Pa", "effective pressure of the seaward edge, stress linear over the bottom", toe},
-      {"heel_pressure", "Pa", "effective pressure of the landward edge, stress linear over the bottom", heel}};
+      of_edge("toe_pressure", "seaward", std::move(toe)),
+      of_edge("heel_pressure", "landward", std::move(heel))};
 }
 
 }  // namespace upbead

@@ -18,6 +18,9 @@ std::optional<double> weight_in_water(const Simulation& simulation);
 /// either, without a caisson, or where there is no compression at rest. `ends`: all readings of the scene over time.
 std::optional<EffectiveBase> effective_base(const Simulation& simulation, const Series& ends);
 
+/// The same without motion: the loads at each time as they act on the caisson, with the same uplift.
+EffectiveBase without_motion(const Simulation& simulation, EffectiveBase base, const std::vector<double>& time);
+
 /// Values at rest and at the worst of these times, and the largest stress of a node of the base by `series`, where
 /// the scene has such readings.
 BaseSummary base_summary(const Simulation& simulation, const EffectiveBase& base, const Series& series,

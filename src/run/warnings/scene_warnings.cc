@@ -9,6 +9,7 @@
 #include "response/drainage.h"
 #include "response/ground_waves.h"
 #include "response/time_choice.h"
+#include "run/harbour.h"
 #include "run/warnings/carried_warnings.h"
 #include "run/warnings/plausibility.h"
 #include "run/warnings/support_warnings.h"
@@ -335,11 +336,11 @@ NumberedWarnings thin_layer_warnings(const Simulation& simulation) {
 NumberedWarnings warnings(const Simulation& simulation, const std::optional<double>& peak_time) {
   NumberedWarnings all;
   for (const NumberedWarnings& part :
-       {plausibility_warnings(simulation), step_warnings(simulation), jump_warnings(simulation),
-        motion_warnings(simulation), mesh_warnings(simulation), wall_warnings(simulation, peak_time),
-        load_warnings(simulation), boundary_layer_warnings(simulation), ring_warnings(simulation),
-        slow_wave_warnings(simulation), layer_warnings(simulation), thin_layer_warnings(simulation),
-        support_warnings(simulation)})
+       {plausibility_warnings(simulation), harbour_warnings(simulation), step_warnings(simulation),
+        jump_warnings(simulation), motion_warnings(simulation), mesh_warnings(simulation),
+        wall_warnings(simulation, peak_time), load_warnings(simulation), boundary_layer_warnings(simulation),
+        ring_warnings(simulation), slow_wave_warnings(simulation), layer_warnings(simulation),
+        thin_layer_warnings(simulation), support_warnings(simulation)})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }

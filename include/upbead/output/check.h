@@ -1,0 +1,43 @@
+// The checks of a section, by whatever route: demand against capacity; and the verdict that they make together.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "upbead/base/numbered_warning.h"
+
+namespace upbead {
+
+/// One check of a section: demand against capacity.
+struct Check {
+  std::string name;                ///< "sliding distance", "heel pressure p_e"
+  std::string unit;                ///< of demand and capacity
+  std::optional<double> demand;    ///< none: beyond what can be computed, or not checked
+  std::optional<double> capacity;  ///< none: not given
+  /// Above 1 where the check holds: capacity over demand, or, for a quantity that must not fall below its limit, demand
+  /// over capacity. None without a capacity, or where there is no demand.
+  std::optional<double> margin;
+  std::optional<bool> holds;   ///< none without a capacity, or where it was not checked
+  std::string measure;         ///< the key of the summary, and what it means
+  std::string assumption;      ///< that the check relies on; "" where there is none to mention
+  std::string by{"dynamics"};  ///< the route: formulas, dynamics (of the solved scene), statics
+  std::string wave;            ///< the load or wave that demands it; "": all loads of the scene
+  std::string level;           ///< of still water, at which it is worst; "": that of the section
+  std::string why_not;         ///< it was not checked; "" where it was
+  bool at_least = false;       ///< whether the demand must not fall below the capacity
+};
+
+using Checks = std::vector<Check>;
+
+/// What all checks say together. It is drawn from them and from the warnings whenever it is told, so that it cannot
+/// differ from them.
+struct Verdict {
+  std::optional<bool> holds;       ///< none: no check has a limit, or the verdict is void
+  std::string text;                ///< one sentence, the governing check first
+  std::optional<Check> governing;  ///< the worst of those with a limit
+  int failing = 0, checked = 0;    ///< checks that fail, and those with a limit
+  std::string why_void;            ///< a warning says that no verdict may be drawn; "" where none does
+};
+
+}  // namespace upbead

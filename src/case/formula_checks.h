@@ -1,0 +1,26 @@
+// The checks of a section in one wave by formulas: Goda's with the impulsive pressure coefficient at the crest, and the
+// standing wave of finite height at crest and trough. They need no solved scene, and stand beside its checks.
+#pragma once
+
+#include <string>
+
+#include "output/checks.h"
+#include "upbead/model/scene.h"
+#include "upbead/waves/standing_stability.h"
+
+namespace upbead {
+
+/// A wave on a section by formulas.
+struct FormulaAnswer {
+  std::string wave, level;        ///< names; "" for no level
+  Stability stability;            ///< by Goda's formulas with alpha*
+  StandingResult standing;        ///< in case the wave does not break
+  std::optional<double> sliding;  ///< S by formulas (m); none: not known
+  std::string sliding_by;         ///< how that S was found
+  std::string key;                ///< of the summary, in which these numbers stand, with the final "."
+};
+
+/// Sliding, overturning and p_e, landward and seaward. A safety factor has the limit 1 where [limits] gives none.
+Checks formula_checks(const FormulaAnswer& answer, const Limits& limits);
+
+}  // namespace upbead

@@ -1,0 +1,262 @@
+// What the record and the lives say together: the distance to tell first, checks against [limits], warnings.
+#include <algorithm>
+#include <cmath>
+
+#include "base/text.h"
+#include "design/expected_laws.h"
+#include "design/expected_report.h"
+
+namespace upbead {
+
+namespace {
+
+constexpr int few_lives = 50;  // with fewer lives that slide, a normal distribution of their mean is doubtful
+
+const char* route_of(Law law) {
+  return law == Law::dynamic ? "dynamics" : "formulas";
+}
+
+std::string told(Law law, double distance) {
+  return std::string(word(law)) + " " + with_unit(distance, "m");
+}
+
+/// A number, or none where it is above all numbers.
+std::optional<double> if_finite(double value) {
+  return std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+Check routed(Check check, Law law) {
+  check.by = route_of(law);
+  return check;
+}
+
+/// What presses on the base in one wave, or in half of the lives: `what` says which.
+struct Pressing {
+  std::string what, key, assumption;
+  Law law;
+};
+
+Check edge_check(const Pressing& of, const std::string& edge, double pressure, const Limits& limits) {
+  const bool dynamic = of.law == Law::dynamic;
+  return routed(at_most(check_of(edge + (dynamic ? " pressure in motion, " : " pressure p_e, ") + of.what, "Pa",
+                                 if_finite(pressure), of.key + ".peak_" + edge + "_pressure", of.assumption),
+                        dynamic ? limits.dynamic_base_pressure : limits.base_pressure),
+                of.law);
+}
+
+/// By formulas the caisson overturns below 1; a moment below 1 in motion is judged by a given limit alone.
+Check overturning_check(const Pressing& of, double margin, const Limits& limits) {
+  const Check check = check_of((of.law == Law::dynamic ? "overturning in motion, " : "overturning, ") + of.what, "",
+                               if_finite(margin), of.key + ".least_overturning_margin", of.assumption);
+  if (!check.demand) return routed(not_checked(check, "nothing overturns"), of.law);
+  const std::optional<double> natural = of.law == Law::dynamic ? std::nullopt : std::optional(1.);
+  return routed(at_least_as(check, limits.overturning ? limits.overturning : natural), of.law);
+}
+
+void add_base(const Pressing& of, const WorstBase& base, const Limits& limits, Checks& list) {
+  list.push_back(edge_check(of, "heel", base.heel_pressure, limits));
+  list.push_back(edge_check(of, "toe", base.toe_pressure, limits));
+  list.push_back(overturning_check(of, base.overturning_margin, limits));
+}
+
+/// The value that half of the lives do not exceed; for a margin, that half of them reach.
+double median(const WorstOfLives& worst) {
+  std::vector<double> values = worst.values;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+void add_lives(const MonteCarlo& lives, const std::string& key, const Limits& limits, Checks& list) {
+  if (!lives.base) return;
+  const BaseOfLives& base = *lives.base;
+  const WorstBase of_half{median(base.heel_pressure), median(base.toe_pressure), 0., median(base.overturning_margin)};
+  add_base({"of a life", key + ".base", "the median of all lives, of the worst of each", lives.law}, of_half, limits,
+           list);
+}
+
+Check distance_check(const std::string& name, const Headline& headline, const std::string& measure,
+                     const Limits& limits) {
+  return routed(at_most(check_of(name, "m", headline.value, measure, headline.why), limits.sliding), headline.law);
+}
+
+void add_record(const ExpectedAnswer& answer, const Limits& limits, Checks& list) {
+  list.push_back(
+      distance_check("expected sliding distance", headline_of(answer.total), "expected.headline.value", limits));
+  const std::string assumption = "the height that one wave of a sea state exceeds; the worst of all sea states";
+  add_base({"highest wave", "expected.base.goda", assumption, Law::exact}, answer.base.goda, limits, list);
+  if (answer.base.dynamic)
+    add_base({"highest wave", "expected.base.dynamic", assumption, Law::dynamic}, *answer.base.dynamic, limits, list);
+}
+
+/// Warns of sea states at the wall that no sea in deep water can cause.
+void add_impossible_seas(const std::vector<StateAnswer>& states, NumberedWarnings& list) {
+  const auto impossible = [](const StateAnswer& s) { return !s.before.reaches; };
+  const auto first = std::find_if(states.begin(), states.end(), impossible);
+  if (first == states.end()) return;
+  const DesignHeights& most = first->before.heights;
+  list.push_back(
+      {"sea_impossible", first->state.significant_height, most.significant, "m",
+       std::to_string(std::count_if(states.begin(), states.end(), impossible)) + " of " +
+           std::to_string(states.size()) + " sea states have an H_1/3 that no sea brings to that depth, the first " +
+           significant(first->state.significant_height, 4) + " m at T = " + significant(first->state.period, 4) +
+           " s, where the steepest sea has " + significant(most.significant, 4) + " m" +
+           (std::isfinite(most.breaker)
+                ? " and breaks at " + significant(most.breaker, 4) + " m, which limits its waves"
+                : "") +
+           "; check significant_height (at the wall), period and water_depth"});
+}
+
+/// Warns of waves that the depth would break, where only a cut or nothing limits the heights.
+void add_unbroken_waves(const HighestWave& highest, const ExpectedAnswer& answer, NumberedWarnings& list) {
+  if (highest.breaking) return;
+  double higher = 0., lowest = HUGE_VAL;
+  for (const StateAnswer& s : answer.states) {
+    higher += s.state.waves * s.heights.exceedance(s.before.heights.breaker);
+    lowest = std::min(lowest, s.before.heights.breaker);
+  }
+  if (higher < 1.) return;
+  list.push_back({"waves_unbroken", higher, 1., "1",
+                  some_of(higher, answer.all) + " are higher than Goda's highest breaker, " + significant(lowest, 4) +
+                      " m or more by sea state: such waves break before; sea.highest = \"breaking\" limits them"});
+}
+
+void add_few_lives(const MonteCarlo& lives, NumberedWarnings& list) {
+  const LifeStatistics& s = lives.statistics;
+  if (s.sliding_lives >= few_lives) return;
+  list.push_back({"few_lives", static_cast<double>(s.sliding_lives), static_cast<double>(few_lives), "1",
+                  "only " + std::to_string(s.sliding_lives) + " of " + std::to_string(lives.sliding.size()) +
+                      " lives slide by the law " + word(lives.law) +
+                      ": mean and interval rest on few of them; simulate more with --set life.simulated_lives=NUMBER"});
+}
+
+std::string share_text(double share) {
+  return significant(100. * share, 3) + " %";
+}
+
+/// Warns where some of the lives pass a limit, however good the others are.
+void add_beyond(const MonteCarlo& lives, const Limits& limits, NumberedWarnings& list) {
+  std::vector<std::string> parts;
+  double most = 0.;
+  const auto add = [&](const Exceeded& e, const std::string& what, const std::string& limit) {
+    if (e.probability <= 0.) return;
+    most = std::max(most, e.probability);
+    parts.push_back(share_text(e.probability) + " of the lives " + what + " " + limit);
+  };
+  for (const Exceeded& e : lives.statistics.exceeded)
+    if (limits.sliding && e.limit == *limits.sliding) add(e, "slide farther than", with_unit(e.limit, "m"));
+  if (lives.base) {
+    const std::string motion = lives.law == Law::dynamic ? " in motion" : "";
+    const BaseOfLives& base = *lives.base;
+    if (const auto& e = base.heel_pressure.beyond)
+      add(*e, "have a heel pressure" + motion + " above", with_unit(e->limit, "Pa"));
+    if (const auto& e = base.toe_pressure.beyond)
+      add(*e, "have a toe pressure" + motion + " above", with_unit(e->limit, "Pa"));
+    if (const auto& e = base.overturning_margin.beyond)
+      add(*e, "have a margin against overturning" + motion + " below", significant(e->limit));
+  }
+  if (parts.empty()) return;
+  list.push_back({"lives_beyond_limit", most, 0., "1",
+                  "by the law " + std::string(word(lives.law)) + " " + join(parts, "; ") +
+                      ": [limits] names no share of lives that may"});
+}
+
+/// Warns where one route is within the limit of S and the other is not.
+void add_routes(double by_formulas, double by_dynamics, const std::string& what, const Limits& limits,
+                NumberedWarnings& list) {
+  if (!limits.sliding || (by_formulas <= *limits.sliding) == (by_dynamics <= *limits.sliding)) return;
+  list.push_back({"routes_differ", by_formulas, by_dynamics, "m",
+                  what + " is " + with_unit(by_formulas, "m") + " by formulas and " + with_unit(by_dynamics, "m") +
+                      " by the caisson's own dynamics, on either side of limits.sliding = " +
+                      with_unit(*limits.sliding, "m") + ": two routes to one answer, of which the larger governs"});
+}
+
+/// Warns where the given peak of an impact is below Goda's P in the highest wave of the record.
+void add_below_goda(const Design& design, const ExpectedAnswer& answer, NumberedWarnings& list) {
+  const auto& gain = design.tables.impact.peak_gain;
+  if (!gain || !answer.model || answer.states.empty()) return;
+  const DesignTables& t = design.tables;
+  const auto highest = std::max_element(answer.states.begin(), answer.states.end(),
+                                        [](const auto& a, const auto& b) { return a.base.height < b.base.height; });
+  const WaveForces forces({t.section, t.water, t.duration, t.combined}, highest->state);
+  const double height = highest->base.height, goda = forces.at(height, {}).force;
+  const WavePressure standing = forces.at(height, {}, PressureFormula::standing);
+  const double peak = standing.force * (1. + *gain * standing.alpha_star);
+  if (peak >= (1. - 1e-9) * goda) return;
+  list.push_back({"impact_below_goda", peak, goda, "N/m",
+                  "impact.peak_gain = " + significant(*gain) + " gives the highest wave, " + significant(height, 4) +
+                      " m, a peak of " + with_unit(peak, "N/m") + ", below P of Goda's formulas, " +
+                      with_unit(goda, "N/m") +
+                      ", which already is an effective sliding force: the law dynamic is on the unsafe side of the "
+                      "formulas; leave peak_gain out, or give a larger one"});
+}
+
+}  // namespace
+
+Headline headline_of(const std::map<Law, Expectation>& laws) {
+  Headline headline;
+  std::string others;
+  for (const auto& [law, found] : laws)
+    if (headline.why.empty() || found.distance > headline.value) {
+      headline.value = found.distance;
+      headline.law = law;
+      headline.why = "the largest of all laws";
+    }
+  for (const auto& [law, found] : laws)
+    if (law != headline.law) others += (others.empty() ? ": " : ", ") + told(law, found.distance);
+  headline.why += others;
+  return headline;
+}
+
+Headline headline_of(const MonteCarlo& lives, const std::optional<MonteCarlo>& by_formulas) {
+  if (!by_formulas)
+    return {lives.statistics.mean, lives.law, "the mean of all lives, by the one law that was asked for"};
+  const bool first = lives.statistics.mean >= by_formulas->statistics.mean;
+  const MonteCarlo &larger = first ? lives : *by_formulas, &other = first ? *by_formulas : lives;
+  return {larger.statistics.mean, larger.law,
+          "the mean of all lives, the larger of two routes: " + told(other.law, other.statistics.mean)};
+}
+
+Checks checks_of(const Design& design, const ExpectedAnswer& answer) {
+  const Limits& limits = design.tables.limits;
+  Checks list;
+  if (!answer.states.empty()) add_record(answer, limits, list);
+  if (!answer.monte_carlo) return list;
+  list.push_back(distance_check("sliding distance of a life", headline_of(*answer.monte_carlo, answer.formula_lives),
+                                "monte_carlo.headline.value", limits));
+  add_lives(*answer.monte_carlo, "monte_carlo", limits, list);
+  if (answer.formula_lives) add_lives(*answer.formula_lives, "monte_carlo.by_formulas", limits, list);
+  return list;
+}
+
+NumberedWarnings warnings_of(const Design& design, const ExpectedAnswer& answer) {
+  NumberedWarnings list = answer.notes.warnings;
+  const Limits& limits = design.tables.limits;
+  if (design.tables.sea) {
+    add_impossible_seas(answer.states, list);
+    add_unbroken_waves(design.tables.sea->highest, answer, list);
+    add_below_goda(design, answer, list);
+  }
+  if (const auto dynamic = answer.total.find(Law::dynamic); dynamic != answer.total.end())
+    add_routes(answer.total.at(Law::exact).distance, dynamic->second.distance, "the expected distance", limits, list);
+  for (const auto* lives : {&answer.monte_carlo, &answer.formula_lives})
+    if (*lives) {
+      add_few_lives(**lives, list);
+      add_beyond(**lives, limits, list);
+    }
+  if (answer.formula_lives)
+    add_routes(answer.formula_lives->statistics.mean, answer.monte_carlo->statistics.mean, "the mean S of a life",
+               limits, list);
+  return list;
+}
+
+std::string notes_of(const ExpectedAnswer& answer) {
+  std::string text;
+  for (const RecordSummary& r : answer.notes.read)
+    text += "note: " + r.file + ": column " + in_quotes(r.column) + " in " + r.unit + ", " + std::to_string(r.samples) +
+            " rows, largest " + significant(r.extreme, 4) + " " + r.si + "; " + r.layout + "\n";
+  for (const LeftOut& part : answer.notes.left_out) text += "note: " + part.what + ": " + part.why + "\n";
+  return text;
+}
+
+}  // namespace upbead

@@ -1,0 +1,15 @@
+// The keys of what formulas say of a section, which several summaries share.
+#pragma once
+
+#include "output/output_schema.h"
+#include "upbead/waves/standing_stability.h"
+
+namespace upbead {
+
+/// Safety factors and p_e under Goda's pressures with alpha_I.
+OutputSchema<Stability> stability_outputs();
+
+/// The same in a standing wave of finite height, in crest and trough.
+OutputSchema<StandingAnswer> standing_outputs();
+
+}  // namespace upbead

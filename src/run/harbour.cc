@@ -1,0 +1,73 @@
+#include "run/harbour.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/numbers.h"
+#include "base/text.h"
+#include "fem/compile.h"
+#include "fem/outline.h"
+
+namespace upbead {
+
+namespace {
+
+constexpr double same_level = 1e-3;     // m
+constexpr double small_push = 0.02;     // of mu W'
+constexpr double usual_friction = 0.6;  // of concrete on rubble, where the case gives none
+
+/// Top of the waters on one side of the caisson; -infinity without any.
+double level_beside(const Simulation& simulation, double side) {
+  const double middle = simulation.compiled->caisson->bottom_centre[0];
+  double level = -infinity;
+  for (const auto& [name, extent] : outline_of(*simulation.given_mesh).surfaces) {
+    const auto region = simulation.given.regions.find(name);
+    if (region == simulation.given.regions.end() || region->second.kind != RegionKind::water) continue;
+    if (side * (0.5 * (extent.left + extent.right) - middle) > 0.) level = std::max(level, extent.highest);
+  }
+  return level;
+}
+
+double resistance_of(const Simulation& simulation) {
+  const Scene& scene = simulation.given;
+  if (scene.sliding) return scene.sliding->friction * scene.sliding->submerged_weight;
+  return usual_friction * simulation.compiled->caisson->body.mass * scene.gravity;
+}
+
+}  // namespace
+
+std::optional<HarbourSummary> harbour_of(const Simulation& simulation) {
+  if (!simulation.compiled->caisson) return std::nullopt;
+  HarbourSummary h{level_beside(simulation, -1.), level_beside(simulation, 1.), 0., 0.};
+  if (!std::isfinite(h.front) || !std::isfinite(h.back) || std::abs(h.front - h.back) <= same_level)
+    return std::nullopt;
+  const Caisson& caisson = *simulation.compiled->caisson;
+  const double unit_weight = simulation.given.fluid.density * simulation.given.gravity;
+  const double front = std::max(h.front - caisson.bottom_centre[1], 0.),
+               back = std::max(h.back - caisson.bottom_centre[1], 0.);
+  h.push = 0.5 * unit_weight * (front * front - back * back);
+  // the pressure under the base falls in a straight line from one level to the other; W' has that of the higher one
+  h.weight_gained = 0.5 * unit_weight * caisson.bottom_width * std::abs(front - back);
+  return h;
+}
+
+NumberedWarnings harbour_warnings(const Simulation& simulation) {
+  const std::optional<HarbourSummary> h = harbour_of(simulation);
+  if (!h) return {};
+  const double share = std::abs(h->push) / resistance_of(simulation);
+  NumberedWarning warning{
+      "harbour_level", h->back, h->front, "m",
+      "still water stands at y = " + significant(h->front, 5) + " m in front of the caisson and at " +
+          significant(h->back, 5) + " m behind it: it pushes the caisson by " + with_unit(std::abs(h->push), "N/m") +
+          (h->push > 0. ? " landward, " : " seaward, ") + percent(share) + " of mu W', and W' is up to " +
+          with_unit(h->weight_gained, "N/m") +
+          " more than at the higher level. That push is in the checks of the force against friction alone: stresses at "
+          "rest, pressures, margins against overturning and sliding distances are those of one level, " +
+          (share > small_push ? "so that no verdict may be drawn from them; give both sides one level (the safe one), "
+                                "and add the push by hand"
+                              : "which at so small a push changes little")};
+  warning.voids = share > small_push;
+  return {warning};
+}
+
+}  // namespace upbead

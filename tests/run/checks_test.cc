@@ -1,0 +1,148 @@
+// Claims: checks by formulas and by dynamics stand side by side, the worse governs, and a contradiction is a warning; a
+// pressure in motion is not held against the limit that was made for p_e; what nothing pushes is not checked; the push
+// of still water at two levels counts.
+#include "run/checks.h"
+
+#include <gmock/gmock.h>
+
+#include "output/checks.h"
+
+namespace upbead {
+namespace checks_test {
+
+using testing::HasSubstr;
+
+Scene scene() {
+  Scene scene;
+  scene.sliding.emplace();
+  scene.limits = {0.3, 600e3, {}, 1.2};
+  return scene;
+}
+
+/// Slides with 1.6 against 1.8 MN/m, rebounds with 0.4 MN/m, presses with 3.8 MPa for a moment.
+Summary summary() {
+  Summary s;
+  s.response.emplace();
+  s.response->peak_force = 1.1e6;
+  s.sliding.emplace();
+  s.sliding->history.resistance = 1.8e6;
+  s.sliding->history.peak_force = 1.6e6;
+  s.sliding->history.peak_seaward = 0.4e6;
+  s.base.emplace();
+  s.base->peak_heel_pressure = 3.776e6;
+  s.base->static_heel_pressure = 395e3;
+  s.base->least_overturning_margin = 1.5;
+  return s;
+}
+
+Check by_formulas(const std::string& name, double demand) {
+  Check check = at_least_as(check_of(name, "", demand, "", ""), 1.);
+  check.by = "formulas";
+  check.wave = "storm";
+  return check;
+}
+
+const Check& named(const std::string& name, const Summary& s) {
+  for (const Check& check : s.checks)
+    if (check.name == name) return check;
+  throw std::runtime_error("no check " + name);
+}
+
+Summary judged(Summary s, const Scene& given = scene()) {
+  judge(given, s);
+  return s;
+}
+
+TEST(Checks, TheWorseRouteGoverns) {
+  Summary s = summary();
+  EXPECT_EQ(verdict_of(judged(s).checks, {}).holds, true);
+  s.formula_checks = {by_formulas("sliding by formulas", 0.952)};
+  s = judged(s);
+  const Verdict verdict = verdict_of(s.checks, s.warnings);
+  EXPECT_EQ(verdict.holds, false);
+  EXPECT_EQ(verdict.governing->name, "sliding by formulas");
+  EXPECT_EQ(verdict.failing, 1);
+  EXPECT_THAT(verdict.text, HasSubstr("wave storm: 0.952 against at least 1: DOES NOT HOLD"));
+}
+
+TEST(Checks, AContradictionOfTheRoutesIsAWarningBothWays) {
+  Summary s = summary();
+  for (const auto& [safety, peak, warned] : {std::tuple(0.952, 1.6e6, true), std::tuple(1.05, 1.9e6, true),
+                                             std::tuple(0.952, 1.9e6, false), std::tuple(1.05, 1.6e6, false)}) {
+    s.sliding->history.peak_force = peak;
+    s.formula_checks = {by_formulas("sliding by formulas", safety)};
+    const Summary found = judged(judged(s));
+    EXPECT_EQ(found.warnings.size(), warned ? 1U : 0U) << safety << " " << peak;
+    if (warned) {
+      EXPECT_EQ(found.warnings.front().name, "routes_differ");
+      EXPECT_THAT(found.warnings.front().text, HasSubstr("the worse governs"));
+    }
+  }
+}
+
+TEST(Checks, APressureInMotionHasALimitOfItsOwn) {
+  Scene given = scene();
+  Summary s = judged(summary(), given);
+  EXPECT_FALSE(named("heel pressure in motion", s).holds);
+  EXPECT_EQ(named("heel pressure p_e of the loads", s).holds, true) << "395 kPa of 600";
+  given.limits.dynamic_base_pressure = 2e6;
+  EXPECT_EQ(named("heel pressure in motion", judged(s, given)).holds, false);
+  given.limits.base_pressure = 300e3;
+  EXPECT_EQ(named("heel pressure p_e of the loads", judged(s, given)).holds, false);
+  s.base->static_heel_pressure.reset();
+  EXPECT_EQ(named("heel pressure p_e of the loads", judged(s, given)).holds, false) << "the resultant leaves the base";
+}
+
+TEST(Checks, SeawardIsNotCheckedWhereNothingPushesSeaward) {
+  const char* const name = "force against friction, seaward";
+  Summary s = summary();
+  const Summary found = judged(s);
+  const Check& none = named(name, found);
+  EXPECT_FALSE(none.holds);
+  EXPECT_FALSE(none.margin);
+  EXPECT_THAT(text_of(none), HasSubstr("not checked: no trough acts"));
+  s.sliding->history.peak_seaward = 1.9e6;
+  EXPECT_EQ(named(name, judged(s)).holds, false) << "the rebound alone slides it";
+  s.sliding->history.peak_seaward = 0.4e6;
+  s.response->peak_force_seaward = -0.3e6;
+  EXPECT_EQ(named(name, judged(s)).holds, true) << "a trough acts";
+  s.response->peak_force_seaward = 0.;
+  Scene shaken = scene();
+  shaken.loads["base"].kind = LoadKind::acceleration;
+  EXPECT_EQ(named(name, judged(s, shaken)).holds, true) << "a motion acts both ways";
+}
+
+TEST(Checks, ThePushOfAHarbourCountsAndAWarningMayVoidTheVerdict) {
+  Summary s = summary();
+  s.harbour = HarbourSummary{9., 4.5, 0.25e6, 0.3e6};
+  s = judged(s);
+  EXPECT_NEAR(*named("force against friction", s).demand, 1.85e6, 1.);
+  EXPECT_EQ(named("force against friction", s).holds, false);
+  s.harbour->push = 0.1e6;
+  s = judged(s);
+  EXPECT_EQ(verdict_of(s.checks, s.warnings).holds, true);
+  NumberedWarning warning{"harbour_level", 4.5, 9., "m", "two levels"};
+  warning.voids = true;
+  const Verdict verdict = verdict_of(s.checks, {warning});
+  EXPECT_FALSE(verdict.holds);
+  EXPECT_EQ(verdict.why_void, "harbour_level");
+  EXPECT_THAT(verdict.text, HasSubstr("VOID"));
+}
+
+TEST(Checks, OfSeveralLevelsTheWorstIsKept) {
+  Check high = by_formulas("sliding by formulas", 0.952), low = by_formulas("sliding by formulas", 0.903);
+  high.level = "high";
+  low.level = "low";
+  Check unjudged = at_most(check_of("heel pressure p_e", "Pa", 5e5, "", ""), {}), more = unjudged;
+  more.demand = 5.6e5;
+  const Checks worst = worst_of_each({{high, unjudged}, {low, more}});
+  ASSERT_EQ(worst.size(), 2U);
+  EXPECT_EQ(worst[0].level, "low");
+  EXPECT_EQ(*worst[1].demand, 5.6e5);
+  Check none = at_most(check_of("heel pressure p_e", "Pa", {}, "", ""), 6e5);
+  EXPECT_EQ(none.holds, false) << "beyond all numbers";
+  EXPECT_TRUE(is_worse(none, at_most(check_of("heel pressure p_e", "Pa", 7e5, "", ""), 6e5)));
+}
+
+}  // namespace checks_test
+}  // namespace upbead
