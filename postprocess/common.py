@@ -10,9 +10,14 @@ __all__ = ["UserError", "beside", "figure_argument", "keep_inputs", "save"]
 
 
 def tell(kind, error, trace):
-    """Prints an UpbeadError as a message, be it of an import; the exit code is 1."""
+    """Prints as a message what the caller can correct, be it found by an import; the exit code is 1."""
+    script = Path(sys.argv[0]).name
     if issubclass(kind, UpbeadError):
-        print(f"{Path(sys.argv[0]).name}: {error}", file=sys.stderr)
+        print(f"{script}: {error}", file=sys.stderr)
+    elif issubclass(kind, OSError) and error.filename is not None:
+        print(f"{script}: cannot read or write '{error.filename}': {error.strerror}", file=sys.stderr)
+    elif issubclass(kind, UnicodeDecodeError):
+        print(f"{script}: a file that should be text is none: {error}", file=sys.stderr)
     else:
         sys.__excepthook__(kind, error, trace)
 

@@ -14,9 +14,9 @@ def section(result):
     return tag(
         "section",
         tag("h2", say("Verdict")),
+        judged.verdict(summary),
         tag("p", sentences([slides(result), shear(result)])),
         tag("p", rests_on(summary)),
-        judged.verdict(summary),
         tag("div", *cards(result), class_="cards"),
         trust(len(told_of.warnings(summary)), *error_of_peak(summary)),
         id="verdict",

@@ -6,7 +6,7 @@ import h5py
 import numpy as np
 
 from .errors import UserError
-from .results import read_summary
+from .results import read_summary, require
 from .shown import Shown
 
 
@@ -17,6 +17,7 @@ class ExpectedResult(Shown):
     def __init__(self, folder):
         self.folder = folder = Path(folder)
         self.name = folder.name.removesuffix("-expected")
+        require(folder, "expected")
         self.summary = read_summary(folder)
         try:
             with h5py.File(folder / "results.h5") as file:

@@ -49,7 +49,7 @@ def verdict_section(told, summary):
     words, cards = told
     boxes = tag("div", *cards, class_="cards") if cards else ""
     trust = head.trust(len(told_of.warnings(summary)))
-    return tag("section", tag("h2", say("Verdict")), tag("p", sentences(words)), judged.verdict(summary), boxes, trust, id="verdict")
+    return tag("section", tag("h2", say("Verdict")), judged.verdict(summary), tag("p", sentences(words)), boxes, trust, id="verdict")
 
 
 def result_section(title, name, *parts):
