@@ -58,7 +58,7 @@ def cell(found, path, full, command):
     if path not in found:
         return ""
     if path[-1] in EDGES and isinstance(found[path], (int, float)) and found[path] < 0:
-        return tag("span", say("none: the resultant leaves the base"), class_="words")
+        return tag("span", say("none: the resultant leaves the base"), class_="long")
     return value_of(found[path], outputs.unit(plain_path(full), command))
 
 
@@ -66,9 +66,9 @@ def value_of(value, unit):
     if value is None:
         return say("none")
     if isinstance(value, list):
-        return tag("span", ", ".join(plain(part) if isinstance(part, (int, float)) else str(part) for part in value), class_="words")
+        return tag("span", ", ".join(plain(part) if isinstance(part, (int, float)) else str(part) for part in value), class_="long")
     if isinstance(value, str):
-        return tag("span", prose(told(value)), class_="words")
+        return tag("span", prose(told(value)), class_="long")
     return plain(value) if isinstance(value, bool) else quantity(value, unit)
 
 

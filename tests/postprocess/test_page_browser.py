@@ -138,7 +138,7 @@ class Page(unittest.TestCase):
 
     def test_a_weight_that_is_not_the_models_is_noted(self):
         self.show()
-        self.assertEqual(self.browser.value("document.querySelector('.notes').textContent"), "")
+        self.assertNotIn("those of the case's own W′", self.browser.value("document.querySelector('.notes').textContent"))
         self.call(TYPE, "weight", "3000")
         self.assertIn("those of the case's own W′", self.browser.value("document.querySelector('.notes').textContent"))
 
