@@ -10,6 +10,8 @@ from pathlib import Path
 
 import matplotlib
 
+from common import UserError  # its hook shows errors without a traceback
+
 matplotlib.use("Agg")
 from matplotlib import pyplot as plt  # noqa: E402  (the backend must be chosen first)
 
@@ -103,6 +105,8 @@ def main():
     arguments = parser.parse_args()
     with arguments.table.open(newline="") as file:
         rows = list(csv.DictReader(file))
+    if not rows or not {"seed", "refused", "unknowns", "tolerance"} <= set(rows[0]):
+        raise UserError(f"'{arguments.table}' is no table of accuracy_map: it has no rows with seed, refused, unknowns and tolerance")
     text, answered = account(rows)
     text += table(answered)
     if arguments.docs is None:

@@ -12,8 +12,8 @@ UNWRITTEN = (errno.EPIPE, errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
 
 
 def tell(kind, error, trace):
-    """Prints an UpbeadError as a message, be it of an import; also a module that is not installed, and a full disk, with
-    their cures. The exit code is 1."""
+    """Prints as a message what the caller can correct, be it found by an import: an UpbeadError, a module that is not
+    installed, a full disk, a file that cannot be read. The exit code is 1."""
     if issubclass(kind, ModuleNotFoundError):
         print(f"{NAME}: {sys.executable} has no module '{error.name}'; call the script with another Python that has it, such as "
               f"/usr/bin/python3, or install it: {sys.executable} -m pip install {error.name}", file=sys.stderr)
@@ -21,6 +21,10 @@ def tell(kind, error, trace):
         print(f"{NAME}: {error}", file=sys.stderr)
     elif issubclass(kind, OSError) and error.filename is None and error.errno in UNWRITTEN:
         cannot_write(error)
+    elif issubclass(kind, OSError) and error.filename is not None:
+        print(f"{NAME}: cannot read or write '{error.filename}': {error.strerror}", file=sys.stderr)
+    elif issubclass(kind, UnicodeDecodeError):
+        print(f"{NAME}: a file that should be text is none: {error}", file=sys.stderr)
     else:
         sys.__excepthook__(kind, error, trace)
 

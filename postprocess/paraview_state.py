@@ -14,7 +14,10 @@ import os
 import sys
 from pathlib import Path
 
-from paraview import simple
+try:
+    from paraview import simple
+except ImportError:
+    sys.exit("paraview_state.py: there is no ParaView in this Python; run it by pvpython, or open it in paraview")
 
 DISPLACEMENT, PRESSURE = "displacement_(m)", "pore_pressure_(Pa)"
 MOBILISED, DISSIPATED = "mobilised_strength_(1)", "dissipated_energy_(J_m3)"

@@ -23,9 +23,12 @@ from upbead.figures.stability import MEASURES, is_answered, measured, size, valu
 def read(path):
     try:
         with open(path, newline="", encoding="utf-8") as file:
-            return list(csv.DictReader(file))
+            rows = list(csv.DictReader(file))
     except OSError as error:
         raise UserError(f"cannot read '{path}': {error.strerror}") from error
+    if not rows or "verdict" not in rows[0]:
+        raise UserError(f"'{path}' is no table of stability_map: it has no rows with a verdict")
+    return rows
 
 
 def kind(message):

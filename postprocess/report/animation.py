@@ -92,26 +92,32 @@ def scrubbed(result):
 
 
 def summary(frames, result):
-    """The frames for JSON: 16-bit integers in base64 with the value of one step, and 8-bit colours."""
+    """The frames for JSON: 16-bit integers in base64 with the value of one step, and 8-bit colours.
+
+    Places are told from the corner of the picture: of survey coordinates (x = 441,871 m) 16 bits would hold steps of 13 m.
+    """
     scale = pressure_scale(frames)
     slip = bottom.as_a_whole(result, frames)
     largest = float(np.max(np.linalg.norm(frames.displacement, axis=2), initial=0.0))
     largest = max(largest, float(np.max(np.abs(slip), initial=0.0)) if slip is not None else 0.0)
-    box = [float(edge) for edge in (*extent(frames.points[:, 0]), *extent(frames.points[:, 1]))]
-    magnify = SHARE * (box[1] - box[0]) / largest if largest > 0 else 1.0
+    origin = frames.points.min(axis=0)
+    width, height = map(float, np.ptp(frames.points, axis=0))
+    box = [0.0, width, 0.0, height]
+    magnify = SHARE * width / largest if largest > 0 else 1.0
     magnify = ticks.step_for(magnify, 1) / 2 if magnify > 2 else 1.0
     return {
         "times": [float(f"{time:.6g}") for time in frames.times],
         "box": box,
+        "origin": origin.tolist(),
         "magnify": magnify,
         "scale": scale,
-        "points": coded(frames.points.T),
+        "points": coded((frames.points - origin).T),
         "cells": base64.b64encode(frames.cells.astype("<u4").tobytes()).decode(),
         "kinds": frames.kinds.tolist(),
         "displacement": coded(frames.displacement),
         "pressure": shades(frames.pressure / scale["limit"]),
         "strength": strength.summary(frames),
-        "fails": failing(result),
+        "fails": failing(result, origin),
         "bottom": bottom.contact(result, frames),
         "slip": None if slip is None else [float(f"{value:.5g}") for value in slip],
     }
@@ -124,19 +130,15 @@ def pressure_scale(frames):
     return {"limit": limit, "text": [f"{units.plain(value * factor)} {unit}" for value in (-limit, limit)], "colours": moment.COLOURS}
 
 
-def failing(result):
-    """The place at which the ground moves most as its strength is reduced, and a text about it."""
+def failing(result, origin):
+    """The place, from the origin, at which the ground moves most as its strength is reduced, and a text about it."""
     found = strength.failing(result.summary)
     if found is None:
         return None
     at, lower, upper = found
     least, most = (units.plain(value) if value else "" for value in (lower, upper))
     by = say("{least} to {most}", least=least, most=most) if least and most else least or most
-    return {"at": at, "text": say("where the ground moves most as it fails at rest, its strength divided by {factor}", factor=by)}
-
-
-def extent(values):
-    return values.min(), values.max()
+    return {"at": [float(place - corner) for place, corner in zip(at, origin)], "text": say("where the ground moves most as it fails at rest, its strength divided by {factor}", factor=by)}
 
 
 def coded(values):

@@ -5,10 +5,11 @@ import re
 import numpy as np
 
 from report import figure
-from report.language import listed, phrase, say, told
+from report.language import listed, phrase, say, sentences, told
 from report.markup import Markup, join, prose, symbol, tag
 from report.plot import Line, Panel, Plot
 from report.series import largest
+from report.units import quantity
 
 FORCES = [  # history, symbol, colour, panel
     ("normal_force", "ΔN", 0, "force"),
@@ -21,6 +22,8 @@ FORCES = [  # history, symbol, colour, panel
     ("heel_pressure", "p_heel", 0, "pressure"),
     ("interface/opened_width", "b_open", 1, "opened width"),
 ]
+SIGNS = {name: sign for name, sign, _, _ in FORCES}
+HIDDEN = {"heel_pressure": "peak_heel_pressure", "toe_pressure": "peak_toe_pressure"}  # history: its peak in the summary
 INNER = 0.9  # share of the width over which stresses are drawn
 ROUND_OFF = 1e-9
 SYMBOL_BEFORE = re.compile(r"^[A-Z]\w*'*, ")  # descriptions may begin with the symbol
@@ -40,10 +43,34 @@ def section(result):
         parts.append(figure.of_plot(over_width, width_caption(result)))
     else:
         parts.append(tag("p", say("This run has no pressures over the base (/base in results.h5)."), class_="quiet"))
+    told_of_edges = edges(result.summary.get("base") or {})
+    if told_of_edges:
+        parts.append(tag("p", told_of_edges))
     over_time = forces(result)
     if over_time:
         parts.append(figure.of_plot(over_time, explained(result)))
     return tag("section", *parts, id="base-section")
+
+
+def edges(summary):
+    """What the pressures under the edges are, and when the base lifts; empty without such numbers."""
+    if not any(key in summary for key in HIDDEN.values()):
+        return ""
+    words = [phrase("The pressures under the edges, $p_heel$ and $p_toe$, are those in motion, linear over the width in contact, and grow without bound as "
+                    "the resultant comes to the edge. The limit of 400 to 600 kPa was made for Goda's $p_e$ and is not held against them.")]  # fmt: skip
+    lifts = (summary.get("lifts") or {}).get("first_time")
+    if lifts is not None:
+        words.append(tag("strong", phrase("The base lifts, first at {time}.", time=quantity(lifts, "s")), class_="fails"))
+    for name, key in HIDDEN.items():
+        if key in summary and summary[key] is None:
+            words.append(phrase("{pressure} is not drawn, as the resultant leaves the base.", pressure=symbol(SIGNS[name])))
+    return sentences(words)
+
+
+def is_drawn(result, name):
+    """The pressure of an edge is a number only while the resultant is on the base."""
+    summary = result.summary.get("base") or {}
+    return f"/history/{name}" in result.file and not (name in HIDDEN and HIDDEN[name] in summary and summary[HIDDEN[name]] is None)
 
 
 def is_zero(result, values):
@@ -54,7 +81,7 @@ def is_zero(result, values):
 def forces(result):
     time, panels = np.asarray(result.time), {}
     for name, symbol, colour, panel in FORCES:
-        history = result.history(name) if f"/history/{name}" in result.file else None
+        history = result.history(name) if is_drawn(result, name) else None
         if history is not None and not is_zero(result, history):
             panels.setdefault(panel, Panel(history.unit, [], height=110)).lines.append(
                 Line(symbol, time, np.asarray(history), colour)
@@ -78,7 +105,7 @@ def width_caption(result):
 def explained(result):
     found = []
     for name, sign, _, _ in FORCES:
-        if f"/history/{name}" in result.file:
+        if is_drawn(result, name):
             history = result.history(name)
             about = prose(told(SYMBOL_BEFORE.sub("", history.description)))
             zero = say(", zero here") if is_zero(result, history) else ""

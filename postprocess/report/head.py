@@ -32,15 +32,9 @@ def card(name, value, below):
 
 
 def trust(warnings, *told):
-    """One line on the reliability of the results above, with a link to the warnings; `warnings`: their number, None
-    if these results have no list of them."""
-    parts = list(told)
-    if warnings is not None:
-        words = (
-            say("no warnings") if not warnings else say("1 warning") if warnings == 1 else say("{count} warnings", count=warnings)
-        )
-        parts.insert(0, tag("a", words, href="#quality", class_="warned" if warnings else None))
-    return tag("p", join(parts, " · "), class_="verdict") if parts else Markup("")
+    """One line on the reliability of the results above, with a link to the warnings; `warnings`: their number."""
+    words = say("no warnings") if not warnings else say("1 warning") if warnings == 1 else say("{count} warnings", count=warnings)
+    return tag("p", join([tag("a", words, href="#quality", class_="warned" if warnings else None), *told], " · "), class_="verdict")
 
 
 def appendix(*sections):

@@ -4,13 +4,22 @@ import math
 from dataclasses import dataclass
 
 from report import geometry, reference
-from report.language import say
+from report.language import say, told
 from report.source_case import PATHS
 from report.units import plain, pretty, scale
 
 # tables with the numbers meant by "all other numbers"
-PHYSICAL = ("mesh", "regions", "fluid", "loads", "initial", "sliding")
+PHYSICAL = ("mesh", "regions", "fluid", "loads", "initial", "sliding", "boundaries", "section", "limits", "waves", "sea", "storms", "scatter",
+            "levels", "ground", "duration", "combined")
 SWITCHES = ("degree", "refine", "direction", "factor")  # numbers in these tables that are no physical quantities
+# From where the program takes what is left out (src/case/case.cc), the first that the case has
+CONTACT = ("regions", "caisson", "interface", "coefficient")
+TAKEN_FROM = {
+    ("sliding", "friction"): (("section", "friction"), CONTACT),
+    ("sliding", "submerged_weight"): (("section", "submerged_weight"),),
+    CONTACT: (("sliding", "friction"), ("section", "friction")),
+}
+OLDER = {("sliding", "submerged_weight"): ("sliding", "buoyant_weight")}  # names that the program still reads
 
 
 @dataclass
@@ -43,7 +52,7 @@ def rows(case, source, units=None, known=None):
             key = reference.Key(unit, repr(default), what)
         if " or " in unit:  # for a load, by its kind
             unit = "N/m" if case["loads"][path[1]].get("kind", "force") == "force" else "Pa"
-        mark, remark = status(path, value, key, source)
+        mark, remark = status(path, value, key, source, case)
         found.append(Row(path, what or " ".join(path[2:]).replace("_", " "), value, unit, mark, remark))
     return [row for row in found if row.path != ("title",) and row.path[0] != "report"]
 
@@ -56,21 +65,30 @@ def leaves(table_, path=()):
             yield (*path, key), value
 
 
-def status(path, value, key, source):
+def status(path, value, key, source, case):
     """(where a value comes from, remark)."""
-    is_default = key is not None and key.is_default(value)
-    if source is None:
-        return ("default" if is_default else "given"), ""
-    written = source.value(path)
-    if written is None:
-        return ("default", "") if is_default else ("changed", say("set for this run"))
-    # a path is rewritten for the folder of results, a range is replaced by its values
-    same = written == value or path[-1] in PATHS or isinstance(written, dict)
-    if not same:
-        return "changed", say("set for this run; the case file has {value}", value=written_as(written, key.unit if key else ""))
-    is_number = isinstance(value, (int, float, list)) and not isinstance(value, bool)
-    mark, remark = source.mark(path, is_number, path[0] in PHYSICAL and path[-1] not in SWITCHES)
-    return mark or "given", remark
+    path = OLDER[path] if source and path in OLDER and source.value(OLDER[path]) is not None else path
+    written = source.value(path) if source else None
+    if written is not None:
+        # a path is rewritten for the folder of results, a range is replaced by its values
+        if written != value and path[-1] not in PATHS and not isinstance(written, dict):
+            return "changed", say("set for this run; the case file has {value}", value=written_as(written, key.unit if key else ""))
+        is_number = isinstance(value, (int, float, list)) and not isinstance(value, bool)
+        mark, remark = source.mark(path, is_number, path[0] in PHYSICAL and path[-1] not in SWITCHES)
+        return mark or "given", remark
+    origin = next((origin for origin in TAKEN_FROM.get(path, ()) if at(case, origin) == value), None)
+    if origin:
+        mark = status(origin, value, None, source, case)[0]
+        return "derived", say("taken from {key}, there: {mark}", key=".".join(origin), mark=told(mark))
+    if key is not None and key.is_default(value):
+        return "default", ""
+    return ("changed", say("set for this run")) if source else ("given", "")
+
+
+def at(case, path):
+    for part in path:
+        case = case.get(part) if isinstance(case, dict) else None
+    return case
 
 
 def written_as(value, unit):

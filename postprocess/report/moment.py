@@ -29,7 +29,7 @@ def draw(frames, told, index):
     def pixels(place):
         return np.column_stack([(place[:, 0] - x0) * scale, (y1 - place[:, 1]) * scale + AIR])
 
-    moved = pixels(frames.points + told["magnify"] * frames.displacement[index])
+    moved = pixels(frames.points - told["origin"] + told["magnify"] * frames.displacement[index])
     parts = []
     for kind in (fields.WATER, fields.GROUND, fields.RIGID):
         parts += cells(frames, told, index, moved, kind)

@@ -5,27 +5,26 @@ from report.language import heads, named, phrase, say, spoken, told
 from report.markup import Markup, join, prose, table, tag
 from report.units import percent, quantity
 from upbead import outputs
+from upbead import told as told_of
 
 
-def section(result):
-    summary = result.summary
+def section(summary):
+    """Of any summary: warnings, and what a run has of errors and soil."""
     return tag(
         "section",
         tag("h2", say("How far to trust these numbers")),
-        warnings(summary),
+        warnings(told_of.warnings(summary)),
         errors(summary),
         soil(summary),
         id="quality",
     )
 
 
-def warnings(summary):
-    found = summary.get("warnings") or []
+def warnings(found):
+    """`found`: [(name, text)]. The texts stand as the program has them, so that they can be looked for."""
     if not found:
         return tag("p", say("The program found nothing to warn of."))
-    items = (
-        tag("li", tag("strong", named(warning["name"])), ": ", prose(warning["text"])) for warning in found
-    )
+    items = (tag("li", tag("strong", named(name)), " ", tag("code", name), ": ", text) for name, text in found)
     return join([tag("h3", say("Warnings")), in_english(), tag("ul", *items, class_="warnings")])
 
 

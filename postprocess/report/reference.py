@@ -17,10 +17,10 @@ class Key:
     meaning: str
 
     def is_default(self, value):
-        """Whether a value is the default of the reference, in which texts without quotes are explanations, not
-        values."""
+        """Whether a value is the default of the reference. A text without quotes explains it, and may end in the value
+        where nothing else is given: "that of the contact, else 0.6"."""
         try:
-            return tomllib.loads("value = " + self.default.strip("`"))["value"] == value
+            return tomllib.loads("value = " + self.default.strip("`").rpartition(" else ")[2])["value"] == value
         except tomllib.TOMLDecodeError:
             return False
 

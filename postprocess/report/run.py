@@ -5,6 +5,7 @@ import platform
 import h5py
 import numpy as np
 
+from report import source_case
 from report.language import named, say, told
 from report.markup import Markup, fold, join, table, tag
 from report.units import quantity
@@ -52,7 +53,7 @@ def case_text(folder, source):
     path = folder / "case.toml"
     if source is not None:
         parts.append(
-            fold(say("The case as written: {file}", file=source.path.name), tag("pre", source.path.read_text(encoding="utf-8")))
+            fold(say("The case as written: {file}", file=source.path.name), tag("pre", source_case.shown(source.path)))
         )
     if path.is_file():
         parts.append(fold(say("The case with every default: {file}", file="case.toml"), tag("pre", path.read_text(encoding="utf-8"))))

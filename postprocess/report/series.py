@@ -27,5 +27,8 @@ def thinned(x, values, spans=SPANS):
 
 
 def rounded(values, digits=5):
-    """Numbers for JSON; 5 digits are more than a screen resolves."""
-    return [float(f"{value:.{digits}g}") for value in np.asarray(values, dtype=float)]
+    """Numbers for JSON; 5 digits of their extent are more than a screen resolves. Far from zero a number has more."""
+    values = np.asarray(values, dtype=float)
+    extent, size = (float(f(values)) if values.size else 0.0 for f in (np.ptp, largest))
+    digits += int(np.ceil(np.log10(size / extent))) if 0 < extent < size else 0
+    return [float(f"{value:.{min(digits, 17)}g}") for value in values]

@@ -1,37 +1,62 @@
 """Each check of the section with demand, capacity, margin and its assumption; levels and layers of the section."""
 
-from report.language import heads, named, phrase, say, told
+from report.language import heads, named, phrase, say, spaced, told
 from report.markup import Markup, join, prose, table, tag
 from report.units import plain, quantity
+from upbead import told as told_of
 
 FORMULAS = [
     ("sliding distance", "eq. (4) of Shimosako and Takahashi (1994): (W/g) x'' = F_T + mu U - mu W', x' >= 0; node by node Coulomb's law"),
     ("displacement with the ground", "residual displacement of the caisson on soil that yields, and S where it is bonded to it"),
     ("force against friction", "F_S = F_T + mu U against mu W'; slides where it is larger"),
-    ("heel and toe pressure", "Goda (2000), ch. 4: e = M'/N'; N'/B (1 + 6 e/B) for e <= B/6, else 2 N'/(3 t), t = B/2 - e"),
+    ("heel pressure p_e", "Goda (2000), ch. 4, under Goda's P and U: e = M'/N'; N'/B (1 + 6 e/B) for e <= B/6, else 2 N'/(3 t), t = B/2 - e"),
+    ("heel and toe pressure in motion", "the same under N' and M' of the caisson in motion: it grows without bound as the resultant nears the edge, and the limit of p_e was not made for it"),
     ("margin against overturning", "(W' t - M_U) over the wave's moment about the edge; Goda's where nothing moves"),
 ]
 
 
 def section(summary):
-    checks = summary.get("checks") or []
-    return tag("section", tag("h2", say("Checks")), verdicts(checks), id="sheet") if checks else Markup("")
+    """All checks of a summary, the worst first; each that fails, and why a verdict is void, in the program's words too."""
+    checks, void = told_of.checks(summary), told_of.void(summary)
+    if not checks and not void:
+        return Markup("")
+    parts = [failing(checks), verdicts(checks) if checks else ""]
+    return tag("section", tag("h2", say("Checks")), tag("p", void, class_="fails") if void else "", *parts, id="sheet")
+
+
+def failing(checks):
+    """A list of the checks that fail, worst first; empty if none does."""
+    items = [tag("li", told_of.check_text(check)) for check in checks if told_of.fails(check)]
+    return tag("ul", *items, class_="fails") if items else ""
 
 
 def verdicts(checks):
-    rows = []
-    for check in checks:
-        unit, holds = check["unit"], check["holds"]
-        fails = tag("strong", say("does not hold"), class_="fails")
-        verdict = say("no limit given") if holds is None else say("holds") if holds else fails
-        margin = "" if check["margin"] is None else plain(check["margin"], 3)
-        stands_on = "; ".join(map(told, (check.get("assumption") or "").split("; ")))
-        basis = join([tag("code", check["measure"]), prose("; " + stands_on) if stands_on else ""])
-        capacity = "" if check["capacity"] is None else quantity(check["capacity"], unit)
-        demand = say("without bound") if check["demand"] is None else quantity(check["demand"], unit)
-        rows.append((named(check["name"]), demand, capacity, margin, verdict, basis))
     head = heads("check", "demand", "capacity", "margin", "result", "measure and assumption")
-    return table(head, rows, "numbers wide sheet")
+    return table(head, [row(check) for check in checks], "numbers wide sheet")
+
+
+def row(check):
+    unit, margin = check.get("unit") or "", check.get("margin")
+    stands_on = "; ".join(map(told, (check.get("assumption") or "").split("; ")))
+    basis = join([tag("code", check["measure"]) if check.get("measure") else "", prose("; " + stands_on) if stands_on else ""])
+    capacity = "" if check.get("capacity") is None else quantity(check["capacity"], unit)
+    demand = quantity(check["demand"], unit) if check.get("demand") is not None else "" if check.get("why_not") or "failing" in check else say("without bound")
+    return name_of(check), demand, capacity, "" if margin is None else plain(margin, 3), result(check), basis
+
+
+def name_of(check):
+    """What is checked, by what, in which wave and at which level."""
+    where = [named(check["by"])] if check.get("by") else []
+    where += [spaced(check[key]) for key in ("wave", "level") if check.get(key)]
+    return join([named(check["name"]), f" ({', '.join(where)})" if where else ""])
+
+
+def result(check):
+    if told_of.fails(check):
+        return tag("strong", say("does not hold"), class_="fails")
+    if check.get("why_not"):
+        return join([say("not checked"), ": ", prose(told(check["why_not"]))])
+    return say("holds") if told_of.is_judged(check) else say("no limit given")
 
 
 def levels(case, outline):

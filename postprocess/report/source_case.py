@@ -1,26 +1,24 @@
 """The case as its author wrote it: the given keys and their comments.
 
-A comment that begins with one of MARKS, behind a key or behind the head of its table, states the source of the
-number:
+A comment with one of MARKS, behind a key or above it, or with the head of its table, states the source of the number:
 
     shear_modulus = 6.57e6  # calibrated: peak F_T / peak P = 0.75
-    [regions.mound]  # assumed
+    [regions.mound]  # rubble, assumed
 
 The sentence "All other numbers are assumed" (or another mark) in the comment at the head of the file applies to every
-number without a mark.
+number without a mark. Which words say so: remarks.py.
 """
 
-import re
 import tomllib
 from dataclasses import dataclass
 
+from report import remarks
+
 LARGEST = 10_000_000  # bytes; the limit of the program
-MARKS = ("assumed", "calibrated", "measured", "derived")
-PATHS = ("history", "gauges", "file")  # values that a run rewrites for its own folder
-TABLE = re.compile(r"^\[([^\[\]]+)\]\s*(?:#\s*(.*))?$")
-KEY = re.compile(r"^([\w.\"-]+)\s*=\s*(.*)$")
-MARK = re.compile(r"^(" + "|".join(MARKS) + r")\b[:,;.]?\s*", re.IGNORECASE)
-OTHERS = re.compile(r"\ball other numbers are (" + "|".join(MARKS) + r")\b", re.IGNORECASE)
+MARKS = tuple(remarks.WORDS)
+PATHS = ("history", "gauges", "file", "states", "model")  # values that a run rewrites for its own folder
+# What `upbead new` tells the author: nothing of it is for a client
+TEMPLATE = ("Complete it in an editor that reads TOML", "Written from a few numbers. What is marked")
 
 
 @dataclass
@@ -34,16 +32,15 @@ class SourceCase:
         """(mark, remark) of a key; mark is '' if there is none.
 
         A mark of a table holds for its numbers and files, that of the head for numbers that are physical quantities.
+        Of numbers that are none a word within the comment says nothing: "estimated error" of a tolerance.
         """
         remark = self.remarks.get(path, "")
         marks_its_table = is_number or path[-1] in PATHS
         for length in range(len(path), 0 if marks_its_table else len(path) - 1, -1):
-            comment = self.remarks.get(path[:length], "")
-            marked = MARK.match(comment)
-            if marked:
-                return marked[1].lower(), comment[marked.end() :] if length == len(path) else remark
-        others = OTHERS.search(" ".join(self.head.split()))
-        return others[1].lower() if others and is_number and is_physical else "", remark
+            mark, rest = remarks.marked(self.remarks.get(path[:length], ""), is_physical)
+            if mark:
+                return mark, rest if length == len(path) else remark
+        return remarks.of_the_rest(self.head) if is_number and is_physical else "", remark
 
     def value(self, path):
         """What the author wrote at a path, or None."""
@@ -53,53 +50,32 @@ class SourceCase:
         return found
 
 
-def comment_of(rest):
-    """The comment behind a value: what follows the first # outside quotes."""
-    quote = ""
-    for place, sign in enumerate(rest):
-        if quote:
-            quote = "" if sign == quote else quote
-        elif sign in "\"'":
-            quote = sign
-        elif sign == "#":
-            return rest[place + 1 :].strip()
-    return ""
-
-
-def parts(name):
-    return tuple(part.strip().strip('"') for part in name.split("."))
-
-
 def read(path):
     """The SourceCase of a file; raises ValueError or OSError if it is no TOML or no case."""
     if path.exists() and not path.is_file():
         raise ValueError("it is no file")  # reading a pipe could wait for ever
     if path.stat().st_size > LARGEST:
         raise ValueError(f"it holds more than {LARGEST // 1000000} MB")
-    text = path.read_text(encoding="utf-8")
-    remarks, table, head = {}, (), []
-    begun = False
-    for line in text.splitlines():
-        stripped = line.strip()
-        opened, key = TABLE.match(stripped), KEY.match(stripped)
-        begun = begun or bool(opened or key)
-        if opened:
-            table = parts(opened[1])
-            remarks[table] = opened[2] or ""
-        elif key:
-            remarks[table + parts(key[1])] = comment_of(key[2])
-        elif not begun and line.startswith("#"):
-            head.append(line.lstrip("# ").rstrip())
+    text = path.read_text(encoding="utf-8-sig")
     try:
-        return SourceCase(path, tomllib.loads(text), remarks, "\n".join(head))
+        values = tomllib.loads(text)
     except RecursionError as error:
         raise ValueError("it is nested too deeply") from error
+    found, head = remarks.read(text)
+    return SourceCase(path, values, found, "\n".join(line for line in head.split("\n") if not line.startswith(TEMPLATE)))
+
+
+def shown(path):
+    """The text of a case for a client: without lines for editors, and without those of the template."""
+    text = path.read_text(encoding="utf-8-sig")
+    lines = [line for line in text.splitlines() if not line.startswith("#:") and not line.lstrip("# ").startswith(TEMPLATE)]
+    return "\n".join(lines).strip("\n") + "\n"
 
 
 def units(path):
     """{path of a key: its unit}, from the comments that the program writes behind the values of case.toml."""
-    remarks = read(path).remarks if path.is_file() else {}
-    return {key: remark for key, remark in remarks.items() if remark}
+    found = remarks.read(path.read_text(encoding="utf-8"), behind_only=True)[0] if path.is_file() else {}
+    return {key: remark for key, remark in found.items() if remark}
 
 
 def find(case, folder):

@@ -1,10 +1,12 @@
 """The result of a run in plain sentences and three numbers, stated with no more certainty than the run has."""
 
+from report import judged
 from report.head import card, trust
-from report.language import listed, named, phrase, say, sentences, told
+from report.language import phrase, say, sentences, told
 from report.markup import Markup, prose, tag
 from report.measures import best
 from report.units import percent, quantity
+from upbead import told as told_of
 
 
 def section(result):
@@ -12,10 +14,11 @@ def section(result):
     return tag(
         "section",
         tag("h2", say("Verdict")),
+        judged.verdict(summary),
         tag("p", sentences([slides(result), shear(result)])),
-        tag("p", sentences([rests_on(summary), checked(summary), doubt(summary)])),
+        tag("p", rests_on(summary)),
         tag("div", *cards(result), class_="cards"),
-        trust(len(summary.get("warnings") or []), *error_of_peak(summary)),
+        trust(len(told_of.warnings(summary)), *error_of_peak(summary)),
         id="verdict",
     )
 
@@ -97,29 +100,6 @@ def rests_on(summary):
         if slip is not None:
             parts.append(phrase("That of $S$ by eq. (4) is estimated at {slip} at most.", slip=quantity(slip, "m")))
     return sentences(parts)
-
-
-def checked(summary):
-    """A sentence on the results of the checks against limits."""
-    checks = summary.get("checks") or []
-    asked = [check for check in checks if check["holds"] is not None]
-    failed = [check for check in asked if not check["holds"]]
-    if not asked:
-        return say("No check has a limit.") if checks else ""
-    if not failed:
-        return say("Of {asked} checks with a limit all hold.", asked=len(asked))
-    names = listed(named(check["name"]) for check in failed)
-    words = phrase("Checks beyond their limit, {failed} of {asked}: {names}.", asked=len(asked), failed=len(failed), names=names)
-    return tag("strong", words, class_="fails")
-
-
-def doubt(summary):
-    """A sentence on the warnings of the program, which make the statements above less certain."""
-    warnings = summary.get("warnings") or []
-    if not warnings:
-        return ""
-    names = listed(named(warning["name"]) for warning in warnings)
-    return tag("strong", phrase("The program warns of: {names}. All numbers here stand under these warnings.", names=names))
 
 
 def error_of_peak(summary):

@@ -1,7 +1,7 @@
 """Soil that yields: residual displacement of the caisson, energy taken by the soil, where it has yielded, and how
 certain that is."""
 
-from report import zones
+from report import numbers, zones
 from report.language import heads, phrase, say, told
 from report.markup import Markup, join, table, tag
 from report.measures import at
@@ -33,10 +33,11 @@ def section(result, window):
     """`window`: (x0, x1) near the caisson; an empty text if no soil yields."""
     summary = result.summary
     if not summary.get("nonlinear"):
-        return Markup("")
+        return at_rest(summary)
     return tag(
         "section",
         tag("h2", say("Soil that yields")),
+        stands(summary),
         residual(summary),
         slide(summary),
         strength(summary),
@@ -44,6 +45,18 @@ def section(result, window):
         drawn(result.folder, window),
         id="yielding",
     )
+
+
+def at_rest(summary):
+    """The section of ground whose strength was reduced, though nothing yields under the wave."""
+    found = stands(summary)
+    return tag("section", tag("h2", say("Ground at rest")), found, id="yielding") if found else Markup("")
+
+
+def stands(summary):
+    """All that is told of the state at rest: by how much the strength may be divided, and how it was found."""
+    parts = [numbers.alone(summary.get("safety"), ("safety",), "run"), numbers.alone(at(summary, "nonlinear.rest"), ("nonlinear", "rest"), "run")]
+    return join([tag("h3", say("State at rest")), *parts]) if any(parts) else Markup("")
 
 
 def residual(summary):

@@ -1,12 +1,12 @@
 """The results of `upbead calibrate`."""
 
-import json
 from pathlib import Path
 
 import numpy as np
 
 from .errors import UserError
 from .h5 import open_h5
+from .results import read_summary, require
 from .shown import Shown
 
 
@@ -15,13 +15,14 @@ class CalibrationResult(Shown):
 
     def __init__(self, folder):
         folder = Path(folder)
+        require(folder, "calibrate")
         try:
-            self.summary = json.loads((folder / "summary.json").read_text(encoding="utf-8"))
+            self.summary = read_summary(folder)
             self.models = self.summary["models"]
             self.given = self.summary["given"]
             with open_h5(folder / "results.h5") as file:
                 self.columns = {name: file[name][:] for name in file}
-        except (OSError, KeyError, json.JSONDecodeError) as error:
+        except (OSError, KeyError) as error:
             raise UserError(f"'{folder}' holds no results of 'upbead calibrate': {error}") from error
         self.model_of_row = np.array([name.decode() for name in self.columns["model"]])
 

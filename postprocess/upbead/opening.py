@@ -8,7 +8,7 @@ from .errors import UserError
 from .expected_result import ExpectedResult
 from .h5 import open_h5
 from .reduced_model import ReducedModel
-from .results import Result, read_summary
+from .results import Result, command_of
 from .slip_result import SlipResult
 from .study_table import StudyTable
 from .waves_result import read_waves
@@ -24,15 +24,9 @@ def open_result(folder):
     folder = Path(folder)
     if not folder.is_dir():
         raise UserError(f"there is no folder '{folder}'")
-    summary = read_summary(folder)
-    if (folder / "study.csv").is_file():
-        return StudyTable(folder)
-    if "waves" in summary and "section" in summary:
-        return read_waves(folder)
-    if "expected" in summary:
-        return ExpectedResult(folder)
-    if "models" in summary and "given" in summary:
-        return CalibrationResult(folder)
+    opened = {"study": StudyTable, "waves": read_waves, "expected": ExpectedResult, "calibrate": CalibrationResult}.get(command_of(folder))
+    if opened:
+        return opened(folder)
     return SlipResult(folder) if slips(folder / "results.h5") else Result(folder)
 
 

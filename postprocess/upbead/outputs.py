@@ -4,19 +4,35 @@ import json
 from functools import cache
 from pathlib import Path
 
-NAMED = ("loads", "gauges", "wave_loads", "measured")  # tables whose keys are names of the case
-
 
 @cache
 def known(command="run"):
     """{path: [unit, meaning]} of the summary that a command writes; paths in lists are "slips[].start", by names
     "loads.NAME.arm"."""
-    return json.loads((Path(__file__).parent / "outputs.json").read_text(encoding="utf-8"))[command]
+    return json.loads((Path(__file__).parent / "outputs.json").read_text(encoding="utf-8")).get(command, {})
+
+
+@cache
+def with_names(command):
+    """[(parts of a path, whether nothing is declared below it, [unit, meaning])] of the paths with names of the case."""
+    found = [(tuple(path.replace("[]", "").split(".")), row) for path, row in known(command).items()]
+    above = {parts[:-1] for parts, _ in found}
+    return [(parts, parts not in above, row) for parts, row in found if any(part.isupper() for part in parts)]
 
 
 def row(path, command="run"):
-    first, *_, last = path.split(".")
-    return known(command).get(path) or known(command).get(f"{first}.NAME.{last}" if first in NAMED else "", ["", ""])
+    """[unit, meaning] of a key; `path` with dots, or its parts."""
+    parts = tuple(path.split(".")) if isinstance(path, str) else tuple(path)
+    for joined in (".".join(parts), ".".join(parts) + "[]"):
+        if joined in known(command):
+            return known(command)[joined]
+    return next((row for declared, is_last, row in with_names(command) if fits(parts, declared, is_last)), ["", ""])
+
+
+def fits(parts, declared, is_last):
+    """Whether a path is a declared one, or lies below the last name that is declared."""
+    length = len(parts) == len(declared) or (is_last and declared[-1].isupper() and len(parts) > len(declared))
+    return length and all(name.isupper() or name == part for part, name in zip(parts, declared))
 
 
 def unit(path, command="run"):

@@ -41,6 +41,31 @@ def read_case(folder):
         raise UserError(f"'{path}' is no TOML: {error}") from error
 
 
+def command_of(folder):
+    """The command of the program that wrote the results of a folder, or None."""
+    folder, summary = Path(folder), read_summary(folder) if Path(folder).is_dir() else {}
+    for command, is_it in (
+        ("study", (folder / "study.csv").is_file()),
+        ("waves", isinstance(summary.get("waves"), dict) and "section" in summary),
+        ("expected", "expected" in summary),
+        ("calibrate", "models" in summary and "given" in summary),
+        ("run", (folder / "results.h5").is_file()),
+        ("respond", (folder / "responses.h5").is_file()),
+        ("reduce", (folder / "reduced.h5").is_file()),
+    ):
+        if is_it:
+            return command
+    return None
+
+
+def require(folder, command):
+    """Raises UserError where a folder has no results of this command, and says whose it has."""
+    found = command_of(folder)
+    if found != command:
+        whose = f"but those of 'upbead {found}'" if found else "nor of another command: give the folder that it wrote"
+        raise UserError(f"'{folder}' holds no results of 'upbead {command}', {whose}")
+
+
 class Result(Shown, Mapping):
     """The histories and tables of one run; a mapping of the histories by their paths below /history.
 
@@ -53,9 +78,11 @@ class Result(Shown, Mapping):
         self.folder = folder = Path(folder)
         if not folder.is_dir():
             raise UserError(f"there is no folder '{folder}'")
-        path = folder / "results.h5"
+        path, whose = folder / "results.h5", command_of(folder)
         if not path.is_file():
-            raise UserError(f"'{folder}' has no results.h5: is it the folder of a finished run?")
+            told = f"it holds results of 'upbead {whose}'" if whose else "is it the folder of a finished run?"
+            raise UserError(f"'{folder}' has no results.h5: {told}")
+        require(folder, "run")
         try:
             self.file = open_h5(path)
         except OSError as error:

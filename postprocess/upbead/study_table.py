@@ -8,7 +8,7 @@ import numpy as np
 
 from .errors import UserError
 from .h5 import open_h5
-from .results import read_summary, text_of
+from .results import read_summary, require, text_of
 from .shown import Shown
 
 
@@ -17,6 +17,7 @@ class StudyTable(Shown):
 
     def __init__(self, folder):
         self.folder = Path(folder)
+        require(folder, "study")
         try:
             with open(self.folder / "study.csv", newline="", encoding="utf-8") as file:
                 reader = csv.DictReader(file)

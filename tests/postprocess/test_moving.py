@@ -4,6 +4,7 @@ usage: test_moving.py FOLDER_OF_THE_SCRIPTS
 """
 
 import base64
+import dataclasses
 import re
 import sys
 import tempfile
@@ -19,6 +20,7 @@ sys.path.insert(0, str(SCRIPTS))
 
 from report import animation, bottom, frames, moment, strength  # noqa: E402
 from report.frames import GROUND, RIGID, Frames  # noqa: E402
+from report.plot import Line, Panel, Plot  # noqa: E402
 from upbead.results import Result  # noqa: E402
 
 TIME = np.linspace(0.0, 1.0, 11)
@@ -55,6 +57,43 @@ def write(folder, interface=True, coupled=False):
         if coupled:
             file["coupled/time"], file["coupled/slip"] = [0.0, 1.0], [0.0, 0.2]
     return Result(folder)
+
+
+class Survey(unittest.TestCase):
+    """Pictures of a section in survey coordinates are those of the same section about the origin."""
+
+    PLACES = (np.array([441871.6, 6329700.7]), np.array([-3.2e6, 12.5]))
+
+    def test_the_section_and_its_contact(self):
+        with tempfile.TemporaryDirectory() as folder:
+            result = write(Path(folder))
+            here = section()
+            wanted = animation.summary(here, result)
+            drawn = moment.draw(here, wanted, 1)
+            for place in self.PLACES:
+                result.file.close()
+                with h5py.File(Path(folder) / "results.h5", "a") as file:
+                    file["interface/position"][:] = X + place[0]
+                result = Result(Path(folder))
+                there = dataclasses.replace(here, points=here.points + place)
+                told = animation.summary(there, result)
+                for name, values in wanted.items():
+                    if name not in ("points", "origin", "magnify"):
+                        self.assertEqual(told[name], values, name)
+                self.assertAlmostEqual(told["points"]["step"] / wanted["points"]["step"], 1.0, places=6)
+                self.assertEqual(re.sub("-0.0", "0.0", moment.draw(there, told, 1)), re.sub("-0.0", "0.0", drawn))
+
+    def test_where_it_fails(self):
+        summary = {"safety": {"lower": 0.8, "upper": 0.82, "fails_at": "region 'seabed' at (441871.1, 6329700.2) m"}}
+        told = animation.failing(types.SimpleNamespace(summary=summary), self.PLACES[0])
+        np.testing.assert_allclose(told["at"], [-0.5, -0.5], atol=1e-6)
+
+    def test_plots_over_places(self):
+        x = np.linspace(0.0, 0.2, 9)
+        for shift in (0.0, 441871.6, -6.3e6):
+            told = Plot("p", [Panel("Pa", [Line("a", x + shift, x)])], axis=("position", "m")).data()
+            factor = 1000.0 if told["symbol"][1] == "mm" else 1.0
+            np.testing.assert_allclose(np.diff(told["panels"][0]["lines"][0]["x"]) / factor, 0.025, rtol=1e-3)
 
 
 class Moving(unittest.TestCase):

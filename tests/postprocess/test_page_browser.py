@@ -138,9 +138,18 @@ class Page(unittest.TestCase):
 
     def test_a_weight_that_is_not_the_models_is_noted(self):
         self.show()
-        self.assertEqual(self.browser.value("document.querySelector('.notes').textContent"), "")
+        self.assertNotIn("those of the case's own W′", self.browser.value("document.querySelector('.notes').textContent"))
         self.call(TYPE, "weight", "3000")
         self.assertIn("those of the case's own W′", self.browser.value("document.querySelector('.notes').textContent"))
+
+    def test_it_says_when_the_base_lifts(self):
+        notes = "document.querySelector('.notes').textContent"
+        self.show()
+        for peak, lifts in (("100", False), ("20000", True)):
+            self.assertEqual(self.call(TYPE, "peak", peak), "")
+            self.assertEqual("The base lifts, first its seaward edge" in self.browser.value(notes), lifts, peak)
+            self.assertEqual(self.call(NUMBER, "base_lifts") is not None, lifts)
+            self.assertIn("made for pe by Goda", self.browser.value(notes))
 
     def test_a_record(self):
         text = "zeit (ms);F (kN/m)\n13,5;0\n80;2500,5\n95;1000\n300;0\n"

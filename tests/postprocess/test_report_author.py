@@ -15,7 +15,7 @@ import numpy as np
 SCRIPTS = Path(sys.argv[1]) if len(sys.argv) > 1 else Path(__file__).parents[2] / "postprocess"
 sys.path.insert(0, str(SCRIPTS))
 
-from report import author, friction, logo, verdict  # noqa: E402
+from report import author, friction, judged, logo, verdict  # noqa: E402
 from report.markup import join  # noqa: E402
 from upbead.errors import UserError  # noqa: E402
 
@@ -109,7 +109,7 @@ class Answer(unittest.TestCase):
 
     def told(self, summary, has_caisson=True):
         result = SimpleNamespace(summary=summary, has_caisson=has_caisson)
-        words = join([verdict.slides(result), " ", verdict.shear(result), " ", verdict.rests_on(summary), verdict.checked(summary), verdict.doubt(summary)])
+        words = join([verdict.slides(result), " ", verdict.shear(result), " ", verdict.rests_on(summary), judged.verdict(summary)])
         return html.unescape(re.sub(r"<[^>]*>", "", words)).replace("\u00a0", " ")
 
     RESPONSE = {"peak_shear": 634570.1, "peak_force": 1.6e6, "shear_to_force_ratio": 0.39661, "error_estimate": None}

@@ -10,6 +10,7 @@ from report.markup import Markup, join, table, tag
 from report.plot import Line, Panel, Plot
 from report.units import plain, quantity
 
+COMMAND = "calibrate"
 KIND = "Report of a calibration by upbead"
 QUESTION = "Which k(alpha*) makes tau_0 = k tau_0F slide the caisson as far as its own dynamics do?"
 MEASURE = "exact"

@@ -2,15 +2,18 @@
 
 import numpy as np
 
-from report import figure
+from report import figure, numbers
 from report.head import card
 from report.kinds.frame import result_section
-from report.language import heads, phrase, say
-from report.markup import Markup, join, prose, table, tag
+from report.language import heads, phrase, say, sentences, told
+from report.markup import join, prose, table, tag
 from report.measures import at
 from report.plot import Line, Panel, Plot
 from report.units import percent, quantity
+from upbead import outputs
 
+COMMAND = "expected"
+ROUTES = ("by_formulas", "by_dynamics")
 KIND = "Report of an expected sliding distance by upbead"
 QUESTION = "How far do the waves of these sea states slide the caisson over the years?"
 LAWS = {  # best first
@@ -36,24 +39,56 @@ def verdict(result):
         if slide is not None:
             years = say("in {years} years", years=f"{expected['years']:g}")
             cards.append(card(say("waves that slide the caisson"), quantity(slide, digits=3), years))
-    if lives:
-        words.append(of_lives(lives))
-        cards.append(card(say("95 % of the lives stay below"), quantity(at(lives, "quantiles").get("0.95"), "m", digits=3), span(lives)))
-    if expected:
-        words.append(limit(expected["limit"]))
+    routes = routes_of(lives)
+    words += [of_lives(found) for found in routes]
+    words += [of_base(found) for found in routes]
+    if routes:
+        words.append(headline_of(lives))
+        cards.append(card(say("mean sliding distance of a life"), quantity(routes[0].get("mean"), "m", digits=3), say(LAWS.get(routes[0].get("law"), ""))))
+        cards.append(card(say("95 % of the lives stay below"), quantity(at(routes[0], "quantiles").get("0.95"), "m", digits=3), span(routes[0])))
+    words.append(limit((expected or lives or {}).get("limit")))
     return words, cards
 
 
 def chosen(expected):
-    """The most detailed law that the results have, and its distance."""
-    return next(((law, expected[f"distance_{law}"]) for law in LAWS if expected.get(f"distance_{law}") is not None), (None, None))
+    """The law of the headline and its distance: the program's, else the largest, as no law is surer than another."""
+    head = expected.get("headline")
+    if head:
+        return head.get("law"), head.get("value")
+    found = [(expected[f"distance_{law}"], law) for law in LAWS if expected.get(f"distance_{law}") is not None]
+    return max(found)[::-1] if found else (None, None)
+
+
+def routes_of(lives):
+    """The lives of every route that was gone, by formulas and by own dynamics: the one with the largest mean first."""
+    if not lives:
+        return []
+    found = [lives, *(lives[route] for route in ROUTES if lives.get(route))]
+    return sorted(found, key=lambda one: -(one.get("mean") or 0.0))
+
+
+def headline_of(lives):
+    why = (lives.get("headline") or {}).get("why")
+    return prose(told(why[:1].upper() + why[1:].rstrip(".") + ".")) if why else ""
+
+
+def of_base(lives):
+    """Sentences on how many lives go beyond the limits of pressure and margin."""
+    parts = []
+    for key, found in (lives.get("base") or {}).items():
+        if isinstance(found, dict) and (found.get("probability") or 0) > 0:
+            words = "In {share} of the lives the {what} goes beyond its limit of {limit}."
+            bound = quantity(found["limit"], outputs.unit(("monte_carlo", "base", key, "limit"), COMMAND))
+            beyond = phrase(words, share=percent(found["probability"]), what=told(key.replace("_", " ")), limit=bound)
+            parts.append(tag("strong", beyond, class_="fails"))
+    return sentences(parts)
 
 
 def sentence_of(expected, law, distance):
     if distance is None:
         return say("The run tells no expected sliding distance.")
     words = "In {years} years the waves of the record are expected to slide the caisson about {distance}, by this law: {law}."
-    return phrase(words, years=f"{expected['years']:g}", distance=quantity(distance, "m", digits=3), law=say(LAWS[law]))
+    return phrase(words, years=f"{expected['years']:g}", distance=quantity(distance, "m", digits=3), law=say(LAWS.get(law, law or "")))
 
 
 def between_laws(expected):
@@ -83,10 +118,12 @@ def limit(kind):
 
 
 def of_lives(lives):
+    if lives.get("mean") is None:
+        return ""
     low, high = (quantity(end, "m", digits=3) for end in lives["confidence_interval"])
-    words = "The mean of {count} lives drawn at random, of {years} years each, is {mean} (95 % interval {low} to {high})."
+    words = "The mean of {count} lives drawn at random, of {years} years each, is {mean} (95 % interval {low} to {high}), by this law: {law}."
     return phrase(words, count=f"{lives['lives']:,}", years=f"{lives['years']:g}", low=low, high=high,
-                  mean=quantity(lives["mean"], "m", digits=3))  # fmt: skip
+                  mean=quantity(lives["mean"], "m", digits=3), law=say(LAWS.get(lives.get("law"), lives.get("law") or "")))  # fmt: skip
 
 
 def span(lives):
@@ -99,9 +136,15 @@ def sections(result):
         result_section("Sea states", "loads", states(expected), exceedance(result.summary)),
         result_section("Response", "response-section", by_height(result)),
         result_section("Expected sliding by every law", "sliding", laws(expected)),
-        result_section("Lives", "lives", quantiles(lives), beyond(lives)),
-        result_section("Checks", "sheet", base(expected)),
+        result_section("Base in the highest wave", "base-section", numbers.alone((expected or {}).get("base"), ("expected", "base"), COMMAND)),
+        result_section("Lives", "lives", by_life(result), *(of_route(found) for found in routes_of(lives))),
     ]
+
+
+def of_route(lives):
+    """All numbers of the lives by one law."""
+    law = lives.get("law")
+    return join([tag("h3", say(LAWS[law])) if law in LAWS else "", numbers.alone(lives, ("monte_carlo",), COMMAND, ROUTES)])
 
 
 def states(expected):
@@ -140,6 +183,16 @@ def by_height(result):
     return figure.of_plot(plot, say("Over the height of the waves: how many come, how far one slides the caisson, and which heights bring the sliding."))
 
 
+def by_life(result):
+    """Share of the lives that slide at least so far; empty where none slides."""
+    distance = np.sort(result.lives)
+    if not distance.any():
+        return ""
+    line = Line(say("share of the lives"), np.repeat(distance, 2), np.repeat(1.0 - np.arange(distance.size + 1) / distance.size, 2)[1:-1], 2)
+    plot = Plot("lives-plot", [Panel("", [line], height=170)], axis=(say("sliding distance of a life"), "m"))
+    return figure.of_plot(plot, say("Share of the lives that slide at least so far."))
+
+
 def laws(expected):
     if not expected:
         return ""
@@ -150,39 +203,3 @@ def laws(expected):
         if expected.get(f"distance_{law}") is not None
     ]  # fmt: skip
     return table(heads("law", "$E(S)$", "slides from H", "waves that slide", "error of the quadrature"), rows, "numbers")
-
-
-def quantiles(lives):
-    if not lives:
-        return ""
-    rows = [(percent(float(share)), quantity(value, "m")) for share, value in lives["quantiles"].items()]
-    return table(heads("share of the lives", "$S$ not above"), rows, "numbers")
-
-
-def beyond(lives):
-    if not lives or not lives.get("probability"):
-        return ""
-    rows = []
-    for bound, found in lives["probability"].items():
-        between = join([percent(end) for end in found["confidence_interval"]], " – ")
-        rows.append((quantity(float(bound), "m"), percent(found["value"]), between))
-    return table(heads("$S$ above", "probability", "95 % interval"), rows, "numbers")
-
-
-def base(expected):
-    """Edge pressures under the highest wave."""
-    found = at(expected or {}, "base.goda")
-    if not found:
-        return ""
-    rows = [
-        (say("heel pressure"), pressure(found["peak_heel_pressure"])),
-        (say("toe pressure"), pressure(found["peak_toe_pressure"])),
-        (say("eccentricity"), quantity(found["largest_eccentricity"], "m")),
-        (say("margin against overturning"), quantity(found["least_overturning_margin"])),
-    ]
-    height = phrase("In the highest wave of the worst sea state, {height} high, by Goda's formulas:", height=quantity(expected["base"]["height"], "m"))
-    return join([tag("p", height), table(heads("check", "demand"), rows, "numbers")])
-
-
-def pressure(value):
-    return Markup(prose(say("none: the resultant leaves the base"))) if value is None else quantity(value, "Pa")

@@ -12,8 +12,10 @@ from report.units import plain, quantity
 from upbead import outputs
 from upbead.study_axes import default_axes, is_drawn, rank_correlation
 
+COMMAND = "study"
 KIND = "Report of a study by upbead"
 QUESTION = "How do the answers depend on the keys that were varied?"
+FLAGS = ("checks_failing", "warnings")  # columns of every study
 MOST_LINES = 6  # as many colours
 MOST_ROWS = 400
 SHARES = (5, 50, 95)
@@ -118,7 +120,7 @@ def spread(study):
 
 def runs(study):
     """A table of all runs that can be folded."""
-    names = [*study.keys, *study.reads]
+    names = [*study.keys, *study.reads, *(name for name in FLAGS if name in study.columns)]
     rows = [(row["run"], *(cell(study, name, row[name]) for name in names)) for row in study.rows[:MOST_ROWS]]
     head = [say("run"), *(tag("code", name) for name in names)]
     count = say("{count} runs one by one", count=len(rows))

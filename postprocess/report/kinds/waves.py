@@ -1,14 +1,16 @@
 """The document of waves on a section: pressures and forces by Goda's formulas, safety and sliding of each wave."""
 
+from report import numbers
 from report.canvas import Canvas
 from report.drawing import metres
 from report.figure import of_drawing
 from report.head import card
 from report.kinds.frame import result_section
-from report.language import heads, phrase, say, spaced
-from report.markup import Markup, join, table, tag, text
+from report.language import listed, phrase, say, spaced
+from report.markup import join, tag
 from report.units import plain, quantity
 
+COMMAND = "waves"
 KIND = "Report of wave forces by upbead"
 QUESTION = "Which pressures and forces do these waves bring to the caisson, and does it hold?"
 MOST_DRAWN = 4
@@ -17,72 +19,91 @@ SLOPE = 2.0  # of the mound in the drawing
 
 def verdict(summary):
     waves = summary["waves"]
-    sliding = min(waves, key=lambda name: waves[name]["safety_sliding"])
-    turning = min(waves, key=lambda name: waves[name]["safety_overturning"])
-    words = [verdict_of("sliding", sliding, waves[sliding]["safety_sliding"]), verdict_of("overturning", turning, waves[turning]["safety_overturning"])]
-    worst = max(waves, key=lambda name: waves[name]["sliding_exact"] or 0.0)
-    distance = waves[worst]["sliding_exact"]
+    sliding, turning = least(waves, "safety_sliding"), least(waves, "safety_overturning")
+    words = [verdict_of("sliding", *sliding), verdict_of("overturning", *turning)]
+    distance, where = largest(waves, "sliding_exact")
     if distance:
-        words.append(phrase("The wave {name} slides it about {distance} by eqs. (4) and (6).", name=spaced(worst), distance=quantity(distance, "m", digits=3)))
+        words.append(phrase("The wave {name} slides it about {distance} by eqs. (4) and (6).", name=where, distance=quantity(distance, "m", digits=3)))
     words.append(say("These are formulas: neither the ground nor the course of a measured wave is in them."))
-    largest = max(waves, key=lambda name: waves[name]["force"])
+    force, wave = largest(waves, "force")
     cards = [
-        card(phrase("largest force $P$"), quantity(waves[largest]["force"], "N/m"), spaced(largest)),
-        card(say("least safety against sliding"), quantity(waves[sliding]["safety_sliding"], digits=3), spaced(sliding)),
-        card(say("least safety against overturning"), quantity(waves[turning]["safety_overturning"], digits=3), spaced(turning)),
+        card(phrase("largest force $P$"), quantity(force, "N/m"), wave),
+        card(say("least safety against sliding"), quantity(sliding[0], digits=3), sliding[1]),
+        card(say("least safety against overturning"), quantity(turning[0], digits=3), turning[1]),
     ]
     return words, cards
 
 
-def verdict_of(what, name, safety):
+def least(waves, key):
+    """(the least value of a key, whose it is) over all waves, levels, crests and troughs."""
+    return min(values(waves, key))
+
+
+def largest(waves, key):
+    return max(values(waves, key))
+
+
+def values(waves, key):
+    found = []
+    for name, wave in waves.items():
+        for path, value in numbers.leaves({part: inner for part, inner in wave.items() if part != "governing"}):
+            if path[-1] in (key, f"trough_{key}") and "without_alpha_I" not in path and isinstance(value, (int, float)):
+                found.append((value, whose(name, path)))
+    return found or [(None, "")]
+
+
+def whose(name, path):
+    """The wave, its level, and whether it is the standing wave and its trough."""
+    place = [spaced(path[path.index("levels") + 1])] if "levels" in path else []
+    place += [say("standing wave")] if "standing" in path else []
+    place += [say("its trough")] if path[-1].startswith("trough") else []
+    return listed([spaced(name), *place])
+
+
+def verdict_of(what, safety, name):
     words = {
         ("sliding", True): "The caisson holds against sliding: the least safety factor is {safety}, in the wave {name}.",
         ("sliding", False): "The caisson does not hold against sliding: the safety factor is {safety} in the wave {name}.",
         ("overturning", True): "It holds against overturning: the least safety factor is {safety}, in the wave {name}.",
         ("overturning", False): "It does not hold against overturning: the safety factor is {safety} in the wave {name}.",
     }
-    told = phrase(words[what, safety >= 1], safety=quantity(safety, digits=3), name=spaced(name))
+    if safety is None:
+        return ""
+    told = phrase(words[what, safety >= 1], safety=quantity(safety, digits=3), name=name)
     return told if safety >= 1 else tag("strong", told, class_="fails")
 
 
 def sections(summary):
-    waves = summary["waves"]
     return [
-        result_section("Section and pressures", "section", *(drawn(summary["section"], name, waves[name]) for name in list(waves)[:MOST_DRAWN])),
-        result_section("Loads", "loads", pressures(waves)),
-        result_section("Checks", "sheet", checks(waves)),
+        result_section("Section and pressures", "section", *(drawn(*one) for one in shown(summary)[:MOST_DRAWN])),
+        result_section("Loads and safety", "loads", *tables(summary["waves"])),
     ]
 
 
-def pressures(waves):
-    keys = (("H", "height", "m"), ("T", "period", "s"), ("alpha*", "alpha_star", ""), ("$p_1$", "p1", "Pa"), ("$p_3$", "p3", "Pa"),
-            ("$p_4$", "p4", "Pa"), ("$p_u$", "pu", "Pa"), ("P", "force", "N/m"), ("$M_P$", "force_moment", "N m/m"), ("U", "uplift", "N/m"))  # fmt: skip
-    return beside({phrase(sign): [quantity(wave[key], unit) for wave in waves.values()] for sign, key, unit in keys}, waves)
+def at_levels(wave):
+    """[(level, the wave there)], the one with the least safety against sliding first; without levels the wave alone."""
+    levels = (wave.get("levels") or {}).items()
+    return sorted(levels, key=lambda pair: pair[1]["safety_sliding"]) or [("", wave)]
 
 
-def checks(waves):
-    rows = {
-        say("safety, sliding"): [quantity(wave["safety_sliding"], digits=3) for wave in waves.values()],
-        say("safety, overturning"): [quantity(wave["safety_overturning"], digits=3) for wave in waves.values()],
-        say("heel pressure"): [heel(wave["heel_pressure"]) for wave in waves.values()],
-    }
-    for sign, key, unit in (("$τ_0$", "tau_0", "s"), ("$S$, eq. (7)", "sliding_paper", "m"), ("$S$, eqs. (4), (6)", "sliding_exact", "m"),
-                            ("$S$, combined (1998)", "sliding_combined", "m")):  # fmt: skip
-        rows[phrase(sign)] = [quantity(wave[key], unit) for wave in waves.values()]
-    return beside(rows, waves)
+def shown(summary):
+    """[(section, name, wave)], each wave at the level that governs its sliding."""
+    found = []
+    for name, wave in summary["waves"].items():
+        level, there = at_levels(wave)[0]
+        found.append((there.get("section", summary["section"]), f"{name} at {level}" if level else name, there))
+    return found
 
 
-def beside(rows, waves):
-    """A column for each wave; if there are many, a row for each."""
-    names = [Markup(text(spaced(name))) for name in waves]
-    if len(names) <= MOST_DRAWN:
-        return table(heads("quantity", *names), [(name, *cells) for name, cells in rows.items()], "numbers")
-    return table(heads("wave", *map(Markup, rows)), list(zip(names, *rows.values())), "numbers")
-
-
-def heel(value):
-    """The heel pressure; a negative value has no meaning, as the resultant is then outside the bottom."""
-    return quantity(value, "Pa") if value is not None and value >= 0 else Markup(say("none: the resultant leaves the base"))
+def tables(waves):
+    """All numbers: the waves side by side, or where there are levels a table of them for each wave."""
+    if not any(wave.get("levels") for wave in waves.values()):
+        return [numbers.beside(waves, ("waves", "NAME"), COMMAND)]
+    parts = []
+    for name, wave in waves.items():
+        parts += [tag("h3", spaced(name)), numbers.beside(dict(at_levels(wave)), ("waves", "NAME", "levels", "LEVEL"), COMMAND),
+                  numbers.alone(wave.get("governing"), ("waves", "NAME", "governing"), COMMAND)]  # fmt: skip
+    return parts
 
 
 def drawn(section, name, wave):
@@ -112,7 +133,7 @@ def drawing(section, wave, width, class_):
     canvas.add(outline(canvas, wall(wave, top, base, reach), "pressure"))
     canvas.add(outline(canvas, wall(wave["without_alpha_I"], top, base, reach), "pressure other"))
     canvas.add(outline(canvas, [(0, -base), (B, -base), (0, -base - reach * wave["pu"])], "pressure"))
-    values(canvas, wave, top, base, reach, crest, B)
+    corners(canvas, wave, top, base, reach, crest, B)
     canvas.across(0, B, crest, metres(B), -10)
     canvas.upright(B + 0.6, -base, crest, metres(base + crest))
     return canvas.svg(say("pressures of the wave on the section"), class_)
@@ -132,7 +153,7 @@ def named_value(key, wave):
     return tag("tspan", key[0], class_="i"), tag("tspan", key[1], class_="sub", dy=3), tag("tspan", number, dy=-3)
 
 
-def values(canvas, wave, top, base, reach, crest, section_width):
+def corners(canvas, wave, top, base, reach, crest, section_width):
     """The numbers at the corners of the diagram."""
     for key, y, dy in (("p4", top, -5), ("p1", 0.0, -5), ("p3", -base, 12)):
         canvas.text(-reach * wave[key], y, *named_value(key, wave), anchor="end", dx=-4, dy=dy)

@@ -19,6 +19,8 @@ def expected(results, laws=None):
     """
     if len(results) > len(STYLES):
         raise UserError(f"at most {len(STYLES)} folders can be told apart in one figure")
+    if not all(result.height.size for result in results):
+        return of_lives(results)
     laws = laws or list(LAWS)
     n = 3 if all(result.shear is None for result in results) else 4
     figure, panels = subplots(n, 1, figsize=(6.3, 2.5 * n), layout="constrained")
@@ -43,6 +45,24 @@ def expected(results, laws=None):
         draw_ratios(panels[3], results, last)
     for axes in panels:
         axes.set_xlabel("height of the wave (m)")
+    figure.suptitle(plain(results[0].summary["title"]) if len(results) == 1 else "", fontsize=9)
+    return figure
+
+
+def of_lives(results):
+    """Share of the lives that slide farther, over S: storms were drawn for lives, and there is no record of heights."""
+    if not all(result.lives.size for result in results):
+        raise UserError("only some of these results have a record of sea states: draw those of [storms] apart")
+    figure, axes = subplots(1, 1, figsize=(6.3, 3.2), layout="constrained")
+    for result, style in zip(results, STYLES):
+        distance = np.sort(result.lives)
+        share = 1.0 - np.arange(distance.size) / distance.size
+        axes.step(np.append(0.0, distance), np.append(1.0, share), style, where="pre", label=plain(result.name))
+    axes.set(xlabel="sliding distance S of a life (m)", ylabel="share of the lives\nthat slide at least so far", ylim=(0, 1))
+    if not any(result.lives.any() for result in results):
+        axes.annotate("Nothing slides: no wave is high enough.", (0.02, 0.92), xycoords="axes fraction", va="top")
+    if len(results) > 1:
+        axes.legend(fontsize=7)
     figure.suptitle(plain(results[0].summary["title"]) if len(results) == 1 else "", fontsize=9)
     return figure
 
@@ -87,7 +107,7 @@ def draw_heights(axes, results):
     axes.set_yscale("log")
     axes.set_ylim(bottom=1e-2)
     axes.set_ylabel("waves a metre of height")
-    asked = sorted(result.summary["exceedance"].values(), key=lambda found: found["height"])
+    asked = sorted((result.summary.get("exceedance") or {}).values(), key=lambda found: found["height"])
     for found in asked:
         right = found is asked[-1]  # the other labels are left of their lines
         axes.axvline(found["height"], color="0.4", linewidth=0.8)

@@ -26,10 +26,12 @@ function overturningMargin(base, n, side) {
 }
 
 // base: {width, weight, weightMoment, U, uplifting: M_U, N, M}. A peak is null where the resultant leaves the base there,
-// the margin where nothing overturns.
+// the margin where nothing overturns. `lifts`: index of the first time at which an edge lifts, as the resultant is out of
+// the middle third, or null; -1 is the seaward edge, 1 the landward one, 0 the whole base.
 export function baseExtremes(base) {
-  const worst = {heel: 0, toe: 0, margin: null, leastN: base.weight};
+  const worst = {heel: 0, toe: 0, margin: null, leastN: base.weight, lifts: null};
   for (let n = 0; n < base.N.length; ++n) {
+    if (worst.lifts === null && !(Math.abs(base.M[n]) <= base.width / 6 * base.N[n])) worst.lifts = {n, edge: base.N[n] > 0 ? -Math.sign(base.M[n]) : 0};
     const [toe, heel] = edgePressures(base.N[n], base.M[n], base.width);
     const leaves = Math.abs(base.M[n]) >= 0.5 * base.width * base.N[n];
     if (leaves && base.M[n] >= 0) worst.heel = null;

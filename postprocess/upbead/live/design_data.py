@@ -6,6 +6,7 @@ from pathlib import Path
 
 from ..commands import written
 from ..errors import UserError
+from ..results import read_summary
 
 OWN_WAVE = ("height", "significant_height", "deep_water_height", "period", "angle")
 MEASURED = ("force", "shear_to_force_ratio", "uplift", "pulse_duration")
@@ -19,16 +20,16 @@ def is_design(path):
 
 
 def effective(path, program=None):
-    """(design with all defaults as a dict, the folder that its paths start from)."""
+    """((design with all defaults as a dict, the folder that its paths start from), the summary that goes with it)."""
     path = Path(path)
     if path.is_dir():
-        return parsed(path / "case.toml"), path
+        return (parsed(path / "case.toml"), path), read_summary(path)
     with tempfile.TemporaryDirectory() as folder:
         written("waves", path, None, folder, program, "")
-        design = parsed(Path(folder) / "case.toml")
+        design, summary = parsed(Path(folder) / "case.toml"), read_summary(folder)
         if "sea" in design:
             design["sea"]["states"] = str((Path(folder) / design["sea"]["states"]).resolve())
-    return design, path.parent
+    return (design, path.parent), summary
 
 
 def states_of(design, folder):

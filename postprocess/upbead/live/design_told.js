@@ -1,12 +1,7 @@
 // The answer of the formulas in words and numbers.
-import {plain, quantity} from "./numbers.js";
+import {heelText, plain, quantity} from "./numbers.js";
 
 const metresOrZero = (value) => value < 1e-9 ? "0" : quantity(value, "m"); // less than a nanometre is round-off
-
-function heelText({stability: s, pressure, section}) {
-  if (pressure.uplift >= section.submerged_weight) return "none: it floats up";
-  return s.safety_overturning <= 1 ? "beyond all numbers: it overturns" : quantity(s.heel_pressure, "Pa");
-}
 
 // [caption, [[key of summary.json, name, text, value] ...]] of each table.
 export function tablesOfDesign(answer) {
@@ -34,7 +29,7 @@ export function tablesOfDesign(answer) {
 }
 
 export function headlineOfDesign({pressure, stability, sliding_exact: S}) {
-  return [["P", quantity(pressure.force, "N/m")], ["U", quantity(pressure.uplift, "N/m")], ["S.F. sliding", plain(stability.safety_sliding, 3)],
+  return [["P", quantity(pressure.force, "N/m")], ["U", quantity(pressure.uplift, "N/m")], ["S.F. sliding", plain(stability.safety_sliding, 3)], ["S.F. overturning", plain(stability.safety_overturning, 3)],
     ["S exact", metresOrZero(S)]];
 }
 

@@ -5,12 +5,15 @@ import json
 import re
 from pathlib import Path
 
+from .. import told
 from ..errors import UserError
 from ..kept import keep_inputs
+from ..results import read_case, read_summary
 from .case_wave import of_design
 from .design_data import design_data, effective, is_design, states_of
 from .life_data import with_life
 from .model_data import model_data
+from .scene import of_same_scene
 
 HERE = Path(__file__).parent
 # Each module after those that it imports, as one script needs no imports.
@@ -35,15 +38,22 @@ def page(model, output=None, design=None, program=None):
     else:
         model = given / "reduced.h5" if given.is_dir() else given
     output = Path(output) if output else default_output(given, model)
-    known = effective(design, program) if design else None
+    known, summary = effective(design, program) if design else (None, {})
     keep_inputs(output, *(path for path in (model, design) if path), *(states_of(*known) if known else ()))
-    text = document(*data_of(model, known and with_life(design_data(known[0], design), *known, program)))
+    data = known and with_life(design_data(known[0], design), *known, program)
+    summaries = [of_run(model) if model else {}, summary, (data or {}).get("life", {}).pop("summary", {})]
+    text = document(*data_of(model, data), summaries)
     try:
         output.parent.mkdir(parents=True, exist_ok=True)
         output.write_text(text, encoding="utf-8")
     except OSError as error:
         raise UserError(f"cannot write '{output}': {error.strerror}") from error
     return output
+
+
+def of_run(model):
+    """The summary beside a model, if it is of a run of the same scene; else empty."""
+    return read_summary(model.parent) if of_same_scene(model, read_case(model.parent)) else {}
 
 
 def default_output(given, model):
@@ -61,8 +71,12 @@ def data_of(model, design):
     return model, design
 
 
-def document(model=None, design=None):
+def document(model=None, design=None, summaries=()):
+    """The page; `summaries` are those of the program for what it was made of: their failing checks and warnings stand
+    first."""
     title = html.escape((design or model)["title"] or "Reduced model")
+    judged = "".join(dict.fromkeys(told.listed(summary) for summary in summaries))
+    before = f'<section class="judged"><h2>Checks that fail, and warnings</h2><p class="quiet">By upbead, of the case as it was given.</p>{judged}</section>'
     parts = ([formulas(design)] if design else []) + ([of_model(model)] if model else [])
     several = len(parts) > 1
     inside = "".join((f"<h2>{name}</h2>\n" if several else "") + f'<p class="quiet">{facts}</p>\n{text}' for name, facts, text in parts)
@@ -70,7 +84,7 @@ def document(model=None, design=None):
         '<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">'
         '<meta name="viewport" content="width=device-width, initial-scale=1"><link rel="icon" href="data:,">'
         f"<title>{title}: what if</title><style>{read('page.css')}</style><style>{read('whatif.css')}</style></head>\n"
-        f'<body><main><h1>{title}</h1>{inside}</main><script type="module">\n{script(model, design)}</script>\n</body></html>\n'
+        f'<body><main><h1>{title}</h1>{before if judged else ""}{inside}</main><script type="module">\n{script(model, design)}</script>\n</body></html>\n'
     )
 
 

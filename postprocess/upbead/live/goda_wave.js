@@ -5,7 +5,7 @@ import {Field} from "./field.js";
 import {formulaAnswer} from "./formulas.js";
 import {designWave} from "./goda.js";
 import {HIGHEST_OVER_SIGNIFICANT} from "./heights.js";
-import {plain, quantity} from "./numbers.js";
+import {heelText, plain, quantity} from "./numbers.js";
 import {contradictions} from "./validity.js";
 
 export const GODA = "goda_"; // before the name of a course, as a shape
@@ -63,11 +63,14 @@ export class GodaWave {
   }
   // Rows of the table: [key, name, text, value].
   rows() {
-    const {answer: {pressure: p, wave, section}} = this.last;
+    const {answer} = this.last, {pressure: p, wave, section, stability: s} = answer;
     return [["goda.height", "H", quantity(wave.height, "m"), wave.height], ["goda.alpha_star", "α*", plain(p.alpha_star), p.alpha_star],
       ["goda.force", "P by Goda", quantity(p.force, "N/m"), p.force],
       ["goda.uplift", "U by Goda", quantity(p.uplift, "N/m"), p.uplift],
-        ["goda.submerged_weight", "W′ at this level", quantity(section.submerged_weight, "N/m"), section.submerged_weight]];
+        ["goda.submerged_weight", "W′ at this level", quantity(section.submerged_weight, "N/m"), section.submerged_weight],
+      ["goda.safety_sliding", "S.F. sliding, by Goda", plain(s.safety_sliding, 3), s.safety_sliding],
+      ["goda.safety_overturning", "S.F. overturning, by Goda", plain(s.safety_overturning, 3), s.safety_overturning],
+      ["goda.heel_pressure", "p_e, heel pressure by Goda", heelText(answer), s.heel_pressure]];
   }
   // Sentences that warn: where the formulas do not hold, and where the model is of another caisson.
   warnings() {

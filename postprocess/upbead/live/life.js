@@ -86,7 +86,8 @@ export class Life {
     this.figure = element("figure");
     this.reason = element("p", {class: "warned", role: "status"});
     const told = `Computed beforehand by ${program} (upbead expected) for “${title}”: ${life.widths.length} widths, W, W′ and t in proportion to B. ` +
-      `E(S) of ${plain(waves)} waves in ${plain(years)} years, highest waves: ${limit}.` + wordsOfLives(lives, scatter) +
+      (waves === null ? "Storms of a life are drawn; there is no record to sum." : `E(S) of ${plain(waves)} waves in ${plain(years)} years.`) +
+      ` Highest waves: ${limit}.` + wordsOfLives(lives, scatter) +
       " The waves are those of the design's sea: H, T, level and angle above change nothing here.";
     this.body = element("div", {class: "life-body"}, this.figure, tableOfClasses(life));
     const save = saveButton("Classes (CSV)", () => ["expected.csv", classesCsv(life), "text/csv"]);

@@ -29,19 +29,19 @@ def life_data(design, folder, program=None):
     """design: with all defaults; folder: to which its paths are relative. Raises UserError with the program's own
     text."""
     summaries = [expected_of(of_width(design, folder, factor), program) for factor in FACTORS]
-    told, lives = [one["expected"] for one in summaries], [one.get("monte_carlo") for one in summaries]
+    told, lives = ([one.get(key) for one in summaries] for key in ("expected", "monte_carlo"))
+    of_sea = told[0] or {"years": lives[0]["years"], "waves": None, "limit": lives[0]["limit"]}  # storms have lives alone
     section = design["section"]
     return {
         "title": design.get("title") or "the design",
         "section": section,
         "widths": [factor * section["width"] for factor in FACTORS],
-        "years": told[0]["years"],
-        "waves": told[0]["waves"],
-        "limit": str(told[0]["limit"]),
-        "laws": {law: [one[f"distance_{law}"] for one in told] for law in LAWS if told[0][f"distance_{law}"] is not None},
+        **{key: of_sea[key] for key in ("years", "waves", "limit")},
+        "laws": {law: [one[f"distance_{law}"] for one in told] for law in LAWS if (told[0] or {}).get(f"distance_{law}") is not None},
         "lives": lives[0] and {**{key: lives[0][key] for key in ("lives", "years", "law")}, "mean": [one["mean"] for one in lives]},
         "scatter": sorted(design.get("scatter", {})),
         "program": summaries[0]["program"],
+        "summary": summaries[FACTORS.index(1.0)],
     }
 
 

@@ -49,3 +49,9 @@ export function digits(value, count = 3) {
   if (exponent >= -4 && exponent < count) return short(value.toFixed(count - 1 - exponent));
   return `${short(mantissa)}e${exponent < 0 ? "-" : "+"}${String(Math.abs(exponent)).padStart(2, "0")}`;
 }
+
+// p_e of an answer of formulas.js, or why there is none.
+export function heelText({stability: s, pressure, section}) {
+  if (pressure.uplift >= section.submerged_weight) return "none: it floats up";
+  return s.safety_overturning <= 1 ? "beyond all numbers: it overturns" : quantity(s.heel_pressure, "Pa");
+}

@@ -15,7 +15,7 @@ export function panelsOf(answer, friction, weight) {
   const panels = [{title: "Force and shear force at the bottom", unit: "N/m", lines: forces}];
   if (answer.N) {
     panels.push({title: "Normal force N′ on the base", unit: "N/m", lines: [{name: "N′", y: answer.N, colour: 1}]});
-    panels.push({title: "Pressure under the edges", unit: "Pa", lines: [
+    panels.push({title: "Pressure under the edges, in motion", unit: "Pa", lines: [
       {name: "heel (landward)", y: answer.heel, colour: 2}, {name: "toe (seaward)", y: answer.toe, colour: 0, dashed: true}]});
   }
   return panels;

@@ -3,6 +3,8 @@ import {percent, plain, quantity} from "./numbers.js";
 
 const margin = (value) => value === null ? "nothing overturns" : plain(value, 3);
 const pressure = (value) => value === null ? "the resultant leaves the base" : quantity(value, "Pa");
+const EDGES = {"-1": "its seaward edge", 0: "the whole base", 1: "its landward edge"};
+const lifts = ({worst, time}) => worst.lifts === null ? "never" : `${EDGES[worst.lifts.edge]}, at ${quantity(time[worst.lifts.n], "s")}`;
 const meters = (value) => value === 0 ? "0" : quantity(value, "m");
 
 // [key of `upbead respond`, name, text, value or null]
@@ -18,8 +20,9 @@ export function rowsOf(answer, asked) {
   rows.push(["sliding", "sliding distance S, eq. (4)", meters(answer.S), answer.S], ["slips", "slips", String(answer.slips), answer.slips]);
   if (answer.worst) rows.push(
     ["least_normal_force", "least N′", quantity(answer.worst.leastN, "N/m"), answer.worst.leastN],
-    ["peak_heel_pressure", "largest heel pressure", pressure(answer.worst.heel), answer.worst.heel],
-    ["peak_toe_pressure", "largest toe pressure", pressure(answer.worst.toe), answer.worst.toe],
+    ["peak_heel_pressure", "largest heel pressure in motion", pressure(answer.worst.heel), answer.worst.heel],
+    ["peak_toe_pressure", "largest toe pressure in motion", pressure(answer.worst.toe), answer.worst.toe],
+    ["base_lifts", "the base first lifts", lifts(answer), answer.worst.lifts && answer.time[answer.worst.lifts.n]],
     ["least_overturning_margin", "least margin against overturning", margin(answer.worst.margin), answer.worst.margin]);
   return rows;
 }
@@ -59,6 +62,12 @@ export function notesOf(model, answer, sliding) {
     notes.push(`N′, pressures and the margin are those of the case's own W′, ${quantity(model.base.weight, "N/m")}; the W′ above counts for S alone, as in upbead respond.`);
   if (answer.S !== 0)
     notes.push("S is of a rigid block under F_T of a caisson that sticks." + (model.slips ? " upbead respond also tells S of the caisson that slips on the ground that it shakes." : ""));
+  if (answer.worst) {
+    notes.push("Heel and toe pressure in motion vary linearly over the width in contact and grow without bound as the resultant comes to the edge. " +
+      "limits.base_pressure, 400 to 600 kPa, was made for p_e by Goda's formulas, not for them.");
+    if (answer.worst.lifts) notes.push(`The base lifts, first ${lifts(answer)}: the model's ground sticks to it and pulls, so that F_T, N′ and all pressures ` +
+      "are doubtful from then on; upbead run with regions.caisson.interface.kind = \"friction\" lets it lift.");
+  }
   if (!model.base) notes.push("The model's file does not tell what stands on the base: no N′, pressures or margin.");
   if (model.sliding && model.sliding.uplift === "history") notes.push("The case's uplift is a record of its own wave; here it is the one chosen above.");
   return notes;

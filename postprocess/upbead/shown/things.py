@@ -2,7 +2,7 @@
 
 from functools import singledispatch
 
-from .. import figures, outputs
+from .. import figures, outputs, told
 from ..calibration_result import CalibrationResult
 from ..errors import UserError
 from ..expected_result import ExpectedResult
@@ -17,7 +17,7 @@ from ..results import Result
 from ..slip_result import SlipResult
 from ..study_table import StudyTable
 from ..waves_result import WavesSummary
-from .parts import block, element, page, picture, quantity, quiet, table
+from .parts import Markup, block, element, page, picture, quantity, quiet, table
 
 READ = ("peak_force", "peak_force_time", "peak_shear", "peak_shear_time", "shear_to_force_ratio", "peak_displacement", "error_estimate")
 # the histories that figures.response draws
@@ -36,12 +36,16 @@ def _(result: Result):
     rows = [(outputs.label(f"response.{key}"), quantity(response[key], outputs.unit(f"response.{key}"))) for key in READ if response.get(key) is not None]
     slip = ((result.summary.get("sliding") or {}).get("design") or {}).get("value")
     rows += [("sliding distance S", quantity(slip, "m"))] if slip is not None else []
-    rows += [("warning", warning.get("text", "")) for warning in result.summary.get("warnings") or []]
     draw = figures.response if all(name in result for name in FIGURE) else figures.probes if result.probes() else None
     drawn = [picture(lambda: draw(result), f"histories of {result.title}")] if draw else []
     if isinstance(result, SlipResult):
         drawn.append(picture(lambda: figures.slip_bottom(result), f"the caisson's bottom over time, {result.title}"))
-    return block(result.title, table(None, rows) if rows else "", *drawn, what_if(result))
+    return block(result.title, judged(result.summary), table(None, rows) if rows else "", *drawn, what_if(result))
+
+
+def judged(summary):
+    """The checks that fail, and the warnings."""
+    return Markup(told.listed(summary))
 
 
 def what_if(result):
@@ -70,7 +74,7 @@ def _(study: StudyTable):
     head = [f"{name} ({unit})" if (unit := study.units.get(name) or outputs.unit(name)) else name for name in names]
     failed = quiet(f"{len(study.failed)} more runs failed: " + "; ".join(row["message"] for row in study.failed[:3])) if study.failed else ""
     rows = ([short(row[name]) for name in names] for row in study.rows)
-    return block(f"{study.name}: {len(study)} runs", table(head, rows), failed, picture(lambda: figures.study(study), f"{study.reads[0]} by what was varied"))
+    return block(f"{study.name}: {len(study)} runs", judged(study.summary), table(head, rows), failed, picture(lambda: figures.study(study), f"{study.reads[0]} by what was varied"))
 
 
 def short(cell):
@@ -84,21 +88,23 @@ def short(cell):
 @html_of.register
 def _(summary: WavesSummary):
     waves = summary["waves"]
-    told = [key for key in OF_WAVE if any(wave.get(key) is not None for wave in waves.values())]
-    head = ["wave", *(outputs.label(f"waves.NAME.{key}", "waves") or key for key in told)]
-    rows = ([name, *(quantity(wave.get(key), outputs.unit(f"waves.NAME.{key}", "waves")) for key in told)] for name, wave in waves.items())
+    shown = [key for key in OF_WAVE if any(wave.get(key) is not None for wave in waves.values())]
+    head = ["wave", *(outputs.label(f"waves.NAME.{key}", "waves") or key for key in shown)]
+    rows = ([name, *(quantity(wave.get(key), outputs.unit(f"waves.NAME.{key}", "waves")) for key in shown)] for name, wave in waves.items())
     highest = max(waves, key=lambda name: waves[name].get("force") or 0.0)
     drawn = picture(lambda: figures.wave_pressure([summary], highest), f"pressure of the wave {highest} over the wall")
-    return block(summary.get("title") or "Waves", table(head, rows), drawn)
+    return block(summary.get("title") or "Waves", judged(summary), table(head, rows), drawn)
 
 
 @html_of.register
 def _(result: ExpectedResult):
-    told = result.summary["expected"]
-    threshold, sliding = (told.get(key) or {} for key in ("threshold_height", "waves_that_slide"))
-    rows = ((LAWS.get(law, law), quantity(told.get(f"distance_{law}"), "m"), quantity(sliding.get(law)), quantity(threshold.get(law), "m")) for law in result.distance)
-    head = ("law of S", f"expected sliding in {told['years']:g} years", "waves that slide", "from a height of")
-    return block(result.summary["title"], table(head, rows), picture(lambda: figures.expected([result]), "waves, S and expected sliding by height"))
+    found, lives = (result.summary.get(key) or {} for key in ("expected", "monte_carlo"))
+    threshold, sliding = (found.get(key) or {} for key in ("threshold_height", "waves_that_slide"))
+    rows = [(LAWS.get(law, law), quantity(found.get(f"distance_{law}"), "m"), quantity(sliding.get(law)), quantity(threshold.get(law), "m")) for law in result.distance]
+    rows += [(f"mean of {lives['lives']} lives of {lives['years']:g} years, {LAWS.get(lives['law'], '')}", quantity(lives["mean"], "m"), "", "")] if lives else []
+    head = ("law of S", f"expected sliding in {found['years']:g} years" if found else "S", "waves that slide", "from a height of")
+    drawn = picture(lambda: figures.expected([result]), "waves, S and expected sliding by height")
+    return block(result.summary["title"], judged(result.summary), table(head, rows), drawn)
 
 
 @html_of.register
@@ -106,7 +112,7 @@ def _(result: CalibrationResult):
     found = ((name, *(quantity((model.get("recommended") or {}).get(key)) for key in ("a", "b", "residual_deviation"))) for name, model in result.models.items())
     given = ("given", quantity(result.given["a"]), quantity(result.given["b"]), "")
     head = ("k = (alpha*^a + 1)^-b", "a", "b", "deviation of k from it")
-    return block(result.summary["title"], table(head, [given, *found]), picture(lambda: figures.calibration(result), "k by alpha*, and the fits"))
+    return block(result.summary["title"], judged(result.summary), table(head, [given, *found]), picture(lambda: figures.calibration(result), "k by alpha*, and the fits"))
 
 
 @html_of.register

@@ -1,0 +1,81 @@
+"""What a summary tells that nobody may miss: its checks and its warnings, wherever in it they stand."""
+
+from html import escape
+from math import inf
+
+
+def objects(found, path=()):
+    """(path, object) of a summary and of all that is in it."""
+    if isinstance(found, dict):
+        yield path, found
+        for key, value in found.items():
+            yield from objects(value, (*path, key))
+    elif isinstance(found, list):
+        for value in found:
+            yield from objects(value, path)
+
+
+def checks(summary):
+    """Every check once, the worst first: those that fail, those that could not be judged, those that hold, those
+    without a limit."""
+    found = []
+    for path, one in objects(summary):
+        if path[-1:] != ("verdict",) and "name" in one and ("holds" in one or "failing" in one) and one not in found:
+            found.append(one)
+    return sorted(found, key=rank)
+
+
+def rank(check):
+    order = 0 if fails(check) else 1 if check.get("why_not") else 2 if check.get("holds") else 3
+    return order, check["margin"] if check.get("margin") is not None else -inf
+
+
+def fails(check):
+    """Of a study `failing` is the number of runs in which it fails."""
+    return check.get("holds") is False or (check.get("failing") or 0) > 0
+
+
+def is_judged(check):
+    return check.get("holds") is not None or check.get("failing") is not None
+
+
+def check_text(check):
+    """One line for people, the program's own; results of older versions have none."""
+    if check.get("text"):
+        return check["text"]
+    demand, capacity, unit = (check.get(key) for key in ("demand", "capacity", "unit"))
+    number = "without bound" if demand is None else f"{demand:.4g} {unit or ''}".strip()
+    against = "no limit given" if capacity is None else f"against {capacity:.4g}: {'holds' if check.get('holds') else 'DOES NOT HOLD'}"
+    return f"{check['name']}: {number} {against}"
+
+
+def warnings(summary):
+    """[(name, text)] of every warning once; of a wave's own that of the whole summary, which names the wave, stands
+    for it."""
+    found, seen = [], []
+    for path, one in objects(summary):
+        for warning in one.get("warnings") or () if isinstance(one.get("warnings"), list) else ():
+            pair = warning["name"], warning["text"]
+            if not any(name == pair[0] and pair[1] in text for name, text in seen):
+                seen.append(pair)
+                found.append((pair[0], text_at(path, pair[1])))
+    return found
+
+
+def text_at(path, text):
+    """The text, with the wave and the level that it is of: of ("waves", "design", "levels", "low")."""
+    where = [name for above, name in zip(path, path[1:]) if above in ("waves", "levels")]
+    return f"{' at '.join(where)}: {text}" if where else text
+
+
+def void(summary):
+    """Why no verdict may be drawn, or None."""
+    return (summary.get("verdict") or {}).get("why_void")
+
+
+def listed(summary):
+    """HTML of all checks that fail and of all warnings, in the program's words; "" where there is none of them."""
+    fail = [check_text(check) for check in checks(summary) if fails(check)]
+    items = [f'<li class="warned">{escape(text)}</li>' for text in ([f"No verdict may be drawn: {void(summary)}"] if void(summary) else []) + fail]
+    items += [f'<li class="warned"><code>{escape(name)}</code>: {escape(text)}</li>' for name, text in warnings(summary)]
+    return f'<ul class="told">{"".join(items)}</ul>' if items else ""

@@ -1,0 +1,168 @@
+"""Nothing that speaks against a section is left out: every check that fails and every warning of a summary stands in the
+terminal, in the report in both languages, and in the page.
+
+usage: test_judged.py FOLDER_OF_THE_SCRIPTS UPBEAD FOLDER_OF_THE_CASES [at_length]
+"""
+
+import html
+import json
+import random
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import tomllib
+import unittest
+from pathlib import Path
+
+from judged_designs import design
+
+SCRIPTS, PROGRAM, CASES = (Path(argument).resolve() for argument in sys.argv[1:4])
+sys.path.insert(0, str(SCRIPTS))
+
+from report import kinds  # noqa: E402
+from upbead import live, told  # noqa: E402
+from upbead.opening import open_result  # noqa: E402
+
+QUICK, MANY = 10, 100  # random designs
+MADE = {  # a summary has these in places that no program of today writes
+    "verdict": {"holds": None, "why_void": "the ground <fails> & nothing holds", "failing": 2, "checked": 3},
+    "checks": [
+        {"name": "sliding by formulas", "by": "formulas", "wave": "a_wave", "level": "low", "unit": "", "demand": 0.9, "capacity": 1.0, "margin": 0.9,
+         "holds": False, "measure": "x", "assumption": None, "why_not": None, "text": "sliding: 0.9 against 1 <b>: F_T tau_0 m^2 DOES NOT HOLD"},
+        {"name": "a check that nobody knows", "unit": "Pa", "demand": None, "capacity": 1e5, "margin": None, "holds": False, "measure": "y", "assumption": "z"},
+        {"name": "seaward", "unit": "", "demand": None, "capacity": 1.0, "margin": None, "holds": None, "why_not": "no trough acts", "measure": "w", "assumption": None},
+    ],
+    "warnings": [{"name": "routes_contradict", "text": "F_T <above> alpha_1 & 'P'"}, {"name": "routes_contradict", "text": "another one"}],
+    "deep": [{"inner": {"checks": [{"name": "hidden", "holds": False, "text": "hidden: DOES NOT HOLD"}], "warnings": [{"name": "inside", "text": "a list"}]}}],
+}  # fmt: skip
+
+
+def said(found):
+    """Texts of a summary that must stand: the test's own walk through it."""
+    if isinstance(found, dict):
+        if found.get("holds") is False and "name" in found:
+            yield found.get("text") or found["name"]
+        if found.get("why_void"):
+            yield found["why_void"]
+        for warning in found["warnings"] if isinstance(found.get("warnings"), list) else ():
+            yield from (warning["name"], warning["text"])
+        for key, value in found.items():
+            yield from said(value)
+    elif isinstance(found, list):
+        for value in found:
+            yield from said(value)
+
+
+def on_terminal(summary):
+    """A warning of one wave at one level may stand for others of its name; of the whole summary none does."""
+    above = {key: value for key, value in summary.items() if key != "waves"}
+    below = summary.get("waves") if isinstance(summary.get("waves"), dict) else {}
+    yield from said(above)
+    names = {warning["name"] for path, one in told.objects(below) for warning in one.get("warnings") or ()}
+    yield from names
+
+
+def plain(text):
+    return " ".join(text.split())
+
+
+def visible(page):
+    page = re.sub(r"<(script|style)\b.*?</\1>", " ", page, flags=re.DOTALL)
+    return plain(html.unescape(re.sub(r"<[^>]*>", "", page)))
+
+
+class Judged(unittest.TestCase):
+    def setUp(self):
+        self.temporary = tempfile.TemporaryDirectory()
+        self.folder = Path(self.temporary.name)
+
+    def tearDown(self):
+        self.temporary.cleanup()
+
+    def solve(self, command, file, *settings):
+        """(folder of the results, what stood on the terminal)."""
+        out = self.folder / f"{command}-{file.parent.name}-{file.stem}"
+        words = [word for setting in settings for word in ("--set", setting)]
+        done = subprocess.run([PROGRAM, command, file, "--out", out, *words], capture_output=True, text=True, check=False)
+        self.assertEqual(done.returncode, 0, f"{file}: {done.stderr}")
+        return out, plain(done.stdout + done.stderr)
+
+    def stand(self, wanted, text, where):
+        missing = [one for one in wanted if plain(one) not in text]
+        self.assertEqual(missing, [], where)
+
+    def documents(self, folder, page=True):
+        """Report in both languages and page hold all; returns how much there was."""
+        wanted = list(said(json.loads((folder / "summary.json").read_text())))
+        for language in ("en", "ja"):
+            text = visible(kinds.build(folder, None, language))
+            self.stand(wanted, text, (folder.name, language))
+            verdict = text.partition("Question" if language == "en" else "検討課題")[2][:3000]
+            self.assertFalse(wanted and ("limit all hold" in verdict or "すべて満足する" in verdict), folder.name)
+        self.stand(wanted, plain(html.unescape(re.sub("<[^>]*>", "", open_result(folder)._repr_html_()))), (folder.name, "notebook"))
+        if page:
+            self.stand(wanted, visible(live.page(folder, folder / "page.html", program=PROGRAM).read_text(encoding="utf-8")), (folder.name, "page"))
+        return len(wanted)
+
+    def designs(self, seeds):
+        found = 0
+        for seed in seeds:
+            file = self.folder / f"random-{seed}.toml"
+            file.write_text(design(seed), encoding="utf-8")
+            commands = ["waves", "expected"] if "[storms]" in file.read_text() else ["waves"]
+            for command in commands:
+                folder, terminal = self.solve(command, file)
+                self.stand(on_terminal(json.loads((folder / "summary.json").read_text())), terminal, (command, seed))
+                found += self.documents(folder, command == "waves" or seed % 5 == 0)
+        return found
+
+    def test_random_designs(self):
+        self.assertGreater(self.designs(range(QUICK)), QUICK)
+
+    def test_random_designs_at_length(self):
+        self.designs(range(QUICK, MANY))
+
+    def shipped(self, files):
+        for file in files:
+            keys = tomllib.loads(file.read_text(encoding="utf-8"))
+            commands = ["run"] if "mesh" in keys else ["waves"] * ("waves" in keys) + ["expected"] * ("sea" in keys or "storms" in keys) * ("dynamics" not in keys)
+            for command in commands:
+                folder, terminal = self.solve(command, file)
+                self.stand(on_terminal(json.loads((folder / "summary.json").read_text())), terminal, file)
+                self.documents(folder, command != "run")
+
+    def test_some_shipped_cases(self):
+        self.shipped([CASES / name for name in ("designer/design.toml", "fig7-9/impulsive.toml", "section4/hd10.toml", "fig2b-model.toml")])
+
+    def test_all_shipped_cases_at_length(self):
+        self.shipped(sorted(file for file in CASES.rglob("*.toml") if "study" not in file.parts and "calibration" not in file.parts))
+
+    def test_wherever_they_stand_in_a_summary(self):
+        """Checks and warnings that no program writes yet, in a summary of each kind."""
+        file = CASES / "designer/design.toml"
+        for command in ("run", "waves", "expected"):
+            folder, _ = self.solve(command, CASES / "fig2b-model.toml" if command == "run" else file, *["mesh.parameters.cells=0.8"] * (command == "run"))
+            summary = json.loads((folder / "summary.json").read_text())
+            (folder / "summary.json").write_text(json.dumps(summary | MADE))
+            self.assertGreater(self.documents(folder, command == "waves"), 8)
+        copy = shutil.copytree(folder, self.folder / "failing")
+        calm = {key: value for key, value in summary.items() if key not in ("checks", "warnings", "verdict")}
+        holds = {**MADE["checks"][0], "holds": True, "text": "holds"}
+        (copy / "summary.json").write_text(json.dumps(calm | {"checks": [holds], "warnings": []}))
+        self.assertIn("Of 1 checks with a limit all hold", visible(kinds.build(copy)))
+
+    def test_the_worst_check_comes_first(self):
+        made = [{"name": str(i), "holds": random.Random(i).choice([True, False, None]), "margin": random.Random(i + 50).random()} for i in range(30)]
+        order = told.checks({"checks": made})
+        self.assertEqual(len(order), 30)
+        ranks = [{False: 0, True: 1, None: 2}[check["holds"]] for check in order]
+        self.assertEqual(ranks, sorted(ranks))
+        failing = [check["margin"] for check in order if check["holds"] is False]
+        self.assertEqual(failing, sorted(failing))
+
+
+if __name__ == "__main__":
+    asked = [name for name in unittest.TestLoader().getTestCaseNames(Judged) if name.endswith("at_length") == (sys.argv[4:] == ["at_length"])]
+    unittest.main(argv=[sys.argv[0], *(f"Judged.{name}" for name in asked)])
