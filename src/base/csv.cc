@@ -142,25 +142,34 @@ class Reader {
     return is_row(line);
   }
 
-  /// Rows such as 0,5 without a sure header may be two columns, or one with decimal commas.
+  /// Without a sure header rows such as 0,5 may be two columns, or one with decimal commas; rows such as 1,250 one with
+  /// grouped thousands.
   void require_two_columns() {
-    if (shape_.dialect.separator != ',' || shape_.n % 2 != 0 || shape_.dialect.quotes) return;
+    if (shape_.dialect.separator != ',' || shape_.dialect.quotes || shape_.n < 2) return;
+    bool decimals = shape_.n % 2 == 0;
+    std::vector<bool> thousands(shape_.n - 1, true);
+    const auto is_one = [this](std::size_t c, char decimal) {
+      double ignored = 0.;
+      const CellIs is =
+          read_cell(std::string(cells_[c].text).append(",").append(cells_[c + 1].text), {';', decimal}, ignored);
+      return is == CellIs::number || is == CellIs::grouped;
+    };
     std::string_view rows = text_;
-    const std::string_view first = next_line(rows);
-    for (std::string_view line = first;; line = next_line(rows)) {
+    while (!rows.empty()) {
+      const std::string_view line = next_line(rows);
+      if (is_blank_line(line) || is_comment(line)) continue;
       split(line, shape_.dialect, cells_);
-      for (std::size_t c = 0; c + 1 < cells_.size(); c += 2) {
-        double ignored = 0.;
-        const std::string pair = std::string(cells_[c].text).append(",").append(cells_[c + 1].text);
-        const CellIs is = read_cell(pair, {';', ','}, ignored);
-        if (is != CellIs::number && is != CellIs::grouped) return;
+      if (cells_.size() < shape_.n) return;
+      for (std::size_t c = 0; c + 1 < shape_.n; ++c) {
+        thousands[c] = thousands[c] && is_one(c, '.');
+        decimals = decimals && (c % 2 == 1 || is_one(c, ','));
       }
-      if (rows.empty()) break;
+      if (!decimals && std::find(thousands.begin(), thousands.end(), true) == thousands.end()) return;
     }
-    throw InputError(
-        {table_.path, number_ + 1, 1},
-        in_quotes(trimmed(first)) + " may be columns, or numbers with decimal commas: no line names columns",
-        "write a header above it, such as time,force");
+    throw InputError({table_.path, number_ + 1, 1},
+                     in_quotes(trimmed(text_.substr(0, text_.find('\n')))) +
+                         " may be columns, or numbers with commas in them: no line names columns",
+                     "write a header above it, such as time,force");
   }
 
   void begin(const TableHead& head) {

@@ -8,6 +8,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "base/text.h"
+
 namespace upbead {
 namespace csv_test {
 
@@ -60,11 +62,86 @@ TEST_F(Csv, ReadsWhatSpreadsheetsWrite) {
   EXPECT_EQ(table.columns[1], (std::vector<double>{1., 2.}));
 }
 
+TEST_F(Csv, NamesWhatIsNoText) {
+  using namespace std::string_literals;
+  const std::pair<std::string, std::string> rows[] = {{"PK\3\4\x14\0"s, "is a workbook of a spreadsheet (.xlsx, .ods)"},
+                                                      {"\x89HDF\r\n\x1a\n\0"s, "is an HDF5 file"},
+                                                      {"%PDF-1.7\n1 2\n"s, "is a PDF document"},
+                                                      {"t,p\n0,1\n\0\0"s, "holds zero bytes: it is no text"}};
+  for (const auto& [bytes, message] : rows) {
+    EXPECT_NE(refusal(bytes).find(message), std::string::npos) << refusal(bytes);
+    EXPECT_EQ(refusal(bytes).find("case.toml:3:1: "), 0U);
+  }
+}
+
+TEST_F(Csv, MessagesHoldNoRawBytes) {
+  EXPECT_EQ(in_quotes("t\xFF\xB0 \xC2\xB0"), "'t?? \u00B0'");
+  EXPECT_EQ(refusal("t;\xB0\n0;x\xFC\n1;2\n"), "f:2:3: 'x\u00FC' is not a number (column \u00B0)");
+}
+
+TEST_F(Csv, FindsNamesAndUnitsAboveTheNumbers) {
+  struct Row {
+    std::string text;
+    std::vector<std::string> names, units;
+  };
+  const Row rows[] = {
+      {"# time (ms),force (kN/m)\n# filtered at 300 Hz, run 7\n0,0\n50,100\n", {"time", "force"}, {"ms", "kN/m"}},
+      {"\t\tRun 7\r\nForce on a wall\r\n\r\nTime     F_KN_M    Eta_M\r\n\r\n0.00  0.0  0.1\r\n0.05 10.0  0.2\r\n",
+       {"Time", "F_KN_M", "Eta_M"},
+       {"", "", ""}},
+      {"      Time     Force\n       (s)    (N/m)\n  0.0  0.0E+00\n  0.5  0.1E+05\n", {"Time", "Force"}, {"s", "N/m"}},
+      {"#YY  MM DD hh mm  WVHT   DPD\n#yr  mo dy hr mn     m   sec\n2026 01 01 00 00  2.10  8.30\n",
+       {"YY", "MM", "DD", "hh", "mm", "WVHT", "DPD"},
+       {"yr", "mo", "dy", "hr", "mn", "m", "sec"}},
+      {"%\n%\n% Run:one  Table:wall\n%\n%   Time     hs      tp$\n%   [ ]    [m]   [sec]\n%\n20260111.0  1.71  12.9\n",
+       {"Time", "hs", "tp$"},
+       {"", "m", "sec"}},
+      {"sep=;\n\"time (s)\";\"p \"\"1\"\" (kPa)\"\n\"0\";\"0\"\n", {"time", "p \"1\""}, {"s", "kPa"}},
+      {"time;p1;trigger\ns;kPa;V\n0;0;1\n", {"time", "p1", "trigger"}, {"s", "kPa", "V"}},
+      {"Time (s)  Force on the wall (kN/m)\n--------  -----\n0.0  1\n0.1  2\n",
+       {"Time", "Force on the wall"},
+       {"s", "kN/m"}},
+      {"0.00 1.5\r0.02 2.5\r", {"column 1", "column 2"}, {"", ""}}};
+  for (const Row& row : rows) {
+    const CsvTable table = read(row.text);
+    EXPECT_EQ(table.names, row.names) << row.text;
+    EXPECT_EQ(table.units, row.units) << row.text;
+  }
+}
+
+TEST_F(Csv, RefusesNamesThatCannotBeTold) {
+  EXPECT_EQ(refusal("time (s),F (N/m)\ntime (ms),F (kN/m)\n0,1\n"),
+            "f:2:1: lines 1 and 2 both may hold the names of the columns");
+  EXPECT_EQ(refusal("# P,F\n# wall,run\n0.5,1.5\n"), "f:2:1: lines 1 and 2 both may hold the names of the columns");
+  EXPECT_EQ(refusal("Time (ms) Force on wall (kN/m)\n0.0 1\n"),
+            "f:1:1: 'Time (ms) Force on wall (kN/m)' cannot be told apart as the names of 2 columns");
+  EXPECT_EQ(refusal("Unit: kPa\ntime,p\n0,1\n"), "f:1:1: 'Unit: kPa' gives a unit, but not by column");
+  EXPECT_EQ(refusal("time (s),p\nms,kPa\n0,1\n"),
+            "f:2:1: column 'time' has the unit 's' behind its name and 'ms' below it");
+  EXPECT_EQ(refusal("0.1,1,250\n0.2,1,480\n"),
+            "f:1:1: '0.1,1,250' may be columns, or numbers with commas in them: no line names columns");
+}
+
+TEST_F(Csv, AFileHasOneDecimalSign) {
+  const CsvTable german = read("Zeit (s);Kraft (kN/m)\n0,15;980\n0,20;1.250\n0,25;1.480.000\n");
+  EXPECT_EQ(german.columns, (std::vector<std::vector<double>>{{0.15, 0.2, 0.25}, {980., 1250., 1480000.}}));
+  EXPECT_EQ(german.layout, "columns separated by semicolons, decimal commas, names in line 1, points group thousands");
+  EXPECT_EQ(read("t;p\n0;1.000,5\n").columns[1][0], 1000.5);
+  EXPECT_EQ(read("t\tp\n0.5\t1,250\n").columns[1][0], 1250.);
+  EXPECT_EQ(read("t;p\n0;1 250,5\n").columns[1][0], 1250.5);
+  EXPECT_EQ(read("t,p\n0,1.250\n").columns[1][0], 1.25);
+  EXPECT_EQ(refusal("t;p\n1;1.250\n2;850\n"),
+            "f:2:3: '1.250' may be 1.250 or 1250: no cell tells whether a point is the decimal sign or groups "
+            "thousands (column p)");
+  EXPECT_EQ(refusal("t;p\n0,20;1.25\n"), "f:2:6: '1.25' has a decimal point in a file of decimal commas (column p)");
+  EXPECT_NE(refusal("t;p;q\n0.5;1,250;0,5\n").find("(column p)"), std::string::npos);
+}
+
 TEST_F(Csv, TellsDamage) {
   EXPECT_EQ(refusal(""), "f: an empty file");
   EXPECT_EQ(refusal("a,b\n"), "f: no row of numbers below the header");
   EXPECT_EQ(refusal("1,2\n3,4\n"),
-            "f:1:1: '1,2' may be columns, or numbers with decimal commas: no line names columns");
+            "f:1:1: '1,2' may be columns, or numbers with commas in them: no line names columns");
   EXPECT_EQ(refusal("a,b\n1, x\n"), "f:2:4: 'x' is not a number (column b)");
   EXPECT_EQ(refusal("a,b\n1,2.0.0\n"), "f:2:3: '2.0.0' is not a number (column b)");
   EXPECT_EQ(refusal("a,b\n,2\n"), "f:2:1: an empty cell (column a)");

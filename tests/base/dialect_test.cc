@@ -43,7 +43,8 @@ class Writer {
     s.decimal = s.separator == ',' && !s.quoted ? '.' : ".,"[below(2)];
     const std::string other = s.decimal == '.' ? "," : ".";
     if (sometimes(3) && (s.separator != ',' || s.quoted))
-      s.groups = std::vector<std::string>{other, "\u00A0", "'", "\u202F"}[below(4)];
+      s.groups = std::vector<std::string>{other, "\u00A0", "'", "\u202F", " "}[below(5)];
+    if (s.groups == " " && s.separator != ';' && s.separator != '\t') s.groups = "";
     if (s.separator == ',' && !s.quoted && sometimes(4)) s.groups = "'";
     s.format = static_cast<Format>(below(4));
     s.head = static_cast<Head>(below(5));

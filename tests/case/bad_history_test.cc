@@ -36,7 +36,7 @@ const std::vector<BadHistory> rows{
     BadHistory{"HeaderOnly", "time,force\n", "force.csv: no row of numbers below the header; write at least one row"},
     BadHistory{
         "NoHeader", "0,0\n1,1\n",
-        "force.csv:1:1: '0,0' may be columns, or numbers with decimal commas: no line names columns; write a header "
+        "force.csv:1:1: '0,0' may be columns, or numbers with commas in them: no line names columns; write a header "
         "above it, such as time,force"},
     BadHistory{"OneColumn", "time\n0\n1\n",
                "force.csv:1:1: a history of one column; give two columns, time (s) and value"},
