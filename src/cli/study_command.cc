@@ -123,6 +123,7 @@ int run_study(const StudyOptions& options, const Stopwatch& since_start) {
     leave(exit_input);
   }
   if (pool.rank() > 0) return 0;
+  print_past_launcher();
   return finish(study, options, {pool.size(), number_of_results(before), since_start.seconds()});
 }
 

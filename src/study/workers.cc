@@ -1,5 +1,6 @@
 #include "study/workers.h"
 
+#include <fcntl.h>
 #include <mpi.h>
 #include <unistd.h>
 
@@ -18,6 +19,7 @@ namespace upbead {
 namespace {
 
 constexpr const char* terminal = "UPBEAD_TERMINAL";
+constexpr const char* launchers_stdout = "UPBEAD_STDOUT";
 
 /// Whether a person sees stderr, directly or through mpirun.
 bool has_terminal() {
@@ -50,6 +52,8 @@ std::vector<std::string> environment() {
     list.emplace_back(more);
   }
   if (has_terminal()) list.push_back(std::string(terminal) + "=1");
+  // of this process, which mpirun replaces; the first of two with one name counts
+  list.insert(list.begin(), std::string(launchers_stdout) + "=/proc/" + std::to_string(getpid()) + "/fd/1");
   return list;
 }
 
@@ -75,6 +79,15 @@ void launch(int processes) {
   command.insert(command.end(), own.begin() + 1, own.end());
   std::vector<std::string> variables = environment();
   execvpe("mpirun", pointers(command).data(), pointers(variables).data());
+}
+
+void print_past_launcher() {
+  const char* const path = std::getenv(launchers_stdout);
+  if (path == nullptr) return;
+  const int output = open(path, O_WRONLY | O_APPEND | O_NONBLOCK | O_CLOEXEC);  // never waits for a reader
+  if (output < 0) return;
+  if (fcntl(output, F_SETFL, O_APPEND) == 0) dup2(output, STDOUT_FILENO);
+  close(output);
 }
 
 struct Pool::Window {

@@ -10,6 +10,11 @@ namespace upbead {
 /// Replaces this process by `mpirun -n processes` with the same command line. Returns only where there is no mpirun.
 void launch(int processes);
 
+/// From now on this process prints to the stdout that the launching process has: mpirun passes on what is printed, and
+/// does not tell where that cannot be written. Nothing changes where launch() has not started this process, or where
+/// that stdout cannot be opened.
+void print_past_launcher();
+
 /// Counters that all processes see, in the memory of the first one (an MPI window): a process takes the next piece of
 /// work without asking another. To be made and destroyed in all processes at once, while MPI runs.
 class Pool {
