@@ -6,6 +6,7 @@ usage: printing_test.py PROGRAM CASES_FOLDER
 """
 
 import os
+import resource
 import shutil
 import signal
 import subprocess
@@ -85,6 +86,16 @@ class Printing(ProgramTest):
         code, said = self.end(["new", "mine.toml"], stdout=subprocess.DEVNULL)
         self.assertEqual(code, 1)
         self.assertIn("mine.toml", said)
+
+    def test_files_appear_whole_or_not_at_all(self):
+        (self.folder / "table.csv").write_text("older")
+        for arguments in (["read", FORCES, "--out", "table.csv"], ["read", FORCES, "--out", "table.h5"], ["new", "mine.toml"]):
+            code, said = self.end(arguments, stdout=subprocess.DEVNULL,
+                                  preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (100, 100)))
+            self.assertEqual(code, 1)
+            self.assertIn(f"{arguments[-1]}: the file cannot be written", said)
+        self.assertEqual(self.left_behind(), ["table.csv"])
+        self.assertEqual((self.folder / "table.csv").read_text(), "older")
 
     def test_file_system_without_locks(self):
         compiler = shutil.which("cc") or shutil.which("gcc")
