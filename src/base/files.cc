@@ -124,6 +124,22 @@ bool exchange(const fs::path& fresh, const fs::path& old, const std::vector<fs::
 
 }  // namespace
 
+void write_whole(const std::string& path, const std::string& text) {
+  std::error_code code;
+  const fs::file_type type = fs::symlink_status(path, code).type();
+  const bool as_it_is = type != fs::file_type::regular && type != fs::file_type::not_found;
+  const std::string partial = as_it_is ? path : path + ".partial";
+  std::ofstream stream(partial, std::ios::binary);
+  stream << text;
+  stream.close();
+  code.clear();
+  if (stream && !as_it_is) fs::rename(partial, path, code);
+  if (stream && !code) return;
+  std::error_code ignored;
+  if (!as_it_is) fs::remove(partial, ignored);
+  throw InputError({path}, "the file cannot be written", "check the folder, the rights and the disk");
+}
+
 /// flock(2) on the folder itself: it leaves no file behind, and ends with the process, even a killed one. On file
 /// systems without such locks (some network file systems) held() is false.
 class FolderLock {

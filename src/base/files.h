@@ -22,6 +22,10 @@ struct InputFile {
 void require_inputs_kept(const std::string& folder, const std::vector<std::string>& outputs,
                          const std::vector<InputFile>& inputs);
 
+/// Writes one file, which appears whole or not at all; an older one stays where that fails. A link or a device is
+/// written to as it is. Throws InputError where the file cannot be written.
+void write_whole(const std::string& path, const std::string& text);
+
 class FolderLock;
 
 /// Files are written into a hidden folder beside the wanted one. The hidden folder is made at once, so that missing

@@ -1,7 +1,7 @@
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 
+#include "base/files.h"
 #include "base/text.h"
 #include "case/new_case.h"
 #include "cli/command.h"
@@ -21,21 +21,14 @@ struct NewOptions : NewCase {
 
 const char* const schema_name = "upbead-case.schema.json";
 
-/// Writes a file that must not be there yet.
-void write_new(const fs::path& path, const std::string& text) {
-  std::ofstream file(path);
-  if (!(file << text) || !file.flush())
-    throw InputError({}, "cannot write '" + path.string() + "'", "give a path in a folder that you may write to");
-}
-
 int write(const NewOptions& options) {
   const fs::path path(options.file), schema = path.parent_path() / schema_name;
   if (fs::exists(path)) throw InputError({}, "'" + options.file + "' is there already", "give another name");
   const std::string text = new_case(options, path.stem().string());
-  write_new(path, "#:schema " + std::string(schema_name) + "\n" + text);
+  write_whole(path.string(), "#:schema " + std::string(schema_name) + "\n" + text);
   std::cout << "written     " << options.file << "\n";
   if (!fs::exists(schema)) {
-    write_new(schema, case_json_schema());
+    write_whole(schema.string(), case_json_schema());
     std::cout << "written     " << schema.string() << ", by which an editor completes and checks the case\n";
   }
   std::cout << "next        upbead explain " << options.file << "\n            upbead run " << options.file << "\n";

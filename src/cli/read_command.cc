@@ -1,4 +1,4 @@
-#include <fstream>
+#include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
@@ -100,10 +100,7 @@ void write_columns(const std::string& path, const std::vector<FlowColumn>& colum
     }
     text += "\n";
   }
-  std::ofstream file(path, std::ios::binary);
-  file << text;
-  file.flush();
-  if (!file) throw InputError({path}, "the file cannot be written", "check the folder, the rights and the disk");
+  write_whole(path, text);
 }
 
 int read(const ReadOptions& options) {

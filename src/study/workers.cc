@@ -1,5 +1,6 @@
 #include "study/workers.h"
 
+#include <fcntl.h>
 #include <mpi.h>
 #include <unistd.h>
 

@@ -6,6 +6,7 @@ usage: printing_test.py PROGRAM CASES_FOLDER
 """
 
 import os
+import resource
 import shutil
 import signal
 import subprocess
@@ -14,13 +15,14 @@ from program import CASES, PROGRAM, ProgramTest, main
 
 QUICK = ["--set", "mesh.parameters.cells=0.3", "--set", "time.end=0.05"]
 MODEL = CASES / "fig2b-model.toml"
-DESIGN = CASES / "gallery/goda.toml"
+DESIGN = CASES / "gallery/goda-waves.toml"
 FORCES = CASES / "cfd/bore/forces"
-STUDY = """
-[study]
-case = "CASE"
-[vary]
-"loads.slow.factor" = [1.0, 2.0]
+STUDY = f"""
+case = "{MODEL}"
+read = ["response.peak_shear"]
+set = {{ "mesh.parameters.cells" = 0.3, "time.end" = 0.05 }}
+[vary."loads.slow.factor"]
+values = [1.0, 2.0]
 """
 COMMANDS = {
     "help": ["--help"], "help of a command": ["run", "--help"], "version": ["--version"], "keys": ["explain", "--keys"],
@@ -29,7 +31,9 @@ COMMANDS = {
     "explain as JSON": ["explain", MODEL, *QUICK, "--json"], "run": ["run", MODEL, *QUICK, "--out", "out"],
     "reduce": ["reduce", MODEL, *QUICK, "--out", "model"],
     "respond": ["respond", "model/reduced.h5", CASES / "fig2b-model-impulse.csv", "--out", "answer"],
-    "study": ["study", "study.toml", *QUICK, "--out", "study"], "waves": ["waves", DESIGN, "--out", "waves"],
+    "study": ["study", "study.toml", "--out", "study"], "waves": ["waves", DESIGN, "--out", "waves"],
+    "expected": ["expected", CASES / "section4/hd10.toml", "--out", "expected"],
+    "keys of a calibration": ["calibrate", "--keys"],
     "read": ["read", FORCES], "read as JSON": ["read", FORCES, "--json"], "new": ["new", "mine.toml"],
     "scale": ["scale", MODEL, "--factor", "2", "--out", "scaled"]}
 
@@ -43,7 +47,7 @@ class Printing(ProgramTest):
         return done.returncode, done.stderr
 
     def test_full_disk_behind_stdout(self):
-        (self.folder / "study.toml").write_text(STUDY.replace("CASE", str(MODEL)))
+        (self.folder / "study.toml").write_text(STUDY)
         for name, arguments in COMMANDS.items():
             with self.subTest(name), open("/dev/full", "w") as full:
                 code, said = self.end(arguments, stdout=full)
@@ -82,6 +86,16 @@ class Printing(ProgramTest):
         code, said = self.end(["new", "mine.toml"], stdout=subprocess.DEVNULL)
         self.assertEqual(code, 1)
         self.assertIn("mine.toml", said)
+
+    def test_files_appear_whole_or_not_at_all(self):
+        (self.folder / "table.csv").write_text("older")
+        for arguments in (["read", FORCES, "--out", "table.csv"], ["read", FORCES, "--out", "table.h5"], ["new", "mine.toml"]):
+            code, said = self.end(arguments, stdout=subprocess.DEVNULL,
+                                  preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (100, 100)))
+            self.assertEqual(code, 1)
+            self.assertIn(f"{arguments[-1]}: the file cannot be written", said)
+        self.assertEqual(self.left_behind(), ["table.csv"])
+        self.assertEqual((self.folder / "table.csv").read_text(), "older")
 
     def test_file_system_without_locks(self):
         compiler = shutil.which("cc") or shutil.which("gcc")

@@ -3,6 +3,7 @@
 exit code 1."""
 
 import ctypes
+import json
 import os
 import unittest
 
@@ -110,6 +111,23 @@ class Strangers(ProgramTest):
         self.assertEqual(self.mesh("").returncode, 0)
 
     @unittest.skipIf(os.environ.get("UPBEAD_SANITIZE") == "ON", "the sanitizers' run-time is confined as well")
+    def test_cells_of_second_order_are_read_by_their_corners(self):
+        """A top along an arc of 53.13 degrees in two parts: each rises by tan(53.13/8)/2 = 0.0582 of its chord."""
+        arc = SCRIPT.replace("Line(3) = {3, 4};", "Point(5) = {1, -1, 0}; Circle(3) = {3, 5, 4};")
+        for script, bent in ((SCRIPT, None), (arc, 0.0582)):
+            for order in (1, 2):
+                (self.folder / "section.geo").write_text(f"Mesh.ElementOrder = {order};\n{script}")
+                (self.folder / "case.toml").write_text(CASE)
+                done = upbead("explain", "case.toml", "--json", cwd=self.folder)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                found = {w["name"]: w["value"] for w in json.loads(done.stdout)["warnings"]}
+                told = "4 cells of second or higher order, read by their corners"
+                self.assertEqual(told in upbead("explain", "case.toml", cwd=self.folder).stdout, order == 2)
+                if bent and order == 2:
+                    self.assertAlmostEqual(found["sides_straightened"], bent, 4)
+                else:
+                    self.assertNotIn("sides_straightened", found)
+
     def test_where_nothing_can_confine_it_a_person_must_vouch(self):
         done = self.mesh("", preexec_fn=without_confinement)
         self.assertEqual(done.returncode, 1)
