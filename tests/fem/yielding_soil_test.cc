@@ -8,6 +8,7 @@
 #include <deal.II/base/quadrature_lib.h>
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
