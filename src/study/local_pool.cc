@@ -19,6 +19,7 @@
 #include <system_error>
 
 #include "base/cores.h"
+#include "upbead/base/error.h"
 
 namespace upbead {
 
@@ -57,6 +58,11 @@ std::vector<std::string> environment_of_worker(int rank) {
   return list;
 }
 
+[[noreturn]] void cannot_start(int error) {
+  throw InputError({}, "no further process could be started: " + std::generic_category().message(error),
+                   "ask for fewer with --jobs");
+}
+
 /// Starts this program again with the same command line; what it prints goes to stderr, so that stdout stays clean.
 pid_t spawn(int rank, int socket) {
   std::vector<std::string> words = command_line(), variables = environment_of_worker(rank);
@@ -69,7 +75,7 @@ pid_t spawn(int rank, int socket) {
   const int error =
       posix_spawn(&id, program.c_str(), &actions, nullptr, pointers(words).data(), pointers(variables).data());
   posix_spawn_file_actions_destroy(&actions);
-  if (error != 0) throw std::system_error(error, std::generic_category(), "no process could be started");
+  if (error != 0) cannot_start(error);
   return id;
 }
 
@@ -108,8 +114,7 @@ LocalPool::~LocalPool() {
 
 void LocalPool::start_process() {
   int ends[2];
-  if (socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends) != 0)
-    throw std::system_error(errno, std::generic_category(), "no process could be started");
+  if (socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends) != 0) cannot_start(errno);
   Process process;
   process.socket = ends[0];
   process.id = spawn(next_rank(), ends[1]);
