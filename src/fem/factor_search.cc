@@ -20,7 +20,7 @@ void FactorSearch::take(double F, const LimitAnswer& answer) {
   if (answer.found == RestFound::rest) lower_ = std::max(lower_.value_or(F), F);
   if (answer.found == RestFound::none) {
     upper_ = std::min(upper_.value_or(F), F);
-    estimate_ = F * answer.resisting;
+    estimate_ = F * answer.factor;
   }
   if (answer.found == RestFound::open) {
     open_from_ = std::min(open_from_.value_or(F), F);
@@ -30,8 +30,8 @@ void FactorSearch::take(double F, const LimitAnswer& answer) {
     open_from_ = open_to_ = std::nullopt;
 }
 
-/// By the motion of the last failure, slightly below the factor at which it would resist; from a rest near that in
-/// growing steps; else the middle.
+/// After a failure slightly below the factor at which its motion would resist. From a rest near that in growing steps,
+/// of which the first closes the bracket; else the middle.
 std::optional<double> FactorSearch::between() const {
   if (is_close(*lower_, *upper_)) return std::nullopt;
   if (open_from_) {
@@ -39,10 +39,12 @@ std::optional<double> FactorSearch::between() const {
     if (!is_close(*open_to_, *upper_)) return std::sqrt(*open_to_ * *upper_);
     return std::nullopt;
   }
-  const double middle = std::sqrt(*lower_ * *upper_);
-  if (rests_ > 0) return std::min(middle, *lower_ * (1. + 0.9 * closeness * std::pow(3., rests_ - 1)));
-  const double below = estimate_ * (1. - 0.4 * closeness);
-  return below > *lower_ * (1. + 0.1 * closeness) && below < *upper_ ? below : middle;
+  const double below = estimate_ * (1. - 0.4 * closeness), middle = std::sqrt(*lower_ * *upper_);
+  if (rests_ == 0 && below > *lower_ * (1. + 0.1 * closeness) && below < *upper_) return below;
+  constexpr double near = 1.25;
+  if (*upper_ > near * estimate_) return middle;
+  return std::min(std::max(middle, *lower_ * (1. + 0.95 * closeness)),
+                  *lower_ * (1. + 0.95 * closeness * std::pow(3., std::max(rests_ - 1, 0))));
 }
 
 std::optional<double> FactorSearch::next() const {

@@ -12,7 +12,7 @@ namespace upbead {
 class FactorSearch {
  public:
   static constexpr double largest = 20., smallest = 1. / 16.;
-  static constexpr double closeness = 0.01;  ///< of the bracket, relative
+  static constexpr double closeness = 0.005;  ///< of the bracket, relative
 
   /// The factor to be tried next; none where the bracket is close, or cannot be made closer.
   std::optional<double> next() const;

@@ -1,4 +1,4 @@
-// Whether soil can be at rest under given loads at all.
+// Whether soil can be at rest under given loads at all, by limit analysis.
 #pragma once
 
 #include <functional>
@@ -12,22 +12,24 @@ enum class RestFound { rest, none, open };
 
 struct LimitAnswer {
   RestFound found = RestFound::open;
-  Vector x;      ///< displacements; in equilibrium where there is a rest
-  Vector moved;  ///< last change of x: where there is no rest, the motion in which the ground fails
-  double residual = 0.;  ///< |forces out of balance| over |loads|
-  /// Where there is no rest: what resists shear in that motion, over what would have to.
-  double resisting = 1.;
-  int iterations = 0;  ///< each with a factorisation
+  PointStresses stresses;  ///< within the strength and in equilibrium, where there is a rest
+  Vector moved;            ///< the motion in which the ground fails, or is nearest to that (its length means nothing)
+  unsigned shears_most = 0;  ///< active cell where it shears most in that
+  double factor = 1.;        ///< where there is no rest: about by how much the strength would have to be divided for one
+  double residual = 0.;      ///< |forces out of balance| over |loads|
+  int iterations = 0;        ///< each with a factorisation
 };
 
-/// Seeks the stress that is within the strength, in equilibrium with the loads, and nearest to the start by its
-/// complementary energy. The laws of `soil` must be associated, and its committed state without strain. Then this
-/// stress belongs to the least value of the convex function
-///   P(x) = integral of (sigma : eps - (sigma - sigma_0) : D^-1 : (sigma - sigma_0) / 2) - load . x,
-/// whose gradient is what is out of balance (Moreau 1976); which x the search begins with does not change it. As -P(x)
-/// of any x is less than the energy of every change of stress that leads to a rest, there is none that the soil could
-/// reach where -P has grown to `most_energy` times the energy of the stress at the start.
-/// `each` is called before every iteration, and may throw.
-LimitAnswer seek_rest(StaticSoil& soil, const Vector& load, Vector begin, const std::function<void()>& each = {});
+/// Seeks the least D for which a stress s is in equilibrium with the loads and within the strength with D added to the
+/// cohesion and to the tensile strength of all laws of `soil` (Pa):
+///   in the plane, with mean m and radius R of Mohr's circle: R <= c' cos phi' + D - m sin phi', R <= tension + D - m;
+/// sigma_zz, between the principal stresses in the plane, sets no limit then. Where D <= 0 is reached, s is a rest. Beside
+/// D, `trifle` times the complementary energy of the change from the committed stress is made small. Lagrange's
+/// multipliers give a motion, and with it a bound from below, exact for any multipliers (the kinematic theorem): where it
+/// is positive, a rest would need 1,000 times the energy of the committed stress, so there is none.
+/// By a primal-dual interior-point method with second-order cones
+/// (Nesterov and Todd 1998; of limit analysis: Makrodimopoulos and Martin 2006). `each` is called before every
+/// iteration, and may throw.
+LimitAnswer seek_rest(const StaticSoil& soil, const Vector& load, const std::function<void()>& each = {});
 
 }  // namespace upbead

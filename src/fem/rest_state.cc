@@ -6,11 +6,11 @@
 #include <functional>
 #include <utility>
 
+#include "algebra/factorisation.h"
 #include "base/text.h"
 #include "fem/factor_search.h"
 #include "fem/ground.h"
 #include "fem/limit_state.h"
-#include "upbead/base/error.h"
 
 namespace upbead {
 
@@ -67,19 +67,16 @@ class FailingGround {
     return march_static(soil_, path, steps, x_);
   }
 
-  /// Whether any stress bears the weights within the strength over F. Leaves the soil in that stress.
+  /// Whether any stress bears the weights within the strength over F.
   LimitAnswer bear_at_limit(double F, double done) {
     soil_.start_from(elastic_);
     soil_.follow(laws(F, true));
-    LimitAnswer answer = seek_rest(soil_, weights_, x_, [&] { tell(done); });
-    if (answer.found == RestFound::rest) soil_.commit(x_ = answer.x);
-    return answer;
+    return seek_rest(soil_, weights_, [&] { tell(done); });
   }
 
-  std::string where_it_shears(const Vector& moved) const {
-    const std::optional<unsigned> at = soil_.shears_most(moved);
+  std::string name_of(unsigned index) const {
     for (const Cell& cell : ground_.space().dofs().active_cell_iterators())
-      if (at && cell->active_cell_index() == *at)
+      if (cell->active_cell_index() == index)
         return "region '" + ground_.space().mesh().surface_of(cell) + "' at (" + significant(cell->center()[0], 3) +
                ", " + significant(cell->center()[1], 3) + ") m";
     return {};
@@ -97,9 +94,11 @@ class FailingGround {
   void start_from_elastic() {
     soil_.follow(StaticLaws(n_cells()));
     soil_.start_from(PointStresses(n_cells()));
-    const LimitAnswer elastic = seek_rest(soil_, weights_, x_);
-    if (elastic.found != RestFound::rest) throw NumericsError("the elastic ground found no equilibrium with its weight");
-    soil_.commit(elastic.x);
+    Vector force;
+    soil_.exert(x_, force);
+    SparseMatrix K = soil_.pattern();
+    soil_.tangent(Eigen::Map<Vector>(K.valuePtr(), K.nonZeros()));
+    soil_.commit(Factorisation(K).solve(weights_));
     elastic_ = soil_.stresses();
     if (const auto k0 = k0_of(scene_))
       for (const Cell& cell : ground_.space().dofs().active_cell_iterators())
@@ -140,13 +139,12 @@ RestState rest_state(const Scene& scene, const Mesh& mesh, const SoilState& soil
   if (!rest.report.complete) {
     const LimitAnswer limit = ground.bear_at_limit(1., rest.report.reached);
     rest.none = limit.found == RestFound::none;
-    if (limit.found != RestFound::rest) rest.gives_way = ground.where_it_shears(limit.moved);
+    if (limit.found != RestFound::rest) rest.gives_way = ground.name_of(limit.shears_most);
     if (rest.none) return rest;
-    const PointStresses at_limit = ground.soil().stresses();
     rest.report = ground.bear_weights(false, true);
     if (!rest.report.complete) rest.report = ground.bear_weights(true, true);
     if (!rest.report.complete && limit.found == RestFound::rest) {
-      ground.soil().start_from(at_limit);
+      ground.soil().start_from(limit.stresses);
       rest.report = {1., 1., true, limit.moved, 1, 0, limit.iterations, limit.residual};
     }
   }
@@ -165,7 +163,7 @@ SafetyFactor safety_factor(const Scene& scene, const Mesh& mesh, const SoilState
   while (const std::optional<double> F = search.next()) {
     const LimitAnswer answer = ground.bear_at_limit(*F, search.done());
     search.take(*F, answer);
-    if (answer.found == RestFound::none && *F == search.upper()) found.fails_at = ground.where_it_shears(answer.moved);
+    if (answer.found == RestFound::none && *F == search.upper()) found.fails_at = ground.name_of(answer.shears_most);
   }
   found.lower = search.lower();
   found.upper = search.upper();

@@ -44,7 +44,7 @@ struct SafetyFactor {
   std::string why;              ///< why no bracket as close as asked for was found; empty where it was
 };
 
-/// Strength reduction (Zienkiewicz, Humpheson and Lewis 1975; Griffiths and Lane 1999) to 1 %. Every factor is judged
+/// Strength reduction (Zienkiewicz, Humpheson and Lewis 1975; Griffiths and Lane 1999) to 0.5 %. Every factor is judged
 /// by seek_rest from the elastic state, so that no failure of a solver counts as one of the ground. All soil with a
 /// strength follows Mohr-Coulomb here, whatever its law in waves.
 SafetyFactor safety_factor(const Scene& scene, const Mesh& mesh, const SoilState& soil,

@@ -33,13 +33,6 @@ LawAnswer elastic_answer(const ElasticLaw& law, const PlaneStrain& strain, MohrC
   return {state.stress, law.tangent()};
 }
 
-/// sigma : D^-1 : sigma / 2 (J/m3).
-double energy_of(const ElasticLaw& law, const PlaneStress& s) {
-  const double mean = (s.xx + s.yy + s.zz) / 3., xx = s.xx - mean, yy = s.yy - mean, zz = s.zz - mean;
-  return 0.5 * mean * mean / (law.lambda + 2. / 3. * law.G) +
-         (xx * xx + yy * yy + zz * zz + 2. * s.xy * s.xy) / (4. * law.G);
-}
-
 bool is_at_strength(const MohrCoulombLaw& law, const PlaneStress& s) {
   return law.excess(s) > -1e-6 * (std::abs(s.xx) + std::abs(s.yy) + std::abs(s.zz));
 }
@@ -70,7 +63,6 @@ struct StaticSoil::Impl {
   std::vector<Place> places;
   std::vector<MohrCoulombLaw::State> states;  ///< committed, by point
   std::vector<Eigen::Matrix3d> tangents;      ///< by point, of the last exert()
-  std::vector<PlaneStress> exerted;           ///< the same
   StaticLaws laws;
   SparseMatrix pattern;
   double least_stiffness = 1e-5;  ///< over the elastic one
@@ -98,7 +90,6 @@ StaticSoil::Impl::Impl(const Space& space, const Unknowns& unknowns) {
     if (space.has_matrices(cell) && space.kind(cell) != CellKind::water) add(space, unknowns, cell);
   states.resize(places.size());
   tangents.resize(places.size());
-  exerted.resize(places.size());
   laws.resize(space.mesh().triangulation.n_active_cells());
   number_entries(unknowns.size());
 }
@@ -176,10 +167,8 @@ void StaticSoil::exert(const Vector& x, Vector& force) {
       const PlaneStrain strain = impl_->strain(p, local);
       LawAnswer answer = impl_->answer(cell, strain, state);
       if (is_still(strain, impl_->states[p].strain)) answer.tangent = cell.elastic.tangent();
-      impl_->exerted[p] = answer.stress;
       const Impl::Place& place = impl_->places[p];
-      impl_->tangents[p] =
-          place.area * ((1. - least) * matrix_of(answer.tangent) + least * matrix_of(cell.elastic.tangent()));
+      impl_->tangents[p] = (1. - least) * matrix_of(answer.tangent) + least * matrix_of(cell.elastic.tangent());
       sum.noalias() += place.strain.transpose() *
                        (place.area * Eigen::Vector3d(answer.stress.xx, answer.stress.yy, answer.stress.xy));
     }
@@ -192,6 +181,10 @@ const SparseMatrix& StaticSoil::pattern() const {
 }
 
 void StaticSoil::tangent(Eigen::Ref<Vector> values) const {
+  assemble(impl_->tangents, values);
+}
+
+void StaticSoil::assemble(const std::vector<Eigen::Matrix3d>& D, Eigen::Ref<Vector> values) const {
   values.setZero();
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> K;
   for (const Impl::SoilCell& cell : impl_->cells) {
@@ -199,7 +192,7 @@ void StaticSoil::tangent(Eigen::Ref<Vector> values) const {
     K.setZero(n, n);
     for (std::size_t p = cell.first_point; p < cell.end_of_points; ++p) {
       const Columns& B = impl_->places[p].strain;
-      K.noalias() += B.transpose() * (impl_->tangents[p] * B);
+      K.noalias() += B.transpose() * ((impl_->places[p].area * D[p]) * B);
     }
     for (Eigen::Index k = 0; k < n * n; ++k) values[cell.entries[static_cast<std::size_t>(k)]] += K.data()[k];
   }
@@ -213,58 +206,34 @@ void StaticSoil::commit(const Vector& x) {
   }
 }
 
-double StaticSoil::energy() const {
-  double sum = 0.;
+std::vector<StaticSoil::Point> StaticSoil::points() const {
+  std::vector<Point> found;
   for (const Impl::SoilCell& cell : impl_->cells)
     for (std::size_t p = cell.first_point; p < cell.end_of_points; ++p)
-      sum += impl_->places[p].area * energy_of(cell.elastic, impl_->exerted[p]);
-  return sum;
+      found.push_back({cell.index, impl_->places[p].area, cell.elastic, impl_->laws[cell.index].get(),
+                       impl_->states[p].stress});
+  return found;
 }
 
-double StaticSoil::energy_of_change() const {
-  double sum = 0.;
-  for (const Impl::SoilCell& cell : impl_->cells)
-    for (std::size_t p = cell.first_point; p < cell.end_of_points; ++p) {
-      const PlaneStress &now = impl_->exerted[p], &before = impl_->states[p].stress;
-      sum += impl_->places[p].area *
-             energy_of(cell.elastic,
-                       {now.xx - before.xx, now.yy - before.yy, now.xy - before.xy, now.zz - before.zz});
-    }
-  return sum;
-}
-
-double StaticSoil::resistance(const Vector& moved) const {
-  double sum = 0.;
+std::vector<Eigen::Vector3d> StaticSoil::strains(const Vector& x) const {
+  std::vector<Eigen::Vector3d> found;
   for (const Impl::SoilCell& cell : impl_->cells) {
-    const Vector local = Impl::gather(cell, moved);
-    for (std::size_t p = cell.first_point; p < cell.end_of_points; ++p) {
-      const PlaneStrain e = impl_->strain(p, local);
-      const PlaneStress& s = impl_->exerted[p];
-      const double mean = (s.xx + s.yy + s.zz) / 3.;
-      sum += impl_->places[p].area * ((s.xx - mean) * e.xx + (s.yy - mean) * e.yy + 2. * s.xy * e.xy);
-    }
-  }
-  return sum;
-}
-
-std::optional<unsigned> StaticSoil::shears_most(const Vector& moved) const {
-  std::optional<unsigned> found;
-  double most = 0.;
-  for (const Impl::SoilCell& cell : impl_->cells) {
-    const auto& law = impl_->laws[cell.index];
-    if (!law) continue;
-    const Vector local = Impl::gather(cell, moved);
-    double shear = 0.;
-    for (std::size_t p = cell.first_point; p < cell.end_of_points; ++p) {
-      const PlaneStrain e = impl_->strain(p, local);
-      if (is_at_strength(*law, impl_->exerted[p]))
-        shear += impl_->places[p].area / cell.area * std::hypot(0.5 * (e.xx - e.yy), e.xy);
-    }
-    if (shear <= most) continue;
-    most = shear;
-    found = cell.index;
+    const Vector local = Impl::gather(cell, x);
+    for (std::size_t p = cell.first_point; p < cell.end_of_points; ++p)
+      found.emplace_back(impl_->places[p].strain * local);
   }
   return found;
+}
+
+Vector StaticSoil::forces(const std::vector<Eigen::Vector3d>& stresses) const {
+  Vector force = Vector::Zero(impl_->pattern.rows());
+  for (const Impl::SoilCell& cell : impl_->cells) {
+    Vector sum = Vector::Zero(static_cast<Eigen::Index>(cell.unknowns.size()));
+    for (std::size_t p = cell.first_point; p < cell.end_of_points; ++p)
+      sum.noalias() += impl_->places[p].strain.transpose() * (impl_->places[p].area * stresses[p]);
+    for (std::size_t i = 0; i < cell.unknowns.size(); ++i) force[cell.unknowns[i]] += sum[static_cast<Eigen::Index>(i)];
+  }
+  return force;
 }
 
 PointStresses StaticSoil::stresses() const {

@@ -2,8 +2,8 @@
 // tangent.
 #pragma once
 
+#include <Eigen/Dense>
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "fem/unknowns.h"
@@ -42,14 +42,21 @@ class StaticSoil {
   /// Commits x.
   void commit(const Vector& x);
 
-  /// Energy of the stresses of the last `exert`, or of their change since the last commit: sigma : D^-1 : sigma / 2
-  /// over the area (J/m).
-  double energy() const;
-  double energy_of_change() const;
-  /// Power of the deviators of the last `exert` in a motion `moved` (J/m): what resists shear.
-  double resistance(const Vector& moved) const;
-  /// The active cell with a law that shears most in a motion, of those at their strength in the last `exert`.
-  std::optional<unsigned> shears_most(const Vector& moved) const;
+  /// A point of quadrature, in a fixed order.
+  struct Point {
+    unsigned cell;  ///< active cell index
+    double area;    ///< m2
+    ElasticLaw elastic;
+    const MohrCoulombLaw* law;  ///< null where the cell is elastic
+    PlaneStress stress;         ///< committed
+  };
+  std::vector<Point> points() const;
+  /// (eps_xx, eps_yy, gamma_xy) at every point.
+  std::vector<Eigen::Vector3d> strains(const Vector& x) const;
+  /// Nodal forces of the stresses (xx, yy, xy) at every point.
+  Vector forces(const std::vector<Eigen::Vector3d>& stresses) const;
+  /// Sum of area B^T D B over the points, in the order of the pattern.
+  void assemble(const std::vector<Eigen::Matrix3d>& D, Eigen::Ref<Vector> values) const;
 
   PointStresses stresses() const;
   /// Largest excess of a committed stress over the strength of its law (Pa); 0 or less where all stresses are borne.

@@ -280,7 +280,7 @@ OutputSchema<SafetySummary> safety_outputs() {
            "smallest factor at which it was shown that there is none; null where it stands with a twentieth of its strength, "
            "or nothing was shown")
       .key("fails_at", &S::fails_at, "", "where it shears most as it fails; empty where it does not")
-      .reason("why_open", &S::why_open, "why the bounds are more than 1 % apart, or missing; null where they are not");
+      .reason("why_open", &S::why_open, "why the bounds are more than 0.5 % apart, or missing; null where they are not");
 }
 
 OutputSchema<PeakStrain> peak_strain_outputs() {
