@@ -105,7 +105,7 @@ def summary(frames, result):
         "box": box,
         "magnify": magnify,
         "scale": scale,
-        "points": coded(frames.points.T),
+        "points": coded(frames.points.T - [[box[0]], [box[2]]]),  # from the corner: coordinates of a survey have too many digits
         "cells": base64.b64encode(frames.cells.astype("<u4").tobytes()).decode(),
         "kinds": frames.kinds.tolist(),
         "displacement": coded(frames.displacement),

@@ -4,12 +4,13 @@ function deformed(data, canvas) {
   const GROUND = 0, WATER = 1, RIGID = 2, OPEN = 2, DASHES = [[], [6, 3], []], AIR = 20, LINE = "#39424e";
   const bytes = (text) => Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
   const numbers = (part) => Float32Array.from(new Int16Array(bytes(part.data).buffer), (value) => value * part.step);
-  const points = numbers(data.points), cells = new Uint32Array(bytes(data.cells).buffer);
+  const points = Float64Array.from(numbers(data.points)), cells = new Uint32Array(bytes(data.cells).buffer);
   const displacement = numbers(data.displacement), pressure = bytes(data.pressure);
   const strength = data.strength && bytes(data.strength.data);
   const context = canvas.getContext("2d"), nodes = points.length / 2, count = cells.length / 4;
   const byKind = [GROUND, WATER, RIGID].map((kind) => Array.from(data.kinds.keys()).filter((cell) => data.kinds[cell] === kind));
   const [x0, x1, y0, y1] = data.box;
+  for (let i = 0; i < nodes; ++i) points[i] += x0, points[nodes + i] += y0;
   let scale = 1, ratio = 1, filled, x = new Float32Array(nodes), y = new Float32Array(nodes);
 
   // A colour for each byte: of a pressure 256 from suction to pressure, of strength its class; beyond its steps soil has none.
