@@ -99,5 +99,5 @@ def written_as(value, unit):
     if isinstance(value, bool) or not math.isfinite(value):
         return plain(value)
     factor, name = (1.0, unit) if unit == "m" else scale(unit, value)  # all lengths of a section are in metres
-    digits = 5 if value == float(f"{value:.5g}") else 4
+    digits = 5 if value == float(f"{value:.5g}") else 9 if unit in ("m", "") and abs(value) >= 1e4 else 4  # 9: of a survey
     return f"{plain(value * factor if factor != 1.0 else value, digits)} {pretty(name)}".strip()

@@ -39,6 +39,10 @@ std::string significant(double value, int digits = 3);
 /// "(1.5, -12.3) m": with at most that many significant digits, but to the centimetre where these are less than that in
 /// the coordinates of a survey.
 std::string place_text(double x, double y, int digits = 3);
+template <class Point>
+std::string place_text(const Point& at, int digits = 3) {
+  return place_text(at[0], at[1], digits);
+}
 
 /// `value`, or 0 where it is below 1e-9 of `peak`, which is round-off.
 double without_round_off(double value, double peak);

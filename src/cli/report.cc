@@ -115,7 +115,7 @@ std::string describe(const NonlinearSummary& n, const Summary& summary) {
              percent(n.share_yielded).c_str(), with_unit(summary.energy->plastic, "J/m").c_str(),
              static_cast<double>(n.iterations) / std::max(n.stages, 1));
   text += "  strain      up to " + significant(100. * n.peak_strain.value) + " % in shear, at " +
-          place_text(n.peak_strain.at[0], n.peak_strain.at[1]) + "\n";
+          place_text(n.peak_strain.at) + "\n";
   for (const MobilisedRegion& of : n.regions)
     text += format("  %-12s%s of the strength at most (%s at rest), all of it in %s of the area\n", of.region.c_str(),
                    percent(of.largest).c_str(), percent(of.initial).c_str(), percent(of.share).c_str());
@@ -129,8 +129,8 @@ std::string describe(const NonlinearSummary& n, const Summary& summary) {
   const double largest = std::abs(summary.response->largest_displacement);
   text += "  residual    " + describe(*summary.residual, largest) + " (start: " + n.start + ")\n";
   if (const auto& left = summary.residual->pore_pressure)
-    text += "              excess pore pressure left: " + with_unit(left->value, "Pa") + " at " +
-            place_text(left->at[0], left->at[1]) + "\n";
+    text += "              excess pore pressure left: " + with_unit(left->value, "Pa") + " at " + place_text(left->at) +
+            "\n";
   for (const StartBound& bound : n.bounds)
     text += format("  %-12s", bound.start.c_str()) +
             (bound.shear_to_force_ratio ? "F_T / P " + significant(*bound.shear_to_force_ratio, 4) + ", " : "") +

@@ -174,7 +174,7 @@ void check_probes(Checker& checker) {
     for (const auto& cell : checker.mesh.triangulation.active_cell_iterators())
       inside = inside || unit_coordinates(cell, at).has_value();
     if (!inside)
-      checker.object("probes." + name + ".at", "the point " + place_text(at[0], at[1], 6) + " is outside the mesh",
+      checker.object("probes." + name + ".at", "the point " + place_text(at, 6) + " is outside the mesh",
                      "give a point of the section, in metres");
   }
 }

@@ -35,14 +35,16 @@ bool is_moved(const Scene& scene, const std::string& curve) {
   });
 }
 
-/// A base that is shaken as a whole: the curve that holds the lowest point of the ground, moved without a shape.
-const Load* shaking(const Checker& checker, const Load& load) {
-  if (!is_motion(load.kind) || load.factor == 0. || !load.shape.empty() || !checker.scene.time.inertia) return nullptr;
+/// Whether a load shakes a base as a whole: a curve along the foot of the ground, moved without a shape.
+bool shakes_base(const Checker& checker, const Load& load) {
+  if (!is_motion(load.kind) || load.factor == 0. || !load.shape.empty() || !checker.scene.time.inertia) return false;
   const auto& outer = checker.outline.outer;
   const auto own = outer.find(load.boundary);
-  if (own == outer.end()) return nullptr;
-  const auto lower = [&](const auto& entry) { return entry.second.bounds.lowest < own->second.bounds.lowest; };
-  return std::any_of(outer.begin(), outer.end(), lower) ? nullptr : &load;
+  if (own == outer.end()) return false;
+  const Bounds& bounds = own->second.bounds;
+  return bounds.right - bounds.left > bounds.highest - bounds.lowest &&
+         std::none_of(outer.begin(), outer.end(),
+                      [&](const auto& entry) { return entry.second.bounds.lowest < bounds.lowest; });
 }
 
 /// Sides at rest that hold the ground along the motion of the base.
@@ -124,7 +126,7 @@ void check_alike(Checker& checker) {
 
 void check_shaken_sides(Checker& checker) {
   for (const auto& [name, load] : checker.scene.loads)
-    if (const Load* base = shaking(checker, load)) check_holding_sides(checker, *base);
+    if (shakes_base(checker, load)) check_holding_sides(checker, load);
   if (level_sides(checker.scene) == LevelSides::move_alike) check_alike(checker);
 }
 

@@ -126,15 +126,17 @@ OutputSchema<MeasuredSummary> measured_outputs() {
 OutputSchema<EnergyAccount> energy_outputs() {
   using E = EnergyAccount;
   return OutputSchema<E>()
-      .key("work", &E::work, "J/m", "done by the loads: the sum of the next ten")
+      .key("work", &E::work, "J/m",
+           "done by the loads, and by the reaction of a moving base on its velocity: the sum of the next ten")
       .key("kinetic", &E::kinetic, "J/m", "stored")
       .key("strain", &E::strain, "J/m", "stored")
       .key("fluid", &E::fluid, "J/m", "stored in compressed fluid and raised surfaces")
       .key("lifted", &E::lifted, "J/m",
            "stored where the caisson has parted from its ground: forces at rest times openings")
       .key("drag", &E::drag, "J/m", "taken by flow through the pores")
-      .key("damping", &E::damping, "J/m", "taken by material damping")
-      .key("radiated", &E::radiated, "J/m", "gone through absorbing sides")
+      .key("damping", &E::damping, "J/m", "taken by material damping, of motion relative to a base that is shaken")
+      .key("radiated", &E::radiated, "J/m",
+           "gone through absorbing sides, by motion relative to an outcrop that is shaken")
       .key("friction", &E::friction, "J/m", "taken at the bottom, by friction and where nodes close")
       .key("plastic", &E::plastic, "J/m", "taken by soil that yields")
       .key("scheme", &E::scheme, "J/m", "taken by the time scheme; may be negative")

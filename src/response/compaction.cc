@@ -93,10 +93,6 @@ double largest_pressure(const Cell& cell, const Unknowns& unknowns, const State&
   return largest;
 }
 
-std::string place_text(const std::array<double, 2>& at) {
-  return place_text(at[0], at[1]);
-}
-
 }  // namespace
 
 std::vector<CompactedSoil> compacted_soils(const Space& space, const Unknowns& unknowns, const CompactingPoints& points,

@@ -121,10 +121,6 @@ NumberedWarnings loose_warnings(const Summary& summary) {
 /// Share of the area that must yield in addition to what yields at rest.
 constexpr double least_yielding = 0.005;
 
-std::string place_text(const dealii::Point<dim>& at) {
-  return place_text(at[0], at[1]);
-}
-
 }  // namespace
 
 Monitors::Monitors(const Simulation& simulation) {
@@ -222,7 +218,7 @@ void Monitors::report_strength(Run& run) const {
                                           significant(100. * s.initial_share, 2) +
                                           " % at rest) the stresses exceed the soil's strength, at most " +
                                           (s.largest < 10. ? "" : "more than ") + significant(s.largest) +
-                                          " times at " + place_text({s.at[0], s.at[1]}) + " at " + significant(s.time) +
+                                          " times at " + place_text(s.at) + " at " + significant(s.time) +
                                           " s: it would yield, which linear soil does not; use [regions." + s.region +
                                           ".strain], smaller loads, or a stronger soil"});
 }

@@ -1,6 +1,5 @@
 #include "study/workers.h"
 
-#include <fcntl.h>
 #include <mpi.h>
 #include <unistd.h>
 

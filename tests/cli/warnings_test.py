@@ -320,7 +320,7 @@ class Warnings(ProgramTest):
         self.expect(found, "record_too_coarse", 6)
 
     def test_motion_stays(self):
-        base = SCENE.split("[loads.impulse]")[0]
+        base = SCENE.split("[loads.impulse]")[0].replace('"roller"', '"level"')
         tail = SCENE[SCENE.index("[time]"):]
         for rows, left in (([(0, 0), (0.1, 2), (0.2, 0), (0.3, -1), (0.4, 0)], 0.1), ([(0, 0), (0.1, 2), (0.3, -2), (0.4, 0)], 0)):
             (self.folder / "base.csv").write_text("t (s),a (m/s2)\n" + "".join(f"{t},{a}\n" for t, a in rows))
@@ -330,6 +330,43 @@ class Warnings(ProgramTest):
                 self.expect(found, "motion_stays", left)
             else:
                 self.assertNotIn("motion_stays", found)
+
+    def test_nothing_holds(self):
+        """A column on a dashpot c under the impulse J of its top: J/c (1 - exp(-c t/m)), per metre of width."""
+        c, peak, duration, end, mass = 4e4, 1e3, 0.2, 3.0, 2000 * HEIGHT
+        scene = COLUMN % (DRY, "", "", "", "", '{ shape = "triangle", peak = %g, duration = %g }' % (peak, duration), end)
+        held = '"fixed"'
+        self.assertNotIn("nothing_holds", self.ask("explain", scene=scene)[0])
+        self.assertIn(held, scene)
+        drift = peak * duration / 2 / c * (1 - math.exp(-c * end / mass))
+        found, summary = self.ask("run", scene=scene.replace(held, f'"free", dashpot = [{c}, {c}]'))
+        self.expect(found, "nothing_holds", drift)
+        with h5py.File(self.folder / "out/results.h5") as file:
+            moved = file["history/probes/a/displacement_y"][-1]
+        self.assertAlmostEqual(-moved / drift, 1, 1, "what is told is so: the impulse acts a little later than at t = 0")
+        sprung = scene.replace(held, f'"free", dashpot = [{c}, {c}], spring = [1e6, 1e6]')
+        self.assertNotIn("nothing_holds", self.ask("explain", scene=sprung)[0])
+
+    def test_sides_unlike_ground(self):
+        base = SCENE.split("[loads.impulse]")[0]
+        quake = '[loads.quake]\nboundary = "base"\nkind = "velocity"\npulse = { shape = "half_sine", peak = 0.1, duration = 0.3 }\n'
+        tail = SCENE[SCENE.index("[time]"):]
+        for sides, number in (("level", 0), ("absorbing", 2), ("free", 2)):
+            found, _ = self.ask("explain", scene=base.replace('"roller"', f'"{sides}"') + quake + tail)
+            if number:
+                self.assertEqual(found["sides_unlike_ground"]["value"], number)
+                facts["sides_unlike_ground"] = found["sides_unlike_ground"]["text"]
+            else:
+                self.assertNotIn("sides_unlike_ground", found)
+
+    def test_impact_unresolved(self):
+        strong = [*LEVEL, *settings(loads__impulse__factor=6, regions__caisson__interface="{ kind = \"friction\" }", time__end=0.4)]
+        self.assertNotIn("impact_unresolved", self.ask("run", *strong, "--set", "time.step=0.005")[0])
+        stiff = settings(regions__seabed__shear_modulus=3e10, regions__mound__shear_modulus=5e10)
+        found, summary = self.ask("run", *strong, *stiff, "--set", "time.step=0.005")
+        self.assertGreater(summary["contact"]["solved"]["impacts"], 0)
+        self.assertEqual(found["impact_unresolved"]["value"], summary["discretisation"]["time_step"])
+        facts["impact_unresolved"] = found["impact_unresolved"]["text"]
 
     def test_cavitation(self):
         strong = settings(loads__impulse__factor=20)

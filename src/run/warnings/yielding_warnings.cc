@@ -13,7 +13,7 @@ constexpr double large_strain = 0.05;
 constexpr double slip_line = 3., least_strain = 1e-3;
 
 std::string where(const PeakStrain& peak) {
-  return "at " + place_text(peak.at[0], peak.at[1]);
+  return "at " + place_text(peak.at);
 }
 
 }  // namespace
