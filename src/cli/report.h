@@ -9,7 +9,7 @@
 namespace upbead {
 
 /// What will be solved: mesh, unknowns, regions with their flow and why, loads with their arms, what is skipped.
-std::string describe(const Case& input, const Simulation& simulation);
+std::string describe(const Case& input, const Simulation& simulation, const std::vector<MeasuredRecord>& measured);
 
 /// The results: peaks, ratio, checks, times.
 std::string describe(const Run& run);
