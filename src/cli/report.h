@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "case/records/measured.h"
 #include "upbead/case/case.h"
 #include "upbead/run/simulation.h"
 
