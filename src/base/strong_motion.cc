@@ -26,7 +26,7 @@ std::vector<double> numbers_in(const std::string& line, std::size_t n) {
   for (std::size_t at = 0; list.size() < n && at < line.size();) {
     const std::size_t begin = line.find_first_of("0123456789.", at);
     if (begin == std::string::npos) break;
-    const std::size_t end = std::min(line.find_first_not_of("0123456789.", begin), line.size());
+    const std::size_t end = std::min(line.find_first_not_of("0123456789.E+-", begin), line.size());
     double number = 0.;
     if (read_cell(std::string_view(line).substr(begin, end - begin), {}, number) == CellIs::number)
       list.push_back(number);
@@ -35,7 +35,7 @@ std::vector<double> numbers_in(const std::string& line, std::size_t n) {
   return list;
 }
 
-/// Motion and unit by the line "ACCELERATION TIME SERIES IN UNITS OF G".
+/// Motion and unit by the line "ACCELERATION IN UNITS OF G".
 bool read_quantity(const std::string& head, CsvTable& table) {
   constexpr std::pair<const char*, const char*> motions[]{
       {"ACCELERATION", "acceleration"}, {"VELOCITY", "velocity"}, {"DISPLACEMENT", "displacement"}};
@@ -76,7 +76,7 @@ std::optional<CsvTable> read_strong_motion(std::string_view text, const std::str
                      "give the record whole, as PEER wrote it");
   if (!read_quantity(head[2] + "\n", table))
     throw InputError({path, 3, 1}, "this line of a record of strong motion does not tell its unit",
-                     "write ACCELERATION TIME SERIES IN UNITS OF G, or the time and the motion in two columns");
+                     "write ACCELERATION IN UNITS OF G, or the time and the motion in two columns");
   table.columns.resize(2);
   Dialect blanks;
   blanks.separator = ' ';

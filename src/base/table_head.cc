@@ -212,8 +212,8 @@ void refuse_lost_names(const std::vector<TableLine>& lines, const TableShape& sh
       if ((unit.empty() || !unit_of(unit)) && header_says(name, "") <= HeaderSays::capital && !unit_at_end(name))
         continue;
       throw InputError({path, line.number, 1},
-                       in_quotes(trimmed(line.text)) + " cannot be told apart as the names of " +
-                           std::to_string(shape.n) + " column" + (shape.n > 1 ? "s" : ""),
+                       in_quotes(trimmed(line.text)) + " does not name each of " + std::to_string(shape.n) + " column" +
+                           (shape.n > 1 ? "s" : ""),
                        "separate names by commas, semicolons or tabs, or write a name of one word over each column");
     }
   }

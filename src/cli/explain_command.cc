@@ -136,9 +136,9 @@ int explain(const CaseOptions& options) {
   const Simulation simulation = simulation_of(input, settle_end(input));
   const NumberedWarnings told = warnings(input, simulation);
   std::cerr << notes_on(input) << describe(told);
-  const std::vector<RecordSummary> records = record_summaries(input, read_records(input, simulation));
-  std::cout << (options.json ? explanation_json(input, simulation, told, records)
-                             : describe(input, simulation) + describe(records));
+  const std::vector<MeasuredRecord> measured = read_records(input, simulation);
+  std::cout << (options.json ? explanation_json(input, simulation, told, record_summaries(input, measured))
+                             : describe(input, simulation, measured));
   return 0;
 }
 

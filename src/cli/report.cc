@@ -298,7 +298,7 @@ std::string describe(const SlidingSummary& s) {
 
 }  // namespace
 
-std::string describe(const Case& input, const Simulation& simulation) {
+std::string describe(const Case& input, const Simulation& simulation, const std::vector<MeasuredRecord>& measured) {
   std::string text = input.scene.title + "\n";
   text += format("mesh        %d cells of degree %d, %d unknowns (%d of them relative fluid displacements)\n",
                  static_cast<int>(simulation.mesh->triangulation.n_active_cells()), simulation.space->degree(),
@@ -312,7 +312,7 @@ std::string describe(const Case& input, const Simulation& simulation) {
   if (simulation.processes) text += format("            divided among %d processes\n", simulation.processes->count());
   if (simulation.accuracy) text += describe(*simulation.accuracy);
   text += "regions\n" + describe_regions(input, simulation);
-  text += "loads\n" + describe_loads(simulation);
+  text += "loads\n" + describe_loads(simulation) + describe(record_summaries(input, measured));
   text +=
       describe(flow_summaries(input)) + describe(gauge_summaries(input, simulation)) + describe(wave_summaries(input));
   const SchemeChoice choice = choose_scheme(simulation.scene, *simulation.compiled);

@@ -114,7 +114,7 @@ TEST_F(Csv, RefusesNamesThatCannotBeTold) {
             "f:2:1: lines 1 and 2 both may hold the names of the columns");
   EXPECT_EQ(refusal("# P,F\n# wall,run\n0.5,1.5\n"), "f:2:1: lines 1 and 2 both may hold the names of the columns");
   EXPECT_EQ(refusal("Time (ms) Force on wall (kN/m)\n0.0 1\n"),
-            "f:1:1: 'Time (ms) Force on wall (kN/m)' cannot be told apart as the names of 2 columns");
+            "f:1:1: 'Time (ms) Force on wall (kN/m)' does not name each of 2 columns");
   EXPECT_EQ(refusal("Unit: kPa\ntime,p\n0,1\n"), "f:1:1: 'Unit: kPa' gives a unit, but not by column");
   EXPECT_EQ(refusal("time (s),p\nms,kPa\n0,1\n"),
             "f:2:1: column 'time' has the unit 's' behind its name and 'ms' below it");

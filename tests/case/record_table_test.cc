@@ -134,9 +134,10 @@ TEST_F(Records, KeepTheirOwnTimesBesideASamplingRate) {
 }
 
 TEST_F(Records, OfStrongMotionAreRead) {
-  const std::string head = "SOME RECORD\nPLACE 01/02/03, STATION, 090\nACCELERATION TIME SERIES IN UNITS OF G\n";
+  const std::string head = "SOME RECORD\nPLACE 01/02/03, STATION, 090\nACCELERATION IN UNITS OF G\n";
   const std::string rows = "   0.1E-01   0.2E-01   0.3E-01   0.1E-01   0.0E+00\n  -0.1E-01  -0.2E-01  -0.1E-01\n";
-  for (const std::string line : {"8    0.0100    NPTS, DT\n", "NPTS=    8, DT=   .0100 SEC,\n"}) {
+  for (const std::string line :
+       {"8    0.0100    NPTS, DT\n", "NPTS=    8, DT=   .0100 SEC,\n", "8  1.0E-02  NPTS, DT\n"}) {
     RecordNotes notes;
     EXPECT_DOUBLE_EQ(peak(head + line + rows, notes, LoadKind::acceleration), 0.03 * g);
     EXPECT_DOUBLE_EQ(notes.read[0].extreme_time, 0.02);
