@@ -192,7 +192,7 @@ OutputSchema<BaseSummary> base_outputs() {
       .key("least_overturning_margin_time", &B::least_overturning_margin_time, "s", "when")
       .key("lifts_time", &B::lifts_time, "s",
            "when an edge first has no pressure: from then on a base that cannot pull parts from its mound there, and "
-           "one that is bonded pulls; null where both edges always press")
+           "one that is bonded pulls; with friction node by node when a node opens; null where both edges always press")
       .reason("lifts", &B::lifts, "which edge that is: `seaward`, `landward`, or `all`; null with it")
       .key("peak_computed_pressure", &B::peak_computed_pressure, "Pa",
            "largest effective stress under a node of the base, as solved; **no pressure to judge by**: at the edges of "
