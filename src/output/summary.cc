@@ -387,6 +387,20 @@ std::optional<std::string> no_periods(const Summary& summary) {
   return why.empty() ? std::nullopt : std::make_optional(why);
 }
 
+/// What was checked, may be wrong, was tried and was left out.
+OutputSchema<Summary> lists_outputs() {
+  using S = Summary;
+  return OutputSchema<S>()
+      .list("checks[]", &S::checks, check_outputs(),
+            "of the section by all routes: sliding, friction, pressure of heel and toe, overturning; empty without a "
+            "caisson")
+      .list("strength[]", &S::strength, strength_outputs(), "of each region with a [strength](warnings.md#strength)")
+      .list("warnings[]", &S::warnings, warning_outputs(), "[what may be wrong](warnings.md) though nothing failed")
+      .list("ladder[]", &S::ladder, ladder_outputs(),
+            "the [ways](reduced.md#the-ladder) that were tried, in their order")
+      .list("skipped[]", &S::skipped, skipped_outputs(), "each thing that was left out");
+}
+
 OutputSchema<Summary> whole_outputs() {
   using S = Summary;
   const auto of_caisson = [](const S& s) { return s.response ? &s : nullptr; };
@@ -430,15 +444,7 @@ OutputSchema<Summary> whole_outputs() {
       .list("densification[]", &S::densification, densification_outputs(), "[denser soils](yielding.md#densification)")
       .object("safety", &S::safety, safety_outputs(),
               "factor by which [strength may fall at rest](yielding.md#strength-reduction); null unless asked for")
-      .list("checks[]", &S::checks, check_outputs(),
-            "checks of the section by all routes: sliding, friction, pressure of heel and toe, overturning; empty "
-            "without "
-            "a caisson")
-      .list("strength[]", &S::strength, strength_outputs(), "of each region with a [strength](warnings.md#strength)")
-      .list("warnings[]", &S::warnings, warning_outputs(), "[what may be wrong](warnings.md) though nothing failed")
-      .list("ladder[]", &S::ladder, ladder_outputs(),
-            "the [ways](reduced.md#the-ladder) that were tried, in their order")
-      .list("skipped[]", &S::skipped, skipped_outputs(), "each thing that was left out")
+      .keys_of([](const S& s) -> const S& { return s; }, lists_outputs())
       .object("timing", &S::timing, timing_outputs(), "wall times")
       .versions();
 }
