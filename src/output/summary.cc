@@ -194,7 +194,7 @@ OutputSchema<BaseSummary> base_outputs() {
       .key("least_overturning_margin_time", &B::least_overturning_margin_time, "s", "when")
       .key("lifts_time", &B::lifts_time, "s",
            "when an edge first has no pressure: from then on a base that cannot pull parts from its mound there, and "
-           "one that is bonded pulls; null where both edges always press")
+           "one that is bonded pulls; with friction node by node when a node opens; null where both edges always press")
       .reason("lifts", &B::lifts, "which edge that is: `seaward`, `landward`, or `all`; null with it")
       .key("peak_computed_pressure", &B::peak_computed_pressure, "Pa",
            "largest effective stress under a node of the base, as solved; **no pressure to judge by**: at the edges of "
@@ -393,6 +393,20 @@ std::optional<std::string> no_periods(const Summary& summary) {
   return why.empty() ? std::nullopt : std::make_optional(why);
 }
 
+/// What was checked, may be wrong, was tried and was left out.
+OutputSchema<Summary> lists_outputs() {
+  using S = Summary;
+  return OutputSchema<S>()
+      .list("checks[]", &S::checks, check_outputs(),
+            "of the section by all routes: sliding, friction, pressure of heel and toe, overturning; empty without a "
+            "caisson")
+      .list("strength[]", &S::strength, strength_outputs(), "of each region with a [strength](warnings.md#strength)")
+      .list("warnings[]", &S::warnings, warning_outputs(), "[what may be wrong](warnings.md) though nothing failed")
+      .list("ladder[]", &S::ladder, ladder_outputs(),
+            "the [ways](reduced.md#the-ladder) that were tried, in their order")
+      .list("skipped[]", &S::skipped, skipped_outputs(), "each thing that was left out");
+}
+
 OutputSchema<Summary> whole_outputs() {
   using S = Summary;
   const auto of_caisson = [](const S& s) { return s.response ? &s : nullptr; };
@@ -440,15 +454,7 @@ OutputSchema<Summary> whole_outputs() {
       .reason("void", &S::why_void,
               "why nothing here that was marched is of a section that stands: its ground [has no state at "
               "rest](yielding.md#ground-that-does-not-stand); null where it has")
-      .list("checks[]", &S::checks, check_outputs(),
-            "checks of the section by all routes: sliding, friction, pressure of heel and toe, overturning; empty "
-            "without "
-            "a caisson")
-      .list("strength[]", &S::strength, strength_outputs(), "of each region with a [strength](warnings.md#strength)")
-      .list("warnings[]", &S::warnings, warning_outputs(), "[what may be wrong](warnings.md) though nothing failed")
-      .list("ladder[]", &S::ladder, ladder_outputs(),
-            "the [ways](reduced.md#the-ladder) that were tried, in their order")
-      .list("skipped[]", &S::skipped, skipped_outputs(), "each thing that was left out")
+      .keys_of([](const S& s) -> const S& { return s; }, lists_outputs())
       .object("timing", &S::timing, timing_outputs(), "wall times")
       .versions();
 }

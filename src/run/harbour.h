@@ -7,7 +7,8 @@
 
 namespace upbead {
 
-/// None without a caisson between two waters of the mesh, or where both stand at one level.
+/// None without a caisson between two waters of the mesh, where both stand at one level, or where the loads end with
+/// that push: then it is one of them.
 std::optional<HarbourSummary> harbour_of(const Simulation& simulation);
 
 /// Warning harbour_level: the scene has one level at rest, and the push by the other is in the checks of friction

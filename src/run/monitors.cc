@@ -118,6 +118,16 @@ NumberedWarnings loose_warnings(const Summary& summary) {
   return list;
 }
 
+/// Where friction was followed, an edge parts from the mound where its node opens, not where a straight line of stress
+/// ends.
+void set_lifting(const NodeContact& contact, BaseSummary& base) {
+  base.lifts_time = contact.first_open;
+  base.lifts = !contact.first_open                                   ? ""
+               : contact.least_contact <= 0.                         ? "all"
+               : contact.opening_seaward >= contact.opening_landward ? "seaward"
+                                                                     : "landward";
+}
+
 /// Share of the area that must yield in addition to what yields at rest.
 constexpr double least_yielding = 0.005;
 
@@ -170,6 +180,7 @@ void Monitors::report(Run& run) const {
   const std::optional<EffectiveBase> base = effective_base(simulation, run.response.ends);
   if (base) summary.base = base_summary(simulation, *base, run.response.ends, run.contact);
   if (summary.base) summary.base->limit = simulation.given.limits.dynamic_base_pressure;
+  if (summary.base && is_solved_with_friction(summary)) set_lifting(*summary.contact->solved, *summary.base);
   summary.harbour = harbour_of(simulation);
   append(summary.warnings, lift_warnings(base, run));
   append(summary.warnings, pressure_warnings(summary.base));

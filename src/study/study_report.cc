@@ -1,8 +1,8 @@
 // study.csv, study.h5, summary.json, and text for the terminal.
 #include <algorithm>
 #include <cstdlib>
-#include <set>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "base/text.h"
 #include "base/version.h"
@@ -80,7 +80,8 @@ std::vector<InRuns> in_runs(const Results& results, Findings Doubts::*which) {
     std::set<std::string> of_run;
     for (const auto& [name, text] : results[i]->doubts.*which) {
       if (!of_run.insert(name).second) continue;
-      const auto known = std::find_if(list.begin(), list.end(), [&](const InRuns& found) { return found.name == name; });
+      const auto known =
+          std::find_if(list.begin(), list.end(), [&](const InRuns& found) { return found.name == name; });
       if (known == list.end())
         list.push_back({name, text, 1, i});
       else
@@ -109,8 +110,8 @@ std::string names_of(const Findings& findings) {
 std::string in_words(const std::string& head, const std::vector<InRuns>& found, std::size_t of) {
   std::string text;
   for (const InRuns& one : found)
-    text += head + one.name + ": in " + std::to_string(one.runs) + " of " + std::to_string(of) + " runs, first in run " +
-            std::to_string(one.first) + ": " + one.text + "\n";
+    text += head + one.name + ": in " + std::to_string(one.runs) + " of " + std::to_string(of) +
+            " runs, first in run " + std::to_string(one.first) + ": " + one.text + "\n";
   return text;
 }
 

@@ -204,8 +204,8 @@ TEST_F(WaveLoadTest, NoImpactIsMilderThanGodasForceUnlessAskedFor) {
 
 TEST_F(WaveLoadTest, WarnsOfAnImpactMilderThanGodasForce) {
   const auto warned = [this](const std::string& impact) {
-    const Case problem = read(wave_case("{ height = 8.0, period = 12.0, course = \"church_roof\", force = \"impulse\"" +
-                                        impact + " }", "cells = 0.4"));
+    const Case problem = read(wave_case(
+        "{ height = 8.0, period = 12.0, course = \"church_roof\", force = \"impulse\"" + impact + " }", "cells = 0.4"));
     for (const NumberedWarning& warning : wave_warnings(problem))
       if (warning.name == "impact_below_goda") return true;
     return false;
@@ -219,7 +219,8 @@ TEST_F(WaveLoadTest, ChecksByFormulasAreThoseOfTheSectionInItsWave) {
   for (const std::string course : {"church_roof", "sine", "standing"}) {
     const Case problem = read(wave_case("{ height = 5.0, period = 12.0, course = \"" + course + "\" }"));
     const Checks checks = formula_checks(wave_summaries(problem), {0.3, 300e3, {}, 1.2});
-    const Stability goda = stability(section_of_test, Goda(section_of_test, water_of_test, {5., 5. / 1.8, 12., 0.}).at(5.));
+    const Stability goda =
+        stability(section_of_test, Goda(section_of_test, water_of_test, {5., 5. / 1.8, 12., 0.}).at(5.));
     const StandingResult standing = standing_answer(section_of_test, water_of_test, {5., 5. / 1.8, 12., 0.});
     const std::vector<std::pair<std::string, double>> wanted{
         {"sliding by formulas", goda.safety_sliding},

@@ -22,7 +22,7 @@ ALLOWED = {
     "response": FEM + ["fem", "dynamics"],
     "sliding": ["base", "algebra", "system", "dynamics", "waves"],
     "expected": ["base", "algebra", "system", "dynamics", "waves", "sliding"],
-    "output": FEM + ["fem", "dynamics", "response", "sliding"],
+    "output": FEM + ["fem", "dynamics", "response", "waves", "sliding"],
     "run": RUN,
     "case": RUN + ["input", "run"],
     "respond": RUN + ["input", "run", "case"],

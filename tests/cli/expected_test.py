@@ -300,7 +300,7 @@ class Expected(ProgramTest):
     def test_seas_that_cannot_be_are_told(self):
         self.write_surf_zone("9,12,3000\n5,10,20000")
         done = upbead("expected", "surf.toml", "--json", cwd=self.folder)
-        self.assertRegex(done.stderr, r"warning: 1 of 2 sea states have an H_1/3 that no sea brings to that depth, the "
+        self.assertRegex(done.stderr, r"warning: sea_impossible: 1 of 2 sea states have an H_1/3 that no sea brings to that depth, the "
                                       r"first 9 m at T = 12 s, where the steepest sea has 8\.166 m and breaks at 11\.27 m")
         states = json.loads(done.stdout)["expected"]["states"]
         self.assertEqual([s["significant_height_possible"] for s in states], [False, True])

@@ -144,6 +144,24 @@ class Study(ProgramTest):
         alone = json.loads(done.stdout)
         self.assertEqual(float(row["response.shear_to_force_ratio"]), alone["response"]["shear_to_force_ratio"])
         self.assertEqual(float(row["sliding.sliding_history"]), alone["sliding"]["sliding_history"])
+        failing = [check["name"] for check in alone["checks"] if check["holds"] is False]
+        self.assertIn("force against friction", failing)
+        self.assertEqual(row["checks_failing"].split("; "), failing)
+        self.assertEqual(row["warnings"].split("; "), list(dict.fromkeys(warning["name"] for warning in alone["warnings"])))
+
+    def test_what_fails_and_warns_in_some_runs_is_told(self):
+        (self.folder / "study.toml").write_text(
+            'case = "small.toml"\nread = ["response.peak_shear"]\n[vary."loads.impulse.factor"]\nvalues = [0.01, 1.0, 1.5]\n')
+        summary = json.loads(self.study("--json").stdout)
+        friction = next(check for check in summary["checks"] if check["name"] == "force against friction")
+        self.assertEqual((friction["failing"], friction["first_run"]), (2, 1))
+        self.assertIn("DOES NOT HOLD", friction["text"])
+        self.assertNotIn("force against friction", self.rows()[0]["checks_failing"].split("; "))
+        self.assertTrue(summary["warnings"])
+        told = self.study("--restart").stdout
+        for found in summary["checks"] + summary["warnings"]:
+            self.assertIn(f"{found['name']}: in {found.get('failing') or found['runs']} of 3 runs", told)
+            self.assertIn(found["text"], told)
 
     def test_sharing_and_processes_change_no_bit(self):
         (self.folder / "study.toml").write_text(STUDY.replace("n = 3", "n = 2"))

@@ -75,7 +75,7 @@ class Waves(ProgramTest):
     def test_json_has_every_number_of_the_chain(self):
         self.write(DESIGN)
         summary = self.summary("design.toml")
-        self.assertEqual(list(summary), ["title", "program", "gravity", "fluid", "section", "duration", "waves",
+        self.assertEqual(list(summary), ["title", "program", "verdict", "checks", "warnings", "gravity", "fluid", "section", "duration", "waves",
                                          "versions"])
         self.assertEqual(list(summary["waves"]), ["a_high", "b_low"])
         wave = summary["waves"]["a_high"]

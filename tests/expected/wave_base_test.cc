@@ -55,7 +55,9 @@ TEST(WaveBase, IsGodasHeelPressureAndSafetyFactor) {
       const WorstBase base = forces.base(H, {});
       const double W = s.submerged_weight, e_0 = eighths / 8. * s.width;
       const double at_rest = edge_pressures(W, W * e_0, s.width).landward.value();
-      EXPECT_NEAR(base.heel_pressure, std::max(above_all(goda.heel_pressure), at_rest), 1e-12 * above_all(goda.heel_pressure)) << H;
+      EXPECT_NEAR(base.heel_pressure, std::max(above_all(goda.heel_pressure), at_rest),
+                  1e-12 * above_all(goda.heel_pressure))
+          << H;
       EXPECT_NEAR(base.overturning_margin, goda.safety_overturning, 1e-12 * goda.safety_overturning) << H;
       const double M_U = p.uplift_moment - 0.5 * p.uplift * s.width;
       const WorstBase same = worst_of(base_extremes(

@@ -1,4 +1,5 @@
-// Claims: the worst value of a history is found with its time, and does not exist if the resultant leaves the bottom; the overturning margin is Goda's if nothing moves.
+// Claims: the worst value of a history is found with its time, and does not exist if the resultant leaves the bottom;
+// the overturning margin is Goda's if nothing moves.
 
 #include "upbead/sliding/base_pressure.h"
 
