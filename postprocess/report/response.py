@@ -108,11 +108,16 @@ def periods(summary):
     return join([tag("h3", say("Natural periods")), table(heads("period", "share in $F_T$", "of critical damping"), rows, "numbers")])
 
 
+def same_as_peak(response, key):
+    """Whether the largest of either sign is the largest landward, which stands above it."""
+    return key.startswith("largest_") and response[key] == response.get(key.replace("largest_", "peak_"))
+
+
 def peaks(result):
     response = result.summary.get("response") or {}
     rows = []
     for key, symbol, when in ROWS:
-        if response.get(key) is not None:
+        if response.get(key) is not None and not same_as_peak(response, key):
             ratio, path = key == "shear_to_force_ratio", f"response.{key}"
             value = percent(response[key]) if ratio else quantity(response[key], outputs.unit(path))
             at = quantity(response[when], "s") if when else ""
