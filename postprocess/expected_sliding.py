@@ -5,7 +5,7 @@ expected sliding distance.
 usage: expected_sliding.py RESULTS_FOLDER... [--law LAW] [-o FIGURE.png]
 
 One folder gives the three panels of Figs. 12-14 of Shimosako and Takahashi (1994); the curves of several folders are
-drawn together.
+drawn together. Of storms, which have no record of heights, the share of the lives that slide so far is drawn.
 """
 
 import argparse

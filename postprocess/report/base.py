@@ -57,10 +57,12 @@ def edges(summary):
     if not any(key in summary for key in HIDDEN.values()):
         return ""
     words = [phrase("The pressures under the edges, $p_heel$ and $p_toe$, are those in motion, linear over the width in contact, and grow without bound as "
-                    "the resultant comes to the edge. The limit of 400 to 600 kPa was made for Goda's $p_e$ and is not held against them.")]  # fmt: skip
-    lifts = (summary.get("lifts") or {}).get("first_time")
-    if lifts is not None:
-        words.append(tag("strong", phrase("The base lifts, first at {time}.", time=quantity(lifts, "s")), class_="fails"))
+                    "the resultant comes to the edge. The limit of 400 to 600 kPa was made for Goda's $p_e$ and is not compared with them.")]  # fmt: skip
+    if summary.get("lifts_time") is not None:
+        edge = say({"seaward": "seaward edge", "landward": "landward edge"}.get(summary.get("lifts"), "whole base"))
+        time = quantity(summary["lifts_time"], "s")
+        told_when = phrase("The base lifts, first at {time}: {edge}. From then on a base that is bonded pulls, as a real one cannot.", time=time, edge=edge)
+        words.append(tag("strong", told_when, class_="fails"))
     for name, key in HIDDEN.items():
         if key in summary and summary[key] is None:
             words.append(phrase("{pressure} is not drawn, as the resultant leaves the base.", pressure=symbol(SIGNS[name])))

@@ -1,8 +1,8 @@
 """What the checks and the warnings of a summary say, for the first page of every document."""
 
 from report.language import listed, named, phrase, say, sentences
-from report.markup import Markup, join, tag
-from report.sheet import failing
+from report.language import told as words_of
+from report.markup import Markup, join, prose, tag
 from report.units import quantity
 from upbead import told
 
@@ -12,6 +12,12 @@ def verdict(summary):
     checks = told.checks(summary)
     words = sentences([void(summary), rest(summary), checked(summary), doubt(summary)])
     return join([tag("p", words) if words else "", failing(checks)])
+
+
+def failing(checks):
+    """A list of the checks that fail, worst first; empty if none does."""
+    items = [tag("li", told.check_text(check)) for check in checks if told.fails(check)]
+    return tag("ul", *items, class_="fails") if items else ""
 
 
 def void(summary):
@@ -41,7 +47,7 @@ def checked(summary):
     if not asked:
         return say("No check has a limit.") if checks else ""
     if failed:
-        names = listed(dict.fromkeys(named(check["name"]) for check in failed))
+        names = listed(dict.fromkeys(prose(words_of(check["name"])) for check in failed))
         words = phrase("Checks beyond their limit, {failed} of {asked}: {names}.", asked=len(asked), failed=len(failed), names=names)
         return tag("strong", words, class_="fails")
     if told.void(summary) or told.warnings(summary):

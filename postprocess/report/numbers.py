@@ -9,7 +9,7 @@ from upbead import outputs
 # the largest stress as solved is no pressure to judge by: under the edge of a bonded base it grows with finer cells
 NOT_SHOWN = ("peak_computed_pressure", "peak_computed_pressure_at", "peak_computed_pressure_time")
 ELSEWHERE = (*NOT_SHOWN, "warnings", "checks", "verdict", "versions", "timing", "skipped")  # they have tables of their own
-EDGES = ("heel_pressure", "toe_pressure")  # of a negative one the formula has no meaning
+EDGES = ("heel_pressure", "toe_pressure")  # null, and in older results negative, where the formula has no meaning
 MOST_COLUMNS = 5
 MOST_ROWS = 20  # of a list
 
@@ -57,7 +57,7 @@ def plain_path(path):
 def cell(found, path, full, command):
     if path not in found:
         return ""
-    if path[-1] in EDGES and isinstance(found[path], (int, float)) and found[path] < 0:
+    if path[-1].endswith(EDGES) and (found[path] is None or (isinstance(found[path], float) and found[path] < 0)):
         return tag("span", say("none: the resultant leaves the base"), class_="long")
     return value_of(found[path], outputs.unit(plain_path(full), command))
 

@@ -53,9 +53,14 @@ def short(meaning):
 def find(known, path):
     """The Key of a path such as ('regions', 'seabed', 'damping', 'ratio'), or None.
 
-    A table whose keys are free names has one Key for all its keys.
+    A table of the reference may have a name of the case in it (NAME), and one whose keys are free names has one Key for
+    all its keys.
     """
     *tables, key = path
-    if tables and tables[0] in ("regions", "boundaries", "loads", "probes") and len(tables) > 1:
-        tables = [tables[0], "NAME", *tables[2:]]
-    return known.get((".".join(tables), key)) or (known.get((".".join(tables[:-1]), tables[-1])) if tables else None)
+    for length in (len(tables), len(tables) - 1):
+        wanted = key if length == len(tables) else tables[-1] if tables else None
+        for (section, name), found in known.items():
+            parts = section.split(".") if section else []
+            if name == wanted and len(parts) == length and all(part.isupper() or part == own for part, own in zip(parts, tables)):
+                return found
+    return None

@@ -28,8 +28,11 @@ ROWS = [  # key, symbol, key of the time
     ("impulse", "I", None),
     ("arm", "", None),
     ("peak_base_moment", "M", None),
+    ("largest_base_moment", "M", None),
     ("peak_displacement", "x_G", None),
+    ("largest_displacement", "x_G", "largest_displacement_time"),
     ("peak_rotation", "", None),
+    ("largest_rotation", "", None),
 ]
 MOST_PERIODS = 6
 
@@ -47,13 +50,16 @@ def window(time, histories, share=0.05):
 
 def peak_of(result, name, values):
     """Time and value of the landward peak, or of the seaward peak if there is no other; the peaks of the summary take
-    precedence."""
+    precedence. Of the displacement it is the largest either way."""
     response = result.summary.get("response") or {}
     if name in PEAKS and (response.get(PEAKS[name]) or 0.0) > 0:
         return response[PEAKS[name] + "_time"], response[PEAKS[name]]
     peak = int(np.argmax(values)) if values.max() > 0 else int(np.argmin(values))
-    inside = response.get("peak_displacement") if name == "caisson/displacement_x" else None
-    return float(result.time[peak]), float(values[peak]) if inside is None else inside
+    if name == "caisson/displacement_x":
+        if response.get("largest_displacement") is not None:
+            return response["largest_displacement_time"], response["largest_displacement"]
+        peak = int(np.argmax(np.abs(values)))
+    return float(result.time[peak]), float(values[peak])
 
 
 def array(result, name):
@@ -102,11 +108,16 @@ def periods(summary):
     return join([tag("h3", say("Natural periods")), table(heads("period", "share in $F_T$", "of critical damping"), rows, "numbers")])
 
 
+def same_as_peak(response, key):
+    """Whether the largest of either sign is the largest landward, which stands above it."""
+    return key.startswith("largest_") and response[key] == response.get(key.replace("largest_", "peak_"))
+
+
 def peaks(result):
     response = result.summary.get("response") or {}
     rows = []
     for key, symbol, when in ROWS:
-        if response.get(key) is not None:
+        if response.get(key) is not None and not same_as_peak(response, key):
             ratio, path = key == "shear_to_force_ratio", f"response.{key}"
             value = percent(response[key]) if ratio else quantity(response[key], outputs.unit(path))
             at = quantity(response[when], "s") if when else ""

@@ -16,18 +16,11 @@ FORMULAS = [
 
 
 def section(summary):
-    """All checks of a summary, the worst first; each that fails, and why a verdict is void, in the program's words too."""
+    """All checks of a summary, the worst first, and why a verdict is void."""
     checks, void = told_of.checks(summary), told_of.void(summary)
     if not checks and not void:
         return Markup("")
-    parts = [failing(checks), verdicts(checks) if checks else ""]
-    return tag("section", tag("h2", say("Checks")), tag("p", void, class_="fails") if void else "", *parts, id="sheet")
-
-
-def failing(checks):
-    """A list of the checks that fail, worst first; empty if none does."""
-    items = [tag("li", told_of.check_text(check)) for check in checks if told_of.fails(check)]
-    return tag("ul", *items, class_="fails") if items else ""
+    return tag("section", tag("h2", say("Checks")), tag("div", void, class_="fails") if void else "", verdicts(checks) if checks else "", id="sheet")
 
 
 def verdicts(checks):
@@ -48,14 +41,14 @@ def name_of(check):
     """What is checked, by what, in which wave and at which level."""
     where = [named(check["by"])] if check.get("by") else []
     where += [spaced(check[key]) for key in ("wave", "level") if check.get(key)]
-    return join([named(check["name"]), f" ({', '.join(where)})" if where else ""])
+    return join([prose(told(check["name"])), f" ({', '.join(where)})" if where else ""])
 
 
 def result(check):
     if told_of.fails(check):
         return tag("strong", say("does not hold"), class_="fails")
     if check.get("why_not"):
-        return join([say("not checked"), ": ", prose(told(check["why_not"]))])
+        return tag("span", say("not checked"), ": ", prose(told(check["why_not"])), class_="long")
     return say("holds") if told_of.is_judged(check) else say("no limit given")
 
 

@@ -21,9 +21,10 @@ from judged_designs import design
 SCRIPTS, PROGRAM, CASES = (Path(argument).resolve() for argument in sys.argv[1:4])
 sys.path.insert(0, str(SCRIPTS))
 
-from report import kinds  # noqa: E402
+from report import inputs, kinds, reference, source_case  # noqa: E402
 from upbead import live, told  # noqa: E402
 from upbead.opening import open_result  # noqa: E402
+from upbead.results import read_case  # noqa: E402
 
 QUICK, MANY = 10, 100  # random designs
 MADE = {  # a summary has these in places that no program of today writes
@@ -93,15 +94,16 @@ class Judged(unittest.TestCase):
         missing = [one for one in wanted if plain(one) not in text]
         self.assertEqual(missing, [], where)
 
-    def documents(self, folder, page=True):
-        """Report in both languages and page hold all; returns how much there was."""
+    def documents(self, folder, page=True, notebook=True):
+        """Report in both languages, page and notebook hold all; returns how much there was."""
         wanted = list(said(json.loads((folder / "summary.json").read_text())))
         for language in ("en", "ja"):
             text = visible(kinds.build(folder, None, language))
             self.stand(wanted, text, (folder.name, language))
             verdict = text.partition("Question" if language == "en" else "検討課題")[2][:3000]
             self.assertFalse(wanted and ("limit all hold" in verdict or "すべて満足する" in verdict), folder.name)
-        self.stand(wanted, plain(html.unescape(re.sub("<[^>]*>", "", open_result(folder)._repr_html_()))), (folder.name, "notebook"))
+        if notebook:
+            self.stand(wanted, visible(open_result(folder)._repr_html_()), (folder.name, "notebook"))
         if page:
             self.stand(wanted, visible(live.page(folder, folder / "page.html", program=PROGRAM).read_text(encoding="utf-8")), (folder.name, "page"))
         return len(wanted)
@@ -115,7 +117,7 @@ class Judged(unittest.TestCase):
             for command in commands:
                 folder, terminal = self.solve(command, file)
                 self.stand(on_terminal(json.loads((folder / "summary.json").read_text())), terminal, (command, seed))
-                found += self.documents(folder, command == "waves" or seed % 5 == 0)
+                found += self.documents(folder, command == "waves" or seed % 5 == 0, seed % 10 == 0)
         return found
 
     def test_random_designs(self):
@@ -132,6 +134,13 @@ class Judged(unittest.TestCase):
                 folder, terminal = self.solve(command, file)
                 self.stand(on_terminal(json.loads((folder / "summary.json").read_text())), terminal, file)
                 self.documents(folder, command != "run")
+                self.assertEqual(self.changed(folder, file, command), [], file)
+
+    def changed(self, folder, file, command):
+        """Inputs that a report says to be set for the run, though nothing was."""
+        known = reference.read(SCRIPTS.parent / "docs" / ("case.md" if command == "run" else "design.md"))
+        rows = inputs.rows(read_case(folder), source_case.read(file), source_case.units(folder / "case.toml"), known)
+        return [(row.path, row.value) for row in rows if row.mark == "changed"]
 
     def test_some_shipped_cases(self):
         self.shipped([CASES / name for name in ("designer/design.toml", "fig7-9/impulsive.toml", "section4/hd10.toml", "fig2b-model.toml")])
@@ -146,7 +155,9 @@ class Judged(unittest.TestCase):
             folder, _ = self.solve(command, CASES / "fig2b-model.toml" if command == "run" else file, *["mesh.parameters.cells=0.8"] * (command == "run"))
             summary = json.loads((folder / "summary.json").read_text())
             (folder / "summary.json").write_text(json.dumps(summary | MADE))
-            self.assertGreater(self.documents(folder, command == "waves"), 8)
+            if command == "run":  # the page of a model tells of the run in its folder
+                subprocess.run([PROGRAM, "reduce", CASES / "fig2b-model.toml", "--set", "mesh.parameters.cells=0.8", "--out", folder], capture_output=True, check=True)
+            self.assertGreater(self.documents(folder, command != "expected"), 8)
         copy = shutil.copytree(folder, self.folder / "failing")
         calm = {key: value for key, value in summary.items() if key not in ("checks", "warnings", "verdict")}
         holds = {**MADE["checks"][0], "holds": True, "text": "holds"}

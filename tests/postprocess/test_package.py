@@ -194,6 +194,7 @@ class Figures(InFolder):
         figure = upbead.figures.base_pressures(result)
         self.assertEqual([axes.get_ylabel() for axes in figure.axes], ["pore pressure (Pa)", "shear stress (Pa)"])
         np.testing.assert_array_equal(figure.axes[0].lines[0].get_ydata(), pressure[-1])  # where F_T is largest
+        np.testing.assert_array_equal(figure.axes[1].lines[0].get_xdata(), [0.0])  # stresses are singular under the edges
         with self.assertRaisesRegex(upbead.UserError, "no table 'base'"):
             upbead.figures.base_pressures(upbead.open(write_result(self.folder / "b")))
 

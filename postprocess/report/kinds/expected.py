@@ -63,7 +63,8 @@ def routes_of(lives):
     """The lives of every route that was gone, by formulas and by own dynamics: the one with the largest mean first."""
     if not lives:
         return []
-    found = [lives, *(lives[route] for route in ROUTES if lives.get(route))]
+    asked = {key: lives[key] for key in ("lives", "years", "seed", "limit") if key in lives}  # the same for all
+    found = [lives, *({**asked, **lives[route]} for route in ROUTES if lives.get(route))]
     return sorted(found, key=lambda one: -(one.get("mean") or 0.0))
 
 
@@ -77,9 +78,9 @@ def of_base(lives):
     parts = []
     for key, found in (lives.get("base") or {}).items():
         if isinstance(found, dict) and (found.get("probability") or 0) > 0:
-            words = "In {share} of the lives the {what} goes beyond its limit of {limit}."
+            words = "In {share} of the lives the {what} goes beyond its limit of {limit}, by this law: {law}."
             bound = quantity(found["limit"], outputs.unit(("monte_carlo", "base", key, "limit"), COMMAND))
-            beyond = phrase(words, share=percent(found["probability"]), what=told(key.replace("_", " ")), limit=bound)
+            beyond = phrase(words, share=percent(found["probability"]), what=told(key.replace("_", " ")), limit=bound, law=say(LAWS.get(lives.get("law"), "")))
             parts.append(tag("strong", beyond, class_="fails"))
     return sentences(parts)
 
@@ -144,7 +145,7 @@ def sections(result):
 def of_route(lives):
     """All numbers of the lives by one law."""
     law = lives.get("law")
-    return join([tag("h3", say(LAWS[law])) if law in LAWS else "", numbers.alone(lives, ("monte_carlo",), COMMAND, ROUTES)])
+    return join([tag("h3", say(LAWS[law])) if law in LAWS else "", numbers.alone(lives, ("monte_carlo",), COMMAND, (*ROUTES, "headline"))])
 
 
 def states(expected):

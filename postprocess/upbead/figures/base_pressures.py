@@ -6,7 +6,7 @@ from .style import plain, styled, subplots
 
 TIMES = [("shear_force", "largest $F_T$", "tab:red"), ("base_moment", "largest moment landward", "tab:blue"),
          ("uplift", "largest $U$", "tab:green")]
-INNER = 0.9  # share of the width that determines the scales of stresses, which are singular under the edges
+INNER = 0.9  # share of the width over which stresses are drawn: under the edges of a rigid base they are singular
 
 
 @styled
@@ -21,11 +21,10 @@ def base_pressures(result):
     times = telling_times(result)
     for axes, (name, history) in zip(rows[:, 0], shown.items()):
         factor, unit = history.scale()
+        drawn = inner(position) if name.endswith("stress") else slice(None)
         for index, what, colour in times:
-            axes.plot(position, factor * history[index], "o-", ms=2.5, lw=1, color=colour,
+            axes.plot(position[drawn], factor * history[index][drawn], "o-", ms=2.5, lw=1, color=colour,
                       label=f"{result.time[index]:.3g} s, {what}")
-        if name.endswith("stress"):
-            scale_to_inner(axes, position, factor * np.array([history[index] for index, _, _ in times]))
         axes.axhline(0.0, color="black", lw=0.5)
         axes.set_ylabel(f"{plain(name.replace('_', ' '))} ({plain(unit)})")
     rows[0, 0].legend(fontsize=7.5)
@@ -34,12 +33,8 @@ def base_pressures(result):
     return figure
 
 
-def scale_to_inner(axes, position, values):
-    middle, half = np.mean([position.min(), position.max()]), INNER * np.ptp(position) / 2
-    inner = values[:, abs(position - middle) <= half]
-    low, high = min(inner.min(), 0.0), max(inner.max(), 0.0)
-    if high > low:
-        axes.set_ylim(low - 0.05 * (high - low), high + 0.05 * (high - low))
+def inner(position):
+    return np.abs(position - np.mean([position.min(), position.max()])) <= INNER * np.ptp(position) / 2
 
 
 def telling_times(result):

@@ -28,8 +28,10 @@ export function tablesOfDesign(answer) {
   ];
 }
 
+const factor = (safety) => plain(safety, 3) + (safety < 1 ? ": does not hold" : "");
+
 export function headlineOfDesign({pressure, stability, sliding_exact: S}) {
-  return [["P", quantity(pressure.force, "N/m")], ["U", quantity(pressure.uplift, "N/m")], ["S.F. sliding", plain(stability.safety_sliding, 3)], ["S.F. overturning", plain(stability.safety_overturning, 3)],
+  return [["P", quantity(pressure.force, "N/m")], ["U", quantity(pressure.uplift, "N/m")], ["S.F. sliding", factor(stability.safety_sliding)], ["S.F. overturning", factor(stability.safety_overturning)],
     ["S exact", metresOrZero(S)]];
 }
 
