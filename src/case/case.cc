@@ -81,9 +81,9 @@ void make_history(Case& problem, const std::string& name, const CaseTables& tabl
     return;
   }
   if (table.kind == LoadKind::pressures) {
-    problem.gauges[name] = {
-        table, table,
-        read_gauges(table, problem.resolve(table.gauges), path, problem.document, notes_of(problem, path))};
+    // first, as GCC 12 destroys the members before it twice where one in braces throws
+    Gauges gauges = read_gauges(table, problem.resolve(table.gauges), path, problem.document, notes_of(problem, path));
+    problem.gauges[name] = {table, table, std::move(gauges)};
     problem.gauges[name].gauges.over_x = table.over_x;
   } else if (table.kind == LoadKind::wave) {
     make_wave(problem, name, tables, table);
@@ -162,10 +162,10 @@ void make_sliding(Case& problem, CaseTables& tables, Diagnostics& report) {
           read_uplift(problem.resolve(table.history_file), problem.place("sliding.uplift.history"), table.record_start,
                       notes_of(problem, "sliding.uplift"));
     if (table.gauges.empty()) return;
-    problem.uplift_gauges = {{},
-                             table,
-                             read_gauges(table, problem.resolve(table.gauges), "sliding.uplift", problem.document,
-                                         notes_of(problem, "sliding.uplift"))};
+    // first, as above
+    Gauges gauges = read_gauges(table, problem.resolve(table.gauges), "sliding.uplift", problem.document,
+                                notes_of(problem, "sliding.uplift"));
+    problem.uplift_gauges = {{}, table, std::move(gauges)};
     tables.sliding->uplift->history = uplift_of(*problem.uplift_gauges);
     tables.sliding->uplift->parts = uplift_parts_of(problem.uplift_gauges->gauges);
   } catch (const InputError& error) {

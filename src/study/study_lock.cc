@@ -71,6 +71,13 @@ bool has_ended(const std::string& text) {
   return owner.host == self.host && boot(owner) != boot(self);
 }
 
+/// Whether the file is there and younger than a minute: a disk may be slow.
+bool is_young(const std::string& path) {
+  std::error_code code;
+  const fs::file_time_type written = fs::last_write_time(path, code);
+  return !code && fs::file_time_type::clock::now() - written < std::chrono::minutes(1);
+}
+
 /// Moves the file of a process that has ended away; false where it was another's by then.
 bool take_from_ended(const std::string& path, const std::string& text) {
   const std::string aside = path + "." + std::to_string(getpid());
@@ -130,10 +137,11 @@ StudyLock::Attempt StudyLock::attempt() {
 StudyLock::Attempt StudyLock::attempt_without_locks(bool is_new) {
   if (is_new) {
     write_owner();
-    return Attempt::held;
+    return text_of(path_) == this_process().text() ? Attempt::held
+                                                   : Attempt::other;  // unless it was taken for a left one
   }
   std::string text = text_of(path_);
-  for (int i = 0; i < 100 && text.empty() && fs::exists(path_); ++i) {  // its owner may be about to write
+  while (text.empty() && is_young(path_)) {  // its owner may be about to write
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
     text = text_of(path_);
   }

