@@ -18,7 +18,7 @@ namespace {
 constexpr double degree = boost::math::constants::degree<double>();
 /// Number of points of the backbone that the elements of the overlay are found from, and their range of strain, over
 /// the reference strain: up to 97 % of the strength of the hyperbola.
-constexpr int n_points = 300;
+constexpr int n_points = 1000;
 constexpr double first_strain = 0.001, last_strain = 30.;
 /// Least mean stress for the strength, over the mean of the region: strength would vanish at free surfaces.
 constexpr double least_stress = 0.1;
