@@ -142,11 +142,12 @@ Checkpoints::Checkpoints(const Case& input, const std::string& results, const Ch
 
 void Checkpoints::require_fit(const Case& input, const Simulation& simulation) const {
   if (!found_ || found_->march.so_far.final_state.x.size() == simulation.compiled->system.size()) return;
-  throw InputError(input.place("time.end"),
-                   "waves reach more or fewer cells until time.end than until the end of the run that was interrupted, "
-                   "which left the others out",
-                   "give the former end, or begin from the start, with mesh.full_domain = true where a later end is to "
-                   "be taken up");
+  throw InputError(
+      input.place("time.end"),
+      "with this end the scene has other unknowns than the run that was interrupted: cells that no wave "
+      "reaches, and flow = \"auto\" of pore water, follow from the end",
+      "give the former end, or begin from the start, with mesh.full_domain = true and flow of every region "
+      "where another end is to be taken up");
 }
 
 bool Checkpoints::due() const {
