@@ -216,7 +216,8 @@ const std::vector<BadExpected> rows{
      "was measured",
      true},
     {"TableOfABuoy", "significant_height,period,waves", "WVHT,DPD,hh",
-     "states.csv:1:1: a table with the columns WVHT, DPD, hh does not tell which are significant_height, period, waves; "
+     "states.csv:1:1: a table with the columns WVHT, DPD, hh does not tell which are significant_height, period, "
+     "waves; "
      "call H_1/3 (m; WVHT, Hs, Hm0 elsewhere) significant_height and T_1/3 (s) period, and add waves, the number of "
      "waves that each row stands for",
      true},
