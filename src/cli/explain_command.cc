@@ -56,7 +56,7 @@ OutputSchema<RecordSummary> record_outputs() {
       .key("samples", &R::samples, "", "how many")
       .key("begin", &R::begin, "s", "first time, in the run's time")
       .key("interval", &R::interval, "s", "between samples, mean")
-      .key("extreme", &R::extreme, "SI", "largest value by magnitude, as the file has it")
+      .key("extreme", &R::extreme, "", "largest value by magnitude, as the file has it")
       .key("extreme_time", &R::extreme_time, "s", "when, in the run's time")
       .key("extreme_unit", &R::si, "", "SI unit of `extreme`");
 }

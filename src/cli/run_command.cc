@@ -122,7 +122,8 @@ void run(const CaseOptions& options, const Stopwatch& since_start, const std::sh
   const Simulation simulation = simulation_of(input, std::move(mesh), processes);
   if (checkpoints) checkpoints->require_fit(input, simulation);
   const std::vector<MeasuredRecord> records = read_records(input, simulation);
-  if (is_first && !options.json) std::cout << describe(input, simulation, records) << checkpoints->account() << std::flush;
+  if (is_first && !options.json)
+    std::cout << describe(input, simulation, records) << checkpoints->account() << std::flush;
 
   FieldOutput fields(input.scene, folder ? &*folder : nullptr);
   Run result = solve(input, simulation, records, fields, checkpoints ? &*checkpoints : nullptr, is_first);

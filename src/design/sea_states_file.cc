@@ -77,24 +77,25 @@ void check_others(const CsvTable& table, const std::vector<std::string>& names, 
 void check_names(const CsvTable& table, RecordNotes& notes, Diagnostics& mistakes) {
   std::vector<std::string> known, missing;
   const std::vector<std::string> names = known_names(table);
+  const auto count = [&names](const Column& column) { return std::count(names.begin(), names.end(), column.name); };
   for (const Column& column : columns()) {
     known.push_back(column.name);
-    const auto n = std::count(names.begin(), names.end(), column.name);
-    if (n > 1)
-      mistakes.add({table.path, 1, 1}, "there are " + std::to_string(n) + " columns '" + column.name + "'",
-                   "keep one of them");
-    if (n == 0 && column.required) missing.push_back(column.name);
+    if (column.required && count(column) == 0) missing.push_back(column.name);
   }
   if (missing.size() == 3) {
-    mistakes.add(
-        {table.path, 1, 1},
-        "a table with the columns " + excerpt(join(table.names)) + " does not tell which are " + join(missing),
-        "call H_1/3 (m; WVHT, Hs, Hm0 elsewhere) significant_height and T_1/3 (s) period, and add waves, the number of "
-        "waves that each row stands for");
+    mistakes.add({table.path, 1, 1},
+                 "a table with the columns " + excerpt(join(table.names)) + " does not tell which are " + join(missing),
+                 "call H_1/3 (m; WVHT, Hs, Hm0 elsewhere) significant_height and T_1/3 (s) period, and add waves, the "
+                 "number of waves that each row stands for");
     return;
   }
-  for (const std::string& name : missing)
-    mistakes.add({table.path, 1, 1}, "there is no column '" + name + "'", "add it");
+  for (const Column& column : columns()) {
+    if (count(column) > 1)
+      mistakes.add({table.path, 1, 1}, "there are " + std::to_string(count(column)) + " columns '" + column.name + "'",
+                   "keep one of them");
+    if (column.required && count(column) == 0)
+      mistakes.add({table.path, 1, 1}, "there is no column '" + column.name + "'", "add it");
+  }
   check_others(table, names, known, notes, mistakes);
 }
 

@@ -53,6 +53,17 @@ class Expected(ProgramTest):
         self.assertLess(states[1]["distance"]["exact"], 1e-40)
         self.assertGreater(states[0]["distance"]["exact"], 0)
 
+    def test_a_significant_height_above_the_depth_is_told(self):
+        text = HD10.read_text()
+        name = text.split('states = "')[1].split('"')[0]
+        (self.folder / "sea.toml").write_text(text.replace(name, "states.csv"))
+        for height, told in ((23.0, True), (21.0, False)):  # in 22 m of water
+            (self.folder / "states.csv").write_text(f"significant_height (m),period (s),waves\n1,8,10\n{height},20,6\n")
+            done = upbead("expected", self.folder / "sea.toml", cwd=self.folder)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            warning = "height_above_depth: 1 of 2 sea states have an H_1/3 above the depth, the first, row 2, 23 m in 22 m"
+            self.assertEqual(warning in done.stderr, told, done.stderr)
+
     def test_without_a_model_nothing_is_dynamic(self):
         found = self.expected(HD10)
         self.assertIsNone(found["expected"]["distance_dynamic"])

@@ -93,6 +93,19 @@ class Gauges(ProgramTest):
             self.assertAlmostEqual(found["peak_force"] / (row + down + up), 1, 9)
             self.assertAlmostEqual(found["arm"] / (moment / (row + down + up)), 1, 9)
 
+    def test_it_is_told_how_each_column_was_read(self):
+        self.write_csv(linear, unit="kPa", factor=1e3, time_unit="ms", per_second=1e3, separator=";", comma=True)
+        records = self.ask("explain", scene())["records"]
+        self.assertEqual([record["column"] for record in records], list(HEIGHTS))
+        first = records[0]
+        self.assertEqual((first["of"], first["file"], first["unit"], first["samples"]), ("loads.wall", "wall.csv", "kPa", 601))
+        self.assertEqual(first["layout"], "columns separated by semicolons, decimal commas, names in line 1")
+        self.assertAlmostEqual(first["extreme"], linear(7.0))
+        self.assertAlmostEqual(first["extreme_time"], 0.1)
+        self.assertAlmostEqual(first["interval"], 0.001)
+        done = upbead("explain", self.folder / "scene.toml")
+        self.assertIn("record    loads.wall: column 'p1' in kPa, 601 samples every 0.001 s from 0 s; most 196 kPa at 0.1 s", done.stdout)
+
     def test_however_it_is_written(self):
         march = settings(time__scheme="sdirk4", time__step=0.005, time__end=0.4)
         self.write_csv(linear)

@@ -211,6 +211,16 @@ const std::vector<BadExpected> rows{
      true},
     {"WordForAPeriod", "12", "long",
      "states.csv:2:3: 'long' is not a number (column period); give a finite number such as 1.5e6", true},
+    {"MarkForAMissingValue", "6,12,600\n4,10,1000", "6,12,600\n99.00,99.00,5\n4,10,1000",
+     "states.csv:3:1: 99 stands for a missing value (column significant_height); leave such rows out, or put in what "
+     "was measured",
+     true},
+    {"TableOfABuoy", "significant_height,period,waves", "WVHT,DPD,hh",
+     "states.csv:1:1: a table with the columns WVHT, DPD, hh does not tell which are significant_height, period, "
+     "waves; "
+     "call H_1/3 (m; WVHT, Hs, Hm0 elsewhere) significant_height and T_1/3 (s) period, and add waves, the number of "
+     "waves that each row stands for",
+     true},
     {"NoStateAtAll", "6,12,600\n4,10,1000\n", "",
      "design.toml:15:1: 'states.csv': no row of numbers below the header; write at least one row", true},
     {"SteepAngle", "period,waves\n6,12,600\n4,10,1000", "period,waves,angle\n6,12,600,90\n4,10,1000,0",

@@ -76,8 +76,8 @@ struct Case {
   std::map<std::string, LoadSource> sources;  ///< of each load of one history, by its name
   /// How the files of loads and uplift were read, by the key that names them.
   std::map<std::string, std::shared_ptr<const RecordNotes>> records;
-  std::map<std::string, GaugeLoad> gauges;    ///< loads by transducers; in the scene NAME.TRANSDUCER
-  std::map<std::string, FlowCase> flows;      ///< loads by CFD; in the scene NAME, NAME.PIECE or NAME.POINT
+  std::map<std::string, GaugeLoad> gauges;  ///< loads by transducers; in the scene NAME.TRANSDUCER
+  std::map<std::string, FlowCase> flows;    ///< loads by CFD; in the scene NAME, NAME.PIECE or NAME.POINT
   /// Loads by regular waves; in the scene NAME.cosine and NAME.sine.
   std::map<std::string, std::shared_ptr<const TrainLoad>> trains;
   std::optional<Section> section;                                ///< of loads by waves
