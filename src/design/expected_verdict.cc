@@ -21,7 +21,7 @@ std::string told(Law law, double distance) {
 }
 
 /// A number, or none where it is above all numbers.
-std::optional<double> if_finite(double value) {
+std::optional<double> number_or_none(double value) {
   return std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
@@ -39,7 +39,7 @@ struct Pressing {
 Check edge_check(const Pressing& of, const std::string& edge, double pressure, const Limits& limits) {
   const bool dynamic = of.law == Law::dynamic;
   return routed(at_most(check_of(edge + (dynamic ? " pressure in motion, " : " pressure p_e, ") + of.what, "Pa",
-                                 if_finite(pressure), of.key + ".peak_" + edge + "_pressure", of.assumption),
+                                 number_or_none(pressure), of.key + ".peak_" + edge + "_pressure", of.assumption),
                         dynamic ? limits.dynamic_base_pressure : limits.base_pressure),
                 of.law);
 }
@@ -47,7 +47,7 @@ Check edge_check(const Pressing& of, const std::string& edge, double pressure, c
 /// By formulas the caisson overturns below 1; a moment below 1 in motion is judged by a given limit alone.
 Check overturning_check(const Pressing& of, double margin, const Limits& limits) {
   const Check check = check_of((of.law == Law::dynamic ? "overturning in motion, " : "overturning, ") + of.what, "",
-                               if_finite(margin), of.key + ".least_overturning_margin", of.assumption);
+                               number_or_none(margin), of.key + ".least_overturning_margin", of.assumption);
   if (!check.demand) return routed(not_checked(check, "nothing overturns"), of.law);
   const std::optional<double> natural = of.law == Law::dynamic ? std::nullopt : std::optional(1.);
   return routed(at_least_as(check, limits.overturning ? limits.overturning : natural), of.law);
