@@ -128,7 +128,8 @@ NumberedWarnings side_warnings(const Simulation& simulation) {
                names + ": the motion is wrong there and, with time, in the middle; say displacement = \"level\""}};
 }
 
-/// Constrained modulus (Pa) and lowest height (m) of the ground that deforms under the caisson.
+/// Constrained modulus (Pa) of the skeleton, and lowest height (m), of the ground that deforms under the caisson. With
+/// the stiffness of its water the warning came where steps of a third of an impact changed slip by 0.5 %.
 struct GroundBelow {
   double modulus = 0., lowest = infinity;
 };
@@ -145,9 +146,7 @@ GroundBelow ground_below(const Simulation& simulation) {
       continue;
     for (const unsigned v : cell->vertex_indices()) ground.lowest = std::min(ground.lowest, cell->vertex(v)[1]);
     if (std::abs(from[0]) > half || -from[1] > 2. * half || from[1] > 0.) continue;
-    const Material& m = simulation.space->material(cell);
-    const double undrained = simulation.space->has_pores(cell) && m.storage > 0. ? m.alpha * m.alpha / m.storage : 0.;
-    compliance += area_of(cell) / (m.constrained_modulus() + undrained);
+    compliance += area_of(cell) / simulation.space->material(cell).constrained_modulus();
     thickness += area_of(cell);
   }
   if (compliance > 0.) ground.modulus = thickness / compliance;
