@@ -127,7 +127,7 @@ TEST_F(TimeEndTest, WithoutOneTheLoadsAndTheirEchoAreCovered) {
   const Case slow = with("pulse = { shape = \"step\", peak = 1e6 }", "inertia = false");
   EXPECT_GT(simulation_of(slow).given.time.end, 10.) << "consolidation takes H^2/c_v";
   EXPECT_EQ(
-      simulation_of(with("pulse = { shape = \"step\", peak = 1e6 }", "", {"output.times=[0.1, 40.]"})).given.time.end,
+      simulation_of(with("pulse = { shape = \"step\", peak = 1e6 }", "", {"output.times=[0.1, 40.0]"})).given.time.end,
       40.);
 }
 
