@@ -196,6 +196,9 @@ std::string describe(const Design& design, const ExpectedAnswer& answer) {
     text += format("model       %s, load %s, steps of %.3g ms\n", answer.model->title.c_str(),
                    answer.model->load.c_str(), 1e3 * answer.model->step);
   if (design.tables.sea) text += describe_record(*design.tables.sea, answer);
+  for (const RecordSummary& r : answer.notes.read)
+    text += "  read        " + r.column + " of " + r.file + " in " + r.unit + ", largest " + significant(r.extreme, 4) +
+            "; " + r.layout + "\n";
   if (answer.monte_carlo) text += describe(*answer.monte_carlo, *design.tables.life);
   return text;
 }
@@ -235,9 +238,6 @@ std::string unbroken_waves(const HighestWave& highest, const ExpectedAnswer& ans
 
 std::string notes_and_warnings(const Design& design, const ExpectedAnswer& answer) {
   std::string text;
-  for (const RecordSummary& r : answer.notes.read)
-    text += "note: " + r.file + ": column " + in_quotes(r.column) + " in " + r.unit + ", " + std::to_string(r.samples) +
-            " rows, largest " + significant(r.extreme, 4) + " " + r.si + "; " + r.layout + "\n";
   for (const LeftOut& part : answer.notes.left_out) text += "note: " + part.what + ": " + part.why + "\n";
   for (const NumberedWarning& warning : answer.notes.warnings)
     text += "warning: " + warning.name + ": " + warning.text + "\n";
