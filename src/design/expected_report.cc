@@ -200,6 +200,9 @@ std::string describe(const Design& design, const ExpectedAnswer& answer) {
     text += format("model       %s, load %s, steps of %.3g ms\n", answer.model->title.c_str(),
                    answer.model->load.c_str(), 1e3 * answer.model->step);
   if (design.tables.sea) text += describe_record(*design.tables.sea, answer);
+  for (const RecordSummary& r : answer.notes.read)
+    text += "  read        " + r.column + " of " + r.file + " in " + r.unit + ", largest " + significant(r.extreme, 4) +
+            "; " + r.layout + "\n";
   if (answer.monte_carlo) text += describe(*answer.monte_carlo, *design.tables.life);
   if (answer.formula_lives) text += describe(*answer.formula_lives, *design.tables.life);
   if (!answer.total.empty()) text += "headline    expected " + describe(headline_of(answer.total));

@@ -252,9 +252,6 @@ NumberedWarnings warnings_of(const Design& design, const ExpectedAnswer& answer)
 
 std::string notes_of(const ExpectedAnswer& answer) {
   std::string text;
-  for (const RecordSummary& r : answer.notes.read)
-    text += "note: " + r.file + ": column " + in_quotes(r.column) + " in " + r.unit + ", " + std::to_string(r.samples) +
-            " rows, largest " + significant(r.extreme, 4) + " " + r.si + "; " + r.layout + "\n";
   for (const LeftOut& part : answer.notes.left_out) text += "note: " + part.what + ": " + part.why + "\n";
   return text;
 }
