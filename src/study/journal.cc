@@ -56,12 +56,10 @@ std::string line_of(Json json, std::uint64_t study) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-/// Whether the line is one of a study as it was written; takes the check out of it.
-bool is_whole(Json& json, std::uint64_t study) {
-  if (!json.is_object() || !json.contains("check")) return false;
-  const Json check = json["check"];
-  json.erase("check");
-  return check == check_of(json, study);
+/// Whether the line, parsed to `json`, is one of a study to the last byte.
+bool is_whole(const std::string& line, Json json, std::uint64_t study) {
+  if (!json.is_object() || json.erase("check") == 0) return false;
+  return line_of(json, study) == line + "\n";
 }
 
 RunResult result_of(const Json& json) {
@@ -90,10 +88,10 @@ Json to_object(int run, const RunResult& result) {
 }
 
 /// Whether the line begins the journal of another study, whole; `is_old`: of a program whose lines had no check.
-bool begins_another(Json json, std::uint64_t study, bool is_old) {
+bool begins_another(const std::string& line, const Json& json, std::uint64_t study, bool is_old) {
   if (!json.is_object() || !json.contains("study") || !json["study"].is_number_unsigned()) return false;
   const auto other = json["study"].get<std::uint64_t>();
-  return other != study && (is_old || is_whole(json, other));
+  return other != study && (is_old || is_whole(line, json, other));
 }
 
 void read_journal(const fs::path& path, std::uint64_t fingerprint, JournalsRead& read) {
@@ -102,13 +100,13 @@ void read_journal(const fs::path& path, std::uint64_t fingerprint, JournalsRead&
   const bool is_old = text.find("\"check\"") == std::string::npos;
   std::istringstream stream(text);
   for (std::string line; std::getline(stream, line);) {
-    Json json = Json::parse(line, nullptr, false);
-    if (begins_another(json, fingerprint, is_old))
+    const Json json = Json::parse(line, nullptr, false);
+    if (begins_another(line, json, fingerprint, is_old))
       throw InputError({path.parent_path().parent_path().string()},
                        "the results there are of another study, or of this one before it, its cases or the program "
                        "changed",
                        "add --restart to forget them, or choose another folder with --out DIR");
-    if (!is_whole(json, fingerprint))
+    if (!is_whole(line, json, fingerprint))
       ++read.torn;
     else if (json.contains("run"))
       read.results.at(json.at("run").get<std::size_t>()) = result_of(json);

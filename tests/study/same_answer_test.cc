@@ -64,10 +64,12 @@ class SameAnswer : public InFolder {
       EXPECT_EQ(b.shared, Shared::nothing);
       std::string differences;
       note_differences(comparable(a.summary), comparable(b.summary), "", differences);
-      const Case problem = read_case("case.toml", overrides_of(study.runs[i]));
-      const Simulation simulation = simulation_of(problem);
-      const upbead::Run run = upbead::solve(problem, simulation, read_records(problem, simulation));
-      note_differences(comparable(a.summary), comparable(to_json(run.summary)), "by a run: ", differences);
+      if (i == 0 || i + 1 == runs.size()) {
+        const Case problem = read_case("case.toml", overrides_of(study.runs[i]));
+        const Simulation simulation = simulation_of(problem);
+        const upbead::Run run = upbead::solve(problem, simulation, read_records(problem, simulation));
+        note_differences(comparable(a.summary), comparable(to_json(run.summary)), "by a run: ", differences);
+      }
       EXPECT_EQ(differences, "") << "run " << i;
       answers.insert(comparable(a.summary).dump());
     }
