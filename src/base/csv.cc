@@ -142,16 +142,17 @@ class Reader {
     return is_row(line);
   }
 
-  /// Without a sure header rows such as 0,5 may be two columns, or one with decimal commas; rows such as 1,250 one with
-  /// grouped thousands.
+  /// Without a sure header rows such as 0,5 may be two columns, or one with decimal commas; rows such as 1,250 and 1
+  /// 250 one with grouped thousands.
   void require_two_columns() {
-    if (shape_.dialect.separator != ',' || shape_.dialect.quotes || shape_.n < 2) return;
-    bool decimals = shape_.n % 2 == 0;
+    const bool commas = shape_.dialect.separator == ',', blanks = shape_.dialect.separator == ' ';
+    if (!(commas || blanks) || shape_.dialect.quotes || shape_.n < 2) return;
+    bool decimals = commas && shape_.n % 2 == 0;
     std::vector<bool> thousands(shape_.n - 1, true);
-    const auto is_one = [this](std::size_t c, char decimal) {
+    const auto is_one = [this, commas](std::size_t c, char decimal) {
       double ignored = 0.;
-      const CellIs is =
-          read_cell(std::string(cells_[c].text).append(",").append(cells_[c + 1].text), {';', decimal}, ignored);
+      const std::string pair = std::string(cells_[c].text).append(commas ? "," : "'").append(cells_[c + 1].text);
+      const CellIs is = read_cell(pair, {';', decimal}, ignored);
       return is == CellIs::number || is == CellIs::grouped;
     };
     std::string_view rows = text_;
@@ -161,14 +162,14 @@ class Reader {
       split(line, shape_.dialect, cells_);
       if (cells_.size() < shape_.n) return;
       for (std::size_t c = 0; c + 1 < shape_.n; ++c) {
-        thousands[c] = thousands[c] && is_one(c, '.');
+        thousands[c] = thousands[c] && is_one(c, shape_.dialect.decimal);
         decimals = decimals && (c % 2 == 1 || is_one(c, ','));
       }
       if (!decimals && std::find(thousands.begin(), thousands.end(), true) == thousands.end()) return;
     }
     throw InputError({table_.path, number_ + 1, 1},
-                     in_quotes(trimmed(text_.substr(0, text_.find('\n')))) +
-                         " may be columns, or numbers with commas in them: no line names columns",
+                     in_quotes(trimmed(text_.substr(0, text_.find('\n')))) + " may be columns, or numbers with " +
+                         (commas ? "commas" : "blanks") + " in them: no line names columns",
                      "write a header above it, such as time,force");
   }
 

@@ -389,7 +389,9 @@ Split split_by(const std::vector<std::string_view>& lines, const Dialect& dialec
 /// A later separator must be clearly better: a title such as "Run 7" may look like a row by blanks.
 bool is_better(const Split& found, const Split& best) {
   constexpr double round_off = 1e-12, clearly = 1.2;
-  if (found.n > 1 && best.n <= 1) return found.merit() > best.merit() * (1. - round_off);
+  const bool more_columns = found.n > 1 && best.n <= 1;
+  const bool at_ends = found.n == best.n && found.written > 1 && best.written <= 1;
+  if (more_columns || at_ends) return found.merit() > best.merit() * (1. - round_off);
   return (found.n > 1 || best.n <= 1) && found.merit() > best.merit() * clearly;
 }
 

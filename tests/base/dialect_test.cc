@@ -53,7 +53,8 @@ class Writer {
     s.end = std::vector<std::string>{"\n", "\r\n", "\r"}[below(3)];
     s.title = std::vector<std::string>{
         "", "", "Versuch 7", "# filtered at 300 Hz, run 7", "Messung auf der Platte; Lauf 12", "\t\tRun 7"}[below(6)];
-    s.trailing = s.separator != ' ' && sometimes(4);
+    // one column in which blanks group thousands, without any separator, may be two columns
+    s.trailing = s.separator != ' ' && (sometimes(4) || s.groups == " ");
     s.sep_line = s.separator != ' ' && sometimes(6);
     s.dates = sometimes(4);
     s.last_end = !sometimes(3);
