@@ -136,7 +136,7 @@ Stability stability(const Section& section, const WavePressure& pressure) {
   s.safety_overturning = resisting / pressure.force_moment;
   // t_e = (W' t - M_U - M_P)/(W' - U) is the resultant's distance from the heel
   const double about_the_middle = 0.5 * section.width * vertical - (resisting - pressure.force_moment);
-  s.heel_pressure = edge_pressures(vertical, about_the_middle, section.width).landward;
+  if (vertical > 0.) s.heel_pressure = edge_pressures(vertical, about_the_middle, section.width).landward;
   s.sliding_force = pressure.force + section.friction * pressure.uplift;
   s.resistance = section.friction * section.submerged_weight;
   s.ratio = s.sliding_force / s.resistance;

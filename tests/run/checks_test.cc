@@ -3,14 +3,20 @@
 // of still water at two levels counts.
 #include "run/checks.h"
 
-#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+#include <string>
+#include <tuple>
 
 #include "output/checks.h"
 
 namespace upbead {
 namespace checks_test {
 
-using testing::HasSubstr;
+bool has(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
 
 Scene scene() {
   Scene scene;
@@ -62,7 +68,7 @@ TEST(Checks, TheWorseRouteGoverns) {
   EXPECT_EQ(verdict.holds, false);
   EXPECT_EQ(verdict.governing->name, "sliding by formulas");
   EXPECT_EQ(verdict.failing, 1);
-  EXPECT_THAT(verdict.text, HasSubstr("wave storm: 0.952 against at least 1: DOES NOT HOLD"));
+  EXPECT_TRUE(has(verdict.text, "wave storm: 0.952 against at least 1: DOES NOT HOLD"));
 }
 
 TEST(Checks, AContradictionOfTheRoutesIsAWarningBothWays) {
@@ -75,7 +81,7 @@ TEST(Checks, AContradictionOfTheRoutesIsAWarningBothWays) {
     EXPECT_EQ(found.warnings.size(), warned ? 1U : 0U) << safety << " " << peak;
     if (warned) {
       EXPECT_EQ(found.warnings.front().name, "routes_differ");
-      EXPECT_THAT(found.warnings.front().text, HasSubstr("the worse governs"));
+      EXPECT_TRUE(has(found.warnings.front().text, "the worse governs"));
     }
   }
 }
@@ -100,7 +106,7 @@ TEST(Checks, SeawardIsNotCheckedWhereNothingPushesSeaward) {
   const Check& none = named(name, found);
   EXPECT_FALSE(none.holds);
   EXPECT_FALSE(none.margin);
-  EXPECT_THAT(text_of(none), HasSubstr("not checked: no trough acts"));
+  EXPECT_TRUE(has(text_of(none), "not checked: no trough acts"));
   s.sliding->history.peak_seaward = 1.9e6;
   EXPECT_EQ(named(name, judged(s)).holds, false) << "the rebound alone slides it";
   s.sliding->history.peak_seaward = 0.4e6;
@@ -126,7 +132,7 @@ TEST(Checks, ThePushOfAHarbourCountsAndAWarningMayVoidTheVerdict) {
   const Verdict verdict = verdict_of(s.checks, {warning});
   EXPECT_FALSE(verdict.holds);
   EXPECT_EQ(verdict.why_void, "harbour_level");
-  EXPECT_THAT(verdict.text, HasSubstr("VOID"));
+  EXPECT_TRUE(has(verdict.text, "VOID"));
 }
 
 TEST(Checks, OfSeveralLevelsTheWorstIsKept) {
