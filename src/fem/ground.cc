@@ -47,8 +47,10 @@ Scene at_rest(Scene scene) {
     if (region.kind == RegionKind::solid) region.deformation = Deformation::elastic;
     if (region.stress_law) region.shear_modulus = region.stress_law->reference;
   }
+  // at rest the ground beyond a far side bears as much as the ground here: no side carries its weight
   for (auto& [name, boundary] : scene.boundaries)
-    if (boundary.displacement == DisplacementCondition::absorbing)
+    if (boundary.displacement == DisplacementCondition::absorbing ||
+        boundary.displacement == DisplacementCondition::level)
       boundary.displacement = DisplacementCondition::roller;
   return scene;
 }
