@@ -39,7 +39,7 @@ int work_on(const CommonOptions& options, const DesignWork& work, const Stopwatc
   folder.write("summary.json", answer.json);
   check_interrupt();
   folder.commit();
-  std::cerr << describe(design.implausible) << answer.warnings;
+  std::cerr << answer.warnings;
   std::cout << (options.json ? answer.json
                              : answer.text + "written     " + folder.name() + "/{" + join(work.files) + "}\n");
   return 0;
@@ -53,7 +53,7 @@ void require_waves(const DesignTables& tables, const Document& document, Diagnos
 
 Answer waves(const Design& design, const Stopwatch&) {
   const std::vector<WaveAnswer> answers = answer_waves(design.tables);
-  return {{}, to_json(design.tables, answers), describe(design.tables, answers) + "\n", describe(warnings_of(answers))};
+  return {{}, to_json(design, answers), describe(design, answers) + "\n", describe(warnings_of(design, answers))};
 }
 
 Answer expected(const Design& design, const Stopwatch& since_start) {
@@ -73,7 +73,7 @@ Answer calibrated(const Design& design, const Stopwatch&) {
   return {{{"calibration.csv", calibration_csv(found)}, {"results.h5", calibration_file(design, found)}},
           to_json(design, found),
           describe(design, found),
-          describe(warnings_of(found))};
+          describe(warnings_of(design, found))};
 }
 
 Command design_command(Command command, const DesignWork& work) {

@@ -231,6 +231,7 @@ Checks checks_of(const Design& design, const ExpectedAnswer& answer) {
 
 NumberedWarnings warnings_of(const Design& design, const ExpectedAnswer& answer) {
   NumberedWarnings list = answer.notes.warnings;
+  append(list, design.implausible);
   const Limits& limits = design.tables.limits;
   if (design.tables.sea) {
     add_impossible_seas(answer.states, list);

@@ -175,8 +175,9 @@ std::vector<OutputRow> rows_of_waves() {
   return waves_outputs().rows();
 }
 
-std::string to_json(const DesignTables& design, const std::vector<WaveAnswer>& answers) {
-  ToldWaves told{&design, &answers, checks_of(design, answers), warnings_of(answers), {}};
+std::string to_json(const Design& design, const std::vector<WaveAnswer>& answers) {
+  const DesignTables& tables = design.tables;
+  ToldWaves told{&tables, &answers, checks_of(tables, answers), warnings_of(design, answers), {}};
   told.verdict = verdict_of(told.checks, told.warnings);
   return waves_outputs().text(told);
 }

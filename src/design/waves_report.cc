@@ -216,7 +216,8 @@ std::vector<WaveAnswer> answer_waves(const DesignTables& design) {
   return answers;
 }
 
-std::string describe(const DesignTables& design, const std::vector<WaveAnswer>& answers) {
+std::string describe(const Design& whole, const std::vector<WaveAnswer>& answers) {
+  const DesignTables& design = whole.tables;
   std::string text = design.title.empty() ? "" : design.title + "\n";
   text += describe(design.section);
   text += table("Pressure after Goda, with alpha* = max(alpha_2, alpha_I) (m, s, kPa)",
@@ -237,7 +238,7 @@ std::string describe(const DesignTables& design, const std::vector<WaveAnswer>& 
               " kN/m, peak x " + short_number(a.elastic->peak_displacement) + " m, S " +
               short_number(a.elastic->slip.residual) + " m";
   const Checks checks = checks_of(design, answers);
-  return text + (text.back() == '\n' ? "\n" : "\n\n") + describe(verdict_of(checks, warnings_of(answers)), checks);
+  return text + (text.back() == '\n' ? "\n" : "\n\n") + describe(verdict_of(checks, warnings_of(whole, answers)), checks);
 }
 
 namespace {
@@ -289,8 +290,8 @@ Checks checks_of(const DesignTables& design, const std::vector<WaveAnswer>& answ
   return list;
 }
 
-NumberedWarnings warnings_of(const std::vector<WaveAnswer>& answers) {
-  NumberedWarnings list;
+NumberedWarnings warnings_of(const Design& design, const std::vector<WaveAnswer>& answers) {
+  NumberedWarnings list = design.implausible;
   for (const WaveAnswer& a : answers) {
     std::map<std::string, std::string> told;  // by name of the warning, its text at the level before
     for (const WaveAnswer* level : at_all_levels(a))

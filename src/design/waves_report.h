@@ -53,17 +53,17 @@ struct WaveAnswer {
 Checks checks_of(const DesignTables& design, const std::vector<WaveAnswer>& answers);
 
 /// The warnings of all waves at all levels, equal ones once for each wave.
-NumberedWarnings warnings_of(const std::vector<WaveAnswer>& answers);
+NumberedWarnings warnings_of(const Design& design, const std::vector<WaveAnswer>& answers);
 
 /// All waves of a design, in the order of their names.
 std::vector<WaveAnswer> answer_waves(const DesignTables& design);
 
 /// Tables of pressures, safety and sliding with a row for each wave, and of levels with a row for each wave and
 /// level.
-std::string describe(const DesignTables& design, const std::vector<WaveAnswer>& answers);
+std::string describe(const Design& design, const std::vector<WaveAnswer>& answers);
 
 /// summary.json. Throws NumericsError where a number is not finite.
-std::string to_json(const DesignTables& design, const std::vector<WaveAnswer>& answers);
+std::string to_json(const Design& design, const std::vector<WaveAnswer>& answers);
 /// The keys of that JSON.
 std::vector<OutputRow> rows_of_waves();
 

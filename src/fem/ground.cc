@@ -47,7 +47,8 @@ Scene at_rest(Scene scene) {
     if (region.kind == RegionKind::solid) region.deformation = Deformation::elastic;
     if (region.stress_law) region.shear_modulus = region.stress_law->reference;
   }
-  for (auto& [name, boundary] : scene.boundaries)  // a level side that moves horizontally only would bear weight
+  // at rest the ground beyond a far side bears as much as the ground here: no side carries its weight
+  for (auto& [name, boundary] : scene.boundaries)
     if (boundary.displacement == DisplacementCondition::absorbing ||
         boundary.displacement == DisplacementCondition::level)
       boundary.displacement = DisplacementCondition::roller;

@@ -26,7 +26,7 @@ struct LimitAnswer {
 /// sigma_zz, between the principal stresses in the plane, sets no limit then. Where D <= 0 is reached, s is a rest. Beside
 /// D, `trifle` times the complementary energy of the change from the committed stress is made small. Lagrange's
 /// multipliers give a motion, and with it a bound from below, exact for any multipliers (the kinematic theorem): where it
-/// is positive, a rest would need 1,000 times the energy of the committed stress, so there is none.
+/// is positive, a rest would need 50 times the energy of the committed stress, so there is none.
 /// By a primal-dual interior-point method with second-order cones
 /// (Nesterov and Todd 1998; of limit analysis: Makrodimopoulos and Martin 2006). `each` is called before every
 /// iteration, and may throw.

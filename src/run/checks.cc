@@ -172,7 +172,7 @@ Checks checks_of(const Scene& scene, const Summary& summary) {
   if (summary.nonlinear && summary.residual) list.push_back(displacement_check(summary, scene.limits.sliding));
   if (summary.base) add_base(scene, summary, list);
   if (!summary.why_void.empty())
-    for (Check& check : list) check = not_checked(check, "void: " + summary.why_void);
+    for (Check& check : list) check = not_checked(check, "void: there is no state at rest, see no_rest");
   Checks all = rest_checks(scene, summary);
   append(all, list);
   append(all, summary.formula_checks);

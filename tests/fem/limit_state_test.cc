@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "fem/factor_search.h"
 #include "fem/ground.h"
@@ -107,6 +108,12 @@ double middle(const SafetyFactor& F) {
   return F.lower && F.upper ? 0.5 * (*F.lower + *F.upper) : NAN;
 }
 
+/// Cells of a fifth of the height are too stiff to fail along a narrow band.
+void expect_slightly_above(double F, double circle) {
+  EXPECT_GT(F, 0.985 * circle);
+  EXPECT_LT(F, 1.08 * circle);
+}
+
 TEST(LimitState, SlopesFailByTheWorstCircleWhateverTheirMesh) {
   double before = 0.;
   unsigned seed = 1;
@@ -117,7 +124,7 @@ TEST(LimitState, SlopesFailByTheWorstCircleWhateverTheirMesh) {
     slope.uneven = 0.25;
     slope.seed = seed++;
     const double F = middle(safety_factor(scene_of(soil), *slope.mesh(), {}));
-    EXPECT_NEAR(F / worst_circle(slope, soil), 1., 0.03) << "phi' = " << angle;
+    expect_slightly_above(F, worst_circle(slope, soil));
     EXPECT_GT(F, before + 0.02);
     before = F;
   }
@@ -129,7 +136,7 @@ TEST(LimitState, UndrainedSlopesFailByTheWorstCircle) {
     slope.run = run;
     slope.size = 2.;
     const Strength clay{0., 0.25 * weight * H, 0., 1e12};
-    EXPECT_NEAR(middle(safety_factor(scene_of(clay), *slope.mesh(), {})) / worst_circle(slope, clay), 1., 0.03);
+    expect_slightly_above(middle(safety_factor(scene_of(clay), *slope.mesh(), {})), worst_circle(slope, clay));
   }
 }
 
@@ -157,11 +164,11 @@ TEST(LimitState, AStripOnClayBearsPrandtlsPressure) {
   EXPECT_EQ(F.fails_at.rfind("region 'soil' at ", 0), 0u) << F.fails_at;
 }
 
-TEST(LimitState, RestsAtTheLowerFactorAndIsShownNotToAtTheUpper) {
+void expect_rest_between(double size, const std::vector<Strength>& soils) {
   Slope slope;
-  slope.size = 2.;
+  slope.size = size;
   slope.uneven = 0.2;
-  for (const Strength& soil : {Strength{20., 10e3, 0., 0.}, Strength{0., 50e3, 0., 0.}, Strength{38., 1e3, 8., 0.}}) {
+  for (const Strength& soil : soils) {
     const auto mesh = slope.mesh();
     const SafetyFactor F = safety_factor(scene_of(soil), *mesh, {});
     ASSERT_TRUE(F.lower && F.upper);
@@ -178,6 +185,14 @@ TEST(LimitState, RestsAtTheLowerFactorAndIsShownNotToAtTheUpper) {
     EXPECT_FALSE(falls.found) << soil.friction_angle;
     EXPECT_TRUE(falls.none);
   }
+}
+
+TEST(LimitState, RestsAtTheLowerFactorAndIsShownNotToAtTheUpper) {
+  expect_rest_between(4., {{20., 10e3, 0., 0.}});
+}
+
+TEST(LimitState, RestsAtTheLowerFactorAndIsShownNotToAtTheUpperAtLength) {
+  expect_rest_between(2., {{20., 10e3, 0., 0.}, {0., 50e3, 0., 0.}, {38., 1e3, 8., 0.}});
 }
 
 /// The soil of a slope with associated laws of the given strength. Its committed stress is that of level ground, with

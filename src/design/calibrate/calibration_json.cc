@@ -171,7 +171,7 @@ std::vector<OutputRow> rows_of_calibration() {
 }
 
 std::string to_json(const Design& design, const Calibration& found) {
-  return calibration_outputs().text({&design, &found, warnings_of(found)});
+  return calibration_outputs().text({&design, &found, warnings_of(design, found)});
 }
 
 }  // namespace upbead

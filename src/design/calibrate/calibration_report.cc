@@ -163,8 +163,8 @@ std::string describe(const Design& design, const Calibration& found) {
   return text + format("time        %.2f s\n", found.seconds);
 }
 
-NumberedWarnings warnings_of(const Calibration& found) {
-  NumberedWarnings list;
+NumberedWarnings warnings_of(const Design& design, const Calibration& found) {
+  NumberedWarnings list = design.implausible;
   for (const CalibratedModel& model : found.models) {
     const auto n = std::count_if(model.fits.begin(), model.fits.end(), [](const CalibrationFit& fit) {
       return !fit.fit || fit.fit->doubt != FitDoubt::none;
