@@ -298,7 +298,7 @@ TableHead head_of(const std::vector<TableLine>& lines, const TableShape& shape, 
   }
   head.line = lines[names->index].number;
   head.last = names->index + 1;
-  head.certain = !names->comment || names->units + names->times > 0;
+  head.certain = (!names->comment && names->numbers == 0) || names->units + names->times > 0;
   for (const std::string& cell : names->cells) {
     const auto [name, unit] = heading(cell);
     head.names.push_back(name);

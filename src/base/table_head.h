@@ -16,7 +16,7 @@ struct TableLine {
 
 struct TableHead {
   std::vector<std::string> names, units;
-  bool certain = false;         ///< the names are no mere comment
+  bool certain = false;         ///< the names are no mere comment or title
   int line = 0, unit_line = 0;  ///< where they stand; 0: nowhere
   std::size_t last = 0;         ///< how many lines it takes, to the last one of names and units; 0 without names
 };

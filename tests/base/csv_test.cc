@@ -118,6 +118,13 @@ TEST_F(Csv, RefusesNamesThatCannotBeTold) {
   EXPECT_EQ(refusal("Unit: kPa\ntime,p\n0,1\n"), "f:1:1: 'Unit: kPa' gives a unit, but not by column");
   EXPECT_EQ(refusal("time (s),p\nms,kPa\n0,1\n"),
             "f:2:1: column 'time' has the unit 's' behind its name and 'ms' below it");
+  EXPECT_EQ(
+      refusal("Run on the plate; number 12\n05/11/2026\t1 187\t0,32\t0\t1,10\t\n"),
+      "f:2:1: '05/11/2026 1 187 0,32 0 1,10' may be columns, or numbers with blanks in them: no line names columns");
+  EXPECT_EQ(refusal("05/11/2026;0,5;2\n05/11/2026;0,6;3\n"),
+            "f:1:1: some columns hold words, and no line above them names the columns");
+  EXPECT_EQ(refusal("2 887\t\n"),
+            "f:1:1: '2 887' may be columns, or numbers with blanks in them: no line names columns");
   EXPECT_EQ(refusal("0.1,1,250\n0.2,1,480\n"),
             "f:1:1: '0.1,1,250' may be columns, or numbers with commas in them: no line names columns");
 }
