@@ -3,6 +3,7 @@
 #include "run/sliding/slip_ahead.h"
 
 #include <cstdlib>
+#include <memory>
 
 #include "base/cores.h"
 #include "case/case_run.h"
@@ -68,8 +69,8 @@ TEST_F(SlipAheadRun, WhatNobodyAsksForIsLeft) {
   if (!has_spare_core()) GTEST_SKIP() << "one core";
   const Case problem = read_case("case.toml", {"loads.impulse.factor=8"});
   static const PetscSession petsc;
-  const Simulation simulation = simulation_of(problem);
-  const SlipAhead unused(simulation);
+  SlipAhead unused(std::make_shared<const Simulation>(simulation_of(problem)));
+  unused.begin();
   unused.leave_mesh();
   const SlipAhead none;
   none.leave_mesh();
