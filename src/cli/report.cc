@@ -149,8 +149,10 @@ std::string describe(const std::vector<CompactedSoil>& soils) {
 
 std::string describe(const SafetySummary& s) {
   std::string text = "safety      at rest it stands ";
-  if (s.lower) text += "with its strength over " + significant(*s.lower, 4);
-  else text += s.upper ? "not even with 16 times its strength" : "with no strength that was tried";
+  if (s.lower)
+    text += "with its strength over " + significant(*s.lower, 4);
+  else
+    text += s.upper ? "not even with 16 times its strength" : "with no strength that was tried";
   if (s.lower && s.upper) text += ", not over " + significant(*s.upper, 4);
   if (s.lower && !s.upper) text += ", and no factor was found with which it does not";
   if (s.upper) text += "; it gives way in " + s.fails_at;

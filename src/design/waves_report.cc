@@ -238,7 +238,8 @@ std::string describe(const Design& whole, const std::vector<WaveAnswer>& answers
               " kN/m, peak x " + short_number(a.elastic->peak_displacement) + " m, S " +
               short_number(a.elastic->slip.residual) + " m";
   const Checks checks = checks_of(design, answers);
-  return text + (text.back() == '\n' ? "\n" : "\n\n") + describe(verdict_of(checks, warnings_of(whole, answers)), checks);
+  return text + (text.back() == '\n' ? "\n" : "\n\n") +
+         describe(verdict_of(checks, warnings_of(whole, answers)), checks);
 }
 
 namespace {

@@ -89,7 +89,10 @@ Checks worst_of_each(const std::vector<Checks>& several) {
 
 std::string text_of(const Check& check) {
   if (!check.why_not.empty()) return words_of(check) + ": not checked: " + check.why_not;
-  std::string text = words_of(check) + ": " + (check.demand ? number_of(check, *check.demand) : check.at_least ? "not found" : "without bound");
+  std::string text = words_of(check) + ": " +
+                     (check.demand     ? number_of(check, *check.demand)
+                      : check.at_least ? "not found"
+                                       : "without bound");
   if (!check.capacity) return text + ", no limit given";
   text += (check.at_least ? " against at least " : " against ") + number_of(check, *check.capacity) + ": " +
           (*check.holds ? "holds" : "DOES NOT HOLD");
