@@ -69,7 +69,8 @@ TEST_F(SlipAheadRun, WhatNobodyAsksForIsLeft) {
   const Case problem = read_case("case.toml", {"loads.impulse.factor=8"});
   static const PetscSession petsc;
   const Simulation simulation = simulation_of(problem);
-  const SlipAhead unused(simulation);
+  SlipAhead unused(std::make_shared<const Simulation>(simulation));
+  unused.begin();
   unused.leave_mesh();
   const SlipAhead none;
   none.leave_mesh();
