@@ -320,7 +320,7 @@ class Study(ProgramTest):
     def test_a_killed_process_costs_its_run_alone(self):
         process = self.start(24, "--jobs", "2", "--json")
         os.kill(self.processes_of(process)[0], signal.SIGKILL)
-        text, errors = process.communicate(timeout=100)
+        text, errors = process.communicate(timeout=300)
         self.assertEqual(process.returncode, 0, errors)
         self.assertRegex(errors, r"the process of run \d+ was ended by signal 9 \(Killed\); another one does that run again")
         summary = json.loads(text)
@@ -335,7 +335,7 @@ class Study(ProgramTest):
             for other in self.processes_of(process)[1:]:
                 os.kill(other, signal.SIGKILL)
             time.sleep(0.05)
-        text, errors = process.communicate(timeout=100)
+        text, errors = process.communicate(timeout=300)
         self.assertEqual(process.returncode, 2, errors)
         failed = json.loads(text)["failed"]
         self.assertTrue(failed)
@@ -358,7 +358,7 @@ class Study(ProgramTest):
             done = self.study("--out", "killed", *arguments, code=1, jobs=None)
             self.assertIn(f"another study works in this folder, process {first.pid} on ", done.stderr)
             self.assertIn("choose another folder with --out DIR", done.stderr)
-        errors = first.communicate(timeout=100)[1]
+        errors = first.communicate(timeout=300)[1]
         self.assertEqual(first.returncode, 0, errors)
         self.assertEqual(self.journal_lines("killed"), 40)
         self.assertEqual(json.loads(self.study("--out", "killed", "--json").stdout)["resumed"], 40)
@@ -372,7 +372,7 @@ class Study(ProgramTest):
             done = self.study("--out", mode, code=1, env=environment)
             self.assertIn("another study works in this folder", done.stderr)
             self.assertEqual("remove" in done.stderr, mode == "no_locks", done.stderr)
-            errors = first.communicate(timeout=200)[1]
+            errors = first.communicate(timeout=300)[1]
             self.assertEqual(first.returncode, 0, errors)
             self.assertEqual(self.journal_lines(mode), 12)
             killed = self.start(400, "--jobs", "2", out="killed-" + mode, env=environment)
