@@ -108,8 +108,10 @@ TableSchema<Limits> limits_schema() {
       .doc("least margin against overturning that is allowed; 1.2 in Japanese practice");
   table.key("safety", &Limits::safety)
       .range(above(0.))
-      .doc("least factor by which the strength may fall at rest that is allowed; 1 where it is not given, as ground with "
-           "less does not stand. Has the factor computed, as initial.safety does");
+      .doc(
+          "least factor by which the strength may fall at rest that is allowed; 1 where it is not given, as ground "
+          "with "
+          "less does not stand. Has the factor computed, as initial.safety does");
   return table;
 }
 

@@ -146,8 +146,10 @@ std::string describe(const std::vector<CompactedSoil>& soils) {
 
 std::string describe(const SafetySummary& s) {
   std::string text = "safety      at rest it stands ";
-  if (s.lower) text += "with its strength over " + significant(*s.lower, 4);
-  else text += s.upper ? "not even with 16 times its strength" : "with no strength that was tried";
+  if (s.lower)
+    text += "with its strength over " + significant(*s.lower, 4);
+  else
+    text += s.upper ? "not even with 16 times its strength" : "with no strength that was tried";
   if (s.lower && s.upper) text += ", not over " + significant(*s.upper, 4);
   if (s.lower && !s.upper) text += ", and no factor was found with which it does not";
   if (s.upper) text += "; it gives way in " + s.fails_at;
@@ -242,12 +244,16 @@ std::string describe(const std::vector<Check>& checks) {
       return c.unit.empty() ? significant(value, 4) : with_unit(value, c.unit);
     };
     text += (text.empty() ? "checks\n" : "") + format("  %-27s ", c.name.c_str()) +
-            (c.demand ? number(*c.demand) : c.holds ? "without bound" : "not found");
+            (c.demand  ? number(*c.demand)
+             : c.holds ? "without bound"
+                       : "not found");
     if (!c.capacity)
       text += ", no limit given";
     else
       text += " against " + number(*c.capacity) + ": " +
-              (!c.holds ? "not judged" : *c.holds ? "holds" : "DOES NOT HOLD") +
+              (!c.holds   ? "not judged"
+               : *c.holds ? "holds"
+                          : "DOES NOT HOLD") +
               (c.margin ? ", margin " + significant(*c.margin, 3) : std::string());
     text += "\n";
   }

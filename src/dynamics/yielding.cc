@@ -160,8 +160,8 @@ double YieldingStage::of_displacements(const Vector& force) const {
   return std::sqrt(sum);
 }
 
-/// Norm of the forces that the tolerance is a share of. Where neither loads nor soil have exerted any so far, it is that
-/// of the motions and pressures given at boundaries, on ground that has not moved.
+/// Norm of the forces that the tolerance is a share of. Where neither loads nor soil have exerted any so far, it is
+/// that of the motions and pressures given at boundaries, on ground that has not moved.
 double YieldingStage::scale(double g) {
   const DirkStage& stage = *stage_;
   largest_ = std::max({largest_, of_displacements(*stage.load), force_.exerted()});

@@ -18,11 +18,12 @@ struct YieldingReport {
 
 struct YieldingOptions {
   /// Tolerable residual of the equation of motion, as a share of the largest norm so far of the soil's forces or of
-  /// the loads; before any of these, of what moved boundaries exert on ground at rest. It is no share of p, which grows without end where soil flows, as K x does.
+  /// the loads; before any of these, of what moved boundaries exert on ground at rest. It is no share of p, which grows
+  /// without end where soil flows, as K x does.
   double tolerance = 1e-6;
   bool refined = false;  ///< see SchemeOptions
-  /// Norm of the weights that the soil bears at rest (N/m): a millionth of it is the least scale of the tolerance, as the
-  /// soil's forces are differences from those at rest, with their round-off.
+  /// Norm of the weights that the soil bears at rest (N/m): a millionth of it is the least scale of the tolerance, as
+  /// the soil's forces are differences from those at rest, with their round-off.
   double weight = 0.;
 };
 

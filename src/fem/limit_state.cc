@@ -27,7 +27,8 @@ constexpr double known = 0.2;
 constexpr int most_after = 4;
 constexpr int most_iterations = 60;
 
-/// One limit of the stress at a point: (limit + D - slope m, half the difference of stresses, shear stress) in the cone.
+/// One limit of the stress at a point: (limit + D - slope m, half the difference of stresses, shear stress) in the
+/// cone.
 struct Limit {
   std::size_t point;
   double limit, slope;
@@ -40,7 +41,9 @@ struct Limit {
     d << -0.5 * slope, -0.5 * slope, 0., 0.5, -0.5, 0., 0., 0., 1.;
     return d;
   }
-  cone::Point at(const Vector3d& stress, double D) const { return by_stress() * stress + cone::Point(limit + D, 0., 0.); }
+  cone::Point at(const Vector3d& stress, double D) const {
+    return by_stress() * stress + cone::Point(limit + D, 0., 0.);
+  }
 };
 
 Matrix3d stiffness(const ElasticLaw& law) {
@@ -53,7 +56,8 @@ Matrix3d stiffness(const ElasticLaw& law) {
 
 class Search {
  public:
-  Search(const StaticSoil& soil, const Vector& load) : soil_(soil), load_(load), points_(soil.points()), K_(soil.pattern()) {
+  Search(const StaticSoil& soil, const Vector& load)
+      : soil_(soil), load_(load), points_(soil.points()), K_(soil.pattern()) {
     for (const StaticSoil::Point& p : points_) {
       start_.emplace_back(p.stress.xx, p.stress.yy, p.stress.xy);
       scale_ = std::max(scale_, start_.back().lpNorm<Eigen::Infinity>());
@@ -215,8 +219,8 @@ class Search {
     const double target = std::pow(ahead / product, 3) * product / static_cast<double>(limits_.size());
     for (Limit& l : limits_) {
       const cone::Scaling& w = *l.scaling;
-      const cone::Point r = cone::Point(target, 0., 0.) - cone::product(w.middle, w.middle) -
-                            cone::product(w.inverse * l.ds, w.W * l.dz);
+      const cone::Point r =
+          cone::Point(target, 0., 0.) - cone::product(w.middle, w.middle) - cone::product(w.inverse * l.ds, w.W * l.dz);
       l.correction = cone::divided(r, w.middle);
     }
   }

@@ -210,8 +210,8 @@ std::vector<StaticSoil::Point> StaticSoil::points() const {
   std::vector<Point> found;
   for (const Impl::SoilCell& cell : impl_->cells)
     for (std::size_t p = cell.first_point; p < cell.end_of_points; ++p)
-      found.push_back({cell.index, impl_->places[p].area, cell.elastic, impl_->laws[cell.index].get(),
-                       impl_->states[p].stress});
+      found.push_back(
+          {cell.index, impl_->places[p].area, cell.elastic, impl_->laws[cell.index].get(), impl_->states[p].stress});
   return found;
 }
 

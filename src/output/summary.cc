@@ -253,10 +253,12 @@ OutputSchema<SafetySummary> safety_outputs() {
       .key("lower", &S::lower, "",
            "largest factor at which a state at rest was found; null where none was with up to 16 times its strength")
       .key("upper", &S::upper, "",
-           "smallest factor at which it was shown that there is none; null where it stands with a twentieth of its strength, "
+           "smallest factor at which it was shown that there is none; null where it stands with a twentieth of its "
+           "strength, "
            "or nothing was shown")
       .key("fails_at", &S::fails_at, "", "where it shears most as it fails; empty where it does not")
-      .reason("why_open", &S::why_open, "why the bounds are more than 0.5 % apart, or missing; null where they are not");
+      .reason("why_open", &S::why_open,
+              "why the bounds are more than 0.5 % apart, or missing; null where they are not");
 }
 
 OutputSchema<PeakStrain> peak_strain_outputs() {
@@ -406,7 +408,8 @@ OutputSchema<Summary> whole_outputs() {
               "where the caisson came to rest at the end of the run; null where no soil yields")
       .list("densification[]", &S::densification, densification_outputs(), "[denser soils](yielding.md#densification)")
       .object("safety", &S::safety, safety_outputs(),
-              "factor by which [strength may fall at rest](yielding.md#strength-reduction), if asked for by `initial.safety` or "
+              "factor by which [strength may fall at rest](yielding.md#strength-reduction), if asked for by "
+              "`initial.safety` or "
               "`limits.safety`, and where Mohr-Coulomb soil found no rest; else null")
       .reason("void", &S::why_void,
               "why nothing here that was marched is of a section that stands: its ground [has no state at "

@@ -90,8 +90,8 @@ Run march_from(const Simulation& simulation, RestStart start, const Rest& rest, 
   const System& system = simulation.compiled->system;
   const auto soil =
       yielding_soil(*simulation.space, *simulation.unknowns, system.readings, laws.points, work_of(simulation));
-  const auto scheme =
-      make_yielding_scheme(system, *soil, {yielding_tolerance * simulation.given.tolerance, care.refined, rest.elastic.weight});
+  const auto scheme = make_yielding_scheme(
+      system, *soil, {yielding_tolerance * simulation.given.tolerance, care.refined, rest.elastic.weight});
   if (follower.soil) follower.soil(*soil);
   YieldingWatch watch(*simulation.space, *simulation.unknowns, *soil);
   MarchOptions followed = marching;
@@ -146,8 +146,7 @@ Run run_yielding(const Simulation& simulation, const MarchOptions& marching,
                  const std::function<void(double)>& progress, const YieldingRunOptions& options) {
   Rest rest{solve_static(simulation.scene, *simulation.mesh), {}, {}};
   if (needs_rest_state(simulation.scene)) {
-    RestState found =
-        rest_state(simulation.scene, *simulation.mesh, simulation.soil_state, watched("state at rest"));
+    RestState found = rest_state(simulation.scene, *simulation.mesh, simulation.soil_state, watched("state at rest"));
     rest.why_none = why_none(found);
     if (found.found) rest.failing = std::move(found);
   }

@@ -45,9 +45,7 @@ struct Slope {
         });
     if (uneven > 0.) dealii::GridTools::distort_random(uneven, mesh->triangulation, true, seed);
     dealii::GridTools::transform(
-        [this](const dealii::Point<dim>& p) {
-          return dealii::Point<dim>(p[0], -below + p[1] * (top(p[0]) + below));
-        },
+        [this](const dealii::Point<dim>& p) { return dealii::Point<dim>(p[0], -below + p[1] * (top(p[0]) + below)); },
         mesh->triangulation);
     return mesh;
   }
@@ -213,8 +211,8 @@ struct Searched {
         load(ground.weights(-1e3)) {
     soil.follow(StaticLaws(
         mesh->triangulation.n_active_cells(),
-        std::make_shared<const MohrCoulombLaw>(elastic_law(4e7, 0.3), MohrCoulombStrength{s.friction_angle, s.cohesion,
-                                                                                          s.friction_angle, s.tension})));
+        std::make_shared<const MohrCoulombLaw>(
+            elastic_law(4e7, 0.3), MohrCoulombStrength{s.friction_angle, s.cohesion, s.friction_angle, s.tension})));
     PointStresses stresses;
     for (const auto& cell : mesh->triangulation.active_cell_iterators()) {
       const double vertical = weight * (cell->center()[1] - slope.top(cell->center()[0]));

@@ -1,6 +1,6 @@
 // Claims: ground that yields is marched wherever it is moved from, also by its base alone, without damping, and before
-// anything acts: no step is cut for want of a scale, and a load that is next to nothing changes next to nothing. Ground that
-// cannot bear its own weight is told: a check of its own fails, the others are void, a warning names the place.
+// anything acts: no step is cut for want of a scale, and a load that is next to nothing changes next to nothing. Ground
+// that cannot bear its own weight is told: a check of its own fails, the others are void, a warning names the place.
 
 #include <gtest/gtest.h>
 
@@ -76,7 +76,8 @@ class RestRun : public InFolder {
 
 TEST_F(RestRun, GroundMovedByItsBaseAloneNeedsNoOtherLoad) {
   write("quiet.csv", "t,a\n0,0\n0.1,0\n0.2,0\n0.21,0.01\n0.3,0.8\n0.4,0\n0.6,0\n");
-  const std::string tiny = "[loads.tiny]\nboundary = \"top\"\nkind = \"traction\"\npulse = { shape = \"step\", peak = 0.001 }\n";
+  const std::string tiny =
+      "[loads.tiny]\nboundary = \"top\"\nkind = \"traction\"\npulse = { shape = \"step\", peak = 0.001 }\n";
   for (const std::string law : {"mohr_coulomb", "hysteretic"})
     for (const std::string motion :
          {"kind = \"acceleration\"\npulse = { shape = \"half_sine\", peak = 0.5, duration = 0.4 }\n",
@@ -97,7 +98,8 @@ TEST_F(RestRun, NothingActsForAWhileOrAtAll) {
       "[loads.late]\nboundary = \"top\"\nkind = \"traction\"\ndirection = [1, 0]\n"
       "pulse = { shape = \"half_sine\", peak = 5e3, duration = 0.2, start = 0.3 }\n";
   const std::string water =
-      "[loads.late]\nboundary = \"top\"\nkind = \"pressure\"\npulse = { shape = \"half_sine\", peak = 5e3, duration = 0.4 }\n";
+      "[loads.late]\nboundary = \"top\"\nkind = \"pressure\"\npulse = { shape = \"half_sine\", peak = 5e3, duration = "
+      "0.4 }\n";
   for (const std::string law : {"mohr_coulomb", "hysteretic"})
     for (const std::string& load : {late, water}) {
       const Summary found = run(moved_column(law, load), column_geo);
@@ -105,8 +107,8 @@ TEST_F(RestRun, NothingActsForAWhileOrAtAll) {
     }
 }
 
-/// A slope of 45 degrees, which stands with gamma H / c of 5.6 at most (Taylor 1937, ground half of H below the toe): 35
-/// kN/m2.
+/// A slope of 45 degrees, which stands with gamma H / c of 5.6 at most (Taylor 1937, ground half of H below the toe):
+/// 35 kN/m2.
 std::string clay_slope(double cohesion, const std::string& more) {
   return R"([mesh]
 file = "mesh.geo"

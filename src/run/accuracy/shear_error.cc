@@ -147,7 +147,8 @@ class Adaptation {
   double done() const {
     if (accuracy_.levels.empty()) return 0.;
     const double first = driving(given_, accuracy_.levels.front().error);
-    return first > aim_ ? std::log(first / driving(given_, accuracy_.levels.back().error)) / std::log(first / aim_) : 1.;
+    return first > aim_ ? std::log(first / driving(given_, accuracy_.levels.back().error)) / std::log(first / aim_)
+                        : 1.;
   }
 
  private:
