@@ -20,7 +20,7 @@ using Eigen::Vector3d;
 using Fields = std::vector<Vector3d>;  ///< by point of quadrature
 
 constexpr double balanced = 1e-6;  ///< |forces out of balance| over |loads|, as of StaticSteps
-constexpr double most_energy = 50., trifle_of_strength = 5e-5;
+constexpr double most_energy = 50., trifle_of_strength = 1e-5;
 /// Once it is shown that there is no rest, a search goes on for some iterations, until its bounds of D lie closer than
 /// this share of D: so that `factor` is good.
 constexpr double known = 0.2;

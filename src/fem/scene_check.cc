@@ -105,11 +105,12 @@ void check_surcharge(Checker& checker, const std::string& name, const Surcharge&
 void check_initial(Checker& checker) {
   if (checker.scene.initial)
     for (const auto& [name, surcharge] : checker.scene.initial->surcharge) check_surcharge(checker, name, surcharge);
-  const bool safety = checker.scene.initial && checker.scene.initial->safety;
+  const bool asked = checker.scene.initial && checker.scene.initial->safety;
+  const bool safety = asked || checker.scene.limits.safety;
   const auto& regions = checker.scene.regions;
   if (safety &&
       std::none_of(regions.begin(), regions.end(), [](const auto& r) { return r.second.strength.has_value(); }))
-    checker.object("initial.safety", "no region has a strength that may fall",
+    checker.object(asked ? "initial.safety" : "limits.safety", "no region has a strength that may fall",
                    "give soils a table strength, such as strength = { friction_angle = 40 }");
   if ((!needs_static_stage(checker.scene) && !yields(checker.scene) && !safety) ||
       std::isfinite(water_level(checker.scene, checker.mesh)))
