@@ -37,6 +37,7 @@ Summary summary() {
   s.base.emplace();
   s.base->peak_heel_pressure = 3.776e6;
   s.base->static_heel_pressure = 395e3;
+  s.base->static_toe_pressure = 280e3;
   s.base->least_overturning_margin = 1.5;
   return s;
 }
