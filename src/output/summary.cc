@@ -400,7 +400,8 @@ OutputSchema<Summary> lists_outputs() {
   using S = Summary;
   return OutputSchema<S>()
       .list("checks[]", &S::checks, check_outputs(),
-            "of the section by all routes: sliding, friction, pressure of heel and toe, overturning; empty without a "
+            "of the section by all routes: strength at rest, sliding, friction, pressure of heel and toe, overturning; "
+            "but for the first empty without a "
             "caisson")
       .list("strength[]", &S::strength, strength_outputs(), "of each region with a [strength](warnings.md#strength)")
       .list("warnings[]", &S::warnings, warning_outputs(), "[what may be wrong](warnings.md) though nothing failed")
