@@ -7,7 +7,7 @@
 #include "base/text.h"
 #include "case/case_run.h"
 #include "case/time_end.h"
-#include "upbead/mesh/mesh.h"
+#include "mesh/extent.h"
 
 namespace upbead {
 
@@ -16,22 +16,9 @@ namespace {
 constexpr double periods_of_echo = 3.;  ///< radiation damps a caisson on sand by a quarter or so: 1 % is left
 
 /// The part of a mesh that some cells fill, and means over its area.
-struct Part {
-  double left = infinity, right = -infinity, low = infinity, high = -infinity;
-  double area = 0., slowness = 0., compliance = 0., poisson = 0.;  ///< sums of area times 1/V_s, 1/G, nu
-  double mass = 0.;                                                ///< kg/m
-
-  void add(const dealii::Triangulation<dim>::active_cell_iterator& cell) {
-    for (const unsigned v : cell->vertex_indices()) {
-      left = std::min(left, cell->vertex(v)[0]);
-      right = std::max(right, cell->vertex(v)[0]);
-      low = std::min(low, cell->vertex(v)[1]);
-      high = std::max(high, cell->vertex(v)[1]);
-    }
-    area += cell->measure();
-  }
-  double height() const { return high - low; }
-  double width() const { return right - left; }
+struct Part : Extent {
+  double slowness = 0., compliance = 0., poisson = 0.;  ///< sums of area times 1/V_s, 1/G, nu
+  double mass = 0.;                                     ///< kg/m
 };
 
 bool deforms(const Region& region) {
@@ -60,10 +47,10 @@ Parts parts_of(const Scene& scene, const Mesh& mesh) {
     const Region& region = found->second;
     if (name == caisson_name) {
       parts.caisson.add(cell);
-      parts.caisson.mass += region.mass ? *region.mass * cell->measure() / regions[name].area
-                                        : region.density.value_or(0.) * cell->measure();
+      parts.caisson.mass += region.mass ? *region.mass * area_of(cell) / regions[name].area
+                                        : region.density.value_or(0.) * area_of(cell);
     } else if (deforms(region)) {
-      const double G = shear_modulus(region), area = cell->measure();
+      const double G = shear_modulus(region), area = area_of(cell);
       parts.ground.add(cell);
       parts.ground.slowness += area * std::sqrt(material(region, scene.fluid, scene.gravity).rho / G);
       parts.ground.compliance += area / G;

@@ -7,28 +7,13 @@
 #include "base/numbers.h"
 #include "base/text.h"
 #include "fem/compile.h"
+#include "mesh/extent.h"
 #include "model/quantities.h"
 #include "run/sliding/effective_base.h"
 
 namespace upbead {
 
 namespace {
-
-/// The part of the mesh that some cells fill.
-struct Extent {
-  double left = infinity, right = -infinity, low = infinity, high = -infinity, area = 0.;
-  void add(const dealii::Triangulation<dim>::active_cell_iterator& cell) {
-    for (const unsigned v : cell->vertex_indices()) {
-      left = std::min(left, cell->vertex(v)[0]);
-      right = std::max(right, cell->vertex(v)[0]);
-      low = std::min(low, cell->vertex(v)[1]);
-      high = std::max(high, cell->vertex(v)[1]);
-    }
-    area += cell->measure();
-  }
-  double width() const { return right - left; }
-  double height() const { return high - low; }
-};
 
 /// The quantity of which this one is a share.
 Quantity of(Quantity share, double whole, const char* unit, const char* usual, std::vector<MeantUnit> meant = {}) {
