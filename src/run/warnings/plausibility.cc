@@ -103,7 +103,7 @@ class OnItsMesh {
     if (!scene_.initial || !scene_.initial->water_level) return;
     const double level = *scene_.initial->water_level, H = all_.height();
     const auto fits = [&](double y) { return y >= all_.low - H && y <= all_.high + 2. * H; };
-    if (fits(level)) return;
+    if (fits(level) || level < all_.low) return;  // below all ground: how dry ground is said
     std::string text = "initial.water_level = " + significant(level, 4) +
                        " m is far from the mesh, from y = " + significant(all_.low, 4) + " to " +
                        significant(all_.high, 4) + " m";
