@@ -47,8 +47,8 @@ Parts parts_of(const Scene& scene, const Mesh& mesh) {
     const Region& region = found->second;
     if (name == caisson_name) {
       parts.caisson.add(cell);
-      parts.caisson.mass += region.mass ? *region.mass * area_of(cell) / regions[name].area
-                                        : region.density.value_or(0.) * area_of(cell);
+      parts.caisson.mass +=
+          region.mass ? *region.mass * area_of(cell) / regions[name].area : region.density.value_or(0.) * area_of(cell);
     } else if (deforms(region)) {
       const double G = shear_modulus(region), area = area_of(cell);
       parts.ground.add(cell);

@@ -157,7 +157,7 @@ const OutputSchema<ToldWaves>& waves_outputs() {
                                  .list("checks[]", &W::checks, check_outputs(),
                                        "of each wave, at the level of still water at which it is worst")
                                  .list("warnings[]", &W::warnings, warning_outputs(),
-                                       "[what may be wrong](waves.md#where-the-formulas-hold), of all waves and levels")
+                                       "[what may be wrong](waves.md#warnings), of all waves and levels")
                                  .key("gravity", inner(&W::design, &D::water, &Water::gravity), "m/s2", "g")
                                  .object("fluid", inner(&W::design, &D::water), fluid, "as used")
                                  .object("section", inner(&W::design, &D::section), section_outputs(), "as used")

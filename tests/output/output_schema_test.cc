@@ -103,6 +103,9 @@ Summary full_summary() {
   sliding.pulse.emplace();
   sliding.courses.emplace();
   s.base.emplace();
+  s.harbour.emplace();
+  s.verdict.emplace();
+  s.waves.back().standing.answer.emplace();
   s.periods = {{}};
   s.checks = {{}};
   sliding.equal_impulse.emplace();

@@ -110,6 +110,9 @@ class Formulas(unittest.TestCase):
             if key in NOT_OF_A_WAVE:
                 continue
             program = exact["without_alpha_I"]["force"] if key == "without_alpha_I.force" else exact[key]
+            if value is None or program is None:  # p_e of a caisson that floats or overturns
+                self.assertEqual(value, program, key)
+                continue
             scale = max(abs(program), 1e-6 if key.startswith("sliding_") else 1e-300)
             worst[key] = max(worst.get(key, 0.0), abs(value - program) / scale)
         told = {warning["name"]: warning["text"] for warning in exact["warnings"] if "standing" not in warning["text"]}

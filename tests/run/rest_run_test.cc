@@ -89,7 +89,8 @@ TEST_F(RestRun, GroundMovedByItsBaseAloneNeedsNoOtherLoad) {
       const Summary with = run(moved_column(law, load, tiny), column_geo);
       EXPECT_EQ(alone.nonlinear->cut_steps, 0) << law << " " << motion;
       EXPECT_GT(alone.nonlinear->peak_strain.value, 0.);
-      EXPECT_NEAR(alone.nonlinear->peak_strain.value / with.nonlinear->peak_strain.value, 1., 0.01) << law << motion;
+      // a second load, however small, has kinks of its own, and so other steps
+      EXPECT_NEAR(alone.energy->work / with.energy->work, 1., 0.005) << law << motion;
     }
 }
 
@@ -187,7 +188,7 @@ TEST_F(RestRun, AllOtherChecksOfASectionOnFailingGroundAreVoid) {
   for (auto check = found.checks.begin() + 1; check != found.checks.end(); ++check) {
     EXPECT_FALSE(check->holds.has_value()) << check->name;
     EXPECT_FALSE(check->margin.has_value()) << check->name;
-    EXPECT_EQ(check->assumption.rfind("void: ", 0), 0u) << check->name;
+    EXPECT_EQ(check->why_not.rfind("void: ", 0), 0u) << check->name;
   }
   EXPECT_EQ(found.sliding->design.why.rfind("void: ", 0), 0u);
 }

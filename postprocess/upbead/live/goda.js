@@ -67,9 +67,10 @@ export function pressureOf(section, water, wave, formula = "extended") {
   return {...p, ...resultants(section, p)};
 }
 
-// p_e under the heel: a triangle where the resultant lies in the outer third, else a trapezium.
+// p_e under the heel: a triangle where the resultant lies in the outer third, else a trapezium; null where it floats or
+// overturns.
 function heelPressure(width, vertical, moment) {
-  if (vertical <= 0) return 0; // lifted off: nothing presses on the mound
+  if (vertical <= 0 || moment <= 0) return null;
   const arm = moment / vertical;
   if (arm <= width / 3) return 2 * vertical / (3 * arm);
   return 2 * vertical / width * (2 - 3 * arm / width);

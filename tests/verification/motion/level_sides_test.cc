@@ -30,7 +30,10 @@ Scene ground(bool wet, DisplacementCondition sides) {
   scene.regions["upper"] = wet ? sand() : layer_soil({});
   scene.regions["lower"] = scene.regions["upper"];
   *scene.regions["lower"].shear_modulus *= 3.;
-  for (auto& [name, region] : scene.regions) region.damping = Rayleigh{0.05, {1., 10.}};
+  for (auto& [name, region] : scene.regions) {
+    region.damping = Rayleigh{0.05, {1., 10.}};
+    region.flow = Flow::darcy;  // sealed sides hold back water whose own inertia lets it lag
+  }
   using P = PressureCondition;
   const auto pressure = [wet](P condition) { return wet ? std::optional<P>(condition) : std::nullopt; };
   scene.boundaries["base"] = {DisplacementCondition::fixed, pressure(P::sealed)};
