@@ -47,8 +47,8 @@ std::pair<std::string, std::string> heading(const std::string& written) {
   const std::size_t open = text.find_last_of("([");
   if (open == std::string::npos || open == 0 || !in_brackets(std::string_view(text).substr(open))) {
     const std::size_t slash = slash_before_unit(text);
-    const auto end = unit_at_end(text);  // "force_kN/m" is no quotient by m
-    if (slash == std::string::npos || (end && end->unit.find('/') != std::string::npos)) return {text, ""};
+    const auto end = unit_at_end(text);  // "force_kN/m" is no quotient by m, but "force / MN/m" has the unit MN/m
+    if (slash == std::string::npos || (end && slash >= end->name.size())) return {text, ""};
     return {std::string(trimmed(std::string_view(text).substr(0, slash))),
             std::string(trimmed(std::string_view(text).substr(slash + 1)))};
   }

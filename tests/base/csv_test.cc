@@ -180,9 +180,9 @@ TEST_F(Csv, RefusesWhatWouldFillTheMemory) {
 }
 
 TEST_F(Csv, UnitsStandBehindASlashToo) {
-  const CsvTable table = read("t / s;p1/kPa;F/kN/m;kN/m;F_T/P\n0;1;2;3;4\n");
-  EXPECT_EQ(table.names, (std::vector<std::string>{"t", "p1", "F", "kN/m", "F_T/P"}));
-  EXPECT_EQ(table.units, (std::vector<std::string>{"s", "kPa", "kN/m", "", ""}));
+  const CsvTable table = read("t / s;p1/kPa;F/kN/m;kN/m;F_T/P;G / MN/m\n0;1;2;3;4;5\n");
+  EXPECT_EQ(table.names, (std::vector<std::string>{"t", "p1", "F", "kN/m", "F_T/P", "G"}));
+  EXPECT_EQ(table.units, (std::vector<std::string>{"s", "kPa", "kN/m", "", "", "MN/m"}));
 }
 
 TEST_F(Csv, RefusesWhatNoQuantityCanBe) {

