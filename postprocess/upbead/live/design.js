@@ -64,7 +64,7 @@ class DesignPage {
     const refused = contradictions(this.asked.section, this.asked.water, rise);
     if (refused.length > 0) throw new Error(refused.join(". ") + ".");
     const answer = formulaAnswer(this.asked, this.controls.given(), rise);
-    if (tablesOfDesign(answer).some(([, rows]) => rows.some(([, , , value]) => !Number.isFinite(value)))) throw new Error("The answer is not finite: give a wave and a section that press on the wall.");
+    if (tablesOfDesign(answer).some(([, rows]) => rows.some(([, , , value]) => value !== null && !Number.isFinite(value)))) throw new Error("The answer is not finite: give a wave and a section that press on the wall.");
     return answer;
   }
   alt() {
