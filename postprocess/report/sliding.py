@@ -18,7 +18,7 @@ def section(result):
     rows = [(prose(measure.what), quantity(measure.value, "m"), tag("code", measure.key)) for measure in found]
     parts = [tag("h2", say("Sliding"))]
     if sliding:
-        parts += [tag("p", balance(sliding)), figure.of_plot(forces(result, sliding), force_caption(result))]
+        parts += [tag("p", balance(sliding, bool(result.summary.get("void")))), figure.of_plot(forces(result, sliding), force_caption(result))]
     course = slip_course(result, sliding or {})
     if course:
         parts.append(
@@ -43,8 +43,8 @@ def section(result):
     return tag("section", *parts, id="sliding")
 
 
-def balance(sliding):
-    """One sentence on how near the caisson is to sliding."""
+def balance(sliding, void=False):
+    """One sentence on how near the caisson is to sliding; without a verdict where its ground has no rest."""
     text = phrase(
         "The largest sliding force of the bonded caisson, {force} ($F_S$ = $F_T$ + $μ U$), is {ratio} of the resistance "
         "$μ W′$ = {friction} × {weight} = {resistance}.",
@@ -54,7 +54,7 @@ def balance(sliding):
         weight=quantity(sliding["buoyant_weight"], "N/m"),
         resistance=quantity(sliding["resistance"], "N/m"),
     )
-    if sliding["ratio"] is not None and sliding["ratio"] <= 1:
+    if not void and sliding["ratio"] is not None and sliding["ratio"] <= 1:
         return join([text, " ", say("So the caisson does not slide as a rigid block.")])
     return text
 

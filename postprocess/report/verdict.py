@@ -8,16 +8,26 @@ from report.measures import best
 from report.units import percent, quantity
 from upbead import told as told_of
 
+WITHOUT_REST = (
+    "Whether the caisson slides cannot be told: the ground has no state at rest, and what was computed from there, in the "
+    "tables below, is not of a section that stands."
+)
+
 
 def section(result):
     summary = result.summary
+    numbers = [
+        tag("p", sentences([slides(result), shear(result)])),
+        tag("p", rests_on(summary)),
+        tag("div", *cards(result), class_="cards"),
+    ]
+    if summary.get("void"):
+        numbers = [tag("p", say(WITHOUT_REST))]
     return tag(
         "section",
         tag("h2", say("Verdict")),
         judged.verdict(summary),
-        tag("p", sentences([slides(result), shear(result)])),
-        tag("p", rests_on(summary)),
-        tag("div", *cards(result), class_="cards"),
+        *numbers,
         trust(len(told_of.warnings(summary)), *error_of_peak(summary)),
         id="verdict",
     )

@@ -164,6 +164,15 @@ class Judged(unittest.TestCase):
         (copy / "summary.json").write_text(json.dumps(calm | {"checks": [holds], "warnings": []}))
         self.assertIn("Of 1 checks with a limit all hold", visible(kinds.build(copy)))
 
+    def test_ground_without_a_rest_leaves_no_word_on_sliding(self):
+        folder, _ = self.solve("run", CASES / "fig2b-model.toml", "mesh.parameters.cells=0.8")
+        summary = json.loads((folder / "summary.json").read_text())
+        self.assertIn("does not slide", visible(kinds.build(folder)))
+        (folder / "summary.json").write_text(json.dumps(summary | {"void": "the ground does not stand under its own weight"}))
+        text = visible(kinds.build(folder))
+        self.assertNotIn("does not slide", text)
+        self.assertIn("Whether the caisson slides cannot be told", text)
+
     def test_the_worst_check_comes_first(self):
         made = [{"name": str(i), "holds": random.Random(i).choice([True, False, None]), "margin": random.Random(i + 50).random()} for i in range(30)]
         order = told.checks({"checks": made})
