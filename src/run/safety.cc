@@ -42,7 +42,9 @@ Checks rest_checks(const Scene& scene, const Summary& summary) {
   const bool lacks = lacks_rest(summary), falls = !why_not_at_rest(summary).empty();
   if (!summary.safety && !lacks && !(summary.nonlinear && summary.nonlinear->rest)) return {};
   std::optional<double> factor;
-  std::string how = "factor by which the strength may fall under the weights alone (Griffiths and Lane 1999)";
+  std::string how =
+      "factor by which the strength may fall under the weights alone (Griffiths and Lane 1999); of this mesh: coarse "
+      "cells give too large ones";
   if (summary.safety) {
     if (summary.safety->lower || falls) factor = summary.safety->lower ? summary.safety->lower : summary.safety->upper;
     if (!summary.safety->why_open.empty()) how += "; " + summary.safety->why_open;
