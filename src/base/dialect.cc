@@ -411,7 +411,11 @@ TableShape shape_of_table(const std::vector<std::string_view>& lines, bool quote
   };
   attempt(given != 0 ? given : ';', true);
   if (given == 0)
-    for (const char separator : {'\t', ',', ' '}) attempt(separator, false);
+    for (const char separator : {'\t', ',', ' '}) {
+      const bool one_ends = may_group_blanks(shape.dialect.separator) && best.written > 1 && best.n == 1;
+      attempt(separator, false);
+      shape.two_ways = one_ends && shape.dialect.separator == ' ' && best.n > 1;
+    }
   if (best.written <= 1 && given == 0) {  // rows of one cell: the header tells the separator, if any
     const auto any = [&lines](char c) {
       return std::any_of(lines.begin(), lines.end(), [c](std::string_view line) { return line.find(c) != line.npos; });

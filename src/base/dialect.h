@@ -63,6 +63,7 @@ struct TableShape {
   Dialect dialect;
   std::size_t n = 0;          ///< columns; 0 where no line holds a number
   std::vector<bool> numeric;  ///< whether a column holds numbers
+  bool two_ways = false;      ///< blanks separate columns, or group thousands of one that ends with a separator
 };
 
 /// Judges the separator by `lines`, some of the last of a file; `given`: the separator that the file names, or 0.
