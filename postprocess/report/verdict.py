@@ -9,7 +9,7 @@ from report.units import percent, quantity
 from upbead import told as told_of
 
 WITHOUT_REST = (
-    "Whether the caisson slides cannot be told: the ground has no state at rest, and what was computed from there, in the "
+    "Whether the caisson slides is not known: the ground has no state at rest, and what was computed from there, in the "
     "tables below, is not of a section that stands."
 )
 

@@ -70,13 +70,13 @@ class Reader {
     }
     const bool quotes = text_.find('"') != std::string_view::npos;
     shape_ = shape_of_table(last_lines(text_), quotes, given);
-    if (shape_.two_ways)
-      throw InputError({table_.path}, "blanks may separate columns here, or group the thousands of one",
-                       "take the separators from the ends of the lines, or the blanks out of the numbers");
     const std::vector<TableLine> above = lines_above();
     decide_signs(text_, shape_.dialect);
     const TableHead head = head_of(above, shape_, number_ + 1, table_.path);
     if (!head.certain) require_two_columns();
+    if (shape_.two_ways)
+      throw InputError({table_.path}, "blanks may separate columns here, or group the thousands of one",
+                       "take the separators from the ends of the lines, or the blanks out of the numbers");
     if (!head.certain && has_words())
       throw InputError({table_.path, number_ + 1, 1},
                        "some columns hold words, and no line above them names the columns",
