@@ -33,10 +33,6 @@ LawAnswer elastic_answer(const ElasticLaw& law, const PlaneStrain& strain, MohrC
   return {state.stress, law.tangent()};
 }
 
-bool is_at_strength(const MohrCoulombLaw& law, const PlaneStress& s) {
-  return law.excess(s) > -1e-6 * (std::abs(s.xx) + std::abs(s.yy) + std::abs(s.zz));
-}
-
 /// Whether a point at its strength has not moved: then the direction of its flow, and so its tangent, is not known.
 bool is_still(const PlaneStrain& now, const PlaneStrain& before) {
   return now.xx == before.xx && now.yy == before.yy && now.xy == before.xy;
@@ -261,7 +257,7 @@ double StaticSoil::share_at_strength() const {
     bool at = false;
     for (std::size_t p = cell.first_point; p < cell.end_of_points; ++p) {
       const PlaneStress& s = impl_->states[p].stress;
-      at = at || is_at_strength(*law, s);
+      at = at || law->excess(s) > -1e-6 * (std::abs(s.xx) + std::abs(s.yy) + std::abs(s.zz));
     }
     all += cell.area;
     if (at) reached += cell.area;
