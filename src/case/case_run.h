@@ -2,8 +2,8 @@
 #pragma once
 
 #include "records/measured.h"
-#include "run/solved_scene.h"
 #include "upbead/case/case.h"
+#include "upbead/findings/find.h"
 #include "upbead/run/simulation.h"
 
 namespace upbead {
@@ -43,7 +43,7 @@ Run solve(const Case& input, const Simulation& simulation, const std::vector<Mea
 
 /// The same of a case whose scene was solved before, or of one that differs from it in [sliding] alone and is solved
 /// alike (needs_sliding()).
-Run answer(const Case& input, const SolvedScene& solved, const std::function<void(double)>& progress);
+Run answer(const Case& input, const Solution& solution, const std::function<void(double)>& progress);
 
 /// Warnings of the scene and of the case's files.
 NumberedWarnings warnings(const Case& input, const Simulation& simulation);
@@ -56,6 +56,9 @@ std::vector<RecordSummary> record_summaries(const Case& input, const std::vector
 
 /// Summaries of all loads by transducers and of the uplift; forces and arms are those on the caisson of the scene.
 std::vector<GaugeSummary> gauge_summaries(const Case& input, const Simulation& simulation);
+
+/// Warnings of all transducers (model/gauges.h).
+NumberedWarnings transducer_warnings(const Case& input, const Simulation& simulation);
 
 std::string describe(const std::vector<GaugeSummary>& gauges);
 

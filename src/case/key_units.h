@@ -11,7 +11,7 @@
 namespace upbead {
 
 /// Warnings implausible of the keys that are given in the file. `visit`: passes all numbers of the tables to a visitor.
-/// What a mesh must judge is left out: run/warnings/plausibility.h.
+/// What a mesh must judge is left out: findings/plausibility.cc.
 NumberedWarnings implausible_keys(const Document& document, const std::function<void(const NumberVisitor&)>& visit);
 
 /// Likewise of the weights of a cross-section beside its size, and of gravity.

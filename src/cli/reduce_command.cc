@@ -19,7 +19,7 @@
 #include "response/reduction.h"
 #include "response/shear_response.h"
 #include "run/sliding/coupled_sliding.h"
-#include "run/sliding/effective_base.h"
+#include "findings/effective_base.h"
 #include "run/sliding/uplift.h"
 #include "run/solve.h"
 #include "system/interface.h"

@@ -32,11 +32,11 @@ std::vector<double> equal_times(const Scene& scene) {
   return times;
 }
 
-void read_at_chosen_times(Run& run) {
-  const Scene& scene = run.simulation->given;
-  if (!scene.output_times.empty())
-    run.at_times = at_times(run.response.ends, scene.output_times, time_tolerance(scene));
-  if (scene.output_every && !run.dense) run.dense = straight_between(run.response.ends, equal_times(scene));
+void read_at_chosen_times(Solution& solution) {
+  const Scene& scene = solution.simulation->given;
+  const Series& ends = solution.response.ends;
+  if (!scene.output_times.empty()) solution.at_times = at_times(ends, scene.output_times, time_tolerance(scene));
+  if (scene.output_every && !solution.dense) solution.dense = straight_between(ends, equal_times(scene));
 }
 
 }  // namespace upbead

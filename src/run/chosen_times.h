@@ -20,8 +20,8 @@ std::vector<double> equal_times(const Scene& scene);
 /// How far a time of a series may be from the time that was asked for (s).
 double time_tolerance(const Scene& scene);
 
-/// Fills in Run::at_times, and Run::dense where only straight lines are possible (schemes of order 2) and it is not
-/// there.
-void read_at_chosen_times(Run& run);
+/// Fills in Solution::at_times, and Solution::dense where only straight lines are possible (schemes of order 2) and it
+/// is not there.
+void read_at_chosen_times(Solution& solution);
 
 }  // namespace upbead

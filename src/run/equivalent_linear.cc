@@ -121,11 +121,10 @@ LinearAnswer marched_answer(const Simulation& simulation, const std::vector<bool
   scheme_options.account_energy = false;  // nobody sees these results
   if (asked == TimeScheme::generalised_alpha) scheme_options.kind = SchemeKind::generalised_alpha;
   const auto scheme = make_scheme(simulation.compiled->system, scheme_options);
-  const Run run = march_by(*scheme, simulation, "equivalent-linear soil is marched", options, 1.);
+  const Solution solution = march_by(*scheme, simulation, "equivalent-linear soil is marched", options, 1.);
   const double largest = *std::max_element(strains.shear().begin(), strains.shear().end());
-  const double step = run.summary.discretisation.time_step;
-  if (!run.summary.response) return {strains.shear(), largest, step};
-  return {strains.shear(), largest_shear(*run.summary.response), step};
+  const double step = solution.discretisation.time_step;
+  return {strains.shear(), solution.shear ? largest_shear(*solution.shear) : largest, step};
 }
 
 /// As the first answer was found.

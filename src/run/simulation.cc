@@ -7,7 +7,6 @@
 #include "run/contact/contact_run.h"
 #include "run/derived.h"
 #include "run/sliding/case_sliding.h"
-#include "run/solved_scene.h"
 #include "system/interface.h"
 #include "system/part.h"
 #include "upbead/base/error.h"
@@ -106,10 +105,6 @@ Simulation::Simulation(Scene asked, std::shared_ptr<const Mesh> on, std::shared_
   check_size(asked);
   *this = divided(asked.mesh.refine ? on_mesh(asked, std::move(on), std::move(among))
                                     : adapted_among(asked, std::move(on), std::move(among)));
-}
-
-Run Simulation::run(const RunOptions& options) const {
-  return SolvedScene(*this, options).run(given, options.progress);
 }
 
 }  // namespace upbead

@@ -16,7 +16,6 @@
 #include "response/time_choice.h"
 #include "run/chosen_times.h"
 #include "run/derived.h"
-#include "run/sliding/coupled_sliding.h"
 #include "upbead/base/error.h"
 #include "upbead/run/simulation.h"
 
@@ -75,15 +74,19 @@ Discretisation discretisation(const Simulation& simulation, const std::string& s
   d.steps = response.n_steps;
   d.solves = response.n_solves;
   d.factorisations = response.n_factorisations;
+  d.stopped_early = response.stopped_early;
   return d;
 }
 
-/// Fills in all readings of a response, by whatever way it was found.
-void summarise(const Simulation& simulation, const std::string& scheme, Run& run) {
-  run.summary.discretisation = discretisation(simulation, scheme, run.response);
+/// How the response was found, and F_T in it.
+Solution solution_of(const Simulation& simulation, const std::string& scheme, Response response) {
+  Solution solution;
+  solution.discretisation = discretisation(simulation, scheme, response);
   if (simulation.compiled->caisson)
-    run.summary.response = read_shear_response(*simulation.compiled, run.response, simulation.given.time.inertia);
-  if (!run.response.energy.empty()) run.summary.energy = run.response.energy.back();
+    solution.shear = read_shear_response(*simulation.compiled, response, simulation.given.time.inertia);
+  solution.response = std::move(response);
+  solution.timing = simulation.timing;
+  return solution;
 }
 
 /// Refined solutions cost twice as much, a quarter of the step costs four times: with it the error of sdirk4 falls by
@@ -99,13 +102,13 @@ std::string reasons(const Ladder& ladder) {
 
 /// The best result so far of those that do not balance.
 struct Closest {
-  std::optional<Run> run;
+  std::optional<Solution> solution;
   std::string way;
   double error = infinity;
 
-  void take(Run&& other, const std::string& name, const Mismatch& off) {
+  void take(Solution&& other, const std::string& name, const Mismatch& off) {
     if (!off.bearable || !(off.error < error)) return;
-    run = std::move(other);
+    solution = std::move(other);
     way = name;
     error = off.error;
   }
@@ -134,20 +137,20 @@ void show(const StateModel& states, const SampledLoads& loads, const std::vector
 }
 
 /// reduce_scene(), once no other thread reads the mesh.
-Reduction reduce_beside(const SlipAhead& ahead, const Scene& scene, const CompiledScene& compiled,
+Reduction reduce_beside(const std::shared_ptr<SlipAhead>& ahead, const Scene& scene, const CompiledScene& compiled,
                         const ReductionTargets& targets, const std::function<void(double)>& progress) {
   struct AtEnd {
-    const SlipAhead& ahead;
-    ~AtEnd() { ahead.leave_mesh(); }
+    const std::shared_ptr<SlipAhead>& ahead;
+    ~AtEnd() { ahead->leave_mesh(); }
   } at_end{ahead};
   return reduce_scene(scene, compiled, targets, progress);
 }
 
 /// Reduces the scene and computes its response to its own loads. A case that asks for a reduced model gets one whose
-/// F_T meets the tolerance; its summary lists readings that do not meet theirs. Throws NumericsError where it does
+/// F_T meets the tolerance; it lists readings that do not meet theirs. Throws NumericsError where it does
 /// not converge.
-Run run_reduced(const Simulation& simulation, const SchemeChoice& choice, const SlipAhead& ahead,
-                const std::vector<MarchObserver*>& observers, const std::function<void(double)>& progress) {
+Solution run_reduced(const Simulation& simulation, const SchemeChoice& choice, const std::shared_ptr<SlipAhead>& ahead,
+                     const std::vector<MarchObserver*>& observers, const std::function<void(double)>& progress) {
   const Stopwatch watch;
   const Scene& scene = simulation.scene;
   const System& system = simulation.compiled->system;
@@ -166,27 +169,24 @@ Run run_reduced(const Simulation& simulation, const SchemeChoice& choice, const 
     require_shear_converged(reduction);
   else
     require_converged(reduction);
-  Run run;
-  run.response = respond(reduction, scene, system);
+  Solution solution = solution_of(simulation, "reduced", respond(reduction, scene, system));
   if (scene.output_every) {
     const std::vector<double> times = equal_times(scene);
     const Series all = respond(reduction.model, sampled_loads(scene, system, times));
-    run.dense = at_times(all, times, time_tolerance(scene));
+    solution.dense = at_times(all, times, time_tolerance(scene));
   }
-  run.summary.timing = simulation.timing;
-  run.summary.timing.factorise = reduction.factorise_seconds;
-  run.scheme_reason = choice.reason;
-  run.step_reason = simulation.given.time.step ? "given in the case, or shorter where loads need it"
-                                               : "a 32nd of the shortest load, for the record";
-  summarise(simulation, "reduced", run);
-  run.summary.reduction = summary_of(reduction);
+  solution.discretisation.why_scheme = choice.reason;
+  solution.discretisation.why_step = simulation.given.time.step ? "given in the case, or shorter where loads need it"
+                                                                : "a 32nd of the shortest load, for the record";
+  solution.reduction = summary_of(reduction);
   if (simulation.compiled->caisson)
-    run.summary.periods = natural_periods(reduction.model, reading::shear_force, sampled_loads(scene, system));
-  run.pressures = std::move(reduction.pressures);
-  run.states = std::move(reduction.states);
-  if (run.states) show(*run.states, shown, observers, part_of(progress, reducing_ends, 1.));
-  run.summary.timing.march = watch.seconds() - run.summary.timing.factorise;
-  return run;
+    solution.periods = natural_periods(reduction.model, reading::shear_force, sampled_loads(scene, system));
+  solution.pressures = std::move(reduction.pressures);
+  solution.states = std::move(reduction.states);
+  if (solution.states) show(*solution.states, shown, observers, part_of(progress, reducing_ends, 1.));
+  solution.timing.factorise = reduction.factorise_seconds;
+  solution.timing.march = watch.seconds() - solution.timing.factorise;
+  return solution;
 }
 
 std::vector<Way> marching_ways(const Simulation& simulation, const SchemeChoice& choice) {
@@ -203,13 +203,13 @@ std::vector<Way> marching_ways(const Simulation& simulation, const SchemeChoice&
 
 /// The ways that a case allows. Where it leaves the scheme open: a reduced model, if that is less work, then sdirk4
 /// with more and more care; else the scheme that it names.
-std::vector<Way> ways(const Simulation& simulation, const SchemeChoice& choice, const SlipAhead& ahead,
+std::vector<Way> ways(const Simulation& simulation, const SchemeChoice& choice, const std::shared_ptr<SlipAhead>& ahead,
                       const std::function<void(double)>& reducing) {
   if (choice.scheme != TimeScheme::reduced) return marching_ways(simulation, choice);
   std::vector<Way> list;
   if (simulation.given.time.scheme != TimeScheme::reduced)
     list = marching_ways(simulation, {TimeScheme::sdirk4, "the reduced model was refused", {}});
-  list.insert(list.begin(), {"reduced", [&simulation, choice, &ahead, reducing](const MarchOptions& options) {
+  list.insert(list.begin(), {"reduced", [&simulation, choice, ahead, reducing](const MarchOptions& options) {
                                return run_reduced(simulation, choice, ahead, options.observers, reducing);
                              }});
   return list;
@@ -228,18 +228,20 @@ std::string what_would_work(const Simulation& simulation, const std::function<vo
   std::vector<Way> list = marching_ways(other, {TimeScheme::sdirk4, "another scheme was refused", {}});
   if (refused == TimeScheme::sdirk4) list.erase(list.begin(), list.begin() + 2);  // in its usual steps it was refused
   try {
-    const Run run = climb(other, list, silent);
-    return "; time.scheme = \"auto\" answers this scene, by " + run.summary.ladder.back().way;
+    return "; time.scheme = \"auto\" answers this scene, by " + climb(other, list, silent).ladder.back().way;
   } catch (const NumericsError&) {
     return "; nor does sdirk4 answer this scene, in steps a sixteenth as long either";
   }
 }
 
-Run solve_bonded(const Simulation& simulation, SlipAhead& ahead, const MarchOptions& marching,
-                 const std::function<void(double)>& reducing) {
+Solution solve_bonded(const Simulation& simulation, const std::shared_ptr<SlipAhead>& ahead,
+                      const MarchOptions& marching, const std::function<void(double)>& reducing) {
   const SchemeChoice choice = choose_scheme(simulation.scene, *simulation.compiled);
-  if (choice.scheme == TimeScheme::reduced) ahead.begin();
-  return climb(simulation, ways(simulation, choice, ahead, reducing), marching);
+  if (choice.scheme == TimeScheme::reduced) ahead->begin();
+  Solution solution = climb(simulation, ways(simulation, choice, ahead, reducing), marching);
+  solution.simulation = std::make_shared<const Simulation>(simulation);
+  solution.ahead = ahead;
+  return solution;
 }
 
 }  // namespace
@@ -293,14 +295,14 @@ ReductionSummary summary_of(const Reduction& r) {
   return summary;
 }
 
-std::optional<Mismatch> imbalance(const Simulation& simulation, const Run& run) {
-  const Summary& summary = run.summary;
+std::optional<Mismatch> imbalance(const Simulation& simulation, const Solution& solution) {
+  const std::vector<EnergyAccount>& energy = solution.response.energy;
   try {
-    if (summary.response)
-      require_balance(*summary.response, summary.energy.value_or(EnergyAccount()),
-                      summary.nonlinear ? tolerable_of_yielding(simulation.given) : 1e-7);
-    else if (summary.energy)
-      require_balance(*summary.energy, simulation.compiled->system, simulation.given.time.end);
+    if (solution.shear)
+      require_balance(*solution.shear, energy.empty() ? EnergyAccount() : energy.back(),
+                      solution.yielding ? tolerable_of_yielding(simulation.given) : 1e-7);
+    else if (!energy.empty())
+      require_balance(energy.back(), simulation.compiled->system, simulation.given.time.end);
   } catch (const Imbalance& found) {
     return found.mismatch();
   }
@@ -308,7 +310,7 @@ std::optional<Mismatch> imbalance(const Simulation& simulation, const Run& run) 
 }
 
 std::vector<Way> ways_with_care(const Scene& given, const std::string& scheme,
-                                const std::function<Run(const MarchOptions&, const Care&)>& solve) {
+                                const std::function<Solution(const MarchOptions&, const Care&)>& solve) {
   std::vector<Way> list;
   for (const Care& care : cares) {
     if (care.part < 1. && given.time.scheme != TimeScheme::automatic) break;
@@ -320,34 +322,35 @@ std::vector<Way> ways_with_care(const Scene& given, const std::string& scheme,
   return list;
 }
 
-Run climb(const Simulation& simulation, const std::vector<Way>& ways, const MarchOptions& marching) {
+Solution climb(const Simulation& simulation, const std::vector<Way>& ways, const MarchOptions& marching) {
   Ladder ladder;
   Closest closest;
   MarchOptions again = marching;
   again.checkpoints = {};
-  const auto with_ladder = [&ladder](Run&& run) {
-    run.summary.ladder = ladder;
-    return std::move(run);
+  const auto with_ladder = [&ladder](Solution&& solution) {
+    solution.ladder = ladder;
+    return std::move(solution);
   };
   for (const Way& way : ways) {
     ladder.push_back({way.name, ""});
     try {
-      Run run = way.solve(way.keeps_checkpoints ? marching : again);
-      const std::optional<Mismatch> off = imbalance(simulation, run);
-      if (!off) return with_ladder(std::move(run));
+      Solution solution = way.solve(way.keeps_checkpoints ? marching : again);
+      const std::optional<Mismatch> off = imbalance(simulation, solution);
+      if (!off) return with_ladder(std::move(solution));
       ladder.back().refused = Imbalance(*off).what();
-      closest.take(std::move(run), way.name, *off);
+      closest.take(std::move(solution), way.name, *off);
     } catch (const NumericsError& error) {
       ladder.back().refused = error.what();
     }
   }
-  if (!closest.run)
+  if (!closest.solution)
     throw NumericsError(reasons(ladder) + "; nothing was written, as such an answer is not to be trusted");
   ladder.push_back({closest.way + ", the closest of these", ""});
-  return with_ladder(std::move(*closest.run));
+  return with_ladder(std::move(*closest.solution));
 }
 
-Run run_march(const Simulation& simulation, const SchemeChoice& choice, const MarchOptions& options, const Care& care) {
+Solution run_march(const Simulation& simulation, const SchemeChoice& choice, const MarchOptions& options,
+                   const Care& care) {
   SchemeOptions scheme_options;
   if (choice.scheme == TimeScheme::generalised_alpha) scheme_options.kind = SchemeKind::generalised_alpha;
   scheme_options.refined = care.refined;
@@ -387,12 +390,11 @@ TimeGrid resumed(TimeGrid grid, const Response& so_far, std::vector<double> kink
 
 }  // namespace
 
-Run march_by(Scheme& scheme, const Simulation& simulation, const std::string& reason, const MarchOptions& options,
-             double part) {
+Solution march_by(Scheme& scheme, const Simulation& simulation, const std::string& reason, const MarchOptions& options,
+                  double part) {
   MarchOptions marching = options;
   const System& system = simulation.compiled->system;
   const TimeChoice& time = simulation.given.time;
-  Run run;
   StepChoice step;
   step.largest_step = time.step.value_or(0.);
   step.reason = "given in the case";
@@ -419,30 +421,27 @@ Run march_by(Scheme& scheme, const Simulation& simulation, const std::string& re
   if (simulation.given.output_every && scheme.order() >= 4 && !system.is_divided())
     marching.observers.push_back(&dense.emplace(system, equal_times(simulation.given), time.inertia));
   const Stopwatch watch;
-  run.response = march(system, scheme, grid, marching);
-  if (dense) run.dense = dense->series();
-  run.summary.timing = simulation.timing;
-  run.summary.timing.factorise = scheme.factorise_seconds() + step.seconds;
-  run.summary.timing.march = watch.seconds() - scheme.factorise_seconds();
-  run.response.n_factorisations += step.factorisations;
-  run.response.n_solves += step.factorisations;
-  run.scheme_reason = reason;
-  run.step_reason = step.reason;
-  summarise(simulation, scheme.name(), run);
-  if (marching.leap > 1) run.summary.discretisation.time_step = largest_step(grid);
-  return run;
+  Response response = march(system, scheme, grid, marching);
+  response.n_factorisations += step.factorisations;
+  response.n_solves += step.factorisations;
+  Solution solution = solution_of(simulation, scheme.name(), std::move(response));
+  if (dense) solution.dense = dense->series();
+  solution.timing.factorise = scheme.factorise_seconds() + step.seconds;
+  solution.timing.march = watch.seconds() - scheme.factorise_seconds();
+  solution.discretisation.why_scheme = reason;
+  solution.discretisation.why_step = step.reason;
+  if (marching.leap > 1) solution.discretisation.time_step = largest_step(grid);
+  return solution;
 }
 
-Run run_bonded(const Simulation& simulation, const MarchOptions& marching,
-               const std::function<void(double)>& reducing) {
-  SlipAhead ahead(std::make_shared<const Simulation>(simulation));
-  Run run = solve_bonded(simulation, ahead, marching, reducing);
-  read_sliding(simulation, ahead, run, reducing);
-  return run;
+Solution run_bonded(const Simulation& simulation, const MarchOptions& marching,
+                    const std::function<void(double)>& reducing) {
+  const auto ahead = std::make_shared<SlipAhead>(std::make_shared<const Simulation>(simulation));
+  return solve_bonded(simulation, ahead, marching, reducing);
 }
 
-Run solve_tied(const Simulation& simulation, SlipAhead& ahead, const MarchOptions& marching,
-               const std::function<void(double)>& reducing) {
+Solution solve_tied(const Simulation& simulation, const std::shared_ptr<SlipAhead>& ahead, const MarchOptions& marching,
+                    const std::function<void(double)>& reducing) {
   try {
     return solve_bonded(simulation, ahead, marching, reducing);
   } catch (const NumericsError& error) {

@@ -25,23 +25,23 @@ struct Care {
 /// One way to solve a scene in time.
 struct Way {
   std::string name;  ///< name in messages and in the summary
-  std::function<Run(const MarchOptions&)> solve;
+  std::function<Solution(const MarchOptions&)> solve;
   bool keeps_checkpoints = false;  ///< at most one of the ways may keep them
 };
 
 /// A march with more and more care: as usual, with refined solutions, and, where the case leaves the scheme open,
 /// also in shorter steps. Names are "SCHEME", "SCHEME, refined solutions, steps divided by 4".
 std::vector<Way> ways_with_care(const Scene& given, const std::string& scheme,
-                                const std::function<Run(const MarchOptions&, const Care&)>& solve);
+                                const std::function<Solution(const MarchOptions&, const Care&)>& solve);
 
-/// The result of the first way that gives one and balances, with the ladder so far in its summary. Where none
+/// The result of the first way that gives one and balances, with its ladder. Where none
 /// balances, the result that comes closest, if it is bearable; it then needs a warning. Else throws NumericsError
 /// with all reasons.
-Run climb(const Simulation& simulation, const std::vector<Way>& ways, const MarchOptions& marching);
+Solution climb(const Simulation& simulation, const std::vector<Way>& ways, const MarchOptions& marching);
 
 /// The balance that a result violates, see require_balance of response/shear_response.h. Throws NumericsError where
 /// it stores more energy than the loads have supplied.
-std::optional<Mismatch> imbalance(const Simulation& simulation, const Run& run);
+std::optional<Mismatch> imbalance(const Simulation& simulation, const Solution& solution);
 
 /// Tolerable residual of the equation of motion of yielding soil, over the tolerance of the scene: the error of F_T
 /// is then less than a thousandth of what the scene allows, see docs/yielding.md.
@@ -54,21 +54,22 @@ void check_steps(const Scene& scene, double step, const std::optional<StepGrowth
 /// The summary of a reduction.
 ReductionSummary summary_of(const Reduction& reduction);
 
-/// Solves by the scheme that the case asks for or that is the least work, and computes F_T and the sliding; an
-/// interface must be bonded.
-Run run_bonded(const Simulation& simulation, const MarchOptions& marching, const std::function<void(double)>& reducing);
+/// Solves by the scheme that the case asks for or that is the least work; an interface must be bonded.
+Solution run_bonded(const Simulation& simulation, const MarchOptions& marching,
+                    const std::function<void(double)>& reducing);
 
-/// The same without the sliding, with which `ahead` may begin, for a caisson that cannot slip. Where the scheme that
-/// the scene names is refused, the message says whether another one gives a result; contact has only one scheme.
-Run solve_tied(const Simulation& simulation, SlipAhead& ahead, const MarchOptions& marching,
-               const std::function<void(double)>& reducing);
+/// The same for a caisson that cannot slip; `ahead` may begin with the space of one that slips as a whole. Where the
+/// scheme that the scene names is refused, the message says whether another one gives a result; contact has only one
+/// scheme.
+Solution solve_tied(const Simulation& simulation, const std::shared_ptr<SlipAhead>& ahead, const MarchOptions& marching,
+                    const std::function<void(double)>& reducing);
 
 /// Marches by that scheme, in `part` times the usual steps; `reason`: why the scheme was chosen.
-Run march_by(Scheme& scheme, const Simulation& simulation, const std::string& reason, const MarchOptions& options,
-             double part = 1.);
+Solution march_by(Scheme& scheme, const Simulation& simulation, const std::string& reason, const MarchOptions& options,
+                  double part = 1.);
 
 /// Marches; `choice` must be a scheme that marches, the observer sees every step.
-Run run_march(const Simulation& simulation, const SchemeChoice& choice, const MarchOptions& options,
-              const Care& care = {});
+Solution run_march(const Simulation& simulation, const SchemeChoice& choice, const MarchOptions& options,
+                   const Care& care = {});
 
 }  // namespace upbead

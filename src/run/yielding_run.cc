@@ -82,8 +82,33 @@ std::string why_none(const RestState& rest) {
          rest.gives_way;
 }
 
-Run march_from(const Simulation& simulation, RestStart start, const Rest& rest, const MarchOptions& marching,
-               const Care& care, const YieldingFollower& follower) {
+/// What the soil did in a march.
+YieldingSolution yielding_of(const Simulation& simulation, RestStart start, const Rest& rest, const SoilLaws& laws,
+                             const YieldingSoil& soil, const YieldingWatch& watch, const YieldingReport& report,
+                             const Solution& solution) {
+  YieldingSolution out;
+  NonlinearSummary& found = out.found;
+  found.start = is_hysteretic(simulation.scene) ? word_of(start, rest_start_words) : "static";
+  found.stages = report.stages;
+  found.iterations = report.evaluations;
+  found.factorisations = solution.discretisation.factorisations;
+  found.cut_steps = report.cut_steps;
+  found.share_skipped = soil.share_skipped();
+  found.share_yielded = share_yielded(*simulation.space, soil);
+  if (laws.report.area > 0.) found.share_beyond_at_rest = laws.report.beyond / laws.report.area;
+  if (!laws.compacting->empty())
+    out.densification =
+        compacted_soils(*simulation.space, *simulation.unknowns, *laws.compacting, solution.response.final_state);
+  if (rest.failing) found.rest = summary_of(*rest.failing);
+  found.why_no_rest = rest.why_none;
+  found.peak_strain = watch.peak_strain();
+  found.regions = watch.regions();
+  if (simulation.compiled->caisson) out.residual = residual(simulation, solution.response);
+  return out;
+}
+
+Solution march_from(const Simulation& simulation, RestStart start, const Rest& rest, const MarchOptions& marching,
+                    const Care& care, const YieldingFollower& follower) {
   const SoilLaws laws = soil_laws(simulation.scene, *simulation.space, rest.elastic.stress, start,
                                   rest.failing ? &rest.failing->stresses : nullptr);
   const System& system = simulation.compiled->system;
@@ -97,52 +122,35 @@ Run march_from(const Simulation& simulation, RestStart start, const Rest& rest, 
   followed.observers.push_back(&watch);
   if (MarchObserver* observer = follower.begin ? follower.begin(*scheme) : nullptr)
     followed.observers.insert(followed.observers.begin(), observer);
-  Run run = march_by(*scheme, simulation, "soil that yields", followed, care.part);
-  run.scheme_reason += "; " + percent(soil->share_skipped()) +
-                       " of the updates of cells were left out, as no soil in those cells could yield";
-  const YieldingReport& report = *scheme->yielding();
-  NonlinearSummary& summary = run.summary.nonlinear.emplace();
-  summary.start = is_hysteretic(simulation.scene) ? word_of(start, rest_start_words) : "static";
-  summary.stages = report.stages;
-  summary.iterations = report.evaluations;
-  summary.factorisations = run.summary.discretisation.factorisations;
-  summary.cut_steps = report.cut_steps;
-  summary.share_skipped = soil->share_skipped();
-  summary.share_yielded = share_yielded(*simulation.space, *soil);
-  if (laws.report.area > 0.) summary.share_beyond_at_rest = laws.report.beyond / laws.report.area;
-  if (!laws.compacting->empty())
-    run.summary.densification =
-        compacted_soils(*simulation.space, *simulation.unknowns, *laws.compacting, run.response.final_state);
-  if (rest.failing) summary.rest = summary_of(*rest.failing);
-  summary.why_no_rest = rest.why_none;
-  summary.peak_strain = watch.peak_strain();
-  summary.regions = watch.regions();
-  if (simulation.compiled->caisson) run.summary.residual = residual(simulation, run.response);
-  if (follower.end) follower.end(run);
-  return run;
+  Solution solution = march_by(*scheme, simulation, "soil that yields", followed, care.part);
+  solution.discretisation.why_scheme += "; " + percent(soil->share_skipped()) +
+                                        " of the updates of cells were left out, as no soil in those cells could yield";
+  solution.yielding = yielding_of(simulation, start, rest, laws, *soil, watch, *scheme->yielding(), solution);
+  if (follower.end) solution.contact = follower.end();
+  return solution;
 }
 
-Run climb_from(const Simulation& simulation, RestStart start, const Rest& rest, const MarchOptions& marching,
-               const YieldingFollower& follower = {}) {
+Solution climb_from(const Simulation& simulation, RestStart start, const Rest& rest, const MarchOptions& marching,
+                    const YieldingFollower& follower = {}) {
   const auto solve = [&](const MarchOptions& options, const Care& care) {
     return march_from(simulation, start, rest, options, care, follower);
   };
   return climb(simulation, ways_with_care(simulation.given, "yielding", solve), marching);
 }
 
-StartBound bound_of(const Run& run) {
+StartBound bound_of(const Solution& solution) {
   StartBound bound;
-  bound.start = run.summary.nonlinear->start;
-  bound.peak_shear = run.summary.response->peak_shear;
-  bound.shear_to_force_ratio = run.summary.response->shear_to_force_ratio;
-  bound.residual = *run.summary.residual;
+  bound.start = solution.yielding->found.start;
+  bound.peak_shear = solution.shear->peak_shear;
+  bound.shear_to_force_ratio = solution.shear->shear_to_force_ratio;
+  bound.residual = *solution.yielding->residual;
   return bound;
 }
 
 }  // namespace
 
-Run run_yielding(const Simulation& simulation, const MarchOptions& marching,
-                 const std::function<void(double)>& progress, const YieldingRunOptions& options) {
+Solution run_yielding(const Simulation& simulation, const MarchOptions& marching,
+                      const std::function<void(double)>& progress, const YieldingRunOptions& options) {
   Rest rest{solve_static(simulation.scene, *simulation.mesh), {}, {}};
   if (needs_rest_state(simulation.scene)) {
     RestState found = rest_state(simulation.scene, *simulation.mesh, simulation.soil_state, watched("state at rest"));
@@ -150,7 +158,8 @@ Run run_yielding(const Simulation& simulation, const MarchOptions& marching,
     if (found.found) rest.failing = std::move(found);
   }
   const RestStart start = start_of(simulation.given);
-  Run run = climb_from(simulation, start, rest, marching, options.follower);
+  Solution solution = climb_from(simulation, start, rest, marching, options.follower);
+  solution.simulation = std::make_shared<const Simulation>(simulation);
   if (options.bounds && simulation.compiled->caisson && wants_bounds(simulation.given)) {
     int n = 0;
     for (const auto& [word, other] : rest_start_words) {
@@ -158,11 +167,11 @@ Run run_yielding(const Simulation& simulation, const MarchOptions& marching,
       ObserverFunction reported = progress_observer(part_of(progress, 0.5 * n, 0.5 * (n + 1)));
       MarchOptions silent;
       silent.observers = {&reported};
-      run.summary.nonlinear->bounds.push_back(bound_of(climb_from(simulation, other, rest, silent)));
+      solution.yielding->found.bounds.push_back(bound_of(climb_from(simulation, other, rest, silent)));
       ++n;
     }
   }
-  return run;
+  return solution;
 }
 
 }  // namespace upbead

@@ -5,6 +5,7 @@
 
 #include "base/interrupt.h"
 #include "base/stopwatch.h"
+#include "case/case_findings.h"
 #include "case/case_run.h"
 #include "case/script_trust.h"
 #include "summary_reader.h"
@@ -59,7 +60,7 @@ Summary Runner::solve(const Case& problem, const std::function<void()>& meanwhil
     in_places_of(problem, [&] { check_size(problem.scene); });  // before a mesh is read
     const Simulation simulation = simulation_of(problem, mesh_for(problem, shared));
     read_records(problem, simulation);  // their mistakes come before the work
-    solved_ = in_places_of(problem, [&] { return std::make_unique<const SolvedScene>(simulation, options); });
+    solved_ = in_places_of(problem, [&] { return upbead::solve(simulation, options); });
     solution_key_ = key;
   }
   return answer(problem, *solved_, options.progress).summary;

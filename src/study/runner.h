@@ -3,11 +3,12 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
-#include "run/solved_scene.h"
 #include "study/results.h"
 #include "upbead/case/case.h"
+#include "upbead/run/simulation.h"
 
 namespace upbead {
 
@@ -30,7 +31,7 @@ class Runner {
   bool trusts_scripts_;
   std::string mesh_key_, solution_key_;
   std::shared_ptr<const Mesh> mesh_;
-  std::unique_ptr<const SolvedScene> solved_;
+  std::optional<Solution> solved_;
 };
 
 }  // namespace upbead

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "output/summary_outputs.h"
+#include "case/case_findings.h"
 #include "upbead/input/node.h"
 
 namespace upbead {

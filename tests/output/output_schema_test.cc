@@ -10,7 +10,7 @@
 #include <iterator>
 #include <set>
 
-#include "output/summary_outputs.h"
+#include "case/case_findings.h"
 #include "upbead/base/error.h"
 
 namespace upbead {

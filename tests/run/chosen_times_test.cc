@@ -9,7 +9,7 @@
 #include "fem/compile.h"
 #include "good_case.h"
 #include "response/time_choice.h"
-#include "run/histories.h"
+#include "findings/histories.h"
 #include "section_case.h"
 #include "upbead/algebra/petsc_session.h"
 

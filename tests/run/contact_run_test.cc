@@ -101,10 +101,10 @@ TEST_F(ContactRun, SlidesByEveryMeasure) {
   EXPECT_GT(summary.sliding->coupled->slip.residual, 0.01);
   EXPECT_GT(summary.sliding->history.by_history.residual, 0.01);
   EXPECT_LT(summary.sliding->coupled->glued_error, 5e-3);
-  ASSERT_TRUE(slid.run.coupled && slid.run.contact);
-  EXPECT_EQ(slid.run.coupled->slip.back(), summary.sliding->coupled->slip.residual);
+  ASSERT_TRUE(summary.sliding->coupled->history && slid.run.contact && slid.run.contact->history);
+  EXPECT_EQ(summary.sliding->coupled->history->slip.back(), summary.sliding->coupled->slip.residual);
   const std::size_t n = static_cast<std::size_t>(summary.contact->nodes);
-  EXPECT_EQ(slid.run.contact->slip.size(), n * slid.run.contact->time.size());
+  EXPECT_EQ(slid.run.contact->history->slip.size(), n * slid.run.contact->history->time.size());
 }
 
 TEST_F(ContactRun, CoupledSlipIsSkippedWhereTheCaissonSticks) {

@@ -1,5 +1,5 @@
-// summary.json: what a run found, in SI numbers. Units and meanings of most numbers stand with their keys in
-// src/output/summary.cc and sliding_outputs.cc; docs/output.md is made from these.
+// summary.json: what a run found, in SI numbers. Where each number is made, with its key, unit and meaning:
+// src/findings; docs/output.md is made from these.
 #pragma once
 
 #include <array>
@@ -73,6 +73,14 @@ struct PulseSliding {
   double exact = 0.;                                          ///< by integrating eqs. (4) and (6) (m)
 };
 
+/// At the samples of the loads.
+struct CoupledHistoryTable {
+  std::vector<double> time;                       ///< s
+  std::vector<double> shear_force, normal_force;  ///< F_T, N' (N/m)
+  std::vector<double> velocity, slip;             ///< s' (m/s), s (m)
+  std::vector<double> displacement;               ///< x_G, the slip included (m)
+};
+
 /// S of a caisson that slips as a whole, together with the motion of soil, mound and water of the scene.
 struct CoupledSummary {
   Sliding slip;  ///< over the mound
@@ -81,15 +89,9 @@ struct CoupledSummary {
   double error = 0., glued_error = 0.;  ///< between nested models, and from the bonded solution
   double growth = 0.;                   ///< of the fastest vibration that friction feeds
   double damping_time = 0., damping_effect = 0.;
+  double seconds = 0.;                         ///< wall time to find it
+  std::optional<CoupledHistoryTable> history;  ///< where it slips
   std::optional<double> error_estimate;
-};
-
-/// At the samples of the loads.
-struct CoupledHistoryTable {
-  std::vector<double> time;                       ///< s
-  std::vector<double> shear_force, normal_force;  ///< F_T, N' (N/m)
-  std::vector<double> velocity, slip;             ///< s' (m/s), s (m)
-  std::vector<double> displacement;               ///< x_G, the slip included (m)
 };
 
 /// The triangular pulse with the peak and the impulse of F_S.
@@ -146,6 +148,8 @@ struct Discretisation {
   std::string scheme;
   double time_step = 0.;  ///< the largest
   int steps = 0, solves = 0, factorisations = 0, processes = 1;
+  std::string why_scheme, why_step;  ///< this way was taken, and its steps are as long as they are
+  bool stopped_early = false;        ///< as little energy was left, which the case allows
 };
 
 /// Errors of a reduced model: the differences of two nested models. The larger one is used, and its errors are smaller.
@@ -341,7 +345,7 @@ struct Summary {
   std::vector<CompactedSoil> densification;    ///< of the regions that pack denser
   std::optional<SafetySummary> safety;         ///< where it is asked for, and where no rest was found
   std::string why_void;                        ///< why nothing that was marched holds; "" where it does
-  std::optional<Verdict> verdict;              ///< drawn by to_json() from checks and warnings
+  std::optional<Verdict> verdict;              ///< drawn from checks and warnings
   Checks checks;                               ///< of the section, in the order of a sheet
   Checks formula_checks;                       ///< of its loads by waves, which `checks` end with
   std::vector<MobilisedStrength> strength;     ///< of the regions whose strength is given
@@ -350,9 +354,5 @@ struct Summary {
   std::vector<Skipped> skipped;
   Timing timing;
 };
-
-/// JSON with the keys of docs/output.md; null where a value does not exist. Throws NumericsError where one is not
-/// finite.
-std::string to_json(const Summary& summary);
 
 }  // namespace upbead

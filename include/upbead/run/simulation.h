@@ -37,8 +37,11 @@ struct MeshAccuracy {
   std::shared_ptr<const CellsCompared> compared;  ///< of the last
 };
 
+class SlipAhead;
+class Watched;
 struct Run;
 struct Simulation;
+struct Solution;
 
 using SoilFollower = std::function<void(YieldingSoil&)>;
 
@@ -62,8 +65,7 @@ struct Simulation {
   /// all of them make this call. Throws InputError whose places are keys of the scene, such as "boundaries.left".
   Simulation(Scene asked, std::shared_ptr<const Mesh> on, std::shared_ptr<const Processes> among = nullptr);
 
-  /// Lets the soil converge with the strain of its response, and solves in time. Where a way is refused, the next one
-  /// is tried. Throws NumericsError where no answer balances (require_balance of response/shear_response.h).
+  /// Solves it, and finds what is to be said: solve() below, then find() of upbead/findings/find.h.
   Run run(const RunOptions& options = {}) const;
 
   Scene given;                                 ///< as it was asked for
@@ -88,20 +90,56 @@ struct Simulation {
                                 std::shared_ptr<const Processes> processes);
 };
 
-/// What was solved.
-struct Run {
+/// What only the march of soil that yields knows.
+struct YieldingSolution {
+  NonlinearSummary found;
+  std::optional<ResidualSummary> residual;  ///< of a caisson
+  std::vector<CompactedSoil> densification;
+};
+
+/// What only the solution with a law of contact knows.
+struct ContactSolution {
+  ContactSummary found;
+  std::optional<ContactHistory> history;   ///< where it was marched with that law
+  std::shared_ptr<const Solution> bonded;  ///< then: the bonded caisson, whose F_T the formulas of sliding take
+};
+
+/// What was solved, and what was done for it. What is said of it: upbead/findings/find.h.
+struct Solution {
   std::shared_ptr<const Simulation> simulation;  ///< as solved: its soil converged, its bottom bonded or not
   Response response;
-  std::optional<Series> at_times;  ///< where [output] times asks for them: the times that the run reached
-  std::optional<Series> dense;     ///< where [output] every asks for it: at equal times
+  std::optional<ShearResponse> shear;  ///< read from it; none without a caisson
+  std::optional<Series> at_times;      ///< where [output] times asks for them: the times that the run reached
+  std::optional<Series> dense;         ///< where [output] every asks for it: at equal times
+  Discretisation discretisation;
+  Ladder ladder;  ///< the ways tried; the last one was taken
+  Timing timing;
+  std::optional<ReductionSummary> reduction;  ///< where it was reduced, as the next three
+  std::vector<NaturalPeriod> periods;
+  std::optional<PressureModel> pressures;
+  std::optional<StateModel> states;  ///< where fields or a strength are asked for
+  std::optional<YieldingSolution> yielding;
+  std::optional<ContactSolution> contact;
+  std::shared_ptr<const Watched> watched;  ///< what was looked at in each state
+  std::shared_ptr<SlipAhead> ahead;        ///< the space of a caisson that slips as a whole, where it was begun
+  std::optional<SafetySummary> safety;     ///< where it is asked for, and where no rest was found
+};
+
+/// Lets the soil converge with the strain of its response, and solves in time. Where a way is refused, the next one is
+/// tried. Throws NumericsError where no answer balances (require_balance of response/shear_response.h).
+Solution solve(const Simulation& simulation, const RunOptions& options = {});
+
+/// Whether already the solution depends on [sliding], and not only what is said of it: friction node by node slips by
+/// it, and a mesh for the tolerance is made for S, too.
+bool needs_sliding(const Scene& scene);
+
+/// The same solution of a scene that, unless needs_sliding(), may differ in [sliding]. Throws InputError at keys of the
+/// scene.
+Solution with_sliding(Solution solution, const Scene& given);
+
+/// A solution, and what is said of it.
+struct Run : Solution {
   Summary summary;
-  std::optional<CoupledHistoryTable> coupled;  ///< where the caisson slipped as a whole
-  std::optional<ContactHistory> contact;       ///< where it was marched with a law of contact
-  std::optional<PressureModel> pressures;      ///< where it was reduced
-  std::optional<StateModel> states;            ///< where it was reduced, and fields or a strength are asked for
-  std::string scheme_reason;                   ///< why this way of solving was taken
-  std::string step_reason;                     ///< why the steps are as long as they are
-  std::shared_ptr<const CellsCompared> cells;  ///< where the mesh was compared with cells half as large
 };
 
 /// Throws InputError where a scene asks for more than 1,000,000 steps or 10,000 fields, at the key that causes it.
@@ -117,11 +155,5 @@ Simulation with_converged_soil(const Simulation& simulation, const std::function
 
 /// The same scene with its caisson bonded to the ground, where it may slip and lift.
 Simulation bonded(const Simulation& simulation);
-
-/// The warnings of a scene that are known without solving it: docs/warnings.md. `peak_time`: of F_T, where it is known.
-NumberedWarnings warnings(const Simulation& simulation, const std::optional<double>& peak_time = {});
-
-/// What is skipped in a scene and why, with the numbers; `reduced`: whether a reduced model solves it.
-std::vector<Skipped> skipped(const Simulation& simulation, bool reduced);
 
 }  // namespace upbead

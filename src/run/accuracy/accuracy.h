@@ -1,4 +1,4 @@
-// The errors of F_T and S by source, and the mesh that meets a tolerance.
+// What the cells change in F_T and S, and the mesh that meets a tolerance.
 #pragma once
 
 #include "fem/compile.h"
@@ -59,26 +59,5 @@ struct SlipCompared {
 
 /// As compare_cells() does by reduced models; `bonded`: response without slip. None where the models do not give S.
 std::optional<SlipCompared> compare_slip(const Simulation& simulation, const Response& bonded);
-
-/// Fills in the errors of S by eq. (4) on F_T(t) and of the caisson that slips as a whole, with [sliding]; the errors
-/// of F_T must be there. They follow from the change of S on cells half as large, and from its change where F_T,
-/// uplift and normal force are all larger or smaller by the estimated error of the peak: near the threshold one
-/// change is zero while the other is not.
-void estimate_slip_error(Run& run);
-
-/// Fills in why there is no estimate of the error of S.
-void tell_why_no_slip_error(Run& run);
-
-/// Fills in the errors of a run's F_T and S, where its mesh was made for the tolerance (`simulation.accuracy`) or
-/// the case asks for it (accuracy.estimate); else why they could not be computed. They come from
-/// - the cells: change of F_T and S on cells half as large;
-/// - the steps of a march: change of F_T with steps half as long, on the coarse mesh from which the refinement started;
-///   for contact node by node on the mesh itself;
-/// - the vectors of a reduced model: difference of its F_T to that of the last smaller model;
-/// - the far sides, for the peak alone, on the coarse mesh: sides that hold (roller, sealed) and sides that give way
-///   (free, open) reflect waves with opposite signs, so that the mean of both has no echo (Smith 1974); the error is
-///   the difference of the case's F_T to that mean at the time of its peak. Far sides may be meant as they are; the
-///   exact solution, to which all other errors refer, has the same far sides.
-void estimate_errors(Run& run);
 
 }  // namespace upbead

@@ -12,14 +12,12 @@
 #include "fem/compile.h"
 #include "fem/static_stage.h"
 #include "run/derived.h"
-#include "run/sliding/coupled_sliding.h"
 #include "run/sliding/uplift.h"
 #include "run/solve.h"
 #include "run/yielding_run.h"
 #include "system/interface.h"
 #include "upbead/base/error.h"
 #include "upbead/dynamics/march.h"
-#include "upbead/output/summary.h"
 
 namespace upbead {
 
@@ -195,12 +193,13 @@ Ladder set_at_rest(const Simulation& simulation, Interface& interface) {
 }
 
 /// Removes the forces at the nodes from the readings that are reported.
-void remove_node_forces(int n_nodes, System& system, Run& run) {
+Solution without_node_forces(Solution solution, int n_nodes, System& system) {
   const auto n = static_cast<Eigen::Index>(system.readings.size()) - 2 * n_nodes;
   system.readings.resize(static_cast<std::size_t>(n));
-  if (run.dense) run.dense->reading.conservativeResize(n, Eigen::NoChange);
-  for (Series* series : {&run.response.ends, &run.response.balanced})
+  if (solution.dense) solution.dense->reading.conservativeResize(n, Eigen::NoChange);
+  for (Series* series : {&solution.response.ends, &solution.response.balanced})
     series->reading.conservativeResize(n, Eigen::NoChange);
+  return solution;
 }
 
 /// Adds the forces of yielding soil to the forces at bonded nodes, which are residuals of the rows of their slips and
@@ -219,40 +218,40 @@ void add_soil_to_node_forces(const Simulation& simulation, const System& system,
     }
 }
 
+/// What the nodes did; friction, weight and demand are those of the whole solution.
+ContactSolution followed_by(const ContactRecorder& recorder) {
+  ContactSolution out;
+  out.found.solved = recorder.summary();
+  out.history = recorder.history();
+  return out;
+}
+
 /// Marches yielding soil with contact, from all starts.
-Run march_yielding_contact(const Simulation& simulation, const MarchOptions& marching,
-                           const std::function<void(double)>& progress, const SoilFollower& follow,
-                           ContactSummary& contact) {
+Solution march_yielding_contact(const Simulation& simulation, const MarchOptions& marching,
+                                const std::function<void(double)>& progress, const SoilFollower& follow) {
   std::optional<ContactRecorder> recorder;
   YieldingRunOptions options;
   options.follower.soil = follow;
   options.follower.begin = [&](const Scheme& scheme) { return &recorder.emplace(simulation.compiled->system, scheme); };
-  options.follower.end = [&](Run& run) {
-    contact.solved = recorder->summary();
-    run.contact = recorder->history();
-  };
+  options.follower.end = [&] { return followed_by(*recorder); };
   return run_yielding(simulation, marching, progress, options);
 }
 
-/// Marches with contact; also fills in what the nodes did.
-Run march_contact(const Simulation& simulation, const MarchOptions& marching, const Care& care,
-                  ContactSummary& contact) {
+Solution march_contact(const Simulation& simulation, const MarchOptions& marching, const Care& care) {
   const std::unique_ptr<Scheme> scheme = make_contact_scheme(simulation.compiled->system, true, care.refined);
   ContactRecorder recorder(simulation.compiled->system, *scheme);
   MarchOptions options = marching;
   options.observers.insert(options.observers.begin(), &recorder);
   const std::string reason = "bonded, the caisson would slip or lift at some node";
-  Run run;
   try {
-    run = march_by(*scheme, simulation, reason, options, care.part);
+    Solution solution = march_by(*scheme, simulation, reason, options, care.part);
+    solution.contact = followed_by(recorder);
+    return solution;
   } catch (const NumericsError& error) {
     if (simulation.given.time.inertia) throw;
     throw NumericsError(std::string(error.what()) +
                         "; without inertia (time.inertia = false) nothing stops a caisson whose friction is exceeded");
   }
-  contact.solved = recorder.summary();
-  run.contact = recorder.history();
-  return run;
 }
 
 }  // namespace
@@ -274,15 +273,8 @@ void check_at_rest(const Simulation& simulation) {
                      "move its centre of gravity, or bond it: interface = { kind = \"bonded\" }");
 }
 
-std::string why_glued(const ContactSummary& contact) {
-  const std::string margin =
-      contact.demand.margin > 0. ? ", which may err by " + percent(contact.demand.margin) : std::string();
-  return "no node pulls or slips: |T| reaches " + percent(contact.demand.slip) + " of mu N, and N falls to " +
-         percent(contact.demand.least_normal) + " of that at rest" + margin;
-}
-
-Run run_contact(const Simulation& simulation, const MarchOptions& marching, const std::function<void(double)>& progress,
-                const SoilFollower& follow) {
+Solution run_contact(const Simulation& simulation, const MarchOptions& marching,
+                     const std::function<void(double)>& progress, const SoilFollower& follow) {
   const auto sliding = std::make_shared<CompiledScene>(*simulation.compiled);
   System& system = sliding->system;
   const int n_nodes = system.interface->n_nodes();
@@ -296,40 +288,39 @@ Run run_contact(const Simulation& simulation, const MarchOptions& marching, cons
   silent.observers = {&reported};
   const bool soil_yields = yields(simulation.scene);
   if (soil_yields) add_soil_to_node_forces(simulation, system, tied->system);
-  SlipAhead none;
-  Run run = soil_yields ? run_yielding(bonded, silent, {}, {false, {}}) : run_bonded(bonded, silent, progress);
-  if (soil_yields) read_sliding(bonded, none, run, {});
-  const double margin = run.summary.reduction ? run.summary.reduction->error_of_others : 0.;
-  ContactSummary contact{system.interface->friction,
-                         system.interface->normal_force.sum(),
-                         n_nodes,
-                         contact_demand(system, uplift, run.response, margin),
-                         {}};
-  remove_node_forces(n_nodes, tied->system, run);
-  run.simulation = std::make_shared<const Simulation>(bonded);
+  Solution before = soil_yields ? run_yielding(bonded, silent, {}, {false, {}}) : run_bonded(bonded, silent, progress);
+  const double margin = before.reduction ? before.reduction->error_of_others : 0.;
+  ContactSummary found{system.interface->friction,
+                       system.interface->normal_force.sum(),
+                       n_nodes,
+                       contact_demand(system, uplift, before.response, margin),
+                       {}};
+  before = without_node_forces(std::move(before), n_nodes, tied->system);
+  before.simulation = std::make_shared<const Simulation>(bonded);
+  before.ladder = joined(at_rest, before.ladder);
   add_loads(uplift, system);
   // with other starts of yielding soil nodes may slip, though they do not with this one
-  if (contact.demand.reached || simulation.scene.fields_every || soil_yields) {
-    const auto moving = std::make_shared<const Simulation>(with_system(simulation, sliding));
-    MarchOptions unkept = marching;
-    unkept.checkpoints = {};
-    const auto solve = [&](const MarchOptions& options, const Care& care) {
-      return march_contact(*moving, options, care, contact);
-    };
-    Run solved = soil_yields ? march_yielding_contact(*moving, unkept, progress, follow, contact)
-                             : climb(*moving, ways_with_care(simulation.given, "contact", solve), unkept);
-    solved.simulation = moving;
-    solved.summary.sliding = run.summary.sliding;
-    solved.summary.periods = run.summary.periods;
-    solved.coupled = run.coupled;
-    solved.summary.ladder = joined(run.summary.ladder, solved.summary.ladder);
-    solved.summary.timing.factorise += run.summary.timing.factorise;
-    solved.summary.timing.march += run.summary.timing.march;
-    run = std::move(solved);
+  if (!found.demand.reached && !simulation.scene.fields_every && !soil_yields) {
+    before.contact = {found, {}, nullptr};
+    return before;
   }
-  run.summary.ladder = joined(at_rest, run.summary.ladder);
-  run.summary.contact = contact;
-  return run;
+  const auto moving = std::make_shared<const Simulation>(with_system(simulation, sliding));
+  MarchOptions unkept = marching;
+  unkept.checkpoints = {};
+  const auto solve = [&](const MarchOptions& options, const Care& care) {
+    return march_contact(*moving, options, care);
+  };
+  Solution solved = soil_yields ? march_yielding_contact(*moving, unkept, progress, follow)
+                                : climb(*moving, ways_with_care(simulation.given, "contact", solve), unkept);
+  solved.simulation = moving;
+  solved.ladder = joined(before.ladder, solved.ladder);
+  solved.periods = before.periods;
+  solved.timing.factorise += before.timing.factorise;
+  solved.timing.march += before.timing.march;
+  found.solved = solved.contact->found.solved;
+  solved.contact->found = found;
+  solved.contact->bonded = std::make_shared<const Solution>(std::move(before));
+  return solved;
 }
 
 }  // namespace upbead

@@ -11,13 +11,11 @@ namespace upbead {
 /// weight in water is not downward, or acts outside the middle third.
 void check_at_rest(const Simulation& simulation);
 
-/// Why the bonded solution obeys the law of contact, with the numbers.
-std::string why_glued(const ContactSummary& contact);
-
-/// Solves the scene bonded first, which also gives S by other measures. Where no node reaches its friction or is in
+/// Solves the scene bonded first, from which S by other measures is found. Where no node reaches its friction or is in
 /// tension, that is the result; else the scene is marched with the law of contact. The system must have an interface;
-/// the simulation of the run is the one that was solved last. `follow`: see RunOptions::soil. Throws NumericsError.
-Run run_contact(const Simulation& simulation, const MarchOptions& marching, const std::function<void(double)>& progress,
-                const SoilFollower& follow = {});
+/// the simulation of the solution is the one that was solved last. `follow`: see RunOptions::soil. Throws
+/// NumericsError.
+Solution run_contact(const Simulation& simulation, const MarchOptions& marching,
+                     const std::function<void(double)>& progress, const SoilFollower& follow = {});
 
 }  // namespace upbead

@@ -23,9 +23,10 @@ namespace {
 
 /// reduce_slip() of the scene with an interface, on one process, for the uplift of its [sliding]. Throws
 /// NumericsError also where the model does not meet the tolerance.
-SlipReduction reduce_sliding(const Simulation& simulation, SlipAhead& ahead, const Series& bonded,
+SlipReduction reduce_sliding(const Simulation& simulation, SlipAhead* ahead, const Series& bonded,
                              const std::function<void(double)>& progress) {
-  SlipReduction reduction = ahead.space(simulation)->reduce(bonded, progress);
+  SlipAhead none;
+  SlipReduction reduction = (ahead != nullptr ? *ahead : none).space(simulation)->reduce(bonded, progress);
   constexpr double tolerable = 0.02;  // error of forces: an undamped scene would need many vectors for less
   if (!reduction.converged && !(reduction.error.history <= tolerable))
     throw NumericsError("the forces of its reduced model move by " + significant(reduction.error.history) +
@@ -70,44 +71,11 @@ void require_none(const std::string& why_no_distance) {
   if (!why_no_distance.empty()) throw NumericsError(why_no_distance);
 }
 
-void slide(const Simulation& simulation, SlipAhead& ahead, Run& run, const std::function<void(double)>& progress) {
-  const SlidingChoice& choice = *simulation.scene.sliding;
-  const SlipReduction reduction = reduce_sliding(simulation, ahead, run.response.ends, progress);
-  const SlipLaw law = slip_law(reduction.system, choice.friction, slip_uplift(choice), {reading::displacement_x});
-  const SampledLoads loads = loads_of_slip(simulation.scene, *simulation.compiled);
-  CoupledHistory history;
-  const SlipModel model = slip_model(reduction.system, law);
-  const double step = loads.time[1] - loads.time[0];
-  const CoupledSliding slid = CoupledSlip(model, step).slide(loads, &history);
-  require_none(why_no_distance(slid));
-  double effect = 0.;
-  if (model.damping_time > 0.) {
-    const SlipModel more = slip_model(reduction.system, law, 2. * model.damping_time);
-    const CoupledSliding other = CoupledSlip(more, step).slide(loads);
-    require_none(why_no_distance(slid, other));
-    effect = std::abs(other.slip.residual - slid.slip.residual);
-  }
-  run.summary.sliding->coupled = CoupledSummary{slid.slip,
-                                                slid.dissipated,
-                                                slid.peak_shear,
-                                                slid.least_normal,
-                                                slid.lifted_time,
-                                                reduction.n_vectors,
-                                                reduction.error.history,
-                                                reduction.bonded_error,
-                                                model.growth,
-                                                model.damping_time,
-                                                effect,
-                                                {}};
-  run.coupled = table(loads.time, history);
-}
-
 ModelSlip model_slip(const Simulation& simulation, const Reduction& bonded,
                      const std::function<void(double)>& progress) {
   const Scene& s = simulation.scene;
   const Response response = respond(bonded, s, simulation.compiled->system);
-  SlipAhead none;
-  SlipReduction reduction = reduce_sliding(simulation, none, response.ends, progress);
+  SlipReduction reduction = reduce_sliding(simulation, nullptr, response.ends, progress);
   // whether slip is well posed must show here, and not only when waves are computed
   slip_model(reduction.system, slip_law(reduction.system, s.sliding->friction, slip_uplift(*s.sliding)));
   return {std::move(reduction.system), reduction.error.history, reduction.bonded_error, reduction.n_vectors,
@@ -163,29 +131,38 @@ std::optional<SlipCompared> compare_slip(const Simulation& simulation, const Res
   }
 }
 
-void read_sliding(const Simulation& simulation, SlipAhead& ahead, Run& run,
-                  const std::function<void(double)>& progress) {
-  run.summary.sliding = sliding_of(simulation.given, *simulation.compiled, run.response);
-  run.coupled.reset();
-  if (!run.summary.sliding) return;
-  SlidingSummary& sliding = *run.summary.sliding;
-  if (sliding.history.with_normal_force.slips.empty()) {
-    const ShearResponse& response = *run.summary.response;
-    sliding.coupled.emplace();
-    sliding.coupled->peak_shear = std::max(response.peak_shear, -response.peak_shear_seaward);
-    sliding.coupled->least_normal = sliding.history.least_normal_force;
-    return;
-  }
-  sliding.why_not_coupled = why_no_slip(simulation);
-  if (!sliding.why_not_coupled.empty()) return;
+CoupledSummary slide_as_whole(const Simulation& simulation, SlipAhead* ahead, const Series& bonded,
+                              const std::function<void(double)>& progress) {
   const Stopwatch watch;
-  try {
-    slide(simulation, ahead, run, progress);
-    run.summary.timing.march += watch.seconds();
-  } catch (const NumericsError& error) {
-    sliding.why_not_coupled = error.what();
-    sliding.coupled_failed = true;
+  const SlidingChoice& choice = *simulation.scene.sliding;
+  const SlipReduction reduction = reduce_sliding(simulation, ahead, bonded, progress);
+  const SlipLaw law = slip_law(reduction.system, choice.friction, slip_uplift(choice), {reading::displacement_x});
+  const SampledLoads loads = loads_of_slip(simulation.scene, *simulation.compiled);
+  CoupledHistory history;
+  const SlipModel model = slip_model(reduction.system, law);
+  const double step = loads.time[1] - loads.time[0];
+  const CoupledSliding slid = CoupledSlip(model, step).slide(loads, &history);
+  require_none(why_no_distance(slid));
+  CoupledSummary out;
+  if (model.damping_time > 0.) {
+    const SlipModel more = slip_model(reduction.system, law, 2. * model.damping_time);
+    const CoupledSliding other = CoupledSlip(more, step).slide(loads);
+    require_none(why_no_distance(slid, other));
+    out.damping_effect = std::abs(other.slip.residual - slid.slip.residual);
   }
+  out.slip = slid.slip;
+  out.dissipated = slid.dissipated;
+  out.peak_shear = slid.peak_shear;
+  out.least_normal = slid.least_normal;
+  out.lifted_time = slid.lifted_time;
+  out.vectors = reduction.n_vectors;
+  out.error = reduction.error.history;
+  out.glued_error = reduction.bonded_error;
+  out.growth = model.growth;
+  out.damping_time = model.damping_time;
+  out.history = table(loads.time, history);
+  out.seconds = watch.seconds();
+  return out;
 }
 
 ReducedSlip reduce_with_slip(const Simulation& simulation, const Reduction& bonded,

@@ -1,4 +1,4 @@
-// S by every measure: by formulas on the history of F_T, and of a caisson that slips as a whole on its ground.
+// A caisson that slips as a whole on the ground that it shakes.
 #pragma once
 
 #include <functional>
@@ -11,11 +11,10 @@
 
 namespace upbead {
 
-/// Computes the sliding of a bonded run with [sliding]; without it nothing. Where the caisson never reaches its
-/// friction, the coupled S is zero and needs no work; else the scene is compiled with an interface and reduced, which
-/// also gives a history. `ahead` may have begun with that.
-void read_sliding(const Simulation& simulation, SlipAhead& ahead, Run& run,
-                  const std::function<void(double)>& progress);
+/// Its slip, of a scene with [sliding], which is assembled with an interface and reduced: `ahead`, which may be null,
+/// may have begun with that. `bonded`: the response without slip. Throws NumericsError where no distance can be found.
+CoupledSummary slide_as_whole(const Simulation& simulation, SlipAhead* ahead, const Series& bonded,
+                              const std::function<void(double)>& progress);
 
 /// The slip model of `upbead reduce`, or why there is none.
 struct ReducedSlip {

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "contact_case.h"
-#include "run/sliding/effective_base.h"
+#include "findings/effective_base.h"
 #include "run/sliding/uplift.h"
 #include "upbead/run/simulation.h"
 

@@ -1,4 +1,4 @@
-#include "run/warnings/support_warnings.h"
+#include "findings/support_warnings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -163,20 +163,21 @@ NumberedWarnings support_warnings(const Simulation& simulation) {
 
 /// An impact lasts half a period of the caisson on its ground, pi sqrt(m/k), k = E_oed B over the depth, at most B, in
 /// which the ground gives way.
-NumberedWarnings impact_warnings(const Run& run) {
+NumberedWarnings impact_warnings(const Solution& solution) {
   constexpr double steps_in_impact = 10.;  // docs/warnings.md
-  const Simulation& simulation = *run.simulation;
-  const auto& contact = run.summary.contact;
-  if (!contact || !contact->solved || contact->solved->impacts == 0 || !simulation.scene.time.inertia) return {};
+  const Simulation& simulation = *solution.simulation;
+  const auto& contact = solution.contact;
+  if (!contact || !contact->found.solved || contact->found.solved->impacts == 0 || !simulation.scene.time.inertia)
+    return {};
   const Caisson& caisson = *simulation.compiled->caisson;
   const GroundBelow ground = ground_below(simulation);
   if (!(ground.modulus > 0.)) return {};
   const double depth = std::min(caisson.bottom_width, caisson.bottom_centre[1] - ground.lowest);
   const double k = ground.modulus * caisson.bottom_width / depth, time = pi * std::sqrt(caisson.body.mass / k);
-  const double step = run.summary.discretisation.time_step, limit = time / steps_in_impact;
+  const double step = solution.discretisation.time_step, limit = time / steps_in_impact;
   if (step <= limit) return {};
   return {{"impact_unresolved", step, limit, "s",
-           "the caisson strikes its ground " + std::to_string(contact->solved->impacts) +
+           "the caisson strikes its ground " + std::to_string(contact->found.solved->impacts) +
                " times (nodes), which lasts " + significant(time, 2) + " s on ground as stiff as this, but a step " +
                significant(step) +
                " s: what each impact takes, and with it rocking and slip afterwards, depends on the step; give "

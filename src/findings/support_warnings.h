@@ -11,6 +11,6 @@ namespace upbead {
 NumberedWarnings support_warnings(const Simulation& simulation);
 
 /// Warning impact_unresolved: the caisson has struck its ground in steps longer than a share of the time of an impact.
-NumberedWarnings impact_warnings(const Run& run);
+NumberedWarnings impact_warnings(const Solution& solution);
 
 }  // namespace upbead

@@ -1,4 +1,4 @@
-#include "run/warnings/carried_warnings.h"
+#include "findings/carried_warnings.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,9 @@
-#include "run/sliding/effective_base.h"
+#include "findings/effective_base.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "fem/caisson/bottom.h"
 #include "fem/caisson/readings.h"
 #include "fem/static_stage.h"
 #include "run/sliding/uplift.h"
@@ -97,55 +96,6 @@ EffectiveBase without_motion(const Simulation& simulation, EffectiveBase base, c
     }
   }
   return base;
-}
-
-namespace {
-
-/// Finds the largest effective stress of a node of the base: its change, added to linear stresses at rest.
-void look_at_nodes(const Simulation& simulation, const EffectiveBase& base, const Series& series,
-                   BaseSummary& summary) {
-  const System& system = simulation.compiled->system;
-  if (!simulation.scene.base_stress) return;
-  const std::vector<InterfaceNode> nodes = interface_nodes(*simulation.space);
-  for (std::size_t r = 0; r < system.readings.size(); ++r) {
-    const ReadingName& name = system.readings[r].name;
-    if (name.group != base_group || name.quantity != "normal_stress") continue;
-    Eigen::Index t = 0;
-    const double x = nodes[static_cast<std::size_t>(name.node)].position, B = base.width;
-    const double rest =
-        base.weight / B + 12. * base.weight_moment * (x - simulation.compiled->caisson->bottom_centre[0]) / (B * B * B);
-    const double stress = rest + series.reading.row(static_cast<Eigen::Index>(r)).maxCoeff(&t);
-    if (summary.peak_computed_pressure && stress <= *summary.peak_computed_pressure) continue;
-    summary.peak_computed_pressure = stress;
-    summary.peak_computed_pressure_at = x;
-    summary.peak_computed_pressure_time = series.time[static_cast<std::size_t>(t)];
-  }
-}
-
-void look_at_nodes(const ContactHistory& contact, BaseSummary& summary) {
-  const std::size_t n = contact.position.size();
-  for (std::size_t i = 0; i < contact.normal_force.size(); ++i) {
-    const double stress = contact.normal_force[i] / contact.length[i % n];
-    if (summary.peak_computed_pressure && stress <= *summary.peak_computed_pressure) continue;
-    summary.peak_computed_pressure = stress;
-    summary.peak_computed_pressure_at = contact.position[i % n];
-    summary.peak_computed_pressure_time = contact.time[i / n];
-  }
-}
-
-}  // namespace
-
-BaseSummary base_summary(const Simulation& simulation, const EffectiveBase& base, const Series& series,
-                         const std::optional<ContactHistory>& contact) {
-  BaseSummary s{base_extremes(base, series.time), {}, {}, {}, 0., 0., {}};
-  const BaseExtremes at_rest = base_extremes(without_motion(simulation, base, series.time), series.time);
-  s.static_heel_pressure = at_rest.peak_heel_pressure;
-  s.static_toe_pressure = at_rest.peak_toe_pressure;
-  if (contact)
-    look_at_nodes(*contact, s);
-  else
-    look_at_nodes(simulation, base, series, s);
-  return s;
 }
 
 namespace {

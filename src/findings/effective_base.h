@@ -21,11 +21,6 @@ std::optional<EffectiveBase> effective_base(const Simulation& simulation, const 
 /// The same without motion: the loads at each time as they act on the caisson, with the same uplift.
 EffectiveBase without_motion(const Simulation& simulation, EffectiveBase base, const std::vector<double>& time);
 
-/// Values at rest and at the worst of these times, and the largest stress of a node of the base by `series`, where
-/// the scene has such readings.
-BaseSummary base_summary(const Simulation& simulation, const EffectiveBase& base, const Series& series,
-                         const std::optional<ContactHistory>& contact);
-
 /// The histories effective_normal_force, effective_base_moment, eccentricity (0 where N' <= 0), toe_pressure (of the
 /// seaward edge) and heel_pressure (of the landward edge).
 std::vector<Dataset> base_histories(const EffectiveBase& base);

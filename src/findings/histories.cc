@@ -1,4 +1,4 @@
-#include "run/histories.h"
+#include "findings/histories.h"
 
 #include <map>
 #include <optional>
@@ -6,7 +6,7 @@
 #include "base/text.h"
 #include "fem/caisson/readings.h"
 #include "fem/compile.h"
-#include "run/sliding/effective_base.h"
+#include "findings/effective_base.h"
 
 namespace upbead {
 
@@ -52,8 +52,9 @@ std::vector<double> opened_width(const ContactHistory& contact) {
 }
 
 /// Slip, opening and forces at the nodes of the caisson's bottom, at the times of /history/time.
-std::vector<Dataset> node_tables(const std::optional<ContactHistory>& contact) {
-  if (!contact) return {};
+std::vector<Dataset> node_tables(const std::optional<ContactSolution>& solved) {
+  if (!solved || !solved->history) return {};
+  const std::optional<ContactHistory>& contact = solved->history;
   const std::size_t n = contact->position.size();
   const std::string nodes = " by time and node of the caisson's bottom";
   return {{"history/interface/opened_width", "m", "length of the bottom that has parted from the ground",
@@ -67,8 +68,9 @@ std::vector<Dataset> node_tables(const std::optional<ContactHistory>& contact) {
 }
 
 /// Histories of the caisson that slips as a whole, at their own times.
-std::vector<Dataset> coupled_tables(const std::optional<CoupledHistoryTable>& coupled) {
-  if (!coupled) return {};
+std::vector<Dataset> coupled_tables(const std::optional<SlidingSummary>& sliding) {
+  if (!sliding || !sliding->coupled || !sliding->coupled->history) return {};
+  const std::optional<CoupledHistoryTable>& coupled = sliding->coupled->history;
   return {{"coupled/time", "s", "time", coupled->time},
           {"coupled/shear_force", "N/m", "F_T of the caisson that slips as a whole", coupled->shear_force},
           {"coupled/normal_force", "N/m", "N' that its friction acts on", coupled->normal_force},
@@ -124,7 +126,7 @@ std::vector<Dataset> tables(const Run& run) {
   };
   add(run.at_times, "at_times/");
   add(run.dense, "dense/");
-  for (auto part : {node_tables(run.contact), coupled_tables(run.coupled)})
+  for (auto part : {node_tables(run.contact), coupled_tables(run.summary.sliding)})
     for (Dataset& table : part) all.push_back(std::move(table));
   return all;
 }

@@ -6,13 +6,12 @@
 #include "base/numbers.h"
 #include "base/text.h"
 #include "fem/compile.h"
+#include "findings/carried_warnings.h"
+#include "findings/finding.h"
+#include "findings/support_warnings.h"
 #include "response/drainage.h"
 #include "response/ground_waves.h"
 #include "response/time_choice.h"
-#include "run/harbour.h"
-#include "run/warnings/carried_warnings.h"
-#include "run/warnings/plausibility.h"
-#include "run/warnings/support_warnings.h"
 
 namespace upbead {
 
@@ -331,18 +330,44 @@ NumberedWarnings thin_layer_warnings(const Simulation& simulation) {
   return list;
 }
 
-}  // namespace
-
-NumberedWarnings warnings(const Simulation& simulation, const std::optional<double>& peak_time) {
+NumberedWarnings scene_warnings(const Simulation& simulation, const std::optional<double>& peak_time) {
   NumberedWarnings all;
   for (const NumberedWarnings& part :
-       {plausibility_warnings(simulation), harbour_warnings(simulation), step_warnings(simulation),
-        jump_warnings(simulation), motion_warnings(simulation), mesh_warnings(simulation),
+       {step_warnings(simulation), jump_warnings(simulation), motion_warnings(simulation), mesh_warnings(simulation),
         wall_warnings(simulation, peak_time), load_warnings(simulation), boundary_layer_warnings(simulation),
         ring_warnings(simulation), slow_wave_warnings(simulation), layer_warnings(simulation),
         thin_layer_warnings(simulation), support_warnings(simulation)})
-    all.insert(all.end(), part.begin(), part.end());
+    append(all, part);
   return all;
+}
+
+/// What the scene lets be left out, with the numbers; `reduced`: whether a reduced model solves it.
+SkippedList skipped_in_scene(const Simulation& simulation, bool reduced) {
+  SkippedList list;
+  for (const Decision& decision : simulation.decisions)
+    if (!decision.left_out.empty()) list.push_back({decision.left_out, decision.why});
+  for (const auto& [name, load] : simulation.given.loads)
+    if (load.factor == 0.) {
+      list.push_back({"load " + name, "its factor is 0"});
+    } else if (const auto& samples = load.history.samples(); !reduced && is_rough(load.history)) {
+      list.push_back({"steps that meet the corners of load " + name,
+                      "a rough record of " + std::to_string(samples.size()) +
+                          " samples: F_T errs by some of its roughness (8 % for noise of 1 % measured); use "
+                          "time.scheme = \"reduced\", smooth it, or give time.step = its sampling interval, " +
+                          significant(samples[1] - samples[0]) + " s"});
+    }
+  if (!simulation.given.fields_every) list.push_back({"fields", "the case asks for none ([output] fields)"});
+  if (!simulation.given.time.inertia) list.push_back({"inertia", "[time] inertia = false: consolidation"});
+  return list;
+}
+
+}  // namespace
+
+Finding scene_finding() {
+  Finding f;
+  f.of_scene = scene_warnings;
+  f.skipped_of_scene = skipped_in_scene;
+  return f;
 }
 
 }  // namespace upbead

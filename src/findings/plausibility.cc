@@ -1,5 +1,4 @@
-#include "run/warnings/plausibility.h"
-
+// Whether the numbers of a scene are those of breakwaters, and in which unit they may have been meant.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -7,9 +6,10 @@
 #include "base/numbers.h"
 #include "base/text.h"
 #include "fem/compile.h"
+#include "findings/effective_base.h"
+#include "findings/finding.h"
 #include "mesh/extent.h"
 #include "model/quantities.h"
-#include "run/sliding/effective_base.h"
 
 namespace upbead {
 
@@ -238,9 +238,7 @@ void judge_pores(const std::string& at, const Region& region, NumberedWarnings& 
   judge(at + "tortuosity", region.tortuosity, quantities::tortuosity, list);
 }
 
-}  // namespace
-
-NumberedWarnings plausibility_warnings(const Simulation& simulation) {
+NumberedWarnings plausibility_warnings(const Simulation& simulation, const std::optional<double>&) {
   NumberedWarnings list;
   const Scene& scene = simulation.given;
   judge_fluid(scene.fluid, list);
@@ -281,6 +279,14 @@ NumberedWarnings plausibility_warnings(const Simulation& simulation) {
   judge_weight(simulation, list);
   OnItsMesh(simulation, list).run();
   return list;
+}
+
+}  // namespace
+
+Finding plausibility_finding() {
+  Finding f;
+  f.of_scene = plausibility_warnings;
+  return f;
 }
 
 }  // namespace upbead

@@ -1,5 +1,4 @@
-#include "run/harbour.h"
-
+// Still water that stands at two levels, in front of a caisson and behind it.
 #include <algorithm>
 #include <cmath>
 
@@ -7,6 +6,7 @@
 #include "base/text.h"
 #include "fem/compile.h"
 #include "fem/outline.h"
+#include "findings/topics.h"
 #include "response/shear_response.h"
 
 namespace upbead {
@@ -36,8 +36,8 @@ double resistance_of(const Simulation& simulation) {
   return usual_friction * simulation.compiled->caisson->body.mass * scene.gravity;
 }
 
-}  // namespace
-
+/// None without a caisson between two waters of the mesh, where both stand at one level, or where the loads end with
+/// that push: then it is one of them.
 std::optional<HarbourSummary> harbour_of(const Simulation& simulation) {
   if (!simulation.compiled->caisson) return std::nullopt;
   HarbourSummary h{level_beside(simulation, -1.), level_beside(simulation, 1.), 0., 0.};
@@ -56,7 +56,9 @@ std::optional<HarbourSummary> harbour_of(const Simulation& simulation) {
   return h;
 }
 
-NumberedWarnings harbour_warnings(const Simulation& simulation) {
+/// Warning harbour_level: the scene has one level at rest, and the push by the other is in the checks of friction
+/// alone. It voids the verdict unless it is small against mu W'.
+NumberedWarnings harbour_warnings(const Simulation& simulation, const std::optional<double>&) {
   const std::optional<HarbourSummary> h = harbour_of(simulation);
   if (!h) return {};
   const double share = std::abs(h->push) / resistance_of(simulation);
@@ -73,6 +75,32 @@ NumberedWarnings harbour_warnings(const Simulation& simulation) {
                               : "which at so small a push changes little")};
   warning.voids = share > small_push;
   return {warning};
+}
+
+std::optional<HarbourSummary> find_harbour(const Evidence& e) {
+  return harbour_of(e.simulation);
+}
+
+OutputSchema<HarbourSummary> harbour_outputs() {
+  using H = HarbourSummary;
+  return OutputSchema<H>()
+      .key("front", &H::front, "m", "height y of still water in front of the caisson")
+      .key("back", &H::back, "m", "and behind it")
+      .key("push", &H::push, "N/m", "of both on the caisson at rest, landward")
+      .key("weight_gained", &H::weight_gained, "N/m",
+           "by which W' is more than that in water as high as the higher level; in no other number");
+}
+
+}  // namespace
+
+Finding harbour_finding() {
+  Finding f;
+  f.keys = [](OutputSchema<Summary>& s) {
+    s.object("harbour", &Summary::harbour, harbour_outputs(),
+             "still water at two levels ([harbour_level](warnings.md)); null where it has one");
+  };
+  f.of_scene = harbour_warnings;
+  return f.part(&Summary::harbour, find_harbour);
 }
 
 }  // namespace upbead

@@ -1,0 +1,283 @@
+#include "case/case_findings.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/text.h"
+#include "case/case_run.h"
+#include "case/case_schema.h"
+#include "case/cfd/flow_scene.h"
+#include "case/key_units.h"
+#include "case/records/load_records.h"
+#include "case/records/record_layout.h"
+#include "case/records/record_table.h"
+#include "case/time_end.h"
+#include "case/wave_load.h"
+#include "fem/compile.h"
+#include "findings/histories.h"
+#include "model/record.h"
+#include "output/section_outputs.h"
+
+namespace upbead {
+
+namespace {
+
+/// How the files of loads and uplift were read.
+RecordNotes record_notes(const Case& input) {
+  RecordNotes all;
+  for (const auto& [path, notes] : input.records) {
+    append(all, *notes);
+    for (std::size_t i = all.read.size() - notes->read.size(); i < all.read.size(); ++i) all.read[i].of = path;
+  }
+  return all;
+}
+
+Record record_of(const std::string& name, const TimeFunction& f) {
+  Record record{name, f.samples(), {}};
+  for (const double t : record.time) record.value.push_back(f(t, t == record.time.back() ? t - 1e-12 * t : t));
+  return record;
+}
+
+/// Warnings of all histories that come from files (model/record.h).
+NumberedWarnings history_warnings(const Case& input) {
+  NumberedWarnings all;
+  const auto add = [&all](const std::string& name, const TimeFunction& f) {
+    if (f.samples().size() < 2) return;
+    append(all, record_warnings(record_of(name, f)));
+  };
+  for (const auto& [name, source] : input.sources) {
+    const Load& load = input.scene.loads.at(name);
+    if (source.history.empty() || load.factor == 0.) continue;
+    const std::string path = "loads." + name;
+    if (is_motion(load.kind))  // the scene has its velocity
+      append(all, record_warnings(written_history(path, input.resolve(source.history), input.place(path + ".history"),
+                                                  load.kind, source.record_start)));
+    else
+      add(path, load.history);
+  }
+  if (!input.uplift_history.empty()) add("sliding.uplift", input.scene.sliding->uplift->history);
+  return all;
+}
+
+/// Numbers whose unit was mistaken, as far as their key tells.
+NumberedWarnings unit_warnings(const Case& input) {
+  CaseTables tables;
+  Diagnostics none;
+  const TableSchema<CaseTables> schema = case_schema();
+  schema.read(input.document.root(), "", tables, none);
+  NumberedWarnings list = implausible_keys(
+      input.document, [&](const NumberVisitor& visitor) { schema.visit_numbers(tables, "", visitor); });
+  if (input.section)
+    append(list, implausible_section(*input.section, {input.scene.fluid.density, input.scene.gravity}));
+  return list;
+}
+
+NumberedWarnings warnings_of_files(const Case& input, const Simulation& simulation, const RecordNotes& notes) {
+  NumberedWarnings list = history_warnings(input);
+  append(list, transducer_warnings(input, simulation));
+  append(list, end_warnings(input, simulation.given.time.end));
+  append(list, unit_warnings(input));
+  append(list, wave_warnings(input));
+  append(list, flow_warnings(input));
+  append(list, flow_arm_warnings(input, *simulation.mesh));
+  append(list, notes.warnings);
+  return list;
+}
+
+std::vector<Skipped> left_out_of(const RecordNotes& notes) {
+  std::vector<Skipped> list;
+  for (const LeftOut& part : notes.left_out) list.push_back({part.what, part.why});
+  return list;
+}
+
+OutputSchema<MeasuredSummary> measured_outputs() {
+  using M = MeasuredSummary;
+  using C = Comparison;
+  return OutputSchema<M>()
+      .key("reading", &M::reading, "", "the history that it is compared with")
+      .keys_of(&M::comparison,
+               OutputSchema<C>()
+                   .key("peak_measured", &C::peak_measured, "", "of largest magnitude, in the unit of the record")
+                   .key("peak_computed", &C::peak_computed, "", "in the direction of the measured one, in that unit")
+                   .key("peak_ratio", &C::peak_ratio, "", "computed over measured")
+                   .key("rms", &C::rms, "", "root of the mean square of the difference, in that unit")
+                   .key("rms_relative", &C::rms_relative, "", "that over the root of the mean square of the record")
+                   .key("phase", &C::phase, "s", "time by which the computed history lags the record"));
+}
+
+Finding flows_finding(const Case* input) {
+  Finding f;
+  f.keys = [](OutputSchema<Summary>& s) {
+    s.named("flows.NAME", &Summary::flows, &FlowSummary::name, flow_outputs(),
+            "of a load [from a CFD program](cfd.md)");
+  };
+  f.parts.emplace_back([input](const Evidence&, Summary& s) { s.flows = flow_summaries(*input); });
+  return f;
+}
+
+Finding gauges_finding(const Case* input) {
+  Finding f;
+  f.keys = [](OutputSchema<Summary>& s) {
+    s.named("gauges.NAME", &Summary::gauges, &GaugeSummary::name, gauge_outputs(),
+            "of a load by [transducers](records.md), or `sliding.uplift`");
+  };
+  f.parts.emplace_back([input](const Evidence& e, Summary& s) { s.gauges = gauge_summaries(*input, e.simulation); });
+  return f;
+}
+
+/// The loads by waves, and their checks by formulas.
+Finding waves_finding(const Case* input) {
+  Finding f;
+  f.keys = [](OutputSchema<Summary>& s) {
+    s.named("wave_loads.NAME", &Summary::waves, &WaveLoadSummary::name, wave_load_outputs(),
+            "of a load by a [wave](waves.md#a-wave-as-a-load-of-a-run)");
+  };
+  f.parts.emplace_back([input](const Evidence& e, Summary& s) {
+    s.waves = wave_summaries(*input);
+    s.formula_checks = formula_checks(s.waves, e.given.limits);
+  });
+  f.checks = [](const Scene&, const Summary& s) { return s.formula_checks; };
+  f.needs_no_march = true;
+  return f;
+}
+
+Finding files_finding(const Case* input) {
+  Finding f;
+  f.of_scene = [input](const Simulation& simulation, const std::optional<double>&) {
+    return warnings_of_files(*input, simulation, record_notes(*input));
+  };
+  f.skipped_of_scene = [input](const Simulation&, bool) { return left_out_of(record_notes(*input)); };
+  return f;
+}
+
+Finding measured_finding(const Case* input, const std::vector<MeasuredRecord>* records) {
+  Finding f;
+  f.keys = [](OutputSchema<Summary>& s) {
+    s.named("measured.NAME", &Summary::measured, &MeasuredSummary::name, measured_outputs(),
+            "of a [record](records.md#the-response) of `[measured]`");
+  };
+  f.parts.emplace_back([input, records](const Evidence& e, Summary& s) {
+    if (!records->empty())
+      s.measured = compare_measured(*input, *records, histories(e.simulation, e.solution.response.ends));
+  });
+  f.warnings = [records](const Evidence&, const Summary&) {
+    NumberedWarnings list;
+    for (const MeasuredRecord& record : *records) append(list, record.notes.warnings);
+    return list;
+  };
+  f.skipped = [records](const Evidence&, const Summary&) {
+    SkippedList list;
+    for (const MeasuredRecord& record : *records) append(list, left_out_of(record.notes));
+    return list;
+  };
+  return f;
+}
+
+}  // namespace
+
+std::vector<Finding> case_findings(const Case* input, const std::vector<MeasuredRecord>* records) {
+  return {flows_finding(input), gauges_finding(input), waves_finding(input), files_finding(input),
+          measured_finding(input, records)};
+}
+
+OutputSchema<GaugeSummary> gauge_outputs() {
+  using G = GaugeSummary;
+  return OutputSchema<G>()
+      .key("gauges", &G::gauges, "", "how many")
+      .key("samples", &G::samples, "", "how many")
+      .key("interval", &G::interval, "s", "between samples, mean")
+      .key("peak_gauge", &G::peak_gauge, "", "transducer with the largest pressure")
+      .key("peak_pressure", &G::peak_pressure, "Pa", "largest pressure")
+      .key("peak_pressure_time", &G::peak_pressure_time, "s", "when")
+      .key("peak_pressure_at", &G::peak_at, "m", "where")
+      .key("peak_force", &G::peak_force, "N/m", "largest force")
+      .key("peak_force_time", &G::peak_force_time, "s", "when")
+      .key("arm", &G::arm, "m",
+           "height of the largest force above the bottom; for an uplift its distance landward of the bottom's middle")
+      .key("force_error", &G::force_error, "", "relative error of the force by interpolation")
+      .key("arm_error", &G::arm_error, "", "error of the arm by interpolation, over the row's length")
+      .key("load_cell", &G::load_cell, "N/m", "largest force by the load cell; null without");
+}
+
+OutputSchema<FlowSummary> flow_outputs() {
+  using F = FlowSummary;
+  return OutputSchema<F>()
+      .key("layout", &F::layout, "", "what was read")
+      .key("files", &F::files, "", "how many")
+      .key("samples", &F::samples, "", "how many")
+      .key("begin", &F::begin, "s", "of the record, in the run's time")
+      .key("end", &F::end, "s", "of the record, in the run's time")
+      .key("thickness", &F::thickness, "m",
+           "length of breakwater that its forces belong to; null where it holds pressures")
+      .key("peak_force", &F::peak_force, "N/m",
+           "largest force over still water, landward; of pressures their sum along the line of points")
+      .key("peak_force_time", &F::peak_force_time, "s", "when")
+      .key("arm", &F::arm, "m",
+           "height of the largest force above the centre of moments, or above the lowest end of the points; null "
+           "without either")
+      .key("still_force", &F::still_force, "N/m", "force of still water, which was subtracted")
+      .key("difference", &F::difference, "",
+           "largest difference of the sum of the pressures and the forces of `against`, over the largest force; null "
+           "without `against`")
+      .key("told", &F::told, "", "how the files were understood, in sentences");
+}
+
+OutputSchema<WaveLoadSummary> wave_load_outputs() {
+  using W = WaveLoadSummary;
+  return OutputSchema<W>()
+      .key("course", &W::course, "", "`church_roof`, `triangle`, `sine`, `combined` or `standing`")
+      .key("height", &W::height, "m", "H")
+      .key("significant_height", &W::significant_height, "m", "H_1/3")
+      .key("period", &W::period, "s", "T")
+      .key("angle", &W::angle, "degrees", "beta")
+      .key("wavelength", &W::wavelength, "m", "L")
+      .key("alpha_1", &W::alpha_1, "", "of Goda's formula")
+      .key("alpha_2", &W::alpha_2, "", "of Goda's formula")
+      .key("alpha_I", &W::alpha_I, "", "as its formula says, negative or not")
+      .key("alpha_star", &W::alpha_star, "", "alpha*")
+      .key("eta_star", &W::eta_star, "m", "eta*")
+      .key("p1", &W::p1, "Pa", "p_1, with alpha*")
+      .key("p3", &W::p3, "Pa", "p_3, with alpha*")
+      .key("p4", &W::p4, "Pa", "p_4, with alpha*")
+      .key("pu", &W::pu, "Pa", "p_u")
+      .key("force", &W::force, "N/m", "P, with alpha*, as `waves` gives it")
+      .key("force_moment", &W::force_moment, "N m/m", "of P about the bottom's level")
+      .key("uplift", &W::uplift, "N/m", "U, as `waves` gives it")
+      .key("peak", &W::peak, "N/m", "largest P of the load, with its factor")
+      .key("trough_force", &W::trough_force, "N/m", "least P of a standing wave, seaward; null of other courses")
+      .key("peak_uplift", &W::peak_uplift, "N/m",
+           "largest U of `[sliding.uplift]` of kind wave, with the load's factor")
+      .key("rise", &W::rise, "s", "of the impulsive part; of a sine that of the whole")
+      .key("duration", &W::duration, "s", "of the impulsive part; of a sine that of the whole")
+      .key("standing_force", &W::standing_force, "N/m", "peak of the slow part, gamma P_1; 0 where there is none")
+      .key("impulse", &W::impulse, "N s/m", "integral of P over the course")
+      .key("end", &W::end, "s", "when the course is over")
+      .key("peak_over_goda", &W::peak_over_goda, "",
+           "`peak` over P by Goda's formulas with alpha*; a load below 1 is milder than what `waves` has; null where "
+           "that "
+           "P is 0")
+      .keys_of(&W::stability, stability_outputs())
+      .key("sliding_exact", &W::sliding, "m",
+           "S of Goda's P with alpha* by eqs. (4), (6), tau_0 = k(alpha*) tau_0F: by formulas, without the ground")
+      .object("standing", inner(&W::standing, &StandingResult::answer), standing_outputs(),
+              "the standing wave of finite height before the wall; null where there is none")
+      .key("why_no_standing", inner(&W::standing, &StandingResult::why_not), "", "why; empty where there is one")
+      .key("assumptions[]", &W::assumptions, "", "what the load rests on, in words");
+}
+
+const OutputSchema<Summary>& summary_outputs() {
+  static const OutputSchema<Summary> schema = keys_of(case_findings(nullptr, nullptr));
+  return schema;
+}
+
+std::string to_json(const Summary& summary) {
+  return summary_outputs().text(summary);
+}
+
+std::vector<RecordSummary> record_summaries(const Case& input, const std::vector<MeasuredRecord>& records) {
+  std::vector<RecordSummary> list = record_notes(input).read;
+  for (const MeasuredRecord& record : records) append(list, record.notes.read);
+  return list;
+}
+
+}  // namespace upbead

@@ -1,0 +1,262 @@
+// What presses on the base: edges, eccentricity, overturning, lift.
+#include <algorithm>
+#include <cmath>
+
+#include "base/numbers.h"
+#include "base/text.h"
+#include "fem/caisson/bottom.h"
+#include "fem/caisson/readings.h"
+#include "fem/compile.h"
+#include "findings/effective_base.h"
+#include "findings/topics.h"
+
+namespace upbead {
+
+namespace {
+
+/// Finds the largest effective stress of a node of the base: its change, added to linear stresses at rest.
+void look_at_nodes(const Simulation& simulation, const EffectiveBase& base, const Series& series,
+                   BaseSummary& summary) {
+  const System& system = simulation.compiled->system;
+  if (!simulation.scene.base_stress) return;
+  const std::vector<InterfaceNode> nodes = interface_nodes(*simulation.space);
+  for (std::size_t r = 0; r < system.readings.size(); ++r) {
+    const ReadingName& name = system.readings[r].name;
+    if (name.group != base_group || name.quantity != "normal_stress") continue;
+    Eigen::Index t = 0;
+    const double x = nodes[static_cast<std::size_t>(name.node)].position, B = base.width;
+    const double rest =
+        base.weight / B + 12. * base.weight_moment * (x - simulation.compiled->caisson->bottom_centre[0]) / (B * B * B);
+    const double stress = rest + series.reading.row(static_cast<Eigen::Index>(r)).maxCoeff(&t);
+    if (summary.peak_computed_pressure && stress <= *summary.peak_computed_pressure) continue;
+    summary.peak_computed_pressure = stress;
+    summary.peak_computed_pressure_at = x;
+    summary.peak_computed_pressure_time = series.time[static_cast<std::size_t>(t)];
+  }
+}
+
+void look_at_nodes(const ContactHistory& contact, BaseSummary& summary) {
+  const std::size_t n = contact.position.size();
+  for (std::size_t i = 0; i < contact.normal_force.size(); ++i) {
+    const double stress = contact.normal_force[i] / contact.length[i % n];
+    if (summary.peak_computed_pressure && stress <= *summary.peak_computed_pressure) continue;
+    summary.peak_computed_pressure = stress;
+    summary.peak_computed_pressure_at = contact.position[i % n];
+    summary.peak_computed_pressure_time = contact.time[i / n];
+  }
+}
+
+/// Where friction was followed, an edge parts from the mound where its node opens, not where a straight line of stress
+/// ends.
+void set_lifting(const NodeContact& contact, BaseSummary& base) {
+  base.lifts_time = contact.first_open;
+  base.lifts = !contact.first_open                                   ? ""
+               : contact.least_contact <= 0.                         ? "all"
+               : contact.opening_seaward >= contact.opening_landward ? "seaward"
+                                                                     : "landward";
+}
+
+std::optional<BaseSummary> find_base(const Evidence& e) {
+  const std::optional<EffectiveBase>& base = e.of(find_effective_base);
+  if (!base) return std::nullopt;
+  const Series& series = e.solution.response.ends;
+  BaseSummary s{base_extremes(*base, series.time), {}, {}, {}, 0., 0., e.given.limits.dynamic_base_pressure};
+  const BaseExtremes at_rest = base_extremes(without_motion(e.simulation, *base, series.time), series.time);
+  s.static_heel_pressure = at_rest.peak_heel_pressure;
+  s.static_toe_pressure = at_rest.peak_toe_pressure;
+  const auto& contact = e.solution.contact;
+  if (contact && contact->history)
+    look_at_nodes(*contact->history, s);
+  else
+    look_at_nodes(e.simulation, *base, series, s);
+  if (contact && contact->found.solved) set_lifting(*contact->found.solved, s);
+  return s;
+}
+
+/// A rigid bottom on elastic ground has more stress at its edges than a linear distribution: it opens at 1.26 times
+/// the moment at which the linear stress of an edge becomes tension, docs/slip.md.
+constexpr double edge_factor = 1.26;
+
+/// The least stress of an edge.
+struct EdgeStress {
+  double stress = 0.;  ///< Pa, compression positive
+  double force = 0., moment = 0., time = 0.;
+};
+
+EdgeStress least_edge_stress(const EffectiveBase& base, const std::vector<double>& time) {
+  EdgeStress least{1e300};
+  for (std::size_t i = 0; i < time.size(); ++i) {
+    const double B = base.width, force = base.force[i], moment = base.moment[i];
+    const double stress = force / B - 6. * std::abs(moment) / (edge_factor * B * B);
+    if (stress < least.stress) least = {stress, force, moment, time[i]};
+  }
+  return least;
+}
+
+/// Warning would_lift: an edge of a bonded caisson is in tension, by its effective stress N'/B - 6 |M'|/(1.26 B^2).
+/// N' = W' + change of the normal force - U, M' = W' e + base moment + moment of U, where U is that of the modelled
+/// pore pressure and e is how far W' acts landward of the bottom's middle. W' is that of [sliding] minus a prescribed
+/// uplift, or the mass minus the water that the caisson displaces below still water; without either there is no
+/// warning.
+NumberedWarnings lift_warnings(const Evidence& e) {
+  const std::optional<EffectiveBase>& base = e.of(find_effective_base);
+  if (e.solution.contact || !base) return {};
+  const EdgeStress least = least_edge_stress(*base, e.solution.response.ends.time);
+  if (least.stress >= 0.) return {};
+  const std::string which = least.force < 0.    ? "the whole caisson"
+                            : least.moment > 0. ? "its seaward edge"
+                                                : "its landward edge";
+  return {
+      {"would_lift", least.stress, 0., "Pa",
+       which + " would pull at the ground with " + with_unit(-least.stress, "Pa") + " at " + significant(least.time) +
+           " s (N' = " + with_unit(least.force, "N/m") + ", moment " + with_unit(least.moment, "N m/m") +
+           "), a tension that a bonded base bears and a real one does not: write [regions.caisson.interface] kind = "
+           "\"friction\""}};
+}
+
+/// Warning base_pressure: an edge has a larger pressure in motion than the case allows.
+NumberedWarnings pressure_warnings(const std::optional<BaseSummary>& base) {
+  if (!base || !base->limit) return {};
+  const bool heel = above_all(base->peak_heel_pressure) >= above_all(base->peak_toe_pressure);
+  const std::optional<double>& largest = heel ? base->peak_heel_pressure : base->peak_toe_pressure;
+  if (largest && *largest <= *base->limit) return {};
+  return {{"base_pressure", largest.value_or(0.), *base->limit, largest ? "Pa" : "",
+           std::string("the ") + (heel ? "heel" : "toe") + " presses with " +
+               (largest ? with_unit(*largest, "Pa") : "more than can be computed, as the resultant leaves the base,") +
+               " at " + significant(heel ? base->peak_heel_pressure_time : base->peak_toe_pressure_time) +
+               " s, more than limits.dynamic_base_pressure: widen the caisson, or spread its weight seaward"}};
+}
+
+NumberedWarnings base_warnings(const Evidence& e, const Summary& summary) {
+  NumberedWarnings list = lift_warnings(e);
+  append(list, pressure_warnings(summary.base));
+  return list;
+}
+
+/// p_e without motion, for which the limit of practice was made: by Goda's formulas of loads by waves, else of the
+/// loads as they act on the caisson.
+Checks bearing_checks(const Scene& scene, const BaseSummary& base) {
+  Checks list;
+  const auto add = [&](const std::string& edge, const std::optional<double>& pressure) {
+    Check check = check_of(edge + " pressure p_e of the loads", "Pa", pressure, "base.static_" + edge + "_pressure",
+                           about_uplift(scene) +
+                               "; the loads without motion: Goda's p_e where the load is Goda's, more "
+                               "than that where it is the peak of an impact");
+    check.by = "statics";
+    check = at_most(check, scene.limits.base_pressure);
+    if (is_shaken(scene)) check = not_checked(check, "a motion shakes the ground, and nothing of it acts at rest");
+    list.push_back(check);
+  };
+  add("heel", base.static_heel_pressure);
+  add("toe", base.static_toe_pressure);
+  return list;
+}
+
+Checks base_checks(const Scene& scene, const Summary& summary) {
+  if (!summary.base) return {};
+  Checks list;
+  const BaseSummary& base = *summary.base;
+  const std::string linear = about_uplift(scene) +
+                             "; of a moment in motion, effective stress linear over the width in contact: not the p_e "
+                             "for which limits of bearing pressure are made";
+  const auto& limit = scene.limits.dynamic_base_pressure;
+  list.push_back(at_most(
+      check_of("heel pressure in motion", "Pa", base.peak_heel_pressure, "base.peak_heel_pressure", linear), limit));
+  list.push_back(at_most(
+      check_of("toe pressure in motion", "Pa", base.peak_toe_pressure, "base.peak_toe_pressure", linear), limit));
+  if (base.least_overturning_margin)
+    list.push_back(at_least_as(check_of("margin against overturning", "", base.least_overturning_margin,
+                                        "base.least_overturning_margin", about_uplift(scene) + "; a rigid base"),
+                               scene.limits.overturning));
+  if (summary.formula_checks.empty()) append(list, bearing_checks(scene, base));
+  return list;
+}
+
+OutputSchema<BaseSummary> base_outputs() {
+  using B = BaseSummary;
+  return OutputSchema<B>()
+      .key("heel_pressure_at_rest", &B::heel_pressure_at_rest, "Pa", "of the landward edge, before the wave")
+      .key("toe_pressure_at_rest", &B::toe_pressure_at_rest, "Pa", "of the seaward edge, before the wave")
+      .key("eccentricity_at_rest", &B::eccentricity_at_rest, "m", "of W', landward of the middle")
+      .key(
+          "peak_heel_pressure", &B::peak_heel_pressure, "Pa",
+          "largest pressure of the landward edge in motion; null where the resultant leaves the base there: a bonded "
+          "base pulls, a real one overturns or rocks. It is not the p_e for which limits of bearing pressure are made: "
+          "that is in `checks`, by formulas")
+      .key("peak_heel_pressure_time", &B::peak_heel_pressure_time, "s", "when, or when the resultant first leaves")
+      .key("peak_toe_pressure", &B::peak_toe_pressure, "Pa", "the same of the seaward edge")
+      .key("static_heel_pressure", &B::static_heel_pressure, "Pa",
+           "largest pressure of the landward edge under the loads without motion: Goda's p_e where the load is Goda's; "
+           "null where their resultant leaves the base")
+      .key("static_toe_pressure", &B::static_toe_pressure, "Pa", "the same of the seaward edge")
+      .key("peak_toe_pressure_time", &B::peak_toe_pressure_time, "s", "when")
+      .key("largest_eccentricity", &B::largest_eccentricity, "m", "e = M'/N' of largest magnitude, landward positive")
+      .key("largest_eccentricity_time", &B::largest_eccentricity_time, "s", "when")
+      .key("least_normal_force", &B::least_normal_force, "N/m", "least N'")
+      .key("least_normal_force_time", &B::least_normal_force_time, "s", "when")
+      .key("least_overturning_margin", &B::least_overturning_margin, "",
+           "least of (moment of W' - U)/(moment of all that the wave does), about the heel or the toe: Goda's safety "
+           "factor against overturning where nothing moves; null where nothing overturns")
+      .key("least_overturning_margin_time", &B::least_overturning_margin_time, "s", "when")
+      .key("lifts_time", &B::lifts_time, "s",
+           "when an edge first has no pressure: from then on a base that cannot pull parts from its mound there, and "
+           "one that is bonded pulls; with friction node by node when a node opens; null where both edges always press")
+      .reason("lifts", &B::lifts, "which edge that is: `seaward`, `landward`, or `all`; null with it")
+      .key("peak_computed_pressure", &B::peak_computed_pressure, "Pa",
+           "largest effective stress under a node of the base, as solved; **no pressure to judge by**: at the edges of "
+           "a "
+           "rigid base it is singular and grows with finer cells; without friction node by node on stresses at "
+           "rest that are linear, and without a prescribed uplift; null unless `output.base = true` or contact was "
+           "solved")
+      .key("peak_computed_pressure_at", &B::peak_computed_pressure_at, "m", "x of that node")
+      .key("peak_computed_pressure_time", &B::peak_computed_pressure_time, "s", "when")
+      .key("limit", &B::limit, "Pa",
+           "of heel and toe pressure in motion, `limits.dynamic_base_pressure`; null where none is given");
+}
+
+/// The pressure under one edge: at rest, and at its largest.
+std::string edge(double at_rest, const std::optional<double>& worst, double time) {
+  return with_unit(at_rest, "Pa") + " at rest, " +
+         (worst ? "up to " + with_unit(*worst, "Pa") + " at "
+                : std::string("no value: the resultant leaves the base here from ")) +
+         significant(time, 4) + " s";
+}
+
+std::string text_of_base(const Summary& summary) {
+  if (!summary.base) return "";
+  const BaseSummary& b = *summary.base;
+  std::string text = "base        effective pressure in motion, varying linearly over the width in contact\n";
+  text += "  heel        " + edge(b.heel_pressure_at_rest, b.peak_heel_pressure, b.peak_heel_pressure_time) + "\n";
+  text += "  toe         " + edge(b.toe_pressure_at_rest, b.peak_toe_pressure, b.peak_toe_pressure_time) + "\n";
+  text += "  resultant   up to " + with_unit(b.largest_eccentricity, "m") + " beside the middle at " +
+          significant(b.largest_eccentricity_time, 4) + " s; N' down to " + with_unit(b.least_normal_force, "N/m") +
+          "\n";
+  if (b.least_overturning_margin)
+    text += "  overturning margin " + significant(*b.least_overturning_margin) + " at " +
+            significant(b.least_overturning_margin_time, 4) + " s\n";
+  if (b.lifts_time)
+    text += "  lifts       " + (b.lifts == "all" ? "the whole base" : "the " + b.lifts + " edge") + " from " +
+            significant(*b.lifts_time, 4) + " s\n";
+  return text;
+}
+
+}  // namespace
+
+std::optional<EffectiveBase> find_effective_base(const Evidence& e) {
+  return effective_base(e.simulation, e.solution.response.ends);
+}
+
+Finding base_finding() {
+  Finding f;
+  f.keys = [](OutputSchema<Summary>& s) {
+    s.object("base", &Summary::base, base_outputs(),
+             "[what presses on the base](contact.md#base-pressure): effective, stress varying linearly over the width "
+             "in contact, at the ends of the steps; null where neither `[sliding]` nor the water level gives W'");
+  };
+  f.warnings = base_warnings;
+  f.checks = base_checks;
+  f.text = text_of_base;
+  return f.part(&Summary::base, find_base);
+}
+
+}  // namespace upbead

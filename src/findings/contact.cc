@@ -1,0 +1,125 @@
+// What the bottom does node by node, where the caisson may slip and lift.
+#include <cmath>
+
+#include "base/text.h"
+#include "findings/errors.h"
+#include "findings/support_warnings.h"
+#include "findings/topics.h"
+#include "run/contact/contact_run.h"
+
+namespace upbead {
+
+namespace {
+
+OutputSchema<GluedDemand> demand_outputs() {
+  using D = GluedDemand;
+  const auto slip = [](const D& d) { return std::isfinite(d.slip) ? std::optional(d.slip) : std::nullopt; };
+  return OutputSchema<D>()
+      .key("slip", slip, "", "largest abs(T) / (mu N); null where a node pulls")
+      .key("least_normal", &D::least_normal, "", "least N over that at rest")
+      .key("margin", &D::margin, "", "margin of both, for errors of a reduced model")
+      .key("reached", &D::reached, "", "whether one of them comes to its limit within the margin");
+}
+
+OutputSchema<NodeContact> solved_outputs() {
+  using C = NodeContact;
+  return OutputSchema<C>()
+      .key("slip", &C::slip, "m", "mean over the bottom in the end, landward: S")
+      .key("error_estimate", &C::error_estimate, "m",
+           "upper bound of the error of `slip` by cells and steps; null where `response.error_estimate` is")
+      .key("largest_slip", &C::largest_slip, "m", "largest slip on the way: mean over the bottom")
+      .key(
+          "least_slip", &C::least_slip, "m",
+          "final slip of the node that slipped least: the bottom as a whole slid this far; slip beyond it is local, at "
+          "edges that lift")
+      .key("opening_seaward", &C::opening_seaward, "m", "largest opening of the seaward end")
+      .key("opening_landward", &C::opening_landward, "m", "largest opening of the landward end")
+      .key("least_contact", &C::least_contact, "", "least share of the bottom that touches: of its width")
+      .key("least_normal_force", &C::least_normal_force, "N/m", "least normal force: sum of N")
+      .key("first_slip", &C::first_slip, "s", "when a node first slips; null: never")
+      .key("first_open", &C::first_open, "s", "when a node first opens; null: never")
+      .key("dissipated", &C::dissipated, "J/m", "energy taken by friction")
+      .key("slip_steps", &C::slip_steps, "", "steps in which a node slipped")
+      .key("open_steps", &C::open_steps, "", "steps in which a node was open")
+      .key("impacts", &C::impacts, "", "how often a node closed")
+      .key("fallbacks", &C::fallbacks, "", "contact problems that were solved by the slower method");
+}
+
+OutputSchema<ContactSummary> contact_outputs() {
+  using C = ContactSummary;
+  return OutputSchema<C>()
+      .key("friction", &C::friction, "", "mu")
+      .key("weight", &C::weight, "N/m", "sum of N at rest")
+      .key("nodes", &C::nodes, "", "nodes of the bottom")
+      .object("glued", &C::demand, demand_outputs(), "how near the bonded caisson comes to slip or opening at any node")
+      .object("solved", &C::solved, solved_outputs(),
+              "slip and opening of the bottom; null where the bonded caisson slips and opens at no node");
+}
+
+/// Why the bonded solution obeys the law of contact, with the numbers.
+std::string why_glued(const ContactSummary& contact) {
+  const std::string margin =
+      contact.demand.margin > 0. ? ", which may err by " + percent(contact.demand.margin) : std::string();
+  return "no node pulls or slips: |T| reaches " + percent(contact.demand.slip) + " of mu N, and N falls to " +
+         percent(contact.demand.least_normal) + " of that at rest" + margin;
+}
+
+SkippedList skipped_nodes(const Evidence&, const Summary& summary) {
+  if (!summary.contact || summary.contact->solved) return {};
+  return {{"contact node by node", why_glued(*summary.contact)}};
+}
+
+NumberedWarnings warnings_of_impacts(const Evidence& e, const Summary&) {
+  return impact_warnings(e.solution);
+}
+
+std::string since(const std::optional<double>& time) {
+  return time ? "from " + significant(*time, 4) + " s" : "never";
+}
+
+/// What contact did; nothing where the caisson was bonded.
+std::string text_of_contact(const Summary& summary) {
+  if (!is_solved_with_friction(summary)) return "";
+  const ContactSummary& contact = *summary.contact;
+  const NodeContact& c = *contact.solved;
+  std::string text = "contact     friction " + significant(contact.friction) + " at " + std::to_string(contact.nodes) +
+                     " nodes, N at rest " + with_unit(contact.weight, "N/m") + "\n";
+  text += "  slip        " + with_unit(c.slip, "m", c.largest_slip) +
+          (c.error_estimate ? " (wrong by up to " + with_unit(*c.error_estimate, "m") + ")" : "") +
+          " in the end, at most " + with_unit(c.largest_slip, "m") +
+          " on the way, mean over the bottom; the bottom as a whole " + with_unit(c.least_slip, "m", c.largest_slip) +
+          "; nodes slip " + since(c.first_slip) + "\n";
+  text += "  opening     seaward end " + with_unit(c.opening_seaward, "m") + ", landward end " +
+          with_unit(c.opening_landward, "m") + "; nodes open " + since(c.first_open) + "; at least " +
+          percent(c.least_contact) + " of the bottom touch\n";
+  text += "  friction    took " + with_unit(c.dissipated, "J/m") + "; N falls to " +
+          with_unit(c.least_normal_force, "N/m") + "\n";
+  return text;
+}
+
+}  // namespace
+
+std::optional<ContactSummary> find_contact(const Evidence& e) {
+  if (!e.solution.contact) return std::nullopt;
+  ContactSummary contact = e.solution.contact->found;
+  if (contact.solved) contact.solved->error_estimate = e.of(find_errors).slip_of_nodes;
+  return contact;
+}
+
+bool is_solved_with_friction(const Summary& summary) {
+  return summary.contact && summary.contact->solved;
+}
+
+Finding contact_finding() {
+  Finding f;
+  f.keys = [](OutputSchema<Summary>& s) {
+    s.object("contact", &Summary::contact, contact_outputs(),
+             "[slip and uplift node by node](contact.md); null where the bottom is bonded");
+  };
+  f.warnings = warnings_of_impacts;
+  f.skipped = skipped_nodes;
+  f.text = text_of_contact;
+  return f.part(&Summary::contact, find_contact);
+}
+
+}  // namespace upbead

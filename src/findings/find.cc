@@ -1,0 +1,168 @@
+#include "findings/find.h"
+
+#include <algorithm>
+
+#include "base/text.h"
+#include "output/checks.h"
+
+namespace upbead {
+
+// A finding has a file of its own, and a row here.
+Finding discretisation_finding();
+Finding rest_finding();
+Finding shear_finding();
+Finding energy_finding();
+Finding reduction_finding();
+Finding strain_soil_finding();
+Finding yielding_finding();
+Finding densification_finding();
+Finding periods_finding();
+Finding contact_finding();
+Finding sliding_finding();
+Finding base_finding();
+Finding harbour_finding();
+Finding strength_finding();
+Finding cavitation_finding();
+Finding plausibility_finding();
+Finding scene_finding();
+Finding ways_finding();
+
+namespace {
+
+const std::vector<Finding>& findings() {
+  static const std::vector<Finding> rows{rest_finding(),          plausibility_finding(),   harbour_finding(),
+                                         scene_finding(),         discretisation_finding(), shear_finding(),
+                                         energy_finding(),        reduction_finding(),      strain_soil_finding(),
+                                         cavitation_finding(),    strength_finding(),       periods_finding(),
+                                         contact_finding(),       sliding_finding(),        yielding_finding(),
+                                         densification_finding(), base_finding(),           ways_finding()};
+  return rows;
+}
+
+std::vector<Finding> with(const std::vector<Finding>& also) {
+  std::vector<Finding> all = findings();
+  all.insert(all.end(), also.begin(), also.end());
+  return all;
+}
+
+/// A check by formulas, and that of the same question by dynamics.
+struct OneQuestion {
+  const char *formula, *dynamic;
+};
+
+constexpr OneQuestion same_questions[] = {{"sliding by formulas", "force against friction"},
+                                          {"sliding seaward by formulas", "force against friction, seaward"},
+                                          {"sliding distance by formulas", "sliding distance"},
+                                          {"overturning by formulas", "margin against overturning"}};
+
+const Check* answer_to(const std::string& name, const Checks& checks) {
+  const auto found = std::find_if(checks.begin(), checks.end(), [&](const Check& check) { return check.name == name; });
+  return found != checks.end() && found->holds ? &*found : nullptr;
+}
+
+/// The keys of the lists that all findings add to.
+void add_lists(OutputSchema<Summary>& keys) {
+  using S = Summary;
+  keys.list("checks[]", &S::checks, check_outputs(),
+            "of the section by all routes: strength at rest, sliding, friction, pressure of heel and toe, overturning; "
+            "but for the first empty without a "
+            "caisson")
+      .list("warnings[]", &S::warnings, warning_outputs(), "[what may be wrong](warnings.md) though nothing failed")
+      .list("skipped[]", &S::skipped, skipped_outputs(), "each thing that was left out")
+      .versions();
+}
+
+}  // namespace
+
+OutputSchema<Skipped> skipped_outputs() {
+  return OutputSchema<Skipped>()
+      .key("what", &Skipped::what, "", "its name")
+      .key("why", &Skipped::why, "", "why it was left out");
+}
+
+Checks checks_of(const Scene& scene, const Summary& summary, const std::vector<Finding>& also) {
+  Checks all;
+  for (const Finding& finding : with(also)) {
+    if (!finding.checks) continue;
+    Checks list = finding.checks(scene, summary);
+    if (!summary.why_void.empty() && !finding.needs_no_march)
+      for (Check& check : list) check = not_checked(check, "void: there is no state at rest, see no_rest");
+    append(all, list);
+  }
+  return all;
+}
+
+NumberedWarnings route_warnings(const Checks& checks) {
+  NumberedWarnings list;
+  for (const Check& formula : checks)
+    for (const auto& [by_formula, by_dynamics] : same_questions) {
+      const Check* dynamic = answer_to(by_dynamics, checks);
+      if (formula.name != by_formula || !formula.holds || !dynamic || *dynamic->holds == *formula.holds) continue;
+      list.push_back({"routes_differ", formula.margin.value_or(0.), dynamic->margin.value_or(0.), "1",
+                      "by formulas: " + text_of(formula) + "; by dynamics: " + text_of(*dynamic) +
+                          ". These are two routes to one answer, and neither makes the other void: the worse governs. "
+                          "Look at the peak of the load (peak_gain), its duration, the soils and mu before one of them "
+                          "is believed"});
+    }
+  return list;
+}
+
+Summary find(const Solution& solution, const std::function<void(double)>& progress, const std::vector<Finding>& also) {
+  const Evidence evidence(solution, progress);
+  const std::vector<Finding> all = with(also);
+  Summary summary;
+  for (const Finding& finding : all)
+    for (const auto& part : finding.parts) part(evidence, summary);
+  std::optional<double> peak_time;
+  if (summary.response) peak_time = summary.response->peak_shear_time;
+  for (const Finding& finding : all) {
+    if (finding.of_scene) append(summary.warnings, finding.of_scene(*solution.simulation, peak_time));
+    if (finding.skipped_of_scene)
+      append(summary.skipped, finding.skipped_of_scene(*solution.simulation, summary.reduction.has_value()));
+  }
+  for (const Finding& finding : all) {
+    if (finding.warnings) append(summary.warnings, finding.warnings(evidence, summary));
+    if (finding.skipped) append(summary.skipped, finding.skipped(evidence, summary));
+  }
+  summary.checks = checks_of(evidence.given, summary, also);
+  append(summary.warnings, route_warnings(summary.checks));
+  if (!summary.checks.empty()) summary.verdict = verdict_of(summary.checks, summary.warnings);
+  return summary;
+}
+
+Run Simulation::run(const RunOptions& options) const {
+  Run run{solve(*this, options), {}};
+  run.summary = find(run, options.progress);
+  return run;
+}
+
+NumberedWarnings warnings(const Simulation& simulation, const std::vector<Finding>& also) {
+  NumberedWarnings list;
+  for (const Finding& finding : with(also))
+    if (finding.of_scene) append(list, finding.of_scene(simulation, {}));
+  return list;
+}
+
+std::vector<Skipped> skipped(const Simulation& simulation, bool reduced, const std::vector<Finding>& also) {
+  SkippedList list;
+  for (const Finding& finding : with(also))
+    if (finding.skipped_of_scene) append(list, finding.skipped_of_scene(simulation, reduced));
+  return list;
+}
+
+OutputSchema<Summary> keys_of(const std::vector<Finding>& also) {
+  OutputSchema<Summary> keys;
+  for (const Finding& finding : with(also))
+    if (finding.keys) finding.keys(keys);
+  add_lists(keys);
+  return keys;
+}
+
+std::string details_of(const Summary& summary, const std::vector<Finding>& also) {
+  std::string text;
+  for (const Finding& finding : with(also))
+    if (finding.text) text += finding.text(summary);
+  return text;
+}
+
+}  // namespace upbead

@@ -1,0 +1,227 @@
+// How a scene was solved: mesh, scheme and the ways tried, what a reduced model knows of its error, times.
+#include "base/format.h"
+#include "base/text.h"
+#include "findings/topics.h"
+#include "run/solve.h"
+
+namespace upbead {
+
+namespace {
+
+OutputSchema<Discretisation> discretisation_outputs() {
+  using D = Discretisation;
+  return OutputSchema<D>()
+      .key("cells", &D::cells, "", "cells")
+      .key("unknowns", &D::unknowns, "", "unknowns")
+      .key("degree", &D::degree, "", "degree of the displacement")
+      .key("scheme", &D::scheme, "", "scheme in time: `reduced`, or what marched")
+      .key("time_step", &D::time_step, "s", "largest step")
+      .key("steps", &D::steps, "", "steps")
+      .key("solves", &D::solves, "", "solves")
+      .key("factorisations", &D::factorisations, "", "factorisations")
+      .key("processes", &D::processes, "", "processes: that shared the work");
+}
+
+OutputSchema<ReductionSummary> reduction_outputs() {
+  using R = ReductionSummary;
+  const auto loose = [](const R& r) {
+    Json object = Json::object();
+    for (const LooseReading& reading : r.loose) object[reading.name] = reading.error;
+    return object;
+  };
+  return OutputSchema<R>()
+      .key("vectors", &R::vectors, "", "of the Krylov space")
+      .key("modes", &R::modes, "", "modes")
+      .key("error", &R::error, "", "of the history of F_T, over its peak")
+      .key("error_peak", &R::error_peak, "", "of its peaks")
+      .key("error_of_others", &R::error_of_others, "",
+           "the largest of all other readings, each over its own largest value")
+      .key("error_of_states", &R::error_of_states, "",
+           "of the states that fields and strengths are made of: the root of the energy of the difference, over that "
+           "of the largest state; null where the case asks for neither")
+      .key("highest_frequency", &R::highest_frequency, "Hz", "highest frequency checked")
+      .key("loose.NAME", loose, "",
+           "the readings besides F_T that have not come close enough, with their error (only where the case asks for a "
+           "reduced model)");
+}
+
+OutputSchema<NaturalPeriod> period_outputs() {
+  using P = NaturalPeriod;
+  return OutputSchema<P>()
+      .key("period", &P::period, "s", "of the free swing")
+      .key("damping_ratio", &P::damping_ratio, "", "of critical")
+      .key("share", &P::share, "",
+           "of its largest contribution to F_T under these loads in the sum of those of all modes that swing");
+}
+
+OutputSchema<Timing> timing_outputs() {
+  using T = Timing;
+  return OutputSchema<T>()
+      .key("mesh", &T::mesh, "s", "meshing")
+      .key("compile", &T::compile, "s", "making M, C, K and loads")
+      .key("factorise", &T::factorise, "s", "factorising")
+      .key("march", &T::march, "s", "marching, or reducing and answering")
+      .key("output", &T::output, "s", "writing")
+      .key("total", &T::total, "s", "since the start of the program");
+}
+
+OutputSchema<LadderStep> ladder_outputs() {
+  return OutputSchema<LadderStep>()
+      .key("way", &LadderStep::way, "", "its name")
+      .reason("refused", &LadderStep::refused, "why it was refused; null of the last one, which was taken");
+}
+
+/// Why the list `periods` of a caisson is empty, with a cure; "" where it is not empty, or there is no caisson.
+std::string why_no_periods(const Summary& summary) {
+  if (!summary.periods.empty() || !summary.response) return "";
+  if (summary.reduction) return "no mode that swings has 1 % of F_T";
+  return "they are the poles of a reduced model, and this scene was marched; where one converges time.scheme = "
+         "\"reduced\" tells them";
+}
+
+Discretisation find_discretisation(const Evidence& e) {
+  return e.solution.discretisation;
+}
+
+std::string find_title(const Evidence& e) {
+  return e.given.title;
+}
+
+Ladder find_ladder(const Evidence& e) {
+  return e.solution.ladder;
+}
+
+Timing find_timing(const Evidence& e) {
+  Timing timing = e.solution.timing;
+  if (const auto& coupled = e.of(find_slip_as_whole).coupled) timing.march += coupled->seconds;
+  return timing;
+}
+
+std::optional<ReductionSummary> find_reduction(const Evidence& e) {
+  return e.solution.reduction;
+}
+
+std::vector<NaturalPeriod> find_periods(const Evidence& e) {
+  return e.solution.periods;
+}
+
+NumberedWarnings loose_warnings(const Evidence&, const Summary& summary) {
+  NumberedWarnings list;
+  if (!summary.reduction || summary.reduction->loose.empty()) return list;
+  std::string names;
+  for (const LooseReading& reading : summary.reduction->loose) names += (names.empty() ? "" : ", ") + reading.name;
+  list.push_back({"reading_not_converged", summary.reduction->error_of_others, summary.reduction->tolerance_of_others,
+                  "1",
+                  "the reduced model that was asked for has F_T within its tolerance, but " + names +
+                      " move by up to " + significant(summary.reduction->error_of_others) +
+                      " of their peaks between nested models; write time.scheme = \"sdirk4\" where they matter"});
+  return list;
+}
+
+NumberedWarnings balance_warnings(const Evidence& e, const Summary&) {
+  const std::optional<Mismatch> off = imbalance(e.simulation, e.solution);
+  if (!off) return {};
+  return {
+      {"balance_loose", off->value, off->tolerable, "1",
+       off->what + " by " + significant(off->value) + ", where " + significant(off->tolerable) +
+           " is usual: large forces cancel in this scene and leave their round-off; F_T may err by up to " +
+           significant(off->error, 2) + " of its largest value, motions by that part of what the loads would do " +
+           "alone; look for stiffnesses or permeabilities far from all others, or give the water its bulk modulus"}};
+}
+
+std::string describe_march(const Discretisation& d) {
+  return format("marched     %d steps of at most %.4g s by %s (%s); %d solves, %d factorisations\n", d.steps,
+                d.time_step, d.scheme.c_str(), d.why_step.c_str(), d.solves, d.factorisations) +
+         "            because " + d.why_scheme + "\n";
+}
+
+/// The way taken and the ways refused; nothing where the first way was taken.
+std::string describe(const Ladder& ladder) {
+  std::string text;
+  for (const LadderStep& step : ladder)
+    if (!step.refused.empty())
+      text += (text.empty() ? "ladder      " : "            ") + step.way + " refused: " + step.refused + "\n";
+  return text;
+}
+
+std::string describe(const ReductionSummary& r) {
+  std::string text = format(
+      "reduced     to %d modes from %d solves; between nested models the history of F_T differs by %.1e of its peak,\n"
+      "            its peak by %.1e, other readings by up to %.1e of their own largest value; checked up to %.3g Hz\n",
+      r.modes, r.vectors, r.error, r.error_peak, r.error_of_others, r.highest_frequency);
+  if (r.error_of_states)
+    text +=
+        format("            fields and strengths: states move by %.1e of the largest, in energy\n", *r.error_of_states);
+  return text;
+}
+
+/// The natural periods, or why there are none.
+std::string describe_periods(const Summary& summary) {
+  constexpr std::size_t most = 4;
+  const std::vector<NaturalPeriod>& periods = summary.periods;
+  const std::string none = why_no_periods(summary);
+  std::string text = none.empty() ? "" : "periods     none: " + none;
+  for (std::size_t i = 0; i < std::min(most, periods.size()); ++i)
+    text += (i == 0 ? "periods     " : ", ") + significant(periods[i].period) + " s (share in F_T " +
+            percent(periods[i].share) + ", damping " + percent(periods[i].damping_ratio) + ")";
+  return text.empty() ? "" : text + "\n";
+}
+
+std::string text_of_solving(const Summary& s) {
+  return describe(s.ladder) + (s.reduction ? describe(*s.reduction) : describe_march(s.discretisation)) +
+         (s.discretisation.stopped_early ? "            stopped early: little energy was left, as the case allows\n"
+                                         : "");
+}
+
+}  // namespace
+
+Finding discretisation_finding() {
+  Finding f;
+  f.keys = [](OutputSchema<Summary>& s) {
+    s.key("title", &Summary::title, "", "that of the case")
+        .program()
+        .object("verdict", &Summary::verdict, verdict_outputs(), "what all checks say together; null without any")
+        .object("discretisation", &Summary::discretisation, discretisation_outputs(), "how the scene was solved");
+  };
+  f.warnings = balance_warnings;
+  f.text = text_of_solving;
+  return f.part(&Summary::title, find_title).part(&Summary::discretisation, find_discretisation);
+}
+
+Finding reduction_finding() {
+  Finding f;
+  f.keys = [](OutputSchema<Summary>& s) {
+    s.object("reduction", &Summary::reduction, reduction_outputs(),
+             "[how far two nested models lie apart](reduced.md); null where the case was marched");
+  };
+  f.warnings = loose_warnings;
+  return f.part(&Summary::reduction, find_reduction);
+}
+
+Finding periods_finding() {
+  Finding f;
+  f.keys = [](OutputSchema<Summary>& s) {
+    const auto none = [](const Summary& summary) {
+      const std::string why = why_no_periods(summary);
+      return why.empty() ? std::nullopt : std::make_optional(why);
+    };
+    s.list("periods[]", &Summary::periods, period_outputs(),
+           "natural periods of ground and bonded caisson that F_T takes part in, largest share first, from 1 %; "
+           "modes damped by more than 0.7 of critical do not swing; empty where no reduced model was made")
+        .key("no_periods", none, "", "why `periods` is empty; null where it is not, and without a caisson");
+  };
+  f.text = describe_periods;
+  return f.part(&Summary::periods, find_periods);
+}
+
+Finding ways_finding() {
+  Finding f;
+  f.keys = [](OutputSchema<Summary>& s) {
+    s.list("ladder[]", &Summary::ladder, ladder_outputs(),
+           "the [ways](reduced.md#the-ladder) that were tried, in their order")
+        .object("timing", &Summary::timing, timing_outputs(), "wall times");
+  };
+  return f.part(&Summary::ladder, find_ladder).part(&Summary::timing, find_timing);
+}
+
+}  // namespace upbead

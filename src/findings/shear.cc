@@ -1,0 +1,208 @@
+// F_T, P and the motion of the caisson; energy; how both differ from what they should be.
+#include "base/format.h"
+#include "base/text.h"
+#include "fem/compile.h"
+#include "findings/errors.h"
+#include "findings/topics.h"
+
+namespace upbead {
+
+namespace {
+
+OutputSchema<ShearResponse> forces_on_caisson_outputs() {
+  using R = ShearResponse;
+  return OutputSchema<R>()
+      .key("peak_force", &R::peak_force, "N/m", "largest horizontal wave force on the caisson, landward: peak P")
+      .key("peak_force_time", &R::peak_force_time, "s", "when")
+      .key("peak_force_seaward", &R::peak_force_seaward, "N/m", "least P")
+      .key("peak_force_seaward_time", &R::peak_force_seaward_time, "s", "when")
+      .key("impulse", &R::impulse, "N s/m", "integral of P over the run")
+      .key("peak_shear", &R::peak_shear, "N/m",
+           "largest shear force at the bottom, landward, found inside the steps: peak F_T")
+      .key("peak_shear_time", &R::peak_shear_time, "s", "when")
+      .key("peak_shear_seaward", &R::peak_shear_seaward, "N/m",
+           "largest shear force seaward: least F_T; in an undamped scene it may be the larger swing")
+      .key("peak_shear_seaward_time", &R::peak_shear_seaward_time, "s", "when")
+      .key("shear_to_force_ratio", &R::shear_to_force_ratio, "",
+           "ratio of the peaks: peak F_T / peak P, landward, or seaward where the largest abs(P) is seaward; null "
+           "where there is no P")
+      .key("largest_displacement", &R::largest_displacement, "m",
+           "displacement x_G of largest magnitude, with its sign: landward positive, of the centre of gravity")
+      .key("largest_displacement_time", &R::largest_displacement_time, "s", "when")
+      .key("peak_displacement", &R::peak_displacement, "m",
+           "largest displacement x_G landward; `largest_displacement` may be a larger one seaward")
+      .key("peak_rotation", &R::peak_rotation, "rad",
+           "largest rotation landward; `largest_rotation` may be a larger one seaward")
+      .key("largest_rotation", &R::largest_rotation, "rad", "rotation of largest magnitude, with its sign")
+      .key("peak_shear_paper", &R::peak_shear_paper, "N/m",
+           "largest P - m x_G'' of the caisson, the paper's reading; differs from `peak_shear` only where water is "
+           "modelled")
+      .key("peak_shear_experiment", &R::peak_shear_experiment, "N/m",
+           "largest P + P_water,front - m x_G'', what the paper's experiment evaluates")
+      .key("shear_to_impulse", &R::shear_to_impulse, "1/s",
+           "the same peak F_T as in `shear_to_force_ratio` / impulse; null where there is none")
+      .key(
+          "arm", &R::arm, "m",
+          "height of the force above the bottom when P is largest: of its line of action; null without horizontal load")
+      .key("peak_base_moment", &R::peak_base_moment, "N m/m",
+           "largest moment at the bottom, about its middle, landward")
+      .key("largest_base_moment", &R::largest_base_moment, "N m/m", "the one of largest magnitude, with its sign")
+      .key("reaction_mismatch", &R::reaction_mismatch, "",
+           "largest difference of both routes to F_T over the largest abs(F_T), or, where that is less, over a "
+           "millionth of the largest of abs(P), change of the normal force, uplift, and base moment over the bottom's "
+           "width; round-off; above 1e-7 the next [way](reduced.md#the-ladder) is tried");
+}
+
+OutputSchema<ErrorEstimate> error_outputs() {
+  using E = ErrorEstimate;
+  return OutputSchema<E>()
+      .key("mesh", &E::mesh, "", "part from the size of the cells")
+      .key("time", &E::time, "", "part from the time steps of the march; 0 where a reduced model answers")
+      .key("reduced_model", &E::reduced_model, "",
+           "part from the limited number of vectors of the reduced model; 0 where it was marched")
+      .key("far_boundary", &E::far_boundary, "", "part from waves that the far sides reflect");
+}
+
+std::string word_of_base(const Summary& s) {
+  return s.contact && s.contact->solved ? "friction" : "bonded";
+}
+
+OutputSchema<Summary> response_outputs() {
+  using S = Summary;
+  const auto total = [](const std::optional<ErrorEstimate>& error) {
+    return error ? std::optional(error->total()) : std::nullopt;
+  };
+  const auto mismatch = [](const S& s) { return s.energy ? std::optional(s.energy->mismatch()) : std::nullopt; };
+  return OutputSchema<S>()
+      .key(
+          "caisson", [](const S& s) { return word_of_base(s); }, "",
+          "`bonded`, or `friction` where it was followed node by node: that of all numbers here, of `base` and of the "
+          "histories; those of `sliding` are of the bonded one")
+      .keys_of(&S::response, forces_on_caisson_outputs())
+      .key("energy_mismatch", mismatch, "",
+           "work of the loads minus the sum of all energies stored and taken (the entries of `energy`), over the "
+           "largest "
+           "work; round-off; above 1e-6 the next way is tried; null where a reduced model answered")
+      .key(
+          "error_estimate", [total](const S& s) { return total(s.error); }, "",
+          "relative error of `peak_shear`: the sum of `error_sources`, meant as an upper bound; null unless "
+          "`mesh.refine = \"auto\"` or `accuracy.estimate = true` ([how it is found, how good it is](accuracy.md))")
+      .object("error_sources", &S::error, error_outputs(), "where it comes from; null with it")
+      .key(
+          "history_error_estimate", [total](const S& s) { return total(s.history_error); }, "",
+          "the same of F_T at any time, over its largest magnitude; the far sides are taken as given (`far_boundary` "
+          "is 0; [`walls_too_near`](warnings.md#far-sides) warns of them); null with `error_estimate`")
+      .object("history_error_sources", &S::history_error, error_outputs(), "where it comes from; null with it");
+}
+
+OutputSchema<EnergyAccount> energy_outputs() {
+  using E = EnergyAccount;
+  return OutputSchema<E>()
+      .key("work", &E::work, "J/m",
+           "done by the loads, and by the reaction of a moving base on its velocity: the sum of the next ten")
+      .key("kinetic", &E::kinetic, "J/m", "stored")
+      .key("strain", &E::strain, "J/m", "stored")
+      .key("fluid", &E::fluid, "J/m", "stored in compressed fluid and raised surfaces")
+      .key("lifted", &E::lifted, "J/m",
+           "stored where the caisson has parted from its ground: forces at rest times openings")
+      .key("drag", &E::drag, "J/m", "taken by flow through the pores")
+      .key("damping", &E::damping, "J/m", "taken by material damping, of motion relative to a base that is shaken")
+      .key("radiated", &E::radiated, "J/m",
+           "gone through absorbing sides, by motion relative to an outcrop that is shaken")
+      .key("friction", &E::friction, "J/m", "taken at the bottom, by friction and where nodes close")
+      .key("plastic", &E::plastic, "J/m", "taken by soil that yields")
+      .key("scheme", &E::scheme, "J/m", "taken by the time scheme; may be negative")
+      .key("mismatch", &E::mismatch, "", "`response.energy_mismatch`");
+}
+
+std::optional<ShearResponse> find_shear(const Evidence& e) {
+  return e.solution.shear;
+}
+
+std::vector<LoadOnCaisson> find_loads(const Evidence& e) {
+  return e.simulation.compiled->loads_on_caisson;
+}
+
+std::optional<EnergyAccount> find_energy(const Evidence& e) {
+  const std::vector<EnergyAccount>& energy = e.solution.response.energy;
+  return energy.empty() ? std::nullopt : std::optional(energy.back());
+}
+
+std::optional<ErrorEstimate> find_peak_error(const Evidence& e) {
+  return e.of(find_errors).peak;
+}
+
+std::optional<ErrorEstimate> find_history_error(const Evidence& e) {
+  return e.of(find_errors).history;
+}
+
+SkippedList skipped_shear(const Simulation& simulation, bool) {
+  if (simulation.compiled->caisson) return {};
+  return {{"shear force", "the mesh has no surface 'caisson'"}};
+}
+
+std::string describe(const ErrorEstimate& peak, const ErrorEstimate& history) {
+  return format("  error       up to %.2g of peak F_T: mesh %.1e, time %.1e, reduced model %.1e, far sides %.1e\n",
+                peak.total(), peak.mesh, peak.time, peak.reduced_model, peak.far_boundary) +
+         format("              up to %.2g of it at any time: mesh %.1e, time %.1e, reduced model %.1e\n",
+                history.total(), history.mesh, history.time, history.reduced_model);
+}
+
+std::string text_of_shear(const Summary& s) {
+  std::string text = s.why_void.empty() ? "" : "VOID        " + s.why_void + "\n";
+  if (!s.response) return text;
+  const ShearResponse& r = *s.response;
+  text += std::string("response    of the caisson ") +
+          (is_solved_with_friction(s) ? "with friction node by node\n" : "bonded to its mound\n");
+  text += format("  peak P      %-14s at %.4g s\n", with_unit(r.peak_force, "N/m").c_str(), r.peak_force_time);
+  text += format("  peak F_T    %-14s at %.4g s (seaward %s at %.4g s)\n",
+                 with_unit(r.peak_shear, "N/m", r.peak_force).c_str(), r.peak_shear_time,
+                 with_unit(r.peak_shear_seaward, "N/m", r.peak_force).c_str(), r.peak_shear_seaward_time);
+  text += r.shear_to_force_ratio ? format("  F_T / P     %.4f\n", *r.shear_to_force_ratio)
+                                 : std::string("  F_T / P     none: no horizontal force acts on the caisson\n");
+  text += "  peak x_G    " + with_unit(r.largest_displacement, "m") + " at " +
+          significant(r.largest_displacement_time, 4) + " s" +
+          (r.largest_displacement < 0. ? ", seaward; landward at most " + with_unit(r.peak_displacement, "m") : "") +
+          "\n";
+  if (r.arm) text += format("  arm of P    %.4g m\n", *r.arm);
+  text += format("  checks      both routes to F_T differ by %.1e", r.reaction_mismatch) +
+          (s.energy ? format(", energy by %.1e\n", s.energy->mismatch()) : "\n");
+  return text + (s.error ? describe(*s.error, *s.history_error) : "");
+}
+
+}  // namespace
+
+OutputSchema<LoadOnCaisson> load_outputs() {
+  using L = LoadOnCaisson;
+  return OutputSchema<L>()
+      .key("force_x", &L::force_x, "N/m", "landward")
+      .key("force_y", &L::force_y, "N/m", "upward")
+      .key("moment", &L::moment, "N m/m", "about the bottom's middle")
+      .key("arm", &L::arm, "m", "height above the bottom; null without horizontal force");
+}
+
+Finding shear_finding() {
+  Finding f;
+  f.keys = [](OutputSchema<Summary>& s) {
+    const auto of_caisson = [](const Summary& summary) { return summary.response ? &summary : nullptr; };
+    s.object("response", of_caisson, response_outputs(), "null where the mesh has no surface `caisson`")
+        .named("loads.NAME", &Summary::loads, &LoadOnCaisson::name, load_outputs(),
+               "resultant on the caisson per unit of the history");
+  };
+  f.skipped_of_scene = skipped_shear;
+  f.text = text_of_shear;
+  return f.part(&Summary::response, find_shear)
+      .part(&Summary::loads, find_loads)
+      .part(&Summary::error, find_peak_error)
+      .part(&Summary::history_error, find_history_error);
+}
+
+Finding energy_finding() {
+  Finding f;
+  f.keys = [](OutputSchema<Summary>& s) {
+    s.object("energy", &Summary::energy, energy_outputs(), "at the end; null where a reduced model answered");
+  };
+  return f.part(&Summary::energy, find_energy);
+}
+
+}  // namespace upbead

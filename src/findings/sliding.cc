@@ -1,0 +1,393 @@
+// S by every measure, the one to design by, and the checks against friction.
+#include <algorithm>
+#include <cmath>
+
+#include "base/text.h"
+#include "findings/errors.h"
+#include "findings/topics.h"
+#include "run/sliding/case_sliding.h"
+#include "run/sliding/coupled_sliding.h"
+#include "upbead/base/error.h"
+#include "upbead/model/load.h"
+
+namespace upbead {
+
+namespace {
+
+/// The S by the measure with the most mechanics that the run has: friction node by node, else a caisson that slips as
+/// a whole on the ground that it shakes, else the larger of eq. (4) on F_T(t) with and without the vertical motion.
+DesignSliding design_sliding(const SlidingSummary& s, const std::optional<ContactSummary>& contact,
+                             const std::optional<ResidualSummary>& residual) {
+  if (contact && contact->solved)
+    return {contact->solved->slip, "contact.solved.slip", "friction is followed node by node",
+            contact->solved->error_estimate};
+  if (contact) return {0., "contact.solved", "no node of the bonded base reaches its friction or pulls", {}};
+  if (s.coupled)
+    return {s.coupled->slip.residual, "sliding.sliding_coupled",
+            s.coupled->vectors > 0 ? "the caisson slips as a whole on the ground that it shakes"
+                                   : "the bonded caisson does not reach mu N'",
+            s.coupled->error_estimate};
+  const double plain = s.history.by_history.residual, moved = s.history.with_normal_force.residual;
+  const std::string why = std::string("the larger of two by F_T(t) of the bonded caisson") +
+                          (residual ? ", its slip over the mound alone: how far the ground carried it stands beside it "
+                                      "(residual.displacement_x)"
+                                    : "") +
+                          "; slip with its ground could not be computed: ";
+  return std::abs(plain) >= std::abs(moved)
+             ? DesignSliding{plain, "sliding.sliding_history", why + s.why_not_coupled, s.error_estimate}
+             : DesignSliding{moved, "sliding.sliding_normal_force", why + s.why_not_coupled, {}};
+}
+
+std::optional<SlidingSummary> find_sliding(const Evidence& e) {
+  std::optional<SlidingSummary> sliding = e.of(find_slid);
+  if (!sliding) return sliding;
+  const SlipAsWhole& whole = e.of(find_slip_as_whole);
+  const Errors& errors = e.of(find_errors);
+  sliding->coupled = whole.coupled;
+  sliding->why_not_coupled = whole.why_not;
+  sliding->coupled_failed = whole.failed;
+  sliding->error_estimate = errors.slip;
+  sliding->why_no_estimate = errors.why_no_slip;
+  if (sliding->coupled) sliding->coupled->error_estimate = errors.slip_as_whole;
+  sliding->design = design_sliding(*sliding, e.of(find_contact), e.of(find_residual));
+  if (const std::string& why = e.of(find_why_void); !why.empty())
+    sliding->design.why = "void: " + why + "; " + sliding->design.why;
+  return sliding;
+}
+
+/// Warning no_coupled_slip: the coupled S would not be right.
+NumberedWarnings slip_warnings(const Evidence&, const Summary& summary) {
+  if (!summary.sliding || !summary.sliding->coupled_failed) return {};
+  const SlidingSummary& sliding = *summary.sliding;
+  return {{"no_coupled_slip", sliding.history.ratio, 1., "1",
+           "the bonded caisson reaches its friction, but the distance that it slips as a whole on its ground could not "
+           "be computed: " +
+               sliding.why_not_coupled + "; sliding_history, and contact node by node (kind = \"friction\"), give S"}};
+}
+
+/// The slips that did not need to be computed, and why.
+SkippedList skipped_slips(const Evidence&, const Summary& summary) {
+  if (!summary.sliding) return {};
+  const SlidingSummary& sliding = *summary.sliding;
+  const std::string what = "slip of the caisson with its ground";
+  if (!sliding.why_not_coupled.empty()) return {{what, sliding.why_not_coupled}};
+  if (sliding.coupled && sliding.coupled->vectors == 0)
+    return {{what, "|F_T| stays below mu N' at all times: the bonded caisson does not slip"}};
+  return {};
+}
+
+/// What still water at two levels adds to a force in that direction (1: landward).
+double still_push(const Summary& summary, double side) {
+  return summary.harbour ? side * summary.harbour->push : 0.;
+}
+
+std::string about_push(const Summary& summary) {
+  return summary.harbour ? ", with the push of still water at two levels (harbour.push)" : "";
+}
+
+constexpr double no_force = 1e-6;  // of the largest P
+
+/// Where no force acts seaward, a friction that suffices for the rebound says nothing of the seaward direction.
+Check seaward_check(const Scene& scene, const Summary& summary, const std::string& assumption) {
+  const HistorySliding& history = summary.sliding->history;
+  const Check check = at_most(
+      check_of("force against friction, seaward", "N/m", std::max(history.peak_seaward + still_push(summary, -1.), 0.),
+               "sliding.peak_sliding_force_seaward", assumption),
+      history.resistance);
+  const ShearResponse& r = *summary.response;
+  const bool no_trough = r.peak_force_seaward >= -no_force * r.peak_force && !is_shaken(scene);
+  if (!no_trough || !*check.holds) return check;
+  return not_checked(check, "no trough acts: no load pushes the caisson seaward, and its rebound alone, " +
+                                with_unit(*check.demand, "N/m") + ", stays below mu W'");
+}
+
+Checks sliding_checks(const Scene& scene, const Summary& summary) {
+  if (!summary.sliding || !summary.response) return {};
+  Checks list;
+  const SlidingSummary& sliding = *summary.sliding;
+  const std::string uplift = about_uplift(scene);
+  list.push_back(at_most(check_of("sliding distance", "m", std::abs(sliding.design.value), sliding.design.measure,
+                                  (sliding.design.value < 0. ? "seaward; " : "") + uplift + "; " + sliding.design.why),
+                         scene.limits.sliding));
+  const std::string of_bonded =
+      uplift + "; F_T of the bonded caisson" +
+      (is_solved_with_friction(summary) ? ", before its friction was followed node by node" : "") + about_push(summary);
+  list.push_back(at_most(check_of("force against friction", "N/m", sliding.history.peak_force + still_push(summary, 1.),
+                                  "sliding.peak_sliding_force", of_bonded),
+                         sliding.history.resistance));
+  list.push_back(seaward_check(scene, summary, of_bonded));
+  return list;
+}
+
+OutputSchema<Slip> slip_outputs() {
+  return OutputSchema<Slip>()
+      .key("start", &Slip::start, "s", "when it starts")
+      .key("stop", &Slip::stop, "s", "when it stops or turns")
+      .key("distance", &Slip::distance, "m", "landward positive")
+      .key("peak_velocity", &Slip::peak_velocity, "m/s", "largest velocity on the way");
+}
+
+OutputSchema<HistorySliding> forces_outputs() {
+  using H = HistorySliding;
+  return OutputSchema<H>()
+      .key("resistance", &H::resistance, "N/m", "mu W'")
+      .key("peak_sliding_force", &H::peak_force, "N/m", "F_Smax")
+      .key("peak_sliding_force_time", &H::peak_force_time, "s", "when")
+      .key("shear_at_peak", &H::shear_at_peak, "N/m", "F_T then")
+      .key("uplift_at_peak", &H::uplift_at_peak, "N/m", "U then")
+      .key("peak_sliding_force_seaward", &H::peak_seaward, "N/m", "largest -F_T + mu U, which slides it seaward")
+      .key("peak_sliding_force_seaward_time", &H::peak_seaward_time, "s", "when")
+      .key("ratio", &H::ratio, "", "r = F_Smax / (mu W')")
+      .key("least_normal_force", &H::least_normal_force, "N/m",
+           "least N' = W' - U + change of the normal force; below 0 the caisson would lift");
+}
+
+OutputSchema<HistorySliding> distances_outputs() {
+  using H = HistorySliding;
+  return OutputSchema<H>()
+      .key("sliding_history", inner(&H::by_history, &Sliding::residual), "m",
+           "S by eq. (4) on F_T(t) and U(t): where the caisson comes to rest")
+      .key("sliding_history_largest", inner(&H::by_history, &Sliding::largest), "m", "largest distance on the way")
+      .list("slips[]", inner(&H::by_history, &Sliding::slips), slip_outputs(), "each slip")
+      .key("sliding_normal_force", inner(&H::with_normal_force, &Sliding::residual), "m",
+           "as `sliding_history`, friction acting on N' with the caisson's vertical motion");
+}
+
+OutputSchema<DesignSliding> design_outputs() {
+  using D = DesignSliding;
+  return OutputSchema<D>()
+      .key("value", &D::value, "m", "S to design by")
+      .key("measure", &D::measure, "",
+           "key of this S: the measure that models most of the mechanics, among those that the scene allows")
+      .key("why", &D::why, "", "why this one")
+      .key("error_estimate", &D::error_estimate, "m", "its own; null where there is none");
+}
+
+OutputSchema<UpliftCourses> course_outputs() {
+  using U = UpliftCourses;
+  return OutputSchema<U>()
+      .key("held", &U::held, "m", "U follows P up to the largest P, then stays at its peak")
+      .key("in_phase", &U::in_phase, "m", "U follows P");
+}
+
+OutputSchema<CoupledSummary> coupled_outputs() {
+  using C = CoupledSummary;
+  return OutputSchema<C>()
+      .key("largest", inner(&C::slip, &Sliding::largest), "m", "largest distance on the way")
+      .list("slips[]", inner(&C::slip, &Sliding::slips), slip_outputs(), "each slip")
+      .key("dissipated", &C::dissipated, "J/m", "energy taken by friction")
+      .key("peak_shear", &C::peak_shear, "N/m", "F_T of largest magnitude")
+      .key("least_normal", &C::least_normal, "N/m", "least N'")
+      .key("lifted_time", &C::lifted_time, "s", "time in which N' would have been negative")
+      .key("vectors", &C::vectors, "", "of its reduced model; 0 where the bonded caisson does not reach mu N'")
+      .key("error", &C::error, "", "difference of the forces between nested models, over their largest values")
+      .key("glued_error", &C::glued_error, "", "error of F_T while the caisson sticks, over its peak")
+      .key("growth", &C::growth, "1/s",
+           "of the fastest vibration that friction feeds ([flutter](contact.md#flutter)); 0: none")
+      .key("damping_time", &C::damping_time, "s",
+           "beta of the damping beta K that was added against flutter: its damping ratio is omega beta/2")
+      .key("damping_effect", &C::damping_effect, "m", "change of S where that damping is doubled")
+      .key("error_estimate", &C::error_estimate, "m",
+           "of S by cells and errors of F_T; null where that of `sliding` is");
+}
+
+OutputSchema<EqualImpulse> impulse_outputs() {
+  using E = EqualImpulse;
+  return OutputSchema<E>()
+      .key("tau_0", &E::duration, "s", "its duration")
+      .key("sliding_paper", &E::paper, "m", "S by eq. (7)")
+      .key("sliding_exact", &E::exact, "m", "S integrated");
+}
+
+OutputSchema<PulseSliding> pulse_outputs() {
+  using P = PulseSliding;
+  const auto parts = [](const P& p) { return Json{p.paper_parts.accelerating, p.paper_parts.braking}; };
+  return OutputSchema<P>()
+      .key("tau_0F", &P::standing_duration, "s",
+           "of `[sliding.wave]`, eqs. (8)-(11); null without that table, as the next five")
+      .key("k", &P::factor, "", "k(alpha*)")
+      .key("tau_0", &P::duration, "s", "k tau_0F")
+      .key("sliding_paper", &P::paper, "m", "S_CAL: eq. (7) with F_Smax and tau_0")
+      .key("sliding_paper_parts[]", parts, "m",
+           "its parts S_1 (until F_S has fallen to mu W') and S_2 (braking without F_S)")
+      .key("sliding_exact", &P::exact, "m",
+           "eqs. (4) and (6) integrated, same pulse: 1.94 times eq. (7) at r = 1, 1.12 times at r = 3");
+}
+
+OutputSchema<HistoryDuration> duration_outputs() {
+  using D = HistoryDuration;
+  return OutputSchema<D>()
+      .key("ratio", &D::ratio, "", "r")
+      .key("sliding", &D::sliding, "m", "S at this r")
+      .key("by_paper", &D::by_paper, "s",
+           "of the pulse that slides as far by eq. (7); null where it has no value, as the next three")
+      .key("by_exact", &D::by_exact, "s", "of the pulse that slides as far, integrated")
+      .key("by_excess", &D::by_excess, "s", "total time above mu W', over (1 - 1/r)")
+      .key("by_impulse", &D::by_impulse, "s", "twice the impulse of the lobe with the peak, over the peak");
+}
+
+OutputSchema<SlidingSummary> sliding_outputs() {
+  using S = SlidingSummary;
+  const auto coupled_slip = [](const S& s) {
+    return s.coupled ? std::optional(s.coupled->slip.residual) : std::nullopt;
+  };
+  return OutputSchema<S>()
+      .key(
+          "caisson", [](const S&) { return "bonded"; }, "",
+          "`bonded`: F_T, F_Smax and S by eq. (4) are of the bonded caisson, also in a run with friction node by node, "
+          "whose own peak F_T is `response.peak_shear` and whose S is `contact.solved.slip`")
+      .key("friction", &S::friction, "", "mu")
+      .key("weight", &S::weight, "N/m", "W")
+      .key("submerged_weight", &S::submerged_weight, "N/m", "W'")
+      .key("buoyant_weight", &S::submerged_weight, "N/m", "the same, by its older name")
+      .key("drag", &S::drag, "N s/m2", "F_D over the velocity")
+      .key("uplift", &S::uplift, "", "`none`, `prescribed` or `computed`")
+      .object("design", &S::design, design_outputs(),
+              "the S to design by; the other measures show how much S depends on what is modelled")
+      .keys_of(&S::history, forces_outputs())
+      .keys_of(&S::history, distances_outputs())
+      .key("error_estimate", &S::error_estimate, "m",
+           "[upper bound of the error](accuracy.md) of `sliding_history`; null where `response.error_estimate` is")
+      .reason("why_no_error_estimate", &S::why_no_estimate, "why `error_estimate` is null; else null")
+      .key("sliding_coupled", coupled_slip, "m",
+           "S of a caisson that slips as a whole on the ground that it shakes, in the end; 0 where the bonded caisson "
+           "does not reach mu N'; null where it cannot be computed")
+      .reason("why_not_coupled", &S::why_not_coupled, "why `sliding_coupled` is null; null where it is not")
+      .object("coupled", &S::coupled, coupled_outputs(), "details of `sliding_coupled`; null with it")
+      .object("uplift_courses", &S::courses, course_outputs(),
+              "`sliding_history` under two assumed courses of U(t), which shows how much the assumption matters; null "
+              "unless the uplift is prescribed by its peak")
+      .keys_of(&S::pulse, pulse_outputs())
+      .object("equal_impulse", &S::equal_impulse, impulse_outputs(),
+              "the triangular pulse of the same peak and impulse as F_S; null where F_S is nowhere landward")
+      .object("duration", inner(&S::history, &HistorySliding::own), duration_outputs(),
+              "tau_0 *of this history* at its own r: of the triangular pulse of equal peak; null where F_S is nowhere "
+              "landward")
+      .list("duration_table[]", inner(&S::history, &HistorySliding::table), duration_outputs(),
+            "the same against mu W' = F_Smax / r for r = 1.05 to 2: tau_0 is no property of the history alone");
+}
+
+std::string wrong_by(const std::optional<double>& error) {
+  return error ? " (wrong by up to " + with_unit(*error, "m") + ")" : "";
+}
+
+std::string seconds(const std::optional<double>& value) {
+  return value ? significant(*value, 4) + " s" : "none";
+}
+
+std::string distances(const SlidingSummary& s) {
+  const Sliding& slid = s.history.by_history;
+  std::string text = "  S           " + with_unit(slid.residual, "m") + wrong_by(s.error_estimate) +
+                     " by eq. (4) on F_T(t), in " + std::to_string(slid.slips.size()) +
+                     (slid.slips.size() == 1 ? " slip" : " slips") + "; with the vertical motion in N' " +
+                     with_unit(s.history.with_normal_force.residual, "m") + "\n";
+  if (s.coupled)
+    text += "  S, coupled  " + with_unit(s.coupled->slip.residual, "m") + wrong_by(s.coupled->error_estimate) +
+            " slipping as a whole on its ground; F_T up to " + with_unit(s.coupled->peak_shear, "N/m") +
+            ", N' down to " + with_unit(s.coupled->least_normal, "N/m") + "\n";
+  else if (!s.why_not_coupled.empty())
+    text += "  S, coupled  no value: " + s.why_not_coupled + "\n";
+  if (s.pulse)
+    text += "  S_CAL       " + with_unit(s.pulse->paper, "m") +
+            " by eq. (7) with tau_0 = " + seconds(s.pulse->duration) + " (k = " + significant(s.pulse->factor) +
+            "), S_1 " + with_unit(s.pulse->paper_parts.accelerating, "m") + " and S_2 " +
+            with_unit(s.pulse->paper_parts.braking, "m") + "; the same pulse integrated " +
+            with_unit(s.pulse->exact, "m") + "\n";
+  return text;
+}
+
+/// F_Smax, S by every measure, and tau_0.
+std::string text_of_sliding(const Summary& summary) {
+  if (!summary.sliding) return "";
+  const SlidingSummary& s = *summary.sliding;
+  const HistorySliding& h = s.history;
+  std::string text = "sliding     of the bonded caisson: friction " + significant(s.friction) + ", W' " +
+                     with_unit(s.submerged_weight, "N/m") + ", uplift " + s.uplift + "\n";
+  text += "  F_Smax      " + with_unit(h.peak_force, "N/m") + " at " + significant(h.peak_force_time, 4) +
+          " s, of it mu U " + with_unit(s.friction * h.uplift_at_peak, "N/m", h.peak_force) + "; mu W' " +
+          with_unit(h.resistance, "N/m") + ", r = " + significant(h.ratio, 4) + "\n";
+  text += "  seaward     " + with_unit(std::max(h.peak_seaward, 0.), "N/m", h.peak_force) + " at " +
+          significant(h.peak_seaward_time, 4) + " s: " + significant(std::max(h.peak_seaward, 0.) / h.resistance, 4) +
+          " of mu W'\n";
+  if (h.least_normal_force < 0.)
+    text += "  warning     N' falls to " + with_unit(h.least_normal_force, "N/m") + ": the caisson would lift\n";
+  if (h.by_history.slips.empty() && h.ratio <= 1.)
+    text += "  S           0 m" + wrong_by(s.error_estimate) + ": F_S stays below mu W'\n";
+  else
+    text += distances(s);
+  text += "  for design  S = " + with_unit(s.design.value, "m") + wrong_by(s.design.error_estimate) + " (" +
+          s.design.measure + "): " + s.design.why + "\n";
+  if (s.courses && s.courses->held > 0.)
+    text += "  uplift      decides S by eq. (4): " + with_unit(s.courses->held, "m") + " held at its peak, " +
+            with_unit(s.courses->in_phase, "m") + " in phase with P\n";
+  if (h.own && h.own->by_exact)
+    text += "  tau_0       of this history at this r: " + seconds(h.own->by_paper) + " by eq. (7), " +
+            seconds(h.own->by_exact) + " integrated, " + seconds(h.own->by_excess) + " by the time above mu W', " +
+            seconds(h.own->by_impulse) + " by impulse\n";
+  return text;
+}
+
+}  // namespace
+
+const Solution& bonded_of(const Evidence& e) {
+  const auto& contact = e.solution.contact;
+  return contact && contact->bonded ? *contact->bonded : e.solution;
+}
+
+std::optional<SlidingSummary> find_slid(const Evidence& e) {
+  const Solution& bonded = bonded_of(e);
+  return sliding_of(e.given, *bonded.simulation->compiled, bonded.response);
+}
+
+SlipAsWhole find_slip_as_whole(const Evidence& e) {
+  SlipAsWhole whole;
+  const std::optional<SlidingSummary>& slid = e.of(find_slid);
+  if (!slid) return whole;
+  const Solution& bonded = bonded_of(e);
+  if (slid->history.with_normal_force.slips.empty()) {  // below its friction at all times, which needs no work
+    whole.coupled.emplace();
+    whole.coupled->peak_shear = std::max(bonded.shear->peak_shear, -bonded.shear->peak_shear_seaward);
+    whole.coupled->least_normal = slid->history.least_normal_force;
+    return whole;
+  }
+  whole.why_not = why_no_slip(*bonded.simulation);
+  if (!whole.why_not.empty()) return whole;
+  try {
+    whole.coupled = slide_as_whole(*bonded.simulation, bonded.ahead.get(), bonded.response.ends, e.progress);
+  } catch (const NumericsError& error) {
+    whole.why_not = error.what();
+    whole.failed = true;
+  }
+  return whole;
+}
+
+std::string about_uplift(const Scene& scene) {
+  if (!scene.sliding || !scene.sliding->uplift) return "no uplift";
+  const UpliftChoice& uplift = *scene.sliding->uplift;
+  if (uplift.kind == UpliftKind::computed) return "uplift by the computed pore pressure";
+  if (!uplift.peak) return "uplift as given over time";
+  return uplift.course == UpliftCourse::held ? "uplift held at its peak" : "uplift in phase with P";
+}
+
+/// Whether a boundary's motion drives the scene: then F_T goes both ways without a trough.
+bool is_shaken(const Scene& scene) {
+  return std::any_of(scene.loads.begin(), scene.loads.end(),
+                     [](const auto& load) { return is_motion(load.second.kind) && load.second.factor != 0.; });
+}
+
+Finding sliding_finding() {
+  Finding f;
+  f.keys = [](OutputSchema<Summary>& s) {
+    s.object("sliding", &Summary::sliding, sliding_outputs(),
+             "with `[sliding]` in the case, else null. Eq. numbers are those of Shimosako and Takahashi (1994); F_S = "
+             "F_T + mu U. In `sliding_coupled` alone the slip acts back on the scene; for all other numbers F_T is "
+             "that of a caisson bonded to its mound");
+  };
+  f.warnings = slip_warnings;
+  f.skipped = skipped_slips;
+  f.checks = sliding_checks;
+  f.text = text_of_sliding;
+  return f.part(&Summary::sliding, find_sliding);
+}
+
+}  // namespace upbead

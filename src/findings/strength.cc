@@ -1,0 +1,98 @@
+// What the states of linear soil and water come to: mobilised strength, and pressure down to that of vapour.
+#include "base/text.h"
+#include "fem/compile.h"
+#include "findings/topics.h"
+#include "run/watched.h"
+
+namespace upbead {
+
+namespace {
+
+/// Share of the area that must yield in addition to what yields at rest.
+constexpr double least_yielding = 0.005;
+
+OutputSchema<MobilisedStrength> strength_outputs() {
+  using S = MobilisedStrength;
+  return OutputSchema<S>()
+      .key("region", &S::region, "", "its name")
+      .key("initial", &S::initial, "", "largest mobilisation at rest; 1: yield, 10: more")
+      .key("initial_share", &S::initial_share, "", "share of the area where it exceeds 1 at rest")
+      .key("largest", &S::largest, "", "largest mobilisation at any time")
+      .key("at[]", &S::at, "m", "where that is")
+      .key("time", &S::time, "s", "and when")
+      .key("share", &S::share, "", "share of the area where it exceeds 1 at some time")
+      .key("left_out", &S::left_out, "", "share of the area that is left out: free surfaces");
+}
+
+std::vector<MobilisedStrength> find_strength(const Evidence& e) {
+  const auto& strength = e.solution.watched->strength;
+  return strength && strength->has_seen() ? strength->found() : std::vector<MobilisedStrength>();
+}
+
+SkippedList skipped_strength(const Evidence& e, const Summary&) {
+  const Watched& watched = *e.solution.watched;
+  if (watched.strength ? watched.strength->has_seen() : watched.why_no_strength.empty()) return {};
+  return {{"mobilised strength", watched.strength ? "the contact was not marched" : watched.why_no_strength}};
+}
+
+SkippedList no_strength(const Simulation& simulation, bool) {
+  if (!simulation.compiled->caisson || has_strength(simulation.given) || yields(simulation.given)) return {};
+  return {{"strength of the soil", "no region has a table strength"}};
+}
+
+/// Warning strength.
+NumberedWarnings strength_warnings(const Evidence&, const Summary& summary) {
+  NumberedWarnings list;
+  for (const MobilisedStrength& s : summary.strength)
+    if (s.share > s.initial_share + least_yielding)
+      list.push_back({"strength", s.largest, 1., "1",
+                      "in " + significant(100. * s.share, 2) + " % of region '" + s.region + "' (" +
+                          significant(100. * s.initial_share, 2) +
+                          " % at rest) the stresses exceed the soil's strength, at most " +
+                          (s.largest < 10. ? "" : "more than ") + significant(s.largest) + " times at " +
+                          place_text(s.at) + " at " + significant(s.time) +
+                          " s: it would yield, which linear soil does not; use [regions." + s.region +
+                          ".strain], smaller loads, or a stronger soil"});
+  return list;
+}
+
+/// Warning cavitation.
+NumberedWarnings pressure_warnings(const Evidence& e, const Summary&) {
+  const auto& pressure = e.solution.watched->pressure;
+  if (!pressure || !pressure->has_seen() || pressure->value() >= vapour_pressure) return {};
+  return {{"cavitation", pressure->value(), vapour_pressure, "Pa",
+           "the water of '" + pressure->region() + "' at " + place_text(pressure->place()) + " would come to " +
+               significant(pressure->value() / 1e3) + " kPa absolute at " + significant(pressure->time()) +
+               " s, below its vapour pressure of 2.3 kPa: it would boil or draw air, which is not modelled; what comes "
+               "after is not to be trusted, compare with fluid.bulk_modulus = 1e7 (air in the water)"}};
+}
+
+SkippedList skipped_pressure(const Evidence& e, const Summary&) {
+  const Watched& watched = *e.solution.watched;
+  if (watched.pressure && (!watched.pressure->watches() || watched.pressure->has_seen())) return {};
+  if (!e.simulation.compiled->caisson) return {};
+  return {{"cavitation of the water", watched.pressure ? "the contact was not marched" : watched.why_no_pressure}};
+}
+
+}  // namespace
+
+Finding cavitation_finding() {
+  Finding f;
+  f.warnings = pressure_warnings;
+  f.skipped = skipped_pressure;
+  return f;
+}
+
+Finding strength_finding() {
+  Finding f;
+  f.keys = [](OutputSchema<Summary>& s) {
+    s.list("strength[]", &Summary::strength, strength_outputs(),
+           "of each region with a [strength](warnings.md#strength)");
+  };
+  f.skipped_of_scene = no_strength;
+  f.warnings = strength_warnings;
+  f.skipped = skipped_strength;
+  return f.part(&Summary::strength, find_strength);
+}
+
+}  // namespace upbead

@@ -1,0 +1,43 @@
+// What findings ask of each other.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "findings/finding.h"
+#include "upbead/sliding/base_pressure.h"
+
+namespace upbead {
+
+/// The caisson that slips as a whole, or why its slip is not known.
+struct SlipAsWhole {
+  std::optional<CoupledSummary> coupled;
+  std::string why_not;
+  bool failed = false;  ///< whether the numerics failed; false: the scene does not allow it
+};
+
+/// The bonded caisson, whose F_T the formulas of sliding take, also where friction was followed node by node.
+const Solution& bonded_of(const Evidence& e);
+/// S by formulas on F_T(t), without its error; none without [sliding].
+std::optional<SlidingSummary> find_slid(const Evidence& e);
+SlipAsWhole find_slip_as_whole(const Evidence& e);
+/// The effective load of the caisson on the ground over time; none where W' is not known.
+std::optional<EffectiveBase> find_effective_base(const Evidence& e);
+std::optional<ResidualSummary> find_residual(const Evidence& e);
+std::optional<ContactSummary> find_contact(const Evidence& e);
+/// Why the ground cannot be at rest; "" where it can, or where that is not known.
+std::string find_why_void(const Evidence& e);
+
+/// Whether the response is that of a caisson whose friction was followed node by node; else it is bonded.
+bool is_solved_with_friction(const Summary& summary);
+/// For assumptions of checks: how the uplift is taken.
+std::string about_uplift(const Scene& scene);
+/// Whether a boundary's motion drives the scene: then F_T goes both ways without a trough, and nothing of it acts at
+/// rest.
+bool is_shaken(const Scene& scene);
+
+/// Keys that other summaries have, too.
+OutputSchema<LoadOnCaisson> load_outputs();
+OutputSchema<Skipped> skipped_outputs();
+
+}  // namespace upbead

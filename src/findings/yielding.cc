@@ -1,0 +1,270 @@
+// Soil that yields: what it cost, how far it yielded, where the caisson came to rest, denser soils.
+#include <algorithm>
+#include <cmath>
+
+#include "base/format.h"
+#include "base/text.h"
+#include "findings/topics.h"
+#include "response/compaction.h"
+
+namespace upbead {
+
+namespace {
+
+OutputSchema<ResidualSummary> residual_outputs() {
+  using R = ResidualSummary;
+  const auto left = [](const R& r) { return r.pore_pressure ? std::optional(r.pore_pressure->value) : std::nullopt; };
+  const auto left_at = [](const R& r) { return r.pore_pressure ? std::optional(r.pore_pressure->at) : std::nullopt; };
+  return OutputSchema<R>()
+      .key("displacement_x", &R::displacement_x, "m", "of the centre of gravity, landward")
+      .key("displacement_y", &R::displacement_y, "m", "upward; settlement is negative")
+      .key("rotation", &R::rotation, "rad", "positive when the top moved landward")
+      .key("pore_pressure", left, "Pa",
+           "excess pore pressure of largest magnitude in the soil at the end; null where no soil has pore water")
+      .key("pore_pressure_at[]", left_at, "m", "where that is; null with it");
+}
+
+OutputSchema<StartBound> bound_outputs() {
+  using B = StartBound;
+  return OutputSchema<B>()
+      .key("start", &B::start, "", "`virgin`, `k0` or `gravity`")
+      .key("peak_shear", &B::peak_shear, "N/m", "peak F_T from there")
+      .key("shear_to_force_ratio", &B::shear_to_force_ratio, "", "that over peak P; null where there is no P")
+      .object(
+          "residual", [](const B& b) { return &b.residual; }, residual_outputs(), "of the caisson at the end");
+}
+
+OutputSchema<RestSummary> rest_outputs() {
+  using R = RestSummary;
+  return OutputSchema<R>()
+      .key("steps", &R::steps, "", "in which weights were put on")
+      .key("iterations", &R::iterations, "", "of Newton's method in them, each with a factorisation")
+      .key("share_at_strength", &R::share_at_strength, "", "of the area of this soil: where its strength is reached")
+      .key("out_of_balance", &R::out_of_balance, "", "forces out of balance over the weights");
+}
+
+OutputSchema<PeakStrain> peak_strain_outputs() {
+  using P = PeakStrain;
+  return OutputSchema<P>()
+      .key("peak_strain", &P::value, "", "largest shear strain of a cell that may yield, at its middle, at any time")
+      .key("peak_strain_at[]", &P::at, "m", "where that is")
+      .key(
+          "peak_strain_over_neighbours", &P::over_neighbours, "",
+          "that over the mean of the cells beside it: [above 3](warnings.md#soil-that-yields) a slip line is as narrow "
+          "as the cells; null where these do not yield");
+}
+
+OutputSchema<MobilisedRegion> mobilised_region_outputs() {
+  using R = MobilisedRegion;
+  return OutputSchema<R>()
+      .key("region", &R::region, "", "its name")
+      .key("law", &R::law, "", "`hysteretic` or `mohr_coulomb`")
+      .key("initial", &R::initial, "",
+           "largest share of its strength that a cell mobilises at rest, by its law; 1: all")
+      .key("initial_share", &R::initial_share, "", "share of the area that mobilises all of it at rest")
+      .key("largest", &R::largest, "", "largest share at any time")
+      .key("at[]", &R::at, "m", "where that is")
+      .key("time", &R::time, "s", "and when")
+      .key("share", &R::share, "", "share of the area that mobilises all of it at some time");
+}
+
+OutputSchema<NonlinearSummary> nonlinear_outputs() {
+  using N = NonlinearSummary;
+  return OutputSchema<N>()
+      .key("start", &N::start, "", "what hysteretic soil bears at rest: `initial.start`; `static` where there is none")
+      .key("stages", &N::stages, "", "solves of a stage of a step")
+      .key("iterations", &N::iterations, "", "updates of all stresses in them")
+      .key("factorisations", &N::factorisations, "", "of the elastic matrix")
+      .key("cut_steps", &N::cut_steps, "", "steps that were halved, as a stage did not converge")
+      .key(
+          "share_skipped", &N::share_skipped, "",
+          "of the updates of cells' stresses: left out, as since the last step the strain had changed by less than any "
+          "soil of the cell needs to yield")
+      .key("share_yielded", &N::share_yielded, "", "of the area of soil that may yield: where it lost energy")
+      .key("share_beyond_at_rest", &N::share_beyond_at_rest, "",
+           "of that area: where it starts from the stress of the elastic ground and that exceeds its strength; nothing "
+           "in the model bears the excess, and the soil starts at its strength")
+      .object(
+          "rest", &N::rest, rest_outputs(),
+          "how Mohr-Coulomb soil came to rest; null without any, and where no rest within its strength was found: then "
+          "it starts from the elastic stress, as hysteretic soil does, and `void` says so")
+      .reason("why_no_rest", &N::why_no_rest,
+              "why Mohr-Coulomb soil has no state at rest, and where it gives way; null where it has, and without any")
+      .keys_of(&N::peak_strain, peak_strain_outputs())
+      .list("regions[]", &N::regions, mobilised_region_outputs(), "strength that each region mobilised")
+      .list("bounds[]", &N::bounds, bound_outputs(), "from the other starts; empty unless `initial.bounds`");
+}
+
+OutputSchema<CompactedSoil> densification_outputs() {
+  using C = CompactedSoil;
+  return OutputSchema<C>()
+      .key("region", &C::region, "", "its name")
+      .key("mean", &C::mean, "", "volumetric strain by cycles of shear, over the area")
+      .key("largest", &C::largest, "", "the largest")
+      .key("at[]", &C::at, "m", "where that is")
+      .key("largest_amplitude", &C::largest_amplitude, "", "of shear strain in a half cycle")
+      .key("reversals", &C::reversals, "", "most of a point")
+      .key("largest_pressure_ratio", &C::largest_pressure_ratio, "",
+           "largest r_u at any time, 1 where no stress is left: mean effective stress lost over that at rest, which is "
+           "pore pressure over it where the total stress stays")
+      .key("pressure_ratio_at[]", &C::pressure_ratio_at, "m", "where that is")
+      .key("pressure_ratio_at_end", &C::pressure_ratio_at_end, "", "largest r_u at the end of the run")
+      .key("share_liquefied", &C::share_liquefied, "", "share of the area where r_u came to 0.95")
+      .key("left_out", &C::left_out, "", "share of the area that is left out of r_u: free surfaces")
+      .key("pressure_at_end", &C::pressure_at_end, "Pa",
+           "largest excess pore pressure at the end of the run; null where the region is drained")
+      .key("energy", &C::energy, "J/m", "taken by compaction, a part of `energy.plastic`");
+}
+
+std::optional<NonlinearSummary> find_nonlinear(const Evidence& e) {
+  return e.solution.yielding ? std::optional(e.solution.yielding->found) : std::nullopt;
+}
+
+std::vector<CompactedSoil> find_densification(const Evidence& e) {
+  return e.solution.yielding ? e.solution.yielding->densification : std::vector<CompactedSoil>();
+}
+
+/// Beyond this strain the geometry of the small-strain equations errs by as much as results may, some percent.
+constexpr double large_strain = 0.05;
+/// slip_line: strain of a cell over that of the cells beside it, a choice; a smooth strain reaches 2 or 3 on coarse
+/// cells. least_strain: below a tenth of a percent no result depends on one cell.
+constexpr double slip_line = 3., least_strain = 1e-3;
+
+std::string where(const PeakStrain& peak) {
+  return "at " + place_text(peak.at);
+}
+
+/// Warnings slip_line: the largest strain of a cell is several times that of the cells beside it, as where soil
+/// slides along a line as narrow as the cells; large_strain: strains are no longer small.
+NumberedWarnings yielding_warnings(const Evidence&, const Summary& summary) {
+  NumberedWarnings list;
+  if (!summary.nonlinear) return list;
+  const PeakStrain& peak = summary.nonlinear->peak_strain;
+  if (peak.value > large_strain)
+    list.push_back(
+        {"large_strain", peak.value, large_strain, "1",
+         "the soil shears by " + significant(100. * peak.value) + " % " + where(peak) +
+             ": the equations assume small strains and undeformed ground, so that residual displacements may err by "
+             "about that percentage, and a slope or base that fails may seem to hold or move too far"});
+  if (peak.value > least_strain && peak.over_neighbours && *peak.over_neighbours > slip_line)
+    list.push_back(
+        {"slip_line", *peak.over_neighbours, slip_line, "1",
+         "the cell " + where(peak) + " shears by " + significant(100. * peak.value) + " %, " +
+             significant(*peak.over_neighbours) +
+             " times as much as those beside it: the soil slides along a line as narrow as the cells, and this strain "
+             "depends on their size; run with mesh.refine = 1 and see whether the numbers that you need change"});
+  return list;
+}
+
+NumberedWarnings densification_warnings(const Evidence&, const Summary& summary) {
+  return compaction_warnings(summary.densification);
+}
+
+SkippedList skipped_estimate(const Simulation& simulation, bool) {
+  if (!yields(simulation.given) || !simulation.given.accuracy.estimate) return {};
+  return {{"estimate of errors", "the soil yields, and errors are estimated of linear soil alone"}};
+}
+
+/// How far the caisson has moved in the end, where soil yields. Where friction was followed node by node, the
+/// displacement contains the slip over the mound; else the sliding distance is added to the displacement with the
+/// ground, bonded. For hysteretic soil the text gives the start with the largest displacement.
+Check displacement_check(const Summary& summary, const std::optional<double>& limit) {
+  const bool slipped = summary.contact && summary.contact->solved;
+  const double carried = std::abs(summary.residual->displacement_x);
+  const double slip = summary.sliding && !slipped ? std::abs(summary.sliding->design.value) : 0.;
+  std::string how = slipped ? "slip node by node counts in it"
+                            : "carried by the ground, bonded, and the sliding distance over the mound";
+  const StartBound* farthest = nullptr;
+  for (const StartBound& bound : summary.nonlinear->bounds)
+    if (std::abs(bound.residual.displacement_x) > (farthest ? std::abs(farthest->residual.displacement_x) : carried))
+      farthest = &bound;
+  if (farthest)
+    how += "; from the start " + farthest->start + " carried " + with_unit(farthest->residual.displacement_x, "m");
+  return at_most(
+      check_of("displacement with the ground", "m", carried + slip,
+               slip > 0. ? "residual.displacement_x + sliding.design.value" : "residual.displacement_x", how),
+      limit);
+}
+
+Checks displacement_checks(const Scene& scene, const Summary& summary) {
+  if (!summary.nonlinear || !summary.residual) return {};
+  return {displacement_check(summary, scene.limits.sliding)};
+}
+
+std::string describe(const ResidualSummary& r, double largest) {
+  return with_unit(r.displacement_x, "m", largest) + " landward, " + with_unit(r.displacement_y, "m", largest) +
+         " upward, turned " + significant(r.rotation) + " rad";
+}
+
+std::string text_of_yielding(const Summary& summary) {
+  if (!summary.nonlinear) return "";
+  const NonlinearSummary& n = *summary.nonlinear;
+  std::string text =
+      format("yielding    %s of the soil that may yield lost energy, %s in all; %.3g updates of stress a stage\n",
+             percent(n.share_yielded).c_str(), with_unit(summary.energy->plastic, "J/m").c_str(),
+             static_cast<double>(n.iterations) / std::max(n.stages, 1));
+  text += "  strain      up to " + significant(100. * n.peak_strain.value) + " % in shear, at " +
+          place_text(n.peak_strain.at) + "\n";
+  for (const MobilisedRegion& of : n.regions)
+    text += format("  %-12s%s of the strength at most (%s at rest), all of it in %s of the area\n", of.region.c_str(),
+                   percent(of.largest).c_str(), percent(of.initial).c_str(), percent(of.share).c_str());
+  if (n.share_beyond_at_rest > 0.)
+    text += "  warning     at rest the stress exceeds the strength in " + percent(n.share_beyond_at_rest) +
+            " of it: nothing in the model bears the excess\n";
+  if (n.rest)
+    text += format("  at rest     %s of Mohr-Coulomb soil at its strength; weights in %d steps, %d iterations\n",
+                   percent(n.rest->share_at_strength).c_str(), n.rest->steps, n.rest->iterations);
+  if (!summary.residual) return text;
+  const double largest = std::abs(summary.response->largest_displacement);
+  text += "  residual    " + describe(*summary.residual, largest) + " (start: " + n.start + ")\n";
+  if (const auto& left = summary.residual->pore_pressure)
+    text += "              excess pore pressure left: " + with_unit(left->value, "Pa") + " at " + place_text(left->at) +
+            "\n";
+  for (const StartBound& bound : n.bounds)
+    text += format("  %-12s", bound.start.c_str()) +
+            (bound.shear_to_force_ratio ? "F_T / P " + significant(*bound.shear_to_force_ratio, 4) + ", " : "") +
+            describe(bound.residual, largest) + "\n";
+  return text;
+}
+
+std::string text_of_densification(const Summary& summary) {
+  std::string text;
+  for (const CompactedSoil& soil : summary.densification)
+    text += (text.empty() ? "densification\n" : "") + format("  %-12s", soil.region.c_str()) + "volumetric strain " +
+            significant(soil.mean) + " in the mean, at most " + significant(soil.largest) + "; r_u at most " +
+            significant(soil.largest_pressure_ratio) + ", " + significant(soil.pressure_ratio_at_end) + " at the end\n";
+  return text;
+}
+
+}  // namespace
+
+std::optional<ResidualSummary> find_residual(const Evidence& e) {
+  return e.solution.yielding ? e.solution.yielding->residual : std::nullopt;
+}
+
+Finding yielding_finding() {
+  Finding f;
+  f.keys = [](OutputSchema<Summary>& s) {
+    s.object("nonlinear", &Summary::nonlinear, nonlinear_outputs(), "of [soil that yields](yielding.md); else null")
+        .object("residual", &Summary::residual, residual_outputs(),
+                "where the caisson came to rest at the end of the run; null where no soil yields");
+  };
+  f.warnings = yielding_warnings;
+  f.skipped_of_scene = skipped_estimate;
+  f.checks = displacement_checks;
+  f.text = text_of_yielding;
+  return f.part(&Summary::nonlinear, find_nonlinear).part(&Summary::residual, find_residual);
+}
+
+Finding densification_finding() {
+  Finding f;
+  f.keys = [](OutputSchema<Summary>& s) {
+    s.list("densification[]", &Summary::densification, densification_outputs(),
+           "[denser soils](yielding.md#densification)");
+  };
+  f.warnings = densification_warnings;
+  f.text = text_of_densification;
+  return f.part(&Summary::densification, find_densification);
+}
+
+}  // namespace upbead

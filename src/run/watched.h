@@ -1,0 +1,28 @@
+// What is looked at in every state of a solution: least pressure of the water, mobilised strength of linear soil.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "response/monitors.h"
+#include "upbead/run/simulation.h"
+
+namespace upbead {
+
+class Watched {
+ public:
+  /// For the simulation that will be solved, which must outlive the march.
+  explicit Watched(const Simulation& simulation);
+
+  /// The observers of a march; this object must outlive the march.
+  std::vector<MarchObserver*> observers();
+  /// Looks at what a reduced model answers, where the scene was not marched.
+  void look(const Solution& solution);
+
+  std::optional<LeastPressure> pressure;
+  std::optional<Mobilisation> strength;
+  std::string why_no_pressure, why_no_strength;  ///< "" where there is one
+};
+
+}  // namespace upbead
