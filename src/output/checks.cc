@@ -112,8 +112,8 @@ Verdict verdict_of(const Checks& checks, const NumberedWarnings& warnings) {
   if (!verdict.holds)
     verdict.text = "none: no check has a limit";
   else if (verdict.checked == 1)
-    verdict.text = *verdict.holds ? "the only check with a limit holds: "
-                                  : "DOES NOT HOLD: the only check with a limit fails: ";
+    verdict.text =
+        *verdict.holds ? "the only check with a limit holds: " : "DOES NOT HOLD: the only check with a limit fails: ";
   else
     verdict.text = *verdict.holds ? "all " + n + " checks with a limit hold; the least margin: "
                                   : "DOES NOT HOLD: " + std::to_string(verdict.failing) + " of " + n +

@@ -24,11 +24,12 @@ ALLOWED = {
     "expected": ["base", "algebra", "system", "dynamics", "waves", "sliding"],
     "output": FEM + ["fem", "dynamics", "response", "waves", "sliding"],
     "run": RUN,
-    "case": RUN + ["input", "run"],
-    "respond": RUN + ["input", "run", "case"],
-    "design": RUN + ["input", "run", "case"],
-    "study": RUN + ["input", "run", "case"],
-    "cli": RUN + ["input", "run", "case", "respond", "design", "study"],
+    "findings": RUN + ["run"],
+    "case": RUN + ["input", "run", "findings"],
+    "respond": RUN + ["input", "run", "findings", "case"],
+    "design": RUN + ["input", "run", "findings", "case"],
+    "study": RUN + ["input", "run", "findings", "case"],
+    "cli": RUN + ["input", "run", "findings", "case", "respond", "design", "study"],
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s+"(?:upbead/)?([^/"]+)/')
 PRIVATE = re.compile(r'^\s*#\s*include\s+"(?!upbead/)')
