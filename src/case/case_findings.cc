@@ -134,7 +134,7 @@ Finding waves_finding(const Case* input) {
   };
   f.parts.emplace_back([input](const Evidence& e, Summary& s) {
     s.waves = wave_summaries(*input);
-    s.formula_checks = formula_checks(s.waves, e.given.limits);
+    s.formula_checks = formula_checks(s.waves, e.scene.limits);
   });
   f.checks = [](const Scene&, const Summary& s) { return s.formula_checks; };
   f.needs_no_march = true;

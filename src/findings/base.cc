@@ -60,7 +60,7 @@ std::optional<BaseSummary> find_base(const Evidence& e) {
   const std::optional<EffectiveBase>& base = e.of(find_effective_base);
   if (!base) return std::nullopt;
   const Series& series = e.solution.response.ends;
-  BaseSummary s{base_extremes(*base, series.time), {}, {}, {}, 0., 0., e.given.limits.dynamic_base_pressure};
+  BaseSummary s{base_extremes(*base, series.time), {}, {}, {}, 0., 0., e.scene.limits.dynamic_base_pressure};
   const BaseExtremes at_rest = base_extremes(without_motion(e.simulation, *base, series.time), series.time);
   s.static_heel_pressure = at_rest.peak_heel_pressure;
   s.static_toe_pressure = at_rest.peak_toe_pressure;

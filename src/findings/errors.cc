@@ -117,7 +117,7 @@ std::optional<SlipErrors> compare_reduced(const Evidence& e, const CellsCompared
     errors.as_whole = slip_error(coupled->slip.residual, {whole->coarse, whole->finer, whole->own}, by_forces);
   }
   const auto slip = [&](const Response& response) {
-    return slip_by_history(sliding_of(simulation.given, *simulation.compiled, response));
+    return slip_by_history(sliding_of(simulation.scene, *simulation.compiled, response));
   };
   errors.by_history = slip_error(slip_by_history(e.of(find_slid)),
                                  {slip(bonded.coarse), slip(bonded.finer), slip(bonded.own)}, by_forces);
@@ -184,7 +184,7 @@ double largest_shear(const Spectrum& spectrum, const std::vector<std::complex<do
 }
 
 double error_of_far_sides(const Simulation& simulation, const ShearResponse& response) {
-  const Scene& scene = simulation.given;
+  const Scene& scene = simulation.given;  // which is resolved anew
   const Sides sides = far_sides(*simulation.given_mesh);
   if (sides.empty()) return 0.;
   const double duration = step_of_loads(scene, 4).duration;
@@ -223,7 +223,7 @@ ShearError error_of_steps(const Solution& solution) {
     const bool alpha = solution.response.order == 2;
     return marched_shear(*coarse.compiled, alpha ? SchemeKind::generalised_alpha : SchemeKind::sdirk4, grid);
   };
-  const TimeGrid grid = make_time_grid(kinks(coarse.compiled->system), coarse.given.time.end,
+  const TimeGrid grid = make_time_grid(kinks(coarse.compiled->system), coarse.scene.time.end,
                                        solution.discretisation.time_step * (1. + 1e-9));
   const ShearError moved = difference(answer(grid), answer(halved(grid)));
   return {whole * moved.peak, whole * moved.history};
@@ -254,8 +254,8 @@ SlipErrors slip_errors(const Evidence& e, const Errors& of_shear, const CellsCom
 }
 
 bool asks_for_errors(const Evidence& e) {
-  return e.solution.shear && e.given.time.inertia && !yields(e.given) &&
-         (e.simulation.accuracy || e.given.accuracy.estimate);
+  return e.solution.shear && e.scene.time.inertia && !yields(e.scene) &&
+         (e.simulation.accuracy || e.scene.accuracy.estimate);
 }
 
 std::string why_no_slip_error(const Scene& given) {
@@ -269,7 +269,7 @@ std::string why_no_slip_error(const Scene& given) {
 Errors find_errors(const Evidence& e) {
   Errors out;
   if (!asks_for_errors(e)) {
-    out.why_no_slip = why_no_slip_error(e.given);
+    out.why_no_slip = why_no_slip_error(e.scene);
     return out;
   }
   const auto progress = watched("estimating errors");

@@ -123,7 +123,7 @@ Summary find(const Solution& solution, const std::function<void(double)>& progre
     if (finding.warnings) append(summary.warnings, finding.warnings(evidence, summary));
     if (finding.skipped) append(summary.skipped, finding.skipped(evidence, summary));
   }
-  summary.checks = checks_of(evidence.given, summary, also);
+  summary.checks = checks_of(evidence.scene, summary, also);
   append(summary.warnings, route_warnings(summary.checks));
   if (!summary.checks.empty()) summary.verdict = verdict_of(summary.checks, summary.warnings);
   return summary;

@@ -86,7 +86,7 @@ Discretisation find_discretisation(const Evidence& e) {
 }
 
 std::string find_title(const Evidence& e) {
-  return e.given.title;
+  return e.scene.title;
 }
 
 Ladder find_ladder(const Evidence& e) {

@@ -100,9 +100,9 @@ NumberedWarnings jump_warnings(const Simulation& simulation) {
 NumberedWarnings motion_warnings(const Simulation& simulation) {
   constexpr double at_rest = 0.05;  // of the largest velocity
   NumberedWarnings list;
-  for (const auto& [name, load] : simulation.given.loads) {
+  for (const auto& [name, load] : simulation.scene.loads) {
     if (load.kind != LoadKind::acceleration || load.factor == 0. || load.history.kinks().empty()) continue;
-    const double last = load.history.kinks().back(), end = simulation.given.time.end;
+    const double last = load.history.kinks().back(), end = simulation.scene.time.end;
     if (last > end) continue;
     const double largest =
         std::max(extremum(load.history, 0., end, 1).value, -extremum(load.history, 0., end, -1).value);
@@ -346,7 +346,7 @@ SkippedList skipped_in_scene(const Simulation& simulation, bool reduced) {
   SkippedList list;
   for (const Decision& decision : simulation.decisions)
     if (!decision.left_out.empty()) list.push_back({decision.left_out, decision.why});
-  for (const auto& [name, load] : simulation.given.loads)
+  for (const auto& [name, load] : simulation.scene.loads)
     if (load.factor == 0.) {
       list.push_back({"load " + name, "its factor is 0"});
     } else if (const auto& samples = load.history.samples(); !reduced && is_rough(load.history)) {
@@ -356,8 +356,8 @@ SkippedList skipped_in_scene(const Simulation& simulation, bool reduced) {
                           "time.scheme = \"reduced\", smooth it, or give time.step = its sampling interval, " +
                           significant(samples[1] - samples[0]) + " s"});
     }
-  if (!simulation.given.fields_every) list.push_back({"fields", "the case asks for none ([output] fields)"});
-  if (!simulation.given.time.inertia) list.push_back({"inertia", "[time] inertia = false: consolidation"});
+  if (!simulation.scene.fields_every) list.push_back({"fields", "the case asks for none ([output] fields)"});
+  if (!simulation.scene.time.inertia) list.push_back({"inertia", "[time] inertia = false: consolidation"});
   return list;
 }
 

@@ -36,7 +36,7 @@ SkippedList skipped_strength(const Evidence& e, const Summary&) {
 }
 
 SkippedList no_strength(const Simulation& simulation, bool) {
-  if (!simulation.compiled->caisson || has_strength(simulation.given) || yields(simulation.given)) return {};
+  if (!simulation.compiled->caisson || has_strength(simulation.scene) || yields(simulation.scene)) return {};
   return {{"strength of the soil", "no region has a table strength"}};
 }
 

@@ -22,8 +22,14 @@ Simulation assembled(Simulation simulation);
 /// The same with other soil on the same cells.
 Simulation with_soil(const Simulation& simulation, const SoilState& soil);
 
-/// The same matrices with another scene, which may differ in times, scheme or sliding.
+/// The same matrices with another scene, which may differ in times, scheme, sliding, limits or output.
 Simulation with_given(const Simulation& simulation, const Scene& given);
+
+/// What the scene allows in all. Where the mesh was made for the tolerance, scene.tolerance is the part of it that is
+/// left for a reduced model.
+inline double whole_tolerance(const Simulation& simulation) {
+  return simulation.given.tolerance;
+}
 
 /// The same with another system of equations.
 Simulation with_system(const Simulation& simulation, std::shared_ptr<const CompiledScene> compiled);

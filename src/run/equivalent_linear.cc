@@ -76,7 +76,7 @@ struct LinearAnswer {
 /// The simulation with the steps of the first march: softer soil would allow longer steps, but finding them takes
 /// factorisations.
 Simulation in_first_steps(const LinearAnswer& first, const Simulation& simulation) {
-  if (first.step == 0. || !simulation.given.time.inertia) return simulation;  // in quasi-statics its steps grow
+  if (first.step == 0. || !simulation.scene.time.inertia) return simulation;  // in quasi-statics its steps grow
   Scene scene = simulation.given;
   scene.time.step = first.step * (1. + 1e-9);
   return with_given(simulation, scene);
@@ -116,7 +116,7 @@ LinearAnswer marched_answer(const Simulation& simulation, const std::vector<bool
   ObserverFunction reported = progress_observer(progress);
   MarchOptions options;
   options.observers = {&strains, &reported};
-  const TimeScheme asked = simulation.given.time.scheme;
+  const TimeScheme asked = simulation.scene.time.scheme;
   SchemeOptions scheme_options;
   scheme_options.account_energy = false;  // nobody sees these results
   if (asked == TimeScheme::generalised_alpha) scheme_options.kind = SchemeKind::generalised_alpha;

@@ -56,7 +56,9 @@ Simulation with_soil(const Simulation& simulation, const SoilState& soil) {
 Simulation with_given(const Simulation& simulation, const Scene& given) {
   Simulation other = simulation;
   other.given = given;
-  other.scene.sliding = given.sliding;
+  other.scene = given;
+  other.scene.regions = simulation.scene.regions;  // resolved
+  other.scene.tolerance = simulation.scene.tolerance;
   return other;
 }
 

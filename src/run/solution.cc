@@ -25,14 +25,14 @@ Simulation without_sliding(const Simulation& simulation) {
 
 /// About ten marches of the soil come before the run that counts: the part of the work that they are.
 double soil_ends(const Simulation& simulation) {
-  return follows_strain(simulation.given) && !simulation.soil ? 0.8 : 0.;
+  return follows_strain(simulation.scene) && !simulation.soil ? 0.8 : 0.;
 }
 
 /// Where the scene asks for it, and where its soil has no rest.
 std::optional<SafetySummary> safety_of(const Simulation& simulation, const Solution& solution) {
-  const Scene& given = simulation.given;
+  const Scene& scene = simulation.scene;
   const bool lacks_rest = solution.yielding && !solution.yielding->found.why_no_rest.empty();
-  if (!(given.initial && given.initial->safety) && !given.limits.safety && !lacks_rest) return std::nullopt;
+  if (!(scene.initial && scene.initial->safety) && !scene.limits.safety && !lacks_rest) return std::nullopt;
   const SafetyFactor found =
       safety_factor(simulation.scene, *simulation.mesh, simulation.soil_state, watched("strength reduction"));
   return SafetySummary{found.lower, found.upper, found.fails_at, found.why};
@@ -67,7 +67,7 @@ Solution solve(const Simulation& simulation, const RunOptions& options) {
   marching.observers.push_back(&progress);
   if (MarchObserver* other = options.observer ? options.observer(*solved) : nullptr)
     marching.observers.push_back(other);
-  marching.stop_at_energy = solved->given.time.stop_at_energy.value_or(0.);
+  marching.stop_at_energy = solved->scene.time.stop_at_energy.value_or(0.);
   marching.checkpoints = options.checkpoints;
   Solution solution =
       solve_in_time(*solved, ahead, marching, options, part_of(options.progress, begin, slips ? bonded_ends : 1.));

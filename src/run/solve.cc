@@ -24,8 +24,8 @@ namespace upbead {
 namespace {
 
 /// By how much both routes to F_T of yielding soil may differ, over the largest force: that is what its solves leave.
-double tolerable_of_yielding(const Scene& scene) {
-  return 1e-7 + 100. * yielding_tolerance * scene.tolerance;
+double tolerable_of_yielding(double tolerance) {
+  return 1e-7 + 100. * yielding_tolerance * tolerance;
 }
 
 constexpr double most_steps = 1e6, most_fields = 1e4, most_dense = 1e6;
@@ -83,7 +83,7 @@ Solution solution_of(const Simulation& simulation, const std::string& scheme, Re
   Solution solution;
   solution.discretisation = discretisation(simulation, scheme, response);
   if (simulation.compiled->caisson)
-    solution.shear = read_shear_response(*simulation.compiled, response, simulation.given.time.inertia);
+    solution.shear = read_shear_response(*simulation.compiled, response, simulation.scene.time.inertia);
   solution.response = std::move(response);
   solution.timing = simulation.timing;
   return solution;
@@ -154,15 +154,15 @@ Solution run_reduced(const Simulation& simulation, const SchemeChoice& choice, c
   const Stopwatch watch;
   const Scene& scene = simulation.scene;
   const System& system = simulation.compiled->system;
-  const SampledLoads shown = sampled_loads(scene, system, times_of_fields(simulation.given));
+  const SampledLoads shown = sampled_loads(scene, system, times_of_fields(simulation.scene));
   const bool is_shown = !wanted(shown.time, observers).empty();
   // by what the scene asks for, not by who looks: a study, which shows no fields, must find what a run finds
-  const bool states = simulation.given.fields_every || is_shown || has_strength(simulation.given);
-  const bool by_name = simulation.given.time.scheme == TimeScheme::reduced;
+  const bool states = simulation.scene.fields_every || is_shown || has_strength(simulation.scene);
+  const bool by_name = simulation.scene.time.scheme == TimeScheme::reduced;
   const std::optional<int> most_vectors = by_name ? most_vectors_by_name : choice.most_vectors;
   const double reducing_ends = is_shown ? 0.3 : 1.;  // 100 files take longer than the model
   // with a mesh made for the tolerance F_T has only a part of it, but other readings do not
-  const ReductionTargets targets{false, false, most_vectors, true, states, true, simulation.given.tolerance};
+  const ReductionTargets targets{false, false, most_vectors, true, states, true, whole_tolerance(simulation)};
   Reduction reduction =
       reduce_beside(ahead, scene, *simulation.compiled, targets, part_of(progress, 0., reducing_ends));
   if (by_name)
@@ -176,7 +176,7 @@ Solution run_reduced(const Simulation& simulation, const SchemeChoice& choice, c
     solution.dense = at_times(all, times, time_tolerance(scene));
   }
   solution.discretisation.why_scheme = choice.reason;
-  solution.discretisation.why_step = simulation.given.time.step ? "given in the case, or shorter where loads need it"
+  solution.discretisation.why_step = simulation.scene.time.step ? "given in the case, or shorter where loads need it"
                                                                 : "a 32nd of the shortest load, for the record";
   solution.reduction = summary_of(reduction);
   if (simulation.compiled->caisson)
@@ -198,7 +198,7 @@ std::vector<Way> marching_ways(const Simulation& simulation, const SchemeChoice&
       throw NumericsError(error.diagnostics().list().front().what);
     }
   };
-  return ways_with_care(simulation.given, word_of(choice.scheme, time_scheme_words), solve);
+  return ways_with_care(simulation.scene, word_of(choice.scheme, time_scheme_words), solve);
 }
 
 /// The ways that a case allows. Where it leaves the scheme open: a reduced model, if that is less work, then sdirk4
@@ -207,7 +207,7 @@ std::vector<Way> ways(const Simulation& simulation, const SchemeChoice& choice, 
                       const std::function<void(double)>& reducing) {
   if (choice.scheme != TimeScheme::reduced) return marching_ways(simulation, choice);
   std::vector<Way> list;
-  if (simulation.given.time.scheme != TimeScheme::reduced)
+  if (simulation.scene.time.scheme != TimeScheme::reduced)
     list = marching_ways(simulation, {TimeScheme::sdirk4, "the reduced model was refused", {}});
   list.insert(list.begin(), {"reduced", [&simulation, choice, ahead, reducing](const MarchOptions& options) {
                                return run_reduced(simulation, choice, ahead, options.observers, reducing);
@@ -217,7 +217,7 @@ std::vector<Way> ways(const Simulation& simulation, const SchemeChoice& choice, 
 
 /// Text for a user whose scheme has been refused: whether "auto" would give a result, and how. Tries it.
 std::string what_would_work(const Simulation& simulation, const std::function<void(double)>& reducing) {
-  const TimeScheme refused = simulation.given.time.scheme;
+  const TimeScheme refused = simulation.scene.time.scheme;
   if (refused == TimeScheme::automatic) return "";
   Scene automatic = simulation.given;
   automatic.time.scheme = TimeScheme::automatic;
@@ -300,9 +300,9 @@ std::optional<Mismatch> imbalance(const Simulation& simulation, const Solution& 
   try {
     if (solution.shear)
       require_balance(*solution.shear, energy.empty() ? EnergyAccount() : energy.back(),
-                      solution.yielding ? tolerable_of_yielding(simulation.given) : 1e-7);
+                      solution.yielding ? tolerable_of_yielding(whole_tolerance(simulation)) : 1e-7);
     else if (!energy.empty())
-      require_balance(energy.back(), simulation.compiled->system, simulation.given.time.end);
+      require_balance(energy.back(), simulation.compiled->system, simulation.scene.time.end);
   } catch (const Imbalance& found) {
     return found.mismatch();
   }
@@ -394,15 +394,17 @@ Solution march_by(Scheme& scheme, const Simulation& simulation, const std::strin
                   double part) {
   MarchOptions marching = options;
   const System& system = simulation.compiled->system;
-  const TimeChoice& time = simulation.given.time;
+  const TimeChoice& time = simulation.scene.time;
   StepChoice step;
   step.largest_step = time.step.value_or(0.);
   step.reason = "given in the case";
   if (!time.step) {
-    step = choose_step(simulation.given, *simulation.compiled, scheme.order());
+    Scene whole = simulation.scene;
+    whole.tolerance = whole_tolerance(simulation);
+    step = choose_step(whole, *simulation.compiled, scheme.order());
     if (scheme.yielding() || scheme.contact()) step.largest_step *= contact_step;
     if (scheme.contact() && !scheme.yielding()) {
-      marching.leap = contact_leap(simulation.given.tolerance);
+      marching.leap = contact_leap(whole_tolerance(simulation));
       step.reason += ", up to " + std::to_string(marching.leap) + " at once while no node moves";
     }
   }
@@ -411,15 +413,15 @@ Solution march_by(Scheme& scheme, const Simulation& simulation, const std::strin
     if (step.growth) step.growth->largest *= part;
     step.reason = significant(part) + " of those of: " + step.reason;
   }
-  if (!time.step || part < 1.) check_steps(simulation.given, step.largest_step, step.growth, step.reason);
-  const std::vector<double> meeting = times_to_meet(simulation.given, system);
+  if (!time.step || part < 1.) check_steps(simulation.scene, step.largest_step, step.growth, step.reason);
+  const std::vector<double> meeting = times_to_meet(simulation.scene, system);
   TimeGrid grid = make_time_grid(meeting, time.end, step.largest_step, step.growth);
   if (const auto& from = options.checkpoints.resume_from)
     grid = resumed(std::move(grid), from->so_far, meeting, step.largest_step, step.growth);
 
   std::optional<DenseRecorder> dense;
-  if (simulation.given.output_every && scheme.order() >= 4 && !system.is_divided())
-    marching.observers.push_back(&dense.emplace(system, equal_times(simulation.given), time.inertia));
+  if (simulation.scene.output_every && scheme.order() >= 4 && !system.is_divided())
+    marching.observers.push_back(&dense.emplace(system, equal_times(simulation.scene), time.inertia));
   const Stopwatch watch;
   Response response = march(system, scheme, grid, marching);
   response.n_factorisations += step.factorisations;

@@ -115,7 +115,7 @@ Solution march_from(const Simulation& simulation, RestStart start, const Rest& r
   const auto soil =
       yielding_soil(*simulation.space, *simulation.unknowns, system.readings, laws.points, work_of(simulation));
   const auto scheme = make_yielding_scheme(
-      system, *soil, {yielding_tolerance * simulation.given.tolerance, care.refined, rest.elastic.weight});
+      system, *soil, {yielding_tolerance * whole_tolerance(simulation), care.refined, rest.elastic.weight});
   if (follower.soil) follower.soil(*soil);
   YieldingWatch watch(*simulation.space, *simulation.unknowns, *soil);
   MarchOptions followed = marching;
@@ -135,7 +135,7 @@ Solution climb_from(const Simulation& simulation, RestStart start, const Rest& r
   const auto solve = [&](const MarchOptions& options, const Care& care) {
     return march_from(simulation, start, rest, options, care, follower);
   };
-  return climb(simulation, ways_with_care(simulation.given, "yielding", solve), marching);
+  return climb(simulation, ways_with_care(simulation.scene, "yielding", solve), marching);
 }
 
 StartBound bound_of(const Solution& solution) {
@@ -157,10 +157,10 @@ Solution run_yielding(const Simulation& simulation, const MarchOptions& marching
     rest.why_none = why_none(found);
     if (found.found) rest.failing = std::move(found);
   }
-  const RestStart start = start_of(simulation.given);
+  const RestStart start = start_of(simulation.scene);
   Solution solution = climb_from(simulation, start, rest, marching, options.follower);
   solution.simulation = std::make_shared<const Simulation>(simulation);
-  if (options.bounds && simulation.compiled->caisson && wants_bounds(simulation.given)) {
+  if (options.bounds && simulation.compiled->caisson && wants_bounds(simulation.scene)) {
     int n = 0;
     for (const auto& [word, other] : rest_start_words) {
       if (other == start) continue;

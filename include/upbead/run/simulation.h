@@ -68,9 +68,9 @@ struct Simulation {
   /// Solves it, and finds what is to be said: solve() below, then find() of upbead/findings/find.h.
   Run run(const RunOptions& options = {}) const;
 
-  Scene given;                                 ///< as it was asked for
-  Scene scene;                                 ///< as solved: everything that it left open is decided
-  std::vector<Decision> decisions;             ///< about its regions
+  Scene given;                      ///< as it was asked for: resolved anew on other meshes, else for the echo
+  Scene scene;                      ///< as solved: everything that it left open is decided
+  std::vector<Decision> decisions;  ///< about its regions
   std::shared_ptr<const Processes> processes;  ///< among which the system is divided; null: not divided
   std::shared_ptr<const Mesh> given_mesh;      ///< from which the refinement for the tolerance started; else `mesh`
   std::shared_ptr<const Mesh> mesh;

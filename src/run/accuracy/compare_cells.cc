@@ -45,7 +45,7 @@ SoilState of_children(const SoilState& soil, const Mesh& mesh, const Mesh& finer
 /// The scene as solved for a comparison: more accurately in time, at the program's own steps.
 Scene compared(const Simulation& simulation) {
   Scene scene = simulation.scene;
-  scene.tolerance = share_of_time * simulation.given.tolerance;
+  scene.tolerance = share_of_time * whole_tolerance(simulation);
   scene.time.step.reset();
   return scene;
 }
@@ -54,7 +54,7 @@ Scene compared(const Simulation& simulation) {
 Answers bonded_answers(const Simulation& simulation, const Response& response) {
   const CompiledScene& compiled = *simulation.compiled;
   Answers answers{response.ends.reading.row(compiled.system.reading(reading::shear_force)).transpose()};
-  if (const auto sliding = sliding_of(simulation.given, compiled, response))
+  if (const auto sliding = sliding_of(simulation.scene, compiled, response))
     answers.push_back(Eigen::VectorXd::Constant(1, sliding->history.by_history.residual));
   return answers;
 }
@@ -90,7 +90,7 @@ std::optional<CellsCompared::Reduced> by_reduced_models(const Simulation& simula
 
 ShearError by_march(const Simulation& simulation, const CompiledScene& finer) {
   const double step = choose_step(compared(simulation), *simulation.compiled, 4).largest_step;
-  check_steps(simulation.given, step, {}, "for an estimate of the mesh's error");
+  check_steps(simulation.scene, step, {}, "for an estimate of the mesh's error");
   const auto shear = [&](const CompiledScene& on) {
     const TimeGrid grid = make_time_grid(kinks(on.system), simulation.scene.time.end, step);
     return marched_shear(on, SchemeKind::sdirk4, grid);

@@ -248,7 +248,7 @@ Solution march_contact(const Simulation& simulation, const MarchOptions& marchin
     solution.contact = followed_by(recorder);
     return solution;
   } catch (const NumericsError& error) {
-    if (simulation.given.time.inertia) throw;
+    if (simulation.scene.time.inertia) throw;
     throw NumericsError(std::string(error.what()) +
                         "; without inertia (time.inertia = false) nothing stops a caisson whose friction is exceeded");
   }
@@ -311,7 +311,7 @@ Solution run_contact(const Simulation& simulation, const MarchOptions& marching,
     return march_contact(*moving, options, care);
   };
   Solution solved = soil_yields ? march_yielding_contact(*moving, unkept, progress, follow)
-                                : climb(*moving, ways_with_care(simulation.given, "contact", solve), unkept);
+                                : climb(*moving, ways_with_care(simulation.scene, "contact", solve), unkept);
   solved.simulation = moving;
   solved.ladder = joined(before.ladder, solved.ladder);
   solved.periods = before.periods;

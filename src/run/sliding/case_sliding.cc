@@ -77,7 +77,7 @@ bool has_pore_pressure(const CompiledScene& compiled) {
 }  // namespace
 
 void check_sliding(const Simulation& simulation) {
-  const Scene& scene = simulation.given;
+  const Scene& scene = simulation.scene;
   const CompiledScene& compiled = *simulation.compiled;
   if (!scene.sliding || !compiled.caisson) return;
   const SlidingChoice& sliding = *scene.sliding;

@@ -106,7 +106,7 @@ SlipProblem finer_problem(const Scene& scene, const Simulation& simulation, cons
 std::optional<SlipCompared> compare_slip(const Simulation& simulation, const Response& bonded) {
   constexpr double enough = 0.1;  // of the tolerance
   Scene scene = simulation.scene;
-  scene.tolerance = simulation.given.tolerance;
+  scene.tolerance = whole_tolerance(simulation);
   const SampledLoads loads = loads_of_slip(scene, *simulation.compiled);
   const auto slip = [&](const GrowingModel& model) { return slip_of(scene, model.system(), loads); };
   const auto read = [&](const GrowingModel& model) -> Answers { return {Eigen::VectorXd::Constant(1, slip(model))}; };
