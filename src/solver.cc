@@ -1,15 +1,39 @@
 // upbead-solver: all commands of upbead, with the libraries that mesh and solve.
 
+#include <cstdio>
+#include <cstdlib>
+#include <iostream>
+
+#include "base/cores.h"
 #include "cli/command.h"
 #include "upbead/algebra/petsc_session.h"
 
+namespace {
+
+/// Ends the process at once: all files are whole, and the destructors of 200 libraries, which take 0.12 s, change
+/// nothing. Sanitizers look for leaks at an ordinary end.
+[[noreturn]] void leave(int code) {
+  std::cout.flush();
+  std::fflush(nullptr);
+#ifdef UPBEAD_SANITIZE
+  std::exit(code);
+#else
+  std::_Exit(code);
+#endif
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
+  int code = 0;
   try {
     const upbead::PetscSession petsc;
     const std::vector<upbead::Command> solving{upbead::explain_command(), upbead::run_command(),
                                                upbead::reduce_command(), upbead::study_command()};
-    return upbead::run_program(argc, argv, solving + upbead::light_commands());
+    code = upbead::run_program(argc, argv, solving + upbead::light_commands());
+    if (!upbead::is_launched()) leave(code);  // else MPI is to be left in order
   } catch (...) {
-    return upbead::tell_failure();
+    code = upbead::tell_failure();
   }
+  leave(code);
 }

@@ -24,6 +24,8 @@ const char* const run_footer =
   case.toml      the case with all defaults spelled out; runs again as it is
   fields.pvd     fields for ParaView, where the case has [output] fields
 
+Prints one screen: verdict, checks, warnings, F_T/P, S and where the files are; --details prints the rest.
+
 A long run can be stopped and resumed, with the same result to the last bit (not with contact, soil that follows
 its strain, or several processes):
   upbead run CASE --checkpoint 600      writes a checkpoint every 600 s, and where it is interrupted
@@ -48,7 +50,9 @@ Examples:
   upbead respond results/fig2b-prototype/reduced.h5 cases/fig2b-prototype-impulse.csv)";
 
 std::vector<Option> run_options(CaseOptions& options) {
-  return {{"--checkpoint", &options.checkpoint_every,
+  return {{"--details", &options.details,
+           "print all results and how the scene is solved, not the one screen that most people need"},
+          {"--checkpoint", &options.checkpoint_every,
            "keep a checkpoint in DIR.checkpoint every so many seconds of wall time; removed in the end", "SECONDS",
            false, true},
           {"--resume", &options.resume, "go on from the checkpoint, where there is one"}};

@@ -76,6 +76,7 @@ struct CaseOptions : CommonOptions {
   bool trusted = false;          ///< --trust
   double checkpoint_every = 0.;  ///< run: wall time between two checkpoints (s); 0: none are kept
   bool resume = false;           ///< run
+  bool details = false;          ///< run: --details
   bool all_readings = false;     ///< reduce
   bool check = false;            ///< reduce
 };

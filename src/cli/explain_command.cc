@@ -1,5 +1,6 @@
 #include <iostream>
 
+#include "case/case_findings.h"
 #include "case/case_run.h"
 #include "case/cfd/flow_scene.h"
 #include "case/script_trust.h"
@@ -12,7 +13,6 @@
 #include "fem/compile.h"
 #include "findings/topics.h"
 #include "model/exclusions.h"
-#include "case/case_findings.h"
 #include "output/wave_response.h"
 #include "response/time_choice.h"
 #include "run/yielding_extent.h"
@@ -139,7 +139,7 @@ int explain(const CaseOptions& options) {
   std::cerr << notes_on(input) << describe(told);
   const std::vector<MeasuredRecord> measured = read_records(input, simulation);
   std::cout << (options.json ? explanation_json(input, simulation, told, record_summaries(input, measured))
-                             : describe(input, simulation, measured));
+                             : details(input, simulation, measured));
   return 0;
 }
 

@@ -11,14 +11,24 @@
 #include "case/time_end.h"
 #include "case/wave_load.h"
 #include "fem/compile.h"
+#include "findings/find.h"
+#include "findings/topics.h"
 #include "model/words.h"
 #include "output/checks.h"
+#include "output/output_text.h"
 #include "response/time_choice.h"
 #include "run/yielding_extent.h"
 
 namespace upbead {
 
 namespace {
+
+/// "a, b and 3 others"
+std::string first_of(const std::vector<std::string>& list, std::size_t most) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min(most, list.size()); ++i) text += (i > 0 ? ", " : "") + list[i];
+  return text + (list.size() > most ? " and " + std::to_string(list.size() - most) + " others" : "");
+}
 
 std::string describe_regions(const Case& input, const Simulation& simulation) {
   std::string text;
@@ -83,9 +93,70 @@ std::string describe(const MeshAccuracy& accuracy) {
   return text + "\n";
 }
 
+constexpr std::size_t most_checks = 8, most_regions = 8, most_loads = 3;
+
+/// "caisson rigid, mound porous drained, seabed porous inertial"
+std::string list_of_regions(const Case& input, const Simulation& simulation) {
+  std::vector<std::string> list;
+  for (const Decision& decision : simulation.decisions) {
+    if (decision.region.empty() || decision.key == "damping") continue;
+    const std::string kind = word_of(input.scene.regions.at(decision.region).kind, region_kind_words);
+    list.push_back(decision.region + " " + kind + (decision.value == kind ? "" : " " + decision.value));
+  }
+  return first_of(list, most_regions);
+}
+
+/// "impulse (arm 0.4 m), tail (no horizontal force)"
+std::string list_of_loads(const Simulation& simulation) {
+  std::vector<std::string> list;
+  for (const LoadOnCaisson& load : simulation.compiled->loads_on_caisson) {
+    const auto arm = load.arm();
+    list.push_back(load.name + (arm ? " (arm " + significant(*arm, 3) + " m)" : ""));
+  }
+  return list.empty() ? "none" : first_of(list, most_loads);
+}
+
+/// Those with a limit; the others are in the summary.
+Checks with_a_limit(const Checks& checks) {
+  Checks list;
+  for (const Check& check : checks)
+    if (check.holds) list.push_back(check);
+  return list;
+}
+
+std::string error_of(const std::optional<double>& error) {
+  return error ? " (wrong by up to " + with_unit(*error, "m") + ")" : "";
+}
+
+/// P, F_T, their ratio, x_G and the error of F_T.
+std::string forces_of(const Summary& s) {
+  const ShearResponse& r = *s.response;
+  std::string text = "F_T / P     " +
+                     (r.shear_to_force_ratio ? significant(*r.shear_to_force_ratio, 4)
+                                             : std::string("none: no horizontal force acts")) +
+                     (is_solved_with_friction(s) ? ", with friction node by node" : "") + ": F_T " +
+                     with_unit(r.peak_shear, "N/m", r.peak_force) + " at " + significant(r.peak_shear_time, 4) +
+                     " s, P " + with_unit(r.peak_force, "N/m") + " at " + significant(r.peak_force_time, 4) + " s\n";
+  text += "x_G         " + with_unit(r.largest_displacement, "m") + " at " +
+          significant(r.largest_displacement_time, 4) + " s, seaward F_T " +
+          with_unit(r.peak_shear_seaward, "N/m", r.peak_force) + "\n";
+  if (s.error)
+    text += "error       up to " + percent(s.error->total()) + " of peak F_T, " + percent(s.history_error->total()) +
+            " of it at any time\n";
+  return text;
+}
+
+std::string periods_of(const std::vector<NaturalPeriod>& periods) {
+  std::vector<std::string> list;
+  for (const NaturalPeriod& p : periods)
+    list.push_back(significant(p.period) + " s (" + percent(p.share) + " of F_T, damping " + percent(p.damping_ratio) +
+                   ")");
+  return "periods     " + first_of(list, 2) + "\n";
+}
+
 }  // namespace
 
-std::string describe(const Case& input, const Simulation& simulation, const std::vector<MeasuredRecord>& measured) {
+std::string details(const Case& input, const Simulation& simulation, const std::vector<MeasuredRecord>& measured) {
   std::string text = input.scene.title + "\n";
   text += format("mesh        %d cells of degree %d, %d unknowns (%d of them relative fluid displacements)\n",
                  static_cast<int>(simulation.mesh->triangulation.n_active_cells()), simulation.space->degree(),
@@ -119,13 +190,37 @@ std::string describe(const Case& input, const Simulation& simulation, const std:
   return text;
 }
 
-std::string describe(const Run& run) {
-  const Summary& s = run.summary;
-  const Timing& t = s.timing;
-  return details_of(s) + (s.verdict ? describe(*s.verdict, s.checks) : "") +
-         format(
-             "time        mesh %.2f s, compile %.2f s, factorise %.2f s, march %.2f s, output %.2f s, total %.2f s\n",
-             t.mesh, t.compile, t.factorise, t.march, t.output, t.total);
+std::string brief(const Case& input, const Simulation& simulation) {
+  std::string text = input.scene.title + "\n" +
+                     format("mesh        %d cells of degree %d, %d unknowns: ",
+                            static_cast<int>(simulation.mesh->triangulation.n_active_cells()),
+                            simulation.space->degree(), simulation.unknowns->n_free()) +
+                     list_of_regions(input, simulation) + "\n";
+  text += "loads       " + list_of_loads(simulation) + "; until " + significant(simulation.given.time.end) + " s\n";
+  const SchemeChoice choice = choose_scheme(simulation.scene, *simulation.compiled);
+  return text + "in time     " + word_of(choice.scheme, time_scheme_words) + ": " + choice.reason + "\n";
+}
+
+std::string brief(const Summary& s) {
+  std::string text;
+  if (s.verdict) text += describe(*s.verdict, with_a_limit(s.checks), most_checks);
+  if (!s.why_void.empty()) text += "VOID        " + s.why_void + "\n";
+  if (const int refused = static_cast<int>(s.ladder.size()) - 1; refused > 0)
+    text += "solved by   " + s.ladder.back().way + ", after " + std::to_string(refused) +
+            (refused == 1 ? " way was" : " ways were") + " refused\n";
+  if (s.response) text += forces_of(s);
+  if (s.sliding)
+    text += "S           " + with_unit(s.sliding->design.value, "m") + error_of(s.sliding->design.error_estimate) +
+            " by " + s.sliding->design.measure + "\n";
+  if (s.residual)
+    text += "at rest     x " + with_unit(s.residual->displacement_x, "m") + ", y " +
+            with_unit(s.residual->displacement_y, "m") + ", turned " + significant(s.residual->rotation) + " rad\n";
+  if (!s.periods.empty()) text += periods_of(s.periods);
+  return text + format("time        %.2f s; --details prints all else, summary.json has it\n", s.timing.total);
+}
+
+std::string details(const Summary& summary) {
+  return text_of(summary_outputs().to_json(summary), summary_outputs().rows());
 }
 
 }  // namespace upbead

@@ -9,10 +9,16 @@
 
 namespace upbead {
 
-/// What will be solved: mesh, unknowns, regions with their flow and why, loads with their arms, what is skipped.
-std::string describe(const Case& input, const Simulation& simulation, const std::vector<MeasuredRecord>& measured);
+/// What will be solved, in four lines: title, mesh and regions, loads, the way in time.
+std::string brief(const Case& input, const Simulation& simulation);
 
-/// The results: peaks, ratio, checks, times.
-std::string describe(const Run& run);
+/// All of it: mesh, unknowns, regions with their flow and why, loads with their arms, what is skipped.
+std::string details(const Case& input, const Simulation& simulation, const std::vector<MeasuredRecord>& measured);
+
+/// The results in one screen: verdict, checks that fail or have a limit, what people came for.
+std::string brief(const Summary& summary);
+
+/// All results: what every finding has to say, checks, times.
+std::string details(const Summary& summary);
 
 }  // namespace upbead

@@ -124,7 +124,8 @@ void run(const CaseOptions& options, const Stopwatch& since_start, const std::sh
   if (checkpoints) checkpoints->require_fit(input, simulation);
   const std::vector<MeasuredRecord> records = read_records(input, simulation);
   if (is_first && !options.json)
-    std::cout << describe(input, simulation, records) << checkpoints->account() << std::flush;
+    std::cout << (options.details ? details(input, simulation, records) : brief(input, simulation))
+              << checkpoints->account() << std::flush;
 
   FieldOutput fields(input.scene, folder ? &*folder : nullptr);
   Run result = solve(input, simulation, records, fields, checkpoints ? &*checkpoints : nullptr, is_first);
@@ -135,7 +136,8 @@ void run(const CaseOptions& options, const Stopwatch& since_start, const std::sh
                               "summary.json, case.toml" + (input.scene.fields_every ? ", fields.pvd}" : "}");
   std::cerr << describe(result.summary.warnings);
   std::cout << (options.json ? json
-                             : describe(result) + describe(result.summary.measured) + "written     " + written + "\n");
+                             : (options.details ? details(result.summary) : brief(result.summary)) +
+                                   describe(result.summary.measured) + "written     " + written + "\n");
 }
 
 }  // namespace

@@ -214,32 +214,6 @@ OutputSchema<BaseSummary> base_outputs() {
            "of heel and toe pressure in motion, `limits.dynamic_base_pressure`; null where none is given");
 }
 
-/// The pressure under one edge: at rest, and at its largest.
-std::string edge(double at_rest, const std::optional<double>& worst, double time) {
-  return with_unit(at_rest, "Pa") + " at rest, " +
-         (worst ? "up to " + with_unit(*worst, "Pa") + " at "
-                : std::string("no value: the resultant leaves the base here from ")) +
-         significant(time, 4) + " s";
-}
-
-std::string text_of_base(const Summary& summary) {
-  if (!summary.base) return "";
-  const BaseSummary& b = *summary.base;
-  std::string text = "base        effective pressure in motion, varying linearly over the width in contact\n";
-  text += "  heel        " + edge(b.heel_pressure_at_rest, b.peak_heel_pressure, b.peak_heel_pressure_time) + "\n";
-  text += "  toe         " + edge(b.toe_pressure_at_rest, b.peak_toe_pressure, b.peak_toe_pressure_time) + "\n";
-  text += "  resultant   up to " + with_unit(b.largest_eccentricity, "m") + " beside the middle at " +
-          significant(b.largest_eccentricity_time, 4) + " s; N' down to " + with_unit(b.least_normal_force, "N/m") +
-          "\n";
-  if (b.least_overturning_margin)
-    text += "  overturning margin " + significant(*b.least_overturning_margin) + " at " +
-            significant(b.least_overturning_margin_time, 4) + " s\n";
-  if (b.lifts_time)
-    text += "  lifts       " + (b.lifts == "all" ? "the whole base" : "the " + b.lifts + " edge") + " from " +
-            significant(*b.lifts_time, 4) + " s\n";
-  return text;
-}
-
 }  // namespace
 
 std::optional<EffectiveBase> find_effective_base(const Evidence& e) {
@@ -255,7 +229,6 @@ Finding base_finding() {
   };
   f.warnings = base_warnings;
   f.checks = base_checks;
-  f.text = text_of_base;
   return f.part(&Summary::base, find_base);
 }
 

@@ -158,11 +158,4 @@ OutputSchema<Summary> keys_of(const std::vector<Finding>& also) {
   return keys;
 }
 
-std::string details_of(const Summary& summary, const std::vector<Finding>& also) {
-  std::string text;
-  for (const Finding& finding : with(also))
-    if (finding.text) text += finding.text(summary);
-  return text;
-}
-
 }  // namespace upbead

@@ -17,7 +17,4 @@ NumberedWarnings route_warnings(const Checks& checks);
 /// The keys of the findings of the scene and of `also`.
 OutputSchema<Summary> keys_of(const std::vector<Finding>& also);
 
-/// What the findings have for the terminal, line by line.
-std::string details_of(const Summary& summary, const std::vector<Finding>& also = {});
-
 }  // namespace upbead

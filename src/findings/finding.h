@@ -1,5 +1,5 @@
 // A finding: one topic of a summary, in one file. What follows from its declaration: the object in summary.json and its
-// row in docs and Python, warnings, checks and with them the verdict, what was skipped, lines on the terminal.
+// row in docs, Python and on the terminal, warnings, checks and with them the verdict, what was skipped.
 #pragma once
 
 #include <functional>
@@ -27,8 +27,6 @@ struct Finding {
   std::function<NumberedWarnings(const Evidence&, const Summary&)> warnings;
   std::function<SkippedList(const Evidence&, const Summary&)> skipped;
   std::function<Checks(const Scene&, const Summary&)> checks;
-  /// Lines for the terminal.
-  std::function<std::string(const Summary&)> text;
   /// Whether its checks are of the state before the waves, or by formulas: without a state at rest only these hold.
   bool needs_no_march = false;
   std::vector<std::function<void(const Evidence&, Summary&)>> parts;

@@ -1,5 +1,4 @@
 // How a scene was solved: mesh, scheme and the ways tried, what a reduced model knows of its error, times.
-#include "base/format.h"
 #include "base/text.h"
 #include "findings/topics.h"
 #include "run/solve.h"
@@ -19,7 +18,10 @@ OutputSchema<Discretisation> discretisation_outputs() {
       .key("steps", &D::steps, "", "steps")
       .key("solves", &D::solves, "", "solves")
       .key("factorisations", &D::factorisations, "", "factorisations")
-      .key("processes", &D::processes, "", "processes: that shared the work");
+      .key("processes", &D::processes, "", "processes: that shared the work")
+      .key("why_scheme", &D::why_scheme, "", "why this scheme was taken")
+      .key("why_step", &D::why_step, "", "why the steps are as long as they are")
+      .key("stopped_early", &D::stopped_early, "", "whether little energy was left before the end, as the case allows");
 }
 
 OutputSchema<ReductionSummary> reduction_outputs() {
@@ -129,50 +131,6 @@ NumberedWarnings balance_warnings(const Evidence& e, const Summary&) {
            "look for stiffnesses or permeabilities far from all others, or give the water its bulk modulus"}};
 }
 
-std::string describe_march(const Discretisation& d) {
-  return format("marched     %d steps of at most %.4g s by %s (%s); %d solves, %d factorisations\n", d.steps,
-                d.time_step, d.scheme.c_str(), d.why_step.c_str(), d.solves, d.factorisations) +
-         "            because " + d.why_scheme + "\n";
-}
-
-/// The way taken and the ways refused; nothing where the first way was taken.
-std::string describe(const Ladder& ladder) {
-  std::string text;
-  for (const LadderStep& step : ladder)
-    if (!step.refused.empty())
-      text += (text.empty() ? "ladder      " : "            ") + step.way + " refused: " + step.refused + "\n";
-  return text;
-}
-
-std::string describe(const ReductionSummary& r) {
-  std::string text = format(
-      "reduced     to %d modes from %d solves; between nested models the history of F_T differs by %.1e of its peak,\n"
-      "            its peak by %.1e, other readings by up to %.1e of their own largest value; checked up to %.3g Hz\n",
-      r.modes, r.vectors, r.error, r.error_peak, r.error_of_others, r.highest_frequency);
-  if (r.error_of_states)
-    text +=
-        format("            fields and strengths: states move by %.1e of the largest, in energy\n", *r.error_of_states);
-  return text;
-}
-
-/// The natural periods, or why there are none.
-std::string describe_periods(const Summary& summary) {
-  constexpr std::size_t most = 4;
-  const std::vector<NaturalPeriod>& periods = summary.periods;
-  const std::string none = why_no_periods(summary);
-  std::string text = none.empty() ? "" : "periods     none: " + none;
-  for (std::size_t i = 0; i < std::min(most, periods.size()); ++i)
-    text += (i == 0 ? "periods     " : ", ") + significant(periods[i].period) + " s (share in F_T " +
-            percent(periods[i].share) + ", damping " + percent(periods[i].damping_ratio) + ")";
-  return text.empty() ? "" : text + "\n";
-}
-
-std::string text_of_solving(const Summary& s) {
-  return describe(s.ladder) + (s.reduction ? describe(*s.reduction) : describe_march(s.discretisation)) +
-         (s.discretisation.stopped_early ? "            stopped early: little energy was left, as the case allows\n"
-                                         : "");
-}
-
 }  // namespace
 
 Finding discretisation_finding() {
@@ -184,7 +142,6 @@ Finding discretisation_finding() {
         .object("discretisation", &Summary::discretisation, discretisation_outputs(), "how the scene was solved");
   };
   f.warnings = balance_warnings;
-  f.text = text_of_solving;
   return f.part(&Summary::title, find_title).part(&Summary::discretisation, find_discretisation);
 }
 
@@ -210,7 +167,6 @@ Finding periods_finding() {
            "modes damped by more than 0.7 of critical do not swing; empty where no reduced model was made")
         .key("no_periods", none, "", "why `periods` is empty; null where it is not, and without a caisson");
   };
-  f.text = describe_periods;
   return f.part(&Summary::periods, find_periods);
 }
 

@@ -73,20 +73,6 @@ OutputSchema<SafetySummary> safety_outputs() {
               "why the bounds are more than 0.5 % apart, or missing; null where they are not");
 }
 
-std::string text_of_safety(const Summary& summary) {
-  if (!summary.safety) return "";
-  const SafetySummary& s = *summary.safety;
-  std::string text = "safety      at rest it stands ";
-  if (s.lower)
-    text += "with its strength over " + significant(*s.lower, 4);
-  else
-    text += s.upper ? "not even with 16 times its strength" : "with no strength that was tried";
-  if (s.lower && s.upper) text += ", not over " + significant(*s.upper, 4);
-  if (s.lower && !s.upper) text += ", and no factor was found with which it does not";
-  if (s.upper) text += "; it gives way in " + s.fails_at;
-  return text + (s.why_open.empty() ? "" : "; not closer: " + s.why_open) + "\n";
-}
-
 }  // namespace
 
 std::string find_why_void(const Evidence& e) {
@@ -107,7 +93,6 @@ Finding rest_finding() {
   };
   f.warnings = rest_warnings;
   f.checks = rest_checks;
-  f.text = text_of_safety;
   f.needs_no_march = true;
   return f.part(&Summary::safety, find_safety).part(&Summary::why_void, find_why_void);
 }

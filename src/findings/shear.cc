@@ -1,5 +1,4 @@
 // F_T, P and the motion of the caisson; energy; how both differ from what they should be.
-#include "base/format.h"
 #include "base/text.h"
 #include "fem/compile.h"
 #include "findings/errors.h"
@@ -141,35 +140,6 @@ SkippedList skipped_shear(const Simulation& simulation, bool) {
   return {{"shear force", "the mesh has no surface 'caisson'"}};
 }
 
-std::string describe(const ErrorEstimate& peak, const ErrorEstimate& history) {
-  return format("  error       up to %.2g of peak F_T: mesh %.1e, time %.1e, reduced model %.1e, far sides %.1e\n",
-                peak.total(), peak.mesh, peak.time, peak.reduced_model, peak.far_boundary) +
-         format("              up to %.2g of it at any time: mesh %.1e, time %.1e, reduced model %.1e\n",
-                history.total(), history.mesh, history.time, history.reduced_model);
-}
-
-std::string text_of_shear(const Summary& s) {
-  std::string text = s.why_void.empty() ? "" : "VOID        " + s.why_void + "\n";
-  if (!s.response) return text;
-  const ShearResponse& r = *s.response;
-  text += std::string("response    of the caisson ") +
-          (is_solved_with_friction(s) ? "with friction node by node\n" : "bonded to its mound\n");
-  text += format("  peak P      %-14s at %.4g s\n", with_unit(r.peak_force, "N/m").c_str(), r.peak_force_time);
-  text += format("  peak F_T    %-14s at %.4g s (seaward %s at %.4g s)\n",
-                 with_unit(r.peak_shear, "N/m", r.peak_force).c_str(), r.peak_shear_time,
-                 with_unit(r.peak_shear_seaward, "N/m", r.peak_force).c_str(), r.peak_shear_seaward_time);
-  text += r.shear_to_force_ratio ? format("  F_T / P     %.4f\n", *r.shear_to_force_ratio)
-                                 : std::string("  F_T / P     none: no horizontal force acts on the caisson\n");
-  text += "  peak x_G    " + with_unit(r.largest_displacement, "m") + " at " +
-          significant(r.largest_displacement_time, 4) + " s" +
-          (r.largest_displacement < 0. ? ", seaward; landward at most " + with_unit(r.peak_displacement, "m") : "") +
-          "\n";
-  if (r.arm) text += format("  arm of P    %.4g m\n", *r.arm);
-  text += format("  checks      both routes to F_T differ by %.1e", r.reaction_mismatch) +
-          (s.energy ? format(", energy by %.1e\n", s.energy->mismatch()) : "\n");
-  return text + (s.error ? describe(*s.error, *s.history_error) : "");
-}
-
 }  // namespace
 
 OutputSchema<LoadOnCaisson> load_outputs() {
@@ -190,7 +160,6 @@ Finding shear_finding() {
                "resultant on the caisson per unit of the history");
   };
   f.skipped_of_scene = skipped_shear;
-  f.text = text_of_shear;
   return f.part(&Summary::response, find_shear)
       .part(&Summary::loads, find_loads)
       .part(&Summary::error, find_peak_error)

@@ -1,5 +1,4 @@
 // Soil whose stiffness and damping have followed the strain of the response.
-#include "base/format.h"
 #include "findings/topics.h"
 
 namespace upbead {
@@ -24,16 +23,6 @@ std::optional<SoilSummary> find_soil(const Evidence& e) {
   return e.simulation.soil;
 }
 
-std::string text_of_soil(const Summary& summary) {
-  if (!summary.soil) return "";
-  const SoilSummary& s = *summary.soil;
-  return format(
-      "soil        %s after %d iterations (peak %s by %.1g); peak |F_T| %.4g of that at vanishing strain;\n"
-      "            effective shear strain up to %.2g, G/G_max down to %.2f, damping up to %.3g\n",
-      s.converged ? "settled" : "NOT SETTLED", s.iterations, "changed", s.change, s.settled / s.linear,
-      s.largest_strain, s.least_modulus_ratio, s.largest_damping);
-}
-
 }  // namespace
 
 Finding strain_soil_finding() {
@@ -41,7 +30,6 @@ Finding strain_soil_finding() {
   f.keys = [](OutputSchema<Summary>& s) {
     s.object("soil", &Summary::soil, soil_outputs(), "of soil that follows the strain; else null");
   };
-  f.text = text_of_soil;
   return f.part(&Summary::soil, find_soil);
 }
 

@@ -36,6 +36,10 @@ std::string about_uplift(const Scene& scene);
 /// rest.
 bool is_shaken(const Scene& scene);
 
+/// Warnings slip_line: the largest strain of a cell is several times that of the cells beside it, as where soil slides
+/// along a line as narrow as the cells; large_strain: strains are no longer small.
+NumberedWarnings yielding_warnings(const Summary& summary);
+
 /// Keys that other summaries have, too.
 OutputSchema<LoadOnCaisson> load_outputs();
 OutputSchema<Skipped> skipped_outputs();

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/format.h"
 #include "base/text.h"
 #include "findings/topics.h"
 #include "response/compaction.h"
@@ -134,30 +133,6 @@ std::string where(const PeakStrain& peak) {
   return "at " + place_text(peak.at);
 }
 
-/// Warnings slip_line: the largest strain of a cell is several times that of the cells beside it, as where soil
-/// slides along a line as narrow as the cells; large_strain: strains are no longer small.
-NumberedWarnings yielding_warnings(const Evidence&, const Summary& summary) {
-  NumberedWarnings list;
-  if (!summary.nonlinear) return list;
-  const PeakStrain& peak = summary.nonlinear->peak_strain;
-  if (peak.value > large_strain)
-    list.push_back(
-        {"large_strain", peak.value, large_strain, "1",
-         "the soil shears by " + significant(100. * peak.value) + " % " + where(peak) +
-             ": the equations assume small strains and undeformed ground, so that residual displacements may err by "
-             "about that percentage, and a slope or base that fails may seem to hold or move too far",
-         "take residual displacements as rough, and look whether a slope or base fails " + where(peak)});
-  if (peak.value > least_strain && peak.over_neighbours && *peak.over_neighbours > slip_line)
-    list.push_back(
-        {"slip_line", *peak.over_neighbours, slip_line, "1",
-         "the cell " + where(peak) + " shears by " + significant(100. * peak.value) + " %, " +
-             significant(*peak.over_neighbours) +
-             " times as much as those beside it: the soil slides along a line as narrow as the cells, and this strain "
-             "depends on their size",
-         "run with mesh.refine = 1 and see whether the numbers that you need change"});
-  return list;
-}
-
 NumberedWarnings densification_warnings(const Evidence&, const Summary& summary) {
   return compaction_warnings(summary.densification);
 }
@@ -193,55 +168,32 @@ Checks displacement_checks(const Scene& scene, const Summary& summary) {
   return {displacement_check(summary, scene.limits.sliding)};
 }
 
-std::string describe(const ResidualSummary& r, double largest) {
-  return with_unit(r.displacement_x, "m", largest) + " landward, " + with_unit(r.displacement_y, "m", largest) +
-         " upward, turned " + significant(r.rotation) + " rad";
-}
-
-std::string text_of_yielding(const Summary& summary) {
-  if (!summary.nonlinear) return "";
-  const NonlinearSummary& n = *summary.nonlinear;
-  std::string text =
-      format("yielding    %s of the soil that may yield lost energy, %s in all; %.3g updates of stress a stage\n",
-             percent(n.share_yielded).c_str(), with_unit(summary.energy->plastic, "J/m").c_str(),
-             static_cast<double>(n.iterations) / std::max(n.stages, 1));
-  text += "  strain      up to " + significant(100. * n.peak_strain.value) + " % in shear, at " +
-          place_text(n.peak_strain.at) + "\n";
-  for (const MobilisedRegion& of : n.regions)
-    text += format("  %-12s%s of the strength at most (%s at rest), all of it in %s of the area\n", of.region.c_str(),
-                   percent(of.largest).c_str(), percent(of.initial).c_str(), percent(of.share).c_str());
-  if (n.share_beyond_at_rest > 0.)
-    text += "  warning     at rest the stress exceeds the strength in " + percent(n.share_beyond_at_rest) +
-            " of it: nothing in the model bears the excess\n";
-  if (n.rest)
-    text += format("  at rest     %s of Mohr-Coulomb soil at its strength; weights in %d steps, %d iterations\n",
-                   percent(n.rest->share_at_strength).c_str(), n.rest->steps, n.rest->iterations);
-  if (!summary.residual) return text;
-  const double largest = std::abs(summary.response->largest_displacement);
-  text += "  residual    " + describe(*summary.residual, largest) + " (start: " + n.start + ")\n";
-  if (const auto& left = summary.residual->pore_pressure)
-    text += "              excess pore pressure left: " + with_unit(left->value, "Pa") + " at " + place_text(left->at) +
-            "\n";
-  for (const StartBound& bound : n.bounds)
-    text += format("  %-12s", bound.start.c_str()) +
-            (bound.shear_to_force_ratio ? "F_T / P " + significant(*bound.shear_to_force_ratio, 4) + ", " : "") +
-            describe(bound.residual, largest) + "\n";
-  return text;
-}
-
-std::string text_of_densification(const Summary& summary) {
-  std::string text;
-  for (const CompactedSoil& soil : summary.densification)
-    text += (text.empty() ? "densification\n" : "") + format("  %-12s", soil.region.c_str()) + "volumetric strain " +
-            significant(soil.mean) + " in the mean, at most " + significant(soil.largest) + "; r_u at most " +
-            significant(soil.largest_pressure_ratio) + ", " + significant(soil.pressure_ratio_at_end) + " at the end\n";
-  return text;
-}
-
 }  // namespace
 
 std::optional<ResidualSummary> find_residual(const Evidence& e) {
   return e.solution.yielding ? e.solution.yielding->residual : std::nullopt;
+}
+
+NumberedWarnings yielding_warnings(const Summary& summary) {
+  NumberedWarnings list;
+  if (!summary.nonlinear) return list;
+  const PeakStrain& peak = summary.nonlinear->peak_strain;
+  if (peak.value > large_strain)
+    list.push_back(
+        {"large_strain", peak.value, large_strain, "1",
+         "the soil shears by " + significant(100. * peak.value) + " % " + where(peak) +
+             ": the equations assume small strains and undeformed ground, so that residual displacements may err by "
+             "about that percentage, and a slope or base that fails may seem to hold or move too far",
+         "take residual displacements as rough, and look whether a slope or base fails " + where(peak)});
+  if (peak.value > least_strain && peak.over_neighbours && *peak.over_neighbours > slip_line)
+    list.push_back(
+        {"slip_line", *peak.over_neighbours, slip_line, "1",
+         "the cell " + where(peak) + " shears by " + significant(100. * peak.value) + " %, " +
+             significant(*peak.over_neighbours) +
+             " times as much as those beside it: the soil slides along a line as narrow as the cells, and this strain "
+             "depends on their size",
+         "run with mesh.refine = 1 and see whether the numbers that you need change"});
+  return list;
 }
 
 Finding yielding_finding() {
@@ -251,10 +203,9 @@ Finding yielding_finding() {
         .object("residual", &Summary::residual, residual_outputs(),
                 "where the caisson came to rest at the end of the run; null where no soil yields");
   };
-  f.warnings = yielding_warnings;
+  f.warnings = [](const Evidence&, const Summary& summary) { return yielding_warnings(summary); };
   f.skipped_of_scene = skipped_estimate;
   f.checks = displacement_checks;
-  f.text = text_of_yielding;
   return f.part(&Summary::nonlinear, find_nonlinear).part(&Summary::residual, find_residual);
 }
 
@@ -265,7 +216,6 @@ Finding densification_finding() {
            "[denser soils](yielding.md#densification)");
   };
   f.warnings = densification_warnings;
-  f.text = text_of_densification;
   return f.part(&Summary::densification, find_densification);
 }
 

@@ -111,6 +111,9 @@ Verdict verdict_of(const Checks& checks, const NumberedWarnings& warnings) {
   const std::string n = std::to_string(verdict.checked);
   if (!verdict.holds)
     verdict.text = "none: no check has a limit";
+  else if (verdict.checked == 1)
+    verdict.text =
+        *verdict.holds ? "the only check with a limit holds: " : "DOES NOT HOLD: the only check with a limit fails: ";
   else
     verdict.text = *verdict.holds ? "all " + n + " checks with a limit hold; the least margin: "
                                   : "DOES NOT HOLD: " + std::to_string(verdict.failing) + " of " + n +

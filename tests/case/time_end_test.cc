@@ -67,7 +67,8 @@ TEST_F(TimeEndTest, WhatStillActsIsTold) {
   ASSERT_EQ(names(list), "load_cut ");
   EXPECT_EQ(list.front().value, 3.);
   EXPECT_EQ(list.front().limit, 1.);
-  EXPECT_NE(list.front().text().find("ITS LARGEST VALUE, which comes at 1.5 s"), std::string::npos) << list.front().text();
+  EXPECT_NE(list.front().text().find("ITS LARGEST VALUE, which comes at 1.5 s"), std::string::npos)
+      << list.front().text();
   EXPECT_NE(list.front().text().find("67 % of that"), std::string::npos) << list.front().text();
   list = told(triangle, 2.);
   ASSERT_EQ(names(list), "load_cut ");

@@ -64,8 +64,11 @@ def numbers(value, path=""):
             if key not in IGNORED:
                 yield from numbers(item, f"{path}/{key}")
     elif isinstance(value, list):
-        for i, item in enumerate(value):
-            yield from numbers(item, f"{path}/{i}")
+        seen = {}
+        for i, item in enumerate(value):  # warnings and the like by their names, as their order says nothing
+            name = (item.get("name") or item.get("what") or i) if isinstance(item, dict) else i
+            seen[name] = seen.get(name, 0) + 1
+            yield from numbers(item, f"{path}/{name}" + (f"/{seen[name]}" if seen[name] > 1 else ""))
     else:
         yield path, value
 

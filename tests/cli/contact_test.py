@@ -35,7 +35,8 @@ class Contact(ProgramTest):
 
     def test_a_strong_wave_slides_and_lifts(self):
         done = self.run_model(*FRICTION, *STRONG)
-        self.assertIn("nodes open from", done.stdout)
+        self.assertIn("S           ", done.stdout)
+        self.assertIn("with friction node by node", done.stdout)
         found = self.summary()
         solved, energy = found["contact"]["solved"], found["energy"]
         self.assertEqual(found["discretisation"]["scheme"], "contact")

@@ -1,7 +1,7 @@
 // Claims: checks by formulas and by dynamics stand side by side, the worse governs, and a contradiction is a warning; a
 // pressure in motion is not held against the limit that was made for p_e; what nothing pushes is not checked; the push
 // of still water at two levels counts.
-#include "run/checks.h"
+#include "findings/find.h"
 
 #include <gtest/gtest.h>
 
@@ -56,7 +56,10 @@ const Check& named(const std::string& name, const Summary& s) {
 }
 
 Summary judged(Summary s, const Scene& given = scene()) {
-  judge(given, s);
+  Finding formulas;
+  formulas.checks = [](const Scene&, const Summary& of) { return of.formula_checks; };
+  s.checks = checks_of(given, s, {formulas});
+  s.warnings = route_warnings(s.checks);
   return s;
 }
 

@@ -7,9 +7,9 @@
 
 #include "case/case_run.h"
 #include "fem/compile.h"
+#include "findings/histories.h"
 #include "good_case.h"
 #include "response/time_choice.h"
-#include "findings/histories.h"
 #include "section_case.h"
 #include "upbead/algebra/petsc_session.h"
 

@@ -1,6 +1,6 @@
 // Claim: the program warns where a single cell has a strain that its neighbours do not have, and where strains are
 // not small; not where strains do not matter or no soil yields.
-#include "run/warnings/yielding_warnings.h"
+#include "findings/topics.h"
 
 #include <gtest/gtest.h>
 

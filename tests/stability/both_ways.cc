@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "case/case_findings.h"
 #include "case/case_run.h"
 #include "upbead/base/error.h"
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "algebra/factorisation.h"
+#include "case/case_findings.h"
 #include "case/case_run.h"
 #include "equilibrated.h"
 #include "fem/compile.h"

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "case/case_findings.h"
 #include "case/case_run.h"
 #include "good_case.h"
 #include "section_case.h"

@@ -125,7 +125,7 @@ TEST(NodeContactUplift, OnRigidGroundIsTheExactBlockUnderAHalfSineAtLength) {
 /// Largest difference of the resultants of the nodes' normal forces from N' and M', over W' and W' B.
 double unbalanced(const upbead::Run& found) {
   const EffectiveBase base = *effective_base(*found.simulation, found.response.ends);
-  const ContactHistory& nodes = *found.contact;
+  const ContactHistory& nodes = *found.contact->history;
   const std::size_t n = nodes.position.size();
   double worst = 0.;
   for (std::size_t t = 0; t < base.force.size(); ++t) {

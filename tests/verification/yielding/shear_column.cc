@@ -2,10 +2,22 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace upbead::test {
 
-std::vector<std::vector<double>> sliders(const ShearSoil& soil, int n) {
+Sliders sliders(double G, const std::vector<double>& gamma, const std::vector<double>& tau) {
+  Sliders found;
+  double slope = G;
+  for (std::size_t i = 0; i < gamma.size(); ++i) {
+    const double next = i + 1 < gamma.size() ? (tau[i + 1] - tau[i]) / (gamma[i + 1] - gamma[i]) : 0.;
+    found.push_back({slope - next, (slope - next) * gamma[i]});
+    slope = next;
+  }
+  return found;
+}
+
+Sliders sliders(const ShearSoil& soil, int n) {
   std::vector<double> gamma, tau;
   for (int i = 0; i < n; ++i) {
     const double x = 0.01 * std::pow(3000., double(i) / (n - 1));
@@ -16,14 +28,7 @@ std::vector<std::vector<double>> sliders(const ShearSoil& soil, int n) {
   const double second = (tau[1] - tau[0]) / (gamma[1] - gamma[0]);
   gamma[0] = (tau[0] - second * gamma[0]) / (soil.G - second);
   tau[0] = soil.G * gamma[0];
-  std::vector<std::vector<double>> found;  // stiffness and strength of each slider
-  double slope = soil.G;
-  for (int i = 0; i < n; ++i) {
-    const double next = i + 1 < n ? (tau[i + 1] - tau[i]) / (gamma[i + 1] - gamma[i]) : 0.;
-    found.push_back({slope - next, (slope - next) * gamma[i]});
-    slope = next;
-  }
-  return found;
+  return sliders(soil.G, gamma, tau);
 }
 
 namespace {
@@ -31,8 +36,8 @@ namespace {
 /// Elements of a column, with the slip of each slider.
 class Springs {
  public:
-  Springs(const ShearSoil& soil, int n_elements, int n_sliders)
-      : sliders_(sliders(soil, n_sliders)), slid_(static_cast<std::size_t>(n_elements * n_sliders), 0.) {}
+  Springs(Sliders sliders, int n_elements)
+      : sliders_(std::move(sliders)), slid_(static_cast<std::size_t>(n_elements) * sliders_.size(), 0.) {}
 
   double stress(int element, double gamma) {
     double* slid = &slid_[static_cast<std::size_t>(element) * sliders_.size()];
@@ -47,20 +52,20 @@ class Springs {
   }
 
  private:
-  std::vector<std::vector<double>> sliders_;
+  Sliders sliders_;
   std::vector<double> slid_;
 };
 
 }  // namespace
 
 ShearHistory shake(const ShearSoil& soil, const std::function<double(double)>& tau, double end, double at,
-                   int n_elements, int n_sliders, int n_kept) {
+                   int n_elements, const Sliders& sliders, int n_kept) {
   const double size = soil.height / n_elements, speed = std::sqrt(soil.G / soil.density);
   const int between = static_cast<int>(std::ceil(end * speed / (0.3 * size) / n_kept)), n = n_kept * between;
   const double h = end / n;
   const auto n_nodes = static_cast<std::size_t>(n_elements) + 1;
   std::vector<double> u(n_nodes, 0.), v(n_nodes, 0.), force(n_nodes, 0.);
-  Springs springs(soil, n_elements, n_sliders);
+  Springs springs(sliders, n_elements);
   const int watched = std::min(n_elements - 1, static_cast<int>(at / size));
   ShearHistory kept;
   for (int step = 0; step < n; ++step) {

@@ -3,6 +3,7 @@
 // program.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <vector>
 
@@ -21,13 +22,19 @@ struct ShearHistory {
   std::vector<double> strain, stress;                ///< of a height
 };
 
-/// A polygon through n points of the hyperbola at strains from gamma_r/100 to 30 gamma_r, equally spaced in their
-/// logarithms; beyond them it is constant.
-std::vector<std::vector<double>> sliders(const ShearSoil& soil, int n);
+/// Stiffness and strength of springs side by side (Pa).
+using Sliders = std::vector<std::array<double, 2>>;
+
+/// Of a polygon from the origin through these points; beyond them it is constant.
+Sliders sliders(double G, const std::vector<double>& gamma, const std::vector<double>& tau);
+
+/// Of one through n points of the hyperbola at strains from gamma_r/100 to 30 gamma_r, equally spaced in their
+/// logarithms.
+Sliders sliders(const ShearSoil& soil, int n);
 
 /// Under a shear stress tau(t) (Pa) at the top, to the end (s); `at`: height of strain and stress (m). Kept at n_kept
 /// equal times after t = 0.
 ShearHistory shake(const ShearSoil& soil, const std::function<double(double)>& tau, double end, double at,
-                   int n_elements, int n_sliders, int n_kept);
+                   int n_elements, const Sliders& sliders, int n_kept);
 
 }  // namespace upbead::test

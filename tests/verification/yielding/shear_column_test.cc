@@ -2,11 +2,14 @@
 // in one dimension, at three amplitudes, on rock and on ground that continues. The layer is so wide that waves from
 // its sides do not reach the middle before the end. With cells of 20 m along the layer the sides nevertheless have an
 // effect of 8 % of the displacement of the top. The column has 120 sliders, which are the hyperbola itself;
-// the layer has the overlay's 27, within 2 % of it in energy per cycle and stress: displacements err by 1.5 % at most.
+// the layer has the overlay's 27, within 2 % of it in energy per cycle and stress: displacements err by 1.5 % at most,
+// and strains, which near the strength follow from the stress the less sharply, by 2 % gamma/gamma_r more.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "material/few_elements.h"
 #include "reference.h"
 #include "shear_column.h"
 #include "tensor_mesh.h"
@@ -93,6 +96,25 @@ PointsOfCells virgin(const Compiled& compiled) {
   return soil_laws(compiled.resolved, compiled.space, rest, RestStart::virgin).points;
 }
 
+/// Those of the overlay that the layer has.
+Sliders few_sliders() {
+  std::vector<double> gamma, tau;
+  for (const BackbonePoint& point :
+       with_few_elements(1., backbone(
+                                 1., [](double x) { return 1. / (1. + x); }, 0.001, 30., 1000))) {
+    gamma.push_back(point.gamma * soil.gamma_r);
+    tau.push_back(point.tau * soil.G * soil.gamma_r);
+  }
+  return sliders(soil.G, gamma, tau);
+}
+
+/// Of the strain, where they miss the stress by 2 %: on the hyperbola d gamma/gamma = (1 + gamma/gamma_r) d tau/tau.
+double error_by_sliders(const std::vector<double>& strain) {
+  double largest = 0.;
+  for (const double gamma : strain) largest = std::max(largest, std::abs(gamma));
+  return 0.02 * (largest / soil.gamma_r);
+}
+
 class ShearColumn : public ::testing::TestWithParam<std::tuple<bool, double>> {};
 
 TEST_P(ShearColumn, MovesAsAProgramInOneDimension) {
@@ -107,11 +129,11 @@ TEST_P(ShearColumn, MovesAsAProgramInOneDimension) {
   const YieldingMarch found(scene, *mesh, end, step, virgin(Compiled(scene, *mesh)), 1e-6);
   ShearSoil own = soil;
   own.absorbing = absorbing;
-  const auto shaken = [&](int n_sliders) {
+  const auto shaken = [&, soil = own](const Sliders& by) {
     return shake(
-        own, [&](double t) { return shear(t); }, end, middle, 384, n_sliders, 56);
+        soil, [&](double t) { return shear(t); }, end, middle, 384, by, 56);
   };
-  const ShearHistory exact = shaken(120);
+  const ShearHistory exact = shaken(sliders(own, 120)), alike = shaken(few_sliders());
   const auto at = [&](const char* reading) {
     return sampled(found.response.ends.time, found.history(reading), exact.time);
   };
@@ -122,8 +144,11 @@ TEST_P(ShearColumn, MovesAsAProgramInOneDimension) {
   const auto stress = at("probes/deep/stress_xy");
   record.at_most(what + "displacement of the top, over its largest", largest_error(top, exact.displacement), 0.015);
   record.at_most(what + "velocity of the top, over its largest", largest_error(speed, exact.velocity), 0.03);
-  record.at_most(what + "shear strain near the base, over its largest", largest_error(strain, exact.strain), 0.03);
   record.at_most(what + "shear stress near the base, over its largest", largest_error(stress, exact.stress), 0.03);
+  record.at_most(what + "shear strain near the base, over its largest", largest_error(strain, exact.strain),
+                 0.03 + error_by_sliders(exact.strain));
+  record.at_most(what + "shear strain near the base, of a column with the same sliders",
+                 largest_error(strain, alike.strain), 0.03);
   record.measured(what + "largest shear strain near the base over gamma_r",
                   *std::max_element(exact.strain.begin(), exact.strain.end()) / soil.gamma_r);
   record.curve({"top of the layer, " + where.substr(0, where.size() - 2), "time (s)", "u (m)",
