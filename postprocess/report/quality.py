@@ -21,7 +21,7 @@ def section(summary):
 
 
 def warnings(found):
-    """`found`: [(name, text)]. The texts stand as the program has them, so that they can be looked for."""
+    """`found`: [(name, text)]. The texts stand as the program has them, the cure first."""
     if not found:
         return tag("p", say("The program found nothing to warn of."))
     items = (tag("li", tag("strong", named(name)), " ", tag("code", name), ": ", text) for name, text in found)

@@ -50,16 +50,22 @@ def check_text(check):
 
 
 def warnings(summary):
-    """[(name, text)] of every warning once; of a wave's own that of the whole summary, which names the wave, stands
-    for it."""
+    """[(name, text)] of every warning once, its cure first; of a wave's own that of the whole summary, which names the
+    wave, stands for it."""
     found, seen = [], []
     for path, one in objects(summary):
         for warning in one.get("warnings") or () if isinstance(one.get("warnings"), list) else ():
             pair = warning["name"], warning["text"]
             if not any(name == pair[0] and pair[1] in text for name, text in seen):
                 seen.append(pair)
-                found.append((pair[0], text_at(path, pair[1])))
+                found.append((pair[0], text_at(path, warning_text(warning))))
     return found
+
+
+def warning_text(warning):
+    """What to do, and why; results of older versions have no cure of its own."""
+    cure = warning.get("cure")
+    return f"{cure}: {warning['text'].removesuffix(f'; {cure}')}" if cure else warning["text"]
 
 
 def text_at(path, text):

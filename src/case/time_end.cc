@@ -122,8 +122,12 @@ NumberedWarning zero_load(const Action& action, const std::optional<double>& fro
   const std::string when =
       from ? "is zero until t = " + significant(*from, 4) + " s, the run ends at " + significant(end, 4) + " s"
            : "is zero throughout";
-  return {"load_zero", from.value_or(end), end, "s",
-          "'" + action.name + "' " + when + ": nothing of it is felt; look at its columns and units, " +
+  return {"load_zero",
+          from.value_or(end),
+          end,
+          "s",
+          "'" + action.name + "' " + when + ": nothing of it is felt",
+          "look at the columns and units of the load, " +
               (from ? "give time.end after it or leave time.end out, or let it begin earlier by " + action.begins_by
                     : "and at " + action.begins_by)};
 }
@@ -136,8 +140,8 @@ NumberedWarning cut_load(const Action& action, const Rest& rest, double end) {
     text += ", nor is ITS LARGEST VALUE, which comes at " + significant(rest.peak_time, 4) +
             " s: until the end it has " + significant(100. * rest.share, 2) +
             " % of that, and no peak of this run is one of the whole load";
-  return {action.cut, until, end, "s",
-          text + "; give a longer time.end, or leave time.end out, which covers all loads and their echo"};
+  return {action.cut, until, end,
+          "s",        text,  "give a longer time.end, or leave time.end out, which covers all loads and their echo"};
 }
 
 }  // namespace

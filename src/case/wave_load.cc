@@ -309,29 +309,42 @@ void add_formulas(const WaveLoad& w, const Water& water, WaveLoadSummary& s) {
 
 NumberedWarning effective_force(const std::string& name, const WavePressure& p) {
   return {
-      "effective_force", p.alpha_I, p.alpha_2, "1",
+      "effective_force",
+      p.alpha_I,
+      p.alpha_2,
+      "1",
       "loads." + name + ": P of Goda's formulas with alpha_I = " + significant(p.alpha_I) +
           " already is an effective sliding force, which the caisson's dynamics make another one of: where F_T/P is "
           "below 1 the reduction counts twice: the checks by formulas, which stand beside the others, are those of "
-          "this "
-          "P itself, and the worse governs; for the caisson's own dynamics give the peak of an impact: force = "
-          "\"impulse\" with peak_gain"};
+          "this P itself, and the worse governs",
+      "give the peak of an impact for the caisson's own dynamics: force = \"impulse\" with peak_gain"};
 }
 
 /// An impact that is milder than Goda's P by its peak_gain.
 NumberedWarning below_goda(const std::string& name, const WaveLoad& w) {
-  return {"impact_below_goda", w.peak(), w.pressure.force, "N/m",
+  return {"impact_below_goda",
+          w.peak(),
+          w.pressure.force,
+          "N/m",
           "loads." + name + ": the peak of the impact, " + with_unit(w.peak(), "N/m") +
               ", is below P of Goda's formulas, " + with_unit(w.pressure.force, "N/m") +
               ", which already is an effective sliding force: checks by dynamics are on the unsafe side of those by "
-              "formulas; leave peak_gain out, or give a larger one"};
+              "formulas",
+          "leave peak_gain out, or give a larger one"};
 }
 
-NumberedWarning outside_formulas(const std::string& name, const std::vector<Warning>& found) {
-  std::string text;
-  for (const Warning& one : found) text += (text.empty() ? "" : "; ") + one.text;
-  return {"wave_outside_formulas", static_cast<double>(found.size()), 0., "1",
-          "loads." + name + ": " + text + " (docs/waves.md)"};
+NumberedWarning outside_formulas(const std::string& name, const NumberedWarnings& found) {
+  std::vector<std::string> what, cures;
+  for (const NumberedWarning& one : found) {
+    what.push_back(one.what);
+    if (std::find(cures.begin(), cures.end(), one.cure) == cures.end()) cures.push_back(one.cure);
+  }
+  return {"wave_outside_formulas",
+          static_cast<double>(found.size()),
+          0.,
+          "1",
+          "loads." + name + ": " + join(what, "; ") + " (docs/waves.md)",
+          join(cures, "; ")};
 }
 
 }  // namespace

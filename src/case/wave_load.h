@@ -56,7 +56,7 @@ struct WaveLoad {
   TimeFunction history;            ///< P(t) (N/m), without the factor
   std::optional<double> duration;  ///< Load::duration
   double end = 0.;                 ///< when the course is over (s)
-  std::vector<Warning> outside;    ///< where the formulas do not hold
+  NumberedWarnings outside;        ///< where the formulas do not hold
 
   double peak() const;
 };

@@ -191,8 +191,11 @@ int tell_failure() {
 }
 
 std::string describe(const NumberedWarnings& warnings) {
+  const std::string head = "warning: ", indent(head.size(), ' ');
   std::string text;
-  for (const NumberedWarning& warning : warnings) text += "warning: " + warning.name + ": " + warning.text + "\n";
+  for (const NumberedWarning& warning : warnings)
+    text +=
+        head + warning.name + ": " + (warning.cure.empty() ? "" : warning.cure + "\n" + indent) + warning.what + "\n";
   return text;
 }
 

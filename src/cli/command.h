@@ -116,7 +116,7 @@ int run_program(int argc, char** argv, const std::vector<Command>& commands);
 /// wrong, 2 the numerics failed, 3 a bug, 128 + signal interrupted. To be called in a catch block only.
 int tell_failure();
 
-/// Warnings, one line each: "warning: NAME: text".
+/// Warnings, two lines each: "warning: NAME: cure", and what is wrong below it.
 std::string describe(const NumberedWarnings& warnings);
 
 }  // namespace upbead

@@ -117,7 +117,9 @@ NumberedWarnings slip_warnings(const std::vector<WaveResponses>& files) {
   const auto n = std::count_if(waves.begin(), waves.end(), untold);
   return {{"no_coupled_slip", static_cast<double>(n), 0., "1",
            "the distance that the caisson slips as a whole could not be computed for " + std::to_string(n) + " of " +
-               std::to_string(waves.size()) + " waves, such as " + first->name + ": " + first->wave->why_not_coupled}};
+               std::to_string(waves.size()) + " waves, such as " + first->name + ": " + first->wave->why_not_coupled,
+           "take S of the bonded caisson, or solve such a wave by 'upbead run' with contact node by node (kind = "
+           "\"friction\")"}};
 }
 
 /// A table of a few waves; of many, their number, ranges and the worst.
@@ -147,8 +149,8 @@ NumberedWarnings band_warnings(const ReducedModelFile& model, const std::vector<
                " waves reach beyond the frequencies that the model has been checked for, " +
                significant(model.highest_frequency) + " Hz: worst " + worst.name + ", where " +
                significant(100. * worst.wave->beyond_band) + " % of F_T lies beyond (tolerance " +
-               significant(100. * model.tolerance) +
-               " %); reduce again with a shorter pulse or a smaller tolerance, or march it with 'upbead run'"}};
+               significant(100. * model.tolerance) + " %)",
+           "reduce again with a shorter pulse or a smaller tolerance, or march the wave with 'upbead run'"}};
 }
 
 /// Warnings of waves whose error estimate exceeds the model's tolerance, and of models that cannot estimate errors:
@@ -156,9 +158,8 @@ NumberedWarnings band_warnings(const ReducedModelFile& model, const std::vector<
 NumberedWarnings error_warnings(const ReducedModelFile& model, const std::vector<WaveResponses>& files) {
   if (!model.nested)
     return {{"no_error_estimate", 0., model.tolerance, "1",
-             "the model holds nothing from which the error of its answer to a wave follows, so error_estimate is null; "
-             "make it "
-             "again with 'upbead reduce'"}};
+             "the model holds nothing from which the error of its answer to a wave follows, so error_estimate is null",
+             "make the model again with 'upbead reduce'"}};
   const std::vector<Named> waves = all_waves(files);
   const auto estimate = [](const Named& row) { return row.wave->error_estimate.value_or(0.); };
   const auto n =
@@ -170,9 +171,9 @@ NumberedWarnings error_warnings(const ReducedModelFile& model, const std::vector
            "F_T of " + std::to_string(n) + " of " + std::to_string(waves.size()) +
                " waves may be wrong by more than the model's tolerance: worst " + worst.name + ", by up to " +
                significant(100. * estimate(worst), 2) + " % of its largest F_T (tolerance " +
-               significant(100. * model.tolerance) +
-               " %); reduce again with an 'end' as long as the wave, a load as short as its pulse or a smaller "
-               "[accuracy] tolerance, or march it with 'upbead run'"}};
+               significant(100. * model.tolerance) + " %)",
+           "reduce again with an 'end' as long as the wave, a load as short as its pulse or a smaller [accuracy] "
+           "tolerance, or march the wave with 'upbead run'"}};
 }
 
 struct Arguments {
@@ -265,7 +266,8 @@ NumberedWarnings file_warnings(const std::vector<WaveFile>& files) {
     if (zero > 0)
       list.push_back({"load_zero", static_cast<double>(zero), 0., "1",
                       std::to_string(zero) + " of " + std::to_string(file.n_waves()) + " waves of " +
-                          in_quotes(file.name) + " are zero throughout: is a wrong column read as the load?"});
+                          in_quotes(file.name) + " are zero throughout",
+                      "look whether a wrong column is read as the load"});
   }
   return list;
 }

@@ -103,8 +103,8 @@ void add_impossible_seas(const std::vector<StateAnswer>& states, NumberedWarning
            " s, where the steepest sea has " + significant(most.significant, 4) + " m" +
            (std::isfinite(most.breaker)
                 ? " and breaks at " + significant(most.breaker, 4) + " m, which limits its waves"
-                : "") +
-           "; check significant_height (at the wall), period and water_depth"});
+                : ""),
+       "check significant_height (at the wall), period and water_depth"});
 }
 
 /// Warns of waves that the depth would break, where only a cut or nothing limits the heights.
@@ -118,7 +118,8 @@ void add_unbroken_waves(const HighestWave& highest, const ExpectedAnswer& answer
   if (higher < 1.) return;
   list.push_back({"waves_unbroken", higher, 1., "1",
                   some_of(higher, answer.all) + " are higher than Goda's highest breaker, " + significant(lowest, 4) +
-                      " m or more by sea state: such waves break before; sea.highest = \"breaking\" limits them"});
+                      " m or more by sea state: such waves break before",
+                  "write sea.highest = \"breaking\", which limits them"});
 }
 
 void add_few_lives(const MonteCarlo& lives, NumberedWarnings& list) {
@@ -126,8 +127,8 @@ void add_few_lives(const MonteCarlo& lives, NumberedWarnings& list) {
   if (s.sliding_lives >= few_lives) return;
   list.push_back({"few_lives", static_cast<double>(s.sliding_lives), static_cast<double>(few_lives), "1",
                   "only " + std::to_string(s.sliding_lives) + " of " + std::to_string(lives.sliding.size()) +
-                      " lives slide by the law " + word(lives.law) +
-                      ": mean and interval rest on few of them; simulate more with --set life.simulated_lives=NUMBER"});
+                      " lives slide by the law " + word(lives.law) + ": mean and interval rest on few of them",
+                  "simulate more with --set life.simulated_lives=NUMBER"});
 }
 
 std::string share_text(double share) {
@@ -158,7 +159,8 @@ void add_beyond(const MonteCarlo& lives, const Limits& limits, NumberedWarnings&
   if (parts.empty()) return;
   list.push_back({"lives_beyond_limit", most, 0., "1",
                   "by the law " + std::string(word(lives.law)) + " " + join(parts, "; ") +
-                      ": [limits] names no share of lives that may"});
+                      ": [limits] names no share of lives that may",
+                  "look whether that share is tolerable for the use of the breakwater"});
 }
 
 /// Warns where one route is within the limit of S and the other is not.
@@ -168,7 +170,9 @@ void add_routes(double by_formulas, double by_dynamics, const std::string& what,
   list.push_back({"routes_differ", by_formulas, by_dynamics, "m",
                   what + " is " + with_unit(by_formulas, "m") + " by formulas and " + with_unit(by_dynamics, "m") +
                       " by the caisson's own dynamics, on either side of limits.sliding = " +
-                      with_unit(*limits.sliding, "m") + ": two routes to one answer, of which the larger governs"});
+                      with_unit(*limits.sliding, "m") + ": two routes to one answer, of which the larger governs",
+                  "look at the peak of the impact (peak_gain), its duration, the ground and mu before one of them is "
+                  "believed"});
 }
 
 /// Warns where the given peak of an impact is below Goda's P in the highest wave of the record.
@@ -188,7 +192,8 @@ void add_below_goda(const Design& design, const ExpectedAnswer& answer, Numbered
                       " m, a peak of " + with_unit(peak, "N/m") + ", below P of Goda's formulas, " +
                       with_unit(goda, "N/m") +
                       ", which already is an effective sliding force: the law dynamic is on the unsafe side of the "
-                      "formulas; leave peak_gain out, or give a larger one"});
+                      "formulas",
+                  "leave peak_gain out, or give a larger one"});
 }
 
 }  // namespace

@@ -251,7 +251,8 @@ NumberedWarnings heights_above_depth(const std::vector<SeaState>& record, double
            std::to_string(n) + " of " + std::to_string(record.size()) +
                " sea states have an H_1/3 above the depth, the first, row " + std::to_string(first + 1) + ", " +
                significant(state.significant_height, 4) + " m in " + significant(water, 4) +
-               " m of water: a mark for a missing value, another unit? look at significant_height and water_depth"}};
+               " m of water: a mark for a missing value, or another unit",
+           "look at significant_height and water_depth"}};
 }
 
 }  // namespace

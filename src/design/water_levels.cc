@@ -87,7 +87,7 @@ GoverningLevels governing(const std::vector<WaveAnswer>& levels) {
   return worst;
 }
 
-std::vector<Warning> beyond_limits(const Limits& limits, const WaveAnswer& a) {
+NumberedWarnings beyond_limits(const Limits& limits, const WaveAnswer& a) {
   std::vector<std::pair<std::string, Stability>> checked{{"under the heel", a.stability}};
   if (const auto& standing = a.standing.answer) {
     checked.emplace_back("under the heel, of the standing wave,", standing->landward);
@@ -99,19 +99,21 @@ std::vector<Warning> beyond_limits(const Limits& limits, const WaveAnswer& a) {
   const auto loosest = std::min_element(checked.begin(), checked.end(), [](const auto& x, const auto& y) {
     return x.second.safety_overturning < y.second.safety_overturning;
   });
-  std::vector<Warning> list;
+  NumberedWarnings list;
   if (const Stability& s = heaviest->second; too_much_pressure(s, limits)) {
-    list.push_back({"base_pressure",
+    list.push_back({"base_pressure", s.heel_pressure.value_or(0.), *limits.base_pressure, s.heel_pressure ? "Pa" : "",
                     "the pressure " + heaviest->first + " is " +
                         (s.heel_pressure ? significant(*s.heel_pressure / 1e3, 4) + " kPa, above"
                                          : "beyond all numbers, as the caisson overturns or floats, and so above") +
-                        " limits.base_pressure = " + significant(*limits.base_pressure / 1e3, 4) + " kPa"});
+                        " limits.base_pressure = " + significant(*limits.base_pressure / 1e3, 4) + " kPa",
+                    "widen the caisson, or spread its weight"});
   }
   if (const Stability& s = loosest->second; overturns_too_easily(s, limits))
-    list.push_back({"overturning_limit", "the safety factor against overturning is " +
-                                             significant(s.safety_overturning, 4) +
-                                             (loosest == checked.begin() ? "" : " in the standing wave") +
-                                             ", below limits.overturning = " + significant(*limits.overturning, 4)});
+    list.push_back({"overturning_limit", s.safety_overturning, *limits.overturning, "1",
+                    "the safety factor against overturning is " + significant(s.safety_overturning, 4) +
+                        (loosest == checked.begin() ? "" : " in the standing wave") +
+                        ", below limits.overturning = " + significant(*limits.overturning, 4),
+                    "widen the caisson, or make it heavier"});
   return list;
 }
 

@@ -44,7 +44,7 @@ struct GoverningLevels {
 GoverningLevels governing(const std::vector<WaveAnswer>& levels);
 
 /// The `[limits]` that a wave exceeds, breaking or standing; pressure and overturning each at its worst.
-std::vector<Warning> beyond_limits(const Limits& limits, const WaveAnswer& answer);
+NumberedWarnings beyond_limits(const Limits& limits, const WaveAnswer& answer);
 
 OutputSchema<GoverningLevels> governing_outputs();
 

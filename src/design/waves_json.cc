@@ -100,11 +100,7 @@ OutputSchema<WaveAnswer> sliding_outputs() {
       .object("standing", inner(&A::standing, &StandingResult::answer), standing_outputs(),
               "the standing wave of finite height before the wall; null where there is none")
       .key("why_no_standing", inner(&A::standing, &StandingResult::why_not), "", "why; empty where there is one")
-      .list("warnings[]", &A::warnings,
-            OutputSchema<Warning>()
-                .key("name", &Warning::name, "", "see above")
-                .key("text", &Warning::text, "", "with its numbers"),
-            "may be empty");
+      .list("warnings[]", &A::warnings, warning_outputs(), "[of that wave](waves.md#warnings); may be empty");
 }
 
 /// The keys of a wave at one level of still water.

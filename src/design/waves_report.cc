@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 #include "base/text.h"
 #include "case/formula_checks.h"
@@ -62,7 +63,7 @@ WaveAnswer answer(const std::string& name, const WaveTable& table, const DesignT
   set_elastic(table, design, a);
   a.standing = standing_answer(design.section, design.water, a.wave);
   a.warnings = warnings(design.section, design.water, a.wave, a.pressure);
-  for (Warning& beyond : beyond_limits(design.limits, a)) a.warnings.push_back(std::move(beyond));
+  append(a.warnings, beyond_limits(design.limits, a));
   return a;
 }
 
@@ -296,12 +297,10 @@ NumberedWarnings warnings_of(const Design& design, const std::vector<WaveAnswer>
   for (const WaveAnswer& a : answers) {
     std::map<std::string, std::string> told;  // by name of the warning, its text at the level before
     for (const WaveAnswer* level : at_all_levels(a))
-      for (const Warning& warning : level->warnings) {
-        std::string& before = told[warning.name];
-        if (before == warning.text) continue;
-        before = warning.text;
-        list.push_back({warning.name, 0., 0., "",
-                        "wave " + a.name + (level->level.empty() ? "" : " at " + level->level) + ": " + warning.text});
+      for (NumberedWarning warning : level->warnings) {
+        if (std::exchange(told[warning.name], warning.text()) == warning.text()) continue;
+        warning.what = "wave " + a.name + (level->level.empty() ? "" : " at " + level->level) + ": " + warning.what;
+        list.push_back(std::move(warning));
       }
   }
   return list;

@@ -44,7 +44,7 @@ struct WaveAnswer {
   SlidingDistances sliding;
   std::optional<ElasticSliding> elastic;  ///< on a ground that sways
   StandingResult standing;                ///< in case the wave does not break
-  std::vector<Warning> warnings;
+  NumberedWarnings warnings;
   std::vector<WaveAnswer> levels;            ///< the wave at each level, the highest first, with the section's own
   std::optional<GoverningLevels> governing;  ///< where there are levels
 };

@@ -106,12 +106,11 @@ NumberedWarnings lift_warnings(const Evidence& e) {
   const std::string which = least.force < 0.    ? "the whole caisson"
                             : least.moment > 0. ? "its seaward edge"
                                                 : "its landward edge";
-  return {
-      {"would_lift", least.stress, 0., "Pa",
-       which + " would pull at the ground with " + with_unit(-least.stress, "Pa") + " at " + significant(least.time) +
-           " s (N' = " + with_unit(least.force, "N/m") + ", moment " + with_unit(least.moment, "N m/m") +
-           "), a tension that a bonded base bears and a real one does not: write [regions.caisson.interface] kind = "
-           "\"friction\""}};
+  return {{"would_lift", least.stress, 0., "Pa",
+           which + " would pull at the ground with " + with_unit(-least.stress, "Pa") + " at " +
+               significant(least.time) + " s (N' = " + with_unit(least.force, "N/m") + ", moment " +
+               with_unit(least.moment, "N m/m") + "), a tension that a bonded base bears and a real one does not",
+           "write [regions.caisson.interface] kind = \"friction\""}};
 }
 
 /// Warning base_pressure: an edge has a larger pressure in motion than the case allows.
@@ -124,7 +123,8 @@ NumberedWarnings pressure_warnings(const std::optional<BaseSummary>& base) {
            std::string("the ") + (heel ? "heel" : "toe") + " presses with " +
                (largest ? with_unit(*largest, "Pa") : "more than can be computed, as the resultant leaves the base,") +
                " at " + significant(heel ? base->peak_heel_pressure_time : base->peak_toe_pressure_time) +
-               " s, more than limits.dynamic_base_pressure: widen the caisson, or spread its weight seaward"}};
+               " s, more than limits.dynamic_base_pressure",
+           "widen the caisson, or spread its weight seaward"}};
 }
 
 NumberedWarnings base_warnings(const Evidence& e, const Summary& summary) {

@@ -92,7 +92,7 @@ class Cure {
       return;
     }
     if (const double size = finer(timeless); size > 0.)
-      take(with_size(timeless, size), "cells of at most " + significant(size, 2) + " m along its way");
+      take(with_size(timeless, size), "cells of at most " + significant(size, 2) + " m along the wave's way");
     if (Carried raised = timeless;
         wave.may_raise && ++raised.cells.degree > 0 && raised.error() <= share * largest_error)
       take(raised, "mesh.degree = 3");
@@ -171,7 +171,8 @@ NumberedWarnings warnings_of(const std::string& name, const LoadedGround& ground
                " m/s) passes a cell of " + significant(ground.cell, 2) + " m in " +
                significant(ground.cell / speed, 2) + " s" +
                (steps > 0. ? ", steps are of " + significant(steps, 2) + " s" : "") + ", and " +
-               error_text(ground, wave, error) + "; " + Cure(wave).text()}};
+               error_text(ground, wave, error),
+           Cure(wave).text()}};
 }
 
 Flow flow_of(const Region& region) {

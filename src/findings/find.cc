@@ -99,9 +99,9 @@ NumberedWarnings route_warnings(const Checks& checks) {
       if (formula.name != by_formula || !formula.holds || !dynamic || *dynamic->holds == *formula.holds) continue;
       list.push_back({"routes_differ", formula.margin.value_or(0.), dynamic->margin.value_or(0.), "1",
                       "by formulas: " + text_of(formula) + "; by dynamics: " + text_of(*dynamic) +
-                          ". These are two routes to one answer, and neither makes the other void: the worse governs. "
-                          "Look at the peak of the load (peak_gain), its duration, the soils and mu before one of them "
-                          "is believed"});
+                          ". These are two routes to one answer, and neither makes the other void: the worse governs",
+                      "look at the peak of the load (peak_gain), its duration, the soils and mu before one of them is "
+                      "believed"});
     }
   return list;
 }

@@ -62,19 +62,19 @@ NumberedWarnings harbour_warnings(const Simulation& simulation, const std::optio
   const std::optional<HarbourSummary> h = harbour_of(simulation);
   if (!h) return {};
   const double share = std::abs(h->push) / resistance_of(simulation);
-  NumberedWarning warning{
-      "harbour_level", h->back, h->front, "m",
-      "still water stands at y = " + significant(h->front, 5) + " m in front of the caisson and at " +
-          significant(h->back, 5) + " m behind it: it pushes the caisson by " + with_unit(std::abs(h->push), "N/m") +
-          (h->push > 0. ? " landward, " : " seaward, ") + percent(share) + " of mu W', and W' is up to " +
-          with_unit(h->weight_gained, "N/m") +
-          " more than at the higher level. That push is in the checks of the force against friction alone: stresses at "
-          "rest, pressures, margins against overturning and sliding distances are those of one level, " +
-          (share > small_push ? "so that no verdict may be drawn from them; give both sides one level (the safe one), "
-                                "or add the push as a load that is held until the end"
-                              : "which at so small a push changes little")};
-  warning.voids = share > small_push;
-  return {warning};
+  const bool large = share > small_push;
+  return {{"harbour_level", h->back, h->front, "m",
+           "still water stands at y = " + significant(h->front, 5) + " m in front of the caisson and at " +
+               significant(h->back, 5) + " m behind it: it pushes the caisson by " +
+               with_unit(std::abs(h->push), "N/m") + (h->push > 0. ? " landward, " : " seaward, ") + percent(share) +
+               " of mu W', and W' is up to " + with_unit(h->weight_gained, "N/m") +
+               " more than at the higher level. That push is in the checks of the force against friction alone: "
+               "stresses at "
+               "rest, pressures, margins against overturning and sliding distances are those of one level, " +
+               (large ? "so that no verdict may be drawn from them" : "which at so small a push changes little"),
+           large ? "give both sides one level (the safe one), or add the push as a load that is held until the end"
+                 : "look whether a margin is so small that this push matters",
+           large}};
 }
 
 std::optional<HarbourSummary> find_harbour(const Evidence& e) {

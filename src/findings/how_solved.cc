@@ -112,23 +112,23 @@ NumberedWarnings loose_warnings(const Evidence&, const Summary& summary) {
   if (!summary.reduction || summary.reduction->loose.empty()) return list;
   std::string names;
   for (const LooseReading& reading : summary.reduction->loose) names += (names.empty() ? "" : ", ") + reading.name;
-  list.push_back({"reading_not_converged", summary.reduction->error_of_others, summary.reduction->tolerance_of_others,
-                  "1",
-                  "the reduced model that was asked for has F_T within its tolerance, but " + names +
-                      " move by up to " + significant(summary.reduction->error_of_others) +
-                      " of their peaks between nested models; write time.scheme = \"sdirk4\" where they matter"});
+  list.push_back(
+      {"reading_not_converged", summary.reduction->error_of_others, summary.reduction->tolerance_of_others, "1",
+       "the reduced model that was asked for has F_T within its tolerance, but " + names + " move by up to " +
+           significant(summary.reduction->error_of_others) + " of their peaks between nested models",
+       "write time.scheme = \"sdirk4\" where these readings matter"});
   return list;
 }
 
 NumberedWarnings balance_warnings(const Evidence& e, const Summary&) {
   const std::optional<Mismatch> off = imbalance(e.simulation, e.solution);
   if (!off) return {};
-  return {
-      {"balance_loose", off->value, off->tolerable, "1",
-       off->what + " by " + significant(off->value) + ", where " + significant(off->tolerable) +
-           " is usual: large forces cancel in this scene and leave their round-off; F_T may err by up to " +
-           significant(off->error, 2) + " of its largest value, motions by that part of what the loads would do " +
-           "alone; look for stiffnesses or permeabilities far from all others, or give the water its bulk modulus"}};
+  return {{"balance_loose", off->value, off->tolerable, "1",
+           off->what + " by " + significant(off->value) + ", where " + significant(off->tolerable) +
+               " is usual: large forces cancel in this scene and leave their round-off; F_T may err by up to " +
+               significant(off->error, 2) + " of its largest value, motions by that part of what the loads would do " +
+               "alone",
+           "look for stiffnesses or permeabilities far from all others, or give the water its bulk modulus"}};
 }
 
 }  // namespace

@@ -104,15 +104,16 @@ class OnItsMesh {
     const double level = *scene_.initial->water_level, H = all_.height();
     const auto fits = [&](double y) { return y >= all_.low - H && y <= all_.high + 2. * H; };
     if (fits(level) || level < all_.low) return;  // below all ground: how dry ground is said
-    std::string text = "initial.water_level = " + significant(level, 4) +
-                       " m is far from the mesh, from y = " + significant(all_.low, 4) + " to " +
-                       significant(all_.high, 4) + " m";
+    const std::string text = "initial.water_level = " + significant(level, 4) +
+                             " m is far from the mesh, from y = " + significant(all_.low, 4) + " to " +
+                             significant(all_.high, 4) + " m";
+    std::string cure = "check the level, and the unit and the origin of the mesh";
     for (const MeantUnit& unit : {MeantUnit{"cm", 1e-2}, MeantUnit{"mm", 1e-3}})
       if (const double meant = unit.in_si(level); fits(meant)) {
-        text += "; if it was meant in " + std::string(unit.name) + ", write " + significant(meant, 4);
+        cure = cure_of_unit(unit, meant);
         break;
       }
-    list_.push_back({"implausible", level, level < all_.low ? all_.low : all_.high, "m", text});
+    list_.push_back({"implausible", level, level < all_.low ? all_.low : all_.high, "m", text, cure});
   }
 
   /// A power of ten is a load of unit size, whose response is a ratio.
@@ -175,19 +176,22 @@ void judge_weight(const Simulation& simulation, NumberedWarnings& list) {
     if (given < 0.99 * in_air)
       list.push_back({"no_water", given, in_air, "N/m",
                       "sliding.submerged_weight = " + significant(given, 4) + " N/m is below the weight in air, " +
-                          significant(in_air, 4) +
-                          " N/m, but the scene has no still water: give regions of water, or [initial] water_level"});
+                          significant(in_air, 4) + " N/m, but the scene has no still water",
+                      "give regions of water, or [initial] water_level"});
     return;
   }
   constexpr double tolerable = 0.1;  // footings, rounded corners and layers of ballast are less than a tenth of W'
   if (std::abs(given - *in_water) <= tolerable * std::abs(*in_water)) return;
-  std::string text = "sliding.submerged_weight = " + significant(given, 4) + " N/m, but the caisson less the water " +
-                     "that it displaces weighs " + significant(*in_water, 4) + " N/m";
+  const std::string text = "sliding.submerged_weight = " + significant(given, 4) +
+                           " N/m, but the caisson less the water " + "that it displaces weighs " +
+                           significant(*in_water, 4) + " N/m";
+  std::string cure;
   for (const MeantUnit& unit :
        {MeantUnit{"kN/m", 1e3}, MeantUnit{"MN/m", 1e6}, MeantUnit{"t/m", 9.81e3}, MeantUnit{"kg/m", 9.81}})
     if (std::abs(unit.in_si(given) - *in_water) <= 0.3 * *in_water)
-      text += "; if it was meant in " + std::string(unit.name) + ", write " + significant(unit.in_si(given), 4);
-  list.push_back({"submerged_weight", given, *in_water, "N/m", text});
+      cure += (cure.empty() ? "" : "; ") + cure_of_unit(unit, unit.in_si(given));
+  if (cure.empty()) cure = "check submerged_weight, the mass of the caisson and the level of still water";
+  list.push_back({"submerged_weight", given, *in_water, "N/m", text, cure});
 }
 
 }  // namespace
@@ -254,7 +258,8 @@ NumberedWarnings plausibility_warnings(const Simulation& simulation, const std::
                       at + "biot = " + significant(region.biot) + " is less than the porosity, " +
                           significant(*region.porosity) +
                           ", which no grains that fill the skeleton alone can have: the pore pressure counts for less "
-                          "than it is"});
+                          "than it is",
+                      "give " + at + "biot of at least the porosity; 1 where grains are far stiffer than the soil"});
     if (region.interface)
       judge(at + "interface.coefficient", region.interface->coefficient, quantities::friction, list);
   }
@@ -264,14 +269,14 @@ NumberedWarnings plausibility_warnings(const Simulation& simulation, const std::
                         " triangles of the mesh were divided into three quadrilaterals each, and its "
                         "quadrilaterals into four: " +
                         std::to_string(simulation.mesh->triangulation.n_active_cells()) +
-                        " cells; quadrilaterals from the start need fewer unknowns: transfinite blocks with Recombine "
-                        "Surface, or Mesh.SubdivisionAlgorithm = 1"});
+                        " cells; quadrilaterals from the start need fewer unknowns",
+                    "mesh by transfinite blocks with Recombine Surface, or Mesh.SubdivisionAlgorithm = 1"});
   constexpr double straight = 1e-6;
   if (const double bent = simulation.mesh->most_bent; bent > straight)
     list.push_back({"sides_straightened", bent, straight, "1",
                     "cells of second order have curved sides, up to " + percent(bent) +
-                        " of a side's length from its chord; they are read by their corners, with straight sides: use "
-                        "more cells along curved boundaries"});
+                        " of a side's length from its chord; they are read by their corners, with straight sides",
+                    "use more cells along curved boundaries"});
   if (scene.sliding) judge("sliding.friction", scene.sliding->friction, quantities::friction, list);
   if (scene.initial)
     for (const auto& [name, surcharge] : scene.initial->surcharge)

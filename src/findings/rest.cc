@@ -10,10 +10,6 @@ bool lacks_rest(const Summary& summary) {
   return summary.nonlinear && !summary.nonlinear->why_no_rest.empty();
 }
 
-constexpr const char* cure_of_ground =
-    ": nothing that was computed from there is of a section that stands; check the strengths (c' in Pa, phi' in "
-    "degrees), the water level and the slopes";
-
 /// `why_no_rest`: of soil that yields.
 std::string why_not_at_rest(const std::optional<SafetySummary>& safety, const std::string& why_no_rest) {
   if (safety && safety->upper && *safety->upper <= 1.)
@@ -53,11 +49,14 @@ Checks rest_checks(const Scene& scene, const Summary& summary) {
 NumberedWarnings rest_warnings(const Evidence&, const Summary& summary) {
   const auto& safety = summary.safety;
   const double factor = safety ? safety->upper.value_or(safety->lower.value_or(0.)) : 0.;
-  if (!summary.why_void.empty()) return {{"no_rest", factor, 1., "1", summary.why_void + cure_of_ground, true}};
+  if (!summary.why_void.empty())
+    return {{"no_rest", factor, 1., "1",
+             summary.why_void + ": nothing that was computed from there is of a section that stands",
+             "check the strengths (c' in Pa, phi' in degrees), the water level and the slopes", true}};
   if (!safety || (safety->lower && *safety->lower >= 1.)) return {};
   return {{"rest_open", factor, 1., "1",
-           "whether the ground stands under its own weight is not known: " + safety->why_open +
-               "; try mesh.refine = 1, or another size of cells"}};
+           "whether the ground stands under its own weight is not known: " + safety->why_open,
+           "try mesh.refine = 1, or another size of cells"}};
 }
 
 OutputSchema<SafetySummary> safety_outputs() {

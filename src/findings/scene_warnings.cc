@@ -79,8 +79,8 @@ NumberedWarnings step_warnings(const Simulation& simulation) {
   return {{"step_too_coarse", step, limit, "s",
            "time.step = " + significant(step) + " s for waves that pass in " + significant(*time) +
                " s: the history of " + (simulation.compiled->caisson ? "F_T" : "a reading") + " may err by " +
-               rough_percent(rule.error * std::pow(step / limit, rule.order)) + " of its peak; give at most " +
-               significant(limit, 2) + " s, or step = \"auto\""}};
+               rough_percent(rule.error * std::pow(step / limit, rule.order)) + " of its peak",
+           "give time.step at most " + significant(limit, 2) + " s, or step = \"auto\""}};
 }
 
 /// Warning jump_with_alpha: consolidation under a load that jumps, marched by generalised-alpha.
@@ -92,8 +92,8 @@ NumberedWarnings jump_warnings(const Simulation& simulation) {
   return {{"jump_with_alpha", step, 0., "s",
            "a load jumps, after which generalised_alpha without inertia keeps a false pressure of about a third of a "
            "percent of the largest, however short the step (" +
-               significant(step) +
-               " s); F_T is not affected; write time.scheme = \"sdirk4\", or give the load a rise"}};
+               significant(step) + " s); F_T is not affected",
+           "write time.scheme = \"sdirk4\", or give the load a rise"}};
 }
 
 /// Warning motion_stays: a boundary still moves at the end of its record.
@@ -113,10 +113,9 @@ NumberedWarnings motion_warnings(const Simulation& simulation) {
                         significant(100. * std::abs(left) / largest, 2) +
                         " % of its largest, and keeps it: the ground goes on moving, by " +
                         significant(left * (end - last), 2) +
-                        " m until the end; where it should come to rest, the record lacks its end, or has an offset: "
-                        "give the whole "
-                        "record, or its velocity or displacement; where it is meant, as of a base that is set in "
-                        "motion, nothing is wrong"});
+                        " m until the end; where it should come to rest, the record lacks its end, or has an offset; "
+                        "where it is meant, as of a base that is set in motion, nothing is wrong",
+                    "give the whole record, or its velocity or displacement"});
   }
   return list;
 }
@@ -141,8 +140,9 @@ NumberedWarnings mesh_warnings(const Simulation& simulation) {
                       "region '" + at.region + "' has cells of " + significant(at.cell, 2) + " m near the caisson, " +
                           significant(worst.cells, 2) + " to a shear wave of " + significant(worst.wavelength, 2) +
                           " m" + (rings ? " (without damping it goes on)" : "") + ": the history of F_T may err by " +
-                          rough_percent(worst.error) + " of its peak; refine the mesh" +
-                          (rings ? ", give the soil damping" : "") + ", or write mesh.refine = \"auto\""});
+                          rough_percent(worst.error) + " of its peak",
+                      "refine the mesh" + std::string(rings ? ", give the soil damping" : "") +
+                          ", or write mesh.refine = \"auto\""});
   }
   return list;
 }
@@ -153,11 +153,8 @@ double delay(double widths) {
   return widths > 5. ? 1.2 : 1.;
 }
 
-std::string cure(const BoundaryReflection& reflection, double end, double peak_in_it) {
-  const std::string from = significant(reflection.time()) + " s on";
-  const std::string hit = peak_in_it > 0. ? ", its peak at " + significant(peak_in_it) + " s with it" : "";
-  return ": from " + from + " F_T(t) contains its echo" + hit + "; move it to " +
-         significant(0.5 * reflection.speed * end) + " m" +
+std::string cure(const BoundaryReflection& reflection, double end) {
+  return "move the side '" + reflection.side + "' to " + significant(0.5 * reflection.speed * end) + " m" +
          (reflection.absorbing ? " (saturated ground absorbs little)" : ", or end the run before");
 }
 
@@ -178,7 +175,10 @@ NumberedWarnings wall_warnings(const Simulation& simulation, const std::optional
   return {{"walls_too_near", reflection->time(), end, "s",
            "the side '" + reflection->side + "' is " + significant(reflection->distance) + " m away, shear waves of " +
                significant(reflection->speed) + " m/s are back after " + significant(reflection->time()) +
-               " s, before the end at " + significant(end) + " s" + cure(*reflection, end, peak_in_it)}};
+               " s, before the end at " + significant(end) + " s: from " + significant(reflection->time()) +
+               " s on F_T(t) contains its echo" +
+               (peak_in_it > 0. ? ", its peak at " + significant(peak_in_it) + " s with it" : ""),
+           cure(*reflection, end)}};
 }
 
 /// Concrete, whatever the fill weighs: a rigid region has no stiffness of its own.
@@ -221,7 +221,8 @@ NumberedWarnings load_warnings(const Simulation& simulation) {
   return {{"fast_load", time, limit, "s",
            "the loads are over within " + significant(time) + " s, but sound takes " +
                significant(limit / least_crossings) + " s to cross the caisson (E = 30 GPa assumed, as it is rigid): " +
-               "its own deformation changes peak F_T by 2 to 15 %; make it kind = \"solid\""}};
+               "its own deformation changes peak F_T by 2 to 15 %",
+           "make the caisson kind = \"solid\""}};
 }
 
 /// A pulse builds up the pressure beside the face as a jump would that takes this share of the pulse's duration.
@@ -267,12 +268,15 @@ NumberedWarnings boundary_layer_warnings(const Simulation& simulation) {
     if (who.empty() || (worst.count(face.region) && limit <= worst[face.region].limit)) continue;
     const std::string formula = degree == 1 ? "h^2/(6 c_v)" : "h^2/(40 c_v)";
     worst[face.region] = {
-        "smallest_step", time, limit, "s",
+        "smallest_step",
+        time,
+        limit,
+        "s",
         who + ": where '" + face.region + "' drains into '" + face.into + "' its pressure builds up within " +
             significant(time) + " s, less than " + formula + " = " + significant(limit) + " s of its cells of " +
             significant(face.cell, 2) + " m: it overshoots by up to " +
-            significant(100. * overshoot(face, degree, time), 2) +
-            " % from cell to cell there; take cells half as high there, or mesh.degree = 3; F_T is not affected"};
+            significant(100. * overshoot(face, degree, time), 2) + " % from cell to cell there; F_T is not affected",
+        "take cells half as high where '" + face.region + "' drains into '" + face.into + "', or mesh.degree = 3"};
   }
   NumberedWarnings list;
   for (const auto& [soil, warning] : worst) list.push_back(warning);
@@ -288,7 +292,7 @@ std::string cure(const DrainedLayer& layer, int degree) {
   const double skin = layer.skin / layer.stiffness;  // its compliance (m/Pa)
   const double cell = degree * (layer.skin + layer.stiffness * layer.of_the_rest * ratio);
   const bool water_stays = skin <= ratio * (layer.of_the_rest - skin);
-  return "take cells of at most " + significant(cell, 2) + " m there" +
+  return "take cells of at most " + significant(cell, 2) + " m in '" + layer.region + "' beside '" + layer.into + "'" +
          (water_stays
               ? ", or, as its water stays, kind = \"solid\" with poissons_ratio = 0.499 and its density with water"
               : "");
@@ -312,7 +316,8 @@ NumberedWarnings layer_warnings(const Simulation& simulation) {
                significant(layer->cell, 2) + " m drain a thicker one, which makes " +
                std::to_string(std::lround(100. * layer->share())) +
                " % of the compliance of the ground under the caisson" + ": F_T may err by up to " +
-               std::to_string(std::lround(100. * error)) + " %; " + cure(*layer, simulation.space->degree())}};
+               std::to_string(std::lround(100. * error)) + " %",
+           cure(*layer, simulation.space->degree())}};
 }
 
 /// Warning mesh_too_coarse: a thin soft layer whose cells are longer than it is thick (response/ground_waves.h).
@@ -325,8 +330,8 @@ NumberedWarnings thin_layer_warnings(const Simulation& simulation) {
       list.push_back({"mesh_too_coarse", n, least, "1",
                       "region '" + layer.region + "' is a soft layer of " + significant(layer.thickness, 2) +
                           " m under the caisson with cells up to " + significant(layer.longest, 2) +
-                          " m long: what happens at its ends is not resolved, and F_T may err by several percent; "
-                          "refine the mesh along it, or write mesh.refine = \"auto\" or accuracy.estimate = true"});
+                          " m long: what happens at its ends is not resolved, and F_T may err by several percent",
+                      "refine the mesh along the layer, or write mesh.refine = \"auto\" or accuracy.estimate = true"});
   return list;
 }
 

@@ -62,7 +62,8 @@ NumberedWarnings slip_warnings(const Evidence&, const Summary& summary) {
   return {{"no_coupled_slip", sliding.history.ratio, 1., "1",
            "the bonded caisson reaches its friction, but the distance that it slips as a whole on its ground could not "
            "be computed: " +
-               sliding.why_not_coupled + "; sliding_history, and contact node by node (kind = \"friction\"), give S"}};
+               sliding.why_not_coupled,
+           "take S from sliding_history, or from contact node by node (kind = \"friction\")"}};
 }
 
 /// The slips that did not need to be computed, and why.

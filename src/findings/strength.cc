@@ -51,8 +51,8 @@ NumberedWarnings strength_warnings(const Evidence&, const Summary& summary) {
                           " % at rest) the stresses exceed the soil's strength, at most " +
                           (s.largest < 10. ? "" : "more than ") + significant(s.largest) + " times at " +
                           place_text(s.at) + " at " + significant(s.time) +
-                          " s: it would yield, which linear soil does not; use [regions." + s.region +
-                          ".strain], smaller loads, or a stronger soil"});
+                          " s: it would yield, which linear soil does not",
+                      "use [regions." + s.region + ".strain], smaller loads, or a stronger soil"});
   return list;
 }
 
@@ -64,7 +64,8 @@ NumberedWarnings pressure_warnings(const Evidence& e, const Summary&) {
            "the water of '" + pressure->region() + "' at " + place_text(pressure->place()) + " would come to " +
                significant(pressure->value() / 1e3) + " kPa absolute at " + significant(pressure->time()) +
                " s, below its vapour pressure of 2.3 kPa: it would boil or draw air, which is not modelled; what comes "
-               "after is not to be trusted, compare with fluid.bulk_modulus = 1e7 (air in the water)"}};
+               "after is not to be trusted",
+           "compare with fluid.bulk_modulus = 1e7 (air in the water)"}};
 }
 
 SkippedList skipped_pressure(const Evidence& e, const Summary&) {

@@ -79,11 +79,12 @@ NumberedWarnings drift_warnings(const Simulation& simulation) {
     const double drift = impulse / mass * (decay * end > round_off ? -std::expm1(-decay * end) / decay : end);
     if (!(std::abs(drift) > least_drift)) continue;
     const std::string along = axis == 0 ? "horizontally" : "vertically";
-    list.push_back({"nothing_holds", std::abs(drift), least_drift, "m",
-                    "nothing holds the section " + along + " but what resists velocity: the loads' impulse of " +
-                        significant(impulse) + " N s/m shifts it as a whole by about " + significant(1e3 * drift, 2) +
-                        " mm until the end, which is in x_G and all displacements; hold "
-                        "a side or the base (displacement = \"fixed\", \"roller\" or \"level\"), or give it a spring"});
+    list.push_back(
+        {"nothing_holds", std::abs(drift), least_drift, "m",
+         "nothing holds the section " + along + " but what resists velocity: the loads' impulse of " +
+             significant(impulse) + " N s/m shifts it as a whole by about " + significant(1e3 * drift, 2) +
+             " mm until the end, which is in x_G and all displacements",
+         "hold a side or the base (displacement = \"fixed\", \"roller\" or \"level\"), or give it a spring"});
   }
   return list;
 }
@@ -125,7 +126,8 @@ NumberedWarnings side_warnings(const Simulation& simulation) {
   if (n == 0.) return {};
   return {{"sides_unlike_ground", n, 0., "1",
            "the base is shaken as a whole, but ground that goes on beyond the section would not move as at its side " +
-               names + ": the motion is wrong there and, with time, in the middle; say displacement = \"level\""}};
+               names + ": the motion is wrong there and, with time, in the middle",
+           "say displacement = \"level\" at upright sides of soil"}};
 }
 
 /// Constrained modulus (Pa) of the skeleton, and lowest height (m), of the ground that deforms under the caisson. With
@@ -180,9 +182,8 @@ NumberedWarnings impact_warnings(const Solution& solution) {
            "the caisson strikes its ground " + std::to_string(contact->found.solved->impacts) +
                " times (nodes), which lasts " + significant(time, 2) + " s on ground as stiff as this, but a step " +
                significant(step) +
-               " s: what each impact takes, and with it rocking and slip afterwards, depends on the step; give "
-               "time.step = " +
-               significant(limit, 2) + " s, or halve it until rocking stays the same"}};
+               " s: what each impact takes, and with it rocking and slip afterwards, depends on the step",
+           "give time.step = " + significant(limit, 2) + " s, or halve it until rocking stays the same"}};
 }
 
 }  // namespace upbead

@@ -183,14 +183,16 @@ NumberedWarnings yielding_warnings(const Summary& summary) {
         {"large_strain", peak.value, large_strain, "1",
          "the soil shears by " + significant(100. * peak.value) + " % " + where(peak) +
              ": the equations assume small strains and undeformed ground, so that residual displacements may err by "
-             "about that percentage, and a slope or base that fails may seem to hold or move too far"});
+             "about that percentage, and a slope or base that fails may seem to hold or move too far",
+         "take residual displacements as rough, and look whether a slope or base fails " + where(peak)});
   if (peak.value > least_strain && peak.over_neighbours && *peak.over_neighbours > slip_line)
     list.push_back(
         {"slip_line", *peak.over_neighbours, slip_line, "1",
          "the cell " + where(peak) + " shears by " + significant(100. * peak.value) + " %, " +
              significant(*peak.over_neighbours) +
              " times as much as those beside it: the soil slides along a line as narrow as the cells, and this strain "
-             "depends on their size; run with mesh.refine = 1 and see whether the numbers that you need change"});
+             "depends on their size",
+         "run with mesh.refine = 1 and see whether the numbers that you need change"});
   return list;
 }
 

@@ -71,7 +71,7 @@ void join_too_coarse(NumberedWarnings& list) {
   if (others < 1) return;
   NumberedWarning steepest = *std::min_element(
       rest, list.end(), [](const NumberedWarning& a, const NumberedWarning& b) { return a.value < b.value; });
-  steepest.text += "; " + std::to_string(others) + " more of its row are sampled too coarsely";
+  steepest.what += "; " + std::to_string(others) + " more of its row are sampled too coarsely";
   list.erase(rest, list.end());
   list.push_back(steepest);
 }
@@ -141,15 +141,15 @@ NumberedWarnings gauge_warnings(const std::string& name, const Gauges& gauges, c
                                         significant(100. * error.arm, 2) + " % of the row's length"
                                   : "of a tenth of the integral of |p|, at t = " + significant(error.time) +
                                         " s (pressures of both signs cancel)") +
-             ": the pressure is narrower than they see; compare with a load cell "
-             "(load_cell), or set transducers closer"});
+             ": the pressure is narrower than they see",
+         "compare with a load cell (load_cell), or set transducers closer"});
   if (!gauges.load_cell.empty()) {
     const double cell = gauges.load_cell[index_of_largest(gauges.load_cell)], sum = total[index_of_largest(total)];
     if (const double error = std::abs(sum / cell - 1.); !(error <= tolerable_cell))
       list.push_back({"load_cell_differs", error, tolerable_cell, "1",
                       "the largest force by the transducers of '" + name + "' is " + significant(sum) +
-                          " N/m, by the load cell " + significant(cell) +
-                          " N/m: look at units, heights and the row's ends, or at what the cell carries besides"});
+                          " N/m, by the load cell " + significant(cell) + " N/m",
+                      "look at units, heights and the row's ends, or at what the cell carries besides"});
   }
   return list;
 }

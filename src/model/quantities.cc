@@ -7,6 +7,10 @@
 
 namespace upbead {
 
+std::string cure_of_unit(const MeantUnit& unit, double meant) {
+  return "if it was meant in " + std::string(unit.name) + ", write " + significant(meant, 4);
+}
+
 std::optional<NumberedWarning> implausible(const std::string& key, double value, const Quantity& q) {
   if (value == 0. || !std::isfinite(value) || (value >= q.low && value <= q.high)) return std::nullopt;
   const double limit = value < q.low ? q.low : q.high;
@@ -14,14 +18,15 @@ std::optional<NumberedWarning> implausible(const std::string& key, double value,
       key + " = " + significant(value, 4) + (q.unit == std::string("1") ? "" : " " + std::string(q.unit));
   text += value < q.low ? " is less than is ever found (" : " is more than is ever found (";
   text += significant(limit) + (*q.usual != '\0' ? "; " + std::string(q.usual) : "") + ")";
-  int told = 0;
+  std::string cure;
   for (const MeantUnit& unit : q.meant)
     if (const double meant = unit.in_si(value); meant >= q.common_low && meant <= q.common_high) {
-      if (told++ > 0 && !q.tells_all) break;
-      text +=
-          (told == 1 ? "; if it was meant in " : ", in ") + std::string(unit.name) + ", write " + significant(meant, 4);
+      if (!cure.empty() && !q.tells_all) break;
+      cure += cure.empty() ? cure_of_unit(unit, meant)
+                           : ", in " + std::string(unit.name) + ", write " + significant(meant, 4);
     }
-  return NumberedWarning{"implausible", value, limit, q.unit, text};
+  if (cure.empty()) cure = "check " + key + " and its unit";
+  return NumberedWarning{"implausible", value, limit, q.unit, text, cure};
 }
 
 void judge(const std::string& key, const std::optional<double>& value, const Quantity& quantity,

@@ -27,6 +27,9 @@ struct Quantity {
   bool tells_all = false;  ///< whether all units are told in which it is common
 };
 
+/// The cure of a number that was given in another unit; `meant`: in SI.
+std::string cure_of_unit(const MeantUnit& unit, double meant);
+
 /// Warning implausible: `value` of the key is outside the bounds; names the unit that is probably meant. A number that
 /// is zero or infinite is none of a unit.
 std::optional<NumberedWarning> implausible(const std::string& key, double value, const Quantity& quantity);

@@ -71,8 +71,8 @@ class Inspection {
   }
 
  private:
-  void add(const std::string& name, double value, double limit, const std::string& text) {
-    list_.push_back({name, value, limit, "1", who_ + " " + text});
+  void add(const std::string& name, double value, double limit, const std::string& what, const std::string& cure) {
+    list_.push_back({name, value, limit, "1", who_ + " " + what, cure});
   }
 
   bool rests(std::size_t first, std::size_t last) const {
@@ -99,7 +99,8 @@ class Inspection {
         return add("record_saturated", static_cast<double>(end - i), static_cast<double>(least_flat),
                    "holds its extreme value " + significant(extreme) + " for " + std::to_string(end - i) +
                        " samples at t = " + significant(time_[i]) +
-                       " s: the instrument was at its end, the true peak is larger; use a record that is not cut");
+                       " s: the instrument was at its end, the true peak is larger",
+                   "use a record that is not cut");
       i = end;
     }
   }
@@ -150,8 +151,8 @@ class Inspection {
     if (apart > least_drift && drift < most_drift)
       add("record_drifting", drift, least_drift,
           "ends " + significant(100. * drift, 2) +
-              " % of its peak away from where it starts: it drifts, or is cut before it has come back; take the drift "
-              "off, or give a longer record");
+              " % of its peak away from where it starts: it drifts, or is cut before it has come back",
+          "take the drift off, or give a longer record");
   }
 
   /// A load that has not come back to its start where the record ends jumps to zero there.
@@ -160,8 +161,8 @@ class Inspection {
     if (beyond(value_.back(), 0, at_ends_) > least_drift * peak_ && rest < most_drift)
       add("record_cut", rest, least_drift,
           "still moves where it ends, at t = " + significant(time_.back()) + " s, " + significant(100. * rest, 2) +
-              " % of its peak away from where it starts: the load jumps to zero there; give a longer record, or let it "
-              "come back to zero");
+              " % of its peak away from where it starts: the load jumps to zero there",
+          "give a longer record, or let it come back to zero");
   }
 
   /// The drift before the record first exceeds a tenth of its peak.
@@ -174,8 +175,9 @@ class Inspection {
     if (slope(0, event) > most_of_rise * rise_) return;  // the foot of a smooth rise
     if (drift > least_drift)
       add("record_drifting", drift, least_drift,
-          "moves by " + significant(100. * drift, 2) + " % of its peak before anything happens, until t = " +
-              significant(time_[event]) + " s: it drifts; take the trend off");
+          "moves by " + significant(100. * drift, 2) +
+              " % of its peak before anything happens, until t = " + significant(time_[event]) + " s: it drifts",
+          "take the trend off");
   }
 
   void check_rise() {
@@ -185,9 +187,8 @@ class Inspection {
     if (n < least_in_rise && foot > 0)
       add("record_too_coarse", n, least_in_rise,
           "has " + std::to_string(n) + " samples in its rise of " + significant(time_[top_] - time_[foot]) +
-              " s to its peak, fewer than " + std::to_string(least_in_rise) +
-              ": the true peak may lie between them; sample every " +
-              significant((time_[top_] - time_[foot]) / least_in_rise, 2) + " s");
+              " s to its peak, fewer than " + std::to_string(least_in_rise) + ": the true peak may lie between them",
+          "sample every " + significant((time_[top_] - time_[foot]) / least_in_rise, 2) + " s");
   }
 
   void check_spikes() {
@@ -201,7 +202,8 @@ class Inspection {
     if (spikes > 0)
       add("record_spikes", spikes, 0.,
           "has " + std::to_string(spikes) + " lone samples far off both neighbours, the first at t = " +
-              significant(when) + " s: faults of the instrument, or it is sampled too coarsely; take them out");
+              significant(when) + " s: faults of the instrument, or it is sampled too coarsely",
+          "take the lone samples out");
   }
 
   std::string who_;
@@ -264,7 +266,8 @@ NumberedWarnings record_warnings(const Record& record) {
   if (extent.range() <= exactly * extent.size())
     return {{"record_dead", extent.range(), exactly * extent.size(), "1",
              "record '" + record.name + "' has the same value " + significant(extent.most) +
-                 " throughout: the instrument was dead; leave it out, or write it as a pulse if it is meant"}};
+                 " throughout: the instrument was dead",
+             "leave the record out, or write it as a pulse if it is meant"}};
   return Inspection(record).run();
 }
 
@@ -292,7 +295,8 @@ NumberedWarnings swapped_records(const std::vector<RecordAtHeight>& records) {
            "records '" + records[a].record.name + "' and '" + records[b].record.name +
                "' look exchanged: with them at each other's height, " + significant(records[b].height) + " and " +
                significant(records[a].height) + " m, the pressures bend " + significant(as_given / least, 2) +
-               " times less over the height; look at the cables, or at the list of heights"}};
+               " times less over the height",
+           "look at the cables, or at the list of heights"}};
 }
 
 }  // namespace upbead

@@ -74,7 +74,8 @@ OutputSchema<NumberedWarning> warning_outputs() {
       .key("value", number(&W::value), "", "that decided; null where no number did")
       .key("limit", number(&W::limit), "", "that it passes; null likewise")
       .reason("unit", &W::unit, "of both; null likewise")
-      .key("text", &W::text, "", "what is wrong, and what to do");
+      .reason("cure", &W::cure, "what to do; null where nothing is known")
+      .key("text", &W::text, "", "what is wrong, and the cure");
 }
 
 std::vector<OutputRow> OutputKeys::rows() const {

@@ -122,15 +122,15 @@ NumberedWarnings compaction_warnings(const std::vector<CompactedSoil>& soils) {
                           "' the mean effective stress falls to " +
                           significant(100. * (1. - soil.largest_pressure_ratio), 2) + " % of that at rest, most at " +
                           place_text(soil.pressure_ratio_at) +
-                          ": it has liquefied. Strength of hysteretic soil stays that at rest: trust no displacement, "
-                          "and compare with law = "
-                          "\"mohr_coulomb\", which follows the stress that is left"});
+                          ": it has liquefied. Strength of hysteretic soil stays that at rest",
+                      "trust no displacement, and compare with law = \"mohr_coulomb\", which follows the stress that "
+                      "is left"});
     if (soil.largest_amplitude > largest_tested)
       list.push_back({"beyond_compaction", soil.largest_amplitude, largest_tested, "1",
                       "region '" + soil.region + "' is sheared by an amplitude of " +
                           significant(soil.largest_amplitude, 2) +
-                          ": densification was measured up to 0.003, and dense sand dilates at so much; its " +
-                          "volumetric strain is not to be trusted there"});
+                          ": densification was measured up to 0.003, and dense sand dilates at so much",
+                      "trust no volumetric strain of '" + soil.region + "' where it is sheared so much"});
   }
   return list;
 }

@@ -35,87 +35,111 @@ bool may_break_impulsively(const Situation& s) {
   return on_the_bed || on_the_mound;
 }
 
-void judge_wave(const Situation& s, std::vector<Warning>& list) {
+void judge_wave(const Situation& s, NumberedWarnings& list) {
   const double H = s.wave.height, h = s.section.water_depth;
   if (may_break_impulsively(s))
-    list.push_back({"impulsive_breaking",
+    list.push_back({"impulsive_breaking", 0., 0., "",
                     "waves may break on the wall (B_M/L = " + significant(s.section.berm_width / s.L) +
                         ", d/h = " + significant(s.section.berm_depth / h) +
-                        "): Goda's formula alone does not hold, alpha_I is made for it but the scatter is large"});
+                        "): Goda's formula alone does not hold, alpha_I is made for it but the scatter is large",
+                    "compare with tests of such a section before the force is believed"});
   if (H > 0.8 * h)
-    list.push_back({"height_over_depth",
-                    "H/h = " + significant(H / h) + " is beyond 0.8, where eq. (11) for tau_0F ends; 0.4 T is used"});
+    list.push_back({"height_over_depth", H / h, 0.8, "1",
+                    "H/h = " + significant(H / h) + " is beyond 0.8, where eq. (11) for tau_0F ends; 0.4 T is used",
+                    "check height and water_depth, or take sliding distances as rough"});
   // Miche (1944): the steepest progressive wave at that depth.
   const double limit = 0.142 * s.L * std::tanh(boost::math::constants::two_pi<double>() * h / s.L);
   if (H > limit)
-    list.push_back({"breaking_limit", "H = " + metres(H) + " is above Miche's limit of breaking at the wall, " +
-                                          metres(limit) + ": such a wave breaks before"});
+    list.push_back({"breaking_limit", H, limit, "m",
+                    "H = " + metres(H) + " is above Miche's limit of breaking at the wall, " + metres(limit) +
+                        ": such a wave breaks before",
+                    "give a height of at most " + metres(limit) + ", or check period and water_depth"});
   if (s.wave.significant_height >= H)
-    list.push_back({"significant_height", "H_1/3 = " + metres(s.wave.significant_height) +
-                                              " is not below H = " + metres(H) + ", which is to be the highest wave"});
+    list.push_back({"significant_height", s.wave.significant_height, H, "m",
+                    "H_1/3 = " + metres(s.wave.significant_height) + " is not below H = " + metres(H) +
+                        ", which is to be the highest wave",
+                    "check height and significant_height (H mostly is 1.8 H_1/3)"});
   if (s.wave.period > 30.)
-    list.push_back(
-        {"long_period", "T = " + significant(s.wave.period, 4) + " s is longer than 30 s, where the tests end"});
+    list.push_back({"long_period", s.wave.period, 30., "s",
+                    "T = " + significant(s.wave.period, 4) + " s is longer than 30 s, where the tests end",
+                    "check the period, or compare with tests of so long waves"});
 }
 
 /// The usual mistake is kN for N, or W in place of W'; a footing or rounded corners change the buoyancy by less than
 /// a fifth.
-void judge_weight(const Situation& s, std::vector<Warning>& list) {
+void judge_weight(const Situation& s, NumberedWarnings& list) {
   const Section& c = s.section;
   const double given = c.weight - c.submerged_weight;
   const double displaced = s.water.density * s.water.gravity * c.foundation_depth * c.width;
   if (std::abs(given - displaced) > 0.2 * displaced)
-    list.push_back({"buoyancy",
+    list.push_back({"buoyancy", given, displaced, "N/m",
                     "W - W' = " + significant(given, 4) +
-                        " N/m, but a caisson of width B displaces rho g h' B = " + significant(displaced, 4) + " N/m"});
+                        " N/m, but a caisson of width B displaces rho g h' B = " + significant(displaced, 4) + " N/m",
+                    "check the units of weight and submerged_weight (N/m), and which of them is in water"});
 }
 
-void judge_section(const Situation& s, std::vector<Warning>& list) {
+void judge_section(const Situation& s, NumberedWarnings& list) {
   const Section& c = s.section;
   if (c.bed_slope > 0.1 || c.bed_slope < 0.01)
-    list.push_back(
-        {"bed_slope", "tan(theta) = " + significant(c.bed_slope) + " is outside 0.01 to 0.1, where the tests are"});
+    list.push_back({"bed_slope", c.bed_slope, c.bed_slope > 0.1 ? 0.1 : 0.01, "1",
+                    "tan(theta) = " + significant(c.bed_slope) + " is outside 0.01 to 0.1, where the tests are",
+                    "check bed_slope (a tangent, not percent), or compare with tests of such a bed"});
   if (c.berm_depth > c.water_depth)
-    list.push_back(
-        {"berm_below_bed", "d = " + metres(c.berm_depth) + " is below the bed at h = " + metres(c.water_depth)});
+    list.push_back({"berm_below_bed", c.berm_depth, c.water_depth, "m",
+                    "d = " + metres(c.berm_depth) + " is below the bed at h = " + metres(c.water_depth),
+                    "check berm_depth and water_depth (both from still water down)"});
   if (c.foundation_depth > c.water_depth)
-    list.push_back({"foundation_below_bed", "h' = " + metres(c.foundation_depth) + " is below the bed at h = " +
-                                                metres(c.water_depth) + ", where alpha_3 was not made for"});
+    list.push_back({"foundation_below_bed", c.foundation_depth, c.water_depth, "m",
+                    "h' = " + metres(c.foundation_depth) + " is below the bed at h = " + metres(c.water_depth) +
+                        ", where alpha_3 was not made for",
+                    "check foundation_depth and water_depth (both from still water down)"});
 }
 
-void judge_pressure(const Situation& s, double depth_b, std::vector<Warning>& list) {
+void judge_pressure(const Situation& s, double depth_b, NumberedWarnings& list) {
   const WavePressure& p = s.pressure;
   if (depth_b <= s.section.berm_depth)
-    list.push_back({"alpha_2_clamped", "h_b = " + metres(depth_b) + " is not below the berm, d = " +
-                                           metres(s.section.berm_depth) + ": alpha_2 would be negative, 0 is used"});
+    list.push_back({"alpha_2_clamped", depth_b, s.section.berm_depth, "m",
+                    "h_b = " + metres(depth_b) + " is not below the berm, d = " + metres(s.section.berm_depth) +
+                        ": alpha_2 would be negative, 0 is used",
+                    "check berm_depth, water_depth and bed_slope"});
   if (p.alpha_3 <= 0.)
-    list.push_back({"alpha_3_clamped", "h' = " + metres(s.section.foundation_depth) + " at h = " +
-                                           metres(s.section.water_depth) + ": alpha_3 would be negative, 0 is used"});
+    list.push_back({"alpha_3_clamped", p.alpha_3, 0., "1",
+                    "h' = " + metres(s.section.foundation_depth) + " at h = " + metres(s.section.water_depth) +
+                        ": alpha_3 would be negative, 0 is used",
+                    "check foundation_depth and water_depth"});
   if (p.alpha_I < 0.)
-    list.push_back({"alpha_I_negative", "alpha_I = " + significant(p.alpha_I) +
-                                            " is negative, as on low mounds: no impulsive pressure, alpha_2 rules"});
+    list.push_back(
+        {"alpha_I_negative", p.alpha_I, 0., "1",
+         "alpha_I = " + significant(p.alpha_I) + " is negative, as on low mounds: no impulsive pressure, alpha_2 rules",
+         "check berm_depth and berm_width where a high mound is meant"});
   if (p.eta_star <= s.section.crest)
-    list.push_back({"eta_star_below_crest", "eta* = " + metres(p.eta_star) + " does not rise above the crest, h_c = " +
-                                                metres(s.section.crest) + ": p4 = 0"});
+    list.push_back({"eta_star_below_crest", p.eta_star, s.section.crest, "m",
+                    "eta* = " + metres(p.eta_star) +
+                        " does not rise above the crest, h_c = " + metres(s.section.crest) + ": p4 = 0",
+                    "check crest where the wave is to overtop"});
   const double safety = stability(s.section, p).safety_overturning;
   if (p.uplift < s.section.submerged_weight && safety < 1.)
-    list.push_back({"overturns", "the safety factor against overturning is " + significant(safety) +
-                                     ": the caisson tilts, and a formula for sliding knows nothing of that"});
+    list.push_back({"overturns", safety, 1., "1",
+                    "the safety factor against overturning is " + significant(safety) +
+                        ": the caisson tilts, and a formula for sliding knows nothing of that",
+                    "widen the caisson, or make it heavier"});
   if (p.uplift >= s.section.submerged_weight)
-    list.push_back({"lifted", "U is not below W': the caisson floats up, and no safety factor means anything"});
+    list.push_back({"lifted", p.uplift, s.section.submerged_weight, "N/m",
+                    "U is not below W': the caisson floats up, and no safety factor means anything",
+                    "make the caisson heavier, or check submerged_weight"});
 }
 
 }  // namespace
 
-std::vector<Warning> warnings(const Section& section, const Water& water, const DesignWave& wave,
-                              const WavePressure& pressure) {
+NumberedWarnings warnings(const Section& section, const Water& water, const DesignWave& wave,
+                          const WavePressure& pressure) {
   const Situation s{section,
                     water,
                     wave,
                     pressure,
                     wavelength(wave.period, section.water_depth, water.gravity),
                     deep_water_wavelength(wave.period, water.gravity)};
-  std::vector<Warning> list;
+  NumberedWarnings list;
   judge_wave(s, list);
   judge_section(s, list);
   judge_weight(s, list);

@@ -319,9 +319,9 @@ TEST_F(FlowFiles, MomentOfAVerticalForceThatIsLeftOutIsWarnedOf) {
     ASSERT_EQ(load->warnings.size(), 1U);
     EXPECT_EQ(load->warnings[0].name, "flow_vertical_moment");
     EXPECT_NEAR(load->warnings[0].value, 0.5, 1e-12);
-    EXPECT_HAS(load->warnings[0].text, "wrong by 0.5 m for each metre");  // 0.2 - 0.135 = 0.5 * 0.13
+    EXPECT_HAS(load->warnings[0].text(), "wrong by 0.5 m for each metre");  // 0.2 - 0.135 = 0.5 * 0.13
   }
-  EXPECT_HAS(base.warnings[0].text, "0.135 m");
+  EXPECT_HAS(base.warnings[0].text(), "0.135 m");
 }
 
 TEST(FlowRows, HasNoCellBeyondItsOwn) {

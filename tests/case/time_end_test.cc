@@ -67,11 +67,12 @@ TEST_F(TimeEndTest, WhatStillActsIsTold) {
   ASSERT_EQ(names(list), "load_cut ");
   EXPECT_EQ(list.front().value, 3.);
   EXPECT_EQ(list.front().limit, 1.);
-  EXPECT_NE(list.front().text.find("ITS LARGEST VALUE, which comes at 1.5 s"), std::string::npos) << list.front().text;
-  EXPECT_NE(list.front().text.find("67 % of that"), std::string::npos) << list.front().text;
+  EXPECT_NE(list.front().text().find("ITS LARGEST VALUE, which comes at 1.5 s"), std::string::npos)
+      << list.front().text();
+  EXPECT_NE(list.front().text().find("67 % of that"), std::string::npos) << list.front().text();
   list = told(triangle, 2.);
   ASSERT_EQ(names(list), "load_cut ");
-  EXPECT_EQ(list.front().text.find("LARGEST"), std::string::npos) << list.front().text;
+  EXPECT_EQ(list.front().text().find("LARGEST"), std::string::npos) << list.front().text();
   EXPECT_EQ(names(told(triangle, 2.98)), "") << "a few percent are left";
   EXPECT_EQ(names(told("pulse = { shape = \"step\", peak = 1e6, rise = 2 }", 1.)), "load_cut ");
   EXPECT_EQ(names(told("pulse = { shape = \"step\", peak = 1e6, rise = 2 }", 2.)), "") << "it has come to stay";
@@ -89,7 +90,7 @@ TEST_F(TimeEndTest, SoItIsOfTransducersUpliftsAndMotions) {
   write("row.toml", text);
   const NumberedWarnings list = end_warnings(read_case("row.toml", {"time.end=1.5"}), 1.5);
   ASSERT_EQ(names(list), "load_cut ");
-  EXPECT_NE(list.front().text.find("comes at 2 s"), std::string::npos) << list.front().text;
+  EXPECT_NE(list.front().text().find("comes at 2 s"), std::string::npos) << list.front().text();
   EXPECT_EQ(names(end_warnings(read_case("row.toml", {"time.end=3"}), 3.)), "");
   EXPECT_EQ(
       names(end_warnings(with("pulse = { shape = \"triangle\", peak = 1e6, duration = 0.15 }\n[sliding]\n"

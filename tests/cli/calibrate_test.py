@@ -122,7 +122,7 @@ class Calibrate(ProgramTest):
         self.assertEqual(done.returncode, 0)
         fit = self.fit(json.loads(done.stdout), "model", 1.2)
         self.assertEqual((fit["doubt"], fit["a"], fit["points"]), ("too_few", None, 2))
-        self.assertRegex(done.stderr, r"warning: not_identifiable: model prototype: \d+ of 16 fits do not tell a and b")
+        self.assertRegex(done.stderr, r"warning: not_identifiable: see .*\n +model prototype: \d+ of 16 fits do not tell a and b")
 
     def test_mistakes_leave_nothing(self):
         done = upbead("calibrate", FIG2B, *self.models, "--set", "calibration.ratios=[0.9]", "--set",

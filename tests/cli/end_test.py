@@ -59,7 +59,7 @@ class End(ProgramTest):
         arguments = [part for setting in settings for part in ("--set", setting)]
         done = upbead(command, self.folder / f"{name}.toml", *out, *arguments)
         self.assertEqual(done.returncode, 0, done.stderr)
-        warnings = dict(re.findall(r"^warning: (\w+): (.*)$", done.stderr, re.M))
+        warnings = dict(re.findall(r"^warning: (\w+): (.*\n.*)$", done.stderr, re.M))
         summary = json.loads((self.folder / name / "summary.json").read_text()) if out else {}
         return warnings, summary, done.stdout
 

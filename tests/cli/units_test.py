@@ -62,8 +62,8 @@ class Units(ProgramTest):
         out = [] if command == "explain" else ["--out", self.folder / "out"]
         done = upbead(command, file, *out, *[part for setting in settings for part in ("--set", setting)])
         self.assertEqual(done.returncode, 0, done.stderr)
-        found = re.findall(r"^warning: implausible: ((\S+?),? .*)$", done.stderr, re.M)
-        return {key: line for line, key in found}
+        found = re.findall(r"^warning: implausible: (.*\n +(\S+?),? .*)$", done.stderr, re.M)
+        return {key: lines for lines, key in found}
 
     def expect(self, text, setting, meant, key=None):
         with self.subTest(setting=setting):

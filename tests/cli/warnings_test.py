@@ -68,7 +68,8 @@ class Warnings(ProgramTest):
         self.assertEqual(done.returncode, 0, done.stderr)
         summary = json.loads(done.stdout)
         for warning in summary["warnings"]:
-            self.assertIn(f"warning: {warning['name']}: {warning['text']}\n", done.stderr)
+            what, cure = warning["text"].removesuffix(f"; {warning['cure']}"), warning["cure"]
+            self.assertIn(f"warning: {warning['name']}: {cure}\n         {what}\n", done.stderr)
         return {warning["name"]: warning for warning in summary["warnings"]}, summary
 
     def expect(self, found, name, value=None, limit=None, places=6):

@@ -126,10 +126,10 @@ class Waves(ProgramTest):
                      "written     results/design/{summary.json, case.toml}"):
             self.assertIn(part, done.stdout)
         self.assertRegex(done.stdout, r"a_high +12 +6\.667 +12 +135\.4 +0\.8719 ")
-        self.assertRegex(done.stderr, r"^warning: impulsive_breaking: wave a_high: waves may break on the wall .*\n"
-                                      r"warning: breaking_limit: wave a_high: H = 12 m .*\n"
-                                      r"warning: overturns: wave a_high: the safety factor .* 0\.809: .*\n"
-                                      r"warning: impulsive_breaking: wave b_low: .*\n$")
+        self.assertRegex(done.stderr, r"^warning: impulsive_breaking: compare .*\n         wave a_high: waves may break on the wall .*\n"
+                                      r"warning: breaking_limit: give a height .*\n         wave a_high: H = 12 m .*\n"
+                                      r"warning: overturns: widen .*\n         wave a_high: the safety factor .* 0\.809: .*\n"
+                                      r"warning: impulsive_breaking: compare .*\n         wave b_low: .*\n$")
 
     def test_a_measured_force_is_reduced_but_never_that_with_alpha_I(self):
         self.write(DESIGN)
@@ -292,7 +292,7 @@ class Waves(ProgramTest):
         self.write(DESIGN.split("[waves.a_high]")[0] + "[waves.one]\nheight = 8.0\nperiod = 7.0\n")
         self.assertNotIn("breaking_limit", self.waves("design.toml").stderr)
         done = self.waves("design.toml", "--set", "levels.ebb=-4")
-        self.assertRegex(done.stderr, r"warning: breaking_limit: wave one at ebb: H = 8 m is above Miche's limit ")
+        self.assertRegex(done.stderr, r"warning: breaking_limit: .*\n +wave one at ebb: H = 8 m is above Miche's limit ")
         wave = self.summary("design.toml", "--set", "levels.ebb=-4")["waves"]["one"]
         names = lambda told: [warning["name"] for warning in told["warnings"]]
         self.assertIn("breaking_limit", names(wave["levels"]["ebb"]))
@@ -319,7 +319,7 @@ class Waves(ProgramTest):
         told = {warning["name"]: warning["text"] for warning in self.summary("design.toml", *limits)["waves"]["b_low"]["warnings"]}
         self.assertIn("the pressure under the heel is ", told["base_pressure"])
         self.assertIn(", below limits.overturning = ", told["overturning_limit"])
-        self.assertIn("warning: base_pressure: wave b_low", beyond.stderr)
+        self.assertRegex(beyond.stderr, r"warning: base_pressure: widen .*\n +wave b_low")
 
     def test_the_governing_level_makes_the_verdict(self):
         """Each check is that of the level at which it is worst; all that fails and all warnings are told."""
@@ -341,7 +341,8 @@ class Waves(ProgramTest):
                     self.assertEqual(check["demand"], min(level[key] for level in levels_of.values()))
                     self.assertEqual(check["demand"], levels_of[check["level"]][key])
             for warning in found["warnings"]:
-                self.assertIn(f"warning: {warning['name']}: " + " ".join(warning["text"].split()), told)
+                what, cure = warning["text"].removesuffix(f"; {warning['cure']}"), warning["cure"]
+                self.assertIn(f"warning: {warning['name']}: {cure} {what}", told)
             of_waves = {w["text"] for wave in found["waves"].values() for level in wave["levels"].values() for w in level["warnings"]}
             self.assertTrue(all(any(warning["text"].endswith(text) for warning in found["warnings"]) for text in of_waves))
             self.assertIn("verdict     " + found["verdict"]["text"], done.stdout)

@@ -98,8 +98,8 @@ TEST(Gauges, SampledTooCoarselyAreToldOnce) {
   const NumberedWarning found = warning(list, "record_too_coarse");
   EXPECT_EQ(told, 1);
   EXPECT_NEAR(found.value, 8., 1.);
-  EXPECT_NE(found.text.find("'wall.p2'"), std::string::npos) << found.text;
-  EXPECT_NE(found.text.find("; 1 more of its row"), std::string::npos) << found.text;
+  EXPECT_NE(found.text().find("'wall.p2'"), std::string::npos) << found.text();
+  EXPECT_NE(found.text().find("; 1 more of its row"), std::string::npos) << found.text();
 }
 
 TEST(Gauges, AreComparedWithALoadCell) {
@@ -116,7 +116,7 @@ TEST(Gauges, TellExchangedHeightsByName) {
   Gauges gauges = row(seven, [](double y) { return 2e4 - 1e3 * y + 4e3 * std::sin(0.3 * y); });
   std::swap(gauges.pressure[1], gauges.pressure[4]);
   const NumberedWarning told = warning(gauge_warnings("wall", gauges, {}), "records_swapped");
-  EXPECT_NE(told.text.find("'wall.p2' and 'wall.p5'"), std::string::npos) << told.text;
+  EXPECT_NE(told.text().find("'wall.p2' and 'wall.p5'"), std::string::npos) << told.text();
 }
 
 TEST(Gauges, OfAStandingWaveOnABedHaveNoResultant) {
@@ -132,7 +132,7 @@ TEST(Gauges, OfAStandingWaveOnABedHaveNoResultant) {
   }
   const NumberedWarning told = warning(gauge_warnings("sea", row(few, wave(13.)), {}), "gauges_too_sparse");
   EXPECT_EQ(told.name, "gauges_too_sparse") << "three waves on five transducers";
-  EXPECT_EQ(told.text.find("e+"), std::string::npos) << told.text;
+  EXPECT_EQ(told.text().find("e+"), std::string::npos) << told.text();
   const Gauges wall = row(seven, [](double y) { return 10. + y; });
   EXPECT_TRUE(interpolation_error(wall).has_resultant);
 }

@@ -136,7 +136,7 @@ TEST(Records, SwappedTransducersAreNamed) {
   std::swap(wall[1].record, wall[4].record);
   const NumberedWarnings list = swapped_records(wall);
   ASSERT_EQ(names(list), Names{"records_swapped"});
-  EXPECT_NE(list[0].text.find("'p4' and 'p1'"), std::string::npos) << list[0].text;
+  EXPECT_NE(list[0].text().find("'p4' and 'p1'"), std::string::npos) << list[0].text();
   EXPECT_LT(list[0].value, list[0].limit);
 }
 
@@ -154,7 +154,7 @@ TEST(Records, APulseFromZeroToZeroNeitherDriftsNorIsCutNorSaturated) {
       for (const double lead : {0., 0.01, 0.05, 0.2, 1.})
         for (const double trail : {0., 0.01, 0.05, 0.2, 3.})
           for (const NumberedWarning& told : record_warnings(alone(shape, n, lead, trail)))
-            EXPECT_EQ(told.name, "record_too_coarse") << n << " " << lead << " " << trail << ": " << told.text;
+            EXPECT_EQ(told.name, "record_too_coarse") << n << " " << lead << " " << trail << ": " << told.text();
 }
 
 TEST(Records, ADriftOfSuchAPulseIsTold) {

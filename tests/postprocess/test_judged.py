@@ -35,7 +35,7 @@ MADE = {  # a summary has these in places that no program of today writes
         {"name": "a check that nobody knows", "unit": "Pa", "demand": None, "capacity": 1e5, "margin": None, "holds": False, "measure": "y", "assumption": "z"},
         {"name": "seaward", "unit": "", "demand": None, "capacity": 1.0, "margin": None, "holds": None, "why_not": "no trough acts", "measure": "w", "assumption": None},
     ],
-    "warnings": [{"name": "routes_contradict", "text": "F_T <above> alpha_1 & 'P'"}, {"name": "routes_contradict", "text": "another one"}],
+    "warnings": [{"name": "routes_contradict", "cure": "look at <P>", "text": "F_T <above> alpha_1 & 'P'; look at <P>"}, {"name": "routes_contradict", "text": "another one"}],
     "deep": [{"inner": {"checks": [{"name": "hidden", "holds": False, "text": "hidden: DOES NOT HOLD"}], "warnings": [{"name": "inside", "text": "a list"}]}}],
 }  # fmt: skip
 
@@ -48,7 +48,8 @@ def said(found):
         if found.get("why_void"):
             yield found["why_void"]
         for warning in found["warnings"] if isinstance(found.get("warnings"), list) else ():
-            yield from (warning["name"], warning["text"])
+            cure = warning.get("cure") or ""
+            yield from (warning["name"], cure, warning["text"].removesuffix(f"; {cure}"))
         for key, value in found.items():
             yield from said(value)
     elif isinstance(found, list):

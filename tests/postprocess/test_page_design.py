@@ -21,6 +21,7 @@ from chromium import Browser
 import upbead
 from report import pdf
 from upbead.program import toml_value
+from upbead.told import warning_text
 
 SECTIONS, WAVES = map(int, sys.argv[4:6]) if len(sys.argv) > 5 else (8, 6)
 EQUAL = 1e-10
@@ -115,7 +116,7 @@ class Formulas(unittest.TestCase):
                 continue
             scale = max(abs(program), 1e-6 if key.startswith("sliding_") else 1e-300)
             worst[key] = max(worst.get(key, 0.0), abs(value - program) / scale)
-        told = {warning["name"]: warning["text"] for warning in exact["warnings"] if "standing" not in warning["text"]}
+        told = {warning["name"]: warning_text(warning) for warning in exact["warnings"] if "standing" not in warning["text"]}
         self.assertEqual({name: text.replace("_", "") for name, text in answer["warnings"].items() if name in told}, {name: text.replace("_", "") for name, text in told.items()})
         # warnings of the standing wave where it governs
         self.assertLessEqual(set(answer["warnings"]) - set(told), {"base_pressure", "overturning_limit"})

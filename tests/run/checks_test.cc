@@ -85,7 +85,7 @@ TEST(Checks, AContradictionOfTheRoutesIsAWarningBothWays) {
     EXPECT_EQ(found.warnings.size(), warned ? 1U : 0U) << safety << " " << peak;
     if (warned) {
       EXPECT_EQ(found.warnings.front().name, "routes_differ");
-      EXPECT_TRUE(has(found.warnings.front().text, "the worse governs"));
+      EXPECT_TRUE(has(found.warnings.front().text(), "the worse governs"));
     }
   }
 }

@@ -13,7 +13,7 @@ std::vector<std::string> told(double strain, std::optional<double> over_neighbou
   std::vector<std::string> names;
   for (const NumberedWarning& warning : yielding_warnings(summary)) {
     names.push_back(warning.name);
-    EXPECT_NE(warning.text.find("(1, 2) m"), std::string::npos) << warning.text;
+    EXPECT_NE(warning.text().find("(1, 2) m"), std::string::npos) << warning.text();
   }
   return names;
 }

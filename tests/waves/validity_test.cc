@@ -13,8 +13,9 @@ namespace validity_test {
 std::vector<std::string> names(const Section& section, const DesignWave& wave) {
   const WavePressure pressure = Goda(section, Water(), wave).at(wave.height);
   std::vector<std::string> list;
-  for (const Warning& warning : warnings(section, Water(), wave, pressure)) {
-    EXPECT_FALSE(warning.text.empty());
+  for (const NumberedWarning& warning : warnings(section, Water(), wave, pressure)) {
+    EXPECT_FALSE(warning.what.empty());
+    EXPECT_FALSE(warning.cure.empty()) << warning.name;
     list.push_back(warning.name);
   }
   return list;

@@ -12,8 +12,11 @@ struct NumberedWarning {
   double value = 0.;   ///< the number that decided
   double limit = 0.;   ///< the limit that the number passes
   std::string unit;    ///< of both; "1" where they have none, "" where there is no such number
-  std::string text;    ///< for people: what is wrong, with the number, and what to do
+  std::string what;    ///< what is wrong, with the number
+  std::string cure;    ///< what to do, as a command to the user
   bool voids = false;  ///< whether no verdict may be drawn as long as it stands
+
+  std::string text() const { return cure.empty() ? what : what + "; " + cure; }
 };
 
 using NumberedWarnings = std::vector<NumberedWarning>;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "upbead/base/error.h"
+#include "upbead/base/numbered_warning.h"
 
 namespace upbead {
 
@@ -120,15 +121,9 @@ Stability stability(const Section& section, const WavePressure& pressure);
 /// Submerged weight W' (N/m) for which the safety factor against sliding is `safety_sliding`.
 double submerged_weight_for(double safety_sliding, double friction, const WavePressure& pressure);
 
-/// A named warning with its numbers.
-struct Warning {
-  std::string name;  ///< such as "impulsive_breaking", "height_over_depth"
-  std::string text;
-};
-
 /// All warnings for a wave on a section.
-std::vector<Warning> warnings(const Section& section, const Water& water, const DesignWave& wave,
-                              const WavePressure& pressure);
+NumberedWarnings warnings(const Section& section, const Water& water, const DesignWave& wave,
+                          const WavePressure& pressure);
 
 /// tau_0F = (1/2 - H/(8 h)) T (s), eq. (11), stated for 0 <= H/h <= 0.8; beyond H/h = 0.8 it keeps its last value 0.4 T
 /// (our extension, which makes tau_0F continuous).

@@ -85,8 +85,8 @@ void warn_of_moment(const FlowHistory& history, double share, const FlowContext&
            (load.peak_arm ? ", " + significant(*load.peak_arm, 4) + " m," : "") + " is wrong by " +
            significant(metres) +
            " m for each metre that it acts behind or before the centre of the moments, and "
-           "overturning and heel with it; write forces of the wall's patch alone, or give region and vertical = "
-           "\"apply\""});
+           "overturning and heel with it",
+       "write forces of the wall's patch alone, or give region and vertical = \"apply\""});
 }
 
 /// What is done with the vertical force where it is more than friction.

@@ -123,13 +123,13 @@ NumberedWarnings flow_arm_warnings(const Case& input, const Mesh& mesh) {
     const double y = by.flow->force->centre[1] + *by.flow->peak_arm;
     const double slack = 1e-6 * (bounds.highest - bounds.lowest);
     if (y >= bounds.lowest - slack && y <= bounds.highest + slack) continue;
-    list.push_back(
-        {"flow_arm_outside", y, y < bounds.lowest ? bounds.lowest : bounds.highest, "m",
-         "'loads." + name + "': the record's largest force acts at y = " + significant(y, 4) + " m, " +
-             (y < bounds.lowest ? "below" : "above") + " '" + (on_region ? by.load.region : by.load.boundary) +
-             "', which reaches from y = " + significant(bounds.lowest, 4) + " to " + significant(bounds.highest, 4) +
-             " m: no pressures on it have such a resultant; look at the patches, origin, up, and a "
-             "vertical force whose moment is in the record"});
+    list.push_back({"flow_arm_outside", y, y < bounds.lowest ? bounds.lowest : bounds.highest, "m",
+                    "'loads." + name + "': the record's largest force acts at y = " + significant(y, 4) + " m, " +
+                        (y < bounds.lowest ? "below" : "above") + " '" +
+                        (on_region ? by.load.region : by.load.boundary) +
+                        "', which reaches from y = " + significant(bounds.lowest, 4) + " to " +
+                        significant(bounds.highest, 4) + " m: no pressures on it have such a resultant",
+                    "look at the patches, origin, up, and a vertical force whose moment is in the record"});
   }
   return list;
 }

@@ -254,9 +254,9 @@ void compare(const FlowSource& source, const FlowContext& context, const FlowFra
                       percent(*load.difference) + " of the largest at most, at t = " + significant(when, 4) + " s");
   constexpr double tolerable = 0.02;
   if (*load.difference > tolerable)
-    load.warnings.push_back({"flow_forces_differ", *load.difference, tolerable, "1",
-                             "'" + context.path + "': " + load.told.back() +
-                                 ": points may be too sparse, the patches not the same, or thickness or axes wrong"});
+    load.warnings.push_back(
+        {"flow_forces_differ", *load.difference, tolerable, "1", "'" + context.path + "': " + load.told.back(),
+         "look whether points are too sparse, the patches not the same, or thickness or axes wrong"});
 }
 
 void tell_points(const FlowPoints& points, const Line& line, Q quantity, FlowLoad& load) {
@@ -298,7 +298,8 @@ void bound_air(const FlowPoints& points, const FlowSource& source, const FlowFra
     load.warnings.push_back({"flow_p_rgh", share, tolerable, "1",
                              "'" + path + "': the largest force by p_rgh may be up to " + percent(share) +
                                  " too small: where still water left air, water with any share of air may stand, and "
-                                 "p_rgh does not tell its weight; write p in the CFD run"});
+                                 "p_rgh does not tell its weight",
+                             "write p in the CFD run"});
 }
 
 void require_datum_below(const FlowPoints& points, const FlowSource& source, const FlowFrame& frame,

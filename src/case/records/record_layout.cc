@@ -120,7 +120,8 @@ void note_layout(const CsvTable& table, const RecordLayout& layout, RecordNotes&
        "the times of " + column_text(table, *layout.time) + ", " + significant(t[0], 7) + ", " + significant(t[1], 7) +
            ", " + significant(t[2], 7) +
            " ... s, are whole numbers that ascend by one and have no unit: if they count the samples, "
-           "the record is read wrongly; write the unit into the header, 'time (s)', or give times"});
+           "the record is read wrongly",
+       "write the unit into the header, 'time (s)', or give times"});
 }
 
 std::vector<double> times_of(const CsvTable& table, const RecordLayout& layout) {

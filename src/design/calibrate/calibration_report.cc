@@ -172,7 +172,8 @@ NumberedWarnings warnings_of(const Design& design, const Calibration& found) {
     if (n > 0)
       list.push_back({"not_identifiable", static_cast<double>(n), 0., "1",
                       "model " + model.name + ": " + std::to_string(n) + " of " + std::to_string(model.fits.size()) +
-                          " fits do not tell a and b, see their remarks"});
+                          " fits do not tell a and b",
+                      "see the remarks of the fits, and take a and b from the others"});
   }
   return list;
 }

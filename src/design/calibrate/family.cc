@@ -18,7 +18,7 @@ std::string why_not(const DesignTables& tables, const FamilyWave& wave, const Wa
   if (wave.berm_depth > section.foundation_depth * (1. + round_off)) return "berm_below_caisson";
   if (wave.berm_depth >= section.water_depth) return "berm_below_bed";
   const DesignWave design{wave.height * (1. - round_off), wave.height / highest_over_significant, wave.period, 0.};
-  for (const Warning& warning : warnings(section, tables.water, design, pressure))
+  for (const NumberedWarning& warning : warnings(section, tables.water, design, pressure))
     if (warning.name == "height_over_depth" || warning.name == "breaking_limit" || warning.name == "long_period")
       return warning.name;
   const double steepness = wave.height / wave.wavelength;
