@@ -141,6 +141,16 @@ void check_case_of(int argc, char** argv) {
   }
 }
 
+// A command has a file of its own, and a row here.
+Command respond_command();
+/// waves, expected and calibrate.
+std::vector<Command> design_commands();
+Command scale_command();
+/// Reads the output of a CFD program: as it lies on disk, and as a load.
+Command read_command();
+/// Writes a commented case to begin with.
+Command new_command();
+
 std::vector<Command> light_commands() {
   return std::vector{respond_command()} + design_commands() +
          std::vector{scale_command(), read_command(), new_command()};

@@ -94,14 +94,6 @@ Command run_command();
 Command reduce_command();
 Command study_command();
 
-Command respond_command();
-/// The commands waves, expected and calibrate.
-std::vector<Command> design_commands();
-Command scale_command();
-/// Reads the output of a CFD program: as it lies on disk, and as a load.
-Command read_command();
-/// Writes a commented case to begin with.
-Command new_command();
 /// All commands that need neither mesh nor solver.
 std::vector<Command> light_commands();
 

@@ -73,9 +73,11 @@ RunResult Runner::run(const StudyRun& run, const std::function<void()>& meanwhil
     const Case problem = read_case(study_.cases[static_cast<std::size_t>(run.case_index)], overrides_of(run));
     require_trust(problem, trusts_scripts_);
     require_loads(problem);
-    result.summary = to_json(solve(problem, meanwhile, result.shared));
-    result.values = numbers_at(result.summary, study_.reads);
-    result.doubts = doubts_of(result.summary);
+    const Summary summary = solve(problem, meanwhile, result.shared);
+    const Json json = summary_outputs().to_json(summary);
+    result.summary = json_text(json);
+    result.values = numbers_at(json, study_.reads);
+    result.doubts = doubts_of(summary);
     result.done = true;
   } catch (const Interrupted&) {
     throw;

@@ -1,9 +1,9 @@
 #include "summary_reader.h"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "case/case_findings.h"
+#include "output/checks.h"
 #include "upbead/input/node.h"
 
 namespace upbead {
@@ -53,23 +53,20 @@ std::string objection_to_reading(const std::string& path) {
   return "no summary has it";
 }
 
-std::vector<std::optional<double>> numbers_at(const std::string& summary_json, const std::vector<std::string>& paths) {
-  const Json json = Json::parse(summary_json);
+std::vector<std::optional<double>> numbers_at(const Json& summary, const std::vector<std::string>& paths) {
   std::vector<std::optional<double>> numbers;
   for (const std::string& path : paths) {
-    const Json* value = find(json, path);
+    const Json* value = find(summary, path);
     numbers.push_back(value != nullptr && value->is_number() ? std::optional(value->get<double>()) : std::nullopt);
   }
   return numbers;
 }
 
-Doubts doubts_of(const std::string& summary_json) {
-  const Json json = Json::parse(summary_json);
+Doubts doubts_of(const Summary& summary) {
   Doubts doubts;
-  for (const Json& check : json.value("checks", Json::array()))
-    if (check.at("holds") == false) doubts.failing.emplace_back(check.at("name"), check.at("text"));
-  for (const Json& warning : json.value("warnings", Json::array()))
-    doubts.warnings.emplace_back(warning.at("name"), warning.at("text"));
+  for (const Check& check : summary.checks)
+    if (check.holds && !*check.holds) doubts.failing.emplace_back(check.name, text_of(check));
+  for (const NumberedWarning& warning : summary.warnings) doubts.warnings.emplace_back(warning.name, warning.text());
   return doubts;
 }
 

@@ -1,10 +1,13 @@
-// Numbers from a summary.json, by their paths.
+// Numbers of a summary, by their paths.
 #pragma once
 
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "output/output_schema.h"
+#include "upbead/output/summary.h"
 
 namespace upbead {
 
@@ -15,12 +18,12 @@ std::string objection_to_reading(const std::string& path);
 const std::vector<std::string>& readable_paths();
 
 /// The numbers at the paths; none where a summary has null, or no such path.
-std::vector<std::optional<double>> numbers_at(const std::string& summary_json, const std::vector<std::string>& paths);
+std::vector<std::optional<double>> numbers_at(const Json& summary, const std::vector<std::string>& paths);
 
 /// What a summary finds wrong: names of checks that fail, and of warnings, each with its text.
 struct Doubts {
   std::vector<std::pair<std::string, std::string>> failing, warnings;
 };
-Doubts doubts_of(const std::string& summary_json);
+Doubts doubts_of(const Summary& summary);
 
 }  // namespace upbead

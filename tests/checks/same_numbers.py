@@ -112,13 +112,17 @@ def answers(program, command, out):
 
 
 def compare(before, after):
-    """Number of items compared, the largest difference and its place; the keys that only one of the two has."""
-    worst, where = 0.0, ""
-    for key in before.keys() & after.keys():
+    """Number of items compared, the largest difference and its place; the keys that only one of the two has, and those
+    whose words differ."""
+    worst, where, other = 0.0, "", sorted(before.keys() ^ after.keys())
+    for key in sorted(before.keys() & after.keys()):
+        if isinstance(before[key], str) and isinstance(after[key], str):
+            other += [key] if before[key] != after[key] else []
+            continue
         apart = difference(before[key], after[key])
         if apart > worst:
             worst, where = apart, key
-    return len(before.keys() & after.keys()), worst, where, sorted(before.keys() ^ after.keys())
+    return len(before.keys() & after.keys()), worst, where, other
 
 
 def main():
