@@ -7,7 +7,6 @@
 #include "base/progress.h"
 #include "base/stopwatch.h"
 #include "base/text.h"
-#include "dynamics/dense_output.h"
 #include "fem/caisson/reading_names.h"
 #include "fem/compile.h"
 #include "model/words.h"
@@ -168,11 +167,6 @@ Run run_reduced(const Simulation& simulation, const SchemeChoice& choice, const 
     require_converged(reduction);
   Run run;
   run.response = respond(reduction, scene, system);
-  if (scene.output_every) {
-    const std::vector<double> times = equal_times(scene);
-    const Series all = respond(reduction.model, sampled_loads(scene, system, times));
-    run.dense = at_times(all, times, time_tolerance(scene));
-  }
   run.summary.timing = simulation.timing;
   run.summary.timing.factorise = reduction.factorise_seconds;
   run.scheme_reason = choice.reason;
@@ -182,6 +176,7 @@ Run run_reduced(const Simulation& simulation, const SchemeChoice& choice, const 
   run.summary.reduction = summary_of(reduction);
   if (simulation.compiled->caisson)
     run.summary.periods = natural_periods(reduction.model, reading::shear_force, sampled_loads(scene, system));
+  run.model = std::move(reduction.model);
   run.pressures = std::move(reduction.pressures);
   run.states = std::move(reduction.states);
   if (run.states) show(*run.states, shown, observers, part_of(progress, reducing_ends, 1.));
@@ -415,12 +410,8 @@ Run march_by(Scheme& scheme, const Simulation& simulation, const std::string& re
   if (const auto& from = options.checkpoints.resume_from)
     grid = resumed(std::move(grid), from->so_far, meeting, step.largest_step, step.growth);
 
-  std::optional<DenseRecorder> dense;
-  if (simulation.given.output_every && scheme.order() >= 4 && !system.is_divided())
-    marching.observers.push_back(&dense.emplace(system, equal_times(simulation.given), time.inertia));
   const Stopwatch watch;
   run.response = march(system, scheme, grid, marching);
-  if (dense) run.dense = dense->series();
   run.summary.timing = simulation.timing;
   run.summary.timing.factorise = scheme.factorise_seconds() + step.seconds;
   run.summary.timing.march = watch.seconds() - scheme.factorise_seconds();

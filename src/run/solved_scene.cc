@@ -4,7 +4,6 @@
 #include "fem/compile.h"
 #include "fem/scene_check.h"
 #include "run/accuracy/accuracy.h"
-#include "run/chosen_times.h"
 #include "run/contact/contact_run.h"
 #include "run/derived.h"
 #include "run/safety.h"
@@ -67,7 +66,6 @@ Run SolvedScene::told(Run run, const Scene& given, const std::function<void(doub
   check_sliding(*simulation);
   run.simulation = simulation;
   if (!run.summary.contact) read_sliding(*simulation, ahead_, run, progress);
-  read_at_chosen_times(run);
   estimate_errors(run);
   monitors_.report(run);
   return run;

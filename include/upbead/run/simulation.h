@@ -92,11 +92,10 @@ struct Simulation {
 struct Run {
   std::shared_ptr<const Simulation> simulation;  ///< as solved: its soil converged, its bottom bonded or not
   Response response;
-  std::optional<Series> at_times;  ///< where [output] times asks for them: the times that the run reached
-  std::optional<Series> dense;     ///< where [output] every asks for it: at equal times
   Summary summary;
   std::optional<CoupledHistoryTable> coupled;  ///< where the caisson slipped as a whole
   std::optional<ContactHistory> contact;       ///< where it was marched with a law of contact
+  std::optional<ModalModel> model;             ///< where it was reduced
   std::optional<PressureModel> pressures;      ///< where it was reduced
   std::optional<StateModel> states;            ///< where it was reduced, and fields or a strength are asked for
   std::string scheme_reason;                   ///< why this way of solving was taken

@@ -36,7 +36,6 @@ constexpr double least_growth = 2.;
 Simulation in_steps_of(const Simulation& other, const Run& run, double part) {
   Scene same = other.given;
   same.fields_every.reset();
-  same.output_every.reset();
   same.output_times.clear();
   same.time.step = part * run.summary.discretisation.time_step * (1. + 1e-9);
   if (run.summary.discretisation.scheme == "generalised_alpha") same.time.scheme = TimeScheme::generalised_alpha;

@@ -198,8 +198,7 @@ Ladder set_at_rest(const Simulation& simulation, Interface& interface) {
 void remove_node_forces(int n_nodes, System& system, Run& run) {
   const auto n = static_cast<Eigen::Index>(system.readings.size()) - 2 * n_nodes;
   system.readings.resize(static_cast<std::size_t>(n));
-  if (run.dense) run.dense->reading.conservativeResize(n, Eigen::NoChange);
-  for (Series* series : {&run.response.ends, &run.response.balanced})
+  for (Series* series : {&run.response.ends, &run.response.balanced, &run.response.inside})
     series->reading.conservativeResize(n, Eigen::NoChange);
 }
 
