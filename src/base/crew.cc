@@ -13,16 +13,12 @@
 
 namespace upbead {
 
-namespace {
-
-int cores() {
+int most_threads() {
   const int there = available_cores();
   const char* told = std::getenv("OMP_NUM_THREADS");
   const int wanted = told ? std::atoi(told) : there;
   return wanted > 0 ? std::min(wanted, there) : there;
 }
-
-}  // namespace
 
 struct Crew::Threads {
   explicit Threads(int all) : size(all) {
@@ -43,16 +39,19 @@ struct Crew::Threads {
       if (ends) return;
       seen = call;
       lock.unlock();
-      take();
+      take({});
       lock.lock();
       if (--busy == 0) done.notify_one();
     }
   }
-  /// Works on pieces until none is left.
-  void take() {
+  /// Works on pieces until none is left; after each call, `after` is told the share of calls begun so far.
+  void take(const std::function<void(double)>& after) {
     try {
       for (int begin = next.fetch_add(piece); begin < n; begin = next.fetch_add(piece))
-        for (int i = begin; i < std::min(n, begin + piece); ++i) (*work)(i);
+        for (int i = begin; i < std::min(n, begin + piece); ++i) {
+          (*work)(i);
+          if (after) after((i + 1.) / n);
+        }
     } catch (...) {
       const std::lock_guard lock(mutex);
       if (!error) error = std::current_exception();
@@ -72,14 +71,14 @@ struct Crew::Threads {
   std::exception_ptr error;
 };
 
-Crew::Crew(int n_threads) : threads_(std::make_unique<Threads>(n_threads > 0 ? n_threads : cores())) {}
+Crew::Crew(int n_threads) : threads_(std::make_unique<Threads>(n_threads > 0 ? n_threads : most_threads())) {}
 Crew::~Crew() = default;
 
 int Crew::size() const {
   return threads_->size;
 }
 
-void Crew::share(int n, const std::function<void(int)>& work) {
+void Crew::share(int n, const std::function<void(int)>& work, const std::function<void(double)>& after) {
   constexpr int pieces_of_a_thread = 8;
   Threads& t = *threads_;
   {
@@ -88,12 +87,12 @@ void Crew::share(int n, const std::function<void(int)>& work) {
     t.work = &work;
     t.error = nullptr;
     t.next = 0;
-    t.piece = std::max(1, n / (pieces_of_a_thread * t.size));
+    t.piece = after ? 1 : std::max(1, n / (pieces_of_a_thread * t.size));
     t.busy = t.size - 1;
     ++t.call;
   }
   t.called.notify_all();
-  t.take();
+  t.take(after);
   std::unique_lock lock(t.mutex);
   t.done.wait(lock, [&] { return t.busy == 0; });
   if (t.error) std::rethrow_exception(t.error);

@@ -2,15 +2,11 @@
 
 #include <unistd.h>
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <cstdio>
-#include <exception>
 #include <memory>
-#include <mutex>
-#include <thread>
-#include <vector>
 
+#include "base/crew.h"
 #include "base/interrupt.h"
 
 namespace upbead {
@@ -61,54 +57,15 @@ std::function<void(double)> part_of(const std::function<void(double)>& progress,
   return [progress, from, to](double done) { progress(from + (to - from) * done); };
 }
 
-namespace {
-
-/// The pieces that no thread has taken yet, and the first exception.
-class Pieces {
- public:
-  Pieces(std::size_t n, const std::function<void(std::size_t)>& work) : n_(n), work_(work) {}
-
-  /// Works until no piece is left. After each piece of this thread, `after` is called with the share of pieces taken
-  /// so far.
-  void take(const std::function<void(double)>& after) {
-    try {
-      for (std::size_t i = next_++; i < n_; i = next_++) {
-        work_(i);
-        after(static_cast<double>(i + 1) / static_cast<double>(n_));
-      }
-    } catch (...) {
-      next_ = n_;
-      const std::lock_guard<std::mutex> lock(mutex_);
-      if (!error_) error_ = std::current_exception();
-    }
-  }
-
-  void rethrow() const {
-    if (error_) std::rethrow_exception(error_);
-  }
-
- private:
-  std::size_t n_;
-  const std::function<void(std::size_t)>& work_;
-  std::atomic<std::size_t> next_{0};
-  std::mutex mutex_;
-  std::exception_ptr error_;
-};
-
-}  // namespace
-
 void in_parallel(std::size_t n, const std::string& what, const std::function<void(std::size_t)>& work) {
-  Pieces pieces(n, work);
-  std::vector<std::thread> others;
-  const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
-  for (std::size_t i = 1; i < std::min(n, cores); ++i) others.emplace_back([&pieces] { pieces.take([](double) {}); });
   Progress progress(what);
-  pieces.take([&progress](double done) {  // only the calling thread draws the line
-    check_interrupt();
-    progress.update(done);
-  });
-  for (std::thread& other : others) other.join();
-  pieces.rethrow();
+  Crew(static_cast<int>(std::min<std::size_t>(n, most_threads())))
+      .share(
+          static_cast<int>(n), [&work](int i) { work(static_cast<std::size_t>(i)); },
+          [&progress](double done) {
+            check_interrupt();
+            progress.update(done);
+          });
 }
 
 }  // namespace upbead

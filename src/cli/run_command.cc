@@ -46,11 +46,10 @@ std::string write(const Case& input, const std::vector<MeasuredRecord>& records,
                   const Stopwatch& since_start, OutputFolder& folder) {
   const Stopwatch watch;
   fields.finish();
-  const std::vector<Dataset> computed = histories(*run.simulation, run.response.ends);
-  std::vector<Dataset> others = tables(run);
-  for (Dataset& table : measured_tables(records)) others.push_back(std::move(table));
-  folder.write("results.h5", result_file(input.scene.title, computed, others));
-  if (run.at_times) folder.write("times.csv", times_csv(run));
+  std::vector<Dataset> all = tables(run);
+  for (Dataset& table : measured_tables(records)) all.push_back(std::move(table));
+  folder.write("results.h5", dataset_file(input.scene.title, all));
+  if (!input.scene.output_times.empty()) folder.write("times.csv", times_csv(run));
   folder.write("case.toml", effective_case(input, folder.name()));
   run.summary.timing.march -= fields.seconds();
   run.summary.timing.output = watch.seconds() + fields.seconds();
@@ -132,8 +131,9 @@ void run(const CaseOptions& options, const Stopwatch& since_start, const std::sh
   if (!is_first) return;
   const std::string json = write(input, records, result, fields, since_start, *folder);
   checkpoints->remove();
-  const std::string written = folder->name() + "/{results.h5, " + (result.at_times ? "times.csv, " : "") +
-                              "summary.json, case.toml" + (input.scene.fields_every ? ", fields.pvd}" : "}");
+  const std::string written = folder->name() + "/{results.h5, " +
+                              (input.scene.output_times.empty() ? "" : "times.csv, ") + "summary.json, case.toml" +
+                              (input.scene.fields_every ? ", fields.pvd}" : "}");
   std::cerr << describe(result.summary.warnings);
   std::cout << (options.json ? json
                              : (options.details ? details(result.summary) : brief(result.summary)) +

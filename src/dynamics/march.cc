@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
 #include "base/interrupt.h"
+#include "dynamics/step_interior.h"
 #include "upbead/base/error.h"
 
 namespace upbead {
@@ -35,6 +37,10 @@ void trim(Series& series) {
   series.load.conservativeResize(Eigen::NoChange, n);
 }
 
+int n_inside(int n_steps) {
+  return n_steps * static_cast<int>(inside_places.size());
+}
+
 /// Fills the first columns of an empty series.
 void refill(const Series& so_far, Series& series) {
   const auto n = static_cast<Eigen::Index>(so_far.time.size());
@@ -50,7 +56,7 @@ void check_finite(const State& state) {
 
 /// Adds up the readings and energies of all processes.
 void sum_over(const Processes& processes, Response& response) {
-  for (Eigen::MatrixXd* readings : {&response.ends.reading, &response.balanced.reading})
+  for (Eigen::MatrixXd* readings : {&response.ends.reading, &response.balanced.reading, &response.inside.reading})
     processes.sum(readings->data(), static_cast<int>(readings->size()));
   constexpr std::array terms = {&EnergyAccount::work,     &EnergyAccount::kinetic, &EnergyAccount::strain,
                                 &EnergyAccount::fluid,    &EnergyAccount::drag,    &EnergyAccount::damping,
@@ -107,9 +113,15 @@ class Recorder {
   Recorder(const System& system, const Scheme& scheme, int n_steps) : system_(system), scheme_(scheme) {
     response_.ends = empty_series(system, n_steps + 1);
     response_.balanced = empty_series(system, n_steps + 1);
+    if (scheme.order() >= 4) interior_.emplace(system);
+    response_.inside = empty_series(system, interior_ ? n_inside(n_steps) : 0);
   }
   void add(const State& state) {
     check_finite(state);
+    if (interior_ && response_.ends.time.empty())
+      interior_->begin(state, 0.);
+    else if (interior_)
+      interior_->add_step(state, response_.inside);
     const Vector* added = scheme_.added_to_readings();
     record(system_, state, scheme_.end_load(), added, response_.ends);
     record(system_, scheme_.balanced().state, scheme_.balanced().load, added, response_.balanced);
@@ -118,7 +130,10 @@ class Recorder {
   void recall(const Response& so_far) {
     refill(so_far.ends, response_.ends);
     refill(so_far.balanced, response_.balanced);
+    refill(so_far.inside, response_.inside);
     response_.energy = so_far.energy;
+    const std::vector<double>& time = so_far.ends.time;
+    if (interior_) interior_->begin(so_far.final_state, time.size() > 1 ? time.back() - time[time.size() - 2] : 0.);
   }
   /// The results up to the latest step.
   Response so_far(const State& state) const { return complete(response_, state); }
@@ -128,6 +143,7 @@ class Recorder {
   static Response complete(Response response, const State& state) {
     trim(response.ends);
     trim(response.balanced);
+    trim(response.inside);
     response.final_state = state;
     response.n_steps = static_cast<int>(response.ends.time.size()) - 1;
     return response;
@@ -135,21 +151,22 @@ class Recorder {
 
   const System& system_;
   const Scheme& scheme_;
+  std::optional<StepInterior> interior_;
   Response response_;
 };
 
 const char* const no_fit = "the checkpoint does not belong to this scene";
 
 /// Detects a checkpoint that was edited; a fingerprint guards against all other differences.
-void require_fit(const MarchCheckpoint& checkpoint, const System& system, int n_steps) {
+void require_fit(const MarchCheckpoint& checkpoint, const System& system, int n_steps, bool has_inside) {
   const Response& so_far = checkpoint.so_far;
-  const auto fits = [&](const Series& series) {
-    return series.time.size() == so_far.ends.time.size() &&
-           series.reading.rows() == static_cast<Eigen::Index>(system.readings.size()) &&
+  const auto fits = [&](const Series& series, std::size_t n) {
+    return series.time.size() == n && series.reading.rows() == static_cast<Eigen::Index>(system.readings.size()) &&
            series.load.rows() == static_cast<Eigen::Index>(system.loads.size());
   };
-  const bool fit = fits(so_far.ends) && fits(so_far.balanced) && so_far.n_steps >= 0 && so_far.n_steps <= n_steps &&
-                   so_far.final_state.x.size() == system.size() &&
+  const std::size_t n = so_far.ends.time.size(), n_within = has_inside && n > 0 ? n_inside(static_cast<int>(n) - 1) : 0;
+  const bool fit = fits(so_far.ends, n) && fits(so_far.balanced, n) && fits(so_far.inside, n_within) &&
+                   so_far.n_steps >= 0 && so_far.n_steps <= n_steps && so_far.final_state.x.size() == system.size() &&
                    checkpoint.memory.balanced.load.size() == system.loads.size() &&
                    checkpoint.memory.end_load.size() == system.loads.size();
   if (!fit) throw NumericsError(no_fit);
@@ -210,7 +227,7 @@ class March {
   }
   void recall(const MarchCheckpoint& checkpoint) {
     const Response& so_far = checkpoint.so_far;
-    require_fit(checkpoint, system_, n_steps_);
+    require_fit(checkpoint, system_, n_steps_, scheme_.order() >= 4);
     state_ = so_far.final_state;
     scheme_.recall(checkpoint.memory);
     auto known = checkpoint.observed.begin();

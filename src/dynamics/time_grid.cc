@@ -143,4 +143,10 @@ std::vector<double> kinks(const System& system) {
   return list;
 }
 
+std::vector<TimeFunction> load_histories(const System& system) {
+  std::vector<TimeFunction> histories;
+  for (const SystemLoad& load : system.loads) histories.push_back(load.history);
+  return histories;
+}
+
 }  // namespace upbead

@@ -39,7 +39,6 @@ constexpr double least_growth = 2.;
 Simulation in_steps_of(const Simulation& other, const Discretisation& solved, double part) {
   Scene same = other.given;
   same.fields_every.reset();
-  same.output_every.reset();
   same.output_times.clear();
   same.time.step = part * solved.time_step * (1. + 1e-9);
   if (solved.scheme == "generalised_alpha") same.time.scheme = TimeScheme::generalised_alpha;

@@ -1,5 +1,6 @@
 #include "findings/histories.h"
 
+#include <algorithm>
 #include <map>
 #include <optional>
 
@@ -7,6 +8,7 @@
 #include "fem/caisson/readings.h"
 #include "fem/compile.h"
 #include "findings/effective_base.h"
+#include "run/derived.h"
 
 namespace upbead {
 
@@ -79,7 +81,38 @@ std::vector<Dataset> coupled_tables(const std::optional<SlidingSummary>& sliding
           {"coupled/displacement_x", "m", "x_G, the slip included, landward", coupled->displacement}};
 }
 
+constexpr std::size_t most_rows = 20'000;
+
+/// What decides on the rows: stresses at nodes, which are singular at the edges of the base, do not.
+std::vector<Eigen::Index> not_of_base(const System& system) {
+  std::vector<Eigen::Index> list;
+  for (std::size_t i = 0; i < system.readings.size(); ++i)
+    if (system.readings[i].name.group != base_group) list.push_back(static_cast<Eigen::Index>(i));
+  return list;
+}
+
+std::string told(const Rows& rows, double tolerance) {
+  if (rows.error < 0.) return "; the ends of the steps";
+  const std::string error = percent(rows.error) + " of the largest value of each reading";
+  if (rows.error <= tolerance) return "; straight lines between the rows err by at most " + error;
+  return "; as there are no more rows than " + std::to_string(most_rows) +
+         ", straight lines between them err by up to " + error;
+}
+
+/// From 0 to the end at intervals of [output] every.
+std::vector<double> equal_times(const Scene& scene) {
+  std::vector<double> times;
+  const double end = scene.time.end;
+  for (int i = 0; i * *scene.output_every <= end * (1. + 1e-8); ++i)
+    times.push_back(std::min(i * *scene.output_every, end));
+  return times;
+}
+
 }  // namespace
+
+Trajectory trajectory_of(const Run& run) {
+  return {run.simulation->compiled->system, run.response, run.model ? &*run.model : nullptr};
+}
 
 std::vector<Dataset> histories(const Simulation& simulation, const Series& series) {
   const System& system = simulation.compiled->system;
@@ -97,11 +130,12 @@ std::vector<Dataset> histories(const Simulation& simulation, const Series& serie
 }
 
 std::string times_csv(const Run& run) {
-  const std::vector<Dataset> list = histories(*run.simulation, *run.at_times);
+  const std::vector<double>& times = run.simulation->scene.output_times;
+  const std::vector<Dataset> list = histories(*run.simulation, trajectory_of(run).at(times));
   std::string text;
   for (const Dataset& column : list)
     text += (text.empty() ? "" : ",") + csv_cell(column.name + (column.unit == "1" ? "" : " (" + column.unit + ")"));
-  for (std::size_t row = 0; row < run.at_times->time.size(); ++row) {
+  for (std::size_t row = 0; row < list.front().values.size(); ++row) {
     text += "\n";
     for (const Dataset& column : list)
       text += (&column == &list.front() ? "" : ",") + significant(column.values[row], 10);
@@ -116,17 +150,23 @@ std::vector<Dataset> names_of_histories(const Simulation& simulation) {
 }
 
 std::vector<Dataset> tables(const Run& run) {
-  std::vector<Dataset> all = base_tables(*run.simulation, run.response.ends);
-  const auto add = [&](const std::optional<Series>& series, const std::string& folder) {
-    if (!series) return;
-    for (Dataset& history : histories(*run.simulation, *series)) {
+  const Scene& scene = run.simulation->scene;
+  const double tolerance = whole_tolerance(*run.simulation);
+  const Trajectory trajectory = trajectory_of(run);
+  std::vector<Dataset> all;
+  const auto add = [&](const std::string& folder, const Series& series, const std::string& of_rows) {
+    for (Dataset& history : histories(*run.simulation, series)) {
+      if (history.name == "time") history.description += of_rows;
       history.name = folder + history.name;
       all.push_back(std::move(history));
     }
   };
-  add(run.at_times, "at_times/");
-  add(run.dense, "dense/");
-  for (auto part : {node_tables(run.contact), coupled_tables(run.summary.sliding)})
+  const Rows rows = trajectory.rows(not_of_base(run.simulation->compiled->system), tolerance, most_rows);
+  const Series dense = trajectory.at(rows.time);
+  add("history/", dense, told(rows, tolerance));
+  if (!scene.output_times.empty()) add("at_times/", trajectory.at(scene.output_times), "");
+  if (scene.output_every) add("dense/", trajectory.at(equal_times(scene)), "");
+  for (auto part : {base_tables(*run.simulation, dense), node_tables(run.contact), coupled_tables(run.summary.sliding)})
     for (Dataset& table : part) all.push_back(std::move(table));
   return all;
 }

@@ -4,10 +4,14 @@
 #include <string>
 #include <vector>
 
+#include "dynamics/trajectory.h"
 #include "output/result_file.h"
 #include "upbead/run/simulation.h"
 
 namespace upbead {
+
+/// What a run did at any time; the run must outlive it.
+Trajectory trajectory_of(const Run& run);
 
 /// Histories of all readings, by the names of /history, and those of the base (effective_base.h). `ends`: of the
 /// scene.
@@ -19,8 +23,9 @@ std::string times_csv(const Run& run);
 /// The same names and units, without times.
 std::vector<Dataset> names_of_histories(const Simulation& simulation);
 
-/// All datasets that are not at the times of the steps: histories at chosen times (/at_times, /dense), stresses of
-/// the bottom, nodes of an interface, the caisson that slips as a whole.
+/// All datasets: /history in rows between which straight lines follow the trajectory within the scene's tolerance,
+/// histories at chosen times (/at_times, /dense), stresses of the bottom at the times of /history, nodes of an
+/// interface, the caisson that slips as a whole.
 std::vector<Dataset> tables(const Run& run);
 
 }  // namespace upbead

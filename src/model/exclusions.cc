@@ -53,8 +53,6 @@ struct Feature {
 };
 
 const Feature fields{"fields", [](const Scene& s) { return when(s.fields_every.has_value(), "output.fields"); }};
-const Feature dense{"values of histories between steps",
-                    [](const Scene& s) { return when(s.output_every.has_value(), "output.every"); }};
 const Feature early_stop{"an early stop",
                          [](const Scene& s) { return when(s.time.stop_at_energy.has_value(), "time.stop_at_energy"); }};
 const Feature consolidation{"consolidation", [](const Scene& s) { return when(!s.time.inertia, "time.inertia"); }};
@@ -129,11 +127,9 @@ const std::vector<Row>& rows() {
       {Treatment::several_processes, by_reduced, "no reduced model is made"},
       {Treatment::several_processes, early_stop, "no run stops early"},
       {Treatment::several_processes, fields, "no fields are written"},
-      {Treatment::several_processes, dense, "values between steps are not found"},
       {Treatment::several_processes, contact, "no contact is solved"},
       {Treatment::several_processes, strain, "soil does not follow its strain"},
       {Treatment::several_processes, yielding, "no soil yields"},
-      {Treatment::checkpoints, dense, "a run that tells values between its steps keeps none"},
       {Treatment::checkpoints, densification, "a run with soil that packs denser keeps none"},
       {Treatment::checkpoints, contact, "a run with contact keeps none"},
       {Treatment::checkpoints, strain, "a run with soil that follows its strain keeps none"},

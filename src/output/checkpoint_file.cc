@@ -141,6 +141,7 @@ std::string checkpoint_file(const std::string& title, const CheckpointFile& chec
   out.add("/fingerprint", halves(checkpoint.fingerprint));
   out.add("/ends", so_far.ends);
   out.add("/balanced", so_far.balanced);
+  out.add("/inside", so_far.inside);
   out.add("/energy", packed(so_far.energy));
   out.add("/state", so_far.final_state);
   out.add("/solves", Numbers{static_cast<double>(so_far.n_solves)});
@@ -171,6 +172,7 @@ CheckpointFile read_checkpoint(const std::string& path) {
   Response& so_far = file.march.so_far;
   so_far.ends = in.series("/ends");
   so_far.balanced = in.series("/balanced");
+  so_far.inside = in.series("/inside");
   so_far.energy = unpacked(in.numbers("/energy"));
   so_far.final_state = in.state("/state");
   so_far.n_steps = static_cast<int>(so_far.ends.time.size()) - 1;

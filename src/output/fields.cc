@@ -8,8 +8,8 @@
 #include <fstream>
 #include <limits>
 #include <sstream>
-#include <thread>
 
+#include "base/crew.h"
 #include "output/field_patches.h"
 #include "upbead/base/error.h"
 
@@ -171,7 +171,7 @@ void FieldWriter::take_over(const std::vector<std::pair<double, std::string>>& w
 }
 
 void FieldWriter::write(const State& state) {
-  wait(std::max(1U, std::thread::hardware_concurrency()) - 1);
+  wait(static_cast<std::size_t>(most_threads()) - 1);
   char name[40];
   std::snprintf(name, sizeof name, "fields/fields_%04d.vtu", static_cast<int>(written_.size()));
   pending_.push_back(std::async(std::launch::async, [this, state, soil = soil_fields(), file = std::string(name),

@@ -4,34 +4,19 @@
 
 namespace upbead {
 
-namespace {
-
-void write(detail::Hdf5Image& image, const std::string& folder, const std::vector<Dataset>& datasets) {
+std::string dataset_file(const std::string& title, const std::vector<Dataset>& datasets) {
+  detail::Hdf5Image image(title);
   for (const Dataset& dataset : datasets) {
+    const std::string path = "/" + dataset.name;
     std::vector<hsize_t> shape{dataset.values.size() / dataset.columns};
     if (dataset.columns > 1) shape.push_back(dataset.columns);
     const detail::Label label{dataset.unit, dataset.description};
     if (dataset.may_lack)
-      image.numbers_or_none(folder + dataset.name, dataset.values, label);
+      image.numbers_or_none(path, dataset.values, label);
     else
-      image.numbers(folder + dataset.name, shape, dataset.values.data(), label);
-    if (!dataset.reading.empty()) image.attribute(folder + dataset.name, "reading", dataset.reading);
+      image.numbers(path, shape, dataset.values.data(), label);
+    if (!dataset.reading.empty()) image.attribute(path, "reading", dataset.reading);
   }
-}
-
-}  // namespace
-
-std::string result_file(const std::string& title, const std::vector<Dataset>& histories,
-                        const std::vector<Dataset>& others) {
-  detail::Hdf5Image image(title);
-  write(image, "/history/", histories);
-  write(image, "/", others);
-  return image.bytes();
-}
-
-std::string dataset_file(const std::string& title, const std::vector<Dataset>& datasets) {
-  detail::Hdf5Image image(title);
-  write(image, "/", datasets);
   return image.bytes();
 }
 

@@ -8,7 +8,7 @@ namespace upbead {
 
 /// One dataset.
 struct Dataset {
-  std::string name;  ///< path below /history, such as "caisson/displacement_x"
+  std::string name;  ///< path in the file; of a history below /history, such as "caisson/displacement_x"
   std::string unit;
   std::string description;
   std::vector<double> values;
@@ -17,14 +17,9 @@ struct Dataset {
   bool may_lack = false;    ///< a list in which NaN may stand for a missing value
 };
 
-/// The bytes of an HDF5 file with the datasets /history/NAME, each with the string attributes `unit` and
-/// `description`, and the root attributes `title` and `program`. Made in memory, as HDF5 1.10 crashes where the disk
-/// is full when it closes a file. Throws NumericsError where a value is not finite. `others` are datasets outside
-/// /history, at the paths of their names: "interface/slip" is /interface/slip.
-std::string result_file(const std::string& title, const std::vector<Dataset>& histories,
-                        const std::vector<Dataset>& others = {});
-
-/// The same for datasets that are all at the paths of their names: "lives/sliding" is /lives/sliding.
+/// The bytes of an HDF5 file with the datasets at the paths of their names ("interface/slip" is /interface/slip), each
+/// with the string attributes `unit` and `description`, and the root attributes `title` and `program`. Made in memory,
+/// as HDF5 1.10 crashes where the disk is full when it closes a file. Throws NumericsError where a value is not finite.
 std::string dataset_file(const std::string& title, const std::vector<Dataset>& datasets);
 
 /// A dataset of a table: numbers or, where it has none, texts.

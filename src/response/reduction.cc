@@ -83,12 +83,6 @@ std::vector<double> response_times(const Scene& scene, const System& system) {
   return times_of_steps(scene, system, of_loads);
 }
 
-std::vector<TimeFunction> load_histories(const System& system) {
-  std::vector<TimeFunction> histories;
-  for (const SystemLoad& load : system.loads) histories.push_back(load.history);
-  return histories;
-}
-
 SampledLoads sampled_loads(const Scene& scene, const System& system, const std::vector<double>& others) {
   std::vector<double> time = response_times(scene, system);
   time.insert(time.end(), others.begin(), others.end());

@@ -18,8 +18,6 @@ namespace upbead {
 /// times.
 std::vector<double> response_times(const Scene& scene, const System& system);
 
-std::vector<TimeFunction> load_histories(const System& system);
-
 /// The scene's own loads at those times, and at other times that are asked for.
 SampledLoads sampled_loads(const Scene& scene, const System& system, const std::vector<double>& others = {});
 

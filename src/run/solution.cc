@@ -2,7 +2,6 @@
 #include "fem/compile.h"
 #include "fem/rest_state.h"
 #include "fem/scene_check.h"
-#include "run/chosen_times.h"
 #include "run/contact/contact_run.h"
 #include "run/derived.h"
 #include "run/sliding/case_sliding.h"
@@ -82,7 +81,6 @@ Solution with_sliding(Solution solution, const Scene& given) {
   check_scene(given, *simulation->given_mesh).throw_if_any();
   check_sliding(*simulation);
   solution.simulation = simulation;
-  read_at_chosen_times(solution);
   return solution;
 }
 

@@ -7,7 +7,6 @@
 #include "base/progress.h"
 #include "base/stopwatch.h"
 #include "base/text.h"
-#include "dynamics/dense_output.h"
 #include "fem/caisson/reading_names.h"
 #include "fem/compile.h"
 #include "model/words.h"
@@ -170,17 +169,13 @@ Solution run_reduced(const Simulation& simulation, const SchemeChoice& choice, c
   else
     require_converged(reduction);
   Solution solution = solution_of(simulation, "reduced", respond(reduction, scene, system));
-  if (scene.output_every) {
-    const std::vector<double> times = equal_times(scene);
-    const Series all = respond(reduction.model, sampled_loads(scene, system, times));
-    solution.dense = at_times(all, times, time_tolerance(scene));
-  }
   solution.discretisation.why_scheme = choice.reason;
   solution.discretisation.why_step = simulation.scene.time.step ? "given in the case, or shorter where loads need it"
                                                                 : "a 32nd of the shortest load, for the record";
   solution.reduction = summary_of(reduction);
   if (simulation.compiled->caisson)
     solution.periods = natural_periods(reduction.model, reading::shear_force, sampled_loads(scene, system));
+  solution.model = std::move(reduction.model);
   solution.pressures = std::move(reduction.pressures);
   solution.states = std::move(reduction.states);
   if (solution.states) show(*solution.states, shown, observers, part_of(progress, reducing_ends, 1.));
@@ -419,15 +414,11 @@ Solution march_by(Scheme& scheme, const Simulation& simulation, const std::strin
   if (const auto& from = options.checkpoints.resume_from)
     grid = resumed(std::move(grid), from->so_far, meeting, step.largest_step, step.growth);
 
-  std::optional<DenseRecorder> dense;
-  if (simulation.scene.output_every && scheme.order() >= 4 && !system.is_divided())
-    marching.observers.push_back(&dense.emplace(system, equal_times(simulation.scene), time.inertia));
   const Stopwatch watch;
   Response response = march(system, scheme, grid, marching);
   response.n_factorisations += step.factorisations;
   response.n_solves += step.factorisations;
   Solution solution = solution_of(simulation, scheme.name(), std::move(response));
-  if (dense) solution.dense = dense->series();
   solution.timing.factorise = scheme.factorise_seconds() + step.seconds;
   solution.timing.march = watch.seconds() - scheme.factorise_seconds();
   solution.discretisation.why_scheme = reason;

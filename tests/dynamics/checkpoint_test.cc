@@ -40,7 +40,7 @@ class Checkpoint : public testing::TestWithParam<SchemeKind> {
   static void expect_same(const Response& a, const Response& b, int step) {
     EXPECT_EQ(a.ends.time, b.ends.time) << step;
     EXPECT_EQ(a.balanced.time, b.balanced.time) << step;
-    for (const auto series : {&Response::ends, &Response::balanced}) {
+    for (const auto series : {&Response::ends, &Response::balanced, &Response::inside}) {
       EXPECT_EQ((a.*series).reading, (b.*series).reading) << step;
       EXPECT_EQ((a.*series).load, (b.*series).load) << step;
     }

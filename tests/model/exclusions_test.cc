@@ -41,7 +41,6 @@ TEST(Exclusions, StandInTheTable) {
   Scene scene;
   scene.fields_every = 0.1;
   scene.time = {1., {}, TimeScheme::reduced, false, 2., 1e-3};
-  scene.output_every = 0.1;
   scene.regions["sand"].strain_law = StrainLaw();
   scene.regions["sand"].strength = Strength();
   scene.regions["mound"].law = SoilLaw::mohr_coulomb;

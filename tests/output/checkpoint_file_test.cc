@@ -52,6 +52,7 @@ CheckpointFile sample() {
   Response& so_far = file.march.so_far;
   so_far.ends = series(3, 2, 5);
   so_far.balanced = series(3, 2, 5);
+  so_far.inside = series(3, 2, 20);
   for (int i = 0; i < 5; ++i) {
     EnergyAccount account;
     account.work = 1. / (i + 3);
@@ -78,7 +79,7 @@ TEST_F(CheckpointFileTest, ComesBackToTheLastBit) {
   EXPECT_EQ(back.fingerprint, file.fingerprint);
   EXPECT_EQ(back.fields, file.fields);
   const Response &a = back.march.so_far, &b = file.march.so_far;
-  for (const auto part : {&Response::ends, &Response::balanced}) {
+  for (const auto part : {&Response::ends, &Response::balanced, &Response::inside}) {
     EXPECT_EQ((a.*part).time, (b.*part).time);
     EXPECT_EQ((a.*part).reading, (b.*part).reading);
     EXPECT_EQ((a.*part).load, (b.*part).load);
@@ -129,7 +130,7 @@ TEST_F(CheckpointFileTest, RefusesWhatIsNotWhole) {
   const std::string bytes = checkpoint_file("title", sample());
   EXPECT_NE(refusal(bytes.substr(0, bytes.size() / 2)).find(path_), std::string::npos);
   EXPECT_NE(refusal("no HDF5").find(path_), std::string::npos);
-  EXPECT_NE(refusal(result_file("title", {})).find("the checkpoint is damaged at /fingerprint"), std::string::npos);
+  EXPECT_NE(refusal(dataset_file("title", {})).find("the checkpoint is damaged at /fingerprint"), std::string::npos);
 }
 
 }  // namespace checkpoint_file_test

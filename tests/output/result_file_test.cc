@@ -13,7 +13,7 @@ namespace result_file_test {
 
 TEST(ResultFile, HoldsHistories) {
   const TemporaryFile file(
-      result_file("title", {{"time", "s", "time", {0., 1.}}, {"caisson/x", "m", "x_G", {0., 0.1}}}));
+      dataset_file("title", {{"history/time", "s", "time", {0., 1.}}, {"history/caisson/x", "m", "x_G", {0., 0.1}}}));
   const Hdf5Reader reader(file.path(), "a result");
   EXPECT_EQ(reader.text_attribute("/", "title"), "title");
   EXPECT_EQ(reader.text_attribute("/", "program").value_or("").substr(0, 7), "upbead ");
@@ -25,7 +25,7 @@ TEST(ResultFile, HoldsHistories) {
 
 TEST(ResultFile, RefusesWhatIsNotFinite) {
   try {
-    result_file("title", {{"force", "N/m", "P", {0., std::numeric_limits<double>::quiet_NaN()}}});
+    dataset_file("title", {{"history/force", "N/m", "P", {0., std::numeric_limits<double>::quiet_NaN()}}});
     FAIL() << "written";
   } catch (const NumericsError& error) {
     EXPECT_STREQ(error.what(), "'/history/force' holds a number that is not finite; nothing was written");

@@ -1,9 +1,13 @@
 // Claims: all readings are written at exactly the times that a case lists, by a march and by a reduced model, and so
-// are fields; histories at equal times are those of a march in far shorter steps; steps of a consolidation grow by
-// the factor that the case gives. Reference: the same case in other steps.
+// are fields; histories at equal times are those of a march in far shorter steps; straight lines between the rows of
+// /history follow F_T within the tolerance of its peak, by a march and by a reduced model, of damped and undamped
+// ground, also where a load jumps and without inertia; steps of a consolidation grow by the factor that the case gives.
+// Reference: the same case in other steps.
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <stdexcept>
 
 #include "case/case_run.h"
 #include "fem/compile.h"
@@ -36,19 +40,39 @@ double shear_difference(const upbead::Run& run, const Series& a, const Series& b
   return (a.reading.row(row) - b.reading.row(row)).cwiseAbs().maxCoeff() / b.reading.row(row).cwiseAbs().maxCoeff();
 }
 
+Dataset table(const upbead::Run& run, const std::string& name) {
+  for (Dataset& found : tables(run))
+    if (found.name == name) return found;
+  throw std::out_of_range(name);
+}
+
+/// Largest difference of straight lines between the rows of F_T of `run` from the rows of `fine`, over the peak.
+double off_lines(const upbead::Run& run, const upbead::Run& fine) {
+  const std::vector<double> t = table(run, "history/time").values, F_T = table(run, "history/shear_force").values,
+                            at = table(fine, "history/time").values, exact = table(fine, "history/shear_force").values;
+  double worst = 0., peak = 0.;
+  std::size_t right = 1;
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    while (t[right] < at[i] && right + 1 < t.size()) ++right;
+    const double s = (at[i] - t[right - 1]) / (t[right] - t[right - 1]);
+    worst = std::max(worst, std::abs((1. - s) * F_T[right - 1] + s * F_T[right] - exact[i]));
+    peak = std::max(peak, std::abs(exact[i]));
+  }
+  return worst / peak;
+}
+
 const std::vector<double> asked{0.033, 0.0751, 0.3, 0.6};
 const std::string times = "output.times=[0.033, 0.0751, 0.3, 0.6]";
 
 TEST_F(ChosenTimes, AreTheReadingsOfAFineMarch) {
   const upbead::Run fine = solved({times, "time={ end = 0.6, step = 0.0005, scheme = \"sdirk4\" }"});
-  ASSERT_EQ(fine.at_times->time, asked);
+  const Series exact = trajectory_of(fine).at(asked);
+  ASSERT_EQ(exact.time, asked);
   for (const char* time :
        {"time={ end = 0.6, step = 0.004, scheme = \"sdirk4\" }", "time={ end = 0.6, scheme = \"reduced\" }"}) {
     const upbead::Run run = solved({times, time});
-    ASSERT_TRUE(run.at_times) << time;
-    EXPECT_EQ(run.at_times->time, asked) << time;
-    EXPECT_FALSE(run.dense);
-    EXPECT_LE(shear_difference(run, *run.at_times, *fine.at_times), 3e-3) << time;
+    EXPECT_EQ(table(run, "at_times/time").values, asked) << time;
+    EXPECT_LE(shear_difference(run, trajectory_of(run).at(asked), exact), 3e-3) << time;
     const std::string csv = times_csv(run);
     EXPECT_EQ(csv.substr(0, 22), "time (s),force (N/m),f") << csv;
     EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 5);
@@ -58,27 +82,57 @@ TEST_F(ChosenTimes, AreTheReadingsOfAFineMarch) {
 TEST_F(ChosenTimes, DenseHistoriesAreThoseOfAFineMarchAtLength) {
   const std::string every = "output.every=0.0013";
   const upbead::Run fine = solved({every, "time={ end = 0.6, step = 0.0005, scheme = \"sdirk4\" }"});
-  ASSERT_EQ(fine.dense->time.size(), 462U);
-  EXPECT_EQ(fine.dense->time[0], 0.);
-  EXPECT_EQ(fine.dense->reading.col(0).cwiseAbs().maxCoeff(), 0.);
+  const std::vector<double> equal = table(fine, "dense/time").values;
+  ASSERT_EQ(equal.size(), 462U);
+  const Series exact = trajectory_of(fine).at(equal);
+  EXPECT_EQ(exact.time[0], 0.);
+  EXPECT_EQ(exact.reading.col(0).cwiseAbs().maxCoeff(), 0.);
   for (const auto& [time, limit] :
        {std::pair("time={ end = 0.6, step = 0.006, scheme = \"sdirk4\" }", 1e-2),
         std::pair("time={ end = 0.6, step = 0.003, scheme = \"sdirk4\" }", 2e-3),
         std::pair("time={ end = 0.6, scheme = \"reduced\" }", 1e-2),
         std::pair("time={ end = 0.6, step = 0.001, scheme = \"generalised_alpha\" }", 1e-2)}) {
     const upbead::Run run = solved({every, time});
-    ASSERT_EQ(run.dense->time, fine.dense->time);
-    EXPECT_LE(shear_difference(run, *run.dense, *fine.dense), limit) << time;
+    ASSERT_EQ(table(run, "dense/time").values, equal);
+    EXPECT_LE(shear_difference(run, trajectory_of(run).at(equal), exact), limit) << time;
   }
+}
+
+/// A run, and one in steps a 20th as long.
+void expect_rows_meet_the_tolerance(const std::function<upbead::Run(const std::vector<std::string>&)>& solved,
+                                    std::vector<std::string> keys, const std::string& scheme, double end, double step) {
+  keys.push_back("accuracy.tolerance=0.001");
+  const auto in_steps = [&](double h) {
+    std::vector<std::string> all = keys;
+    all.push_back("time={ end = " + std::to_string(end) + ", step = " + std::to_string(h) + ", " + scheme + " }");
+    return solved(all);
+  };
+  const upbead::Run run = in_steps(step), fine = in_steps(step / 20.);
+  const std::string told = scheme + ", " + keys.front();
+  EXPECT_LT(off_lines(run, fine), 1e-3) << told;
+  EXPECT_NE(table(run, "history/time").description.find("err by at most 0.0"), std::string::npos) << told;
+  EXPECT_GT(table(run, "history/time").values.size(), run.response.ends.time.size()) << told;
+}
+
+TEST_F(ChosenTimes, RowsOfHistoriesMeetTheToleranceAtLength) {
+  const std::string marched = "scheme = \"sdirk4\"", reduced = "scheme = \"reduced\"",
+                    undamped = "regions.seabed.damping={ ratio = 0.0, frequencies = [2.0, 20.0] }",
+                    jump = "loads.impulse.pulse={ shape = \"step\", peak = 1e6 }";
+  expect_rows_meet_the_tolerance(solved, {"title=damped"}, marched, 0.6, 0.002);
+  expect_rows_meet_the_tolerance(solved, {"title=damped"}, reduced, 0.6, 0.01);
+  expect_rows_meet_the_tolerance(solved, {undamped, jump}, reduced, 0.6, 0.01);
+  expect_rows_meet_the_tolerance(solved, {jump}, marched, 0.3, 0.001);
+  expect_rows_meet_the_tolerance(solved, {jump}, marched + ", inertia = false", 20., 0.1);
 }
 
 TEST_F(ChosenTimes, OfContactAreThoseOfItsSteps) {
   const upbead::Run run = solved({"output={ every = 0.01, times = [0.05, 0.3] }", "initial.water_level=15",
                                   "regions.caisson.interface.kind=friction", "time.end=0.4"});
   ASSERT_TRUE(run.summary.contact);
-  EXPECT_EQ(run.at_times->time, (std::vector<double>{0.05, 0.3}));
-  EXPECT_EQ(run.dense->reading.rows(), run.response.ends.reading.rows());
-  EXPECT_EQ(run.dense->time.size(), 41U);
+  EXPECT_EQ(table(run, "at_times/time").values, (std::vector<double>{0.05, 0.3}));
+  EXPECT_EQ(table(run, "dense/time").values.size(), 41U);
+  EXPECT_EQ(table(run, "history/time").values, run.response.ends.time);
+  EXPECT_NE(table(run, "history/time").description.find("the ends of the steps"), std::string::npos);
 }
 
 TEST_F(ChosenTimes, GrowthOfStepsIsTheCases) {

@@ -21,6 +21,7 @@ struct Series {
 struct Response {
   Series ends;      ///< at t = 0 and at the end of every step
   Series balanced;  ///< at t = 0 and, for every step, where the scheme satisfies the equation of motion
+  Series inside;    ///< of a scheme of order 4: inside every step, see dynamics/step_interior.h; else empty
   std::vector<EnergyAccount> energy;  ///< at the times of `ends`; empty where the scheme keeps no account
   State final_state;
   int order = 0;  ///< of the scheme

@@ -53,4 +53,6 @@ bool keeps_value(const TimeFunction& f, double t, double h);
 /// The kinks of all loads of a system, ascending.
 std::vector<double> kinks(const System& system);
 
+std::vector<TimeFunction> load_histories(const System& system);
+
 }  // namespace upbead

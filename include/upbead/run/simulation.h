@@ -109,12 +109,11 @@ struct Solution {
   std::shared_ptr<const Simulation> simulation;  ///< as solved: its soil converged, its bottom bonded or not
   Response response;
   std::optional<ShearResponse> shear;  ///< read from it; none without a caisson
-  std::optional<Series> at_times;      ///< where [output] times asks for them: the times that the run reached
-  std::optional<Series> dense;         ///< where [output] every asks for it: at equal times
   Discretisation discretisation;
   Ladder ladder;  ///< the ways tried; the last one was taken
   Timing timing;
-  std::optional<ReductionSummary> reduction;  ///< where it was reduced, as the next three
+  std::optional<ReductionSummary> reduction;  ///< where it was reduced, as the next four
+  std::optional<ModalModel> model;
   std::vector<NaturalPeriod> periods;
   std::optional<PressureModel> pressures;
   std::optional<StateModel> states;  ///< where fields or a strength are asked for

@@ -196,8 +196,7 @@ Ladder set_at_rest(const Simulation& simulation, Interface& interface) {
 Solution without_node_forces(Solution solution, int n_nodes, System& system) {
   const auto n = static_cast<Eigen::Index>(system.readings.size()) - 2 * n_nodes;
   system.readings.resize(static_cast<std::size_t>(n));
-  if (solution.dense) solution.dense->reading.conservativeResize(n, Eigen::NoChange);
-  for (Series* series : {&solution.response.ends, &solution.response.balanced})
+  for (Series* series : {&solution.response.ends, &solution.response.balanced, &solution.response.inside})
     series->reading.conservativeResize(n, Eigen::NoChange);
   return solution;
 }

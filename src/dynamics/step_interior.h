@@ -1,12 +1,17 @@
-// Readings of a march at any times, also between the ends of its steps.
+// Readings inside the steps of a march.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "dynamics/interpolate.h"
 #include "upbead/dynamics/march.h"
 
 namespace upbead {
+
+/// Where readings are kept inside a step, as parts of it: at its begin, after the loads have jumped, and at four more
+/// places. With the end they determine a polynomial of degree 5.
+constexpr std::array<double, 5> inside_places{0., 0.2, 0.4, 0.6, 0.8};
 
 /// Follows a march by a scheme of order 4 whose end satisfies the equation of motion. Within a step every reading is
 /// that of a polynomial through the states of both ends, and of the loads themselves (Hairer, Norsett and Wanner,
@@ -17,13 +22,14 @@ namespace upbead {
 ///   by the cubic through x and x', O(h^4) and O(h^3), without inertia and where loads prescribe motions or pressures,
 ///   as x'' is of first order there;
 ///   straight where x or x' jumps: where a load jumps without inertia, or one that prescribes.
-class DenseRecorder : public MarchObserver {
+class StepInterior {
  public:
-  /// `times`: ascending (s). The system must outlive this.
-  DenseRecorder(const System& system, std::vector<double> times, bool inertia);
-  void see(const State& state, int step, int n_steps) override;
-  /// At those of the times that the march has reached.
-  Series series() const;
+  /// The system must outlive this.
+  explicit StepInterior(const System& system);
+  /// The state from which the next step begins, and the length of the step before (s); 0 at rest.
+  void begin(const State& state, double last_step);
+  /// Adds the readings and loads at inside_places of the step that ends with that state; the next one begins there.
+  void add_step(const State& state, Series& inside);
 
  private:
   /// The rows of one reading applied to a state.
@@ -31,25 +37,17 @@ class DenseRecorder : public MarchObserver {
     Jet position, velocity, acceleration;
   };
   enum class Course { quintic, quartic, cubic, straight };
+  using Values = Eigen::Matrix<double, 1, inside_places.size()>;
 
-  Course course(double begin, double h) const;
+  Course course(double h) const;
   std::vector<Part> parts_of(const State& state) const;
-  double between(const Part& before, const Part& now, Course course, double h, double t) const;
-  void record(double time, double inside, double h, Course course, const std::vector<Part>& now);
+  /// A reading without its loads, at inside_places.
+  static Values values(const Part& before, const Part& now, Course course, double h);
 
   const System& system_;
-  std::vector<double> times_;
-  bool inertia_, prescribes_;
-  Series series_;
+  bool inertia_ = false, prescribes_ = false;
   double last_ = 0., last_step_ = 0.;  ///< end and length of the step before (s)
   std::vector<Part> before_;
 };
-
-/// The columns of a series at those times (s), each within `tolerance` (s); times without a column are left out.
-Series at_times(const Series& series, const std::vector<double>& times, double tolerance);
-
-/// Linear interpolation between the columns of a series, at those of the times that it covers: as accurate as a
-/// scheme of order 2.
-Series straight_between(const Series& series, const std::vector<double>& times);
 
 }  // namespace upbead
