@@ -82,18 +82,33 @@ std::vector<WaveAnswer> at_levels(const WaveAnswer& own, const WaveTable& table,
 
 using Row = std::vector<std::string>;
 
-/// Columns as wide as needed, the first aligned to the left, all other ones to the right.
+constexpr std::size_t widest_line = 100;
+
+/// The first column, and those from `from` on that fit in a line; the next one that does not.
+std::pair<std::string, std::size_t> aligned_from(std::size_t from, const std::vector<Row>& rows,
+                                                 const std::vector<std::size_t>& width) {
+  std::size_t to = from, line = width[0];
+  while (to < width.size() && (to == from || line + 2 + width[to] <= widest_line)) line += 2 + width[to++];
+  std::string text;
+  for (const Row& row : rows) {
+    text += row[0] + std::string(width[0] - row[0].size(), ' ');
+    for (std::size_t i = from; i < to; ++i) text += "  " + std::string(width[i] - row[i].size(), ' ') + row[i];
+    text += "\n";
+  }
+  return {text, to};
+}
+
+/// Columns as wide as needed, the first aligned to the left, all other ones to the right; those that do not fit in a
+/// line follow below, after the first one again.
 std::string aligned(const std::vector<Row>& rows) {
   std::vector<std::size_t> width(rows.front().size());
   for (const Row& row : rows)
     for (std::size_t i = 0; i < row.size(); ++i) width[i] = std::max(width[i], row[i].size());
   std::string text;
-  for (const Row& row : rows) {
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      const std::string gap(width[i] - row[i].size(), ' ');
-      text += i == 0 ? row[i] + gap : "  " + gap + row[i];
-    }
-    text += "\n";
+  for (std::size_t next = 1; next < width.size();) {
+    const auto [block, to] = aligned_from(next, rows, width);
+    text += (next > 1 ? "\n" : "") + block;
+    next = to;
   }
   return text;
 }
