@@ -9,13 +9,10 @@
 #include "case/case_schema.h"
 #include "case/cfd/flow_scene.h"
 #include "case/key_units.h"
-#include "case/records/load_records.h"
 #include "case/records/record_layout.h"
-#include "case/records/record_table.h"
 #include "case/time_end.h"
 #include "case/wave_load.h"
 #include "fem/compile.h"
-#include "model/record.h"
 #include "run/checks.h"
 #include "run/histories.h"
 
@@ -24,32 +21,32 @@ namespace upbead {
 namespace {
 
 /// The resultant on the caisson; its moment is about the middle of the bottom.
-Resultant on_caisson(const std::string& name, const GaugeLoad& by, const Simulation& simulation) {
-  const std::size_t n = by.gauges.time.size();
+Resultant on_caisson(const LoadSource& by, const Simulation& simulation) {
+  const std::size_t n = by.gauges->time.size();
   Resultant sum{std::vector<double>(n, 0.), std::vector<double>(n, 0.)};
   for (const LoadOnCaisson& load : simulation.compiled->loads_on_caisson)
-    for (std::size_t i = 0; i < by.gauges.count(); ++i) {
-      if (load.name != name + "." + by.gauges.name[i]) continue;
+    for (std::size_t i = 0; i < by.gauges->count(); ++i) {
+      if (load.name != by.name + "." + by.gauges->name[i]) continue;
       for (std::size_t t = 0; t < n; ++t) {
-        sum.force[t] += by.load.factor * load.force_x * by.gauges.pressure[i][t];
-        sum.moment[t] += by.load.factor * load.moment * by.gauges.pressure[i][t];
+        sum.force[t] += by.load.factor * load.force_x * by.gauges->pressure[i][t];
+        sum.moment[t] += by.load.factor * load.moment * by.gauges->pressure[i][t];
       }
     }
   return sum;
 }
 
 /// The resultant of an uplift; its moment is about the middle of the bottom.
-Resultant on_bottom(const GaugeLoad& by) {
-  const auto [from, to] = *by.source.ends;
-  Resultant sum = resultant(by.gauges, from, to);
+Resultant on_bottom(const LoadSource& by) {
+  const auto [from, to] = by.gauges->zero_at;
+  Resultant sum = resultant(*by.gauges, from, to);
   for (std::size_t t = 0; t < sum.force.size(); ++t) sum.moment[t] -= 0.5 * (from + to) * sum.force[t];
   return sum;
 }
 
-GaugeSummary summary_of(const std::string& name, const GaugeLoad& by, const Resultant& sum) {
-  const Gauges& gauges = by.gauges;
+GaugeSummary summary_of(const LoadSource& by, const Resultant& sum) {
+  const Gauges& gauges = *by.gauges;
   GaugeSummary s;
-  s.name = name;
+  s.name = by.name;
   s.gauges = static_cast<int>(gauges.count());
   s.samples = static_cast<int>(gauges.time.size());
   s.interval = (gauges.time.back() - gauges.time.front()) / static_cast<double>(gauges.time.size() - 1);
@@ -77,74 +74,45 @@ GaugeSummary summary_of(const std::string& name, const GaugeLoad& by, const Resu
 /// Warnings of all transducers (model/gauges.h).
 NumberedWarnings transducer_warnings(const Case& input, const Simulation& simulation) {
   NumberedWarnings all;
-  for (const auto& [name, by] : input.gauges)
-    if (by.load.factor != 0.) {
-      std::vector<double> force = on_caisson(name, by, simulation).force;
-      for (double& value : force) value /= by.load.factor;
-      append(all, gauge_warnings("loads." + name, by.gauges, force));
+  for (const auto& [name, by] : input.sources)
+    if (by->gauges && by->acts()) {
+      std::vector<double> force = on_caisson(*by, simulation).force;
+      for (double& value : force) value /= by->load.factor;
+      append(all, gauge_warnings(by->title, *by->gauges, force));
     }
-  if (input.uplift_gauges)
-    append(all, gauge_warnings("sliding.uplift", input.uplift_gauges->gauges, on_bottom(*input.uplift_gauges).force));
+  if (input.uplift && input.uplift->gauges)
+    append(all, gauge_warnings(input.uplift->title, *input.uplift->gauges, on_bottom(*input.uplift).force));
   return all;
 }
 
 /// How the files of loads and uplift were read.
 RecordNotes record_notes(const Case& input) {
   RecordNotes all;
-  for (const auto& [path, notes] : input.records) {
-    append(all, *notes);
-    for (std::size_t i = all.read.size() - notes->read.size(); i < all.read.size(); ++i) all.read[i].of = path;
-  }
-  return all;
-}
-
-Record record_of(const std::string& name, const TimeFunction& f) {
-  Record record{name, f.samples(), {}};
-  for (const double t : record.time) record.value.push_back(f(t, t == record.time.back() ? t - 1e-12 * t : t));
-  return record;
-}
-
-/// Warnings of all histories that come from files (model/record.h).
-NumberedWarnings history_warnings(const Case& input) {
-  NumberedWarnings all;
-  const auto add = [&all](const std::string& name, const TimeFunction& f) {
-    if (f.samples().size() < 2) return;
-    append(all, record_warnings(record_of(name, f)));
+  const auto add = [&all](const std::string& path, const LoadSource& source) {
+    append(all, source.notes);
+    for (std::size_t i = all.read.size() - source.notes.read.size(); i < all.read.size(); ++i) all.read[i].of = path;
   };
-  for (const auto& [name, source] : input.sources) {
-    const Load& load = input.scene.loads.at(name);
-    if (source.history.empty() || load.factor == 0.) continue;
-    const std::string path = "loads." + name;
-    if (is_motion(load.kind))  // the scene has its velocity
-      append(all, record_warnings(written_history(path, input.resolve(source.history), input.place(path + ".history"),
-                                                  load.kind, source.record_start)));
-    else
-      add(path, load.history);
-  }
-  if (!input.uplift_history.empty()) add("sliding.uplift", input.scene.sliding->uplift->history);
+  for (const auto& [name, source] : input.sources) add(dotted("loads", name), *source);
+  if (input.uplift) add(input.uplift->name, *input.uplift);
   return all;
 }
 
 /// Numbers whose unit was mistaken, as far as their key tells.
 NumberedWarnings unit_warnings(const Case& input) {
-  CaseTables tables;
-  Diagnostics none;
-  const TableSchema<CaseTables> schema = case_schema();
-  schema.read(input.document.root(), "", tables, none);
+  CaseTables tables = *input.tables;
   NumberedWarnings list = implausible_keys(
-      input.document, [&](const NumberVisitor& visitor) { schema.visit_numbers(tables, "", visitor); });
-  if (input.section)
-    append(list, implausible_section(*input.section, {input.scene.fluid.density, input.scene.gravity}));
+      input.document, [&](const NumberVisitor& visitor) { case_schema().visit_numbers(tables, "", visitor); });
+  if (tables.section)
+    append(list, implausible_section(*tables.section, {input.scene.fluid.density, input.scene.gravity}));
   return list;
 }
 
 NumberedWarnings warnings_of_files(const Case& input, const Simulation& simulation, const RecordNotes& notes) {
-  NumberedWarnings list = history_warnings(input);
+  NumberedWarnings list;
+  for (const LoadSource* source : sources_of(input)) append(list, source->warnings);
   append(list, transducer_warnings(input, simulation));
   append(list, end_warnings(input, simulation.given.time.end));
   append(list, unit_warnings(input));
-  append(list, wave_warnings(input));
-  append(list, flow_warnings(input));
   append(list, flow_arm_warnings(input, *simulation.mesh));
   append(list, notes.warnings);
   return list;
@@ -182,7 +150,8 @@ Simulation simulation_of(const Case& input, std::shared_ptr<const Mesh> mesh,
 }
 
 std::vector<MeasuredRecord> read_records(const Case& input, const Simulation& simulation) {
-  return input.measured.empty() ? std::vector<MeasuredRecord>() : read_measured(input, names_of_histories(simulation));
+  return input.tables->measured.empty() ? std::vector<MeasuredRecord>()
+                                        : read_measured(input, names_of_histories(simulation));
 }
 
 namespace {
@@ -240,9 +209,9 @@ std::vector<RecordSummary> record_summaries(const Case& input, const std::vector
 
 std::vector<GaugeSummary> gauge_summaries(const Case& input, const Simulation& simulation) {
   std::vector<GaugeSummary> list;
-  for (const auto& [name, by] : input.gauges) list.push_back(summary_of(name, by, on_caisson(name, by, simulation)));
-  if (input.uplift_gauges)
-    list.push_back(summary_of("sliding.uplift", *input.uplift_gauges, on_bottom(*input.uplift_gauges)));
+  for (const auto& [name, by] : input.sources)
+    if (by->gauges) list.push_back(summary_of(*by, on_caisson(*by, simulation)));
+  if (input.uplift && input.uplift->gauges) list.push_back(summary_of(*input.uplift, on_bottom(*input.uplift)));
   return list;
 }
 
