@@ -6,7 +6,8 @@
 #include <map>
 
 #include "base/text.h"
-#include "case/records/load_records.h"
+#include "case/load_source.h"
+#include "case/records/gauge_load.h"
 #include "model/exclusions.h"
 #include "model/motion.h"
 #include "model/words.h"
@@ -131,55 +132,31 @@ std::vector<std::string> keys_of(const Map& map) {
   return keys;
 }
 
-constexpr double least_lambda_1 = 1e-3;  ///< a wave whose lambda_1 is smaller has a P of nearly zero
-
-/// The checks of one load.
-class LoadCheck {
+/// The checks of one load that do not depend on how its course is given.
+class LoadChecks {
  public:
-  LoadCheck(const std::string& name, const LoadTable& load, const CaseTables& tables, const Document& document,
-            Diagnostics& report)
-      : path_(dotted("loads", name)),
-        load_(load),
-        tables_(tables),
-        document_(document),
-        report_(report),
-        wrong_(path_, document, report) {}
+  explicit LoadChecks(const LoadCheck& check)
+      : load_(check.load), tables_(check.tables), check_(check), wrong_(check.wrong) {}
 
   void run() const {
     if (is_on_volume(load_.kind))
       check_volume();
     else
-      exactly_one("boundary", "region");
-    if (!load_.from.empty())
-      check_flow();
-    else if (load_.kind == LoadKind::pressures)
-      check_row();
-    else if (load_.kind == LoadKind::wave)
-      check_wave();
-    else if (load_.kind == LoadKind::train)
-      check_train();
-    else
-      exactly_one("pulse", "history");
+      check_.exactly_one("boundary", "region");
+    way_of(load_).check(check_);
     if (is_motion(load_.kind)) check_motion();
-    if (given("boundary") && !is_on_volume(load_.kind))
+    if (wrong_.given("boundary") && !is_on_volume(load_.kind))
       check_name("boundary", load_.boundary, keys_of(tables_.boundaries), "boundaries");
-    if (given("region")) check_region();
+    if (wrong_.given("region")) check_region();
     const bool has_direction = load_.kind == LoadKind::force || load_.kind == LoadKind::traction ||
                                load_.kind == LoadKind::body_force || is_motion(load_.kind);
     if (has_direction && load_.direction[0] == 0. && load_.direction[1] == 0.)
       wrong_.add("direction", "direction is zero", "give a direction such as [1.0, 0.0]");
     if (!load_.shape.empty()) check_shape();
-    if (load_.pulse && report_.sound(path_ + ".pulse.shape")) wrong_.add(diagnose(*load_.pulse), "pulse.");
+    if (load_.pulse && check_.report.sound(check_.path + ".pulse.shape")) wrong_.add(diagnose(*load_.pulse), "pulse.");
   }
 
  private:
-  bool given(const std::string& key) const { return document_.find(path_ + "." + key) != nullptr; }
-
-  void exactly_one(const std::string& a, const std::string& b) const {
-    if (given(a) && given(b)) wrong_.add(b, "both '" + a + "' and '" + b + "' are given", "keep one of them");
-    if (!given(a) && !given(b)) wrong_.add(a, "neither '" + a + "' nor '" + b + "' is given", "add " + a + " or " + b);
-  }
-
   bool check_name(const std::string& key, const std::string& name, const std::vector<std::string>& known,
                   const std::string& kind) const {
     if (std::find(known.begin(), known.end(), name) != known.end()) return true;
@@ -188,26 +165,11 @@ class LoadCheck {
     return false;
   }
 
-  /// Checks the keys of a load by a record of CFD; which keys are missing is only known once the record is read.
-  void check_flow() const {
-    for (const char* key : {"pulse", "history", "wave", "gauges", "heights", "ends", "gauge_unit", "zero",
-                            "record_start", "sampling_rate", "load_cell", "direction", "at"})
-      if (given(key))
-        wrong_.add(key, std::string("'") + key + "' does not belong to a record of CFD",
-                   std::string("remove ") + key + ", or from");
-    if (load_.kind != LoadKind::force && load_.kind != LoadKind::pressures)
-      wrong_.add("kind", "a record of CFD is a force or pressures", "write kind = \"force\" or \"pressures\"");
-    if (load_.kind == LoadKind::pressures && given("shape"))
-      wrong_.add("shape", "'shape' does not belong to pressures at points", "remove shape");
-    if (load_.to_first == Beyond::to_zero || load_.to_last == Beyond::to_zero)
-      wrong_.add(load_.to_first == Beyond::to_zero ? "to_base" : "to_crest",
-                 "'to_zero' is not known of a record of CFD", "write \"constant\" or \"none\"");
-  }
-
   void check_region() const {
     if (!check_name("region", load_.region, keys_of(tables_.regions), "regions")) return;
     if (is_on_volume(load_.kind)) return;  // the checks of the mesh say which kind the region must be
-    if (report_.sound(dotted("regions", load_.region)) && tables_.regions.at(load_.region).kind != RegionKind::rigid)
+    if (check_.report.sound(dotted("regions", load_.region)) &&
+        tables_.regions.at(load_.region).kind != RegionKind::rigid)
       wrong_.add("region", "region = " + to_toml(load_.region) + " is not rigid",
                  "load one of its boundaries instead; only a rigid region takes a load at a point");
     if (load_.kind != LoadKind::force)
@@ -216,36 +178,16 @@ class LoadCheck {
 
   void check_volume() const {
     const std::string kind = word_of(load_.kind, load_kind_words);
-    if (given("boundary"))
+    if (wrong_.given("boundary"))
       wrong_.add("boundary", "kind = \"" + kind + "\" acts on the volume of a region",
                  "remove boundary, and give region" +
                      std::string(load_.kind == LoadKind::gravity ? ", or neither for all of them" : ""));
-    else if (!given("region") && load_.kind != LoadKind::gravity)
+    else if (!wrong_.given("region") && load_.kind != LoadKind::gravity)
       wrong_.add("region", "'region' is missing, which kind = \"" + kind + "\" needs", "add region");
   }
 
-  void check_row() const {
-    for (const char* key : {"pulse", "history", "shape"})
-      if (given(key))
-        wrong_.add(key, std::string("'") + key + "' does not belong to pressures by transducers",
-                   std::string("remove ") + key + ", or write kind = \"pressure\"");
-    check_gauges(load_, wall_words, path_, document_, report_);
-  }
-
-  void check_train() const {
-    for (const char* key : {"pulse", "history", "shape", "region"})
-      if (given(key))
-        wrong_.add(key, std::string("'") + key + "' does not belong to a train of waves",
-                   std::string("remove ") + key + ", or write kind = \"pressure\"");
-    if (!load_.train)
-      wrong_.add("train", "'train' is missing, which kind = \"train\" needs",
-                 "add train = { height = ..., depth = ..., period = ... }");
-    else
-      wrong_.add(diagnose(*load_.train), "train.");
-  }
-
   void check_motion() const {
-    if (given("region")) wrong_.add("region", "a motion is that of a boundary", "give boundary");
+    if (wrong_.given("region")) wrong_.add("region", "a motion is that of a boundary", "give boundary");
     if (load_.kind == LoadKind::displacement && load_.pulse && diagnose(*load_.pulse).empty() && jumps(*load_.pulse))
       wrong_.add("pulse", "the displacement jumps, at an infinite velocity", "give a rise between 0 and the duration");
     const auto side = tables_.boundaries.find(load_.boundary);
@@ -258,38 +200,6 @@ class LoadCheck {
                      word_of(condition, displacement_words) + "\"",
                  "say displacement = \"fixed\" or \"roller\" in [" + dotted("boundaries", load_.boundary) +
                      "], or \"absorbing\" for waves that come from below");
-  }
-
-  void check_wave() const {
-    for (const char* key : {"pulse", "history", "shape", "region"})
-      if (given(key))
-        wrong_.add(key, std::string("'") + key + "' does not belong to a load by a wave",
-                   std::string("remove ") + key + ", or write kind = \"force\"");
-    if (!load_.wave)
-      wrong_.add("wave", "'wave' is missing, which kind = \"wave\" needs",
-                 "add wave = { height = ..., period = ..., course = \"church_roof\" }");
-    else
-      check_wave_table(*load_.wave);
-    if (!tables_.section)
-      wrong_.add("kind",
-                 "a load by a wave needs the cross-section that Goda's formulas take, and there is no [section]",
-                 "add [section], as in a design");
-    else if (tables_.section->lambda_1 && *tables_.section->lambda_1 < least_lambda_1)
-      report_.add(document_.place("section.lambda_1"),
-                  "[section]: lambda_1 = " + number_text(*tables_.section->lambda_1) +
-                      " leaves nothing of the standing wave, which is a part of the load [" + path_ + "]",
-                  "give at least " + number_text(least_lambda_1));
-  }
-
-  void check_wave_table(const WaveLoadTable& wave) const {
-    wrong_.add(diagnose(static_cast<const WaveGiven&>(wave)), "wave.");
-    if (wave.course != WaveCourse::standing) return;
-    if (wave.angle != 0.)
-      wrong_.add("wave.angle", "a standing wave of finite height is one that comes straight at the wall",
-                 "give angle = 0, which is the safe side, or another course");
-    if (tables_.section && tables_.section->dissipating_blocks)
-      wrong_.add("wave.course", "wave-dissipating blocks leave no standing wave before the wall",
-                 "give another course, which Goda's factors for blocks belong to");
   }
 
   void check_shape() const {
@@ -307,19 +217,31 @@ class LoadCheck {
     if (all_zero) wrong_.add("shape", "every intensity of shape is zero", "give an intensity other than zero");
   }
 
-  std::string path_;
   const LoadTable& load_;
   const CaseTables& tables_;
-  const Document& document_;
-  Diagnostics& report_;
-  TableDiagnostics wrong_;
+  const LoadCheck& check_;
+  const TableDiagnostics& wrong_;
 };
 
 }  // namespace
 
+void LoadCheck::exactly_one(const std::string& a, const std::string& b) const {
+  if (wrong.given(a) && wrong.given(b)) wrong.add(b, "both '" + a + "' and '" + b + "' are given", "keep one of them");
+  if (!wrong.given(a) && !wrong.given(b))
+    wrong.add(a, "neither '" + a + "' nor '" + b + "' is given", "add " + a + " or " + b);
+}
+
+void LoadCheck::refuse(const std::vector<std::string>& keys, const std::string& what,
+                       const std::string& or_else) const {
+  for (const std::string& key : keys)
+    if (wrong.given(key))
+      wrong.add(key, "'" + key + "' does not belong to " + what, "remove " + key + ", or " + or_else);
+}
+
 void check_loads(const CaseTables& tables, const Document& document, Diagnostics& report) {
   for (const auto& [name, load] : tables.load_tables)
-    if (report.sound(dotted("loads", name) + ".kind")) LoadCheck(name, load, tables, document, report).run();
+    if (const std::string path = dotted("loads", name); report.sound(path + ".kind"))
+      LoadChecks({path, load, tables, document, report, {path, document, report}}).run();
 }
 
 namespace {

@@ -8,14 +8,12 @@
 #include "case/case_schema.h"
 #include "case/cfd/flow_scene.h"
 #include "case/key_units.h"
-#include "case/records/load_records.h"
+#include "case/load_source.h"
 #include "case/records/record_layout.h"
-#include "case/records/record_table.h"
 #include "case/time_end.h"
 #include "case/wave_load.h"
 #include "fem/compile.h"
 #include "findings/histories.h"
-#include "model/record.h"
 #include "output/section_outputs.h"
 
 namespace upbead {
@@ -25,60 +23,31 @@ namespace {
 /// How the files of loads and uplift were read.
 RecordNotes record_notes(const Case& input) {
   RecordNotes all;
-  for (const auto& [path, notes] : input.records) {
-    append(all, *notes);
-    for (std::size_t i = all.read.size() - notes->read.size(); i < all.read.size(); ++i) all.read[i].of = path;
-  }
-  return all;
-}
-
-Record record_of(const std::string& name, const TimeFunction& f) {
-  Record record{name, f.samples(), {}};
-  for (const double t : record.time) record.value.push_back(f(t, t == record.time.back() ? t - 1e-12 * t : t));
-  return record;
-}
-
-/// Warnings of all histories that come from files (model/record.h).
-NumberedWarnings history_warnings(const Case& input) {
-  NumberedWarnings all;
-  const auto add = [&all](const std::string& name, const TimeFunction& f) {
-    if (f.samples().size() < 2) return;
-    append(all, record_warnings(record_of(name, f)));
+  const auto add = [&all](const std::string& path, const LoadSource& source) {
+    append(all, source.notes);
+    for (std::size_t i = all.read.size() - source.notes.read.size(); i < all.read.size(); ++i) all.read[i].of = path;
   };
-  for (const auto& [name, source] : input.sources) {
-    const Load& load = input.scene.loads.at(name);
-    if (source.history.empty() || load.factor == 0.) continue;
-    const std::string path = "loads." + name;
-    if (is_motion(load.kind))  // the scene has its velocity
-      append(all, record_warnings(written_history(path, input.resolve(source.history), input.place(path + ".history"),
-                                                  load.kind, source.record_start)));
-    else
-      add(path, load.history);
-  }
-  if (!input.uplift_history.empty()) add("sliding.uplift", input.scene.sliding->uplift->history);
+  for (const auto& [name, source] : input.sources) add(dotted("loads", name), *source);
+  if (input.uplift) add(input.uplift->name, *input.uplift);
   return all;
 }
 
 /// Numbers whose unit was mistaken, as far as their key tells.
 NumberedWarnings unit_warnings(const Case& input) {
-  CaseTables tables;
-  Diagnostics none;
-  const TableSchema<CaseTables> schema = case_schema();
-  schema.read(input.document.root(), "", tables, none);
+  CaseTables tables = *input.tables;
   NumberedWarnings list = implausible_keys(
-      input.document, [&](const NumberVisitor& visitor) { schema.visit_numbers(tables, "", visitor); });
-  if (input.section)
-    append(list, implausible_section(*input.section, {input.scene.fluid.density, input.scene.gravity}));
+      input.document, [&](const NumberVisitor& visitor) { case_schema().visit_numbers(tables, "", visitor); });
+  if (tables.section)
+    append(list, implausible_section(*tables.section, {input.scene.fluid.density, input.scene.gravity}));
   return list;
 }
 
 NumberedWarnings warnings_of_files(const Case& input, const Simulation& simulation, const RecordNotes& notes) {
-  NumberedWarnings list = history_warnings(input);
+  NumberedWarnings list;
+  for (const LoadSource* source : sources_of(input)) append(list, source->warnings);
   append(list, transducer_warnings(input, simulation));
   append(list, end_warnings(input, simulation.given.time.end));
   append(list, unit_warnings(input));
-  append(list, wave_warnings(input));
-  append(list, flow_warnings(input));
   append(list, flow_arm_warnings(input, *simulation.mesh));
   append(list, notes.warnings);
   return list;

@@ -2,6 +2,7 @@
 
 #include "base/stopwatch.h"
 #include "case/case_findings.h"
+#include "case/case_schema.h"
 #include "case/cfd/flow_scene.h"
 #include "case/time_end.h"
 #include "case/wave_load.h"
@@ -37,7 +38,8 @@ Simulation simulation_of(const Case& input, std::shared_ptr<const Mesh> mesh,
 }
 
 std::vector<MeasuredRecord> read_records(const Case& input, const Simulation& simulation) {
-  return input.measured.empty() ? std::vector<MeasuredRecord>() : read_measured(input, names_of_histories(simulation));
+  return input.tables->measured.empty() ? std::vector<MeasuredRecord>()
+                                        : read_measured(input, names_of_histories(simulation));
 }
 
 Run solve(const Case& input, const Simulation& simulation, const std::vector<MeasuredRecord>& records,

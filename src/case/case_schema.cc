@@ -1,6 +1,6 @@
 #include "case_schema.h"
 
-#include "case/records/load_records.h"
+#include "case/records/measured.h"
 #include "input/report_table.h"
 #include "model/words.h"
 

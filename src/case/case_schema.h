@@ -6,17 +6,19 @@
 #include <string>
 
 #include "case/cfd/flow_source.h"
+#include "case/records/record_keys.h"
 #include "case/wave_load.h"
 #include "case/wave_train.h"
 #include "input/schema.h"
 #include "upbead/case/case.h"
+#include "upbead/input/report_head.h"
 #include "upbead/model/scene.h"
+#include "upbead/waves/goda.h"
 
 namespace upbead {
 
-/// A table [loads.NAME] as written. `history` of Load is made from the pulse, the file or the wave; transducers
-/// become several loads.
-struct LoadTable : Load, GaugeSource, FlowSource {
+/// A table [loads.NAME] as written, of which its source makes loads (load_source.h).
+struct LoadTable : Load, GaugeKeys, FlowKeys {
   std::optional<Pulse> pulse;
   std::string history_file;
   std::optional<WaveLoadTable> wave;
@@ -24,7 +26,7 @@ struct LoadTable : Load, GaugeSource, FlowSource {
 };
 
 /// The table [sliding.uplift] as written.
-struct UpliftTable : UpliftChoice, GaugeSource {
+struct UpliftTable : UpliftChoice, GaugeKeys {
   std::string history_file;
 };
 
@@ -39,11 +41,15 @@ struct CaseTables : Scene {
   std::optional<SlidingTable> sliding_table;
   std::map<std::string, LoadTable> load_tables;
   std::optional<Section> section;
-  std::map<std::string, MeasuredSource> measured;
+  std::map<std::string, MeasuredKeys> measured;
   ReportHead report;
   AccuracyOf accuracy_of = AccuracyChoice().of;
   bool accuracy_estimate = AccuracyChoice().estimate;
 };
+
+/// The tables with every choice that the program made for what is left open, and with paths as seen from
+/// `output_folder`.
+CaseTables effective_tables(const Case& problem, const std::string& output_folder);
 
 TableSchema<CaseTables> case_schema();
 TableSchema<Region> region_schema();

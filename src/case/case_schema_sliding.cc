@@ -1,4 +1,4 @@
-#include "case/records/load_records.h"
+#include "case/records/gauge_load.h"
 #include "case_schema.h"
 #include "model/words.h"
 

@@ -5,6 +5,7 @@
 #include "base/numbers.h"
 #include "base/text.h"
 #include "case/case_run.h"
+#include "case/load_source.h"
 #include "fem/compile.h"
 
 namespace upbead {
@@ -12,32 +13,32 @@ namespace upbead {
 namespace {
 
 /// The resultant on the caisson; its moment is about the middle of the bottom.
-Resultant on_caisson(const std::string& name, const GaugeLoad& by, const Simulation& simulation) {
-  const std::size_t n = by.gauges.time.size();
+Resultant on_caisson(const LoadSource& by, const Simulation& simulation) {
+  const std::size_t n = by.gauges->time.size();
   Resultant sum{std::vector<double>(n, 0.), std::vector<double>(n, 0.)};
   for (const LoadOnCaisson& load : simulation.compiled->loads_on_caisson)
-    for (std::size_t i = 0; i < by.gauges.count(); ++i) {
-      if (load.name != name + "." + by.gauges.name[i]) continue;
+    for (std::size_t i = 0; i < by.gauges->count(); ++i) {
+      if (load.name != by.name + "." + by.gauges->name[i]) continue;
       for (std::size_t t = 0; t < n; ++t) {
-        sum.force[t] += by.load.factor * load.force_x * by.gauges.pressure[i][t];
-        sum.moment[t] += by.load.factor * load.moment * by.gauges.pressure[i][t];
+        sum.force[t] += by.load.factor * load.force_x * by.gauges->pressure[i][t];
+        sum.moment[t] += by.load.factor * load.moment * by.gauges->pressure[i][t];
       }
     }
   return sum;
 }
 
 /// The resultant of an uplift; its moment is about the middle of the bottom.
-Resultant on_bottom(const GaugeLoad& by) {
-  const auto [from, to] = *by.source.ends;
-  Resultant sum = resultant(by.gauges, from, to);
+Resultant on_bottom(const LoadSource& by) {
+  const auto [from, to] = by.gauges->zero_at;
+  Resultant sum = resultant(*by.gauges, from, to);
   for (std::size_t t = 0; t < sum.force.size(); ++t) sum.moment[t] -= 0.5 * (from + to) * sum.force[t];
   return sum;
 }
 
-GaugeSummary summary_of(const std::string& name, const GaugeLoad& by, const Resultant& sum) {
-  const Gauges& gauges = by.gauges;
+GaugeSummary summary_of(const LoadSource& by, const Resultant& sum) {
+  const Gauges& gauges = *by.gauges;
   GaugeSummary s;
-  s.name = name;
+  s.name = by.name;
   s.gauges = static_cast<int>(gauges.count());
   s.samples = static_cast<int>(gauges.time.size());
   s.interval = (gauges.time.back() - gauges.time.front()) / static_cast<double>(gauges.time.size() - 1);
@@ -67,22 +68,22 @@ GaugeSummary summary_of(const std::string& name, const GaugeLoad& by, const Resu
 /// Warnings of all transducers (model/gauges.h).
 NumberedWarnings transducer_warnings(const Case& input, const Simulation& simulation) {
   NumberedWarnings all;
-  for (const auto& [name, by] : input.gauges)
-    if (by.load.factor != 0.) {
-      std::vector<double> force = on_caisson(name, by, simulation).force;
-      for (double& value : force) value /= by.load.factor;
-      append(all, gauge_warnings("loads." + name, by.gauges, force));
+  for (const auto& [name, by] : input.sources)
+    if (by->gauges && by->acts()) {
+      std::vector<double> force = on_caisson(*by, simulation).force;
+      for (double& value : force) value /= by->load.factor;
+      append(all, gauge_warnings(by->title, *by->gauges, force));
     }
-  if (input.uplift_gauges)
-    append(all, gauge_warnings("sliding.uplift", input.uplift_gauges->gauges, on_bottom(*input.uplift_gauges).force));
+  if (input.uplift && input.uplift->gauges)
+    append(all, gauge_warnings(input.uplift->title, *input.uplift->gauges, on_bottom(*input.uplift).force));
   return all;
 }
 
 std::vector<GaugeSummary> gauge_summaries(const Case& input, const Simulation& simulation) {
   std::vector<GaugeSummary> list;
-  for (const auto& [name, by] : input.gauges) list.push_back(summary_of(name, by, on_caisson(name, by, simulation)));
-  if (input.uplift_gauges)
-    list.push_back(summary_of("sliding.uplift", *input.uplift_gauges, on_bottom(*input.uplift_gauges)));
+  for (const auto& [name, by] : input.sources)
+    if (by->gauges) list.push_back(summary_of(*by, on_caisson(*by, simulation)));
+  if (input.uplift && input.uplift->gauges) list.push_back(summary_of(*input.uplift, on_bottom(*input.uplift)));
   return list;
 }
 

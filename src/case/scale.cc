@@ -265,7 +265,7 @@ std::string scaled_history(const std::string& path, const Place& place, double f
 }
 
 /// A record of transducers at the new size.
-std::string scaled_record(const Case& problem, const GaugeSource& source, const std::string& path, double factor) {
+std::string scaled_record(const Case& problem, const GaugeKeys& source, const std::string& path, double factor) {
   const CsvTable table = read_record_table(problem.resolve(source.gauges), problem.place(path + ".gauges"));
   std::vector<std::string> units = units_by_column(table, "Pa");
   const Place place = problem.place(path + ".gauges");
@@ -275,7 +275,7 @@ std::string scaled_record(const Case& problem, const GaugeSource& source, const 
 }
 
 /// A measured history at the new size, only its column and the time; its unit shows which quantity it is.
-std::string scaled_measured(const Case& problem, const std::string& name, const MeasuredSource& source, double factor) {
+std::string scaled_measured(const Case& problem, const std::string& name, const MeasuredKeys& source, double factor) {
   const Place place = problem.place(dotted("measured", name) + ".file");
   const CsvTable table = read_record_table(problem.resolve(source.file), place);
   const RecordLayout layout = layout_of(table);
@@ -341,9 +341,7 @@ std::string heading(const Case& problem, const ScaleOptions& options) {
 ScaledCase scale_case(const Case& problem, const ScaleOptions& options, const std::string& folder) {
   check_factor(options.factor);
   Ratios ratios(options.ratios);
-  CaseTables tables;
-  Diagnostics report;  // stays empty, as read_case has found no mistake
-  case_schema().read(problem.document.root(), "", tables, report);
+  CaseTables tables = *problem.tables;
   ScaledCase scaled;
   scale_numbers(tables, options, ratios, scaled.kept);
   scale_mesh(problem, options, ratios, tables.mesh);

@@ -4,9 +4,7 @@
 #include <cmath>
 
 #include "base/text.h"
-#include "case/cfd/flow_source.h"
-#include "case/wave_load.h"
-#include "case/wave_train.h"
+#include "case/load_source.h"
 
 namespace upbead {
 
@@ -27,45 +25,6 @@ std::vector<double> times_of(const TimeFunction& f) {
   std::sort(times.begin(), times.end());
   times.erase(std::unique(times.begin(), times.end()), times.end());
   return times;
-}
-
-/// `half_period`: of what swings for ever.
-void add_course(const TimeFunction& f, const std::optional<double>& half_period, Action& action) {
-  const std::vector<double> times = times_of(f);
-  for (std::size_t i = 0; i < times.size(); ++i) {
-    const double before = i > 0 ? 0.5 * (times[i - 1] + times[i]) : times[i] - 1.;
-    for (const double value : {f(times[i], before), f(times[i])}) {
-      action.time.push_back(times[i]);
-      action.value.push_back(value);
-    }
-  }
-  if (times.empty() || !half_period) return;
-  const double last = times.back();
-  action.swings = f(last + 0.3 * *half_period) != f(last + 0.7 * *half_period) ||
-                  f(last + 0.3 * *half_period) != f(last + 1.1 * *half_period);
-  for (int i = 1; action.swings && i <= 2 * periods * parts; ++i) {
-    action.time.push_back(last + i * *half_period / parts);
-    action.value.push_back(f(action.time.back()));
-  }
-}
-
-/// The sum of the sizes of several values at equal times, and nothing after them.
-void add_sum(const std::vector<double>& time, const std::vector<const std::vector<double>*>& values, Action& action) {
-  action.time = time;
-  action.value.assign(time.size(), 0.);
-  for (const auto* one : values)
-    for (std::size_t t = 0; t < one->size(); ++t) action.value[t] += std::abs((*one)[t]);
-  if (time.empty()) return;
-  action.time.push_back(time.back());
-  action.value.push_back(0.);
-}
-
-Action action_of(const Gauges& gauges, const std::string& name) {
-  Action action{name, "load_cut", "record_start"};
-  std::vector<const std::vector<double>*> pressures;
-  for (const std::vector<double>& pressure : gauges.pressure) pressures.push_back(&pressure);
-  add_sum(gauges.time, pressures, action);
-  return action;
 }
 
 double largest_of(const Action& action) {
@@ -146,49 +105,51 @@ NumberedWarning cut_load(const Action& action, const Rest& rest, double end) {
 
 }  // namespace
 
-std::vector<Action> actions_of(const Case& input) {
-  std::vector<Action> list;
-  for (const auto& [name, source] : input.sources) {
-    const Load& load = input.scene.loads.at(name);
-    if (load.factor == 0.) continue;
-    list.push_back({"loads." + name, "load_cut", source.pulse ? "pulse.start" : "record_start"});
-    const bool harmonic = source.pulse && source.pulse->shape == PulseShape::harmonic;
-    add_course(load.history, harmonic ? load.duration : std::nullopt, list.back());
-  }
-  for (const auto& [name, wave] : acting_waves(input)) {
-    list.push_back({"loads." + name, "wave_cut", "its period"});
-    add_course(wave->history, {}, list.back());
-  }
-  for (const auto& [name, by] : input.gauges)
-    if (by.load.factor != 0.) list.push_back(action_of(by.gauges, "loads." + name));
-  for (const auto& [name, by] : input.flows) {
-    const std::optional<FlowHistory>& force = by.flow->force;
-    if (by.load.factor == 0. || !force) continue;
-    list.push_back({"loads." + name, "load_cut", "flow_start"});
-    add_sum(force->time, {&force->landward, &force->up}, list.back());
-  }
-  for (const auto& [name, by] : input.trains)
-    if (by->load.factor != 0.) {
-      list.push_back({"loads." + name, "load_cut", "growth"});
-      add_course(input.scene.loads.at(name + ".cosine").history, 0.5 * by->train.period, list.back());
+Action action_of(const std::string& name, const std::string& cut, const std::string& begins_by, const TimeFunction& f,
+                 const std::optional<double>& half_period) {
+  Action action{name, cut, begins_by};
+  const std::vector<double> times = times_of(f);
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const double before = i > 0 ? 0.5 * (times[i - 1] + times[i]) : times[i] - 1.;
+    for (const double value : {f(times[i], before), f(times[i])}) {
+      action.time.push_back(times[i]);
+      action.value.push_back(value);
     }
-  if (!input.uplift_history.empty()) {
-    list.push_back({"sliding.uplift", "load_cut", "record_start"});
-    add_course(input.scene.sliding->uplift->history, {}, list.back());
   }
-  if (input.uplift_gauges) list.push_back(action_of(input.uplift_gauges->gauges, "sliding.uplift"));
-  return list;
+  if (times.empty() || !half_period) return action;
+  const double last = times.back();
+  action.swings = f(last + 0.3 * *half_period) != f(last + 0.7 * *half_period) ||
+                  f(last + 0.3 * *half_period) != f(last + 1.1 * *half_period);
+  for (int i = 1; action.swings && i <= 2 * periods * parts; ++i) {
+    action.time.push_back(last + i * *half_period / parts);
+    action.value.push_back(f(action.time.back()));
+  }
+  return action;
+}
+
+Action action_of(const std::string& name, const std::string& begins_by, const std::vector<double>& time,
+                 const std::vector<std::vector<double>>& values) {
+  Action action{name, "load_cut", begins_by, time, std::vector<double>(time.size(), 0.)};
+  for (const std::vector<double>& one : values)
+    for (std::size_t t = 0; t < one.size(); ++t) action.value[t] += std::abs(one[t]);
+  if (time.empty()) return action;
+  action.time.push_back(time.back());
+  action.value.push_back(0.);
+  return action;
 }
 
 double end_of_actions(const Case& input) {
   double end = 0.;
-  for (const Action& action : actions_of(input)) end = std::max(end, end_of(action));
+  for (const LoadSource* source : sources_of(input))
+    if (source->action) end = std::max(end, end_of(*source->action));
   return end;
 }
 
 NumberedWarnings end_warnings(const Case& input, double end) {
   NumberedWarnings list;
-  for (const Action& action : actions_of(input)) {
+  for (const LoadSource* source : sources_of(input)) {
+    if (!source->action) continue;
+    const Action& action = *source->action;
     const std::optional<double> from = begin_of(action);
     const Rest rest = rest_of(action, end);
     if (!from || *from >= end)

@@ -1,10 +1,12 @@
 // What acts in a case until when: where its loads go on after the end, and the end of a case that gives none.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "upbead/base/numbered_warning.h"
+#include "upbead/base/time_function.h"
 #include "upbead/case/case.h"
 
 namespace upbead {
@@ -19,10 +21,15 @@ struct Action {
   bool swings = false;  ///< goes on for ever after the last corner, as a harmonic does
 };
 
-/// All that acts in a case, but for what is switched off. Transducers and points of CFD act by the sum of their |p|.
-std::vector<Action> actions_of(const Case& input);
+/// What acts by one history; `half_period`: of one that swings for ever.
+Action action_of(const std::string& name, const std::string& cut, const std::string& begins_by, const TimeFunction& f,
+                 const std::optional<double>& half_period = {});
 
-/// When all of it is over, or has come to stay (s). What swings for ever counts for ten periods.
+/// What acts by several values at equal times: the sum of their sizes, and nothing after them.
+Action action_of(const std::string& name, const std::string& begins_by, const std::vector<double>& time,
+                 const std::vector<std::vector<double>>& values);
+
+/// When all that acts in a case is over, or has come to stay (s). What swings for ever counts for ten periods.
 double end_of_actions(const Case& input);
 
 /// Warnings load_zero, where nothing of a load is felt until `end`, and load_cut (wave_cut for a load by a wave), where

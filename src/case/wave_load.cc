@@ -6,6 +6,9 @@
 #include "base/format.h"
 #include "base/numbers.h"
 #include "base/text.h"
+#include "case/case_checks.h"
+#include "case/case_schema.h"
+#include "case/records/gauge_load.h"
 #include "model/words.h"
 #include "upbead/case/case.h"
 #include "upbead/sliding/combined.h"
@@ -130,10 +133,8 @@ Pulse pulse_of(PulseShape shape, double peak, double duration) {
 
 }  // namespace
 
-std::shared_ptr<const WaveLoad> wave_load(const Load& load, const WaveLoadTable& table, const Section& section,
-                                          const Water& water) {
+std::shared_ptr<WaveLoad> wave_load(const WaveLoadTable& table, const Section& section, const Water& water) {
   WaveLoad w;
-  w.load = load;
   w.table = table;
   w.section = section;
   w.wave = design_wave(table, section, water);
@@ -161,7 +162,7 @@ std::shared_ptr<const WaveLoad> wave_load(const Load& load, const WaveLoadTable&
       add_standing(water, w);
       break;
   }
-  return std::make_shared<const WaveLoad>(std::move(w));
+  return std::make_shared<WaveLoad>(std::move(w));
 }
 
 Gauges row_on_wall(const StandingLoad& standing, double still) {
@@ -170,10 +171,9 @@ Gauges row_on_wall(const StandingLoad& standing, double still) {
   return row;
 }
 
-std::vector<std::pair<std::string, const WaveLoad*>> acting_waves(const Case& input) {
-  std::vector<std::pair<std::string, const WaveLoad*>> list;
-  for (const auto& [name, wave] : input.waves)
-    if (wave->load.factor != 0.) list.emplace_back(name, wave.get());
+std::vector<const WaveLoad*> acting_waves(const Case& input) {
+  std::vector<const WaveLoad*> list = sources_of_type<WaveLoad>(input);
+  list.erase(std::remove_if(list.begin(), list.end(), [](const WaveLoad* wave) { return !wave->acts(); }), list.end());
   return list;
 }
 
@@ -256,11 +256,11 @@ std::vector<std::string> assumptions_of(const WaveLoad& w) {
   return list;
 }
 
-WaveLoadSummary summary_of(const std::string& name, const WaveLoad& w) {
+WaveLoadSummary summary_of(const WaveLoad& w) {
   const WavePressure& p = w.pressure;
   const double factor = w.load.factor;
   WaveLoadSummary s;
-  s.name = name;
+  s.name = w.name;
   s.course = word_of(w.table.course, wave_course_words);
   s.height = w.wave.height;
   s.significant_height = w.wave.significant_height;
@@ -307,13 +307,13 @@ void add_formulas(const WaveLoad& w, const Water& water, WaveLoadSummary& s) {
   s.sliding = sliding_distance_exact(load.mass, load.resistance, load.pulse);
 }
 
-NumberedWarning effective_force(const std::string& name, const WavePressure& p) {
+NumberedWarning effective_force(const std::string& title, const WavePressure& p) {
   return {
       "effective_force",
       p.alpha_I,
       p.alpha_2,
       "1",
-      "loads." + name + ": P of Goda's formulas with alpha_I = " + significant(p.alpha_I) +
+      title + ": P of Goda's formulas with alpha_I = " + significant(p.alpha_I) +
           " already is an effective sliding force, which the caisson's dynamics make another one of: where F_T/P is "
           "below 1 the reduction counts twice: the checks by formulas, which stand beside the others, are those of "
           "this P itself, and the worse governs",
@@ -321,19 +321,19 @@ NumberedWarning effective_force(const std::string& name, const WavePressure& p) 
 }
 
 /// An impact that is milder than Goda's P by its peak_gain.
-NumberedWarning below_goda(const std::string& name, const WaveLoad& w) {
+NumberedWarning below_goda(const std::string& title, const WaveLoad& w) {
   return {"impact_below_goda",
           w.peak(),
           w.pressure.force,
           "N/m",
-          "loads." + name + ": the peak of the impact, " + with_unit(w.peak(), "N/m") +
+          title + ": the peak of the impact, " + with_unit(w.peak(), "N/m") +
               ", is below P of Goda's formulas, " + with_unit(w.pressure.force, "N/m") +
               ", which already is an effective sliding force: checks by dynamics are on the unsafe side of those by "
               "formulas",
           "leave peak_gain out, or give a larger one"};
 }
 
-NumberedWarning outside_formulas(const std::string& name, const NumberedWarnings& found) {
+NumberedWarning outside_formulas(const std::string& title, const NumberedWarnings& found) {
   std::vector<std::string> what, cures;
   for (const NumberedWarning& one : found) {
     what.push_back(one.what);
@@ -343,17 +343,90 @@ NumberedWarning outside_formulas(const std::string& name, const NumberedWarnings
           static_cast<double>(found.size()),
           0.,
           "1",
-          "loads." + name + ": " + join(what, "; ") + " (docs/waves.md)",
+          title + ": " + join(what, "; ") + " (docs/waves.md)",
           join(cures, "; ")};
 }
 
+/// Warnings wave_outside_formulas, effective_force and impact_below_goda: docs/warnings.md.
+NumberedWarnings warnings_of(const WaveLoad& w) {
+  NumberedWarnings list;
+  const WavePressure& p = w.pressure;
+  if (!w.standing && w.table.force == ImpactForce::goda_with_alpha_I && p.alpha_I > p.alpha_2)
+    list.push_back(effective_force(w.title, p));
+  if (w.impact && w.peak() < (1. - same_peak) * p.force) list.push_back(below_goda(w.title, w));
+  if (!w.outside.empty()) list.push_back(outside_formulas(w.title, w.outside));
+  return list;
+}
+
+bool is_wave(const LoadTable& table) {
+  return table.kind == LoadKind::wave;
+}
+
+void check_wave_table(const LoadCheck& check) {
+  const WaveLoadTable& wave = *check.load.wave;
+  check.wrong.add(diagnose(static_cast<const WaveGiven&>(wave)), "wave.");
+  if (wave.course != WaveCourse::standing) return;
+  if (wave.angle != 0.)
+    check.wrong.add("wave.angle", "a standing wave of finite height is one that comes straight at the wall",
+                    "give angle = 0, which is the safe side, or another course");
+  if (check.tables.section && check.tables.section->dissipating_blocks)
+    check.wrong.add("wave.course", "wave-dissipating blocks leave no standing wave before the wall",
+                    "give another course, which Goda's factors for blocks belong to");
+}
+
+void check_wave(const LoadCheck& check) {
+  constexpr double least_lambda_1 = 1e-3;  // a wave whose lambda_1 is smaller has a P of nearly zero
+  check.refuse({"pulse", "history", "shape", "region"}, "a load by a wave", "write kind = \"force\"");
+  if (check.load.wave)
+    check_wave_table(check);
+  else
+    check.wrong.add("wave", "'wave' is missing, which kind = \"wave\" needs",
+                    "add wave = { height = ..., period = ..., course = \"church_roof\" }");
+  const std::optional<Section>& section = check.tables.section;
+  if (!section)
+    check.wrong.add("kind",
+                    "a load by a wave needs the cross-section that Goda's formulas take, and there is no [section]",
+                    "add [section], as in a design");
+  else if (section->lambda_1 && *section->lambda_1 < least_lambda_1)
+    check.report.add(check.document.place("section.lambda_1"),
+                     "[section]: lambda_1 = " + number_text(*section->lambda_1) +
+                         " leaves nothing of the standing wave, which is a part of the load [" + check.path + "]",
+                     "give at least " + number_text(least_lambda_1));
+}
+
+/// A landward force; its shape over the wall is set once the mesh is known.
+std::shared_ptr<LoadSource> read_wave(const GivenLoad& given) {
+  const Scene& scene = given.problem.scene;
+  const auto source = [&] {
+    try {
+      return wave_load(*given.table.wave, *given.problem.tables->section, {scene.fluid.density, scene.gravity});
+    } catch (const NumericsError& error) {
+      throw InputError(given.place("wave.height"), error.what(),
+                       "give a lower wave, or course = \"church_roof\", which is of waves that break");
+    }
+  }();
+  begin(given, *source);
+  Load load = given.table;
+  load.kind = LoadKind::force;
+  load.history = source->history;
+  load.duration = source->duration;
+  load = with_factor(std::move(load));
+  if (source->standing)
+    source->made = gauge_loads(given.name, load, source->standing->gauges, given.end());
+  else
+    source->made[given.name] = load;
+  if (!source->acts()) return source;
+  source->action = action_of(source->title, "wave_cut", "its period", source->history);
+  source->warnings = warnings_of(*source);
+  return source;
+}
 }  // namespace
 
 std::vector<WaveLoadSummary> wave_summaries(const Case& input) {
   std::vector<WaveLoadSummary> list;
   const Water water{input.scene.fluid.density, input.scene.gravity};
-  for (const auto& [name, wave] : acting_waves(input)) {
-    list.push_back(summary_of(name, *wave));
+  for (const WaveLoad* wave : acting_waves(input)) {
+    list.push_back(summary_of(*wave));
     if (wave->load.factor > 0.) add_formulas(*wave, water, list.back());
   }
   return list;
@@ -369,18 +442,6 @@ Checks formula_checks(const std::vector<WaveLoadSummary>& waves, const Limits& l
                                           "k(alpha*) tau_0F",
                                           "wave_loads." + w.name + "."},
                             limits));
-  return list;
-}
-
-NumberedWarnings wave_warnings(const Case& input) {
-  NumberedWarnings list;
-  for (const auto& [name, wave] : acting_waves(input)) {
-    const WavePressure& p = wave->pressure;
-    if (!wave->standing && wave->table.force == ImpactForce::goda_with_alpha_I && p.alpha_I > p.alpha_2)
-      list.push_back(effective_force(name, p));
-    if (wave->impact && wave->peak() < (1. - same_peak) * p.force) list.push_back(below_goda(name, *wave));
-    if (!wave->outside.empty()) list.push_back(outside_formulas(name, wave->outside));
-  }
   return list;
 }
 
@@ -403,6 +464,21 @@ std::string describe(const std::vector<WaveLoadSummary>& waves) {
     for (const std::string& assumption : w.assumptions) text += "            " + assumption + "\n";
   }
   return text;
+}
+
+LoadWay by_wave() {
+  return {[](const LoadTable& table) { return is_wave(table) && table.from.empty(); },
+          [](TableSchema<LoadTable>& table) {
+            table.table("wave", &LoadTable::wave, wave_load_schema())
+                .doc(
+                    "A wave, with exactly one of height and deep_water_height; its pressure over the height of the "
+                    "wall is Goda's.")
+                .when("kind", is_wave, "where kind = \"wave\"");
+          },
+          check_wave,
+          read_wave,
+          {},
+          "section"};
 }
 
 }  // namespace upbead

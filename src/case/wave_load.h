@@ -4,21 +4,19 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "case/formula_checks.h"
 #include "case/formula_wave.h"
+#include "case/load_source.h"
 #include "case/standing_load.h"
 #include "input/values.h"
-#include "upbead/base/numbered_warning.h"
 #include "upbead/model/scene.h"
 #include "upbead/output/summary.h"
 #include "upbead/sliding/pulse.h"
 
 namespace upbead {
 
-struct Case;
 struct Simulation;
 struct Mesh;
 
@@ -41,8 +39,7 @@ struct WaveLoadTable : WaveGiven {
 TableSchema<WaveLoadTable> wave_load_schema();
 
 /// A load of kind "wave", which begins at t = 0. Its resultant P is peak() times a course that is 1 at its largest.
-struct WaveLoad {
-  Load load;  ///< the keys that do not belong to the wave, as written
+struct WaveLoad : LoadSource {
   WaveLoadTable table;
   Section section;
   DesignWave wave;
@@ -63,14 +60,13 @@ struct WaveLoad {
 
 /// The load of a table and a section without mistakes. Throws NumericsError where there is no standing wave of that
 /// height.
-std::shared_ptr<const WaveLoad> wave_load(const Load& load, const WaveLoadTable& table, const Section& section,
-                                          const Water& water);
+std::shared_ptr<WaveLoad> wave_load(const WaveLoadTable& table, const Section& section, const Water& water);
 
 /// The pressures of a standing wave as a row on a wall whose still water is at the height `still` (m).
 Gauges row_on_wall(const StandingLoad& standing, double still);
 
 /// The loads by waves that are not switched off, by name.
-std::vector<std::pair<std::string, const WaveLoad*>> acting_waves(const Case& input);
+std::vector<const WaveLoad*> acting_waves(const Case& input);
 
 /// Goda's profile over the height y, p over p_1: linear between bottom, still water and the lower of crest and eta*
 /// above it. `bottom`: y of the wall's foot (m).
@@ -88,9 +84,6 @@ std::vector<WaveLoadSummary> wave_summaries(const Case& input);
 
 /// The checks of these loads by formulas, which stand beside those of the solved scene.
 Checks formula_checks(const std::vector<WaveLoadSummary>& waves, const Limits& limits);
-
-/// Warnings wave_outside_formulas and effective_force: docs/warnings.md.
-NumberedWarnings wave_warnings(const Case& input);
 
 std::string describe(const std::vector<WaveLoadSummary>& waves);
 

@@ -25,8 +25,8 @@ std::string at_height(double y) {
 /// Compares the wall of a load by a wave with the section.
 class WallCheck {
  public:
-  WallCheck(const std::string& name, const WaveLoad& wave, const Bounds& wall, Diagnostics& mistakes)
-      : path_("loads." + name), wave_(wave), wall_(wall), tolerance_(same_wall * height()), mistakes_(mistakes) {}
+  WallCheck(const WaveLoad& wave, const Bounds& wall, Diagnostics& mistakes)
+      : path_(wave.title), wave_(wave), wall_(wall), tolerance_(same_wall * height()), mistakes_(mistakes) {}
 
   double height() const { return wave_.section.foundation_depth + wave_.section.crest; }
 
@@ -99,17 +99,18 @@ void set_row(const std::string& name, const Gauges& row, Scene& scene) {
 
 Scene with_profiles(const Case& input, const Mesh& mesh) {
   Scene scene = input.scene;
-  if (input.waves.empty()) return scene;
+  const std::vector<const WaveLoad*> waves = sources_of_type<WaveLoad>(input);
+  if (waves.empty()) return scene;
   const Outline outline = outline_of(mesh);
   Diagnostics mistakes;
-  for (const auto& [name, wave] : input.waves) {
+  for (const WaveLoad* wave : waves) {
     const Bounds wall = extent_of_curve(mesh, wave->load.boundary);
     if (wall.highest < wall.lowest) continue;  // no such curve, which the scene's checks report
-    WallCheck(name, *wave, wall, mistakes).run(scene, outline);
+    WallCheck(*wave, wall, mistakes).run(scene, outline);
     if (wave->standing)
-      set_row(name, row_on_wall(*wave->standing, wall.lowest + wave->section.foundation_depth), scene);
+      set_row(wave->name, row_on_wall(*wave->standing, wall.lowest + wave->section.foundation_depth), scene);
     else
-      scene.loads.at(name).shape = pressure_profile(*wave, wall.lowest);
+      scene.loads.at(wave->name).shape = pressure_profile(*wave, wall.lowest);
   }
   mistakes.throw_if_any();
   return scene;
@@ -119,24 +120,23 @@ namespace {
 
 /// Force and moment on the meshed caisson per unit of P; for a standing wave per unit of pressure over the loaded
 /// height.
-LoadOnCaisson resultant_of(const std::string& name, const WaveLoad& wave, const CompiledScene& compiled) {
-  LoadOnCaisson sum{name};
+LoadOnCaisson resultant_of(const WaveLoad& wave, const CompiledScene& compiled) {
+  LoadOnCaisson sum{wave.name};
   const double height = wave.standing ? wave.standing->gauges.place.back() - wave.standing->gauges.place.front() : 1.;
   for (const LoadOnCaisson& load : compiled.loads_on_caisson) {
-    if (load.name != name && !(wave.standing && load.name.rfind(name + ".", 0) == 0)) continue;
+    if (load.name != wave.name && !(wave.standing && load.name.rfind(wave.name + ".", 0) == 0)) continue;
     sum.force_x += load.force_x / height;
     sum.moment += load.moment / height;
   }
   return sum;
 }
 
-void check_resultants(const std::string& name, const WaveLoad& wave, const CompiledScene& compiled,
-                      Diagnostics& mistakes) {
-  const LoadOnCaisson load = resultant_of(name, wave, compiled);
+void check_resultants(const WaveLoad& wave, const CompiledScene& compiled, Diagnostics& mistakes) {
+  const LoadOnCaisson load = resultant_of(wave, compiled);
   const double arm = wave.standing ? 0.5 * (wave.standing->gauges.place.back() - wave.standing->gauges.place.front())
                                    : wave.pressure.force_moment / wave.pressure.force;
   if (std::abs(load.force_x - 1.) <= same_wall && std::abs(load.moment - arm) <= same_wall * arm) return;
-  mistakes.add(at_key("loads." + name + ".boundary"),
+  mistakes.add(at_key(wave.title + ".boundary"),
                "on the caisson as meshed acts " + significant(load.force_x, 6) + " of P, with " +
                    significant(load.moment, 6) + " m of moment above its bottom in place of " + significant(arm, 6),
                "name the curve of the caisson's seaward wall, whole, from its bottom to its crest");
@@ -146,10 +146,10 @@ void check_resultants(const std::string& name, const WaveLoad& wave, const Compi
 
 void check_waves(const Case& input, const Simulation& simulation) {
   Diagnostics mistakes;
-  for (const auto& [name, wave] : acting_waves(input)) {
+  for (const WaveLoad* wave : acting_waves(input)) {
     const auto& caisson = simulation.compiled->caisson;
     if (!caisson) {
-      mistakes.add(at_key("loads." + name + ".kind"), "a load by a wave acts on a caisson, and there is none",
+      mistakes.add(at_key(wave->title + ".kind"), "a load by a wave acts on a caisson, and there is none",
                    "name its surface 'caisson'");
       continue;
     }
@@ -165,10 +165,10 @@ void check_waves(const Case& input, const Simulation& simulation) {
                        significant(weight, 5) + " N/m",
                    "give one caisson in both, within 1 %");
     if (extent_of_curve(*simulation.mesh, wave->load.boundary).left > caisson->bottom_centre[0])
-      mistakes.add(at_key("loads." + name + ".boundary"),
+      mistakes.add(at_key(wave->title + ".boundary"),
                    "'" + wave->load.boundary + "' is the landward wall of the caisson",
                    "name the seaward one: x points landward");
-    check_resultants(name, *wave, *simulation.compiled, mistakes);
+    check_resultants(*wave, *simulation.compiled, mistakes);
   }
   mistakes.throw_if_any();
 }

@@ -4,6 +4,9 @@
 
 #include "base/numbers.h"
 #include "base/text.h"
+#include "case/case_checks.h"
+#include "case/case_schema.h"
+#include "case/load_source.h"
 #include "model/words.h"
 #include "upbead/waves/wave_heights.h"
 
@@ -64,30 +67,71 @@ Diagnostics diagnose(const WaveTrain& train) {
   return list;
 }
 
-void add_train_loads(const std::string& name, const TrainLoad& by_train, double density, double gravity, Scene& scene) {
-  const WaveTrain& train = by_train.train;
+std::map<std::string, Load> train_loads(const std::string& name, const Load& load, const WaveTrain& train,
+                                        double density, double gravity) {
+  std::map<std::string, Load> loads;
   const double omega = 2. * pi / train.period;
   const double length = train.length ? *train.length : wavelength(train.period, *train.depth, gravity);
   const double a = train.amplitude
                        ? *train.amplitude
                        : 0.5 * density * gravity * *train.height / std::cosh(2. * pi / length * *train.depth);
-  const double growth = train.growth.value_or(train.period), factor = by_train.load.factor;
+  const double growth = train.growth.value_or(train.period), factor = load.factor;
   const auto add = [&](const std::string& part, double origin, const std::function<double(double)>& wave) {
-    Load load = by_train.load;
-    load.kind = LoadKind::pressure;
-    load.cosine = Cosine{length, origin};
-    load.transducer = part;
-    if (factor != 0.) {
-      load.history = grown(growth, wave);
-      load.duration = 0.5 * train.period;
-    }
-    scene.loads[name + "." + part] = load;
+    Load& one = loads[name + "." + part] = load;
+    one.kind = LoadKind::pressure;
+    one.cosine = Cosine{length, origin};
+    one.transducer = part;
+    if (factor == 0.) return;
+    one.history = grown(growth, wave);
+    one.duration = 0.5 * train.period;
   };
   add("cosine", train.crest, [a = a * factor, omega](double t) { return a * std::cos(omega * t); });
-  if (train.course == TrainCourse::stands) return;
+  if (train.course == TrainCourse::stands) return loads;
   const double sign = train.course == TrainCourse::landward ? 1. : -1.;
   add("sine", train.crest + 0.25 * length,
       [a = sign * a * factor, omega](double t) { return a * std::sin(omega * t); });
+  return loads;
+}
+
+namespace {
+
+bool is_by_train(const LoadTable& table) {
+  return table.kind == LoadKind::train && table.from.empty();
+}
+
+void check_train(const LoadCheck& check) {
+  check.refuse({"pulse", "history", "shape", "region"}, "a train of waves", "write kind = \"pressure\"");
+  if (!check.load.train)
+    check.wrong.add("train", "'train' is missing, which kind = \"train\" needs",
+                    "add train = { height = ..., depth = ..., period = ... }");
+  else
+    check.wrong.add(diagnose(*check.load.train), "train.");
+}
+
+std::shared_ptr<LoadSource> read_train(const GivenLoad& given) {
+  const auto source = std::make_shared<LoadSource>();
+  begin(given, *source);
+  const Scene& scene = given.problem.scene;
+  const WaveTrain& train = *given.table.train;
+  source->made = train_loads(given.name, source->load, train, scene.fluid.density, scene.gravity);
+  if (source->acts())
+    source->action = action_of(source->title, "load_cut", "growth", source->made.at(given.name + ".cosine").history,
+                               0.5 * train.period);
+  return source;
+}
+
+}  // namespace
+
+LoadWay by_train() {
+  return {
+      is_by_train,
+      [](TableSchema<LoadTable>& table) {
+        table.table("train", &LoadTable::train, wave_train_schema())
+            .doc("Regular waves along the curve, such as a seabed; the pressure acts as that of kind = \"pressure\".")
+            .when(
+                "kind", [](const LoadTable& load) { return load.kind == LoadKind::train; }, "where kind = \"train\"");
+      },
+      check_train, read_train};
 }
 
 }  // namespace upbead

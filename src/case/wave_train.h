@@ -1,11 +1,12 @@
 // A load by regular waves that run along a curve, or stand on it: p = a cos(k x - omega t) at the bed.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 
 #include "input/schema.h"
-#include "upbead/model/scene.h"
+#include "upbead/model/load.h"
 
 namespace upbead {
 
@@ -28,15 +29,11 @@ TableSchema<WaveTrain> wave_train_schema();
 /// What is missing, or contradicts another key, at keys relative to the table.
 Diagnostics diagnose(const WaveTrain& train);
 
-/// A load of kind "train" as written.
-struct TrainLoad {
-  Load load;
-  WaveTrain train;
-};
-
-/// Adds NAME.cosine and, of waves that run, NAME.sine, pressures whose sum is the wave:
+/// Makes NAME.cosine and, of waves that run, NAME.sine, pressures whose sum is the wave, with what they have in common
+/// from `load`:
 /// a cos(k x -/+ omega t) = a (cos kx cos omega t +/- sin kx sin omega t). Linear theory: a = rho g H/(2 cosh kh),
 /// omega^2 = g k tanh kh (Goda 2000, eq. 2.1 f.); it grows as sin^2 within `growth`.
-void add_train_loads(const std::string& name, const TrainLoad& by_train, double density, double gravity, Scene& scene);
+std::map<std::string, Load> train_loads(const std::string& name, const Load& load, const WaveTrain& train,
+                                        double density, double gravity);
 
 }  // namespace upbead

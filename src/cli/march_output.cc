@@ -10,6 +10,7 @@
 #include "base/interrupt.h"
 #include "base/text.h"
 #include "base/version.h"
+#include "case/case_schema.h"
 #include "case/input_files.h"
 #include "fem/compile.h"
 #include "model/exclusions.h"
@@ -41,13 +42,13 @@ const char* const file_name = "state.h5";
 
 /// Of all that the march so far depends on: neither its end nor words.
 std::uint64_t fingerprint_of(const Case& input) {
-  Case marched = input;
-  marched.scene.time.end = TimeChoice().end;
-  marched.scene.title.clear();
+  CaseTables marched = effective_tables(input, ".");
+  marched.time.end = TimeChoice().end;
+  marched.title.clear();
   marched.report = {};
   Fingerprint fingerprint;
   fingerprint.add(program_version());
-  fingerprint.add(effective_case(marched, "."));
+  fingerprint.add(case_schema().echo(marched));
   for (const InputFile& file : input_files(input))
     if (file.path != input.document.path()) fingerprint.add_file(file.path);
   return fingerprint.value();

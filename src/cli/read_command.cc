@@ -16,7 +16,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// The keys of a load `from`, given as options and not in a case.
-struct ReadKeys : FlowSource {
+struct ReadKeys : FlowKeys {
   double gravity = 9.81;
   Beyond to_first = Beyond::constant, to_last = Beyond::constant;
 };

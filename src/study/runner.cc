@@ -7,6 +7,7 @@
 #include "base/stopwatch.h"
 #include "case/case_findings.h"
 #include "case/case_run.h"
+#include "case/case_schema.h"
 #include "case/script_trust.h"
 #include "summary_reader.h"
 #include "upbead/base/error.h"
@@ -17,17 +18,16 @@ namespace {
 
 /// Everything on which a mesh depends: the case with its mesh alone.
 std::string mesh_key_of(const Case& problem) {
-  Case mesh_alone;
-  mesh_alone.document = problem.document;
-  mesh_alone.scene.mesh = problem.scene.mesh;
-  return effective_case(mesh_alone, ".");
+  CaseTables mesh_alone;
+  mesh_alone.mesh = effective_tables(problem, ".").mesh;
+  return case_schema().echo(mesh_alone);
 }
 
 /// Everything on which a solution depends: the whole case, without its sliding where that is only told.
 std::string solution_key_of(const Case& problem) {
-  Case without = problem;
-  if (!needs_sliding(problem.scene)) without.scene.sliding.reset();
-  return effective_case(without, ".");
+  CaseTables tables = effective_tables(problem, ".");
+  if (!needs_sliding(problem.scene)) tables.sliding_table.reset();
+  return case_schema().echo(tables);
 }
 
 std::string in_one_line(std::string text) {

@@ -100,9 +100,7 @@ std::set<std::string> words_of(const StudyTables& tables) {
 /// Units, by dotted key, of every number of the case, and of the parameters of its .geo whose comments name a unit.
 std::map<std::string, std::string> units_of_keys(const Case& problem) {
   std::map<std::string, std::string> units;
-  CaseTables tables;
-  Diagnostics report;  // stays empty, as read_case has found no mistake
-  case_schema().read(problem.document.root(), "", tables, report);
+  CaseTables tables = *problem.tables;
   case_schema().visit_numbers(
       tables, "", [&units](const KeyInfo& key, const std::string& path, double&) { units.emplace(path, key.unit); });
   for (const GeoParameter& parameter : geo_parameters(mesh_request(problem).file)) {

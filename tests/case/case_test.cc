@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "case/case_schema.h"
 #include "good_case.h"
 
 namespace upbead::test {
@@ -85,7 +86,7 @@ TEST_F(CaseTest, TellsBoundariesAndLoads) {
   EXPECT_EQ(impact.direction, (std::array<double, 2>{1., 0.5}));
   EXPECT_EQ(impact.shape, (std::vector<std::array<double, 2>>{{6., 1.}, {26., 0.5}}));
   EXPECT_DOUBLE_EQ(impact.history(0.05), 2e6);
-  const Pulse& pulse = *problem.sources.at("impact").pulse;
+  const Pulse& pulse = *problem.tables->load_tables.at("impact").pulse;
   EXPECT_EQ(pulse.shape, PulseShape::church_roof);
   EXPECT_EQ(pulse.plateau, 0.3);
   EXPECT_EQ(pulse.plateau_duration, 3.);
@@ -94,7 +95,7 @@ TEST_F(CaseTest, TellsBoundariesAndLoads) {
   EXPECT_EQ(gauge.at, (std::array<double, 2>{-9., 16.}));
   EXPECT_DOUBLE_EQ(gauge.history(0.1), 0.5e6);
   EXPECT_DOUBLE_EQ(*gauge.duration, 0.4);
-  EXPECT_EQ(problem.sources.at("gauge").history, "force.csv");
+  EXPECT_EQ(problem.tables->load_tables.at("gauge").history_file, "force.csv");
 }
 
 TEST_F(CaseTest, TellsTimeProbesAndOutput) {

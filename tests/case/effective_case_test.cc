@@ -1,5 +1,6 @@
 // Claim: the effective case spells every default out and, read from its own folder, is the same case again; paths and
 // the mesh request are relative to the right folder; the reference lists every key.
+#include "case/case_schema.h"
 #include "good_case.h"
 #include "upbead/case/case.h"
 #include "upbead/mesh/mesh.h"
@@ -29,7 +30,7 @@ TEST_F(EffectiveCase, KeepsTheRecordOfAnUplift) {
   write("results/run/case.toml", effective_case(read_case("case.toml"), "results/run"));
   const Case again = read_case("results/run/case.toml");
   ASSERT_TRUE(again.scene.sliding && again.scene.sliding->uplift);
-  EXPECT_EQ(again.uplift_history, "../../uplift.csv");
+  EXPECT_EQ(again.tables->sliding_table->uplift_table->history_file, "../../uplift.csv");
   EXPECT_DOUBLE_EQ(again.scene.sliding->uplift->history(0.05), 1.5e5);
   EXPECT_DOUBLE_EQ(again.scene.sliding->friction, 0.55);
   EXPECT_DOUBLE_EQ(again.scene.sliding->wave->period, 13.6);

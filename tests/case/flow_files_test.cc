@@ -233,7 +233,7 @@ TEST_F(FlowFiles, OutputsThatAreNoLoadAreNamedWithWhatToWrite) {
 
 /// The load of faces along y at x = 1, of the files below a folder.
 FlowLoad load_of(const FlowRecord& record, FlowQuantity quantity, const std::vector<std::string>& keys = {}) {
-  FlowSource source;
+  FlowKeys source;
   source.landward = FlowAxis::plus_x;
   source.up = FlowAxis::plus_y;
   source.origin = {0., 0.};
@@ -291,7 +291,7 @@ TEST_F(FlowFiles, FieldsThatAreNoPressureAreRefused) {
 /// Forces of 1000 N landward at 0.2 m, and of `up` N at `behind` m behind the centre.
 FlowLoad left_out(const std::string& text) {
   std::ofstream("forces.dat") << text;
-  FlowSource source;
+  FlowKeys source;
   source.landward = FlowAxis::plus_x;
   source.up = FlowAxis::plus_y;
   source.origin = {0., 0.};

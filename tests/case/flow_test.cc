@@ -18,7 +18,7 @@ namespace flow_test {
 const std::string samples = UPBEAD_FLOWS, bore = UPBEAD_BORE;
 
 FlowLoad load_of(const std::string& path, const std::string& file, const std::vector<std::string>& keys,
-                 const FlowSource& source) {
+                 const FlowKeys& source) {
   const Document document(keys);
   FlowContext context{"", &document};
   context.beyond_given = {true, true};
@@ -27,8 +27,8 @@ FlowLoad load_of(const std::string& path, const std::string& file, const std::ve
 }
 
 /// The keys of the bore: x landward, z up, 0.1 m thick, still until 0.3 s.
-FlowSource bore_keys() {
-  FlowSource source;
+FlowKeys bore_keys() {
+  FlowKeys source;
   source.landward = FlowAxis::plus_x;
   source.up = FlowAxis::plus_z;
   source.origin = {-3.2, 0.};
@@ -37,8 +37,8 @@ FlowSource bore_keys() {
   return source;
 }
 
-FlowSource pressure_keys(FlowQuantity quantity) {
-  FlowSource source = bore_keys();
+FlowKeys pressure_keys(FlowQuantity quantity) {
+  FlowKeys source = bore_keys();
   source.thickness.reset();
   source.quantity = quantity;
   return source;
@@ -50,7 +50,7 @@ double value_at(const std::vector<double>& time, const std::vector<double>& valu
   throw std::out_of_range("no such time");
 }
 
-std::string refusal(const std::string& path, const FlowSource& source, const std::string& file = "") {
+std::string refusal(const std::string& path, const FlowKeys& source, const std::string& file = "") {
   try {
     load_of(path, file, {}, source);
   } catch (const InputError& error) {
@@ -89,7 +89,7 @@ TEST(Flow, PatchSumsAreTheForcesToRoundOff) {
 }
 
 TEST(Flow, PressureLessItsWeightIsThePressureWithinWhatIsTold) {
-  FlowSource less = pressure_keys(FlowQuantity::pressure_less_weight);
+  FlowKeys less = pressure_keys(FlowQuantity::pressure_less_weight);
   less.flow_density = 1000.;
   less.datum = 0.;
   const FlowLoad by_less = load_of(bore + "/patch", "p_rgh_front.raw", {}, less);
@@ -162,7 +162,7 @@ TEST(Flow, SwashTableHasTheTimesOfItsInput) {
   EXPECT_EQ(table.time().size(), 40U);
   EXPECT_DOUBLE_EQ(table.time().front(), 0.05);
   EXPECT_NEAR(table.time().back(), 2., 1e-12);
-  FlowSource source;
+  FlowKeys source;
   source.quantity = FlowQuantity::hydrostatic;
   source.flow_density = 1000.;
   source.origin = {-3.2, 0.26};
@@ -207,7 +207,7 @@ TEST(Flow, AnyAxesGiveTheSameLoad) {
     moment << t << " (" << -m << " 0 0) (" << -m << " 0 0) (0 0 0)\n";
   }
   force.close(), moment.close();
-  FlowSource source = bore_keys();
+  FlowKeys source = bore_keys();
   source.landward = FlowAxis::minus_z;
   source.up = FlowAxis::plus_y;
   const FlowLoad turned = load_of("turned", "", {}, source);

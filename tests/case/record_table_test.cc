@@ -5,7 +5,8 @@
 #include <cmath>
 
 #include "case/cfd/flow_tables.h"
-#include "case/records/load_records.h"
+#include "case/records/gauge_load.h"
+#include "case/records/history_load.h"
 #include "good_case.h"
 
 namespace upbead::test {
@@ -20,9 +21,7 @@ class Records : public InFolder {
   static double peak(const std::string& text, RecordNotes& notes, LoadKind kind = LoadKind::force,
                      const std::string& name = "f.csv") {
     std::ofstream(name, std::ios::binary) << text;
-    Load load;
-    load.kind = kind;
-    read_history(name, {"case.toml", 1, 1}, 1., load, 0., notes);
+    notes = read_history(name, {"case.toml", 1, 1}, kind, 1., 0.).notes;
     return notes.read.at(0).extreme;
   }
   static double peak(const std::string& text, LoadKind kind = LoadKind::force) {
@@ -42,11 +41,10 @@ class Records : public InFolder {
   static Gauges gauges(const std::string& text, const std::map<std::string, double>& place,
                        std::optional<double> rate = std::nullopt) {
     std::ofstream("g.csv", std::ios::binary) << text;
-    GaugeSource source;
+    GaugeKeys source;
     source.place = place;
     source.sampling_rate = rate;
-    RecordNotes notes;
-    return read_gauges(source, "g.csv", "loads.wall", Document(), notes);
+    return read_gauges(source, "g.csv", "loads.wall", Document()).gauges;
   }
 };
 

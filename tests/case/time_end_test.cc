@@ -3,6 +3,7 @@
 #include "case/time_end.h"
 
 #include "case/case_run.h"
+#include "case/case_schema.h"
 #include "good_case.h"
 #include "section_case.h"
 #include "upbead/algebra/petsc_session.h"
@@ -54,7 +55,7 @@ TEST_F(TimeEndTest, RecordStartBringsAHistoryForward) {
   EXPECT_EQ(f(0.05), 0.);
   const Case within = with("history = \"late.csv\"\nrecord_start = 5.05", "end = 0.6");
   EXPECT_NEAR(within.scene.loads.at("impulse").history(0.), 1.5e5, 1e-6) << "between two samples";
-  EXPECT_EQ(within.sources.at("impulse").record_start, 5.05);
+  EXPECT_EQ(within.tables->load_tables.at("impulse").record_start, 5.05);
   const std::string again = effective_case(input, ".");
   write("again.toml", again);
   EXPECT_EQ(effective_case(read_case("again.toml"), "."), again);

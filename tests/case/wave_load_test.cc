@@ -7,6 +7,7 @@
 
 #include "base/numbers.h"
 #include "case/case_run.h"
+#include "case/case_schema.h"
 #include "case/scale.h"
 #include "case/time_end.h"
 #include "expected/dynamic_law.h"
@@ -65,7 +66,7 @@ class WaveLoadTest : public InFolder {
     write("case.toml", text);
     return read_case("case.toml", overrides);
   }
-  static const WaveLoad& wave_of(const Case& problem) { return *problem.waves.at("storm"); }
+  static const WaveLoad& wave_of(const Case& problem) { return *sources_of_type<WaveLoad>(problem).front(); }
 
   /// P and M_P on the caisson and U are those of `pressure`.
   static void expect_forces(const std::string& text, const WavePressure& pressure) {
@@ -79,7 +80,7 @@ class WaveLoadTest : public InFolder {
                 1e-9 * pressure.force_moment);  // the rounding of heights in gmsh's file
     EXPECT_EQ(simulation.scene.sliding->uplift->kind, UpliftKind::prescribed);
     EXPECT_EQ(*simulation.scene.sliding->uplift->peak, pressure.uplift);
-    EXPECT_NEAR(*simulation.scene.sliding->uplift->peak, 0.5 * pressure.pu * problem.section->width,
+    EXPECT_NEAR(*simulation.scene.sliding->uplift->peak, 0.5 * pressure.pu * problem.tables->section->width,
                 1e-15 * pressure.uplift);
   }
 
@@ -195,10 +196,10 @@ TEST_F(WaveLoadTest, NoImpactIsMilderThanGodasForceUnlessAskedFor) {
     table.height = between(2., 12.);
     table.period = between(6., 16.);
     table.angle = between(0., 60.);
-    const auto own = wave_load({}, table, s, water_of_test);
+    const auto own = wave_load(table, s, water_of_test);
     EXPECT_GE(own->peak(), own->pressure.force * (1. - 1e-12)) << i;
     table.impact.peak_gain = 3.;
-    EXPECT_GE(wave_load({}, table, s, water_of_test)->peak(), own->peak() * (1. - 1e-12)) << i;
+    EXPECT_GE(wave_load(table, s, water_of_test)->peak(), own->peak() * (1. - 1e-12)) << i;
   }
 }
 
@@ -206,7 +207,7 @@ TEST_F(WaveLoadTest, WarnsOfAnImpactMilderThanGodasForce) {
   const auto warned = [this](const std::string& impact) {
     const Case problem = read(wave_case(
         "{ height = 8.0, period = 12.0, course = \"church_roof\", force = \"impulse\"" + impact + " }", "cells = 0.4"));
-    for (const NumberedWarning& warning : wave_warnings(problem))
+    for (const NumberedWarning& warning : wave_of(problem).warnings)
       if (warning.name == "impact_below_goda") return true;
     return false;
   };
@@ -266,7 +267,7 @@ TEST_F(WaveLoadTest, IsFiniteAndPeaksAtPOfAnyWave) {
     for (const WaveCourse course :
          {WaveCourse::church_roof, WaveCourse::triangle, WaveCourse::sine, WaveCourse::combined}) {
       table.course = course;
-      const auto wave = wave_load(Load(), table, section, water_of_test);
+      const auto wave = wave_load(table, section, water_of_test);
       const double P = wave->pressure.force, largest = extremum(wave->history, 0., wave->end, 1).value;
       ASSERT_TRUE(std::isfinite(P) && P > 0.) << i;
       EXPECT_NEAR(wave->peak(), P, 1e-12 * P) << i;
@@ -373,7 +374,7 @@ TEST_F(WaveLoadTest, UpliftOfTwoWavesIsRefused) {
 TEST_F(WaveLoadTest, WarnsWhereFormulasDoNotHold) {
   const auto names = [](const Case& problem) {
     std::string text;
-    for (const NumberedWarning& warning : wave_warnings(problem)) text += warning.name + " ";
+    for (const NumberedWarning& warning : wave_of(problem).warnings) text += warning.name + " ";
     for (const NumberedWarning& warning : end_warnings(problem, problem.scene.time.end)) text += warning.name + " ";
     return text;
   };

@@ -24,12 +24,11 @@ double pressure(const Scene& scene, double x, double t) {
 }
 
 Scene loaded(const WaveTrain& train) {
-  TrainLoad by_train;
-  by_train.load.boundary = "bed";
-  by_train.load.factor = 1.5;
-  by_train.train = train;
+  Load load;
+  load.boundary = "bed";
+  load.factor = 1.5;
   Scene scene;
-  add_train_loads("sea", by_train, 1030., 9.81, scene);
+  scene.loads = train_loads("sea", load, train, 1030., 9.81);
   return scene;
 }
 

@@ -37,7 +37,7 @@ void check_load(const FlowLoad& load) {
 void check(const std::string& path, const std::string& file) {
   FlowRecord record;
   if (!read_or_refuse([&] { check_record(record = read_flow(path, file, {"case.toml", 1, 1})); })) return;
-  FlowSource source;
+  FlowKeys source;
   source.landward = FlowAxis::plus_x;
   source.up = FlowAxis::plus_z;
   source.origin = {0., 0.};

@@ -4,7 +4,8 @@
 
 #include "base/csv.h"
 #include "base/table_text.h"
-#include "case/records/load_records.h"
+#include "case/records/gauge_load.h"
+#include "case/records/history_load.h"
 #include "respond/wave_files.h"
 #include "respond/wave_grid.h"
 #include "target.h"
@@ -49,14 +50,13 @@ void check_waves(const WaveFile& file) {
 
 /// Checks the table as a record of transducers, one in every column but the first.
 void check_gauges(const CsvTable& table, const std::string& path) {
-  GaugeSource source;
+  GaugeKeys source;
   for (std::size_t c = 1; c < table.names.size(); ++c) source.place[table.names[c]] = static_cast<double>(c);
   source.ends = {0., static_cast<double>(table.names.size())};
   source.to_last = Beyond::to_zero;
   source.zero = 0.1;
   Gauges gauges;
-  RecordNotes notes;
-  if (!read_or_refuse([&] { gauges = read_gauges(source, path, "loads.wall", Document(), notes); })) return;
+  if (!read_or_refuse([&] { gauges = read_gauges(source, path, "loads.wall", Document()).gauges; })) return;
   const Resultant sum = resultant(gauges, 0., static_cast<double>(table.names.size()));
   for (std::size_t t = 0; t < gauges.time.size(); ++t)
     require(std::isfinite(sum.force[t]) && std::isfinite(sum.moment[t]), "the force by transducers is finite");
@@ -74,13 +74,12 @@ void try_history(std::string_view bytes) {
   CsvTable table;
   if (!read_or_refuse([&] { check_table(table = read_csv(path, key)); })) return;
   if (table.names.size() > 1) check_gauges(table, path);
-  Load load;
-  RecordNotes notes;
-  if (read_or_refuse([&] { read_history(path, key, 1., load, 0., notes); })) {
-    check_function(load.history);
-    require(load.duration.value_or(0.) >= 0., "a duration is a number, not below zero");
+  FileHistory history;
+  if (read_or_refuse([&] { history = read_history(path, key, LoadKind::force, 1., 0.); })) {
+    check_function(history.function);
+    require(history.duration.value_or(0.) >= 0., "a duration is a number, not below zero");
   }
-  read_or_refuse([&] { check_function(read_uplift(path, key, 0., notes)); });
+  read_or_refuse([&] { check_function(read_uplift(path, key, 0.).function); });
   read_or_refuse([&] { check_waves(read_wave_files({path}, {"impact", "slow"}).front()); });
   read_or_refuse([&] { check_waves(read_wave_files({path}, {"impact"}).front()); });
 }

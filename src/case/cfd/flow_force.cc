@@ -21,7 +21,7 @@ void subtract(std::vector<double>& values, double number) {
 }
 
 /// The force of still water must be given in one way only.
-void ask_still(const FlowSource& source, bool moments, FlowQuestions& questions) {
+void ask_still(const FlowKeys& source, bool moments, FlowQuestions& questions) {
   if (source.still_time && source.still_force)
     questions.object("still_force", "both 'still_time' and 'still_force' are given", "keep one of them");
   if (source.still_level)
@@ -49,7 +49,7 @@ FlowHistory per_metre(const FlowForces& forces, const FlowFrame& frame, double t
   return history;
 }
 
-void take_off_still(const FlowSource& source, const std::vector<std::size_t>& rows, FlowLoad& load,
+void take_off_still(const FlowKeys& source, const std::vector<std::size_t>& rows, FlowLoad& load,
                     FlowHistory& history) {
   load.still_force = source.still_force.value_or(mean_of(history.landward, rows));
   subtract(history.landward, load.still_force);
@@ -91,7 +91,7 @@ void warn_of_moment(const FlowHistory& history, double share, const FlowContext&
 
 /// What is done with the vertical force where it is more than friction.
 void treat_vertical(const FlowContext& context, FlowQuestions& questions, FlowHistory& history, FlowLoad& load) {
-  const FlowSource& source = load.source;
+  const FlowKeys& source = load.source;
   const double vertical = largest(history.up), landward = largest(history.landward);
   if (vertical > small_vertical * landward && source.up) {
     const std::string share = percent(vertical / landward) + " of the landward force is vertical at most";
@@ -112,7 +112,7 @@ void treat_vertical(const FlowContext& context, FlowQuestions& questions, FlowHi
 }  // namespace
 
 void understand_forces(const FlowRecord& record, const FlowContext& context, FlowLoad& load) {
-  const FlowSource& source = load.source;
+  const FlowKeys& source = load.source;
   const FlowForces& forces = *record.forces;
   FlowQuestions questions(context);
   const bool moments = !forces.moment.empty();
@@ -147,7 +147,7 @@ void understand_forces(const FlowRecord& record, const FlowContext& context, Flo
 }
 
 void understand_level(const FlowRecord& record, const FlowContext& context, FlowLoad& load) {
-  const FlowSource& source = load.source;
+  const FlowKeys& source = load.source;
   const FlowLevel& level = *record.level;
   FlowQuestions questions(context);
   questions.need(source.quantity == FlowQuantity::hydrostatic, "quantity",

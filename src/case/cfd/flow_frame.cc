@@ -45,7 +45,7 @@ void FlowQuestions::object(const std::string& key, const std::string& what, cons
   mistakes_.add(context_.document->place(context_.path.empty() ? key : context_.path + "." + key), what, cure);
 }
 
-FlowFrame frame_of(const FlowSource& source, bool places, FlowQuestions& questions) {
+FlowFrame frame_of(const FlowKeys& source, bool places, FlowQuestions& questions) {
   FlowFrame frame;
   questions.need(source.landward.has_value(), "landward", "the record does not say which of its axes points landward",
                  std::string("add landward = ") + axes_text);
@@ -65,8 +65,7 @@ FlowFrame frame_of(const FlowSource& source, bool places, FlowQuestions& questio
   return frame;
 }
 
-std::vector<std::size_t> still_rows(const std::vector<double>& time, const FlowSource& source,
-                                    FlowQuestions& questions) {
+std::vector<std::size_t> still_rows(const std::vector<double>& time, const FlowKeys& source, FlowQuestions& questions) {
   std::vector<std::size_t> rows;
   if (!source.still_time) return rows;
   const auto [from, to] = *source.still_time;
@@ -87,7 +86,7 @@ double mean_of(const std::vector<double>& values, const std::vector<std::size_t>
   return rows.empty() ? 0. : sum / static_cast<double>(rows.size());
 }
 
-std::size_t first_row(const std::vector<double>& time, const FlowSource& source, FlowQuestions& questions) {
+std::size_t first_row(const std::vector<double>& time, const FlowKeys& source, FlowQuestions& questions) {
   const auto first = std::lower_bound(time.begin(), time.end(), source.flow_start);
   if (time.end() - first < 2)
     questions.object("flow_start",

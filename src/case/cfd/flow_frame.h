@@ -43,15 +43,14 @@ class FlowQuestions {
 
 /// Asks for the keys of the frame: always landward; up and origin where `places` is true. Call answer() of the
 /// questions before the frame is used.
-FlowFrame frame_of(const FlowSource& source, bool places, FlowQuestions& questions);
+FlowFrame frame_of(const FlowKeys& source, bool places, FlowQuestions& questions);
 
 /// Rows of the record in which the water is still; asks for another key where there is no such row.
-std::vector<std::size_t> still_rows(const std::vector<double>& time, const FlowSource& source,
-                                    FlowQuestions& questions);
+std::vector<std::size_t> still_rows(const std::vector<double>& time, const FlowKeys& source, FlowQuestions& questions);
 
 double mean_of(const std::vector<double>& values, const std::vector<std::size_t>& rows);
 
 /// First row of the run; objects where fewer than two rows are left.
-std::size_t first_row(const std::vector<double>& time, const FlowSource& source, FlowQuestions& questions);
+std::size_t first_row(const std::vector<double>& time, const FlowKeys& source, FlowQuestions& questions);
 
 }  // namespace upbead

@@ -96,7 +96,7 @@ struct FlowContext {
 };
 
 /// Makes a load of the record. Throws InputError at the keys, with all that is missing or wrong at once.
-FlowLoad understand(const FlowRecord& record, const FlowSource& source, const FlowContext& context);
+FlowLoad understand(const FlowRecord& record, const FlowKeys& source, const FlowContext& context);
 
 /// For people: what was understood, "6.3 kN over a thickness of 0.01 m along y: 630 kN/m".
 std::string describe(const std::string& name, const FlowLoad& load);

@@ -56,24 +56,23 @@ double arm_of(const std::vector<Segment>& faces, const Bounds& bounds, double at
   return moment / force;
 }
 
-void place_pieces(const std::string& name, const FlowCase& by, const std::vector<Segment>& faces, Diagnostics& mistakes,
-                  Scene& scene) {
+void place_pieces(const FlowCase& by, const std::vector<Segment>& faces, Diagnostics& mistakes, Scene& scene) {
   const Bounds bounds = bounds_of_faces(faces);
   if (bounds.highest - bounds.lowest <= 1e-9 * std::max(1., std::abs(bounds.highest))) {
-    mistakes.add(at_key("loads." + name + ".boundary"),
+    mistakes.add(at_key(by.title + ".boundary"),
                  "'" + by.load.boundary + "' is level: a moment cannot be put on it by forces landward",
                  "name the curve of the wall, or give region = \"caisson\"");
     return;
   }
-  if (by.flow->top && *by.flow->top > bounds.highest)
-    mistakes.add(at_key("loads." + name + ".origin"),
-                 "the water reaches y = " + significant(*by.flow->top, 6) + " m, above the wall '" + by.load.boundary +
+  if (by.flow.top && *by.flow.top > bounds.highest)
+    mistakes.add(at_key(by.title + ".origin"),
+                 "the water reaches y = " + significant(*by.flow.top, 6) + " m, above the wall '" + by.load.boundary +
                      "', whose crest is at " + significant(bounds.highest, 6) + " m",
                  "a level above the crest is not read: give a higher wall, or pressures");
-  const FlowHistory& history = *by.flow->force;
+  const FlowHistory& history = *by.flow.force;
   const FlowPieces pieces = pieces_of(history, arm_of(faces, bounds, 1., 0.), arm_of(faces, bounds, 0., 1.));
   const auto give = [&](const std::string& piece, double at_low, double at_high, const std::vector<double>& force) {
-    Load& load = scene.loads.at(name + "." + piece);
+    Load& load = scene.loads.at(by.name + "." + piece);
     load.shape = {{bounds.lowest, at_low}, {bounds.highest, at_high}};
     give_history(history, force, scene.time.end, load);
   };
@@ -81,14 +80,13 @@ void place_pieces(const std::string& name, const FlowCase& by, const std::vector
   give("high", 0., 1., pieces.high);
 }
 
-void check_distance(const std::string& name, const FlowCase& by, const std::vector<Segment>& faces,
-                    Diagnostics& mistakes) {
+void check_distance(const FlowCase& by, const std::vector<Segment>& faces, Diagnostics& mistakes) {
   const Bounds bounds = bounds_of_faces(faces);
   const double size = std::max(bounds.right - bounds.left, bounds.highest - bounds.lowest);
-  const double tolerable = by.flow->source.within.value_or(0.01 * size);
+  const double tolerable = by.flow.source.within.value_or(0.01 * size);
   double most = 0.;
   dealii::Point<dim> farthest;
-  for (const auto& [x, y] : by.flow->at) {
+  for (const auto& [x, y] : by.flow.at) {
     const dealii::Point<dim> at(x, y);
     const double distance = distance_to(faces, at);
     if (distance <= most) continue;
@@ -96,7 +94,7 @@ void check_distance(const std::string& name, const FlowCase& by, const std::vect
     farthest = at;
   }
   if (most > tolerable * (1. + 1e-9))
-    mistakes.add(at_key("loads." + name + ".origin"),
+    mistakes.add(at_key(by.title + ".origin"),
                  "a point of the record lies at (" + significant(farthest[0], 6) + ", " + significant(farthest[1], 6) +
                      ") of the scene, " + significant(most) + " m from the boundary '" + by.load.boundary + "'",
                  "give the origin, landward and up that bring it there; or within = " + significant(most, 2) +
@@ -115,16 +113,17 @@ Bounds bounds_of_region(const Mesh& mesh, const std::string& region) {
 
 NumberedWarnings flow_arm_warnings(const Case& input, const Mesh& mesh) {
   NumberedWarnings list;
-  for (const auto& [name, by] : input.flows) {
-    if (!by.flow->force || !by.flow->peak_arm || by.load.factor == 0.) continue;
+  for (const FlowCase* source : sources_of_type<FlowCase>(input)) {
+    const FlowCase& by = *source;
+    if (!by.flow.force || !by.flow.peak_arm || !by.acts()) continue;
     const bool on_region = by.load.boundary.empty();
     const Bounds bounds =
         on_region ? bounds_of_region(mesh, by.load.region) : bounds_of_faces(faces_of(mesh, by.load.boundary));
-    const double y = by.flow->force->centre[1] + *by.flow->peak_arm;
+    const double y = by.flow.force->centre[1] + *by.flow.peak_arm;
     const double slack = 1e-6 * (bounds.highest - bounds.lowest);
     if (y >= bounds.lowest - slack && y <= bounds.highest + slack) continue;
     list.push_back({"flow_arm_outside", y, y < bounds.lowest ? bounds.lowest : bounds.highest, "m",
-                    "'loads." + name + "': the record's largest force acts at y = " + significant(y, 4) + " m, " +
+                    "'" + by.title + "': the record's largest force acts at y = " + significant(y, 4) + " m, " +
                         (y < bounds.lowest ? "below" : "above") + " '" +
                         (on_region ? by.load.region : by.load.boundary) +
                         "', which reaches from y = " + significant(bounds.lowest, 4) + " to " +
@@ -136,14 +135,15 @@ NumberedWarnings flow_arm_warnings(const Case& input, const Mesh& mesh) {
 
 void place_flows(const Case& input, const Mesh& mesh, Scene& scene) {
   Diagnostics mistakes;
-  for (const auto& [name, by] : input.flows) {
+  for (const FlowCase* source : sources_of_type<FlowCase>(input)) {
+    const FlowCase& by = *source;
     if (by.load.boundary.empty()) continue;
     const std::vector<Segment> faces = faces_of(mesh, by.load.boundary);
     if (faces.empty()) continue;  // the scene's checks report it
-    if (by.flow->pressure)
-      check_distance(name, by, faces, mistakes);
-    else if (!by.flow->force->moment.empty())
-      place_pieces(name, by, faces, mistakes, scene);
+    if (by.flow.pressure)
+      check_distance(by, faces, mistakes);
+    else if (!by.flow.force->moment.empty())
+      place_pieces(by, faces, mistakes, scene);
   }
   mistakes.throw_if_any();
 }

@@ -30,7 +30,7 @@ bool is_no_pressure(const std::string& field) {
 }
 
 /// The quantity at the points. A unit in the file says which it is; the name of a field contradicts some quantities.
-std::optional<Q> ask_quantity(const FlowPoints& points, const FlowSource& source, FlowQuestions& questions) {
+std::optional<Q> ask_quantity(const FlowPoints& points, const FlowKeys& source, FlowQuestions& questions) {
   if (points.unit == "Pa") {
     if (source.quantity && *source.quantity != Q::pressure)
       questions.object("quantity", "the record's pressures are in Pa, with the weight of the water", "remove it");
@@ -53,7 +53,7 @@ std::optional<Q> ask_quantity(const FlowPoints& points, const FlowSource& source
   return source.quantity;
 }
 
-void ask_weight(const FlowSource& source, Q quantity, FlowQuestions& questions) {
+void ask_weight(const FlowKeys& source, Q quantity, FlowQuestions& questions) {
   const bool kinematic = is_kinematic(quantity), less = is_less_weight(quantity);
   questions.need(source.flow_density.has_value() || !(kinematic || less || source.still_level), "flow_density",
                  kinematic ? "a pressure over the density becomes one by the density of the CFD run's water"
@@ -136,7 +136,7 @@ std::vector<double> edges_of(const std::vector<double>& centre) {
 }
 
 /// Pressure of each place over time (Pa), including the weight of the water.
-std::vector<std::vector<double>> pressures_of(const FlowPoints& points, const FlowSource& source, Q quantity,
+std::vector<std::vector<double>> pressures_of(const FlowPoints& points, const FlowKeys& source, Q quantity,
                                               const FlowFrame& frame, const Line& line, double gravity) {
   const double factor = is_kinematic(quantity) ? *source.flow_density : 1.;
   std::vector<std::vector<double>> pressure;
@@ -159,7 +159,7 @@ std::vector<std::vector<double>> pressures_of(const FlowPoints& points, const Fl
 }
 
 /// Subtracts still water from each pressure: its mean over `rows`, or the hydrostatic pressure of the still level.
-void take_off_still(const FlowSource& source, double gravity, const std::vector<std::size_t>& rows, const Line& line,
+void take_off_still(const FlowKeys& source, double gravity, const std::vector<std::size_t>& rows, const Line& line,
                     const std::vector<std::array<double, 2>>& at, std::vector<std::vector<double>>& pressure) {
   for (std::size_t k = 0; k < pressure.size(); ++k) {
     const double height = at[line.members[k].front()][1];
@@ -220,7 +220,7 @@ std::vector<double> sum_of(const Gauges& row) {
 }
 
 /// Compares the sum of pressures with the record of forces, both with still water, at the times that both have.
-void compare(const FlowSource& source, const FlowContext& context, const FlowFrame& frame, const Gauges& whole,
+void compare(const FlowKeys& source, const FlowContext& context, const FlowFrame& frame, const Gauges& whole,
              FlowLoad& load) {
   FlowQuestions questions(context);
   questions.need(source.thickness.has_value(), "thickness",
@@ -275,7 +275,7 @@ void tell_points(const FlowPoints& points, const Line& line, Q quantity, FlowLoa
 
 /// By how much the largest force may be too small. Where air was in still water, p lies between p_rgh minus the
 /// weight of water and p_rgh, as any share of air may be there at the peak.
-void bound_air(const FlowPoints& points, const FlowSource& source, const FlowFrame& frame, double gravity,
+void bound_air(const FlowPoints& points, const FlowKeys& source, const FlowFrame& frame, double gravity,
                const Line& line, const std::vector<std::vector<double>>& pressure,
                const std::vector<std::size_t>& still, const std::string& path, FlowLoad& load) {
   const auto row =
@@ -302,7 +302,7 @@ void bound_air(const FlowPoints& points, const FlowSource& source, const FlowFra
                              "write p in the CFD run"});
 }
 
-void require_datum_below(const FlowPoints& points, const FlowSource& source, const FlowFrame& frame,
+void require_datum_below(const FlowPoints& points, const FlowKeys& source, const FlowFrame& frame,
                          FlowQuestions& questions) {
   for (const Triple& at : points.at)
     if (dot(frame.up, at) <= *source.datum) {
@@ -317,7 +317,7 @@ void require_datum_below(const FlowPoints& points, const FlowSource& source, con
 }  // namespace
 
 void understand_points(const FlowRecord& record, const FlowContext& context, FlowLoad& load) {
-  const FlowSource& source = load.source;
+  const FlowKeys& source = load.source;
   const FlowPoints& points = *record.points;
   FlowQuestions questions(context);
   const FlowFrame frame = frame_of(source, true, questions);
@@ -361,7 +361,7 @@ void understand_points(const FlowRecord& record, const FlowContext& context, Flo
     bound_air(points, source, frame, context.gravity, line, with_still, still, context.path, load);
 }
 
-FlowLoad understand(const FlowRecord& record, const FlowSource& source, const FlowContext& context) {
+FlowLoad understand(const FlowRecord& record, const FlowKeys& source, const FlowContext& context) {
   FlowLoad load;
   load.source = source;
   load.layout = record.layout;

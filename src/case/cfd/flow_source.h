@@ -29,7 +29,7 @@ enum class FlowQuantity {
 enum class FlowVertical { apply, leave_out };
 
 /// The keys of a load `from` a CFD program; a key that is needed and not given is asked for.
-struct FlowSource {
+struct FlowKeys {
   std::string from;  ///< folder or file, relative to the case; "" where the load is not from CFD
   std::string file;  ///< name of the file within the folders of times
   std::optional<FlowAxis> landward, up;
@@ -58,7 +58,7 @@ struct FlowHistory {
 
 /// The load made of a record: all that `explain`, the summary and the scene need.
 struct FlowLoad {
-  FlowSource source;  ///< as written
+  FlowKeys source;  ///< as written
   std::string layout;
   std::vector<std::string> files;
   std::vector<std::string> told;  ///< for people, a sentence each

@@ -5,11 +5,27 @@
 #include <stdexcept>
 
 #include "base/text.h"
+#include "case/case_schema.h"
 #include "case/records/record_layout.h"
 #include "case/records/record_table.h"
 #include "response/comparison.h"
 
 namespace upbead {
+
+TableSchema<MeasuredKeys> measured_schema() {
+  TableSchema<MeasuredKeys> table;
+  table.key("file", &MeasuredKeys::file).required().doc("path of the record; CSV (docs/records.md) or HDF5");
+  table.key("reading", &MeasuredKeys::reading)
+      .required()
+      .doc(
+          "history of the results that it is compared with; \"shear_force\", \"caisson/displacement_x\", "
+          "\"probes/A/pressure\"");
+  table.key("column", &MeasuredKeys::column).fallback("the one after the time").doc("name of its column");
+  table.key("unit", &MeasuredKeys::unit).fallback("that of the header, else SI").doc("unit of the values");
+  const auto everywhere = [](const auto& entry) { return entry; };
+  add_clock_keys(table, everywhere, everywhere);
+  return table;
+}
 
 namespace {
 
@@ -19,7 +35,7 @@ const Dataset* find(const std::vector<Dataset>& histories, const std::string& na
   return found == histories.end() ? nullptr : &*found;
 }
 
-MeasuredRecord read(const Case& input, const std::string& name, const MeasuredSource& source, const Dataset& computed) {
+MeasuredRecord read(const Case& input, const std::string& name, const MeasuredKeys& source, const Dataset& computed) {
   const std::string path = dotted("measured", name);
   const Place place = input.place(path + ".file");
   const CsvTable table = read_record_table(input.resolve(source.file), place);
@@ -37,7 +53,7 @@ MeasuredRecord read(const Case& input, const std::string& name, const MeasuredSo
 
 }  // namespace
 
-std::size_t measured_column(const MeasuredSource& source, const CsvTable& table, const RecordLayout& layout,
+std::size_t measured_column(const MeasuredKeys& source, const CsvTable& table, const RecordLayout& layout,
                             const Place& place) {
   if (!source.column.empty()) return column_of(table, source.column, place);
   const bool untimed =
@@ -55,7 +71,7 @@ std::size_t measured_column(const MeasuredSource& source, const CsvTable& table,
 std::vector<MeasuredRecord> read_measured(const Case& input, const std::vector<Dataset>& computed) {
   std::vector<MeasuredRecord> records;
   Diagnostics mistakes;
-  for (const auto& [name, source] : input.measured) {
+  for (const auto& [name, source] : input.tables->measured) {
     const Dataset* history = find(computed, source.reading);
     if (history == nullptr || source.reading == "time") {
       std::vector<std::string> known;

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "case/records/record_keys.h"
 #include "case/records/record_layout.h"
 #include "output/result_file.h"
 #include "upbead/case/case.h"
@@ -11,9 +12,11 @@
 
 namespace upbead {
 
+TableSchema<MeasuredKeys> measured_schema();
+
 /// The column to compare: the named one, else the first that is neither a time nor a counter. Throws InputError at
 /// `place` where there is none.
-std::size_t measured_column(const MeasuredSource& source, const CsvTable& table, const RecordLayout& layout,
+std::size_t measured_column(const MeasuredKeys& source, const CsvTable& table, const RecordLayout& layout,
                             const Place& place);
 
 /// A record in SI units and the run's time.

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "base/csv.h"
+#include "case/records/record_keys.h"
 #include "case/records/record_layout.h"
-#include "upbead/case/case.h"
 
 namespace upbead {
 

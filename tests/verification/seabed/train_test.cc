@@ -42,13 +42,14 @@ Scene bed_of(const WaveSeabed& seabed, TrainCourse course) {
   scene.boundaries["bed"].pressure = PressureCondition::open;
   scene.boundaries["base"] = {DisplacementCondition::fixed, PressureCondition::sealed};
   scene.boundaries["sides"] = {DisplacementCondition::roller, PressureCondition::sealed};
-  TrainLoad load;
-  load.load.boundary = "bed";
-  load.train.amplitude = 1.;
-  load.train.length = seabed.wavelength;
-  load.train.period = 2. * std::acos(-1.) / seabed.omega;
-  load.train.course = course;
-  add_train_loads("sea", load, 1000., 9.81, scene);
+  Load load;
+  load.boundary = "bed";
+  WaveTrain train;
+  train.amplitude = 1.;
+  train.length = seabed.wavelength;
+  train.period = 2. * std::acos(-1.) / seabed.omega;
+  train.course = course;
+  scene.loads = train_loads("sea", load, train, 1000., 9.81);
   for (std::size_t i = 0; i < seabed.depths.size(); ++i) {
     scene.probes["c" + std::to_string(i)].at = {0., -seabed.depths[i]};
     scene.probes["q" + std::to_string(i)].at = {0.25 * seabed.wavelength, -seabed.depths[i]};

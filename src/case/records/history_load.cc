@@ -1,0 +1,193 @@
+#include "case/records/history_load.h"
+
+#include <algorithm>
+
+#include "base/text.h"
+#include "case/case_checks.h"
+#include "case/case_schema.h"
+#include "case/records/record_table.h"
+#include "model/motion.h"
+#include "upbead/base/error.h"
+
+namespace upbead {
+
+namespace {
+
+/// A history in SI units.
+struct Columns {
+  CsvTable table;  ///< kept for the places of mistakes
+  std::vector<double> time, value;
+  RecordNotes notes;
+};
+
+void check_times(const CsvTable& table, const std::vector<double>& time, double start, Diagnostics& mistakes) {
+  if (time.front() < 0. && start == 0.)
+    mistakes.add(table.place(0), "the history starts at t = " + number_text(time.front()) + " s, before the run",
+                 "let it start at 0 or later, or give record_start");
+  for (std::size_t row = 1; row < time.size(); ++row)
+    if (!(time[row] > time[row - 1]) && !is_jump(time, row)) {
+      mistakes.add(table.place(row),
+                   "t = " + number_text(time[row]) + " s does not follow t = " + number_text(time[row - 1]) + " s",
+                   "let the times ascend strictly");
+      return;  // a shuffled file would repeat this on every line
+    }
+}
+
+/// A history has one value: the first column of values. Another one of that name would be as good.
+std::size_t only_value(const CsvTable& table, const RecordLayout& layout, RecordNotes& notes) {
+  const std::size_t value = layout.values.front();
+  if (layout.values.size() == 1) return value;
+  for (std::size_t i = 1; i < layout.values.size(); ++i)
+    if (table.names[layout.values[i]] == table.names[value])
+      throw InputError({table.path, 1, 1}, "two columns are called " + in_quotes(table.names[value]),
+                       "keep the one that is meant, or give each a name of its own");
+  std::string what = column_text(table, layout.values[1]);
+  if (layout.values.size() > 2) what += " and " + std::to_string(layout.values.size() - 2) + " more";
+  notes.left_out.push_back({what, "a history has one value, here " + in_quotes(table.names[value])});
+  return value;
+}
+
+/// Lets t = 0 of the run be `start` of the record: leaves out what comes before, up to a value there.
+void begin_at(double start, const Place& place, std::vector<double>& time, std::vector<double>& value) {
+  if (start == 0.) return;
+  for (double& t : time) t -= start;
+  const auto first = std::lower_bound(time.begin(), time.end(), 0.) - time.begin();
+  if (time.end() - time.begin() - first < 2)
+    throw InputError(place, "the record is over before the run begins", "give an earlier record_start");
+  if (first == 0) return;
+  const auto i = static_cast<std::size_t>(first);
+  const double share = time[i - 1] / (time[i - 1] - time[i]),
+               at_zero = value[i - 1] + share * (value[i] - value[i - 1]);
+  const bool has_zero = time[i] == 0.;
+  time.erase(time.begin(), time.begin() + first - (has_zero ? 0 : 1));
+  value.erase(value.begin(), value.begin() + first - (has_zero ? 0 : 1));
+  if (has_zero) return;
+  time.front() = 0.;
+  value.front() = at_zero;
+}
+
+/// Reads and checks what all histories have in common; `si`: unit of the value; `start`: its time at t = 0 (s).
+Columns read_columns(const std::string& path, const Place& place, const std::string& si, double start) {
+  Columns columns{read_record_table(path, place), {}, {}, {}};
+  Diagnostics mistakes;
+  if (columns.table.columns.size() < 2)
+    mistakes.add({path, 1, 1}, "a history of one column", "give two columns, time (s) and value");
+  if (columns.table.n_rows() < 2) mistakes.add({path}, "a history of one row", "give two rows or more");
+  mistakes.throw_if_any();
+  const RecordLayout layout = layout_of(columns.table);
+  columns.time = times_of(columns.table, layout);
+  if (layout.values.empty())
+    throw InputError({path, 1, 1}, "beside the time no column holds values, but counters or other times",
+                     "give two columns, time (s) and value");
+  note_layout(columns.table, layout, columns.notes);
+  const std::size_t value = only_value(columns.table, layout, columns.notes);
+  columns.value = in_si(columns.table, value, si);
+  check_times(columns.table, columns.time, start, mistakes);
+  mistakes.throw_if_any();
+  begin_at(start, place, columns.time, columns.value);
+  columns.notes.read.push_back(summary_of(columns.table, value, si, "", columns.time, columns.value));
+  return columns;
+}
+
+/// A displacement must not jump; a jump of an acceleration at its end moves nothing.
+void require_motion(LoadKind kind, const std::string& path, std::vector<double>& time, std::vector<double>& value) {
+  const auto jump = std::adjacent_find(time.begin(), time.end());
+  if (jump == time.end()) return;
+  if (kind == LoadKind::displacement)
+    throw InputError({path}, "the displacement jumps at t = " + number_text(*jump) + " s, at an infinite velocity",
+                     "let it pass from one value to the other within some time");
+  while (kind == LoadKind::acceleration && time.size() > 2 && time[time.size() - 2] == time.back()) {
+    time.pop_back();
+    value.pop_back();
+  }
+}
+
+}  // namespace
+
+FileHistory read_history(const std::string& path, const Place& place, LoadKind kind, double end, double start) {
+  Columns columns = read_columns(path, place, unit_of(kind), start);
+  FileHistory history{{path, columns.time, columns.value}, {}, {}, std::move(columns.notes)};
+  std::vector<double>&time = columns.time, &value = columns.value;
+  if (std::all_of(value.begin(), value.end(), [](double v) { return v == 0.; }))
+    throw InputError({path}, "every value of the history is zero", "give a history with a load");
+  if (is_motion(kind)) require_motion(kind, path, time, value);
+  if (kind == LoadKind::displacement) {
+    constexpr std::size_t fewest = 4;  // of a cubic
+    if (time.size() < fewest)
+      throw InputError({path}, "a displacement of " + std::to_string(time.size()) + " rows has no smooth velocity",
+                       "give four rows or more");
+    history.function = rate_of_samples(time, value);
+    const double first = value.front();
+    for (double& v : value) v -= first;
+    history.duration = sampled_duration(time, value, time.back());
+    return history;
+  }
+  history.function = kind == LoadKind::acceleration ? integral_of_samples(time, value) : piecewise_linear(time, value);
+  history.duration = sampled_duration(time, value, end);
+  return history;
+}
+
+FileHistory read_uplift(const std::string& path, const Place& place, double start) {
+  const Columns columns = read_columns(path, place, "N/m", start);
+  const std::vector<double>& value = columns.value;
+  const auto negative = std::find_if(value.begin(), value.end(), [](double v) { return v < 0.; });
+  if (negative != value.end())
+    throw InputError(
+        start == 0. ? columns.table.place(static_cast<std::size_t>(negative - value.begin())) : Place{path},
+        "the uplift is " + number_text(*negative) + " N/m, below zero", "give U upward, what it takes off the weight");
+  return {{path, columns.time, value}, piecewise_linear(columns.time, value), {}, columns.notes};
+}
+
+namespace {
+
+/// Adds the file, and warnings of its record where it acts.
+void add_file(const std::string& path, const Place& place, FileHistory& history, LoadSource& source) {
+  source.files = {{path, place}};
+  source.notes = std::move(history.notes);
+  history.record.name = source.title;
+  if (source.acts()) source.warnings = record_warnings(history.record);
+}
+
+std::shared_ptr<LoadSource> read_one(const GivenLoad& given) {
+  const auto source = std::make_shared<LoadSource>();
+  begin(given, *source);
+  Load load = given.table;
+  const std::string path = given.problem.resolve(given.table.history_file);
+  const Place place = given.place("history");
+  FileHistory history = read_history(path, place, load.kind, given.end(), given.table.record_start);
+  load.history = history.function;
+  load.duration = history.duration;
+  if (!is_motion(load.kind))
+    for (double& value : history.record.value) value *= load.factor;
+  add_file(path, place, history, *source);
+  const Load& made = source->made[given.name] = with_factor(load);
+  if (source->acts()) source->action = action_of(source->title, "load_cut", "record_start", made.history);
+  return source;
+}
+
+}  // namespace
+
+LoadWay by_history() {
+  return {[](const LoadTable& table) { return !table.pulse; },
+          [](TableSchema<LoadTable>& table) {
+            table.key("history", &LoadTable::history_file)
+                .doc("path of a CSV file with a header line, then time (s) and value; linear in between; or pulse");
+          },
+          [](const LoadCheck& check) { check.exactly_one("pulse", "history"); },
+          read_one,
+          {&LoadTable::history_file}};
+}
+
+std::shared_ptr<LoadSource> read_uplift_history(const UpliftTable& uplift, const Case& problem) {
+  const auto source = std::make_shared<LoadSource>();
+  source->name = source->title = "sliding.uplift";
+  const std::string path = problem.resolve(uplift.history_file);
+  const Place place = problem.place("sliding.uplift.history");
+  FileHistory history = read_uplift(path, place, uplift.record_start);
+  source->load.history = history.function;
+  add_file(path, place, history, *source);
+  source->action = action_of(source->title, "load_cut", "record_start", history.function);
+  return source;
+}
+
+}  // namespace upbead

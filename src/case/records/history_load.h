@@ -1,0 +1,35 @@
+// Loads and uplifts by a history from a file: time and value.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "case/load_source.h"
+#include "model/record.h"
+
+namespace upbead {
+
+struct UpliftTable;
+
+/// A history in the run's time.
+struct FileHistory {
+  Record record;                   ///< SI units, as the file has it
+  TimeFunction function;           ///< of a motion its velocity
+  std::optional<double> duration;  ///< Load::duration
+  RecordNotes notes;               ///< how it was read
+};
+
+/// Reads the file `path` (CSV or HDF5), of a load of some kind in a run until `end` (s): the time is the column whose
+/// header says so, the value the first other column that is no counter. Throws InputError where the file cannot be
+/// read, has fewer than two columns or rows, has times that do not ascend from 0, or only zeros. Two samples at one
+/// time are a jump. `place`: the key that names the file; `start`: the record's time at t = 0 of the run (s).
+FileHistory read_history(const std::string& path, const Place& place, LoadKind kind, double end, double start);
+
+/// U(t) of a prescribed uplift from such a file; it may be zero, but not negative. Throws InputError as above.
+FileHistory read_uplift(const std::string& path, const Place& place, double start);
+
+/// The uplift of [sliding.uplift] by `history`.
+std::shared_ptr<LoadSource> read_uplift_history(const UpliftTable& uplift, const Case& problem);
+
+}  // namespace upbead
