@@ -10,6 +10,7 @@
 #include "fem/compile.h"
 #include "fem/rest_state.h"
 #include "fem/soil_laws.h"
+#include "model/soil_law_row.h"
 #include "model/words.h"
 #include "response/compaction.h"
 #include "run/solve.h"
@@ -23,13 +24,13 @@ RestStart start_of(const Scene& scene) {
   return scene.initial ? scene.initial->start : RestStart::k0;
 }
 
-bool is_hysteretic(const Scene& scene) {
+bool has_start(const Scene& scene) {
   return std::any_of(scene.regions.begin(), scene.regions.end(),
-                     [](const auto& entry) { return entry.second.law == SoilLaw::hysteretic; });
+                     [](const auto& entry) { return starts_from(RestStress::given, entry.second); });
 }
 
 bool wants_bounds(const Scene& scene) {
-  return is_hysteretic(scene) && (!scene.initial || scene.initial->bounds);
+  return has_start(scene) && (!scene.initial || scene.initial->bounds);
 }
 
 double last(const CompiledScene& compiled, const Response& response, const char* reading) {
@@ -102,7 +103,7 @@ Run march_from(const Simulation& simulation, RestStart start, const Rest& rest, 
                        " of the updates of cells were left out, as no soil in those cells could yield";
   const YieldingReport& report = *scheme->yielding();
   NonlinearSummary& summary = run.summary.nonlinear.emplace();
-  summary.start = is_hysteretic(simulation.scene) ? word_of(start, rest_start_words) : "static";
+  summary.start = has_start(simulation.scene) ? word_of(start, rest_start_words) : "static";
   summary.stages = report.stages;
   summary.iterations = report.evaluations;
   summary.factorisations = run.summary.discretisation.factorisations;
