@@ -1,4 +1,5 @@
 #include "case_schema.h"
+#include "material/soil_law.h"
 #include "model/words.h"
 
 namespace upbead {
@@ -123,16 +124,19 @@ void limit(const Entry<Region>& entry) {
       "in " + join(kinds, " and ") + " regions");
 }
 
+std::string how_laws_follow_strain() {
+  std::string text = "how stress follows strain; elastic: linear, or equivalent-linear with a table strain";
+  for (const SoilLawRow* row : soil_law_rows()) text += std::string("; ") + row->word + ": " + row->how;
+  return text;
+}
+
 void declare_skeleton(TableSchema<Region>& table) {
   limit(table.key_or_table("shear_modulus", &Region::shear_modulus, &Region::stress_law, stress_law_schema())
             .unit("Pa")
             .range(above(0.))
             .doc("shear modulus G of the skeleton; or youngs_modulus; as a table, of a porous region: G = reference "
                  "(mean effective stress / pressure)^exponent"));
-  limit(table.choice("law", &Region::law, soil_law_words)
-            .doc("how stress follows strain; elastic: linear, or equivalent-linear with a table strain; hysteretic: it "
-                 "yields along the curve of strain up to its strength, and turns back by Masing's rules; mohr_coulomb: "
-                 "elastic up to its strength"));
+  limit(table.choice("law", &Region::law, soil_law_words).doc(how_laws_follow_strain()));
   limit(table.table("strain", &Region::strain_law, strain_law_schema())
             .doc("Of elastic soil: equivalent-linear, G and damping by the strain of the response, iterated cell by "
                  "cell; linear without this table. Of hysteretic soil: its curve of G, from which damping follows."));

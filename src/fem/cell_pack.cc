@@ -90,7 +90,7 @@ CellShapes shapes_of(const Space& space, const Cell& cell) {
   return shapes;
 }
 
-CellPack::CellPack(const std::vector<CellShapes>& cells, std::unique_ptr<SoilPack> soil, int nowhere)
+CellPack::CellPack(const std::vector<CellShapes>& cells, std::vector<std::unique_ptr<SoilPack>> soil, int nowhere)
     : soil_(std::move(soil)) {
   const std::size_t n_nodes = cells.front().dofs.size(), n_points = cells.front().area.size();
   dof_.assign(2 * n_nodes * detail::lanes, nowhere);
@@ -167,14 +167,17 @@ bool CellPack::rests() {
 
 void CellPack::remember(std::vector<double>& memory) const {
   for (const auto* nodes : {&settled_u_, &settled_force_})
-    for (const PackVector& node : *nodes) remember_lanes(node, memory);
-  remember_lanes(margin_, memory);
+    for (const PackVector& node : *nodes) remember_numbers(node, memory);
+  remember_numbers(margin_, memory);
+  for (const auto& soil : soil_) soil->remember(memory);
 }
 
 const double* CellPack::recall(const double* memory) {
   for (auto* nodes : {&settled_u_, &settled_force_})
-    for (PackVector& node : *nodes) memory = recall_lanes(memory, node);
-  return recall_lanes(memory, margin_);
+    for (PackVector& node : *nodes) memory = recall_numbers(memory, node);
+  memory = recall_numbers(memory, margin_);
+  for (const auto& soil : soil_) memory = soil->recall(memory);
+  return memory;
 }
 
 }  // namespace upbead

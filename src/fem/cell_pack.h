@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "fem/space.h"
-#include "material/soil_pack.h"
+#include "material/soil.h"
 #include "upbead/algebra/sparse.h"
 
 namespace upbead {
@@ -38,13 +38,12 @@ CellShapes shapes_of(const Space& space, const Cell& cell);
 class CellPack {
  public:
   /// All cells have the same number of nodes, and of points.
-  CellPack(const std::vector<CellShapes>& cells, std::unique_ptr<SoilPack> soil, int nowhere);
+  CellPack(const std::vector<CellShapes>& cells, std::vector<std::unique_ptr<SoilPack>> soil, int nowhere);
 
   int n_cells() const { return static_cast<int>(cell_.size()); }
   int n_points() const { return static_cast<int>(area_.size()); }
   int cell(int lane) const { return cell_[static_cast<std::size_t>(lane)]; }
-  SoilPack& soil() { return *soil_; }
-  const SoilPack& soil() const { return *soil_; }
+  SoilPack& soil(int point) const { return *soil_[static_cast<std::size_t>(point)]; }
   const detail::Lanes& area(int point) const { return area_[static_cast<std::size_t>(point)].value; }
 
   /// Takes the cells' displacements from `u`.
@@ -64,7 +63,7 @@ class CellPack {
   /// Whether the present displacements are surely within that margin; if so, sets the forces to those of the last
   /// commit.
   bool rests();
-  /// For checkpoints: writes and reads what settle() stores, as SoilPoint does.
+  /// For checkpoints: writes and reads what settle() stores and the soil's history, as SoilAt does.
   void remember(std::vector<double>& memory) const;
   const double* recall(const double* memory);
 
@@ -79,7 +78,7 @@ class CellPack {
   std::vector<PackVector> u_, force_, settled_u_, settled_force_;
   std::vector<PackNumber> steepest_;  ///< largest norm of a node's gradient over the points (1/m)
   PackNumber margin_;
-  std::unique_ptr<SoilPack> soil_;
+  std::vector<std::unique_ptr<SoilPack>> soil_;  ///< by points
 };
 
 }  // namespace upbead

@@ -45,7 +45,7 @@ FollowedStress::FollowedStress(const Space& space, const Unknowns& unknowns, int
   const FE_DGQArbitraryNodes<dim> between(line);  // polynomials that are 1 at one point of quadrature, 0 at the others
   const std::vector<dealii::Point<dim>> points_of_cell = QGauss<dim>(line.size()).get_points();
   for (const FollowedReading& at : points_read) {
-    Follower follower{{}, space.material(at.cell), {}};
+    Follower follower;
     for (unsigned q = 0; q < points_of_cell.size(); ++q) {
       std::unique_ptr<SoilPoint> soil = points(at.cell->active_cell_index(), q);
       if (!soil) continue;
@@ -65,10 +65,11 @@ void FollowedStress::commit(const Vector& x, Vector& added) {
       PlaneStrain e;
       for (const auto& [unknown, of] : point.strain)
         e = {e.xx + x[unknown] * of.xx, e.yy + x[unknown] * of.yy, e.xy + x[unknown] * of.xy};
-      point.soil->commit(e);
-      const PlaneStress borne = point.soil->stress(e), elastic = follower.elastic.stress(e);
-      for (const auto& [reading, component] : follower.readings)
-        added[reading] += point.share * (borne.*component - elastic.*component);
+      double dissipated = 0.;
+      point.soil->commit(e, dissipated);
+      PlaneStress correction;
+      point.soil->correct(e, correction);
+      for (const auto& [reading, component] : follower.readings) added[reading] -= point.share * correction.*component;
     }
 }
 

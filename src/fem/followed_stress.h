@@ -23,7 +23,7 @@ class FollowedStress {
   /// Commits x. Adds to each reading of these points the stress of the law less the elastic stress, which its rows
   /// give.
   void commit(const Vector& x, Vector& added);
-  /// As in SoilPoint.
+  /// As in SoilAt.
   void remember(std::vector<double>& memory) const;
   const double* recall(const double* memory);
 
@@ -35,7 +35,6 @@ class FollowedStress {
   };
   struct Follower {
     std::vector<FollowedPoint> points;
-    ElasticLaw elastic;
     std::vector<std::pair<Eigen::Index, double PlaneStress::*>> readings;  ///< by number, with the component of each
   };
   std::vector<Follower> followers_;

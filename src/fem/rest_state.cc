@@ -11,6 +11,7 @@
 #include "fem/factor_search.h"
 #include "fem/ground.h"
 #include "fem/limit_state.h"
+#include "model/soil_law_row.h"
 
 namespace upbead {
 
@@ -27,8 +28,8 @@ MohrCoulombStrength reduced(const Strength& s, double F, bool associated) {
 
 using Fails = std::function<bool(const Region&)>;
 
-bool follows_mohr_coulomb(const Region& region) {
-  return region.law == SoilLaw::mohr_coulomb;
+bool starts_balanced(const Region& region) {
+  return starts_from(RestStress::balanced, region);
 }
 bool has_some_strength(const Region& region) {
   return region.strength.has_value();
@@ -129,11 +130,11 @@ class FailingGround {
 
 bool needs_rest_state(const Scene& scene) {
   return std::any_of(scene.regions.begin(), scene.regions.end(),
-                     [](const auto& entry) { return follows_mohr_coulomb(entry.second); });
+                     [](const auto& entry) { return starts_balanced(entry.second); });
 }
 
 RestState rest_state(const Scene& scene, const Mesh& mesh, const SoilState& soil, const RestProgress& progress) {
-  FailingGround ground(scene, mesh, soil, follows_mohr_coulomb, progress);
+  FailingGround ground(scene, mesh, soil, starts_balanced, progress);
   RestState rest;
   rest.report = ground.bear_weights(false, false);
   if (!rest.report.complete) {

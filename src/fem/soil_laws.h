@@ -8,7 +8,7 @@
 #include "fem/rest_state.h"
 #include "fem/static_stage.h"
 #include "fem/yielding_soil.h"
-#include "material/compacting_point.h"
+#include "material/soil_law.h"
 
 namespace upbead {
 
@@ -27,11 +27,9 @@ struct SoilLaws {
   std::shared_ptr<CompactingPoints> compacting;  ///< the points made so far that compact
 };
 
-/// Laws of the cells of a scene whose static state is `rest`. The largest shear stress of hysteretic soil is
-/// c' cos phi' + s'_m sin phi' with the mean effective stress at rest; without a table strain, its curve is the
-/// hyperbola that tends to this stress. Mohr-Coulomb soil starts from the stresses of its rest_state, `failing`. Where
-/// that is null, it starts, as hysteretic soil does, from the stress of the elastic ground, with s'_x = K_0 s'_y where
-/// K_0 is given; no law then follows the stress in excess of the strength.
+/// Laws of the cells of a scene whose static state is `rest`. Laws that need a balanced stress at rest start from those
+/// of the rest_state, `failing`. Where that is null they start from the stress of the elastic ground, with s'_x = K_0
+/// s'_y where K_0 is given; no law then follows the stress in excess of the strength.
 SoilLaws soil_laws(const Scene& scene, const Space& space, const EffectiveStress& rest, RestStart start,
                    const PointStresses* failing = nullptr);
 

@@ -1,9 +1,11 @@
 #include "fem/yielding_soil.h"
 
 #include <algorithm>
-#include <array>
 #include <iterator>
 #include <map>
+#include <string>
+#include <tuple>
+#include <typeinfo>
 #include <utility>
 
 #include "base/crew.h"
@@ -100,10 +102,10 @@ void SoilNodes::subtract_from_readings(const Vector& F, Vector& readings) const 
 /// Cells of one kind, to be grouped into packs.
 struct Waiting {
   std::vector<CellShapes> shapes;
-  std::vector<PackedCell> cells;
+  std::vector<SoilPoints> cells;
 };
-/// Kind, number of nodes and of points.
-using PackKey = std::array<std::size_t, 3>;
+/// Kind of soil, number of nodes and of points.
+using PackKey = std::tuple<std::string, std::size_t, std::size_t>;
 
 int n_unknowns(const Unknowns& unknowns, const SoilWork& work) {
   return work.n_unknowns > 0 ? work.n_unknowns : unknowns.size();
@@ -127,7 +129,7 @@ class SoilOfCells : public YieldingSoil {
   void recall(const std::vector<double>& memory) override;
 
  private:
-  void make_packs(std::map<PackKey, Waiting>& waiting);
+  void make_packs(std::map<PackKey, Waiting>& waiting, bool by_points);
   /// Calls `work` for each pack, on several threads, with displacements u; then sums the packs' nodal forces.
   void sum_forces(const Vector& u, const std::function<void(std::size_t)>& work, Vector& F);
   void commit_pack(std::size_t pack);
@@ -163,21 +165,20 @@ SoilOfCells::SoilOfCells(const Space& space, const Unknowns& unknowns, const std
     CellShapes shapes = shapes_of(space, cell);
     for (auto& node : shapes.dofs)
       for (int& dof : node) dof = nodes_.number(dof);
-    PackedCell packed{space.material(cell), {}};
-    for (std::size_t q = 0; q < shapes.area.size(); ++q)
-      packed.points.push_back(soil ? std::move(soil) : points(index, static_cast<unsigned>(q)));
     at_.back() = shapes.at;
-    const PackKind kind = work.by_points ? PackKind::points : pack_kind(packed);
-    Waiting& others = waiting[{static_cast<std::size_t>(kind), shapes.dofs.size(), shapes.area.size()}];
+    const SoilPoint& first = *soil;
+    Waiting& others = waiting[{typeid(first).name(), shapes.dofs.size(), shapes.area.size()}];
+    SoilPoints& of_cell = others.cells.emplace_back();
+    for (std::size_t q = 0; q < shapes.area.size(); ++q)
+      of_cell.push_back(soil ? std::move(soil) : points(index, static_cast<unsigned>(q)));
     others.shapes.push_back(std::move(shapes));
-    others.cells.push_back(std::move(packed));
   }
   nodes_.connect(unknowns, n_unknowns(unknowns, work), readings);
-  make_packs(waiting);
+  make_packs(waiting, work.by_points);
   nodes_.displace(Vector::Zero(n_unknowns(unknowns, work)), committed_);
 }
 
-void SoilOfCells::make_packs(std::map<PackKey, Waiting>& waiting) {
+void SoilOfCells::make_packs(std::map<PackKey, Waiting>& waiting, bool by_points) {
   for (auto& [key, all] : waiting)
     for (std::size_t begin = 0; begin < all.cells.size(); begin += detail::lanes) {
       const auto part = [&](auto& list) {
@@ -185,8 +186,7 @@ void SoilOfCells::make_packs(std::map<PackKey, Waiting>& waiting) {
         const auto n = std::min<std::ptrdiff_t>(detail::lanes, list.end() - first);
         return std::vector(std::make_move_iterator(first), std::make_move_iterator(first + n));
       };
-      const std::vector<CellShapes> shapes = part(all.shapes);
-      packs_.emplace_back(shapes, soil_pack(static_cast<PackKind>(key[0]), part(all.cells)), nodes_.size());
+      packs_.emplace_back(part(all.shapes), side_by_side(part(all.cells), by_points), nodes_.size());
     }
   lost_of_.resize(packs_.size());
   stored_.resize(packs_.size());
@@ -213,7 +213,7 @@ void SoilOfCells::evaluate(const Vector& x, Vector& p) {
     if (rested_[i]) return;
     PackStress correction;
     for (int q = 0; q < pack.n_points(); ++q) {
-      pack.soil().correct(q, pack.strain(q), correction);
+      pack.soil(q).correct(pack.strain(q), correction);
       pack.add_force(q, correction);
     }
   };
@@ -234,14 +234,14 @@ void SoilOfCells::commit_pack(std::size_t i) {
   least.value += infinity;
   for (int q = 0; q < pack.n_points(); ++q) {
     const PackTensor strain = pack.strain(q);
-    pack.soil().correct(q, strain, correction);
+    pack.soil(q).correct(strain, correction);
     pack.add_force(q, correction);
     Lanes of_point{}, energy{};
-    pack.soil().commit(q, strain, of_point);
-    pack.soil().stored_beside_elastic(q, strain, energy);
+    pack.soil(q).commit(strain, of_point);
+    pack.soil(q).stored_beside_elastic(strain, energy);
     lost += pack.area(q) * of_point;
     stored += pack.area(q) * energy;
-    pack.soil().margin(q, strain, margin.value);
+    pack.soil(q).margin(strain, margin.value);
     least.value = margin.value < least.value ? margin.value : least.value;
   }
   pack.settle(least);
@@ -282,12 +282,12 @@ std::vector<std::vector<BorneStress>> SoilOfCells::borne() {
     for (int q = 0; q < pack.n_points(); ++q) {
       const PackTensor strain = pack.strain(q);
       const PackStress s = pack.elastic_stress(strain);
-      pack.soil().correct(q, strain, c);
+      pack.soil(q).correct(strain, c);
       for (int lane = 0; lane < pack.n_cells(); ++lane) {
         const auto cell = static_cast<std::size_t>(pack.cell(lane));
         const PlaneStress change{s.xx[lane] - c.xx[lane], s.yy[lane] - c.yy[lane], s.xy[lane] - c.xy[lane],
                                  s.zz[lane] - c.zz[lane]};
-        found[cell].push_back({at_[cell][static_cast<std::size_t>(q)], change, pack.soil().mobilised(q, lane, change)});
+        found[cell].push_back({at_[cell][static_cast<std::size_t>(q)], change, pack.soil(q).mobilised(lane, change)});
       }
     }
   }
@@ -298,10 +298,7 @@ std::vector<double> SoilOfCells::memory() const {
   std::vector<double> memory{exerted_, stored_sum_, n_updates_, n_skipped_};
   memory.insert(memory.end(), committed_.begin(), committed_.end());
   memory.insert(memory.end(), lost_.begin(), lost_.end());
-  for (const CellPack& pack : packs_) {
-    pack.remember(memory);
-    pack.soil().remember(memory);
-  }
+  for (const CellPack& pack : packs_) pack.remember(memory);
   followed_.remember(memory);
   return memory;
 }
@@ -312,7 +309,7 @@ void SoilOfCells::recall(const std::vector<double>& memory) {
   for (double* number : {&exerted_, &stored_sum_, &n_updates_, &n_skipped_}) *number = *from++;
   for (double& number : committed_) number = *from++;
   for (double& number : lost_) number = *from++;
-  for (CellPack& pack : packs_) from = pack.soil().recall(pack.recall(from));
+  for (CellPack& pack : packs_) from = pack.recall(from);
   followed_.recall(from);
 }
 

@@ -7,7 +7,7 @@
 
 #include "fem/probes.h"
 #include "fem/unknowns.h"
-#include "material/soil_point.h"
+#include "material/soil.h"
 #include "system/internal_force.h"
 
 namespace upbead {
@@ -19,7 +19,7 @@ using PointsOfCells = std::function<std::unique_ptr<SoilPoint>(unsigned cell, un
 struct BorneStress {
   dealii::Point<dim> at;
   PlaneStress change;     ///< of effective stress since rest (Pa)
-  double mobilised = 0.;  ///< share of the strength, see SoilPoint
+  double mobilised = 0.;  ///< share of the strength, see SoilAt
 };
 
 /// Soil that yields also reports its stresses and losses.
@@ -35,7 +35,7 @@ class YieldingSoil : public InternalForce {
 
 /// How laws are evaluated; the options change the result by round-off at most.
 struct SoilWork {
-  bool by_points = false;  ///< each point by its SoilPoint, without lanes: the reference
+  bool by_points = false;  ///< each point by itself, without lanes: the reference
   int threads = 0;         ///< see Crew; the result is bitwise the same with any number
   /// Skips cells whose strain has changed since the last commit by less than any of their soil needs to yield: their
   /// part of p is bitwise what it was.

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "material/densification.h"
-#include "material/soil_point.h"
+#include "material/soil.h"
 
 namespace upbead {
 
@@ -15,10 +15,17 @@ namespace upbead {
 class CompactingPoint : public SoilPoint {
  public:
   /// `mean_at_rest`: mean effective stress, compression positive (Pa).
-  CompactingPoint(const ShearCompaction& law, double mean_at_rest)
-      : cycles_(law), mean_at_rest_(mean_at_rest), least_mean_(mean_at_rest), mean_(mean_at_rest) {}
+  CompactingPoint(std::unique_ptr<SoilPoint> soil, const ElasticLaw& elastic, const ShearCompaction& law,
+                  double mean_at_rest);
 
-  double commit(const PlaneStrain& strain) final;
+  void correct(const PlaneStrain& strain, PlaneStress& correction) const override {
+    soil_->correct(strain, correction);
+  }
+  void commit(const PlaneStrain& strain, double& dissipated) final;
+  void stored_beside_elastic(const PlaneStrain& strain, double& energy) const override {
+    soil_->stored_beside_elastic(strain, energy);
+  }
+  double mobilised(int lane, const PlaneStress& change) const override { return soil_->mobilised(lane, change); }
   const ShearCycles& cycles() const { return cycles_; }
   double mean_at_rest() const { return mean_at_rest_; }  ///< Pa
   double mean() const { return mean_; }                  ///< mean effective stress at the last commit (Pa)
@@ -26,24 +33,26 @@ class CompactingPoint : public SoilPoint {
   double taken() const { return taken_; }                ///< dissipated by compaction so far (J/m3)
 
  protected:
-  /// Commits the law of stress alone; returns its dissipation (J/m3).
-  virtual double commit_shear(const PlaneStrain& strain) = 0;
-  /// Adds `more` to eps_v; returns the energy that the store loses (J/m3).
-  virtual double compact(double more) = 0;
+  /// Adds `more` to K eps_v (Pa), at the committed strain.
+  virtual void lose(double more, const PlaneStrain& strain) = 0;
+  /// Mean effective stress of this point, or of the one within, from the committed state (Pa).
+  double mean_of(const SoilPoint& soil, const PlaneStrain& strain) const;
+  const SoilPoint& soil() const { return *soil_; }
+  double bulk() const { return bulk_; }  ///< K (Pa)
 
  private:
+  double stored(const PlaneStrain& strain) const;
+
+  std::unique_ptr<SoilPoint> soil_;
+  double bulk_;
   ShearCycles cycles_;
   double mean_at_rest_, least_mean_, mean_, taken_ = 0.;
 };
 
-/// A point around a law that is elastic in volume, with its bulk modulus K (Pa). Its strength does not depend on the
-/// mean stress that compaction removes.
-std::unique_ptr<CompactingPoint> compacting_point(std::unique_ptr<SoilPoint> elastic_in_volume, double bulk_modulus,
-                                                  const ShearCompaction& law, double mean_at_rest);
-/// A point whose strength follows the effective stress that is left. Plastic strain at the apex of its planes is not
-/// recovered when the soil is compressed again.
-std::unique_ptr<CompactingPoint> compacting_point(std::shared_ptr<const MohrCoulombLaw> soil,
-                                                  const PlaneStress& at_rest, double bulk_modulus,
-                                                  const ShearCompaction& law);
+/// A point around soil that is elastic in volume, and whose strength does not depend on the mean stress that compaction
+/// removes.
+std::unique_ptr<CompactingPoint> compacting_point(std::unique_ptr<SoilPoint> elastic_in_volume,
+                                                  const ElasticLaw& elastic, const ShearCompaction& law,
+                                                  double mean_at_rest);
 
 }  // namespace upbead

@@ -1,41 +1,40 @@
 #include "material/hysteretic_law.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
+#include <utility>
 
+#include "base/numbers.h"
+#include "material/few_elements.h"
+#include "material/soil_by_law.h"
 #include "upbead/base/error.h"
 
 namespace upbead {
 namespace {
 
-/// Components xx, yy, xy of the deviator; zz = -(xx + yy).
-PlaneStrain deviator(const PlaneStrain& strain) {
-  const double mean = (strain.xx + strain.yy) / 3.;
+/// Components xx, yy, xy of the deviator of a strain; zz = -(xx + yy).
+template <class Strain>
+UPBEAD_IN_CLONES Strain deviator(const Strain& strain) {
+  const auto mean = (strain.xx + strain.yy) / 3.;
   return {strain.xx - mean, strain.yy - mean, strain.xy};
 }
 
-PlaneStrain difference(const PlaneStrain& a, const PlaneStrain& b) {
+template <class Strain>
+UPBEAD_IN_CLONES Strain minus(const Strain& a, const Strain& b) {
   return {a.xx - b.xx, a.yy - b.yy, a.xy - b.xy};
 }
 
-double bulk_modulus(const ElasticLaw& law) {
-  return law.lambda + 2. / 3. * law.G;
-}
-
 /// a : b of two deviators.
-double product(const PlaneStrain& a, const PlaneStrain& b) {
+template <class Strain>
+UPBEAD_IN_CLONES auto product(const Strain& a, const Strain& b) {
   return a.xx * b.xx + a.yy * b.yy + (a.xx + a.yy) * (b.xx + b.yy) + 2. * a.xy * b.xy;
 }
 
-/// Adds 2 of_deviator (I_dev) - 2 of_direction (n n), with respect to (eps_xx, eps_yy, gamma).
-void add_tangent(double of_deviator, double of_direction, const PlaneStrain& n, Tangent& tangent) {
-  const double direction[] = {n.xx, n.yy, n.xy};
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) tangent[i][j] -= 2. * of_direction * direction[i] * direction[j];
-  for (int i = 0; i < 2; ++i)
-    for (int j = 0; j < 2; ++j) tangent[i][j] += 2. * of_deviator * ((i == j) - 1. / 3.);
-  tangent[2][2] += of_deviator;  // gamma = 2 eps_xy
+PlaneStrain deviator_of(const PlaneStress& s) {
+  const double mean = (s.xx + s.yy + s.zz) / 3.;
+  return {s.xx - mean, s.yy - mean, s.xy};
 }
 
 /// Intersection of the line of slope G through the origin with the line through the first two points: the polygon
@@ -120,17 +119,15 @@ double HystereticLaw::strength() const {
 }
 
 double HystereticLaw::mobilised(const PlaneStress& stress) const {
-  const double mean = (stress.xx + stress.yy + stress.zz) / 3.;
-  const PlaneStrain s{stress.xx - mean, stress.yy - mean, stress.xy};
+  const PlaneStrain s = deviator_of(stress);
   return std::sqrt(0.5 * product(s, s)) / strength();
 }
 
-HystereticLaw::State HystereticLaw::bearing(const PlaneStress& stress) const {
-  const double mean = (stress.xx + stress.yy + stress.zz) / 3.;
-  const PlaneStrain s{stress.xx - mean, stress.yy - mean, stress.xy};
-  State state = at_rest();
+std::vector<PlaneStrain> HystereticLaw::bearing(const PlaneStress& stress) const {
+  const PlaneStrain s = deviator_of(stress);
+  std::vector<PlaneStrain> plastic(elements_.size());
   const double length = std::sqrt(product(s, s));
-  if (length == 0.) return state;
+  if (length == 0.) return plastic;
   // the elements yield one after another: finds gamma at which the backbone has this shear stress
   double gamma = 0., borne = 0., slope = elastic_.G;
   const double tau = std::min(length / std::sqrt(2.), strength());
@@ -143,48 +140,215 @@ HystereticLaw::State HystereticLaw::bearing(const PlaneStress& stress) const {
   }
   for (std::size_t i = 0; i < elements_.size(); ++i) {
     const double share = -std::min(gamma, elements_[i].y / elements_[i].h) / (std::sqrt(2.) * length);
-    state.plastic[i] = {share * s.xx, share * s.yy, share * s.xy};
+    plastic[i] = {share * s.xx, share * s.yy, share * s.xy};
   }
-  return state;
+  return plastic;
 }
 
-LawAnswer HystereticLaw::update(const PlaneStrain& strain, State& state) const {
-  const PlaneStrain e = deviator(strain), e_before = deviator(state.strain);
-  LawAnswer answer{elastic_.stress(strain)};
-  PlaneStress& s = answer.stress;
-  for (std::size_t i = 0; i < elements_.size(); ++i) {
-    const auto [h, y] = elements_[i];
-    PlaneStrain& plastic = state.plastic[i];
-    const PlaneStrain elastic = difference(e, plastic);
-    const double length = std::sqrt(product(elastic, elastic)), most = y / (std::sqrt(2.) * h);
-    if (length > most) {
-      const PlaneStrain n{elastic.xx / length, elastic.yy / length, elastic.xy / length};
-      const PlaneStrain before = difference(e_before, plastic);
-      const double slid = length - most;
-      answer.dissipated += h * slid * (most + product(before, n));
-      plastic = {plastic.xx + slid * n.xx, plastic.yy + slid * n.yy, plastic.xy + slid * n.xy};
-      add_tangent(h * most / length, h * most / length, n, answer.tangent);
-    } else {
-      add_tangent(h, 0., {}, answer.tangent);
+/// The overlay of cells side by side. Energies and stresses are less those of elastic soil.
+template <int n>
+struct Overlay {
+  using Number = typename Beside<n>::Number;
+  using Strain = typename Beside<n>::Strain;
+  using Stress = typename Beside<n>::Stress;
+
+  /// h (Pa), the elastic strain at which it slides, and its plastic strain at rest.
+  struct Element {
+    Number h{}, most{}, most_squared{};
+    Strain rest;
+  };
+  struct State {
+    Strain strain;
+    double n_moved = 0.;       ///< elements from here on have never slid in any cell
+    std::vector<Strain> slid;  ///< plastic strains of the elements since rest
+  };
+
+  std::vector<Element> elements;
+  double n_uneven = 0.;  ///< elements from here on are alike at rest
+  std::vector<std::pair<std::shared_ptr<const HystereticLaw>, PlaneStress>> laws;  ///< by lane, with the stress at rest
+
+  template <class Any, class Visit>
+  static void visit(Any& state, const Visit& of_part) {
+    of_part(state.strain);
+    of_part(state.n_moved);
+    for (auto& slid : state.slid) of_part(slid);
+  }
+
+  /// Missing elements of a law, and those of lanes without a cell, have no stiffness and never slide.
+  void add(const Overlay<1>& one) {
+    Element idle;
+    idle.most += infinity;
+    idle.most_squared += infinity;
+    if (elements.size() < one.elements.size()) elements.resize(one.elements.size(), idle);
+    for (std::size_t i = 0; i < one.elements.size(); ++i)
+      set_lane(one.elements[i], static_cast<int>(laws.size()), elements[i]);
+    n_uneven = std::max(n_uneven, one.n_uneven);
+    laws.push_back(one.laws.front());
+  }
+  State at_rest() const { return {{}, 0., std::vector<Strain>(elements.size())}; }
+  template <class One>
+  State joined(const std::vector<const One*>& /*at_rest*/) const {
+    return at_rest();
+  }
+
+  /// Elastic strain of an element at the deviator e.
+  UPBEAD_IN_CLONES Strain elastic(const State& state, std::size_t i, const Strain& e) const {
+    return minus(minus(e, elements[i].rest), state.slid[i]);
+  }
+
+  /// The share of its elastic strain by which an element slides: 1 - most/length where that is positive, else 0.
+  UPBEAD_IN_CLONES static Number share_of(const Element& element, const Number& squared) {
+    Number root;
+    detail::square_root(element.most_squared / squared, root);
+    return squared > element.most_squared ? 1. - root : Number{};
+  }
+
+  UPBEAD_IN_CLONES static void add(const Number& factor, const Strain& a, Strain& sum) {
+    sum.xx += factor * a.xx;
+    sum.yy += factor * a.yy;
+    sum.xy += factor * a.xy;
+  }
+
+  /// The knees of the elements ascend: if one has never slid and does not slide now, neither do later ones that are
+  /// alike at rest.
+  UPBEAD_IN_CLONES bool ends_at(std::size_t i, const State& state) const {
+    return static_cast<double>(i) >= std::max(state.n_moved, n_uneven);
+  }
+
+  UPBEAD_IN_CLONES void correct(const State& state, const Strain& strain, Stress& correction) const {
+    const Strain e = deviator(strain);
+    Strain sum;
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+      const Strain left = elastic(state, i, e);
+      const Number squared = product(left, left);
+      Strain now = state.slid[i];
+      if (detail::holds_anywhere(squared > elements[i].most_squared))
+        add(share_of(elements[i], squared), left, now);
+      else if (ends_at(i, state))
+        break;
+      add(elements[i].h, now, sum);
     }
-    s = {s.xx - 2. * h * plastic.xx, s.yy - 2. * h * plastic.yy, s.xy - 2. * h * plastic.xy,
-         s.zz + 2. * h * (plastic.xx + plastic.yy)};
+    correction = {2. * sum.xx, 2. * sum.yy, 2. * sum.xy, -2. * (sum.xx + sum.yy)};
   }
-  const double bulk = bulk_modulus(elastic_);
-  for (int i = 0; i < 2; ++i)
-    for (int j = 0; j < 2; ++j) answer.tangent[i][j] += bulk;
-  state.strain = strain;
-  return answer;
+
+  UPBEAD_IN_CLONES void commit(State& state, const Strain& strain, Number& dissipated) const {
+    const Strain e = deviator(strain), e_before = deviator(state.strain);
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+      const Element& element = elements[i];
+      const Strain left = elastic(state, i, e);
+      const Number squared = product(left, left);
+      if (!detail::holds_anywhere(squared > element.most_squared)) {
+        if (ends_at(i, state)) break;
+        continue;
+      }
+      const Number share = share_of(element, squared), along = product(elastic(state, i, e_before), left);
+      Number length;
+      detail::square_root(squared, length);
+      dissipated += share > Number{} ? element.h * share * (element.most * length + along) : Number{};
+      add(share, left, state.slid[i]);
+      state.n_moved = std::max(state.n_moved, static_cast<double>(i + 1));
+    }
+    state.strain = strain;
+  }
+
+  /// sum h (|e - q|^2 + 2 r : q) less sum h |e|^2; q is the plastic strain since rest, r that at rest.
+  UPBEAD_IN_CLONES void stored(const State& state, const Strain& strain, Number& energy) const {
+    const Strain e = deviator(strain);
+    energy = Number{};
+    for (std::size_t i = 0; i < static_cast<std::size_t>(state.n_moved); ++i) {
+      const Strain& q = state.slid[i];
+      energy += elements[i].h * (product(q, q) - 2. * product(q, minus(e, elements[i].rest)));
+    }
+  }
+
+  /// Least distance of the elements' elastic strains from sliding.
+  UPBEAD_IN_CLONES void margin(const State& state, const Strain& strain, Number& least) const {
+    const Strain e = deviator(strain);
+    least = Number{} + infinity;
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+      const Strain left = elastic(state, i, e);
+      Number length;
+      detail::square_root(product(left, left), length);
+      const Number distance = elements[i].most - length;
+      least = distance < least ? distance : least;
+    }
+  }
+
+  double mobilised(const State& /*state*/, int lane, const PlaneStress& change) const {
+    const auto& [law, rest] = laws[static_cast<std::size_t>(lane)];
+    return law->mobilised(sum(rest, change));
+  }
+};
+
+namespace {
+
+/// The overlay of a cell.
+Overlay<1> overlay_of(std::shared_ptr<const HystereticLaw> law, std::vector<PlaneStrain> rest) {
+  Overlay<1> overlay;
+  rest.resize(law->elements().size());
+  PlaneStress stress;
+  for (std::size_t i = 0; i < rest.size(); ++i) {
+    const auto [h, y] = law->elements()[i];
+    const double most = y / (std::sqrt(2.) * h);
+    overlay.elements.push_back({h, most, most * most, rest[i]});
+    stress = {stress.xx - 2. * h * rest[i].xx, stress.yy - 2. * h * rest[i].yy, stress.xy - 2. * h * rest[i].xy,
+              stress.zz + 2. * h * (rest[i].xx + rest[i].yy)};
+    if (i > 0 && (rest[i].xx != rest[i - 1].xx || rest[i].yy != rest[i - 1].yy || rest[i].xy != rest[i - 1].xy))
+      overlay.n_uneven = static_cast<double>(i);
+  }
+  overlay.laws.emplace_back(std::move(law), stress);
+  return overlay;
 }
 
-double HystereticLaw::stored(const State& state) const {
-  const double volume = state.strain.xx + state.strain.yy;
-  double sum = 0.5 * bulk_modulus(elastic_) * volume * volume;
-  for (std::size_t i = 0; i < elements_.size(); ++i) {
-    const PlaneStrain elastic = difference(deviator(state.strain), state.plastic[i]);
-    sum += elements_[i].h * product(elastic, elastic);
-  }
-  return sum;
+}  // namespace
+
+PointMaker hysteretic_points(std::shared_ptr<const HystereticLaw> law, std::vector<PlaneStrain> plastic_at_rest) {
+  auto overlay = std::make_shared<const Overlay<1>>(overlay_of(std::move(law), std::move(plastic_at_rest)));
+  return [overlay](unsigned) { return std::make_unique<SoilBy<Overlay, 1>>(overlay, overlay->at_rest()); };
 }
+
+namespace {
+
+/// Number of points of the backbone that the elements of the overlay are found from, and their range of strain, over
+/// the reference strain: up to 97 % of the strength of the hyperbola.
+constexpr int n_points = 1000;
+constexpr double first_strain = 0.001, last_strain = 30.;
+
+/// The points of the overlay for G = 1: over the reference strain where the strength alone is given, which then is 1.
+std::vector<BackbonePoint> unit_curve(const RegionSoil& soil, double strength) {
+  const auto hyperbola = [](double gamma) { return 1. / (1. + gamma); };
+  if (!soil.curve) return with_few_elements(1., backbone(1., hyperbola, first_strain, last_strain, n_points));
+  const auto [from, to] = soil.curve->range.value_or(
+      std::array<double, 2>{first_strain * soil.curve->reference_strain, last_strain * soil.curve->reference_strain});
+  const auto points = concave(backbone(1., soil.curve->modulus_ratio, from, to, n_points));
+  return with_few_elements(1., soil.strength ? with_strength(points, strength) : points);
+}
+
+std::function<CellPoints(const CellSoil&)> make(const RegionSoil& soil) {
+  const bool differs = soil.curve && soil.strength;  // from cell to cell
+  const auto known = differs ? std::vector<BackbonePoint>() : unit_curve(soil, 1.);
+  return [=](const CellSoil& cell) -> CellPoints {
+    const double G = cell.elastic.G, strength = soil.strength ? soil.strength->shear(cell.mean) : 0.;
+    std::vector<BackbonePoint> points = differs ? unit_curve(soil, strength / G) : known;
+    for (BackbonePoint& point : points) {
+      if (!soil.curve) point = {point.gamma * strength / G, point.tau * strength / G};
+      point.tau *= G;
+    }
+    const auto law = std::make_shared<const HystereticLaw>(cell.elastic, points);
+    const PlaneStress& rest = cell.at_rest.front();
+    return {hysteretic_points(law, law->bearing(rest)), law->mobilised(rest) > 1. + 1e-9};
+  };
+}
+
+}  // namespace
+
+const SoilLawRow hysteretic_row{
+    "hysteretic",
+    "hysteretic soil",
+    SoilNeeds::curve_or_strength,
+    RestStress::given,
+    "it yields along the curve of strain up to its strength, and turns back by Masing's rules",
+    make,
+    compacting_point};
 
 }  // namespace upbead

@@ -2,9 +2,10 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <vector>
 
-#include "material/law_answer.h"
+#include "material/soil_law.h"
 
 namespace upbead {
 
@@ -35,29 +36,17 @@ class HystereticLaw {
     double h = 0.;  ///< share of the shear modulus (Pa)
     double y = 0.;  ///< shear stress at which it yields (Pa)
   };
-  /// Plastic strain of an element: xx, yy and xy of the tensor; zz = -(xx + yy).
-  struct State {
-    PlaneStrain strain;
-    std::vector<PlaneStrain> plastic;
-  };
-
   /// Throws InputError unless tau grows with gamma at slopes that fall, and is not above G gamma.
   HystereticLaw(const ElasticLaw& small_strain, const std::vector<BackbonePoint>& points);
 
-  State at_rest() const { return {{}, std::vector<PlaneStrain>(elements_.size())}; }
-  /// The state at zero strain that bears a deviator as after loading along the backbone by that deviator alone; for a
-  /// deviator beyond the strength, the part that can be borne. Only the deviator of `stress` counts.
-  State bearing(const PlaneStress& stress) const;
+  /// Plastic strains of the elements (xx, yy and xy of the tensor; zz = -(xx + yy)) that at zero strain bear a deviator
+  /// as after loading along the backbone by that deviator alone; for a deviator beyond the strength, the part that can
+  /// be borne. Only the deviator of `stress` counts.
+  std::vector<PlaneStrain> bearing(const PlaneStress& stress) const;
   /// The largest shear stress (Pa).
   double strength() const;
   /// Share of the strength that a stress uses: sqrt(s : s / 2) of its deviator over the strength.
   double mobilised(const PlaneStress& stress) const;
-  /// Below the first yield the stress is bitwise that of the elastic law. Dissipation is the average stress times the
-  /// plastic strain of the step: 0 or more. Together with the change of stored energy it is the work of the average
-  /// stress, to round-off.
-  LawAnswer update(const PlaneStrain& strain, State& state) const;
-  /// Energy stored (J/m3): K eps_v^2/2 + sum h_i ||e - e_i^p||^2.
-  double stored(const State& state) const;
   const std::vector<Element>& elements() const { return elements_; }
   const ElasticLaw& elastic() const { return elastic_; }
 
@@ -65,5 +54,14 @@ class HystereticLaw {
   ElasticLaw elastic_;
   std::vector<Element> elements_;
 };
+
+/// Points of a cell with these plastic strains at rest, one for each element, or none. Below the first yield their stress is
+/// bitwise that of the elastic law. Dissipation is the average stress times the plastic strain of the step: 0 or more.
+/// Together with the change of stored energy, sum h_i ||e - e_i^p||^2, it is the work of the average stress.
+PointMaker hysteretic_points(std::shared_ptr<const HystereticLaw> law, std::vector<PlaneStrain> plastic_at_rest = {});
+
+/// The largest shear stress is c' cos phi' + s'_m sin phi' with the mean effective stress at rest; without a curve of
+/// G over strain, the curve is the hyperbola that tends to this stress.
+extern const SoilLawRow hysteretic_row;
 
 }  // namespace upbead

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
+#include "material/soil_by_law.h"
 #include "upbead/base/error.h"
 
 namespace upbead {
@@ -91,13 +93,6 @@ MohrCoulombPlanes planes_of(const ElasticLaw& elastic, const MohrCoulombStrength
 MohrCoulombLaw::MohrCoulombLaw(const ElasticLaw& elastic, const MohrCoulombStrength& s)
     : elastic_(elastic), planes_(planes_of(elastic, s)) {}
 
-double MohrCoulombLaw::stored(const State& state) const {
-  const PlaneStress& s = state.stress;
-  const double mean = (s.xx + s.yy + s.zz) / 3., bulk = elastic_.lambda + 2. / 3. * elastic_.G;
-  const double xx = s.xx - mean, yy = s.yy - mean, zz = s.zz - mean;
-  return 0.5 * mean * mean / bulk + (xx * xx + yy * yy + zz * zz + 2. * s.xy * s.xy) / (4. * elastic_.G);
-}
-
 double MohrCoulombLaw::excess(const PlaneStress& stress) const {
   const Principal p = principal(stress);
   const double first = p.value[p.sorted[0]], last = p.value[p.sorted[2]];
@@ -122,8 +117,7 @@ double MohrCoulombLaw::mobilised(const PlaneStress& stress) const {
 
 LawAnswer MohrCoulombLaw::update(const PlaneStrain& strain, State& state) const {
   const PlaneStrain step{strain.xx - state.strain.xx, strain.yy - state.strain.yy, strain.xy - state.strain.xy};
-  const PlaneStress change = elastic_.stress(step), old = state.stress;
-  const PlaneStress trial{old.xx + change.xx, old.yy + change.yy, old.xy + change.xy, old.zz + change.zz};
+  const PlaneStress trial = sum(state.stress, elastic_.stress(step));
   state = {trial, strain};
   LawAnswer answer{trial, elastic_.tangent()};
   if (excess(trial) <= 0.) return answer;
@@ -139,16 +133,221 @@ LawAnswer MohrCoulombLaw::update(const PlaneStrain& strain, State& state) const 
                                                                      : 0.5 * (tangent(0, 0) - tangent(0, 1));
   answer.stress = state.stress = turned(value, p.angle);
   answer.tangent = in_plane(tangent, shear, p.angle);
-  const PlaneStress& s = answer.stress;
-  answer.dissipated = dissipated(s, {trial.xx - s.xx, trial.yy - s.yy, trial.xy - s.xy, trial.zz - s.zz});
   return answer;
 }
 
-/// s : D^-1 : relaxed, with D^-1 r = (r - lambda / (3 lambda + 2 G) tr r 1) / 2 G.
-double MohrCoulombLaw::dissipated(const PlaneStress& s, const PlaneStress& r) const {
-  const double G = elastic_.G, lambda = elastic_.lambda;
-  const double mean = lambda / (3. * lambda + 2. * G) * (r.xx + r.yy + r.zz) * (s.xx + s.yy + s.zz);
-  return (s.xx * r.xx + s.yy * r.yy + s.zz * r.zz + 2. * s.xy * r.xy - mean) / (2. * G);
+namespace {
+
+template <class Number>
+UPBEAD_IN_CLONES Number larger(const Number& a, const Number& b) {
+  return a > b ? a : b;
 }
+template <class Number>
+UPBEAD_IN_CLONES Number smaller(const Number& a, const Number& b) {
+  return a < b ? a : b;
+}
+template <class Number>
+UPBEAD_IN_CLONES Number magnitude(const Number& a) {
+  return larger<Number>(a, -a);
+}
+template <class Stress>
+UPBEAD_IN_CLONES Stress minus(const Stress& a, const Stress& b) {
+  return {a.xx - b.xx, a.yy - b.yy, a.xy - b.xy, a.zz - b.zz};
+}
+
+}  // namespace
+
+/// Mohr-Coulomb soil of cells side by side.
+template <int n>
+struct MohrCoulombSoil {
+  using Number = typename Beside<n>::Number;
+  using Strain = typename Beside<n>::Strain;
+  using Stress = typename Beside<n>::Stress;
+
+  /// The stress at rest, and D eps_p, by which flow since rest reduces the elastic stress.
+  struct State {
+    Stress rest, taken;
+  };
+  struct Constants {
+    Number G, lambda, k, m, strength, tension;
+  };
+  /// A trial stress, its Mohr circle in the plane, and its principal stresses in order.
+  struct Trial {
+    Stress stress;
+    Number mean, half, radius;
+    Number first, middle, last;  ///< principal
+  };
+
+  static constexpr double never = 1e300;
+  Constants c{Number{} + 1., Number{}, Number{}, Number{}, Number{} + never, Number{} + never};
+  std::vector<std::shared_ptr<const MohrCoulombLaw>> laws;  ///< by lane
+
+  template <class Any, class Visit>
+  static void visit(Any& state, const Visit& of_part) {
+    of_part(state.taken);
+  }
+  void add(const MohrCoulombSoil<1>& one) {
+    set_lane(one.c, static_cast<int>(laws.size()), c);
+    laws.push_back(one.laws.front());
+  }
+  template <class One>
+  State joined(const std::vector<const One*>& states) const {
+    State all;
+    for (std::size_t lane = 0; lane < states.size(); ++lane) set_lane(*states[lane], static_cast<int>(lane), all);
+    return all;
+  }
+
+  UPBEAD_IN_CLONES Trial elastic(const State& state, const Strain& strain) const {
+    const Number volume = c.lambda * (strain.xx + strain.yy);
+    Trial trial;
+    Stress& s = trial.stress;
+    s.xx = state.rest.xx + (2. * c.G * strain.xx + volume) - state.taken.xx;
+    s.yy = state.rest.yy + (2. * c.G * strain.yy + volume) - state.taken.yy;
+    s.xy = state.rest.xy + 2. * c.G * strain.xy - state.taken.xy;
+    s.zz = state.rest.zz + volume - state.taken.zz;
+    trial.mean = 0.5 * (s.xx + s.yy);
+    trial.half = 0.5 * (s.xx - s.yy);
+    detail::square_root(trial.half * trial.half + s.xy * s.xy, trial.radius);
+    const Number a = trial.mean + trial.radius, b = trial.mean - trial.radius;
+    trial.first = larger(a, s.zz);
+    trial.middle = larger(b, smaller(a, s.zz));
+    trial.last = smaller(b, s.zz);
+    return trial;
+  }
+
+  /// Turns the sorted principal stresses back into the plane; zz keeps its rank from the trial.
+  UPBEAD_IN_CLONES static Stress turned_back(const Trial& trial, const Number& first, const Number& middle,
+                                             const Number& last) {
+    const Number zz = trial.stress.zz, none{};
+    const auto is_first = zz > trial.mean + trial.radius, is_last = zz <= trial.mean - trial.radius;
+    const Number a = is_first ? middle : first, b = is_last ? middle : last;
+    const Number mean = 0.5 * (a + b), radius = 0.5 * (a - b);
+    const auto turned = trial.radius > none;
+    const Number cosine = turned ? trial.half / trial.radius : none + 1.;
+    const Number sine = turned ? trial.stress.xy / trial.radius : none;
+    return {mean + radius * cosine, mean - radius * cosine, radius * sine, is_first ? first : is_last ? last : middle};
+  }
+
+  /// Returns the trial stresses that lie outside the planes; false where none does. Most of them return to the plane of
+  /// shear alone, the others by MohrCoulombLaw::returned().
+  UPBEAD_IN_CLONES bool returns(const Trial& trial, Stress& back) const {
+    const Number over = c.k * trial.first - trial.last - c.strength, none{};
+    // `outside` is the negation of a comparison, so that a stress that is not a number counts as outside
+    const auto outside = !((over <= none) & (trial.first <= c.tension));
+    if (!detail::holds_anywhere(outside)) return false;
+    const Number volume = c.lambda * (c.m - 1.), D_first = volume + 2. * c.G * c.m, D_last = volume - 2. * c.G;
+    const Number l = over / (c.k * D_first - D_last);
+    const Number first = trial.first - l * D_first, middle = trial.middle - l * volume, last = trial.last - l * D_last;
+    const Number largest_trial = larger(magnitude(trial.first), larger(magnitude(trial.middle), magnitude(trial.last)));
+    const Number small = 1e-10 * (largest_trial + c.strength);
+    const Number largest = larger<Number>(c.k * middle - last, c.k * first - middle) - c.strength;
+    const auto off_plane = !((over > none) & (larger<Number>(largest, larger(first, middle) - c.tension) <= small) &
+                             (last - c.tension <= small));
+    const Stress turned = turned_back(trial, first, middle, last), &s = trial.stress;
+    back = {outside ? turned.xx : s.xx, outside ? turned.yy : s.yy, outside ? turned.xy : s.xy,
+            outside ? turned.zz : s.zz};
+    for (int lane = 0; lane < static_cast<int>(laws.size()); ++lane)
+      if (detail::holds_in(outside, lane) && detail::holds_in(off_plane, lane))
+        set_lane(laws[static_cast<std::size_t>(lane)]->returned(in_lane(s, lane)), lane, back);
+    return true;
+  }
+
+  UPBEAD_IN_CLONES void correct(const State& state, const Strain& strain, Stress& correction) const {
+    const Trial trial = elastic(state, strain);
+    correction = state.taken;
+    if (Stress back; returns(trial, back)) grow(trial.stress, back, correction);
+  }
+  UPBEAD_IN_CLONES void commit(State& state, const Strain& strain, Number& dissipated) const {
+    const Trial trial = elastic(state, strain);
+    Stress back;
+    if (!returns(trial, back)) return;
+    dissipated += energy(back, minus(trial.stress, back));
+    grow(trial.stress, back, state.taken);
+  }
+  UPBEAD_IN_CLONES static void grow(const Stress& trial, const Stress& back, Stress& taken) {
+    taken = {taken.xx + (trial.xx - back.xx), taken.yy + (trial.yy - back.yy), taken.xy + (trial.xy - back.xy),
+             taken.zz + (trial.zz - back.zz)};
+  }
+  /// s : D^-1 : r, with D^-1 r = (r - lambda / (3 lambda + 2 G) tr r 1) / 2 G.
+  UPBEAD_IN_CLONES Number energy(const Stress& s, const Stress& r) const {
+    const Number mean = c.lambda / (3. * c.lambda + 2. * c.G) * (r.xx + r.yy + r.zz) * (s.xx + s.yy + s.zz);
+    return (s.xx * r.xx + s.yy * r.yy + s.zz * r.zz + 2. * s.xy * r.xy - mean) / (2. * c.G);
+  }
+  /// With sigma = D eps - taken: taken : D^-1 : (taken/2 - eps : D) in all four components, and the work of the stress
+  /// at rest on the flow.
+  UPBEAD_IN_CLONES void stored(const State& state, const Strain& e, Number& stored_energy) const {
+    const Stress &r = state.taken, &rest = state.rest;
+    const Stress half{0.5 * r.xx - rest.xx, 0.5 * r.yy - rest.yy, 0.5 * r.xy - rest.xy, 0.5 * r.zz - rest.zz};
+    stored_energy = energy(r, half) - (r.xx * e.xx + r.yy * e.yy + 2. * r.xy * e.xy);
+  }
+  /// The planes' excess grows by at most (k + 1) times the largest change of a principal stress, which is at most
+  /// (2 G + sqrt(2) lambda) times the norm of the change of strain.
+  UPBEAD_IN_CLONES void margin(const State& state, const Strain& strain, Number& least) const {
+    const Trial trial = elastic(state, strain);
+    const Number inside = smaller<Number>(c.strength - c.k * trial.first + trial.last, c.tension - trial.first);
+    least = inside / ((c.k + 1.) * (2. * c.G + std::sqrt(2.) * c.lambda));
+  }
+  double mobilised(const State& state, int lane, const PlaneStress& change) const {
+    return laws[static_cast<std::size_t>(lane)]->mobilised(sum(in_lane(state.rest, lane), change));
+  }
+};
+
+namespace {
+
+using MohrCoulombPoint = SoilBy<MohrCoulombSoil, 1>;
+
+/// Its strength follows the effective stress that is left. Plastic strain at the apex of its planes is not recovered
+/// when the soil is compressed again.
+class CompactingMohrCoulomb : public CompactingPoint {
+ public:
+  CompactingMohrCoulomb(std::unique_ptr<MohrCoulombPoint> soil, MohrCoulombPoint& inner, const ElasticLaw& elastic,
+                        const ShearCompaction& law)
+      : CompactingPoint(std::move(soil), elastic, law, mean_stress(inner.state().rest)), inner_(inner) {}
+
+ private:
+  void lose(double more, const PlaneStrain& strain) override {
+    waiting_ += more;
+    const double takes = std::clamp(mean_of(inner_, strain), 0., waiting_);
+    inner_.state().taken = difference(inner_.state().taken, {takes, takes, 0., takes});
+    waiting_ -= takes;
+  }
+
+  MohrCoulombPoint& inner_;
+  double waiting_ = 0.;  ///< the part of K eps_v for which no stress was left (Pa)
+};
+
+std::unique_ptr<CompactingPoint> compacting(std::unique_ptr<SoilPoint> soil, const ElasticLaw& elastic,
+                                            const ShearCompaction& law, double /*mean_at_rest*/) {
+  std::unique_ptr<MohrCoulombPoint> own(&dynamic_cast<MohrCoulombPoint&>(*soil));
+  soil.release();
+  MohrCoulombPoint& inner = *own;
+  return std::make_unique<CompactingMohrCoulomb>(std::move(own), inner, elastic, law);
+}
+
+std::function<CellPoints(const CellSoil&)> make(const RegionSoil& soil) {
+  return [strength = *soil.strength](const CellSoil& cell) -> CellPoints {
+    const auto law = std::make_shared<const MohrCoulombLaw>(cell.elastic, strength);
+    return {mohr_coulomb_points(law, cell.at_rest), law->excess(cell.at_rest.front()) > 0.};
+  };
+}
+
+}  // namespace
+
+PointMaker mohr_coulomb_points(std::shared_ptr<const MohrCoulombLaw> law, std::vector<PlaneStress> at_rest) {
+  const ElasticLaw& D = law->elastic();
+  const MohrCoulombPlanes& p = law->planes();
+  auto soil = std::make_shared<MohrCoulombSoil<1>>();
+  soil->c = {D.G, D.lambda, p.k, p.m, p.strength, p.tension};
+  soil->laws.push_back(law);
+  return [soil, law, at_rest = std::move(at_rest)](unsigned point) {
+    const PlaneStress& stress = at_rest[point % at_rest.size()];
+    return std::make_unique<MohrCoulombPoint>(
+        soil, MohrCoulombPoint::State{law->excess(stress) > 0. ? law->returned(stress) : stress, {}});
+  };
+}
+
+const SoilLawRow mohr_coulomb_row{
+    "mohr_coulomb", "Mohr-Coulomb soil", SoilNeeds::strength, RestStress::balanced, "elastic up to its strength",
+    make,           compacting};
 
 }  // namespace upbead

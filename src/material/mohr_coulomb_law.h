@@ -1,16 +1,17 @@
 // Soil that fails where shear stress exceeds friction and cohesion: perfectly plastic, on the current effective stress.
 #pragma once
 
-#include "material/law_answer.h"
 #include "material/mohr_coulomb_planes.h"
+#include "material/soil_law.h"
 
 namespace upbead {
 
-struct MohrCoulombStrength {
-  double friction_angle = 0.;   ///< phi' (degrees), below 90
-  double cohesion = 0.;         ///< c' (Pa)
-  double dilatancy_angle = 0.;  ///< psi' (degrees), from 0 to phi'
-  double tension = 0.;          ///< largest tensile stress (Pa); never above c' / tan phi'
+/// Derivative of (sigma_xx, sigma_yy, sigma_xy) by (eps_xx, eps_yy, gamma_xy) (Pa); symmetric for associated flow.
+using Tangent = std::array<std::array<double, 3>, 3>;
+
+struct LawAnswer {
+  PlaneStress stress;  ///< Pa
+  Tangent tangent{};   ///< at the end of the step, consistent with the update
 };
 
 /// With principal stresses s1 >= s2 >= s3, tension positive, k = (1 + sin phi)/(1 - sin phi), m the same with psi:
@@ -28,11 +29,10 @@ class MohrCoulombLaw {
   /// Throws InputError, all mistakes at once, where an angle or a strength is out of its range.
   MohrCoulombLaw(const ElasticLaw& elastic, const MohrCoulombStrength& strength);
 
-  /// The stress is the effective one, including that at rest. Dissipation is the stress at the end times the plastic
-  /// strain. Throws NumericsError where the return finds no set of planes: the strain is not finite.
+  /// Changes the state last committed to the one at the given strain. A solver that iterates must call it each time
+  /// with a copy of the committed state: a path of iterates is not real. Throws NumericsError where the return finds no
+  /// set of planes: the strain is not finite.
   LawAnswer update(const PlaneStrain& strain, State& state) const;
-  /// Energy stored (J/m3): sigma : D^-1 : sigma / 2.
-  double stored(const State& state) const;
   /// Largest excess of a stress over the planes (Pa); negative inside.
   double excess(const PlaneStress& stress) const;
   /// The stress to which a trial stress outside the planes returns. Throws as update does.
@@ -43,10 +43,15 @@ class MohrCoulombLaw {
   double mobilised(const PlaneStress& stress) const;
 
  private:
-  double dissipated(const PlaneStress& stress, const PlaneStress& relaxed) const;
-
   ElasticLaw elastic_;
   MohrCoulombPlanes planes_;
 };
+
+/// Points of a cell that start from these stresses at rest, one for each point or one for all; where one exceeds the
+/// strength, from what it returns to. Dissipation is the stress at the end times the plastic strain; the energy stored
+/// is sigma : D^-1 : sigma / 2.
+PointMaker mohr_coulomb_points(std::shared_ptr<const MohrCoulombLaw> law, std::vector<PlaneStress> at_rest);
+
+extern const SoilLawRow mohr_coulomb_row;
 
 }  // namespace upbead

@@ -7,6 +7,7 @@
 #include "base/numbers.h"
 #include "base/text.h"
 #include "model/member_rules.h"
+#include "model/soil_law_row.h"
 #include "model/words.h"
 
 namespace upbead {
@@ -110,15 +111,7 @@ class Checker {
   }
 
   void check_law() {
-    if (region_.law == SoilLaw::hysteretic && !region_.strain_law && !region_.strength)
-      add("law", "neither 'strain' nor 'strength' is given, one of which hysteretic soil needs",
-          "add strain = { reference_strain = 5e-4 }, or strength = { friction_angle = 35 }");
-    if (region_.law == SoilLaw::mohr_coulomb && !region_.strength)
-      add("law", "'strength' is missing, which Mohr-Coulomb soil needs",
-          "add strength = { friction_angle = 35, cohesion = 0 }");
-    if (region_.law == SoilLaw::mohr_coulomb && region_.strain_law)
-      add("strain", "Mohr-Coulomb soil is elastic up to its strength and follows no strain",
-          "remove strain, or write law = \"hysteretic\"");
+    if (const SoilLawRow* row = row_of(region_.law)) check_needs(*row);
     if (!region_.strength) return;
     if (region_.strength->dilatancy_angle > region_.strength->friction_angle)
       add("strength", "dilatancy_angle is more than friction_angle", "give an angle from 0 to friction_angle");
@@ -127,6 +120,19 @@ class Checker {
       add("strength",
           "tension is more than the tip of the strength, cohesion / tan(friction_angle) = " + significant(apex) + " Pa",
           "lower tension, or raise cohesion");
+  }
+
+  void check_needs(const SoilLawRow& row) {
+    const std::string soil = row.soil;
+    if (row.needs == SoilNeeds::curve_or_strength && !region_.strain_law && !region_.strength)
+      add("law", "neither 'strain' nor 'strength' is given, one of which " + soil + " needs",
+          "add strain = { reference_strain = 5e-4 }, or strength = { friction_angle = 35 }");
+    if (row.needs == SoilNeeds::strength && !region_.strength)
+      add("law", "'strength' is missing, which " + soil + " needs",
+          "add strength = { friction_angle = 35, cohesion = 0 }");
+    if (row.needs == SoilNeeds::strength && region_.strain_law)
+      add("strain", soil + " is elastic up to its strength and follows no strain",
+          "remove strain, or write law = \"hysteretic\"");
   }
 
   void check_densification(const Densification& d) {

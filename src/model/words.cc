@@ -1,5 +1,7 @@
 #include "model/words.h"
 
+#include "material/soil_law.h"
+
 namespace upbead {
 
 const Words<RegionKind> region_kind_words{{"porous", RegionKind::porous},
@@ -9,8 +11,11 @@ const Words<RegionKind> region_kind_words{{"porous", RegionKind::porous},
 
 const Words<ContactKind> contact_kind_words{{"bonded", ContactKind::bonded}, {"friction", ContactKind::friction}};
 
-const Words<SoilLaw> soil_law_words{
-    {"elastic", SoilLaw::elastic}, {"hysteretic", SoilLaw::hysteretic}, {"mohr_coulomb", SoilLaw::mohr_coulomb}};
+const Words<SoilLaw> soil_law_words = [] {
+  Words<SoilLaw> words{{"elastic", SoilLaw::elastic}};
+  for (const SoilLawRow* row : soil_law_rows()) words.emplace_back(row->word, static_cast<SoilLaw>(words.size()));
+  return words;
+}();
 
 const Words<RestStart> rest_start_words{
     {"k0", RestStart::k0}, {"virgin", RestStart::virgin}, {"gravity", RestStart::gravity}};

@@ -10,6 +10,7 @@
 #include "fem/compile.h"
 #include "fem/rest_state.h"
 #include "fem/soil_laws.h"
+#include "model/soil_law_row.h"
 #include "model/words.h"
 #include "response/compaction.h"
 #include "run/solve.h"
@@ -23,13 +24,13 @@ RestStart start_of(const Scene& scene) {
   return scene.initial ? scene.initial->start : RestStart::k0;
 }
 
-bool is_hysteretic(const Scene& scene) {
+bool has_start(const Scene& scene) {
   return std::any_of(scene.regions.begin(), scene.regions.end(),
-                     [](const auto& entry) { return entry.second.law == SoilLaw::hysteretic; });
+                     [](const auto& entry) { return starts_from(RestStress::given, entry.second); });
 }
 
 bool wants_bounds(const Scene& scene) {
-  return is_hysteretic(scene) && (!scene.initial || scene.initial->bounds);
+  return has_start(scene) && (!scene.initial || scene.initial->bounds);
 }
 
 double last(const CompiledScene& compiled, const Response& response, const char* reading) {
@@ -88,7 +89,7 @@ YieldingSolution yielding_of(const Simulation& simulation, RestStart start, cons
                              const Solution& solution) {
   YieldingSolution out;
   NonlinearSummary& found = out.found;
-  found.start = is_hysteretic(simulation.scene) ? word_of(start, rest_start_words) : "static";
+  found.start = has_start(simulation.scene) ? word_of(start, rest_start_words) : "static";
   found.stages = report.stages;
   found.iterations = report.evaluations;
   found.factorisations = solution.discretisation.factorisations;

@@ -14,6 +14,8 @@
 
 #include "base/numbers.h"
 #include "dynamics/yielding.h"
+#include "material/hysteretic_law.h"
+#include "material/mohr_coulomb_law.h"
 #include "scenes.h"
 #include "upbead/dynamics/march.h"
 
@@ -23,26 +25,33 @@ namespace yielding_soil_test {
 /// By active cell index; null for cells that stay elastic.
 using CellLaws = std::vector<std::shared_ptr<const HystereticLaw>>;
 
-std::unique_ptr<YieldingSoil> yielding(const Compiled& compiled, const CellLaws& laws, const SoilWork& work = {}) {
-  const auto points = [&](unsigned cell, unsigned) {
-    return laws[cell] ? soil_point(laws[cell], laws[cell]->at_rest()) : nullptr;
-  };
+PointsOfCells points_of(const CellLaws& laws) {
+  std::vector<PointMaker> makers;
+  for (const auto& law : laws) makers.push_back(law ? hysteretic_points(law) : [](unsigned) { return nullptr; });
+  return [makers](unsigned cell, unsigned point) { return makers[cell](point); };
+}
+
+std::unique_ptr<YieldingSoil> yielding(const Compiled& compiled, const PointsOfCells& points,
+                                       const SoilWork& work = {}) {
   return yielding_soil(compiled.space, compiled.unknowns, compiled.scene.system.readings, points, work);
+}
+
+std::unique_ptr<YieldingSoil> yielding(const Compiled& compiled, const CellLaws& laws, const SoilWork& work = {}) {
+  return yielding(compiled, points_of(laws), work);
 }
 
 constexpr double gamma_r = 5e-4;
 
-/// A law for every cell that deforms and is no water, with a share of its stiffness.
-CellLaws laws(const Space& space, double share, double strain) {
+/// A law for every cell that deforms and is no water.
+CellLaws laws(const Space& space, double strain) {
   CellLaws found;
   for (const Cell& cell : space.dofs().active_cell_iterators()) {
     const ElasticLaw& law = space.material(cell);
     const bool yields = space.has_matrices(cell) && space.kind(cell) != CellKind::water;
     found.push_back(yields ? std::make_shared<HystereticLaw>(
-                                 ElasticLaw{share * law.G, share * law.lambda},
-                                 backbone(
-                                     share * law.G, [=](double gamma) { return 1. / (1. + gamma / strain); },
-                                     1e-2 * strain, 30. * strain, 10))
+                                 law, backbone(
+                                          law.G, [=](double gamma) { return 1. / (1. + gamma / strain); },
+                                          1e-2 * strain, 30. * strain, 10))
                            : nullptr);
   }
   return found;
@@ -54,11 +63,31 @@ Vector full(const std::vector<int>& rows, const Vector& p, int n) {
   return out;
 }
 
+/// Elastic soil of half the stiffness D.
+class HalfElastic : public SoilPoint {
+ public:
+  explicit HalfElastic(const ElasticLaw& D) : half_{0.5 * D.G, 0.5 * D.lambda} {}
+  void correct(const PlaneStrain& e, PlaneStress& correction) const override { correction = half_.stress(e); }
+  void commit(const PlaneStrain&, double&) override {}
+  void stored_beside_elastic(const PlaneStrain& e, double& energy) const override {
+    const PlaneStress s = half_.stress(e);
+    energy = -0.5 * (s.xx * e.xx + s.yy * e.yy) - s.xy * e.xy;
+  }
+  double mobilised(int, const PlaneStress&) const override { return 0.; }
+
+ private:
+  ElasticLaw half_;
+};
+
 TEST(YieldingSoil, LawOfHalfTheStiffnessTakesHalfOfK) {
   const auto mesh = breakwater_mesh(0.5);
   const Compiled compiled(breakwater(triangle(1., 0.1)), *mesh);
   const System& system = compiled.scene.system;
-  const auto soil = yielding(compiled, laws(compiled.space, 0.5, 1e6));
+  const CellLaws all = laws(compiled.space, 1e6);
+  const PointsOfCells halves = [&](unsigned cell, unsigned) {
+    return all[cell] ? std::make_unique<HalfElastic>(all[cell]->elastic()) : nullptr;
+  };
+  const auto soil = yielding(compiled, halves);
   const Vector x = 1e-3 * Vector::Random(system.size());
   Vector p, again;
   soil->evaluate(x, p);
@@ -73,7 +102,7 @@ TEST(YieldingSoil, LawOfHalfTheStiffnessTakesHalfOfK) {
 TEST(YieldingSoil, WhatIsNotCommittedIsForgotten) {
   const auto mesh = breakwater_mesh(0.5);
   const Compiled compiled(breakwater(triangle(1., 0.1)), *mesh);
-  const auto soil = yielding(compiled, laws(compiled.space, 1., gamma_r));
+  const auto soil = yielding(compiled, laws(compiled.space, gamma_r));
   const Vector x = 1e-3 * Vector::Random(compiled.scene.system.size()), rest = 0. * x;
   Vector first, second, p;
   soil->evaluate(1e-9 * x, p);
@@ -92,7 +121,7 @@ TEST(YieldingSoil, WhatIsNotCommittedIsForgotten) {
 TEST(YieldingSoil, LanesAndThreadsGiveWhatPointsDo) {
   const auto mesh = breakwater_mesh(0.5);
   const Compiled compiled(breakwater(triangle(1., 0.1)), *mesh);
-  const CellLaws of_cells = laws(compiled.space, 1., gamma_r);
+  const CellLaws of_cells = laws(compiled.space, gamma_r);
   SoilWork by_points, by_one, by_three;
   by_points.by_points = true;
   by_one.threads = 1;
@@ -133,7 +162,7 @@ TEST(YieldingSoil, LanesAndThreadsGiveWhatPointsDo) {
 TEST(YieldingSoil, CellsThatCannotYieldAreLeftOutWithoutATrace) {
   const auto mesh = breakwater_mesh(0.5);
   const Compiled compiled(breakwater(triangle(1., 0.1)), *mesh);
-  const CellLaws of_cells = laws(compiled.space, 1., gamma_r);
+  const CellLaws of_cells = laws(compiled.space, gamma_r);
   SoilWork whole;
   whole.skip = false;
   const auto left_out = yielding(compiled, of_cells), all = yielding(compiled, of_cells, whole);
@@ -158,16 +187,16 @@ TEST(YieldingSoil, MohrCoulombCellsFarFromYieldAreLeftOutWithoutATrace) {
   const auto mesh = breakwater_mesh(0.5);
   const Compiled compiled(breakwater(triangle(1., 0.1)), *mesh);
   const Space& space = compiled.space;
-  std::vector<std::shared_ptr<const MohrCoulombLaw>> of_cells;
-  for (const Cell& cell : space.dofs().active_cell_iterators())
-    of_cells.push_back(
-        space.has_matrices(cell) && space.kind(cell) != CellKind::water
-            ? std::make_shared<MohrCoulombLaw>(space.material(cell), MohrCoulombStrength{35., 5e3, 5., 0.})
-            : nullptr);
-  const PointsOfCells points = [&](unsigned cell, unsigned) {
-    const double p = 1e3 * (1 + cell % 100);  // stress at rest from low to high
-    return of_cells[cell] ? soil_point(of_cells[cell], {-0.5 * p, -p, 0., -0.5 * p}) : nullptr;
-  };
+  std::vector<PointMaker> of_cells;
+  for (const Cell& cell : space.dofs().active_cell_iterators()) {
+    const double p = 1e3 * (1 + cell->active_cell_index() % 100);  // stress at rest from low to high
+    of_cells.emplace_back([](unsigned) { return nullptr; });
+    if (space.has_matrices(cell) && space.kind(cell) != CellKind::water)
+      of_cells.back() = mohr_coulomb_points(
+          std::make_shared<MohrCoulombLaw>(space.material(cell), MohrCoulombStrength{35., 5e3, 5., 0.}),
+          {{-0.5 * p, -p, 0., -0.5 * p}});
+  }
+  const PointsOfCells points = [&](unsigned cell, unsigned point) { return of_cells[cell](point); };
   const auto make = [&](const SoilWork& work) {
     return yielding_soil(space, compiled.unknowns, compiled.scene.system.readings, points, work);
   };
@@ -198,7 +227,7 @@ TEST(YieldingSoil, GoesOnFromACheckpointToTheLastBit) {
   const auto mesh = breakwater_mesh(0.5);
   const Compiled compiled(breakwater(triangle(3e6, 0.15)), *mesh);
   const System& system = compiled.scene.system;
-  const CellLaws of_cells = laws(compiled.space, 1., gamma_r);
+  const CellLaws of_cells = laws(compiled.space, gamma_r);
   for (const bool by_points : {false, true}) {
     SoilWork work;
     work.by_points = by_points;
@@ -240,7 +269,7 @@ Answer answer(double force, double strain) {
   const auto mesh = breakwater_mesh(0.5);
   const Compiled compiled(breakwater(triangle(force, 0.15)), *mesh);
   const System& system = compiled.scene.system;
-  const auto soil = yielding(compiled, laws(compiled.space, 1., strain));
+  const auto soil = yielding(compiled, laws(compiled.space, strain));
   const auto scheme = make_yielding_scheme(system, *soil, {1e-9, false});
   const Response response = march(system, *scheme, make_time_grid(kinks(system), 1.5, 0.0075));
   const auto row = [&](const char* name) { return response.balanced.reading.row(system.reading(name)).eval(); };
@@ -274,11 +303,11 @@ TEST(YieldingSoil, ProbesAndPointsTellTheStressOfTheLaw) {
   const auto mesh = breakwater_mesh(0.5);
   Scene scene = breakwater(triangle(3e6, 0.15));
   const Compiled before(scene, *mesh);
-  const CellLaws all = laws(before.space, 1., gamma_r);
+  const CellLaws all = laws(before.space, gamma_r);
   unsigned cell = 0;
   for (const Cell& c : before.space.dofs().active_cell_iterators())
     if (all[c->active_cell_index()] && c->point_inside({0.3, 4.7})) cell = c->active_cell_index();
-  const auto points = [&](unsigned c, unsigned) { return all[c] ? soil_point(all[c], all[c]->at_rest()) : nullptr; };
+  const PointsOfCells points = points_of(all);
   const dealii::Point<dim> at =
       yielding_soil(before.space, before.unknowns, before.scene.system.readings, points)->borne()[cell].at(4).at;
   scene.regions["seabed"].law = scene.regions["mound"].law = SoilLaw::hysteretic;  // the probe then follows the law
@@ -292,10 +321,14 @@ TEST(YieldingSoil, ProbesAndPointsTellTheStressOfTheLaw) {
   const Response response = march(system, *scheme, make_time_grid(kinks(system), 0.5, 0.0075));
   const auto row = [&](const std::string& what) { return history(compiled, response, "probes/inside/" + what); };
   const auto xx = row("strain_xx"), yy = row("strain_yy"), xy = row("strain_xy");
-  HystereticLaw::State state = all[cell]->at_rest();
-  double largest = 0., mobilised = 0.;
+  const auto alone = points(cell, 4);
+  double largest = 0., mobilised = 0., lost = 0.;
   for (Eigen::Index i = 0; i < xx.size(); ++i) {
-    const PlaneStress s = all[cell]->update({xx[i], yy[i], xy[i]}, state).stress;
+    const PlaneStrain strain{xx[i], yy[i], xy[i]};
+    PlaneStress correction;
+    alone->correct(strain, correction);
+    alone->commit(strain, lost);
+    const PlaneStress s = difference(all[cell]->elastic().stress(strain), correction);
     largest = std::max(largest, std::abs(s.xy));
     mobilised = all[cell]->mobilised(s);
     EXPECT_NEAR(row("effective_stress_xx")[i], s.xx, 1e-9 * largest + 1e-6);
@@ -334,8 +367,8 @@ TEST(YieldingSoil, AProbeBetweenThePointsReadsTheirPolynomial) {
   const std::vector<FollowedReading> read = followed_readings(compiled.space, compiled.resolved);
   const auto points_of_cell = dealii::QGauss<dim>(3).get_points();
   for (const double strain : {1e6, gamma_r}) {
-    const CellLaws all = laws(compiled.space, 1., strain);
-    const auto points = [&](unsigned c, unsigned) { return all[c] ? soil_point(all[c], all[c]->at_rest()) : nullptr; };
+    const CellLaws all = laws(compiled.space, strain);
+    const PointsOfCells points = points_of(all);
     SoilWork work;
     work.followed = read;
     const auto soil = yielding_soil(compiled.space, compiled.unknowns, system.readings, points, work);
@@ -351,8 +384,7 @@ TEST(YieldingSoil, AProbeBetweenThePointsReadsTheirPolynomial) {
     EXPECT_NEAR(told, through(points_of_cell, xx, read.front().unit), 1e-8 * scale) << strain;
     if (strain < 1.) continue;
     const HystereticLaw& law = *all[read.front().cell->active_cell_index()];  // straight at so small a strain
-    HystereticLaw::State state = law.at_rest();
-    const double elastic = law.update({last("strain_xx"), last("strain_yy"), last("strain_xy")}, state).stress.xx;
+    const double elastic = law.elastic().stress({last("strain_xx"), last("strain_yy"), last("strain_xy")}).xx;
     EXPECT_NEAR(told, elastic, 1e-6 * scale);
     double near = infinity, other = 0.;
     for (std::size_t q = 0; q < 9; ++q)
@@ -422,7 +454,7 @@ TEST(YieldingSoil, ColumnUnderAStrongWaveIsThatOfAProgramInOneDimension) {
   const auto mesh = column_mesh(height, 40);
   const Compiled compiled(scene, *mesh);
   const System& system = compiled.scene.system;
-  const CellLaws all = laws(compiled.space, 1., gamma_r);
+  const CellLaws all = laws(compiled.space, gamma_r);
   const Cell cell = compiled.space.dofs().begin_active();
   const Reading& top = system.readings[static_cast<std::size_t>(system.reading("probes/top/displacement_y"))];
   std::vector<double> error;

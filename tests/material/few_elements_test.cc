@@ -8,6 +8,8 @@
 #include <cmath>
 #include <functional>
 
+#include "law_paths.h"
+
 namespace upbead {
 namespace few_elements_test {
 
@@ -23,11 +25,11 @@ struct Cycle {
 
 Cycle cycle(const HystereticLaw& law, double amplitude) {
   constexpr int n = 500;
-  HystereticLaw::State state = law.at_rest();
-  law.update({0., 0., 0.5 * amplitude}, state);
+  testing::SoilPath path(hysteretic_points(std::make_shared<const HystereticLaw>(law))(0), law.elastic());
+  path.shear_to(amplitude);
   Cycle found;
   for (int i = 1; i <= n; ++i) {
-    const LawAnswer answer = law.update({0., 0., 0.5 * amplitude * std::cos(2. * pi * i / n)}, state);
+    const auto answer = path.to({0., 0., 0.5 * amplitude * std::cos(2. * pi * i / n)});
     found.energy += answer.dissipated;
     found.stress = answer.stress.xy;
   }

@@ -1,10 +1,12 @@
-// Tools for tests of every law of stress: random strains, rotations, tangents by differences.
+// Tools for tests of every law of stress: random strains, points that follow them, rotations.
 #pragma once
 
 #include <cmath>
+#include <memory>
 #include <random>
+#include <utility>
 
-#include "material/law_answer.h"
+#include "material/mohr_coulomb_law.h"
 
 namespace upbead::testing {
 
@@ -34,15 +36,40 @@ Tensor in_turned_axes(Tensor t, double angle) {
   return t;
 }
 
-/// Column j of the tangent by a one-sided difference: d sigma / d eps_xx, eps_yy or gamma.
-template <class Law>
-std::array<double, 3> difference(const Law& law, const PlaneStrain& strain, const typename Law::State& state, int j,
-                                 double step) {
-  PlaneStrain moved = strain;
-  (j == 0 ? moved.xx : j == 1 ? moved.yy : moved.xy) += j == 2 ? 0.5 * step : step;
-  typename Law::State one = state, two = state;
-  const PlaneStress a = law.update(strain, one).stress, b = law.update(moved, two).stress;
-  return {(b.xx - a.xx) / step, (b.yy - a.yy) / step, (b.xy - a.xy) / step};
-}
+/// A point that follows strains; its stress counts from that at rest, or from zero.
+class SoilPath {
+ public:
+  struct Answer {
+    PlaneStress stress;
+    double dissipated = 0.;
+  };
+  SoilPath(std::unique_ptr<SoilPoint> soil, const ElasticLaw& elastic, const PlaneStress& rest = {})
+      : soil_(std::move(soil)), elastic_(elastic), rest_(rest) {}
+
+  /// Without a commit.
+  PlaneStress stress(const PlaneStrain& strain) const {
+    PlaneStress correction;
+    soil_->correct(strain, correction);
+    return sum(rest_, upbead::difference(elastic_.stress(strain), correction));
+  }
+  Answer to(const PlaneStrain& strain) {
+    Answer answer{stress(strain), 0.};
+    soil_->commit(strain, answer.dissipated);
+    strain_ = strain;
+    return answer;
+  }
+  double shear_to(double gamma) { return to({0., 0., 0.5 * gamma}).stress.xy; }
+  double stored() const {
+    double energy = 0.;
+    soil_->stored_beside_elastic(strain_, energy);
+    return energy + 0.5 * work(elastic_.stress(strain_), strain_);
+  }
+
+ private:
+  std::unique_ptr<SoilPoint> soil_;
+  ElasticLaw elastic_;
+  PlaneStress rest_;
+  PlaneStrain strain_;
+};
 
 }  // namespace upbead::testing

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "material/mohr_coulomb_law.h"
 #include "tensor_mesh.h"
 #include "yielding_march.h"
 
@@ -110,8 +111,8 @@ TEST_P(Squeezed, FailsAtItsUndrainedAndDrainedStrength) {
     const auto law = std::make_shared<const MohrCoulombLaw>(
         elastic_law(*region.shear_modulus, *region.poissons_ratio),
         MohrCoulombStrength{s.friction_angle, s.cohesion, s.dilatancy_angle, 0.});
-    const PointsOfCells isotropic = [law](unsigned, unsigned) {
-      return soil_point(law, PlaneStress{-p0, -p0, 0., -p0});
+    const PointsOfCells isotropic = [points = mohr_coulomb_points(law, {{-p0, -p0, 0., -p0}})](unsigned, unsigned q) {
+      return points(q);
     };
     const YieldingMarch found(scene, *mesh, end, step, isotropic, 1e-8);
     check(found, s, strength, drained, record, (drained ? "drained" : "undrained") + of_angle);

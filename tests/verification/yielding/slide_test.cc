@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "material/mohr_coulomb_law.h"
 #include "tensor_mesh.h"
 #include "yielding_march.h"
 
@@ -92,8 +93,8 @@ void compare_with_exact(const Pulse& pulse) {
   const auto law =
       std::make_shared<const MohrCoulombLaw>(elastic_law(G, 0.3), MohrCoulombStrength{0., pulse.strength, 0., 1e6});
   // under compression, so that it does not part
-  const PointsOfCells pressed = [law](unsigned, unsigned) {
-    return soil_point(law, PlaneStress{-98e3, -98e3, 0., -98e3});
+  const PointsOfCells pressed = [points = mohr_coulomb_points(law, {{-98e3, -98e3, 0., -98e3}})](unsigned, unsigned q) {
+    return points(q);
   };
   const double rigid = exact_slide(pulse), spring = slide_on_spring(pulse);
   const YieldingMarch found(scene, *mesh, pulse.end, pulse.duration / 400., pressed, 1e-6);
