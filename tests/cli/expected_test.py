@@ -61,7 +61,7 @@ class Expected(ProgramTest):
             (self.folder / "states.csv").write_text(f"significant_height (m),period (s),waves\n1,8,10\n{height},20,6\n")
             done = upbead("expected", self.folder / "sea.toml", cwd=self.folder)
             self.assertEqual(done.returncode, 0, done.stderr)
-            warning = "height_above_depth: 1 of 2 sea states have an H_1/3 above the depth, the first, row 2, 23 m in 22 m"
+            warning = "height_above_depth: look at significant_height and water_depth\n         1 of 2 sea states have an H_1/3 above the depth, the first, row 2, 23 m in 22 m"
             self.assertEqual(warning in done.stderr, told, done.stderr)
 
     def test_without_a_model_nothing_is_dynamic(self):

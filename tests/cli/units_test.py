@@ -141,8 +141,8 @@ class Units(ProgramTest):
             (self.folder / "scene.toml").write_text(text)
             done = upbead("waves", self.folder / "scene.toml", "--out", self.folder / "out", "--set", setting)
             if done.returncode == 0:
-                line = next((line for line in done.stderr.splitlines() if f"implausible: {key} = " in line), "")
-                self.assertIn(meant, line, done.stderr)
+                cures = re.findall(rf"^warning: implausible: (.*)\n +{re.escape(key)} = ", done.stderr, re.M)
+                self.assertIn(meant, " ".join(cures), done.stderr)
             else:
                 self.assertEqual(done.returncode, 1, "refused with a cure")
                 self.assertIn("; ", done.stderr)

@@ -68,7 +68,7 @@ TEST(Quantities, AreSilentInSIAndTellTheUnitThatWasMeant) {
     const auto told = implausible("key", row.given, *row.quantity);
     ASSERT_TRUE(told) << row.given << " " << row.meant;
     EXPECT_EQ(told->name, "implausible");
-    EXPECT_NE(told->text.find(row.meant), std::string::npos) << told->text;
+    EXPECT_NE(told->text().find(row.meant), std::string::npos) << told->text();
     EXPECT_EQ(told->value, row.given);
   }
 }
@@ -89,7 +89,7 @@ TEST(Quantities, ZeroAndInfinityAreNoUnit) {
   EXPECT_FALSE(implausible("k", std::numeric_limits<double>::infinity(), q::water_modulus));
   const auto told = implausible("regions.sand.porosity", 0.01, q::porosity_of_soil);
   ASSERT_TRUE(told);
-  EXPECT_EQ(told->text.find("if it was meant"), std::string::npos) << "no unit makes it one";
+  EXPECT_EQ(told->text().find("if it was meant"), std::string::npos) << "no unit makes it one";
   EXPECT_EQ(told->limit, 0.15);
 }
 

@@ -131,7 +131,7 @@ TEST(Checks, ThePushOfAHarbourCountsAndAWarningMayVoidTheVerdict) {
   s.harbour->push = 0.1e6;
   s = judged(s);
   EXPECT_EQ(verdict_of(s.checks, s.warnings).holds, true);
-  NumberedWarning warning{"harbour_level", 4.5, 9., "m", "two levels"};
+  NumberedWarning warning{"harbour_level", 4.5, 9., "m", "two levels", "give both sides one level"};
   warning.voids = true;
   const Verdict verdict = verdict_of(s.checks, {warning});
   EXPECT_FALSE(verdict.holds);
